@@ -1,0 +1,95 @@
+//! What is wrong with a file, and where.
+
+use std::fmt;
+use std::path::PathBuf;
+
+/// Where in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The file as a whole.
+    File,
+    /// A byte, counted from 0.
+    Byte(u64),
+    /// A line, counted from 1.
+    Line(u64),
+    /// A value in a JSON document (RFC 6901), as `/meshes/0/primitives/1`.
+    Pointer(String),
+}
+
+/// An error with its place.
+#[derive(Debug, thiserror::Error)]
+#[error("{}{place}: {kind}", file.as_deref().map_or_else(|| "<input>".into(), |file| file.to_string_lossy()))]
+pub struct Error {
+    /// The file, if it isn't the standard input.
+    pub file: Option<PathBuf>,
+    /// Where in it.
+    pub place: Place,
+    /// What.
+    #[source]
+    pub kind: ErrorKind,
+}
+
+/// What is wrong.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ErrorKind {
+    /// The system can't read the file.
+    #[error("{0}")]
+    Io(#[from] std::io::Error),
+    /// The file breaks the rules of its format.
+    #[error("{0}")]
+    Malformed(String),
+    /// The file ends too early.
+    #[error("the file ends here, in the middle of {0}")]
+    Truncated(String),
+    /// A number points to something that isn't there.
+    #[error("{what} {index} doesn't exist: there are {count}")]
+    OutOfRange {
+        /// What kind of thing.
+        what: &'static str,
+        /// The number as the file counts.
+        index: i64,
+        /// How many there are.
+        count: u64,
+    },
+    /// The file needs something that luxel can't do.
+    #[error("{0}")]
+    Unsupported(String),
+    /// The file asks for more than the limits allow.
+    #[error("{what} would take {needed} bytes; the limit is {limit}: raise it with --max-memory")]
+    TooLarge {
+        /// What asks.
+        what: String,
+        /// Bytes asked for.
+        needed: u64,
+        /// Bytes allowed.
+        limit: u64,
+    },
+}
+
+impl Error {
+    /// An error at a place of the input being read; [`Error::in_file`] adds the file.
+    #[must_use]
+    pub const fn at(place: Place, kind: ErrorKind) -> Self {
+        Self { file: None, place, kind }
+    }
+
+    /// Names the file, unless a nested file has been named already.
+    #[must_use]
+    pub fn in_file(mut self, file: impl Into<PathBuf>) -> Self {
+        self.file.get_or_insert_with(|| file.into());
+        self
+    }
+}
+
+impl fmt::Display for Place {
+    /// As compilers write places: nothing for the file itself, `:12` for a line, else in words.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => Ok(()),
+            Self::Byte(byte) => write!(formatter, ": byte {byte}"),
+            Self::Line(line) => write!(formatter, ":{line}"),
+            Self::Pointer(pointer) => write!(formatter, ": {pointer}"),
+        }
+    }
+}

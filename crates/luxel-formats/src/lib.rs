@@ -1,0 +1,14 @@
+//! Model files in: what a file says becomes a [`Scene`](luxel_scene::Scene).
+//!
+//! Every reader takes bytes from anywhere, checks counts and indices before it allocates or reads,
+//! and answers damaged input with an [`Error`] that names the place. None panics.
+
+#![forbid(unsafe_code)]
+
+mod error;
+mod limits;
+mod open;
+
+pub use error::{Error, ErrorKind, Place};
+pub use limits::Limits;
+pub use open::{Format, Loaded, open, read};

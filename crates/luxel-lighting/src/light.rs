@@ -1,0 +1,97 @@
+//! Light sources: what they are, apart from where they stand.
+
+/// A source of light, without its place.
+///
+/// Intensities are linear and may exceed 1. I_a, I_d and I_s are separate, as in Foley et al.
+/// (*Computer Graphics: Principles and Practice*, 1990, section 16.1) with the specular colour of
+/// its own that OpenGL 1.x gives every light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// How the light spreads.
+    pub kind: LightKind,
+    /// I_a: what the light adds to the ambient term, 0 by default.
+    pub ambient: [f32; 3],
+    /// I_d: the intensity for diffuse reflection.
+    pub diffuse: [f32; 3],
+    /// I_s: the intensity for specular reflection.
+    pub specular: [f32; 3],
+    /// How the light weakens with distance; directional and ambient lights don't.
+    pub attenuation: Attenuation,
+}
+
+/// How a light spreads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LightKind {
+    /// From everywhere, equally: only the ambient intensity counts.
+    Ambient,
+    /// Along one direction, from infinitely far.
+    Directional,
+    /// From a point into all directions.
+    Point,
+    /// From a point into a cone.
+    Spot(Cone),
+}
+
+/// The cone of a spot light; angle t is between the light's direction and the way to the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cone {
+    /// max(cos t, 0)^exponent inside the cutoff, 0 outside (OpenGL 1.x, section 2.13.1). A cosine
+    /// of the cutoff of -1 means no cone.
+    Exponent {
+        /// Cosine of the half-angle.
+        cos_cutoff: f32,
+        /// How the light concentrates along the axis.
+        exponent: f32,
+    },
+    /// 1 inside the inner cone, 0 outside the outer one, between them
+    /// ((cos t - cos outer) / (cos inner - cos outer))^2 (glTF `KHR_lights_punctual`).
+    Smooth {
+        /// Cosine of the inner half-angle.
+        cos_inner: f32,
+        /// Cosine of the outer half-angle.
+        cos_outer: f32,
+    },
+}
+
+/// Attenuation 1 / (c1 + c2 d + c3 d^2) over the distance d to the light, with glTF's window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attenuation {
+    /// c1, c2, c3; not all 0.
+    pub coefficients: [f32; 3],
+    /// The distance where the light ends: the factor max(min(1 - (d / range)^4, 1), 0) of glTF
+    /// `KHR_lights_punctual`. `None`: it never ends.
+    pub range: Option<f32>,
+}
+
+impl Attenuation {
+    /// No attenuation: c = (1, 0, 0).
+    pub const NONE: Self = Self { coefficients: [1.0, 0.0, 0.0], range: None };
+    /// The physical law 1 / d^2.
+    pub const INVERSE_SQUARE: Self = Self { coefficients: [0.0, 0.0, 1.0], range: None };
+}
+
+impl Light {
+    /// A light of one colour for diffuse and specular reflection, unattenuated.
+    #[must_use]
+    pub const fn new(kind: LightKind, color: [f32; 3]) -> Self {
+        Self {
+            kind,
+            ambient: [0.0; 3],
+            diffuse: color,
+            specular: color,
+            attenuation: Attenuation::NONE,
+        }
+    }
+
+    /// An ambient light.
+    #[must_use]
+    pub const fn ambient(color: [f32; 3]) -> Self {
+        Self {
+            kind: LightKind::Ambient,
+            ambient: color,
+            diffuse: [0.0; 3],
+            specular: [0.0; 3],
+            attenuation: Attenuation::NONE,
+        }
+    }
+}

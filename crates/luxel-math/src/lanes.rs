@@ -1,0 +1,181 @@
+//! Sixteen lanes, and the instruction set that runs them.
+//!
+//! Hot code is written once, generic over a token `S:` [`Simd`](fearless_simd::Simd), on types of
+//! exactly sixteen lanes: a block of 4x4 pixels, sixteen vertices, sixteen triangles. Narrower
+//! hardware splits them; the grouping, and so every result, stays the same.
+
+use fearless_simd::Level;
+use std::fmt;
+use std::str::FromStr;
+
+/// Lanes of every vector: a block of 4x4 pixels.
+pub const LANES: usize = 16;
+
+/// An instruction set by name, as `--simd` takes it.
+///
+/// The levels differ in speed only: pixels are the same at all of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum SimdLevel {
+    /// The best that this machine has.
+    #[default]
+    Auto,
+    /// One value at a time, on any machine.
+    Scalar,
+    /// 128 bits: x86-64's baseline.
+    Sse2,
+    /// 128 bits, x86-64 since 2008.
+    Sse42,
+    /// 256 bits, x86-64 since 2013.
+    Avx2,
+    /// 512 bits, x86-64 since Ice Lake and Zen 4.
+    Avx512,
+    /// 128 bits, aarch64.
+    Neon,
+    /// 128 bits, WebAssembly.
+    Simd128,
+}
+
+/// Every level but `Auto`, narrowest first.
+const LEVELS: [SimdLevel; 7] = [
+    SimdLevel::Scalar,
+    SimdLevel::Sse2,
+    SimdLevel::Sse42,
+    SimdLevel::Avx2,
+    SimdLevel::Avx512,
+    SimdLevel::Neon,
+    SimdLevel::Simd128,
+];
+
+impl SimdLevel {
+    /// The levels that this machine can run, narrowest first.
+    #[must_use]
+    pub fn available() -> Vec<Self> {
+        LEVELS.into_iter().filter(|level| level.resolve().is_ok()).collect()
+    }
+
+    /// The name that [`FromStr`] reads.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Scalar => "scalar",
+            Self::Sse2 => "sse2",
+            Self::Sse42 => "sse4.2",
+            Self::Avx2 => "avx2",
+            Self::Avx512 => "avx512",
+            Self::Neon => "neon",
+            Self::Simd128 => "simd128",
+        }
+    }
+
+    /// The level that [`dispatch`](fearless_simd::dispatch) takes.
+    ///
+    /// # Errors
+    /// [`UnavailableSimdLevel`] if this machine lacks the instructions.
+    pub fn resolve(self) -> Result<Level, UnavailableSimdLevel> {
+        let best = Level::new();
+        let level = match self {
+            Self::Auto => Some(best),
+            Self::Scalar => Some(Level::fallback()),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Self::Sse2 => best.as_sse2().map(Level::Sse2),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Self::Sse42 => best.as_sse4_2().map(Level::Sse4_2),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Self::Avx2 => best.as_avx2().map(Level::Avx2),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Self::Avx512 => best.as_avx512().map(Level::Avx512),
+            #[cfg(target_arch = "aarch64")]
+            Self::Neon => best.as_neon().map(Level::Neon),
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            Self::Simd128 => best.as_wasm_simd128().map(Level::WasmSimd128),
+            #[allow(unreachable_patterns, reason = "which levels are left depends on the target")]
+            _ => None,
+        };
+        level.ok_or(UnavailableSimdLevel(self))
+    }
+
+    /// The name of a resolved level.
+    #[must_use]
+    pub fn name_of(level: Level) -> &'static str {
+        let level = match level {
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Sse2(_) => Self::Sse2,
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Sse4_2(_) => Self::Sse42,
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx2(_) => Self::Avx2,
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx512(_) => Self::Avx512,
+            #[cfg(target_arch = "aarch64")]
+            Level::Neon(_) => Self::Neon,
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            Level::WasmSimd128(_) => Self::Simd128,
+            _ => Self::Scalar,
+        };
+        level.name()
+    }
+}
+
+impl fmt::Display for SimdLevel {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.name())
+    }
+}
+
+impl FromStr for SimdLevel {
+    type Err = ParseSimdLevelError;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        LEVELS
+            .into_iter()
+            .chain([Self::Auto])
+            .find(|level| level.name() == name)
+            .ok_or_else(|| ParseSimdLevelError(name.to_owned()))
+    }
+}
+
+/// A name that is no [`SimdLevel`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParseSimdLevelError(String);
+
+impl fmt::Display for ParseSimdLevelError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names: Vec<_> = LEVELS.iter().map(|level| level.name()).collect();
+        write!(formatter, "`{}` is no SIMD level: use auto, {}", self.0, names.join(", "))
+    }
+}
+
+impl std::error::Error for ParseSimdLevelError {}
+
+/// A level whose instructions this machine lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnavailableSimdLevel(pub SimdLevel);
+
+impl fmt::Display for UnavailableSimdLevel {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names: Vec<_> = SimdLevel::available().into_iter().map(SimdLevel::name).collect();
+        write!(formatter, "this machine has no {}: it has {}", self.0, names.join(", "))
+    }
+}
+
+impl std::error::Error for UnavailableSimdLevel {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_reads_back_as_its_level() {
+        for level in LEVELS {
+            assert_eq!(level.name().parse(), Ok(level));
+        }
+        assert!("mmx".parse::<SimdLevel>().is_err());
+    }
+
+    #[test]
+    fn the_machine_has_auto_and_scalar_at_least() {
+        assert!(SimdLevel::Auto.resolve().is_ok());
+        assert!(SimdLevel::available().contains(&SimdLevel::Scalar));
+    }
+}

@@ -1,0 +1,37 @@
+//! Numbers with the same bits on every machine.
+//!
+//! Everything that reaches a pixel of luxel is computed by this crate's means: `+ - * / sqrt`,
+//! comparisons, integers, and functions made of those. Nothing is fused, nothing reassociated, no
+//! function of the platform's mathematics library is called, so a picture has the same bytes on
+//! x86-64 at every SIMD level, on aarch64 and in WebAssembly.
+//!
+//! [`Number`] is one `f32` or sixteen of them ([`f32x16`]); whatever is written over it runs for
+//! one pixel and for a block of 4x4 pixels with equal results, lane by lane.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`Number`] | the operations that one value and sixteen lanes share |
+//! | [`elementary`] | `log2`, `exp2`, powers, made of those operations |
+//! | [`Vec3`], [`Rgb`] | three numbers in space, three numbers of light |
+//! | [`SubPixel`] | window positions in steps of 1/256 pixel |
+//! | [`SimdLevel`] | which instruction set runs the lanes |
+
+#![forbid(unsafe_code)]
+
+pub mod elementary;
+mod fixed;
+mod lanes;
+mod number;
+mod vector;
+
+pub use fearless_simd::{Level, Simd, dispatch, f32x16, i32x16, mask32x16, u32x16};
+pub use fixed::{SUBPIXELS, SubPixel};
+pub use lanes::{LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel};
+pub use number::{Mask, Number};
+pub use vector::{Rgb, Vec3};
+
+/// What code over sixteen lanes wants in scope.
+pub mod prelude {
+    pub use crate::number::{Mask, Number};
+    pub use fearless_simd::prelude::*;
+}

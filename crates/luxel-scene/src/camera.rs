@@ -1,0 +1,191 @@
+//! Cameras: where the eye stands, and how the world falls onto the window.
+
+use crate::NodeId;
+use glam::{DMat4, DVec3, DVec4};
+
+/// A picture's size in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+}
+
+/// What the lens does, apart from the clipping planes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lens {
+    /// A symmetric perspective.
+    Perspective {
+        /// The angle of view from bottom to top.
+        fov_y_radians: f64,
+    },
+    /// Parallel rays.
+    Orthographic {
+        /// World units from bottom to top.
+        height: f64,
+    },
+    /// A calibrated camera, off-centre where the principal point isn't the window's middle.
+    Intrinsics {
+        /// Focal length in pixels, across.
+        fx: f64,
+        /// Focal length in pixels, down.
+        fy: f64,
+        /// The principal point's x in window coordinates.
+        cx: f64,
+        /// The principal point's y in window coordinates, downwards.
+        cy: f64,
+    },
+}
+
+/// A lens with its clipping planes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// The lens.
+    pub lens: Lens,
+    /// The distance of the near plane along the viewing axis; positive for perspectives.
+    pub near: f64,
+    /// The distance of the far plane; infinite for a perspective without one.
+    pub far: f64,
+}
+
+/// A camera: what a picture is taken with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// From world space to the camera's own, which looks along -Z with +Y up: a rotation and a
+    /// translation.
+    pub view_from_world: DMat4,
+    /// The projection.
+    pub projection: Projection,
+}
+
+/// A camera of a file, hanging on a node.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneCamera {
+    /// Its name.
+    pub name: String,
+    /// The node; `None` stands for the world.
+    pub node: Option<NodeId>,
+    /// The lens.
+    pub lens: Lens,
+    /// The file's clipping planes, near and far, if it has them.
+    pub planes: Option<(f64, f64)>,
+}
+
+impl Projection {
+    /// The projection matrix of OpenGL (`glFrustum`, `glOrtho`): clip x, y, z from -w to w, z = -w
+    /// at the near plane.
+    #[must_use]
+    pub fn clip_from_view(&self, size: Size) -> DMat4 {
+        let (width, height) = (f64::from(size.width), f64::from(size.height));
+        let (near, far) = (self.near, self.far);
+        // Third row for perspectives: z_clip = a z + b, w_clip = -z.
+        let (a, b) = if far.is_infinite() {
+            (-1.0, -2.0 * near)
+        } else {
+            ((far + near) / (near - far), 2.0 * far * near / (near - far))
+        };
+        let perspective = |x: f64, y: f64, skew_x: f64, skew_y: f64| {
+            DMat4::from_cols(
+                DVec4::new(x, 0.0, 0.0, 0.0),
+                DVec4::new(0.0, y, 0.0, 0.0),
+                DVec4::new(skew_x, skew_y, a, -1.0),
+                DVec4::new(0.0, 0.0, b, 0.0),
+            )
+        };
+        match self.lens {
+            Lens::Perspective { fov_y_radians } => {
+                let y = 1.0 / libm::tan(fov_y_radians * 0.5);
+                perspective(y * height / width, y, 0.0, 0.0)
+            }
+            Lens::Intrinsics { fx, fy, cx, cy } => perspective(
+                2.0 * fx / width,
+                2.0 * fy / height,
+                1.0 - 2.0 * cx / width,
+                2.0 * cy / height - 1.0,
+            ),
+            Lens::Orthographic { height: extent } => {
+                let y = 2.0 / extent;
+                DMat4::from_cols(
+                    DVec4::new(y * height / width, 0.0, 0.0, 0.0),
+                    DVec4::new(0.0, y, 0.0, 0.0),
+                    DVec4::new(0.0, 0.0, -2.0 / (far - near), 0.0),
+                    DVec4::new(0.0, 0.0, -(far + near) / (far - near), 1.0),
+                )
+            }
+        }
+    }
+
+    /// Whether rays are parallel.
+    #[must_use]
+    pub fn is_orthographic(&self) -> bool {
+        matches!(self.lens, Lens::Orthographic { .. })
+    }
+}
+
+impl Camera {
+    /// The rotation and translation of a camera at `eye` that looks to `target`, `up` pointing up
+    /// in the picture (`gluLookAt`). Where `up` runs along the view, another axis stands in.
+    #[must_use]
+    pub fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> DMat4 {
+        let back = (eye - target).normalize_or(DVec3::Z);
+        let right = up.cross(back).try_normalize().unwrap_or_else(|| back.any_orthonormal_vector());
+        let up = back.cross(right);
+        let world_from_view =
+            DMat4::from_cols(right.extend(0.0), up.extend(0.0), back.extend(0.0), eye.extend(1.0));
+        rigid_inverse(&world_from_view)
+    }
+
+    /// The eye's place in world space.
+    #[must_use]
+    pub fn eye(&self) -> DVec3 {
+        rigid_inverse(&self.view_from_world).w_axis.truncate()
+    }
+
+    /// The direction of the view in world space, of unit length.
+    #[must_use]
+    pub fn direction(&self) -> DVec3 {
+        -self.view_from_world.row(2).truncate()
+    }
+}
+
+/// The inverse of a rotation and translation: transpose the one, turn the other round.
+fn rigid_inverse(matrix: &DMat4) -> DMat4 {
+    let [x, y, z] = [0, 1, 2].map(|row| matrix.row(row).truncate());
+    let translation = matrix.w_axis.truncate();
+    let eye = -(x * translation.x + y * translation.y + z * translation.z);
+    DMat4::from_cols(x.extend(0.0), y.extend(0.0), z.extend(0.0), eye.extend(1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn looking_down_minus_z_from_the_origin_changes_nothing() {
+        let view = Camera::look_at(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y);
+        assert!(view.abs_diff_eq(DMat4::IDENTITY, 1e-15));
+    }
+
+    #[test]
+    fn the_eye_is_found_again_from_the_matrix() {
+        let eye = DVec3::new(3.0, -2.0, 7.5);
+        let view_from_world = Camera::look_at(eye, DVec3::ONE, DVec3::Y);
+        let projection =
+            Projection { lens: Lens::Orthographic { height: 1.0 }, near: 0.0, far: 1.0 };
+        let camera = Camera { view_from_world, projection };
+        assert!(camera.eye().abs_diff_eq(eye, 1e-14));
+        assert!(camera.direction().abs_diff_eq((DVec3::ONE - eye).normalize(), 1e-14));
+    }
+
+    #[test]
+    fn intrinsics_of_a_centred_camera_are_its_field_of_view() {
+        let size = Size { width: 640, height: 480 };
+        let fov_y_radians = 0.8;
+        let f = 240.0 / libm::tan(0.4);
+        let of = |lens| Projection { lens, near: 0.1, far: 10.0 }.clip_from_view(size);
+        let symmetric = of(Lens::Perspective { fov_y_radians });
+        let calibrated = of(Lens::Intrinsics { fx: f, fy: f, cx: 320.0, cy: 240.0 });
+        assert!(symmetric.abs_diff_eq(calibrated, 1e-14));
+    }
+}

@@ -1,0 +1,23 @@
+//! What there is: meshes, nodes with names and paths, cameras, lights, materials and textures.
+//!
+//! World space is right-handed. Matrices are column-major, act on column vectors, and are named
+//! target-from-source, so that products read themselves: `clip_from_view * view_from_world`.
+
+#![forbid(unsafe_code)]
+
+mod camera;
+mod light;
+mod material;
+mod mesh;
+mod node;
+mod scene;
+mod texture;
+
+pub use camera::{Camera, Lens, Projection, SceneCamera, Size};
+pub use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
+pub use light::{Placement, SceneLight};
+pub use material::{AlphaMode, SceneMaterial, Sides, TextureUse};
+pub use mesh::{Bounds, Lines, Mesh, Part, Points};
+pub use node::{CameraId, LightId, MaterialId, MeshId, Node, NodeId, TextureId};
+pub use scene::{Object, Scene};
+pub use texture::{Encoding, Filter, Image, MipLevel, Sampler, Texture, Wrap};

@@ -1,0 +1,101 @@
+//! Materials of a scene: constants of reflection with the textures that vary them.
+
+use crate::TextureId;
+use luxel_lighting::Material;
+
+/// A material: what the equation multiplies, and the textures that it multiplies with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneMaterial {
+    /// Its name.
+    pub name: String,
+    /// The constants.
+    pub constants: Material,
+    /// Alpha of the whole surface: the base colour's alpha, or MTL's `d`.
+    pub opacity: f32,
+    /// What alpha does.
+    pub alpha_mode: AlphaMode,
+    /// Which sides are drawn.
+    pub sides: Sides,
+    /// Times O_d; its alpha times the opacity (glTF base colour, MTL `map_Kd`).
+    pub base_color: Option<TextureUse>,
+    /// Metalness from blue, roughness from green.
+    pub metallic_roughness: Option<TextureUse>,
+    /// Normals in tangent space; `strength` scales x and y.
+    pub normal: Option<TextureUse>,
+    /// Times the ambient and environment terms, from red; `strength` is how far it goes.
+    pub occlusion: Option<TextureUse>,
+    /// Times the emission.
+    pub emission: Option<TextureUse>,
+    /// Times O_s (MTL `map_Ks`).
+    pub specular: Option<TextureUse>,
+    /// Times O_a (MTL `map_Ka`).
+    pub ambient: Option<TextureUse>,
+    /// Times the opacity, from red (MTL `map_d`).
+    pub opacity_map: Option<TextureUse>,
+}
+
+/// How a material samples a texture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TextureUse {
+    /// The texture.
+    pub texture: TextureId,
+    /// Which set of texture coordinates: 0 or 1.
+    pub uv_set: u8,
+    /// (u', v') = (m0 u + m1 v + m2, m3 u + m4 v + m5) (glTF `KHR_texture_transform`).
+    pub transform: [f32; 6],
+    /// How strongly the texture acts (normal scale, occlusion strength); 1 by default.
+    pub strength: f32,
+}
+
+impl TextureUse {
+    /// A texture over the first set of coordinates, as they are.
+    #[must_use]
+    pub const fn new(texture: TextureId) -> Self {
+        Self { texture, uv_set: 0, transform: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0], strength: 1.0 }
+    }
+}
+
+/// What a surface's alpha does.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum AlphaMode {
+    /// Nothing.
+    #[default]
+    Opaque,
+    /// Texels below the cutoff are holes.
+    Mask {
+        /// Alpha below this is not drawn.
+        cutoff: f32,
+    },
+    /// The surface lets through what is behind it.
+    Blend,
+}
+
+/// Which sides of a face are drawn when culling is left to the material.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sides {
+    /// Both: formats that don't say, and glTF's double-sided materials.
+    #[default]
+    Both,
+    /// The front only.
+    Front,
+}
+
+impl Default for SceneMaterial {
+    fn default() -> Self {
+        Self {
+            name: "default".to_owned(),
+            constants: Material::default(),
+            opacity: 1.0,
+            alpha_mode: AlphaMode::Opaque,
+            sides: Sides::Both,
+            base_color: None,
+            metallic_roughness: None,
+            normal: None,
+            occlusion: None,
+            emission: None,
+            specular: None,
+            ambient: None,
+            opacity_map: None,
+        }
+    }
+}

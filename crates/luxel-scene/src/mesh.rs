@@ -1,0 +1,185 @@
+//! Meshes: triangles over shared positions, with the attributes that shading interpolates.
+
+use crate::MaterialId;
+use glam::{DMat4, DVec3};
+
+/// Triangles in the file's order, with points and lines beside them.
+///
+/// A corner names two things: a *position* (`triangles`), shared by all faces that meet there, and
+/// an *attribute vertex* (`attribute_corners`), which carries normal, texture coordinates and
+/// colour and is split where those change. Where no position is split, one index serves both.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// The place that positions are relative to, so that f32 suffices far from the world's origin.
+    pub origin: DVec3,
+    /// Positions about `origin`.
+    pub positions: Vec<[f32; 3]>,
+    /// The positions of each triangle's corners, counter-clockwise seen from the front.
+    pub triangles: Vec<[u32; 3]>,
+    /// The attribute vertices of each triangle's corners; `None` if they are numbered like the
+    /// positions.
+    pub attribute_corners: Option<Vec<[u32; 3]>>,
+    /// Unit normals of the attribute vertices; empty if the file has none.
+    pub normals: Vec<[f32; 3]>,
+    /// Unit tangents, with the bitangent's sign; empty if there are none.
+    pub tangents: Vec<[f32; 4]>,
+    /// Texture coordinates of up to two sets, (0, 0) at the image's upper left; empty if none.
+    pub uvs: [Vec<[f32; 2]>; 2],
+    /// Linear colours with alpha; empty if there are none.
+    pub colors: Vec<[f32; 4]>,
+    /// The file's polygon that each triangle is part of; `None`: each is its own.
+    pub polygons: Option<Vec<u32>>,
+    /// The smoothing group of each triangle, 0 for faceted; `None`: the crease angle decides.
+    pub smoothing_groups: Option<Vec<u32>>,
+    /// Runs of triangles that share a material, in order and without gaps.
+    pub parts: Vec<Part>,
+    /// Points, which are no triangles.
+    pub points: Vec<Points>,
+    /// Line segments, which are no triangles.
+    pub lines: Vec<Lines>,
+}
+
+/// A run of triangles with one material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The first triangle.
+    pub first: u32,
+    /// How many.
+    pub count: u32,
+    /// The material.
+    pub material: MaterialId,
+}
+
+/// Positions drawn as points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Points {
+    /// Positions, by number.
+    pub indices: Vec<u32>,
+    /// The material.
+    pub material: MaterialId,
+}
+
+/// Position pairs drawn as lines.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lines {
+    /// The two ends of each segment, positions by number.
+    pub segments: Vec<[u32; 2]>,
+    /// The material.
+    pub material: MaterialId,
+}
+
+impl Mesh {
+    /// The attribute vertices of each triangle's corners.
+    #[must_use]
+    pub fn attribute_corners(&self) -> &[[u32; 3]] {
+        self.attribute_corners.as_deref().unwrap_or(&self.triangles)
+    }
+
+    /// The position of a corner, in f64, in the mesh's own space.
+    #[must_use]
+    pub fn position(&self, index: u32) -> DVec3 {
+        let [x, y, z] = self.positions[index as usize];
+        self.origin + DVec3::new(f64::from(x), f64::from(y), f64::from(z))
+    }
+
+    /// Takes f64 positions, choosing the middle of their bounds as the origin if they lie so far
+    /// out that f32 about zero would lose more than a millionth of the mesh's extent.
+    pub fn set_positions(&mut self, positions: &[[f64; 3]]) {
+        let mut bounds = Bounds::EMPTY;
+        for &position in positions {
+            let position = DVec3::from_array(position);
+            if position.is_finite() {
+                bounds.include(position);
+            }
+        }
+        let far_out = bounds.min.abs().max(bounds.max.abs()).max_element();
+        let extent = (bounds.max - bounds.min).max_element();
+        self.origin = if !bounds.is_empty() && far_out > 16.0 * extent {
+            (bounds.min + bounds.max) * 0.5
+        } else {
+            DVec3::ZERO
+        };
+        let origin = self.origin;
+        self.positions = positions
+            .iter()
+            .map(|position| (DVec3::from_array(*position) - origin).as_vec3().to_array())
+            .collect();
+    }
+
+    /// The bounds of everything drawn: triangles, points and lines; empty if there is nothing.
+    #[must_use]
+    pub fn bounds(&self, world_from_mesh: &DMat4) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        let mut include = |index: u32| {
+            bounds.include(world_from_mesh.transform_point3(self.position(index)));
+        };
+        let mut seen = vec![false; self.positions.len()];
+        let mut once = |index: u32| {
+            if !std::mem::replace(&mut seen[index as usize], true) {
+                include(index);
+            }
+        };
+        self.triangles.iter().flatten().for_each(|&index| once(index));
+        self.points.iter().flat_map(|points| &points.indices).for_each(|&index| once(index));
+        self.lines
+            .iter()
+            .flat_map(|lines| &lines.segments)
+            .flatten()
+            .for_each(|&index| once(index));
+        bounds
+    }
+}
+
+/// A box along the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The lowest coordinates.
+    pub min: DVec3,
+    /// The highest coordinates.
+    pub max: DVec3,
+}
+
+impl Bounds {
+    /// The bounds of nothing.
+    pub const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+
+    /// Whether nothing lies within.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        !self.min.cmple(self.max).all()
+    }
+
+    /// Grows to hold a point.
+    pub fn include(&mut self, point: DVec3) {
+        self.min = self.min.min(point);
+        self.max = self.max.max(point);
+    }
+
+    /// The smallest box that holds both.
+    #[must_use]
+    pub fn union(&self, other: &Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// The middle.
+    #[must_use]
+    pub fn centre(&self) -> DVec3 {
+        (self.min + self.max) * 0.5
+    }
+
+    /// Half the diagonal.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        (self.max - self.min).length() * 0.5
+    }
+
+    /// The eight corners.
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 8] {
+        std::array::from_fn(|corner| {
+            let pick =
+                |axis: usize| if corner >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
+            DVec3::new(pick(0), pick(1), pick(2))
+        })
+    }
+}
