@@ -12,6 +12,7 @@ mod mesh;
 mod node;
 mod scene;
 mod texture;
+mod triangulate;
 
 pub use camera::{Camera, Lens, Projection, SceneCamera, Size};
 pub use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
@@ -21,3 +22,4 @@ pub use mesh::{Bounds, Lines, Mesh, Part, Points};
 pub use node::{CameraId, LightId, MaterialId, MeshId, Node, NodeId, TextureId};
 pub use scene::{Object, Scene};
 pub use texture::{Encoding, Filter, Image, MipLevel, Sampler, Texture, Wrap};
+pub use triangulate::triangulate;
