@@ -1,0 +1,204 @@
+//! Where on its triangle a sample lies, as a ray through the sample finds it.
+//!
+//! Coverage and the depth test go by snapped corners; everything told or lit goes by the triangle
+//! itself. For corners p_0, p_1, p_2 in view space and the ray t d from the eye, Cramer's rule
+//! gives weights w_i = d . (p_j x p_k), with barycentrics b_i = w_i / (w_0 + w_1 + w_2). The ray's
+//! direction is linear in window x and y, and so are the weights: three linear forms a triangle
+//! ("perspective-correct interpolation", Olano and Greer 1997), also for parallel rays.
+//!
+//! Forms are made in f64, then moved to the 4x4 block that is evaluated, where f32 suffices: to
+//! about 1e-6 of the triangle's size where it is larger than the block.
+
+use glam::DVec3;
+use luxel_math::{Number, SUBPIXELS};
+use luxel_scene::{Projection, Size};
+
+/// How window positions become rays: x = x0 + dx X in the plane z = -1 of view space for
+/// perspectives, in the eye's plane for parallel rays; X in pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct WindowRays {
+    x0: f64,
+    dx: f64,
+    y0: f64,
+    dy: f64,
+    parallel: bool,
+}
+
+impl WindowRays {
+    /// The rays of a projection onto a window.
+    #[must_use]
+    pub fn new(projection: &Projection, size: Size) -> Self {
+        let clip = projection.clip_from_view(size);
+        let (width, height) = (f64::from(size.width), f64::from(size.height));
+        // x_ndc = 2 X / width - 1 = (P_00 x + P_02 z) / -z with z = -1, or P_00 x + P_03.
+        let parallel = projection.is_orthographic();
+        let (skew_x, skew_y) = if parallel {
+            (-clip.w_axis.x, -clip.w_axis.y)
+        } else {
+            (clip.z_axis.x, clip.z_axis.y)
+        };
+        Self {
+            x0: (skew_x - 1.0) / clip.x_axis.x,
+            dx: 2.0 / (width * clip.x_axis.x),
+            y0: (skew_y + 1.0) / clip.y_axis.y,
+            dy: -2.0 / (height * clip.y_axis.y),
+            parallel,
+        }
+    }
+
+    /// The ray through a window position in pixels: origin and direction in view space, the
+    /// direction with z = -1.
+    #[must_use]
+    pub fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
+        let (x, y) = (self.x0 + self.dx * x, self.y0 + self.dy * y);
+        if self.parallel {
+            (DVec3::new(x, y, 0.0), DVec3::NEG_Z)
+        } else {
+            (DVec3::ZERO, DVec3::new(x, y, -1.0))
+        }
+    }
+
+    /// The window position of a point in view space, in pixels; `None` if it isn't before the eye.
+    fn window(&self, point: DVec3) -> Option<[f64; 2]> {
+        let depth = if self.parallel { 1.0 } else { -point.z };
+        (depth > 0.0)
+            .then(|| [(point.x / depth - self.x0) / self.dx, (point.y / depth - self.y0) / self.dy])
+    }
+}
+
+/// The weights of a triangle's corners as linear forms over the window: w_i = a_i X + b_i Y + c_i.
+#[derive(Clone, Copy, Debug)]
+pub struct Forms {
+    corners: [DVec3; 3],
+    a: [f64; 3],
+    b: [f64; 3],
+    c: [f64; 3],
+}
+
+/// [`Forms`] about a block's upper left corner, in f32, scaled to about 1.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockForms {
+    a: [f32; 3],
+    b: [f32; 3],
+    c: [f32; 3],
+}
+
+impl Forms {
+    /// The forms of a triangle given in view space.
+    #[must_use]
+    pub fn new(rays: &WindowRays, corners: [DVec3; 3]) -> Self {
+        let [mut a, mut b, mut c] = [[0.0; 3]; 3];
+        for i in 0..3 {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let n = if rays.parallel {
+                // Twice the area of (o, p_j, p_k) for the ray's origin o.
+                let (p, q) = (corners[j], corners[k]);
+                DVec3::new(p.y - q.y, q.x - p.x, p.y * q.x - p.x * q.y)
+            } else {
+                corners[j].cross(corners[k])
+            };
+            a[i] = n.x * rays.dx;
+            b[i] = n.y * rays.dy;
+            c[i] = n.x * rays.x0 + n.y * rays.y0 - n.z;
+        }
+        Self { corners, a, b, c }
+    }
+
+    /// The forms about pixel (x, y), the first of a block.
+    #[must_use]
+    pub fn about(&self, x: i32, y: i32) -> BlockForms {
+        let (x, y) = (f64::from(x), f64::from(y));
+        let mut c = [0.0; 3];
+        let mut largest = f64::MIN_POSITIVE;
+        for (i, value) in c.iter_mut().enumerate() {
+            *value = self.a[i] * x + self.b[i] * y + self.c[i];
+            largest = largest.max(value.abs()).max(self.a[i].abs()).max(self.b[i].abs());
+        }
+        // A common factor leaves the barycentrics as they are.
+        let scaled = |values: [f64; 3]| values.map(|value| (value / largest) as f32);
+        BlockForms { a: scaled(self.a), b: scaled(self.b), c: scaled(c) }
+    }
+
+    /// The barycentrics of the place on the triangle's edges that lies nearest, in the window, to
+    /// position (x, y) in pixels.
+    ///
+    /// For samples that the snapped triangle covers and the triangle itself doesn't: they lie
+    /// within 1/512 pixel of an edge.
+    #[must_use]
+    pub fn nearest_on_edges(&self, rays: &WindowRays, x: f64, y: f64) -> [f32; 3] {
+        let window = self.corners.map(|corner| rays.window(corner));
+        let mut best = (f64::INFINITY, [1.0, 0.0, 0.0]);
+        for i in 0..3 {
+            let j = (i + 1) % 3;
+            let (Some(p), Some(q)) = (window[i], window[j]) else { continue };
+            let (along_x, along_y) = (q[0] - p[0], q[1] - p[1]);
+            let squared = along_x * along_x + along_y * along_y;
+            let dot = (x - p[0]) * along_x + (y - p[1]) * along_y;
+            let t = if squared > 0.0 { (dot / squared).clamp(0.0, 1.0) } else { 0.0 };
+            let (off_x, off_y) = (p[0] + t * along_x - x, p[1] + t * along_y - y);
+            let distance = off_x * off_x + off_y * off_y;
+            if distance < best.0 {
+                // A step along the window's edge is perspective on the triangle's.
+                let depth =
+                    |corner: usize| if rays.parallel { 1.0 } else { -self.corners[corner].z };
+                let (from, to) = ((1.0 - t) / depth(i), t / depth(j));
+                let mut barycentric = [0.0; 3];
+                barycentric[i] = from / (from + to);
+                barycentric[j] = to / (from + to);
+                best = (distance, barycentric);
+            }
+        }
+        best.1.map(|value| value as f32)
+    }
+
+    /// The barycentrics of one window position, in steps of 1/256 pixel: what a block's lanes hold,
+    /// bit for bit.
+    #[must_use]
+    pub fn barycentric(&self, rays: &WindowRays, [x, y]: [i32; 2]) -> [f32; 3] {
+        let block = |steps: i32| steps.div_euclid(BLOCK_STEPS) * (BLOCK_STEPS / SUBPIXELS);
+        let inside = |steps: i32| steps.rem_euclid(BLOCK_STEPS) as f32 / SUBPIXELS as f32;
+        let forms = self.about(block(x), block(y));
+        let (barycentric, outside) = forms.barycentric(inside(x), inside(y));
+        if outside { self.nearest_at(rays, [x, y]) } else { barycentric }
+    }
+
+    /// [`Forms::nearest_on_edges`] for a position in steps of 1/256 pixel.
+    #[must_use]
+    pub fn nearest_at(&self, rays: &WindowRays, [x, y]: [i32; 2]) -> [f32; 3] {
+        let pixels = |steps: i32| f64::from(steps) / f64::from(SUBPIXELS);
+        self.nearest_on_edges(rays, pixels(x), pixels(y))
+    }
+}
+
+/// Steps of 1/256 pixel along a block's side.
+const BLOCK_STEPS: i32 = crate::buffer::BLOCK * SUBPIXELS;
+
+impl BlockForms {
+    /// The weights at (x, y) pixels from the block's corner; divided by their sum they are
+    /// barycentrics, also outside of the triangle.
+    #[inline(always)]
+    pub fn weights<N: Number>(&self, x: N, y: N) -> [N; 3] {
+        [self.weight(0, x, y), self.weight(1, x, y), self.weight(2, x, y)]
+    }
+
+    #[inline(always)]
+    fn weight<N: Number>(&self, i: usize, x: N, y: N) -> N {
+        x.constant(self.c[i]) + x * x.constant(self.a[i]) + y * y.constant(self.b[i])
+    }
+
+    /// The barycentrics at (x, y) pixels from the block's corner, and where they lie outside the
+    /// triangle (or can't be told, edge-on) and [`Forms::nearest_at`] has to answer.
+    #[inline(always)]
+    pub fn barycentric<N: Number>(&self, x: N, y: N) -> ([N; 3], N::Mask) {
+        let [w0, w1, w2] = self.weights(x, y);
+        let scale = x.one() / (w0 + w1 + w2);
+        let [b0, b1, b2] = [w0 * scale, w1 * scale, w2 * scale];
+        // Comparisons with NaN are false: edge-on triangles count as outside.
+        let zero = x.zero();
+        let inside = zero.less_or_equal(b0)
+            & zero.less_or_equal(b1)
+            & zero.less_or_equal(b2)
+            & (b0 + b1 + b2).less_or_equal(x.constant(2.0));
+        ([b0, b1, b2], !inside)
+    }
+}

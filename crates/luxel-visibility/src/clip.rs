@@ -1,0 +1,148 @@
+//! Clipping against the near plane and the guard band (Sutherland and Hodgman 1974).
+//!
+//! The window's own sides need no clipping, since tiles only look at their own pixels; the far
+//! plane needs none, since samples beyond it are rejected by depth. A new point is computed from
+//! the edge's inside vertex to its outside one, so that two triangles that share the edge get the
+//! same bits, whichever way round they run along it.
+
+use crate::cull::GUARD_BAND;
+use crate::transform::{ClipVertex, WindowTransform, WindowVertex};
+
+/// Most corners that a triangle can have after five planes.
+const MAX_CORNERS: usize = 3 + 5;
+
+/// A corner of a polygon being clipped.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    x: f64,
+    y: f64,
+    z: f64,
+    w: f64,
+    /// Set for the triangle's own vertices, which must land where unclipped neighbours put them.
+    own: Option<ClipVertex>,
+}
+
+/// The planes, as functions that are not negative inside.
+#[derive(Clone, Copy, Debug)]
+enum Plane {
+    Near,
+    Left,
+    Right,
+    Top,
+    Bottom,
+}
+
+impl Plane {
+    const ALL: [Self; 5] = [Self::Near, Self::Left, Self::Right, Self::Top, Self::Bottom];
+
+    fn distance(self, corner: &Corner, transform: &WindowTransform) -> f64 {
+        // Coordinates are about the window's middle, the guard band is about its corner; half of
+        // the band is far larger than any window, and one pixel stays for rounding.
+        let guard = f64::from(GUARD_BAND - 256);
+        let [centre_x, centre_y] = transform.centre.map(f64::from);
+        match self {
+            Self::Near => corner.w - corner.z,
+            Self::Left => corner.x + (guard + centre_x) * corner.w,
+            Self::Right => (guard - centre_x) * corner.w - corner.x,
+            Self::Top => corner.y + (guard + centre_y) * corner.w,
+            Self::Bottom => (guard - centre_y) * corner.w - corner.y,
+        }
+    }
+}
+
+/// A triangle's part inside near plane and guard band, as a convex polygon of window vertices.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ClippedPolygon {
+    corners: [WindowVertex; MAX_CORNERS],
+    count: usize,
+}
+
+impl ClippedPolygon {
+    /// The fan of triangles that make up the polygon.
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = [WindowVertex; 3]> + '_ {
+        (2..self.count).map(|last| [self.corners[0], self.corners[last - 1], self.corners[last]])
+    }
+}
+
+/// Clips a triangle given in clip coordinates.
+pub(crate) fn clip(triangle: [ClipVertex; 3], transform: &WindowTransform) -> ClippedPolygon {
+    let corner = |vertex: ClipVertex| Corner {
+        x: f64::from(vertex.x),
+        y: f64::from(vertex.y),
+        z: f64::from(vertex.z),
+        w: f64::from(vertex.w),
+        own: Some(vertex),
+    };
+    let mut polygon = [corner(triangle[0]); MAX_CORNERS];
+    polygon[1] = corner(triangle[1]);
+    polygon[2] = corner(triangle[2]);
+    let mut count = 3;
+    for plane in Plane::ALL {
+        let source = polygon;
+        let distances = source.map(|corner| plane.distance(&corner, transform));
+        let mut kept = 0;
+        let mut keep = |corner: Corner| {
+            // Rounding could make a polygon cross a plane more than twice; what exceeds the most
+            // that exact arithmetic allows is a sliver of no area.
+            if kept < MAX_CORNERS {
+                polygon[kept] = corner;
+                kept += 1;
+            }
+        };
+        for here in 0..count {
+            let next = (here + 1) % count;
+            if distances[here] >= 0.0 {
+                keep(source[here]);
+            }
+            if distances[here] >= 0.0 && distances[next] < 0.0 {
+                keep(between(&source[here], distances[here], &source[next], distances[next]));
+            } else if distances[here] < 0.0 && distances[next] >= 0.0 {
+                keep(between(&source[next], distances[next], &source[here], distances[here]));
+            }
+        }
+        count = kept;
+    }
+    let mut clipped = ClippedPolygon { corners: [WindowVertex::default(); MAX_CORNERS], count: 0 };
+    for corner in &polygon[..count] {
+        // A point of all planes at once may have w = 0; it bounds no area.
+        if let Some(vertex) = window(corner, transform) {
+            clipped.corners[clipped.count] = vertex;
+            clipped.count += 1;
+        }
+    }
+    clipped
+}
+
+/// The point where an edge leaves: from its inside end towards its outside one.
+fn between(
+    inside: &Corner,
+    inside_distance: f64,
+    outside: &Corner,
+    outside_distance: f64,
+) -> Corner {
+    let t = inside_distance / (inside_distance - outside_distance);
+    let mix = |inside: f64, outside: f64| inside + (outside - inside) * t;
+    Corner {
+        x: mix(inside.x, outside.x),
+        y: mix(inside.y, outside.y),
+        z: mix(inside.z, outside.z),
+        w: mix(inside.w, outside.w),
+        own: None,
+    }
+}
+
+fn window(corner: &Corner, transform: &WindowTransform) -> Option<WindowVertex> {
+    if corner.w.is_nan() || corner.w <= 0.0 {
+        return None;
+    }
+    if let Some(own) = corner.own {
+        return Some(transform.window(own));
+    }
+    let snap = |value: f64, centre: f32| {
+        let limit = f64::from(GUARD_BAND);
+        (value / corner.w + f64::from(centre)).round_ties_even().clamp(-limit, limit) as i32
+    };
+    let (x, y) = (snap(corner.x, transform.centre[0]), snap(corner.y, transform.centre[1]));
+    // The near plane is depth 1: rounding must not carry a point past it.
+    Some(WindowVertex { x, y, z: ((corner.z / corner.w) as f32).min(1.0) })
+}

@@ -1,0 +1,165 @@
+//! Which clusters can be seen, where in the window they lie, and how near they come.
+//!
+//! A cluster's box goes through the very operations that its vertices go through, in the same
+//! order, as intervals. Rounding is monotone, so the intervals hold every rounded value of every
+//! vertex: bounds are exact, without slack, and nothing is ever culled that would have been drawn.
+
+use crate::cluster::{BOUNDS_WORDS, Clusters};
+use crate::transform::WindowTransform;
+use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*};
+use luxel_scene::Size;
+
+/// Half the side of the guard band in steps of 1/256 pixel: 2^14 pixels. Triangles that reach
+/// farther out are clipped, so that edge functions fit their integers (see `setup`).
+pub(crate) const GUARD_BAND: i32 = (1 << 14) * SUBPIXELS;
+
+/// A cluster that may be seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct VisibleCluster {
+    /// The cluster's number among those of all instances.
+    pub(crate) cluster: u32,
+    /// The pixels that it can cover: first and last column and row, inside the window.
+    pub(crate) left: u16,
+    pub(crate) top: u16,
+    pub(crate) right: u16,
+    pub(crate) bottom: u16,
+    /// No sample of the cluster is nearer (reversed depth: larger) than this.
+    pub(crate) nearest: f32,
+    /// Whether its triangles need clipping.
+    pub(crate) clipped: bool,
+}
+
+/// An interval in every lane.
+#[derive(Clone, Copy)]
+struct Interval<S: Simd> {
+    low: f32x16<S>,
+    high: f32x16<S>,
+}
+
+impl<S: Simd> Interval<S> {
+    /// row . (x, y, z, 1) over a box, in the order of `row_times`.
+    #[inline(always)]
+    fn row_times(row: &[f32; 4], axes: &[Self; 3]) -> Self {
+        let x = axes[0].scaled(row[0]);
+        let y = axes[1].scaled(row[1]);
+        let z = axes[2].scaled(row[2]);
+        Self { low: x.low + y.low + z.low + row[3], high: x.high + y.high + z.high + row[3] }
+    }
+
+    #[inline(always)]
+    fn scaled(self, factor: f32) -> Self {
+        let (low, high) = if factor < 0.0 { (self.high, self.low) } else { (self.low, self.high) };
+        Self { low: low * factor, high: high * factor }
+    }
+
+    /// Divided by a positive interval.
+    #[inline(always)]
+    fn divided_by(self, w: Self) -> Self {
+        let low = self.low / self.low.less(self.low.zero()).select(w.low, w.high);
+        let high = self.high / self.high.less(self.high.zero()).select(w.high, w.low);
+        Self { low, high }
+    }
+
+    /// Snapped to the window's grid, as vertices are.
+    #[inline(always)]
+    fn snapped(self, centre: f32) -> Self {
+        Self {
+            low: SimdFloat::round_ties_even(self.low + centre),
+            high: SimdFloat::round_ties_even(self.high + centre),
+        }
+    }
+
+    /// The pixels that hold a step of the interval, brought into 0..`size` (`inside` says whether
+    /// there are any).
+    #[inline(always)]
+    fn pixels(self, size: u32) -> (i32x16<S>, i32x16<S>, mask32x16<S>) {
+        // Clamped to where the conversion to integers is exact; far outside stays outside.
+        let limit = (GUARD_BAND + 2 * SUBPIXELS) as f32;
+        let low = i32x16::truncate_from(self.low.limited(-limit, limit)) >> SUBPIXEL_BITS;
+        let high = i32x16::truncate_from(self.high.limited(-limit, limit)) >> SUBPIXEL_BITS;
+        let last = size as i32 - 1;
+        let inside = high.simd_ge(0) & low.simd_le(last);
+        (low.max(0), high.min(last), inside)
+    }
+}
+
+const SUBPIXEL_BITS: u32 = SUBPIXELS.ilog2();
+
+/// Appends the clusters of one group of sixteen that may be seen.
+#[inline(always)]
+pub(crate) fn cull_group<S: Simd>(
+    simd: S,
+    transform: &WindowTransform,
+    size: Size,
+    clusters: &Clusters,
+    group: usize,
+    first_cluster: u32,
+    out: &mut Vec<VisibleCluster>,
+) {
+    let bounds = &clusters.bounds[group * BOUNDS_WORDS..(group + 1) * BOUNDS_WORDS];
+    let mut axes = [Interval { low: f32x16::splat(simd, 0.0), high: f32x16::splat(simd, 0.0) }; 3];
+    for (axis, interval) in axes.iter_mut().enumerate() {
+        interval.low = f32x16::from_slice(simd, &bounds[axis * LANES..(axis + 1) * LANES]);
+        interval.high = f32x16::from_slice(simd, &bounds[(axis + 3) * LANES..(axis + 4) * LANES]);
+    }
+    let x = Interval::row_times(&transform.rows[0], &axes);
+    let y = Interval::row_times(&transform.rows[1], &axes);
+    let z = Interval::row_times(&transform.rows[2], &axes);
+    let w = Interval::row_times(&transform.rows[3], &axes);
+    let zero = w.low.zero();
+
+    // Wholly before the near plane, beyond the far one, or on one side of the window. Two steps of
+    // the grid more than half the window, as snapping may move a vertex inwards.
+    let half_width = transform.centre[0] + 2.0;
+    let half_height = transform.centre[1] + 2.0;
+    let outside = (w.high - z.low).less(zero)
+        | z.high.less(zero)
+        | (x.high + w.high * half_width).less(zero)
+        | zero.less(x.low - w.high * half_width)
+        | (y.high + w.high * half_height).less(zero)
+        | zero.less(y.low - w.high * half_height);
+
+    // Where all vertices lie in front of the near plane, division gives the window's box.
+    let before_eye = zero.less(w.low) & zero.less_or_equal(w.low - z.high);
+    let one = w.low.one();
+    let safe_w =
+        Interval { low: w.low.select(before_eye, one), high: w.high.select(before_eye, one) };
+    let window_x = x.divided_by(safe_w).snapped(transform.centre[0]);
+    let window_y = y.divided_by(safe_w).snapped(transform.centre[1]);
+    let nearest = z.divided_by(safe_w).high;
+    let guard = GUARD_BAND as f32;
+    let guarded = (zero - guard).less_or_equal(window_x.low)
+        & window_x.high.less_or_equal(zero + guard)
+        & (zero - guard).less_or_equal(window_y.low)
+        & window_y.high.less_or_equal(zero + guard);
+    let (left, right, inside_x) = window_x.pixels(size.width);
+    let (top, bottom, inside_y) = window_y.pixels(size.height);
+
+    let whole = before_eye & guarded;
+    let seen = !outside & (!before_eye | (inside_x & inside_y));
+    let (seen, whole) = (seen.to_bitmask(), whole.to_bitmask());
+    let before_eye = before_eye.to_bitmask();
+    let first = group * LANES;
+    for lane in 0..LANES.min(clusters.count() - first) {
+        if seen >> lane & 1 == 0 {
+            continue;
+        }
+        let mut visible = VisibleCluster {
+            cluster: first_cluster + (first + lane) as u32,
+            left: 0,
+            top: 0,
+            right: (size.width - 1) as u16,
+            bottom: (size.height - 1) as u16,
+            nearest: f32::INFINITY,
+            clipped: whole >> lane & 1 == 0,
+        };
+        if before_eye >> lane & 1 == 1 {
+            visible.left = left[lane] as u16;
+            visible.top = top[lane] as u16;
+            visible.right = right[lane] as u16;
+            visible.bottom = bottom[lane] as u16;
+            visible.nearest = nearest[lane];
+        }
+        out.push(visible);
+    }
+}

@@ -1,0 +1,36 @@
+//! What each sample of the window sees.
+//!
+//! Meshes are cut into [`Clusters`] once. A [`Frame`] culls and bins the clusters of all instances
+//! for one view; its tiles are then drawn independently, each into a [`Tile`] of depths and
+//! triangle ids. That visibility buffer is what drawing lights, picking reads and layers show.
+//!
+//! 1. `cull`: clusters outside of the window are dropped, the others get a box and a depth.
+//! 2. `bin`: tiles of 64x64 pixels list the clusters that reach them, near ones first.
+//! 3. `tile`: a cluster is transformed (`transform`), its triangles clipped where they must be
+//!    (`clip`), set up in exact integers (`setup`) and drawn 4x4 pixels at a time (`raster`).
+//! 4. [`Forms`]: where on its triangle a sample lies.
+//!
+//! Knows no light, no file and no window system. Every sample's outcome is a pure function of the
+//! input: neither threads nor SIMD width nor the order of drawing can change it.
+
+#![forbid(unsafe_code)]
+
+mod barycentric;
+mod bin;
+mod buffer;
+mod clip;
+mod cluster;
+mod cull;
+mod frame;
+mod raster;
+mod samples;
+mod setup;
+mod tile;
+mod transform;
+
+pub use barycentric::{BlockForms, Forms, WindowRays};
+pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
+pub use cluster::{CLUSTER_TRIANGLES, Clusters};
+pub use frame::{Coverage, Frame, Hole, Instance, PartUse, TooManyTriangles, TriangleOf};
+pub use samples::{MAX_SAMPLES, Samples};
+pub use setup::CullFaces;

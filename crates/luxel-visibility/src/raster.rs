@@ -1,0 +1,172 @@
+//! Triangles into the samples of a tile: sixteen pixels at a time.
+//!
+//! Among the triangles that cover a sample the nearest wins, and of equally near ones the one that
+//! was submitted first. This is a total order, so the outcome depends neither on the order of
+//! drawing nor on what was culled on the way.
+
+use crate::buffer::{BLOCK, BLOCKS, Plane, Tile, TriangleId};
+use crate::setup::{Region, Triangle};
+use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+
+/// What decides beyond geometry.
+pub(crate) struct Rules<'a> {
+    /// The sample positions.
+    pub(crate) offsets: &'static [[i32; 2]],
+    /// The order in which triangles were submitted.
+    pub(crate) submitted: &'a dyn Fn(TriangleId) -> u64,
+    /// Holes in triangles.
+    pub(crate) hole: Option<&'a dyn Fn(TriangleId, [i32; 2]) -> bool>,
+    /// Only what lies behind these samples counts: the last layer peeled off.
+    pub(crate) behind: Option<&'a [Plane]>,
+}
+
+/// Pixel numbers within a block: columns and rows of the lanes.
+const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
+const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
+
+/// Draws one triangle into all samples of a tile.
+#[inline(always)]
+pub(crate) fn draw_triangle<S: Simd>(
+    simd: S,
+    triangle: &Triangle,
+    id: TriangleId,
+    rules: &Rules<'_>,
+    tile: &mut Tile,
+) {
+    let tile_region = tile.region;
+    for (sample, &offset) in rules.offsets.iter().enumerate() {
+        let Some(pixels) = triangle.pixels(tile_region, offset) else { continue };
+        // Whole blocks of the tile.
+        let left = (pixels.x - tile_region.x) / BLOCK;
+        let top = (pixels.y - tile_region.y) / BLOCK;
+        let right = (pixels.x + pixels.width - 1 - tile_region.x) / BLOCK;
+        let bottom = (pixels.y + pixels.height - 1 - tile_region.y) / BLOCK;
+        let region = Region {
+            x: tile_region.x + left * BLOCK,
+            y: tile_region.y + top * BLOCK,
+            width: (right - left + 1) * BLOCK,
+            height: (bottom - top + 1) * BLOCK,
+        };
+        let Some(edges) = triangle.edges(region, offset) else { continue };
+
+        let lane_x = i32x16::simd_from(simd, LANE_X);
+        let lane_y = i32x16::simd_from(simd, LANE_Y);
+        let inside_block = [
+            lane_x * edges[0].step_x + lane_y * edges[0].step_y,
+            lane_x * edges[1].step_x + lane_y * edges[1].step_y,
+            lane_x * edges[2].step_x + lane_y * edges[2].step_y,
+        ];
+        let plane = &triangle.depth;
+        let lane_dx = lane_x * SUBPIXELS + (region.x * SUBPIXELS + offset[0] - plane.x);
+        let lane_dy = lane_y * SUBPIXELS + (region.y * SUBPIXELS + offset[1] - plane.y);
+        let low = f32x16::splat(simd, plane.low);
+        let high = f32x16::splat(simd, plane.high);
+        let mut touched = false;
+        for row in 0..=bottom - top {
+            let dy = f32x16::float_from(lane_dy + row * (BLOCK * SUBPIXELS));
+            let row_z = dy * plane.dz_dy;
+            for column in 0..=right - left {
+                let (x, y) = (column * BLOCK, row * BLOCK);
+                let e0 =
+                    inside_block[0] + (edges[0].start + edges[0].step_x * x + edges[0].step_y * y);
+                let e1 =
+                    inside_block[1] + (edges[1].start + edges[1].step_x * x + edges[1].step_y * y);
+                let e2 =
+                    inside_block[2] + (edges[2].start + edges[2].step_x * x + edges[2].step_y * y);
+                let covered = (e0 | e1 | e2).simd_ge(0);
+                if !covered.any_true() {
+                    continue;
+                }
+                let dx = f32x16::float_from(lane_dx + x * SUBPIXELS);
+                let z = (dx * plane.dz_dx + plane.z + row_z).maximum(low).minimum(high);
+                let block = ((top + row) * BLOCKS + left + column) as usize;
+                touched |= draw_block(simd, covered, z, id, rules, tile, sample, block);
+            }
+        }
+        if touched {
+            tile.touch(left, top, right, bottom);
+        }
+    }
+}
+
+/// Puts a triangle into one block of a plane, where it wins; whether it did anywhere.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "the inner loop's state, kept in registers")]
+fn draw_block<S: Simd>(
+    simd: S,
+    covered: mask32x16<S>,
+    z: f32x16<S>,
+    id: TriangleId,
+    rules: &Rules<'_>,
+    tile: &mut Tile,
+    sample: usize,
+    block: usize,
+) -> bool {
+    let plane = &mut tile.planes[sample];
+    let depth = f32x16::from_slice(simd, &plane.depth[block]);
+    let nearer = covered & depth.simd_lt(z);
+    let equal = covered & z.simd_eq(depth);
+    let mut wins = nearer.to_bitmask() as u32;
+    if equal.any_true() {
+        let number = (rules.submitted)(id);
+        for lane in lanes_of(equal.to_bitmask() as u32) {
+            let other = TriangleId(plane.ids[block][lane]);
+            wins |=
+                u32::from(other == TriangleId::NONE || number < (rules.submitted)(other)) << lane;
+        }
+    }
+    if wins != 0
+        && let Some(behind) = rules.behind
+    {
+        wins &= passed(&behind[sample], block, id, z, rules);
+    }
+    if wins != 0
+        && let Some(hole) = rules.hole
+    {
+        let [tile_x, tile_y] = [tile.region.x, tile.region.y];
+        let block_x = tile_x + block as i32 % BLOCKS * BLOCK;
+        let block_y = tile_y + block as i32 / BLOCKS * BLOCK;
+        let offset = rules.offsets[sample];
+        for lane in lanes_of(wins) {
+            let x = (block_x + LANE_X[lane]) * SUBPIXELS + offset[0];
+            let y = (block_y + LANE_Y[lane]) * SUBPIXELS + offset[1];
+            wins &= !(u32::from(hole(id, [x, y])) << lane);
+        }
+    }
+    if wins == 0 {
+        return false;
+    }
+    let mask = mask32x16::from_bitmask(simd, u64::from(wins));
+    let ids = u32x16::from_slice(simd, &plane.ids[block]);
+    mask.select(z, depth).store_slice(&mut plane.depth[block]);
+    mask.select(u32x16::splat(simd, id.0), ids).store_slice(&mut plane.ids[block]);
+    true
+}
+
+/// The lanes of a block where a triangle comes after the last layer peeled off.
+fn passed<S: Simd>(
+    behind: &Plane,
+    block: usize,
+    id: TriangleId,
+    z: f32x16<S>,
+    rules: &Rules<'_>,
+) -> u32 {
+    let mut passed = 0;
+    for (lane, (&depth, &other)) in behind.depth[block].iter().zip(&behind.ids[block]).enumerate() {
+        let after = z[lane] < depth
+            || z[lane] == depth
+                && other != TriangleId::NONE.0
+                && (rules.submitted)(id) > (rules.submitted)(TriangleId(other));
+        passed |= u32::from(after) << lane;
+    }
+    passed
+}
+
+/// The numbers of the bits set.
+fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = bits.trailing_zeros() as usize;
+        bits &= bits.wrapping_sub(1);
+        (lane < LANES).then_some(lane)
+    })
+}

@@ -1,0 +1,151 @@
+//! A triangle's edge functions and depth plane, from its snapped corners.
+//!
+//! E(s) = (q_x - p_x)(s_y - p_y) - (q_y - p_y)(s_x - p_x) is twice the signed area of the edge
+//! p -> q with a sample s: not negative on the inner side (Pineda 1988). With positions in steps of
+//! 1/256 pixel and samples a whole number of pixels apart, E changes by multiples of 256 from pixel
+//! to pixel, so `floor(E / 256)` keeps its sign exactly. Setup is in i64; within the guard band of
+//! 2^14 pixels |dx|, |dy| <= 2^23, and an edge that crosses a region of 64 pixels a side has
+//! |E / 256| <= 64 (|dx| + |dy|) <= 2^30 there: the inner loop is in i32.
+//!
+//! A sample on an edge belongs to the triangle if the edge is a left or a top one.
+
+use crate::transform::WindowVertex;
+use luxel_math::SUBPIXELS;
+
+/// A triangle ready to be rasterized.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Triangle {
+    /// Corners in an order that makes the inside positive.
+    x: [i32; 3],
+    y: [i32; 3],
+    pub(crate) depth: DepthPlane,
+}
+
+/// Reversed depth over the window: z = z_a + (x - x_a) dz/dx + (y - y_a) dz/dy, clamped to the
+/// range of the corners, so that bounds of corners bound every sample.
+///
+/// This is the one formula of the depth test. Differences of snapped positions are exact in f32,
+/// so every path that reaches a sample computes the same bits.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DepthPlane {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    pub(crate) z: f32,
+    pub(crate) dz_dx: f32,
+    pub(crate) dz_dy: f32,
+    pub(crate) low: f32,
+    pub(crate) high: f32,
+}
+
+/// Which faces are left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CullFaces {
+    /// None.
+    #[default]
+    None,
+    /// Those whose corners run clockwise in the window: the back faces.
+    Clockwise,
+    /// Those whose corners run counter-clockwise: the back faces of a mirrored instance.
+    CounterClockwise,
+}
+
+/// An edge function over a region: E / 256 at the region's first pixel, and its change from one
+/// pixel to the next.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Edge {
+    pub(crate) start: i32,
+    pub(crate) step_x: i32,
+    pub(crate) step_y: i32,
+}
+
+/// Pixels: first column and row, and how many.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Region {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    pub(crate) width: i32,
+    pub(crate) height: i32,
+}
+
+impl Triangle {
+    /// `None` for a triangle without area or on a side that is culled.
+    #[inline(always)]
+    pub(crate) fn new([a, b, c]: [WindowVertex; 3], cull: CullFaces) -> Option<Self> {
+        let (ab_x, ab_y) = (b.x - a.x, b.y - a.y);
+        let (ac_x, ac_y) = (c.x - a.x, c.y - a.y);
+        let area = i64::from(ab_x) * i64::from(ac_y) - i64::from(ac_x) * i64::from(ab_y);
+        // With y down, a positive area is clockwise.
+        let culled = match cull {
+            CullFaces::None => area == 0,
+            CullFaces::Clockwise => area >= 0,
+            CullFaces::CounterClockwise => area <= 0,
+        };
+        if culled {
+            return None;
+        }
+        let (ab_z, ac_z) = (b.z - a.z, c.z - a.z);
+        let [ab_x, ab_y, ac_x, ac_y] = [ab_x, ab_y, ac_x, ac_y].map(|d| d as f32);
+        let scale = area as f32;
+        let depth = DepthPlane {
+            x: a.x,
+            y: a.y,
+            z: a.z,
+            dz_dx: (ab_z * ac_y - ac_z * ab_y) / scale,
+            dz_dy: (ac_z * ab_x - ab_z * ac_x) / scale,
+            low: a.z.min(b.z).min(c.z),
+            high: a.z.max(b.z).max(c.z),
+        };
+        let (b, c) = if area > 0 { (b, c) } else { (c, b) };
+        Some(Self { x: [a.x, b.x, c.x], y: [a.y, b.y, c.y], depth })
+    }
+
+    /// The pixels of `tile` whose sample at `offset` lies in the triangle's box; `None` if there
+    /// are none.
+    #[inline(always)]
+    pub(crate) fn pixels(&self, tile: Region, offset: [i32; 2]) -> Option<Region> {
+        let (left, right) = range(self.x, offset[0], tile.x, tile.width)?;
+        let (top, bottom) = range(self.y, offset[1], tile.y, tile.height)?;
+        Some(Region { x: left, y: top, width: right - left + 1, height: bottom - top + 1 })
+    }
+
+    /// The edge functions over a region for the samples at `offset`; an edge that the region lies
+    /// wholly inside of is 0 everywhere, which passes. `None` if the region lies outside of one.
+    #[inline(always)]
+    pub(crate) fn edges(&self, region: Region, offset: [i32; 2]) -> Option<[Edge; 3]> {
+        let sample_x = i64::from(region.x * SUBPIXELS + offset[0]);
+        let sample_y = i64::from(region.y * SUBPIXELS + offset[1]);
+        let mut edges = [Edge::default(); 3];
+        for (corner, edge) in edges.iter_mut().enumerate() {
+            let next = if corner == 2 { 0 } else { corner + 1 };
+            let (px, py) = (self.x[corner], self.y[corner]);
+            let (dx, dy) = (self.x[next] - px, self.y[next] - py);
+            // Left edges run upwards with the inside to their right, top edges to the right.
+            let left_or_top = dy < 0 || dy == 0 && dx > 0;
+            let value = i64::from(dx) * (sample_y - i64::from(py))
+                - i64::from(dy) * (sample_x - i64::from(px))
+                - i64::from(!left_or_top);
+            let start = value >> SUBPIXELS.ilog2();
+            let across = i64::from(-dy) * i64::from(region.width - 1);
+            let down = i64::from(dx) * i64::from(region.height - 1);
+            if start + across.max(0) + down.max(0) < 0 {
+                return None;
+            }
+            if start + across.min(0) + down.min(0) < 0 {
+                *edge = Edge { start: start as i32, step_x: -dy, step_y: dx };
+            }
+        }
+        Some(edges)
+    }
+}
+
+/// The pixels from `first`, `count` of them at most, whose sample lies between the corners.
+#[inline(always)]
+fn range(corners: [i32; 3], offset: i32, first: i32, count: i32) -> Option<(i32, i32)> {
+    let low = corners[0].min(corners[1]).min(corners[2]);
+    let high = corners[0].max(corners[1]).max(corners[2]);
+    let shift = SUBPIXELS.ilog2();
+    // low <= 256 pixel + offset <= high
+    let from = ((low - offset + SUBPIXELS - 1) >> shift).max(first);
+    let to = ((high - offset) >> shift).min(first + count - 1);
+    (from <= to).then_some((from, to))
+}

@@ -1,0 +1,115 @@
+//! A list of clusters into one tile. Knows no frame beyond it: what comes out is depth and ids.
+
+use crate::buffer::{Plane, TILE, Tile, TriangleId};
+use crate::clip::clip;
+use crate::cluster::{Block, GROUP_WORDS};
+use crate::cull::VisibleCluster;
+use crate::frame::{Coverage, Frame, Hole};
+use crate::raster::{Rules, draw_triangle};
+use crate::setup::{CullFaces, Triangle};
+use crate::transform::{
+    ClipVertex, ClusterVertices, WindowTransform, WindowVertex, transform_cluster,
+};
+use luxel_math::{LANES, Simd};
+
+/// Draws clusters, nearest first, into a tile.
+#[inline(always)]
+pub(crate) fn draw<'f, S: Simd>(
+    simd: S,
+    frame: &'f Frame<'_>,
+    clusters: impl Iterator<Item = &'f VisibleCluster>,
+    hole: &Hole<'_>,
+    behind: Option<&[Plane]>,
+    tile: &mut Tile,
+) {
+    let submitted = |id: TriangleId| frame.submitted(id);
+    let hole = |id: TriangleId, position: [i32; 2]| hole(id, position);
+    let mut vertices = ClusterVertices::new();
+    for visible in clusters {
+        let [x, y] = tile.origin();
+        let within = |first: u16, last: u16, origin: i32| {
+            [(i32::from(first) - origin).max(0), (i32::from(last) - origin).min(TILE - 1)]
+        };
+        let [left, right] = within(visible.left, visible.right, x);
+        let [top, bottom] = within(visible.top, visible.bottom, y);
+        if tile.hides([left, top, right, bottom], visible.nearest) {
+            continue;
+        }
+        let number = frame.instance_of(visible.cluster);
+        let instance = &frame.instances()[number];
+        let cluster = frame.within_instance(number, visible.cluster);
+        let block = instance.clusters.block(cluster);
+        let part = instance.parts[instance.clusters.headers[cluster].part as usize];
+        let has_holes = part.coverage != Coverage::Opaque;
+        let rules = Rules {
+            offsets: frame.samples().positions(),
+            submitted: &submitted,
+            hole: if has_holes { Some(&hole) } else { None },
+            behind,
+        };
+        let transform = frame.transform(number);
+        if visible.clipped {
+            draw_clipped(simd, transform, &block, visible.cluster, part.cull, &rules, tile);
+        } else {
+            transform_cluster(simd, transform, block.vertices, &mut vertices);
+            draw_cluster(simd, &vertices, &block, visible.cluster, part.cull, &rules, tile);
+        }
+    }
+}
+
+/// The three corner numbers of a triangle's word.
+#[inline(always)]
+fn corners_of(word: u32) -> [usize; 3] {
+    [word & 255, word >> 8 & 255, word >> 16 & 255].map(|corner| corner as usize)
+}
+
+/// Draws a cluster that needs no clipping.
+#[inline(always)]
+fn draw_cluster<S: Simd>(
+    simd: S,
+    vertices: &ClusterVertices,
+    block: &Block<'_>,
+    cluster: u32,
+    cull: CullFaces,
+    rules: &Rules<'_>,
+    tile: &mut Tile,
+) {
+    for (slot, &word) in block.triangles.iter().enumerate() {
+        let corners = corners_of(word).map(|corner| WindowVertex {
+            x: vertices.x[corner],
+            y: vertices.y[corner],
+            z: vertices.z[corner],
+        });
+        if let Some(triangle) = Triangle::new(corners, cull) {
+            draw_triangle(simd, &triangle, TriangleId::new(cluster, slot), rules, tile);
+        }
+    }
+}
+
+/// Draws a cluster of which some triangles may reach the near plane or the guard band.
+#[inline(always)]
+fn draw_clipped<S: Simd>(
+    simd: S,
+    transform: &WindowTransform,
+    block: &Block<'_>,
+    cluster: u32,
+    cull: CullFaces,
+    rules: &Rules<'_>,
+    tile: &mut Tile,
+) {
+    for (slot, &word) in block.triangles.iter().enumerate() {
+        let corners = corners_of(word).map(|corner| clip_vertex(transform, block, corner));
+        for piece in clip(corners, transform).triangles() {
+            if let Some(triangle) = Triangle::new(piece, cull) {
+                draw_triangle(simd, &triangle, TriangleId::new(cluster, slot), rules, tile);
+            }
+        }
+    }
+}
+
+/// A cluster's vertex in clip coordinates.
+fn clip_vertex(transform: &WindowTransform, block: &Block<'_>, corner: usize) -> ClipVertex {
+    let first = corner / LANES * GROUP_WORDS + corner % LANES;
+    let position = [0, LANES, 2 * LANES].map(|axis| f32::from_bits(block.vertices[first + axis]));
+    transform.clip(position)
+}

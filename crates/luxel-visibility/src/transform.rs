@@ -1,0 +1,129 @@
+//! From a mesh's coordinates to the window.
+//!
+//! Clip coordinates here are scaled and turned so that one division leads to the window:
+//! x/w and y/w are steps of 1/256 pixel from the window's *centre*, y down; z/w is the reversed
+//! depth, 1 at the near plane and 0 at the far one, which spends the precision of floats evenly
+//! over distance (Reed 2015).
+
+use glam::{DMat4, DVec4};
+use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, prelude::*, u32x16};
+use luxel_scene::{Projection, Size};
+
+use crate::cluster::{CLUSTER_VERTICES, GROUP_WORDS};
+
+/// A vertex in clip coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ClipVertex {
+    pub(crate) x: f32,
+    pub(crate) y: f32,
+    pub(crate) z: f32,
+    pub(crate) w: f32,
+}
+
+/// A vertex in the window: snapped position in steps of 1/256 pixel from the upper left corner,
+/// and reversed depth.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct WindowVertex {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    pub(crate) z: f32,
+}
+
+/// The transform of one instance: rows of the matrix to clip coordinates, and the window's centre.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WindowTransform {
+    /// x, y, z, w: each a row to multiply (x, y, z, 1) with.
+    pub(crate) rows: [[f32; 4]; 4],
+    /// The window's middle, in steps of 1/256 pixel.
+    pub(crate) centre: [f32; 2],
+}
+
+/// The transformed vertices of one cluster.
+pub(crate) struct ClusterVertices {
+    pub(crate) x: [i32; CLUSTER_VERTICES],
+    pub(crate) y: [i32; CLUSTER_VERTICES],
+    pub(crate) z: [f32; CLUSTER_VERTICES],
+}
+
+impl ClusterVertices {
+    pub(crate) fn new() -> Self {
+        Self { x: [0; CLUSTER_VERTICES], y: [0; CLUSTER_VERTICES], z: [0.0; CLUSTER_VERTICES] }
+    }
+}
+
+impl WindowTransform {
+    /// The transform for a projection and a size of the window. Composed in f64; the instance's
+    /// place relative to the eye is in `view_from_local`, so nothing large is left in f32.
+    pub(crate) fn new(projection: &Projection, size: Size, view_from_local: &DMat4) -> Self {
+        let clip_from_local = projection.clip_from_view(size) * *view_from_local;
+        let half = f64::from(SUBPIXELS) * 0.5;
+        let (half_x, half_y) = (half * f64::from(size.width), half * f64::from(size.height));
+        let [x, y, z, w] = [0, 1, 2, 3].map(|row| clip_from_local.row(row));
+        // OpenGL's depth runs from -w at the near plane to w at the far one.
+        let reversed = (w - z) * 0.5;
+        let f32s = |row: DVec4| row.as_vec4().to_array();
+        Self {
+            rows: [f32s(x * half_x), f32s(y * -half_y), f32s(reversed), f32s(w)],
+            centre: [half_x as f32, half_y as f32],
+        }
+    }
+
+    /// The clip coordinates of one position.
+    pub(crate) fn clip(&self, [px, py, pz]: [f32; 3]) -> ClipVertex {
+        let dot = |row: &[f32; 4]| row[0] * px + row[1] * py + row[2] * pz + row[3];
+        let [x, y, z, w] = [0, 1, 2, 3].map(|row| dot(&self.rows[row]));
+        ClipVertex { x, y, z, w }
+    }
+
+    /// The window coordinates of a vertex that lies in front of the near plane and within the guard
+    /// band.
+    pub(crate) fn window(&self, vertex: ClipVertex) -> WindowVertex {
+        let snap = |value: f32, centre: f32| (value / vertex.w + centre).round_ties_even() as i32;
+        WindowVertex {
+            x: snap(vertex.x, self.centre[0]),
+            y: snap(vertex.y, self.centre[1]),
+            z: vertex.z / vertex.w,
+        }
+    }
+}
+
+/// One row times the positions of sixteen vertices; the order of additions is that of
+/// [`WindowTransform::clip`].
+#[inline(always)]
+pub(crate) fn row_times<S: Simd>(
+    row: &[f32; 4],
+    x: f32x16<S>,
+    y: f32x16<S>,
+    z: f32x16<S>,
+) -> f32x16<S> {
+    x * row[0] + y * row[1] + z * row[2] + row[3]
+}
+
+/// Transforms all vertices of a cluster whose every vertex lies in front of the near plane and
+/// within the guard band: the same bits as [`WindowTransform::window`].
+#[inline(always)]
+pub(crate) fn transform_cluster<S: Simd>(
+    simd: S,
+    transform: &WindowTransform,
+    vertices: &[u32],
+    out: &mut ClusterVertices,
+) {
+    let groups = vertices.chunks_exact(GROUP_WORDS);
+    let out_x = out.x.as_chunks_mut::<LANES>().0;
+    let out_y = out.y.as_chunks_mut::<LANES>().0;
+    let out_z = out.z.as_chunks_mut::<LANES>().0;
+    for (((group, out_x), out_y), out_z) in groups.zip(out_x).zip(out_y).zip(out_z) {
+        let x: f32x16<S> = u32x16::from_slice(simd, &group[..LANES]).bitcast();
+        let y: f32x16<S> = u32x16::from_slice(simd, &group[LANES..2 * LANES]).bitcast();
+        let z: f32x16<S> = u32x16::from_slice(simd, &group[2 * LANES..]).bitcast();
+        let clip_x = row_times(&transform.rows[0], x, y, z);
+        let clip_y = row_times(&transform.rows[1], x, y, z);
+        let clip_z = row_times(&transform.rows[2], x, y, z);
+        let clip_w = row_times(&transform.rows[3], x, y, z);
+        let window_x = SimdFloat::round_ties_even(clip_x / clip_w + transform.centre[0]);
+        let window_y = SimdFloat::round_ties_even(clip_y / clip_w + transform.centre[1]);
+        i32x16::truncate_from(window_x).store_slice(out_x);
+        i32x16::truncate_from(window_y).store_slice(out_y);
+        (clip_z / clip_w).store_slice(out_z);
+    }
+}
