@@ -6,10 +6,12 @@
 #![forbid(unsafe_code)]
 
 mod camera;
+pub mod demos;
 mod light;
 mod material;
 mod mesh;
 mod node;
+pub mod primitives;
 mod scene;
 mod texture;
 mod triangulate;

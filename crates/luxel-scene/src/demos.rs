@@ -1,0 +1,60 @@
+//! Scenes built into the program, made by formulas: no file is needed to see something.
+
+mod blob;
+mod builder;
+mod cornell;
+mod plane;
+mod spheres;
+mod teapot;
+
+use crate::Scene;
+
+/// A built-in scene: its name, one line about it, and what makes it.
+struct Demo {
+    name: &'static str,
+    about: &'static str,
+    make: fn() -> Scene,
+}
+
+const DEMOS: [Demo; 5] = [
+    Demo {
+        name: "teapot",
+        about: "the Utah teapot, from Newell's 32 patches",
+        make: teapot::scene,
+    },
+    Demo {
+        name: "spheres",
+        about: "rows of spheres, one for each model of reflection",
+        make: spheres::scene,
+    },
+    Demo {
+        name: "cornell",
+        about: "the Cornell box, a room with coloured walls and two blocks",
+        make: cornell::scene,
+    },
+    Demo {
+        name: "plane",
+        about: "a coloured ground plane with named things standing on it",
+        make: plane::scene,
+    },
+    Demo {
+        name: "blob",
+        about: "a bumpy ball of a million triangles, to measure with",
+        make: blob::scene,
+    },
+];
+
+/// The names of the built-in scenes with a line about each.
+#[must_use]
+pub fn names() -> Vec<(&'static str, &'static str)> {
+    DEMOS.iter().map(|demo| (demo.name, demo.about)).collect()
+}
+
+/// A built-in scene by its name.
+#[must_use]
+pub fn demo(name: &str) -> Option<Scene> {
+    DEMOS.iter().find(|demo| demo.name == name).map(|demo| (demo.make)())
+}
+
+#[cfg(test)]
+mod tests;
