@@ -7,21 +7,26 @@
 
 mod camera;
 pub mod demos;
+mod encoding;
 mod light;
 mod material;
 mod mesh;
+mod mipmap;
 mod node;
 pub mod primitives;
+mod sampler;
 mod scene;
 mod texture;
 mod triangulate;
 
 pub use camera::{Camera, Lens, Projection, SceneCamera, Size};
+pub use encoding::Encoding;
 pub use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 pub use light::{Placement, SceneLight};
 pub use material::{AlphaMode, SceneMaterial, Sides, TextureUse};
 pub use mesh::{Bounds, Lines, Mesh, Part, Points};
 pub use node::{CameraId, LightId, MaterialId, MeshId, Node, NodeId, TextureId};
+pub use sampler::{Filter, Sampler, Wrap};
 pub use scene::{Object, Scene};
-pub use texture::{Encoding, Filter, Image, MipLevel, Sampler, Texture, Wrap};
+pub use texture::{Image, MipLevel, Texture};
 pub use triangulate::triangulate;

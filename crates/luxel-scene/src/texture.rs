@@ -1,15 +1,9 @@
-//! Images and how they are sampled.
+//! Images, and textures: images with their rules of sampling.
 
+use crate::encoding::Encoding;
+use crate::mipmap::mip_chain;
+use crate::sampler::Sampler;
 use std::sync::Arc;
-
-/// How an image's bytes stand for light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Encoding {
-    /// Red, green and blue by the curve of IEC 61966-2-1; alpha linear: colours.
-    Srgb,
-    /// All four linear: normals, roughness, masks.
-    Linear,
-}
 
 /// A picture with all its mipmap levels, 8 bits a channel.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +12,8 @@ pub struct Image {
     pub name: String,
     /// How its bytes stand for light.
     pub encoding: Encoding,
-    /// Level 0 is the picture itself, each further one half as wide and high, down to 1x1.
+    /// Level 0 is the picture itself, each further one half as wide and high, down to 1x1. There
+    /// is at least one, and none is without texels.
     pub levels: Vec<MipLevel>,
 }
 
@@ -33,54 +28,34 @@ pub struct MipLevel {
     pub texels: Vec<[u8; 4]>,
 }
 
-/// What happens outside 0..1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Wrap {
-    /// The picture repeats.
-    #[default]
-    Repeat,
-    /// It repeats, every other one mirrored.
-    MirroredRepeat,
-    /// The edge goes on.
-    ClampToEdge,
-}
-
-/// How texels become a value.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Filter {
-    /// The nearest texel.
-    Nearest,
-    /// A weighted mean of neighbours, and of mipmap levels.
-    #[default]
-    Linear,
-}
-
-/// The rules of sampling.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Sampler {
-    /// Across.
-    pub wrap_u: Wrap,
-    /// Down.
-    pub wrap_v: Wrap,
-    /// Where a texel covers more than a pixel.
-    pub magnify: Filter,
-    /// Where a pixel covers more than a texel, within a level.
-    pub minify: Filter,
-    /// Between levels; `None`: only level 0 is used.
-    pub mipmap: Option<Filter>,
-}
-
-impl Sampler {
-    /// Repeating, trilinear: what files that say nothing get.
+impl Image {
+    /// A picture and all its mipmap levels, which take a third of the picture's memory again.
+    ///
+    /// `texels` are rows from top to bottom. Rows that aren't whole are dropped; if none is left,
+    /// the image is the [stand-in](Self::stand_in).
     #[must_use]
-    pub const fn trilinear() -> Self {
-        Self {
-            wrap_u: Wrap::Repeat,
-            wrap_v: Wrap::Repeat,
-            magnify: Filter::Linear,
-            minify: Filter::Linear,
-            mipmap: Some(Filter::Linear),
+    pub fn new(
+        name: impl Into<String>,
+        encoding: Encoding,
+        width: u32,
+        height: u32,
+        mut texels: Vec<[u8; 4]>,
+    ) -> Self {
+        let rows = texels.len().checked_div(width as usize).unwrap_or(0).min(height as usize);
+        if rows == 0 {
+            return Self::stand_in(name);
         }
+        texels.truncate(rows * width as usize);
+        let base = MipLevel { width, height: rows as u32, texels };
+        Self { name: name.into(), encoding, levels: mip_chain(base, encoding) }
+    }
+
+    /// What stands for an image that can't be read: a checker of two quiet greys, which shows that
+    /// something is missing and still lets form be seen.
+    #[must_use]
+    pub fn stand_in(name: impl Into<String>) -> Self {
+        let [light, dark] = [[200, 200, 200, 255], [130, 130, 130, 255]];
+        Self::new(name, Encoding::Srgb, 2, 2, vec![light, dark, dark, light])
     }
 }
 
