@@ -1,0 +1,126 @@
+//! Which triangles meet where.
+
+use crate::Mesh;
+use rayon::prelude::*;
+
+/// The corners that meet at each place of a mesh.
+///
+/// A *place* is a position, or several with equal coordinates: files split positions at seams of
+/// their texture coordinates, and some (STL) give every triangle its own. Nothing is assumed of
+/// the mesh; edges may have any number of faces.
+///
+/// Corner k of triangle t has the number 3 t + k.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Topology {
+    places: Vec<u32>,
+    starts: Vec<u32>,
+    corners: Vec<u32>,
+}
+
+impl Topology {
+    /// Finds the places of a mesh and sorts its corners by them, in order of their numbers.
+    /// Triangles whose corners' numbers don't fit into 32 bits are left out.
+    #[must_use]
+    pub fn of(mesh: &Mesh) -> Self {
+        let places = weld(&mesh.positions);
+        let most = (u32::MAX / 3) as usize;
+        let triangles = &mesh.triangles[..mesh.triangles.len().min(most)];
+        // A counting sort: how many corners, where each place's begin, then each into its place.
+        let mut starts = vec![0_u32; mesh.positions.len() + 1];
+        for &position in triangles.as_flattened() {
+            starts[places[position as usize] as usize + 1] += 1;
+        }
+        let mut sum = 0;
+        for start in &mut starts {
+            sum += *start;
+            *start = sum;
+        }
+        let mut corners = vec![0; triangles.len() * 3];
+        let mut next = starts.clone();
+        for (corner, &position) in triangles.as_flattened().iter().enumerate() {
+            let slot = &mut next[places[position as usize] as usize];
+            corners[*slot as usize] = corner as u32;
+            *slot += 1;
+        }
+        Self { places, starts, corners }
+    }
+
+    /// The place of a position: the first position with the same coordinates.
+    ///
+    /// # Panics
+    /// If the mesh has no such position.
+    #[must_use]
+    #[inline]
+    pub fn place(&self, position: u32) -> u32 {
+        self.places[position as usize]
+    }
+
+    /// The corners at a place, in order; none for a position that is not a place.
+    ///
+    /// # Panics
+    /// If the mesh has no such position.
+    #[must_use]
+    #[inline]
+    pub fn corners_at(&self, place: u32) -> &[u32] {
+        let place = place as usize;
+        &self.corners[self.starts[place] as usize..self.starts[place + 1] as usize]
+    }
+
+    /// Where each position's corners begin in the list of all of them, and where the last ones end.
+    pub(crate) fn starts(&self) -> &[u32] {
+        &self.starts
+    }
+}
+
+/// For each position the first one with the same coordinates; 0 and -0 are the same.
+#[must_use]
+pub fn weld(positions: &[[f32; 3]]) -> Vec<u32> {
+    // Coordinates and number in one key: sorting brings equal places together, the first in front.
+    let key = |(number, position): (usize, &[f32; 3])| {
+        let [x, y, z] = position.map(|value| u128::from((value + 0.0).to_bits()));
+        x << 96 | y << 64 | z << 32 | number as u128
+    };
+    let mut keys: Vec<u128> = positions.par_iter().enumerate().map(key).collect();
+    keys.par_sort_unstable();
+    let mut places = vec![0; positions.len()];
+    let mut first = 0;
+    let mut last_coordinates = None;
+    for key in keys {
+        if last_coordinates != Some(key >> 32) {
+            last_coordinates = Some(key >> 32);
+            first = key as u32;
+        }
+        places[key as u32 as usize] = first;
+    }
+    places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn split_positions_are_one_place() {
+        let positions = vec![
+            [1.0, 0.0, 0.0],
+            [0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [-0.0, 0.0, -0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 0.0, 1e-30],
+        ];
+        assert_eq!(weld(&positions), [0, 1, 2, 1, 0, 5]);
+        let triangles = vec![[0, 1, 2], [3, 4, 5]];
+        let topology = Topology::of(&Mesh { positions, triangles, ..Mesh::default() });
+        assert_eq!(topology.corners_at(0), [0, 4]);
+        assert_eq!(topology.corners_at(1), [1, 3]);
+        assert_eq!(topology.corners_at(3), []);
+        assert_eq!(topology.corners_at(5), [5]);
+        assert_eq!(topology.place(3), 1);
+    }
+
+    #[test]
+    fn an_empty_mesh_has_no_places() {
+        assert_eq!(Topology::of(&Mesh::default()).starts(), [0]);
+    }
+}
