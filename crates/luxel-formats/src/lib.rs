@@ -6,8 +6,16 @@
 #![forbid(unsafe_code)]
 
 mod error;
+mod files;
+mod gltf;
+mod image;
 mod limits;
+mod memory;
+mod obj;
 mod open;
+mod ply;
+mod stl;
+mod warnings;
 
 pub use error::{Error, ErrorKind, Place};
 pub use limits::Limits;

@@ -1,6 +1,6 @@
 //! The door: a path or bytes in, a scene out.
 
-use crate::{Error, ErrorKind, Limits, Place};
+use crate::{Error, ErrorKind, Limits, Place, files, gltf, obj, ply, stl};
 use luxel_scene::Scene;
 use std::path::Path;
 use std::str::FromStr;
@@ -52,7 +52,12 @@ impl FromStr for Format {
         [Self::Gltf, Self::Glb, Self::Obj, Self::Stl, Self::Ply]
             .into_iter()
             .find(|format| format.name().eq_ignore_ascii_case(name))
-            .ok_or_else(|| format!("`{name}` is no format: use glb, gltf, obj, stl or ply"))
+            .ok_or_else(|| match name {
+                "" => "the name has no extension to tell the format: say it with --format".into(),
+                _ => format!(
+                    "`{name}` is no format that luxel reads: use glb, gltf, obj, stl or ply"
+                ),
+            })
     }
 }
 
@@ -61,10 +66,10 @@ impl FromStr for Format {
 /// # Errors
 /// [`Error`] with file and place, if the file can't be read, is damaged or asks for too much.
 pub fn open(path: &Path, limits: &Limits) -> Result<Loaded, Error> {
-    let in_file = |kind| Error::at(Place::File, kind).in_file(path);
+    let bytes = files::read_file(path, limits)?;
     let extension = path.extension().unwrap_or_default().to_string_lossy();
-    let format = extension.parse().map_err(|message| in_file(ErrorKind::Unsupported(message)))?;
-    let bytes = std::fs::read(path).map_err(|error| in_file(error.into()))?;
+    let unknown = |message| Error::at(Place::File, ErrorKind::Unsupported(message)).in_file(path);
+    let format = extension.parse().map_err(unknown)?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     read(&bytes, format, &stem, path.parent(), limits).map_err(|error| error.in_file(path))
 }
@@ -81,7 +86,13 @@ pub fn read(
     folder: Option<&Path>,
     limits: &Limits,
 ) -> Result<Loaded, Error> {
-    let _ = (bytes, name, folder, limits);
-    let message = format!("reading {} is not built yet", format.name());
-    Err(Error::at(Place::File, ErrorKind::Unsupported(message)))
+    if bytes.is_empty() {
+        return Err(Error::at(Place::File, ErrorKind::Malformed("the file is empty".to_owned())));
+    }
+    match format {
+        Format::Gltf | Format::Glb => gltf::read(bytes, format, name, folder, limits),
+        Format::Obj => obj::read(bytes, name, folder, limits),
+        Format::Stl => stl::read(bytes, name, limits),
+        Format::Ply => ply::read(bytes, name, limits),
+    }
 }

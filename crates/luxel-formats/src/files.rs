@@ -1,0 +1,64 @@
+//! Files in: whole, in parallel blocks, and never more than the limits allow.
+
+use crate::{Error, ErrorKind, Limits, Place};
+use rayon::prelude::*;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+
+/// What one thread reads at a time. Files shorter than two of these are read in one go.
+const BLOCK: usize = 4 << 20;
+
+/// Reads a file.
+pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> {
+    let in_file = |kind| Error::at(Place::File, kind).in_file(path);
+    let metadata = std::fs::metadata(path).map_err(|error| in_file(error.into()))?;
+    if metadata.is_dir() {
+        let message = "this is a folder: name a model file in it".to_owned();
+        return Err(in_file(ErrorKind::Unsupported(message)));
+    }
+    let in_file = |error: Error| error.in_file(path);
+    limits.check("the file", metadata.len(), 1, Place::File).map_err(in_file)?;
+    let read = if metadata.is_file() && metadata.len() >= 2 * BLOCK as u64 {
+        read_blocks(path, metadata.len())
+    } else {
+        read_stream(path, limits)
+    };
+    let bytes = read.map_err(|error| in_file(Error::at(Place::File, error.into())))?;
+    // Pipes don't tell their length beforehand.
+    limits.check("the file", bytes.len() as u64, 1, Place::File).map_err(in_file)?;
+    Ok(bytes)
+}
+
+fn read_stream(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(limits.max_memory.saturating_add(1)).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Several threads copy from the page cache faster than one.
+fn read_blocks(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
+    let too_long = |_| std::io::Error::from(std::io::ErrorKind::FileTooLarge);
+    let mut bytes = vec![0; usize::try_from(length).map_err(too_long)?];
+    bytes.par_chunks_mut(BLOCK).enumerate().try_for_each(|(index, block)| {
+        let mut file = File::open(path)?;
+        file.seek(SeekFrom::Start((index * BLOCK) as u64))?;
+        file.read_exact(block)
+    })?;
+    Ok(bytes)
+}
+
+/// The file that a name in a model file refers to: within the model's folder, whatever the system
+/// writes between folders. What is wrong with the name is told in a sentence.
+pub(crate) fn within(folder: Option<&Path>, name: &str) -> Result<PathBuf, String> {
+    let folder = folder.ok_or_else(|| {
+        format!("`{name}` isn't read: a model from the standard input has no folder beside it")
+    })?;
+    let parts = || name.split(['/', '\\']);
+    // A drive letter, a scheme, or a stream of NTFS.
+    let foreign = name.contains([':', '\0']);
+    if name.is_empty() || foreign || name.starts_with(['/', '\\']) || parts().any(|p| p == "..") {
+        return Err(format!("`{name}` isn't read: it leads out of the model's folder"));
+    }
+    Ok(folder.join(parts().filter(|part| *part != ".").collect::<PathBuf>()))
+}
