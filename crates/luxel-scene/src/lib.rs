@@ -8,6 +8,7 @@
 mod camera;
 pub mod demos;
 mod encoding;
+mod fit;
 mod light;
 mod material;
 mod mesh;
@@ -23,6 +24,7 @@ mod triangulate;
 
 pub use camera::{Camera, Lens, Projection, SceneCamera, Size};
 pub use encoding::Encoding;
+pub use fit::{Viewpoint, fit_planes, fit_view};
 pub use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 pub use light::{Placement, SceneLight};
 pub use material::{AlphaMode, SceneMaterial, Sides, TextureUse};

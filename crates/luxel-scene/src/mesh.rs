@@ -2,6 +2,7 @@
 
 use crate::MaterialId;
 use glam::{DMat4, DVec3};
+use rayon::prelude::*;
 
 /// Triangles in the file's order, with points and lines beside them.
 ///
@@ -109,24 +110,28 @@ impl Mesh {
     /// The bounds of everything drawn: triangles, points and lines; empty if there is nothing.
     #[must_use]
     pub fn bounds(&self, world_from_mesh: &DMat4) -> Bounds {
-        let mut bounds = Bounds::EMPTY;
-        let mut include = |index: u32| {
-            bounds.include(world_from_mesh.transform_point3(self.position(index)));
-        };
-        let mut seen = vec![false; self.positions.len()];
-        let mut once = |index: u32| {
-            if !std::mem::replace(&mut seen[index as usize], true) {
-                include(index);
-            }
-        };
-        self.triangles.iter().flatten().for_each(|&index| once(index));
-        self.points.iter().flat_map(|points| &points.indices).for_each(|&index| once(index));
-        self.lines
-            .iter()
-            .flat_map(|lines| &lines.segments)
-            .flatten()
-            .for_each(|&index| once(index));
-        bounds
+        let drawn = self.drawn_positions();
+        (0..self.positions.len())
+            .into_par_iter()
+            .with_min_len(1 << 12)
+            .filter(|&index| drawn[index])
+            .map(|index| {
+                let point = world_from_mesh.transform_point3(self.position(index as u32));
+                Bounds { min: point, max: point }
+            })
+            .reduce(|| Bounds::EMPTY, |a, b| a.union(&b))
+    }
+
+    /// Whether each position is drawn: as the corner of a triangle, as a point, or as the end of a
+    /// line.
+    pub(crate) fn drawn_positions(&self) -> Vec<bool> {
+        let mut drawn = vec![false; self.positions.len()];
+        let points = self.points.iter().flat_map(|points| &points.indices);
+        let lines = self.lines.iter().flat_map(|lines| lines.segments.as_flattened());
+        for &index in self.triangles.as_flattened().iter().chain(points).chain(lines) {
+            drawn[index as usize] = true;
+        }
+        drawn
     }
 }
 
