@@ -7,18 +7,8 @@ use luxel_lighting::Material;
 /// 20 x 224^2 = 1 003 520 triangles.
 const FREQUENCY: u32 = 224;
 
-/// A plane wave over space: direction and frequency, phase, height.
-type Wave = ([f64; 3], f64, f64);
-
-/// Coarse bumps with finer ones on them, in directions that have nothing in common.
-const WAVES: [Wave; 6] = [
-    ([2.3, 1.1, -1.7], 0.4, 0.11),
-    ([-1.2, 2.6, 1.9], 1.9, 0.09),
-    ([3.1, -2.2, 3.4], 0.7, 0.06),
-    ([-5.3, 4.1, 6.2], 2.6, 0.025),
-    ([9.7, 8.3, -7.1], 1.2, 0.014),
-    ([-17.0, 23.0, 19.0], 0.3, 0.005),
-];
+/// Frequency and height of each layer of bumps, the coarse ones first.
+const BUMPS: [[f64; 2]; 3] = [[2.6, 0.085], [6.5, 0.03], [17.0, 0.008]];
 
 pub(super) fn scene() -> Scene {
     let mut builder = SceneBuilder::default();
@@ -30,15 +20,21 @@ pub(super) fn scene() -> Scene {
     builder.scene
 }
 
-/// The point r(d) d in direction d, with r(d) = 1 + sum of h sin(k.d + p) over the waves, and its
-/// normal r d - (grad r - (grad r . d) d): what is perpendicular to every way over the surface.
+/// The point r(d) d in direction d, and its normal r d - (grad r - (grad r . d) d): what is
+/// perpendicular to every way over the surface.
+///
+/// r(d) = 1 + sum of h g(f d) over the bumps, with the gyroid's function
+/// g(p) = sin x cos y + sin y cos z + sin z cos x (Schoen 1970), whose bumps look alike in every
+/// direction.
 fn place(direction: DVec3) -> (DVec3, DVec3) {
     let (mut radius, mut gradient) = (1.0, DVec3::ZERO);
-    for (frequency, phase, height) in WAVES {
-        let frequency = DVec3::from_array(frequency);
-        let (sin, cos) = libm::sincos(frequency.dot(direction) + phase);
-        radius += height * sin;
-        gradient += frequency * (height * cos);
+    for [frequency, height] in BUMPS {
+        // Off the middle, where the function is symmetric.
+        let point = direction * frequency + DVec3::new(0.7, 1.9, 3.1);
+        let [x, y, z] = point.to_array().map(libm::sincos);
+        radius += height * (x.0 * y.1 + y.0 * z.1 + z.0 * x.1);
+        let slope = DVec3::new(x.1 * y.1 - z.0 * x.0, y.1 * z.1 - x.0 * y.0, z.1 * x.1 - y.0 * z.0);
+        gradient += slope * (height * frequency);
     }
     let along_surface = gradient - direction * gradient.dot(direction);
     (direction * radius, direction * radius - along_surface)

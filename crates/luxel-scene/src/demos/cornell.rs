@@ -65,10 +65,12 @@ pub(super) fn scene() -> Scene {
         builder.object(name, blocks, DMat4::IDENTITY, mesh);
     }
 
-    // Half as strong at about 320 millimetres as at the lamp.
-    let attenuation = [0.5, 0.0, 5.0e-6];
-    builder.lamp("lamp", DVec3::new(278.0, 500.0, 279.5), [1.0, 0.93, 0.80], attenuation);
-    builder.sun("viewer", DVec3::new(0.15, -0.25, 1.0), [0.10, 0.13, 0.18]);
+    // Half as strong at about 320 millimetres as at the lamp; so near its front edge that the tall
+    // block's front gets some of it.
+    let warm = [1.0, 0.93, 0.80];
+    builder.lamp("lamp", DVec3::new(278.0, 490.0, 225.0), warm, [0.5, 0.0, 5.0e-6]);
+    let cool = [0.26, 0.31, 0.40];
+    builder.lamp("viewer", DVec3::new(500.0, 380.0, -250.0), cool, [0.5, 0.0, 2.0e-6]);
     builder.ambient([0.10, 0.10, 0.11]);
 
     // A lens of 35 mm before a film of 25 x 25 mm.

@@ -61,7 +61,7 @@ fn glossy() -> Vec<Named> {
     let of = |reflection, shininess| Material {
         reflection,
         diffuse: srgb(0xe0_7a3f),
-        k_s: 0.7,
+        k_s: 0.55,
         shininess,
         ..Material::default()
     };
