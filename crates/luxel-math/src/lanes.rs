@@ -19,7 +19,8 @@ pub enum SimdLevel {
     /// The best that this machine has.
     #[default]
     Auto,
-    /// One value at a time, on any machine.
+    /// No more than every machine of its kind has: 128-bit vectors on x86-64 and aarch64, one value
+    /// at a time elsewhere and with this crate's feature `scalar`.
     Scalar,
     /// 128 bits: x86-64's baseline.
     Sse2,
@@ -76,7 +77,10 @@ impl SimdLevel {
         let best = Level::new();
         let level = match self {
             Self::Auto => Some(best),
+            #[cfg(feature = "scalar")]
             Self::Scalar => Some(Level::fallback()),
+            #[cfg(not(feature = "scalar"))]
+            Self::Scalar => Some(Level::baseline()),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Self::Sse2 => best.as_sse2().map(Level::Sse2),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
