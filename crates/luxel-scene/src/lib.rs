@@ -5,9 +5,11 @@
 
 #![forbid(unsafe_code)]
 
+mod angle;
 mod camera;
 pub mod demos;
 mod encoding;
+mod fans;
 mod fit;
 mod light;
 mod material;
@@ -18,6 +20,7 @@ mod normals;
 pub mod primitives;
 mod sampler;
 mod scene;
+mod tangents;
 mod texture;
 mod topology;
 mod triangulate;

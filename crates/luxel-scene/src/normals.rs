@@ -32,9 +32,8 @@
 //! A regular prism of n sides has 360/n degrees at its edges: 45 at the octagon, which is meant to
 //! have edges, 36 at the decagon, which usually stands for a cylinder. 40 lies between.
 
+mod around;
 mod faces;
-mod fans;
-mod split;
 
 use crate::{Mesh, Scene, Topology};
 use faces::Faces;
@@ -106,8 +105,9 @@ impl Mesh {
         } else {
             let topology = Topology::of(self);
             let faces = Faces::of(self, options.source);
-            let fans = fans::gather(self, &topology, &faces, options.crease_radians);
-            split::assign(self, &topology, &fans);
+            let fans = around::gather(self, &topology, &faces, options.crease_radians);
+            self.normals.clear();
+            self.normals = fans.assign(self, &topology, NO_DIRECTION);
         }
     }
 

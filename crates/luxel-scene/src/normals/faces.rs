@@ -2,6 +2,7 @@
 
 use super::NormalSource;
 use crate::Mesh;
+use crate::angle::{arc_tangent_of_ratio, cross, dot};
 use rayon::prelude::*;
 
 /// How many triangles one thread takes at a time.
@@ -145,7 +146,7 @@ impl Shape {
     /// The normal, twice the area long.
     fn cross(&self) -> [f64; 3] {
         let [a, b, _] = self.0;
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        cross(a, b)
     }
 
     /// The angles at the corners, by tan(t/2) = |a x b| / (|a| |b| + a.b); 0 without area.
@@ -164,43 +165,9 @@ impl Shape {
     }
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// atan(y / x) for y > 0, x >= 0, to 2e-8 (Abramowitz and Stegun 1964, 4.4.49): weights need no
-/// more, and it is several times as fast as an exact one.
-fn arc_tangent_of_ratio(y: f64, x: f64) -> f64 {
-    const SERIES: [f64; 9] = [
-        0.002_866_225_7,
-        -0.016_165_736_7,
-        0.042_909_613_8,
-        -0.075_289_640_0,
-        0.106_562_639_3,
-        -0.142_088_994_4,
-        0.199_935_508_5,
-        -0.333_331_452_8,
-        1.0,
-    ];
-    let (small, large) = if y <= x { (y, x) } else { (x, y) };
-    let ratio = small / large;
-    let squared = ratio * ratio;
-    let angle = ratio * SERIES.iter().fold(0.0, |sum, factor| sum * squared + factor);
-    if y <= x { angle } else { std::f64::consts::FRAC_PI_2 - angle }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn arc_tangents_are_as_good_as_said() {
-        for step in 0..=10_000 {
-            let angle = f64::from(step + 1) / 10_001.0 * std::f64::consts::FRAC_PI_2;
-            let found = arc_tangent_of_ratio(libm::sin(angle), libm::cos(angle).max(0.0));
-            assert!((found - angle).abs() < 2e-8, "{angle}: {found}");
-        }
-    }
 
     #[test]
     fn angles_of_a_triangle_are_its_angles() {

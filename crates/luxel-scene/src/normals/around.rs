@@ -2,11 +2,8 @@
 
 use super::faces::{Face, Faces, same_polygon};
 use super::{NO_DIRECTION, unit};
+use crate::fans::Fans;
 use crate::{Mesh, Topology};
-use rayon::prelude::*;
-
-/// How many places one thread takes at a time.
-const RUN: usize = 1 << 12;
 
 /// At an edge of so many faces all pairs are compared; at more, each with the next in file order,
 /// so that a file in which everything hangs on one edge takes no time.
@@ -20,14 +17,6 @@ const ALIKE_DEGREES: f64 = 20.0;
 /// Sums shorter than this, compared with the sum of the lengths, have lost their direction.
 const CANCELLED: f64 = 1e-6;
 
-/// The fans of a mesh: sets of corners at one place that share a normal.
-pub(super) struct Fans {
-    /// The normal of each fan; the fans of a place follow one another, in the order of places.
-    pub(super) normals: Vec<[f32; 3]>,
-    /// The fan of each corner, in the order of the topology's list.
-    pub(super) fan_of_slot: Vec<u32>,
-}
-
 /// How faces are put together.
 enum Rule<'a> {
     /// All of a place.
@@ -38,8 +27,13 @@ enum Rule<'a> {
     Crease { cosine: f32, alike_cosine: f64 },
 }
 
-/// Finds the fans of all places.
-pub(super) fn gather(mesh: &Mesh, topology: &Topology, faces: &Faces, crease_radians: f64) -> Fans {
+/// Finds the fans of all places, with their normals.
+pub(super) fn gather(
+    mesh: &Mesh,
+    topology: &Topology,
+    faces: &Faces,
+    crease_radians: f64,
+) -> Fans<[f32; 3]> {
     let rule = match &mesh.smoothing_groups {
         Some(groups) => Rule::Groups(groups),
         None if crease_radians >= std::f64::consts::PI => Rule::All,
@@ -49,44 +43,10 @@ pub(super) fn gather(mesh: &Mesh, topology: &Topology, faces: &Faces, crease_rad
             Rule::Crease { cosine: libm::cos(crease) as f32, alike_cosine: libm::cos(alike) }
         }
     };
-    let starts = topology.starts();
-    let mut fan_of_slot = vec![0; starts[starts.len() - 1] as usize];
-    let mut pieces = Vec::new();
-    let mut rest = &mut fan_of_slot[..];
-    for first in (0..mesh.positions.len()).step_by(RUN) {
-        let end = mesh.positions.len().min(first + RUN);
-        let (piece, after) = rest.split_at_mut((starts[end] - starts[first]) as usize);
-        pieces.push((first as u32..end as u32, piece));
-        rest = after;
-    }
     let around = Around { mesh, topology, faces, rule };
-    let normals: Vec<Vec<[f32; 3]>> = pieces
-        .into_par_iter()
-        .map(|(places, mut slots)| {
-            let mut fans = Vec::with_capacity(places.len());
-            let mut scratch = Scratch::default();
-            for place in places {
-                let corners = topology.corners_at(place);
-                let (own, after) = slots.split_at_mut(corners.len());
-                around.find(place, corners, &mut scratch, &mut fans, own);
-                slots = after;
-            }
-            fans
-        })
-        .collect();
-    // Fans are numbered within their pieces until all pieces are known.
-    let mut base = 0;
-    let mut rest = &mut fan_of_slot[..];
-    for (piece, first) in normals.iter().zip((0..).step_by(RUN)) {
-        let end = mesh.positions.len().min(first + RUN);
-        let (own, after) = rest.split_at_mut((starts[end] - starts[first]) as usize);
-        if base > 0 {
-            own.iter_mut().for_each(|fan| *fan += base);
-        }
-        base += piece.len() as u32;
-        rest = after;
-    }
-    Fans { normals: normals.concat(), fan_of_slot }
+    Fans::gather(topology, |place, corners, scratch, normals, fan_of_corner| {
+        around.find(place, corners, scratch, normals, fan_of_corner);
+    })
 }
 
 /// Lists that are used again from place to place.
@@ -154,9 +114,6 @@ impl Around<'_> {
         normals: &mut Vec<[f32; 3]>,
         fan_of_corner: &mut [u32],
     ) {
-        if corners.is_empty() {
-            return;
-        }
         let first_fan = normals.len() as u32;
         if self.is_one_fan(corners) {
             let mut sum = Sum::default();
