@@ -1,12 +1,42 @@
 //! What a lit surface point sends to the eye.
 //!
-//! The lighting equation stands here once, generic over the number (one pixel, or sixteen) and over
-//! a witness that hears every term as it is computed.
+//! The lighting equation stands here once ([`lit`]), generic over the number (one pixel, or
+//! sixteen) and over a [`Witness`] that hears every term as it is computed: for drawing it is
+//! [`Silent`] and costs nothing, for explaining it is a [`Ledger`] that writes the terms down.
+//!
+//! Places and directions are those of the world, with the eye as the origin, so that scenes far
+//! from the world's origin don't shake. Light is linear and of any intensity; what becomes of it in
+//! a picture's bytes is the business of [`PictureEncoding`].
+//!
+//! | subject | here |
+//! | --- | --- |
+//! | what shines | [`Light`], [`PlacedLight`], [`Environment`] |
+//! | what is shone upon | [`Material`], [`Reflectance`], [`SurfacePoint`] |
+//! | what the eye gets | [`lit`], [`reflected`], [`Fog`] |
+//! | who hears the terms | [`Witness`], [`Silent`], [`Ledger`] |
+//! | how it is stored | [`PictureEncoding`], [`srgb_to_byte`] |
 
 #![forbid(unsafe_code)]
 
+mod encode;
+mod environment;
+mod equation;
+mod fog;
 mod light;
 mod material;
+mod placed;
+mod reflection;
+mod surface;
+mod witness;
 
+pub use encode::{
+    PictureEncoding, byte_to_linear, decode_srgb, encode_srgb, srgb_to_byte, unit_to_byte,
+};
+pub use environment::Environment;
+pub use equation::{Surroundings, lit, reflected};
+pub use fog::{Fog, FogLaw};
 pub use light::{Attenuation, Cone, Light, LightKind};
 pub use material::{Material, Reflection};
+pub use placed::PlacedLight;
+pub use surface::{Reflectance, SurfacePoint};
+pub use witness::{Ledger, LedgerLight, LightTerms, Silent, Terms, Witness};

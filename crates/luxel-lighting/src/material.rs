@@ -19,8 +19,47 @@ pub enum Reflection {
     Mirror,
     /// Diffuse and a lobe back to the light: k_s max(V.L, 0)^n.
     Retro,
-    /// A weighted sum of models.
+    /// A weighted sum of models, none of them a mix: [`Reflection::mixed`] sees to that.
     Mixed(Vec<(Self, f32)>),
+}
+
+impl Reflection {
+    /// A weighted sum of models; mixes among them are dissolved into their parts.
+    #[must_use]
+    pub fn mixed(parts: Vec<(Self, f32)>) -> Self {
+        let mut simple = Vec::with_capacity(parts.len());
+        let mut rest: Vec<_> = parts.into_iter().rev().collect();
+        while let Some((part, weight)) = rest.pop() {
+            match part {
+                Self::Mixed(inner) => {
+                    rest.extend(inner.into_iter().rev().map(|(part, w)| (part, w * weight)));
+                }
+                simple_part => simple.push((simple_part, weight)),
+            }
+        }
+        Self::Mixed(simple)
+    }
+
+    /// How many models are summed.
+    #[inline(always)]
+    pub(crate) fn part_count(&self) -> usize {
+        match self {
+            Self::Mixed(parts) => parts.len(),
+            _ => 1,
+        }
+    }
+
+    /// One of the models that are summed, with its weight, kept within 1e3.
+    #[inline(always)]
+    pub(crate) fn part(&self, index: usize) -> (&Self, f32) {
+        match self {
+            Self::Mixed(parts) => {
+                let (part, weight) = &parts[index];
+                (part, if weight.is_nan() { 0.0 } else { weight.clamp(-1e3, 1e3) })
+            }
+            simple => (simple, 1.0),
+        }
+    }
 }
 
 /// The constants of a surface's reflection; what textures and vertex colours multiply.

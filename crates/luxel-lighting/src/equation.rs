@@ -1,0 +1,139 @@
+//! The lighting equation.
+
+use crate::reflection::{Incidence, Surface, own_light};
+use crate::{
+    Environment, Fog, LightKind, LightTerms, Material, PlacedLight, Reflectance, Reflection,
+    SurfacePoint, Terms, Witness,
+};
+use luxel_math::{Number, Rgb};
+
+/// What shines on a surface, and what lies between it and the eye: the same for a whole picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Surroundings<'a> {
+    /// Directional, point and spot lights; ambient ones are passed over here: their sum is
+    /// `scene_ambient`.
+    pub lights: &'a [PlacedLight],
+    /// I_a of the scene, ambient lights included.
+    pub scene_ambient: [f32; 3],
+    /// What mirrors and metals see.
+    pub environment: Environment,
+    /// The fog, if any.
+    pub fog: Option<&'a Fog>,
+}
+
+/// The light that a surface point sends to the eye, fog included, not clamped, always finite.
+///
+/// With f = attenuation x spot, the light is, summed from left to right:
+///
+/// ```text
+/// I = O_e + I_a k_a O_a
+///   + for each light: f I_a,i k_a O_a + f I_d,i k_d O_d max(N.L, 0) + f I_s,i k_s O_s max(c, 0)^n
+///   + environment
+/// I' = s I + (1 - s) I_dc
+/// ```
+///
+/// (Foley et al., *Computer Graphics: Principles and Practice*, 1990, section 16.1, with the ambient
+/// intensity of each light and its cone from OpenGL 1.x.) This is the equation for Phong's and
+/// Blinn's highlights; the other kinds of [`Reflection`] replace the diffuse and the specular term.
+/// A light at the surface itself adds nothing.
+#[inline(always)]
+pub fn lit<N: Number, W: Witness<N>>(
+    point: &SurfacePoint<N>,
+    reflectance: &Reflectance<N>,
+    material: &Material,
+    surroundings: &Surroundings<'_>,
+    witness: &mut W,
+) -> Rgb<N> {
+    let sum = reflected(point, reflectance, material, surroundings, witness);
+    let color = match surroundings.fog {
+        Some(fog) => fog.veiled(sum, point.depth, witness),
+        None => sum,
+    };
+    witness.color(color);
+    color
+}
+
+/// The light that leaves a surface point towards the eye, before any fog: [`lit`] without its last
+/// line.
+#[inline(always)]
+pub fn reflected<N: Number, W: Witness<N>>(
+    point: &SurfacePoint<N>,
+    reflectance: &Reflectance<N>,
+    material: &Material,
+    surroundings: &Surroundings<'_>,
+    witness: &mut W,
+) -> Rgb<N> {
+    let like = point.depth;
+    let reflection = &material.reflection;
+    let surface = Surface::new(point, reflectance, material);
+    let emission = own_light(&surface, reflectance, reflection);
+    let ambient_share = surface.ambient(reflection, &surroundings.environment);
+    let scene_ambient = ambient_share * Rgb::splat(like, surroundings.scene_ambient);
+
+    let mut sum = emission + scene_ambient;
+    for (index, placed) in surroundings.lights.iter().enumerate() {
+        let light = placed.light();
+        if light.kind == LightKind::Ambient {
+            continue;
+        }
+        let arrival = placed.arrival(point.position);
+        let n_dot_l = point.normal.dot(arrival.to_light);
+        let incidence = Incidence { to_light: arrival.to_light, n_dot_l };
+        let part = surface.reflected(reflection, &incidence);
+        let factor = arrival.attenuation * arrival.spot;
+
+        let ambient = ambient_share * Rgb::splat(like, light.ambient) * factor;
+        let diffuse = part.diffuse * Rgb::splat(like, light.diffuse) * factor;
+        let specular = part.specular * Rgb::splat(like, light.specular) * factor;
+        sum = sum + ambient;
+        sum = sum + diffuse;
+        sum = sum + specular;
+        witness.light(
+            index,
+            &LightTerms {
+                to_light: arrival.to_light,
+                distance: arrival.distance,
+                attenuation: arrival.attenuation,
+                spot: arrival.spot,
+                n_dot_l,
+                specular_cosine: part.specular_cosine,
+                ambient,
+                diffuse,
+                specular,
+            },
+        );
+    }
+    let environment = match reflection {
+        Reflection::Unlit => Rgb::black(like),
+        _ => surface.mirrored(reflection, &surroundings.environment),
+    };
+    let sum = finite(sum + environment);
+    witness.terms(&Terms { emission, scene_ambient, environment, sum });
+    sum
+}
+
+impl Fog {
+    /// I' = s I + (1 - s) I_dc at the distance `depth` along the viewing axis.
+    #[inline(always)]
+    pub fn veiled<N: Number, W: Witness<N>>(
+        &self,
+        color: Rgb<N>,
+        depth: N,
+        witness: &mut W,
+    ) -> Rgb<N> {
+        let factor = self.factor(depth);
+        let fog_color = self.color_like(depth);
+        witness.fog(factor, fog_color);
+        finite(color * factor + fog_color * (factor.one() - factor))
+    }
+}
+
+/// No infinity, whatever the sums of many huge terms.
+#[inline(always)]
+fn finite<N: Number>(color: Rgb<N>) -> Rgb<N> {
+    Rgb::new(
+        color.r.limited(-f32::MAX, f32::MAX),
+        color.g.limited(-f32::MAX, f32::MAX),
+        color.b.limited(-f32::MAX, f32::MAX),
+    )
+}

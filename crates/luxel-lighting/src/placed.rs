@@ -1,0 +1,151 @@
+//! Lights where they stand: how much of them reaches a point, and from where.
+
+use crate::{Cone, Light, LightKind};
+use luxel_math::{Mask, Number, Vec3, elementary};
+
+/// Intensities beyond this (either way) are taken as this, so that no product overflows.
+const INTENSITY_LIMIT: f32 = 1e10;
+/// Attenuation beyond this is taken as this: the surface nearly touches the light.
+const ATTENUATION_LIMIT: f32 = 1e10;
+
+/// A light in its place: world directions, with the eye as the origin.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedLight {
+    light: Light,
+    position: [f32; 3],
+    direction: [f32; 3],
+}
+
+/// What arrives of a light at a point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Arrival<N> {
+    /// L: towards the light, of unit length; 0 where the light stands at the point itself.
+    pub(crate) to_light: Vec3<N>,
+    /// d; `None` for directional lights.
+    pub(crate) distance: Option<N>,
+    /// 1 / (c1 + c2 d + c3 d^2) times the window of the range.
+    pub(crate) attenuation: N,
+    /// How much of the cone's light goes this way.
+    pub(crate) spot: N,
+}
+
+impl PlacedLight {
+    /// A light at `position`, shining along `direction`; of a light that has no place or no
+    /// direction, either may be anything.
+    ///
+    /// The direction is brought to unit length. What isn't finite becomes 0, and intensities are
+    /// kept within 1e10, so that no later product overflows.
+    #[must_use]
+    pub fn new(mut light: Light, position: [f32; 3], direction: [f32; 3]) -> Self {
+        for color in [&mut light.ambient, &mut light.diffuse, &mut light.specular] {
+            *color = color.map(|c| finite(c).clamp(-INTENSITY_LIMIT, INTENSITY_LIMIT));
+        }
+        let position = position.map(finite);
+        let direction = direction.map(finite);
+        // Brought near 1 first: the square of a huge or tiny length is not an `f32`.
+        let largest = direction.into_iter().fold(0.0_f32, |largest, c| largest.max(c.abs()));
+        let direction = if largest > 0.0 { direction.map(|c| c / largest) } else { direction };
+        let [x, y, z] = direction;
+        let direction = Vec3::new(x, y, z).normalized_or_zero().lane(0);
+        Self { light, position, direction }
+    }
+
+    /// What it is.
+    #[must_use]
+    pub fn light(&self) -> &Light {
+        &self.light
+    }
+
+    /// Where it stands, relative to the eye.
+    #[must_use]
+    pub fn position(&self) -> [f32; 3] {
+        self.position
+    }
+
+    /// The direction in which its light travels, of unit length.
+    #[must_use]
+    pub fn direction(&self) -> [f32; 3] {
+        self.direction
+    }
+
+    /// What arrives at `position`.
+    #[inline(always)]
+    pub(crate) fn arrival<N: Number>(&self, position: Vec3<N>) -> Arrival<N> {
+        let like = position.x;
+        if matches!(self.light.kind, LightKind::Directional | LightKind::Ambient) {
+            return Arrival {
+                to_light: -Vec3::splat(like, self.direction),
+                distance: None,
+                attenuation: like.one(),
+                spot: like.one(),
+            };
+        }
+        let way = Vec3::splat(like, self.position) - position;
+        let squared = way.dot(way);
+        // False at the light itself, and where the way is too long for its square.
+        let apart = squared.zero().less(squared) & squared.less(like.constant(f32::INFINITY));
+        let distance = squared.only_where(apart).sqrt();
+        let to_light = way * (like.one() / distance.select(apart, like.one())).only_where(apart);
+        let attenuation = self.attenuation(distance).only_where(apart);
+        let spot = match self.light.kind {
+            LightKind::Spot(cone) => {
+                cone.brightness((-to_light).dot(Vec3::splat(like, self.direction)))
+            }
+            _ => like.one(),
+        };
+        Arrival { to_light, distance: Some(distance), attenuation, spot }
+    }
+
+    /// 1 / (c1 + c2 d + c3 d^2), 0 where that isn't positive; times glTF's window.
+    #[inline(always)]
+    fn attenuation<N: Number>(&self, distance: N) -> N {
+        let [c1, c2, c3] = self.light.attenuation.coefficients;
+        let divisor = distance.constant(c1)
+            + distance.constant(c2) * distance
+            + distance.constant(c3) * distance * distance;
+        let positive = divisor.zero().less(divisor);
+        let attenuation = (divisor.one() / divisor.select(positive, divisor.one()))
+            .minimum(divisor.constant(ATTENUATION_LIMIT))
+            .only_where(positive);
+        match self.light.attenuation.range {
+            Some(range) => attenuation * window(distance, range),
+            None => attenuation,
+        }
+    }
+}
+
+/// max(min(1 - (d / range)^4, 1), 0) (glTF `KHR_lights_punctual`).
+#[inline(always)]
+fn window<N: Number>(distance: N, range: f32) -> N {
+    let ratio = distance / distance.constant(range.max(f32::MIN_POSITIVE));
+    let square = ratio * ratio;
+    (ratio.one() - square * square).limited(0.0, 1.0)
+}
+
+impl Cone {
+    /// The part of the light that goes where the angle to the axis has this cosine.
+    #[inline(always)]
+    fn brightness<N: Number>(self, cosine: N) -> N {
+        match self {
+            Self::Exponent { cos_cutoff, exponent } => {
+                let brightness =
+                    elementary::power(cosine.limited(0.0, 1.0), cosine.constant(exponent));
+                // Rounding may take a cosine below -1: without a cone everything is inside.
+                let everywhere = cosine.equal(cosine).splat_like(cos_cutoff <= -1.0);
+                brightness
+                    .only_where(cosine.constant(cos_cutoff).less_or_equal(cosine) | everywhere)
+            }
+            Self::Smooth { cos_inner, cos_outer } => {
+                // The specification's own guard against cones of equal angles.
+                let width = (cos_inner - cos_outer).max(1e-3);
+                let t = ((cosine - cosine.constant(cos_outer)) / cosine.constant(width))
+                    .limited(0.0, 1.0);
+                t * t
+            }
+        }
+    }
+}
+
+fn finite(value: f32) -> f32 {
+    if value.is_finite() { value } else { 0.0 }
+}

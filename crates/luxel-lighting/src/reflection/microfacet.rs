@@ -1,0 +1,78 @@
+//! Torrance-Sparrow reflection with GGX facets: glTF's metallic-roughness material.
+
+use super::{Incidence, Reflected, Surface, any_lit};
+use luxel_math::{Number, Rgb};
+
+/// F0 of dielectrics: an index of refraction of 1.5 (glTF 2.0, appendix B.3.4).
+const DIELECTRIC: f32 = 0.04;
+/// alpha isn't below this (a perceptual roughness of 0.0447): a smaller highlight would drown in
+/// the rounding of N.H, and shine in no sample.
+const SMALLEST_ALPHA: f32 = 0.002;
+/// N.V isn't below this: vertex normals may turn away from the eye where the face doesn't.
+const SMALLEST_N_DOT_V: f32 = 1e-4;
+
+/// glTF 2.0, appendix B.3.5, with the light's cosine and times pi:
+///
+/// - diffuse: (1 - F) (1 - metallic) k_d O_d (N.L)
+/// - specular: k_s O_s pi D V F (N.L)
+///
+/// with alpha = roughness^2 (not below 0.002) and H = (L + V) / |L + V|:
+///
+/// - D = alpha^2 / (pi ((N.H)^2 (alpha^2 - 1) + 1)^2), the distribution GGX (Walter et al. 2007,
+///   Trowbridge and Reitz 1975);
+/// - V = 1 / (2 ((N.L) sqrt((N.V)^2 (1 - alpha^2) + alpha^2) + (N.V) sqrt((N.L)^2 (1 - alpha^2) +
+///   alpha^2))), Smith's masking and shadowing, correlated by height (Heitz 2014), over
+///   4 (N.L) (N.V);
+/// - F = F0 + (1 - F0) (1 - V.H)^5, Fresnel's reflectance (Schlick 1994), F0 between 0.04 and O_d by
+///   metallic.
+#[inline(always)]
+pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> Reflected<N> {
+    let like = surface.n_dot_v;
+    let half = (incidence.to_light + surface.view).normalized_or_zero();
+    let n_dot_h = surface.normal.dot(half);
+    if !any_lit(incidence) {
+        return Reflected {
+            diffuse: Rgb::black(like),
+            specular: Rgb::black(like),
+            specular_cosine: Some(n_dot_h),
+        };
+    }
+    let n_dot_l = incidence.n_dot_l.limited(0.0, 1.0);
+    let n_dot_v = surface.n_dot_v.limited(SMALLEST_N_DOT_V, 1.0);
+    let v_dot_h = surface.view.dot(half).limited(0.0, 1.0);
+    let alpha = (surface.roughness * surface.roughness).maximum(like.constant(SMALLEST_ALPHA));
+    let alpha2 = alpha * alpha;
+
+    // (N.H)^2 (alpha^2 - 1) + 1 without the cancellation: 1 - (N.H)^2 = |N x H|^2.
+    let aside = surface.normal.cross(half);
+    let spread = aside.dot(aside) + n_dot_h * n_dot_h * alpha2;
+    let pi_d = alpha2 / (spread * spread).maximum(like.constant(f32::MIN_POSITIVE));
+    let pi_d = pi_d
+        .minimum(like.one() / alpha2)
+        .only_where(like.zero().less(n_dot_h) & like.zero().less(n_dot_l));
+
+    let rest = like.one() - alpha2;
+    let masking = n_dot_l * (n_dot_v * n_dot_v * rest + alpha2).sqrt();
+    let shadowing = n_dot_v * (n_dot_l * n_dot_l * rest + alpha2).sqrt();
+    let visibility = like.constant(0.5) / (masking + shadowing);
+
+    let f0 = facing_reflectance(surface);
+    let white = Rgb::new(like.one(), like.one(), like.one());
+    let away = like.one() - v_dot_h;
+    let away2 = away * away;
+    let fresnel = f0 + (white - f0) * (away2 * away2 * away);
+
+    Reflected {
+        diffuse: surface.diffuse * (white - fresnel) * ((like.one() - surface.metallic) * n_dot_l),
+        specular: surface.specular * fresnel * (pi_d * visibility * n_dot_l),
+        specular_cosine: Some(n_dot_h),
+    }
+}
+
+/// F0: 0.04 for dielectrics, O_d for metals.
+#[inline(always)]
+pub(crate) fn facing_reflectance<N: Number>(surface: &Surface<N>) -> Rgb<N> {
+    let like = surface.metallic;
+    Rgb::splat(like, [DIELECTRIC; 3]) * (like.one() - surface.metallic)
+        + surface.base * surface.metallic
+}

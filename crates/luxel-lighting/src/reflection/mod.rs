@@ -1,0 +1,233 @@
+//! The kinds of reflection: which part of a light's intensity a surface sends to the eye.
+//!
+//! A model gives two factors for each light, one for I_d and one for I_s, without the light's own
+//! attenuation; the equation does the rest. No hidden factors: where physics has a BRDF f, the
+//! factor is pi f (N.L), so that a white Lambert surface facing a light of intensity 1 sends 1.
+
+mod lambert;
+mod microfacet;
+mod oren_nayar;
+mod phong;
+
+use crate::environment::split_sum;
+use crate::{Environment, Material, Reflectance, Reflection, SurfacePoint};
+use luxel_math::{Mask, Number, Rgb, Vec3};
+
+/// Coefficients of reflection beyond this are taken as this, so that no product overflows.
+const COEFFICIENT_LIMIT: f32 = 1e8;
+
+/// What a surface reflects at one point, prepared once for all lights.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Surface<N> {
+    /// N
+    pub(crate) normal: Vec3<N>,
+    /// V
+    pub(crate) view: Vec3<N>,
+    /// N.V as it is.
+    pub(crate) n_dot_v: N,
+    /// k_a O_a, occluded.
+    pub(crate) ambient: Rgb<N>,
+    /// k_d O_d
+    pub(crate) diffuse: Rgb<N>,
+    /// k_s O_s
+    pub(crate) specular: Rgb<N>,
+    /// O_d of a microfacet surface, within 0 and 1.
+    pub(crate) base: Rgb<N>,
+    /// n
+    pub(crate) shininess: N,
+    /// Within 0 and 1.
+    pub(crate) metallic: N,
+    /// Within 0 and 1.
+    pub(crate) roughness: N,
+    /// Within 0 and 1.
+    pub(crate) occlusion: N,
+}
+
+/// Which part of a light's intensity goes to the eye.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reflected<N> {
+    /// Of I_d.
+    pub(crate) diffuse: Rgb<N>,
+    /// Of I_s.
+    pub(crate) specular: Rgb<N>,
+    /// The cosine of the highlight as it is.
+    pub(crate) specular_cosine: Option<N>,
+}
+
+/// A light as one surface point meets it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Incidence<N> {
+    /// L
+    pub(crate) to_light: Vec3<N>,
+    /// N.L as it is.
+    pub(crate) n_dot_l: N,
+}
+
+impl<N: Number> Surface<N> {
+    /// The surface at a point.
+    #[inline(always)]
+    pub(crate) fn new(
+        point: &SurfacePoint<N>,
+        reflectance: &Reflectance<N>,
+        material: &Material,
+    ) -> Self {
+        let occlusion = reflectance.occlusion.limited(0.0, 1.0);
+        Self {
+            normal: point.normal,
+            view: point.view,
+            n_dot_v: point.normal.dot(point.view),
+            ambient: coefficient(reflectance.ambient, material.k_a) * occlusion,
+            diffuse: coefficient(reflectance.diffuse, material.k_d),
+            specular: coefficient(reflectance.specular, material.k_s),
+            base: limited(reflectance.diffuse, 1.0),
+            shininess: reflectance.shininess.limited(0.0, 1e9),
+            metallic: reflectance.metallic.limited(0.0, 1.0),
+            roughness: reflectance.roughness.limited(0.0, 1.0),
+            occlusion,
+        }
+    }
+
+    /// What goes to the eye of a light.
+    #[inline(always)]
+    pub(crate) fn reflected(
+        &self,
+        reflection: &Reflection,
+        incidence: &Incidence<N>,
+    ) -> Reflected<N> {
+        let like = self.n_dot_v;
+        let mut whole = Reflected {
+            diffuse: Rgb::black(like),
+            specular: Rgb::black(like),
+            specular_cosine: None,
+        };
+        for index in 0..reflection.part_count() {
+            let (kind, weight) = reflection.part(index);
+            let part = self.part_reflected(kind, incidence);
+            let weight = like.constant(weight);
+            whole.diffuse = whole.diffuse + part.diffuse * weight;
+            whole.specular = whole.specular + part.specular * weight;
+            whole.specular_cosine = part.specular_cosine;
+        }
+        if reflection.part_count() > 1 {
+            whole.specular_cosine = None;
+        }
+        whole
+    }
+
+    #[inline(always)]
+    fn part_reflected(&self, kind: &Reflection, incidence: &Incidence<N>) -> Reflected<N> {
+        let like = self.n_dot_v;
+        match kind {
+            Reflection::Lambert => Reflected {
+                diffuse: lambert::diffuse(self, incidence),
+                specular: Rgb::black(like),
+                specular_cosine: None,
+            },
+            Reflection::OrenNayar => Reflected {
+                diffuse: oren_nayar::diffuse(self, incidence),
+                specular: Rgb::black(like),
+                specular_cosine: None,
+            },
+            Reflection::Phong => phong::with_lobe(self, incidence, phong::r_dot_v(self, incidence)),
+            Reflection::BlinnPhong => {
+                phong::with_lobe(self, incidence, phong::n_dot_h(self, incidence))
+            }
+            Reflection::Retro => {
+                phong::with_lobe(self, incidence, self.view.dot(incidence.to_light))
+            }
+            Reflection::Microfacet => microfacet::reflected(self, incidence),
+            // A mirror sends a light to the eye from single points only, of no extent. A mix within
+            // a mix has no meaning here: `Reflection::mixed` dissolves it.
+            Reflection::Unlit | Reflection::Mirror | Reflection::Mixed(_) => Reflected {
+                diffuse: Rgb::black(like),
+                specular: Rgb::black(like),
+                specular_cosine: None,
+            },
+        }
+    }
+
+    /// What the surface mirrors of its surroundings.
+    ///
+    /// An ideal mirror: k_s O_s E(R), R = 2 N (N.V) - V. A microfacet surface: k_s O_s (F0 A + B)
+    /// E(R) with E blurred by its roughness (see [`split_sum`]). All of it occluded.
+    #[inline(always)]
+    pub(crate) fn mirrored(&self, reflection: &Reflection, environment: &Environment) -> Rgb<N> {
+        let like = self.n_dot_v;
+        let mut mirrored = Rgb::black(like);
+        if environment.is_none() {
+            return mirrored;
+        }
+        let direction = self.normal * (self.n_dot_v + self.n_dot_v) - self.view;
+        for index in 0..reflection.part_count() {
+            let (kind, weight) = reflection.part(index);
+            let part = match kind {
+                Reflection::Mirror => environment.radiance(direction, like.zero()),
+                Reflection::Microfacet => {
+                    let (a, b) = split_sum(self.n_dot_v.limited(0.0, 1.0), self.roughness);
+                    let share = microfacet::facing_reflectance(self) * a + Rgb::new(b, b, b);
+                    environment.radiance(direction, self.roughness) * share
+                }
+                _ => continue,
+            };
+            mirrored = mirrored + part * like.constant(weight);
+        }
+        mirrored * self.specular * self.occlusion
+    }
+
+    /// The part of ambient light that goes to the eye: k_a O_a.
+    ///
+    /// Of a microfacet surface that has an environment to mirror, only (1 - metallic) k_a O_a: a
+    /// metal reflects its surroundings as a mirror does and not as paper does, and the environment
+    /// is these surroundings. Without one, the ambient light is all that a metal has of them.
+    #[inline(always)]
+    pub(crate) fn ambient(&self, reflection: &Reflection, environment: &Environment) -> Rgb<N> {
+        let like = self.n_dot_v;
+        match reflection {
+            Reflection::Unlit => Rgb::black(like),
+            Reflection::Microfacet if !environment.is_none() => {
+                self.ambient * (like.one() - self.metallic)
+            }
+            _ => self.ambient,
+        }
+    }
+}
+
+/// k O, not negative, not huge, not NaN.
+#[inline(always)]
+fn coefficient<N: Number>(color: Rgb<N>, k: f32) -> Rgb<N> {
+    limited(color * color.r.constant(k), COEFFICIENT_LIMIT)
+}
+
+/// A colour within 0 and `high`; 0 for NaN.
+#[inline(always)]
+pub(crate) fn limited<N: Number>(color: Rgb<N>, high: f32) -> Rgb<N> {
+    Rgb::new(color.r.limited(0.0, high), color.g.limited(0.0, high), color.b.limited(0.0, high))
+}
+
+/// What the surface sends of its own: O_e. If it isn't lit, k_d O_d instead; in a mix, both.
+#[inline(always)]
+pub(crate) fn own_light<N: Number>(
+    surface: &Surface<N>,
+    reflectance: &Reflectance<N>,
+    reflection: &Reflection,
+) -> Rgb<N> {
+    match reflection {
+        Reflection::Unlit => surface.diffuse,
+        Reflection::Mixed(_) => {
+            let mut own = limited(reflectance.emission, COEFFICIENT_LIMIT);
+            for index in 0..reflection.part_count() {
+                if let (Reflection::Unlit, weight) = reflection.part(index) {
+                    own = own + surface.diffuse * surface.n_dot_v.constant(weight);
+                }
+            }
+            own
+        }
+        _ => limited(reflectance.emission, COEFFICIENT_LIMIT),
+    }
+}
+
+/// Whether any lane has the light before it.
+#[inline(always)]
+fn any_lit<N: Number>(incidence: &Incidence<N>) -> bool {
+    incidence.n_dot_l.zero().less(incidence.n_dot_l).any()
+}

@@ -1,0 +1,26 @@
+//! Diffuse reflection of rough surfaces.
+
+use super::{Incidence, Surface};
+use luxel_math::{Number, Rgb};
+
+/// k_d O_d (N.L) (A + B max(cos(phi_r - phi_i), 0) sin(alpha) tan(beta)) with
+/// A = 1 - s^2 / (2 (s^2 + 0.33)), B = 0.45 s^2 / (s^2 + 0.09), s the standard deviation of the
+/// slopes of Lambertian facets, alpha and beta the larger and the smaller of the angles of light
+/// and eye to the normal (Oren and Nayar, *Generalization of Lambert's Reflectance Model*, 1994, the
+/// qualitative model, without interreflection).
+///
+/// With q = L.V - (N.L)(N.V) = cos(phi_r - phi_i) sin(theta_r) sin(theta_i), the product of the
+/// last three factors is max(q, 0) / max(N.L, N.V).
+#[inline(always)]
+pub(crate) fn diffuse<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> Rgb<N> {
+    let like = surface.n_dot_v;
+    let variance = surface.roughness * surface.roughness;
+    let a = like.one() - variance * like.constant(0.5) / (variance + like.constant(0.33));
+    let b = variance * like.constant(0.45) / (variance + like.constant(0.09));
+    let n_dot_l = incidence.n_dot_l.positive_part();
+    let n_dot_v = surface.n_dot_v.positive_part();
+    let q = incidence.to_light.dot(surface.view) - n_dot_l * n_dot_v;
+    // Where both cosines vanish, so does the whole; 1e-6 keeps the quotient finite.
+    let slant = q.positive_part() / n_dot_l.maximum(n_dot_v).maximum(like.constant(1e-6));
+    surface.diffuse * (n_dot_l * (a + b * slant))
+}

@@ -1,0 +1,123 @@
+//! Who hears the terms of the equation as they are computed.
+
+use luxel_math::{Rgb, Vec3};
+
+/// What one light adds, factor by factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightTerms<N> {
+    /// L: towards the light, of unit length.
+    pub to_light: Vec3<N>,
+    /// d: the distance to the light; `None` for directional lights.
+    pub distance: Option<N>,
+    /// The factor for distance.
+    pub attenuation: N,
+    /// The factor of the cone.
+    pub spot: N,
+    /// N.L as it is, negative where the light is behind.
+    pub n_dot_l: N,
+    /// The cosine of the highlight as it is: R.V, N.H or V.L; `None` where the model has none, or
+    /// several.
+    pub specular_cosine: Option<N>,
+    /// f I_a k_a O_a
+    pub ambient: Rgb<N>,
+    /// The diffuse term.
+    pub diffuse: Rgb<N>,
+    /// The specular term.
+    pub specular: Rgb<N>,
+}
+
+/// The terms that belong to no single light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Terms<N> {
+    /// What the surface sends of its own.
+    pub emission: Rgb<N>,
+    /// I_a k_a O_a
+    pub scene_ambient: Rgb<N>,
+    /// What the surface mirrors of the environment.
+    pub environment: Rgb<N>,
+    /// ((emission + scene_ambient) + every light's ambient, diffuse and specular) + environment,
+    /// from left to right.
+    pub sum: Rgb<N>,
+}
+
+/// Hears every term of the equation. Each method does nothing unless it is written.
+pub trait Witness<N> {
+    /// The terms of the light at this place of the list.
+    #[inline(always)]
+    fn light(&mut self, index: usize, terms: &LightTerms<N>) {
+        let _ = (index, terms);
+    }
+
+    /// The terms that belong to no single light, and the sum of all.
+    #[inline(always)]
+    fn terms(&mut self, terms: &Terms<N>) {
+        let _ = terms;
+    }
+
+    /// s and I_dc, where there is fog.
+    #[inline(always)]
+    fn fog(&mut self, factor: N, color: Rgb<N>) {
+        let _ = (factor, color);
+    }
+
+    /// What goes to the eye.
+    #[inline(always)]
+    fn color(&mut self, color: Rgb<N>) {
+        let _ = color;
+    }
+}
+
+/// Hears nothing, and costs nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Silent;
+
+impl<N> Witness<N> for Silent {}
+
+/// Writes every term of one point down.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ledger {
+    /// What each light adds, in the order of the list.
+    pub lights: Vec<LedgerLight>,
+    /// What the surface sends of its own.
+    pub emission: [f32; 3],
+    /// I_a k_a O_a
+    pub scene_ambient: [f32; 3],
+    /// What the surface mirrors of the environment.
+    pub environment: [f32; 3],
+    /// The sum of all terms.
+    pub sum: [f32; 3],
+    /// s and I_dc, where there is fog.
+    pub fog: Option<(f32, [f32; 3])>,
+    /// What goes to the eye.
+    pub color: [f32; 3],
+}
+
+/// What one light adds, in a [`Ledger`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct LedgerLight {
+    /// The place in the list of lights.
+    pub index: usize,
+    /// The terms.
+    pub terms: LightTerms<f32>,
+}
+
+impl Witness<f32> for Ledger {
+    fn light(&mut self, index: usize, terms: &LightTerms<f32>) {
+        self.lights.push(LedgerLight { index, terms: *terms });
+    }
+
+    fn terms(&mut self, terms: &Terms<f32>) {
+        self.emission = terms.emission.lane(0);
+        self.scene_ambient = terms.scene_ambient.lane(0);
+        self.environment = terms.environment.lane(0);
+        self.sum = terms.sum.lane(0);
+    }
+
+    fn fog(&mut self, factor: f32, color: Rgb<f32>) {
+        self.fog = Some((factor, color.lane(0)));
+    }
+
+    fn color(&mut self, color: Rgb<f32>) {
+        self.color = color.lane(0);
+    }
+}

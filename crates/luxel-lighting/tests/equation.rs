@@ -1,0 +1,460 @@
+//! The equation against its naive double, and against values worked out by hand.
+
+mod naive;
+
+use luxel_lighting::*;
+use luxel_math::{Number, Rgb, Vec3};
+use naive::{facing_light, models, wide};
+use proptest::prelude::*;
+
+/// A point at the origin that faces the eye and the light.
+fn facing_point() -> SurfacePoint<f32> {
+    SurfacePoint {
+        position: Vec3::new(0.0, 0.0, -5.0),
+        normal: Vec3::new(0.0, 0.0, 1.0),
+        view: Vec3::new(0.0, 0.0, 1.0),
+        depth: 5.0,
+    }
+}
+
+fn white(reflection: Reflection) -> Material {
+    Material { reflection, diffuse: [1.0; 3], k_s: 0.0, roughness: 0.0, ..Material::default() }
+}
+
+fn surroundings(lights: &[PlacedLight]) -> Surroundings<'_> {
+    Surroundings { lights, scene_ambient: [0.0; 3], environment: Environment::None, fog: None }
+}
+
+fn shade(point: &SurfacePoint<f32>, material: &Material, around: &Surroundings<'_>) -> [f32; 3] {
+    lit(point, &Reflectance::of(0.0, material), material, around, &mut Silent).lane(0)
+}
+
+#[test]
+fn a_white_surface_facing_a_unit_light_sends_one() {
+    let lights = [facing_light()];
+    for reflection in
+        [Reflection::Lambert, Reflection::OrenNayar, Reflection::Phong, Reflection::BlinnPhong]
+    {
+        let color = shade(&facing_point(), &white(reflection.clone()), &surroundings(&lights));
+        assert_eq!(color, [1.0; 3], "{reflection:?}");
+    }
+    // Of a dielectric, 4 % are mirrored, not scattered.
+    let color = shade(&facing_point(), &white(Reflection::Microfacet), &surroundings(&lights));
+    assert!((color[0] - 0.96).abs() < 1e-6);
+    // Without lights, an unlit surface is as bright.
+    assert_eq!(shade(&facing_point(), &white(Reflection::Unlit), &surroundings(&[])), [1.0; 3]);
+}
+
+#[test]
+fn phong_and_blinn_at_sixty_degrees_are_what_the_formulas_give_by_hand() {
+    // L is 60 degrees from N = V: N.L = 1/2, R.V = 1/2, N.H = cos 30.
+    let light = Light::new(LightKind::Directional, [1.0; 3]);
+    let lights = [PlacedLight::new(light, [0.0; 3], [-(0.75_f32.sqrt()), 0.0, -0.5])];
+    let material = |reflection| Material {
+        reflection,
+        diffuse: [0.5; 3],
+        k_s: 1.0,
+        shininess: 2.0,
+        ..Material::default()
+    };
+    let around = surroundings(&lights);
+    let [phong, ..] = shade(&facing_point(), &material(Reflection::Phong), &around);
+    assert!((phong - (0.25 + 0.25)).abs() < 1e-6, "{phong}");
+    let [blinn, ..] = shade(&facing_point(), &material(Reflection::BlinnPhong), &around);
+    assert!((blinn - (0.25 + 0.75)).abs() < 1e-6, "{blinn}");
+    let [retro, ..] = shade(&facing_point(), &material(Reflection::Retro), &around);
+    assert!((retro - (0.25 + 0.25)).abs() < 1e-6, "{retro}");
+}
+
+#[test]
+fn a_red_light_on_a_green_surface_is_black() {
+    let light = Light::new(LightKind::Directional, [1.0, 0.0, 0.0]);
+    let lights = [PlacedLight::new(light, [0.0; 3], [0.0, 0.0, -1.0])];
+    for reflection in models() {
+        if reflection == Reflection::Unlit || reflection == Reflection::Microfacet {
+            continue;
+        }
+        let material = Material {
+            reflection,
+            diffuse: [0.0, 1.0, 0.0],
+            specular: [0.0, 1.0, 0.0],
+            ..Material::default()
+        };
+        assert_eq!(shade(&facing_point(), &material, &surroundings(&lights)), [0.0; 3]);
+    }
+}
+
+#[test]
+fn a_light_behind_the_surface_adds_no_highlight_and_its_cosine_is_told() {
+    let light = Light::new(LightKind::Directional, [1.0; 3]);
+    let lights = [PlacedLight::new(light, [0.0; 3], [0.1, 0.0, 1.0])];
+    for reflection in models() {
+        // A shininess of 0 makes every highlight 1 but where the light is behind.
+        let material = Material { reflection, k_s: 1.0, shininess: 0.0, ..Material::default() };
+        let mut ledger = Ledger::default();
+        let _ = lit(
+            &facing_point(),
+            &Reflectance::of(0.0, &material),
+            &material,
+            &surroundings(&lights),
+            &mut ledger,
+        );
+        let terms = &ledger.lights[0].terms;
+        assert_eq!(terms.diffuse.lane(0), [0.0; 3]);
+        assert_eq!(terms.specular.lane(0), [0.0; 3]);
+        assert!(terms.n_dot_l < -0.9);
+    }
+}
+
+#[test]
+fn a_light_at_the_surface_itself_adds_nothing() {
+    for kind in
+        [LightKind::Point, LightKind::Spot(Cone::Exponent { cos_cutoff: 0.5, exponent: 3.0 })]
+    {
+        for attenuation in [Attenuation::NONE, Attenuation::INVERSE_SQUARE] {
+            let light = Light { ambient: [1.0; 3], attenuation, ..Light::new(kind, [1.0; 3]) };
+            let lights = [PlacedLight::new(light, [0.0, 0.0, -5.0], [0.0, 0.0, -1.0])];
+            for reflection in models() {
+                let unlit = reflection == Reflection::Unlit;
+                let material = Material { reflection, shininess: 0.0, ..Material::default() };
+                let color = shade(&facing_point(), &material, &surroundings(&lights));
+                assert!(unlit || color == [0.0; 3], "{material:?} {color:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_inside_of_a_cone_is_lit_and_the_outside_is_not() {
+    let at = |degrees: f64, cone| {
+        let light = Light::new(LightKind::Spot(cone), [1.0; 3]);
+        let direction = [libm::sin(degrees.to_radians()) as f32, 0.0, {
+            -libm::cos(degrees.to_radians()) as f32
+        }];
+        let lights = [PlacedLight::new(light, [0.0; 3], direction)];
+        shade(&facing_point(), &white(Reflection::Lambert), &surroundings(&lights))[0]
+    };
+    let cosine = |degrees: f64| libm::cos(degrees.to_radians()) as f32;
+    let cone = Cone::Exponent { cos_cutoff: cosine(30.0), exponent: 2.0 };
+    assert_eq!(at(30.1, cone), 0.0);
+    assert!((at(29.9, cone) - cosine(29.9) * cosine(29.9)).abs() < 1e-6);
+    let open = Cone::Exponent { cos_cutoff: -1.0, exponent: 0.0 };
+    assert_eq!(at(180.0, open), 1.0);
+    let smooth = Cone::Smooth { cos_inner: cosine(20.0), cos_outer: cosine(40.0) };
+    assert_eq!(at(19.9, smooth), 1.0);
+    assert_eq!(at(40.1, smooth), 0.0);
+}
+
+#[test]
+fn attenuation_follows_its_law_and_is_not_cut_at_one() {
+    for (coefficients, expected) in [
+        ([1.0, 0.0, 0.0], 1.0),
+        ([0.0, 0.0, 1.0], 0.04),
+        ([1.0, 2.0, 3.0], 1.0 / 86.0),
+        ([0.25, 0.0, 0.0], 4.0),
+        ([-1.0, 0.0, 0.0], 0.0),
+        ([0.0, 0.0, 0.0], 0.0),
+    ] {
+        let light = Light {
+            attenuation: Attenuation { coefficients, range: None },
+            ..Light::new(LightKind::Point, [1.0; 3])
+        };
+        let lights = [PlacedLight::new(light, [0.0; 3], [0.0; 3])];
+        let [value, ..] =
+            shade(&facing_point(), &white(Reflection::Lambert), &surroundings(&lights));
+        assert!((value - expected).abs() < 1e-6, "{coefficients:?}: {value}");
+    }
+}
+
+#[test]
+fn fog_meets_its_ends_and_its_laws() {
+    let fog = |law| Fog { color: [0.2, 0.4, 0.8], law };
+    let cue = fog(FogLaw::DepthCue { near: 2.0, far: 10.0, front: 0.9, back: 0.1 });
+    assert_eq!(cue.factor(1.0_f32), 0.9);
+    assert_eq!(cue.factor(2.0_f32), 0.9);
+    assert_eq!(cue.factor(6.0_f32), 0.5);
+    assert_eq!(cue.factor(10.0_f32), 0.1);
+    assert_eq!(cue.factor(f32::INFINITY), 0.1);
+    let step = fog(FogLaw::DepthCue { near: 2.0, far: 2.0, front: 1.0, back: 0.0 });
+    assert_eq!((step.factor(1.9_f32), step.factor(2.0_f32)), (1.0, 0.0));
+    let thin = fog(FogLaw::Exponential { density: 0.5 });
+    assert!((thin.factor(2.0_f32) - 0.367_879_45).abs() < 1e-6);
+    let thick = fog(FogLaw::ExponentialSquared { density: 0.5 });
+    assert!((thick.factor(2.0_f32) - 0.367_879_45).abs() < 1e-6);
+
+    let mut ledger = Ledger::default();
+    let veiled = cue.veiled(Rgb::new(1.0, 1.0, 1.0), 6.0, &mut ledger);
+    assert_eq!(veiled.lane(0), [0.6, 0.7, 0.9]);
+    assert_eq!(ledger.fog, Some((0.5, [0.2, 0.4, 0.8])));
+}
+
+#[test]
+fn the_ledgers_terms_add_up_to_the_colour_bit_by_bit() {
+    let fog = Fog {
+        color: [0.3, 0.3, 0.4],
+        law: FogLaw::DepthCue { near: 1.0, far: 20.0, front: 1.0, back: 0.2 },
+    };
+    let light = Light { ambient: [0.1, 0.2, 0.3], ..Light::new(LightKind::Point, [0.7; 3]) };
+    let lights = [facing_light(), PlacedLight::new(light, [1.0, 2.0, -3.0], [0.0; 3])];
+    let around = Surroundings {
+        lights: &lights,
+        scene_ambient: [0.05, 0.06, 0.07],
+        environment: Environment::Studio { up: [0.0, 1.0, 0.0] },
+        fog: Some(&fog),
+    };
+    for reflection in models() {
+        let material = Material {
+            reflection,
+            emission: [0.01, 0.02, 0.0],
+            metallic: 0.4,
+            roughness: 0.5,
+            ..Material::default()
+        };
+        let reflectance = Reflectance::of(0.0, &material);
+        let mut ledger = Ledger::default();
+        let color = lit(&facing_point(), &reflectance, &material, &around, &mut ledger);
+        let silent = lit(&facing_point(), &reflectance, &material, &around, &mut Silent);
+        assert_eq!(color, silent);
+        assert_eq!(ledger.color, color.lane(0));
+        assert_eq!(ledger.lights.len(), 2);
+        for c in 0..3 {
+            let mut sum = ledger.emission[c] + ledger.scene_ambient[c];
+            for light in &ledger.lights {
+                let terms = &light.terms;
+                for term in [terms.ambient, terms.diffuse, terms.specular] {
+                    sum += term.lane(0)[c];
+                }
+            }
+            sum += ledger.environment[c];
+            assert_eq!(sum.to_bits(), ledger.sum[c].to_bits());
+            let (s, fog_color) = ledger.fog.unwrap();
+            assert_eq!(sum * s + fog_color[c] * (1.0 - s), ledger.color[c]);
+        }
+    }
+}
+
+fn unit_vector() -> impl Strategy<Value = [f32; 3]> {
+    (-1.0..1.0_f64, 0.0..std::f64::consts::TAU).prop_map(|(z, phi)| {
+        let r = (1.0 - z * z).sqrt();
+        [(r * libm::cos(phi)) as f32, (r * libm::sin(phi)) as f32, z as f32]
+    })
+}
+
+fn vec3([x, y, z]: [f32; 3]) -> Vec3<f32> {
+    Vec3::new(x, y, z)
+}
+
+fn color() -> impl Strategy<Value = [f32; 3]> {
+    prop::array::uniform3(0.0..1.5_f32)
+}
+
+fn any_light() -> impl Strategy<Value = PlacedLight> {
+    let kind = prop_oneof![
+        Just(LightKind::Directional),
+        Just(LightKind::Point),
+        (0.0..0.95_f32, 0.0..20.0_f32)
+            .prop_map(|(cos_cutoff, exponent)| Cone::Exponent { cos_cutoff, exponent })
+            .prop_map(LightKind::Spot),
+        (0.5..0.7_f32, 0.8..0.95_f32)
+            .prop_map(|(cos_outer, cos_inner)| Cone::Smooth { cos_inner, cos_outer })
+            .prop_map(LightKind::Spot),
+    ];
+    let attenuation = (prop::array::uniform3(0.1..1.0_f32), prop::option::of(5.0..50.0_f32))
+        .prop_map(|(coefficients, range)| Attenuation { coefficients, range });
+    (
+        kind,
+        (color(), color(), color()),
+        attenuation,
+        prop::array::uniform3(-4.0..4.0_f32),
+        unit_vector(),
+    )
+        .prop_map(|(kind, (ambient, diffuse, specular), attenuation, position, direction)| {
+            PlacedLight::new(
+                Light { kind, ambient, diffuse, specular, attenuation },
+                position,
+                direction,
+            )
+        })
+}
+
+fn any_material() -> impl Strategy<Value = Material> {
+    (
+        prop::sample::select(models()),
+        (prop::option::of(color()), color(), color(), color()),
+        prop::array::uniform3(0.0..1.0_f32),
+        0.0..200.0_f32,
+        0.0..1.0_f32,
+        0.05..1.0_f32,
+    )
+        .prop_map(|(reflection, colors, k, shininess, metallic, roughness)| Material {
+            reflection,
+            ambient: colors.0,
+            diffuse: colors.1.map(|c| c / 1.5),
+            specular: colors.2,
+            emission: colors.3,
+            k_a: k[0],
+            k_d: k[1],
+            k_s: k[2],
+            shininess,
+            metallic,
+            roughness,
+        })
+}
+
+/// What acceptance asks of every term: 2e-4 of its value, or 2e-5.
+fn close(value: [f32; 3], exact: naive::V) -> bool {
+    wide(value).into_iter().zip(exact).all(|(value, exact)| {
+        let error = (value - exact).abs();
+        error <= 2e-4 * exact.abs() || error <= 2e-5
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn every_term_agrees_with_the_naive_equation(
+        material in any_material(),
+        lights in prop::collection::vec(any_light(), 0..4),
+        scene_ambient in color(),
+        normal in unit_vector(),
+        position in prop::array::uniform3(-4.0..4.0_f32),
+        density in 0.0..0.5_f32,
+        law in 0..3,
+    ) {
+        let view = (-vec3(position)).normalized_or_zero();
+        // The side that is seen.
+        let turned = vec3(normal).dot(view) < 0.0;
+        let normal = if turned { -vec3(normal) } else { vec3(normal) };
+        let point = SurfacePoint { position: vec3(position), normal, view, depth: 4.0 };
+        let reflectance = Reflectance::of(0.0, &material);
+        let law = match law {
+            0 => FogLaw::DepthCue { near: 1.0, far: 9.0, front: 1.0, back: density },
+            1 => FogLaw::Exponential { density },
+            _ => FogLaw::ExponentialSquared { density },
+        };
+        let fog = Fog { color: [0.5; 3], law };
+        let around = Surroundings {
+            lights: &lights, scene_ambient, environment: Environment::None, fog: Some(&fog),
+        };
+        let mut ledger = Ledger::default();
+        let color = lit(&point, &reflectance, &material, &around, &mut ledger);
+        let exact = naive::equation(&point, &reflectance, &material, &around);
+        // The edge of a cone is a jump: either side of it may be meant.
+        for (light, other) in ledger.lights.iter().zip(&exact.lights) {
+            prop_assume!((light.terms.spot == 0.0) == (other.spot == 0.0));
+            prop_assume!(other.n_dot_l.abs() > 1e-6);
+        }
+        prop_assert!(close(ledger.emission, exact.emission));
+        prop_assert!(close(ledger.scene_ambient, exact.scene_ambient));
+        for (light, other) in ledger.lights.iter().zip(&exact.lights) {
+            let terms = &light.terms;
+            prop_assert!(close([terms.attenuation; 3], [other.attenuation; 3]));
+            prop_assert!(close([terms.spot; 3], [other.spot; 3]));
+            prop_assert!(close([terms.n_dot_l; 3], [other.n_dot_l; 3]));
+            prop_assert!(close(terms.ambient.lane(0), other.ambient));
+            prop_assert!(close(terms.diffuse.lane(0), other.diffuse));
+            prop_assert!(
+                close(terms.specular.lane(0), other.specular),
+                "{:?} {:?}", terms, other.specular
+            );
+        }
+        prop_assert!(close(color.lane(0), exact.color));
+    }
+}
+
+fn extreme() -> impl Strategy<Value = f32> {
+    prop_oneof![
+        Just(0.0),
+        Just(-0.0),
+        Just(1.0),
+        Just(-1.0),
+        Just(f32::MAX),
+        Just(f32::MIN),
+        Just(f32::MIN_POSITIVE),
+        Just(1e-45),
+        Just(f32::INFINITY),
+        Just(f32::NEG_INFINITY),
+        Just(f32::NAN),
+        any::<f32>(),
+        -2.0..2.0_f32,
+    ]
+}
+
+fn extreme3() -> impl Strategy<Value = [f32; 3]> {
+    prop::array::uniform3(extreme())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    #[test]
+    fn no_input_however_mad_makes_a_nan_or_an_infinity(
+        reflection in prop::sample::select(models()),
+        colors in prop::array::uniform4(extreme3()),
+        numbers in prop::array::uniform6(extreme()),
+        light_colors in prop::array::uniform3(extreme3()),
+        attenuation in extreme3(),
+        range in prop::option::of(extreme()),
+        cone in (extreme(), extreme(), any::<bool>()),
+        kind in 0..3_usize,
+        places in prop::array::uniform5(extreme3()),
+        fog in (extreme3(), extreme(), extreme(), extreme(), 0..3),
+        around in (extreme3(), 0..3, extreme()),
+        occlusion in extreme(),
+    ) {
+        let material = Material {
+            reflection,
+            ambient: Some(colors[0]), diffuse: colors[1], specular: colors[2], emission: colors[3],
+            k_a: numbers[0], k_d: numbers[1], k_s: numbers[2],
+            shininess: numbers[3], metallic: numbers[4], roughness: numbers[5],
+        };
+        let cone = if cone.2 {
+            Cone::Exponent { cos_cutoff: cone.0, exponent: cone.1 }
+        } else {
+            Cone::Smooth { cos_inner: cone.0, cos_outer: cone.1 }
+        };
+        let kind = [LightKind::Directional, LightKind::Point, LightKind::Spot(cone)][kind];
+        let light = Light {
+            kind, ambient: light_colors[0], diffuse: light_colors[1], specular: light_colors[2],
+            attenuation: Attenuation { coefficients: attenuation, range },
+        };
+        let lights = [PlacedLight::new(light, places[0], places[1])];
+        // The contract asks for unit vectors; 0 is what degenerate ones become.
+        let point = SurfacePoint {
+            position: vec3(places[2]),
+            normal: vec3(places[3]).normalized_or_zero(),
+            view: vec3(places[4]).normalized_or_zero(),
+            depth: fog.1,
+        };
+        let law = match fog.4 {
+            0 => FogLaw::DepthCue { near: fog.2, far: fog.3, front: 1.0, back: 0.0 },
+            1 => FogLaw::Exponential { density: fog.2 },
+            _ => FogLaw::ExponentialSquared { density: fog.3 },
+        };
+        let fog = Fog { color: fog.0, law };
+        let environment = match around.1 {
+            0 => Environment::None,
+            1 => Environment::Constant(around.0),
+            _ => Environment::Studio { up: [0.0, 1.0, 0.0] },
+        };
+        let around = Surroundings {
+            lights: &lights, scene_ambient: around.0, environment, fog: Some(&fog),
+        };
+        let mut reflectance = Reflectance::of(0.0, &material);
+        reflectance.occlusion = occlusion;
+        let mut ledger = Ledger::default();
+        let color = lit(&point, &reflectance, &material, &around, &mut ledger);
+        prop_assert!(color.lane(0).iter().all(|c| c.is_finite()), "{color:?}");
+        let told = [ledger.emission, ledger.scene_ambient, ledger.environment, ledger.sum];
+        prop_assert!(told.iter().flatten().all(|c| c.is_finite()), "{ledger:?}");
+        for light in &ledger.lights {
+            let terms = &light.terms;
+            let told = [terms.ambient.lane(0), terms.diffuse.lane(0), terms.specular.lane(0)];
+            prop_assert!(told.iter().flatten().all(|c| c.is_finite()), "{terms:?}");
+            let factors = [terms.attenuation, terms.spot, terms.n_dot_l];
+            prop_assert!(factors.iter().all(|c| c.is_finite()), "{terms:?}");
+        }
+        let _ = color.r.lane(0);
+    }
+}

@@ -1,0 +1,87 @@
+//! Sixteen lanes give the bits of one value, at every SIMD level.
+
+mod naive;
+
+use luxel_lighting::*;
+use luxel_math::prelude::*;
+use luxel_math::{Rgb, SimdLevel, Vec3, dispatch, f32x16};
+use naive::models;
+
+/// Sixteen different points.
+fn points() -> [SurfacePoint<f32>; 16] {
+    std::array::from_fn(|lane| {
+        let angle = lane as f64 * 0.4;
+        let (sin, cos) = (libm::sin(angle) as f32, libm::cos(angle) as f32);
+        let position = Vec3::new(sin, cos * 0.5, -4.0 + 0.3 * lane as f32);
+        SurfacePoint {
+            position,
+            normal: Vec3::new(cos, 0.3, sin).normalized_or_zero(),
+            view: (-position).normalized_or_zero(),
+            depth: -position.z,
+        }
+    })
+}
+
+#[inline(always)]
+fn in_lanes<S: Simd>(
+    simd: S,
+    points: &[SurfacePoint<f32>; 16],
+    material: &Material,
+    surroundings: &Surroundings<'_>,
+) -> [[f32; 3]; 16] {
+    let like = f32x16::splat(simd, 0.0);
+    let vector = |of: fn(&SurfacePoint<f32>) -> Vec3<f32>| {
+        Vec3::new(
+            like.each_lane(|lane| of(&points[lane]).x),
+            like.each_lane(|lane| of(&points[lane]).y),
+            like.each_lane(|lane| of(&points[lane]).z),
+        )
+    };
+    let point = SurfacePoint {
+        position: vector(|point| point.position),
+        normal: vector(|point| point.normal),
+        view: vector(|point| point.view),
+        depth: like.each_lane(|lane| points[lane].depth),
+    };
+    let reflectance = Reflectance::of(like, material);
+    let color: Rgb<f32x16<S>> = lit(&point, &reflectance, material, surroundings, &mut Silent);
+    std::array::from_fn(|lane| color.lane(lane))
+}
+
+#[test]
+fn every_simd_level_gives_the_bits_of_one_value() {
+    let fog = Fog { color: [0.4; 3], law: FogLaw::Exponential { density: 0.1 } };
+    let spot = LightKind::Spot(Cone::Exponent { cos_cutoff: 0.8, exponent: 3.0 });
+    let lights = [
+        naive::facing_light(),
+        PlacedLight::new(Light::new(LightKind::Point, [0.9, 0.5, 0.2]), [2.0, 1.0, -1.0], [0.0; 3]),
+        PlacedLight::new(Light::new(spot, [0.3, 2.0, 0.7]), [0.0, 3.0, 0.0], [0.0, -1.0, -1.0]),
+    ];
+    let surroundings = Surroundings {
+        lights: &lights,
+        scene_ambient: [0.1, 0.11, 0.12],
+        environment: Environment::Studio { up: [0.0, 1.0, 0.0] },
+        fog: Some(&fog),
+    };
+    let points = points();
+    for reflection in models() {
+        let material =
+            Material { reflection, metallic: 0.6, roughness: 0.35, ..Material::default() };
+        let single = points.map(|point| {
+            let reflectance = Reflectance::of(0.0, &material);
+            lit(&point, &reflectance, &material, &surroundings, &mut Silent).lane(0)
+        });
+        for level in SimdLevel::available() {
+            let level = level.resolve().unwrap();
+            let lanes = dispatch!(level, simd => in_lanes(simd, &points, &material, &surroundings));
+            for lane in 0..16 {
+                assert_eq!(
+                    lanes[lane].map(f32::to_bits),
+                    single[lane].map(f32::to_bits),
+                    "{level:?} {:?} lane {lane}",
+                    material.reflection
+                );
+            }
+        }
+    }
+}
