@@ -1,5 +1,6 @@
 //! What mirrors and metals see.
 
+use crate::light::bounded;
 use luxel_math::{Number, Rgb, Vec3, elementary};
 
 /// The surroundings that mirrors and metals reflect: no picture, a formula.
@@ -51,7 +52,7 @@ impl Environment {
         let like = roughness;
         match *self {
             Self::None => Rgb::black(like),
-            Self::Constant(color) => bounded(Rgb::splat(like, color)),
+            Self::Constant(color) => Rgb::splat(like, bounded(color)),
             Self::Studio { up } => {
                 let height = direction.dot(Vec3::splat(like, up)).limited(-1.0, 1.0);
                 let roughness = roughness.limited(0.0, 1.0);
@@ -85,14 +86,4 @@ pub(crate) fn split_sum<N: Number>(n_dot_v: N, roughness: N) -> (N, N) {
 #[inline(always)]
 fn mix<N: Number>(like: N, from: [f32; 3], to: [f32; 3], t: N) -> Rgb<N> {
     Rgb::splat(like, from) * (like.one() - t) + Rgb::splat(like, to) * t
-}
-
-#[inline(always)]
-fn bounded<N: Number>(color: Rgb<N>) -> Rgb<N> {
-    const LIMIT: f32 = 1e10;
-    Rgb::new(
-        color.r.limited(-LIMIT, LIMIT),
-        color.g.limited(-LIMIT, LIMIT),
-        color.b.limited(-LIMIT, LIMIT),
-    )
 }

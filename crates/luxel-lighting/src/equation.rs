@@ -1,5 +1,6 @@
 //! The lighting equation.
 
+use crate::light::bounded;
 use crate::reflection::{Incidence, Surface, own_light};
 use crate::{
     Environment, Fog, LightKind, LightTerms, Material, PlacedLight, Reflectance, Reflection,
@@ -68,7 +69,7 @@ pub fn reflected<N: Number, W: Witness<N>>(
     let surface = Surface::new(point, reflectance, material);
     let emission = own_light(&surface, reflectance, reflection);
     let ambient_share = surface.ambient(reflection, &surroundings.environment);
-    let scene_ambient = ambient_share * Rgb::splat(like, surroundings.scene_ambient);
+    let scene_ambient = ambient_share * Rgb::splat(like, bounded(surroundings.scene_ambient));
 
     let mut sum = emission + scene_ambient;
     for (index, placed) in surroundings.lights.iter().enumerate() {

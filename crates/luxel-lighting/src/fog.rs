@@ -1,5 +1,6 @@
 //! Depth cueing and fog: how distance takes a colour towards another.
 
+use crate::light::bounded;
 use luxel_math::{Number, Rgb, elementary};
 
 /// Fog: I' = s I + (1 - s) I_dc, where s falls with the distance along the viewing axis.
@@ -43,9 +44,6 @@ pub enum FogLaw {
     },
 }
 
-/// Colours of fog beyond this are taken as this.
-const COLOR_LIMIT: f32 = 1e10;
-
 impl Fog {
     /// s at the distance z along the viewing axis.
     #[inline(always)]
@@ -73,12 +71,7 @@ impl Fog {
     /// I_dc in every lane.
     #[inline(always)]
     pub(crate) fn color_like<N: Number>(&self, like: N) -> Rgb<N> {
-        let color = Rgb::splat(like, self.color);
-        Rgb::new(
-            color.r.limited(-COLOR_LIMIT, COLOR_LIMIT),
-            color.g.limited(-COLOR_LIMIT, COLOR_LIMIT),
-            color.b.limited(-COLOR_LIMIT, COLOR_LIMIT),
-        )
+        Rgb::splat(like, bounded(self.color))
     }
 }
 

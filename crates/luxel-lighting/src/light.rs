@@ -95,3 +95,18 @@ impl Light {
         }
     }
 }
+
+/// Intensities beyond this (either way) are taken as this, so that no product overflows.
+const INTENSITY_LIMIT: f32 = 1e10;
+
+/// The intensity as the equation takes it: within 1e10; 0 for NaN.
+#[inline(always)]
+pub(crate) fn bounded(intensity: [f32; 3]) -> [f32; 3] {
+    let [r, g, b] = intensity;
+    [bounded_component(r), bounded_component(g), bounded_component(b)]
+}
+
+#[inline(always)]
+fn bounded_component(value: f32) -> f32 {
+    if value.is_nan() { 0.0 } else { value.clamp(-INTENSITY_LIMIT, INTENSITY_LIMIT) }
+}

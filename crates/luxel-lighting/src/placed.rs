@@ -1,10 +1,9 @@
 //! Lights where they stand: how much of them reaches a point, and from where.
 
+use crate::light::bounded;
 use crate::{Cone, Light, LightKind};
 use luxel_math::{Mask, Number, Vec3, elementary};
 
-/// Intensities beyond this (either way) are taken as this, so that no product overflows.
-const INTENSITY_LIMIT: f32 = 1e10;
 /// Attenuation beyond this is taken as this: the surface nearly touches the light.
 const ATTENUATION_LIMIT: f32 = 1e10;
 
@@ -33,12 +32,12 @@ impl PlacedLight {
     /// A light at `position`, shining along `direction`; of a light that has no place or no
     /// direction, either may be anything.
     ///
-    /// The direction is brought to unit length. What isn't finite becomes 0, and intensities are
-    /// kept within 1e10, so that no later product overflows.
+    /// The direction is brought to unit length. Coordinates that aren't finite become 0, and
+    /// intensities are kept within 1e10, so that no later product overflows.
     #[must_use]
     pub fn new(mut light: Light, position: [f32; 3], direction: [f32; 3]) -> Self {
         for color in [&mut light.ambient, &mut light.diffuse, &mut light.specular] {
-            *color = color.map(|c| finite(c).clamp(-INTENSITY_LIMIT, INTENSITY_LIMIT));
+            *color = bounded(*color);
         }
         let position = position.map(finite);
         let direction = direction.map(finite);
@@ -85,7 +84,8 @@ impl PlacedLight {
         // False at the light itself, and where the way is too long for its square.
         let apart = squared.zero().less(squared) & squared.less(like.constant(f32::INFINITY));
         let distance = squared.only_where(apart).sqrt();
-        let to_light = way * (like.one() / distance.select(apart, like.one())).only_where(apart);
+        let to_light = way.select(apart, Vec3::splat(like, [0.0; 3]))
+            * (like.one() / distance.select(apart, like.one()));
         let attenuation = self.attenuation(distance).only_where(apart);
         let spot = match self.light.kind {
             LightKind::Spot(cone) => {

@@ -128,12 +128,14 @@ impl<N: Number> Surface<N> {
                 specular: Rgb::black(like),
                 specular_cosine: None,
             },
-            Reflection::Phong => phong::with_lobe(self, incidence, phong::r_dot_v(self, incidence)),
-            Reflection::BlinnPhong => {
-                phong::with_lobe(self, incidence, phong::n_dot_h(self, incidence))
-            }
-            Reflection::Retro => {
-                phong::with_lobe(self, incidence, self.view.dot(incidence.to_light))
+            // One power for the three: code of lanes is long, and the compiler's time dear.
+            Reflection::Phong | Reflection::BlinnPhong | Reflection::Retro => {
+                let cosine = match kind {
+                    Reflection::Phong => phong::r_dot_v(self, incidence),
+                    Reflection::BlinnPhong => phong::n_dot_h(self, incidence),
+                    _ => self.view.dot(incidence.to_light),
+                };
+                phong::with_lobe(self, incidence, cosine)
             }
             Reflection::Microfacet => microfacet::reflected(self, incidence),
             // A mirror sends a light to the eye from single points only, of no extent. A mix within
