@@ -29,7 +29,7 @@ pub use camera::{Camera, Lens, Projection, SceneCamera, Size};
 pub use encoding::Encoding;
 pub use fit::{Viewpoint, fit_planes, fit_view};
 pub use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
-pub use light::{Placement, SceneLight};
+pub use light::{DEFAULT_AMBIENT, Placement, SceneLight, default_lights};
 pub use material::{AlphaMode, SceneMaterial, Sides, TextureUse};
 pub use mesh::{Bounds, Lines, Mesh, Part, Points};
 pub use node::{CameraId, LightId, MaterialId, MeshId, Node, NodeId, TextureId};

@@ -2,7 +2,7 @@
 
 use crate::NodeId;
 use glam::DVec3;
-use luxel_lighting::Light;
+use luxel_lighting::{Light, LightKind};
 
 /// The coordinates in which a light is placed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,4 +29,27 @@ pub struct SceneLight {
     pub position: DVec3,
     /// The direction in which its light travels, of any length but 0 (directional and spot lights).
     pub direction: DVec3,
+}
+
+/// I_a where nothing else is said: no part of a model is wholly black.
+pub const DEFAULT_AMBIENT: [f32; 3] = [0.115, 0.12, 0.13];
+
+/// The lights where nothing else is said, beside [`DEFAULT_AMBIENT`]: a soft white key from the upper
+/// left of the camera, and a weak cool fill from its right, about 1 : 0.25.
+///
+/// The brightest spot of the default material is at 0.9 of white: 0.6 (1 + 0.12) and 0.2 of
+/// highlight.
+#[must_use]
+pub fn default_lights() -> Vec<SceneLight> {
+    let light = |name: &str, color, direction| SceneLight {
+        name: name.to_owned(),
+        light: Light::new(LightKind::Directional, color),
+        placement: Placement::Camera,
+        position: DVec3::ZERO,
+        direction,
+    };
+    vec![
+        light("key", [1.0, 0.975, 0.94], DVec3::new(0.5, -0.65, -0.75)),
+        light("fill", [0.22, 0.245, 0.28], DVec3::new(-0.9, -0.05, -0.45)),
+    ]
 }
