@@ -1,31 +1,40 @@
 //! The bound on what one model may take, summed over everything that is read for it.
 
 use crate::{Error, Limits, Place};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Counts bytes before they are allocated. Nothing is given back, so what is only passing through
 /// counts too: a bound on the work as well.
 #[derive(Debug)]
 pub(crate) struct Memory<'a> {
     limits: &'a Limits,
-    taken: u64,
+    taken: AtomicU64,
 }
 
 impl<'a> Memory<'a> {
     pub(crate) const fn new(limits: &'a Limits) -> Self {
-        Self { limits, taken: 0 }
+        Self { limits, taken: AtomicU64::new(0) }
     }
 
     /// Announces `count` things of `bytes_each`.
     pub(crate) fn take(
-        &mut self,
+        &self,
         what: &str,
         count: u64,
         bytes_each: u64,
         place: Place,
     ) -> Result<(), Error> {
-        let sum = self.taken.saturating_add(count.saturating_mul(bytes_each));
+        let needed = count.saturating_mul(bytes_each);
+        let sum = self.taken.load(Ordering::Relaxed).saturating_add(needed);
         self.limits.check(what, sum, 1, place)?;
-        self.taken = sum;
+        self.taken.store(sum, Ordering::Relaxed);
         Ok(())
+    }
+
+    /// The limits, with what is left of the memory.
+    pub(crate) fn left(&self) -> Limits {
+        let taken = self.taken.load(Ordering::Relaxed);
+        let max_memory = self.limits.max_memory.saturating_sub(taken);
+        Limits { max_memory, ..self.limits.clone() }
     }
 }

@@ -1,0 +1,43 @@
+//! Cameras (glTF 2.0 specification, section 3.10).
+
+use super::buffers::malformed;
+use super::schema::Camera;
+use crate::Error;
+use luxel_scene::Lens;
+
+/// The lens, and the near and far plane. The aspect ratio is the window's, so the file's is left
+/// aside; so is an orthographic camera's width.
+pub(crate) fn convert(camera: &Camera, index: u32) -> Result<(Lens, (f64, f64)), Error> {
+    let pointer = |part: &str| format!("/cameras/{index}{part}");
+    let missing = |part: &str| malformed(pointer(""), format!("`{part}` is missing"));
+    match camera.kind.as_str() {
+        "perspective" => {
+            let part = camera.perspective.as_ref().ok_or_else(|| missing("perspective"))?;
+            let far = part.zfar.unwrap_or(f64::INFINITY);
+            let fits = part.yfov > 0.0
+                && part.yfov < std::f64::consts::PI
+                && part.znear > 0.0
+                && part.znear < far;
+            if !fits {
+                let message = "0 < yfov < pi and 0 < znear < zfar have to hold";
+                return Err(malformed(pointer("/perspective"), message));
+            }
+            Ok((Lens::Perspective { fov_y_radians: part.yfov }, (part.znear, far)))
+        }
+        "orthographic" => {
+            let part = camera.orthographic.as_ref().ok_or_else(|| missing("orthographic"))?;
+            // A negative magnification turns the picture over; exporters that write one don't mean
+            // it.
+            let height = 2.0 * part.ymag.abs();
+            if !(height > 0.0 && height.is_finite() && part.znear < part.zfar) {
+                let message = "ymag != 0 and znear < zfar have to hold";
+                return Err(malformed(pointer("/orthographic"), message));
+            }
+            Ok((Lens::Orthographic { height }, (part.znear, part.zfar)))
+        }
+        other => {
+            let message = format!("`{other}` is no camera: use perspective or orthographic");
+            Err(malformed(pointer("/type"), message))
+        }
+    }
+}

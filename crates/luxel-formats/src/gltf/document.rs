@@ -1,0 +1,103 @@
+//! From JSON text to a checked document: syntax, version, extensions.
+
+use super::container::Container;
+use super::extensions;
+use super::schema::Document;
+use crate::memory::Memory;
+use crate::warnings::Warnings;
+use crate::{Error, ErrorKind, Place};
+use serde_path_to_error::Segment;
+
+/// What an object, and what a value, of the JSON text may take in memory once it is read: larger
+/// than the largest structure of the schema divided by what it takes to write one.
+const BYTES_PER_OBJECT: u64 = 640;
+const BYTES_PER_VALUE: u64 = 32;
+
+/// Reads the document and makes sure that luxel can show what it requires.
+pub(crate) fn parse(
+    container: &Container<'_>,
+    memory: &Memory<'_>,
+    warnings: &mut Warnings,
+) -> Result<Document, Error> {
+    let count = |byte| container.json.iter().filter(|&&other| other == byte).count() as u64;
+    memory.take("the JSON document", count(b'{'), BYTES_PER_OBJECT, Place::File)?;
+    memory.take("the JSON document", count(b','), BYTES_PER_VALUE, Place::File)?;
+    memory.take("the JSON document", container.json.len() as u64, 1, Place::File)?;
+    // GLB pads the text with spaces, but zeros are common.
+    let end = container.json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
+    let json = &container.json[..end];
+    let mut deserializer = serde_json::Deserializer::from_slice(json);
+    let document: Document = serde_path_to_error::deserialize(&mut deserializer)
+        .map_err(|error| place_of(container, error.path(), error.inner()))?;
+    deserializer.end().map_err(|error| syntax_error(container, &error))?;
+    check_version(&document)?;
+    extensions::check(&document, warnings)?;
+    Ok(document)
+}
+
+fn check_version(document: &Document) -> Result<(), Error> {
+    let unsupported = |pointer: &str, message| {
+        Err(Error::at(Place::Pointer(pointer.to_owned()), ErrorKind::Unsupported(message)))
+    };
+    let Some(asset) = &document.asset else {
+        let message = "`asset` with its `version` is missing: this is no glTF document";
+        return Err(Error::at(Place::Pointer(String::new()), ErrorKind::Malformed(message.into())));
+    };
+    // A later minor version promises to be readable by what reads 2.0, unless it says otherwise.
+    if asset.version.split('.').next() != Some("2") {
+        let message = format!("glTF {} is not read: export it as glTF 2.0", asset.version);
+        return unsupported("/asset/version", message);
+    }
+    if let Some(least) = asset.min_version.as_deref().filter(|&least| least != "2.0") {
+        let message = format!("the file asks for glTF {least}; 2.0 is what luxel reads");
+        return unsupported("/asset/minVersion", message);
+    }
+    Ok(())
+}
+
+/// A value of the wrong type is told by its pointer, bad syntax by its line or byte.
+fn place_of(
+    container: &Container<'_>,
+    path: &serde_path_to_error::Path,
+    error: &serde_json::Error,
+) -> Error {
+    if error.classify() != serde_json::error::Category::Data {
+        return syntax_error(container, error);
+    }
+    let mut pointer = String::new();
+    for segment in path {
+        match segment {
+            Segment::Seq { index } => pointer.push_str(&format!("/{index}")),
+            // RFC 6901 escapes its two special characters.
+            Segment::Map { key } => {
+                pointer.push_str(&format!("/{}", key.replace('~', "~0").replace('/', "~1")));
+            }
+            Segment::Enum { .. } | Segment::Unknown => {}
+        }
+    }
+    Error::at(Place::Pointer(pointer), ErrorKind::Malformed(message_of(error)))
+}
+
+fn syntax_error(container: &Container<'_>, error: &serde_json::Error) -> Error {
+    let line = error.line();
+    let place = if container.is_binary {
+        let lines = container.json.split_inclusive(|&byte| byte == b'\n');
+        let before: usize = lines.take(line.saturating_sub(1)).map(<[u8]>::len).sum();
+        let within = error.column().saturating_sub(1);
+        Place::Byte(container.json_start + (before + within) as u64)
+    } else {
+        Place::Line(line.max(1) as u64)
+    };
+    let kind = if error.is_eof() {
+        ErrorKind::Truncated(format!("the JSON document ({})", message_of(error)))
+    } else {
+        ErrorKind::Malformed(format!("this is no JSON document: {}", message_of(error)))
+    };
+    Error::at(place, kind)
+}
+
+/// The message without the line and column, which the place tells.
+fn message_of(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    message.split(" at line ").next().unwrap_or(&message).to_owned()
+}

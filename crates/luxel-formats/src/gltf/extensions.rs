@@ -1,0 +1,37 @@
+//! Which extensions a picture shows.
+
+use super::schema::Document;
+use crate::warnings::Warnings;
+use crate::{Error, ErrorKind, Place};
+
+/// Extensions that are read and seen.
+const SUPPORTED: &[&str] = &[
+    "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+];
+
+/// Refuses a document that requires what luxel can't do; warns of what is only wished for.
+pub(crate) fn check(document: &Document, warnings: &mut Warnings) -> Result<(), Error> {
+    let supported = |name: &String| SUPPORTED.contains(&name.as_str());
+    let required = document.extensions_required.iter().enumerate();
+    if let Some((index, name)) = required.into_iter().find(|(_, name)| !supported(name)) {
+        let message = format!(
+            "the file requires the extension {name}, which luxel doesn't support: export it without"
+        );
+        let place = Place::Pointer(format!("/extensionsRequired/{index}"));
+        return Err(Error::at(place, ErrorKind::Unsupported(message)));
+    }
+    for (index, name) in document.extensions_used.iter().enumerate() {
+        if !supported(name) {
+            warnings.push(format!("/extensionsUsed/{index}: {name} is ignored"));
+        }
+    }
+    Ok(())
+}

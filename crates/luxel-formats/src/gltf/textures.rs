@@ -1,0 +1,165 @@
+//! Textures: images, decoded once for each encoding in which they are used, with their samplers.
+
+use super::buffers::{Buffers, item};
+use super::schema::{Index, Sampler as FileSampler};
+use crate::memory::Memory;
+use crate::warnings::Warnings;
+use crate::{Error, Place, image};
+use luxel_scene::{Encoding, Filter, Image, Sampler, Texture, TextureId, Wrap};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// The textures that materials have asked for.
+pub(crate) struct Textures<'b, 'd> {
+    buffers: &'b Buffers<'d>,
+    /// Images by number and encoding, in the order of the first use.
+    images: Vec<(Index, Encoding)>,
+    /// For each texture, its image's place in the list above, and how it is sampled.
+    textures: Vec<(usize, Sampler)>,
+    /// Where in the lists above an image (and whether it is sRGB), and a texture, are.
+    image_places: BTreeMap<(Index, bool), usize>,
+    texture_places: BTreeMap<(usize, Option<Index>), TextureId>,
+}
+
+impl<'b, 'd> Textures<'b, 'd> {
+    pub(crate) const fn new(buffers: &'b Buffers<'d>) -> Self {
+        Self {
+            buffers,
+            images: Vec::new(),
+            textures: Vec::new(),
+            image_places: BTreeMap::new(),
+            texture_places: BTreeMap::new(),
+        }
+    }
+
+    /// The texture `index` of the document, for values of an encoding; `None`, with a warning, if
+    /// it has no image that luxel reads.
+    pub(crate) fn get(
+        &mut self,
+        index: Index,
+        encoding: Encoding,
+        referrer: impl Fn() -> String,
+        warnings: &mut Warnings,
+    ) -> Result<Option<TextureId>, Error> {
+        let document = self.buffers.document();
+        let texture =
+            item(&document.textures, index, "texture", || format!("{}/index", referrer()))?;
+        let pointer = || format!("/textures/{index}");
+        let Some(source) = texture.source else {
+            warnings.push(format!("{}: left out, since luxel can't read its image", pointer()));
+            return Ok(None);
+        };
+        item(&document.images, source, "image", || format!("{}/source", pointer()))?;
+        let sampler = match texture.sampler {
+            Some(sampler) => {
+                let pointer = || format!("{}/sampler", pointer());
+                convert(item(&document.samplers, sampler, "sampler", pointer)?)
+            }
+            None => Sampler::trilinear(),
+        };
+        let (images, textures) = (&mut self.images, &mut self.textures);
+        let key = (source, encoding == Encoding::Srgb);
+        let image = *self.image_places.entry(key).or_insert_with(|| {
+            images.push((source, encoding));
+            images.len() - 1
+        });
+        let key = (image, texture.sampler);
+        Ok(Some(*self.texture_places.entry(key).or_insert_with(|| {
+            textures.push((image, sampler));
+            TextureId(textures.len() as u32 - 1)
+        })))
+    }
+
+    /// Reads and decodes the images, several at a time. Those that can't be read get a stand-in.
+    pub(crate) fn load(self, warnings: &mut Warnings) -> Vec<Texture> {
+        let names: Vec<_> = self.images.iter().map(|&(index, _)| self.name(index)).collect();
+        let encoded: Vec<_> = self.images.iter().map(|&(index, _)| self.encoded(index)).collect();
+        let memory = self.buffers.memory();
+        let decoded: Vec<Result<Image, String>> = self
+            .images
+            .par_iter()
+            .zip(names.par_iter().zip(encoded))
+            .map(|(&(_, encoding), (name, bytes))| decode(name, &bytes?, encoding, memory))
+            .collect();
+        let named = self.images.iter().zip(names);
+        let images: Vec<_> = named
+            .zip(decoded)
+            .map(|((&(index, _), name), decoded)| {
+                Arc::new(decoded.unwrap_or_else(|message| {
+                    warnings.push(format!("/images/{index}: a stand-in is shown: {message}"));
+                    Image::stand_in(name)
+                }))
+            })
+            .collect();
+        let textures = self.textures.iter();
+        textures
+            .map(|&(image, sampler)| Texture { image: Arc::clone(&images[image]), sampler })
+            .collect()
+    }
+
+    /// The name in the document, else that of the file, else the number.
+    fn name(&self, index: Index) -> String {
+        let image = &self.buffers.document().images[index as usize];
+        let of_file = || image.uri.clone().filter(|uri| !uri.starts_with("data:"));
+        let of_number = || format!("image_{index}");
+        image
+            .name
+            .clone()
+            .filter(|name| !name.is_empty())
+            .or_else(of_file)
+            .unwrap_or_else(of_number)
+    }
+
+    /// The bytes of an image file.
+    fn encoded(&self, index: Index) -> Result<Cow<'_, [u8]>, String> {
+        let image = &self.buffers.document().images[index as usize];
+        let pointer = format!("/images/{index}");
+        let bytes = match (&image.uri, image.buffer_view) {
+            (Some(uri), _) => self.buffers.resource(uri, &format!("{pointer}/uri")).map(Cow::Owned),
+            (None, Some(view)) => {
+                self.buffers.view(view, || pointer.clone()).map(|view| Cow::Borrowed(view.bytes))
+            }
+            (None, None) => return Err("it has neither `uri` nor `bufferView`".to_owned()),
+        };
+        bytes.map_err(|error| error.kind.to_string())
+    }
+}
+
+/// Decodes an image file.
+fn decode(
+    name: &str,
+    bytes: &[u8],
+    encoding: Encoding,
+    memory: &Memory<'_>,
+) -> Result<Image, String> {
+    let image = image::decode(name, bytes, encoding, &memory.left())?;
+    let texels = image.levels.iter().map(|level| level.texels.len() as u64).sum();
+    let taken = memory.take("an image", texels, 4, Place::File);
+    taken.map(|()| image).map_err(|error| error.kind.to_string())
+}
+
+/// The rules of a sampler; what it leaves open is repeated and filtered as smoothly as possible.
+fn convert(sampler: &FileSampler) -> Sampler {
+    let wrap = |code| match code {
+        Some(33_071) => Wrap::ClampToEdge,
+        Some(33_648) => Wrap::MirroredRepeat,
+        _ => Wrap::Repeat,
+    };
+    let (minify, mipmap) = match sampler.min_filter {
+        Some(9728) => (Filter::Nearest, None),
+        Some(9729) => (Filter::Linear, None),
+        Some(9984) => (Filter::Nearest, Some(Filter::Nearest)),
+        Some(9985) => (Filter::Linear, Some(Filter::Nearest)),
+        Some(9986) => (Filter::Nearest, Some(Filter::Linear)),
+        _ => (Filter::Linear, Some(Filter::Linear)),
+    };
+    Sampler {
+        wrap_u: wrap(sampler.wrap_s),
+        wrap_v: wrap(sampler.wrap_t),
+        magnify: if sampler.mag_filter == Some(9728) { Filter::Nearest } else { Filter::Linear },
+        minify,
+        mipmap,
+    }
+}

@@ -1,0 +1,211 @@
+//! The tree of nodes of the scene that is shown (glTF 2.0 specification, section 3.5).
+
+use super::buffers::{item, malformed};
+use super::schema::{Document, Index, Node};
+use crate::warnings::Warnings;
+use crate::{Error, ErrorKind, Limits, Place};
+use glam::{DMat4, DQuat, DVec3};
+
+/// The document's nodes, checked: each has one parent at most, and none is its own ancestor.
+#[derive(Debug)]
+pub(crate) struct Tree {
+    /// From each node of the document to the world.
+    pub(crate) world_from_nodes: Vec<DMat4>,
+    /// From each node of the document to its parent.
+    pub(crate) parent_from_nodes: Vec<DMat4>,
+    /// The nodes of the scene that is shown, parents before their children.
+    pub(crate) shown: Vec<Shown>,
+}
+
+/// A node of the scene that is shown.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shown {
+    /// Its number in the document.
+    pub(crate) node: Index,
+    /// Its parent's place in the list.
+    pub(crate) parent: Option<u32>,
+}
+
+impl Tree {
+    pub(crate) fn grow(
+        document: &Document,
+        limits: &Limits,
+        warnings: &mut Warnings,
+    ) -> Result<Self, Error> {
+        let mut parents = parents(document)?;
+        let roots = roots(document, &parents, warnings)?;
+        // A root of the scene stands in the world, whatever else claims it as a child.
+        for &root in &roots {
+            parents[root as usize] = None;
+        }
+        let order = parents_first(&parents, limits)?;
+        let nodes = document.nodes.iter().enumerate();
+        let parent_from_nodes: Vec<DMat4> =
+            nodes.map(|(index, node)| placement(node, index, warnings)).collect();
+        let mut world_from_nodes = parent_from_nodes.clone();
+        for &node in &order {
+            if let Some(parent) = parents[node as usize] {
+                let node = node as usize;
+                world_from_nodes[node] =
+                    world_from_nodes[parent as usize] * parent_from_nodes[node];
+            }
+        }
+        let shown = walk(document, &roots, &parents);
+        for &Shown { node, .. } in &shown {
+            if !world_from_nodes[node as usize].is_finite() {
+                let message = "the node's place in the world is not finite";
+                return Err(malformed(format!("/nodes/{node}"), message));
+            }
+        }
+        Ok(Self { world_from_nodes, parent_from_nodes, shown })
+    }
+}
+
+/// The parent of each node.
+fn parents(document: &Document) -> Result<Vec<Option<Index>>, Error> {
+    let mut parents: Vec<Option<Index>> = vec![None; document.nodes.len()];
+    for (index, node) in document.nodes.iter().enumerate() {
+        for (place, &child) in node.children.iter().enumerate() {
+            let pointer = || format!("/nodes/{index}/children/{place}");
+            item(&document.nodes, child, "node", pointer)?;
+            if let Some(other) = parents[child as usize].replace(index as Index) {
+                let message = format!(
+                    "node {child} hangs on node {other} already: a node has one parent at most"
+                );
+                return Err(malformed(pointer(), message));
+            }
+        }
+    }
+    Ok(parents)
+}
+
+/// The roots of the scene that is shown: the default one, else the first, else every root.
+fn roots(
+    document: &Document,
+    parents: &[Option<Index>],
+    warnings: &mut Warnings,
+) -> Result<Vec<Index>, Error> {
+    let index = document.scene.unwrap_or(0);
+    if document.scenes.is_empty() && document.scene.is_none() {
+        let all = (0..document.nodes.len() as Index).zip(parents);
+        return Ok(all.filter(|(_, parent)| parent.is_none()).map(|(node, _)| node).collect());
+    }
+    let scene = item(&document.scenes, index, "scene", || "/scene".to_owned())?;
+    let mut is_listed = vec![false; document.nodes.len()];
+    let mut roots = Vec::new();
+    for (place, &node) in scene.nodes.iter().enumerate() {
+        let pointer = || format!("/scenes/{index}/nodes/{place}");
+        item(&document.nodes, node, "node", pointer)?;
+        if std::mem::replace(&mut is_listed[node as usize], true) {
+            warnings.push(format!("{}: node {node} is listed twice", pointer()));
+        } else {
+            roots.push(node);
+        }
+    }
+    // A node that is listed next to its ancestor would be shown twice.
+    let covered = ancestors_listed(parents, &is_listed);
+    roots.retain(|&root| {
+        let is_covered = covered[root as usize];
+        if is_covered {
+            warnings.push(format!("/scenes/{index}/nodes: node {root} hangs on another one"));
+        }
+        !is_covered
+    });
+    Ok(roots)
+}
+
+/// Whether a strict ancestor of each node is listed. Cycles, which are refused later, end.
+fn ancestors_listed(parents: &[Option<Index>], is_listed: &[bool]) -> Vec<bool> {
+    let mut known: Vec<Option<bool>> = vec![None; parents.len()];
+    for start in 0..parents.len() {
+        let mut chain = Vec::new();
+        let mut next = start;
+        let mut below_listed = loop {
+            if let Some(known) = known[next] {
+                break known || is_listed[next];
+            }
+            // Marked while on the way up, so that a cycle is left where it is entered again.
+            known[next] = Some(false);
+            chain.push(next);
+            match parents[next] {
+                Some(parent) => next = parent as usize,
+                None => break false,
+            }
+        };
+        for &node in chain.iter().rev() {
+            known[node] = Some(below_listed);
+            below_listed |= is_listed[node];
+        }
+    }
+    known.into_iter().map(Option::unwrap_or_default).collect()
+}
+
+/// All nodes, parents first; an error where there is a cycle or too deep a tree.
+fn parents_first(parents: &[Option<Index>], limits: &Limits) -> Result<Vec<Index>, Error> {
+    let mut depths: Vec<Option<u32>> = vec![None; parents.len()];
+    let mut order = Vec::with_capacity(parents.len());
+    let mut chain = Vec::new();
+    for start in 0..parents.len() {
+        let mut next = Some(start as Index);
+        let mut depth = 0;
+        while let Some(node) = next {
+            if let Some(known) = depths[node as usize] {
+                depth = known + 1;
+                break;
+            }
+            // More steps up than there are nodes: the way leads in a circle.
+            if chain.len() >= parents.len() {
+                let message = format!("node {node} is its own ancestor");
+                return Err(malformed(format!("/nodes/{node}/children"), message));
+            }
+            chain.push(node);
+            next = parents[node as usize];
+        }
+        for node in chain.drain(..).rev() {
+            if depth >= limits.max_depth {
+                let message = format!("nodes nest deeper than {} levels", limits.max_depth);
+                let place = Place::Pointer(format!("/nodes/{node}"));
+                return Err(Error::at(place, ErrorKind::Unsupported(message)));
+            }
+            depths[node as usize] = Some(depth);
+            order.push(node);
+            depth += 1;
+        }
+    }
+    Ok(order)
+}
+
+/// The nodes of the scene in the order of a walk: a node, then its children one after another.
+fn walk(document: &Document, roots: &[Index], parents: &[Option<Index>]) -> Vec<Shown> {
+    let mut shown = Vec::new();
+    let mut waiting: Vec<Shown> =
+        roots.iter().rev().map(|&node| Shown { node, parent: None }).collect();
+    while let Some(next) = waiting.pop() {
+        let parent = Some(shown.len() as u32);
+        shown.push(next);
+        let children = document.nodes[next.node as usize].children.iter().rev();
+        // A child that is a root of the scene is shown there.
+        let own = children.filter(|&&child| parents[child as usize] == Some(next.node));
+        waiting.extend(own.map(|&node| Shown { node, parent }));
+    }
+    shown
+}
+
+/// From a node to its parent: a matrix, or scale, then rotation, then translation.
+fn placement(node: &Node, index: usize, warnings: &mut Warnings) -> DMat4 {
+    if let Some(matrix) = &node.matrix {
+        return DMat4::from_cols_array(matrix);
+    }
+    let rotation = node.rotation.map_or(DQuat::IDENTITY, DQuat::from_array);
+    // Exporters round, so that few quaternions are of exactly unit length.
+    let length = rotation.length();
+    let rotation = if length > 0.0 && length.is_finite() {
+        rotation / length
+    } else {
+        warnings.push(format!("/nodes/{index}/rotation: it has no direction and is ignored"));
+        DQuat::IDENTITY
+    };
+    let scale = node.scale.map_or(DVec3::ONE, DVec3::from_array);
+    let translation = node.translation.map_or(DVec3::ZERO, DVec3::from_array);
+    DMat4::from_scale_rotation_translation(scale, rotation, translation)
+}

@@ -1,0 +1,147 @@
+//! Where a document's parts lie: data within the URI, or a file within the document's folder
+//! (glTF 2.0 specification, section 2.8).
+
+use crate::files;
+use base64::Engine;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
+use std::path::{Path, PathBuf};
+
+/// What a URI refers to.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    /// Bytes written into the URI itself.
+    Data(Vec<u8>),
+    /// A file, relative to the document.
+    File {
+        /// With `%20` as a space.
+        decoded: String,
+        /// As it stands, for exporters that don't encode.
+        literal: String,
+    },
+}
+
+/// Padding and stray bits are tolerated, as browsers do.
+const BASE64: GeneralPurpose = GeneralPurpose::new(
+    &base64::alphabet::STANDARD,
+    GeneralPurposeConfig::new()
+        .with_decode_padding_mode(DecodePaddingMode::Indifferent)
+        .with_decode_allow_trailing_bits(true),
+);
+
+/// Reads a URI; what is wrong with it is told in a sentence.
+pub(crate) fn resolve(uri: &str) -> Result<Target, String> {
+    if let Some(data) = strip_prefix_ignoring_case(uri, "data:") {
+        let (kind, data) =
+            data.split_once(',').ok_or("the data URI has no comma before its data")?;
+        let bytes = if kind.to_ascii_lowercase().ends_with(";base64") {
+            BASE64.decode(data).map_err(|error| format!("the base64 data is damaged: {error}"))?
+        } else {
+            percent_decoded(data)
+        };
+        return Ok(Target::Data(bytes));
+    }
+    let decoded = String::from_utf8(percent_decoded(uri))
+        .map_err(|_| format!("`{}` is no UTF-8 file name", shortened(uri)))?;
+    Ok(Target::File { decoded, literal: uri.to_owned() })
+}
+
+/// The file that a relative target names: decoded, or as written if only that exists. What is wrong
+/// with the name is told in a sentence.
+pub(crate) fn file_in(
+    folder: Option<&Path>,
+    decoded: &str,
+    literal: &str,
+) -> Result<PathBuf, String> {
+    let path = files::within(folder, decoded).map_err(|message| shortened(&message))?;
+    let as_written = files::within(folder, literal).map_err(|message| shortened(&message))?;
+    Ok(if !path.is_file() && as_written.is_file() { as_written } else { path })
+}
+
+/// Sentences are told whole unless the name in them is monstrous.
+fn shortened(name: &str) -> String {
+    const MOST: usize = 400;
+    if name.chars().count() <= MOST {
+        return name.to_owned();
+    }
+    name.chars().take(MOST).chain("...".chars()).collect()
+}
+
+fn strip_prefix_ignoring_case<'a>(text: &'a str, prefix: &str) -> Option<&'a str> {
+    let head = text.get(..prefix.len())?;
+    head.eq_ignore_ascii_case(prefix).then(|| &text[prefix.len()..])
+}
+
+/// Turns `%20` into a space, and so on (RFC 3986, section 2.1); a `%` that begins no such code
+/// stands for itself.
+fn percent_decoded(text: &str) -> Vec<u8> {
+    let digit = |byte: u8| char::from(byte).to_digit(16).map(|digit| digit as u8);
+    let mut rest = text.as_bytes();
+    let mut decoded = Vec::with_capacity(rest.len());
+    while let Some((&byte, tail)) = rest.split_first() {
+        rest = tail;
+        if let (b'%', [high, low, after @ ..]) = (byte, tail)
+            && let (Some(high), Some(low)) = (digit(*high), digit(*low))
+        {
+            decoded.push(high << 4 | low);
+            rest = after;
+        } else {
+            decoded.push(byte);
+        }
+    }
+    decoded
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn file(uri: &str) -> Result<PathBuf, String> {
+        match resolve(uri)? {
+            Target::File { decoded, literal } => {
+                file_in(Some(Path::new("folder")), &decoded, &literal)
+            }
+            Target::Data(_) => panic!("{uri} is no data URI"),
+        }
+    }
+
+    #[test]
+    fn codes_in_file_names_are_decoded() {
+        assert_eq!(file("a%20b%C3%A9.png").unwrap(), Path::new("folder/a bé.png"));
+        assert_eq!(file("sub/50%.bin").unwrap(), Path::new("folder/sub/50%.bin"));
+    }
+
+    #[test]
+    fn what_leads_out_of_the_folder_is_refused() {
+        for uri in [
+            "../x.bin",
+            "a/../../x.bin",
+            "%2e%2e/x.bin",
+            "..%2Fx.bin",
+            "/etc/passwd",
+            "%2Fetc/passwd",
+            "\\\\host\\x.bin",
+            "a\\..\\..\\x",
+            "file:///etc/passwd",
+            "http://example.org/x.bin",
+            "C:/x.bin",
+            "",
+            "a%00b",
+        ] {
+            assert!(file(uri).is_err(), "{uri}");
+        }
+    }
+
+    #[test]
+    fn data_are_decoded_with_and_without_padding() {
+        for uri in ["data:;base64,AQID/w==", "DATA:application/gltf-buffer;base64,AQID/w"] {
+            assert_eq!(resolve(uri).unwrap(), Target::Data(vec![1, 2, 3, 255]));
+        }
+        assert_eq!(resolve("data:text/plain,a%01").unwrap(), Target::Data(vec![b'a', 1]));
+    }
+
+    #[test]
+    fn damaged_data_are_an_error() {
+        assert!(resolve("data:;base64,A*ID").is_err());
+        assert!(resolve("data:nothing").is_err());
+    }
+}
