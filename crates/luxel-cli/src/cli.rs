@@ -1,0 +1,37 @@
+//! The command line: commands and the flags that all of them take.
+
+use crate::commands::{completions, demos, info};
+use clap::{Parser, Subcommand};
+
+/// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
+///
+/// luxel reads a model file and lights it as the lectures teach it: local reflection, without cast
+/// shadows and global light. It needs no GPU and no display.
+#[derive(Parser, Debug)]
+#[command(name = "luxel", version, args_override_self = true)]
+#[command(subcommand_required = true, arg_required_else_help = true)]
+#[command(infer_long_args = false, max_term_width = 100)]
+pub(crate) struct Cli {
+    /// Say nothing but errors
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    pub(crate) quiet: bool,
+
+    /// Say what is done and how long it takes
+    #[arg(short, long, global = true)]
+    pub(crate) verbose: bool,
+
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// What to do.
+#[derive(Subcommand, Debug)]
+pub(crate) enum Command {
+    Info(info::InfoCommand),
+    Demos(demos::DemosCommand),
+    Completions(completions::CompletionsCommand),
+    /// Print the manual page
+    ///
+    /// For example: luxel man > ~/.local/share/man/man1/luxel.1
+    Man,
+}

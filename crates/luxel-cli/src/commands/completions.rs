@@ -1,0 +1,24 @@
+//! `luxel completions`: what a shell wants to know.
+
+use crate::cli::Cli;
+use crate::failure::Failure;
+use crate::output;
+use clap::{Args, CommandFactory};
+use clap_complete::Shell;
+
+/// Print completions for a shell
+///
+/// For example: luxel completions bash > ~/.local/share/bash-completion/completions/luxel
+#[derive(Args, Debug)]
+pub(crate) struct CompletionsCommand {
+    /// The shell
+    shell: Shell,
+}
+
+impl CompletionsCommand {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, &mut Cli::command(), "luxel", &mut script);
+        output::print_bytes(&script)
+    }
+}

@@ -1,0 +1,329 @@
+//! `luxel info`: what is in a file.
+
+use crate::camera;
+use crate::console::{Console, printable};
+use crate::failure::Failure;
+use crate::model::{self, Model};
+use crate::options::{ExecutionOptions, FrameOptions, InputOptions};
+use crate::output;
+use crate::values::reflection_name;
+use clap::Args;
+use luxel::lighting::{Cone, LightKind};
+use luxel::scene::{
+    AlphaMode, Bounds, Camera, Lens, Object, Placement, Scene, SceneCamera, SceneLight,
+    SceneMaterial, Sides,
+};
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+
+/// Tell what is in a file
+///
+/// Objects, triangles, bounds, materials, lights and cameras, and the camera that `render` would
+/// use with the same flags.
+#[derive(Args, Debug)]
+pub(crate) struct InfoCommand {
+    #[command(flatten)]
+    input: InputOptions,
+
+    /// Print a JSON document
+    #[arg(long)]
+    json: bool,
+
+    #[command(flatten)]
+    frame: FrameOptions,
+    #[command(flatten)]
+    execution: ExecutionOptions,
+}
+
+/// What is counted once and told in both ways.
+struct Survey<'a> {
+    scene: &'a Scene,
+    objects: Vec<(Object, Bounds)>,
+    bounds: Bounds,
+    vertices: u64,
+}
+
+impl InfoCommand {
+    pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+        let model = model::load(&self.input, &self.execution, console)?;
+        let camera = camera::choose(&self.frame, &model.scene)?;
+        let survey = Survey::of(&model.scene);
+        if self.json {
+            output::print_json(&survey.to_json(&model, &camera, &self.frame))
+        } else {
+            output::print(&survey.to_text(&self.input.model, model.format, &camera))
+        }
+    }
+}
+
+impl<'a> Survey<'a> {
+    fn of(scene: &'a Scene) -> Self {
+        let of_object = |object: Object| {
+            let bounds = scene.meshes[object.mesh.index()].bounds(&object.world_from_mesh);
+            (object, bounds)
+        };
+        let objects: Vec<_> = scene.objects().into_iter().map(of_object).collect();
+        let bounds = objects.iter().fold(Bounds::EMPTY, |union, (_, bounds)| union.union(bounds));
+        let vertices = objects
+            .iter()
+            .map(|(object, _)| scene.meshes[object.mesh.index()].positions.len() as u64)
+            .sum();
+        Self { scene, objects, bounds, vertices }
+    }
+
+    fn triangles(&self, object: &Object) -> usize {
+        self.scene.meshes[object.mesh.index()].triangles.len()
+    }
+
+    fn to_json(&self, model: &Model, camera: &Camera, frame: &FrameOptions) -> Value {
+        let object = |(object, bounds): &(Object, Bounds)| {
+            json!({
+                "name": self.scene.nodes[object.node.index()].name,
+                "path": self.scene.path(object.node),
+                "triangles": self.triangles(object),
+                "bounds": bounds_to_json(bounds),
+            })
+        };
+        json!({
+            "format": model.format,
+            "triangles": self.scene.triangle_count(),
+            "vertices": self.vertices,
+            "bounds": bounds_to_json(&self.bounds),
+            "objects": self.objects.iter().map(object).collect::<Value>(),
+            "materials": self.scene.materials.iter().map(material_to_json).collect::<Value>(),
+            "lights":
+                self.scene.lights.iter().map(|light| self.light_to_json(light)).collect::<Value>(),
+            "cameras":
+                self.scene.cameras.iter().map(|camera| self.camera_to_json(camera)).collect::<Value>(),
+            "camera": camera::to_json(camera, frame.size),
+            "warnings": model.warnings,
+        })
+    }
+
+    fn light_to_json(&self, light: &SceneLight) -> Value {
+        let mut entry = Map::new();
+        entry.insert("name".into(), json!(light.name));
+        entry.insert("kind".into(), json!(kind_name(light.light.kind)));
+        match light.placement {
+            Placement::World => entry.insert("in".into(), json!("world")),
+            Placement::Camera => entry.insert("in".into(), json!("camera")),
+            Placement::Node(node) => {
+                entry.insert("path".into(), json!(self.scene.path(node)));
+                entry.insert("in".into(), json!("node"))
+            }
+        };
+        let kind = light.light.kind;
+        if matches!(kind, LightKind::Point | LightKind::Spot(_)) {
+            entry.insert("position".into(), json!(light.position.to_array()));
+        }
+        if matches!(kind, LightKind::Directional | LightKind::Spot(_)) {
+            entry.insert("direction".into(), json!(light.direction.to_array()));
+        }
+        entry.insert("ambient".into(), json!(light.light.ambient));
+        entry.insert("diffuse".into(), json!(light.light.diffuse));
+        entry.insert("specular".into(), json!(light.light.specular));
+        entry.insert("attenuation".into(), json!(light.light.attenuation.coefficients));
+        entry.insert("range".into(), json!(light.light.attenuation.range));
+        if let LightKind::Spot(cone) = kind {
+            entry.insert("cone".into(), cone_to_json(cone));
+        }
+        Value::Object(entry)
+    }
+
+    fn camera_to_json(&self, camera: &SceneCamera) -> Value {
+        json!({
+            "name": camera.name,
+            "path": camera.node.map(|node| self.scene.path(node)),
+            "lens": match camera.lens {
+                Lens::Perspective { fov_y_radians } => json!({
+                    "kind": "perspective",
+                    "fov_degrees": fov_y_radians.to_degrees(),
+                }),
+                Lens::Orthographic { height } => json!({
+                    "kind": "orthographic",
+                    "height": height,
+                }),
+                Lens::Intrinsics { fx, fy, cx, cy } => json!({
+                    "kind": "intrinsics",
+                    "intrinsics": [fx, fy, cx, cy],
+                }),
+            },
+        })
+    }
+
+    fn to_text(&self, name: &str, format: &str, camera: &Camera) -> String {
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let _ = self.write_text(&mut text, name, format, camera);
+        text
+    }
+
+    fn write_text(
+        &self,
+        text: &mut String,
+        name: &str,
+        format: &str,
+        camera: &Camera,
+    ) -> std::fmt::Result {
+        let scene = self.scene;
+        writeln!(text, "{}  ({format})", printable(name))?;
+        writeln!(text, "triangles  {}", grouped(scene.triangle_count()))?;
+        writeln!(text, "vertices   {}", grouped(self.vertices))?;
+        if self.bounds.is_empty() {
+            writeln!(text, "bounds     none: there is nothing to draw")?;
+        } else {
+            let Bounds { min, max } = self.bounds;
+            let show = |[x, y, z]: [f64; 3]| format!("{} {} {}", short(x), short(y), short(z));
+            let extent = show((max - min).to_array());
+            let (min, max) = (show(min.to_array()), show(max.to_array()));
+            writeln!(text, "bounds     {min}  to  {max}  (extent {extent})")?;
+        }
+        let eye = camera.eye().to_array().map(short).join(" ");
+        writeln!(text, "eye        {eye}")?;
+        if !self.objects.is_empty() {
+            writeln!(text, "objects    {}", self.objects.len())?;
+            let digits = grouped(scene.triangle_count()).len();
+            for (object, _) in &self.objects {
+                let triangles = grouped(self.triangles(object) as u64);
+                let path = printable(&scene.path(object.node).join(" / "));
+                writeln!(text, "  {triangles:>digits$}  {path}")?;
+            }
+        }
+        if !scene.materials.is_empty() {
+            writeln!(text, "materials  {}", scene.materials.len())?;
+            for material in &scene.materials {
+                let model = reflection_name(&material.constants.reflection);
+                writeln!(text, "  {}  ({model})", printable(&material.name))?;
+            }
+        }
+        if !scene.lights.is_empty() {
+            writeln!(text, "lights     {}", scene.lights.len())?;
+            for light in &scene.lights {
+                let kind = kind_name(light.light.kind);
+                writeln!(text, "  {}  ({kind})", printable(&light.name))?;
+            }
+        }
+        if !scene.cameras.is_empty() {
+            writeln!(text, "cameras    {}", scene.cameras.len())?;
+            for camera in &scene.cameras {
+                writeln!(text, "  {}", printable(&camera.name))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn bounds_to_json(bounds: &Bounds) -> Value {
+    if bounds.is_empty() {
+        return Value::Null;
+    }
+    json!({ "min": bounds.min.to_array(), "max": bounds.max.to_array() })
+}
+
+fn kind_name(kind: LightKind) -> &'static str {
+    match kind {
+        LightKind::Ambient => "ambient",
+        LightKind::Directional => "directional",
+        LightKind::Point => "point",
+        LightKind::Spot(_) => "spot",
+    }
+}
+
+fn cone_to_json(cone: Cone) -> Value {
+    let degrees = |cosine: f32| libm::acos(f64::from(cosine)).to_degrees();
+    match cone {
+        Cone::Exponent { cos_cutoff, exponent } => {
+            json!({ "cutoff_degrees": degrees(cos_cutoff), "exponent": exponent })
+        }
+        Cone::Smooth { cos_inner, cos_outer } => {
+            json!({ "inner_degrees": degrees(cos_inner), "outer_degrees": degrees(cos_outer) })
+        }
+    }
+}
+
+fn material_to_json(material: &SceneMaterial) -> Value {
+    let constants = &material.constants;
+    let textures = [
+        ("base_color", material.base_color),
+        ("metallic_roughness", material.metallic_roughness),
+        ("normal", material.normal),
+        ("occlusion", material.occlusion),
+        ("emission", material.emission),
+        ("specular", material.specular),
+        ("ambient", material.ambient),
+        ("opacity", material.opacity_map),
+    ];
+    let used = textures.iter().filter(|(_, texture)| texture.is_some()).map(|(name, _)| *name);
+    json!({
+        "name": material.name,
+        "reflection": reflection_name(&constants.reflection),
+        "ambient": constants.ambient,
+        "diffuse": constants.diffuse,
+        "specular": constants.specular,
+        "emission": constants.emission,
+        "ka": constants.k_a,
+        "kd": constants.k_d,
+        "ks": constants.k_s,
+        "shininess": constants.shininess,
+        "metallic": constants.metallic,
+        "roughness": constants.roughness,
+        "opacity": material.opacity,
+        "alpha": match material.alpha_mode {
+            AlphaMode::Opaque => "opaque",
+            AlphaMode::Mask { .. } => "mask",
+            AlphaMode::Blend => "blend",
+        },
+        "double_sided": material.sides == Sides::Both,
+        "textures": used.collect::<Value>(),
+    })
+}
+
+/// A whole number with commas between thousands.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::with_capacity(digits.len() * 4 / 3);
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A number with the five digits that a reader wants.
+fn short(number: f64) -> String {
+    if number != 0.0 && !(1e-4..1e6).contains(&number.abs()) {
+        return format!("{number:.4e}");
+    }
+    let whole_digits = if number.abs() < 1.0 { 1 } else { libm::log10(number.abs()) as usize + 1 };
+    let text = format!("{number:.*}", 5_usize.saturating_sub(whole_digits));
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thousands_are_set_apart() {
+        assert_eq!(grouped(0), "0");
+        assert_eq!(grouped(999), "999");
+        assert_eq!(grouped(1_000), "1,000");
+        assert_eq!(grouped(12_345_678), "12,345,678");
+    }
+
+    #[test]
+    fn numbers_are_rounded_to_five_digits() {
+        assert_eq!(short(0.0), "0");
+        assert_eq!(short(-0.094_690_1), "-0.0947");
+        assert_eq!(short(548.8), "548.8");
+        assert_eq!(short(123_456.7), "123457");
+        assert_eq!(short(1e-9), "1.0000e-9");
+        assert_eq!(short(1.0), "1");
+    }
+}

@@ -1,0 +1,20 @@
+//! The commands, one file each.
+
+pub(crate) mod completions;
+pub(crate) mod demos;
+pub(crate) mod info;
+mod manual;
+
+use crate::cli::Command;
+use crate::console::Console;
+use crate::failure::Failure;
+
+/// Does what the command line asks for.
+pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
+    match command {
+        Command::Info(command) => command.run(console),
+        Command::Demos(command) => command.run(),
+        Command::Completions(command) => command.run(),
+        Command::Man => manual::run(),
+    }
+}

@@ -1,0 +1,83 @@
+//! What ends the program before its work is done, and with which status.
+
+use luxel::formats::{Error, ErrorKind};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Why the work was not done.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The flags make no sense together: status 2.
+    Usage(String),
+    /// The work could not be done: status 1.
+    Work {
+        /// What is wrong, with its place.
+        what: String,
+        /// What to do about it; empty if `what` says it.
+        remedy: String,
+    },
+    /// Whoever reads the standard output has heard enough: no error at all.
+    Unheard,
+}
+
+impl Failure {
+    /// Work that could not be done.
+    pub(crate) fn work(what: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self::Work { what: what.into(), remedy: remedy.into() }
+    }
+
+    /// A file that could not be written.
+    pub(crate) fn writing(path: &Path, error: &std::io::Error) -> Self {
+        Self::work(
+            format!("{}: can't be written: {error}", path.display()),
+            "choose another place with -o, or free the one chosen",
+        )
+    }
+
+    /// The standard output failed.
+    pub(crate) fn standard_output(error: &std::io::Error) -> Self {
+        if error.kind() == std::io::ErrorKind::BrokenPipe {
+            Self::Unheard
+        } else {
+            Self::work(format!("standard output: {error}"), "free what it is written to")
+        }
+    }
+
+    /// The status with which the program ends.
+    pub(crate) fn exit_code(&self) -> ExitCode {
+        match self {
+            Self::Usage(_) => ExitCode::from(2),
+            Self::Work { .. } => ExitCode::FAILURE,
+            Self::Unheard => ExitCode::SUCCESS,
+        }
+    }
+
+    /// The lines for the standard error.
+    pub(crate) fn lines(&self) -> Vec<&str> {
+        match self {
+            Self::Usage(what) => vec![what, "for more, try `luxel help`"],
+            Self::Work { what, remedy } if remedy.is_empty() => vec![what],
+            Self::Work { what, remedy } => vec![what, remedy],
+            Self::Unheard => Vec::new(),
+        }
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        let remedy = match &error.kind {
+            ErrorKind::Io(io) if io.kind() == std::io::ErrorKind::NotFound => {
+                "check the name; `luxel demos` lists the scenes that need no file"
+            }
+            ErrorKind::Io(_) => "check that it is a file that you may read",
+            ErrorKind::Malformed(_) | ErrorKind::OutOfRange { .. } => {
+                "the file is damaged or written wrongly: export it again"
+            }
+            ErrorKind::Truncated(_) => "the file is incomplete: copy or export it again",
+            ErrorKind::Unsupported(_) => "export it in another way: glb, gltf, obj, stl or ply",
+            // The message says what to do.
+            _ => "",
+        };
+        Self::work(error.to_string(), remedy)
+    }
+}

@@ -1,0 +1,73 @@
+//! The program `luxel`: model files to lit pictures, from the command line.
+//!
+//! Results go to the standard output, everything else to the standard error. Status 0: done; 1: the
+//! work could not be done; 2: wrong usage.
+
+#![forbid(unsafe_code)]
+
+mod camera;
+mod cli;
+mod commands;
+mod console;
+mod failure;
+mod model;
+mod options;
+mod output;
+mod values;
+
+use clap::Parser;
+use clap::error::ErrorKind;
+use cli::Cli;
+use console::Console;
+use failure::Failure;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    std::panic::set_hook(Box::new(|panic| {
+        let place = panic.location().map(ToString::to_string).unwrap_or_default();
+        console::error(&[
+            &format!("this is a bug in luxel ({place})"),
+            "please report it with the command and the file that led here",
+        ]);
+    }));
+    // The hook has told what happened; an aborted process would tell more than anyone can use.
+    std::panic::catch_unwind(run).unwrap_or(ExitCode::FAILURE)
+}
+
+fn run() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return answer(&error),
+    };
+    let console = Console::new(cli.quiet, cli.verbose);
+    match commands::run(cli.command, console) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => end(&failure),
+    }
+}
+
+fn end(failure: &Failure) -> ExitCode {
+    let lines = failure.lines();
+    if !lines.is_empty() {
+        console::error(&lines);
+    }
+    failure.exit_code()
+}
+
+/// Prints what clap has to say: the help and the version on the standard output, else what is wrong
+/// with the flags.
+fn answer(error: &clap::Error) -> ExitCode {
+    let text = error.render().to_string();
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        return match output::print(&text) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(failure) => end(&failure),
+        };
+    }
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        eprint!("{text}");
+    } else {
+        eprint!("luxel: {text}");
+    }
+    ExitCode::from(2)
+}

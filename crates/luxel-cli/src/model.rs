@@ -1,0 +1,91 @@
+//! From the name on the command line to a scene.
+
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::options::{ExecutionOptions, InputOptions};
+use luxel::formats::{self, Error, ErrorKind, Format, Limits, Loaded, Place};
+use luxel::scene::{Scene, demos};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+use std::time::Instant;
+
+/// A scene with what `info` tells about its reading.
+#[derive(Debug)]
+pub(crate) struct Model {
+    /// What the input holds.
+    pub(crate) scene: Scene,
+    /// The format's name, `demo` for a scene of the program's own.
+    pub(crate) format: &'static str,
+    /// What was left out or replaced.
+    pub(crate) warnings: Vec<String>,
+}
+
+impl From<Loaded> for Model {
+    fn from(loaded: Loaded) -> Self {
+        let Loaded { scene, format, warnings } = loaded;
+        Self { scene, format: format.name(), warnings }
+    }
+}
+
+/// Reads what the command line names and tells its warnings.
+pub(crate) fn load(
+    input: &InputOptions,
+    execution: &ExecutionOptions,
+    console: Console,
+) -> Result<Model, Failure> {
+    let start = Instant::now();
+    let limits = Limits { max_memory: execution.max_memory, ..Limits::default() };
+    let model = if let Some(name) = input.model.strip_prefix("demo:") {
+        demo(name)?
+    } else if input.model == "-" {
+        let format = input.format.ok_or_else(|| {
+            Failure::Usage("the standard input needs --format: glb, gltf, obj, stl or ply".into())
+        })?;
+        let bytes = read_all(&mut std::io::stdin().lock(), "the standard input", &limits)?;
+        formats::read(&bytes, format, "stdin", None, &limits)?.into()
+    } else {
+        let path = Path::new(&input.model);
+        match input.format {
+            None => formats::open(path, &limits)?.into(),
+            Some(format) => open_as(path, format, &limits)?.into(),
+        }
+    };
+    for warning in &model.warnings {
+        console.warn(warning);
+    }
+    let milliseconds = start.elapsed().as_secs_f64() * 1e3;
+    console.detail(&format!("{}: read in {milliseconds:.1} ms", input.model));
+    Ok(model)
+}
+
+fn demo(name: &str) -> Result<Model, Failure> {
+    let scene = demos::demo(name).ok_or_else(|| {
+        let names: Vec<_> = demos::names().into_iter().map(|(name, _)| name).collect();
+        Failure::work(format!("demo:{name}: no such scene"), format!("use {}", names.join(", ")))
+    })?;
+    Ok(Model { scene, format: "demo", warnings: Vec::new() })
+}
+
+/// Reads a file whose name doesn't tell its format.
+fn open_as(path: &Path, format: Format, limits: &Limits) -> Result<Loaded, Error> {
+    let in_file = |error: std::io::Error| Error::at(Place::File, error.into()).in_file(path);
+    let mut file = File::open(path).map_err(in_file)?;
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    read_all(&mut file, "the file", limits)
+        .and_then(|bytes| formats::read(&bytes, format, &stem, path.parent(), limits))
+        .map_err(|error| error.in_file(path))
+}
+
+/// Reads to the end, unless there is more than the limits allow.
+fn read_all(input: &mut dyn Read, what: &str, limits: &Limits) -> Result<Vec<u8>, Error> {
+    let at_file = |kind| Error::at(Place::File, kind);
+    let mut bytes = Vec::new();
+    let most = limits.max_memory.saturating_add(1);
+    let read = input.take(most).read_to_end(&mut bytes).map_err(|error| at_file(error.into()))?;
+    if read as u64 == most {
+        let what = format!("{what}, which is {most} bytes long or longer,");
+        return Err(at_file(ErrorKind::TooLarge { what, needed: most, limit: limits.max_memory }));
+    }
+    Ok(bytes)
+}

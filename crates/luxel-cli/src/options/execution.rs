@@ -1,0 +1,28 @@
+//! How the work is done: nothing here changes a byte of a picture.
+
+use crate::values::{memory, threads};
+use clap::Args;
+use luxel::math::SimdLevel;
+
+/// Threads, vectors, memory.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Execution")]
+pub(crate) struct ExecutionOptions {
+    /// Threads [default: all cores]
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub(crate) threads: Option<usize>,
+
+    /// The instruction set: auto, scalar, sse2, sse4.2, avx2, avx512, neon
+    #[arg(long, value_name = "LEVEL", default_value = "auto", value_parser = simd_level)]
+    pub(crate) simd: SimdLevel,
+
+    /// The most memory that a model or a picture may take, as 512M or 2G
+    #[arg(long, value_name = "SIZE", default_value = "8G", value_parser = memory)]
+    pub(crate) max_memory: u64,
+}
+
+/// A level that this machine has.
+fn simd_level(text: &str) -> Result<SimdLevel, String> {
+    let level: SimdLevel = text.parse().map_err(|error| format!("{error}"))?;
+    level.resolve().map(|_| level).map_err(|error| error.to_string())
+}

@@ -1,0 +1,18 @@
+//! What is read.
+
+use clap::Args;
+use luxel::formats::Format;
+
+/// The model and its format.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Input")]
+pub(crate) struct InputOptions {
+    /// A model file (.glb .gltf .obj .stl .ply), `-` for the standard input (with --format), or
+    /// `demo:NAME` for a scene built into the program
+    #[arg(default_value = "demo:teapot")]
+    pub(crate) model: String,
+
+    /// The input's format, whatever its name: glb, gltf, obj, stl, ply
+    #[arg(long, value_name = "EXT", required_if_eq("model", "-"))]
+    pub(crate) format: Option<Format>,
+}

@@ -1,0 +1,31 @@
+//! Light: sources, environment, depth cueing.
+
+use crate::values::{FogSpec, LightSpec, Surroundings, color, fog, light, surroundings};
+use clap::Args;
+
+/// Sources, environment, depth cueing.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Light")]
+pub(crate) struct LightOptions {
+    /// A light, instead of the file's; may be repeated:
+    /// directional:dir=X,Y,Z,
+    /// point:pos=X,Y,Z,
+    /// spot:pos=X,Y,Z:dir=X,Y,Z:cutoff=DEG:exponent=E or
+    /// ambient:color=R,G,B, with optional :ambient=R,G,B :diffuse=R,G,B :specular=R,G,B
+    /// :attenuation=C1,C2,C3 :in=world|camera :name=NAME
+    #[arg(long = "light", value_name = "SPEC", value_parser = light)]
+    pub(crate) lights: Vec<LightSpec>,
+
+    /// The scene's ambient light
+    #[arg(long, value_name = "R,G,B", value_parser = color, allow_hyphen_values = true)]
+    pub(crate) ambient: Option<[f32; 3]>,
+
+    /// What mirrors and metals see: none, studio or R,G,B [default: studio for glTF's metallic-
+    /// roughness materials where the file has no lights, else none]
+    #[arg(long, value_name = "WHAT", value_parser = surroundings, allow_hyphen_values = true)]
+    pub(crate) environment: Option<Surroundings>,
+
+    /// Depth cueing: near=Z:far=Z:front=S:back=S:color=R,G,B
+    #[arg(long, value_name = "SPEC", value_parser = fog)]
+    pub(crate) fog: Option<FogSpec>,
+}

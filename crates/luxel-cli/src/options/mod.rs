@@ -1,0 +1,19 @@
+//! The table of options: what the commands share, each flag written once.
+//!
+//! The command line, the completions and the manual page are all made of these structs.
+
+mod execution;
+mod frame;
+mod input;
+mod light;
+mod material;
+mod picture;
+mod shading;
+
+pub(crate) use execution::ExecutionOptions;
+pub(crate) use frame::{CullChoice, FrameOptions};
+pub(crate) use input::InputOptions;
+pub(crate) use light::LightOptions;
+pub(crate) use material::MaterialOptions;
+pub(crate) use picture::{EncodingChoice, PictureOptions};
+pub(crate) use shading::{NormalsChoice, ShadingOptions};

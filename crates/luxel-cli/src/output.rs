@@ -1,0 +1,102 @@
+//! Results: the standard output, and files that appear whole or not at all.
+
+use crate::failure::Failure;
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, Once, PoisonError};
+
+/// Prints text.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    print_bytes(text.as_bytes())
+}
+
+/// Prints bytes as they are.
+pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    let mut output = io::stdout().lock();
+    output
+        .write_all(bytes)
+        .and_then(|()| output.flush())
+        .map_err(|error| Failure::standard_output(&error))
+}
+
+/// Prints a JSON document on lines of its own.
+pub(crate) fn print_json(document: &serde_json::Value) -> Result<(), Failure> {
+    print(&format!("{document:#}\n"))
+}
+
+/// The file being written, which an interrupt has to remove.
+static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
+static INTERRUPTS: Once = Once::new();
+
+/// What a program that was interrupted ends with, as shells report it: 128 and the number of the
+/// signal.
+const INTERRUPTED: i32 = 130;
+
+/// Writes a file: under another name first, then renamed, so that it is there whole or not at all.
+/// What is there already and no regular file (a pipe, a device) is written to as it is.
+pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let failure = |error: io::Error| Failure::writing(path, &error);
+    match fs::metadata(path) {
+        Ok(there) if !there.is_file() => {
+            let mut file = OpenOptions::new().write(true).open(path).map_err(failure)?;
+            return file.write_all(bytes).map_err(failure);
+        }
+        _ => {}
+    }
+    // A link stays a link: what it leads to is replaced.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let unfinished = unfinished_name(&target);
+    remove_when_interrupted(&unfinished);
+    let written = OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(&unfinished)
+        .and_then(|mut file| file.write_all(bytes))
+        .and_then(|()| fs::rename(&unfinished, &target));
+    if written.is_err() {
+        let _ = fs::remove_file(&unfinished);
+    }
+    *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = None;
+    written.map_err(failure)
+}
+
+/// Says before any work is done that a file can't be written there.
+pub(crate) fn check_folder(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() {
+        let remedy = "name a file in it, as picture.png";
+        return Err(Failure::work(format!("{}: is a folder", path.display()), remedy));
+    }
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => return Ok(()),
+    };
+    if folder.is_dir() {
+        Ok(())
+    } else {
+        let what = format!("{}: there is no folder {}", path.display(), folder.display());
+        Err(Failure::work(what, "make it first, or choose another place with -o"))
+    }
+}
+
+/// A name beside the file's, so that renaming stays within one file system.
+fn unfinished_name(path: &Path) -> PathBuf {
+    let mut name = std::ffi::OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name.push(format!(".{}.part", std::process::id()));
+    path.with_file_name(name)
+}
+
+fn remove_when_interrupted(unfinished: &Path) {
+    *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = Some(unfinished.to_owned());
+    INTERRUPTS.call_once(|| {
+        // Without a handler the system ends the program, which is right but for the unfinished file.
+        let _ = ctrlc::set_handler(|| {
+            if let Some(path) = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).take() {
+                let _ = fs::remove_file(path);
+            }
+            #[expect(clippy::exit, reason = "an interrupt ends the program")]
+            std::process::exit(INTERRUPTED);
+        });
+    });
+}

@@ -1,0 +1,241 @@
+//! `KIND:KEY=VALUE:...`: a light on the command line.
+
+use super::number::{finite, non_negative_f32};
+use super::vector::{color, direction, numbers, point};
+use luxel::lighting::{Attenuation, Cone, Light, LightKind};
+use luxel::scene::{DVec3, Placement, SceneLight};
+
+/// A light as the user wrote it; lights without a name are numbered later.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct LightSpec {
+    name: Option<String>,
+    light: Light,
+    placement: Placement,
+    position: DVec3,
+    direction: DVec3,
+}
+
+impl LightSpec {
+    /// The light, called `light1` and so on by its place on the line if it has no name.
+    pub(crate) fn named(self, place: usize) -> SceneLight {
+        SceneLight {
+            name: self.name.unwrap_or_else(|| format!("light{}", place + 1)),
+            light: self.light,
+            placement: self.placement,
+            position: self.position,
+            direction: self.direction,
+        }
+    }
+}
+
+/// What can be said about a light.
+#[derive(Default)]
+struct Fields<'a> {
+    /// Key and value of each field, in order, each taken once.
+    left: Vec<(&'a str, &'a str)>,
+}
+
+impl<'a> Fields<'a> {
+    fn parse(text: &'a str) -> Result<Self, String> {
+        let mut left: Vec<(&str, &str)> = Vec::new();
+        for field in text.split(':') {
+            let (key, value) = field
+                .split_once('=')
+                .ok_or_else(|| format!("`{field}` lacks a value: use KEY=VALUE"))?;
+            if left.iter().any(|(known, _)| *known == key) {
+                return Err(format!("`{key}` is given twice"));
+            }
+            left.push((key, value));
+        }
+        Ok(Self { left })
+    }
+
+    fn take<T>(
+        &mut self,
+        key: &str,
+        parse: impl Fn(&str) -> Result<T, String>,
+    ) -> Result<Option<T>, String> {
+        let Some(place) = self.left.iter().position(|(known, _)| *known == key) else {
+            return Ok(None);
+        };
+        let (_, value) = self.left.remove(place);
+        parse(value).map(Some).map_err(|message| format!("{key}: {message}"))
+    }
+}
+
+/// A light.
+pub(crate) fn light(text: &str) -> Result<LightSpec, String> {
+    let (kind, rest) = text.split_once(':').unwrap_or((text, ""));
+    let mut fields = if rest.is_empty() { Fields::default() } else { Fields::parse(rest)? };
+    let name = fields.take("name", light_name)?;
+    let placement = fields.take("in", placement)?.unwrap_or_default();
+    let needs = |what: &str| format!("a light of kind `{kind}` needs {what}");
+
+    let mut position = DVec3::ZERO;
+    let mut towards = DVec3::NEG_Z;
+    let light = if kind == "ambient" {
+        Light::ambient(fields.take("color", color)?.ok_or_else(|| needs("color=R,G,B"))?)
+    } else {
+        let kind = match kind {
+            "directional" => LightKind::Directional,
+            "point" => LightKind::Point,
+            "spot" => LightKind::Spot(cone(&mut fields)?),
+            _ => {
+                return Err(format!(
+                    "`{kind}` is no kind of light: use directional, point, spot or ambient"
+                ));
+            }
+        };
+        if kind != LightKind::Directional {
+            position = fields.take("pos", point)?.ok_or_else(|| needs("pos=X,Y,Z"))?;
+        }
+        if kind != LightKind::Point {
+            towards = fields.take("dir", direction)?.ok_or_else(|| needs("dir=X,Y,Z"))?;
+        }
+        let mut light = Light::new(kind, fields.take("diffuse", color)?.unwrap_or([1.0; 3]));
+        light.ambient = fields.take("ambient", color)?.unwrap_or_default();
+        light.specular = fields.take("specular", color)?.unwrap_or(light.diffuse);
+        light.attenuation = fields.take("attenuation", attenuation)?.unwrap_or(Attenuation::NONE);
+        light
+    };
+    match fields.left.first() {
+        Some((key, _)) => Err(format!("a light of kind `{kind}` has no `{key}`")),
+        None => Ok(LightSpec { name, light, placement, position, direction: towards }),
+    }
+}
+
+fn light_name(text: &str) -> Result<String, String> {
+    if text.is_empty() { Err("a name has at least one letter".to_owned()) } else { Ok(text.into()) }
+}
+
+fn placement(text: &str) -> Result<Placement, String> {
+    match text {
+        "world" => Ok(Placement::World),
+        "camera" => Ok(Placement::Camera),
+        _ => Err(format!("`{text}` is no space: use world or camera")),
+    }
+}
+
+fn cone(fields: &mut Fields<'_>) -> Result<Cone, String> {
+    let cos_cutoff = fields.take("cutoff", cos_cutoff)?.unwrap_or(-1.0);
+    let exponent = fields.take("exponent", non_negative_f32)?.unwrap_or(0.0);
+    Ok(Cone::Exponent { cos_cutoff, exponent })
+}
+
+/// The cosine of a cone's half-angle of 0 to 90 degrees; -1 for 180, which is no cone.
+fn cos_cutoff(text: &str) -> Result<f32, String> {
+    let degrees = finite(text)?;
+    if degrees == 180.0 {
+        Ok(-1.0)
+    } else if degrees == 90.0 {
+        // The cosine of the f64 next to pi / 2 is not quite 0.
+        Ok(0.0)
+    } else if (0.0..90.0).contains(&degrees) {
+        Ok(libm::cos(degrees.to_radians()) as f32)
+    } else {
+        Err("use 0 to 90 degrees, or 180 for no cone".to_owned())
+    }
+}
+
+fn attenuation(text: &str) -> Result<Attenuation, String> {
+    let coefficients: [f64; 3] = numbers(text)?;
+    let single = coefficients.map(|coefficient| coefficient as f32);
+    if single.iter().any(|coefficient| !coefficient.is_finite() || *coefficient < 0.0) {
+        Err("coefficients are finite and not below 0".to_owned())
+    } else if single == [0.0; 3] {
+        Err("the coefficients are all 0: the light would be infinitely bright".to_owned())
+    } else {
+        Ok(Attenuation { coefficients: single, range: None })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(text: &str) -> SceneLight {
+        light(text).unwrap().named(0)
+    }
+
+    #[test]
+    fn a_directional_light_has_white_diffuse_and_specular_by_default() {
+        let sun = parsed("directional:dir=0,-2,0");
+        assert_eq!(sun.light, Light::new(LightKind::Directional, [1.0; 3]));
+        assert_eq!(sun.direction, DVec3::NEG_Y);
+        assert_eq!(sun.placement, Placement::World);
+        assert_eq!(sun.name, "light1");
+    }
+
+    #[test]
+    fn the_specular_colour_is_the_diffuse_one_unless_it_is_given() {
+        let red = parsed("point:pos=1,2,3:diffuse=3,0,0");
+        assert_eq!(red.light.specular, [3.0, 0.0, 0.0]);
+        let both = parsed("point:pos=1,2,3:diffuse=3,0,0:specular=0,1,0:ambient=.1,.1,.1");
+        assert_eq!(both.light.specular, [0.0, 1.0, 0.0]);
+        assert_eq!(both.light.ambient, [0.1; 3]);
+        assert_eq!(both.position, DVec3::new(1.0, 2.0, 3.0));
+    }
+
+    #[test]
+    fn a_spot_has_its_cone_exponent_attenuation_name_and_space() {
+        let spot = parsed(
+            "spot:pos=0,0,1:dir=0,0,-1:cutoff=60:exponent=12:attenuation=0,1,.5:name=lamp:in=camera",
+        );
+        let cone = Cone::Exponent { cos_cutoff: 0.5, exponent: 12.0 };
+        assert_eq!(spot.light.kind, LightKind::Spot(cone));
+        assert_eq!(spot.light.attenuation.coefficients, [0.0, 1.0, 0.5]);
+        assert_eq!(spot.name, "lamp");
+        assert_eq!(spot.placement, Placement::Camera);
+    }
+
+    #[test]
+    fn cutoffs_end_at_90_except_180_which_is_no_cone() {
+        assert_eq!(cos_cutoff("0"), Ok(1.0));
+        assert_eq!(cos_cutoff("90"), Ok(0.0));
+        assert_eq!(cos_cutoff("180"), Ok(-1.0));
+        for text in ["-1", "91", "179", "181", "nan"] {
+            assert!(cos_cutoff(text).is_err(), "{text}");
+        }
+        let open = Cone::Exponent { cos_cutoff: -1.0, exponent: 0.0 };
+        assert_eq!(parsed("spot:pos=0,0,0:dir=1,0,0").light.kind, LightKind::Spot(open));
+    }
+
+    #[test]
+    fn an_ambient_light_is_its_colour() {
+        assert_eq!(parsed("ambient:color=.1,.2,.3").light, Light::ambient([0.1, 0.2, 0.3]));
+    }
+
+    #[test]
+    fn wrong_lights_are_refused() {
+        for text in [
+            "",
+            "sun",
+            "directional",
+            "directional:",
+            "directional:dir=0,0,0",
+            "directional:dir=1,0",
+            "directional:dir=1,0,0:dir=1,0,0",
+            "directional:dir=1,0,0:",
+            "directional:dir",
+            "directional:dir=1,0,0:pos=1,2,3",
+            "directional:dir=nan,0,0",
+            "point",
+            "point:pos=1,2,inf",
+            "point:pos=1,2,3:dir=1,0,0",
+            "point:pos=1,2,3:cutoff=20",
+            "point:pos=1,2,3:attenuation=0,0,0",
+            "point:pos=1,2,3:attenuation=1e-99,0,0",
+            "point:pos=1,2,3:attenuation=-1,0,0",
+            "point:pos=1,2,3:in=space",
+            "point:pos=1,2,3:name=",
+            "spot:pos=1,2,3",
+            "spot:pos=1,2,3:dir=1,0,0:cutoff=100",
+            "spot:pos=1,2,3:dir=1,0,0:exponent=-1",
+            "ambient",
+            "ambient:color=1,2",
+            "ambient:color=1,1,1:diffuse=1,1,1",
+        ] {
+            assert!(light(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! `none`, `studio`, `R,G,B`: what mirrors and metals see.
+
+use super::vector::reflectance;
+
+/// What mirrors and metals see.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Surroundings {
+    /// Nothing.
+    None,
+    /// An analytic gradient: bright above, dark below.
+    Studio,
+    /// The same light from everywhere.
+    Constant([f32; 3]),
+}
+
+/// An environment.
+pub(crate) fn surroundings(text: &str) -> Result<Surroundings, String> {
+    match text {
+        "none" => Ok(Surroundings::None),
+        "studio" => Ok(Surroundings::Studio),
+        _ => reflectance(text)
+            .map(Surroundings::Constant)
+            .map_err(|message| format!("use none, studio or R,G,B: {message}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_colours_are_environments() {
+        assert_eq!(surroundings("none"), Ok(Surroundings::None));
+        assert_eq!(surroundings("studio"), Ok(Surroundings::Studio));
+        assert_eq!(surroundings("1,.5,3"), Ok(Surroundings::Constant([1.0, 0.5, 3.0])));
+        assert!(surroundings("hdri").is_err() && surroundings("-1,0,0").is_err());
+    }
+}
