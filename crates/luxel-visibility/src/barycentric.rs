@@ -181,6 +181,13 @@ impl BlockForms {
         [self.weight(0, x, y), self.weight(1, x, y), self.weight(2, x, y)]
     }
 
+    /// How a corner's weight changes from pixel to pixel, across and down.
+    #[inline(always)]
+    #[must_use]
+    pub fn gradient(&self, corner: usize) -> [f32; 2] {
+        [self.a[corner], self.b[corner]]
+    }
+
     #[inline(always)]
     fn weight<N: Number>(&self, i: usize, x: N, y: N) -> N {
         x.constant(self.c[i]) + x * x.constant(self.a[i]) + y * y.constant(self.b[i])

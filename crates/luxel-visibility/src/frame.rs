@@ -2,7 +2,7 @@
 
 use crate::barycentric::{Forms, WindowRays};
 use crate::bin::Bins;
-use crate::buffer::{TILE, Tile, TriangleId};
+use crate::buffer::{Plane, TILE, Tile, TriangleId};
 use crate::cluster::{Clusters, SLOT_BITS};
 use crate::cull::{VisibleCluster, cull_group};
 use crate::samples::Samples;
@@ -211,7 +211,7 @@ impl<'a> Frame<'a> {
     pub fn draw_opaque(&self, level: Level, number: usize, hole: &Hole<'_>, tile: &mut Tile) {
         let [x, y] = self.tile_origin(number);
         tile.clear(x, y);
-        dispatch!(level, simd => tile::draw(simd, self, self.opaque.of_tile(number), hole, None, tile));
+        self.draw(level, &self.opaque, number, hole, None, tile);
     }
 
     /// Draws the nearest blended layer of a tile: before `opaque`, and behind the layers that were
@@ -232,9 +232,22 @@ impl<'a> Frame<'a> {
             return false;
         }
         let behind = behind.map(Tile::planes);
-        dispatch!(level, simd => tile::draw(simd, self, self.blended.of_tile(number), hole, behind, tile));
-        let changed = |(layer, opaque): (&crate::Plane, &crate::Plane)| layer.ids != opaque.ids;
+        self.draw(level, &self.blended, number, hole, behind, tile);
+        let changed = |(layer, opaque): (&Plane, &Plane)| layer.ids != opaque.ids;
         tile.planes().iter().zip(opaque.planes()).any(changed)
+    }
+
+    /// The one place where drawing meets the instruction set, so that it is compiled once a level.
+    fn draw(
+        &self,
+        level: Level,
+        bins: &Bins,
+        number: usize,
+        hole: &Hole<'_>,
+        behind: Option<&[Plane]>,
+        tile: &mut Tile,
+    ) {
+        dispatch!(level, simd => tile::draw(simd, self, bins.of_tile(number), hole, behind, tile));
     }
 
     /// What a scene calls the triangle of an id; `None` for [`TriangleId::NONE`].
@@ -258,7 +271,13 @@ impl<'a> Frame<'a> {
     /// The forms that give a triangle's barycentrics anywhere in the window.
     #[must_use]
     pub fn forms(&self, of: TriangleOf) -> Forms {
-        Forms::new(&self.rays, self.corners_in_view(of))
+        self.forms_of(self.corners_in_view(of))
+    }
+
+    /// The forms of a triangle given in view space.
+    #[must_use]
+    pub fn forms_of(&self, corners_in_view: [DVec3; 3]) -> Forms {
+        Forms::new(&self.rays, corners_in_view)
     }
 
     /// A triangle's corners in view space.

@@ -1,0 +1,106 @@
+//! Things of the scene put where a frame wants them: instances before the camera, lights about the
+//! eye.
+
+use crate::corners::InstanceSpace;
+use crate::view::{Cull, View};
+use glam::{DMat3, DMat4, DVec3};
+use luxel_lighting::{LightKind, PlacedLight};
+use luxel_scene::{AlphaMode, Camera, Object, Placement, Scene, SceneLight, Sides};
+use luxel_visibility::{Clusters, Coverage, CullFaces, Instance, PartUse};
+
+/// The instances of a scene before the camera.
+pub(crate) fn instances<'a>(
+    scene: &'a Scene,
+    objects: &[Object],
+    clusters: &'a [Clusters],
+    view: &View,
+    blended: Coverage,
+) -> Vec<Instance<'a>> {
+    let part_use = |object: &Object, material: usize| {
+        let material = &scene.materials[material];
+        let mirrored = object.world_from_mesh.determinant() < 0.0;
+        let back = if mirrored { CullFaces::CounterClockwise } else { CullFaces::Clockwise };
+        let cull = match (view.cull, material.sides) {
+            (Cull::None, _) | (Cull::Auto, Sides::Both) => CullFaces::None,
+            (Cull::Back, _) | (Cull::Auto, Sides::Front) => back,
+        };
+        let wires = view.edges.is_some_and(|edges| edges.wireframe);
+        let coverage = match material.alpha_mode {
+            AlphaMode::Opaque if wires => Coverage::Cutout,
+            AlphaMode::Opaque => Coverage::Opaque,
+            AlphaMode::Mask { .. } => Coverage::Cutout,
+            AlphaMode::Blend => blended,
+        };
+        // Wires are seen from both sides.
+        PartUse {
+            cull: if wires && view.cull == Cull::Auto { CullFaces::None } else { cull },
+            coverage,
+        }
+    };
+    objects
+        .iter()
+        .map(|object| {
+            let mesh = &scene.meshes[object.mesh.index()];
+            Instance {
+                mesh,
+                clusters: &clusters[object.mesh.index()],
+                view_from_mesh: view.camera.view_from_world * object.world_from_mesh,
+                parts: mesh
+                    .parts
+                    .iter()
+                    .map(|part| part_use(object, part.material.index()))
+                    .collect(),
+            }
+        })
+        .collect()
+}
+
+/// The transforms that shading needs of an object.
+pub(crate) fn space(object: &Object, camera: &Camera) -> InstanceSpace {
+    let world_from_mesh = DMat3::from_mat4(object.world_from_mesh);
+    let determinant = world_from_mesh.determinant();
+    // The cofactor matrix is the inverse transpose times the determinant, and exists even where a
+    // flattening transform has no inverse.
+    let [x, y, z] = [world_from_mesh.x_axis, world_from_mesh.y_axis, world_from_mesh.z_axis];
+    let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
+    let handedness = if determinant < 0.0 { -1.0 } else { 1.0 };
+    InstanceSpace {
+        world_from_view: DMat3::from_mat4(camera.view_from_world).transpose(),
+        normal_from_mesh: cofactors * handedness,
+        world_from_mesh,
+        handedness,
+        parallel: camera.projection.is_orthographic(),
+    }
+}
+
+/// A light about the eye, along the world's axes; `None` for ambient lights.
+pub(crate) fn light(
+    light: &SceneLight,
+    camera: &Camera,
+    world_from_nodes: &[DMat4],
+) -> Option<PlacedLight> {
+    if light.light.kind == LightKind::Ambient {
+        return None;
+    }
+    let eye = camera.eye();
+    let world_from_view = DMat3::from_mat4(camera.view_from_world).transpose();
+    let (position, direction) = match light.placement {
+        Placement::World => (light.position - eye, light.direction),
+        Placement::Camera => (world_from_view * light.position, world_from_view * light.direction),
+        Placement::Node(node) => {
+            let world_from_node = &world_from_nodes[node.index()];
+            let position = world_from_node.transform_point3(light.position) - eye;
+            (position, world_from_node.transform_vector3(light.direction))
+        }
+    };
+    let f32s = |vector: DVec3| vector.as_vec3().to_array();
+    Some(PlacedLight::new(light.light.clone(), f32s(position), f32s(direction.normalize_or_zero())))
+}
+
+/// The ambient light of the scene and of all ambient lights.
+pub(crate) fn ambient(view: &View) -> [f32; 3] {
+    let lights = view.lights.iter().filter(|light| light.light.kind == LightKind::Ambient);
+    lights.fold(view.ambient, |sum, light| {
+        std::array::from_fn(|channel| sum[channel] + light.light.ambient[channel])
+    })
+}

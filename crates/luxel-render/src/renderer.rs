@@ -1,0 +1,422 @@
+//! The renderer: a scene made ready once, then drawn from any view.
+
+use crate::corners::{Corners, InstanceSpace};
+use crate::edges::EdgeFlags;
+use crate::holes::Holes;
+use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, layers_of_block};
+use crate::place;
+use crate::resolve::{BlockPixels, Layered, resolve_block};
+use crate::shade::Scene16;
+use crate::tiles::{TilePixels, draw_tiles};
+use crate::view::{EnvironmentChoice, Execution, View};
+use luxel_lighting::{Environment, PictureEncoding, Reflection};
+use luxel_math::{LANES, Level, Simd, UnavailableSimdLevel, dispatch};
+use luxel_scene::{Object, Scene, Size};
+use luxel_visibility::{
+    BLOCK, BLOCKS, Clusters, Coverage, Frame, Samples, TILE, Tile, TooManyTriangles,
+};
+use rayon::prelude::*;
+use std::sync::Mutex;
+use std::time::Duration;
+
+/// Why a view can't be drawn.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RenderError {
+    /// Not 1, 2, 4, 8 or 16 samples.
+    #[error("{0} samples a pixel aren't possible: use 1, 2, 4, 8 or 16")]
+    Samples(u32),
+    /// A side of 0 or beyond the limit.
+    #[error("a picture of {0}x{1} isn't possible: each side has 1 to {MAX_SIDE} pixels")]
+    Size(u32, u32),
+    /// More triangles than can be numbered.
+    #[error(transparent)]
+    TooManyTriangles(#[from] TooManyTriangles),
+    /// The machine lacks the instruction set.
+    #[error("{0}")]
+    Simd(String),
+    /// The system gives no threads.
+    #[error("can't start threads: {0}")]
+    Threads(String),
+}
+
+impl From<UnavailableSimdLevel> for RenderError {
+    fn from(error: UnavailableSimdLevel) -> Self {
+        Self::Simd(error.to_string())
+    }
+}
+
+/// Most pixels of a picture's side: positions in 24.8 bits, with room for the guard band.
+pub const MAX_SIDE: u32 = 16384;
+
+/// Most transparent layers over one another. Deeper ones are left out, so that a file can't keep a
+/// machine busy for ever.
+const MAX_LAYERS: usize = 1024;
+
+/// A scene ready to be drawn.
+pub struct Renderer<'s> {
+    scene: &'s Scene,
+    objects: Vec<Object>,
+    /// The mesh of each object.
+    meshes: Vec<usize>,
+    /// The clusters of each mesh.
+    clusters: Vec<Clusters>,
+    level: Level,
+    /// `None` where the machine has no threads.
+    pool: Option<rayon::ThreadPool>,
+    clock: fn() -> Duration,
+}
+
+/// A picture with what making it took.
+#[derive(Clone, Debug)]
+pub struct Picture<T> {
+    /// Its size.
+    pub size: Size,
+    /// Pixels, row by row from the top.
+    pub pixels: Vec<T>,
+    /// Culling and binning; then, added up over threads, finding what is visible, and lighting it.
+    pub stages: Stages,
+}
+
+/// What the stages of a frame took, by the clock of [`Execution`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Stages {
+    /// Culling clusters and binning them to tiles.
+    pub bin: Duration,
+    /// Finding what each sample sees, added up over threads.
+    pub visibility: Duration,
+    /// Lighting it, added up over threads.
+    pub shade: Duration,
+    /// All of it, from start to end.
+    pub frame: Duration,
+}
+
+impl<'s> Renderer<'s> {
+    /// Makes a scene ready: cuts its meshes into clusters.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the machine can't do what `execution` asks.
+    pub fn new(scene: &'s Scene, execution: &Execution) -> Result<Self, RenderError> {
+        let level = execution.simd.resolve()?;
+        let pool = if cfg!(target_family = "wasm") {
+            None
+        } else {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(execution.threads).build();
+            Some(pool.map_err(|error| RenderError::Threads(error.to_string()))?)
+        };
+        let objects = scene.objects();
+        let meshes = objects.iter().map(|object| object.mesh.index()).collect();
+        let mut renderer = Self {
+            scene,
+            objects,
+            meshes,
+            clusters: Vec::new(),
+            level,
+            pool,
+            clock: execution.clock,
+        };
+        renderer.clusters =
+            renderer.install(|| scene.meshes.par_iter().map(Clusters::in_file_order).collect());
+        Ok(renderer)
+    }
+
+    /// The objects, by whose places layers and instances are numbered.
+    #[must_use]
+    pub fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    /// The threads that work.
+    #[must_use]
+    pub fn threads(&self) -> usize {
+        self.pool.as_ref().map_or(1, rayon::ThreadPool::current_num_threads)
+    }
+
+    /// The instruction set that runs.
+    #[must_use]
+    pub fn level(&self) -> Level {
+        self.level
+    }
+
+    /// Draws a view into linear colours with straight alpha, before clamping and encoding.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible.
+    pub fn linear(&self, view: &View) -> Result<Picture<[f32; 4]>, RenderError> {
+        self.picture(view, |pixel| pixel)
+    }
+
+    /// Draws a view into bytes: red, green, blue, alpha.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible.
+    pub fn rgba8(&self, view: &View) -> Result<Picture<[u8; 4]>, RenderError> {
+        let encoding = view.encoding;
+        self.picture(view, move |[r, g, b, alpha]| {
+            let byte = |value| encoding.byte(value);
+            [byte(r), byte(g), byte(b), PictureEncoding::None.byte(alpha)]
+        })
+    }
+
+    /// Layers of a view, in the order in which they are asked for.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible.
+    pub fn layers(&self, view: &View, layers: &[Layer]) -> Result<Vec<LayerValues>, RenderError> {
+        // Where nothing is let through but what is wholly transparent, the nearest surface counts.
+        let view = View { samples: 1, edges: None, ..view.clone() };
+        self.with_scene(&view, Coverage::Cutout, |scene, holes| {
+            let layer_view =
+                LayerView { projection: view.camera.projection, eye: view.camera.eye().to_array() };
+            layers
+                .iter()
+                .map(|&layer| {
+                    let pixels: Vec<LayerPixel> = draw_tiles(
+                        scene.frame,
+                        || (Tile::new(1), Corners::new()),
+                        |(tile, corners), number, pixels| {
+                            let hole = |id, position| holes.hole(scene.frame, id, position);
+                            scene.frame.draw_opaque(self.level, number, &hole, tile);
+                            dispatch!(self.level, simd => {
+                                tile_layer(simd, scene, &layer_view, layer, tile, corners, pixels);
+                            });
+                        },
+                    );
+                    let flat = pixels.iter().flat_map(|pixel| &pixel[..layer.channels()]);
+                    if layer.is_id() {
+                        LayerValues::U32(flat.copied().collect())
+                    } else {
+                        LayerValues::F32(flat.map(|&bits| f32::from_bits(bits)).collect())
+                    }
+                })
+                .collect()
+        })
+    }
+
+    /// Draws a view, each pixel turned into what is kept of it while it is in the cache.
+    fn picture<T: Copy + Default + Send>(
+        &self,
+        view: &View,
+        finish: impl Fn([f32; 4]) -> T + Sync,
+    ) -> Result<Picture<T>, RenderError> {
+        let start = (self.clock)();
+        self.with_scene(view, Coverage::Blended, |scene, holes| {
+            let binned = (self.clock)();
+            let sums = Mutex::new(Stages::default());
+            let pixels = draw_tiles(
+                scene.frame,
+                || Worker::new(scene.frame.samples()),
+                |worker, number, pixels| {
+                    let begin = (self.clock)();
+                    let hole = |id, position| holes.hole(scene.frame, id, position);
+                    scene.frame.draw_opaque(self.level, number, &hole, &mut worker.opaque);
+                    let layered = self.peel(scene, number, &hole, worker);
+                    let visible = (self.clock)();
+                    dispatch!(self.level, simd => tile_pixels(simd, scene, worker, layered, pixels, &finish));
+                    let end = (self.clock)();
+                    if let Ok(mut sums) = sums.lock() {
+                        sums.visibility += visible - begin;
+                        sums.shade += end - visible;
+                    }
+                },
+            );
+            let sums = sums.into_inner().unwrap_or_default();
+            let stages = Stages { bin: binned - start, frame: (self.clock)() - start, ..sums };
+            Picture { size: view.size, pixels, stages }
+        })
+    }
+
+    /// Gathers the transparent layers of a tile, nearest first; whether there are any.
+    fn peel(
+        &self,
+        scene: &Scene16<'_>,
+        number: usize,
+        hole: &luxel_visibility::Hole<'_>,
+        worker: &mut Worker,
+    ) -> bool {
+        if !scene.frame.has_blended() {
+            return false;
+        }
+        let Worker { opaque, layers: [here, last], layered, corners } = worker;
+        for depth in 0..MAX_LAYERS {
+            let behind = (depth > 0).then_some(&*last);
+            if !scene.frame.draw_layer(self.level, number, hole, opaque, behind, here) {
+                return depth > 0;
+            }
+            if depth == 0 {
+                layered.clear();
+            }
+            let deeper = dispatch!(self.level, simd => add_layer(simd, scene, here, opaque, layered, corners));
+            if !deeper {
+                break;
+            }
+            std::mem::swap(here, last);
+        }
+        true
+    }
+
+    /// Puts everything in its place for a view.
+    fn with_scene<R: Send>(
+        &self,
+        view: &View,
+        blended: Coverage,
+        work: impl FnOnce(&Scene16<'_>, &Holes<'_>) -> R + Send,
+    ) -> Result<R, RenderError> {
+        let Size { width, height } = view.size;
+        if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
+            return Err(RenderError::Size(width, height));
+        }
+        let samples = Samples::new(view.samples).ok_or(RenderError::Samples(view.samples))?;
+        self.install(|| {
+            let instances =
+                place::instances(self.scene, &self.objects, &self.clusters, view, blended);
+            let frame =
+                Frame::new(instances, &view.camera.projection, view.size, samples, self.level)?;
+            let spaces: Vec<InstanceSpace> =
+                self.objects.iter().map(|object| place::space(object, &view.camera)).collect();
+            let world_from_nodes = self.scene.world_from_nodes();
+            let lights: Vec<_> = view
+                .lights
+                .iter()
+                .filter_map(|light| place::light(light, &view.camera, &world_from_nodes))
+                .collect();
+            let edge_flags: Vec<EdgeFlags> = if view.edges.is_some() {
+                self.scene.meshes.par_iter().map(EdgeFlags::new).collect()
+            } else {
+                Vec::new()
+            };
+            let environments = self.environments(view);
+            let scene = Scene16 {
+                scene: self.scene,
+                frame: &frame,
+                spaces: &spaces,
+                lights: &lights,
+                ambient: place::ambient(view),
+                environments: &environments,
+                fog: view.fog.as_ref(),
+                direction: view.camera.direction(),
+                background: view.background,
+                edges: view.edges.filter(|edges| !edges.wireframe),
+                edge_flags: &edge_flags,
+                meshes: &self.meshes,
+            };
+            let holes = Holes {
+                scene: self.scene,
+                wires: view.edges.filter(|edges| edges.wireframe),
+                edge_flags: &edge_flags,
+                meshes: &self.meshes,
+            };
+            Ok(work(&scene, &holes))
+        })
+    }
+
+    /// What the mirror term of each material sees.
+    fn environments(&self, view: &View) -> Vec<Environment> {
+        let up = self.scene.up.as_vec3().to_array();
+        let of = |reflection: &Reflection| match (view.environment, reflection) {
+            (EnvironmentChoice::Always(environment), _) => environment,
+            (EnvironmentChoice::StudioForMicrofacets, Reflection::Microfacet) => {
+                Environment::Studio { up }
+            }
+            (EnvironmentChoice::StudioForMicrofacets, _) => Environment::None,
+        };
+        self.scene.materials.iter().map(|material| of(&material.constants.reflection)).collect()
+    }
+
+    fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+}
+
+/// What one thread keeps from tile to tile.
+struct Worker {
+    opaque: Tile,
+    layers: [Tile; 2],
+    layered: Layered,
+    corners: Corners,
+}
+
+impl Worker {
+    fn new(samples: Samples) -> Self {
+        let count = samples.count();
+        Self {
+            opaque: Tile::new(count),
+            layers: [Tile::new(count), Tile::new(count)],
+            layered: Layered::new(count),
+            corners: Corners::new(),
+        }
+    }
+}
+
+/// Blocks of a tile.
+const ALL_BLOCKS: usize = (BLOCKS * BLOCKS) as usize;
+
+/// Adds one transparent layer to all blocks of a tile; whether more can be seen through it.
+#[inline(always)]
+fn add_layer<S: Simd>(
+    simd: S,
+    scene: &Scene16<'_>,
+    layer: &Tile,
+    opaque: &Tile,
+    layered: &mut Layered,
+    corners: &mut Corners,
+) -> bool {
+    let mut deeper = false;
+    for block in 0..ALL_BLOCKS {
+        deeper |= layered.add_layer(simd, scene, layer, opaque, block, corners);
+    }
+    deeper
+}
+
+/// Lights all blocks of a tile.
+#[inline(always)]
+fn tile_pixels<S: Simd, T: Copy>(
+    simd: S,
+    scene: &Scene16<'_>,
+    worker: &mut Worker,
+    has_layers: bool,
+    pixels: &mut TilePixels<T>,
+    finish: &impl Fn([f32; 4]) -> T,
+) {
+    let Worker { opaque, layered, corners, .. } = worker;
+    for block in 0..ALL_BLOCKS {
+        let mut colors: BlockPixels = resolve_block(simd, scene, opaque, block, corners);
+        if has_layers && layered.is_touched(block) {
+            layered.finish_block(simd, scene, opaque, block, corners, &mut colors);
+        }
+        for lane in 0..LANES {
+            let pixel = [colors[0][lane], colors[1][lane], colors[2][lane], colors[3][lane]];
+            pixels[place_in_tile(block, lane)] = finish(pixel);
+        }
+    }
+}
+
+/// Writes one layer of all blocks of a tile.
+#[inline(always)]
+fn tile_layer<S: Simd>(
+    simd: S,
+    scene: &Scene16<'_>,
+    view: &LayerView,
+    layer: Layer,
+    tile: &Tile,
+    corners: &mut Corners,
+    pixels: &mut TilePixels<LayerPixel>,
+) {
+    for block in 0..ALL_BLOCKS {
+        let values = layers_of_block(simd, scene, view, layer, tile, block, corners);
+        for (lane, value) in values.into_iter().enumerate() {
+            pixels[place_in_tile(block, lane)] = value;
+        }
+    }
+}
+
+/// Where a block's lane lies among the rows of its tile.
+#[inline(always)]
+fn place_in_tile(block: usize, lane: usize) -> usize {
+    const SIDE: usize = BLOCK as usize;
+    let (row, column) = (block / BLOCKS as usize, block % BLOCKS as usize);
+    (row * SIDE + lane / SIDE) * TILE as usize + column * SIDE + lane % SIDE
+}

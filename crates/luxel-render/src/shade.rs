@@ -1,0 +1,224 @@
+//! Sixteen samples of a block into light.
+
+use crate::corners::{Corners, InstanceSpace, distinct};
+use crate::edges::{EdgeFlags, edge_distance};
+use crate::surface::{self, Interpolated};
+use crate::view::Edges;
+use luxel_lighting::{Environment, Fog, PlacedLight};
+use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, mask32x16, prelude::*};
+use luxel_scene::{DVec3, Scene};
+use luxel_visibility::{BLOCK, BLOCKS, Frame, Samples, Tile, TriangleId};
+
+/// Everything that shading looks at.
+pub(crate) struct Scene16<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) frame: &'a Frame<'a>,
+    pub(crate) spaces: &'a [InstanceSpace],
+    pub(crate) lights: &'a [PlacedLight],
+    pub(crate) ambient: [f32; 3],
+    /// What each material's mirror term sees.
+    pub(crate) environments: &'a [Environment],
+    pub(crate) fog: Option<&'a Fog>,
+    /// The viewing direction in world space.
+    pub(crate) direction: DVec3,
+    pub(crate) background: [f32; 4],
+    /// Edges over the faces, with the polygons' edges of each mesh.
+    pub(crate) edges: Option<Edges>,
+    pub(crate) edge_flags: &'a [EdgeFlags],
+    /// The mesh of each instance.
+    pub(crate) meshes: &'a [usize],
+}
+
+/// Sixteen samples to be lit, one for each pixel of a block.
+pub(crate) struct Batch {
+    /// The block's first pixel.
+    pub(crate) origin: [i32; 2],
+    /// What each sees.
+    pub(crate) ids: [u32; LANES],
+    /// Where each lies, in pixels from the block's corner.
+    pub(crate) x: [f32; LANES],
+    pub(crate) y: [f32; LANES],
+}
+
+impl Batch {
+    /// Samples of a block of a tile: for each pixel an id and the number of the sample.
+    pub(crate) fn new(
+        tile: &Tile,
+        block: usize,
+        ids: [u32; LANES],
+        sample: &[u8; LANES],
+        samples: Samples,
+    ) -> Self {
+        let [tile_x, tile_y] = tile.origin();
+        let block = block as i32;
+        let origin = [tile_x + block % BLOCKS * BLOCK, tile_y + block / BLOCKS * BLOCK];
+        let place = |axis: usize| {
+            std::array::from_fn(|lane| {
+                let pixel = if axis == 0 { lane as i32 % BLOCK } else { lane as i32 / BLOCK };
+                let offset = samples.positions()[usize::from(sample[lane])][axis];
+                (pixel * SUBPIXELS + offset) as f32 / SUBPIXELS as f32
+            })
+        };
+        Self { origin, ids, x: place(0), y: place(1) }
+    }
+
+    /// The position of a lane's sample, in steps of 1/256 pixel.
+    fn steps(&self, lane: usize) -> [i32; 2] {
+        let steps =
+            |pixel: i32, inside: f32| pixel * SUBPIXELS + (inside * SUBPIXELS as f32) as i32;
+        [steps(self.origin[0], self.x[lane]), steps(self.origin[1], self.y[lane])]
+    }
+}
+
+/// Interpolates the surfaces that sixteen samples see. Compiled once a level, not into its callers.
+#[inline(never)]
+pub(crate) fn interpolate<S: Simd>(
+    simd: S,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    corners: &mut Corners,
+) -> Interpolated<S> {
+    simd.vectorize(
+        #[inline(always)]
+        || interpolate_lanes(simd, scene, batch, corners),
+    )
+}
+
+#[inline(always)]
+fn interpolate_lanes<S: Simd>(
+    simd: S,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    corners: &mut Corners,
+) -> Interpolated<S> {
+    let x = f32x16::simd_from(simd, batch.x);
+    let y = f32x16::simd_from(simd, batch.y);
+    let zero = f32x16::splat(simd, 0.0);
+    let mut interpolated = Interpolated {
+        weights: [zero; 3],
+        weights_right: [zero; 3],
+        weights_below: [zero; 3],
+        edge_distance: f32x16::splat(simd, f32::MAX),
+        materials: [u32::MAX; LANES],
+        seen: 0,
+    };
+    let one_triangle = batch.ids.iter().all(|id| *id == batch.ids[0]);
+    corners.reset(one_triangle);
+    for (id, lanes) in distinct(&batch.ids) {
+        let Some(of) = scene.frame.triangle(id) else { continue };
+        let corners_in_view = scene.frame.corners_in_view(of);
+        let forms = scene.frame.forms_of(corners_in_view);
+        let about = forms.about(batch.origin[0], batch.origin[1]);
+        let mask = mask(x, lanes);
+        let (mut weights, outside) = about.barycentric(x, y);
+        let outside = outside.to_bitmask() as u32 & lanes;
+        for lane in (0..LANES).filter(|lane| outside >> lane & 1 == 1) {
+            let nearest = forms.nearest_at(scene.frame.rays(), batch.steps(lane));
+            for (weight, value) in weights.iter_mut().zip(nearest) {
+                weight[lane] = value;
+            }
+        }
+        let right = normalized(about.weights(x + x.one(), y));
+        let below = normalized(about.weights(x, y + y.one()));
+        merge(&mut interpolated.weights, weights, mask);
+        merge(&mut interpolated.weights_right, right, mask);
+        merge(&mut interpolated.weights_below, below, mask);
+        if scene.edges.is_some() {
+            let flags = scene.edge_flags[scene.meshes[of.instance]].of(of.triangle);
+            let distance = edge_distance(&about, flags, x, y);
+            interpolated.edge_distance = distance.select(mask, interpolated.edge_distance);
+        }
+        let material = scene.frame.instances()[of.instance].mesh.parts[of.part].material;
+        for (lane, slot) in interpolated.materials.iter_mut().enumerate() {
+            if lanes >> lane & 1 == 1 {
+                *slot = material.0;
+            }
+        }
+        interpolated.seen |= lanes;
+        corners.set(scene.frame, &scene.spaces[of.instance], of, corners_in_view, lanes);
+    }
+    interpolated
+}
+
+/// Takes new values where the mask is true.
+#[inline(always)]
+fn merge<S: Simd>(values: &mut [f32x16<S>; 3], new: [f32x16<S>; 3], mask: mask32x16<S>) {
+    for (value, new) in values.iter_mut().zip(new) {
+        *value = new.select(mask, *value);
+    }
+}
+
+/// The lanes whose bit is set; `like` tells only the kind of number.
+#[inline(always)]
+pub(crate) fn mask<S: Simd>(like: f32x16<S>, lanes: u32) -> mask32x16<S> {
+    mask32x16::from_bitmask(like.simd, u64::from(lanes))
+}
+
+/// Weights that sum to 1, also outside of the triangle.
+#[inline(always)]
+fn normalized<S: Simd>([a, b, c]: [f32x16<S>; 3]) -> [f32x16<S>; 3] {
+    let scale = a.one() / (a + b + c);
+    [a * scale, b * scale, c * scale]
+}
+
+/// The colour (straight) and alpha of sixteen samples; the background's where nothing is seen.
+/// Compiled once a level, not into its callers.
+#[inline(never)]
+pub(crate) fn shade<S: Simd>(
+    simd: S,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    corners: &mut Corners,
+) -> [f32x16<S>; 4] {
+    simd.vectorize(
+        #[inline(always)]
+        || shade_lanes(simd, scene, batch, corners),
+    )
+}
+
+#[inline(always)]
+fn shade_lanes<S: Simd>(
+    simd: S,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    corners: &mut Corners,
+) -> [f32x16<S>; 4] {
+    let [r, g, b, alpha] = scene.background;
+    let mut result = [
+        f32x16::splat(simd, r),
+        f32x16::splat(simd, g),
+        f32x16::splat(simd, b),
+        f32x16::splat(simd, alpha),
+    ];
+    if batch.ids.iter().all(|id| *id == TriangleId::NONE.0) {
+        return result;
+    }
+    let interpolated = interpolate(simd, scene, batch, corners);
+    let point = surface::point(scene, &interpolated, corners);
+    let mut left = interpolated.seen;
+    while left != 0 {
+        let material = interpolated.materials[left.trailing_zeros() as usize];
+        let mut lanes = 0;
+        for (lane, other) in interpolated.materials.iter().enumerate() {
+            lanes |= u32::from(*other == material) << lane;
+        }
+        let mask = mask(result[0], lanes);
+        let lit = surface::lit(scene, &interpolated, corners, &point, material as usize, lanes);
+        for (result, lit) in result.iter_mut().zip(lit) {
+            *result = lit.select(mask, *result);
+        }
+        left &= !lanes;
+    }
+    if let Some(edges) = scene.edges {
+        // An edge covers the pixels within half its width, and fades over one pixel more.
+        let half = edges.width * 0.5 + 0.5;
+        let faded = f32x16::splat(simd, half) - interpolated.edge_distance;
+        let cover = faded.limited(0.0, 1.0);
+        for (result, color) in result.iter_mut().zip(edges.color) {
+            let over = *result + (f32x16::splat(simd, color) - *result) * cover;
+            let seen = mask(cover, interpolated.seen);
+            *result = over.select(seen, *result);
+        }
+    }
+    result
+}
