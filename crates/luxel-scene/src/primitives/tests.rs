@@ -109,6 +109,24 @@ fn textures_are_not_mirrored_and_no_triangle_spans_the_seam() {
     }
 }
 
+/// Euler's V - E + F: 2 for a ball, 0 for a ring. A seam or pole that isn't welded changes it.
+#[test]
+fn closed_shapes_have_their_euler_characteristic_at_every_resolution() {
+    let of = |mesh: &Mesh| {
+        let edges = directed_edges(mesh).len() / 2;
+        mesh.positions.len() as i64 - edges as i64 + mesh.triangles.len() as i64
+    };
+    for columns in 3..24 {
+        for rows in [2, 3, 5, 8] {
+            assert_eq!(of(&sphere(0.7, columns, rows)), 2, "{columns} x {rows}");
+            assert_eq!(of(&cone(0.7, 1.1, columns, rows)), 2, "{columns} x {rows}");
+            assert_eq!(of(&torus(0.9, 0.3, columns, rows.max(3))), 0, "{columns} x {rows}");
+        }
+        assert_eq!(of(&cylinder(0.7, 1.1, columns)), 2, "{columns}");
+        assert_eq!(of(&icosphere(0.7, columns)), 2, "{columns}");
+    }
+}
+
 #[test]
 fn absurd_resolutions_are_limited() {
     assert_eq!(cylinder(1.0, 1.0, u32::MAX).triangles.len(), 4 * FINEST as usize);
