@@ -4,6 +4,7 @@
 //! [`Renderer::layers`] then draw a [`View`] of it. Every pixel goes the same way: what its samples
 //! see (`luxel-visibility`), where on the triangle they lie (`corners`), what the surface is there
 //! (`surface`), what light it sends (`luxel-lighting`), and how samples become a pixel (`resolve`).
+//! [`write_rgba8`], [`write_linear`] and [`write_layers`] make files of what was drawn.
 
 #![forbid(unsafe_code)]
 
@@ -11,6 +12,7 @@ mod corners;
 mod edges;
 mod holes;
 mod layers;
+mod picture;
 mod place;
 mod renderer;
 mod resolve;
@@ -20,5 +22,9 @@ mod tiles;
 mod view;
 
 pub use layers::{Layer, LayerValues, ParseLayerError};
+pub use picture::{
+    LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color,
+    write_layers, write_linear, write_rgba8,
+};
 pub use renderer::{MAX_SIDE, Picture, RenderError, Renderer, Stages};
 pub use view::{Cull, Edges, EnvironmentChoice, Execution, View};
