@@ -1,9 +1,7 @@
 //! The corners of the triangles that sixteen samples see: what interpolation starts from.
 
-use glam::{DMat3, DVec3};
+use crate::triangles::{Attributes, SeenTriangle};
 use luxel_math::{LANES, Simd, Vec3, f32x16, prelude::*};
-use luxel_scene::Mesh;
-use luxel_visibility::{Frame, TriangleId, TriangleOf};
 
 /// One value at each of three corners, for sixteen samples.
 #[derive(Clone, Copy)]
@@ -29,28 +27,6 @@ pub(crate) struct Corners {
     pub(crate) has: Attributes,
 }
 
-/// What meshes carry beside positions and normals.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Attributes {
-    pub(crate) tangents: bool,
-    pub(crate) uvs: [bool; 2],
-    pub(crate) colors: bool,
-}
-
-/// An instance's transforms for shading.
-pub(crate) struct InstanceSpace {
-    /// From view space to world axes about the eye: a rotation.
-    pub(crate) world_from_view: DMat3,
-    /// For normals: the inverse transpose of the mesh's transform, up to a positive factor.
-    pub(crate) normal_from_mesh: DMat3,
-    /// For tangents.
-    pub(crate) world_from_mesh: DMat3,
-    /// -1 where the transform mirrors, else 1.
-    pub(crate) handedness: f64,
-    /// Whether the camera's rays are parallel.
-    pub(crate) parallel: bool,
-}
-
 const ZERO: CornerValue = CornerValue([[0.0; LANES]; 3]);
 
 impl Corners {
@@ -73,41 +49,23 @@ impl Corners {
     }
 
     /// Takes the corners of one triangle for the lanes whose bit is set.
-    pub(crate) fn set(
-        &mut self,
-        frame: &Frame<'_>,
-        space: &InstanceSpace,
-        of: TriangleOf,
-        corners_in_view: [DVec3; 3],
-        lanes: u32,
-    ) {
-        let mesh = frame.instances()[of.instance].mesh;
-        let attributes = mesh.attribute_corners()[of.triangle as usize];
-        let places = corners_in_view.map(|corner| space.world_from_view * corner);
-        let normals = normals(mesh, space, attributes, places);
+    pub(crate) fn set(&mut self, triangle: &SeenTriangle, lanes: u32) {
         let lanes = if self.uniform { 1 } else { lanes };
-        for (corner, &attribute) in attributes.iter().enumerate() {
-            let position = places[corner].as_vec3().to_array();
-            put(&mut self.position, corner, lanes, position);
-            put(&mut self.normal, corner, lanes, normals[corner]);
-            let at = attribute as usize;
-            for (set, uvs) in mesh.uvs.iter().enumerate() {
-                if let Some(&uv) = uvs.get(at) {
-                    self.has.uvs[set] = true;
-                    put(&mut self.uv[set], corner, lanes, uv);
-                }
+        let has = triangle.has;
+        self.has.tangents |= has.tangents;
+        self.has.colors |= has.colors;
+        for corner in 0..3 {
+            put(&mut self.position, corner, lanes, triangle.position[corner]);
+            put(&mut self.normal, corner, lanes, triangle.normal[corner]);
+            for set in (0..2).filter(|&set| has.uvs[set]) {
+                self.has.uvs[set] = true;
+                put(&mut self.uv[set], corner, lanes, triangle.uv[set][corner]);
             }
-            if let Some(&[x, y, z, sign]) = mesh.tangents.get(at) {
-                self.has.tangents = true;
-                let tangent = space.world_from_mesh * DVec3::new(x.into(), y.into(), z.into());
-                let [x, y, z] = tangent.normalize_or_zero().as_vec3().to_array();
-                let sign = if space.handedness < 0.0 { -sign } else { sign };
-                put(&mut self.tangent, corner, lanes, [x, y, z, sign]);
+            if has.tangents {
+                put(&mut self.tangent, corner, lanes, triangle.tangent[corner]);
             }
             // Triangles without colours beside coloured ones are white.
-            let color = mesh.colors.get(at).copied();
-            self.has.colors |= color.is_some();
-            put(&mut self.color, corner, lanes, color.unwrap_or([1.0; 4]));
+            put(&mut self.color, corner, lanes, triangle.color[corner]);
         }
     }
 
@@ -185,60 +143,21 @@ impl Corners {
 }
 
 /// Writes a tuple of components at a corner of the lanes whose bit is set.
+#[inline(always)]
 fn put<const N: usize>(values: &mut [CornerValue; N], corner: usize, lanes: u32, tuple: [f32; N]) {
-    for (value, component) in values.iter_mut().zip(tuple) {
-        for (lane, slot) in value.0[corner].iter_mut().enumerate() {
-            if lanes >> lane & 1 == 1 {
-                *slot = component;
-            }
+    for lane in lanes_of(lanes) {
+        for component in 0..N {
+            values[component].0[corner][lane & (LANES - 1)] = tuple[component];
         }
     }
 }
 
-/// A triangle's unit vertex normals in world space, turned to the side that is seen.
-///
-/// Which side that is, the face's plane decides, pointed along the sum of the vertex normals (by
-/// winding where that is 0), so that a file with reversed winding is not black.
-fn normals(
-    mesh: &Mesh,
-    space: &InstanceSpace,
-    attributes: [u32; 3],
-    places: [DVec3; 3],
-) -> [[f32; 3]; 3] {
-    let [a, b, c] = places;
-    let by_winding = (b - a).cross(c - a) * space.handedness;
-    let normals = if mesh.normals.is_empty() {
-        [by_winding.normalize_or_zero(); 3]
-    } else {
-        attributes.map(|attribute| {
-            let [x, y, z] = mesh.normals[attribute as usize];
-            let normal = space.normal_from_mesh * DVec3::new(x.into(), y.into(), z.into());
-            normal.normalize_or_zero()
-        })
-    };
-    let sum = normals[0] + normals[1] + normals[2];
-    let outwards = if by_winding.dot(sum) < 0.0 { -by_winding } else { by_winding };
-    let to_eye = if space.parallel { space.world_from_view.z_axis } else { -a };
-    let from_behind = outwards.dot(to_eye) < 0.0;
-    normals.map(|normal| (if from_behind { -normal } else { normal }).as_vec3().to_array())
-}
-
-/// The distinct triangles that the lanes see, each with its lanes; those that see nothing left out.
-pub(crate) fn distinct(ids: &[u32; LANES]) -> impl Iterator<Item = (TriangleId, u32)> + '_ {
-    let mut left: u32 = 0;
-    for (lane, &id) in ids.iter().enumerate() {
-        left |= u32::from(id != TriangleId::NONE.0) << lane;
-    }
+/// The numbers of the bits set.
+#[inline(always)]
+pub(crate) fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
-        if left == 0 {
-            return None;
-        }
-        let id = ids[left.trailing_zeros() as usize];
-        let mut lanes = 0;
-        for (lane, &other) in ids.iter().enumerate() {
-            lanes |= u32::from(other == id) << lane;
-        }
-        left &= !lanes;
-        Some((TriangleId(id), lanes))
+        let lane = bits.trailing_zeros() as usize;
+        bits &= bits.wrapping_sub(1);
+        (lane < LANES).then_some(lane)
     })
 }

@@ -1,8 +1,7 @@
 //! Layers: what the picture is made of, one value or three a pixel, taken at the pixel's centre and
 //! never averaged.
 
-use crate::corners::Corners;
-use crate::shade::{Batch, Scene16, interpolate};
+use crate::shade::{Batch, Kept, Scene16, interpolate};
 use crate::surface;
 use luxel_math::{LANES, Simd, f32x16, prelude::*};
 use luxel_scene::Projection;
@@ -136,11 +135,12 @@ pub(crate) fn layers_of_block<S: Simd>(
     layer: Layer,
     tile: &Tile,
     block: usize,
-    corners: &mut Corners,
+    kept: &mut Kept,
 ) -> [LayerPixel; LANES] {
     let ids = tile.planes()[0].ids[block];
     let batch = Batch::new(tile, block, ids, &[0; LANES], scene.frame.samples());
-    let interpolated = interpolate(simd, scene, &batch, corners);
+    let interpolated = interpolate(simd, scene, &batch, kept);
+    let corners = &kept.corners;
     let point = surface::point(scene, &interpolated, corners);
     let z = point.depth;
     let normals = match layer {

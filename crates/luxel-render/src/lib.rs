@@ -19,6 +19,7 @@ mod resolve;
 mod shade;
 mod surface;
 mod tiles;
+mod triangles;
 mod view;
 
 pub use layers::{Layer, LayerValues, ParseLayerError};

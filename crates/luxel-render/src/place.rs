@@ -1,7 +1,7 @@
 //! Things of the scene put where a frame wants them: instances before the camera, lights about the
 //! eye.
 
-use crate::corners::InstanceSpace;
+use crate::triangles::InstanceSpace;
 use crate::view::{Cull, View};
 use glam::{DMat3, DMat4, DVec3};
 use luxel_lighting::{LightKind, PlacedLight};

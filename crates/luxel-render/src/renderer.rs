@@ -1,13 +1,13 @@
 //! The renderer: a scene made ready once, then drawn from any view.
 
-use crate::corners::{Corners, InstanceSpace};
 use crate::edges::EdgeFlags;
 use crate::holes::Holes;
 use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, layers_of_block};
 use crate::place;
 use crate::resolve::{BlockPixels, Layered, resolve_block};
-use crate::shade::Scene16;
+use crate::shade::{Kept, Scene16};
 use crate::tiles::{TilePixels, draw_tiles};
+use crate::triangles::InstanceSpace;
 use crate::view::{EnvironmentChoice, Execution, View};
 use luxel_lighting::{Environment, PictureEncoding, Reflection};
 use luxel_math::{LANES, Level, Simd, UnavailableSimdLevel, dispatch};
@@ -173,12 +173,12 @@ impl<'s> Renderer<'s> {
                 .map(|&layer| {
                     let pixels: Vec<LayerPixel> = draw_tiles(
                         scene.frame,
-                        || (Tile::new(1), Corners::new()),
-                        |(tile, corners), number, pixels| {
+                        || (Tile::new(1), Kept::new()),
+                        |(tile, kept), number, pixels| {
                             let hole = |id, position| holes.hole(scene.frame, id, position);
                             scene.frame.draw_opaque(self.level, number, &hole, tile);
                             dispatch!(self.level, simd => {
-                                tile_layer(simd, scene, &layer_view, layer, tile, corners, pixels);
+                                tile_layer(simd, scene, &layer_view, layer, tile, kept, pixels);
                             });
                         },
                     );
@@ -194,7 +194,7 @@ impl<'s> Renderer<'s> {
     }
 
     /// Draws a view, each pixel turned into what is kept of it while it is in the cache.
-    fn picture<T: Copy + Default + Send>(
+    fn picture<T: Copy + Default + Send + Sync>(
         &self,
         view: &View,
         finish: impl Fn([f32; 4]) -> T + Sync,
@@ -202,6 +202,9 @@ impl<'s> Renderer<'s> {
         let start = (self.clock)();
         self.with_scene(view, Coverage::Blended, |scene, holes| {
             let binned = (self.clock)();
+            // Most pixels of many pictures are background: finished once.
+            let background = scene.background;
+            let finished = finish(background);
             let sums = Mutex::new(Stages::default());
             let pixels = draw_tiles(
                 scene.frame,
@@ -212,7 +215,10 @@ impl<'s> Renderer<'s> {
                     scene.frame.draw_opaque(self.level, number, &hole, &mut worker.opaque);
                     let layered = self.peel(scene, number, &hole, worker);
                     let visible = (self.clock)();
-                    dispatch!(self.level, simd => tile_pixels(simd, scene, worker, layered, pixels, &finish));
+                    dispatch!(self.level, simd => tile_pixels(simd, scene, worker, layered));
+                    for (pixel, &linear) in pixels.iter_mut().zip(&*worker.linear) {
+                        *pixel = if linear == background { finished } else { finish(linear) };
+                    }
                     let end = (self.clock)();
                     if let Ok(mut sums) = sums.lock() {
                         sums.visibility += visible - begin;
@@ -237,7 +243,7 @@ impl<'s> Renderer<'s> {
         if !scene.frame.has_blended() {
             return false;
         }
-        let Worker { opaque, layers: [here, last], layered, corners } = worker;
+        let Worker { opaque, layers: [here, last], layered, kept, .. } = worker;
         for depth in 0..MAX_LAYERS {
             let behind = (depth > 0).then_some(&*last);
             if !scene.frame.draw_layer(self.level, number, hole, opaque, behind, here) {
@@ -246,7 +252,8 @@ impl<'s> Renderer<'s> {
             if depth == 0 {
                 layered.clear();
             }
-            let deeper = dispatch!(self.level, simd => add_layer(simd, scene, here, opaque, layered, corners));
+            let deeper =
+                dispatch!(self.level, simd => add_layer(simd, scene, here, opaque, layered, kept));
             if !deeper {
                 break;
             }
@@ -336,7 +343,8 @@ struct Worker {
     opaque: Tile,
     layers: [Tile; 2],
     layered: Layered,
-    corners: Corners,
+    kept: Kept,
+    linear: Box<TilePixels<[f32; 4]>>,
 }
 
 impl Worker {
@@ -346,7 +354,8 @@ impl Worker {
             opaque: Tile::new(count),
             layers: [Tile::new(count), Tile::new(count)],
             layered: Layered::new(count),
-            corners: Corners::new(),
+            kept: Kept::new(),
+            linear: Box::new([[0.0; 4]; (TILE * TILE) as usize]),
         }
     }
 }
@@ -362,34 +371,27 @@ fn add_layer<S: Simd>(
     layer: &Tile,
     opaque: &Tile,
     layered: &mut Layered,
-    corners: &mut Corners,
+    kept: &mut Kept,
 ) -> bool {
     let mut deeper = false;
     for block in 0..ALL_BLOCKS {
-        deeper |= layered.add_layer(simd, scene, layer, opaque, block, corners);
+        deeper |= layered.add_layer(simd, scene, layer, opaque, block, kept);
     }
     deeper
 }
 
-/// Lights all blocks of a tile.
+/// Lights all blocks of a tile, into `worker.linear`.
 #[inline(always)]
-fn tile_pixels<S: Simd, T: Copy>(
-    simd: S,
-    scene: &Scene16<'_>,
-    worker: &mut Worker,
-    has_layers: bool,
-    pixels: &mut TilePixels<T>,
-    finish: &impl Fn([f32; 4]) -> T,
-) {
-    let Worker { opaque, layered, corners, .. } = worker;
+fn tile_pixels<S: Simd>(simd: S, scene: &Scene16<'_>, worker: &mut Worker, has_layers: bool) {
+    let Worker { opaque, layered, kept, linear, .. } = worker;
     for block in 0..ALL_BLOCKS {
-        let mut colors: BlockPixels = resolve_block(simd, scene, opaque, block, corners);
+        let mut colors: BlockPixels = resolve_block(simd, scene, opaque, block, kept);
         if has_layers && layered.is_touched(block) {
-            layered.finish_block(simd, scene, opaque, block, corners, &mut colors);
+            layered.finish_block(simd, scene, opaque, block, kept, &mut colors);
         }
         for lane in 0..LANES {
             let pixel = [colors[0][lane], colors[1][lane], colors[2][lane], colors[3][lane]];
-            pixels[place_in_tile(block, lane)] = finish(pixel);
+            linear[place_in_tile(block, lane)] = pixel;
         }
     }
 }
@@ -402,11 +404,11 @@ fn tile_layer<S: Simd>(
     view: &LayerView,
     layer: Layer,
     tile: &Tile,
-    corners: &mut Corners,
+    kept: &mut Kept,
     pixels: &mut TilePixels<LayerPixel>,
 ) {
     for block in 0..ALL_BLOCKS {
-        let values = layers_of_block(simd, scene, view, layer, tile, block, corners);
+        let values = layers_of_block(simd, scene, view, layer, tile, block, kept);
         for (lane, value) in values.into_iter().enumerate() {
             pixels[place_in_tile(block, lane)] = value;
         }

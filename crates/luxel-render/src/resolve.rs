@@ -1,65 +1,76 @@
 //! Samples of a block become pixels: each distinct triangle of a pixel is lit once, at its covered
 //! sample nearest the centre, and weighs its share of the samples.
 
-use crate::corners::Corners;
-use crate::shade::{Batch, Scene16, shade};
+use crate::shade::{Batch, Kept, Scene16, shade};
 use luxel_math::{LANES, Simd, f32x16, prelude::*};
 use luxel_visibility::{MAX_SAMPLES, Samples, Tile, TriangleId};
 
 /// Colour and alpha of sixteen pixels, linear; colour is straight, not multiplied by alpha.
 pub(crate) type BlockPixels = [[f32; LANES]; 4];
 
-/// The distinct triangles of each pixel of a block, in the order of their first samples.
+/// The distinct triangles of each pixel of a block, in the order of their first samples: the first
+/// ones of all pixels, then the second ones, and so on.
 struct Ranks {
-    count: usize,
-    ids: [[u32; LANES]; MAX_SAMPLES],
-    /// Samples that see the triangle.
-    shares: [[u8; LANES]; MAX_SAMPLES],
-    /// The sample that stands for them.
-    sample: [[u8; LANES]; MAX_SAMPLES],
+    list: Vec<Rank>,
+}
+
+/// One triangle of each pixel of a block.
+#[derive(Clone, Copy)]
+struct Rank {
+    ids: [u32; LANES],
+    /// Samples that see the triangle; 0 where a pixel has no more triangles.
+    shares: [u8; LANES],
+    /// The sample that stands for them: the one nearest the pixel's centre.
+    sample: [u8; LANES],
 }
 
 impl Ranks {
+    /// Of a block where all samples of each pixel see the same.
+    fn even(tile: &Tile, block: usize, samples: Samples) -> Self {
+        let rank = Rank {
+            ids: tile.planes()[0].ids[block],
+            shares: [samples.count() as u8; LANES],
+            sample: [samples.nearest_first()[0]; LANES],
+        };
+        Self { list: vec![rank] }
+    }
+
+    /// Of any block.
     fn of(tile: &Tile, block: usize, samples: Samples) -> Self {
         let planes = tile.planes();
-        let mut ranks = Self {
-            count: 1,
-            ids: [[TriangleId::NONE.0; LANES]; MAX_SAMPLES],
-            shares: [[0; LANES]; MAX_SAMPLES],
-            sample: [[0; LANES]; MAX_SAMPLES],
-        };
-        let first = &planes[0].ids[block];
-        let nearest_first = samples.nearest_first();
-        if planes[1..].iter().all(|plane| plane.ids[block] == *first) {
-            ranks.ids[0] = *first;
-            ranks.shares[0] = [samples.count() as u8; LANES];
-            ranks.sample[0] = [nearest_first[0]; LANES];
-            return ranks;
-        }
+        let nothing =
+            Rank { ids: [TriangleId::NONE.0; LANES], shares: [0; LANES], sample: [0; LANES] };
+        let mut list: Vec<Rank> = Vec::with_capacity(planes.len());
         for lane in 0..LANES {
             let mut used = 0;
             for plane in planes {
                 let id = plane.ids[block][lane];
-                let known = (0..used).find(|&rank| ranks.ids[rank][lane] == id);
+                let known = (0..used).find(|&rank: &usize| list[rank].ids[lane] == id);
                 let rank = known.unwrap_or(used);
                 if rank == used {
-                    ranks.ids[rank][lane] = id;
                     used += 1;
+                    if list.len() < used {
+                        list.push(nothing);
+                    }
                     let sees = |&&sample: &&u8| planes[usize::from(sample)].ids[block][lane] == id;
-                    ranks.sample[rank][lane] =
-                        nearest_first.iter().find(sees).copied().unwrap_or(0);
+                    let nearest = samples.nearest_first().iter().find(sees);
+                    list[rank].ids[lane] = id;
+                    list[rank].sample[lane] = nearest.copied().unwrap_or(0);
                 }
-                ranks.shares[rank][lane] += 1;
+                list[rank].shares[lane] += 1;
             }
-            ranks.count = ranks.count.max(used);
         }
-        ranks
+        Self { list }
     }
+}
 
-    /// What one rank of a block asks to be lit.
-    fn batch(&self, rank: usize, tile: &Tile, block: usize, samples: Samples) -> Batch {
-        Batch::new(tile, block, self.ids[rank], &self.sample[rank], samples)
-    }
+/// Whether all samples of each pixel of a block see the same.
+#[inline(always)]
+fn is_even(tile: &Tile, block: usize) -> bool {
+    let (first, others) = tile.planes().split_first().unzip();
+    first.zip(others).is_none_or(|(first, others)| {
+        others.iter().all(|plane| plane.ids[block] == first.ids[block])
+    })
 }
 
 /// The pixels of a block without transparent surfaces.
@@ -69,16 +80,23 @@ pub(crate) fn resolve_block<S: Simd>(
     scene: &Scene16<'_>,
     tile: &Tile,
     block: usize,
-    corners: &mut Corners,
+    kept: &mut Kept,
 ) -> BlockPixels {
     let samples = scene.frame.samples();
-    let ranks = Ranks::of(tile, block, samples);
+    let even = is_even(tile, block);
+    if even && tile.planes()[0].ids[block] == [TriangleId::NONE.0; LANES] {
+        let [.., alpha] = scene.background;
+        let shown = if alpha > 0.0 { scene.background } else { [0.0; 4] };
+        return shown.map(|channel| [channel; LANES]);
+    }
+    let ranks =
+        if even { Ranks::even(tile, block, samples) } else { Ranks::of(tile, block, samples) };
     let mut sum = [f32x16::splat(simd, 0.0); 4];
     let share_of_one = 1.0 / samples.count() as f32;
-    for rank in 0..ranks.count {
-        let batch = ranks.batch(rank, tile, block, samples);
-        let [r, g, b, alpha] = shade(simd, scene, &batch, corners);
-        let shares = ranks.shares[rank].map(f32::from);
+    for rank in &ranks.list {
+        let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);
+        let [r, g, b, alpha] = shade(simd, scene, &batch, kept);
+        let shares = rank.shares.map(f32::from);
         let weight = f32x16::simd_from(simd, shares) * share_of_one * alpha;
         sum = [sum[0] + r * weight, sum[1] + g * weight, sum[2] + b * weight, sum[3] + weight];
     }
@@ -148,7 +166,7 @@ impl Layered {
         tile: &Tile,
         opaque: &Tile,
         block: usize,
-        corners: &mut Corners,
+        kept: &mut Kept,
     ) -> bool {
         let mut layered = [0_u16; MAX_SAMPLES];
         let mut any = 0;
@@ -162,7 +180,7 @@ impl Layered {
             return false;
         }
         self.touched[block] |= any;
-        self.gather(simd, scene, tile, block, corners, &layered)
+        self.gather(simd, scene, tile, block, kept, &layered)
     }
 
     /// Adds what is opaque, or the background, behind all layers of a block, and resolves those of
@@ -174,11 +192,11 @@ impl Layered {
         scene: &Scene16<'_>,
         opaque: &Tile,
         block: usize,
-        corners: &mut Corners,
+        kept: &mut Kept,
         pixels: &mut BlockPixels,
     ) {
         let touched = self.touched[block];
-        self.gather(simd, scene, opaque, block, corners, &[touched; MAX_SAMPLES]);
+        self.gather(simd, scene, opaque, block, kept, &[touched; MAX_SAMPLES]);
         let mut sum = [f32x16::splat(simd, 0.0); 4];
         let share = 1.0 / self.samples as f32;
         for sample in 0..self.samples {
@@ -208,21 +226,21 @@ impl Layered {
         scene: &Scene16<'_>,
         tile: &Tile,
         block: usize,
-        corners: &mut Corners,
+        kept: &mut Kept,
         chosen: &[u16; MAX_SAMPLES],
     ) -> bool {
         let samples = scene.frame.samples();
         let ranks = Ranks::of(tile, block, samples);
         let mut seen_through = false;
-        for rank in 0..ranks.count {
-            let batch = ranks.batch(rank, tile, block, samples);
-            let lit = shade(simd, scene, &batch, corners);
+        for rank in &ranks.list {
+            let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);
+            let lit = shade(simd, scene, &batch, kept);
             for (sample, plane) in tile.planes().iter().enumerate() {
                 let at = block * self.samples + sample;
                 for lane in 0..LANES {
                     let here = chosen[sample] >> lane & 1 == 1
-                        && ranks.shares[rank][lane] > 0
-                        && plane.ids[block][lane] == ranks.ids[rank][lane];
+                        && rank.shares[lane] > 0
+                        && plane.ids[block][lane] == rank.ids[lane];
                     if here {
                         let through = self.through[at][lane];
                         let alpha = lit[3][lane];

@@ -1,8 +1,9 @@
 //! Sixteen samples of a block into light.
 
-use crate::corners::{Corners, InstanceSpace, distinct};
+use crate::corners::{Corners, lanes_of};
 use crate::edges::{EdgeFlags, edge_distance};
 use crate::surface::{self, Interpolated};
+use crate::triangles::{InstanceSpace, SeenTriangles, distinct};
 use crate::view::Edges;
 use luxel_lighting::{Environment, Fog, PlacedLight};
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, mask32x16, prelude::*};
@@ -29,6 +30,18 @@ pub(crate) struct Scene16<'a> {
     pub(crate) meshes: &'a [usize],
 }
 
+/// What a thread keeps from block to block.
+pub(crate) struct Kept {
+    pub(crate) corners: Corners,
+    pub(crate) seen: SeenTriangles,
+}
+
+impl Kept {
+    pub(crate) fn new() -> Self {
+        Self { corners: Corners::new(), seen: SeenTriangles::new() }
+    }
+}
+
 /// Sixteen samples to be lit, one for each pixel of a block.
 pub(crate) struct Batch {
     /// The block's first pixel.
@@ -41,7 +54,8 @@ pub(crate) struct Batch {
 }
 
 impl Batch {
-    /// Samples of a block of a tile: for each pixel an id and the number of the sample.
+    /// One sample of each pixel of a block: for each an id and the number of the sample.
+    #[inline(always)]
     pub(crate) fn new(
         tile: &Tile,
         block: usize,
@@ -52,14 +66,15 @@ impl Batch {
         let [tile_x, tile_y] = tile.origin();
         let block = block as i32;
         let origin = [tile_x + block % BLOCKS * BLOCK, tile_y + block / BLOCKS * BLOCK];
-        let place = |axis: usize| {
-            std::array::from_fn(|lane| {
-                let pixel = if axis == 0 { lane as i32 % BLOCK } else { lane as i32 / BLOCK };
-                let offset = samples.positions()[usize::from(sample[lane])][axis];
-                (pixel * SUBPIXELS + offset) as f32 / SUBPIXELS as f32
-            })
-        };
-        Self { origin, ids, x: place(0), y: place(1) }
+        let mut batch = Self { origin, ids, x: [0.0; LANES], y: [0.0; LANES] };
+        let positions = samples.positions();
+        for lane in 0..LANES {
+            let [x, y] = positions[usize::from(sample[lane]) & (positions.len() - 1)];
+            let (column, row) = (lane as i32 % BLOCK, lane as i32 / BLOCK);
+            batch.x[lane] = (column * SUBPIXELS + x) as f32 / SUBPIXELS as f32;
+            batch.y[lane] = (row * SUBPIXELS + y) as f32 / SUBPIXELS as f32;
+        }
+        batch
     }
 
     /// The position of a lane's sample, in steps of 1/256 pixel.
@@ -76,11 +91,11 @@ pub(crate) fn interpolate<S: Simd>(
     simd: S,
     scene: &Scene16<'_>,
     batch: &Batch,
-    corners: &mut Corners,
+    kept: &mut Kept,
 ) -> Interpolated<S> {
     simd.vectorize(
         #[inline(always)]
-        || interpolate_lanes(simd, scene, batch, corners),
+        || interpolate_lanes(simd, scene, batch, kept),
     )
 }
 
@@ -89,8 +104,9 @@ fn interpolate_lanes<S: Simd>(
     simd: S,
     scene: &Scene16<'_>,
     batch: &Batch,
-    corners: &mut Corners,
+    kept: &mut Kept,
 ) -> Interpolated<S> {
+    let Kept { corners, seen } = kept;
     let x = f32x16::simd_from(simd, batch.x);
     let y = f32x16::simd_from(simd, batch.y);
     let zero = f32x16::splat(simd, 0.0);
@@ -105,37 +121,35 @@ fn interpolate_lanes<S: Simd>(
     let one_triangle = batch.ids.iter().all(|id| *id == batch.ids[0]);
     corners.reset(one_triangle);
     for (id, lanes) in distinct(&batch.ids) {
-        let Some(of) = scene.frame.triangle(id) else { continue };
-        let corners_in_view = scene.frame.corners_in_view(of);
-        let forms = scene.frame.forms_of(corners_in_view);
-        let about = forms.about(batch.origin[0], batch.origin[1]);
+        let Some(triangle) = seen.get(scene.frame, scene.spaces, id) else { continue };
+        let about = triangle.forms.about(batch.origin[0], batch.origin[1]);
         let mask = mask(x, lanes);
         let (mut weights, outside) = about.barycentric(x, y);
         let outside = outside.to_bitmask() as u32 & lanes;
-        for lane in (0..LANES).filter(|lane| outside >> lane & 1 == 1) {
-            let nearest = forms.nearest_at(scene.frame.rays(), batch.steps(lane));
+        for lane in lanes_of(outside) {
+            let nearest = triangle.forms.nearest_at(scene.frame.rays(), batch.steps(lane));
             for (weight, value) in weights.iter_mut().zip(nearest) {
                 weight[lane] = value;
             }
         }
-        let right = normalized(about.weights(x + x.one(), y));
-        let below = normalized(about.weights(x, y + y.one()));
         merge(&mut interpolated.weights, weights, mask);
-        merge(&mut interpolated.weights_right, right, mask);
-        merge(&mut interpolated.weights_below, below, mask);
+        if triangle.has.uvs[0] | triangle.has.uvs[1] {
+            let right = normalized(about.weights(x + x.one(), y));
+            let below = normalized(about.weights(x, y + y.one()));
+            merge(&mut interpolated.weights_right, right, mask);
+            merge(&mut interpolated.weights_below, below, mask);
+        }
         if scene.edges.is_some() {
+            let of = triangle.of;
             let flags = scene.edge_flags[scene.meshes[of.instance]].of(of.triangle);
             let distance = edge_distance(&about, flags, x, y);
             interpolated.edge_distance = distance.select(mask, interpolated.edge_distance);
         }
-        let material = scene.frame.instances()[of.instance].mesh.parts[of.part].material;
-        for (lane, slot) in interpolated.materials.iter_mut().enumerate() {
-            if lanes >> lane & 1 == 1 {
-                *slot = material.0;
-            }
+        for lane in lanes_of(lanes) {
+            interpolated.materials[lane] = triangle.material;
         }
         interpolated.seen |= lanes;
-        corners.set(scene.frame, &scene.spaces[of.instance], of, corners_in_view, lanes);
+        corners.set(triangle, lanes);
     }
     interpolated
 }
@@ -168,11 +182,11 @@ pub(crate) fn shade<S: Simd>(
     simd: S,
     scene: &Scene16<'_>,
     batch: &Batch,
-    corners: &mut Corners,
+    kept: &mut Kept,
 ) -> [f32x16<S>; 4] {
     simd.vectorize(
         #[inline(always)]
-        || shade_lanes(simd, scene, batch, corners),
+        || shade_lanes(simd, scene, batch, kept),
     )
 }
 
@@ -181,7 +195,7 @@ fn shade_lanes<S: Simd>(
     simd: S,
     scene: &Scene16<'_>,
     batch: &Batch,
-    corners: &mut Corners,
+    kept: &mut Kept,
 ) -> [f32x16<S>; 4] {
     let [r, g, b, alpha] = scene.background;
     let mut result = [
@@ -193,8 +207,8 @@ fn shade_lanes<S: Simd>(
     if batch.ids.iter().all(|id| *id == TriangleId::NONE.0) {
         return result;
     }
-    let interpolated = interpolate(simd, scene, batch, corners);
-    let point = surface::point(scene, &interpolated, corners);
+    let interpolated = interpolate(simd, scene, batch, kept);
+    let point = surface::point(scene, &interpolated, &kept.corners);
     let mut left = interpolated.seen;
     while left != 0 {
         let material = interpolated.materials[left.trailing_zeros() as usize];
@@ -203,7 +217,8 @@ fn shade_lanes<S: Simd>(
             lanes |= u32::from(*other == material) << lane;
         }
         let mask = mask(result[0], lanes);
-        let lit = surface::lit(scene, &interpolated, corners, &point, material as usize, lanes);
+        let lit =
+            surface::lit(scene, &interpolated, &kept.corners, &point, material as usize, lanes);
         for (result, lit) in result.iter_mut().zip(lit) {
             *result = lit.select(mask, *result);
         }

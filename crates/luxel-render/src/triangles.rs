@@ -1,0 +1,160 @@
+//! Triangles that are seen, made ready for shading: looked up and transformed once, not for every
+//! block.
+
+use glam::{DMat3, DVec3};
+use luxel_math::LANES;
+use luxel_scene::Mesh;
+use luxel_visibility::{Forms, Frame, TriangleId, TriangleOf};
+
+/// What meshes carry beside positions and normals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Attributes {
+    pub(crate) tangents: bool,
+    pub(crate) uvs: [bool; 2],
+    pub(crate) colors: bool,
+}
+
+/// An instance's transforms for shading.
+pub(crate) struct InstanceSpace {
+    /// From view space to world axes about the eye: a rotation.
+    pub(crate) world_from_view: DMat3,
+    /// For normals: the inverse transpose of the mesh's transform, up to a positive factor.
+    pub(crate) normal_from_mesh: DMat3,
+    /// For tangents.
+    pub(crate) world_from_mesh: DMat3,
+    /// -1 where the transform mirrors, else 1.
+    pub(crate) handedness: f64,
+    /// Whether the camera's rays are parallel.
+    pub(crate) parallel: bool,
+}
+
+/// A triangle with everything that interpolation wants, corner by corner.
+#[derive(Clone)]
+pub(crate) struct SeenTriangle {
+    id: TriangleId,
+    pub(crate) of: TriangleOf,
+    pub(crate) forms: Forms,
+    /// The number of its material.
+    pub(crate) material: u32,
+    pub(crate) has: Attributes,
+    /// About the eye, along the world's axes.
+    pub(crate) position: [[f32; 3]; 3],
+    /// Of unit length, in world space, turned to the side that is seen.
+    pub(crate) normal: [[f32; 3]; 3],
+    /// Of unit length, in world space, with the bitangent's sign.
+    pub(crate) tangent: [[f32; 4]; 3],
+    pub(crate) uv: [[[f32; 2]; 3]; 2],
+    /// White where the mesh has none.
+    pub(crate) color: [[f32; 4]; 3],
+}
+
+/// The triangles that a thread has seen last, by the low bits of their ids.
+pub(crate) struct SeenTriangles {
+    entries: Vec<Option<SeenTriangle>>,
+}
+
+/// Entries of the cache: 128 KiB, a part of a core's second-level cache.
+const ENTRIES: usize = 256;
+
+impl SeenTriangles {
+    pub(crate) fn new() -> Self {
+        Self { entries: vec![None; ENTRIES] }
+    }
+
+    /// The triangle of an id; `None` for [`TriangleId::NONE`].
+    pub(crate) fn get(
+        &mut self,
+        frame: &Frame<'_>,
+        spaces: &[InstanceSpace],
+        id: TriangleId,
+    ) -> Option<&SeenTriangle> {
+        let entry = &mut self.entries[id.0 as usize % ENTRIES];
+        if entry.as_ref().is_none_or(|seen| seen.id != id) {
+            let of = frame.triangle(id)?;
+            *entry = Some(SeenTriangle::new(frame, &spaces[of.instance], id, of));
+        }
+        entry.as_ref()
+    }
+}
+
+impl SeenTriangle {
+    fn new(frame: &Frame<'_>, space: &InstanceSpace, id: TriangleId, of: TriangleOf) -> Self {
+        let mesh = frame.instances()[of.instance].mesh;
+        let attributes =
+            mesh.attribute_corners()[of.triangle as usize].map(|corner| corner as usize);
+        let corners_in_view = frame.corners_in_view(of);
+        let places = corners_in_view.map(|corner| space.world_from_view * corner);
+        let of_corner =
+            |values: &[[f32; 2]]| attributes.map(|at| values.get(at).copied().unwrap_or_default());
+        let tangent = |at: usize| {
+            let Some(&[x, y, z, sign]) = mesh.tangents.get(at) else { return [0.0; 4] };
+            let tangent = space.world_from_mesh * DVec3::new(x.into(), y.into(), z.into());
+            let [x, y, z] = tangent.normalize_or_zero().as_vec3().to_array();
+            [x, y, z, if space.handedness < 0.0 { -sign } else { sign }]
+        };
+        Self {
+            id,
+            of,
+            forms: frame.forms_of(corners_in_view),
+            material: mesh.parts[of.part].material.0,
+            has: Attributes {
+                tangents: !mesh.tangents.is_empty(),
+                uvs: [0, 1].map(|set| !mesh.uvs[set].is_empty()),
+                colors: !mesh.colors.is_empty(),
+            },
+            position: places.map(|place| place.as_vec3().to_array()),
+            normal: normals(mesh, space, attributes, places),
+            tangent: attributes.map(tangent),
+            uv: [of_corner(&mesh.uvs[0]), of_corner(&mesh.uvs[1])],
+            color: attributes.map(|at| mesh.colors.get(at).copied().unwrap_or([1.0; 4])),
+        }
+    }
+}
+
+/// A triangle's unit vertex normals in world space, turned to the side that is seen.
+///
+/// Which side that is, the face's plane decides, pointed along the sum of the vertex normals (by
+/// winding where that is 0), so that a file with reversed winding is not black.
+fn normals(
+    mesh: &Mesh,
+    space: &InstanceSpace,
+    attributes: [usize; 3],
+    [a, b, c]: [DVec3; 3],
+) -> [[f32; 3]; 3] {
+    let by_winding = (b - a).cross(c - a) * space.handedness;
+    let normals = if mesh.normals.is_empty() {
+        [by_winding.normalize_or_zero(); 3]
+    } else {
+        attributes.map(|attribute| {
+            let [x, y, z] = mesh.normals[attribute];
+            let normal = space.normal_from_mesh * DVec3::new(x.into(), y.into(), z.into());
+            normal.normalize_or_zero()
+        })
+    };
+    let sum = normals[0] + normals[1] + normals[2];
+    let outwards = if by_winding.dot(sum) < 0.0 { -by_winding } else { by_winding };
+    let to_eye = if space.parallel { space.world_from_view.z_axis } else { -a };
+    let from_behind = outwards.dot(to_eye) < 0.0;
+    normals.map(|normal| (if from_behind { -normal } else { normal }).as_vec3().to_array())
+}
+
+/// The distinct triangles that the lanes see, each with its lanes; those that see nothing left out.
+#[inline(always)]
+pub(crate) fn distinct(ids: &[u32; LANES]) -> impl Iterator<Item = (TriangleId, u32)> + '_ {
+    let mut left: u32 = 0;
+    for (lane, &id) in ids.iter().enumerate() {
+        left |= u32::from(id != TriangleId::NONE.0) << lane;
+    }
+    std::iter::from_fn(move || {
+        if left == 0 {
+            return None;
+        }
+        let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
+        let mut lanes = 0;
+        for (lane, &other) in ids.iter().enumerate() {
+            lanes |= u32::from(other == id) << lane;
+        }
+        left &= !lanes;
+        Some((TriangleId(id), lanes))
+    })
+}
