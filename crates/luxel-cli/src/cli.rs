@@ -1,6 +1,6 @@
 //! The command line: commands and the flags that all of them take.
 
-use crate::commands::{completions, demos, info};
+use crate::commands::{completions, demos, info, render};
 use clap::{Parser, Subcommand};
 
 /// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
@@ -27,7 +27,8 @@ pub(crate) struct Cli {
 /// What to do.
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
-    Info(info::InfoCommand),
+    Render(Box<render::RenderCommand>),
+    Info(Box<info::InfoCommand>),
     Demos(demos::DemosCommand),
     Completions(completions::CompletionsCommand),
     /// Print the manual page

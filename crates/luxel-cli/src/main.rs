@@ -13,7 +13,9 @@ mod failure;
 mod model;
 mod options;
 mod output;
+mod surface;
 mod values;
+mod view;
 
 use clap::Parser;
 use clap::error::ErrorKind;

@@ -7,6 +7,7 @@
 //! | [`formats`] | files in: glTF, OBJ, STL, PLY, with limits and errors that name their place |
 //! | [`scene`] | what there is: meshes, nodes, cameras, lights, textures, the built-in demos |
 //! | [`lighting`] | what a lit surface point sends to the eye |
+//! | [`render`] | pictures and layers of a scene |
 //! | [`math`] | numbers with the same bits everywhere |
 
 #![forbid(unsafe_code)]
@@ -17,6 +18,7 @@ pub use load::load;
 pub use luxel_formats as formats;
 pub use luxel_lighting as lighting;
 pub use luxel_math as math;
+pub use luxel_render as render;
 pub use luxel_scene as scene;
 
 /// What most programs want in scope.

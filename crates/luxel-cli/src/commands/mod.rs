@@ -4,6 +4,7 @@ pub(crate) mod completions;
 pub(crate) mod demos;
 pub(crate) mod info;
 mod manual;
+pub(crate) mod render;
 
 use crate::cli::Command;
 use crate::console::Console;
@@ -12,6 +13,7 @@ use crate::failure::Failure;
 /// Does what the command line asks for.
 pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
     match command {
+        Command::Render(command) => command.run(console),
         Command::Info(command) => command.run(console),
         Command::Demos(command) => command.run(),
         Command::Completions(command) => command.run(),

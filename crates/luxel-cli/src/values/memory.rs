@@ -17,7 +17,7 @@ pub(crate) fn memory(text: &str) -> Result<u64, String> {
     let number: f64 = number.parse().map_err(|_| wrong())?;
     let bytes = number * (1_u64 << shift) as f64;
     // 2^63: beyond it lies no machine, and below it sums of a few amounts cannot overflow.
-    if bytes >= 1.0 && bytes < 9_223_372_036_854_775_808.0 {
+    if (1.0..9_223_372_036_854_775_808.0).contains(&bytes) {
         Ok(bytes as u64)
     } else {
         Err(wrong())

@@ -16,13 +16,9 @@ mod vector;
 pub(crate) use fog::{FogSpec, fog};
 pub(crate) use light::{LightSpec, light};
 pub(crate) use memory::memory;
-pub(crate) use number::{
-    far_plane, finite, fov, non_negative, non_negative_f32, positive, samples, threads,
-};
+pub(crate) use number::{far_plane, finite, fov, non_negative_f32, positive, samples, threads};
 pub(crate) use numbering::Numbering;
 pub(crate) use reflection::{reflection, reflection_name};
 pub(crate) use size::size;
 pub(crate) use surroundings::{Surroundings, surroundings};
-pub(crate) use vector::{
-    background, color, direction, intrinsics, point, reflectance, up, view_matrix,
-};
+pub(crate) use vector::{background, color, intrinsics, point, reflectance, up, view_matrix};

@@ -14,7 +14,7 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
 }
 
 /// A finite number of at least 0.
-pub(crate) fn non_negative(text: &str) -> Result<f64, String> {
+fn non_negative(text: &str) -> Result<f64, String> {
     let number = finite(text)?;
     if number >= 0.0 { Ok(number) } else { Err("it must not be below 0".to_owned()) }
 }

@@ -1,7 +1,7 @@
 //! Numbers with commas between them: points, directions, colours, matrices.
 
 use super::number::{finite, single};
-use luxel::scene::{DMat4, DVec3};
+use luxel::scene::{DMat4, DVec3, DVec4};
 
 /// How far a view matrix may be from a rotation: what six printed digits leave.
 const RIGID_TOLERANCE: f64 = 1e-4;
@@ -22,7 +22,7 @@ pub(crate) fn point(text: &str) -> Result<DVec3, String> {
 }
 
 /// A direction of any length but 0, brought to length 1.
-pub(crate) fn direction(text: &str) -> Result<DVec3, String> {
+pub(super) fn direction(text: &str) -> Result<DVec3, String> {
     let vector = point(text)?;
     let largest = vector.abs().max_element();
     if largest == 0.0 {
@@ -91,7 +91,7 @@ pub(crate) fn view_matrix(text: &str) -> Result<DMat4, String> {
     if matrix.row(3) != DMat4::IDENTITY.row(3) {
         return Err("its last row must be 0,0,0,1 (numbers go column by column)".to_owned());
     }
-    let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.truncate());
+    let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(DVec4::truncate);
     let deviation = [
         x.length() - 1.0,
         y.length() - 1.0,

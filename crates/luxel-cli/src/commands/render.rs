@@ -1,0 +1,299 @@
+//! `luxel render`: a picture, or the layers it is made of.
+
+mod stopwatch;
+mod target;
+
+use crate::camera;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::model;
+use crate::options::{
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, PictureOptions,
+    ShadingOptions,
+};
+use crate::output;
+use crate::surface;
+use crate::view;
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use luxel::render::{
+    Edges, Layer, LayerImage, Legend, PictureError, PictureFormat, RenderError, Renderer, View,
+    write_layers, write_linear, write_rgba8,
+};
+use luxel::scene::{Camera, Scene, Size};
+use serde_json::{Map, Value, json};
+use std::num::NonZeroU32;
+use stopwatch::Stopwatch;
+use target::Target;
+
+/// Draw a picture
+///
+/// For example: luxel render model.glb -o picture.png --size 1920x1080
+#[derive(Args, Debug)]
+pub(crate) struct RenderCommand {
+    #[command(flatten)]
+    input: InputOptions,
+
+    #[command(flatten)]
+    output: OutputOptions,
+    #[command(flatten)]
+    frame: FrameOptions,
+    #[command(flatten)]
+    light: LightOptions,
+    #[command(flatten)]
+    material: MaterialOptions,
+    #[command(flatten)]
+    shading: ShadingOptions,
+    #[command(flatten)]
+    picture: PictureOptions,
+    #[command(flatten)]
+    execution: ExecutionOptions,
+}
+
+/// What is written, and where.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Output")]
+struct OutputOptions {
+    /// The picture's file: .png, .exr, .ppm or .npy; `-` for the standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: String,
+
+    /// The output's format, whatever its name: png, exr, ppm, npy [default for `-`: png]
+    #[arg(long, value_name = "EXT")]
+    output_format: Option<PictureFormat>,
+
+    /// Bits of the channels of a PNG or PPM: 8 or 16
+    #[arg(long, value_name = "N", default_value = "8", value_parser = bits)]
+    bits: u8,
+
+    /// A layer instead of the picture: depth, z, normal, position, object, triangle, barycentric,
+    /// uv; may be repeated for an EXR
+    #[arg(long = "layer", value_name = "NAME")]
+    layers: Vec<Layer>,
+
+    /// Draw nothing but the edges of polygons
+    #[arg(long, conflicts_with = "edges")]
+    wireframe: bool,
+
+    /// Draw the edges of polygons over the faces
+    #[arg(long)]
+    edges: bool,
+
+    /// Draw N pictures from all around, into files numbered by {n} or {n:3}, as f_{n:3}.png
+    #[arg(long, value_name = "N")]
+    turntable: Option<NonZeroU32>,
+
+    /// Print a JSON document about what was done
+    #[arg(long)]
+    json: bool,
+}
+
+fn bits(text: &str) -> Result<u8, String> {
+    match text {
+        "8" => Ok(8),
+        "16" => Ok(16),
+        _ => Err("use 8 or 16".to_owned()),
+    }
+}
+
+impl OutputOptions {
+    fn edges(&self) -> Option<Edges> {
+        if self.wireframe {
+            Some(Edges::WIREFRAME)
+        } else {
+            self.edges.then_some(Edges::OVER_FACES)
+        }
+    }
+}
+
+impl RenderCommand {
+    pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+        let mut watch = Stopwatch::start();
+        let target = Target::of(&self.output)?;
+        check_memory(&self, &target)?;
+
+        let mut model = model::load(&self.input, &self.execution, console)?;
+        watch.lap("read");
+        if model.scene.triangle_count() == 0 {
+            return Err(nothing_to_draw(&self.input.model, &model.scene));
+        }
+        surface::apply_material(&self.material, &mut model.scene);
+        surface::apply_normals(&self.shading, &mut model.scene);
+        watch.lap("normals");
+        let scene = &model.scene;
+        let frames = self.output.turntable.map_or(1, NonZeroU32::get);
+        let cameras = camera::turntable(&self.frame, scene, frames)?;
+        watch.lap("camera");
+        let renderer = Renderer::new(scene, &view::execution(&self.execution))
+            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        watch.lap("prepare");
+
+        let progress = progress(console, frames);
+        let mut files = Vec::new();
+        let mut legend = None;
+        let edges = self.output.edges();
+        for (number, &camera) in cameras.iter().enumerate() {
+            let view = view::view(&self.frame, &self.light, &self.picture, edges, camera, scene)?;
+            let drawn = self.draw(&renderer, &view, target.format, &mut watch)?;
+            if let Some(file) = target.write(number as u32, &drawn.bytes)? {
+                files.push(file);
+            }
+            legend = drawn.legend;
+            watch.lap("write");
+            progress.inc(1);
+        }
+        progress.finish_and_clear();
+        console.detail(&watch.to_string());
+        if self.output.json {
+            let mut report = self.report(&renderer, scene, &cameras[0], &files, &watch);
+            report.insert("warnings".into(), json!(model.warnings));
+            if let Some(legend) = &legend {
+                let layer = self.output.layers[0];
+                report.insert("legend".into(), legend_to_json(legend, layer, scene));
+            }
+            output::print_json(&Value::Object(report))?;
+        }
+        Ok(())
+    }
+
+    /// Draws a view and encodes it.
+    fn draw(
+        &self,
+        renderer: &Renderer<'_>,
+        view: &View,
+        format: PictureFormat,
+        watch: &mut Stopwatch,
+    ) -> Result<Drawn, Failure> {
+        let mut drawn = Drawn { bytes: Vec::new(), legend: None };
+        let Drawn { bytes, legend } = &mut drawn;
+        let size = view.size;
+        if !self.output.layers.is_empty() {
+            let values = renderer.layers(view, &self.output.layers).map_err(cannot_draw)?;
+            watch.lap("frame");
+            let image = |(layer, values): (&Layer, _)| LayerImage {
+                name: layer.name().to_owned(),
+                channels: layer.channels(),
+                values,
+            };
+            let images: Vec<_> = self.output.layers.iter().zip(values).map(image).collect();
+            *legend = write_layers(format, size, &images, bytes).map_err(cannot_encode)?;
+        } else if format.is_linear() || self.output.bits == 16 {
+            let picture = renderer.linear(view).map_err(cannot_draw)?;
+            watch.lap("frame");
+            watch.add_stages(&picture.stages);
+            write_linear(format, size, &picture.pixels, view.encoding, bytes)
+                .map_err(cannot_encode)?;
+        } else {
+            let picture = renderer.rgba8(view).map_err(cannot_draw)?;
+            watch.lap("frame");
+            watch.add_stages(&picture.stages);
+            write_rgba8(format, size, &picture.pixels, view.encoding, bytes)
+                .map_err(cannot_encode)?;
+        }
+        watch.lap("encode");
+        Ok(drawn)
+    }
+
+    fn report(
+        &self,
+        renderer: &Renderer<'_>,
+        scene: &Scene,
+        camera: &Camera,
+        files: &[String],
+        watch: &Stopwatch,
+    ) -> Map<String, Value> {
+        let Size { width, height } = self.frame.size;
+        let mut report = Map::new();
+        report.insert("file".into(), json!(files.first()));
+        if self.output.turntable.is_some() {
+            report.insert("files".into(), json!(files));
+        }
+        report.insert("size".into(), json!([width, height]));
+        report.insert("ms".into(), watch.to_json());
+        report.insert("triangles".into(), json!(scene.triangle_count()));
+        report.insert("simd".into(), json!(luxel::math::SimdLevel::name_of(renderer.level())));
+        report.insert("threads".into(), json!(renderer.threads()));
+        report.insert("camera".into(), camera::to_json(camera, self.frame.size));
+        report
+    }
+}
+
+/// A picture as a file has it.
+struct Drawn {
+    bytes: Vec<u8>,
+    /// What the 16 bits of a layer mean.
+    legend: Option<Legend>,
+}
+
+fn cannot_draw(error: RenderError) -> Failure {
+    Failure::work(error.to_string(), "")
+}
+
+fn cannot_encode(error: PictureError) -> Failure {
+    Failure::work(error.to_string(), "choose another format with -o")
+}
+
+/// What the numbers or colours in the picture of a layer mean.
+fn legend_to_json(legend: &Legend, layer: Layer, scene: &Scene) -> Value {
+    match legend {
+        Legend::Scaled(ranges) => json!({ "from_0_to_65535": ranges }),
+        Legend::Colors(colors) => {
+            let objects = scene.objects();
+            let entry = |(id, color): &(u32, [u16; 3])| {
+                let mut entry = json!({ "id": id, "color": color });
+                if layer == Layer::Object
+                    && let Some(object) = objects.get(*id as usize)
+                {
+                    entry["name"] = json!(scene.nodes[object.node.index()].name);
+                }
+                entry
+            };
+            colors.iter().map(entry).collect()
+        }
+    }
+}
+
+/// Ends the work before memory is taken that is not allowed.
+fn check_memory(command: &RenderCommand, target: &Target) -> Result<(), Failure> {
+    let Size { width, height } = command.frame.size;
+    let pixels = u64::from(width) * u64::from(height);
+    // Pixels as they are drawn and as they are encoded.
+    let bytes_each: u64 = if !command.output.layers.is_empty() {
+        command.output.layers.iter().map(|layer| 12 + 8 * layer.channels() as u64).sum()
+    } else if target.format.is_linear() || command.output.bits == 16 {
+        32
+    } else {
+        8
+    };
+    let needed = pixels.saturating_mul(bytes_each);
+    let limit = command.execution.max_memory;
+    if needed <= limit {
+        return Ok(());
+    }
+    Err(Failure::work(
+        format!("a picture of {width}x{height} would take {needed} bytes; the limit is {limit}"),
+        "make it smaller with --size, or raise the limit with --max-memory",
+    ))
+}
+
+fn nothing_to_draw(name: &str, scene: &Scene) -> Failure {
+    let has_more = |mesh: &luxel::scene::Mesh| !mesh.points.is_empty() || !mesh.lines.is_empty();
+    let remedy = if scene.meshes.iter().any(has_more) {
+        "it holds points or lines only, which render doesn't draw"
+    } else {
+        "it holds no triangles"
+    };
+    Failure::work(format!("{name}: nothing to draw"), remedy)
+}
+
+/// A bar for work of many pictures, on a terminal only.
+fn progress(console: Console, frames: u32) -> ProgressBar {
+    if frames < 2 || !console.shows_progress() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(u64::from(frames));
+    match ProgressStyle::with_template("{bar:40} {pos}/{len} pictures, {eta} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

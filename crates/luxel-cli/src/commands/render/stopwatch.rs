@@ -1,0 +1,67 @@
+//! What the stages of the work took.
+
+use luxel::render::Stages;
+use serde_json::{Map, Value, json};
+use std::fmt;
+use std::time::{Duration, Instant};
+
+/// A clock with a hand for each stage. A stage that comes again is added up.
+#[derive(Debug)]
+pub(super) struct Stopwatch {
+    start: Instant,
+    lap: Instant,
+    stages: Vec<(&'static str, Duration)>,
+}
+
+impl Stopwatch {
+    pub(super) fn start() -> Self {
+        let now = Instant::now();
+        Self { start: now, lap: now, stages: Vec::new() }
+    }
+
+    /// Gives the time since the last lap to a stage.
+    pub(super) fn lap(&mut self, stage: &'static str) {
+        let now = Instant::now();
+        self.add(stage, now - self.lap);
+        self.lap = now;
+    }
+
+    /// Adds the stages of a frame, which lie within the lap `frame`.
+    pub(super) fn add_stages(&mut self, stages: &Stages) {
+        self.add("frame_bin", stages.bin);
+        self.add("frame_visibility", stages.visibility);
+        self.add("frame_shade", stages.shade);
+    }
+
+    fn add(&mut self, stage: &'static str, duration: Duration) {
+        match self.stages.iter_mut().find(|(name, _)| *name == stage) {
+            Some((_, sum)) => *sum += duration,
+            None => self.stages.push((stage, duration)),
+        }
+    }
+
+    /// Milliseconds of each stage, and `total`.
+    pub(super) fn to_json(&self) -> Value {
+        let mut stages: Map<_, _> = self
+            .stages
+            .iter()
+            .map(|(name, duration)| ((*name).to_owned(), json!(milliseconds(*duration))))
+            .collect();
+        stages.insert("total".to_owned(), json!(milliseconds(self.start.elapsed())));
+        Value::Object(stages)
+    }
+}
+
+impl fmt::Display for Stopwatch {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (name, duration) in &self.stages {
+            write!(formatter, "{name} {} ms, ", milliseconds(*duration))?;
+        }
+        write!(formatter, "total {} ms", milliseconds(self.start.elapsed()))
+    }
+}
+
+/// Milliseconds to the microsecond.
+fn milliseconds(duration: Duration) -> f64 {
+    (duration.as_secs_f64() * 1e6).round() / 1e3
+}

@@ -1,0 +1,90 @@
+//! Where pictures go, and in which format.
+
+use super::OutputOptions;
+use crate::failure::Failure;
+use crate::output;
+use crate::values::Numbering;
+use luxel::render::PictureFormat;
+use std::path::{Path, PathBuf};
+
+/// Where pictures go, and in which format.
+#[derive(Debug)]
+pub(super) struct Target {
+    pub(super) format: PictureFormat,
+    place: Place,
+}
+
+#[derive(Debug)]
+enum Place {
+    StandardOutput,
+    File(PathBuf),
+    Files(Numbering),
+}
+
+impl Target {
+    /// Checks what was asked for, before any work is done.
+    pub(super) fn of(options: &OutputOptions) -> Result<Self, Failure> {
+        let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
+        let to_standard_output = options.output == "-";
+        if to_standard_output && options.json {
+            return usage("--json and `-o -` would both write to the standard output: use a file");
+        }
+        let format = format(options)?;
+        if options.bits == 16 && format.is_linear() {
+            return usage("--bits is for PNG and PPM: EXR and NPY hold 32 bits");
+        }
+        match (options.layers.len(), format) {
+            (0, _) => {}
+            (2.., PictureFormat::Png | PictureFormat::Ppm | PictureFormat::Npy) => {
+                return usage("only an EXR holds several layers: use -o FILE.exr, or one --layer");
+            }
+            _ => {}
+        }
+        let place = match options.turntable {
+            Some(_) if to_standard_output => {
+                return usage("a turntable needs files: use -o f_{n:3}.png");
+            }
+            Some(_) => {
+                let numbering = Numbering::parse(&options.output).map_err(|message| {
+                    Failure::Usage(format!("invalid value for '--output': {message}"))
+                })?;
+                output::check_folder(&numbering.name(0))?;
+                Place::Files(numbering)
+            }
+            None if to_standard_output => Place::StandardOutput,
+            None => {
+                let path = PathBuf::from(&options.output);
+                output::check_folder(&path)?;
+                Place::File(path)
+            }
+        };
+        Ok(Self { format, place })
+    }
+
+    /// Writes a picture; answers with the name of its file.
+    pub(super) fn write(&self, number: u32, bytes: &[u8]) -> Result<Option<String>, Failure> {
+        let path = match &self.place {
+            Place::StandardOutput => {
+                output::print_bytes(bytes)?;
+                return Ok(None);
+            }
+            Place::File(path) => path.clone(),
+            Place::Files(numbering) => numbering.name(number),
+        };
+        output::write_file(&path, bytes)?;
+        Ok(Some(path.to_string_lossy().into_owned()))
+    }
+}
+
+fn format(options: &OutputOptions) -> Result<PictureFormat, Failure> {
+    if let Some(format) = options.output_format {
+        return Ok(format);
+    }
+    if options.output == "-" {
+        return Ok(PictureFormat::Png);
+    }
+    let extension = Path::new(&options.output).extension().unwrap_or_default().to_string_lossy();
+    extension.parse().map_err(|error: luxel::render::ParsePictureFormatError| {
+        Failure::Usage(format!("invalid value '{}' for '--output': {error}", options.output))
+    })
+}
