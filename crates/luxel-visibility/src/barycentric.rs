@@ -58,6 +58,21 @@ impl WindowRays {
         }
     }
 
+    /// The part of an edge that lies before the eye, from 0 to 1 along it; `None` if none does.
+    ///
+    /// It ends a millionth of the front end's depth before the eye, far beyond any window's side.
+    fn visible_part(&self, from: DVec3, to: DVec3) -> Option<(f64, f64)> {
+        let (front, back) = (-from.z, -to.z);
+        let crossing = |near: f64, far: f64| (far - far * 1e-6) / (far - near);
+        match (front > 0.0, back > 0.0) {
+            _ if self.parallel => Some((0.0, 1.0)),
+            (true, true) => Some((0.0, 1.0)),
+            (true, false) => Some((0.0, crossing(back, front))),
+            (false, true) => Some((1.0 - crossing(front, back), 1.0)),
+            (false, false) => None,
+        }
+    }
+
     /// The window position of a point in view space, in pixels; `None` if it isn't before the eye.
     fn window(&self, point: DVec3) -> Option<[f64; 2]> {
         let depth = if self.parallel { 1.0 } else { -point.z };
@@ -126,11 +141,15 @@ impl Forms {
     /// within 1/512 pixel of an edge.
     #[must_use]
     pub fn nearest_on_edges(&self, rays: &WindowRays, x: f64, y: f64) -> [f32; 3] {
-        let window = self.corners.map(|corner| rays.window(corner));
         let mut best = (f64::INFINITY, [1.0, 0.0, 0.0]);
         for i in 0..3 {
             let j = (i + 1) % 3;
-            let (Some(p), Some(q)) = (window[i], window[j]) else { continue };
+            let Some((start, end)) = rays.visible_part(self.corners[i], self.corners[j]) else {
+                continue;
+            };
+            let [p, q] =
+                [start, end].map(|at| rays.window(self.corners[i].lerp(self.corners[j], at)));
+            let (Some(p), Some(q)) = (p, q) else { continue };
             let (along_x, along_y) = (q[0] - p[0], q[1] - p[1]);
             let squared = along_x * along_x + along_y * along_y;
             let dot = (x - p[0]) * along_x + (y - p[1]) * along_y;
@@ -139,12 +158,15 @@ impl Forms {
             let distance = off_x * off_x + off_y * off_y;
             if distance < best.0 {
                 // A step along the window's edge is perspective on the triangle's.
-                let depth =
-                    |corner: usize| if rays.parallel { 1.0 } else { -self.corners[corner].z };
-                let (from, to) = ((1.0 - t) / depth(i), t / depth(j));
+                let depth = |at: f64| {
+                    let z = self.corners[i].z + (self.corners[j].z - self.corners[i].z) * at;
+                    if rays.parallel { 1.0 } else { -z }
+                };
+                let (from, to) = ((1.0 - t) / depth(start), t / depth(end));
+                let along = start + (end - start) * (to / (from + to));
                 let mut barycentric = [0.0; 3];
-                barycentric[i] = from / (from + to);
-                barycentric[j] = to / (from + to);
+                barycentric[i] = 1.0 - along;
+                barycentric[j] = along;
                 best = (distance, barycentric);
             }
         }

@@ -7,6 +7,7 @@
 
 use crate::cull::GUARD_BAND;
 use crate::transform::{ClipVertex, WindowTransform, WindowVertex};
+use luxel_math::SUBPIXELS;
 
 /// Most corners that a triangle can have after five planes.
 const MAX_CORNERS: usize = 3 + 5;
@@ -20,6 +21,8 @@ struct Corner {
     w: f64,
     /// Set for the triangle's own vertices, which must land where unclipped neighbours put them.
     own: Option<ClipVertex>,
+    /// Whether an unclipped neighbour may have it: then no plane cuts it off.
+    held: bool,
 }
 
 /// The planes, as functions that are not negative inside.
@@ -35,18 +38,18 @@ enum Plane {
 impl Plane {
     const ALL: [Self; 5] = [Self::Near, Self::Left, Self::Right, Self::Top, Self::Bottom];
 
-    fn distance(self, corner: &Corner, transform: &WindowTransform) -> f64 {
-        // Coordinates are about the window's middle, the guard band is about its corner; half of
-        // the band is far larger than any window, and one pixel stays for rounding.
-        let guard = f64::from(GUARD_BAND - 256);
-        let [centre_x, centre_y] = transform.centre.map(f64::from);
-        match self {
+    fn distance(self, corner: &Corner) -> f64 {
+        // Coordinates are about the window's middle, as the guard band is; one pixel stays for
+        // rounding.
+        let guard = f64::from(GUARD_BAND - SUBPIXELS);
+        let distance = match self {
             Self::Near => corner.w - corner.z,
-            Self::Left => corner.x + (guard + centre_x) * corner.w,
-            Self::Right => (guard - centre_x) * corner.w - corner.x,
-            Self::Top => corner.y + (guard + centre_y) * corner.w,
-            Self::Bottom => (guard - centre_y) * corner.w - corner.y,
-        }
+            Self::Left => corner.x + guard * corner.w,
+            Self::Right => guard * corner.w - corner.x,
+            Self::Top => corner.y + guard * corner.w,
+            Self::Bottom => guard * corner.w - corner.y,
+        };
+        if corner.held { distance.max(0.0) } else { distance }
     }
 }
 
@@ -72,6 +75,7 @@ pub(crate) fn clip(triangle: [ClipVertex; 3], transform: &WindowTransform) -> Cl
         z: f64::from(vertex.z),
         w: f64::from(vertex.w),
         own: Some(vertex),
+        held: transform.holds(vertex),
     };
     let mut polygon = [corner(triangle[0]); MAX_CORNERS];
     polygon[1] = corner(triangle[1]);
@@ -79,7 +83,7 @@ pub(crate) fn clip(triangle: [ClipVertex; 3], transform: &WindowTransform) -> Cl
     let mut count = 3;
     for plane in Plane::ALL {
         let source = polygon;
-        let distances = source.map(|corner| plane.distance(&corner, transform));
+        let distances = source.map(|corner| plane.distance(&corner));
         let mut kept = 0;
         let mut keep = |corner: Corner| {
             // Rounding could make a polygon cross a plane more than twice; what exceeds the most
@@ -128,6 +132,7 @@ fn between(
         z: mix(inside.z, outside.z),
         w: mix(inside.w, outside.w),
         own: None,
+        held: false,
     }
 }
 
@@ -135,12 +140,13 @@ fn window(corner: &Corner, transform: &WindowTransform) -> Option<WindowVertex> 
     if corner.w.is_nan() || corner.w <= 0.0 {
         return None;
     }
-    if let Some(own) = corner.own {
+    if let Some(own) = corner.own.filter(|_| corner.held) {
         return Some(transform.window(own));
     }
     let snap = |value: f64, centre: f32| {
         let limit = f64::from(GUARD_BAND);
-        (value / corner.w + f64::from(centre)).round_ties_even().clamp(-limit, limit) as i32
+        let about_centre = (value / corner.w).clamp(-limit, limit);
+        (about_centre + f64::from(centre)).round_ties_even() as i32
     };
     let (x, y) = (snap(corner.x, transform.centre[0]), snap(corner.y, transform.centre[1]));
     // The near plane is depth 1: rounding must not carry a point past it.

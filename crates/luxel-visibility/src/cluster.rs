@@ -40,7 +40,7 @@ pub struct Clusters {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Header {
     /// The first word of the block.
-    first_word: u32,
+    first_word: usize,
     /// Groups of sixteen vertices.
     groups: u16,
     /// Triangles.
@@ -99,14 +99,14 @@ impl Clusters {
     /// The block of a cluster.
     pub(crate) fn block(&self, cluster: usize) -> Block<'_> {
         let header = &self.headers[cluster];
-        let vertices = header.first_word as usize;
+        let vertices = header.first_word;
         let triangles = vertices + usize::from(header.groups) * GROUP_WORDS;
         let end = triangles + usize::from(header.triangles);
         Block { vertices: &self.words[vertices..triangles], triangles: &self.words[triangles..end] }
     }
 
     fn append(&mut self, other: Self) {
-        let (words, originals) = (self.words.len() as u32, self.originals.len() as u32);
+        let (words, originals) = (self.words.len(), self.originals.len() as u32);
         self.words.extend_from_slice(&other.words);
         self.originals.extend_from_slice(&other.originals);
         self.headers.extend(other.headers.into_iter().map(|header| Header {
@@ -120,7 +120,7 @@ impl Clusters {
     fn push(&mut self, part: u32, positions: &[[f32; 3]], corners: &[u32]) {
         let groups = positions.len().div_ceil(LANES);
         self.headers.push(Header {
-            first_word: self.words.len() as u32,
+            first_word: self.words.len(),
             groups: groups as u16,
             triangles: corners.len() as u16,
             part,
@@ -153,13 +153,17 @@ impl Clusters {
     }
 }
 
-/// The box of a cluster: low x y z, high x y z.
+/// The box of a cluster: low x y z, high x y z; not a number if a coordinate is none, so that no
+/// bound is taken from it.
 fn bounds(block: &Block<'_>) -> [f32; 6] {
     let mut bounds = [f32::INFINITY, f32::INFINITY, f32::INFINITY, 0.0, 0.0, 0.0];
     bounds[3..].fill(f32::NEG_INFINITY);
     for group in block.vertices.chunks_exact(GROUP_WORDS) {
         for (axis, values) in group.chunks_exact(LANES).enumerate() {
             for value in values.iter().map(|&bits| f32::from_bits(bits)) {
+                if value.is_nan() {
+                    return [f32::NAN; 6];
+                }
                 bounds[axis] = bounds[axis].min(value);
                 bounds[3 + axis] = bounds[3 + axis].max(value);
             }

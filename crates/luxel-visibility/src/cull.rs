@@ -2,16 +2,20 @@
 //!
 //! A cluster's box goes through the very operations that its vertices go through, in the same
 //! order, as intervals. Rounding is monotone, so the intervals hold every rounded value of every
-//! vertex: bounds are exact, without slack, and nothing is ever culled that would have been drawn.
+//! vertex: bounds are exact, and nothing is ever culled that would have been drawn.
 
 use crate::cluster::{BOUNDS_WORDS, Clusters};
 use crate::transform::WindowTransform;
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*};
 use luxel_scene::Size;
 
-/// Half the side of the guard band in steps of 1/256 pixel: 2^14 pixels. Triangles that reach
-/// farther out are clipped, so that edge functions fit their integers (see `setup`).
+/// Half the side of the guard band in steps of 1/256 pixel: 2^14 pixels either way from the
+/// window's middle. Triangles that reach farther out are clipped, so that edge functions fit their
+/// integers (see `setup`).
 pub(crate) const GUARD_BAND: i32 = (1 << 14) * SUBPIXELS;
+
+/// Most pixels of a window's side: as many as the guard band holds.
+pub const MAX_SIDE: u32 = 1 << 15;
 
 /// A cluster that may be seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +27,7 @@ pub(crate) struct VisibleCluster {
     pub(crate) top: u16,
     pub(crate) right: u16,
     pub(crate) bottom: u16,
-    /// No sample of the cluster is nearer (reversed depth: larger) than this.
+    /// No sample of the cluster is nearer (reversed depth: larger) than this; infinite if clipped.
     pub(crate) nearest: f32,
     /// Whether its triangles need clipping.
     pub(crate) clipped: bool,
@@ -38,12 +42,23 @@ struct Interval<S: Simd> {
 
 impl<S: Simd> Interval<S> {
     /// row . (x, y, z, 1) over a box, in the order of `row_times`.
+    ///
+    /// This and what follows are functions of their own at every level (`vectorize`): in one piece,
+    /// sixteen lanes written out one by one take the compiler minutes.
     #[inline(always)]
     fn row_times(row: &[f32; 4], axes: &[Self; 3]) -> Self {
-        let x = axes[0].scaled(row[0]);
-        let y = axes[1].scaled(row[1]);
-        let z = axes[2].scaled(row[2]);
-        Self { low: x.low + y.low + z.low + row[3], high: x.high + y.high + z.high + row[3] }
+        axes[0].low.simd.vectorize(
+            #[inline(always)]
+            || {
+                let x = axes[0].scaled(row[0]);
+                let y = axes[1].scaled(row[1]);
+                let z = axes[2].scaled(row[2]);
+                Self {
+                    low: x.low + y.low + z.low + row[3],
+                    high: x.high + y.high + z.high + row[3],
+                }
+            },
+        )
     }
 
     #[inline(always)]
@@ -55,31 +70,57 @@ impl<S: Simd> Interval<S> {
     /// Divided by a positive interval.
     #[inline(always)]
     fn divided_by(self, w: Self) -> Self {
-        let low = self.low / self.low.less(self.low.zero()).select(w.low, w.high);
-        let high = self.high / self.high.less(self.high.zero()).select(w.high, w.low);
-        Self { low, high }
+        self.low.simd.vectorize(
+            #[inline(always)]
+            || {
+                let zero = self.low.zero();
+                let low = self.low / self.low.less(zero).select(w.low, w.high);
+                let high = self.high / self.high.less(zero).select(w.high, w.low);
+                Self { low, high }
+            },
+        )
     }
 
     /// Snapped to the window's grid, as vertices are.
     #[inline(always)]
     fn snapped(self, centre: f32) -> Self {
-        Self {
-            low: SimdFloat::round_ties_even(self.low + centre),
-            high: SimdFloat::round_ties_even(self.high + centre),
-        }
+        self.low.simd.vectorize(
+            #[inline(always)]
+            || Self {
+                low: SimdFloat::round_ties_even(self.low + centre),
+                high: SimdFloat::round_ties_even(self.high + centre),
+            },
+        )
     }
 
-    /// The pixels that hold a step of the interval, brought into 0..`size` (`inside` says whether
-    /// there are any).
+    #[inline(always)]
+    fn grown(self, by: f32x16<S>) -> Self {
+        Self { low: self.low - by, high: self.high + by }
+    }
+
+    /// Whether it lies within `low..=high`; never where it isn't a number.
+    #[inline(always)]
+    fn within(self, low: f32, high: f32) -> mask32x16<S> {
+        self.low.constant(low).less_or_equal(self.low)
+            & self.high.less_or_equal(self.high.constant(high))
+    }
+
+    /// The pixels that hold a step of the interval, brought into 0..`size`, and whether there are
+    /// any.
     #[inline(always)]
     fn pixels(self, size: u32) -> (i32x16<S>, i32x16<S>, mask32x16<S>) {
-        // Clamped to where the conversion to integers is exact; far outside stays outside.
-        let limit = (GUARD_BAND + 2 * SUBPIXELS) as f32;
-        let low = i32x16::truncate_from(self.low.limited(-limit, limit)) >> SUBPIXEL_BITS;
-        let high = i32x16::truncate_from(self.high.limited(-limit, limit)) >> SUBPIXEL_BITS;
-        let last = size as i32 - 1;
-        let inside = high.simd_ge(0) & low.simd_le(last);
-        (low.max(0), high.min(last), inside)
+        self.low.simd.vectorize(
+            #[inline(always)]
+            || {
+                // Clamped to where the conversion to integers is exact; far outside stays outside.
+                let limit = (2 * MAX_SIDE as i32 * SUBPIXELS) as f32;
+                let low = i32x16::truncate_from(self.low.limited(-limit, limit)) >> SUBPIXEL_BITS;
+                let high = i32x16::truncate_from(self.high.limited(-limit, limit)) >> SUBPIXEL_BITS;
+                let last = size as i32 - 1;
+                let inside = high.simd_ge(0) & low.simd_le(last);
+                (low.max(0), high.min(last), inside)
+            },
+        )
     }
 }
 
@@ -119,7 +160,8 @@ pub(crate) fn cull_group<S: Simd>(
         | (y.high + w.high * half_height).less(zero)
         | zero.less(y.low - w.high * half_height);
 
-    // Where all vertices lie in front of the near plane, division gives the window's box.
+    // Where all vertices lie in front of the near plane, division gives the window's box. It is
+    // unknown where numbers overflowed.
     let before_eye = zero.less(w.low) & zero.less_or_equal(w.low - z.high);
     let one = w.low.one();
     let safe_w =
@@ -127,38 +169,42 @@ pub(crate) fn cull_group<S: Simd>(
     let window_x = x.divided_by(safe_w).snapped(transform.centre[0]);
     let window_y = y.divided_by(safe_w).snapped(transform.centre[1]);
     let nearest = z.divided_by(safe_w).high;
-    let guard = GUARD_BAND as f32;
-    let guarded = (zero - guard).less_or_equal(window_x.low)
-        & window_x.high.less_or_equal(zero + guard)
-        & (zero - guard).less_or_equal(window_y.low)
-        & window_y.high.less_or_equal(zero + guard);
-    let (left, right, inside_x) = window_x.pixels(size.width);
-    let (top, bottom, inside_y) = window_y.pixels(size.height);
+    let known = before_eye
+        & window_x.low.less_or_equal(window_x.high)
+        & window_y.low.less_or_equal(window_y.high);
 
-    let whole = before_eye & guarded;
-    let seen = !outside & (!before_eye | (inside_x & inside_y));
-    let (seen, whole) = (seen.to_bitmask(), whole.to_bitmask());
-    let before_eye = before_eye.to_bitmask();
+    let guard = GUARD_BAND as f32;
+    let [centre_x, centre_y] = transform.centre;
+    let whole = known
+        & window_x.within(centre_x - guard, centre_x + guard)
+        & window_y.within(centre_y - guard, centre_y + guard);
+    // Points that clipping adds are computed otherwise than vertices, and may round otherwise.
+    let slack = zero.select(whole, zero + 2.0);
+    let (left, right, inside_x) = window_x.grown(slack).pixels(size.width);
+    let (top, bottom, inside_y) = window_y.grown(slack).pixels(size.height);
+
+    let seen = !outside & (!known | (inside_x & inside_y));
+    let (seen, whole, known) = (seen.to_bitmask(), whole.to_bitmask(), known.to_bitmask());
     let first = group * LANES;
     for lane in 0..LANES.min(clusters.count() - first) {
         if seen >> lane & 1 == 0 {
             continue;
         }
+        let is_whole = whole >> lane & 1 == 1;
         let mut visible = VisibleCluster {
             cluster: first_cluster + (first + lane) as u32,
             left: 0,
             top: 0,
             right: (size.width - 1) as u16,
             bottom: (size.height - 1) as u16,
-            nearest: f32::INFINITY,
-            clipped: whole >> lane & 1 == 0,
+            nearest: if is_whole { nearest[lane] } else { f32::INFINITY },
+            clipped: !is_whole,
         };
-        if before_eye >> lane & 1 == 1 {
+        if known >> lane & 1 == 1 {
             visible.left = left[lane] as u16;
             visible.top = top[lane] as u16;
             visible.right = right[lane] as u16;
             visible.bottom = bottom[lane] as u16;
-            visible.nearest = nearest[lane];
         }
         out.push(visible);
     }

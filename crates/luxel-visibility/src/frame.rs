@@ -4,7 +4,7 @@ use crate::barycentric::{Forms, WindowRays};
 use crate::bin::Bins;
 use crate::buffer::{Plane, TILE, Tile, TriangleId};
 use crate::cluster::{Clusters, SLOT_BITS};
-use crate::cull::{VisibleCluster, cull_group};
+use crate::cull::{MAX_SIDE, VisibleCluster, cull_group};
 use crate::samples::Samples;
 use crate::setup::CullFaces;
 use crate::tile;
@@ -90,6 +90,9 @@ impl<'a> Frame<'a> {
     ///
     /// # Errors
     /// [`TooManyTriangles`] beyond about four billion.
+    ///
+    /// # Panics
+    /// If a side of the window is 0 or more than [`MAX_SIDE`] pixels.
     pub fn new(
         instances: Vec<Instance<'a>>,
         projection: &Projection,
@@ -97,6 +100,12 @@ impl<'a> Frame<'a> {
         samples: Samples,
         level: Level,
     ) -> Result<Self, TooManyTriangles> {
+        assert!(
+            [size.width, size.height].iter().all(|side| (1..=MAX_SIDE).contains(side)),
+            "a window of {} x {} pixels: a side has 1 to {MAX_SIDE}",
+            size.width,
+            size.height,
+        );
         let mut first_clusters = vec![0];
         let mut clusters = 0_u64;
         // The highest number of all stands for nothing.

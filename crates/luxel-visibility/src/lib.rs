@@ -31,6 +31,7 @@ mod transform;
 pub use barycentric::{BlockForms, Forms, WindowRays};
 pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
 pub use cluster::{CLUSTER_TRIANGLES, Clusters};
+pub use cull::MAX_SIDE;
 pub use frame::{Coverage, Frame, Hole, Instance, PartUse, TooManyTriangles, TriangleOf};
 pub use samples::{MAX_SAMPLES, Samples};
 pub use setup::CullFaces;

@@ -25,8 +25,25 @@ const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
 const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
 
 /// Draws one triangle into all samples of a tile.
+///
+/// A function of its own: all that calls it shares one copy for each SIMD level, which the compiler
+/// needs to be done in reasonable time.
 #[inline(always)]
 pub(crate) fn draw_triangle<S: Simd>(
+    simd: S,
+    triangle: &Triangle,
+    id: TriangleId,
+    rules: &Rules<'_>,
+    tile: &mut Tile,
+) {
+    simd.vectorize(
+        #[inline(always)]
+        || cover_samples(simd, triangle, id, rules, tile),
+    );
+}
+
+#[inline(always)]
+fn cover_samples<S: Simd>(
     simd: S,
     triangle: &Triangle,
     id: TriangleId,

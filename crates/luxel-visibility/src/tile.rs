@@ -99,6 +99,13 @@ fn draw_clipped<S: Simd>(
 ) {
     for (slot, &word) in block.triangles.iter().enumerate() {
         let corners = corners_of(word).map(|corner| clip_vertex(transform, block, corner));
+        if corners.iter().all(|&corner| transform.holds(corner)) {
+            let corners = corners.map(|corner| transform.window(corner));
+            if let Some(triangle) = Triangle::new(corners, cull) {
+                draw_triangle(simd, &triangle, TriangleId::new(cluster, slot), rules, tile);
+            }
+            continue;
+        }
         for piece in clip(corners, transform).triangles() {
             if let Some(triangle) = Triangle::new(piece, cull) {
                 draw_triangle(simd, &triangle, TriangleId::new(cluster, slot), rules, tile);

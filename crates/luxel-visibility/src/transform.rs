@@ -10,6 +10,7 @@ use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, prelude::*, u32x16};
 use luxel_scene::{Projection, Size};
 
 use crate::cluster::{CLUSTER_VERTICES, GROUP_WORDS};
+use crate::cull::GUARD_BAND;
 
 /// A vertex in clip coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,8 +76,21 @@ impl WindowTransform {
         ClipVertex { x, y, z, w }
     }
 
-    /// The window coordinates of a vertex that lies in front of the near plane and within the guard
-    /// band.
+    /// Whether a vertex lies in front of the near plane and, snapped, within the guard band. A
+    /// triangle of such vertices is never clipped, whatever cluster it is in.
+    pub(crate) fn holds(&self, vertex: ClipVertex) -> bool {
+        let guard = GUARD_BAND as f32;
+        let within = |value: f32, centre: f32| {
+            let snapped = (value / vertex.w + centre).round_ties_even();
+            centre - guard <= snapped && snapped <= centre + guard
+        };
+        vertex.w > 0.0
+            && vertex.w - vertex.z >= 0.0
+            && within(vertex.x, self.centre[0])
+            && within(vertex.y, self.centre[1])
+    }
+
+    /// The window coordinates of a vertex that the transform `holds`.
     pub(crate) fn window(&self, vertex: ClipVertex) -> WindowVertex {
         let snap = |value: f32, centre: f32| (value / vertex.w + centre).round_ties_even() as i32;
         WindowVertex {
@@ -103,6 +117,19 @@ pub(crate) fn row_times<S: Simd>(
 /// within the guard band: the same bits as [`WindowTransform::window`].
 #[inline(always)]
 pub(crate) fn transform_cluster<S: Simd>(
+    simd: S,
+    transform: &WindowTransform,
+    vertices: &[u32],
+    out: &mut ClusterVertices,
+) {
+    simd.vectorize(
+        #[inline(always)]
+        || transform_groups(simd, transform, vertices, out),
+    );
+}
+
+#[inline(always)]
+fn transform_groups<S: Simd>(
     simd: S,
     transform: &WindowTransform,
     vertices: &[u32],
