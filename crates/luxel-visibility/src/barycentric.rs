@@ -184,11 +184,29 @@ impl Forms {
         if outside { self.nearest_at(rays, [x, y]) } else { barycentric }
     }
 
-    /// [`Forms::nearest_on_edges`] for a position in steps of 1/256 pixel.
+    /// The barycentrics at a position in steps of 1/256 pixel, in f64: where the ray meets the
+    /// triangle, or else [`Forms::nearest_on_edges`].
     #[must_use]
     pub fn nearest_at(&self, rays: &WindowRays, [x, y]: [i32; 2]) -> [f32; 3] {
         let pixels = |steps: i32| f64::from(steps) / f64::from(SUBPIXELS);
-        self.nearest_on_edges(rays, pixels(x), pixels(y))
+        let (x, y) = (pixels(x), pixels(y));
+        self.on_ray(x, y).unwrap_or_else(|| self.nearest_on_edges(rays, x, y))
+    }
+
+    /// Where the ray meets the triangle; `None` if it misses or runs along it.
+    fn on_ray(&self, x: f64, y: f64) -> Option<[f32; 3]> {
+        let mut weights = [0.0; 3];
+        let mut largest = 0.0_f64;
+        for (i, weight) in weights.iter_mut().enumerate() {
+            let (across, down) = (self.a[i] * x, self.b[i] * y);
+            *weight = across + down + self.c[i];
+            largest = largest.max(across.abs()).max(down.abs()).max(self.c[i].abs());
+        }
+        let sum = weights[0] + weights[1] + weights[2];
+        // Below this, rounding would tell more than the triangle.
+        let is_told = sum.abs() > largest * 1e-9;
+        (is_told && weights.iter().all(|weight| weight / sum >= 0.0))
+            .then(|| weights.map(|weight| (weight / sum) as f32))
     }
 }
 
@@ -216,18 +234,24 @@ impl BlockForms {
     }
 
     /// The barycentrics at (x, y) pixels from the block's corner, and where they lie outside the
-    /// triangle (or can't be told, edge-on) and [`Forms::nearest_at`] has to answer.
+    /// triangle or f32 can't tell (near edge-on) and [`Forms::nearest_at`] has to answer.
     #[inline(always)]
     pub fn barycentric<N: Number>(&self, x: N, y: N) -> ([N; 3], N::Mask) {
         let [w0, w1, w2] = self.weights(x, y);
-        let scale = x.one() / (w0 + w1 + w2);
+        let sum = w0 + w1 + w2;
+        let scale = x.one() / sum;
         let [b0, b1, b2] = [w0 * scale, w1 * scale, w2 * scale];
-        // Comparisons with NaN are false: edge-on triangles count as outside.
+        // Comparisons with NaN are false: what can't be told counts as outside.
         let zero = x.zero();
         let inside = zero.less_or_equal(b0)
             & zero.less_or_equal(b1)
             & zero.less_or_equal(b2)
-            & (b0 + b1 + b2).less_or_equal(x.constant(2.0));
+            & x.constant(Self::LEAST_SUM).less_or_equal(sum.abs());
         ([b0, b1, b2], !inside)
     }
+
+    /// Weights are rounded to about 2^-21, as they and their slopes are at most 1: with a smaller
+    /// sum, barycentrics would be off by more than 1e-4. It is the height in pixels, or so, of the
+    /// triangles that this leaves to f64.
+    const LEAST_SUM: f32 = 1.0 / 64.0;
 }

@@ -3,6 +3,7 @@
 use crate::cluster::SLOT_BITS;
 use crate::setup::Region;
 use luxel_math::LANES;
+use luxel_scene::Size;
 
 /// Pixels of a tile's side. 64 gives a worker a piece that fits the cache (32 KiB a sample plane)
 /// and leaves some hundred pieces to share at usual sizes.
@@ -47,7 +48,8 @@ impl TriangleId {
 /// One sample of each pixel of a tile, in blocks of 4x4 pixels, row by row.
 #[derive(Clone, Debug)]
 pub struct Plane {
-    /// Reversed depth, 0 where nothing was drawn: 1 at the near plane, 0 at the far one.
+    /// Reversed depth, 0 where nothing was drawn: 1 at the near plane, 0 at the far one. Infinite
+    /// outside of the window.
     pub depth: Box<[[f32; LANES]; BLOCKS_OF_TILE]>,
     /// [`TriangleId`]s as numbers.
     pub ids: Box<[[u32; LANES]; BLOCKS_OF_TILE]>,
@@ -65,11 +67,22 @@ impl Plane {
         self.depth.as_flattened_mut().fill(0.0);
         self.ids.as_flattened_mut().fill(TriangleId::NONE.0);
     }
+
+    /// Keeps everything out of the pixels from column `width` and from row `height` on.
+    fn close(&mut self, width: i32, height: i32) {
+        for y in 0..TILE {
+            for x in if y < height { width } else { 0 }..TILE {
+                let (block, lane) = Tile::place(x, y);
+                self.depth[block][lane] = f32::INFINITY;
+            }
+        }
+    }
 }
 
 /// The visibility buffer of a tile.
 #[derive(Clone, Debug)]
 pub struct Tile {
+    /// The tile's pixels that lie in the window.
     pub(crate) region: Region,
     pub(crate) planes: Vec<Plane>,
     /// The farthest depth in each cell, over all samples; a bound while its bit in `stale` is set.
@@ -113,10 +126,15 @@ impl Tile {
         TriangleId(self.planes[sample].ids[block][lane])
     }
 
-    /// Forgets everything, and moves to the tile whose first pixel is (x, y).
-    pub(crate) fn clear(&mut self, x: i32, y: i32) {
-        self.region = Region { x, y, width: TILE, height: TILE };
-        self.planes.iter_mut().for_each(Plane::clear);
+    /// Forgets everything, and moves to the tile of a window whose first pixel is (x, y).
+    pub(crate) fn clear(&mut self, x: i32, y: i32, window: Size) {
+        let width = TILE.min(window.width as i32 - x);
+        let height = TILE.min(window.height as i32 - y);
+        self.region = Region { x, y, width, height };
+        for plane in &mut self.planes {
+            plane.clear();
+            plane.close(width, height);
+        }
         self.farthest = [0.0; (CELLS * CELLS) as usize];
         self.stale = 0;
     }

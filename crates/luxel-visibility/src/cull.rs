@@ -14,8 +14,9 @@ use luxel_scene::Size;
 /// integers (see `setup`).
 pub(crate) const GUARD_BAND: i32 = (1 << 14) * SUBPIXELS;
 
-/// Most pixels of a window's side: as many as the guard band holds.
-pub const MAX_SIDE: u32 = 1 << 15;
+/// Most pixels of a window's side: as many as the guard band holds, less the pixel at either end
+/// that clipping keeps off.
+pub const MAX_SIDE: u32 = (1 << 15) - 2;
 
 /// A cluster that may be seen.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -219,7 +219,7 @@ impl<'a> Frame<'a> {
     /// Draws what is opaque in a tile, from nothing.
     pub fn draw_opaque(&self, level: Level, number: usize, hole: &Hole<'_>, tile: &mut Tile) {
         let [x, y] = self.tile_origin(number);
-        tile.clear(x, y);
+        tile.clear(x, y, self.size);
         self.draw(level, &self.opaque, number, hole, None, tile);
     }
 

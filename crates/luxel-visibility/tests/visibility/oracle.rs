@@ -4,7 +4,7 @@ use crate::scene::{Corner, Scene, Submitted};
 use luxel_visibility::{Coverage, CullFaces};
 
 /// Twice the signed area of (p, q, r), positive where they run clockwise in the window.
-pub fn doubled_area(p: [i32; 2], q: [i32; 2], r: [i32; 2]) -> i128 {
+pub(crate) fn doubled_area(p: [i32; 2], q: [i32; 2], r: [i32; 2]) -> i128 {
     let across = |p: [i32; 2], q: [i32; 2], axis: usize| i128::from(q[axis]) - i128::from(p[axis]);
     across(p, q, 0) * across(p, r, 1) - across(p, q, 1) * across(p, r, 0)
 }
@@ -14,7 +14,7 @@ pub fn doubled_area(p: [i32; 2], q: [i32; 2], r: [i32; 2]) -> i128 {
 /// The top-left rule says: what lies on an edge counts as if it were moved a little to the right,
 /// and, where that doesn't decide, far less down. So the edge function's value is followed by its
 /// change to the right and its change downwards, and the first that isn't 0 decides.
-pub fn covers(corners: [[i32; 2]; 3], sample: [i32; 2]) -> bool {
+pub(crate) fn covers(corners: [[i32; 2]; 3], sample: [i32; 2]) -> bool {
     let [a, mut b, mut c] = corners;
     let area = doubled_area(a, b, c);
     if area == 0 {
@@ -32,7 +32,7 @@ pub fn covers(corners: [[i32; 2]; 3], sample: [i32; 2]) -> bool {
 }
 
 /// The depth of a sample: the corners' plane in f32, kept within the corners' range.
-pub fn depth([a, b, c]: [Corner; 3], sample: [i32; 2]) -> f32 {
+pub(crate) fn depth([a, b, c]: [Corner; 3], sample: [i32; 2]) -> f32 {
     let area = doubled_area(a.position(), b.position(), c.position()) as f32;
     let steps = |from: i32, to: i32| (to - from) as f32;
     let (ab_x, ab_y, ab_z) = (steps(a.x, b.x), steps(a.y, b.y), b.depth() - a.depth());
@@ -58,7 +58,7 @@ fn is_culled(corners: [Corner; 3], cull: CullFaces) -> bool {
 
 /// All triangles that a sample lies in, with their depths: nearest first, equally near ones in the
 /// order of submission.
-pub fn hits(
+pub(crate) fn hits(
     scene: &Scene,
     sample: [i32; 2],
     wanted: impl Fn(Coverage) -> bool,
@@ -79,6 +79,6 @@ pub fn hits(
 }
 
 /// The triangle that an opaque picture shows at a sample.
-pub fn winner(scene: &Scene, sample: [i32; 2]) -> Option<(f32, Submitted)> {
+pub(crate) fn winner(scene: &Scene, sample: [i32; 2]) -> Option<(f32, Submitted)> {
     hits(scene, sample, |coverage| coverage != Coverage::Blended).first().copied()
 }

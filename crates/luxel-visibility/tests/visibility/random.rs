@@ -6,7 +6,7 @@ use luxel_visibility::{Coverage, CullFaces, PartUse};
 use proptest::prelude::*;
 
 /// Triangles of a window with `size` pixels.
-pub fn triangle(size: [u32; 2]) -> impl Strategy<Value = [Corner; 3]> {
+pub(crate) fn triangle(size: [u32; 2]) -> impl Strategy<Value = [Corner; 3]> {
     let [width, height] = size.map(|pixels| pixels as i32 * 256);
     // Few depths, so that ties are common.
     let depth = || prop_oneof![Just(DEPTHS / 2), (0..=4_u16).prop_map(|z| z * 256), 0..=DEPTHS];
@@ -55,15 +55,17 @@ pub fn triangle(size: [u32; 2]) -> impl Strategy<Value = [Corner; 3]> {
 }
 
 /// How parts are drawn.
-pub fn part(coverages: &'static [Coverage]) -> impl Strategy<Value = PartUse> {
-    let culls = [CullFaces::None, CullFaces::Clockwise, CullFaces::CounterClockwise];
-    (prop::sample::select(&culls[..]).boxed(), prop::sample::select(coverages))
+pub(crate) fn part(coverages: &'static [Coverage]) -> impl Strategy<Value = PartUse> {
+    let culls = vec![CullFaces::None, CullFaces::Clockwise, CullFaces::CounterClockwise];
+    (prop::sample::select(culls), prop::sample::select(coverages))
         .prop_map(|(cull, coverage)| PartUse { cull, coverage })
-        .boxed()
 }
 
 /// Scenes of some instances with `triangles` triangles at most each.
-pub fn scene(coverages: &'static [Coverage], triangles: usize) -> impl Strategy<Value = Scene> {
+pub(crate) fn scene(
+    coverages: &'static [Coverage],
+    triangles: usize,
+) -> impl Strategy<Value = Scene> {
     let sizes = [[1, 1], [5, 3], [63, 17], [64, 64], [65, 66], [130, 20], [90, 75]];
     (prop::sample::select(sizes.to_vec()), prop::sample::select(vec![1, 1, 2, 4, 8, 16]))
         .prop_flat_map(move |(size, samples)| {
@@ -94,6 +96,6 @@ pub fn scene(coverages: &'static [Coverage], triangles: usize) -> impl Strategy<
 }
 
 /// How many cases a property is tried with, and no files left behind.
-pub fn cases(cases: u32) -> ProptestConfig {
+pub(crate) fn cases(cases: u32) -> ProptestConfig {
     ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }

@@ -8,50 +8,50 @@ use luxel_visibility::{Clusters, Frame, Hole, Instance, PartUse, Samples, TILE, 
 use std::collections::HashMap;
 
 /// Depths are whole numbers of `1 / DEPTHS`.
-pub const DEPTHS: u16 = 1024;
+pub(crate) const DEPTHS: u16 = 1024;
 
 /// A corner in the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Corner {
+pub(crate) struct Corner {
     /// Steps of 1/256 pixel from the upper left.
-    pub x: i32,
-    pub y: i32,
+    pub(crate) x: i32,
+    pub(crate) y: i32,
     /// Reversed depth times [`DEPTHS`].
-    pub z: u16,
+    pub(crate) z: u16,
 }
 
 impl Corner {
-    pub fn position(self) -> [i32; 2] {
+    pub(crate) fn position(self) -> [i32; 2] {
         [self.x, self.y]
     }
 
-    pub fn depth(self) -> f32 {
+    pub(crate) fn depth(self) -> f32 {
         f32::from(self.z) / f32::from(DEPTHS)
     }
 }
 
 /// Instance and triangle.
-pub type Submitted = (usize, u32);
+pub(crate) type Submitted = (usize, u32);
 
 /// The triangles of one instance.
 #[derive(Clone, Debug)]
-pub struct Placed {
-    pub triangles: Vec<([Corner; 3], PartUse)>,
+pub(crate) struct Placed {
+    pub(crate) triangles: Vec<([Corner; 3], PartUse)>,
     /// Whether corners at the same place are one vertex.
-    pub shared: bool,
+    pub(crate) shared: bool,
     /// Whether the mesh is kept upside down, and its matrix turns it.
-    pub mirrored: bool,
+    pub(crate) mirrored: bool,
 }
 
 #[derive(Clone, Debug)]
-pub struct Scene {
-    pub size: Size,
-    pub samples: u32,
-    pub instances: Vec<Placed>,
+pub(crate) struct Scene {
+    pub(crate) size: Size,
+    pub(crate) samples: u32,
+    pub(crate) instances: Vec<Placed>,
 }
 
 /// A scene as meshes, ready for frames.
-pub struct Built {
+pub(crate) struct Built {
     size: Size,
     samples: Samples,
     instances: Vec<(Mesh, Clusters, DMat4, Vec<PartUse>)>,
@@ -59,13 +59,18 @@ pub struct Built {
 
 impl Scene {
     /// One instance of triangles that are drawn alike.
-    pub fn of(size: [u32; 2], samples: u32, triangles: &[[Corner; 3]], part: PartUse) -> Self {
+    pub(crate) fn of(
+        size: [u32; 2],
+        samples: u32,
+        triangles: &[[Corner; 3]],
+        part: PartUse,
+    ) -> Self {
         let triangles = triangles.iter().map(|corners| (*corners, part)).collect();
         let placed = Placed { triangles, shared: true, mirrored: false };
         Self { size: Size { width: size[0], height: size[1] }, samples, instances: vec![placed] }
     }
 
-    pub fn build(&self) -> Built {
+    pub(crate) fn build(&self) -> Built {
         let instances = self.instances.iter().map(|placed| self.build_instance(placed)).collect();
         Built { size: self.size, samples: Samples::new(self.samples).unwrap(), instances }
     }
@@ -105,7 +110,7 @@ impl Scene {
     }
 
     /// Every sample of the window: its number in a [`Picture`] and its position.
-    pub fn sample_positions(&self) -> impl Iterator<Item = (usize, [i32; 2])> {
+    pub(crate) fn sample_positions(&self) -> impl Iterator<Item = (usize, [i32; 2])> + use<> {
         let offsets = Samples::new(self.samples).unwrap().positions();
         let Size { width, height } = self.size;
         (0..height as i32)
@@ -116,7 +121,7 @@ impl Scene {
 }
 
 impl Built {
-    pub fn frame(&self, level: Level) -> Frame<'_> {
+    pub(crate) fn frame(&self, level: Level) -> Frame<'_> {
         let instances = self
             .instances
             .iter()
@@ -133,15 +138,15 @@ impl Built {
     }
 
     /// The picture of everything opaque.
-    pub fn draw(&self, level: Level) -> Picture {
+    pub(crate) fn draw(&self, level: Level) -> Picture {
         Picture::opaque(&self.frame(level), level)
     }
 }
 
 /// What every sample of a window sees, pixel by pixel, row by row.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
-    pub seen: Vec<Option<(f32, Submitted)>>,
+pub(crate) struct Picture {
+    pub(crate) seen: Vec<Option<(f32, Submitted)>>,
 }
 
 impl Picture {
@@ -151,11 +156,11 @@ impl Picture {
         Self { seen: vec![None; (width * height) as usize * frame.samples().count()] }
     }
 
-    pub fn opaque(frame: &Frame<'_>, level: Level) -> Self {
+    pub(crate) fn opaque(frame: &Frame<'_>, level: Level) -> Self {
         Self::with_holes(frame, level, &no_holes)
     }
 
-    pub fn with_holes(frame: &Frame<'_>, level: Level, hole: &Hole<'_>) -> Self {
+    pub(crate) fn with_holes(frame: &Frame<'_>, level: Level, hole: &Hole<'_>) -> Self {
         let mut picture = Self::new(frame);
         let mut tile = Tile::new(frame.samples().count());
         for number in 0..frame.tiles().iter().product() {
@@ -166,7 +171,7 @@ impl Picture {
     }
 
     /// The blended layers, nearest first, until there is nothing left.
-    pub fn layers(frame: &Frame<'_>, level: Level, hole: &Hole<'_>) -> Vec<Self> {
+    pub(crate) fn layers(frame: &Frame<'_>, level: Level, hole: &Hole<'_>) -> Vec<Self> {
         let mut layers: Vec<Self> = Vec::new();
         let samples = frame.samples().count();
         let [mut opaque, mut behind, mut tile] = [(); 3].map(|()| Tile::new(samples));
@@ -207,11 +212,11 @@ impl Picture {
     }
 }
 
-pub fn no_holes(_: TriangleId, _: [i32; 2]) -> bool {
+pub(crate) fn no_holes(_: TriangleId, _: [i32; 2]) -> bool {
     false
 }
 
 /// The best level of this machine.
-pub fn best() -> Level {
+pub(crate) fn best() -> Level {
     SimdLevel::Auto.resolve().unwrap()
 }
