@@ -1,17 +1,20 @@
 //! Angles as weights: quick, and the same everywhere.
 
 /// a . b
+#[inline]
 pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// a x b
+#[inline]
 pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The angle between two vectors, to 4e-8: tan(t/2) = |a x b| / (|a| |b| + a.b); 0 if they point
 /// the same or opposite ways, or if one is 0.
+#[inline]
 pub(crate) fn angle_between(a: [f64; 3], b: [f64; 3]) -> f64 {
     let normal = cross(a, b);
     let sine = dot(normal, normal).sqrt();
@@ -22,6 +25,7 @@ pub(crate) fn angle_between(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// atan(y / x) for y > 0, x >= 0, to 2e-8 (Abramowitz and Stegun 1964, 4.4.49): weights need no
 /// more, and it is several times as fast as an exact one.
+#[inline]
 pub(crate) fn arc_tangent_of_ratio(y: f64, x: f64) -> f64 {
     const SERIES: [f64; 9] = [
         0.002_866_225_7,

@@ -19,8 +19,15 @@ const PLANE_MARGIN: f64 = 1e-3;
 /// solid things are several times as far; this is for lines seen end on.
 const LEAST_DISTANCE: f64 = 0.1;
 
-/// How often the view is centred again; each round about squares what is off.
+/// How many points one thread takes at a time.
+const RUN: usize = 1 << 12;
+
+/// How often the view is centred again at most; each round about squares what is off.
 const ROUNDS_OF_CENTRING: usize = 8;
+
+/// A step of centring this small, in parts of the scene's radius, is the last one: less than a
+/// hundredth of a pixel, and the next would be its square.
+const NEARLY_CENTRED: f64 = 1e-6;
 
 /// From which side a model is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -203,7 +210,7 @@ fn fitted_eye(points: &Points, bounds: &Bounds, slopes: &Slopes) -> DVec3 {
             break;
         }
         eye = centred;
-        if moved <= 1e-9 * size_of_a_point(bounds) {
+        if moved <= NEARLY_CENTRED * size_of_a_point(bounds) {
             break;
         }
     }
@@ -216,7 +223,8 @@ fn centred(points: &Points, slopes: &Slopes, eye: DVec3) -> [f64; 2] {
     // Each slope with the distance of the point it belongs to; of equal ones, the farthest.
     let outermost = points.highest_pairs(|point| {
         let distance = eye.z - point.z;
-        let [x, y] = [0, 1].map(|axis| (point[axis] - eye[axis]) / distance);
+        let by_distance = 1.0 / distance;
+        let (x, y) = ((point.x - eye.x) * by_distance, (point.y - eye.y) * by_distance);
         [(x, distance), (-x, distance), (y, distance), (-y, distance)]
     });
     [0, 1].map(|axis| {
@@ -249,15 +257,18 @@ impl<'a> Points<'a> {
         join: impl Fn(T, T) -> T + Sync,
     ) -> T {
         self.objects.iter().fold(nothing, |all, (mesh, picture_from_mesh, drawn)| {
-            let own = (0..mesh.positions.len())
-                .into_par_iter()
-                .with_min_len(1 << 12)
-                .filter(|&position| drawn[position])
-                .map(|position| {
-                    of(picture_from_mesh.transform_point3(mesh.position(position as u32)))
-                })
-                .reduce(|| nothing, &join);
-            join(all, own)
+            let picture_from_mesh = *picture_from_mesh;
+            let own = mesh.positions.par_chunks(RUN).zip(drawn.par_chunks(RUN));
+            let own = own.map(|(positions, drawn)| {
+                let mut joined = nothing;
+                for (&[x, y, z], _) in positions.iter().zip(drawn).filter(|(_, drawn)| **drawn) {
+                    let point = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
+                    let point = picture_from_mesh.transform_point3(mesh.origin + point);
+                    joined = join(joined, of(point));
+                }
+                joined
+            });
+            join(all, own.reduce(|| nothing, &join))
         })
     }
 

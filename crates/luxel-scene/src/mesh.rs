@@ -110,16 +110,20 @@ impl Mesh {
     /// The bounds of everything drawn: triangles, points and lines; empty if there is nothing.
     #[must_use]
     pub fn bounds(&self, world_from_mesh: &DMat4) -> Bounds {
+        /// How many positions one thread takes at a time.
+        const RUN: usize = 1 << 12;
         let drawn = self.drawn_positions();
-        (0..self.positions.len())
-            .into_par_iter()
-            .with_min_len(1 << 12)
-            .filter(|&index| drawn[index])
-            .map(|index| {
-                let point = world_from_mesh.transform_point3(self.position(index as u32));
-                Bounds { min: point, max: point }
-            })
-            .reduce(|| Bounds::EMPTY, |a, b| a.union(&b))
+        let world_from_mesh = *world_from_mesh;
+        let runs = self.positions.par_chunks(RUN).zip(drawn.par_chunks(RUN));
+        let of_run = |(positions, drawn): (&[[f32; 3]], &[bool])| {
+            let mut bounds = Bounds::EMPTY;
+            for (&[x, y, z], _) in positions.iter().zip(drawn).filter(|(_, drawn)| **drawn) {
+                let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
+                bounds.include(world_from_mesh.transform_point3(self.origin + position));
+            }
+            bounds
+        };
+        runs.map(of_run).reduce(|| Bounds::EMPTY, |a, b| a.union(&b))
     }
 
     /// Whether each position is drawn: as the corner of a triangle, as a point, or as the end of a

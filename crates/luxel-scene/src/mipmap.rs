@@ -40,8 +40,10 @@ fn half(level: &MipLevel, encoding: Encoding) -> Option<MipLevel> {
             let rows = level.texels[2 * y * stride..][..2 * stride].split_at(stride);
             let pairs = rows.0.as_chunks::<2>().0.iter().zip(rows.1.as_chunks::<2>().0);
             for (texel, ([a, b], [c, d])) in row.iter_mut().zip(pairs) {
-                *texel = if !by_alpha || a[3] & b[3] & c[3] & d[3] == 255 {
-                    mean_of_four([a, b, c, d], numbers, by_alpha)
+                // Equal opacities weigh equally.
+                let alike = [b, c, d].iter().all(|texel| texel[3] == a[3]);
+                *texel = if !by_alpha || alike {
+                    mean_of_four([a, b, c, d], numbers)
                 } else {
                     weighted_mean([(1, *a), (1, *b), (1, *c), (1, *d)], numbers, by_alpha)
                 };
@@ -97,21 +99,16 @@ impl Taps {
     }
 }
 
-/// The mean of four texels; of colours only if they are opaque.
+/// The plain mean of four texels.
 #[inline]
-fn mean_of_four(texels: [&[u8; 4]; 4], numbers: &WholeNumbers, opaque: bool) -> [u8; 4] {
+fn mean_of_four([a, b, c, d]: [&[u8; 4]; 4], numbers: &WholeNumbers) -> [u8; 4] {
     let channel = |channel: usize| {
-        let sum: u32 =
-            texels.iter().map(|texel| u32::from(numbers.linear[usize::from(texel[channel])])).sum();
-        numbers.byte[((sum + 2) / 4) as usize]
+        let linear = |texel: &[u8; 4]| u32::from(numbers.linear[usize::from(texel[channel])]);
+        numbers.byte[((linear(a) + linear(b) + linear(c) + linear(d) + 2) / 4) as usize]
     };
-    let alpha = if opaque {
-        255
-    } else {
-        let sum: u32 = texels.iter().map(|texel| u32::from(texel[3])).sum();
-        ((sum + 2) / 4) as u8
-    };
-    [channel(0), channel(1), channel(2), alpha]
+    let alpha = |texel: &[u8; 4]| u32::from(texel[3]);
+    let alpha = (alpha(a) + alpha(b) + alpha(c) + alpha(d) + 2) / 4;
+    [channel(0), channel(1), channel(2), alpha as u8]
 }
 
 /// The mean of weighted texels; `by_alpha` weights colours by their opacity, too, unless all are

@@ -115,12 +115,14 @@ impl Around<'_> {
         fan_of_corner: &mut [u32],
     ) {
         let first_fan = normals.len() as u32;
-        if self.is_one_fan(corners) {
-            let mut sum = Sum::default();
-            for (slot, &corner) in corners.iter().enumerate() {
-                let face = self.face(corner);
-                sum.add(face, self.weight(face, corners, slot));
-            }
+        let mut plain = [0.0; 3];
+        let mut sum = Sum::default();
+        for (slot, &corner) in corners.iter().enumerate() {
+            let face = self.face(corner);
+            face.add_to(&mut plain, 1.0);
+            sum.add(face, self.weight(face, corners, slot));
+        }
+        if self.is_one_fan(corners, plain) {
             normals.push(sum.normal());
             fan_of_corner.fill(first_fan);
             return;
@@ -169,8 +171,8 @@ impl Around<'_> {
     }
 
     /// Whether it is plain to see that all faces belong together. Normals within half the crease
-    /// angle of their mean are within the whole of each other.
-    fn is_one_fan(&self, corners: &[u32]) -> bool {
+    /// angle of their mean, whose direction is `[x, y, z]`, are within the whole of each other.
+    fn is_one_fan(&self, corners: &[u32], [x, y, z]: [f64; 3]) -> bool {
         match self.rule {
             Rule::All => true,
             Rule::Groups(groups) => {
@@ -179,15 +181,12 @@ impl Around<'_> {
                     && corners.iter().all(|&corner| group(corner) == group(corners[0]))
             }
             Rule::Crease { alike_cosine, .. } => {
-                let mut mean = [0.0; 3];
-                for &corner in corners {
-                    self.face(corner).add_to(&mut mean, 1.0);
-                }
-                let [x, y, z] = mean;
                 let least = alike_cosine * (x * x + y * y + z * z).sqrt();
                 corners.iter().all(|&corner| {
-                    let [a, b, c] = self.face(corner).normal.map(f64::from);
-                    x * a + y * b + z * c > least || !self.face(corner).is_sound()
+                    let face = self.face(corner);
+                    let [a, b, c] = face.normal;
+                    x * f64::from(a) + y * f64::from(b) + z * f64::from(c) > least
+                        || !face.is_sound()
                 })
             }
         }

@@ -27,9 +27,10 @@ impl Face {
     /// Adds the weighted normal.
     #[inline]
     pub(super) fn add_to(&self, sum: &mut [f64; 3], weight: f32) {
-        for (sum, value) in sum.iter_mut().zip(self.normal) {
-            *sum += f64::from(weight) * f64::from(value);
-        }
+        let ([x, y, z], weight) = (self.normal, f64::from(weight));
+        sum[0] += weight * f64::from(x);
+        sum[1] += weight * f64::from(y);
+        sum[2] += weight * f64::from(z);
     }
 }
 
@@ -105,26 +106,27 @@ fn fill(mesh: &Mesh, source: NormalSource, scale: f64, first: usize, faces: &mut
         }
         let mut sum = [0.0; 3];
         for triangle in first + start..first + end {
-            let cross = Shape::of(mesh, triangle).cross();
-            for (sum, value) in sum.iter_mut().zip(cross) {
-                *sum += value;
-            }
+            let [x, y, z] = Shape::of(mesh, triangle).cross();
+            sum = [sum[0] + x, sum[1] + y, sum[2] + z];
         }
         let length = dot(sum, sum).sqrt();
         if length > 0.0 && length.is_finite() {
-            let normal = sum.map(|value| (value / length) as f32);
+            let [x, y, z] = sum;
+            let normal = [(x / length) as f32, (y / length) as f32, (z / length) as f32];
             let area = length * 0.5 * scale;
             for (triangle, face) in (first + start..).zip(&mut faces[start..end]) {
                 let angles = || Shape::of(mesh, triangle).angles();
-                let weights = match source {
+                let [x, y, z] = match source {
                     NormalSource::Mean => [1.0; 3],
                     NormalSource::Area => [area; 3],
                     NormalSource::Angle => angles(),
                     NormalSource::File | NormalSource::AreaAngle => {
-                        angles().map(|angle| angle * area)
+                        let [x, y, z] = angles();
+                        [x * area, y * area, z * area]
                     }
                 };
-                *face = Face { normal, weights: weights.map(|weight| weight as f32) };
+                let weights = [x as f32, y as f32, z as f32];
+                *face = Face { normal, weights };
             }
         }
         start = end;
@@ -135,11 +137,16 @@ fn fill(mesh: &Mesh, source: NormalSource, scale: f64, first: usize, faces: &mut
 struct Shape([[f64; 3]; 3]);
 
 impl Shape {
+    #[inline]
     fn of(mesh: &Mesh, triangle: usize) -> Self {
-        let [a, b, c] = mesh.triangles[triangle]
-            .map(|position| mesh.positions[position as usize].map(f64::from));
+        let [a, b, c] = mesh.triangles[triangle];
+        let place = |position: u32| {
+            let [x, y, z] = mesh.positions[position as usize];
+            [f64::from(x), f64::from(y), f64::from(z)]
+        };
         let edge =
             |from: [f64; 3], to: [f64; 3]| [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+        let (a, b, c) = (place(a), place(b), place(c));
         Self([edge(a, b), edge(b, c), edge(c, a)])
     }
 
@@ -149,19 +156,22 @@ impl Shape {
         cross(a, b)
     }
 
-    /// The angles at the corners, by tan(t/2) = |a x b| / (|a| |b| + a.b); 0 without area.
+    /// The angles at the corners, by tan(t/2) = |a x b| / (|a| |b| + a.b); 0 without area. The
+    /// third is what is left of a half turn.
     fn angles(&self) -> [f64; 3] {
-        let cross = self.cross();
+        let [a, b, c] = self.0;
+        let cross = cross(a, b);
         let double_area = dot(cross, cross).sqrt();
         if double_area.is_nan() || double_area <= 0.0 {
             return [0.0; 3];
         }
-        let lengths = self.0.map(|edge| dot(edge, edge).sqrt());
-        [0, 1, 2].map(|corner| {
-            let before = (corner + 2) % 3;
-            let product = lengths[before] * lengths[corner] - dot(self.0[before], self.0[corner]);
-            2.0 * arc_tangent_of_ratio(double_area, product.max(0.0))
-        })
+        let (length_a, length_b, length_c) = (dot(a, a).sqrt(), dot(b, b).sqrt(), dot(c, c).sqrt());
+        let angle = |lengths: f64, cosine: f64| {
+            2.0 * arc_tangent_of_ratio(double_area, (lengths - cosine).max(0.0))
+        };
+        let first = angle(length_c * length_a, dot(c, a));
+        let second = angle(length_a * length_b, dot(a, b));
+        [first, second, (std::f64::consts::PI - first - second).max(0.0)]
     }
 }
 
