@@ -49,6 +49,3 @@ pub(crate) fn read(
     let scene = scene::build(&buffers, &mut warnings)?;
     Ok(Loaded { scene, format, warnings: warnings.finish() })
 }
-
-#[cfg(test)]
-mod tests;

@@ -5,7 +5,9 @@ use super::schema::{Index, Sampler as FileSampler};
 use crate::memory::Memory;
 use crate::warnings::Warnings;
 use crate::{Error, Place, image};
-use luxel_scene::{Encoding, Filter, Image, Sampler, Texture, TextureId, Wrap};
+use luxel_scene::{
+    Encoding, Filter, Image, Sampler, SceneMaterial, Texture, TextureId, TextureUse, Wrap,
+};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -73,7 +75,14 @@ impl<'b, 'd> Textures<'b, 'd> {
     }
 
     /// Reads and decodes the images, several at a time. Those that can't be read get a stand-in.
-    pub(crate) fn load(self, warnings: &mut Warnings) -> Vec<Texture> {
+    ///
+    /// A stand-in shows where a colour is missing; bumps and roughness made of it would be lies, so
+    /// materials lose the textures of that kind.
+    pub(crate) fn load(
+        self,
+        materials: &mut [SceneMaterial],
+        warnings: &mut Warnings,
+    ) -> Vec<Texture> {
         let names: Vec<_> = self.images.iter().map(|&(index, _)| self.name(index)).collect();
         let encoded: Vec<_> = self.images.iter().map(|&(index, _)| self.encoded(index)).collect();
         let memory = self.buffers.memory();
@@ -83,6 +92,18 @@ impl<'b, 'd> Textures<'b, 'd> {
             .zip(names.par_iter().zip(encoded))
             .map(|(&(_, encoding), (name, bytes))| decode(name, &bytes?, encoding, memory))
             .collect();
+        let failed: Vec<_> = decoded.iter().map(Result::is_err).collect();
+        for material in materials {
+            let parts =
+                [&mut material.metallic_roughness, &mut material.normal, &mut material.occlusion];
+            for part in parts {
+                let is_lost = |usage: &mut TextureUse| {
+                    let (image, _) = self.textures[usage.texture.index()];
+                    failed[image]
+                };
+                part.take_if(is_lost);
+            }
+        }
         let named = self.images.iter().zip(names);
         let images: Vec<_> = named
             .zip(decoded)

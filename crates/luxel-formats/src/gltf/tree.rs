@@ -33,12 +33,12 @@ impl Tree {
         warnings: &mut Warnings,
     ) -> Result<Self, Error> {
         let mut parents = parents(document)?;
+        let order = parents_first(&parents, limits)?;
         let roots = roots(document, &parents, warnings)?;
         // A root of the scene stands in the world, whatever else claims it as a child.
         for &root in &roots {
             parents[root as usize] = None;
         }
-        let order = parents_first(&parents, limits)?;
         let nodes = document.nodes.iter().enumerate();
         let parent_from_nodes: Vec<DMat4> =
             nodes.map(|(index, node)| placement(node, index, warnings)).collect();
@@ -114,7 +114,7 @@ fn roots(
     Ok(roots)
 }
 
-/// Whether a strict ancestor of each node is listed. Cycles, which are refused later, end.
+/// Whether a strict ancestor of each node is listed.
 fn ancestors_listed(parents: &[Option<Index>], is_listed: &[bool]) -> Vec<bool> {
     let mut known: Vec<Option<bool>> = vec![None; parents.len()];
     for start in 0..parents.len() {
@@ -124,8 +124,6 @@ fn ancestors_listed(parents: &[Option<Index>], is_listed: &[bool]) -> Vec<bool> 
             if let Some(known) = known[next] {
                 break known || is_listed[next];
             }
-            // Marked while on the way up, so that a cycle is left where it is entered again.
-            known[next] = Some(false);
             chain.push(next);
             match parents[next] {
                 Some(parent) => next = parent as usize,
