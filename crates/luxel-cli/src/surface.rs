@@ -43,7 +43,7 @@ fn forget_colors(mesh: &mut Mesh) {
     mesh.colors = Vec::new();
 }
 
-/// Gives every mesh the normals that the flags ask for.
+/// Gives every mesh the normals that the flags ask for, and tangents where normal maps need them.
 pub(crate) fn apply_normals(options: &ShadingOptions, scene: &mut Scene) {
     let source = match options.normals {
         NormalsChoice::File => NormalSource::File,
@@ -54,6 +54,7 @@ pub(crate) fn apply_normals(options: &ShadingOptions, scene: &mut Scene) {
     };
     let crease_radians = options.crease.unwrap_or(DEFAULT_CREASE_DEGREES).to_radians();
     scene.compute_normals(&NormalOptions { source, crease_radians });
+    scene.compute_tangents();
 }
 
 #[cfg(test)]
