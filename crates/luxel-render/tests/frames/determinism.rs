@@ -1,0 +1,77 @@
+//! The same bytes from every number of threads and every instruction set.
+
+use crate::scenes::{execution, matte, scene, square, view};
+use luxel_math::SimdLevel;
+use luxel_render::{Edges, Layer, Renderer, View};
+use luxel_scene::{AlphaMode, Camera, DMat4, DVec3, Lens, Projection, Scene, Size, demos};
+
+/// A scene with everything at once: textures, masks, glass, many materials.
+fn busy() -> Scene {
+    let mut things = Vec::new();
+    for number in 0..12 {
+        let mut material = matte([0.2 + 0.05 * number as f32, 0.5, 0.8]);
+        if number % 3 == 0 {
+            material.alpha_mode = AlphaMode::Blend;
+            material.opacity = 0.4;
+        }
+        things.push((square(0.0), material));
+    }
+    let mut scene = scene(things);
+    for (number, node) in scene.nodes.iter_mut().enumerate() {
+        let turn = DMat4::from_rotation_x(0.3 * number as f64)
+            * DMat4::from_rotation_y(0.7 * number as f64);
+        node.parent_from_node = turn;
+    }
+    scene
+}
+
+fn perspective(scene: &Scene, size: Size) -> View {
+    let bounds = scene.bounds();
+    let eye = bounds.centre() + DVec3::new(0.4, 0.3, 1.0).normalize() * bounds.radius() * 2.2;
+    let projection = Projection {
+        lens: Lens::Perspective { fov_y_radians: 0.8 },
+        near: bounds.radius() * 0.1,
+        far: bounds.radius() * 10.0,
+    };
+    let view_from_world = Camera::look_at(eye, bounds.centre(), DVec3::Y);
+    View { size, camera: Camera { view_from_world, projection }, samples: 4, ..view(1) }
+}
+
+fn check(name: &str, scene: &Scene, view: &View) {
+    let of = |threads, simd| {
+        let renderer = Renderer::new(scene, &execution(threads, simd)).unwrap();
+        let layers = renderer.layers(view, &Layer::ALL).unwrap();
+        (renderer.rgba8(view).unwrap().pixels, renderer.linear(view).unwrap().pixels, layers)
+    };
+    let bits = |pixels: &[[f32; 4]]| -> Vec<u32> {
+        pixels.as_flattened().iter().map(|value| value.to_bits()).collect()
+    };
+    let (bytes, linear, layers) = of(1, SimdLevel::Auto);
+    assert!(bytes.iter().any(|pixel| *pixel != bytes[0]), "{name}: something is drawn");
+    let ways = SimdLevel::available().into_iter().zip([7, 2, 1].into_iter().cycle());
+    for (simd, threads) in ways.chain([(SimdLevel::Auto, 2), (SimdLevel::Auto, 7)]) {
+        let (other_bytes, other_linear, other_layers) = of(threads, simd);
+        assert!(bytes == other_bytes, "{name}: bytes differ at {simd}, {threads} threads");
+        assert!(bits(&linear) == bits(&other_linear), "{name}: {simd}, {threads} threads");
+        assert!(layers == other_layers, "{name}: layers differ at {simd}, {threads} threads");
+    }
+}
+
+#[test]
+fn demos_have_the_same_bytes_however_they_are_run() {
+    for (name, _) in demos::names() {
+        let scene = demos::demo(name).unwrap();
+        check(name, &scene, &perspective(&scene, Size { width: 150, height: 90 }));
+    }
+}
+
+#[test]
+fn glass_and_wires_have_the_same_bytes_however_they_are_run() {
+    let scene = busy();
+    let mut view = perspective(&scene, Size { width: 130, height: 70 });
+    check("glass", &scene, &view);
+    view.edges = Some(Edges::OVER_FACES);
+    check("edges", &scene, &view);
+    view.edges = Some(Edges::WIREFRAME);
+    check("wires", &scene, &view);
+}

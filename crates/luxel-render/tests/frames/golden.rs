@@ -1,0 +1,61 @@
+//! Golden pictures: hashes of bytes, which may change only when the pictures are meant to.
+//!
+//! `LUXEL_BLESS=1` prints the hashes to be put here instead of comparing them.
+
+use luxel_render::{EnvironmentChoice, Renderer, View};
+use luxel_scene::{Lens, Size, Viewpoint, default_lights, demos, fit_view};
+
+use crate::scenes::{execution, view};
+use luxel_math::SimdLevel;
+
+/// The hash of each demo's picture, 320x180 with 4 samples a pixel, from its fitted view.
+const GOLDEN: &[(&str, u64)] = &[
+    ("teapot", 0xd617_0099_6588_707f),
+    ("spheres", 0x33b1_0fe6_4cbe_351e),
+    ("cornell", 0x0ff4_2b6c_56d4_863b),
+    ("plane", 0x6171_a121_69f5_5f05),
+    ("blob", 0x1a77_56ef_08cb_8393),
+];
+
+/// FNV-1a (Fowler, Noll and Vo 1991), 64 bits.
+fn hash(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+#[test]
+fn demos_look_as_they_did() {
+    for (name, _) in demos::names() {
+        let scene = demos::demo(name).unwrap();
+        let viewpoint = Viewpoint {
+            up: scene.up,
+            azimuth_radians: 30_f64.to_radians(),
+            elevation_radians: 20_f64.to_radians(),
+        };
+        let size = Size { width: 320, height: 180 };
+        let lens = Lens::Perspective { fov_y_radians: 45_f64.to_radians() };
+        let mut lights = scene.lights.clone();
+        if lights.is_empty() {
+            lights = default_lights();
+        }
+        let view = View {
+            size,
+            camera: fit_view(&scene, &viewpoint, lens, size),
+            samples: 4,
+            lights,
+            ambient: [0.1; 3],
+            environment: EnvironmentChoice::StudioForMicrofacets,
+            ..view(1)
+        };
+        let renderer = Renderer::new(&scene, &execution(0, SimdLevel::Auto)).unwrap();
+        let found = hash(renderer.rgba8(&view).unwrap().pixels.as_flattened());
+        if std::env::var_os("LUXEL_BLESS").is_some() {
+            println!("    (\"{name}\", 0x{found:016x}),");
+            continue;
+        }
+        let golden = GOLDEN.iter().find(|(golden, _)| **golden == *name);
+        let expected = golden.map(|(_, hash)| *hash);
+        assert_eq!(Some(found), expected, "the picture of {name} has changed");
+    }
+}

@@ -1,0 +1,80 @@
+//! Layers against geometry that is known.
+
+use crate::scenes::{execution, matte, scene, square, view};
+use luxel_math::SimdLevel;
+use luxel_render::{Layer, LayerValues, Renderer};
+
+/// Two squares, the second one nearer and shifted to the right by half a unit.
+fn values(layer: Layer) -> LayerValues {
+    let mut near = square(2.0);
+    near.positions.iter_mut().for_each(|position| position[0] += 0.5);
+    let scene = scene(vec![(square(0.0), matte([1.0; 3])), (near, matte([1.0; 3]))]);
+    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    renderer.layers(&view(64), &[layer]).unwrap().remove(0)
+}
+
+fn f32s(layer: Layer) -> Vec<f32> {
+    match values(layer) {
+        LayerValues::F32(values) => values,
+        LayerValues::U32(_) => panic!("{layer:?} holds floats"),
+    }
+}
+
+fn u32s(layer: Layer) -> Vec<u32> {
+    match values(layer) {
+        LayerValues::U32(values) => values,
+        LayerValues::F32(_) => panic!("{layer:?} holds ids"),
+    }
+}
+
+/// The number of the pixel whose centre is nearest to a place in the world.
+fn pixel(x: f64, y: f64) -> usize {
+    ((2.0 - y) * 16.0) as usize * 64 + ((x + 2.0) * 16.0) as usize
+}
+
+#[test]
+fn objects_and_triangles_are_numbered_as_they_come() {
+    let (objects, triangles) = (u32s(Layer::Object), u32s(Layer::Triangle));
+    assert_eq!(objects[pixel(-0.8, 0.0)], 0);
+    assert_eq!(objects[pixel(0.0, 0.0)], 1);
+    assert_eq!(objects[pixel(-1.8, 0.0)], u32::MAX);
+    // Lower right and upper left of the far square.
+    assert_eq!(triangles[pixel(-0.75, -0.9)], 0);
+    assert_eq!(triangles[pixel(-0.9, 0.9)], 1);
+    assert_eq!(triangles[pixel(-1.8, 0.0)], u32::MAX);
+}
+
+#[test]
+fn depths_are_those_of_an_orthographic_camera() {
+    // The eye is 10 away, near 1, far 20.
+    let (depth, z) = (f32s(Layer::Depth), f32s(Layer::Z));
+    assert!((depth[pixel(-0.8, 0.0)] - 9.0 / 19.0).abs() < 1e-6);
+    assert!((depth[pixel(0.0, 0.0)] - 7.0 / 19.0).abs() < 1e-6);
+    assert_eq!(depth[pixel(-1.8, 0.0)], 1.0);
+    assert!((z[pixel(0.0, 0.0)] - 8.0).abs() < 1e-6);
+    assert_eq!(z[pixel(-1.8, 0.0)], f32::INFINITY);
+}
+
+#[test]
+fn positions_normals_and_weights_agree_with_the_square() {
+    let (positions, normals) = (f32s(Layer::Position), f32s(Layer::Normal));
+    let (weights, uvs) = (f32s(Layer::Barycentric), f32s(Layer::Uv));
+    for y in 0..64 {
+        for x in 0..64 {
+            let at = y * 64 + x;
+            let [px, py] = [x, y].map(|pixel| (f64::from(pixel as u32) + 0.5) / 16.0 - 2.0);
+            let py = -py;
+            // The far square, left of the near one.
+            if px.abs() < 1.0 && py.abs() < 1.0 && px < -0.5 {
+                let near = |value: f32, expected: f64| (f64::from(value) - expected).abs() < 1e-6;
+                assert!(near(positions[3 * at], px) && near(positions[3 * at + 1], py), "{x} {y}");
+                assert!(near(positions[3 * at + 2], 0.0));
+                assert_eq!(normals[3 * at..3 * at + 3], [0.0, 0.0, 1.0]);
+                let sum: f32 = weights[3 * at..3 * at + 3].iter().sum();
+                assert!((sum - 1.0).abs() < 1e-6);
+                assert!(near(uvs[2 * at], (px + 1.0) / 2.0));
+                assert!(near(uvs[2 * at + 1], (1.0 - py) / 2.0));
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! Colours that can be computed by hand.
+
+use crate::scenes::{bytes, frontal, linear, matte, middle, scene, square, view};
+use luxel_lighting::{Fog, FogLaw, Material, Reflection};
+use luxel_render::{Cull, Edges};
+use luxel_scene::{DMat4, DVec3, Sides};
+
+#[test]
+fn a_white_surface_facing_a_unit_light_is_white() {
+    let scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    assert_eq!(middle(&bytes(&scene, &view(16))), [255; 4]);
+}
+
+#[test]
+fn half_the_light_is_byte_188_by_the_curve_of_srgb() {
+    let scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    let mut view = view(16);
+    view.lights = vec![frontal([0.5; 3])];
+    assert_eq!(middle(&bytes(&scene, &view)), [188, 188, 188, 255]);
+}
+
+#[test]
+fn every_model_that_promises_it_gives_the_same_white() {
+    for reflection in [Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong] {
+        let mut material = matte([1.0; 3]);
+        material.constants = Material { reflection, k_s: 0.0, ..material.constants };
+        let scene = scene(vec![(square(0.0), material)]);
+        assert_eq!(middle(&linear(&scene, &view(16))), [1.0; 4]);
+    }
+}
+
+#[test]
+fn a_tilted_surface_gets_the_cosine_of_the_light() {
+    let mut scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_x(std::f64::consts::FRAC_PI_3);
+    let [r, ..] = middle(&linear(&scene, &view(16)));
+    assert!((r - 0.5).abs() < 1e-6, "{r}");
+}
+
+#[test]
+fn reversed_winding_is_lit_like_the_right_one() {
+    let right = scene(vec![(square(0.0), matte([0.3, 0.6, 0.9]))]);
+    let mut mesh = square(0.0);
+    mesh.triangles = vec![[2, 1, 0], [3, 2, 0]];
+    let reversed = scene(vec![(mesh, matte([0.3, 0.6, 0.9]))]);
+    assert_eq!(bytes(&right, &view(16)), bytes(&reversed, &view(16)));
+}
+
+#[test]
+fn a_surface_seen_from_behind_is_lit_on_the_side_that_is_seen() {
+    let mut scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_y(std::f64::consts::PI);
+    assert_eq!(middle(&bytes(&scene, &view(16))), [255; 4]);
+}
+
+#[test]
+fn back_faces_are_left_out_where_the_material_or_the_view_says_so() {
+    let mut material = matte([1.0; 3]);
+    let mut mesh = square(0.0);
+    mesh.triangles = vec![[2, 1, 0], [3, 2, 0]];
+    let both = scene(vec![(mesh.clone(), material.clone())]);
+    material.sides = Sides::Front;
+    let front = scene(vec![(mesh, material)]);
+    let alpha = |scene, cull| middle(&bytes(scene, &luxel_render::View { cull, ..view(16) }))[3];
+    assert_eq!(alpha(&both, Cull::Auto), 255);
+    assert_eq!(alpha(&both, Cull::Back), 0);
+    assert_eq!(alpha(&front, Cull::Auto), 0);
+    assert_eq!(alpha(&front, Cull::None), 255);
+}
+
+#[test]
+fn a_mirroring_transform_turns_neither_culling_nor_light_round() {
+    let mut material = matte([1.0; 3]);
+    material.sides = Sides::Front;
+    let mut scene = scene(vec![(square(0.0), material)]);
+    scene.nodes[0].parent_from_node = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+    assert_eq!(middle(&bytes(&scene, &view(16))), [255; 4]);
+}
+
+#[test]
+fn fog_goes_by_the_distance_along_the_view() {
+    let scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    let mut view = view(16);
+    let law = FogLaw::DepthCue { near: 8.0, far: 12.0, front: 1.0, back: 0.0 };
+    view.fog = Some(Fog { color: [0.0, 0.0, 1.0], law });
+    // The square lies 10 in front of the eye: half light, half fog.
+    assert_eq!(middle(&linear(&scene, &view)), [0.5, 0.5, 1.0, 1.0]);
+}
+
+#[test]
+fn edge_pixels_weigh_their_samples() {
+    // The square's left edge at x = -1 lies at pixel 4.5 of 18: half of the pixel is covered.
+    let scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    let mut view = view(18);
+    view.samples = 16;
+    let pixels = linear(&scene, &view);
+    let [r, g, b, alpha] = pixels[9 * 18 + 4];
+    assert_eq!([r, g, b, alpha], [1.0, 1.0, 1.0, 0.5]);
+    view.background = [0.0, 0.0, 1.0, 1.0];
+    let pixels = linear(&scene, &view);
+    assert_eq!(pixels[9 * 18 + 4], [0.5, 0.5, 1.0, 1.0]);
+}
+
+#[test]
+fn wires_are_drawn_along_polygons_and_not_along_diagonals() {
+    let scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    let mut view = view(64);
+    view.edges = Some(Edges::WIREFRAME);
+    let pixels = bytes(&scene, &view);
+    let alpha = |x: usize, y: usize| pixels[y * 64 + x][3];
+    assert_eq!(alpha(32, 16), 255, "upper edge");
+    assert_eq!(alpha(16, 32), 255, "left edge");
+    assert_eq!(alpha(32, 31), 0, "middle, where the diagonal runs");
+    view.edges = Some(Edges::OVER_FACES);
+    let pixels = bytes(&scene, &view);
+    assert_eq!(pixels[32 * 64 + 32], [255; 4]);
+    // The pixel's centre is half a pixel from the edge: half covered by a line one pixel wide.
+    assert!(pixels[16 * 64 + 32][0] < 192, "an edge over the face is dark");
+}

@@ -1,0 +1,99 @@
+//! Small scenes whose pictures are known.
+
+use luxel_lighting::{Light, LightKind, Material, PictureEncoding, Reflection};
+use luxel_math::SimdLevel;
+use luxel_render::{Cull, EnvironmentChoice, Execution, Renderer, View};
+use luxel_scene::{
+    Camera, DMat4, DVec3, Lens, MaterialId, Mesh, MeshId, Node, Part, Placement, Projection, Scene,
+    SceneLight, SceneMaterial, Size,
+};
+
+/// A square of 2x2 units at z, facing +Z.
+pub fn square(z: f32) -> Mesh {
+    Mesh {
+        positions: vec![[-1.0, -1.0, z], [1.0, -1.0, z], [1.0, 1.0, z], [-1.0, 1.0, z]],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        normals: vec![[0.0, 0.0, 1.0]; 4],
+        uvs: [vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]], Vec::new()],
+        polygons: Some(vec![0, 0]),
+        ..Mesh::default()
+    }
+}
+
+/// A material of one colour without a highlight.
+pub fn matte(color: [f32; 3]) -> SceneMaterial {
+    let constants =
+        Material { reflection: Reflection::Lambert, diffuse: color, ..Material::default() };
+    SceneMaterial { constants, ..SceneMaterial::default() }
+}
+
+/// Meshes, each with its material, as objects of one scene.
+pub fn scene(things: Vec<(Mesh, SceneMaterial)>) -> Scene {
+    let mut scene = Scene::default();
+    for (number, (mut mesh, material)) in (0..).zip(things) {
+        let count = mesh.triangles.len() as u32;
+        mesh.parts = vec![Part { first: 0, count, material: MaterialId(number) }];
+        scene.meshes.push(mesh);
+        scene.materials.push(material);
+        scene.nodes.push(Node {
+            parent_from_node: DMat4::IDENTITY,
+            ..Node::root(format!("thing {number}"), Some(MeshId(number)))
+        });
+    }
+    scene
+}
+
+/// A directional light along -Z.
+pub fn frontal(color: [f32; 3]) -> SceneLight {
+    SceneLight {
+        name: "frontal".to_owned(),
+        light: Light::new(LightKind::Directional, color),
+        placement: Placement::World,
+        position: DVec3::ZERO,
+        direction: DVec3::NEG_Z,
+    }
+}
+
+/// Four by four units seen straight from the front, a unit light in the eye's direction.
+pub fn view(side: u32) -> View {
+    let projection = Projection { lens: Lens::Orthographic { height: 4.0 }, near: 1.0, far: 20.0 };
+    View {
+        size: Size { width: side, height: side },
+        camera: Camera {
+            view_from_world: Camera::look_at(DVec3::Z * 10.0, DVec3::ZERO, DVec3::Y),
+            projection,
+        },
+        samples: 1,
+        cull: Cull::Auto,
+        lights: vec![frontal([1.0; 3])],
+        ambient: [0.0; 3],
+        environment: EnvironmentChoice::default(),
+        fog: None,
+        background: [0.0; 4],
+        encoding: PictureEncoding::Srgb,
+        edges: None,
+    }
+}
+
+/// One way of running.
+pub fn execution(threads: usize, simd: SimdLevel) -> Execution {
+    Execution { threads, simd, ..Execution::default() }
+}
+
+/// The bytes of a view.
+pub fn bytes(scene: &Scene, view: &View) -> Vec<[u8; 4]> {
+    let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
+    renderer.rgba8(view).unwrap().pixels
+}
+
+/// The linear pixels of a view.
+pub fn linear(scene: &Scene, view: &View) -> Vec<[f32; 4]> {
+    let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
+    renderer.linear(view).unwrap().pixels
+}
+
+/// The pixel in the middle of a square picture.
+pub fn middle<T: Copy>(pixels: &[T]) -> T {
+    let side = pixels.len().isqrt();
+    pixels[side / 2 * side + side / 2]
+}
