@@ -1,7 +1,7 @@
 //! What mirrors and metals see.
 
 use crate::light::bounded;
-use luxel_math::{Number, Rgb, Vec3, elementary};
+use luxel_math::{Number, Rgb, Vec3};
 
 /// The surroundings that mirrors and metals reflect: no picture, a formula.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -45,8 +45,8 @@ impl Environment {
     /// The studio is a gradient over h, the sine of elevation, that is steep about the horizon; what
     /// a rougher surface sees is the same gradient with a wider horizon. With
     /// t = h / (0.12 + 1.4 roughness^2) limited to -1..1 and s = 1/2 + (3 t - t^3) / 4, the light is
-    /// (1 - s) below + s above, where `above` and `below` go from the horizon's colour to the
-    /// zenith's and to the nadir's with |h|.
+    /// (1 - s) below + s above, where `above` and `below` go from the horizon's colours to the
+    /// zenith's and to the nadir's with |h| (1 - roughness^2 / 2).
     #[inline(always)]
     pub fn radiance<N: Number>(&self, direction: Vec3<N>, roughness: N) -> Rgb<N> {
         let like = roughness;
@@ -60,27 +60,54 @@ impl Environment {
                 let t = (height / width).limited(-1.0, 1.0);
                 let s =
                     like.constant(0.5) + (like.constant(3.0) * t - t * t * t) * like.constant(0.25);
-                let above = mix(like, WALL, ZENITH, height.positive_part());
-                let below = mix(like, FLOOR, NADIR, (-height).positive_part());
+                let reach = like.one() - like.constant(0.5) * roughness * roughness;
+                let above = mix(like, WALL, ZENITH, height.positive_part() * reach);
+                let below = mix(like, FLOOR, NADIR, (-height).positive_part() * reach);
                 below * (like.one() - s) + above * s
             }
         }
     }
 }
 
-/// The part of the light of its surroundings that a microfacet surface reflects: F0 A + B, with A
-/// and B as fitted by Karis (*Physically Based Shading on Mobile*, 2014) to the integral of GGX, the
-/// second factor of his split sum (*Real Shading in Unreal Engine 4*, 2013). Returns (A, B).
+/// The part of the light of its surroundings that a microfacet surface reflects, F0 A + B, the second
+/// factor of the split sum (Karis, *Real Shading in Unreal Engine 4*, 2013). Returns (A, B).
+///
+/// With r the perceptual roughness and u = 1 - N.V:
+///
+/// - A + B, what a white metal reflects, is 1 - r^2 (p0 + p1 r + p2 r^2), each p a combination of
+///   1, u and u^4;
+/// - B is u^5 + r (q0 + q1 r + q2 r^2), each q a combination of u^2 and u^5.
+///
+/// Fitted by least squares to the integrals over GGX with height-correlated masking and Schlick's F,
+/// for N.V and r from 0.05 to 1; the error is 0.015 in the mean square and 0.09 at most, at grazing
+/// angles. Light that is reflected more than once is missing, as in the integrals.
 #[inline(always)]
 pub(crate) fn split_sum<N: Number>(n_dot_v: N, roughness: N) -> (N, N) {
     let one = roughness.one();
-    let steep = one - roughness;
-    let offset = roughness.constant(0.0425) - roughness.constant(0.0275) * roughness;
-    let scale = roughness.constant(1.04) - roughness.constant(0.572) * roughness;
-    let shift = roughness.constant(0.022) * roughness - roughness.constant(0.04);
-    let grazing = elementary::exp2(n_dot_v * n_dot_v.constant(-9.28));
-    let share = ((steep * steep).minimum(grazing) * steep + offset) * roughness.constant(1.04);
-    ((scale - share).limited(0.0, 1.0), (shift + share).limited(0.0, 1.0))
+    let u = one - n_dot_v;
+    let u2 = u * u;
+    let u4 = u2 * u2;
+    let u5 = u4 * u;
+    let p0 = combination(LOSS[0], [one, u, u4]);
+    let p1 = combination(LOSS[1], [one, u, u4]);
+    let p2 = combination(LOSS[2], [one, u, u4]);
+    let loss = roughness * roughness * (p0 + roughness * (p1 + roughness * p2));
+    let q0 = combination(GRAZING[0], [one, u2, u5]);
+    let q1 = combination(GRAZING[1], [one, u2, u5]);
+    let q2 = combination(GRAZING[2], [one, u2, u5]);
+    let b = (u5 + roughness * (q0 + roughness * (q1 + roughness * q2))).limited(0.0, 1.0);
+    ((one - loss - b).limited(0.0, 1.0), b)
+}
+
+/// The coefficients of p0, p1, p2.
+const LOSS: [[f32; 3]; 3] =
+    [[-1.090, 2.122, 1.812], [3.958, -4.345, -6.326], [-2.169, 1.960, 4.194]];
+/// The coefficients of q0, q1, q2.
+const GRAZING: [[f32; 3]; 3] = [[0.0, 0.946, -2.630], [0.0, -2.058, 1.919], [0.0, 1.125, -0.213]];
+
+#[inline(always)]
+fn combination<N: Number>([a, b, c]: [f32; 3], [x, y, z]: [N; 3]) -> N {
+    x * x.constant(a) + y * y.constant(b) + z * z.constant(c)
 }
 
 #[inline(always)]

@@ -53,3 +53,50 @@ pub fn default_lights() -> Vec<SceneLight> {
         light("fill", [0.22, 0.245, 0.28], DVec3::new(-0.9, -0.05, -0.45)),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luxel_lighting::{
+        Environment, Material, PlacedLight, Reflectance, Silent, SurfacePoint, Surroundings, lit,
+    };
+
+    /// A ball of the default material, seen from straight ahead and from far.
+    #[test]
+    fn the_default_lights_burn_nothing_out_and_leave_nothing_black() {
+        let lights: Vec<_> = default_lights()
+            .into_iter()
+            .map(|light| {
+                PlacedLight::new(light.light, [0.0; 3], light.direction.as_vec3().to_array())
+            })
+            .collect();
+        let surroundings = Surroundings {
+            lights: &lights,
+            scene_ambient: DEFAULT_AMBIENT,
+            environment: Environment::None,
+            fog: None,
+        };
+        let material = Material::default();
+        let (mut least, mut largest) = (f32::INFINITY, 0.0_f32);
+        for row in -50..=50_i16 {
+            for column in -50..=50_i16 {
+                let (x, y) = (f32::from(column) / 50.0, f32::from(row) / 50.0);
+                if x * x + y * y > 1.0 {
+                    continue;
+                }
+                let normal = luxel_math::Vec3::new(x, y, (1.0 - x * x - y * y).sqrt());
+                let view = luxel_math::Vec3::new(0.0, 0.0, 1.0);
+                let position = luxel_math::Vec3::new(x, y, -100.0);
+                let point = SurfacePoint { position, normal, view, depth: 100.0 };
+                let reflectance = Reflectance::of(0.0, &material);
+                let color = lit(&point, &reflectance, &material, &surroundings, &mut Silent);
+                for component in color.lane(0) {
+                    least = least.min(component);
+                    largest = largest.max(component);
+                }
+            }
+        }
+        assert!(least > 0.04, "{least}");
+        assert!(largest > 0.75 && largest < 1.0, "{largest}");
+    }
+}
