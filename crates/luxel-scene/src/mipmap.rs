@@ -39,23 +39,18 @@ fn half(level: &MipLevel, encoding: Encoding) -> Option<MipLevel> {
             let stride = level.width as usize;
             let rows = level.texels[2 * y * stride..][..2 * stride].split_at(stride);
             let pairs = rows.0.as_chunks::<2>().0.iter().zip(rows.1.as_chunks::<2>().0);
-            for (texel, ([a, b], [c, d])) in row.iter_mut().zip(pairs) {
+            for (x, (texel, ([a, b], [c, d]))) in row.iter_mut().zip(pairs).enumerate() {
                 // Equal opacities weigh equally.
                 let alike = [b, c, d].iter().all(|texel| texel[3] == a[3]);
                 *texel = if !by_alpha || alike {
                     mean_of_four([a, b, c, d], numbers)
                 } else {
-                    weighted_mean([(1, *a), (1, *b), (1, *c), (1, *d)], numbers, by_alpha)
+                    mean_of_taps(level, Taps::of(x, level.width), down, numbers, by_alpha)
                 };
             }
         } else {
             for (x, texel) in row.iter_mut().enumerate() {
-                let across = Taps::of(x, level.width);
-                let taps = down.iter().flat_map(|(y, down_weight)| {
-                    let row = &level.texels[y * level.width as usize..];
-                    across.iter().map(move |(x, weight)| (down_weight * weight, row[x]))
-                });
-                *texel = weighted_mean(taps, numbers, by_alpha);
+                *texel = mean_of_taps(level, Taps::of(x, level.width), down, numbers, by_alpha);
             }
         }
     };
@@ -111,13 +106,16 @@ fn mean_of_four([a, b, c, d]: [&[u8; 4]; 4], numbers: &WholeNumbers) -> [u8; 4] 
     [channel(0), channel(1), channel(2), alpha as u8]
 }
 
-/// The mean of weighted texels; `by_alpha` weights colours by their opacity, too, unless all are
-/// wholly transparent.
+/// The weighted mean of the texels at the crossings of taps; `by_alpha` weights colours by their
+/// opacity, too, unless all are wholly transparent.
 ///
 /// The weights' sum is at most the number of texels of a level, below 2^38 in any memory of today,
 /// so sums stay below 2^62.
-fn weighted_mean(
-    taps: impl IntoIterator<Item = (u64, [u8; 4])>,
+#[inline]
+fn mean_of_taps(
+    level: &MipLevel,
+    across: Taps,
+    down: Taps,
     numbers: &WholeNumbers,
     by_alpha: bool,
 ) -> [u8; 4] {
@@ -125,19 +123,22 @@ fn weighted_mean(
     let mut opaque = [0_u64; 3];
     let mut weights = 0;
     let mut alphas = 0;
-    for (weight, texel) in taps {
-        let alpha = weight * u64::from(texel[3]);
-        weights += weight;
-        alphas += alpha;
-        for channel in 0..3 {
-            let linear = u64::from(numbers.linear[usize::from(texel[channel])]);
-            plain[channel] += weight * linear;
-            opaque[channel] += alpha * linear;
+    for (y, weight_down) in down.iter() {
+        let row = &level.texels[y * level.width as usize..];
+        for (x, weight_across) in across.iter() {
+            let [r, g, b, a] = row[x].map(usize::from);
+            let weight = weight_down * weight_across;
+            let alpha = weight * a as u64;
+            weights += weight;
+            alphas += alpha;
+            let linear = [numbers.linear[r], numbers.linear[g], numbers.linear[b]];
+            for channel in 0..3 {
+                plain[channel] += weight * u64::from(linear[channel]);
+                opaque[channel] += alpha * u64::from(linear[channel]);
+            }
         }
     }
-    let (sums, divisor) =
-        if by_alpha && alphas > 0 { (opaque, alphas) } else { (plain, weights.max(1)) };
+    let (sums, divisor) = if by_alpha && alphas > 0 { (opaque, alphas) } else { (plain, weights) };
     let [r, g, b] = sums.map(|sum| numbers.byte[((sum + divisor / 2) / divisor) as usize]);
-    let weights = weights.max(1);
     [r, g, b, ((alphas + weights / 2) / weights) as u8]
 }
