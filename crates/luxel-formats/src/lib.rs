@@ -15,7 +15,9 @@ mod obj;
 mod open;
 mod ply;
 mod stl;
+mod text;
 mod warnings;
+mod weld;
 
 pub use error::{Error, ErrorKind, Place};
 pub use limits::Limits;

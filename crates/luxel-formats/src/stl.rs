@@ -1,6 +1,117 @@
-//! stub
-use crate::{Error, ErrorKind, Limits, Loaded, Place};
-pub(crate) fn read(_: &[u8], _: &str, _: &Limits) -> Result<Loaded, Error> {
-    let message = "reading stl is not built yet".to_owned();
-    Err(Error::at(Place::File, ErrorKind::Unsupported(message)))
+//! STL: triangles without connections, binary or text.
+//!
+//! The two kinds are told apart by content: a file of exactly 84 + 50 n bytes, n being the count
+//! after its header, is binary whatever the header says; otherwise text begins with `solid` and
+//! has a facet or an end before its first zero byte. Corners in the same place, bit for bit (-0 is
+//! 0), are welded, so that surfaces can be shaded smoothly. The normals of the file are left aside,
+//! since they say no more than the corners and are often wrong.
+
+mod ascii;
+mod binary;
+
+use crate::warnings::Warnings;
+use crate::weld::{BYTES_PER_KEY, Welder};
+use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
+use luxel_scene::{DVec3, MaterialId, Mesh, MeshId, Node, Part, Scene, SceneMaterial};
+
+/// A triangle's three indices, and up to three new positions with their keys.
+const BYTES_PER_TRIANGLE: u64 = 12 + 3 * (12 + BYTES_PER_KEY);
+
+/// Reads an STL file. Each solid is an object; `name` stands for solids without a name.
+pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, Error> {
+    let mut warnings = Warnings::default();
+    let solids = if is_text(bytes) {
+        ascii::read(bytes, name, limits, &mut warnings)?
+    } else {
+        vec![(name.to_owned(), binary::read(bytes, limits, &mut warnings)?)]
+    };
+    let left_out = solids.iter().map(|(_, facets)| facets.left_out).sum();
+    warn_of_faces_left_out(left_out, &mut warnings);
+    let mut scene = Scene { up: DVec3::Z, ..Scene::default() };
+    for (name, facets) in solids {
+        if !facets.triangles.is_empty() {
+            let mesh = MeshId(scene.meshes.len() as u32);
+            scene.nodes.push(Node::root(name, Some(mesh)));
+            scene.meshes.push(facets.into_mesh());
+        }
+    }
+    scene.materials.push(SceneMaterial::default());
+    Ok(Loaded { scene, format: Format::Stl, warnings: warnings.finish() })
 }
+
+/// One warning for all faces that can't be drawn.
+pub(crate) fn warn_of_faces_left_out(count: u64, warnings: &mut Warnings) {
+    match count {
+        0 => {}
+        1 => warnings.push("1 face with a corner that is not finite was left out".to_owned()),
+        _ => warnings.push(format!("{count} faces with a corner that is not finite were left out")),
+    }
+}
+
+fn is_text(bytes: &[u8]) -> bool {
+    // Keywords come soon: a name is seldom longer than this.
+    const WITHIN: usize = 4096;
+    if binary::size_said(bytes) == Some(bytes.len() as u64) {
+        return false;
+    }
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    let head = &bytes[..bytes.len().min(WITHIN)];
+    let head = head.split(|&byte| byte == 0).next().unwrap_or(head).to_ascii_lowercase();
+    let has = |word: &[u8]| head.windows(word.len()).any(|window| window == word);
+    head.starts_with(b"solid") && (head.len() == bytes.len() || has(b"facet") || has(b"endsolid"))
+}
+
+/// Triangles whose corners are being welded.
+struct Facets {
+    welder: Welder,
+    triangles: Vec<[u32; 3]>,
+    left_out: u64,
+}
+
+impl Facets {
+    /// Closed surfaces have half as many vertices as triangles.
+    fn with_room_for(triangles: usize) -> Self {
+        Self {
+            welder: Welder::with_room_for(triangles / 2 + 2),
+            triangles: Vec::with_capacity(triangles),
+            left_out: 0,
+        }
+    }
+
+    #[inline]
+    fn push(&mut self, corners: [[f32; 3]; 3]) {
+        if corners.as_flattened().iter().all(|value| value.is_finite()) {
+            // Adding 0 turns -0 into 0 and changes nothing else.
+            let key = |corner: [f32; 3]| corner.map(|value| (value + 0.0).to_bits());
+            self.triangles.push(corners.map(|corner| self.welder.insert(key(corner)).0));
+        } else {
+            self.left_out += 1;
+        }
+    }
+
+    const fn is_empty(&self) -> bool {
+        self.triangles.is_empty() && self.left_out == 0
+    }
+
+    fn into_mesh(self) -> Mesh {
+        let count = self.triangles.len() as u32;
+        Mesh {
+            positions: self.welder.keys().iter().map(|key| key.map(f32::from_bits)).collect(),
+            triangles: self.triangles,
+            parts: vec![Part { first: 0, count, material: MaterialId(0) }],
+            ..Mesh::default()
+        }
+    }
+}
+
+/// Checks that so many triangles can be numbered and held.
+fn check_count(triangles: u64, limits: &Limits, place: Place) -> Result<(), Error> {
+    if triangles > u64::from(u32::MAX) / 3 {
+        let message = format!("{triangles} triangles are more than 32 bits can number");
+        return Err(Error::at(place, ErrorKind::Unsupported(message)));
+    }
+    limits.check("the triangles", triangles, BYTES_PER_TRIANGLE, place)
+}
+
+#[cfg(test)]
+mod tests;
