@@ -5,6 +5,7 @@
 
 #![forbid(unsafe_code)]
 
+mod color;
 mod error;
 mod files;
 mod gltf;

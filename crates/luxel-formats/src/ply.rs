@@ -1,6 +1,123 @@
-//! stub
-use crate::{Error, ErrorKind, Limits, Loaded, Place};
-pub(crate) fn read(_: &[u8], _: &str, _: &Limits) -> Result<Loaded, Error> {
-    let message = "reading ply is not built yet".to_owned();
-    Err(Error::at(Place::File, ErrorKind::Unsupported(message)))
+//! PLY, the Stanford polygon format: a header that declares elements and their properties, then
+//! their values as text or bytes (Turk 1994).
+//!
+//! What is understood: `vertex` with positions, normals, colours and texture coordinates under
+//! their usual names; `face` with polygons and colours; `tristrips`; `edge`. Other elements and
+//! properties are skipped. Where both vertices and faces have colours, the vertices' count.
+
+mod build;
+mod faces;
+mod header;
+mod source;
+mod vertices;
+
+use crate::warnings::Warnings;
+use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
+use faces::Faces;
+use header::{Element, Encoding, Header};
+use source::{Binary, Source, Text};
+use vertices::Vertices;
+
+/// Reads a PLY file, which is one object, called `name`.
+pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, Error> {
+    let header = Header::read(bytes)?;
+    let mut warnings = Warnings::default();
+    let content = match header.encoding {
+        Encoding::Text => read_body(&header, Text::new(bytes, header.body), limits)?,
+        Encoding::Little => read_body(&header, Binary::<false>::new(bytes, header.body), limits)?,
+        Encoding::Big => read_body(&header, Binary::<true>::new(bytes, header.body), limits)?,
+    };
+    let scene = build::scene(content, name, &mut warnings)?;
+    Ok(Loaded { scene, format: Format::Ply, warnings: warnings.finish() })
 }
+
+/// What a body holds.
+#[derive(Default)]
+struct Content {
+    vertices: Vertices,
+    faces: Faces,
+    edges: Vec<[u32; 2]>,
+}
+
+fn read_body<S: Source>(header: &Header, mut source: S, limits: &Limits) -> Result<Content, Error> {
+    let vertex = header.elements.iter().find(|element| element.name == "vertex");
+    // Rows without values are none: they take no space in the file.
+    let with_values = vertex.filter(|element| !element.properties.is_empty());
+    let vertex_count = with_values.map_or(0, |element| element.count);
+    if u32::try_from(vertex_count).is_err() {
+        let message = format!("{vertex_count} vertices are more than 32 bits can number");
+        let line = vertex.map_or(1, |element| element.line);
+        return Err(Error::at(Place::Line(line), ErrorKind::Unsupported(message)));
+    }
+    let mut content = Content { faces: Faces::new(vertex_count, limits), ..Content::default() };
+    for element in &header.elements {
+        check(element, &source, limits)?;
+        match element.name.as_str() {
+            "vertex" if vertex.is_some_and(|vertex| std::ptr::eq(vertex, element)) => {
+                content.vertices.read(element, &mut source)?;
+            }
+            "face" => content.faces.read_polygons(element, &mut source)?,
+            "tristrips" => content.faces.read_strips(element, &mut source)?,
+            "edge" => read_edges(element, &mut source, vertex_count, &mut content.edges)?,
+            _ => skip(element, &mut source)?,
+        }
+    }
+    Ok(content)
+}
+
+/// Checks a count against what follows and against the limits, before anything is allocated.
+fn check<S: Source>(element: &Element, source: &S, limits: &Limits) -> Result<(), Error> {
+    let place = || Place::Line(element.line);
+    let left = source.bytes_left() as u64;
+    if element.count.saturating_mul(S::least_bytes(element)) > left {
+        let message = format!(
+            "element `{}` says it has {} rows, but only {left} bytes follow: the file is cut, or \
+             its header is wrong",
+            element.name, element.count
+        );
+        return Err(Error::at(place(), ErrorKind::Truncated(message)));
+    }
+    let bytes_each = match element.name.as_str() {
+        "vertex" => vertices::bytes_each(element),
+        "face" => faces::bytes_each(element),
+        "edge" => 8,
+        _ => 0,
+    };
+    limits.check(&format!("element `{}`", element.name), element.count, bytes_each, place())
+}
+
+fn read_edges<S: Source>(
+    element: &Element,
+    source: &mut S,
+    vertex_count: u64,
+    edges: &mut Vec<[u32; 2]>,
+) -> Result<(), Error> {
+    let (Some(first), Some(second)) = (element.scalar("vertex1"), element.scalar("vertex2")) else {
+        return skip(element, source);
+    };
+    edges.reserve_exact(element.count as usize);
+    source::each_row(element, source, None, |source, row| {
+        let end = |property: usize| {
+            faces::vertex_index(row.values[property], vertex_count)
+                .map_err(|kind| Error::at(source.place(), kind))
+        };
+        edges.push([end(first)?, end(second)?]);
+        Ok(())
+    })
+}
+
+fn skip<S: Source>(element: &Element, source: &mut S) -> Result<(), Error> {
+    match (element.stride(), S::IS_BINARY) {
+        // The product was compared with the bytes that follow.
+        (Some(stride), true) => {
+            source.skip_bytes(stride * element.count as usize);
+            Ok(())
+        }
+        // Rows without values take no space, however many there are.
+        (Some(0), false) => Ok(()),
+        _ => source::each_row(element, source, None, |_, _| Ok(())),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,193 @@
+//! From what the file holds to a scene of one object.
+
+use super::Content;
+use super::faces::{Faces, Polygons};
+use super::vertices::Vertices;
+use crate::stl::warn_of_faces_left_out;
+use crate::warnings::Warnings;
+use crate::{Error, ErrorKind, Place};
+use luxel_scene::{
+    AlphaMode, Lines, MaterialId, Mesh, MeshId, Node, Part, Points, Scene, SceneMaterial,
+    triangulate,
+};
+use rayon::prelude::*;
+
+pub(super) fn scene(content: Content, name: &str, warnings: &mut Warnings) -> Result<Scene, Error> {
+    let mut scene = Scene::default();
+    let mesh = mesh(content, warnings)?;
+    let mut material = SceneMaterial::default();
+    if !mesh.colors.is_empty() {
+        // A vertex colour is the colour.
+        material.constants.diffuse = [1.0; 3];
+        if lets_light_through(&mesh.colors) {
+            material.alpha_mode = AlphaMode::Blend;
+        }
+    }
+    scene.materials.push(material);
+    if !mesh.positions.is_empty() {
+        scene.nodes.push(Node::root(name, Some(MeshId(0))));
+        scene.meshes.push(mesh);
+    }
+    Ok(scene)
+}
+
+/// Whether alpha says anything: writers that fill it with zeros don't mean an invisible surface.
+fn lets_light_through(colors: &[[f32; 4]]) -> bool {
+    colors.par_iter().any(|color| color[3] < 1.0) && colors.par_iter().any(|color| color[3] > 0.0)
+}
+
+fn mesh(content: Content, warnings: &mut Warnings) -> Result<Mesh, Error> {
+    let Content { mut vertices, mut faces, edges } = content;
+    let mut mesh = Mesh::default();
+    if vertices.doubles.is_empty() {
+        mesh.positions = std::mem::take(&mut vertices.singles);
+    } else {
+        mesh.set_positions(&vertices.doubles);
+        vertices.doubles = Vec::new();
+    }
+    if let Some(polygons) = faces.polygons.take() {
+        let (triangles, of_polygon) = cut(&polygons, &mesh)?;
+        faces.triangles = triangles;
+        faces.colors = of_polygon
+            .iter()
+            .filter_map(|&polygon| faces.colors.get(polygon as usize).copied())
+            .collect();
+        mesh.polygons = Some(of_polygon);
+    }
+    leave_out_unplaced(&mut faces, &mut mesh, warnings);
+    mesh.triangles = faces.triangles;
+    set_attributes(&mut mesh, vertices, faces.colors, warnings);
+    let material = MaterialId(0);
+    let count = mesh.triangles.len() as u32;
+    mesh.parts.push(Part { first: 0, count, material });
+    let is_placed = |index: u32| mesh.positions[index as usize].iter().all(|v| v.is_finite());
+    let segments: Vec<_> =
+        edges.into_iter().filter(|ends| ends.iter().all(|&end| is_placed(end))).collect();
+    if !segments.is_empty() {
+        mesh.lines.push(Lines { segments, material });
+    } else if mesh.triangles.is_empty() {
+        let indices: Vec<_> =
+            (0..mesh.positions.len() as u32).filter(|&index| is_placed(index)).collect();
+        mesh.points.push(Points { indices, material });
+    }
+    Ok(mesh)
+}
+
+/// Cuts polygons into triangles; for each, its polygon.
+fn cut(polygons: &Polygons, mesh: &Mesh) -> Result<(Vec<[u32; 3]>, Vec<u32>), Error> {
+    let mut triangles = Vec::with_capacity(polygons.corners.len());
+    let mut of_polygon = Vec::with_capacity(polygons.corners.len());
+    let mut outline = Vec::new();
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    for (polygon, &end) in polygons.ends.iter().enumerate() {
+        let corners = &polygons.corners[start..end as usize];
+        start = end as usize;
+        if let &[a, b, c] = corners {
+            triangles.push([a, b, c]);
+        } else {
+            outline.clear();
+            outline.extend(corners.iter().map(|&corner| mesh.position(corner).to_array()));
+            pieces.clear();
+            triangulate(&outline, &mut pieces);
+            triangles
+                .extend(pieces.iter().map(|piece| piece.map(|corner| corners[corner as usize])));
+        }
+        of_polygon.resize(triangles.len(), polygon as u32);
+    }
+    if u32::try_from(triangles.len()).is_err() {
+        let message = format!("{} triangles are more than 32 bits can number", triangles.len());
+        return Err(Error::at(Place::File, ErrorKind::Unsupported(message)));
+    }
+    Ok((triangles, of_polygon))
+}
+
+/// Leaves out faces with a corner that isn't finite.
+fn leave_out_unplaced(faces: &mut Faces, mesh: &mut Mesh, warnings: &mut Warnings) {
+    let is_placed = |position: &[f32; 3]| position.iter().all(|value| value.is_finite());
+    if mesh.positions.par_iter().all(is_placed) {
+        return;
+    }
+    let polygon_of = |triangle: usize| match &mesh.polygons {
+        Some(polygons) => polygons[triangle],
+        None => triangle as u32,
+    };
+    // A polygon goes as a whole.
+    let mut unplaced = Vec::new();
+    for (triangle, corners) in faces.triangles.iter().enumerate() {
+        if !corners.iter().all(|&corner| is_placed(&mesh.positions[corner as usize])) {
+            unplaced.push(polygon_of(triangle));
+        }
+    }
+    unplaced.dedup();
+    let keep: Vec<_> = (0..faces.triangles.len())
+        .map(|triangle| unplaced.binary_search(&polygon_of(triangle)).is_err())
+        .collect();
+    retain(&mut faces.triangles, &keep);
+    retain(&mut faces.colors, &keep);
+    if let Some(polygons) = &mut mesh.polygons {
+        retain(polygons, &keep);
+    }
+    warn_of_faces_left_out(unplaced.len() as u64, warnings);
+}
+
+fn retain<T>(values: &mut Vec<T>, keep: &[bool]) {
+    let mut keep = keep.iter();
+    values.retain(|_| keep.next().copied().unwrap_or(true));
+}
+
+fn set_attributes(
+    mesh: &mut Mesh,
+    vertices: Vertices,
+    face_colors: Vec<[f32; 4]>,
+    warnings: &mut Warnings,
+) {
+    mesh.normals = vertices.normals;
+    let used_wrong = !mesh.normals.is_empty() && {
+        mesh.normals.par_iter_mut().for_each(normalize);
+        let wrong = |corner: &u32| mesh.normals[*corner as usize] == [0.0; 3];
+        mesh.triangles.par_iter().any(|corners| corners.iter().any(wrong))
+    };
+    if used_wrong {
+        warnings.push(
+            "normals without a direction are in use, so normals are computed instead".to_owned(),
+        );
+        mesh.normals = Vec::new();
+    }
+    mesh.uvs[0] = vertices.uvs;
+    // Images begin at the top, PLY's second coordinate points up.
+    mesh.uvs[0].par_iter_mut().for_each(|uv| {
+        *uv = [uv[0], 1.0 - uv[1]].map(|value| if value.is_finite() { value } else { 0.0 });
+    });
+    mesh.colors = vertices.colors;
+    if mesh.colors.is_empty() && !face_colors.is_empty() {
+        color_faces(mesh, &face_colors);
+    }
+}
+
+/// Gives every corner an attribute vertex of its own, which has its face's colour.
+fn color_faces(mesh: &mut Mesh, face_colors: &[[f32; 4]]) {
+    let corners = mesh.triangles.as_flattened();
+    let of_corner = |index: &u32| *index as usize;
+    if !mesh.normals.is_empty() {
+        mesh.normals = corners.iter().map(|index| mesh.normals[of_corner(index)]).collect();
+    }
+    if !mesh.uvs[0].is_empty() {
+        mesh.uvs[0] = corners.iter().map(|index| mesh.uvs[0][of_corner(index)]).collect();
+    }
+    mesh.colors = face_colors.iter().flat_map(|&color| [color; 3]).collect();
+    let count = mesh.triangles.len() as u32;
+    let numbered = |triangle: u32| [3 * triangle, 3 * triangle + 1, 3 * triangle + 2];
+    mesh.attribute_corners = Some((0..count).map(numbered).collect());
+}
+
+/// To unit length; 0 where there is no direction.
+fn normalize(normal: &mut [f32; 3]) {
+    let [x, y, z] = normal.map(f64::from);
+    let length = (x * x + y * y + z * z).sqrt();
+    *normal = if length > 0.0 && length.is_finite() {
+        [x, y, z].map(|value| (value / length) as f32)
+    } else {
+        [0.0; 3]
+    };
+}

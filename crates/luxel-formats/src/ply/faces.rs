@@ -1,0 +1,246 @@
+//! Faces: polygons, and triangle strips.
+
+use super::header::{Element, Kind, Scalar};
+use super::source::{Source, each_row};
+use super::vertices::{ColorColumns, Column};
+use crate::{Error, ErrorKind, Limits, Place};
+use rayon::prelude::*;
+
+/// What a corner of a polygon takes: its number, its share of a triangle, and of the list's end.
+const BYTES_PER_CORNER: u64 = 4 + 12 + 4;
+
+/// Faces in the file's order.
+#[derive(Default)]
+pub(super) struct Faces {
+    /// The corners of all faces, as long as they are triangles.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// All faces, once one isn't a triangle.
+    pub(super) polygons: Option<Polygons>,
+    /// A linear colour for each face; empty if they have none.
+    pub(super) colors: Vec<[f32; 4]>,
+    vertex_count: u64,
+    corners_left: u64,
+    max_memory: u64,
+}
+
+/// Polygons of any number of corners.
+#[derive(Default)]
+pub(super) struct Polygons {
+    /// The corners of one after the other.
+    pub(super) corners: Vec<u32>,
+    /// Where the corners of each end.
+    pub(super) ends: Vec<u32>,
+}
+
+/// Bytes that a triangle takes in memory, and a larger face at least.
+pub(super) fn bytes_each(element: &Element) -> u64 {
+    if ColorColumns::of(element).is_some() { 12 + 16 + 3 * (12 + 16) } else { 12 }
+}
+
+/// Checks the number of a vertex.
+pub(super) fn vertex_index(value: f64, vertex_count: u64) -> Result<u32, ErrorKind> {
+    // A comparison with what is no number is false.
+    if value >= 0.0 && value < vertex_count as f64 && value.fract() == 0.0 {
+        return Ok(value as u32);
+    }
+    Err(ErrorKind::OutOfRange { what: "vertex", index: value as i64, count: vertex_count })
+}
+
+/// The place of the list that holds the vertices of a face, and its types.
+fn index_list(element: &Element) -> Option<(usize, Scalar, Scalar)> {
+    element.properties.iter().enumerate().find_map(|(index, property)| match property.kind {
+        Kind::List { count, item }
+            if matches!(property.name.as_str(), "vertex_indices" | "vertex_index") =>
+        {
+            Some((index, count, item))
+        }
+        _ => None,
+    })
+}
+
+impl Faces {
+    pub(super) fn new(vertex_count: u64, limits: &Limits) -> Self {
+        let max_memory = limits.max_memory;
+        let corners_left = (max_memory / BYTES_PER_CORNER).min(u64::from(u32::MAX));
+        Self { vertex_count, corners_left, max_memory, ..Self::default() }
+    }
+
+    /// Reads polygons.
+    pub(super) fn read_polygons<S: Source>(
+        &mut self,
+        element: &Element,
+        source: &mut S,
+    ) -> Result<(), Error> {
+        let Some((list, count, item)) = index_list(element) else {
+            return super::skip(element, source);
+        };
+        let color = ColorColumns::of(element);
+        let is_first = self.triangles.is_empty() && self.polygons.is_none();
+        if let Some(records) =
+            Records::of(element, list, [count, item], source).filter(|_| is_first)
+        {
+            return self.read_records(&records, color, source);
+        }
+        self.triangles.reserve_exact(element.count as usize);
+        let mut corners = Vec::new();
+        each_row(element, source, Some(list), |source, row| {
+            corners.clear();
+            for &value in &row.items {
+                let index = vertex_index(value, self.vertex_count);
+                corners.push(index.map_err(|kind| Error::at(source.place(), kind))?);
+            }
+            if let Some(color) = color {
+                self.colors.push(color.decode(|column| row.values[column.property]));
+            }
+            self.push(&corners, || source.place())
+        })
+    }
+
+    /// Reads triangle strips, which -1 interrupts: each corner from the third on makes a triangle
+    /// with the two before it, every other one turned over.
+    pub(super) fn read_strips<S: Source>(
+        &mut self,
+        element: &Element,
+        source: &mut S,
+    ) -> Result<(), Error> {
+        let Some((list, ..)) = index_list(element) else {
+            return super::skip(element, source);
+        };
+        each_row(element, source, Some(list), |source, row| {
+            let mut strip = [0; 2];
+            let mut length = 0_u64;
+            for &value in &row.items {
+                if value == -1.0 {
+                    length = 0;
+                    continue;
+                }
+                let index = vertex_index(value, self.vertex_count)
+                    .map_err(|kind| Error::at(source.place(), kind))?;
+                let [a, b] = strip;
+                if length >= 2 {
+                    let triangle = if length % 2 == 0 { [a, b, index] } else { [b, a, index] };
+                    self.push(&triangle, || source.place())?;
+                }
+                strip = [b, index];
+                length += 1;
+            }
+            Ok(())
+        })
+    }
+
+    fn push(&mut self, corners: &[u32], place: impl Fn() -> Place) -> Result<(), Error> {
+        let Some(left) = self.corners_left.checked_sub(corners.len() as u64) else {
+            let kind = ErrorKind::TooLarge {
+                what: "the faces".to_owned(),
+                needed: self.max_memory.saturating_add(1),
+                limit: self.max_memory,
+            };
+            return Err(Error::at(place(), kind));
+        };
+        self.corners_left = left;
+        match (&mut self.polygons, corners) {
+            (None, &[a, b, c]) => self.triangles.push([a, b, c]),
+            (None, _) => {
+                let triangles = std::mem::take(&mut self.triangles);
+                let ends = (1..=triangles.len() as u32).map(|face| face * 3).collect();
+                let mut polygons = Polygons { corners: triangles.into_flattened(), ends };
+                polygons.push(corners);
+                self.polygons = Some(polygons);
+            }
+            (Some(polygons), _) => polygons.push(corners),
+        }
+        Ok(())
+    }
+
+    /// Reads triangles at fixed distances, several at a time.
+    fn read_records<S: Source>(
+        &mut self,
+        records: &Records,
+        color: Option<ColorColumns>,
+        source: &mut S,
+    ) -> Result<(), Error> {
+        let table = &source.bytes()[..records.size];
+        let rows = || table.par_chunks_exact(records.stride);
+        let index = |row: &[u8], corner: usize| {
+            let at = records.first_item + corner * records.item.size();
+            S::decode(&row[at..], records.item)
+        };
+        let checked = |value: f64| vertex_index(value, self.vertex_count).unwrap_or(u32::MAX);
+        rows()
+            .map(|row| [0, 1, 2].map(|corner| checked(index(row, corner))))
+            .collect_into_vec(&mut self.triangles);
+        // No vertex has the last number, since there are fewer.
+        let wrong = |corners: &[u32; 3]| corners.contains(&u32::MAX);
+        if let Some(face) = self.triangles.par_iter().position_first(wrong) {
+            let at = face * records.stride;
+            let corner = self.triangles[face].iter().position(|&index| index == u32::MAX);
+            let corner = corner.unwrap_or(0);
+            let kind = vertex_index(index(&table[at..], corner), self.vertex_count).err();
+            let Place::Byte(start) = source.place() else { return Ok(()) };
+            let byte = start + (at + records.first_item + corner * records.item.size()) as u64;
+            return kind.map_or(Ok(()), |kind| Err(Error::at(Place::Byte(byte), kind)));
+        }
+        if let Some(color) = color {
+            let value = |row: &[u8], column: Column| {
+                let after_list = column.property > records.list;
+                let shift = if after_list { records.list_size } else { 0 };
+                S::decode(&row[column.offset + shift..], column.scalar)
+            };
+            rows()
+                .map(|row| color.decode(|column| value(row, column)))
+                .collect_into_vec(&mut self.colors);
+        }
+        source.skip_bytes(records.size);
+        Ok(())
+    }
+}
+
+impl Polygons {
+    fn push(&mut self, corners: &[u32]) {
+        self.corners.extend_from_slice(corners);
+        self.ends.push(self.corners.len() as u32);
+    }
+}
+
+/// Rows of one list of three items each, which therefore take the same number of bytes.
+struct Records {
+    /// The place of the list among the properties.
+    list: usize,
+    /// Bytes of the count and the three items.
+    list_size: usize,
+    /// The type of the items, and where the first is in a row.
+    item: Scalar,
+    first_item: usize,
+    stride: usize,
+    size: usize,
+}
+
+impl Records {
+    /// If the source is binary and all rows are triangles.
+    fn of<S: Source>(
+        element: &Element,
+        list: usize,
+        [count, item]: [Scalar; 2],
+        source: &S,
+    ) -> Option<Self> {
+        let mut stride = 0_usize;
+        let mut first_item = 0;
+        let list_size = count.size() + 3 * item.size();
+        for (index, property) in element.properties.iter().enumerate() {
+            match property.kind {
+                Kind::Scalar(scalar) => stride += scalar.size(),
+                Kind::List { .. } if index == list => {
+                    first_item = stride + count.size();
+                    stride += list_size;
+                }
+                Kind::List { .. } => return None,
+            }
+        }
+        let size = stride.checked_mul(usize::try_from(element.count).ok()?)?;
+        let table = source.bytes().get(..size).filter(|_| S::IS_BINARY)?;
+        let count_at = first_item - count.size();
+        let all_triangles =
+            table.par_chunks_exact(stride).all(|row| S::decode(&row[count_at..], count) == 3.0);
+        all_triangles.then_some(Self { list, list_size, item, first_item, stride, size })
+    }
+}

@@ -1,0 +1,206 @@
+//! Vertices: positions, normals, texture coordinates and colours, under the names in use.
+
+use super::header::{Element, Kind, Scalar};
+use super::source::{Source, each_row};
+use crate::{Error, color};
+use luxel_scene::Encoding;
+use rayon::prelude::*;
+
+/// Attributes of the vertices; those that the file lacks are empty.
+#[derive(Default)]
+pub(super) struct Vertices {
+    /// Positions, if the file has them in single precision.
+    pub(super) singles: Vec<[f32; 3]>,
+    /// Positions, if the file has them in another type.
+    pub(super) doubles: Vec<[f64; 3]>,
+    /// As they stand in the file.
+    pub(super) normals: Vec<[f32; 3]>,
+    /// As they stand in the file, the second coordinate pointing up.
+    pub(super) uvs: Vec<[f32; 2]>,
+    /// Linear, with alpha.
+    pub(super) colors: Vec<[f32; 4]>,
+}
+
+/// A property that is one value: its place among them, its type, and its place in a binary row
+/// without lists.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Column {
+    pub(super) property: usize,
+    pub(super) scalar: Scalar,
+    pub(super) offset: usize,
+}
+
+struct Columns {
+    position: Option<[Column; 3]>,
+    normal: Option<[Column; 3]>,
+    uv: Option<[Column; 2]>,
+    color: Option<ColorColumns>,
+}
+
+/// Red, green, blue, and perhaps alpha.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ColorColumns([Column; 3], Option<Column>);
+
+fn column(element: &Element, name: &str) -> Option<Column> {
+    let property = element.scalar(name)?;
+    let size = |kind: Kind| match kind {
+        Kind::Scalar(scalar) => scalar.size(),
+        Kind::List { .. } => 0,
+    };
+    let before = &element.properties[..property];
+    let offset = before.iter().map(|property| size(property.kind)).sum();
+    let Kind::Scalar(scalar) = element.properties[property].kind else { return None };
+    Some(Column { property, scalar, offset })
+}
+
+fn columns<const N: usize>(element: &Element, names: [&str; N]) -> Option<[Column; N]> {
+    let found: Vec<_> = names.iter().filter_map(|name| column(element, name)).collect();
+    found.try_into().ok()
+}
+
+impl ColorColumns {
+    /// The columns under the names that writers use.
+    pub(super) fn of(element: &Element) -> Option<Self> {
+        let rgb = [
+            ["red", "green", "blue"],
+            ["diffuse_red", "diffuse_green", "diffuse_blue"],
+            ["r", "g", "b"],
+        ];
+        let rgb = rgb.into_iter().find_map(|names| columns(element, names))?;
+        let alpha = ["alpha", "diffuse_alpha", "a"].into_iter().find_map(|n| column(element, n));
+        Some(Self(rgb, alpha))
+    }
+
+    /// The colour, linear.
+    pub(super) fn decode(self, value: impl Fn(Column) -> f64) -> [f32; 4] {
+        let channel = |column: Column| match column.scalar {
+            Scalar::U8 => Encoding::Srgb.linear(value(column) as u8),
+            _ => color::linear(unit(column.scalar, value(column))),
+        };
+        let [red, green, blue] = self.0.map(channel);
+        let alpha = self.1.map_or(1.0, |column| unit(column.scalar, value(column)) as f32);
+        [red, green, blue, alpha]
+    }
+}
+
+/// From 0 to 1, by the type: floats as they are, whole numbers as shares of 255, or of 65,535 if
+/// they are unsigned ones of 16 bits.
+fn unit(scalar: Scalar, value: f64) -> f64 {
+    let value = match scalar {
+        Scalar::F32 | Scalar::F64 => value,
+        Scalar::U16 => value / 65_535.0,
+        _ => value / 255.0,
+    };
+    if value > 0.0 { value.min(1.0) } else { 0.0 }
+}
+
+impl Columns {
+    fn of(element: &Element) -> Self {
+        let uv = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"], ["texture_s", "texture_t"]];
+        Self {
+            position: columns(element, ["x", "y", "z"]),
+            normal: columns(element, ["nx", "ny", "nz"]),
+            uv: uv.into_iter().find_map(|names| columns(element, names)),
+            color: ColorColumns::of(element),
+        }
+    }
+
+    /// Whether positions are kept as they are.
+    fn single(&self) -> bool {
+        self.position.is_none_or(|columns| columns.iter().all(|c| c.scalar == Scalar::F32))
+    }
+}
+
+/// Bytes that a vertex takes in memory.
+pub(super) fn bytes_each(element: &Element) -> u64 {
+    let columns = Columns::of(element);
+    let position = if columns.single() { 12 } else { 36 };
+    let normal = if columns.normal.is_some() { 12 } else { 0 };
+    let uv = if columns.uv.is_some() { 8 } else { 0 };
+    let color = if columns.color.is_some() { 16 } else { 0 };
+    position + normal + uv + color
+}
+
+impl Vertices {
+    /// Reads the element; a vertex without coordinates lies at the origin.
+    pub(super) fn read<S: Source>(
+        &mut self,
+        element: &Element,
+        source: &mut S,
+    ) -> Result<(), Error> {
+        let columns = Columns::of(element);
+        match element.stride().filter(|&stride| S::IS_BINARY && stride > 0) {
+            Some(stride) => {
+                // The product was compared with the bytes that follow.
+                let size = stride * element.count as usize;
+                self.read_table::<S>(&columns, &source.bytes()[..size], stride);
+                source.skip_bytes(size);
+                Ok(())
+            }
+            None => self.read_rows(&columns, element, source),
+        }
+    }
+
+    fn read_table<S: Source>(&mut self, columns: &Columns, table: &[u8], stride: usize) {
+        let value = |row: &[u8], column: Column| S::decode(&row[column.offset..], column.scalar);
+        let rows = || table.par_chunks_exact(stride);
+        let single = |row: &[u8], column: Column| value(row, column) as f32;
+        match columns.position {
+            Some(position) if columns.single() => rows()
+                .map(|row| position.map(|column| single(row, column)))
+                .collect_into_vec(&mut self.singles),
+            Some(position) => rows()
+                .map(|row| position.map(|column| value(row, column)))
+                .collect_into_vec(&mut self.doubles),
+            None => self.singles = vec![[0.0; 3]; table.len() / stride],
+        }
+        if let Some(normal) = columns.normal {
+            rows()
+                .map(|row| normal.map(|column| single(row, column)))
+                .collect_into_vec(&mut self.normals);
+        }
+        if let Some(uv) = columns.uv {
+            rows().map(|row| uv.map(|column| single(row, column))).collect_into_vec(&mut self.uvs);
+        }
+        if let Some(color) = columns.color {
+            rows()
+                .map(|row| color.decode(|column| value(row, column)))
+                .collect_into_vec(&mut self.colors);
+        }
+    }
+
+    fn read_rows<S: Source>(
+        &mut self,
+        columns: &Columns,
+        element: &Element,
+        source: &mut S,
+    ) -> Result<(), Error> {
+        // Rows without values take no space in the file, but would take some here.
+        let count = if element.properties.is_empty() { 0 } else { element.count as usize };
+        let single = columns.single();
+        if single {
+            self.singles.reserve_exact(count);
+        } else {
+            self.doubles.reserve_exact(count);
+        }
+        each_row(element, source, None, |_, row| {
+            let value = |column: Column| row.values[column.property];
+            let position = columns.position.map_or([0.0; 3], |position| position.map(value));
+            if single {
+                self.singles.push(position.map(|value| value as f32));
+            } else {
+                self.doubles.push(position);
+            }
+            if let Some(normal) = columns.normal {
+                self.normals.push(normal.map(|column| value(column) as f32));
+            }
+            if let Some(uv) = columns.uv {
+                self.uvs.push(uv.map(|column| value(column) as f32));
+            }
+            if let Some(color) = columns.color {
+                self.colors.push(color.decode(value));
+            }
+            Ok(())
+        })
+    }
+}
