@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 
 mod color;
+mod direction;
 mod error;
 mod files;
 mod gltf;

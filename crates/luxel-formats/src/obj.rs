@@ -1,11 +1,44 @@
-//! stub
-use crate::{Error, ErrorKind, Limits, Loaded, Place};
+//! OBJ with MTL, Wavefront's text format.
+//!
+//! An object is what follows an `o`; in a file without any, what follows a `g`; else the whole
+//! file. What comes before the first one, and what has no name, is called by the file's stem. A
+//! name that comes again goes on with its object only while that is the current one; later it is
+//! another object of the same name, as most readers have it. Objects without elements are left
+//! out. Vertex colours are sRGB; positions are shared within an object, and split attributes
+//! (texture coordinates, normals) don't split them.
+
+mod build;
+mod document;
+mod materials;
+mod mtl;
+mod parse;
+
+use crate::warnings::Warnings;
+use crate::{Error, Format, Limits, Loaded};
+use luxel_scene::{Scene, SceneMaterial};
+use materials::Materials;
+use std::path::Path;
+
+/// Reads an OBJ file, with libraries and textures from `folder`.
 pub(crate) fn read(
-    _: &[u8],
-    _: &str,
-    _: Option<&std::path::Path>,
-    _: &Limits,
+    bytes: &[u8],
+    name: &str,
+    folder: Option<&Path>,
+    limits: &Limits,
 ) -> Result<Loaded, Error> {
-    let message = "reading obj is not built yet".to_owned();
-    Err(Error::at(Place::File, ErrorKind::Unsupported(message)))
+    let mut warnings = Warnings::default();
+    let document = parse::parse(bytes, limits, &mut warnings)?;
+    let mut materials =
+        Materials::read(&document.libraries, &document.materials, folder, limits, &mut warnings);
+    let mut scene = Scene::default();
+    build::objects(&document, name, &mut materials, &mut scene, &mut warnings);
+    scene.textures = materials.textures;
+    scene.materials = materials.list;
+    if scene.materials.is_empty() {
+        scene.materials.push(SceneMaterial::default());
+    }
+    Ok(Loaded { scene, format: Format::Obj, warnings: warnings.finish() })
 }
+
+#[cfg(test)]
+mod tests;

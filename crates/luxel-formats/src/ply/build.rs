@@ -3,6 +3,7 @@
 use super::Content;
 use super::faces::{Faces, Polygons};
 use super::vertices::Vertices;
+use crate::direction::unit;
 use crate::stl::warn_of_faces_left_out;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
@@ -144,7 +145,7 @@ fn set_attributes(
 ) {
     mesh.normals = vertices.normals;
     let used_wrong = !mesh.normals.is_empty() && {
-        mesh.normals.par_iter_mut().for_each(normalize);
+        mesh.normals.par_iter_mut().for_each(|normal| *normal = unit(*normal));
         let wrong = |corner: &u32| mesh.normals[*corner as usize] == [0.0; 3];
         mesh.triangles.par_iter().any(|corners| corners.iter().any(wrong))
     };
@@ -179,15 +180,4 @@ fn color_faces(mesh: &mut Mesh, face_colors: &[[f32; 4]]) {
     let count = mesh.triangles.len() as u32;
     let numbered = |triangle: u32| [3 * triangle, 3 * triangle + 1, 3 * triangle + 2];
     mesh.attribute_corners = Some((0..count).map(numbered).collect());
-}
-
-/// To unit length; 0 where there is no direction.
-fn normalize(normal: &mut [f32; 3]) {
-    let [x, y, z] = normal.map(f64::from);
-    let length = (x * x + y * y + z * z).sqrt();
-    *normal = if length > 0.0 && length.is_finite() {
-        [x, y, z].map(|value| (value / length) as f32)
-    } else {
-        [0.0; 3]
-    };
 }

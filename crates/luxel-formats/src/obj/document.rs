@@ -1,0 +1,76 @@
+//! What an OBJ file says, before it is sorted into objects.
+
+/// "No such index" in a corner.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// The statements of a file, in its order.
+#[derive(Default)]
+pub(super) struct Document<'a> {
+    pub(super) positions: Vec<[f64; 3]>,
+    /// Linear colours of the positions, NaN for those without; empty if none has one.
+    pub(super) colors: Vec<[f32; 3]>,
+    /// The second coordinate points down.
+    pub(super) uvs: Vec<[f32; 2]>,
+    /// Of unit length, or 0.
+    pub(super) normals: Vec<[f32; 3]>,
+    /// Position, texture coordinates and normal of the corners of one element after the other.
+    pub(super) corners: Vec<[u32; 3]>,
+    pub(super) elements: Vec<Element>,
+    /// Where objects and groups begin.
+    pub(super) beginnings: Vec<Beginning<'a>>,
+    /// What `usemtl` names, each once.
+    pub(super) materials: Vec<&'a [u8]>,
+    /// The lines of `mtllib`, without the word.
+    pub(super) libraries: Vec<&'a [u8]>,
+    /// Whether smoothing groups are given at all.
+    pub(super) has_smoothing: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Face,
+    Line,
+    Points,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Element {
+    pub(super) kind: Kind,
+    /// Where its corners end; they begin where those of the element before end.
+    pub(super) end: u32,
+    /// Which of the materials, or [`NONE`].
+    pub(super) material: u32,
+    pub(super) smoothing: u32,
+}
+
+/// The beginning of an object or a group.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beginning<'a> {
+    pub(super) is_object: bool,
+    pub(super) name: &'a [u8],
+    /// Its first element.
+    pub(super) element: u32,
+}
+
+impl Document<'_> {
+    /// Bytes that a corner takes in what follows: itself, its share of triangles, and an
+    /// attribute vertex.
+    const BYTES_PER_CORNER: u64 = 12 + 12 + 8 + crate::weld::BYTES_PER_KEY + 36;
+
+    /// About how much memory the document and the meshes made of it take.
+    pub(super) fn bytes(&self) -> u64 {
+        self.positions.len() as u64 * (24 + 24 + 4)
+            + self.colors.len() as u64 * 12
+            + self.uvs.len() as u64 * 8
+            + self.normals.len() as u64 * 12
+            + self.corners.len() as u64 * Self::BYTES_PER_CORNER
+            + self.elements.len() as u64 * 16
+            + (self.beginnings.len() + self.materials.len() + self.libraries.len()) as u64 * 400
+    }
+
+    /// The elements with their corners.
+    pub(super) fn corners_of(&self, element: usize) -> &[[u32; 3]] {
+        let start = if element == 0 { 0 } else { self.elements[element - 1].end };
+        &self.corners[start as usize..self.elements[element].end as usize]
+    }
+}

@@ -1,0 +1,310 @@
+//! From MTL's statements to materials of the scene.
+//!
+//! MTL is the lighting model of the equation, term by term; what a material doesn't say has the
+//! defaults of every file that says nothing. Beyond that:
+//! - `illum 0` is unlit, 1 has no highlight, all others are Blinn-Phong.
+//! - `Kd` left out beside a `map_Kd` is white, and so for the other colours and their maps.
+//! - `Ka` with `map_Kd` but without `map_Ka`: the ambient colour is `Ka` times the diffuse texture,
+//!   or textured things would lose their texture in the shade.
+//! - `Ns 0` has no highlight: exporters write it for "none", and (N.H)^0 would be a highlight over
+//!   the whole lit side.
+//! - `Tr 1` without `d` is opaque, because MeshLab and others write opacity there, and nobody
+//!   describes an invisible material.
+//! - A diffuse texture with alpha, or a `map_d`, makes holes if its alpha is all but black and
+//!   white, and blends otherwise.
+
+use super::mtl::{self, Definition, Map};
+use crate::image;
+use crate::memory::Memory;
+use crate::text::shown;
+use crate::warnings::Warnings;
+use crate::{Limits, Place, files};
+use luxel_lighting::Reflection;
+use luxel_scene::{
+    AlphaMode, Encoding, Image, MaterialId, Sampler, SceneMaterial, Texture, TextureId, TextureUse,
+    Wrap,
+};
+use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Bytes that a texel takes with its mipmaps.
+const BYTES_PER_TEXEL: u64 = 6;
+
+/// The materials of the scene, made when they are first used.
+pub(super) struct Materials<'a> {
+    folder: Option<&'a Path>,
+    memory: Memory<'a>,
+    names: Vec<&'a [u8]>,
+    definitions: HashMap<Vec<u8>, Definition>,
+    pub(super) list: Vec<SceneMaterial>,
+    pub(super) textures: Vec<Texture>,
+    /// Materials made, by the file's number; those that aren't defined also by whether they are
+    /// for vertices with colours.
+    made: BTreeMap<(u32, bool), MaterialId>,
+    loaded: BTreeMap<(String, Use, bool), TextureId>,
+}
+
+/// What the texels of an image are used for, which decides how they are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Use {
+    Color,
+    Opacity,
+    Normal,
+}
+
+impl<'a> Materials<'a> {
+    /// Reads the libraries; `names` are the materials by the file's numbers.
+    pub(super) fn read(
+        libraries: &[&[u8]],
+        names: &[&'a [u8]],
+        folder: Option<&'a Path>,
+        limits: &'a Limits,
+        warnings: &mut Warnings,
+    ) -> Self {
+        let mut definitions = HashMap::new();
+        for line in libraries {
+            for (name, bytes) in library_files(line, folder, limits, warnings) {
+                for definition in mtl::read(&bytes, &name, warnings) {
+                    // The first definition holds, as with files that are searched in order.
+                    definitions.entry(definition.name.clone()).or_insert(definition);
+                }
+            }
+        }
+        Self {
+            folder,
+            memory: Memory::new(limits),
+            names: names.to_vec(),
+            definitions,
+            list: Vec::new(),
+            textures: Vec::new(),
+            made: BTreeMap::new(),
+            loaded: BTreeMap::new(),
+        }
+    }
+
+    /// The material that the file numbers so, for a mesh with or without vertex colours.
+    pub(super) fn get(
+        &mut self,
+        number: u32,
+        is_colored: bool,
+        warnings: &mut Warnings,
+    ) -> MaterialId {
+        if let Some(&made) = self.made.get(&(number, is_colored)) {
+            return made;
+        }
+        let name = self.names.get(number as usize).copied();
+        let definition = name.and_then(|name| self.definitions.remove(name));
+        let mut material = match (&definition, name) {
+            (Some(definition), _) => self.make(definition, warnings),
+            (None, name) => {
+                if let Some(name) = name {
+                    let name = shown(name);
+                    warnings.push(format!("material `{name}` is in no library: a default is used"));
+                }
+                SceneMaterial::default()
+            }
+        };
+        if let Some(name) = name {
+            material.name = shown(name);
+        }
+        if definition.is_none() && is_colored {
+            // A vertex colour is the colour.
+            material.constants.diffuse = [1.0; 3];
+        }
+        let id = MaterialId(self.list.len() as u32);
+        self.list.push(material);
+        self.made.insert((number, is_colored), id);
+        if definition.is_some() {
+            self.made.insert((number, !is_colored), id);
+        }
+        id
+    }
+
+    fn make(&mut self, definition: &Definition, warnings: &mut Warnings) -> SceneMaterial {
+        let mut material = SceneMaterial::default();
+        let constants = &mut material.constants;
+        let or_white = |color: Option<[f32; 3]>, map: &Option<Map>| {
+            color.or_else(|| map.as_ref().map(|_| [1.0; 3]))
+        };
+        if let Some(diffuse) = or_white(definition.diffuse, &definition.diffuse_map) {
+            constants.diffuse = diffuse;
+        }
+        constants.ambient = or_white(definition.ambient, &definition.ambient_map);
+        if let Some(specular) = or_white(definition.specular, &definition.specular_map) {
+            constants.specular = specular;
+            constants.k_s = 1.0;
+        }
+        if let Some(emission) = or_white(definition.emission, &definition.emission_map) {
+            constants.emission = emission;
+        }
+        if let Some(shininess) = definition.shininess {
+            constants.shininess = shininess;
+        }
+        constants.reflection = match definition.illumination {
+            Some(0) => Reflection::Unlit,
+            Some(1) => Reflection::Lambert,
+            _ => Reflection::BlinnPhong,
+        };
+        if definition.illumination == Some(1) || definition.shininess == Some(0.0) {
+            constants.k_s = 0.0;
+        }
+        let transparency = definition.transparency.filter(|&transparency| transparency < 1.0);
+        material.opacity =
+            definition.opacity.or(transparency.map(|tr| 1.0 - tr)).unwrap_or(1.0).min(1.0);
+        if material.opacity < 1.0 {
+            material.alpha_mode = AlphaMode::Blend;
+        }
+        self.set_maps(definition, &mut material, warnings);
+        material
+    }
+
+    fn set_maps(
+        &mut self,
+        definition: &Definition,
+        material: &mut SceneMaterial,
+        warnings: &mut Warnings,
+    ) {
+        let mut get = |map: &Option<Map>, used: Use| {
+            map.as_ref().map(|map| self.texture(map, used, warnings))
+        };
+        material.base_color = get(&definition.diffuse_map, Use::Color);
+        material.specular = get(&definition.specular_map, Use::Color);
+        material.emission = get(&definition.emission_map, Use::Color);
+        material.opacity_map = get(&definition.opacity_map, Use::Opacity);
+        material.normal = get(&definition.normal_map, Use::Normal);
+        material.ambient = get(&definition.ambient_map, Use::Color);
+        let bump = get(&definition.bump_map, Use::Normal);
+        if definition.ambient_map.is_none() && definition.ambient.is_some() {
+            material.ambient = material.base_color;
+        }
+        if let Some(bump) = bump.filter(|_| material.normal.is_none()) {
+            if is_normal_map(self.level(bump)) {
+                material.normal = Some(bump);
+            } else {
+                let name = shown(&definition.name);
+                warnings.push(format!(
+                    "material `{name}`: heights of a bump map aren't drawn, only normals (`norm`)"
+                ));
+            }
+        }
+        let alpha = |texel: &[u8; 4]| texel[3];
+        let red = |texel: &[u8; 4]| texel[0];
+        let of_color = material.base_color.map(|used| alpha_mode(self.level(used), alpha));
+        let of_map = material.opacity_map.map(|used| alpha_mode(self.level(used), red));
+        for mode in [of_color, of_map].into_iter().flatten() {
+            material.alpha_mode = match (material.alpha_mode, mode) {
+                (AlphaMode::Blend, _) | (_, AlphaMode::Opaque) => material.alpha_mode,
+                _ => mode,
+            };
+        }
+    }
+
+    fn level(&self, used: TextureUse) -> &[[u8; 4]] {
+        let texture = self.textures.get(used.texture.index());
+        texture.and_then(|texture| texture.image.levels.first()).map_or(&[], |level| &level.texels)
+    }
+
+    /// Loads a texture, or what stands for it.
+    fn texture(&mut self, map: &Map, used: Use, warnings: &mut Warnings) -> TextureUse {
+        let key = (map.name.clone(), used, map.clamp);
+        let texture = self.loaded.get(&key).copied().unwrap_or_else(|| {
+            let image = self.image(&map.name, used).unwrap_or_else(|message| {
+                warnings.push(format!("texture `{}`: {message}", map.name));
+                match used {
+                    Use::Color => Image::stand_in(map.name.clone()),
+                    // Opaque and flat: nothing is to be seen of them.
+                    Use::Opacity => one_texel(&map.name, [255; 4]),
+                    Use::Normal => one_texel(&map.name, [128, 128, 255, 255]),
+                }
+            });
+            let mut sampler = Sampler::trilinear();
+            if map.clamp {
+                sampler.wrap_u = Wrap::ClampToEdge;
+                sampler.wrap_v = Wrap::ClampToEdge;
+            }
+            let id = TextureId(self.textures.len() as u32);
+            self.textures.push(Texture { image: Arc::new(image), sampler });
+            self.loaded.insert(key, id);
+            id
+        });
+        let ([su, sv], [ou, ov]) = (map.scale, map.offset);
+        // MTL's v' = sv v + ov points up, ours down.
+        let transform = [su, 0.0, ou, 0.0, sv, 1.0 - sv - ov];
+        TextureUse { transform, strength: map.strength, ..TextureUse::new(texture) }
+    }
+
+    fn image(&self, name: &str, used: Use) -> Result<Image, String> {
+        let path = files::within(self.folder, name)?;
+        let limits = self.memory.left();
+        let bytes = files::read_file(&path, &limits).map_err(|error| error.kind.to_string())?;
+        let encoding = if used == Use::Color { Encoding::Srgb } else { Encoding::Linear };
+        let mut image = image::decode(name, &bytes, encoding, &limits)?;
+        let texels = image.levels[0].texels.len() as u64;
+        let taken = self.memory.take("the textures", texels, BYTES_PER_TEXEL, Place::File);
+        taken.map_err(|error| error.kind.to_string())?;
+        if used == Use::Opacity && image.levels[0].texels.iter().any(|texel| texel[3] < 255) {
+            // A picture with alpha that is named for its opacity means its alpha.
+            for texel in image.levels.iter_mut().flat_map(|level| &mut level.texels) {
+                texel[0] = texel[3];
+            }
+        }
+        Ok(image)
+    }
+}
+
+fn one_texel(name: &str, texel: [u8; 4]) -> Image {
+    Image::new(name, Encoding::Linear, 1, 1, vec![texel])
+}
+
+/// The files that a `mtllib` line names: one whose name has spaces, or several.
+fn library_files(
+    line: &[u8],
+    folder: Option<&Path>,
+    limits: &Limits,
+    warnings: &mut Warnings,
+) -> Vec<(String, Vec<u8>)> {
+    let whole = String::from_utf8_lossy(line).into_owned();
+    let mut read = |name: &str, tell: bool| {
+        let bytes = files::within(folder, name).and_then(|path| {
+            files::read_file(&path, limits).map_err(|error| error.kind.to_string())
+        });
+        match bytes {
+            Ok(bytes) => Some((name.to_owned(), bytes)),
+            Err(message) => {
+                if tell {
+                    let what = "its materials are left out";
+                    warnings.push(format!("library `{name}`: {what}: {message}"));
+                }
+                None
+            }
+        }
+    };
+    let names: Vec<_> = whole.split_ascii_whitespace().collect();
+    match read(&whole, names.len() < 2) {
+        Some(file) => vec![file],
+        None if names.len() < 2 => Vec::new(),
+        None => names.into_iter().filter_map(|name| read(name, true)).collect(),
+    }
+}
+
+/// What an image's alpha means: nothing if it is full, holes if it is all but black and white.
+fn alpha_mode(texels: &[[u8; 4]], alpha: impl Fn(&[u8; 4]) -> u8) -> AlphaMode {
+    let below = |limit: u8| texels.iter().filter(|texel| alpha(texel) < limit).count();
+    let (low, partly, not_full) = (below(16), below(240), below(255));
+    if not_full == 0 {
+        AlphaMode::Opaque
+    } else if (partly - low) * 20 <= texels.len() && low > 0 {
+        AlphaMode::Mask { cutoff: 0.5 }
+    } else {
+        AlphaMode::Blend
+    }
+}
+
+/// Whether the texels are normals in tangent space: on average, (128, 128, 255) or nearly.
+fn is_normal_map(texels: &[[u8; 4]]) -> bool {
+    let count = texels.len().max(1) as u64;
+    let sum = |channel: usize| texels.iter().map(|texel| u64::from(texel[channel])).sum::<u64>();
+    let [red, green, blue] = [0, 1, 2].map(|channel| sum(channel) / count);
+    (108..=148).contains(&red) && (108..=148).contains(&green) && blue > 190
+}

@@ -1,0 +1,157 @@
+//! MTL: what the materials of an OBJ file reflect (Wavefront, "MTL material format", 1995).
+
+use super::parse::Lines;
+use crate::text::{Words, integer, shown, single};
+use crate::warnings::Warnings;
+
+/// A material as it is written; what isn't said is `None`.
+#[derive(Debug, Default)]
+pub(super) struct Definition {
+    pub(super) name: Vec<u8>,
+    pub(super) ambient: Option<[f32; 3]>,
+    pub(super) diffuse: Option<[f32; 3]>,
+    pub(super) specular: Option<[f32; 3]>,
+    pub(super) emission: Option<[f32; 3]>,
+    pub(super) shininess: Option<f32>,
+    /// `d`
+    pub(super) opacity: Option<f32>,
+    /// `Tr`
+    pub(super) transparency: Option<f32>,
+    pub(super) illumination: Option<i64>,
+    pub(super) ambient_map: Option<Map>,
+    pub(super) diffuse_map: Option<Map>,
+    pub(super) specular_map: Option<Map>,
+    pub(super) emission_map: Option<Map>,
+    pub(super) opacity_map: Option<Map>,
+    /// `map_Bump` and its like: heights, though many files name normals here.
+    pub(super) bump_map: Option<Map>,
+    /// `norm`
+    pub(super) normal_map: Option<Map>,
+}
+
+/// A texture with its options.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Map {
+    /// The file name, spaces included.
+    pub(super) name: String,
+    /// `-s`
+    pub(super) scale: [f32; 2],
+    /// `-o`
+    pub(super) offset: [f32; 2],
+    /// `-clamp on`
+    pub(super) clamp: bool,
+    /// `-bm`
+    pub(super) strength: f32,
+}
+
+/// Reads a library. What can't be read in it is told in a warning, and ignored.
+pub(super) fn read(bytes: &[u8], file: &str, warnings: &mut Warnings) -> Vec<Definition> {
+    let mut definitions: Vec<Definition> = Vec::new();
+    let mut lines = Lines::new(bytes);
+    while let Some(line) = lines.next() {
+        let mut words = Words::new(&line);
+        let Some(keyword) = words.next() else { continue };
+        if keyword == b"newmtl" {
+            let name = words.rest().to_vec();
+            definitions.push(Definition { name, ..Definition::default() });
+        } else if let Some(definition) = definitions.last_mut()
+            && !definition.statement(keyword, words.clone())
+        {
+            let line = lines.number;
+            let rest = shown(words.rest());
+            warnings.push(format!(
+                "{file}:{line}: `{} {rest}` isn't understood, so it is ignored",
+                shown(keyword)
+            ));
+        }
+    }
+    definitions
+}
+
+impl Definition {
+    /// Whether the statement was understood, or is one that no picture here shows.
+    fn statement(&mut self, keyword: &[u8], words: Words<'_>) -> bool {
+        fn set<T>(place: &mut Option<T>, value: Option<T>) -> bool {
+            let is_some = value.is_some();
+            *place = value.or(place.take());
+            is_some
+        }
+        let lower = keyword.to_ascii_lowercase();
+        match lower.as_slice() {
+            b"ka" => set(&mut self.ambient, color(words)),
+            b"kd" => set(&mut self.diffuse, color(words)),
+            b"ks" => set(&mut self.specular, color(words)),
+            b"ke" => set(&mut self.emission, color(words)),
+            b"ns" => set(&mut self.shininess, value(words)),
+            b"d" => set(&mut self.opacity, value(words)),
+            b"tr" => set(&mut self.transparency, value(words)),
+            b"illum" => set(&mut self.illumination, words.clone().next().and_then(integer)),
+            b"map_ka" => set(&mut self.ambient_map, map(words)),
+            b"map_kd" => set(&mut self.diffuse_map, map(words)),
+            b"map_ks" => set(&mut self.specular_map, map(words)),
+            b"map_ke" => set(&mut self.emission_map, map(words)),
+            b"map_d" => set(&mut self.opacity_map, map(words)),
+            b"map_bump" | b"bump" => set(&mut self.bump_map, map(words)),
+            b"norm" | b"map_kn" => set(&mut self.normal_map, map(words)),
+            // Transmission, refraction, reflection maps, and extensions of other programs.
+            _ => true,
+        }
+    }
+}
+
+/// One number for all three, or three; CIE colours and spectra aren't read.
+fn color(mut words: Words<'_>) -> Option<[f32; 3]> {
+    let red = intensity(words.next()?)?;
+    let Some(green) = words.next() else { return Some([red; 3]) };
+    Some([red, intensity(green)?, intensity(words.next()?)?])
+}
+
+fn intensity(word: &[u8]) -> Option<f32> {
+    single(word).filter(|value| value.is_finite()).map(|value| value.max(0.0))
+}
+
+/// The first number; options such as `-halo` may stand before it.
+fn value(words: Words<'_>) -> Option<f32> {
+    words.into_iter().find(|word| word.first() != Some(&b'-')).and_then(intensity)
+}
+
+/// Options, then a file name that may have spaces.
+fn map(mut words: Words<'_>) -> Option<Map> {
+    let mut map =
+        Map { name: String::new(), scale: [1.0; 2], offset: [0.0; 2], clamp: false, strength: 1.0 };
+    loop {
+        let mut ahead = words.clone();
+        let option = ahead.next()?.to_ascii_lowercase();
+        match option.as_slice() {
+            b"-s" => read_pair(&mut ahead, &mut map.scale),
+            b"-o" => read_pair(&mut ahead, &mut map.offset),
+            b"-t" => read_pair(&mut ahead, &mut [0.0; 2]),
+            b"-clamp" => map.clamp = ahead.next()? == b"on",
+            b"-bm" => map.strength = intensity(ahead.next()?)?,
+            b"-mm" => {
+                ahead.next();
+                ahead.next();
+            }
+            b"-blendu" | b"-blendv" | b"-boost" | b"-cc" | b"-imfchan" | b"-texres" | b"-type" => {
+                ahead.next();
+            }
+            _ => break,
+        }
+        words = ahead;
+    }
+    map.name = String::from_utf8_lossy(words.rest()).into_owned();
+    Some(map)
+}
+
+/// One to three numbers, of which two are of use; missing ones stay as they are.
+fn read_pair(words: &mut Words<'_>, pair: &mut [f32; 2]) {
+    for index in 0..3 {
+        let mut ahead = words.clone();
+        let value = ahead.next().and_then(single).filter(|value| value.is_finite());
+        let Some(value) = value else { return };
+        if let Some(place) = pair.get_mut(index) {
+            *place = value;
+        }
+        *words = ahead;
+    }
+}
