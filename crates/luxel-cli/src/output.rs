@@ -20,9 +20,9 @@ pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
         .map_err(|error| Failure::standard_output(&error))
 }
 
-/// Prints a JSON document on lines of its own.
+/// Prints a JSON document on a line of its own.
 pub(crate) fn print_json(document: &serde_json::Value) -> Result<(), Failure> {
-    print(&format!("{document:#}\n"))
+    print(&format!("{document}\n"))
 }
 
 /// The file being written, which an interrupt has to remove.

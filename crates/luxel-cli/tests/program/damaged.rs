@@ -1,0 +1,155 @@
+//! Damaged and hostile input ends soon, with status 1, with its place, and without a file.
+
+use crate::program::{Folder, SQUARE_OBJ, luxel};
+use std::time::{Duration, Instant};
+
+/// The longest that a refusal may take, on a busy machine.
+const SOON: Duration = Duration::from_secs(20);
+
+/// Both commands refuse the file, naming it and what is expected.
+#[track_caller]
+fn refused(name: &str, bytes: impl AsRef<[u8]>, expected: &str) {
+    let folder = Folder::new();
+    folder.write(name, bytes);
+    let start = Instant::now();
+    for line in [["info", name, "--json", "-q"], ["render", name, "-o", "out.png"]] {
+        let run = folder.run(line).failed(1, expected);
+        assert!(run.stderr.contains(name), "the file is named: {}", run.stderr);
+    }
+    assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
+    assert_eq!(folder.files(), [name], "a file is left behind");
+}
+
+#[test]
+fn what_is_not_there_is_named() {
+    luxel("info nosuch.glb").failed(1, "nosuch.glb");
+    luxel("render nosuch.ply -o a.png").failed(1, "nosuch.ply");
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("folder.obj")).unwrap();
+    folder.run(["info", "folder.obj"]).failed(1, "folder.obj");
+    folder.run(["info", "."]).failed(1, "glb, gltf, obj, stl or ply");
+    folder.write("model.xyz", "1 2 3");
+    folder.run(["info", "model.xyz"]).failed(1, "glb, gltf, obj, stl or ply");
+}
+
+#[test]
+fn empty_files_of_strict_formats_are_refused() {
+    for name in ["a.glb", "a.gltf", "a.stl", "a.ply"] {
+        refused(name, "", "");
+    }
+}
+
+#[test]
+fn indices_out_of_range_are_told_with_their_line() {
+    refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "a.obj:4");
+    refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "a.obj:4");
+    refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "a.obj:4");
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+               property float z\nelement face 1\nproperty list uchar int vertex_indices\n\
+               end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n";
+    refused("a.ply", ply, "7");
+}
+
+#[test]
+fn lying_counts_are_refused_before_memory_is_taken() {
+    let ply = |format: &str| {
+        format!(
+            "ply\nformat {format} 1.0\nelement vertex 4000000000\nproperty float x\n\
+             property float y\nproperty float z\nelement face 4000000000\n\
+             property list uchar int vertex_indices\nend_header\n0 0 0\n"
+        )
+    };
+    refused("a.ply", ply("ascii"), "");
+    refused("a.ply", ply("binary_little_endian"), "");
+    let mut stl = vec![0; 84];
+    stl[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
+    refused("a.stl", stl, "");
+    let mut glb = b"glTF".to_vec();
+    for word in [2, u32::MAX, 0xffff_fff0, 0x4e4f_534a] {
+        glb.extend(word.to_le_bytes());
+    }
+    refused("a.glb", glb, "");
+}
+
+#[test]
+fn truncated_binaries_are_refused() {
+    let mut stl = vec![0; 84 + 50 * 3 - 7];
+    stl[80..84].copy_from_slice(&3_u32.to_le_bytes());
+    refused("a.stl", stl, "");
+    refused("a.glb", b"glTF\x02\0\0\0", "");
+    refused("a.gltf", r#"{"asset":{"version":"2.0"},"nodes":[{"#, "");
+}
+
+#[test]
+fn broken_gltf_documents_are_told_with_a_pointer() {
+    let document = |rest: &str| format!(r#"{{"asset":{{"version":"2.0"}},{rest}}}"#);
+    let cycle = r#""scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"children":[0]}]"#;
+    refused("a.gltf", document(cycle), "/nodes/");
+    let beyond = r#""scene":0,"scenes":[{"nodes":[7]}],"nodes":[{}]"#;
+    refused("a.gltf", document(beyond), "/scenes/0");
+    let needed = r#""extensionsRequired":["ACME_teleport"]"#;
+    refused("a.gltf", document(needed), "ACME_teleport");
+    let deep = "[".repeat(100_000);
+    refused("a.gltf", document(&format!(r#""extras":{deep}"#)), "");
+}
+
+#[test]
+fn a_uri_that_leads_out_of_the_folder_is_refused() {
+    for uri in ["../secret.bin", "/etc/passwd", "a/../../secret.bin", "%2e%2e/secret.bin"] {
+        let document = format!(
+            r#"{{"asset":{{"version":"2.0"}},
+                "buffers":[{{"uri":"{uri}","byteLength":36}}],
+                "bufferViews":[{{"buffer":0,"byteLength":36}}],
+                "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+                    "min":[0,0,0],"max":[1,1,0]}}],
+                "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],
+                "nodes":[{{"mesh":0}}],"scenes":[{{"nodes":[0]}}],"scene":0}}"#
+        );
+        refused("a.gltf", document, "/buffers/0");
+    }
+}
+
+#[test]
+fn faces_with_corners_that_are_no_numbers_are_left_out() {
+    let folder = Folder::new();
+    folder.write("a.obj", format!("{SQUARE_OBJ}v inf 0 0\nv 0 nan 0\nf 1 2 5\nf 1 2 6\n"));
+    let run = folder.run(["render", "a.obj", "-o", "a.png", "--size", "32x32", "--json"]);
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    let report: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(report["triangles"], 2);
+    assert_eq!(report["warnings"].as_array().unwrap().len(), 1);
+}
+
+#[test]
+fn a_file_beyond_the_memory_allowed_is_refused() {
+    let folder = Folder::new();
+    folder.write("a.obj", SQUARE_OBJ.repeat(1000));
+    folder.run(["info", "a.obj", "--max-memory", "1K"]).failed(1, "--max-memory");
+    folder
+        .run_with_input(
+            ["info", "-", "--format", "obj", "--max-memory", "1K"],
+            SQUARE_OBJ.repeat(1000).as_bytes(),
+        )
+        .failed(1, "--max-memory");
+}
+
+#[test]
+fn random_bytes_end_with_a_status_whatever_they_are_called() {
+    let folder = Folder::new();
+    let mut state = 0x2545_f491_4f6c_dd1d_u64;
+    for round in 0..8 {
+        let mut bytes = Vec::new();
+        for _ in 0..(1 << round) * 8 {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            bytes.extend(state.to_le_bytes());
+        }
+        for name in ["a.glb", "a.gltf", "a.obj", "a.stl", "a.ply"] {
+            folder.write(name, &bytes);
+            let run = folder.run(["info", name]);
+            assert!(matches!(run.status, Some(0 | 1)), "{name}: {}", run.stderr);
+            assert!(!run.stderr.contains("bug in luxel"), "{name}: {}", run.stderr);
+        }
+    }
+}

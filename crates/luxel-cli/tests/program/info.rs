@@ -1,0 +1,141 @@
+//! `luxel info`: what is in a file, and the camera that `render` would use.
+
+use crate::program::{Folder, SQUARE_OBJ, luxel};
+use serde_json::{Value, json};
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+}
+
+#[track_caller]
+fn assert_near(value: &Value, expected: &[f64]) {
+    let value = numbers(value);
+    assert_eq!(value.len(), expected.len());
+    for (a, b) in value.iter().zip(expected) {
+        assert!((a - b).abs() < 1e-12, "{value:?} isn't {expected:?}");
+    }
+}
+
+#[test]
+fn the_document_has_every_key_that_scripts_rely_on() {
+    let folder = Folder::new();
+    folder.write("square.obj", SQUARE_OBJ);
+    let info = folder.run(["info", "square.obj", "--json"]).json();
+    assert_eq!(info["format"], "obj");
+    assert_eq!(info["triangles"], 2);
+    assert_eq!(info["vertices"], 4);
+    assert_eq!(info["bounds"], json!({ "min": [0.0, 0.0, 0.0], "max": [1.0, 1.0, 0.0] }));
+    let objects = info["objects"].as_array().unwrap();
+    assert_eq!(objects.len(), 1);
+    assert_eq!(objects[0]["name"], "square");
+    assert_eq!(objects[0]["triangles"], 2);
+    assert_eq!(objects[0]["bounds"], info["bounds"]);
+    assert_eq!(objects[0]["path"].as_array().unwrap().last(), Some(&json!("square")));
+    for list in ["materials", "lights", "cameras", "warnings"] {
+        assert!(info[list].is_array(), "{list}");
+    }
+    assert_eq!(numbers(&info["camera"]["view_from_world"]).len(), 16);
+    assert_eq!(numbers(&info["camera"]["clip_from_view"]).len(), 16);
+}
+
+#[test]
+fn the_camera_is_the_one_on_the_line_column_by_column() {
+    let flags = "--size 200x100 --eye 0,0,5 --target 0,0,0 --fov 90 --near 1 --far 3";
+    let info = luxel(&format!("info demo:cornell --json {flags}")).json();
+    assert_near(
+        &info["camera"]["view_from_world"],
+        &[1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., 0., 0., -5., 1.],
+    );
+    // gluPerspective(90, 2, 1, 3)
+    assert_near(
+        &info["camera"]["clip_from_view"],
+        &[0.5, 0., 0., 0., 0., 1., 0., 0., 0., 0., -2., -1., 0., 0., -3., 0.],
+    );
+}
+
+#[test]
+fn without_a_far_plane_the_matrix_is_its_limit() {
+    let flags = "--eye 0,0,5 --target 0,0,0 --near 1 --far infinity --size 1x1 --fov 90";
+    let info = luxel(&format!("info demo:cornell --json {flags}")).json();
+    assert_near(
+        &info["camera"]["clip_from_view"],
+        &[1., 0., 0., 0., 0., 1., 0., 0., 0., 0., -1., -1., 0., 0., -2., 0.],
+    );
+}
+
+#[test]
+fn parallel_rays_have_the_matrix_of_gl_ortho() {
+    let flags = "--eye 0,0,5 --target 0,0,0 --ortho 4 --near -1 --far 3 --size 200x100";
+    let info = luxel(&format!("info demo:cornell --json {flags}")).json();
+    assert_near(
+        &info["camera"]["clip_from_view"],
+        &[0.25, 0., 0., 0., 0., 0.5, 0., 0., 0., 0., -0.5, 0., 0., 0., -0.5, 1.],
+    );
+}
+
+#[test]
+fn a_view_matrix_comes_back_as_it_was_given() {
+    let matrix = "0,0,1,0,0,1,0,0,-1,0,0,0,.25,-3,1e-3,1";
+    let info = luxel(&format!("info demo:cornell --json --view-matrix {matrix}")).json();
+    let expected = [0., 0., 1., 0., 0., 1., 0., 0., -1., 0., 0., 0., 0.25, -3., 1e-3, 1.];
+    assert_near(&info["camera"]["view_from_world"], &expected);
+}
+
+#[test]
+fn the_file_s_camera_is_used_unless_a_flag_says_otherwise() {
+    let view = |flags: &str| {
+        luxel(&format!("info demo:cornell --json {flags}")).json()["camera"]["view_from_world"]
+            .clone()
+    };
+    let of_file = view("");
+    assert_eq!(view("--camera camera"), of_file);
+    assert_eq!(view("--size 10x10 --fov 20"), of_file, "the lens moves no eye");
+    assert_ne!(view("--azimuth 30"), of_file);
+    luxel("info demo:cornell --camera nosuch").failed(1, "no camera `nosuch`");
+}
+
+#[test]
+fn near_and_far_are_fitted_to_the_scene() {
+    let info = luxel("info demo:teapot --json --eye 0,0,50 --target 0,0,0").json();
+    let clip = numbers(&info["camera"]["clip_from_view"]);
+    // From a = -(far + near) / (far - near), b = -2 far near / (far - near).
+    let (a, b) = (clip[10], clip[14]);
+    let (near, far) = (b / (a - 1.0), b / (a + 1.0));
+    assert!(near < 48.0 && near > 47.5, "near {near}");
+    assert!(far > 52.0 && far < 52.5, "far {far}");
+}
+
+#[test]
+fn nothing_to_draw_is_still_something_to_tell() {
+    let folder = Folder::new();
+    folder.write("empty.obj", "# nothing\n");
+    folder.write(
+        "empty.ply",
+        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n\
+         property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n",
+    );
+    folder.write("empty.gltf", r#"{"asset":{"version":"2.0"}}"#);
+    for name in ["empty.obj", "empty.ply", "empty.gltf"] {
+        let info = folder.run(["info", name, "--json"]).json();
+        assert_eq!(info["triangles"], 0, "{name}");
+        assert_eq!(info["bounds"], Value::Null, "{name}");
+        assert!(folder.run(["info", name]).text().contains("nothing to draw"), "{name}");
+        folder.run(["render", name, "-o", "x.png"]).failed(1, "nothing to draw");
+    }
+    assert!(!folder.files().contains(&"x.png".to_owned()));
+}
+
+#[test]
+fn warnings_are_listed_and_told_on_the_standard_error() {
+    let folder = Folder::new();
+    folder.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n");
+    let run = folder.run(["info", "nan.obj", "--json"]);
+    assert_eq!(run.status, Some(0));
+    assert!(run.stderr.starts_with("luxel: warning: "), "{}", run.stderr);
+    let info: Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(info["triangles"], 1);
+    assert_eq!(info["warnings"].as_array().unwrap().len(), 1);
+    folder.run(["info", "nan.obj", "--json", "--quiet"]).done();
+    let told = folder.run(["info", "nan.obj", "-v"]);
+    assert!(told.stderr.contains("read in"), "{}", told.stderr);
+}

@@ -1,0 +1,10 @@
+//! The program as its users meet it: what it is given, what it prints, with which status it ends,
+//! and which files it leaves.
+
+mod bytes;
+mod damaged;
+mod info;
+mod models;
+mod program;
+mod render;
+mod usage;
