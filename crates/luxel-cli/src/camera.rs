@@ -8,11 +8,6 @@ use luxel::scene::{
 };
 use serde_json::{Value, json};
 
-/// The angle of view from bottom to top where nothing says otherwise.
-const DEFAULT_FOV_DEGREES: f64 = 45.0;
-const DEFAULT_AZIMUTH_DEGREES: f64 = 30.0;
-const DEFAULT_ELEVATION_DEGREES: f64 = 20.0;
-
 /// Chooses the camera: the matrix or the eye on the line, else the file's camera, else the model
 /// fitted into the view.
 ///
@@ -33,7 +28,7 @@ pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Fa
         }
         Camera::look_at(eye, target, up)
     } else if let Some(camera) = of_file {
-        view_of(camera, scene)
+        luxel::view_from_world_of(camera, scene)
     } else {
         fit_view(scene, &viewpoint(options, up), lens, options.size).view_from_world
     };
@@ -51,30 +46,63 @@ pub(crate) fn turntable(
     scene: &Scene,
     count: u32,
 ) -> Result<Vec<Camera>, Failure> {
-    let first = choose(options, scene)?;
+    let chosen = choose(options, scene)?;
+    if count == 1 {
+        return Ok(vec![chosen]);
+    }
     let bounds = scene.bounds();
-    let pivot = options.target.unwrap_or_else(|| middle(&bounds));
     let up = options.up.unwrap_or(scene.up).normalize_or(DVec3::Y);
+    let pivot = options.target.unwrap_or_else(|| middle(&bounds));
+    let lens = chosen.projection.lens;
+    let is_fitted = !is_placed(options) && file_camera(options, scene)?.is_none();
+    let first = if is_fitted {
+        let distance = distance_from_all_sides(options, scene, pivot, lens);
+        let [_, picture_up, back] = viewpoint(options, up).axes();
+        Camera::look_at(pivot + back * distance, pivot, picture_up)
+    } else {
+        chosen.view_from_world
+    };
     let turned = |number: u32| {
         let angle = std::f64::consts::TAU * f64::from(number) / f64::from(count);
         // Turning the eye to the right is turning the world to the left.
         let turn = DMat4::from_translation(pivot)
             * DMat4::from_axis_angle(up, -angle)
             * DMat4::from_translation(-pivot);
-        let view_from_world = first.view_from_world * turn;
-        let lens = first.projection.lens;
+        let view_from_world = first * turn;
         let (near, far) = planes(options, &bounds, &view_from_world, lens)?;
         Ok(Camera { view_from_world, projection: Projection { lens, near, far } })
     };
-    std::iter::once(Ok(first)).chain((1..count).map(turned)).collect()
+    (0..count).map(turned).collect()
+}
+
+/// How far the eye has to stand from the middle so that the model fits from every side.
+fn distance_from_all_sides(options: &FrameOptions, scene: &Scene, pivot: DVec3, lens: Lens) -> f64 {
+    /// Enough that nothing sticks out far between two of them.
+    const SIDES: u32 = 12;
+    let mut viewpoint = viewpoint(options, options.up.unwrap_or(scene.up));
+    let mut distance: f64 = 0.0;
+    for _ in 0..SIDES {
+        let camera = fit_view(scene, &viewpoint, lens, options.size);
+        distance = distance.max((pivot - camera.eye()).dot(camera.direction()));
+        viewpoint.azimuth_radians += std::f64::consts::TAU / f64::from(SIDES);
+    }
+    distance
+}
+
+/// Whether the flags say where the camera stands.
+fn is_placed(options: &FrameOptions) -> bool {
+    options.view_matrix.is_some() || options.eye.is_some()
 }
 
 /// From which side a model is looked at that brings no camera.
 fn viewpoint(options: &FrameOptions, up: DVec3) -> Viewpoint {
     Viewpoint {
         up,
-        azimuth_radians: options.azimuth.unwrap_or(DEFAULT_AZIMUTH_DEGREES).to_radians(),
-        elevation_radians: options.elevation.unwrap_or(DEFAULT_ELEVATION_DEGREES).to_radians(),
+        azimuth_radians: options.azimuth.unwrap_or(luxel::DEFAULT_AZIMUTH_DEGREES).to_radians(),
+        elevation_radians: options
+            .elevation
+            .unwrap_or(luxel::DEFAULT_ELEVATION_DEGREES)
+            .to_radians(),
     }
 }
 
@@ -95,11 +123,9 @@ fn file_camera<'a>(
             Failure::work(format!("there is no camera `{name}`"), remedy)
         });
     }
-    let placed = options.view_matrix.is_some()
-        || options.eye.is_some()
-        || options.azimuth.is_some()
-        || options.elevation.is_some();
-    Ok(if placed { None } else { scene.cameras.first() })
+    let is_elsewhere =
+        is_placed(options) || options.azimuth.is_some() || options.elevation.is_some();
+    Ok(if is_elsewhere { None } else { scene.cameras.first() })
 }
 
 fn lens(options: &FrameOptions, of_file: Option<&SceneCamera>) -> Lens {
@@ -111,21 +137,10 @@ fn lens(options: &FrameOptions, of_file: Option<&SceneCamera>) -> Lens {
         Lens::Perspective { fov_y_radians: degrees.to_radians() }
     } else {
         of_file.map_or(
-            Lens::Perspective { fov_y_radians: DEFAULT_FOV_DEGREES.to_radians() },
+            Lens::Perspective { fov_y_radians: luxel::DEFAULT_FOV_DEGREES.to_radians() },
             |camera| camera.lens,
         )
     }
-}
-
-/// From world space to a camera of the file; scale on its nodes doesn't reach it.
-fn view_of(camera: &SceneCamera, scene: &Scene) -> DMat4 {
-    let world_from_camera = camera
-        .node
-        .and_then(|node| scene.world_from_nodes().get(node.index()).copied())
-        .unwrap_or(DMat4::IDENTITY);
-    let eye = world_from_camera.w_axis.truncate();
-    let back = world_from_camera.z_axis.truncate().normalize_or(DVec3::Z);
-    Camera::look_at(eye, eye - back, world_from_camera.y_axis.truncate())
 }
 
 fn middle(bounds: &Bounds) -> DVec3 {

@@ -35,6 +35,7 @@ pub(crate) fn load(
     console: Console,
 ) -> Result<Model, Failure> {
     let start = Instant::now();
+    execution.limit_threads();
     let limits = Limits { max_memory: execution.max_memory, ..Limits::default() };
     let model = if let Some(name) = input.model.strip_prefix("demo:") {
         demo(name)?

@@ -7,7 +7,7 @@ use crate::options::{
 use crate::values::Surroundings;
 use luxel::lighting::{Environment, Fog, FogLaw, PictureEncoding};
 use luxel::render::{Cull, Edges, EnvironmentChoice, Execution, View};
-use luxel::scene::{Camera, DEFAULT_AMBIENT, Scene, SceneLight, default_lights};
+use luxel::scene::{Camera, Scene, SceneLight};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
@@ -69,17 +69,15 @@ fn lights(options: &LightOptions, scene: &Scene) -> Result<(Vec<SceneLight>, [f3
         }
         return Ok((lights, ambient.unwrap_or_default()));
     }
-    if !scene.lights.is_empty() {
-        return Ok((scene.lights.clone(), ambient.unwrap_or_default()));
-    }
-    Ok((default_lights(), ambient.unwrap_or(DEFAULT_AMBIENT)))
+    let (lights, default_ambient) = luxel::lights_of(scene);
+    Ok((lights, ambient.unwrap_or(default_ambient)))
 }
 
 fn environment(options: &LightOptions, scene: &Scene) -> EnvironmentChoice {
     let up = scene.up.as_vec3().to_array();
     match options.environment {
-        None if scene.lights.is_empty() => EnvironmentChoice::StudioForMicrofacets,
-        None | Some(Surroundings::None) => EnvironmentChoice::Always(Environment::None),
+        None => luxel::environment_of(scene),
+        Some(Surroundings::None) => EnvironmentChoice::Always(Environment::None),
         Some(Surroundings::Studio) => EnvironmentChoice::Always(Environment::Studio { up }),
         Some(Surroundings::Constant(color)) => {
             EnvironmentChoice::Always(Environment::Constant(color))

@@ -1,5 +1,17 @@
 //! Light, draw and pick 3D models on the CPU, with the same bytes on every machine.
 //!
+//! ```no_run
+//! use luxel::scene::Size;
+//!
+//! let model = luxel::load("model.glb")?;
+//! let picture = luxel::draw(&model.scene, Size { width: 1280, height: 720 })?;
+//! luxel::write_png(&picture, &mut std::fs::File::create("model.png")?)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! To choose camera, light or background, take [`default_view`], change its fields, and give it to a
+//! [`render::Renderer`], which makes a scene ready once and draws it as often as you like.
+//!
 //! This crate is the one to depend on: it gathers the others, each with one subject.
 //!
 //! | module | subject |
@@ -12,20 +24,28 @@
 
 #![forbid(unsafe_code)]
 
+mod draw;
 mod load;
+mod view;
 
+pub use draw::{draw, write_png};
 pub use load::load;
 pub use luxel_formats as formats;
 pub use luxel_lighting as lighting;
 pub use luxel_math as math;
 pub use luxel_render as render;
 pub use luxel_scene as scene;
+pub use view::{
+    DEFAULT_AZIMUTH_DEGREES, DEFAULT_ELEVATION_DEGREES, DEFAULT_FOV_DEGREES, DEFAULT_SAMPLES,
+    default_camera, default_view, environment_of, lights_of, view_from_world_of,
+};
 
 /// What most programs want in scope.
 pub mod prelude {
-    pub use crate::load;
+    pub use crate::{default_view, draw, load, write_png};
     pub use luxel_formats::{Format, Limits, Loaded};
     pub use luxel_lighting::{Light, LightKind, Material, Reflection};
     pub use luxel_math::SimdLevel;
+    pub use luxel_render::{Execution, Layer, Renderer, View};
     pub use luxel_scene::{Camera, DMat4, DVec3, Lens, Placement, Projection, Scene, Size};
 }

@@ -80,7 +80,7 @@ struct OutputOptions {
     edges: bool,
 
     /// Draw N pictures from all around, into files numbered by {n} or {n:3}, as f_{n:3}.png
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
     turntable: Option<NonZeroU32>,
 
     /// Print a JSON document about what was done

@@ -9,7 +9,7 @@ use luxel::math::SimdLevel;
 #[command(next_help_heading = "Execution")]
 pub(crate) struct ExecutionOptions {
     /// Threads [default: all cores]
-    #[arg(long, value_name = "N", value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub(crate) threads: Option<usize>,
 
     /// The instruction set: auto, scalar, sse2, sse4.2, avx2, avx512, neon
@@ -18,7 +18,18 @@ pub(crate) struct ExecutionOptions {
 
     /// The most memory that a model or a picture may take, as 512M or 2G
     #[arg(long, value_name = "SIZE", default_value = "8G", value_parser = memory)]
+    #[arg(allow_hyphen_values = true)]
     pub(crate) max_memory: u64,
+}
+
+impl ExecutionOptions {
+    /// Gives the readers as many threads as the line allows; the renderer has its own.
+    pub(crate) fn limit_threads(&self) {
+        if let Some(count) = self.threads {
+            // Fails only where the threads run already, which is not for the user to hear.
+            let _ = rayon::ThreadPoolBuilder::new().num_threads(count).build_global();
+        }
+    }
 }
 
 /// A level that this machine has.

@@ -1,6 +1,6 @@
 //! Damaged and hostile input ends soon, with status 1, with its place, and without a file.
 
-use crate::program::{Folder, SQUARE_OBJ, luxel};
+use crate::program::{Folder, SQUARE_PLY, luxel};
 use std::time::{Duration, Instant};
 
 /// The longest that a refusal may take, on a busy machine.
@@ -112,8 +112,11 @@ fn a_uri_that_leads_out_of_the_folder_is_refused() {
 #[test]
 fn faces_with_corners_that_are_no_numbers_are_left_out() {
     let folder = Folder::new();
-    folder.write("a.obj", format!("{SQUARE_OBJ}v inf 0 0\nv 0 nan 0\nf 1 2 5\nf 1 2 6\n"));
-    let run = folder.run(["render", "a.obj", "-o", "a.png", "--size", "32x32", "--json"]);
+    let faces = "3 0 1 2\n3 0 2 3\n3 0 1 4\n3 0 1 5\n";
+    let vertices = "0 1 0\ninf 0 0\n0 nan 0\n";
+    let text = SQUARE_PLY.replace("vertex 4", "vertex 6").replace("face 1", "face 4");
+    folder.write("a.ply", text.replace("0 1 0\n", vertices).replace("4 0 1 2 3\n", faces));
+    let run = folder.run(["render", "a.ply", "-o", "a.png", "--size", "32x32", "--json"]);
     assert_eq!(run.status, Some(0), "{}", run.stderr);
     let report: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     assert_eq!(report["triangles"], 2);
@@ -123,13 +126,12 @@ fn faces_with_corners_that_are_no_numbers_are_left_out() {
 #[test]
 fn a_file_beyond_the_memory_allowed_is_refused() {
     let folder = Folder::new();
-    folder.write("a.obj", SQUARE_OBJ.repeat(1000));
-    folder.run(["info", "a.obj", "--max-memory", "1K"]).failed(1, "--max-memory");
+    let long =
+        SQUARE_PLY.replace("end_header", &format!("comment {}\nend_header", "x".repeat(9999)));
+    folder.write("a.ply", &long);
+    folder.run(["info", "a.ply", "--max-memory", "1K"]).failed(1, "--max-memory");
     folder
-        .run_with_input(
-            ["info", "-", "--format", "obj", "--max-memory", "1K"],
-            SQUARE_OBJ.repeat(1000).as_bytes(),
-        )
+        .run_with_input(["info", "-", "--format", "ply", "--max-memory", "1K"], long.as_bytes())
         .failed(1, "--max-memory");
 }
 

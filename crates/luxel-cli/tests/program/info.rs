@@ -1,6 +1,6 @@
 //! `luxel info`: what is in a file, and the camera that `render` would use.
 
-use crate::program::{Folder, SQUARE_OBJ, luxel};
+use crate::program::{Folder, SQUARE_PLY, luxel};
 use serde_json::{Value, json};
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -19,9 +19,9 @@ fn assert_near(value: &Value, expected: &[f64]) {
 #[test]
 fn the_document_has_every_key_that_scripts_rely_on() {
     let folder = Folder::new();
-    folder.write("square.obj", SQUARE_OBJ);
-    let info = folder.run(["info", "square.obj", "--json"]).json();
-    assert_eq!(info["format"], "obj");
+    folder.write("square.ply", SQUARE_PLY);
+    let info = folder.run(["info", "square.ply", "--json"]).json();
+    assert_eq!(info["format"], "ply");
     assert_eq!(info["triangles"], 2);
     assert_eq!(info["vertices"], 4);
     assert_eq!(info["bounds"], json!({ "min": [0.0, 0.0, 0.0], "max": [1.0, 1.0, 0.0] }));
@@ -108,14 +108,13 @@ fn near_and_far_are_fitted_to_the_scene() {
 #[test]
 fn nothing_to_draw_is_still_something_to_tell() {
     let folder = Folder::new();
-    folder.write("empty.obj", "# nothing\n");
     folder.write(
         "empty.ply",
         "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n\
          property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n",
     );
     folder.write("empty.gltf", r#"{"asset":{"version":"2.0"}}"#);
-    for name in ["empty.obj", "empty.ply", "empty.gltf"] {
+    for name in ["empty.ply", "empty.gltf"] {
         let info = folder.run(["info", name, "--json"]).json();
         assert_eq!(info["triangles"], 0, "{name}");
         assert_eq!(info["bounds"], Value::Null, "{name}");
@@ -128,14 +127,14 @@ fn nothing_to_draw_is_still_something_to_tell() {
 #[test]
 fn warnings_are_listed_and_told_on_the_standard_error() {
     let folder = Folder::new();
-    folder.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n");
-    let run = folder.run(["info", "nan.obj", "--json"]);
+    folder.write("nan.ply", SQUARE_PLY.replace("1 0 0\n", "nan 0 0\n").replace("4 0", "3 0"));
+    let run = folder.run(["info", "nan.ply", "--json"]);
     assert_eq!(run.status, Some(0));
     assert!(run.stderr.starts_with("luxel: warning: "), "{}", run.stderr);
     let info: Value = serde_json::from_slice(&run.stdout).unwrap();
-    assert_eq!(info["triangles"], 1);
+    assert_eq!(info["triangles"], 0);
     assert_eq!(info["warnings"].as_array().unwrap().len(), 1);
-    folder.run(["info", "nan.obj", "--json", "--quiet"]).done();
-    let told = folder.run(["info", "nan.obj", "-v"]);
+    folder.run(["info", "nan.ply", "--json", "--quiet"]).done();
+    let told = folder.run(["info", "nan.ply", "-v"]);
     assert!(told.stderr.contains("read in"), "{}", told.stderr);
 }

@@ -1,6 +1,8 @@
 //! The program as its users meet it: what it is given, what it prints, with which status it ends,
 //! and which files it leaves.
 
+#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+
 mod bytes;
 mod damaged;
 mod info;

@@ -131,11 +131,19 @@ pub(crate) fn luxel(line: &str) -> Run {
 }
 
 /// A square of two triangles from (0, 0) to (1, 1), facing +Z.
-pub(crate) const SQUARE_OBJ: &str = "\
-o square
-v 0 0 0
-v 1 0 0
-v 1 1 0
-v 0 1 0
-f 1 2 3 4
+pub(crate) const SQUARE_PLY: &str = "\
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+element face 1
+property list uchar int vertex_indices
+end_header
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+4 0 1 2 3
 ";

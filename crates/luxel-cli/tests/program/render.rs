@@ -1,17 +1,17 @@
 //! `luxel render`: pictures and layers in every format.
 
-use crate::program::{Folder, SQUARE_OBJ, luxel};
+use crate::program::{Folder, SQUARE_PLY, luxel};
 use serde_json::Value;
 use std::io::Cursor;
 
-/// A camera that sees the square of `SQUARE_OBJ` fill the middle half of the window.
+/// A camera that sees the square of `SQUARE_PLY` fill the middle half of the window.
 const CAMERA: &str = "--size 64x64 --eye .5,.5,5 --target .5,.5,0 --ortho 2";
 const WHITE: &str = "--light directional:dir=0,0,-1 --color 1,1,1 --reflection lambert";
 
 fn square(flags: &str) -> Folder {
     let folder = Folder::new();
-    folder.write("square.obj", SQUARE_OBJ);
-    let line = format!("render square.obj {CAMERA} {WHITE} {flags}");
+    folder.write("square.ply", SQUARE_PLY);
+    let line = format!("render square.ply {CAMERA} {WHITE} {flags}");
     folder.run(line.split_whitespace()).done();
     folder
 }
@@ -246,9 +246,9 @@ fn an_unlit_scene_is_its_ambient_light() {
     // The line's first light shines too: 1 + 0.5 is white.
     assert_eq!(pixels[4 * (32 * 64 + 32)], 255);
     let only = Folder::new();
-    only.write("square.obj", SQUARE_OBJ);
+    only.write("square.ply", SQUARE_PLY);
     let line = format!(
-        "render square.obj {CAMERA} --color 1,1,1 --light ambient:color=.5,.5,.5 --encoding none \
+        "render square.ply {CAMERA} --color 1,1,1 --light ambient:color=.5,.5,.5 --encoding none \
          --samples 1 -o a.png"
     );
     only.run(line.split_whitespace()).done();

@@ -1,6 +1,6 @@
 //! Wrong usage ends with status 2 and says what would be right; right usage of odd values doesn't.
 
-use crate::program::{Folder, SQUARE_OBJ, luxel};
+use crate::program::{Folder, SQUARE_PLY, luxel};
 
 /// Flags with values that are wrong, and a word of the message.
 const WRONG: [(&str, &str); 66] = [
@@ -152,9 +152,9 @@ fn the_standard_input_needs_its_format() {
     luxel("info -").failed(2, "--format");
     let folder = Folder::new();
     let run =
-        folder.run_with_input(["info", "-", "--format", "obj", "--json"], SQUARE_OBJ.as_bytes());
+        folder.run_with_input(["info", "-", "--format", "ply", "--json"], SQUARE_PLY.as_bytes());
     let info = run.json();
-    assert_eq!(info["format"], "obj");
+    assert_eq!(info["format"], "ply");
     assert_eq!(info["triangles"], 2);
 }
 

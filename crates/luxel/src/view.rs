@@ -1,0 +1,125 @@
+//! How a scene is looked at and lit where nothing else is said.
+
+use luxel_lighting::{Environment, PictureEncoding};
+use luxel_render::{Cull, EnvironmentChoice, View};
+use luxel_scene::{
+    Camera, DEFAULT_AMBIENT, DMat4, DVec3, Lens, Scene, SceneCamera, SceneLight, Size, Viewpoint,
+    default_lights, fit_planes, fit_view,
+};
+
+/// The angle of view from bottom to top of cameras that no file brings.
+pub const DEFAULT_FOV_DEGREES: f64 = 45.0;
+/// From where a model without a camera is looked at: from the front towards the right.
+pub const DEFAULT_AZIMUTH_DEGREES: f64 = 30.0;
+/// From where a model without a camera is looked at: from the horizon upwards.
+pub const DEFAULT_ELEVATION_DEGREES: f64 = 20.0;
+/// Samples a pixel where nothing else is said.
+pub const DEFAULT_SAMPLES: u32 = 4;
+
+/// The view of a scene: [`default_camera`], [`lights_of`] and [`environment_of`] it, on transparent
+/// black. Its fields are there to be changed.
+#[must_use]
+pub fn default_view(scene: &Scene, size: Size) -> View {
+    let (lights, ambient) = lights_of(scene);
+    View {
+        size,
+        camera: default_camera(scene, size),
+        samples: DEFAULT_SAMPLES,
+        cull: Cull::Auto,
+        lights,
+        ambient,
+        environment: environment_of(scene),
+        fog: None,
+        background: [0.0; 4],
+        encoding: PictureEncoding::Srgb,
+        edges: None,
+    }
+}
+
+/// The scene's first camera; without one, a camera that sees all of it from the front, a little
+/// from the right and from above.
+#[must_use]
+pub fn default_camera(scene: &Scene, size: Size) -> Camera {
+    let Some(camera) = scene.cameras.first() else {
+        let viewpoint = Viewpoint {
+            up: scene.up,
+            azimuth_radians: DEFAULT_AZIMUTH_DEGREES.to_radians(),
+            elevation_radians: DEFAULT_ELEVATION_DEGREES.to_radians(),
+        };
+        let fov_y_radians = DEFAULT_FOV_DEGREES.to_radians();
+        return fit_view(scene, &viewpoint, Lens::Perspective { fov_y_radians }, size);
+    };
+    let view_from_world = view_from_world_of(camera, scene);
+    let (near, far) = fit_planes(&scene.bounds(), &view_from_world);
+    let projection = luxel_scene::Projection { lens: camera.lens, near, far };
+    Camera { view_from_world, projection }
+}
+
+/// From world space to that of a camera of the scene. Scale on its nodes doesn't reach it (glTF
+/// 2.0, section 3.10).
+#[must_use]
+pub fn view_from_world_of(camera: &SceneCamera, scene: &Scene) -> DMat4 {
+    let world_from_camera = camera
+        .node
+        .and_then(|node| scene.world_from_nodes().get(node.index()).copied())
+        .unwrap_or(DMat4::IDENTITY);
+    let eye = world_from_camera.w_axis.truncate();
+    let back = world_from_camera.z_axis.truncate().normalize_or(DVec3::Z);
+    Camera::look_at(eye, eye - back, world_from_camera.y_axis.truncate())
+}
+
+/// The scene's own lights, without ambient light beside them; without any, a key and a fill that
+/// move with the camera, and a little ambient light.
+#[must_use]
+pub fn lights_of(scene: &Scene) -> (Vec<SceneLight>, [f32; 3]) {
+    if scene.lights.is_empty() {
+        (default_lights(), DEFAULT_AMBIENT)
+    } else {
+        (scene.lights.clone(), [0.0; 3])
+    }
+}
+
+/// A studio for microfacet materials of scenes without lights of their own, else nothing.
+#[must_use]
+pub fn environment_of(scene: &Scene) -> EnvironmentChoice {
+    if scene.lights.is_empty() {
+        EnvironmentChoice::StudioForMicrofacets
+    } else {
+        EnvironmentChoice::Always(Environment::None)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luxel_scene::{Node, NodeId, demos};
+
+    #[test]
+    fn a_camera_s_scale_changes_nothing() {
+        let mut scene = Scene::default();
+        let turned = DMat4::from_rotation_y(0.5) * DMat4::from_translation(DVec3::Z);
+        for scale in [1.0, 20.0] {
+            let parent_from_node = turned * DMat4::from_scale(DVec3::splat(scale));
+            scene.nodes.push(Node { parent_from_node, ..Node::root("camera", None) });
+        }
+        let view = |node| {
+            let camera = SceneCamera {
+                name: String::new(),
+                node: Some(NodeId(node)),
+                lens: Lens::Orthographic { height: 1.0 },
+                planes: None,
+            };
+            view_from_world_of(&camera, &scene)
+        };
+        assert!(view(0).abs_diff_eq(turned.inverse(), 1e-14));
+        assert!(view(1).abs_diff_eq(view(0), 1e-14));
+    }
+
+    #[test]
+    fn a_scene_without_lights_is_lit() {
+        let (lights, ambient) = lights_of(&Scene::default());
+        assert!(!lights.is_empty() && ambient != [0.0; 3]);
+        let room = demos::demo("cornell").unwrap();
+        assert_eq!(lights_of(&room), (room.lights.clone(), [0.0; 3]));
+    }
+}
