@@ -35,22 +35,22 @@ type Named = (&'static str, Material);
 
 /// Without a highlight that depends on a glossy surface.
 fn matte() -> Vec<Named> {
-    let of = |reflection, k_s| Material {
+    let of = |reflection, k_s, shininess| Material {
         reflection,
         diffuse: srgb(0x5a_a9e6),
         k_s,
-        shininess: 24.0,
+        shininess,
         roughness: 0.6,
         ..Material::default()
     };
     vec![
-        ("unlit", of(Reflection::Unlit, 0.0)),
-        ("lambert", of(Reflection::Lambert, 0.0)),
-        ("oren-nayar", of(Reflection::OrenNayar, 0.0)),
-        ("retro", of(Reflection::Retro, 0.6)),
+        ("unlit", of(Reflection::Unlit, 0.0, 1.0)),
+        ("lambert", of(Reflection::Lambert, 0.0, 1.0)),
+        ("oren-nayar", of(Reflection::OrenNayar, 0.0, 1.0)),
+        ("retro", of(Reflection::Retro, 0.8, 3.0)),
         ("lambert-and-phong", {
             let models = vec![(Reflection::Lambert, 0.6), (Reflection::Phong, 0.4)];
-            of(Reflection::Mixed(models), 0.8)
+            of(Reflection::Mixed(models), 0.8, 24.0)
         }),
     ]
 }
@@ -74,11 +74,12 @@ fn glossy() -> Vec<Named> {
     ]
 }
 
-/// What has a roughness: gold from polished to rough, plastic, a mirror.
+/// What has a roughness: metals from polished to rough, plastic.
 fn physical() -> Vec<Named> {
-    // Reflectance at normal incidence, from the optical constants of gold (Johnson and Christy
-    // 1972) under daylight.
-    let gold = [1.0, 0.766, 0.336];
+    // Reflectances at normal incidence under daylight, from the metals' optical constants (Johnson
+    // and Christy 1972).
+    let [silver, gold, copper] =
+        [[0.972, 0.960, 0.915], [1.0, 0.766, 0.336], [0.955, 0.638, 0.538]];
     let of = |diffuse, metallic, roughness| Material {
         reflection: Reflection::Microfacet,
         diffuse,
@@ -87,17 +88,11 @@ fn physical() -> Vec<Named> {
         roughness,
         ..Material::default()
     };
-    let mirror = Material {
-        reflection: Reflection::Mirror,
-        diffuse: [0.0; 3],
-        k_s: 0.95,
-        ..Material::default()
-    };
     vec![
-        ("mirror", mirror),
-        ("gold-polished", of(gold, 1.0, 0.12)),
-        ("gold-satin", of(gold, 1.0, 0.35)),
-        ("gold-rough", of(gold, 1.0, 0.7)),
+        ("silver-polished", of(silver, 1.0, 0.05)),
+        ("gold-satin", of(gold, 1.0, 0.25)),
+        ("gold-brushed", of(gold, 1.0, 0.45)),
+        ("copper-rough", of(copper, 1.0, 0.7)),
         ("plastic", of(srgb(0x2f_8f7a), 0.0, 0.25)),
     ]
 }
