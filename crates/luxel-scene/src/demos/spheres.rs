@@ -47,7 +47,7 @@ fn matte() -> Vec<Named> {
         ("unlit", of(Reflection::Unlit, 0.0, 1.0)),
         ("lambert", of(Reflection::Lambert, 0.0, 1.0)),
         ("oren-nayar", of(Reflection::OrenNayar, 0.0, 1.0)),
-        ("retro", of(Reflection::Retro, 0.8, 3.0)),
+        ("retro", of(Reflection::Retro, 0.35, 3.0)),
         ("lambert-and-phong", {
             let models = vec![(Reflection::Lambert, 0.6), (Reflection::Phong, 0.4)];
             of(Reflection::Mixed(models), 0.8, 24.0)

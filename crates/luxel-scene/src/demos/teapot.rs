@@ -94,9 +94,9 @@ pub(super) fn add(builder: &mut SceneBuilder, parent: NodeId, material: Material
 pub(super) fn glaze() -> Material {
     Material {
         reflection: Reflection::BlinnPhong,
-        diffuse: [0.60, 0.235, 0.085],
-        k_s: 0.45,
-        shininess: 90.0,
+        diffuse: [0.52, 0.18, 0.06],
+        k_s: 0.6,
+        shininess: 60.0,
         ..Material::default()
     }
 }
