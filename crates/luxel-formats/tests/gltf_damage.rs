@@ -237,3 +237,17 @@ proptest! {
         let _ = read(&glb, Format::Glb, "test", None, &limits);
     }
 }
+
+#[test]
+fn fewer_positions_than_a_draco_stream_has_vertices_are_an_error() {
+    let mut glb = include_bytes!("grid/draco-sequential.glb").to_vec();
+    // The stream's own positions go by a name that nothing reads, so that an accessor of fewer has
+    // to stand in.
+    let (start, length) = (20, u32::from_le_bytes([glb[12], glb[13], glb[14], glb[15]]) as usize);
+    let text = std::str::from_utf8(&glb[start..start + length]).unwrap();
+    let text = text.replace("\"attributes\":{\"POSITION\":0", "\"attributes\":{\"POSITIOM\":0");
+    let text = text.replace("\"count\":36", "\"count\":35");
+    glb[start..start + length].copy_from_slice(text.as_bytes());
+    let error = read(&glb, Format::Glb, "test", None, &Limits::default()).unwrap_err();
+    assert!(error.kind.to_string().contains("36 vertices"), "{error}");
+}

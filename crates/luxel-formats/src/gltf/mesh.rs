@@ -71,6 +71,13 @@ pub(crate) fn build(
         };
         match draco {
             Some(draco) => {
+                // Positions may come from an accessor beside the stream.
+                if draco.vertices() > run.count as usize {
+                    let (wanted, there) = (draco.vertices(), run.count);
+                    let message =
+                        format!("the Draco stream has {wanted} vertices, but positions {there}");
+                    return Err(malformed(pointer, message));
+                }
                 joined.add_triangles(draco.triangles, run, material, &pointer, warnings);
             }
             None => {
