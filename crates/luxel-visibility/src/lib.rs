@@ -7,7 +7,7 @@
 //! 1. `cull`: clusters outside of the window are dropped, the others get a box and a depth.
 //! 2. `bin`: tiles of 64x64 pixels list the clusters that reach them, near ones first.
 //! 3. `tile`: a cluster is transformed (`transform`), its triangles clipped where they must be
-//!    (`clip`), set up in exact integers (`setup`) and drawn 4x4 pixels at a time (`raster`).
+//!    (`clip`), left out where they hold no sample (`sift`), set up in exact integers (`setup`) and drawn 4x4 pixels at a time (`raster`).
 //! 4. [`Forms`]: where on its triangle a sample lies.
 //!
 //! Knows no light, no file and no window system. Every sample's outcome is a pure function of the
@@ -25,6 +25,7 @@ mod frame;
 mod raster;
 mod samples;
 mod setup;
+mod sift;
 mod tile;
 mod transform;
 

@@ -24,6 +24,9 @@ pub(crate) struct Rules<'a> {
 const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
 const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
 
+/// So many pixels are faster asked one by one than sixteen at a time.
+const FEW_PIXELS: i32 = 4;
+
 /// Draws one triangle into all samples of a tile.
 ///
 /// A function of its own: all that calls it shares one copy for each SIMD level, which the compiler
@@ -53,6 +56,10 @@ fn cover_samples<S: Simd>(
     let tile_region = tile.region;
     for (sample, &offset) in rules.offsets.iter().enumerate() {
         let Some(pixels) = triangle.pixels(tile_region, offset) else { continue };
+        if pixels.width * pixels.height <= FEW_PIXELS {
+            cover_few(triangle, pixels, id, rules, tile, sample);
+            continue;
+        }
         // Whole blocks of the tile.
         let left = (pixels.x - tile_region.x) / BLOCK;
         let top = (pixels.y - tile_region.y) / BLOCK;
@@ -106,6 +113,49 @@ fn cover_samples<S: Simd>(
     }
 }
 
+/// Draws one triangle into one sample of a few pixels: the same numbers as in blocks.
+#[inline(always)]
+fn cover_few(
+    triangle: &Triangle,
+    pixels: Region,
+    id: TriangleId,
+    rules: &Rules<'_>,
+    tile: &mut Tile,
+    sample: usize,
+) {
+    let offset = rules.offsets[sample];
+    let Some([e0, e1, e2]) = triangle.edges(pixels, offset) else { return };
+    let plane = &triangle.depth;
+    for y in 0..pixels.height {
+        for x in 0..pixels.width {
+            if (e0.at(x, y) | e1.at(x, y) | e2.at(x, y)) < 0 {
+                continue;
+            }
+            let position =
+                [(pixels.x + x) * SUBPIXELS + offset[0], (pixels.y + y) * SUBPIXELS + offset[1]];
+            let row_z = (position[1] - plane.y) as f32 * plane.dz_dy;
+            let z = (position[0] - plane.x) as f32 * plane.dz_dx + plane.z + row_z;
+            let z = Number::minimum(Number::maximum(z, plane.low), plane.high);
+            let (column, row) = (pixels.x + x - tile.region.x, pixels.y + y - tile.region.y);
+            let (block, lane) = Tile::place(column, row);
+            let target = &mut tile.planes[sample];
+            let depth = target.depth[block][lane];
+            let wins = depth < z
+                || depth == z && comes_first(id, TriangleId(target.ids[block][lane]), rules);
+            if wins
+                && rules
+                    .behind
+                    .is_none_or(|behind| passed(&behind[sample], block, lane, id, z, rules))
+                && rules.hole.is_none_or(|hole| !hole(id, position))
+            {
+                target.depth[block][lane] = z;
+                target.ids[block][lane] = id.0;
+                tile.touch(column / BLOCK, row / BLOCK, column / BLOCK, row / BLOCK);
+            }
+        }
+    }
+}
+
 /// Puts a triangle into one block of a plane, where it wins; whether it did anywhere.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "the inner loop's state, kept in registers")]
@@ -124,25 +174,18 @@ fn draw_block<S: Simd>(
     let nearer = covered & depth.simd_lt(z);
     let equal = covered & z.simd_eq(depth);
     let mut wins = nearer.to_bitmask() as u32;
-    if equal.any_true() {
-        let number = (rules.submitted)(id);
-        for lane in lanes_of(equal.to_bitmask() as u32) {
-            let other = TriangleId(plane.ids[block][lane]);
-            wins |=
-                u32::from(other == TriangleId::NONE || number < (rules.submitted)(other)) << lane;
+    for lane in lanes_of(equal.to_bitmask() as u32) {
+        let first = comes_first(id, TriangleId(plane.ids[block][lane]), rules);
+        wins |= u32::from(first) << lane;
+    }
+    if let Some(behind) = rules.behind {
+        for lane in lanes_of(wins) {
+            wins &= !(u32::from(!passed(&behind[sample], block, lane, id, z[lane], rules)) << lane);
         }
     }
-    if wins != 0
-        && let Some(behind) = rules.behind
-    {
-        wins &= passed(&behind[sample], block, id, z, rules);
-    }
-    if wins != 0
-        && let Some(hole) = rules.hole
-    {
-        let [tile_x, tile_y] = [tile.region.x, tile.region.y];
-        let block_x = tile_x + block as i32 % BLOCKS * BLOCK;
-        let block_y = tile_y + block as i32 / BLOCKS * BLOCK;
+    if let Some(hole) = rules.hole {
+        let block_x = tile.region.x + block as i32 % BLOCKS * BLOCK;
+        let block_y = tile.region.y + block as i32 / BLOCKS * BLOCK;
         let offset = rules.offsets[sample];
         for lane in lanes_of(wins) {
             let x = (block_x + LANE_X[lane]) * SUBPIXELS + offset[0];
@@ -160,27 +203,29 @@ fn draw_block<S: Simd>(
     true
 }
 
-/// The lanes of a block where a triangle comes after the last layer peeled off.
-fn passed<S: Simd>(
+/// Whether a triangle wins over an equally near one.
+fn comes_first(id: TriangleId, other: TriangleId, rules: &Rules<'_>) -> bool {
+    other == TriangleId::NONE || (rules.submitted)(id) < (rules.submitted)(other)
+}
+
+/// Whether a triangle comes after the last layer peeled off, in one lane of a block.
+fn passed(
     behind: &Plane,
     block: usize,
+    lane: usize,
     id: TriangleId,
-    z: f32x16<S>,
+    z: f32,
     rules: &Rules<'_>,
-) -> u32 {
-    let mut passed = 0;
-    for (lane, (&depth, &other)) in behind.depth[block].iter().zip(&behind.ids[block]).enumerate() {
-        let after = z[lane] < depth
-            || z[lane] == depth
-                && other != TriangleId::NONE.0
-                && (rules.submitted)(id) > (rules.submitted)(TriangleId(other));
-        passed |= u32::from(after) << lane;
-    }
-    passed
+) -> bool {
+    let (depth, other) = (behind.depth[block][lane], TriangleId(behind.ids[block][lane]));
+    z < depth
+        || z == depth
+            && other != TriangleId::NONE
+            && (rules.submitted)(id) > (rules.submitted)(other)
 }
 
 /// The numbers of the bits set.
-fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
+pub(crate) fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lane = bits.trailing_zeros() as usize;
         bits &= bits.wrapping_sub(1);

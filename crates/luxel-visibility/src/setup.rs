@@ -58,6 +58,14 @@ pub(crate) struct Edge {
     pub(crate) step_y: i32,
 }
 
+impl Edge {
+    /// The value at a pixel of the region.
+    #[inline(always)]
+    pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
+        self.start + self.step_x * x + self.step_y * y
+    }
+}
+
 /// Pixels: first column and row, and how many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Region {

@@ -5,8 +5,9 @@ use crate::clip::clip;
 use crate::cluster::{Block, GROUP_WORDS};
 use crate::cull::VisibleCluster;
 use crate::frame::{Coverage, Frame, Hole};
-use crate::raster::{Rules, draw_triangle};
+use crate::raster::{Rules, draw_triangle, lanes_of};
 use crate::setup::{CullFaces, Triangle};
+use crate::sift::Sixteen;
 use crate::transform::{
     ClipVertex, ClusterVertices, WindowTransform, WindowVertex, transform_cluster,
 };
@@ -74,14 +75,25 @@ fn draw_cluster<S: Simd>(
     rules: &Rules<'_>,
     tile: &mut Tile,
 ) {
-    for (slot, &word) in block.triangles.iter().enumerate() {
-        let corners = corners_of(word).map(|corner| WindowVertex {
-            x: vertices.x[corner],
-            y: vertices.y[corner],
-            z: vertices.z[corner],
-        });
-        if let Some(triangle) = Triangle::new(corners, cull) {
-            draw_triangle(simd, &triangle, TriangleId::new(cluster, slot), rules, tile);
+    let mut group = Sixteen::new();
+    for (number, words) in block.triangles.chunks(LANES).enumerate() {
+        for (lane, &word) in words.iter().enumerate() {
+            for (place, corner) in corners_of(word).into_iter().enumerate() {
+                group.x[place][lane] = vertices.x[corner];
+                group.y[place][lane] = vertices.y[corner];
+            }
+        }
+        let held = group.may_hold_samples(simd, tile.region, rules.offsets, cull);
+        for lane in lanes_of(held & ((1 << words.len()) - 1)) {
+            let corners = corners_of(words[lane]).map(|corner| WindowVertex {
+                x: vertices.x[corner],
+                y: vertices.y[corner],
+                z: vertices.z[corner],
+            });
+            if let Some(triangle) = Triangle::new(corners, cull) {
+                let id = TriangleId::new(cluster, number * LANES + lane);
+                draw_triangle(simd, &triangle, id, rules, tile);
+            }
         }
     }
 }

@@ -1,0 +1,74 @@
+//! Which of sixteen triangles can hold a sample of a tile: most of a fine mesh hold none.
+
+use crate::setup::{CullFaces, Region};
+use luxel_math::{LANES, SUBPIXELS, Simd, i32x16, mask32x16, prelude::*};
+
+/// The corners of sixteen triangles, in steps of 1/256 pixel: first corners, second, third.
+pub(crate) struct Sixteen {
+    pub(crate) x: [[i32; LANES]; 3],
+    pub(crate) y: [[i32; LANES]; 3],
+}
+
+/// The extent of triangles in one direction.
+struct Extent<S: Simd> {
+    low: i32x16<S>,
+    high: i32x16<S>,
+}
+
+impl Sixteen {
+    pub(crate) fn new() -> Self {
+        Self { x: [[0; LANES]; 3], y: [[0; LANES]; 3] }
+    }
+
+    /// Bits of the triangles whose box holds one of the samples at `offsets` of some pixel of the
+    /// region; without those known to be culled or to have no area.
+    #[inline(always)]
+    pub(crate) fn may_hold_samples<S: Simd>(
+        &self,
+        simd: S,
+        region: Region,
+        offsets: &[[i32; 2]],
+        cull: CullFaces,
+    ) -> u32 {
+        let [ax, bx, cx] = self.x.map(|corners| i32x16::simd_from(simd, corners));
+        let [ay, by, cy] = self.y.map(|corners| i32x16::simd_from(simd, corners));
+        let across = Extent::of(ax, bx, cx);
+        let down = Extent::of(ay, by, cy);
+        let mut held = mask32x16::splat(simd, false);
+        for offset in offsets {
+            held |= across.holds(offset[0], region.x, region.width)
+                & down.holds(offset[1], region.y, region.height);
+        }
+
+        // Where products of extents fit i32, the doubled area tells the side that is seen.
+        let small =
+            (across.high - across.low).simd_lt(SMALL) & (down.high - down.low).simd_lt(SMALL);
+        let area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+        let culled = match cull {
+            CullFaces::None => area.simd_eq(0),
+            CullFaces::Clockwise => area.simd_ge(0),
+            CullFaces::CounterClockwise => area.simd_le(0),
+        };
+        (held & !(small & culled)).to_bitmask() as u32
+    }
+}
+
+/// The difference of two products of numbers below this fits i32.
+const SMALL: i32 = 1 << 15;
+
+impl<S: Simd> Extent<S> {
+    #[inline(always)]
+    fn of(a: i32x16<S>, b: i32x16<S>, c: i32x16<S>) -> Self {
+        Self { low: a.min(b).min(c), high: a.max(b).max(c) }
+    }
+
+    /// Whether the extent holds the place at `offset` in one of `count` pixels from `first` on.
+    #[inline(always)]
+    fn holds(&self, offset: i32, first: i32, count: i32) -> mask32x16<S> {
+        let shift = SUBPIXELS.ilog2();
+        // low <= 256 pixel + offset <= high
+        let from = (self.low + (SUBPIXELS - 1 - offset)) >> shift;
+        let to = (self.high - offset) >> shift;
+        from.simd_le(to) & from.simd_lt(first + count) & to.simd_ge(first)
+    }
+}
