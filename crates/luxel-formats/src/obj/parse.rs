@@ -56,7 +56,7 @@ pub(super) fn parse<'a>(
             Cow::Borrowed(line) => parser.statement(line, Some(line))?,
             Cow::Owned(line) => parser.statement(&line, None)?,
         }
-        if lines.number % LINES_BETWEEN_CHECKS == 0 {
+        if lines.number.is_multiple_of(LINES_BETWEEN_CHECKS) {
             limits.check("the model", parser.document.bytes(), 1, Place::Line(lines.number))?;
         }
     }

@@ -118,7 +118,8 @@ impl Faces {
                     .map_err(|kind| Error::at(source.place(), kind))?;
                 let [a, b] = strip;
                 if length >= 2 {
-                    let triangle = if length % 2 == 0 { [a, b, index] } else { [b, a, index] };
+                    let triangle =
+                        if length.is_multiple_of(2) { [a, b, index] } else { [b, a, index] };
                     self.push(&triangle, || source.place())?;
                 }
                 strip = [b, index];

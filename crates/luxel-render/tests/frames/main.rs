@@ -1,5 +1,7 @@
 //! Frames against what must come out: analytic colours, golden bytes, every way of running.
 
+#![allow(clippy::unwrap_used, reason = "a frame that can't be drawn fails the test")]
+
 mod determinism;
 mod golden;
 mod layers;

@@ -9,7 +9,7 @@ use luxel_scene::{
 };
 
 /// A square of 2x2 units at z, facing +Z.
-pub fn square(z: f32) -> Mesh {
+pub(crate) fn square(z: f32) -> Mesh {
     Mesh {
         positions: vec![[-1.0, -1.0, z], [1.0, -1.0, z], [1.0, 1.0, z], [-1.0, 1.0, z]],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
@@ -21,14 +21,14 @@ pub fn square(z: f32) -> Mesh {
 }
 
 /// A material of one colour without a highlight.
-pub fn matte(color: [f32; 3]) -> SceneMaterial {
+pub(crate) fn matte(color: [f32; 3]) -> SceneMaterial {
     let constants =
         Material { reflection: Reflection::Lambert, diffuse: color, ..Material::default() };
     SceneMaterial { constants, ..SceneMaterial::default() }
 }
 
 /// Meshes, each with its material, as objects of one scene.
-pub fn scene(things: Vec<(Mesh, SceneMaterial)>) -> Scene {
+pub(crate) fn scene(things: Vec<(Mesh, SceneMaterial)>) -> Scene {
     let mut scene = Scene::default();
     for (number, (mut mesh, material)) in (0..).zip(things) {
         let count = mesh.triangles.len() as u32;
@@ -44,7 +44,7 @@ pub fn scene(things: Vec<(Mesh, SceneMaterial)>) -> Scene {
 }
 
 /// A directional light along -Z.
-pub fn frontal(color: [f32; 3]) -> SceneLight {
+pub(crate) fn frontal(color: [f32; 3]) -> SceneLight {
     SceneLight {
         name: "frontal".to_owned(),
         light: Light::new(LightKind::Directional, color),
@@ -55,7 +55,7 @@ pub fn frontal(color: [f32; 3]) -> SceneLight {
 }
 
 /// Four by four units seen straight from the front, a unit light in the eye's direction.
-pub fn view(side: u32) -> View {
+pub(crate) fn view(side: u32) -> View {
     let projection = Projection { lens: Lens::Orthographic { height: 4.0 }, near: 1.0, far: 20.0 };
     View {
         size: Size { width: side, height: side },
@@ -76,24 +76,24 @@ pub fn view(side: u32) -> View {
 }
 
 /// One way of running.
-pub fn execution(threads: usize, simd: SimdLevel) -> Execution {
+pub(crate) fn execution(threads: usize, simd: SimdLevel) -> Execution {
     Execution { threads, simd, ..Execution::default() }
 }
 
 /// The bytes of a view.
-pub fn bytes(scene: &Scene, view: &View) -> Vec<[u8; 4]> {
+pub(crate) fn bytes(scene: &Scene, view: &View) -> Vec<[u8; 4]> {
     let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
     renderer.rgba8(view).unwrap().pixels
 }
 
 /// The linear pixels of a view.
-pub fn linear(scene: &Scene, view: &View) -> Vec<[f32; 4]> {
+pub(crate) fn linear(scene: &Scene, view: &View) -> Vec<[f32; 4]> {
     let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
     renderer.linear(view).unwrap().pixels
 }
 
 /// The pixel in the middle of a square picture.
-pub fn middle<T: Copy>(pixels: &[T]) -> T {
+pub(crate) fn middle<T: Copy>(pixels: &[T]) -> T {
     let side = pixels.len().isqrt();
     pixels[side / 2 * side + side / 2]
 }
