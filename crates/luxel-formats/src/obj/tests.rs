@@ -90,7 +90,7 @@ fn smoothing_groups_are_kept_where_a_file_has_them() {
 
 #[test]
 fn concave_polygons_keep_their_area() {
-    let scene = scene("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 1 1 0\nf 4 1 2 3\n");
+    let scene = scene("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nf 4 1 2 3\n");
     let mesh = &scene.meshes[0];
     let area = |corners: &[u32; 3]| {
         let [a, b, c] = corners.map(|corner| mesh.position(corner));

@@ -1,0 +1,10 @@
+//! Any bytes as OBJ.
+
+#![no_main]
+
+#[path = "check.rs"]
+mod check;
+
+use luxel_formats::Format;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| check::check(bytes, Format::Obj));
