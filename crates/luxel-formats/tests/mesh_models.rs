@@ -15,7 +15,7 @@ fn folder() -> Option<PathBuf> {
 }
 
 fn load(name: &str) -> Option<Loaded> {
-    folder().map(|folder| open(&folder.join(name), &Limits::default()).unwrap())
+    folder().map(|folder| open(&folder.join(name), &Limits::default()).expect("a sound file"))
 }
 
 fn names(loaded: &Loaded) -> Vec<&str> {
