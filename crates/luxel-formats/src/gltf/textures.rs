@@ -2,9 +2,8 @@
 
 use super::buffers::{Buffers, item};
 use super::schema::{Index, Sampler as FileSampler};
-use crate::memory::Memory;
 use crate::warnings::Warnings;
-use crate::{Error, Place, image};
+use crate::{Error, Limits, Place, image};
 use luxel_scene::{
     Encoding, Filter, Image, Sampler, SceneMaterial, Texture, TextureId, TextureUse, Wrap,
 };
@@ -84,14 +83,7 @@ impl<'b, 'd> Textures<'b, 'd> {
         warnings: &mut Warnings,
     ) -> Vec<Texture> {
         let names: Vec<_> = self.images.iter().map(|&(index, _)| self.name(index)).collect();
-        let encoded: Vec<_> = self.images.iter().map(|&(index, _)| self.encoded(index)).collect();
-        let memory = self.buffers.memory();
-        let decoded: Vec<Result<Image, String>> = self
-            .images
-            .par_iter()
-            .zip(names.par_iter().zip(encoded))
-            .map(|(&(_, encoding), (name, bytes))| decode(name, &bytes?, encoding, memory))
-            .collect();
+        let decoded = self.decoded(&names);
         let failed: Vec<_> = decoded.iter().map(Result::is_err).collect();
         for material in materials {
             let parts =
@@ -120,6 +112,37 @@ impl<'b, 'd> Textures<'b, 'd> {
             .collect()
     }
 
+    /// Decodes the images, a few at once, each within its share of the memory that is left. What
+    /// doesn't fit into a share is tried alone, so that the outcome doesn't hang on the threads.
+    fn decoded(&self, names: &[String]) -> Vec<Result<Image, String>> {
+        let memory = self.buffers.memory();
+        let at_once = 4 * rayon::current_num_threads();
+        let mut decoded = Vec::with_capacity(names.len());
+        for (images, names) in self.images.chunks(at_once).zip(names.chunks(at_once)) {
+            let left = memory.left();
+            let share = Limits { max_memory: left.max_memory / images.len() as u64, ..left };
+            let encoded: Vec<_> = images.iter().map(|&(index, _)| self.encoded(index)).collect();
+            let decode = |limits: &Limits, name: &str, place: usize| {
+                let bytes = encoded[place].as_ref().map_err(Clone::clone)?;
+                image::decode(name, bytes, images[place].1, limits)
+            };
+            let first: Vec<_> = names
+                .par_iter()
+                .enumerate()
+                .map(|(place, name)| decode(&share, name, place))
+                .collect();
+            for (place, (name, image)) in names.iter().zip(first).enumerate() {
+                let image = image.or_else(|_| decode(&memory.left(), name, place));
+                decoded.push(image.and_then(|image| {
+                    let texels = image.levels.iter().map(|level| level.texels.len() as u64).sum();
+                    let taken = memory.take("an image", texels, 4, Place::File);
+                    taken.map(|()| image).map_err(|error| error.kind.to_string())
+                }));
+            }
+        }
+        decoded
+    }
+
     /// The name in the document, else that of the file, else the number.
     fn name(&self, index: Index) -> String {
         let image = &self.buffers.document().images[index as usize];
@@ -146,19 +169,6 @@ impl<'b, 'd> Textures<'b, 'd> {
         };
         bytes.map_err(|error| error.kind.to_string())
     }
-}
-
-/// Decodes an image file.
-fn decode(
-    name: &str,
-    bytes: &[u8],
-    encoding: Encoding,
-    memory: &Memory<'_>,
-) -> Result<Image, String> {
-    let image = image::decode(name, bytes, encoding, &memory.left())?;
-    let texels = image.levels.iter().map(|level| level.texels.len() as u64).sum();
-    let taken = memory.take("an image", texels, 4, Place::File);
-    taken.map(|()| image).map_err(|error| error.kind.to_string())
 }
 
 /// The rules of a sampler; what it leaves open is repeated and filtered as smoothly as possible.
