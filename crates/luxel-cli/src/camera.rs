@@ -14,10 +14,18 @@ use serde_json::{Value, json};
 /// # Errors
 /// [`Failure`], if the flags contradict each other or the scene has no camera of that name.
 pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Failure> {
-    let bounds = scene.bounds();
     let up = options.up.unwrap_or(scene.up);
     let of_file = file_camera(options, scene)?;
     let lens = lens(options, of_file);
+    if !is_placed(options) && of_file.is_none() {
+        let camera = fit_view(scene, &viewpoint(options, up), lens, options.size);
+        if options.near.is_none() && options.far.is_none() {
+            // Its planes are fitted by the same rule; large scenes needn't be measured again.
+            return Ok(camera);
+        }
+        return with_planes(options, &scene.bounds(), camera.view_from_world, lens);
+    }
+    let bounds = scene.bounds();
     let view_from_world = if let Some(matrix) = options.view_matrix {
         matrix
     } else if let Some(eye) = options.eye {
@@ -27,12 +35,20 @@ pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Fa
             return Err(Failure::Usage(message.to_owned()));
         }
         Camera::look_at(eye, target, up)
-    } else if let Some(camera) = of_file {
-        luxel::view_from_world_of(camera, scene)
     } else {
-        fit_view(scene, &viewpoint(options, up), lens, options.size).view_from_world
+        of_file.map_or(DMat4::IDENTITY, |camera| luxel::view_from_world_of(camera, scene))
     };
-    let (near, far) = planes(options, &bounds, &view_from_world, lens)?;
+    with_planes(options, &bounds, view_from_world, lens)
+}
+
+/// The camera with its clipping planes.
+fn with_planes(
+    options: &FrameOptions,
+    bounds: &Bounds,
+    view_from_world: DMat4,
+    lens: Lens,
+) -> Result<Camera, Failure> {
+    let (near, far) = planes(options, bounds, &view_from_world, lens)?;
     Ok(Camera { view_from_world, projection: Projection { lens, near, far } })
 }
 
@@ -68,9 +84,7 @@ pub(crate) fn turntable(
         let turn = DMat4::from_translation(pivot)
             * DMat4::from_axis_angle(up, -angle)
             * DMat4::from_translation(-pivot);
-        let view_from_world = first * turn;
-        let (near, far) = planes(options, &bounds, &view_from_world, lens)?;
-        Ok(Camera { view_from_world, projection: Projection { lens, near, far } })
+        with_planes(options, &bounds, first * turn, lens)
     };
     (0..count).map(turned).collect()
 }

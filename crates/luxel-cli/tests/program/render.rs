@@ -255,3 +255,28 @@ fn an_unlit_scene_is_its_ambient_light() {
     let (_, _, pixels, _) = png(&only.read("a.png"));
     assert_eq!(pixels[4 * (32 * 64 + 32)], 128);
 }
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_whole_files_only() {
+    use std::process::{Command, Stdio};
+    use std::time::Duration;
+    let folder = Folder::new();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_luxel"))
+        .args("render demo:cornell --size 640x480 --turntable 900 -o {n}.ppm".split_whitespace())
+        .current_dir(folder.path("."))
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    while folder.files().len() < 3 {
+        assert!(child.try_wait().unwrap().is_none(), "it goes on until it is interrupted");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    for name in folder.files() {
+        assert!(name.ends_with(".ppm"), "{name}");
+        assert_eq!(folder.read(&name).len(), "P6\n640 480\n255\n".len() + 640 * 480 * 3, "{name}");
+    }
+}
