@@ -152,3 +152,67 @@ fn window(corner: &Corner, transform: &WindowTransform) -> Option<WindowVertex> 
     // The near plane is depth 1: rounding must not carry a point past it.
     Some(WindowVertex { x, y, z: ((corner.z / corner.w) as f32).min(1.0) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Clip coordinates as they are, about the window's corner.
+    const PLAIN: WindowTransform = WindowTransform {
+        rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0; 4]],
+        centre: [0.0; 2],
+    };
+
+    fn points(polygon: &ClippedPolygon) -> Vec<WindowVertex> {
+        polygon.corners[..polygon.count].to_vec()
+    }
+
+    #[test]
+    fn a_vertex_in_the_band_s_last_pixel_stays_where_unclipped_neighbours_have_it() {
+        let edge = (GUARD_BAND - 10) as f32;
+        let beyond = (GUARD_BAND + 5000) as f32;
+        let vertex = |x, y| ClipVertex { x, y, z: 0.5, w: 1.0 };
+        let clipped = clip([vertex(edge, 0.0), vertex(0.0, 7.0), vertex(9.0, beyond)], &PLAIN);
+        let kept = [[GUARD_BAND - 10, 0], [0, 7]];
+        for [x, y] in kept {
+            assert!(points(&clipped).contains(&WindowVertex { x, y, z: 0.5 }), "{clipped:?}");
+        }
+    }
+
+    /// Vertices inside and far outside, before and behind the eye.
+    fn vertex() -> impl Strategy<Value = ClipVertex> {
+        let place = prop_oneof![-2000.0..2000.0_f32, -1e8..1e8_f32];
+        let depth = prop_oneof![-3.0..3.0_f32, 0.1..40.0_f32];
+        (place.clone(), place, depth).prop_map(|(x, y, w)| ClipVertex {
+            x: x * w.abs(),
+            y: y * w.abs(),
+            z: 0.1,
+            w,
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn triangles_that_share_an_edge_share_the_points_where_it_leaves(
+            ends in [vertex(), vertex()], others in [vertex(), vertex()],
+        ) {
+            // The edge alone, as a triangle without area.
+            let edge = points(&clip([ends[0], ends[1], ends[1]], &PLAIN));
+            for other in others {
+                for corners in [[ends[0], ends[1], other], [other, ends[1], ends[0]]] {
+                    let polygon = points(&clip(corners, &PLAIN));
+                    prop_assert!(polygon.is_empty() || edge.iter().all(|p| polygon.contains(p)));
+                }
+            }
+        }
+
+        #[test]
+        fn what_is_left_lies_within_band_and_depths(corners in [vertex(), vertex(), vertex()]) {
+            for point in points(&clip(corners, &PLAIN)) {
+                prop_assert!(point.x.abs() <= GUARD_BAND && point.y.abs() <= GUARD_BAND);
+                prop_assert!((0.0..=1.0).contains(&point.z));
+            }
+        }
+    }
+}

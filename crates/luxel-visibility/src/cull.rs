@@ -210,3 +210,84 @@ pub(crate) fn cull_group<S: Simd>(
         out.push(visible);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cluster::GROUP_WORDS;
+    use glam::{DMat4, DVec3};
+    use luxel_math::{SimdLevel, dispatch};
+    use luxel_scene::{Camera, Lens, MaterialId, Mesh, Part, Projection};
+    use proptest::prelude::*;
+
+    const SIZE: Size = Size { width: 200, height: 120 };
+
+    fn mesh(places: &[[f32; 3]], spread: f32) -> Mesh {
+        let mut mesh = Mesh::default();
+        for (number, [x, y, z]) in (0..).zip(places) {
+            let corners =
+                [[*x, *y, *z], [x + spread, *y, z - spread], [*x, y - spread, z + spread]];
+            mesh.positions.extend(corners);
+            mesh.triangles.push([3 * number, 3 * number + 1, 3 * number + 2]);
+        }
+        let count = mesh.triangles.len() as u32;
+        mesh.parts.push(Part { first: 0, count, material: MaterialId(0) });
+        mesh
+    }
+
+    proptest! {
+        #[test]
+        fn bounds_of_clusters_hold_every_vertex(
+            places in prop::collection::vec([-3.0..3.0_f32, -3.0..3.0_f32, -3.0..3.0_f32], 1..120),
+            spread in prop::sample::select(vec![1e-3_f32, 0.1, 2.0, 1e4]),
+            eye in [-4.0..4.0, -4.0..4.0, -4.0..4.0],
+            near in prop::sample::select(vec![1e-4, 0.1, 1.0]),
+            height in prop::option::of(0.5..20.0),
+        ) {
+            let mesh = mesh(&places, spread);
+            let clusters = Clusters::in_file_order(&mesh);
+            let lens = match height {
+                Some(height) => Lens::Orthographic { height },
+                None => Lens::Perspective { fov_y_radians: 1.2 },
+            };
+            let projection = Projection { lens, near, far: 100.0 };
+            let view: DMat4 = Camera::look_at(DVec3::from_array(eye), DVec3::ZERO, DVec3::Y);
+            let transform = WindowTransform::new(&projection, SIZE, &view);
+            let level = SimdLevel::Auto.resolve().unwrap();
+            let mut visible = Vec::new();
+            for group in 0..clusters.count().div_ceil(LANES) {
+                dispatch!(level, simd =>
+                    cull_group(simd, &transform, SIZE, &clusters, group, 0, &mut visible));
+            }
+            for cluster in 0..clusters.count() {
+                let seen = visible.iter().find(|visible| visible.cluster == cluster as u32);
+                let mut inside = false;
+                for group in clusters.block(cluster).vertices.chunks_exact(GROUP_WORDS) {
+                    for lane in 0..LANES {
+                        let position = [0, 1, 2].map(|axis| f32::from_bits(group[axis * LANES + lane]));
+                        let vertex = transform.clip(position);
+                        let held = transform.holds(vertex);
+                        prop_assert!(held || seen.is_none_or(|seen| seen.clipped));
+                        if !held {
+                            continue;
+                        }
+                        let vertex = transform.window(vertex);
+                        let pixel = [vertex.x, vertex.y].map(|steps| steps.div_euclid(SUBPIXELS));
+                        let in_window = (0..SIZE.width as i32).contains(&pixel[0])
+                            && (0..SIZE.height as i32).contains(&pixel[1]);
+                        inside |= in_window && vertex.z >= 0.0;
+                        if let Some(seen) = seen {
+                            let [left, top, right, bottom] =
+                                [seen.left, seen.top, seen.right, seen.bottom].map(i32::from);
+                            let boxed = (left..=right).contains(&pixel[0])
+                                && (top..=bottom).contains(&pixel[1]);
+                            prop_assert!(boxed || !in_window, "{:?} outside of {:?}", vertex, seen);
+                            prop_assert!(vertex.z <= seen.nearest, "{:?} before {:?}", vertex, seen);
+                        }
+                    }
+                }
+                prop_assert!(seen.is_some() || !inside, "cluster {} is seen", cluster);
+            }
+        }
+    }
+}
