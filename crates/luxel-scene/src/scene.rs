@@ -2,6 +2,7 @@
 
 use crate::{Bounds, Mesh, MeshId, Node, NodeId, SceneCamera, SceneLight, SceneMaterial, Texture};
 use glam::{DMat4, DVec3};
+use luxel_lighting::Environment;
 
 /// Everything that can be drawn, lit and picked.
 ///
@@ -21,6 +22,8 @@ pub struct Scene {
     pub cameras: Vec<SceneCamera>,
     /// Lights, in the file's order.
     pub lights: Vec<SceneLight>,
+    /// What mirrors and metals see, if the scene says so.
+    pub environment: Option<Environment>,
     /// The direction that is up: +Y, +Z for STL.
     pub up: DVec3,
 }
@@ -34,6 +37,7 @@ impl Default for Scene {
             textures: Vec::new(),
             cameras: Vec::new(),
             lights: Vec::new(),
+            environment: None,
             up: DVec3::Y,
         }
     }
