@@ -69,7 +69,7 @@ impl Viewpoint {
 }
 
 /// The camera that sees a scene from a side as a whole: the silhouette of everything drawn (its
-/// points, not its box) lies in the middle of the window and fills [80 %](FILLED) of it, across or
+/// points, not its box) lies in the middle of the window and fills 80 % of it, across or
 /// down, whichever is filled first.
 ///
 /// For perspectives the eye is as near as possible. With the picture's axes as coordinates and
