@@ -188,6 +188,8 @@ fn replace(
     let indices_pointer = || format!("{}/indices", pointer());
     let values_pointer = || format!("{}/values", pointer());
     let component = component_of(sparse.indices.component_type, indices_pointer)?;
+    let place = Place::Pointer(pointer());
+    buffers.memory().take("a sparse accessor", sparse.count, 8, place)?;
     let view = buffers.view(sparse.indices.buffer_view, indices_pointer)?;
     let offset = sparse.indices.byte_offset;
     let (bytes, stride) =

@@ -163,6 +163,7 @@ impl Builder<'_, '_> {
         let inverse_bind: Vec<[f64; 16]> = match skin.inverse_bind_matrices {
             Some(index) => {
                 let elements = accessor::elements(self.buffers, index, pointer)?;
+                self.buffers.memory().take("joints", elements.count as u64, 128, place())?;
                 elements.vectors().map_err(|message| malformed(pointer(), message))?
             }
             None => vec![DMat4::IDENTITY.to_cols_array(); joints],
