@@ -96,3 +96,47 @@ pub fn read(
         Format::Ply => ply::read(bytes, name, limits),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(path: &Path, limits: &Limits) -> String {
+        open(path, limits).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn what_is_no_model_file_is_told_with_its_name() {
+        let folder = std::env::temp_dir().join(format!("luxel-open-{}", std::process::id()));
+        std::fs::create_dir_all(folder.join("folder.obj")).unwrap();
+        let write = |name: &str, bytes: &[u8]| {
+            std::fs::write(folder.join(name), bytes).unwrap();
+            folder.join(name)
+        };
+        let limits = Limits::default();
+        for (path, expected) in [
+            (folder.join("missing.obj"), "missing.obj: "),
+            (folder.join("folder.obj"), "folder.obj: this is a folder"),
+            (write("empty.PLY", b""), "empty.PLY: the file is empty"),
+            (write("model", b"x"), "model: the name has no extension"),
+            (write("model.xyz", b"x"), "`xyz` is no format that luxel reads"),
+        ] {
+            let message = message(&path, &limits);
+            assert!(message.contains(expected), "{message}");
+        }
+        let solid = write("part.STL", b"solid\nendsolid\n");
+        assert_eq!(open(&solid, &limits).unwrap().format, Format::Stl);
+        let small = Limits { max_memory: 4, ..Limits::default() };
+        assert!(message(&solid, &small).contains("--max-memory"));
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn long_files_are_read_whole() {
+        let path = std::env::temp_dir().join(format!("luxel-long-{}", std::process::id()));
+        let bytes: Vec<u8> = (0..9_000_001_u32).map(|byte| (byte % 251) as u8).collect();
+        std::fs::write(&path, &bytes).unwrap();
+        assert!(files::read_file(&path, &Limits::default()).unwrap() == bytes);
+        std::fs::remove_file(&path).unwrap();
+    }
+}

@@ -3,7 +3,8 @@
 //!
 //! What is understood: `vertex` with positions, normals, colours and texture coordinates under
 //! their usual names; `face` with polygons and colours; `tristrips`; `edge`. Other elements and
-//! properties are skipped. Where both vertices and faces have colours, the vertices' count.
+//! properties are skipped. Where both vertices and faces have colours, the vertices' count, unless
+//! they are all the same.
 
 mod build;
 mod faces;

@@ -161,7 +161,10 @@ fn set_attributes(
         *uv = [uv[0], 1.0 - uv[1]].map(|value| if value.is_finite() { value } else { 0.0 });
     });
     mesh.colors = vertices.colors;
-    if mesh.colors.is_empty() && !face_colors.is_empty() {
+    // Writers that have both fill the ones that weren't set with a single colour.
+    let first = mesh.colors.first().copied();
+    let tells_nothing = mesh.colors.par_iter().all(|&color| Some(color) == first);
+    if tells_nothing && !face_colors.is_empty() {
         color_faces(mesh, &face_colors);
     }
 }
