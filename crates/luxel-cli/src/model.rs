@@ -37,7 +37,8 @@ pub(crate) fn load(
     let start = Instant::now();
     execution.limit_threads();
     let limits = Limits { max_memory: execution.max_memory, ..Limits::default() };
-    let model = if let Some(name) = input.model.strip_prefix("demo:") {
+    let model = if let Some(name) = input.model.to_str().and_then(|name| name.strip_prefix("demo:"))
+    {
         demo(name)?
     } else if input.model == "-" {
         let format = input.format.ok_or_else(|| {
@@ -56,7 +57,7 @@ pub(crate) fn load(
         console.warn(warning);
     }
     let milliseconds = start.elapsed().as_secs_f64() * 1e3;
-    console.detail(&format!("{}: read in {milliseconds:.1} ms", input.model));
+    console.detail(&format!("{}: read in {milliseconds:.1} ms", input.name()));
     Ok(model)
 }
 

@@ -51,7 +51,7 @@ impl InfoCommand {
         if self.json {
             output::print_json(&survey.to_json(&model, &camera, &self.frame))
         } else {
-            output::print(&survey.to_text(&self.input.model, model.format, &camera))
+            output::print(&survey.to_text(&self.input.name(), model.format, &camera))
         }
     }
 }

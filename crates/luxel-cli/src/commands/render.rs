@@ -22,6 +22,7 @@ use luxel::render::{
 };
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Map, Value, json};
+use std::ffi::OsString;
 use std::num::NonZeroU32;
 use stopwatch::Stopwatch;
 use target::Target;
@@ -56,7 +57,7 @@ pub(crate) struct RenderCommand {
 struct OutputOptions {
     /// The picture's file: .png, .exr, .ppm or .npy; `-` for the standard output
     #[arg(short, long, value_name = "FILE")]
-    output: String,
+    output: OsString,
 
     /// The output's format, whatever its name: png, exr, ppm, npy [default for `-`: png]
     #[arg(long, value_name = "EXT")]
@@ -79,7 +80,8 @@ struct OutputOptions {
     #[arg(long)]
     edges: bool,
 
-    /// Draw N pictures from all around, into files numbered by {n} or {n:3}, as f_{n:3}.png
+    /// Draw N pictures from all around, into files numbered by their name, as f_{n:3}.png for three
+    /// digits
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     turntable: Option<NonZeroU32>,
 
@@ -115,7 +117,7 @@ impl RenderCommand {
         let mut model = model::load(&self.input, &self.execution, console)?;
         watch.lap("read");
         if model.scene.triangle_count() == 0 {
-            return Err(nothing_to_draw(&self.input.model, &model.scene));
+            return Err(nothing_to_draw(&self.input.name(), &model.scene));
         }
         surface::apply_material(&self.material, &mut model.scene);
         surface::apply_normals(&self.shading, &mut model.scene);

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use luxel::formats::Format;
+use std::ffi::OsString;
 
 /// The model and its format.
 #[derive(Args, Clone, Debug)]
@@ -10,9 +11,16 @@ pub(crate) struct InputOptions {
     /// A model file (.glb .gltf .obj .stl .ply), `-` for the standard input (with --format), or
     /// `demo:NAME` for a scene built into the program
     #[arg(default_value = "demo:teapot")]
-    pub(crate) model: String,
+    pub(crate) model: OsString,
 
     /// The input's format, whatever its name: glb, gltf, obj, stl, ply
     #[arg(long, value_name = "EXT", required_if_eq("model", "-"))]
     pub(crate) format: Option<Format>,
+}
+
+impl InputOptions {
+    /// The model's name, for people.
+    pub(crate) fn name(&self) -> String {
+        self.model.to_string_lossy().into_owned()
+    }
 }

@@ -256,6 +256,20 @@ fn an_unlit_scene_is_its_ambient_light() {
     assert_eq!(pixels[4 * (32 * 64 + 32)], 128);
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn names_that_are_no_unicode_are_names() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::new();
+    let model = OsStr::from_bytes(b"m\xff.ply");
+    let picture = OsStr::from_bytes(b"p\xfe.png");
+    std::fs::write(folder.path(".").join(model), SQUARE_PLY).unwrap();
+    let line = [OsStr::new("render"), model, OsStr::new("-o"), picture];
+    folder.run(line.into_iter().chain(["--size", "8x8"].map(OsStr::new))).done();
+    assert!(folder.path(".").join(picture).is_file());
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupt_leaves_whole_files_only() {

@@ -45,9 +45,10 @@ impl Target {
                 return usage("a turntable needs files: use -o f_{n:3}.png");
             }
             Some(_) => {
-                let numbering = Numbering::parse(&options.output).map_err(|message| {
-                    Failure::Usage(format!("invalid value for '--output': {message}"))
-                })?;
+                let numbering =
+                    Numbering::parse(&options.output.to_string_lossy()).map_err(|message| {
+                        Failure::Usage(format!("invalid value for '--output': {message}"))
+                    })?;
                 output::check_folder(&numbering.name(0))?;
                 Place::Files(numbering)
             }
@@ -85,6 +86,7 @@ fn format(options: &OutputOptions) -> Result<PictureFormat, Failure> {
     }
     let extension = Path::new(&options.output).extension().unwrap_or_default().to_string_lossy();
     extension.parse().map_err(|error: luxel::render::ParsePictureFormatError| {
-        Failure::Usage(format!("invalid value '{}' for '--output': {error}", options.output))
+        let name = options.output.to_string_lossy();
+        Failure::Usage(format!("invalid value '{name}' for '--output': {error}"))
     })
 }
