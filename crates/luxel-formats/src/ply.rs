@@ -71,12 +71,11 @@ fn check<S: Source>(element: &Element, source: &S, limits: &Limits) -> Result<()
     let place = || Place::Line(element.line);
     let left = source.bytes_left() as u64;
     if element.count.saturating_mul(S::least_bytes(element)) > left {
-        let message = format!(
-            "element `{}` says it has {} rows, but only {left} bytes follow: the file is cut, or \
-             its header is wrong",
+        let what = format!(
+            "element `{}`: the header says it has {} rows, but only {left} bytes follow",
             element.name, element.count
         );
-        return Err(Error::at(place(), ErrorKind::Truncated(message)));
+        return Err(Error::at(Place::Byte(source.length()), ErrorKind::Truncated(what)));
     }
     let bytes_each = match element.name.as_str() {
         "vertex" => vertices::bytes_each(element),

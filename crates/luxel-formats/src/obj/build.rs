@@ -36,7 +36,7 @@ pub(super) fn objects(
     warn_of_faces_left_out(builder.left_out, warnings);
     if builder.too_small > 0 {
         let count = builder.too_small;
-        warnings.push(format!("{count} faces of fewer than three corners were left out"));
+        warnings.push(format!("faces of fewer than three corners were left out: {count}"));
     }
 }
 

@@ -137,7 +137,7 @@ fn faces_with_corners_nowhere_are_left_out_and_counted() {
         loaded.warnings,
         [
             "2 faces with a corner that is not finite were left out",
-            "1 faces of fewer than three corners were left out",
+            "faces of fewer than three corners were left out: 1",
         ]
     );
 }

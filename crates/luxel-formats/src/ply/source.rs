@@ -15,6 +15,9 @@ pub(super) trait Source {
     /// How many bytes haven't been read.
     fn bytes_left(&self) -> usize;
 
+    /// How many bytes the whole file has.
+    fn length(&self) -> u64;
+
     /// Leaves bytes aside; only in binary bodies does their number mean something.
     fn skip_bytes(&mut self, count: usize);
 
@@ -155,6 +158,10 @@ impl Source for Text<'_> {
         self.file.len() - self.at
     }
 
+    fn length(&self) -> u64 {
+        self.file.len() as u64
+    }
+
     fn skip_bytes(&mut self, _: usize) {}
 
     fn bytes(&self) -> &[u8] {
@@ -203,6 +210,10 @@ impl<const BIG_ENDIAN: bool> Source for Binary<'_, BIG_ENDIAN> {
 
     fn bytes_left(&self) -> usize {
         self.file.len() - self.at
+    }
+
+    fn length(&self) -> u64 {
+        self.file.len() as u64
     }
 
     fn skip_bytes(&mut self, count: usize) {
