@@ -23,16 +23,21 @@ pub(crate) struct Corners {
     uv: [[CornerValue; 2]; 2],
     /// Colours with alpha.
     color: [CornerValue; 4],
-    /// Which of the optional ones any triangle has.
+    /// Which of the optional ones any triangle of the scene has: those are written for every
+    /// triangle, as nothing may be left from another.
+    written: Attributes,
+    /// Which of them any triangle of these sixteen has.
     pub(crate) has: Attributes,
 }
 
 const ZERO: CornerValue = CornerValue([[0.0; LANES]; 3]);
 
 impl Corners {
-    pub(crate) fn new() -> Self {
+    /// For the triangles of a scene with these attributes.
+    pub(crate) fn new(written: Attributes) -> Self {
         Self {
             uniform: false,
+            written,
             position: [ZERO; 3],
             normal: [ZERO; 3],
             tangent: [ZERO; 4],
@@ -54,18 +59,20 @@ impl Corners {
         let has = triangle.has;
         self.has.tangents |= has.tangents;
         self.has.colors |= has.colors;
+        self.has.uvs[0] |= has.uvs[0];
+        self.has.uvs[1] |= has.uvs[1];
         for corner in 0..3 {
             put(&mut self.position, corner, lanes, triangle.position[corner]);
             put(&mut self.normal, corner, lanes, triangle.normal[corner]);
-            for set in (0..2).filter(|&set| has.uvs[set]) {
-                self.has.uvs[set] = true;
+            for set in (0..2).filter(|&set| self.written.uvs[set]) {
                 put(&mut self.uv[set], corner, lanes, triangle.uv[set][corner]);
             }
-            if has.tangents {
+            if self.written.tangents {
                 put(&mut self.tangent, corner, lanes, triangle.tangent[corner]);
             }
-            // Triangles without colours beside coloured ones are white.
-            put(&mut self.color, corner, lanes, triangle.color[corner]);
+            if self.written.colors {
+                put(&mut self.color, corner, lanes, triangle.color[corner]);
+            }
         }
     }
 

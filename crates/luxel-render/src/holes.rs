@@ -12,10 +12,8 @@ pub(crate) struct Holes<'a> {
     pub(crate) scene: &'a Scene,
     /// Wires, if only they are drawn.
     pub(crate) wires: Option<Edges>,
-    /// The edges of polygons of each mesh, if wires are drawn.
-    pub(crate) edge_flags: &'a [EdgeFlags],
-    /// The mesh of each instance.
-    pub(crate) meshes: &'a [usize],
+    /// The edges of polygons of each instance, if wires are drawn; points and lines have none.
+    pub(crate) edge_flags: &'a [Option<&'a EdgeFlags>],
 }
 
 impl Holes<'_> {
@@ -79,9 +77,9 @@ impl Holes<'_> {
         let side = BLOCK * SUBPIXELS;
         let (block_x, block_y) = (x.div_euclid(side) * BLOCK, y.div_euclid(side) * BLOCK);
         let inside = |steps: i32| steps.rem_euclid(side) as f32 / SUBPIXELS as f32;
+        let Some(flags) = self.edge_flags[of.instance] else { return false };
         let forms = frame.forms(of).about(block_x, block_y);
-        let flags = self.edge_flags[self.meshes[of.instance]].of(of.triangle);
-        edge_distance(&forms, flags, inside(x), inside(y)) > width * 0.5
+        edge_distance(&forms, flags.of(of.triangle), inside(x), inside(y)) > width * 0.5
     }
 }
 

@@ -167,7 +167,9 @@ pub(crate) fn layers_of_block<S: Simd>(
         *value = match layer {
             Layer::Depth => floats([view.depth(z[lane]); CHANNELS]),
             Layer::Z => floats([z[lane]; CHANNELS]),
-            Layer::Object => [of.instance as u32; CHANNELS],
+            Layer::Object => [scene.objects[of.instance] as u32; CHANNELS],
+            // Points and lines come after the objects' own instances and have no triangles.
+            Layer::Triangle if scene.objects[of.instance] != of.instance => [u32::MAX; CHANNELS],
             Layer::Triangle => [of.triangle; CHANNELS],
             Layer::Normal => floats(normals.lane(lane)),
             Layer::Position => {

@@ -17,6 +17,7 @@ mod place;
 mod renderer;
 mod resolve;
 mod shade;
+mod strokes;
 mod surface;
 mod tiles;
 mod triangles;

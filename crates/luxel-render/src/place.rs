@@ -1,6 +1,7 @@
 //! Things of the scene put where a frame wants them: instances before the camera, lights about the
 //! eye.
 
+use crate::strokes::Strokes;
 use crate::triangles::InstanceSpace;
 use crate::view::{Cull, View};
 use glam::{DMat3, DMat4, DVec3};
@@ -8,11 +9,12 @@ use luxel_lighting::{LightKind, PlacedLight};
 use luxel_scene::{AlphaMode, Camera, Object, Placement, Scene, SceneLight, Sides};
 use luxel_visibility::{Clusters, Coverage, CullFaces, Instance, PartUse};
 
-/// The instances of a scene before the camera.
+/// The instances of a scene before the camera: the objects, then the points and lines of some.
 pub(crate) fn instances<'a>(
     scene: &'a Scene,
     objects: &[Object],
     clusters: &'a [Clusters],
+    strokes: &'a [Strokes],
     view: &View,
     blended: Coverage,
 ) -> Vec<Instance<'a>> {
@@ -37,22 +39,23 @@ pub(crate) fn instances<'a>(
             coverage,
         }
     };
-    objects
-        .iter()
-        .map(|object| {
-            let mesh = &scene.meshes[object.mesh.index()];
-            Instance {
-                mesh,
-                clusters: &clusters[object.mesh.index()],
-                view_from_mesh: view.camera.view_from_world * object.world_from_mesh,
-                parts: mesh
-                    .parts
-                    .iter()
-                    .map(|part| part_use(object, part.material.index()))
-                    .collect(),
-            }
-        })
-        .collect()
+    let faces = objects.iter().map(|object| {
+        let mesh = &scene.meshes[object.mesh.index()];
+        let parts = mesh.parts.iter().map(|part| part_use(object, part.material.index()));
+        Instance {
+            mesh,
+            clusters: &clusters[object.mesh.index()],
+            view_from_mesh: view.camera.view_from_world * object.world_from_mesh,
+            parts: parts.collect(),
+        }
+    });
+    let strokes = strokes.iter().map(|strokes| Instance {
+        mesh: &strokes.mesh,
+        clusters: &strokes.clusters,
+        view_from_mesh: DMat4::IDENTITY,
+        parts: vec![PartUse::default(); strokes.mesh.parts.len()],
+    });
+    faces.chain(strokes).collect()
 }
 
 /// The transforms that shading needs of an object.

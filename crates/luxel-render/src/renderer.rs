@@ -6,6 +6,7 @@ use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, layers_of_block};
 use crate::place;
 use crate::resolve::{BlockPixels, Layered, resolve_block};
 use crate::shade::{Kept, Scene16};
+use crate::strokes::strokes;
 use crate::tiles::{TilePixels, draw_tiles};
 use crate::triangles::InstanceSpace;
 use crate::view::{EnvironmentChoice, Execution, View};
@@ -57,8 +58,6 @@ const MAX_LAYERS: usize = 1024;
 pub struct Renderer<'s> {
     scene: &'s Scene,
     objects: Vec<Object>,
-    /// The mesh of each object.
-    meshes: Vec<usize>,
     /// The clusters of each mesh.
     clusters: Vec<Clusters>,
     level: Level,
@@ -105,16 +104,8 @@ impl<'s> Renderer<'s> {
             Some(pool.map_err(|error| RenderError::Threads(error.to_string()))?)
         };
         let objects = scene.objects();
-        let meshes = objects.iter().map(|object| object.mesh.index()).collect();
-        let mut renderer = Self {
-            scene,
-            objects,
-            meshes,
-            clusters: Vec::new(),
-            level,
-            pool,
-            clock: execution.clock,
-        };
+        let mut renderer =
+            Self { scene, objects, clusters: Vec::new(), level, pool, clock: execution.clock };
         renderer.clusters =
             renderer.install(|| scene.meshes.par_iter().map(Clusters::in_file_order).collect());
         Ok(renderer)
@@ -173,7 +164,7 @@ impl<'s> Renderer<'s> {
                 .map(|&layer| {
                     let pixels: Vec<LayerPixel> = draw_tiles(
                         scene.frame,
-                        || (Tile::new(1), Kept::new()),
+                        || (Tile::new(1), Kept::new(self.scene)),
                         |(tile, kept), number, pixels| {
                             let hole = |id, position| holes.hole(scene.frame, id, position);
                             scene.frame.draw_opaque(self.level, number, &hole, tile);
@@ -208,7 +199,7 @@ impl<'s> Renderer<'s> {
             let sums = Mutex::new(Stages::default());
             let pixels = draw_tiles(
                 scene.frame,
-                || Worker::new(scene.frame.samples()),
+                || Worker::new(scene.frame.samples(), self.scene),
                 |worker, number, pixels| {
                     let begin = (self.clock)();
                     let hole = |id, position| holes.hole(scene.frame, id, position);
@@ -275,23 +266,37 @@ impl<'s> Renderer<'s> {
         }
         let samples = Samples::new(view.samples).ok_or(RenderError::Samples(view.samples))?;
         self.install(|| {
-            let instances =
-                place::instances(self.scene, &self.objects, &self.clusters, view, blended);
+            let strokes = strokes(self.scene, &self.objects, view);
+            let instances = place::instances(
+                self.scene,
+                &self.objects,
+                &self.clusters,
+                &strokes,
+                view,
+                blended,
+            );
+            let own = 0..self.objects.len();
+            let objects: Vec<usize> =
+                own.chain(strokes.iter().map(|strokes| strokes.object)).collect();
             let frame =
                 Frame::new(instances, &view.camera.projection, view.size, samples, self.level)?;
             let spaces: Vec<InstanceSpace> =
-                self.objects.iter().map(|object| place::space(object, &view.camera)).collect();
+                objects.iter().map(|&at| place::space(&self.objects[at], &view.camera)).collect();
             let world_from_nodes = self.scene.world_from_nodes();
             let lights: Vec<_> = view
                 .lights
                 .iter()
                 .filter_map(|light| place::light(light, &view.camera, &world_from_nodes))
                 .collect();
-            let edge_flags: Vec<EdgeFlags> = if view.edges.is_some() {
+            let flags_of_meshes: Vec<EdgeFlags> = if view.edges.is_some() {
                 self.scene.meshes.par_iter().map(EdgeFlags::new).collect()
             } else {
                 Vec::new()
             };
+            let mut edge_flags: Vec<Option<&EdgeFlags>> = vec![None; objects.len()];
+            for (flags, object) in edge_flags.iter_mut().zip(&self.objects) {
+                *flags = flags_of_meshes.get(object.mesh.index());
+            }
             let environments = self.environments(view);
             let scene = Scene16 {
                 scene: self.scene,
@@ -305,13 +310,12 @@ impl<'s> Renderer<'s> {
                 background: view.background,
                 edges: view.edges.filter(|edges| !edges.wireframe),
                 edge_flags: &edge_flags,
-                meshes: &self.meshes,
+                objects: &objects,
             };
             let holes = Holes {
                 scene: self.scene,
                 wires: view.edges.filter(|edges| edges.wireframe),
                 edge_flags: &edge_flags,
-                meshes: &self.meshes,
             };
             Ok(work(&scene, &holes))
         })
@@ -348,13 +352,13 @@ struct Worker {
 }
 
 impl Worker {
-    fn new(samples: Samples) -> Self {
+    fn new(samples: Samples, scene: &Scene) -> Self {
         let count = samples.count();
         Self {
             opaque: Tile::new(count),
             layers: [Tile::new(count), Tile::new(count)],
             layered: Layered::new(count),
-            kept: Kept::new(),
+            kept: Kept::new(scene),
             linear: Box::new([[0.0; 4]; (TILE * TILE) as usize]),
         }
     }

@@ -3,7 +3,7 @@
 use crate::corners::{Corners, lanes_of};
 use crate::edges::{EdgeFlags, edge_distance};
 use crate::surface::{self, Interpolated};
-use crate::triangles::{InstanceSpace, SeenTriangles, distinct};
+use crate::triangles::{Attributes, InstanceSpace, SeenTriangles, distinct};
 use crate::view::Edges;
 use luxel_lighting::{Environment, Fog, PlacedLight};
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, mask32x16, prelude::*};
@@ -23,11 +23,11 @@ pub(crate) struct Scene16<'a> {
     /// The viewing direction in world space.
     pub(crate) direction: DVec3,
     pub(crate) background: [f32; 4],
-    /// Edges over the faces, with the polygons' edges of each mesh.
+    /// Edges over the faces, with the polygons' edges of each instance.
     pub(crate) edges: Option<Edges>,
-    pub(crate) edge_flags: &'a [EdgeFlags],
-    /// The mesh of each instance.
-    pub(crate) meshes: &'a [usize],
+    pub(crate) edge_flags: &'a [Option<&'a EdgeFlags>],
+    /// The object that each instance shows.
+    pub(crate) objects: &'a [usize],
 }
 
 /// What a thread keeps from block to block.
@@ -37,8 +37,8 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
-    pub(crate) fn new() -> Self {
-        Self { corners: Corners::new(), seen: SeenTriangles::new() }
+    pub(crate) fn new(scene: &Scene) -> Self {
+        Self { corners: Corners::new(Attributes::of(scene)), seen: SeenTriangles::new() }
     }
 }
 
@@ -139,10 +139,10 @@ fn interpolate_lanes<S: Simd>(
             merge(&mut interpolated.weights_right, right, mask);
             merge(&mut interpolated.weights_below, below, mask);
         }
-        if scene.edges.is_some() {
-            let of = triangle.of;
-            let flags = scene.edge_flags[scene.meshes[of.instance]].of(of.triangle);
-            let distance = edge_distance(&about, flags, x, y);
+        if scene.edges.is_some()
+            && let Some(flags) = scene.edge_flags[triangle.of.instance]
+        {
+            let distance = edge_distance(&about, flags.of(triangle.of.triangle), x, y);
             interpolated.edge_distance = distance.select(mask, interpolated.edge_distance);
         }
         for lane in lanes_of(lanes) {

@@ -3,7 +3,7 @@
 
 use glam::{DMat3, DVec3};
 use luxel_math::LANES;
-use luxel_scene::Mesh;
+use luxel_scene::{Mesh, Scene};
 use luxel_visibility::{Forms, Frame, TriangleId, TriangleOf};
 
 /// What meshes carry beside positions and normals.
@@ -12,6 +12,18 @@ pub(crate) struct Attributes {
     pub(crate) tangents: bool,
     pub(crate) uvs: [bool; 2],
     pub(crate) colors: bool,
+}
+
+impl Attributes {
+    /// What any mesh of a scene carries.
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let any = |has: fn(&Mesh) -> bool| scene.meshes.iter().any(has);
+        Self {
+            tangents: any(|mesh| !mesh.tangents.is_empty()),
+            uvs: [any(|mesh| !mesh.uvs[0].is_empty()), any(|mesh| !mesh.uvs[1].is_empty())],
+            colors: any(|mesh| !mesh.colors.is_empty()),
+        }
+    }
 }
 
 /// An instance's transforms for shading.

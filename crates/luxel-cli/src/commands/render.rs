@@ -116,8 +116,8 @@ impl RenderCommand {
 
         let mut model = model::load(&self.input, &self.execution, console)?;
         watch.lap("read");
-        if model.scene.triangle_count() == 0 {
-            return Err(nothing_to_draw(&self.input.name(), &model.scene));
+        if model.scene.bounds().is_empty() {
+            return Err(nothing_to_draw(&self.input.name()));
         }
         surface::apply_material(&self.material, &mut model.scene);
         surface::apply_normals(&self.shading, &mut model.scene);
@@ -278,14 +278,8 @@ fn check_memory(command: &RenderCommand, target: &Target) -> Result<(), Failure>
     ))
 }
 
-fn nothing_to_draw(name: &str, scene: &Scene) -> Failure {
-    let has_more = |mesh: &luxel::scene::Mesh| !mesh.points.is_empty() || !mesh.lines.is_empty();
-    let remedy = if scene.meshes.iter().any(has_more) {
-        "it holds points or lines only, which render doesn't draw"
-    } else {
-        "it holds no triangles"
-    };
-    Failure::work(format!("{name}: nothing to draw"), remedy)
+fn nothing_to_draw(name: &str) -> Failure {
+    Failure::work(format!("{name}: nothing to draw"), "it holds no triangles, lines or points")
 }
 
 /// A bar for work of many pictures, on a terminal only.

@@ -7,4 +7,5 @@ mod golden;
 mod layers;
 mod light;
 mod scenes;
+mod strokes;
 mod transparency;

@@ -1,0 +1,146 @@
+//! Points and lines as what can be seen of them: small squares and thin rectangles that face the
+//! eye, a few pixels wide at any distance.
+//!
+//! They are made anew for every view, in view space, and go the way of all triangles from there.
+
+use crate::view::View;
+use glam::{DVec2, DVec3};
+use luxel_scene::{MaterialId, Mesh, Object, Part, Scene};
+use luxel_visibility::Clusters;
+
+/// Width of lines in pixels.
+const LINE_WIDTH: f64 = 1.5;
+/// Side of points in pixels.
+const POINT_SIZE: f64 = 3.0;
+/// Lines are cut where they come nearer than this, times the near plane's distance.
+const CUT: f64 = 1.0 + 1e-6;
+
+/// The points and lines of one object.
+pub(crate) struct Strokes {
+    /// The object, by its place.
+    pub(crate) object: usize,
+    /// Rectangles in view space.
+    pub(crate) mesh: Mesh,
+    pub(crate) clusters: Clusters,
+}
+
+/// The strokes of all objects that have any.
+pub(crate) fn strokes(scene: &Scene, objects: &[Object], view: &View) -> Vec<Strokes> {
+    let lens = PixelSize::of(view);
+    let mut all = Vec::new();
+    for (number, object) in objects.iter().enumerate() {
+        let source = &scene.meshes[object.mesh.index()];
+        if source.points.is_empty() && source.lines.is_empty() {
+            continue;
+        }
+        let view_from_mesh = view.camera.view_from_world * object.world_from_mesh;
+        let mut builder = Builder { lens: &lens, source, mesh: Mesh::default() };
+        let place = |index: u32| view_from_mesh.transform_point3(source.position(index));
+        for points in &source.points {
+            let first = builder.mesh.triangles.len();
+            for &index in &points.indices {
+                builder.point(place(index), index);
+            }
+            builder.part(first, points.material);
+        }
+        for lines in &source.lines {
+            let first = builder.mesh.triangles.len();
+            for &[from, to] in &lines.segments {
+                builder.line([place(from), place(to)], [from, to]);
+            }
+            builder.part(first, lines.material);
+        }
+        let mesh = builder.mesh;
+        let clusters = Clusters::in_file_order(&mesh);
+        all.push(Strokes { object: number, mesh, clusters });
+    }
+    all
+}
+
+/// How large a pixel is in view space.
+struct PixelSize {
+    /// Across and down: at distance 1 for perspectives, anywhere for parallel rays.
+    at_one: DVec2,
+    parallel: bool,
+    near: f64,
+}
+
+impl PixelSize {
+    fn of(view: &View) -> Self {
+        let projection = &view.camera.projection;
+        let clip = projection.clip_from_view(view.size);
+        let pixels = DVec2::new(f64::from(view.size.width), f64::from(view.size.height));
+        let at_one = DVec2::new(2.0 / clip.x_axis.x, 2.0 / clip.y_axis.y) / pixels;
+        Self { at_one, parallel: projection.is_orthographic(), near: projection.near }
+    }
+
+    fn at(&self, place: DVec3) -> DVec2 {
+        if self.parallel { self.at_one } else { self.at_one * -place.z }
+    }
+
+    /// Where a place lies in the window, in pixels from any fixed point.
+    fn window(&self, place: DVec3) -> DVec2 {
+        place.truncate() / self.at(place)
+    }
+
+    fn is_before_near(&self, place: DVec3) -> bool {
+        -place.z < self.near * CUT
+    }
+}
+
+struct Builder<'a> {
+    lens: &'a PixelSize,
+    source: &'a Mesh,
+    mesh: Mesh,
+}
+
+impl Builder<'_> {
+    /// A square about a place.
+    fn point(&mut self, place: DVec3, index: u32) {
+        if !place.is_finite() || self.lens.is_before_near(place) {
+            return;
+        }
+        let half = (self.lens.at(place) * (POINT_SIZE * 0.5)).extend(0.0);
+        let corner = |x: f64, y: f64| place + half * DVec3::new(x, y, 0.0);
+        let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        self.rectangle(corners, [index; 4]);
+    }
+
+    /// A rectangle along a line, cut at the near plane.
+    fn line(&mut self, mut ends: [DVec3; 2], indices: [u32; 2]) {
+        let outside = ends.map(|end| self.lens.is_before_near(end));
+        if outside == [true, true] || !ends.iter().all(|end| end.is_finite()) {
+            return;
+        }
+        for (cut, kept) in [(0, 1), (1, 0)] {
+            if outside[cut] {
+                let (a, b) = (ends[kept], ends[cut]);
+                let t = (-a.z - self.lens.near * CUT) / (b.z - a.z);
+                ends[cut] = a + (b - a) * t;
+            }
+        }
+        let [from, to] = ends;
+        let along = (self.lens.window(to) - self.lens.window(from)).normalize_or(DVec2::X);
+        let across = DVec2::new(-along.y, along.x) * (LINE_WIDTH * 0.5);
+        let aside =
+            |place: DVec3, side: f64| place + (self.lens.at(place) * across * side).extend(0.0);
+        let corners = [aside(from, -1.0), aside(to, -1.0), aside(to, 1.0), aside(from, 1.0)];
+        self.rectangle(corners, [indices[0], indices[1], indices[1], indices[0]]);
+    }
+
+    fn rectangle(&mut self, corners: [DVec3; 4], sources: [u32; 4]) {
+        let first = self.mesh.positions.len() as u32;
+        self.mesh.positions.extend(corners.map(|corner| corner.as_vec3().to_array()));
+        self.mesh.triangles.extend([[0, 1, 2], [0, 2, 3]].map(|t| t.map(|corner| first + corner)));
+        // Attribute vertices of points and lines are numbered like their positions.
+        if self.source.attribute_corners.is_none() && !self.source.colors.is_empty() {
+            let color = |at: u32| self.source.colors.get(at as usize).copied().unwrap_or([1.0; 4]);
+            self.mesh.colors.extend(sources.map(color));
+        }
+    }
+
+    fn part(&mut self, first: usize, material: MaterialId) {
+        let count = (self.mesh.triangles.len() - first) as u32;
+        self.mesh.parts.push(Part { first: first as u32, count, material });
+    }
+}
