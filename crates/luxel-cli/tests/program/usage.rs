@@ -75,7 +75,7 @@ const WRONG: [(&str, &str); 66] = [
 /// The same for flags of `render` only.
 const WRONG_FOR_RENDER: [(&str, &str); 45] = [
     ("-o a.gif", "no format for pictures"),
-    ("-o a", "no format for pictures"),
+    ("-o a", "needs an ending"),
     ("-o", "value"),
     ("-o a.png --output-format gif", "no format for pictures"),
     ("-o - --json", "standard output"),

@@ -4,7 +4,7 @@ use super::OutputOptions;
 use crate::failure::Failure;
 use crate::output;
 use crate::values::Numbering;
-use luxel::render::PictureFormat;
+use luxel::render::{ParsePictureFormatError, PictureFormat};
 use std::path::{Path, PathBuf};
 
 /// Where pictures go, and in which format.
@@ -85,7 +85,11 @@ fn format(options: &OutputOptions) -> Result<PictureFormat, Failure> {
         return Ok(PictureFormat::Png);
     }
     let extension = Path::new(&options.output).extension().unwrap_or_default().to_string_lossy();
-    extension.parse().map_err(|error: luxel::render::ParsePictureFormatError| {
+    if extension.is_empty() {
+        let message = "--output needs an ending: .png, .exr, .ppm or .npy (or --output-format)";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    extension.parse().map_err(|error: ParsePictureFormatError| {
         let name = options.output.to_string_lossy();
         Failure::Usage(format!("invalid value '{name}' for '--output': {error}"))
     })
