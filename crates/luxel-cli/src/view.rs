@@ -75,9 +75,6 @@ fn lights(options: &LightOptions, scene: &Scene) -> Result<(Vec<SceneLight>, [f3
 
 fn environment(options: &LightOptions, scene: &Scene) -> EnvironmentChoice {
     let up = scene.up.as_vec3().to_array();
-    if let (None, Some(environment)) = (options.environment, scene.environment) {
-        return EnvironmentChoice::Always(environment);
-    }
     match options.environment {
         None => luxel::environment_of(scene),
         Some(Surroundings::None) => EnvironmentChoice::Always(Environment::None),

@@ -79,10 +79,13 @@ pub fn lights_of(scene: &Scene) -> (Vec<SceneLight>, [f32; 3]) {
     }
 }
 
-/// A studio for microfacet materials of scenes without lights of their own, else nothing.
+/// The scene's own environment; without one, a studio for microfacet materials of scenes without
+/// lights of their own, else nothing.
 #[must_use]
 pub fn environment_of(scene: &Scene) -> EnvironmentChoice {
-    if scene.lights.is_empty() {
+    if let Some(environment) = scene.environment {
+        EnvironmentChoice::Always(environment)
+    } else if scene.lights.is_empty() {
         EnvironmentChoice::StudioForMicrofacets
     } else {
         EnvironmentChoice::Always(Environment::None)
