@@ -40,7 +40,7 @@ pub enum Cone {
     Exponent {
         /// Cosine of the half-angle.
         cos_cutoff: f32,
-        /// How the light concentrates along the axis.
+        /// How the light concentrates along the axis; below 0 is taken as 0.
         exponent: f32,
     },
     /// 1 inside the inner cone, 0 outside the outer one, between them
