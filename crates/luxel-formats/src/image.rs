@@ -86,7 +86,9 @@ fn decode_png(bytes: &[u8], limits: &Limits) -> Result<Decoded, String> {
     decoder.set_transformations(Transformations::EXPAND);
     let header = decoder.read_header_info().map_err(said)?;
     let (width, height) = (header.width, header.height);
-    let bits = u64::from(width) * u64::from(height) * header.bits_per_pixel() as u64;
+    // Sides of 32 bits each are refused below, but multiplied here.
+    let texels = u64::from(width) * u64::from(height);
+    let bits = texels.saturating_mul(header.bits_per_pixel() as u64);
     check(width, height, bytes, bits / 8 / PNG_BYTES_PER_BYTE, limits)?;
     let mut reader = decoder.read_info().map_err(said)?;
     let size = reader.output_buffer_size().ok_or("the PNG is too large")?;

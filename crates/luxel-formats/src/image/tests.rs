@@ -15,6 +15,15 @@ fn png(width: u32, height: u32, color: ColorType, depth: BitDepth, rows: &[u8]) 
     bytes
 }
 
+/// The checksum of a chunk's type and data (PNG specification, annex D).
+fn crc(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0, |crc: u32, &byte| {
+        (0..8).fold(crc ^ u32::from(byte), |crc, _| {
+            crc >> 1 ^ (0xedb8_8320 & (crc & 1).wrapping_neg())
+        })
+    })
+}
+
 fn texels(bytes: &[u8]) -> Vec<[u8; 4]> {
     decode("x", bytes, Encoding::Srgb, &LIMITS).unwrap().levels[0].texels.clone()
 }
@@ -47,6 +56,13 @@ fn dimensions_that_lie_fail_before_texels_are_allocated() {
     bytes[16..20].copy_from_slice(&60_000_u32.to_be_bytes());
     bytes[20..24].copy_from_slice(&60_000_u32.to_be_bytes());
     assert!(decode("x", &bytes, Encoding::Srgb, &Limits::default()).is_err());
+    // Sides whose product with the bits of a texel overflows 64 bits; the checksum is right.
+    bytes[16..24].copy_from_slice(&[0xaa; 8]);
+    bytes[24..26].copy_from_slice(&[16, 6]);
+    let checksum = crc(&bytes[12..29]);
+    bytes[29..33].copy_from_slice(&checksum.to_be_bytes());
+    let message = decode("x", &bytes, Encoding::Srgb, &Limits::default()).unwrap_err();
+    assert!(message.contains("2863311530x2863311530"), "{message}");
     let zeros = png(600, 600, ColorType::Rgba, BitDepth::Eight, &vec![0; 600 * 600 * 4]);
     let message = decode("x", &zeros, Encoding::Srgb, &LIMITS).unwrap_err();
     assert!(message.contains("--max-memory"), "{message}");
