@@ -7,6 +7,7 @@
 //! Functions over `Number` are `#[inline(always)]` and never closures: a call that isn't inlined
 //! into the dispatched kernel loses its instruction set and passes vectors through memory.
 
+use crate::LANES;
 use fearless_simd::{ExtractToken, Simd, f32x16, i32x16, mask32x16, prelude::*};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -18,6 +19,8 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
     fn all(self) -> bool;
     /// The same truth value in every lane.
     fn splat_like(self, value: bool) -> Self;
+    /// A bit for each lane, the first lane's lowest; one bit for a `bool`.
+    fn bits(self) -> u32;
 }
 
 /// One `f32`, or one for each of sixteen lanes.
@@ -62,6 +65,15 @@ pub trait Number:
     fn lane(self, lane: usize) -> f32;
     /// A number whose lane i has the value `of(i)`; only lane 0 is asked for an `f32`.
     fn each_lane(self, of: impl FnMut(usize) -> f32) -> Self;
+    /// A number with these lanes, of which an `f32` takes the first; `self` tells only the kind.
+    fn of_lanes(self, values: &[f32; LANES]) -> Self;
+    /// The number with another value in one lane; an `f32` has only lane 0.
+    fn with_lane(self, lane: usize, value: f32) -> Self;
+    /// The mask whose lane i is bit i; `self` tells only the kind of number.
+    fn mask_of(self, bits: u32) -> Self::Mask;
+    /// Runs work with the instruction set of this kind of number. The closure is to be marked
+    /// `#[inline(always)]`; around it a function may then stay out of its callers.
+    fn vectorized<R>(self, work: impl FnOnce() -> R) -> R;
 
     /// 0 in every lane.
     #[inline(always)]
@@ -119,6 +131,10 @@ impl Mask for bool {
     fn splat_like(self, value: bool) -> Self {
         value
     }
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        u32::from(self)
+    }
 }
 
 impl<S: Simd> Mask for mask32x16<S> {
@@ -133,6 +149,10 @@ impl<S: Simd> Mask for mask32x16<S> {
     #[inline(always)]
     fn splat_like(self, value: bool) -> Self {
         Self::splat(self.token(), value)
+    }
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.to_bitmask() as u32
     }
 }
 
@@ -202,6 +222,22 @@ impl Number for f32 {
     fn each_lane(self, mut of: impl FnMut(usize) -> Self) -> Self {
         of(0)
     }
+    #[inline(always)]
+    fn of_lanes(self, values: &[Self; LANES]) -> Self {
+        values[0]
+    }
+    #[inline(always)]
+    fn with_lane(self, lane: usize, value: Self) -> Self {
+        if lane == 0 { value } else { self }
+    }
+    #[inline(always)]
+    fn mask_of(self, bits: u32) -> bool {
+        bits & 1 == 1
+    }
+    #[inline(always)]
+    fn vectorized<R>(self, work: impl FnOnce() -> R) -> R {
+        work()
+    }
 }
 
 impl<S: Simd> Number for f32x16<S> {
@@ -266,5 +302,22 @@ impl<S: Simd> Number for f32x16<S> {
             *value = of(lane);
         }
         Self::simd_from(self.simd, lanes)
+    }
+    #[inline(always)]
+    fn of_lanes(self, values: &[f32; LANES]) -> Self {
+        Self::simd_from(self.simd, *values)
+    }
+    #[inline(always)]
+    fn with_lane(mut self, lane: usize, value: f32) -> Self {
+        self[lane] = value;
+        self
+    }
+    #[inline(always)]
+    fn mask_of(self, bits: u32) -> mask32x16<S> {
+        mask32x16::from_bitmask(self.simd, u64::from(bits))
+    }
+    #[inline(always)]
+    fn vectorized<R>(self, work: impl FnOnce() -> R) -> R {
+        self.simd.vectorize(work)
     }
 }

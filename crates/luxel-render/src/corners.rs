@@ -1,7 +1,7 @@
 //! The corners of the triangles that sixteen samples see: what interpolation starts from.
 
-use crate::triangles::{Attributes, SeenTriangle};
-use luxel_math::{LANES, Simd, Vec3, f32x16, prelude::*};
+use crate::triangles::{Attributes, Corner};
+use luxel_math::{LANES, Number, Vec3};
 
 /// One value at each of three corners, for sixteen samples.
 #[derive(Clone, Copy)]
@@ -53,55 +53,42 @@ impl Corners {
         self.has = Attributes::default();
     }
 
-    /// Takes the corners of one triangle for the lanes whose bit is set.
-    pub(crate) fn set(&mut self, triangle: &SeenTriangle, lanes: u32) {
+    /// Takes the corners of one triangle, with what its mesh has, for the lanes whose bit is set.
+    pub(crate) fn set(&mut self, corners: &[Corner; 3], has: Attributes, lanes: u32) {
         let lanes = if self.uniform { 1 } else { lanes };
-        let has = triangle.has;
         self.has.tangents |= has.tangents;
         self.has.colors |= has.colors;
         self.has.uvs[0] |= has.uvs[0];
         self.has.uvs[1] |= has.uvs[1];
-        for corner in 0..3 {
-            put(&mut self.position, corner, lanes, triangle.position[corner]);
-            put(&mut self.normal, corner, lanes, triangle.normal[corner]);
+        for (corner, values) in corners.iter().enumerate() {
+            put(&mut self.position, corner, lanes, values.position);
+            put(&mut self.normal, corner, lanes, values.normal);
             for set in (0..2).filter(|&set| self.written.uvs[set]) {
-                put(&mut self.uv[set], corner, lanes, triangle.uv[set][corner]);
+                put(&mut self.uv[set], corner, lanes, values.uv[set]);
             }
             if self.written.tangents {
-                put(&mut self.tangent, corner, lanes, triangle.tangent[corner]);
+                put(&mut self.tangent, corner, lanes, values.tangent);
             }
             if self.written.colors {
-                put(&mut self.color, corner, lanes, triangle.color[corner]);
+                put(&mut self.color, corner, lanes, values.color);
             }
         }
     }
 
     #[inline(always)]
-    fn interpolate<S: Simd>(&self, value: &CornerValue, weights: &[f32x16<S>; 3]) -> f32x16<S> {
+    fn interpolate<N: Number>(&self, value: &CornerValue, weights: &[N; 3]) -> N {
         let at = |corner: usize| &value.0[corner];
-        let simd = weights[0].simd;
+        let like = weights[0];
         let [a, b, c] = if self.uniform {
-            [
-                f32x16::splat(simd, at(0)[0]),
-                f32x16::splat(simd, at(1)[0]),
-                f32x16::splat(simd, at(2)[0]),
-            ]
+            [like.constant(at(0)[0]), like.constant(at(1)[0]), like.constant(at(2)[0])]
         } else {
-            [
-                f32x16::simd_from(simd, *at(0)),
-                f32x16::simd_from(simd, *at(1)),
-                f32x16::simd_from(simd, *at(2)),
-            ]
+            [like.of_lanes(at(0)), like.of_lanes(at(1)), like.of_lanes(at(2))]
         };
         a * weights[0] + b * weights[1] + c * weights[2]
     }
 
     #[inline(always)]
-    fn interpolate3<S: Simd>(
-        &self,
-        values: &[CornerValue],
-        weights: &[f32x16<S>; 3],
-    ) -> Vec3<f32x16<S>> {
+    fn interpolate3<N: Number>(&self, values: &[CornerValue], weights: &[N; 3]) -> Vec3<N> {
         Vec3::new(
             self.interpolate(&values[0], weights),
             self.interpolate(&values[1], weights),
@@ -111,35 +98,32 @@ impl Corners {
 
     /// The place, about the eye.
     #[inline(always)]
-    pub(crate) fn position<S: Simd>(&self, weights: &[f32x16<S>; 3]) -> Vec3<f32x16<S>> {
+    pub(crate) fn position<N: Number>(&self, weights: &[N; 3]) -> Vec3<N> {
         self.interpolate3(&self.position, weights)
     }
 
     /// The interpolated normal, not of unit length.
     #[inline(always)]
-    pub(crate) fn normal<S: Simd>(&self, weights: &[f32x16<S>; 3]) -> Vec3<f32x16<S>> {
+    pub(crate) fn normal<N: Number>(&self, weights: &[N; 3]) -> Vec3<N> {
         self.interpolate3(&self.normal, weights)
     }
 
     /// The interpolated tangent and the bitangent's sign.
     #[inline(always)]
-    pub(crate) fn tangent<S: Simd>(
-        &self,
-        weights: &[f32x16<S>; 3],
-    ) -> (Vec3<f32x16<S>>, f32x16<S>) {
+    pub(crate) fn tangent<N: Number>(&self, weights: &[N; 3]) -> (Vec3<N>, N) {
         (self.interpolate3(&self.tangent, weights), self.interpolate(&self.tangent[3], weights))
     }
 
     /// Texture coordinates.
     #[inline(always)]
-    pub(crate) fn uv<S: Simd>(&self, set: usize, weights: &[f32x16<S>; 3]) -> [f32x16<S>; 2] {
+    pub(crate) fn uv<N: Number>(&self, set: usize, weights: &[N; 3]) -> [N; 2] {
         let [u, v] = &self.uv[set & 1];
         [self.interpolate(u, weights), self.interpolate(v, weights)]
     }
 
     /// Colour and alpha.
     #[inline(always)]
-    pub(crate) fn color<S: Simd>(&self, weights: &[f32x16<S>; 3]) -> [f32x16<S>; 4] {
+    pub(crate) fn color<N: Number>(&self, weights: &[N; 3]) -> [N; 4] {
         [
             self.interpolate(&self.color[0], weights),
             self.interpolate(&self.color[1], weights),

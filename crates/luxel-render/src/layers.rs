@@ -139,7 +139,7 @@ pub(crate) fn layers_of_block<S: Simd>(
 ) -> [LayerPixel; LANES] {
     let ids = tile.planes()[0].ids[block];
     let batch = Batch::new(tile, block, ids, &[0; LANES], scene.frame.samples());
-    let interpolated = interpolate(simd, scene, &batch, kept);
+    let interpolated = interpolate(f32x16::splat(simd, 0.0), scene, &batch, kept);
     let corners = &kept.corners;
     let point = surface::point(scene, &interpolated, corners);
     let z = point.depth;

@@ -2,6 +2,7 @@
 //! sample nearest the centre, and weighs its share of the samples.
 
 use crate::shade::{Batch, Kept, Scene16, shade};
+use luxel_lighting::Silent;
 use luxel_math::{LANES, Simd, f32x16, prelude::*};
 use luxel_visibility::{MAX_SAMPLES, Samples, Tile, TriangleId};
 
@@ -95,7 +96,7 @@ pub(crate) fn resolve_block<S: Simd>(
     let share_of_one = 1.0 / samples.count() as f32;
     for rank in &ranks.list {
         let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);
-        let [r, g, b, alpha] = shade(simd, scene, &batch, kept);
+        let [r, g, b, alpha] = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
         let shares = rank.shares.map(f32::from);
         let weight = f32x16::simd_from(simd, shares) * share_of_one * alpha;
         sum = [sum[0] + r * weight, sum[1] + g * weight, sum[2] + b * weight, sum[3] + weight];
@@ -234,7 +235,7 @@ impl Layered {
         let mut seen_through = false;
         for rank in &ranks.list {
             let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);
-            let lit = shade(simd, scene, &batch, kept);
+            let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
             for (sample, plane) in tile.planes().iter().enumerate() {
                 let at = block * self.samples + sample;
                 for lane in 0..LANES {

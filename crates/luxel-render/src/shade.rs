@@ -2,11 +2,11 @@
 
 use crate::corners::{Corners, lanes_of};
 use crate::edges::{EdgeFlags, edge_distance};
-use crate::surface::{self, Interpolated};
+use crate::surface::{self, Interpolated, SurfaceWitness};
 use crate::triangles::{Attributes, InstanceSpace, SeenTriangles, distinct};
 use crate::view::Edges;
 use luxel_lighting::{Environment, Fog, PlacedLight};
-use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, mask32x16, prelude::*};
+use luxel_math::{LANES, Mask, Number, SUBPIXELS};
 use luxel_scene::{DVec3, Scene};
 use luxel_visibility::{BLOCK, BLOCKS, Frame, Samples, Tile, TriangleId};
 
@@ -85,36 +85,37 @@ impl Batch {
     }
 }
 
-/// Interpolates the surfaces that sixteen samples see. Compiled once a level, not into its callers.
+/// Interpolates the surfaces that the samples see. Compiled once a kind of number, not into its
+/// callers.
 #[inline(never)]
-pub(crate) fn interpolate<S: Simd>(
-    simd: S,
+pub(crate) fn interpolate<N: Number>(
+    like: N,
     scene: &Scene16<'_>,
     batch: &Batch,
     kept: &mut Kept,
-) -> Interpolated<S> {
-    simd.vectorize(
+) -> Interpolated<N> {
+    like.vectorized(
         #[inline(always)]
-        || interpolate_lanes(simd, scene, batch, kept),
+        || interpolate_lanes(like, scene, batch, kept),
     )
 }
 
 #[inline(always)]
-fn interpolate_lanes<S: Simd>(
-    simd: S,
+fn interpolate_lanes<N: Number>(
+    like: N,
     scene: &Scene16<'_>,
     batch: &Batch,
     kept: &mut Kept,
-) -> Interpolated<S> {
+) -> Interpolated<N> {
     let Kept { corners, seen } = kept;
-    let x = f32x16::simd_from(simd, batch.x);
-    let y = f32x16::simd_from(simd, batch.y);
-    let zero = f32x16::splat(simd, 0.0);
+    let x = like.of_lanes(&batch.x);
+    let y = like.of_lanes(&batch.y);
+    let zero = like.zero();
     let mut interpolated = Interpolated {
         weights: [zero; 3],
         weights_right: [zero; 3],
         weights_below: [zero; 3],
-        edge_distance: f32x16::splat(simd, f32::MAX),
+        edge_distance: like.constant(f32::MAX),
         materials: [u32::MAX; LANES],
         seen: 0,
     };
@@ -123,13 +124,13 @@ fn interpolate_lanes<S: Simd>(
     for (id, lanes) in distinct(&batch.ids) {
         let Some(triangle) = seen.get(scene.frame, scene.spaces, id) else { continue };
         let about = triangle.forms.about(batch.origin[0], batch.origin[1]);
-        let mask = mask(x, lanes);
+        let mask = like.mask_of(lanes);
         let (mut weights, outside) = about.barycentric(x, y);
-        let outside = outside.to_bitmask() as u32 & lanes;
+        let outside = outside.bits() & lanes;
         for lane in lanes_of(outside) {
             let nearest = triangle.forms.nearest_at(scene.frame.rays(), batch.steps(lane));
             for (weight, value) in weights.iter_mut().zip(nearest) {
-                weight[lane] = value;
+                *weight = weight.with_lane(lane, value);
             }
         }
         merge(&mut interpolated.weights, weights, mask);
@@ -149,65 +150,56 @@ fn interpolate_lanes<S: Simd>(
             interpolated.materials[lane] = triangle.material;
         }
         interpolated.seen |= lanes;
-        corners.set(triangle, lanes);
+        corners.set(&triangle.corners, triangle.has, lanes);
     }
     interpolated
 }
 
 /// Takes new values where the mask is true.
 #[inline(always)]
-fn merge<S: Simd>(values: &mut [f32x16<S>; 3], new: [f32x16<S>; 3], mask: mask32x16<S>) {
+fn merge<N: Number>(values: &mut [N; 3], new: [N; 3], mask: N::Mask) {
     for (value, new) in values.iter_mut().zip(new) {
         *value = new.select(mask, *value);
     }
 }
 
-/// The lanes whose bit is set; `like` tells only the kind of number.
-#[inline(always)]
-pub(crate) fn mask<S: Simd>(like: f32x16<S>, lanes: u32) -> mask32x16<S> {
-    mask32x16::from_bitmask(like.simd, u64::from(lanes))
-}
-
 /// Weights that sum to 1, also outside of the triangle.
 #[inline(always)]
-fn normalized<S: Simd>([a, b, c]: [f32x16<S>; 3]) -> [f32x16<S>; 3] {
+fn normalized<N: Number>([a, b, c]: [N; 3]) -> [N; 3] {
     let scale = a.one() / (a + b + c);
     [a * scale, b * scale, c * scale]
 }
 
-/// The colour (straight) and alpha of sixteen samples; the background's where nothing is seen.
-/// Compiled once a level, not into its callers.
+/// The colour (straight) and alpha of the samples; the background's where nothing is seen.
+/// Compiled once a kind of number, not into its callers.
 #[inline(never)]
-pub(crate) fn shade<S: Simd>(
-    simd: S,
+pub(crate) fn shade<N: Number, W: SurfaceWitness<N>>(
+    like: N,
     scene: &Scene16<'_>,
     batch: &Batch,
     kept: &mut Kept,
-) -> [f32x16<S>; 4] {
-    simd.vectorize(
+    witness: &mut W,
+) -> [N; 4] {
+    like.vectorized(
         #[inline(always)]
-        || shade_lanes(simd, scene, batch, kept),
+        || shade_lanes(like, scene, batch, kept, witness),
     )
 }
 
 #[inline(always)]
-fn shade_lanes<S: Simd>(
-    simd: S,
+fn shade_lanes<N: Number, W: SurfaceWitness<N>>(
+    like: N,
     scene: &Scene16<'_>,
     batch: &Batch,
     kept: &mut Kept,
-) -> [f32x16<S>; 4] {
+    witness: &mut W,
+) -> [N; 4] {
     let [r, g, b, alpha] = scene.background;
-    let mut result = [
-        f32x16::splat(simd, r),
-        f32x16::splat(simd, g),
-        f32x16::splat(simd, b),
-        f32x16::splat(simd, alpha),
-    ];
+    let mut result = [like.constant(r), like.constant(g), like.constant(b), like.constant(alpha)];
     if batch.ids.iter().all(|id| *id == TriangleId::NONE.0) {
         return result;
     }
-    let interpolated = interpolate(simd, scene, batch, kept);
+    let interpolated = interpolate(like, scene, batch, kept);
     let point = surface::point(scene, &interpolated, &kept.corners);
     let mut left = interpolated.seen;
     while left != 0 {
@@ -216,9 +208,9 @@ fn shade_lanes<S: Simd>(
         for (lane, other) in interpolated.materials.iter().enumerate() {
             lanes |= u32::from(*other == material) << lane;
         }
-        let mask = mask(result[0], lanes);
-        let lit =
-            surface::lit(scene, &interpolated, &kept.corners, &point, material as usize, lanes);
+        let mask = like.mask_of(lanes);
+        let number = material as usize;
+        let lit = surface::lit(scene, &interpolated, &kept.corners, &point, number, lanes, witness);
         for (result, lit) in result.iter_mut().zip(lit) {
             *result = lit.select(mask, *result);
         }
@@ -227,11 +219,11 @@ fn shade_lanes<S: Simd>(
     if let Some(edges) = scene.edges {
         // An edge covers the pixels within half its width, and fades over one pixel more.
         let half = edges.width * 0.5 + 0.5;
-        let faded = f32x16::splat(simd, half) - interpolated.edge_distance;
+        let faded = like.constant(half) - interpolated.edge_distance;
         let cover = faded.limited(0.0, 1.0);
         for (result, color) in result.iter_mut().zip(edges.color) {
-            let over = *result + (f32x16::splat(simd, color) - *result) * cover;
-            let seen = mask(cover, interpolated.seen);
+            let over = *result + (like.constant(color) - *result) * cover;
+            let seen = like.mask_of(interpolated.seen);
             *result = over.select(seen, *result);
         }
     }

@@ -3,20 +3,31 @@
 use crate::corners::Corners;
 use crate::holes::transformed;
 use crate::shade::Scene16;
-use luxel_lighting::{Reflectance, Silent, SurfacePoint, Surroundings};
-use luxel_math::{LANES, Rgb, Simd, Vec3, f32x16, prelude::*};
+use luxel_lighting::{Reflectance, Silent, SurfacePoint, Surroundings, Witness};
+use luxel_math::{LANES, Number, Rgb, Vec3};
 use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
 
+/// Hears what is seen, and the terms of its light.
+pub(crate) trait SurfaceWitness<N>: Witness<N> {
+    /// The point that is lit, what its surface reflects there, and its alpha.
+    #[inline(always)]
+    fn surface(&mut self, point: &SurfacePoint<N>, reflectance: &Reflectance<N>, alpha: N) {
+        let _ = (point, reflectance, alpha);
+    }
+}
+
+impl<N> SurfaceWitness<N> for Silent {}
+
 /// What interpolation starts from, for sixteen samples.
-pub(crate) struct Interpolated<S: Simd> {
+pub(crate) struct Interpolated<N> {
     /// Barycentrics at the sample.
-    pub(crate) weights: [f32x16<S>; 3],
+    pub(crate) weights: [N; 3],
     /// Barycentrics one pixel to the right and one below, in the triangle's plane: how textures
     /// learn what a pixel covers.
-    pub(crate) weights_right: [f32x16<S>; 3],
-    pub(crate) weights_below: [f32x16<S>; 3],
+    pub(crate) weights_right: [N; 3],
+    pub(crate) weights_below: [N; 3],
     /// Pixels from the nearest edge of the polygon.
-    pub(crate) edge_distance: f32x16<S>,
+    pub(crate) edge_distance: N,
     /// Each sample's material, by number.
     pub(crate) materials: [u32; LANES],
     /// The lanes that see a triangle.
@@ -25,11 +36,11 @@ pub(crate) struct Interpolated<S: Simd> {
 
 /// Place, unit normal and direction to the eye of sixteen samples.
 #[inline(always)]
-pub(crate) fn point<S: Simd>(
+pub(crate) fn point<N: Number>(
     scene: &Scene16<'_>,
-    interpolated: &Interpolated<S>,
+    interpolated: &Interpolated<N>,
     corners: &Corners,
-) -> SurfacePoint<f32x16<S>> {
+) -> SurfacePoint<N> {
     let position = corners.position(&interpolated.weights);
     let normal = corners.normal(&interpolated.weights).normalized_or_zero();
     let view = match scene.spaces.first() {
@@ -44,27 +55,27 @@ pub(crate) fn point<S: Simd>(
 
 /// Samples a texture at the lanes whose bit is set. Compiled once a level, not into its callers.
 #[inline(never)]
-fn sample<S: Simd>(
+fn sample<N: Number>(
     scene: &Scene16<'_>,
     used: &TextureUse,
-    interpolated: &Interpolated<S>,
+    interpolated: &Interpolated<N>,
     corners: &Corners,
     lanes: u32,
-) -> [f32x16<S>; 4] {
-    interpolated.weights[0].simd.vectorize(
+) -> [N; 4] {
+    interpolated.weights[0].vectorized(
         #[inline(always)]
         || sample_lanes(scene, used, interpolated, corners, lanes),
     )
 }
 
 #[inline(always)]
-fn sample_lanes<S: Simd>(
+fn sample_lanes<N: Number>(
     scene: &Scene16<'_>,
     used: &TextureUse,
-    interpolated: &Interpolated<S>,
+    interpolated: &Interpolated<N>,
     corners: &Corners,
     lanes: u32,
-) -> [f32x16<S>; 4] {
+) -> [N; 4] {
     let set = usize::from(used.uv_set);
     let [u, v] = corners.uv(set, &interpolated.weights);
     let [right_u, right_v] = corners.uv(set, &interpolated.weights_right);
@@ -72,9 +83,9 @@ fn sample_lanes<S: Simd>(
     let texture = &scene.scene.textures[used.texture.index()];
     let mut texels = [[0.0; LANES]; 4];
     for lane in (0..LANES).filter(|lane| lanes >> lane & 1 == 1) {
-        let here = transformed(used, [u[lane], v[lane]]);
-        let right = transformed(used, [right_u[lane], right_v[lane]]);
-        let below = transformed(used, [below_u[lane], below_v[lane]]);
+        let here = transformed(used, [u.lane(lane), v.lane(lane)]);
+        let right = transformed(used, [right_u.lane(lane), right_v.lane(lane)]);
+        let below = transformed(used, [below_u.lane(lane), below_v.lane(lane)]);
         let along_x = [right[0] - here[0], right[1] - here[1]];
         let along_y = [below[0] - here[0], below[1] - here[1]];
         let texel = texture.sample(here[0], here[1], along_x, along_y);
@@ -82,18 +93,18 @@ fn sample_lanes<S: Simd>(
             channel[lane] = value;
         }
     }
-    texels.map(|channel| f32x16::simd_from(u.simd, channel))
+    [u.of_lanes(&texels[0]), u.of_lanes(&texels[1]), u.of_lanes(&texels[2]), u.of_lanes(&texels[3])]
 }
 
 /// Samples a texture that a material may lack.
 #[inline(always)]
-fn texel<S: Simd>(
+fn texel<N: Number>(
     scene: &Scene16<'_>,
     used: Option<TextureUse>,
-    interpolated: &Interpolated<S>,
+    interpolated: &Interpolated<N>,
     corners: &Corners,
     lanes: u32,
-) -> Option<[f32x16<S>; 4]> {
+) -> Option<[N; 4]> {
     match used {
         Some(used) => Some(sample(scene, &used, interpolated, corners, lanes)),
         None => None,
@@ -102,13 +113,13 @@ fn texel<S: Simd>(
 
 /// A texel's value as a signed number: 0..1 becomes -1..1.
 #[inline(always)]
-fn signed<S: Simd>(value: f32x16<S>) -> f32x16<S> {
+fn signed<N: Number>(value: N) -> N {
     value + value - value.one()
 }
 
 /// Multiplies a colour by a texture's, if there is one.
 #[inline(always)]
-fn tinted<S: Simd>(color: Rgb<f32x16<S>>, texel: Option<[f32x16<S>; 4]>) -> Rgb<f32x16<S>> {
+fn tinted<N: Number>(color: Rgb<N>, texel: Option<[N; 4]>) -> Rgb<N> {
     match texel {
         Some([r, g, b, _]) => color * Rgb::new(r, g, b),
         None => color,
@@ -117,14 +128,14 @@ fn tinted<S: Simd>(color: Rgb<f32x16<S>>, texel: Option<[f32x16<S>; 4]>) -> Rgb<
 
 /// The unit normal after a normal map: n = x T + y B + z N with B = sign (N x T).
 #[inline(always)]
-fn mapped_normal<S: Simd>(
+fn mapped_normal<N: Number>(
     scene: &Scene16<'_>,
     used: &TextureUse,
-    interpolated: &Interpolated<S>,
+    interpolated: &Interpolated<N>,
     corners: &Corners,
-    normal: Vec3<f32x16<S>>,
+    normal: Vec3<N>,
     lanes: u32,
-) -> Vec3<f32x16<S>> {
+) -> Vec3<N> {
     let [r, g, b, _] = sample(scene, used, interpolated, corners, lanes);
     let strength = r.constant(used.strength);
     let (tangent, sign) = corners.tangent(&interpolated.weights);
@@ -138,12 +149,12 @@ fn mapped_normal<S: Simd>(
 
 /// The normals that shading uses, normal maps included.
 #[inline(always)]
-pub(crate) fn shading_normals<S: Simd>(
+pub(crate) fn shading_normals<N: Number>(
     scene: &Scene16<'_>,
-    interpolated: &Interpolated<S>,
+    interpolated: &Interpolated<N>,
     corners: &Corners,
-    point: &SurfacePoint<f32x16<S>>,
-) -> Vec3<f32x16<S>> {
+    point: &SurfacePoint<N>,
+) -> Vec3<N> {
     let mut normals = point.normal;
     for (number, material) in scene.scene.materials.iter().enumerate() {
         let Some(used) = material.normal.filter(|_| corners.has.tangents) else { continue };
@@ -153,7 +164,7 @@ pub(crate) fn shading_normals<S: Simd>(
         }
         if lanes != 0 {
             let mapped = mapped_normal(scene, &used, interpolated, corners, point.normal, lanes);
-            normals = mapped.select(crate::shade::mask(point.normal.x, lanes), normals);
+            normals = mapped.select(point.normal.x.mask_of(lanes), normals);
         }
     }
     normals
@@ -161,14 +172,15 @@ pub(crate) fn shading_normals<S: Simd>(
 
 /// Colour and alpha of the lanes that see one material.
 #[inline(always)]
-pub(crate) fn lit<S: Simd>(
+pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
     scene: &Scene16<'_>,
-    interpolated: &Interpolated<S>,
+    interpolated: &Interpolated<N>,
     corners: &Corners,
-    point: &SurfacePoint<f32x16<S>>,
+    point: &SurfacePoint<N>,
     number: usize,
     lanes: u32,
-) -> [f32x16<S>; 4] {
+    witness: &mut W,
+) -> [N; 4] {
     let material: &SceneMaterial = &scene.scene.materials[number];
     let like = point.position.x;
     let constants = &material.constants;
@@ -178,15 +190,15 @@ pub(crate) fn lit<S: Simd>(
     let base = texel(scene, material.base_color, interpolated, corners, lanes);
     let mut base_tint = tinted(Rgb::splat(like, [1.0; 3]), base);
     if let Some([.., texel_alpha]) = base {
-        alpha *= texel_alpha;
+        alpha = alpha * texel_alpha;
     }
     if corners.has.colors {
         let [r, g, b, color_alpha] = corners.color(&interpolated.weights);
         base_tint = base_tint * Rgb::new(r, g, b);
-        alpha *= color_alpha;
+        alpha = alpha * color_alpha;
     }
     if let Some([r, ..]) = texel(scene, material.opacity_map, interpolated, corners, lanes) {
-        alpha *= r;
+        alpha = alpha * r;
     }
     reflectance.diffuse = reflectance.diffuse * base_tint;
     reflectance.ambient = match (constants.ambient, material.ambient) {
@@ -203,8 +215,8 @@ pub(crate) fn lit<S: Simd>(
     if let Some([_, g, b, _]) =
         texel(scene, material.metallic_roughness, interpolated, corners, lanes)
     {
-        reflectance.roughness *= g;
-        reflectance.metallic *= b;
+        reflectance.roughness = reflectance.roughness * g;
+        reflectance.metallic = reflectance.metallic * b;
     }
     if let Some(used) = material.occlusion {
         let [r, ..] = sample(scene, &used, interpolated, corners, lanes);
@@ -221,10 +233,11 @@ pub(crate) fn lit<S: Simd>(
         environment: scene.environments[number],
         fog: scene.fog,
     };
-    let color = luxel_lighting::lit(&point, &reflectance, constants, &surroundings, &mut Silent);
     let alpha = match material.alpha_mode {
         AlphaMode::Blend => alpha.limited(0.0, 1.0),
         AlphaMode::Opaque | AlphaMode::Mask { .. } => like.one(),
     };
+    witness.surface(&point, &reflectance, alpha);
+    let color = luxel_lighting::lit(&point, &reflectance, constants, &surroundings, witness);
     [color.r, color.g, color.b, alpha]
 }

@@ -40,7 +40,21 @@ pub(crate) struct InstanceSpace {
     pub(crate) parallel: bool,
 }
 
-/// A triangle with everything that interpolation wants, corner by corner.
+/// What interpolation mixes: a corner of a triangle, or any place between corners.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Corner {
+    /// About the eye, along the world's axes.
+    pub(crate) position: [f32; 3],
+    /// Of unit length, in world space, turned to the side that is seen.
+    pub(crate) normal: [f32; 3],
+    /// Of unit length, in world space, with the bitangent's sign.
+    pub(crate) tangent: [f32; 4],
+    pub(crate) uv: [[f32; 2]; 2],
+    /// White where the mesh has none.
+    pub(crate) color: [f32; 4],
+}
+
+/// A triangle with everything that interpolation wants.
 #[derive(Clone)]
 pub(crate) struct SeenTriangle {
     id: TriangleId,
@@ -49,15 +63,7 @@ pub(crate) struct SeenTriangle {
     /// The number of its material.
     pub(crate) material: u32,
     pub(crate) has: Attributes,
-    /// About the eye, along the world's axes.
-    pub(crate) position: [[f32; 3]; 3],
-    /// Of unit length, in world space, turned to the side that is seen.
-    pub(crate) normal: [[f32; 3]; 3],
-    /// Of unit length, in world space, with the bitangent's sign.
-    pub(crate) tangent: [[f32; 4]; 3],
-    pub(crate) uv: [[[f32; 2]; 3]; 2],
-    /// White where the mesh has none.
-    pub(crate) color: [[f32; 4]; 3],
+    pub(crate) corners: [Corner; 3],
 }
 
 /// The triangles that a thread has seen last, by the low bits of their ids.
@@ -96,14 +102,13 @@ impl SeenTriangle {
             mesh.attribute_corners()[of.triangle as usize].map(|corner| corner as usize);
         let corners_in_view = frame.corners_in_view(of);
         let places = corners_in_view.map(|corner| space.world_from_view * corner);
-        let of_corner =
-            |values: &[[f32; 2]]| attributes.map(|at| values.get(at).copied().unwrap_or_default());
         let tangent = |at: usize| {
             let Some(&[x, y, z, sign]) = mesh.tangents.get(at) else { return [0.0; 4] };
             let tangent = space.world_from_mesh * DVec3::new(x.into(), y.into(), z.into());
             let [x, y, z] = tangent.normalize_or_zero().as_vec3().to_array();
             [x, y, z, if space.handedness < 0.0 { -sign } else { sign }]
         };
+        let normals = normals(mesh, space, attributes, places);
         Self {
             id,
             of,
@@ -114,11 +119,17 @@ impl SeenTriangle {
                 uvs: [0, 1].map(|set| !mesh.uvs[set].is_empty()),
                 colors: !mesh.colors.is_empty(),
             },
-            position: places.map(|place| place.as_vec3().to_array()),
-            normal: normals(mesh, space, attributes, places),
-            tangent: attributes.map(tangent),
-            uv: [of_corner(&mesh.uvs[0]), of_corner(&mesh.uvs[1])],
-            color: attributes.map(|at| mesh.colors.get(at).copied().unwrap_or([1.0; 4])),
+            corners: std::array::from_fn(|place| {
+                let at = attributes[place];
+                let uv = |set: usize| mesh.uvs[set].get(at).copied().unwrap_or_default();
+                Corner {
+                    position: places[place].as_vec3().to_array(),
+                    normal: normals[place],
+                    tangent: tangent(at),
+                    uv: [uv(0), uv(1)],
+                    color: mesh.colors.get(at).copied().unwrap_or([1.0; 4]),
+                }
+            }),
         }
     }
 }

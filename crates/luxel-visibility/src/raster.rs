@@ -11,7 +11,7 @@ use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*, 
 /// What decides beyond geometry.
 pub(crate) struct Rules<'a> {
     /// The sample positions.
-    pub(crate) offsets: &'static [[i32; 2]],
+    pub(crate) offsets: &'a [[i32; 2]],
     /// The order in which triangles were submitted.
     pub(crate) submitted: &'a dyn Fn(TriangleId) -> u64,
     /// Holes in triangles.

@@ -8,6 +8,8 @@ use luxel_math::SUBPIXELS;
 /// specification, section 19.2.4) and Vulkan (section 25.3), given there in sixteenths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Samples {
+    /// Where the only sample lies, if there is one.
+    only: [i32; 2],
     positions: &'static [[i32; 2]],
     /// Sample numbers by their distance from the centre.
     by_distance: &'static [u8],
@@ -54,7 +56,7 @@ macro_rules! pattern {
         const $name: Samples = {
             const POSITIONS: [[i32; 2]; $count] = from_sixteenths($sixteenths);
             const ORDER: [u8; $count] = by_distance(POSITIONS);
-            Samples { positions: &POSITIONS, by_distance: &ORDER }
+            Samples { only: POSITIONS[0], positions: &POSITIONS, by_distance: &ORDER }
         };
     };
 }
@@ -72,6 +74,13 @@ pattern!(SIXTEEN, 16, [
 impl Samples {
     /// The pixel's centre alone.
     pub const ONE: Self = ONE;
+
+    /// One sample in each pixel, elsewhere than at the centre: in steps of 1/256 pixel, from 0 to
+    /// 255, from the upper left corner.
+    #[must_use]
+    pub const fn one_at(position: [i32; 2]) -> Self {
+        Self { only: [position[0] & (SUBPIXELS - 1), position[1] & (SUBPIXELS - 1)], ..ONE }
+    }
 
     /// The pattern of 1, 2, 4, 8 or 16 samples; `None` for other counts.
     #[must_use]
@@ -94,8 +103,8 @@ impl Samples {
 
     /// The position of each sample in its pixel, in steps of 1/256 pixel.
     #[must_use]
-    pub const fn positions(self) -> &'static [[i32; 2]] {
-        self.positions
+    pub const fn positions(&self) -> &[[i32; 2]] {
+        if self.positions.len() == 1 { std::slice::from_ref(&self.only) } else { self.positions }
     }
 
     /// The sample numbers, nearest to the pixel's centre first.
@@ -122,6 +131,13 @@ mod tests {
             }
         }
         assert_eq!(Samples::new(3), None);
+    }
+
+    #[test]
+    fn a_single_sample_lies_where_it_was_put() {
+        assert_eq!(Samples::ONE.positions(), [[128, 128]]);
+        let moved = Samples::one_at([3, 255]);
+        assert_eq!((moved.positions(), moved.count()), (&[[3, 255]][..], 1));
     }
 
     #[test]

@@ -26,6 +26,7 @@ pub(crate) fn draw<'f, S: Simd>(
     let submitted = |id: TriangleId| frame.submitted(id);
     let hole = |id: TriangleId, position: [i32; 2]| hole(id, position);
     let mut vertices = ClusterVertices::new();
+    let samples = frame.samples();
     for visible in clusters {
         let [x, y] = tile.origin();
         let within = |first: u16, last: u16, origin: i32| {
@@ -43,7 +44,7 @@ pub(crate) fn draw<'f, S: Simd>(
         let part = instance.parts[instance.clusters.headers[cluster].part as usize];
         let has_holes = part.coverage != Coverage::Opaque;
         let rules = Rules {
-            offsets: frame.samples().positions(),
+            offsets: samples.positions(),
             submitted: &submitted,
             hole: if has_holes { Some(&hole) } else { None },
             behind,

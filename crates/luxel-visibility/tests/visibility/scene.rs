@@ -111,11 +111,14 @@ impl Scene {
 
     /// Every sample of the window: its number in a [`Picture`] and its position.
     pub(crate) fn sample_positions(&self) -> impl Iterator<Item = (usize, [i32; 2])> + use<> {
-        let offsets = Samples::new(self.samples).unwrap().positions();
+        let samples = Samples::new(self.samples).unwrap();
+        let offsets = samples.positions().to_vec();
         let Size { width, height } = self.size;
         (0..height as i32)
             .flat_map(move |y| (0..width as i32).map(move |x| [x, y]))
-            .flat_map(move |[x, y]| offsets.iter().map(move |o| [x * 256 + o[0], y * 256 + o[1]]))
+            .flat_map(move |[x, y]| {
+                offsets.clone().into_iter().map(move |o| [x * 256 + o[0], y * 256 + o[1]])
+            })
             .enumerate()
     }
 }
