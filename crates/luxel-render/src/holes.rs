@@ -4,7 +4,7 @@
 use crate::edges::{EdgeFlags, edge_distance};
 use crate::view::Edges;
 use luxel_math::SUBPIXELS;
-use luxel_scene::{AlphaMode, Scene, SceneMaterial, TextureUse};
+use luxel_scene::{AlphaMode, Scene};
 use luxel_visibility::{BLOCK, Frame, TriangleId, TriangleOf};
 
 /// Answers for one frame.
@@ -27,43 +27,11 @@ impl Holes<'_> {
         }
         let mesh = frame.instances()[of.instance].mesh;
         let material = &self.scene.materials[mesh.parts[of.part].material.index()];
-        match material.alpha_mode {
-            AlphaMode::Opaque => false,
-            AlphaMode::Mask { cutoff } => self.alpha(frame, of, position, material) < cutoff,
-            AlphaMode::Blend => self.alpha(frame, of, position, material) <= 0.0,
+        if material.alpha_mode == AlphaMode::Opaque {
+            return false;
         }
-    }
-
-    /// The alpha of a surface at a sample, by the textures' finest level.
-    fn alpha(
-        &self,
-        frame: &Frame<'_>,
-        of: TriangleOf,
-        position: [i32; 2],
-        material: &SceneMaterial,
-    ) -> f32 {
-        let mesh = frame.instances()[of.instance].mesh;
-        let corners = mesh.attribute_corners()[of.triangle as usize].map(|corner| corner as usize);
-        let weights = frame.forms(of).barycentric(frame.rays(), position);
-        let mix = |at: [f32; 3]| at[0] * weights[0] + at[1] * weights[1] + at[2] * weights[2];
-        let sample = |used: TextureUse| {
-            let uvs = &mesh.uvs[usize::from(used.uv_set & 1)];
-            let [u, v] = [0, 1]
-                .map(|axis| mix(corners.map(|corner| uvs.get(corner).map_or(0.0, |uv| uv[axis]))));
-            let [u, v] = transformed(&used, [u, v]);
-            self.scene.textures[used.texture.index()].sample_base(u, v)
-        };
-        let mut alpha = material.opacity;
-        if !mesh.colors.is_empty() {
-            alpha *= mix(corners.map(|corner| mesh.colors[corner][3]));
-        }
-        if let Some(used) = material.base_color {
-            alpha *= sample(used)[3];
-        }
-        if let Some(used) = material.opacity_map {
-            alpha *= sample(used)[0];
-        }
-        alpha
+        let barycentric = frame.forms(of).barycentric(frame.rays(), position);
+        self.scene.is_hole(mesh, of.triangle, barycentric, material)
     }
 
     /// Whether a sample is farther than half a wire's width from every edge of its polygon.
@@ -81,10 +49,4 @@ impl Holes<'_> {
         let forms = frame.forms(of).about(block_x, block_y);
         edge_distance(&forms, flags.of(of.triangle), inside(x), inside(y)) > width * 0.5
     }
-}
-
-/// Texture coordinates after the use's own transform.
-pub(crate) fn transformed(used: &TextureUse, [u, v]: [f32; 2]) -> [f32; 2] {
-    let m = &used.transform;
-    [m[0] * u + m[1] * v + m[2], m[3] * u + m[4] * v + m[5]]
 }

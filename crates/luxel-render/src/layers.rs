@@ -111,18 +111,8 @@ pub(crate) struct LayerView {
 }
 
 impl LayerView {
-    /// Window depth of a distance z along the viewing axis, as `glDepthRange(0, 1)` gives it.
     fn depth(&self, z: f32) -> f32 {
-        let Projection { near, far, .. } = self.projection;
-        let z = f64::from(z);
-        let depth = if self.projection.is_orthographic() {
-            (z - near) / (far - near)
-        } else if far.is_infinite() {
-            1.0 - near / z
-        } else {
-            far * (z - near) / (z * (far - near))
-        };
-        depth.clamp(0.0, 1.0) as f32
+        self.projection.window_depth(f64::from(z)) as f32
     }
 }
 

@@ -17,16 +17,16 @@ mod place;
 mod renderer;
 mod resolve;
 mod shade;
-mod strokes;
 mod surface;
 mod tiles;
 mod triangles;
 mod view;
 
 pub use layers::{Layer, LayerValues, ParseLayerError};
+pub use luxel_visibility::Cull;
 pub use picture::{
     LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color,
     write_layers, write_linear, write_rgba8,
 };
 pub use renderer::{MAX_SIDE, Picture, RenderError, Renderer, Stages};
-pub use view::{Cull, Edges, EnvironmentChoice, Execution, View};
+pub use view::{Edges, EnvironmentChoice, Execution, View};

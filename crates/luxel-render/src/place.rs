@@ -1,13 +1,11 @@
 //! Things of the scene put where a frame wants them: instances before the camera, lights about the
 //! eye.
 
-use crate::strokes::Strokes;
-use crate::triangles::InstanceSpace;
-use crate::view::{Cull, View};
+use crate::view::View;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_lighting::{LightKind, PlacedLight};
-use luxel_scene::{AlphaMode, Camera, Object, Placement, Scene, SceneLight, Sides};
-use luxel_visibility::{Clusters, Coverage, CullFaces, Instance, PartUse};
+use luxel_scene::{AlphaMode, Camera, Object, Placement, Scene, SceneLight};
+use luxel_visibility::{Clusters, Coverage, Cull, CullFaces, Instance, PartUse, Strokes};
 
 /// The instances of a scene before the camera: the objects, then the points and lines of some.
 pub(crate) fn instances<'a>(
@@ -21,11 +19,7 @@ pub(crate) fn instances<'a>(
     let part_use = |object: &Object, material: usize| {
         let material = &scene.materials[material];
         let mirrored = object.world_from_mesh.determinant() < 0.0;
-        let back = if mirrored { CullFaces::CounterClockwise } else { CullFaces::Clockwise };
-        let cull = match (view.cull, material.sides) {
-            (Cull::None, _) | (Cull::Auto, Sides::Both) => CullFaces::None,
-            (Cull::Back, _) | (Cull::Auto, Sides::Front) => back,
-        };
+        let cull = view.cull.faces(material.sides, mirrored);
         let wires = view.edges.is_some_and(|edges| edges.wireframe);
         let coverage = match material.alpha_mode {
             AlphaMode::Opaque if wires => Coverage::Cutout,
@@ -56,24 +50,6 @@ pub(crate) fn instances<'a>(
         parts: vec![PartUse::default(); strokes.mesh.parts.len()],
     });
     faces.chain(strokes).collect()
-}
-
-/// The transforms that shading needs of an object.
-pub(crate) fn space(object: &Object, camera: &Camera) -> InstanceSpace {
-    let world_from_mesh = DMat3::from_mat4(object.world_from_mesh);
-    let determinant = world_from_mesh.determinant();
-    // The cofactor matrix is the inverse transpose times the determinant, and exists even where a
-    // flattening transform has no inverse.
-    let [x, y, z] = [world_from_mesh.x_axis, world_from_mesh.y_axis, world_from_mesh.z_axis];
-    let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
-    let handedness = if determinant < 0.0 { -1.0 } else { 1.0 };
-    InstanceSpace {
-        world_from_view: DMat3::from_mat4(camera.view_from_world).transpose(),
-        normal_from_mesh: cofactors * handedness,
-        world_from_mesh,
-        handedness,
-        parallel: camera.projection.is_orthographic(),
-    }
 }
 
 /// A light about the eye, along the world's axes; `None` for ambient lights.

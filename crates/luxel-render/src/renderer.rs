@@ -6,15 +6,14 @@ use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, layers_of_block};
 use crate::place;
 use crate::resolve::{BlockPixels, Layered, resolve_block};
 use crate::shade::{Kept, Scene16};
-use crate::strokes::strokes;
 use crate::tiles::{TilePixels, draw_tiles};
-use crate::triangles::InstanceSpace;
 use crate::view::{EnvironmentChoice, Execution, View};
 use luxel_lighting::{Environment, PictureEncoding, Reflection};
 use luxel_math::{LANES, Level, Simd, UnavailableSimdLevel, dispatch};
 use luxel_scene::{Object, Scene, Size};
 use luxel_visibility::{
-    BLOCK, BLOCKS, Clusters, Coverage, Frame, Samples, TILE, Tile, TooManyTriangles,
+    BLOCK, BLOCKS, Clusters, Coverage, Frame, InstanceSpace, Samples, TILE, Tile, TooManyTriangles,
+    strokes,
 };
 use rayon::prelude::*;
 use std::sync::Mutex;
@@ -266,7 +265,7 @@ impl<'s> Renderer<'s> {
         }
         let samples = Samples::new(view.samples).ok_or(RenderError::Samples(view.samples))?;
         self.install(|| {
-            let strokes = strokes(self.scene, &self.objects, view);
+            let strokes = strokes(self.scene, &self.objects, &view.camera, view.size);
             let instances = place::instances(
                 self.scene,
                 &self.objects,
@@ -280,8 +279,10 @@ impl<'s> Renderer<'s> {
                 own.chain(strokes.iter().map(|strokes| strokes.object)).collect();
             let frame =
                 Frame::new(instances, &view.camera.projection, view.size, samples, self.level)?;
-            let spaces: Vec<InstanceSpace> =
-                objects.iter().map(|&at| place::space(&self.objects[at], &view.camera)).collect();
+            let spaces: Vec<InstanceSpace> = objects
+                .iter()
+                .map(|&at| InstanceSpace::new(&self.objects[at].world_from_mesh, &view.camera))
+                .collect();
             let world_from_nodes = self.scene.world_from_nodes();
             let lights: Vec<_> = view
                 .lights

@@ -3,12 +3,12 @@
 use crate::corners::{Corners, lanes_of};
 use crate::edges::{EdgeFlags, edge_distance};
 use crate::surface::{self, Interpolated, SurfaceWitness};
-use crate::triangles::{Attributes, InstanceSpace, SeenTriangles, distinct};
+use crate::triangles::{Attributes, SeenTriangles, distinct};
 use crate::view::Edges;
 use luxel_lighting::{Environment, Fog, PlacedLight};
 use luxel_math::{LANES, Mask, Number, SUBPIXELS};
 use luxel_scene::{DVec3, Scene};
-use luxel_visibility::{BLOCK, BLOCKS, Frame, Samples, Tile, TriangleId};
+use luxel_visibility::{BLOCK, BLOCKS, Frame, InstanceSpace, Samples, Tile, TriangleId};
 
 /// Everything that shading looks at.
 pub(crate) struct Scene16<'a> {

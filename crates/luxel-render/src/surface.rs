@@ -1,7 +1,6 @@
 //! The surface at sixteen samples: interpolated, textured, and handed to the lighting equation.
 
 use crate::corners::Corners;
-use crate::holes::transformed;
 use crate::shade::Scene16;
 use luxel_lighting::{Reflectance, Silent, SurfacePoint, Surroundings, Witness};
 use luxel_math::{LANES, Number, Rgb, Vec3};
@@ -83,9 +82,9 @@ fn sample_lanes<N: Number>(
     let texture = &scene.scene.textures[used.texture.index()];
     let mut texels = [[0.0; LANES]; 4];
     for lane in (0..LANES).filter(|lane| lanes >> lane & 1 == 1) {
-        let here = transformed(used, [u.lane(lane), v.lane(lane)]);
-        let right = transformed(used, [right_u.lane(lane), right_v.lane(lane)]);
-        let below = transformed(used, [below_u.lane(lane), below_v.lane(lane)]);
+        let here = used.transformed([u.lane(lane), v.lane(lane)]);
+        let right = used.transformed([right_u.lane(lane), right_v.lane(lane)]);
+        let below = used.transformed([below_u.lane(lane), below_v.lane(lane)]);
         let along_x = [right[0] - here[0], right[1] - here[1]];
         let along_y = [below[0] - here[0], below[1] - here[1]];
         let texel = texture.sample(here[0], here[1], along_x, along_y);

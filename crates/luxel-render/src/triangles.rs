@@ -1,10 +1,9 @@
 //! Triangles that are seen, made ready for shading: looked up and transformed once, not for every
 //! block.
 
-use glam::{DMat3, DVec3};
 use luxel_math::LANES;
 use luxel_scene::{Mesh, Scene};
-use luxel_visibility::{Forms, Frame, TriangleId, TriangleOf};
+use luxel_visibility::{Forms, Frame, InstanceSpace, TriangleId, TriangleOf};
 
 /// What meshes carry beside positions and normals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,20 +23,6 @@ impl Attributes {
             colors: any(|mesh| !mesh.colors.is_empty()),
         }
     }
-}
-
-/// An instance's transforms for shading.
-pub(crate) struct InstanceSpace {
-    /// From view space to world axes about the eye: a rotation.
-    pub(crate) world_from_view: DMat3,
-    /// For normals: the inverse transpose of the mesh's transform, up to a positive factor.
-    pub(crate) normal_from_mesh: DMat3,
-    /// For tangents.
-    pub(crate) world_from_mesh: DMat3,
-    /// -1 where the transform mirrors, else 1.
-    pub(crate) handedness: f64,
-    /// Whether the camera's rays are parallel.
-    pub(crate) parallel: bool,
 }
 
 /// What interpolation mixes: a corner of a triangle, or any place between corners.
@@ -102,13 +87,7 @@ impl SeenTriangle {
             mesh.attribute_corners()[of.triangle as usize].map(|corner| corner as usize);
         let corners_in_view = frame.corners_in_view(of);
         let places = corners_in_view.map(|corner| space.world_from_view * corner);
-        let tangent = |at: usize| {
-            let Some(&[x, y, z, sign]) = mesh.tangents.get(at) else { return [0.0; 4] };
-            let tangent = space.world_from_mesh * DVec3::new(x.into(), y.into(), z.into());
-            let [x, y, z] = tangent.normalize_or_zero().as_vec3().to_array();
-            [x, y, z, if space.handedness < 0.0 { -sign } else { sign }]
-        };
-        let normals = normals(mesh, space, attributes, places);
+        let normals = space.facing_normals(mesh, attributes, places);
         Self {
             id,
             of,
@@ -125,40 +104,13 @@ impl SeenTriangle {
                 Corner {
                     position: places[place].as_vec3().to_array(),
                     normal: normals[place],
-                    tangent: tangent(at),
+                    tangent: space.tangent(mesh, at),
                     uv: [uv(0), uv(1)],
                     color: mesh.colors.get(at).copied().unwrap_or([1.0; 4]),
                 }
             }),
         }
     }
-}
-
-/// A triangle's unit vertex normals in world space, turned to the side that is seen.
-///
-/// Which side that is, the face's plane decides, pointed along the sum of the vertex normals (by
-/// winding where that is 0), so that a file with reversed winding is not black.
-fn normals(
-    mesh: &Mesh,
-    space: &InstanceSpace,
-    attributes: [usize; 3],
-    [a, b, c]: [DVec3; 3],
-) -> [[f32; 3]; 3] {
-    let by_winding = (b - a).cross(c - a) * space.handedness;
-    let normals = if mesh.normals.is_empty() {
-        [by_winding.normalize_or_zero(); 3]
-    } else {
-        attributes.map(|attribute| {
-            let [x, y, z] = mesh.normals[attribute];
-            let normal = space.normal_from_mesh * DVec3::new(x.into(), y.into(), z.into());
-            normal.normalize_or_zero()
-        })
-    };
-    let sum = normals[0] + normals[1] + normals[2];
-    let outwards = if by_winding.dot(sum) < 0.0 { -by_winding } else { by_winding };
-    let to_eye = if space.parallel { space.world_from_view.z_axis } else { -a };
-    let from_behind = outwards.dot(to_eye) < 0.0;
-    normals.map(|normal| (if from_behind { -normal } else { normal }).as_vec3().to_array())
 }
 
 /// The distinct triangles that the lanes see, each with its lanes; those that see nothing left out.

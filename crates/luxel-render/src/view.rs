@@ -3,6 +3,7 @@
 use luxel_lighting::{Environment, Fog, PictureEncoding};
 use luxel_math::SimdLevel;
 use luxel_scene::{Camera, SceneLight, Size};
+use luxel_visibility::Cull;
 use std::time::Duration;
 
 /// What a picture shows, apart from the scene.
@@ -40,18 +41,6 @@ pub enum EnvironmentChoice {
     StudioForMicrofacets,
     /// The same for every material.
     Always(Environment),
-}
-
-/// Which faces are left out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Cull {
-    /// As the material says.
-    #[default]
-    Auto,
-    /// None.
-    None,
-    /// Back faces.
-    Back,
 }
 
 /// How edges of polygons are drawn.

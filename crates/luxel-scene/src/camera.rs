@@ -116,6 +116,23 @@ impl Projection {
         }
     }
 
+    /// Window depth of a distance z along the viewing axis, as `glDepthRange(0, 1)` gives it: 0 at
+    /// the near plane, 1 at the far one; clamped to that range.
+    ///
+    /// far (z - near) / (z (far - near)) for perspectives, linear for parallel rays.
+    #[must_use]
+    pub fn window_depth(&self, z: f64) -> f64 {
+        let Self { near, far, .. } = *self;
+        let depth = if self.is_orthographic() {
+            (z - near) / (far - near)
+        } else if far.is_infinite() {
+            1.0 - near / z
+        } else {
+            far * (z - near) / (z * (far - near))
+        };
+        depth.clamp(0.0, 1.0)
+    }
+
     /// Whether rays are parallel.
     #[must_use]
     pub fn is_orthographic(&self) -> bool {

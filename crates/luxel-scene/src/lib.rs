@@ -17,6 +17,7 @@ mod mesh;
 mod mipmap;
 mod node;
 mod normals;
+mod opacity;
 pub mod primitives;
 mod sampler;
 mod scene;

@@ -53,6 +53,13 @@ impl TextureUse {
     pub const fn new(texture: TextureId) -> Self {
         Self { texture, uv_set: 0, transform: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0], strength: 1.0 }
     }
+
+    /// Texture coordinates after the use's own transform.
+    #[must_use]
+    pub fn transformed(&self, [u, v]: [f32; 2]) -> [f32; 2] {
+        let m = &self.transform;
+        [m[0] * u + m[1] * v + m[2], m[3] * u + m[4] * v + m[5]]
+    }
 }
 
 /// What a surface's alpha does.

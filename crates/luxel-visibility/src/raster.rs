@@ -125,7 +125,6 @@ fn cover_few(
 ) {
     let offset = rules.offsets[sample];
     let Some([e0, e1, e2]) = triangle.edges(pixels, offset) else { return };
-    let plane = &triangle.depth;
     for y in 0..pixels.height {
         for x in 0..pixels.width {
             if (e0.at(x, y) | e1.at(x, y) | e2.at(x, y)) < 0 {
@@ -133,9 +132,7 @@ fn cover_few(
             }
             let position =
                 [(pixels.x + x) * SUBPIXELS + offset[0], (pixels.y + y) * SUBPIXELS + offset[1]];
-            let row_z = (position[1] - plane.y) as f32 * plane.dz_dy;
-            let z = (position[0] - plane.x) as f32 * plane.dz_dx + plane.z + row_z;
-            let z = Number::minimum(Number::maximum(z, plane.low), plane.high);
+            let z = triangle.depth.at(position);
             let (column, row) = (pixels.x + x - tile.region.x, pixels.y + y - tile.region.y);
             let (block, lane) = Tile::place(column, row);
             let target = &mut tile.planes[sample];

@@ -10,7 +10,8 @@
 //! A sample on an edge belongs to the triangle if the edge is a left or a top one.
 
 use crate::transform::WindowVertex;
-use luxel_math::SUBPIXELS;
+use luxel_math::{Number, SUBPIXELS};
+use luxel_scene::Sides;
 
 /// A triangle ready to be rasterized.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +38,16 @@ pub(crate) struct DepthPlane {
     pub(crate) high: f32,
 }
 
+impl DepthPlane {
+    /// The depth at a position in steps of 1/256 pixel.
+    #[inline(always)]
+    pub(crate) fn at(&self, position: [i32; 2]) -> f32 {
+        let row_z = (position[1] - self.y) as f32 * self.dz_dy;
+        let z = (position[0] - self.x) as f32 * self.dz_dx + self.z + row_z;
+        Number::minimum(Number::maximum(z, self.low), self.high)
+    }
+}
+
 /// Which faces are left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CullFaces {
@@ -47,6 +58,30 @@ pub enum CullFaces {
     Clockwise,
     /// Those whose corners run counter-clockwise: the back faces of a mirrored instance.
     CounterClockwise,
+}
+
+/// Which faces a view leaves out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cull {
+    /// As the material says.
+    #[default]
+    Auto,
+    /// None.
+    None,
+    /// Back faces.
+    Back,
+}
+
+impl Cull {
+    /// What that means for faces of a material, in an instance that mirrors or doesn't.
+    #[must_use]
+    pub fn faces(self, sides: Sides, mirrored: bool) -> CullFaces {
+        let back = if mirrored { CullFaces::CounterClockwise } else { CullFaces::Clockwise };
+        match (self, sides) {
+            (Self::None, _) | (Self::Auto, Sides::Both) => CullFaces::None,
+            (Self::Back, _) | (Self::Auto, Sides::Front) => back,
+        }
+    }
 }
 
 /// An edge function over a region: E / 256 at the region's first pixel, and its change from one

@@ -3,37 +3,39 @@
 //!
 //! They are made anew for every view, in view space, and go the way of all triangles from there.
 
-use crate::view::View;
+use crate::cluster::Clusters;
 use glam::{DVec2, DVec3};
-use luxel_scene::{MaterialId, Mesh, Object, Part, Scene};
-use luxel_visibility::Clusters;
+use luxel_scene::{Camera, MaterialId, Mesh, Object, Part, Scene, Size};
 
 /// Width of lines in pixels.
-const LINE_WIDTH: f64 = 1.5;
+pub const LINE_WIDTH: f64 = 1.5;
 /// Side of points in pixels.
-const POINT_SIZE: f64 = 3.0;
+pub const POINT_SIZE: f64 = 3.0;
 /// Lines are cut where they come nearer than this, times the near plane's distance.
 const CUT: f64 = 1.0 + 1e-6;
 
 /// The points and lines of one object.
-pub(crate) struct Strokes {
+#[derive(Clone, Debug)]
+pub struct Strokes {
     /// The object, by its place.
-    pub(crate) object: usize,
-    /// Rectangles in view space.
-    pub(crate) mesh: Mesh,
-    pub(crate) clusters: Clusters,
+    pub object: usize,
+    /// Rectangles in view space: two triangles each, first the points, then the lines.
+    pub mesh: Mesh,
+    /// The mesh, cut into clusters.
+    pub clusters: Clusters,
 }
 
 /// The strokes of all objects that have any.
-pub(crate) fn strokes(scene: &Scene, objects: &[Object], view: &View) -> Vec<Strokes> {
-    let lens = PixelSize::of(view);
+#[must_use]
+pub fn strokes(scene: &Scene, objects: &[Object], camera: &Camera, size: Size) -> Vec<Strokes> {
+    let lens = PixelSize::of(camera, size);
     let mut all = Vec::new();
     for (number, object) in objects.iter().enumerate() {
         let source = &scene.meshes[object.mesh.index()];
         if source.points.is_empty() && source.lines.is_empty() {
             continue;
         }
-        let view_from_mesh = view.camera.view_from_world * object.world_from_mesh;
+        let view_from_mesh = camera.view_from_world * object.world_from_mesh;
         let mut builder = Builder { lens: &lens, source, mesh: Mesh::default() };
         let place = |index: u32| view_from_mesh.transform_point3(source.position(index));
         for points in &source.points {
@@ -66,10 +68,10 @@ struct PixelSize {
 }
 
 impl PixelSize {
-    fn of(view: &View) -> Self {
-        let projection = &view.camera.projection;
-        let clip = projection.clip_from_view(view.size);
-        let pixels = DVec2::new(f64::from(view.size.width), f64::from(view.size.height));
+    fn of(camera: &Camera, size: Size) -> Self {
+        let projection = &camera.projection;
+        let clip = projection.clip_from_view(size);
+        let pixels = DVec2::new(f64::from(size.width), f64::from(size.height));
         let at_one = DVec2::new(2.0 / clip.x_axis.x, 2.0 / clip.y_axis.y) / pixels;
         Self { at_one, parallel: projection.is_orthographic(), near: projection.near }
     }
