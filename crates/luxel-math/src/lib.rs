@@ -24,7 +24,7 @@ mod lanes;
 mod number;
 mod vector;
 
-pub use fearless_simd::{Level, Simd, dispatch, f32x16, i32x16, mask32x16, u32x16};
+pub use fearless_simd::{Level, Simd, dispatch, f32x8, f32x16, i32x16, mask32x16, u32x16};
 pub use fixed::{SUBPIXELS, SubPixel};
 pub use lanes::{LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel};
 pub use number::{Mask, Number};

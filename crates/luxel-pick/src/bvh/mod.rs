@@ -1,0 +1,323 @@
+//! A tree of boxes over the triangles of a mesh: a bounding volume hierarchy.
+//!
+//! Nodes have eight children, whose boxes lie side by side for the vector unit (Wald, Benthin and
+//! Boulos 2008): six rows of eight numbers and eight words, 256 bytes. A leaf is a run of up to
+//! eight records of 16 bytes, three vertex numbers and the triangle's. That is about 30 bytes a
+//! triangle beside the mesh. The tree is built by the surface area heuristic over bins (Wald 2007)
+//! and depends on nothing but the boxes, so it is the same for any number of threads.
+
+mod build;
+mod split;
+mod traverse;
+
+pub(crate) use build::build;
+pub(crate) use traverse::{Slabs, Stack, Walk, meet, step};
+
+use rayon::prelude::*;
+
+/// Children of a node, and most triangles of a leaf: lanes of a vector.
+pub(crate) const WIDTH: usize = 8;
+/// Most things in one tree: 27 bits of a child word.
+pub const MAX_TRIANGLES: usize = 1 << START_BITS;
+const START_BITS: u32 = 27;
+const LEAF: u32 = 1 << 31;
+
+/// More triangles than a tree can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("a tree over {0} triangles isn't possible: at most {MAX_TRIANGLES}")]
+pub struct TooManyForTree(pub usize);
+
+/// The boxes of up to eight children, and what they are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct Node {
+    /// Low x, high x, low y, high y, low z, high z; an empty place has low = inf, high = -inf.
+    pub(crate) rows: [[f32; WIDTH]; 6],
+    pub(crate) children: [Child; WIDTH],
+}
+
+const _: () = assert!(size_of::<Node>() == 256, "four cache lines");
+
+/// An inner node by number, or a leaf: one bit, four of the count, 27 of the start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Child(pub(crate) u32);
+
+impl Child {
+    pub(crate) const NONE: Self = Self(LEAF);
+
+    pub(crate) const fn inner(number: u32) -> Self {
+        Self(number)
+    }
+
+    pub(crate) const fn leaf(start: usize, count: usize) -> Self {
+        Self(LEAF | (count as u32) << START_BITS | start as u32)
+    }
+
+    /// Start and count of a leaf.
+    #[inline(always)]
+    pub(crate) const fn as_leaf(self) -> Option<(usize, usize)> {
+        if self.0 & LEAF == 0 {
+            return None;
+        }
+        let start = self.0 & ((1 << START_BITS) - 1);
+        Some((start as usize, ((self.0 & !LEAF) >> START_BITS) as usize))
+    }
+}
+
+/// A box along the axes, in f32.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Box3 {
+    pub(crate) low: [f32; 3],
+    pub(crate) high: [f32; 3],
+}
+
+impl Box3 {
+    pub(crate) const EMPTY: Self = Self { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
+
+    pub(crate) fn around(points: [[f32; 3]; 3]) -> Self {
+        let mut bounds = Self::EMPTY;
+        for point in points {
+            bounds.include(point);
+        }
+        bounds
+    }
+
+    pub(crate) fn include(&mut self, point: [f32; 3]) {
+        for axis in 0..3 {
+            self.low[axis] = lower(point[axis], self.low[axis]);
+            self.high[axis] = higher(point[axis], self.high[axis]);
+        }
+    }
+
+    pub(crate) fn union(&self, other: &Self) -> Self {
+        let mut union = *self;
+        for axis in 0..3 {
+            union.low[axis] = lower(other.low[axis], self.low[axis]);
+            union.high[axis] = higher(other.high[axis], self.high[axis]);
+        }
+        union
+    }
+
+    /// Half the surface; 0 for an empty box.
+    pub(crate) fn half_area(&self) -> f32 {
+        let extent = |axis: usize| (self.high[axis] - self.low[axis]).max(0.0);
+        let [x, y, z] = [extent(0), extent(1), extent(2)];
+        x * y + y * z + z * x
+    }
+
+    /// The largest coordinate, without its sign.
+    pub(crate) fn largest(&self) -> [f32; 3] {
+        std::array::from_fn(|axis| self.low[axis].abs().max(self.high[axis].abs()))
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        !(0..3).all(|axis| self.low[axis] <= self.high[axis])
+    }
+}
+
+/// `min` and `max` as the processor has them, one instruction each.
+#[inline(always)]
+pub(crate) fn lower(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+pub(crate) fn higher(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// A tree over anything that has a box: nodes, and the things' numbers in the order of the leaves.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Tree {
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) items: Vec<u32>,
+    pub(crate) bounds: Option<Box3>,
+}
+
+impl Tree {
+    /// Where a walk begins; `None` for a tree over nothing.
+    #[inline(always)]
+    pub(crate) fn root(&self) -> Option<&Node> {
+        self.nodes.first()
+    }
+}
+
+impl Node {
+    pub(crate) const EMPTY: Self = Self {
+        rows: {
+            let (low, high) = ([f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]);
+            [low, high, low, high, low, high]
+        },
+        children: [Child::NONE; WIDTH],
+    };
+
+    pub(crate) fn set(&mut self, slot: usize, bounds: &Box3, child: Child) {
+        for axis in 0..3 {
+            self.rows[2 * axis][slot] = bounds.low[axis];
+            self.rows[2 * axis + 1][slot] = bounds.high[axis];
+        }
+        self.children[slot] = child;
+    }
+
+    pub(crate) fn bounds(&self, slot: usize) -> Box3 {
+        Box3 {
+            low: [0, 2, 4].map(|row| self.rows[row][slot]),
+            high: [1, 3, 5].map(|row| self.rows[row][slot]),
+        }
+    }
+
+    fn all_bounds(&self) -> Box3 {
+        (0..WIDTH).fold(Box3::EMPTY, |all, slot| all.union(&self.bounds(slot)))
+    }
+}
+
+/// A triangle in a leaf: its vertices, and its number.
+pub(crate) type Record = [u32; 4];
+
+/// How much care goes into a tree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quality {
+    /// Trees for many rays.
+    #[default]
+    Thorough,
+    /// A third less time, for a mesh that is being edited.
+    Fast,
+}
+
+/// A tree over the triangles of one mesh. It doesn't hold the positions; a
+/// [`MeshRays`](crate::MeshRays) brings both together.
+///
+/// Triangles with a coordinate that isn't finite are left out; those without area are kept.
+#[derive(Clone, Debug, Default)]
+pub struct Bvh {
+    tree: Tree,
+    /// Padded by a leaf's worth, so that eight can be read wherever a leaf begins.
+    records: Vec<Record>,
+    /// One more than the highest vertex number.
+    vertices: usize,
+}
+
+impl Bvh {
+    /// Builds a tree, on all threads of the current pool.
+    ///
+    /// ```
+    /// use luxel_pick::{Bvh, MeshRays, Quality, Ray};
+    ///
+    /// let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let bvh = Bvh::build(&positions, &[[0, 1, 2]], Quality::Thorough)?;
+    /// let rays = MeshRays::new(&bvh, &positions);
+    /// let hit = rays.closest(&Ray::new([0.25, 0.25, 5.0], [0.0, 0.0, -1.0])).unwrap();
+    /// assert_eq!((hit.triangle, hit.t), (0, 5.0));
+    /// # Ok::<(), luxel_pick::TooManyForTree>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TooManyForTree`] beyond [`MAX_TRIANGLES`].
+    ///
+    /// # Panics
+    /// If a triangle names a position that isn't there.
+    pub fn build(
+        positions: &[[f32; 3]],
+        triangles: &[[u32; 3]],
+        quality: Quality,
+    ) -> Result<Self, TooManyForTree> {
+        if triangles.len() > MAX_TRIANGLES {
+            return Err(TooManyForTree(triangles.len()));
+        }
+        let bounds =
+            |triangle: &[u32; 3]| Box3::around(triangle.map(|vertex| positions[vertex as usize]));
+        let is_sound = |triangle: &[u32; 3]| {
+            let corners = triangle.map(|vertex| positions[vertex as usize]);
+            corners.as_flattened().iter().all(|coordinate| coordinate.is_finite())
+        };
+        let tree = build(triangles, &is_sound, &bounds, quality);
+        let mut records = vec![[0; 4]; tree.items.len() + WIDTH];
+        records[..tree.items.len()].par_iter_mut().zip(&tree.items).for_each(|(record, &item)| {
+            let [a, b, c] = triangles[item as usize];
+            *record = [a, b, c, item];
+        });
+        let highest = |record: &Record| record[0].max(record[1]).max(record[2]) as usize;
+        let vertices = if tree.items.is_empty() {
+            0
+        } else {
+            records.iter().map(highest).max().unwrap_or(0) + 1
+        };
+        // The records hold the numbers, too.
+        let tree = Tree { items: Vec::new(), ..tree };
+        Ok(Self { tree, records, vertices })
+    }
+
+    /// Fits the boxes to positions that have moved, without changing the tree's shape: quicker than
+    /// building, and good as long as neighbours stay neighbours.
+    ///
+    /// # Panics
+    /// If there are fewer positions than the tree was built over. Positions must be finite, or their
+    /// triangles are missed.
+    pub fn refit(&mut self, positions: &[[f32; 3]]) {
+        assert!(positions.len() >= self.vertices, "positions are missing");
+        // Children have higher numbers than their parents.
+        for number in (0..self.tree.nodes.len()).rev() {
+            for slot in 0..WIDTH {
+                let child = self.tree.nodes[number].children[slot];
+                let bounds = match child.as_leaf() {
+                    Some((_, 0)) => continue,
+                    Some((start, count)) => {
+                        let records = &self.records[start..start + count];
+                        records.iter().fold(Box3::EMPTY, |bounds, &[a, b, c, _]| {
+                            let corners = [a, b, c].map(|vertex| positions[vertex as usize]);
+                            bounds.union(&Box3::around(corners))
+                        })
+                    }
+                    None => self.tree.nodes[child.0 as usize].all_bounds(),
+                };
+                self.tree.nodes[number].set(slot, &bounds, child);
+            }
+        }
+        self.tree.bounds = self.tree.root().map(Node::all_bounds);
+    }
+
+    /// How many triangles are in it.
+    #[must_use]
+    pub fn triangles(&self) -> usize {
+        self.records.len().saturating_sub(WIDTH)
+    }
+
+    /// What it takes, beside the mesh, in bytes.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        size_of_val(&self.tree.nodes[..]) + size_of_val(&self.records[..])
+    }
+
+    /// Levels of nodes from the root down.
+    #[must_use]
+    pub fn depth(&self) -> usize {
+        let mut depths = vec![0; self.tree.nodes.len()];
+        let mut deepest = 0;
+        for (number, node) in self.tree.nodes.iter().enumerate() {
+            let depth = depths[number] + 1;
+            deepest = deepest.max(depth);
+            for child in node.children.iter().filter(|child| child.as_leaf().is_none()) {
+                depths[child.0 as usize] = depth;
+            }
+        }
+        deepest
+    }
+
+    /// Lowest and highest coordinates; `None` for a tree over nothing.
+    #[must_use]
+    pub fn bounds(&self) -> Option<[[f32; 3]; 2]> {
+        self.tree.bounds.map(|bounds| [bounds.low, bounds.high])
+    }
+
+    pub(crate) fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    pub(crate) fn records(&self) -> &[Record] {
+        &self.records
+    }
+
+    pub(crate) fn vertices(&self) -> usize {
+        self.vertices
+    }
+}

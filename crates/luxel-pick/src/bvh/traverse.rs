@@ -1,0 +1,194 @@
+//! From boxes to the leaves that a ray meets.
+//!
+//! A box is met if the ray's ways between its three pairs of planes have a stretch in common (Kay
+//! and Kajiya 1986). Rounding must never lose a box, so near planes are looked at from an origin
+//! that lies a little forward and far ones from one a little back: several units of the last place
+//! of the largest coordinate. Rays may also widen with distance, as far as the samples of a pixel's
+//! grid reach; then the two origins' directions differ, too.
+
+use super::{Box3, Child, Node, Tree, WIDTH};
+use luxel_math::{Level, Simd, dispatch, f32x8, prelude::*};
+
+/// A line as the test of boxes wants it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slabs {
+    /// Where near planes are looked at from, and far ones, axis by axis.
+    origin: [[f32; 2]; 3],
+    /// One over the direction, for near planes and far ones.
+    inverse: [[f32; 2]; 3],
+    /// 0 where the near plane is the low one, else 1.
+    turned: [usize; 3],
+    /// The nearest distance that counts.
+    pub(crate) nearest: f32,
+}
+
+/// Units of the last place of the largest coordinate by which origins are moved; with 6 nothing
+/// was lost among rays through vertices along axes, where everything was lost without.
+const PADDING: f32 = 6.0 * f32::EPSILON;
+/// Stands for 0 in directions, whose inverse must be finite.
+const ALMOST_ZERO: f32 = 1e-18;
+
+impl Slabs {
+    /// For a ray through boxes whose coordinates are no larger than `largest`.
+    pub(crate) fn new(
+        origin: [f32; 3],
+        direction: [f32; 3],
+        nearest: f32,
+        largest: [f32; 3],
+    ) -> Self {
+        Self::widening(origin, direction, [nearest, 0.0], largest, [0.0; 3], [0.0; 3])
+    }
+
+    /// For what lies within `reach + distance * growth` of a ray, axis by axis, up to the distance
+    /// `farthest`.
+    pub(crate) fn widening(
+        origin: [f32; 3],
+        direction: [f32; 3],
+        [nearest, farthest]: [f32; 2],
+        largest: [f32; 3],
+        reach: [f32; 3],
+        growth: [f32; 3],
+    ) -> Self {
+        let mut slabs =
+            Self { origin: [[0.0; 2]; 3], inverse: [[0.0; 2]; 3], turned: [0; 3], nearest };
+        for axis in 0..3 {
+            let turned = direction[axis].is_sign_negative();
+            let sign = if turned { -1.0 } else { 1.0 };
+            let mut along = direction[axis].abs();
+            let mut growth = growth[axis];
+            let mut pad = PADDING * (origin[axis].abs() + largest[axis]) + reach[axis];
+            if growth > 0.0 && along <= growth {
+                // The sides go both ways: as wide everywhere as at the end.
+                pad += farthest * (along + growth);
+                (along, growth) = (0.0, 0.0);
+            }
+            let inverse = |along: f32| 1.0 / if along > ALMOST_ZERO { along } else { ALMOST_ZERO };
+            slabs.origin[axis] = [origin[axis] + sign * pad, origin[axis] - sign * pad];
+            slabs.inverse[axis] = [sign * inverse(along + growth), sign * inverse(along - growth)];
+            slabs.turned[axis] = usize::from(turned);
+        }
+        slabs
+    }
+}
+
+/// The distances at which a line meets the boxes of a node's children, and a bit for each that it
+/// meets before `farthest`.
+#[inline(always)]
+pub(crate) fn meet<S: Simd>(
+    simd: S,
+    node: &Node,
+    slabs: &Slabs,
+    farthest: f32,
+) -> ([f32; WIDTH], u32) {
+    let mut near = f32x8::splat(simd, slabs.nearest);
+    let mut far = f32x8::splat(simd, farthest);
+    for axis in 0..3 {
+        let row = 2 * axis;
+        let turned = slabs.turned[axis] & 1;
+        let near_plane = f32x8::simd_from(simd, node.rows[row + turned]);
+        let far_plane = f32x8::simd_from(simd, node.rows[row + (turned ^ 1)]);
+        let [near_origin, far_origin] = slabs.origin[axis];
+        let [near_inverse, far_inverse] = slabs.inverse[axis];
+        near = ((near_plane - near_origin) * near_inverse).max(near);
+        far = ((far_plane - far_origin) * far_inverse).min(far);
+    }
+    let mut distances = [0.0; WIDTH];
+    near.store_slice(&mut distances);
+    (distances, near.simd_le(far).to_bitmask() as u32)
+}
+
+/// [`meet`] for callers outside of vector code.
+pub(crate) fn step(level: Level, node: &Node, slabs: &Slabs, farthest: f32) -> ([f32; WIDTH], u32) {
+    dispatch!(level, simd => meet(simd, node, slabs, farthest))
+}
+
+/// Places still to be visited: distance and child in one number, so that sorting is comparing
+/// integers. Depths are bounded (see `split`): up to 67 levels with seven left at each.
+pub(crate) struct Stack {
+    entries: Box<[u64; Self::SIZE]>,
+    top: usize,
+}
+
+impl Stack {
+    const SIZE: usize = 512;
+
+    pub(crate) fn new() -> Self {
+        Self { entries: Box::new([0; Self::SIZE]), top: 0 }
+    }
+
+    #[inline(always)]
+    pub(crate) fn clear(&mut self) {
+        self.top = 0;
+    }
+
+    /// Puts the children whose bit is set on top, the nearest topmost.
+    #[inline(always)]
+    pub(crate) fn push(&mut self, node: &Node, distances: &[f32; WIDTH], mut bits: u32) {
+        let bottom = self.top;
+        while bits != 0 {
+            let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+            bits &= bits - 1;
+            // Distances are not negative, but for the sign of a zero.
+            let distance = u64::from(distances[slot].to_bits() & !(1 << 31));
+            let key = distance << 32 | u64::from(node.children[slot].0);
+            let mut place = self.top;
+            while place > bottom && self.entries[(place - 1) & (Self::SIZE - 1)] < key {
+                self.entries[place & (Self::SIZE - 1)] =
+                    self.entries[(place - 1) & (Self::SIZE - 1)];
+                place -= 1;
+            }
+            self.entries[place & (Self::SIZE - 1)] = key;
+            self.top += 1;
+        }
+    }
+
+    /// The nearest child whose box begins no farther than `farthest`.
+    #[inline(always)]
+    pub(crate) fn pop(&mut self, farthest: f32) -> Option<Child> {
+        while self.top > 0 {
+            self.top -= 1;
+            let key = self.entries[self.top & (Self::SIZE - 1)];
+            if f32::from_bits((key >> 32) as u32) <= farthest {
+                return Some(Child(key as u32));
+            }
+        }
+        None
+    }
+}
+
+/// A walk through all leaves whose boxes pass a test, in no particular order.
+pub(crate) struct Walk<'t> {
+    tree: &'t Tree,
+    stack: Vec<Child>,
+}
+
+impl<'t> Walk<'t> {
+    pub(crate) fn new(tree: &'t Tree) -> Self {
+        let root = tree.root().map(|_| Child::inner(0));
+        Self { tree, stack: root.into_iter().collect() }
+    }
+
+    /// Start and count of the next leaf; `test` gives a bit for each child of a node to visit.
+    pub(crate) fn next(&mut self, test: impl Fn(&Node) -> u32) -> Option<(usize, usize)> {
+        while let Some(child) = self.stack.pop() {
+            if let Some(leaf) = child.as_leaf() {
+                return Some(leaf);
+            }
+            let node = &self.tree.nodes[child.0 as usize];
+            let mut bits = test(node);
+            while bits != 0 {
+                let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+                bits &= bits - 1;
+                self.stack.push(node.children[slot]);
+            }
+        }
+        None
+    }
+}
+
+impl Box3 {
+    /// The box grown outwards by the last place, after values have been rounded to f32.
+    pub(crate) fn rounded_outwards(&self) -> Self {
+        Self { low: self.low.map(f32::next_down), high: self.high.map(f32::next_up) }
+    }
+}

@@ -1,0 +1,216 @@
+//! Rays and triangles, watertight (Woop, Benthin and Wald 2013).
+//!
+//! Corners are seen from the ray's origin and sheared so that the ray runs along the axis of its
+//! largest component; what is left is whether the origin lies inside a triangle of the plane. An
+//! edge function of `f32` never has the wrong sign, it can only become 0: then, and only then, it
+//! is computed again in `f64`, where products are exact, as is the sign of their difference. So
+//! triangles that share an edge agree on which side of it a ray passes, and a closed mesh is never
+//! passed through.
+//!
+//! A ray exactly through an edge or a corner meets all triangles there. The distance is then taken
+//! from the edge alone, whichever triangle it belongs to, so that all have the same one, and the
+//! triangle of the lowest number wins.
+
+use crate::bvh::{Record, WIDTH};
+use luxel_math::{Simd, f32x8, prelude::*};
+
+/// A ray: every place `origin + t direction` with t from `range`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where t is 0.
+    pub origin: [f32; 3],
+    /// Where it goes, of any length but 0; t counts in this length.
+    pub direction: [f32; 3],
+    /// The least t, not below 0, and the greatest, which may be infinite.
+    pub range: [f32; 2],
+}
+
+impl Ray {
+    /// A ray that has no end.
+    #[must_use]
+    pub const fn new(origin: [f32; 3], direction: [f32; 3]) -> Self {
+        Self { origin, direction, range: [0.0, f32::INFINITY] }
+    }
+
+    /// Whether it is a ray at all: finite, with a direction that isn't 0 and a range above 0.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        let finite = |values: &[f32; 3]| values.iter().all(|value| value.is_finite());
+        let [nearest, farthest] = self.range;
+        finite(&self.origin)
+            && finite(&self.direction)
+            && self.direction != [0.0; 3]
+            && nearest >= 0.0
+            && farthest >= nearest
+    }
+}
+
+/// A ray turned and sheared for triangles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sheared {
+    origin: [f32; 3],
+    /// The axis of the largest component of the direction comes last; the others keep or change
+    /// their order so that winding stays.
+    axes: [usize; 3],
+    shear: [f32; 3],
+}
+
+/// The nearest hit so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Nearest {
+    pub(crate) t: f32,
+    /// The triangle's number; the highest of all where nothing was hit.
+    pub(crate) triangle: u32,
+    /// Its place among the records.
+    pub(crate) record: u32,
+}
+
+impl Nearest {
+    pub(crate) const fn before(t: f32) -> Self {
+        Self { t, triangle: u32::MAX, record: u32::MAX }
+    }
+}
+
+impl Sheared {
+    pub(crate) fn new(origin: [f32; 3], direction: [f32; 3]) -> Self {
+        let [x, y, z] = direction.map(f32::abs);
+        let last = if x > y && x > z { 0 } else { 1 + usize::from(z >= y) };
+        let (mut first, mut second) = ((last + 1) % 3, (last + 2) % 3);
+        if direction[last] < 0.0 {
+            (first, second) = (second, first);
+        }
+        let inverse = 1.0 / direction[last];
+        let shear = [direction[first] * inverse, direction[second] * inverse, inverse];
+        Self { origin, axes: [first, second, last], shear }
+    }
+
+    /// Three corners as the ray sees them.
+    fn corners(&self, corners: [[f32; 3]; 3]) -> [[f32; 3]; 3] {
+        let [kx, ky, kz] = self.axes;
+        let [sx, sy, sz] = self.shear;
+        corners.map(|corner| {
+            let about = |axis: usize| corner[axis] - self.origin[axis];
+            let z = about(kz);
+            [about(kx) - sx * z, about(ky) - sy * z, sz * z]
+        })
+    }
+
+    /// The weights of a triangle's corners where a ray meets it, in `f64`.
+    pub(crate) fn barycentric(&self, corners: [[f32; 3]; 3]) -> [f32; 3] {
+        let weights = edges(&self.corners(corners));
+        let sum = weights[0] + weights[1] + weights[2];
+        weights.map(|weight| (weight / sum) as f32)
+    }
+}
+
+/// The three edge functions, signs exact.
+fn edges(corners: &[[f32; 3]; 3]) -> [f64; 3] {
+    let [a, b, c] = corners.map(|[x, y, _]| [f64::from(x), f64::from(y)]);
+    [c[0] * b[1] - c[1] * b[0], a[0] * c[1] - a[1] * c[0], b[0] * a[1] - b[1] * a[0]]
+}
+
+/// The distance for a ray through an edge or a corner, if it meets the triangle at all.
+#[cold]
+#[inline(never)]
+fn on_edge(corners: [[f32; 3]; 3]) -> Option<f32> {
+    let weights = edges(&corners);
+    let negative = weights.iter().any(|weight| *weight < 0.0);
+    let positive = weights.iter().any(|weight| *weight > 0.0);
+    let sum = weights[0] + weights[1] + weights[2];
+    if negative && positive || sum == 0.0 {
+        return None;
+    }
+    let corners = corners.map(|corner| corner.map(f64::from));
+    let mut zeros = (0..3).filter(|&corner| weights[corner] == 0.0);
+    let t = match (zeros.next(), zeros.next()) {
+        // Through a corner: the one whose weight is left.
+        (Some(i), Some(j)) => corners[3 - i - j][2],
+        // Through an edge, taken the same way round whichever triangle it belongs to.
+        (Some(opposite), None) => {
+            let [mut p, mut q] = [corners[(opposite + 1) % 3], corners[(opposite + 2) % 3]];
+            if p > q {
+                (p, q) = (q, p);
+            }
+            let axis = usize::from((q[1] - p[1]).abs() > (q[0] - p[0]).abs());
+            p[2] + (q[2] - p[2]) * (-p[axis] / (q[axis] - p[axis]))
+        }
+        _ => {
+            let [u, v, w] = weights;
+            (u * corners[0][2] + v * corners[1][2] + w * corners[2][2]) / sum
+        }
+    };
+    Some(t as f32)
+}
+
+/// The vertices of up to eight triangles, x, y and z of each corner side by side.
+type Gathered = [[[f32; WIDTH]; 3]; 3];
+
+#[inline(always)]
+fn gather(records: &[Record; WIDTH], positions: &[[f32; 3]]) -> Gathered {
+    let mut gathered = [[[0.0; WIDTH]; 3]; 3];
+    for (lane, record) in records.iter().enumerate() {
+        for corner in 0..3 {
+            let position = positions[record[corner] as usize];
+            for axis in 0..3 {
+                gathered[corner][axis][lane] = position[axis];
+            }
+        }
+    }
+    gathered
+}
+
+/// The distances at which a ray meets the first `count` of eight triangles, and a bit for each that
+/// it meets from `range[0]` to `range[1]`.
+#[inline(always)]
+pub(crate) fn meet_triangles<S: Simd>(
+    simd: S,
+    records: &[Record; WIDTH],
+    count: usize,
+    positions: &[[f32; 3]],
+    ray: &Sheared,
+    range: [f32; 2],
+) -> ([f32; WIDTH], u32) {
+    let gathered = gather(records, positions);
+    let axes = ray.axes.map(|axis| if axis < 3 { axis } else { 0 });
+    let [sx, sy, sz] = ray.shear;
+    let mut x = [f32x8::splat(simd, 0.0); 3];
+    let mut y = x;
+    let mut z = x;
+    for corner in 0..3 {
+        let [kx, ky, kz] = axes;
+        let along = f32x8::simd_from(simd, gathered[corner][kz]) - ray.origin[kz];
+        x[corner] = f32x8::simd_from(simd, gathered[corner][kx]) - ray.origin[kx] - along * sx;
+        y[corner] = f32x8::simd_from(simd, gathered[corner][ky]) - ray.origin[ky] - along * sy;
+        z[corner] = along * sz;
+    }
+    let u = x[2] * y[1] - y[2] * x[1];
+    let v = x[0] * y[2] - y[0] * x[2];
+    let w = x[1] * y[0] - y[1] * x[0];
+    let zero = f32x8::splat(simd, 0.0);
+    let negative = u.simd_lt(zero) | v.simd_lt(zero) | w.simd_lt(zero);
+    let positive = u.simd_gt(zero) | v.simd_gt(zero) | w.simd_gt(zero);
+    let unknown = u.simd_eq(zero) | v.simd_eq(zero) | w.simd_eq(zero);
+    let candidates = !(negative & positive);
+    let sum = u + v + w;
+    let t = (u * z[0] + v * z[1] + w * z[2]) / sum;
+    let within = t.simd_ge(f32x8::splat(simd, range[0])) & t.simd_le(f32x8::splat(simd, range[1]));
+    let counted = (1 << count) - 1;
+    let mut distances = [0.0; WIDTH];
+    t.store_slice(&mut distances);
+    let mut hits = (candidates & within & !unknown).to_bitmask() as u32 & counted;
+    let mut asked = (candidates & unknown).to_bitmask() as u32 & counted;
+    while asked != 0 {
+        let lane = asked.trailing_zeros() as usize & (WIDTH - 1);
+        asked &= asked - 1;
+        let corners = [0, 1, 2].map(|corner| [x[corner][lane], y[corner][lane], z[corner][lane]]);
+        hits &= !(1 << lane);
+        if let Some(t) = on_edge(corners)
+            && range[0] <= t
+            && t <= range[1]
+        {
+            distances[lane] = t;
+            hits |= 1 << lane;
+        }
+    }
+    (distances, hits)
+}
