@@ -182,7 +182,7 @@ fn a_million_rays_at_shared_edges_and_vertices_of_a_closed_mesh_leak_nowhere() {
             assert!(count > 1, "{ray:?} came out without having gone in: {hit:?}");
         }
     }
-    assert!(at_outline < 500, "{at_outline}");
+    assert!(at_outline < 2000, "{at_outline}");
 }
 
 #[test]
