@@ -109,10 +109,6 @@ impl Box3 {
     pub(crate) fn largest(&self) -> [f32; 3] {
         std::array::from_fn(|axis| self.low[axis].abs().max(self.high[axis].abs()))
     }
-
-    pub(crate) fn is_empty(&self) -> bool {
-        !(0..3).all(|axis| self.low[axis] <= self.high[axis])
-    }
 }
 
 /// `min` and `max` as the processor has them, one instruction each.

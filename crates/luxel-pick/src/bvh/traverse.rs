@@ -6,7 +6,7 @@
 //! of the largest coordinate. Rays may also widen with distance, as far as the samples of a pixel's
 //! grid reach; then the two origins' directions differ, too.
 
-use super::{Box3, Child, Node, Tree, WIDTH};
+use super::{Child, Node, Tree, WIDTH};
 use luxel_math::{Level, Simd, dispatch, f32x8, prelude::*};
 
 /// A line as the test of boxes wants it.
@@ -183,12 +183,5 @@ impl<'t> Walk<'t> {
             }
         }
         None
-    }
-}
-
-impl Box3 {
-    /// The box grown outwards by the last place, after values have been rounded to f32.
-    pub(crate) fn rounded_outwards(&self) -> Self {
-        Self { low: self.low.map(f32::next_down), high: self.high.map(f32::next_up) }
     }
 }
