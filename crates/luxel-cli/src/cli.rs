@@ -1,6 +1,6 @@
 //! The command line: commands and the flags that all of them take.
 
-use crate::commands::{completions, demos, info, render};
+use crate::commands::{bench, completions, demos, info, render};
 use clap::{Parser, Subcommand};
 
 /// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
@@ -29,6 +29,7 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     Render(Box<render::RenderCommand>),
     Info(Box<info::InfoCommand>),
+    Bench(Box<bench::BenchCommand>),
     Demos(demos::DemosCommand),
     Completions(completions::CompletionsCommand),
     /// Print the manual page

@@ -55,7 +55,6 @@ pub(crate) fn apply_normals(options: &ShadingOptions, scene: &mut Scene) {
     let crease_radians = options.crease.unwrap_or(DEFAULT_CREASE_DEGREES).to_radians();
     scene.compute_normals(&NormalOptions { source, crease_radians });
     scene.compute_tangents();
-    scene.compute_tangents();
 }
 
 #[cfg(test)]

@@ -76,6 +76,14 @@ pub struct Picture<T> {
     pub stages: Stages,
 }
 
+impl<T> Default for Picture<T> {
+    /// No pixels.
+    fn default() -> Self {
+        let size = Size { width: 0, height: 0 };
+        Self { size, pixels: Vec::new(), stages: Stages::default() }
+    }
+}
+
 /// What the stages of a frame took, by the clock of [`Execution`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stages {
@@ -106,7 +114,7 @@ impl<'s> Renderer<'s> {
         let mut renderer =
             Self { scene, objects, clusters: Vec::new(), level, pool, clock: execution.clock };
         renderer.clusters =
-            renderer.install(|| scene.meshes.par_iter().map(Clusters::in_file_order).collect());
+            renderer.install(|| scene.meshes.par_iter().map(Clusters::new).collect());
         Ok(renderer)
     }
 
@@ -133,7 +141,9 @@ impl<'s> Renderer<'s> {
     /// # Errors
     /// [`RenderError`] if the view asks for something impossible.
     pub fn linear(&self, view: &View) -> Result<Picture<[f32; 4]>, RenderError> {
-        self.picture(view, |pixel| pixel)
+        let mut picture = Picture::default();
+        self.draw(view, |pixel| pixel, &mut picture)?;
+        Ok(picture)
     }
 
     /// Draws a view into bytes: red, green, blue, alpha.
@@ -141,11 +151,26 @@ impl<'s> Renderer<'s> {
     /// # Errors
     /// [`RenderError`] if the view asks for something impossible.
     pub fn rgba8(&self, view: &View) -> Result<Picture<[u8; 4]>, RenderError> {
+        let mut picture = Picture::default();
+        self.rgba8_into(view, &mut picture)?;
+        Ok(picture)
+    }
+
+    /// As [`Renderer::rgba8`], in the memory of an earlier picture.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible; the picture is then as before.
+    pub fn rgba8_into(
+        &self,
+        view: &View,
+        picture: &mut Picture<[u8; 4]>,
+    ) -> Result<(), RenderError> {
         let encoding = view.encoding;
-        self.picture(view, move |[r, g, b, alpha]| {
+        let finish = move |[r, g, b, alpha]: [f32; 4]| {
             let byte = |value| encoding.byte(value);
             [byte(r), byte(g), byte(b), PictureEncoding::None.byte(alpha)]
-        })
+        };
+        self.draw(view, finish, picture)
     }
 
     /// Layers of a view, in the order in which they are asked for.
@@ -161,8 +186,10 @@ impl<'s> Renderer<'s> {
             layers
                 .iter()
                 .map(|&layer| {
-                    let pixels: Vec<LayerPixel> = draw_tiles(
+                    let mut pixels: Vec<LayerPixel> = Vec::new();
+                    draw_tiles(
                         scene.frame,
+                        &mut pixels,
                         || (Tile::new(1), Kept::new(self.scene)),
                         |(tile, kept), number, pixels| {
                             let hole = |id, position| holes.hole(scene.frame, id, position);
@@ -184,11 +211,12 @@ impl<'s> Renderer<'s> {
     }
 
     /// Draws a view, each pixel turned into what is kept of it while it is in the cache.
-    fn picture<T: Copy + Default + Send + Sync>(
+    fn draw<T: Copy + Default + Send + Sync>(
         &self,
         view: &View,
         finish: impl Fn([f32; 4]) -> T + Sync,
-    ) -> Result<Picture<T>, RenderError> {
+        picture: &mut Picture<T>,
+    ) -> Result<(), RenderError> {
         let start = (self.clock)();
         self.with_scene(view, Coverage::Blended, |scene, holes| {
             let binned = (self.clock)();
@@ -196,8 +224,9 @@ impl<'s> Renderer<'s> {
             let background = scene.background;
             let finished = finish(background);
             let sums = Mutex::new(Stages::default());
-            let pixels = draw_tiles(
+            draw_tiles(
                 scene.frame,
+                &mut picture.pixels,
                 || Worker::new(scene.frame.samples(), self.scene),
                 |worker, number, pixels| {
                     let begin = (self.clock)();
@@ -218,7 +247,8 @@ impl<'s> Renderer<'s> {
             );
             let sums = sums.into_inner().unwrap_or_default();
             let stages = Stages { bin: binned - start, frame: (self.clock)() - start, ..sums };
-            Picture { size: view.size, pixels, stages }
+            picture.size = view.size;
+            picture.stages = stages;
         })
     }
 

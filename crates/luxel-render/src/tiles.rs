@@ -9,18 +9,21 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// The pixels of a tile, row by row.
 pub(crate) type TilePixels<T> = [T; (TILE * TILE) as usize];
 
-/// Draws all tiles of a frame, and puts them together row by row.
+/// Draws all tiles of a frame, and puts them together row by row in `picture`, whose memory is used
+/// again.
 ///
 /// `worker` makes what one thread keeps from tile to tile; `draw` fills a tile's pixels. A picture
 /// is the same for any number of threads, as a tile depends on nothing but itself.
 pub(crate) fn draw_tiles<T: Copy + Default + Send, W>(
     frame: &Frame<'_>,
+    picture: &mut Vec<T>,
     worker: impl Fn() -> W + Sync,
     draw: impl Fn(&mut W, usize, &mut TilePixels<T>) + Sync,
-) -> Vec<T> {
+) {
     let Size { width, height } = frame.size();
     let (width, height) = (width as usize, height as usize);
-    let mut picture = vec![T::default(); width * height];
+    // Every pixel is written below.
+    picture.resize(width * height, T::default());
     // A band is a row of tiles, locked only while a finished tile is copied into it.
     let band = width * TILE as usize;
     let bands: Vec<Mutex<&mut [T]>> = picture.chunks_mut(band).map(Mutex::new).collect();
@@ -44,6 +47,4 @@ pub(crate) fn draw_tiles<T: Copy + Default + Send, W>(
     };
     let workers = rayon::current_num_threads().min(order.len());
     (0..workers).into_par_iter().with_max_len(1).for_each(|_| work());
-    drop(bands);
-    picture
 }

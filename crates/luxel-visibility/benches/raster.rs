@@ -41,7 +41,7 @@ fn main() {
         std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
     for (triangles, frequency) in [("100k", 71), ("1M", 224)] {
         let mesh = bumpy_sphere(frequency);
-        let clusters = Clusters::in_file_order(&mesh);
+        let clusters = Clusters::new(&mesh);
         for (width, height) in [(640, 480), (1920, 1080)] {
             for (sides, cull) in [("both", CullFaces::None), ("front", CullFaces::Clockwise)] {
                 for samples in [1, 4] {

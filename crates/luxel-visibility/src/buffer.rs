@@ -159,6 +159,13 @@ impl Tile {
         }
     }
 
+    /// Notes that a block may have become nearer.
+    #[inline(always)]
+    pub(crate) fn touch_block(&mut self, block: i32) {
+        let (row, column) = (block / BLOCKS / CELL_BLOCKS, block % BLOCKS / CELL_BLOCKS);
+        self.stale |= 1 << (row * CELLS + column);
+    }
+
     /// Whether everything drawn so far in the pixels left..=right, top..=bottom of the tile is
     /// nearer than `nearest`.
     pub(crate) fn hides(&mut self, [left, top, right, bottom]: [i32; 4], nearest: f32) -> bool {

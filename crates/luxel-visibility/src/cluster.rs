@@ -5,8 +5,10 @@
 //! and one word a triangle with three corner numbers of eight bits: 13 bytes a triangle on even
 //! meshes.
 //!
-//! Here clusters follow the file's order, which costs little and needs no spatial structure.
+//! Clusters follow a curve through space (see `order`), so that each is compact: small in the window,
+//! in few tiles, and hidden as a whole by what lies before it. A file's own order may be anything.
 
+use crate::order::along_curve;
 use luxel_math::LANES;
 use luxel_scene::Mesh;
 use rayon::prelude::*;
@@ -61,21 +63,22 @@ pub(crate) struct Block<'a> {
 }
 
 impl Clusters {
-    /// Cuts a mesh into runs of triangles in the file's order.
+    /// Cuts a mesh into compact runs of triangles.
     #[must_use]
-    pub fn in_file_order(mesh: &Mesh) -> Self {
-        let tasks: Vec<(u32, std::ops::Range<usize>)> = (0..)
+    pub fn new(mesh: &Mesh) -> Self {
+        let orders: Vec<(u32, Vec<u32>)> = (0..)
             .zip(&mesh.parts)
-            .flat_map(|(number, part)| {
+            .map(|(number, part)| {
                 let range = part.first as usize..(part.first + part.count) as usize;
-                range
-                    .clone()
-                    .step_by(TASK_TRIANGLES)
-                    .map(move |start| (number, start..range.end.min(start + TASK_TRIANGLES)))
+                (number, along_curve(mesh, range))
             })
             .collect();
+        let tasks: Vec<(u32, &[u32])> = orders
+            .iter()
+            .flat_map(|(part, order)| order.chunks(TASK_TRIANGLES).map(|task| (*part, task)))
+            .collect();
         let mut pieces: Vec<Self> =
-            tasks.into_par_iter().map(|(part, range)| cut(mesh, part, range)).collect();
+            tasks.into_par_iter().map(|(part, order)| cut(mesh, part, order)).collect();
         let mut all = if pieces.len() == 1 { pieces.remove(0) } else { Self::default() };
         for piece in pieces {
             all.append(piece);
@@ -206,13 +209,13 @@ impl VertexNumbers {
     }
 }
 
-/// Cuts the triangles of `range` into clusters of one part.
-fn cut(mesh: &Mesh, part: u32, range: std::ops::Range<usize>) -> Clusters {
+/// Cuts triangles into clusters of one part.
+fn cut(mesh: &Mesh, part: u32, order: &[u32]) -> Clusters {
     let mut clusters = Clusters::default();
     let mut numbers = VertexNumbers::new();
     let mut positions: Vec<[f32; 3]> = Vec::with_capacity(CLUSTER_VERTICES);
     let mut corners: Vec<u32> = Vec::with_capacity(CLUSTER_TRIANGLES);
-    for original in range {
+    for &original in order {
         let full = corners.len() == CLUSTER_TRIANGLES || positions.len() + 3 > CLUSTER_VERTICES;
         if full {
             clusters.push(part, &positions, &corners);
@@ -221,7 +224,7 @@ fn cut(mesh: &Mesh, part: u32, range: std::ops::Range<usize>) -> Clusters {
             numbers.round += 1;
         }
         let mut word = 0;
-        for (corner, &vertex) in mesh.triangles[original].iter().enumerate() {
+        for (corner, &vertex) in mesh.triangles[original as usize].iter().enumerate() {
             let number = numbers.number(vertex, positions.len());
             if number == positions.len() {
                 positions.push(mesh.positions[vertex as usize]);
@@ -229,7 +232,7 @@ fn cut(mesh: &Mesh, part: u32, range: std::ops::Range<usize>) -> Clusters {
             word |= (number as u32) << (8 * corner);
         }
         corners.push(word);
-        clusters.originals.push(original as u32);
+        clusters.originals.push(original);
     }
     if !corners.is_empty() {
         clusters.push(part, &positions, &corners);
@@ -261,7 +264,7 @@ mod tests {
     #[test]
     fn every_triangle_is_in_exactly_one_slot_with_its_own_corners() {
         let mesh = mesh();
-        let clusters = Clusters::in_file_order(&mesh);
+        let clusters = Clusters::new(&mesh);
         let mut seen = Vec::new();
         for cluster in 0..clusters.count() {
             let block = clusters.block(cluster);
@@ -282,6 +285,7 @@ mod tests {
                 }
             }
         }
+        seen.sort_unstable();
         assert_eq!(seen, (0..1500).collect::<Vec<_>>());
     }
 }

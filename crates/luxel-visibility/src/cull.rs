@@ -245,7 +245,7 @@ mod tests {
             height in prop::option::of(0.5..20.0),
         ) {
             let mesh = mesh(&places, spread);
-            let clusters = Clusters::in_file_order(&mesh);
+            let clusters = Clusters::new(&mesh);
             let lens = match height {
                 Some(height) => Lens::Orthographic { height },
                 None => Lens::Perspective { fov_y_radians: 1.2 },

@@ -135,22 +135,48 @@ fn cover_few(
             let z = triangle.depth.at(position);
             let (column, row) = (pixels.x + x - tile.region.x, pixels.y + y - tile.region.y);
             let (block, lane) = Tile::place(column, row);
-            let target = &mut tile.planes[sample];
-            let depth = target.depth[block][lane];
-            let wins = depth < z
-                || depth == z && comes_first(id, TriangleId(target.ids[block][lane]), rules);
-            if wins
-                && rules
-                    .behind
-                    .is_none_or(|behind| passed(&behind[sample], block, lane, id, z, rules))
-                && rules.hole.is_none_or(|hole| !hole(id, position))
-            {
-                target.depth[block][lane] = z;
-                target.ids[block][lane] = id.0;
-                tile.touch(column / BLOCK, row / BLOCK, column / BLOCK, row / BLOCK);
+            if wins(id, z, (block, lane), rules, tile, sample) {
+                tile.touch_block(block as i32);
             }
         }
     }
+}
+
+/// Puts one sample of a triangle into its block and lane, if it wins there.
+#[inline(always)]
+pub(crate) fn wins(
+    id: TriangleId,
+    z: f32,
+    (block, lane): (usize, usize),
+    rules: &Rules<'_>,
+    tile: &mut Tile,
+    sample: usize,
+) -> bool {
+    let [tile_x, tile_y] = tile.origin();
+    let target = &mut tile.planes[sample];
+    let (block, lane) = (block & (BLOCKS * BLOCKS - 1) as usize, lane & (LANES - 1));
+    let depth = target.depth[block][lane];
+    let nearer =
+        depth < z || depth == z && comes_first(id, TriangleId(target.ids[block][lane]), rules);
+    if !nearer {
+        return false;
+    }
+    if let Some(behind) = rules.behind
+        && !passed(&behind[sample], block, lane, id, z, rules)
+    {
+        return false;
+    }
+    if let Some(hole) = rules.hole {
+        let offset = rules.offsets[sample];
+        let x = tile_x + block as i32 % BLOCKS * BLOCK + LANE_X[lane];
+        let y = tile_y + block as i32 / BLOCKS * BLOCK + LANE_Y[lane];
+        if hole(id, [x * SUBPIXELS + offset[0], y * SUBPIXELS + offset[1]]) {
+            return false;
+        }
+    }
+    target.depth[block][lane] = z;
+    target.ids[block][lane] = id.0;
+    true
 }
 
 /// Puts a triangle into one block of a plane, where it wins; whether it did anywhere.

@@ -1,12 +1,21 @@
 //! Which of sixteen triangles can hold a sample of a tile: most of a fine mesh hold none.
 
 use crate::setup::{CullFaces, Region};
+use crate::small::SIZES;
 use luxel_math::{LANES, SUBPIXELS, Simd, i32x16, mask32x16, prelude::*};
 
 /// The corners of sixteen triangles, in steps of 1/256 pixel: first corners, second, third.
 pub(crate) struct Sixteen {
     pub(crate) x: [[i32; LANES]; 3],
     pub(crate) y: [[i32; LANES]; 3],
+}
+
+/// What came through the sieve, a bit for each triangle.
+pub(crate) struct Sifted {
+    /// Those that may hold a sample.
+    pub(crate) held: u32,
+    /// Those that are less wide and high than each of [`SIZES`], whether they hold one or not.
+    pub(crate) within: [u32; SIZES.len()],
 }
 
 /// The extent of triangles in one direction.
@@ -20,8 +29,8 @@ impl Sixteen {
         Self { x: [[0; LANES]; 3], y: [[0; LANES]; 3] }
     }
 
-    /// Bits of the triangles whose box holds one of the samples at `offsets` of some pixel of the
-    /// region; without those known to be culled or to have no area.
+    /// The triangles whose box holds one of the samples at `offsets` of some pixel of the region;
+    /// without those known to be culled or to have no area, which all small ones are.
     #[inline(always)]
     pub(crate) fn may_hold_samples<S: Simd>(
         &self,
@@ -29,7 +38,7 @@ impl Sixteen {
         region: Region,
         offsets: &[[i32; 2]],
         cull: CullFaces,
-    ) -> u32 {
+    ) -> Sifted {
         let [ax, bx, cx] = self.x.map(|corners| i32x16::simd_from(simd, corners));
         let [ay, by, cy] = self.y.map(|corners| i32x16::simd_from(simd, corners));
         let across = Extent::of(ax, bx, cx);
@@ -49,7 +58,12 @@ impl Sixteen {
             CullFaces::Clockwise => area.simd_ge(0),
             CullFaces::CounterClockwise => area.simd_le(0),
         };
-        (held & !(small & culled)).to_bitmask() as u32
+        let held = held & !(small & culled);
+        let extent = (across.high - across.low).max(down.high - down.low);
+        Sifted {
+            held: held.to_bitmask() as u32,
+            within: SIZES.map(|size| extent.simd_lt(size).to_bitmask() as u32),
+        }
     }
 }
 

@@ -53,7 +53,7 @@ pub fn strokes(scene: &Scene, objects: &[Object], camera: &Camera, size: Size) -
             builder.part(first, lines.material);
         }
         let mesh = builder.mesh;
-        let clusters = Clusters::in_file_order(&mesh);
+        let clusters = Clusters::new(&mesh);
         all.push(Strokes { object: number, mesh, clusters });
     }
     all

@@ -7,7 +7,8 @@ use crate::cull::VisibleCluster;
 use crate::frame::{Coverage, Frame, Hole};
 use crate::raster::{Rules, draw_triangle, lanes_of};
 use crate::setup::{CullFaces, Triangle};
-use crate::sift::Sixteen;
+use crate::sift::{Sifted, Sixteen};
+use crate::small::Queues;
 use crate::transform::{
     ClipVertex, ClusterVertices, WindowTransform, WindowVertex, transform_cluster,
 };
@@ -25,8 +26,17 @@ pub(crate) fn draw<'f, S: Simd>(
 ) {
     let submitted = |id: TriangleId| frame.submitted(id);
     let hole = |id: TriangleId, position: [i32; 2]| hole(id, position);
-    let mut vertices = ClusterVertices::new();
     let samples = frame.samples();
+    let rules_for = |has_holes: bool| Rules {
+        offsets: samples.positions(),
+        submitted: &submitted,
+        hole: if has_holes { Some(&hole) } else { None },
+        behind,
+    };
+    let mut vertices = ClusterVertices::new();
+    // Small triangles wait here across clusters, as long as the same rules hold for them.
+    let mut queues = Queues::new();
+    let mut rules = rules_for(false);
     for visible in clusters {
         let [x, y] = tile.origin();
         let within = |first: u16, last: u16, origin: i32| {
@@ -43,20 +53,20 @@ pub(crate) fn draw<'f, S: Simd>(
         let block = instance.clusters.block(cluster);
         let part = instance.parts[instance.clusters.headers[cluster].part as usize];
         let has_holes = part.coverage != Coverage::Opaque;
-        let rules = Rules {
-            offsets: samples.positions(),
-            submitted: &submitted,
-            hole: if has_holes { Some(&hole) } else { None },
-            behind,
-        };
+        if has_holes != rules.hole.is_some() {
+            queues.finish(simd, &rules, tile);
+            rules = rules_for(has_holes);
+        }
         let transform = frame.transform(number);
         if visible.clipped {
             draw_clipped(simd, transform, &block, visible.cluster, part.cull, &rules, tile);
         } else {
             transform_cluster(simd, transform, block.vertices, &mut vertices);
-            draw_cluster(simd, &vertices, &block, visible.cluster, part.cull, &rules, tile);
+            let id = visible.cluster;
+            draw_cluster(simd, &vertices, &block, id, part.cull, &rules, &mut queues, tile);
         }
     }
+    queues.finish(simd, &rules, tile);
 }
 
 /// The three corner numbers of a triangle's word.
@@ -67,6 +77,7 @@ fn corners_of(word: u32) -> [usize; 3] {
 
 /// Draws a cluster that needs no clipping.
 #[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "the state of a loop, which has one caller")]
 fn draw_cluster<S: Simd>(
     simd: S,
     vertices: &ClusterVertices,
@@ -74,6 +85,7 @@ fn draw_cluster<S: Simd>(
     cluster: u32,
     cull: CullFaces,
     rules: &Rules<'_>,
+    queues: &mut Queues,
     tile: &mut Tile,
 ) {
     let mut group = Sixteen::new();
@@ -84,8 +96,19 @@ fn draw_cluster<S: Simd>(
                 group.y[place][lane] = vertices.y[corner];
             }
         }
-        let held = group.may_hold_samples(simd, tile.region, rules.offsets, cull);
-        for lane in lanes_of(held & ((1 << words.len()) - 1)) {
+        let Sifted { held, within } =
+            group.may_hold_samples(simd, tile.region, rules.offsets, cull);
+        let mut left = held & ((1 << words.len()) - 1);
+        for (size, within) in within.into_iter().enumerate() {
+            for lane in lanes_of(left & within) {
+                let id = TriangleId::new(cluster, number * LANES + lane);
+                if queues.push(size, vertices, corners_of(words[lane]), id) {
+                    queues.draw(simd, size, rules, tile);
+                }
+            }
+            left &= !within;
+        }
+        for lane in lanes_of(left) {
             let corners = corners_of(words[lane]).map(|corner| WindowVertex {
                 x: vertices.x[corner],
                 y: vertices.y[corner],

@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+pub(crate) mod bench;
 pub(crate) mod completions;
 pub(crate) mod demos;
 pub(crate) mod info;
@@ -15,6 +16,7 @@ pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
     match command {
         Command::Render(command) => command.run(console),
         Command::Info(command) => command.run(console),
+        Command::Bench(command) => command.run(console),
         Command::Demos(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Man => manual::run(),

@@ -105,7 +105,7 @@ impl Scene {
             DVec3::new(-0.5 * f64::from(self.size.width), 0.5 * f64::from(self.size.height), 0.0);
         let turned = DVec3::new(1.0, -f64::from(up), 1.0);
         let view_from_mesh = DMat4::from_translation(centre) * DMat4::from_scale(turned);
-        let clusters = Clusters::in_file_order(&mesh);
+        let clusters = Clusters::new(&mesh);
         (mesh, clusters, view_from_mesh, uses)
     }
 

@@ -42,7 +42,7 @@ impl View {
     }
 
     pub(crate) fn with_frame<R>(&self, level: Level, ask: impl FnOnce(&Frame<'_>) -> R) -> R {
-        let clusters = Clusters::in_file_order(&self.mesh);
+        let clusters = Clusters::new(&self.mesh);
         ask(&self.frame(vec![self.instance(&self.mesh, &clusters)], level))
     }
 
@@ -60,7 +60,7 @@ impl View {
                     parts: vec![Part { first: 0, count: 1, material: MaterialId(0) }],
                     ..Mesh::default()
                 };
-                let clusters = Clusters::in_file_order(&mesh);
+                let clusters = Clusters::new(&mesh);
                 (mesh, clusters)
             })
             .collect();

@@ -1,0 +1,200 @@
+//! `luxel bench`: how long frames take.
+
+use crate::camera;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::model;
+use crate::options::{
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, PictureOptions,
+    ShadingOptions,
+};
+use crate::output;
+use crate::surface;
+use crate::view;
+use clap::Args;
+use luxel::math::SimdLevel;
+use luxel::render::{Picture, Renderer};
+use luxel::scene::Size;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::num::NonZeroU32;
+use std::time::{Duration, Instant};
+
+/// Time frames of an orbiting camera
+///
+/// Each frame is drawn from nothing into finished 8-bit pixels in memory, from another side than the
+/// one before. For example: luxel bench model.ply --size 1920x1080 --samples 1 --frames 100
+#[derive(Args, Debug)]
+pub(crate) struct BenchCommand {
+    #[command(flatten)]
+    input: InputOptions,
+
+    /// How many frames are timed; a tenth as many warm the machine up before
+    #[arg(long, value_name = "N", default_value = "60")]
+    frames: NonZeroU32,
+
+    /// Keep the camera where it is; nothing is skipped for that
+    #[arg(long)]
+    still: bool,
+
+    /// Print a JSON document
+    #[arg(long)]
+    json: bool,
+
+    #[command(flatten)]
+    frame: FrameOptions,
+    #[command(flatten)]
+    light: LightOptions,
+    #[command(flatten)]
+    material: MaterialOptions,
+    #[command(flatten)]
+    shading: ShadingOptions,
+    #[command(flatten)]
+    picture: PictureOptions,
+    #[command(flatten)]
+    execution: ExecutionOptions,
+}
+
+/// What was measured, in milliseconds.
+struct Timings {
+    frames: Vec<f64>,
+    stages: [(&'static str, Vec<f64>); 3],
+}
+
+impl BenchCommand {
+    pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+        let mut model = model::load(&self.input, &self.execution, console)?;
+        surface::apply_material(&self.material, &mut model.scene);
+        surface::apply_normals(&self.shading, &mut model.scene);
+        let scene = &model.scene;
+        let renderer = Renderer::new(scene, &view::execution(&self.execution))
+            .map_err(|error| Failure::work(error.to_string(), ""))?;
+
+        let sides = if self.still { 1 } else { self.frames.get() };
+        let cameras = camera::turntable(&self.frame, scene, sides)?;
+        let views = cameras
+            .into_iter()
+            .map(|camera| view::view(&self.frame, &self.light, &self.picture, None, camera, scene))
+            .collect::<Result<Vec<_>, _>>()?;
+
+        let mut picture = Picture::default();
+        let mut timings = Timings::new();
+        let warm_up = self.frames.get().div_ceil(10);
+        for number in 0..warm_up + self.frames.get() {
+            let view = &views[number as usize % views.len()];
+            let start = Instant::now();
+            renderer
+                .rgba8_into(view, &mut picture)
+                .map_err(|error| Failure::work(error.to_string(), ""))?;
+            let elapsed = start.elapsed();
+            if number >= warm_up {
+                timings.add(elapsed, &picture.stages);
+            }
+        }
+
+        let simd = SimdLevel::name_of(renderer.level());
+        let Size { width, height } = self.frame.size;
+        if self.json {
+            let mut report = timings.to_json();
+            report["threads"] = json!(renderer.threads());
+            report["simd"] = json!(simd);
+            report["triangles"] = json!(scene.triangle_count());
+            report["size"] = json!([width, height]);
+            report["samples"] = json!(self.frame.samples);
+            return output::print_json(&report);
+        }
+        let mut text = format!(
+            "{}: {} triangles, {width}x{height}, samples {}, threads {}, {simd}\n",
+            self.input.name(),
+            scene.triangle_count(),
+            self.frame.samples,
+            renderer.threads(),
+        );
+        text.push_str(&timings.to_text());
+        output::print(&text)
+    }
+}
+
+impl Timings {
+    fn new() -> Self {
+        let stage = |name| (name, Vec::new());
+        let stages = [stage("bin"), stage("visibility"), stage("shade")];
+        Self { frames: Vec::new(), stages }
+    }
+
+    fn add(&mut self, frame: Duration, stages: &luxel::render::Stages) {
+        self.frames.push(milliseconds(frame));
+        let times = [stages.bin, stages.visibility, stages.shade];
+        for ((_, list), time) in self.stages.iter_mut().zip(times) {
+            list.push(milliseconds(time));
+        }
+    }
+
+    /// The stages but `bin` are added up over threads.
+    fn to_json(&self) -> Value {
+        let frames = Spread::of(&self.frames);
+        let stages: Value = self
+            .stages
+            .iter()
+            .map(|(name, times)| ((*name).to_owned(), json!(Spread::of(times).median)))
+            .collect::<serde_json::Map<_, _>>()
+            .into();
+        json!({
+            "frame_ms": { "min": frames.least, "median": frames.median, "p95": frames.p95 },
+            "stages_ms": stages,
+            "frames": self.frames.len(),
+        })
+    }
+
+    fn to_text(&self) -> String {
+        let frames = Spread::of(&self.frames);
+        let mut text = format!(
+            "frame       {:9.3} ms median of {} ({:.3} least, {:.3} 95th percentile)\n",
+            frames.median,
+            self.frames.len(),
+            frames.least,
+            frames.p95,
+        );
+        for (name, times) in &self.stages {
+            let note = if *name == "bin" { "" } else { ", added up over threads" };
+            // Writing to a string can't fail.
+            let _ = writeln!(text, "{name:<11} {:9.3} ms median{note}", Spread::of(times).median);
+        }
+        text
+    }
+}
+
+/// How times are spread.
+struct Spread {
+    least: f64,
+    median: f64,
+    p95: f64,
+}
+
+impl Spread {
+    fn of(times: &[f64]) -> Self {
+        let mut sorted = times.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let at = |part: f64| {
+            let place = (sorted.len().saturating_sub(1) as f64 * part).round() as usize;
+            sorted.get(place).copied().unwrap_or_default()
+        };
+        Self { least: at(0.0), median: at(0.5), p95: at(0.95) }
+    }
+}
+
+/// Milliseconds to the microsecond.
+fn milliseconds(duration: Duration) -> f64 {
+    (duration.as_secs_f64() * 1e6).round() / 1e3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_the_middle_and_the_95th_percentile_near_the_end() {
+        let spread = Spread::of(&(0..=100).rev().map(f64::from).collect::<Vec<_>>());
+        assert_eq!((spread.least, spread.median, spread.p95), (0.0, 50.0, 95.0));
+    }
+}

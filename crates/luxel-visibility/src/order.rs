@@ -1,0 +1,164 @@
+//! The order in which triangles are cut into clusters: along a curve that fills space, so that
+//! neighbours in the order are neighbours in space, whatever the file's order.
+
+use luxel_scene::Mesh;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Bits of a cell's coordinate along each axis.
+const BITS: u32 = 10;
+
+/// Triangles that one task places. Nothing depends on it.
+const TASK_TRIANGLES: usize = 1 << 14;
+
+/// The triangles of a range, by their places in the mesh's list, along a Hilbert curve through the
+/// cells of a grid of 1024 cells a side; in the file's order within a cell.
+pub(crate) fn along_curve(mesh: &Mesh, range: Range<usize>) -> Vec<u32> {
+    let triangles = &mesh.triangles[range.clone()];
+    // Three times the centroid does as well.
+    let centre = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|corner| mesh.positions[corner as usize]);
+        [0, 1, 2].map(|axis| a[axis] + b[axis] + c[axis])
+    };
+    let (low, high) = triangles
+        .par_chunks(TASK_TRIANGLES)
+        .map(|triangles| {
+            triangles
+                .iter()
+                .map(centre)
+                .fold(EMPTY, |bounds, centre| union(bounds, (centre, centre)))
+        })
+        .reduce(|| EMPTY, union);
+    let extent = [0, 1, 2].map(|axis| high[axis] - low[axis]).into_iter().fold(0.0, f32::max);
+    let scale = (1 << BITS) as f32 / extent;
+    // What is no number, or infinite, goes to a side.
+    let cell = |value: f32| (value as u32).min((1 << BITS) - 1);
+    let mut keys: Vec<u64> = triangles
+        .par_iter()
+        .with_min_len(TASK_TRIANGLES)
+        .enumerate()
+        .map(|(place, corners)| {
+            let centre = centre(corners);
+            let cells = [0, 1, 2].map(|axis| cell((centre[axis] - low[axis]) * scale));
+            u64::from(along_hilbert_curve(cells)) << u32::BITS | (range.start + place) as u64
+        })
+        .collect();
+    sort_by_cell(&mut keys);
+    keys.into_iter().map(|key| key as u32).collect()
+}
+
+/// Sorts by the upper halves, and leaves the order of equal ones: digit by digit from the lowest
+/// (Knuth, volume 3, section 5.2.5), four times as fast here as sorting by comparisons.
+fn sort_by_cell(keys: &mut Vec<u64>) {
+    const DIGITS: u32 = 3;
+    const MASK: u64 = (1 << BITS) - 1;
+    let mut sorted = vec![0; keys.len()];
+    for digit in 0..DIGITS {
+        let digit_of = |key: u64| (key >> (u32::BITS + digit * BITS) & MASK) as usize;
+        let mut places = [0_usize; 1 << BITS];
+        for &key in &*keys {
+            places[digit_of(key)] += 1;
+        }
+        let mut next = 0;
+        for place in &mut places {
+            (*place, next) = (next, next + *place);
+        }
+        for &key in &*keys {
+            let place = &mut places[digit_of(key)];
+            sorted[*place] = key;
+            *place += 1;
+        }
+        std::mem::swap(keys, &mut sorted);
+    }
+}
+
+type Bounds = ([f32; 3], [f32; 3]);
+
+const EMPTY: Bounds = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+
+fn union((low, high): Bounds, (other_low, other_high): Bounds) -> Bounds {
+    (
+        [0, 1, 2].map(|axis| low[axis].min(other_low[axis])),
+        [0, 1, 2].map(|axis| high[axis].max(other_high[axis])),
+    )
+}
+
+/// How far along a Hilbert curve a cell of the grid lies (Skilling 2004, "Programming the Hilbert
+/// curve").
+fn along_hilbert_curve(mut cell: [u32; 3]) -> u32 {
+    // From the cell's coordinates to the curve's digits, transposed.
+    for bit in (1..BITS).rev() {
+        let (mask, below) = (1 << bit, (1 << bit) - 1);
+        for axis in 0..3 {
+            if cell[axis] & mask == 0 {
+                let swapped = (cell[0] ^ cell[axis]) & below;
+                cell[0] ^= swapped;
+                cell[axis] ^= swapped;
+            } else {
+                cell[0] ^= below;
+            }
+        }
+    }
+    // Gray code.
+    cell[1] ^= cell[0];
+    cell[2] ^= cell[1];
+    let mut flips = 0;
+    for bit in (1..BITS).rev() {
+        if cell[2] >> bit & 1 == 1 {
+            flips ^= (1 << bit) - 1;
+        }
+    }
+    let [x, y, z] = cell.map(|axis| spread(axis ^ flips));
+    x << 2 | y << 1 | z
+}
+
+/// The lowest ten bits with two zeros between each.
+fn spread(bits: u32) -> u32 {
+    let bits = (bits | bits << 16) & 0x0300_00ff;
+    let bits = (bits | bits << 8) & 0x0300_f00f;
+    let bits = (bits | bits << 4) & 0x030c_30c3;
+    (bits | bits << 2) & 0x0924_9249
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luxel_scene::primitives;
+
+    #[test]
+    fn cells_along_the_curve_share_a_face() {
+        // The first 32^3 cells of the curve fill a cube of 32 cells a side.
+        let mut cells = Vec::new();
+        for x in 0..32 {
+            for y in 0..32 {
+                for z in 0..32 {
+                    cells.push((along_hilbert_curve([x, y, z]), [x, y, z]));
+                }
+            }
+        }
+        cells.sort_unstable();
+        for (place, pair) in cells.windows(2).enumerate() {
+            let [(at, [x, y, z]), (next, [u, v, w])] = [pair[0], pair[1]];
+            assert_eq!((at, next), (place as u32, place as u32 + 1), "a cell is left out");
+            let steps = x.abs_diff(u) + y.abs_diff(v) + z.abs_diff(w);
+            assert_eq!(steps, 1, "from {:?} to {:?}", [x, y, z], [u, v, w]);
+        }
+    }
+
+    #[test]
+    fn every_triangle_of_the_range_is_there_once() {
+        let mesh = primitives::icosphere(1.0, 12);
+        let mut order = along_curve(&mesh, 100..500);
+        order.sort_unstable();
+        assert_eq!(order, (100..500).collect::<Vec<u32>>());
+    }
+
+    #[test]
+    fn what_is_no_number_is_ordered_all_the_same() {
+        let mut mesh = primitives::icosphere(1.0, 4);
+        mesh.positions[3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
+        mesh.positions[7] = [3e38, 3e38, -3e38];
+        let count = mesh.triangles.len();
+        assert_eq!(along_curve(&mesh, 0..count).len(), count);
+    }
+}
