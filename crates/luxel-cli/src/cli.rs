@@ -1,6 +1,6 @@
 //! The command line: commands and the flags that all of them take.
 
-use crate::commands::{bench, completions, demos, info, render};
+use crate::commands::{bench, completions, demos, explain, info, render};
 use clap::{Parser, Subcommand};
 
 /// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
@@ -28,6 +28,7 @@ pub(crate) struct Cli {
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
     Render(Box<render::RenderCommand>),
+    Explain(Box<explain::ExplainCommand>),
     Info(Box<info::InfoCommand>),
     Bench(Box<bench::BenchCommand>),
     Demos(demos::DemosCommand),

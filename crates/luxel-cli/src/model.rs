@@ -91,3 +91,8 @@ fn read_all(input: &mut dyn Read, what: &str, limits: &Limits) -> Result<Vec<u8>
     }
     Ok(bytes)
 }
+
+/// A sound file that holds nothing to be seen.
+pub(crate) fn nothing_to_draw(name: &str) -> Failure {
+    Failure::work(format!("{name}: nothing to draw"), "it holds no triangles, lines or points")
+}

@@ -10,8 +10,10 @@
 
 mod corners;
 mod edges;
+mod explain;
 mod holes;
 mod layers;
+mod ledger;
 mod picture;
 mod place;
 mod renderer;
@@ -22,7 +24,11 @@ mod tiles;
 mod triangles;
 mod view;
 
+pub use explain::At;
 pub use layers::{Layer, LayerValues, ParseLayerError};
+pub use ledger::{
+    ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation, Seen, Unlit,
+};
 pub use luxel_visibility::Cull;
 pub use picture::{
     LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color,

@@ -29,6 +29,9 @@ pub enum RenderError {
     /// A side of 0 or beyond the limit.
     #[error("a picture of {0}x{1} isn't possible: each side has 1 to {MAX_SIDE} pixels")]
     Size(u32, u32),
+    /// A place outside of the picture.
+    #[error("it lies outside of the picture of {}x{} pixels", .0.width, .0.height)]
+    Outside(Size),
     /// More triangles than can be numbered.
     #[error(transparent)]
     TooManyTriangles(#[from] TooManyTriangles),
@@ -166,11 +169,7 @@ impl<'s> Renderer<'s> {
         picture: &mut Picture<[u8; 4]>,
     ) -> Result<(), RenderError> {
         let encoding = view.encoding;
-        let finish = move |[r, g, b, alpha]: [f32; 4]| {
-            let byte = |value| encoding.byte(value);
-            [byte(r), byte(g), byte(b), PictureEncoding::None.byte(alpha)]
-        };
-        self.draw(view, finish, picture)
+        self.draw(view, move |pixel| bytes_of(pixel, encoding), picture)
     }
 
     /// Layers of a view, in the order in which they are asked for.
@@ -180,7 +179,7 @@ impl<'s> Renderer<'s> {
     pub fn layers(&self, view: &View, layers: &[Layer]) -> Result<Vec<LayerValues>, RenderError> {
         // Where nothing is let through but what is wholly transparent, the nearest surface counts.
         let view = View { samples: 1, edges: None, ..view.clone() };
-        self.with_scene(&view, Coverage::Cutout, |scene, holes| {
+        self.with_scene(&view, Coverage::Cutout, None, |scene, holes| {
             let layer_view =
                 LayerView { projection: view.camera.projection, eye: view.camera.eye().to_array() };
             layers
@@ -190,7 +189,7 @@ impl<'s> Renderer<'s> {
                     draw_tiles(
                         scene.frame,
                         &mut pixels,
-                        || (Tile::new(1), Kept::new(self.scene)),
+                        || (Tile::new(1), Kept::new(scene)),
                         |(tile, kept), number, pixels| {
                             let hole = |id, position| holes.hole(scene.frame, id, position);
                             scene.frame.draw_opaque(self.level, number, &hole, tile);
@@ -218,7 +217,7 @@ impl<'s> Renderer<'s> {
         picture: &mut Picture<T>,
     ) -> Result<(), RenderError> {
         let start = (self.clock)();
-        self.with_scene(view, Coverage::Blended, |scene, holes| {
+        self.with_scene(view, Coverage::Blended, None, |scene, holes| {
             let binned = (self.clock)();
             // Most pixels of many pictures are background: finished once.
             let background = scene.background;
@@ -227,12 +226,12 @@ impl<'s> Renderer<'s> {
             draw_tiles(
                 scene.frame,
                 &mut picture.pixels,
-                || Worker::new(scene.frame.samples(), self.scene),
+                || Worker::new(scene.frame.samples(), scene),
                 |worker, number, pixels| {
                     let begin = (self.clock)();
                     let hole = |id, position| holes.hole(scene.frame, id, position);
                     scene.frame.draw_opaque(self.level, number, &hole, &mut worker.opaque);
-                    let layered = self.peel(scene, number, &hole, worker);
+                    let layered = self.peel(scene, number, &hole, worker, &mut |_| {});
                     let visible = (self.clock)();
                     dispatch!(self.level, simd => tile_pixels(simd, scene, worker, layered));
                     for (pixel, &linear) in pixels.iter_mut().zip(&*worker.linear) {
@@ -253,12 +252,15 @@ impl<'s> Renderer<'s> {
     }
 
     /// Gathers the transparent layers of a tile, nearest first; whether there are any.
-    fn peel(
+    ///
+    /// `listen` gets each layer as it is found.
+    pub(crate) fn peel(
         &self,
         scene: &Scene16<'_>,
         number: usize,
         hole: &luxel_visibility::Hole<'_>,
         worker: &mut Worker,
+        listen: &mut dyn FnMut(&Tile),
     ) -> bool {
         if !scene.frame.has_blended() {
             return false;
@@ -269,6 +271,7 @@ impl<'s> Renderer<'s> {
             if !scene.frame.draw_layer(self.level, number, hole, opaque, behind, here) {
                 return depth > 0;
             }
+            listen(here);
             if depth == 0 {
                 layered.clear();
             }
@@ -283,17 +286,22 @@ impl<'s> Renderer<'s> {
     }
 
     /// Puts everything in its place for a view.
-    fn with_scene<R: Send>(
+    ///
+    /// `samples` are the view's unless they are given.
+    pub(crate) fn with_scene<R: Send>(
         &self,
         view: &View,
         blended: Coverage,
+        samples: Option<Samples>,
         work: impl FnOnce(&Scene16<'_>, &Holes<'_>) -> R + Send,
     ) -> Result<R, RenderError> {
         let Size { width, height } = view.size;
         if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
             return Err(RenderError::Size(width, height));
         }
-        let samples = Samples::new(view.samples).ok_or(RenderError::Samples(view.samples))?;
+        let samples = samples
+            .or_else(|| Samples::new(view.samples))
+            .ok_or(RenderError::Samples(view.samples))?;
         self.install(|| {
             let strokes = strokes(self.scene, &self.objects, &view.camera, view.size);
             let instances = place::instances(
@@ -373,9 +381,15 @@ impl<'s> Renderer<'s> {
     }
 }
 
+/// A pixel's bytes. Alpha is never encoded.
+pub(crate) fn bytes_of([r, g, b, alpha]: [f32; 4], encoding: PictureEncoding) -> [u8; 4] {
+    let byte = |value| encoding.byte(value);
+    [byte(r), byte(g), byte(b), PictureEncoding::None.byte(alpha)]
+}
+
 /// What one thread keeps from tile to tile.
-struct Worker {
-    opaque: Tile,
+pub(crate) struct Worker {
+    pub(crate) opaque: Tile,
     layers: [Tile; 2],
     layered: Layered,
     kept: Kept,
@@ -383,7 +397,7 @@ struct Worker {
 }
 
 impl Worker {
-    fn new(samples: Samples, scene: &Scene) -> Self {
+    pub(crate) fn new(samples: Samples, scene: &Scene16<'_>) -> Self {
         let count = samples.count();
         Self {
             opaque: Tile::new(count),

@@ -11,18 +11,18 @@ pub(crate) type BlockPixels = [[f32; LANES]; 4];
 
 /// The distinct triangles of each pixel of a block, in the order of their first samples: the first
 /// ones of all pixels, then the second ones, and so on.
-struct Ranks {
-    list: Vec<Rank>,
+pub(crate) struct Ranks {
+    pub(crate) list: Vec<Rank>,
 }
 
 /// One triangle of each pixel of a block.
 #[derive(Clone, Copy)]
-struct Rank {
-    ids: [u32; LANES],
+pub(crate) struct Rank {
+    pub(crate) ids: [u32; LANES],
     /// Samples that see the triangle; 0 where a pixel has no more triangles.
-    shares: [u8; LANES],
+    pub(crate) shares: [u8; LANES],
     /// The sample that stands for them: the one nearest the pixel's centre.
-    sample: [u8; LANES],
+    pub(crate) sample: [u8; LANES],
 }
 
 impl Ranks {
@@ -37,7 +37,7 @@ impl Ranks {
     }
 
     /// Of any block.
-    fn of(tile: &Tile, block: usize, samples: Samples) -> Self {
+    pub(crate) fn of(tile: &Tile, block: usize, samples: Samples) -> Self {
         let planes = tile.planes();
         let nothing =
             Rank { ids: [TriangleId::NONE.0; LANES], shares: [0; LANES], sample: [0; LANES] };
@@ -74,6 +74,18 @@ fn is_even(tile: &Tile, block: usize) -> bool {
     })
 }
 
+/// Whether nothing is seen in a block.
+#[inline(always)]
+pub(crate) fn is_empty(tile: &Tile, block: usize) -> bool {
+    tile.planes().iter().all(|plane| plane.ids[block] == [TriangleId::NONE.0; LANES])
+}
+
+/// A pixel of a block where nothing is seen.
+pub(crate) fn empty_pixel(scene: &Scene16<'_>) -> [f32; 4] {
+    let [.., alpha] = scene.background;
+    if alpha > 0.0 { scene.background } else { [0.0; 4] }
+}
+
 /// The pixels of a block without transparent surfaces.
 #[inline(always)]
 pub(crate) fn resolve_block<S: Simd>(
@@ -85,10 +97,8 @@ pub(crate) fn resolve_block<S: Simd>(
 ) -> BlockPixels {
     let samples = scene.frame.samples();
     let even = is_even(tile, block);
-    if even && tile.planes()[0].ids[block] == [TriangleId::NONE.0; LANES] {
-        let [.., alpha] = scene.background;
-        let shown = if alpha > 0.0 { scene.background } else { [0.0; 4] };
-        return shown.map(|channel| [channel; LANES]);
+    if is_empty(tile, block) {
+        return empty_pixel(scene).map(|channel| [channel; LANES]);
     }
     let ranks =
         if even { Ranks::even(tile, block, samples) } else { Ranks::of(tile, block, samples) };
@@ -96,24 +106,44 @@ pub(crate) fn resolve_block<S: Simd>(
     let share_of_one = 1.0 / samples.count() as f32;
     for rank in &ranks.list {
         let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);
-        let [r, g, b, alpha] = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
+        let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
         let shares = rank.shares.map(f32::from);
-        let weight = f32x16::simd_from(simd, shares) * share_of_one * alpha;
-        sum = [sum[0] + r * weight, sum[1] + g * weight, sum[2] + b * weight, sum[3] + weight];
+        add_share(&mut sum, lit, f32x16::simd_from(simd, shares) * share_of_one);
     }
-    straight(sum)
+    stored(straight(sum))
+}
+
+/// Adds what a part of the samples sees: colour times alpha, and alpha.
+#[inline(always)]
+pub(crate) fn add_share<N: Number>(sum: &mut [N; 4], [r, g, b, alpha]: [N; 4], share: N) {
+    let weight = share * alpha;
+    *sum = [sum[0] + r * weight, sum[1] + g * weight, sum[2] + b * weight, sum[3] + weight];
 }
 
 /// Divides colours by alpha; black where alpha is 0.
 #[inline(always)]
-fn straight<S: Simd>([r, g, b, alpha]: [f32x16<S>; 4]) -> BlockPixels {
+pub(crate) fn straight<N: Number>([r, g, b, alpha]: [N; 4]) -> [N; 4] {
     let seen = alpha.zero().less(alpha);
     let divisor = alpha.select(seen, alpha.one());
-    [r / divisor, g / divisor, b / divisor, alpha].map(|lanes| {
+    [r / divisor, g / divisor, b / divisor, alpha]
+}
+
+#[inline(always)]
+fn stored<S: Simd>(pixels: [f32x16<S>; 4]) -> BlockPixels {
+    pixels.map(|lanes| {
         let mut out = [0.0; LANES];
         lanes.store_slice(&mut out);
         out
     })
+}
+
+/// Puts a colour behind the light gathered so far, of which `through` comes through.
+#[inline(always)]
+pub(crate) fn put_behind(light: &mut [f32; 3], through: &mut f32, color: [f32; 3], alpha: f32) {
+    for (light, color) in light.iter_mut().zip(color) {
+        *light += *through * alpha * color;
+    }
+    *through *= 1.0 - alpha;
 }
 
 /// A tile in which transparent layers lie over one another.
@@ -202,14 +232,14 @@ impl Layered {
         let share = 1.0 / self.samples as f32;
         for sample in 0..self.samples {
             let at = block * self.samples + sample;
-            for channel in 0..3 {
-                let light = f32x16::simd_from(simd, self.light[at * 3 + channel]);
-                sum[channel] += light * share;
-            }
+            let light = [0, 1, 2].map(
+                #[inline(always)]
+                |channel| f32x16::simd_from(simd, self.light[at * 3 + channel]),
+            );
             let through = f32x16::simd_from(simd, self.through[at]);
-            sum[3] += (through.one() - through) * share;
+            Self::add_sample(&mut sum, light, through, f32x16::splat(simd, share));
         }
-        let resolved = straight(sum);
+        let resolved = stored(straight(sum));
         for (channel, values) in pixels.iter_mut().enumerate() {
             for (lane, value) in values.iter_mut().enumerate() {
                 if touched >> lane & 1 == 1 {
@@ -217,6 +247,15 @@ impl Layered {
                 }
             }
         }
+    }
+
+    /// Adds the light that a sample gathered, and how much it covers.
+    #[inline(always)]
+    pub(crate) fn add_sample<N: Number>(sum: &mut [N; 4], light: [N; 3], through: N, share: N) {
+        for channel in 0..3 {
+            sum[channel] = sum[channel] + light[channel] * share;
+        }
+        sum[3] = sum[3] + (through.one() - through) * share;
     }
 
     /// Lights what the chosen samples of a block see, and puts it behind what they gathered.
@@ -243,14 +282,14 @@ impl Layered {
                         && rank.shares[lane] > 0
                         && plane.ids[block][lane] == rank.ids[lane];
                     if here {
-                        let through = self.through[at][lane];
-                        let alpha = lit[3][lane];
-                        for channel in 0..3 {
-                            self.light[at * 3 + channel][lane] +=
-                                through * alpha * lit[channel][lane];
+                        let color = [lit[0][lane], lit[1][lane], lit[2][lane]];
+                        let mut light = [0, 1, 2].map(|c| self.light[at * 3 + c][lane]);
+                        let through = &mut self.through[at][lane];
+                        put_behind(&mut light, through, color, lit[3][lane]);
+                        seen_through |= *through > OPAQUE_ENOUGH;
+                        for (channel, light) in light.into_iter().enumerate() {
+                            self.light[at * 3 + channel][lane] = light;
                         }
-                        self.through[at][lane] = through * (1.0 - alpha);
-                        seen_through |= self.through[at][lane] > OPAQUE_ENOUGH;
                     }
                 }
             }

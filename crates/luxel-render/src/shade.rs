@@ -37,8 +37,8 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
-    pub(crate) fn new(scene: &Scene) -> Self {
-        Self { corners: Corners::new(Attributes::of(scene)), seen: SeenTriangles::new() }
+    pub(crate) fn new(scene: &Scene16<'_>) -> Self {
+        Self { corners: Corners::new(Attributes::of(scene.scene)), seen: SeenTriangles::new() }
     }
 }
 
@@ -77,8 +77,17 @@ impl Batch {
         batch
     }
 
+    /// One of the samples alone, in the first lane.
+    pub(crate) fn only(&self, lane: usize) -> Self {
+        let mut alone = Self { ids: [TriangleId::NONE.0; LANES], ..*self };
+        alone.ids[0] = self.ids[lane];
+        alone.x[0] = self.x[lane];
+        alone.y[0] = self.y[lane];
+        alone
+    }
+
     /// The position of a lane's sample, in steps of 1/256 pixel.
-    fn steps(&self, lane: usize) -> [i32; 2] {
+    pub(crate) fn steps(&self, lane: usize) -> [i32; 2] {
         let steps =
             |pixel: i32, inside: f32| pixel * SUBPIXELS + (inside * SUBPIXELS as f32) as i32;
         [steps(self.origin[0], self.x[lane]), steps(self.origin[1], self.y[lane])]

@@ -3,6 +3,7 @@
 pub(crate) mod bench;
 pub(crate) mod completions;
 pub(crate) mod demos;
+pub(crate) mod explain;
 pub(crate) mod info;
 mod manual;
 pub(crate) mod render;
@@ -15,6 +16,7 @@ use crate::failure::Failure;
 pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
     match command {
         Command::Render(command) => command.run(console),
+        Command::Explain(command) => command.run(console),
         Command::Info(command) => command.run(console),
         Command::Bench(command) => command.run(console),
         Command::Demos(command) => command.run(),

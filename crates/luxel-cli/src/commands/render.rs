@@ -117,7 +117,7 @@ impl RenderCommand {
         let mut model = model::load(&self.input, &self.execution, console)?;
         watch.lap("read");
         if model.scene.bounds().is_empty() {
-            return Err(nothing_to_draw(&self.input.name()));
+            return Err(model::nothing_to_draw(&self.input.name()));
         }
         surface::apply_material(&self.material, &mut model.scene);
         surface::apply_normals(&self.shading, &mut model.scene);
@@ -276,10 +276,6 @@ fn check_memory(command: &RenderCommand, target: &Target) -> Result<(), Failure>
         format!("a picture of {width}x{height} would take {needed} bytes; the limit is {limit}"),
         "make it smaller with --size, or raise the limit with --max-memory",
     ))
-}
-
-fn nothing_to_draw(name: &str) -> Failure {
-    Failure::work(format!("{name}: nothing to draw"), "it holds no triangles, lines or points")
 }
 
 /// A bar for work of many pictures, on a terminal only.

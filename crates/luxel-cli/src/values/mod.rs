@@ -3,6 +3,7 @@
 //! A parser answers wrong text with one sentence that says what would be right; clap adds the flag
 //! and ends with status 2.
 
+mod at;
 mod fog;
 mod light;
 mod memory;
@@ -13,6 +14,7 @@ mod size;
 mod surroundings;
 mod vector;
 
+pub(crate) use at::at;
 pub(crate) use fog::{FogSpec, fog};
 pub(crate) use light::{LightSpec, light};
 pub(crate) use memory::memory;

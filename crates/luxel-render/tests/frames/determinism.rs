@@ -1,29 +1,9 @@
 //! The same bytes from every number of threads and every instruction set.
 
-use crate::scenes::{execution, matte, scene, square, view};
+use crate::scenes::{execution, glass, view};
 use luxel_math::SimdLevel;
 use luxel_render::{Edges, Layer, Renderer, View};
-use luxel_scene::{AlphaMode, Camera, DMat4, DVec3, Lens, Projection, Scene, Size, demos};
-
-/// A scene with everything at once: textures, masks, glass, many materials.
-fn busy() -> Scene {
-    let mut things = Vec::new();
-    for number in 0..12 {
-        let mut material = matte([0.2 + 0.05 * number as f32, 0.5, 0.8]);
-        if number % 3 == 0 {
-            material.alpha_mode = AlphaMode::Blend;
-            material.opacity = 0.4;
-        }
-        things.push((square(0.0), material));
-    }
-    let mut scene = scene(things);
-    for (number, node) in scene.nodes.iter_mut().enumerate() {
-        let turn = DMat4::from_rotation_x(0.3 * number as f64)
-            * DMat4::from_rotation_y(0.7 * number as f64);
-        node.parent_from_node = turn;
-    }
-    scene
-}
+use luxel_scene::{Camera, DVec3, Lens, Projection, Scene, Size, demos};
 
 fn perspective(scene: &Scene, size: Size) -> View {
     let bounds = scene.bounds();
@@ -67,7 +47,7 @@ fn demos_have_the_same_bytes_however_they_are_run() {
 
 #[test]
 fn glass_and_wires_have_the_same_bytes_however_they_are_run() {
-    let scene = busy();
+    let scene = glass();
     let mut view = perspective(&scene, Size { width: 130, height: 70 });
     check("glass", &scene, &view);
     view.edges = Some(Edges::OVER_FACES);

@@ -3,9 +3,9 @@
 //! `LUXEL_BLESS=1` prints the hashes to be put here instead of comparing them.
 
 use luxel_render::{EnvironmentChoice, Renderer, View};
-use luxel_scene::{Lens, Size, Viewpoint, default_lights, demos, fit_view};
+use luxel_scene::{Size, default_lights, demos};
 
-use crate::scenes::{execution, view};
+use crate::scenes::{execution, fitted};
 use luxel_math::SimdLevel;
 
 /// The hash of each demo's picture, 320x180 with 4 samples a pixel, from its fitted view.
@@ -28,25 +28,17 @@ fn hash(bytes: &[u8]) -> u64 {
 fn demos_look_as_they_did() {
     for (name, _) in demos::names() {
         let scene = demos::demo(name).unwrap();
-        let viewpoint = Viewpoint {
-            up: scene.up,
-            azimuth_radians: 30_f64.to_radians(),
-            elevation_radians: 20_f64.to_radians(),
-        };
         let size = Size { width: 320, height: 180 };
-        let lens = Lens::Perspective { fov_y_radians: 45_f64.to_radians() };
         let mut lights = scene.lights.clone();
         if lights.is_empty() {
             lights = default_lights();
         }
         let view = View {
-            size,
-            camera: fit_view(&scene, &viewpoint, lens, size),
             samples: 4,
             lights,
             ambient: [0.1; 3],
             environment: EnvironmentChoice::StudioForMicrofacets,
-            ..view(1)
+            ..fitted(&scene, size)
         };
         let renderer = Renderer::new(&scene, &execution(0, SimdLevel::Auto)).unwrap();
         let found = hash(renderer.rgba8(&view).unwrap().pixels.as_flattened());

@@ -5,6 +5,7 @@
 mod determinism;
 mod golden;
 mod layers;
+mod ledger;
 mod light;
 mod scenes;
 mod strokes;

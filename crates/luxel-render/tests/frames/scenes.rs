@@ -4,8 +4,8 @@ use luxel_lighting::{Light, LightKind, Material, PictureEncoding, Reflection};
 use luxel_math::SimdLevel;
 use luxel_render::{Cull, EnvironmentChoice, Execution, Renderer, View};
 use luxel_scene::{
-    Camera, DMat4, DVec3, Lens, MaterialId, Mesh, MeshId, Node, Part, Placement, Projection, Scene,
-    SceneLight, SceneMaterial, Size,
+    AlphaMode, Camera, DMat4, DVec3, Lens, MaterialId, Mesh, MeshId, Node, Part, Placement,
+    Projection, Scene, SceneLight, SceneMaterial, Size, Viewpoint, fit_view,
 };
 
 /// A square of 2x2 units at z, facing +Z.
@@ -96,4 +96,35 @@ pub(crate) fn linear(scene: &Scene, view: &View) -> Vec<[f32; 4]> {
 pub(crate) fn middle<T: Copy>(pixels: &[T]) -> T {
     let side = pixels.len().isqrt();
     pixels[side / 2 * side + side / 2]
+}
+
+/// A scene from its fitted viewpoint.
+pub(crate) fn fitted(scene: &Scene, size: Size) -> View {
+    let viewpoint = Viewpoint {
+        up: scene.up,
+        azimuth_radians: 30_f64.to_radians(),
+        elevation_radians: 20_f64.to_radians(),
+    };
+    let lens = Lens::Perspective { fov_y_radians: 45_f64.to_radians() };
+    View { size, camera: fit_view(scene, &viewpoint, lens, size), ..view(1) }
+}
+
+/// Squares turned every way, some of them of glass.
+pub(crate) fn glass() -> Scene {
+    let mut things = Vec::new();
+    for number in 0..12 {
+        let mut material = matte([0.2 + 0.05 * number as f32, 0.5, 0.8]);
+        if number % 3 == 0 {
+            material.alpha_mode = AlphaMode::Blend;
+            material.opacity = 0.4;
+        }
+        things.push((square(0.0), material));
+    }
+    let mut scene = scene(things);
+    for (number, node) in scene.nodes.iter_mut().enumerate() {
+        let turn = DMat4::from_rotation_x(0.3 * number as f64)
+            * DMat4::from_rotation_y(0.7 * number as f64);
+        node.parent_from_node = turn;
+    }
+    scene
 }

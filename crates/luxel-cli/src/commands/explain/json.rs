@@ -1,0 +1,146 @@
+//! The ledger as JSON. Numbers are written with all their digits, so that they read back exactly.
+
+use super::Told;
+use crate::values::reflection_name;
+use luxel::lighting::{Light, LightKind, Reflection};
+use luxel::render::{ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Seen};
+use luxel::scene::Scene;
+use serde_json::{Map, Value, json};
+
+/// The whole document.
+pub(super) fn document(told: &Told<'_>) -> Value {
+    let explanation = told.explanation;
+    let samples = explanation.samples.iter().map(|entry| sample(entry, told.scene));
+    json!({
+        "pixel": explanation.pixel,
+        "position": explanation.position,
+        "samples": samples.collect::<Vec<_>>(),
+        "linear": explanation.linear,
+        "rgba8": explanation.rgba8,
+    })
+}
+
+/// Samples that see the same.
+fn sample(entry: &ExplainedSample, scene: &Scene) -> Value {
+    let mut object = match &*entry.seen {
+        [only] => seen(only, scene),
+        // Their terms are the layers' business; what lies nearest gives the place.
+        [nearest, ..] => {
+            let mut object = seen(nearest, scene);
+            for key in TERMS {
+                object.insert((*key).to_owned(), Value::Null);
+            }
+            let layers: Vec<_> = entry.seen.iter().map(|layer| seen(layer, scene)).collect();
+            object.insert("layers".to_owned(), json!(layers));
+            object
+        }
+        [] => Map::new(),
+    };
+    object.insert("weight".to_owned(), json!(entry.weight));
+    object.insert("covers".to_owned(), json!(entry.covers));
+    object.insert("color".to_owned(), json!(entry.color));
+    object.insert("alpha".to_owned(), json!(entry.alpha));
+    Value::Object(object)
+}
+
+/// The keys that belong to one surface's light.
+const TERMS: &[&str] = &["emission", "scene_ambient", "lights", "environment", "sum", "fog"];
+
+/// What is seen, as an entry of its own.
+fn seen(seen: &Seen, scene: &Scene) -> Map<String, Value> {
+    let value = match seen {
+        Seen::Background { color, alpha } => json!({
+            "index": null,
+            "object": null,
+            "triangle": null,
+            "color": color,
+            "alpha": alpha,
+        }),
+        Seen::Surface(seen) => surface(seen, scene),
+    };
+    match value {
+        Value::Object(map) => map,
+        _ => Map::new(),
+    }
+}
+
+fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
+    let objects = scene.objects();
+    let path = objects.get(seen.object).map(|object| scene.path(object.node));
+    json!({
+        "index": seen.object,
+        "object": seen.name,
+        "path": path,
+        "triangle": seen.triangle,
+        "barycentric": seen.barycentric,
+        "position": seen.position,
+        "normal": seen.normal,
+        "view": seen.view,
+        "z": seen.z,
+        "uv": seen.uv,
+        "material": material(&seen.material),
+        "emission": seen.emission,
+        "ambient_light": seen.ambient_light,
+        "scene_ambient": seen.scene_ambient,
+        "lights": seen.lights.iter().map(light).collect::<Vec<_>>(),
+        "environment": seen.environment,
+        "sum": seen.sum,
+        "fog": seen.fog.map(|(factor, color)| json!({ "factor": factor, "color": color })),
+        "color": seen.color,
+        "alpha": seen.alpha,
+    })
+}
+
+fn material(material: &ExplainedMaterial) -> Value {
+    let ExplainedMaterial { name, constants, reflectance } = material;
+    let mut value = json!({
+        "name": name,
+        "reflection": reflection_name(&constants.reflection),
+        "ambient": reflectance.ambient.lane(0),
+        "diffuse": reflectance.diffuse.lane(0),
+        "specular": reflectance.specular.lane(0),
+        "emission": reflectance.emission.lane(0),
+        "k_a": constants.k_a,
+        "k_d": constants.k_d,
+        "k_s": constants.k_s,
+        "shininess": reflectance.shininess,
+        "metallic": reflectance.metallic,
+        "roughness": reflectance.roughness,
+        "occlusion": reflectance.occlusion,
+    });
+    if let Reflection::Mixed(parts) = &constants.reflection {
+        let parts = parts.iter().map(|(part, weight)| json!([reflection_name(part), weight]));
+        value["mixed"] = parts.collect();
+    }
+    value
+}
+
+fn light(light: &ExplainedLight) -> Value {
+    let terms = &light.terms;
+    let Light { ambient, diffuse, specular, .. } = &light.light;
+    json!({
+        "name": light.name,
+        "kind": kind_name(&light.light),
+        "intensity": { "ambient": ambient, "diffuse": diffuse, "specular": specular },
+        "to_light": terms.to_light.lane(0),
+        "distance": terms.distance,
+        "attenuation": terms.attenuation,
+        "spot": terms.spot,
+        "n_dot_l": terms.n_dot_l,
+        "specular_cosine": terms.specular_cosine,
+        "ambient": terms.ambient.lane(0),
+        "diffuse": terms.diffuse.lane(0),
+        "specular": terms.specular.lane(0),
+        "why_not": light.unlit().map(super::equation::why_not),
+    })
+}
+
+/// The kind as `--light` names it.
+pub(super) fn kind_name(light: &Light) -> &'static str {
+    match light.kind {
+        LightKind::Ambient => "ambient",
+        LightKind::Directional => "directional",
+        LightKind::Point => "point",
+        LightKind::Spot(_) => "spot",
+    }
+}

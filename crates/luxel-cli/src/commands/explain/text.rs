@@ -1,0 +1,304 @@
+//! The ledger as text: the lighting equation with its numbers filled in.
+
+use super::Told;
+use super::equation::{
+    Factor, LightRows, Role, Row, color, highlight_vector, model_name, number, reach, rows,
+};
+use super::json::kind_name;
+use crate::console::printable;
+use luxel::lighting::PictureEncoding;
+use luxel::render::{ExplainedSample, ExplainedSurface, Explanation, Seen};
+use std::io::IsTerminal;
+
+/// Columns of the names of terms.
+const NAMES: usize = 14;
+/// Columns of a term's red, green or blue.
+const VALUE: usize = 9;
+
+/// The whole page.
+pub(super) fn page(told: &Told<'_>) -> String {
+    let mut page = Page { text: String::new(), colored: colored() };
+    page.tell(told);
+    page.text
+}
+
+/// Colours appear on a terminal that has them, unless `NO_COLOR` is set to anything.
+fn colored() -> bool {
+    std::io::stdout().is_terminal()
+        && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+        && std::env::var_os("TERM").is_none_or(|value| value != "dumb")
+}
+
+struct Page {
+    text: String,
+    colored: bool,
+}
+
+/// Quiet text.
+const QUIET: [u8; 3] = [154, 156, 159];
+
+/// The colour of a kind of term, the same wherever terms are shown.
+fn role_color(role: Role) -> [u8; 3] {
+    match role {
+        Role::Ambient => [0x7d, 0x8c, 0xa3],
+        Role::Diffuse => [0x5a, 0xa9, 0xe6],
+        Role::Specular => [0xf2, 0xf2, 0xf2],
+        Role::Emission => [0xf2, 0x8f, 0x5a],
+        Role::Environment => [0xc9, 0xa2, 0xf2],
+        Role::Fog => [0xa3, 0xb5, 0xa6],
+        Role::Sum => [0xf2, 0xb8, 0x4b],
+    }
+}
+
+impl Page {
+    fn line(&mut self, text: &str) {
+        self.text.push_str(text.trim_end());
+        self.text.push('\n');
+    }
+
+    fn painted(&self, text: &str, [r, g, b]: [u8; 3]) -> String {
+        if self.colored { format!("\x1b[38;2;{r};{g};{b}m{text}\x1b[0m") } else { text.to_owned() }
+    }
+
+    fn quiet(&self, text: &str) -> String {
+        self.painted(text, QUIET)
+    }
+
+    fn bold(&self, text: &str) -> String {
+        if self.colored { format!("\x1b[1m{text}\x1b[0m") } else { text.to_owned() }
+    }
+
+    /// A patch of a colour, on a terminal.
+    fn patch(&self, [r, g, b]: [u8; 3]) -> String {
+        if self.colored { format!("\x1b[48;2;{r};{g};{b}m    \x1b[0m ") } else { String::new() }
+    }
+
+    fn tell(&mut self, told: &Told<'_>) {
+        let Explanation { pixel: [x, y], position, samples, rgba8, .. } = told.explanation;
+        let [r, g, b, alpha] = *rgba8;
+        let place = match position {
+            Some([x, y]) => format!("point ({x}, {y})"),
+            None => format!("pixel ({x}, {y})"),
+        };
+        let head = self.bold(&format!("{place} of {}", printable(&told.model)));
+        let patch = self.patch([r, g, b]);
+        self.line(&format!("{head}   {patch}#{r:02x}{g:02x}{b:02x}   {r} {g} {b}, alpha {alpha}"));
+        for entry in samples {
+            self.line("");
+            self.sample(entry, told);
+        }
+        self.line("");
+        self.pixel(told);
+    }
+
+    fn sample(&mut self, entry: &ExplainedSample, told: &Told<'_>) {
+        let share = share(entry);
+        let layers = entry.seen.len();
+        for (number, seen) in entry.seen.iter().enumerate() {
+            let which = match (number, layers) {
+                (0, 1) => format!("{share} sees"),
+                (0, _) => format!("{share} sees first"),
+                _ => "and behind it".to_owned(),
+            };
+            match seen {
+                Seen::Background { color: behind, alpha } => {
+                    let text = format!("the background, {}, alpha {}", color(*behind), alpha);
+                    self.line(&format!("{which} {text}"));
+                }
+                Seen::Surface(surface) => {
+                    self.surface(&which, surface, told);
+                    if layers > 1 {
+                        let alpha = number_of(surface.alpha);
+                        self.line(&format!("  {:NAMES$}{alpha}", "alpha"));
+                    }
+                }
+            }
+        }
+        if layers > 1 {
+            let all = format!("  {:NAMES$}", "together");
+            let text = self.painted(&(all + &values(entry.color)), role_color(Role::Sum));
+            self.line(&format!("{text}  alpha {}", number_of(entry.alpha)));
+        }
+    }
+
+    fn surface(&mut self, which: &str, surface: &ExplainedSurface, told: &Told<'_>) {
+        let objects = told.scene.objects();
+        let path = objects.get(surface.object).map(|object| told.scene.path(object.node));
+        let name = path.map_or_else(|| surface.name.clone(), |path| path.join(" / "));
+        let triangle = match surface.triangle {
+            Some(triangle) => format!("triangle {triangle} of "),
+            None => "a point or line of ".to_owned(),
+        };
+        self.line(&format!("{which} {triangle}{}", self.bold(&printable(&name))));
+        let [a, b, c] = surface.barycentric.map(number_of);
+        let [x, y, z] = surface.position.map(|side| number(side as f32));
+        let place = format!("({x}, {y}, {z})");
+        self.line(
+            &self.quiet(&format!("  {:NAMES$}{place}   corners weigh {a}, {b}, {c}", "place")),
+        );
+        let vectors = format!("N = {}   V = {}", vector(surface.normal), vector(surface.view));
+        self.line(&self.quiet(&format!("  {:NAMES$}{vectors}", "vectors")));
+        let material = material_line(surface);
+        self.line(&self.quiet(&format!("  {:NAMES$}{}", "material", printable(&material))));
+        self.line(&self.quiet(&format!(
+            "  {:NAMES$}{:>VALUE$}{:>VALUE$}{:>VALUE$}",
+            "", "red", "green", "blue"
+        )));
+        let rows = rows(surface);
+        for row in &rows.own {
+            self.row(row, "");
+        }
+        for light in &rows.lights {
+            self.light(light, surface);
+        }
+        if let Some(environment) = &rows.environment {
+            self.row(environment, "");
+        }
+        self.total("= I", surface.sum, Role::Sum, "");
+        if let Some((factor, fog)) = surface.fog {
+            let note = format!(
+                "s I + (1 - s) I_dc = {} I + {} x {}, {} away",
+                number(factor),
+                number(1.0 - factor),
+                color(fog),
+                number(surface.z),
+            );
+            self.total("= I' in fog", surface.color, Role::Fog, &note);
+        }
+    }
+
+    fn light(&mut self, told: &LightRows<'_>, surface: &ExplainedSurface) {
+        let light = told.light;
+        let mut head = format!(
+            "  {} ({})   N.L = {}   L = {}",
+            self.bold(&printable(&light.name)),
+            kind_name(&light.light),
+            number(light.terms.n_dot_l),
+            vector(light.terms.to_light.lane(0)),
+        );
+        if let Some((name, highlight)) = highlight_vector(surface, light)
+            && told.why_not.is_none()
+        {
+            head += &format!("   {name} = {}", vector(highlight));
+        }
+        if let Some(reach) = reach(light) {
+            head += &format!("   {reach}");
+        }
+        self.line(&head);
+        for row in &told.rows {
+            self.row(row, "  ");
+        }
+        if let Some(why) = &told.why_not {
+            let why = self.quiet(&format!(
+                "    adds {} light: {why}",
+                if told.rows.is_empty() { "no" } else { "no other" }
+            ));
+            self.line(&why);
+        }
+    }
+
+    fn row(&mut self, row: &Row, indent: &str) {
+        let name = format!("  {indent}{:width$}", row.name, width = NAMES - indent.len());
+        let told = self.painted(&(name + &values(row.value)), role_color(row.role));
+        let symbols: Vec<_> = row.factors.iter().map(symbol_text).collect();
+        let numbers: Vec<_> = row.factors.iter().map(factor_text).collect();
+        let product = format!("  = {}", numbers.join(" x "));
+        self.line(&format!("{told}  = {}", symbols.join(" ")));
+        self.line(&self.quiet(&format!("  {:width$}{product}", "", width = NAMES + 3 * VALUE)));
+    }
+
+    fn total(&mut self, name: &str, value: [f32; 3], role: Role, note: &str) {
+        let text = format!("  {name:NAMES$}{}", values(value));
+        let text = self.painted(&text, role_color(role));
+        let note = if note.is_empty() { String::new() } else { self.quiet(&format!("  {note}")) };
+        self.line(&format!("{text}{note}"));
+    }
+
+    /// From the entries to the bytes.
+    fn pixel(&mut self, told: &Told<'_>) {
+        let Explanation { samples, linear: [r, g, b, alpha], rgba8, .. } = told.explanation;
+        if samples.len() > 1 {
+            let parts: Vec<_> = samples
+                .iter()
+                .map(|entry| {
+                    let (weight, alpha) = (entry.weight, entry.alpha);
+                    let cover = if alpha == 1.0 {
+                        String::new()
+                    } else {
+                        format!(" x {}", number_of(alpha))
+                    };
+                    format!("{weight}{cover} {}", color(entry.color))
+                })
+                .collect();
+            self.line(&format!("{:width$}{}", "mixed", parts.join(" + "), width = NAMES + 2));
+        }
+        let text = format!("{:width$}{}", "pixel", values([*r, *g, *b]), width = NAMES + 2);
+        let shown = self.painted(&text, role_color(Role::Sum));
+        let curve = match told.view.encoding {
+            PictureEncoding::Srgb => "clamped to 0..1, through the curve of sRGB",
+            PictureEncoding::None => "clamped to 0..1",
+        };
+        let [byte_r, byte_g, byte_b, byte_alpha] = rgba8;
+        self.line(&format!(
+            "{shown}  alpha {}   {curve}, times 255: {byte_r} {byte_g} {byte_b}, alpha {byte_alpha}",
+            number_of(*alpha),
+        ));
+    }
+}
+
+/// How many of the samples an entry is about.
+fn share(entry: &ExplainedSample) -> String {
+    if entry.weight == 1.0 {
+        return "the pixel".to_owned();
+    }
+    let count = entry.covers.len() as f32;
+    let all = (count / entry.weight).round();
+    format!("{count} of {all} samples: it")
+}
+
+fn material_line(surface: &ExplainedSurface) -> String {
+    let material = &surface.material;
+    let (constants, reflectance) = (&material.constants, &material.reflectance);
+    let mut text =
+        if material.name.is_empty() { String::new() } else { format!("{}, ", material.name) };
+    text += &model_name(&constants.reflection);
+    text += &format!("   O_d = {}", color(reflectance.diffuse.lane(0)));
+    text
+}
+
+fn symbol_text(factor: &Factor) -> String {
+    let text = factor.symbol().text;
+    match factor {
+        Factor::Cosine(..) => format!("max({text}, 0)"),
+        Factor::Power(..) => format!("max({text}, 0)^n"),
+        _ => text.to_owned(),
+    }
+}
+
+fn factor_text(factor: &Factor) -> String {
+    match factor {
+        Factor::Number(_, value) => number(*value),
+        Factor::Color(_, value) => color(*value),
+        Factor::Cosine(_, value) => number(value.max(0.0)),
+        Factor::Power(_, value, n) => format!("{}^{}", number(value.max(0.0)), number(*n)),
+        Factor::Named(symbol) => symbol.text.to_owned(),
+    }
+}
+
+fn vector([x, y, z]: [f32; 3]) -> String {
+    format!("({x:.3}, {y:.3}, {z:.3})")
+}
+
+/// Red, green and blue in their columns.
+fn values(color: [f32; 3]) -> String {
+    color.map(|value| format!("{:>VALUE$}", number_of(value))).concat()
+}
+
+/// A number of about 1, in a column.
+fn number_of(value: f32) -> String {
+    if value == 0.0 || (1e-4..1e4).contains(&value.abs()) {
+        format!("{value:.4}")
+    } else {
+        format!("{value:.1e}")
+    }
+}

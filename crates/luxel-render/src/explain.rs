@@ -1,0 +1,326 @@
+//! Why a pixel has its colour: the drawing of one pixel, run again with the terms written down.
+//!
+//! The tile that holds the pixel is drawn as in every frame. What its samples see is then lit by the
+//! same code that lights sixteen pixels at a time, this time one sample at a time and with a witness
+//! that writes every term down; as one number and sixteen lanes give the same bits, the ledger's
+//! colours are the picture's.
+
+use crate::ledger::{
+    ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation, Seen,
+};
+use crate::renderer::{RenderError, Renderer, Worker};
+use crate::resolve::{self, Layered, Ranks};
+use crate::shade::{Batch, Kept, Scene16, shade};
+use crate::surface::SurfaceWitness;
+use crate::view::View;
+use luxel_lighting::{Ledger, LightKind, LightTerms, Reflectance, SurfacePoint, Terms, Witness};
+use luxel_math::{LANES, Rgb, SUBPIXELS};
+use luxel_scene::{SceneLight, Size};
+use luxel_visibility::{BLOCK, Coverage, Samples, TILE, Tile, TriangleId};
+
+/// What is asked about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum At {
+    /// A pixel with all its samples: column and row.
+    Pixel([u32; 2]),
+    /// One sample at a point of the window, in pixels from its upper left corner, rounded to 1/256.
+    Point([f64; 2]),
+}
+
+impl At {
+    /// The pixel, and the place of its only sample; `None` outside of the window.
+    fn place(self, size: Size) -> Option<([u32; 2], Option<[i32; 2]>)> {
+        let (pixel, sample) = match self {
+            Self::Pixel(pixel) => (pixel, None),
+            Self::Point(point) => {
+                let steps = point.map(|side| (side * f64::from(SUBPIXELS)).round());
+                // NaN is in no range.
+                let within = |steps: f64, side: u32| {
+                    (0.0..f64::from(side) * f64::from(SUBPIXELS)).contains(&steps)
+                };
+                if !within(steps[0], size.width) || !within(steps[1], size.height) {
+                    return None;
+                }
+                let steps = steps.map(|steps| steps as i32);
+                let pixel = steps.map(|steps| (steps / SUBPIXELS) as u32);
+                (pixel, Some(steps.map(|steps| steps % SUBPIXELS)))
+            }
+        };
+        (pixel[0] < size.width && pixel[1] < size.height).then_some((pixel, sample))
+    }
+}
+
+impl Renderer<'_> {
+    /// Explains a pixel of a view, or one sample of it: what is seen there, and every term of its
+    /// light. [`Explanation::rgba8`] is the pixel of [`Renderer::rgba8`]. Edges aren't explained.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible, or the place lies outside of it.
+    pub fn explain(&self, view: &View, at: At) -> Result<Explanation, RenderError> {
+        let (pixel, only) = at.place(view.size).ok_or(RenderError::Outside(view.size))?;
+        let explained = self.explain_places(view, &[pixel], only)?;
+        explained.into_iter().next().ok_or(RenderError::Outside(view.size))
+    }
+
+    /// Explains pixels of a view, by column and row, as [`Renderer::explain`] does one. Those of one
+    /// tile of 64x64 pixels, if they follow one another, are drawn at once.
+    ///
+    /// # Errors
+    /// As [`Renderer::explain`].
+    pub fn explain_pixels(
+        &self,
+        view: &View,
+        pixels: &[[u32; 2]],
+    ) -> Result<Vec<Explanation>, RenderError> {
+        let outside = pixels.iter().any(|&pixel| At::Pixel(pixel).place(view.size).is_none());
+        if outside {
+            Err(RenderError::Outside(view.size))
+        } else {
+            self.explain_places(view, pixels, None)
+        }
+    }
+
+    /// Explains pixels, each with all its samples or with one only, which lie inside of the view.
+    fn explain_places(
+        &self,
+        view: &View,
+        pixels: &[[u32; 2]],
+        only: Option<[i32; 2]>,
+    ) -> Result<Vec<Explanation>, RenderError> {
+        let view = View { edges: None, ..view.clone() };
+        self.with_scene(&view, Coverage::Blended, only.map(Samples::one_at), |scene, holes| {
+            let mut worker = Worker::new(scene.frame.samples(), scene);
+            let mut kept = Kept::new(scene);
+            let [across, _] = scene.frame.tiles();
+            let tile_of = |side: u32| side as usize / TILE as usize;
+            let (mut drawn, mut layers) = (None, Vec::new());
+            let mut explain = |&pixel: &[u32; 2]| {
+                let number = tile_of(pixel[1]) * across + tile_of(pixel[0]);
+                if drawn != Some(number) {
+                    let hole = |id, position| holes.hole(scene.frame, id, position);
+                    scene.frame.draw_opaque(self.level(), number, &hole, &mut worker.opaque);
+                    layers.clear();
+                    let mut keep = |layer: &Tile| layers.push(layer.clone());
+                    self.peel(scene, number, &hole, &mut worker, &mut keep);
+                    drawn = Some(number);
+                }
+                let place = Tile::place(pixel[0] as i32 % TILE, pixel[1] as i32 % TILE);
+                PixelScene { scene, view: &view, renderer: self, place }.explain(
+                    pixel,
+                    only,
+                    &worker.opaque,
+                    &layers,
+                    &mut kept,
+                )
+            };
+            pixels.iter().map(&mut explain).collect()
+        })
+    }
+}
+
+/// For each sample of one pixel, what it sees and the sample at which that is lit.
+struct SeenBySample(Vec<(TriangleId, u8)>);
+
+impl SeenBySample {
+    fn of(tile: &Tile, (block, lane): (usize, usize), samples: Samples) -> Self {
+        let ranks = Ranks::of(tile, block, samples);
+        let seen = tile.planes().iter().map(|plane| {
+            let id = plane.ids[block][lane];
+            let stands_for =
+                ranks.list.iter().find(|rank| rank.ids[lane] == id && rank.shares[lane] > 0);
+            (TriangleId(id), stands_for.map_or(0, |rank| rank.sample[lane]))
+        });
+        Self(seen.collect())
+    }
+}
+
+/// One pixel of a frame.
+struct PixelScene<'a> {
+    scene: &'a Scene16<'a>,
+    view: &'a View,
+    renderer: &'a Renderer<'a>,
+    /// Block and lane within the tile.
+    place: (usize, usize),
+}
+
+impl PixelScene<'_> {
+    fn explain(
+        &self,
+        pixel: [u32; 2],
+        only: Option<[i32; 2]>,
+        opaque: &Tile,
+        layers: &[Tile],
+        kept: &mut Kept,
+    ) -> Explanation {
+        let (block, _) = self.place;
+        let samples = self.scene.frame.samples();
+        let layers: Vec<_> =
+            layers.iter().map(|layer| SeenBySample::of(layer, self.place, samples)).collect();
+        let behind = SeenBySample::of(opaque, self.place, samples);
+        // What each sample sees, nearest first; what doesn't cover it shows what lies behind all.
+        let stacks: Vec<Vec<(TriangleId, u8)>> = (0..samples.count())
+            .map(|sample| {
+                let through = layers.iter().map(|layer| layer.0[sample]);
+                let last = behind.0[sample];
+                through.filter(|seen| seen.0 != last.0).chain([last]).collect()
+            })
+            .collect();
+        let layered = stacks.iter().any(|stack| stack.len() > 1);
+        let mut entries: Vec<(&Vec<(TriangleId, u8)>, ExplainedSample)> = Vec::new();
+        for (sample, stack) in stacks.iter().enumerate() {
+            if let Some((_, known)) = entries.iter_mut().find(|(other, _)| *other == stack) {
+                known.covers.push(sample as u8);
+                continue;
+            }
+            let seen = stack.iter().map(|&seen| self.seen(opaque, seen, kept)).collect();
+            entries.push((stack, ExplainedSample::new(sample as u8, seen)));
+        }
+        let mut explained: Vec<_> = entries.into_iter().map(|(_, entry)| entry).collect();
+        for entry in &mut explained {
+            entry.weight = entry.covers.len() as f32 / samples.count() as f32;
+        }
+        let linear = if layered {
+            layered_pixel(&explained, samples.count())
+        } else if resolve::is_empty(opaque, block) {
+            resolve::empty_pixel(self.scene)
+        } else {
+            even_pixel(&explained, samples.count())
+        };
+        Explanation {
+            pixel,
+            position: only.map(|inside| {
+                let place = |axis: usize| {
+                    f64::from(pixel[axis]) + f64::from(inside[axis]) / f64::from(SUBPIXELS)
+                };
+                [place(0), place(1)]
+            }),
+            samples: explained,
+            linear,
+            rgba8: crate::renderer::bytes_of(linear, self.view.encoding),
+        }
+    }
+
+    /// What one sample sees of one triangle, or the background.
+    fn seen(&self, tile: &Tile, (id, sample): (TriangleId, u8), kept: &mut Kept) -> Seen {
+        let scene = self.scene;
+        let (block, lane) = self.place;
+        let samples = scene.frame.samples();
+        let batch = Batch::new(tile, block, [id.0; LANES], &[sample; LANES], samples).only(lane);
+        let mut written = Written::default();
+        let [r, g, b, alpha] = shade(0.0_f32, scene, &batch, kept, &mut written);
+        let Some(of) = scene.frame.triangle(id) else {
+            return Seen::Background { color: [r, g, b], alpha };
+        };
+        let object = scene.objects[of.instance];
+        let mesh = scene.frame.instances()[of.instance].mesh;
+        let material = &scene.scene.materials[mesh.parts[of.part].material.index()];
+        let weights = scene.frame.forms(of).barycentric(scene.frame.rays(), batch.steps(0));
+        let eye = self.view.camera.eye().to_array();
+        let position = written.point.map(|point| point.position.lane(0)).unwrap_or_default();
+        let node = &self.renderer.objects()[object].node;
+        let uv = if mesh.uvs[0].is_empty() { None } else { Some(kept.corners.uv(0, &weights)) };
+        let lights = self.lights();
+        Seen::Surface(Box::new(ExplainedSurface {
+            object,
+            name: scene.scene.nodes[node.index()].name.clone(),
+            // Points and lines come after the objects' own instances and have no triangles.
+            triangle: (object == of.instance).then_some(of.triangle),
+            barycentric: weights,
+            position: std::array::from_fn(|axis| eye[axis] + f64::from(position[axis])),
+            normal: written.point.map(|point| point.normal.lane(0)).unwrap_or_default(),
+            view: written.point.map(|point| point.view.lane(0)).unwrap_or_default(),
+            z: written.point.map_or(0.0, |point| point.depth),
+            uv,
+            material: ExplainedMaterial {
+                name: material.name.clone(),
+                constants: material.constants.clone(),
+                reflectance: written
+                    .reflectance
+                    .unwrap_or_else(|| Reflectance::of(0.0, &material.constants)),
+            },
+            ambient_light: scene.ambient,
+            lights: written
+                .ledger
+                .lights
+                .iter()
+                .map(|entry| ExplainedLight {
+                    name: lights[entry.index].name.clone(),
+                    light: lights[entry.index].light.clone(),
+                    terms: entry.terms,
+                })
+                .collect(),
+            emission: written.ledger.emission,
+            scene_ambient: written.ledger.scene_ambient,
+            environment: written.ledger.environment,
+            sum: written.ledger.sum,
+            fog: written.ledger.fog,
+            color: [r, g, b],
+            alpha,
+        }))
+    }
+
+    /// The lights that have terms, in the order of the equation.
+    fn lights(&self) -> Vec<&SceneLight> {
+        let shines = |light: &&SceneLight| light.light.kind != LightKind::Ambient;
+        self.view.lights.iter().filter(shines).collect()
+    }
+}
+
+/// Samples without transparent surfaces become a pixel.
+fn even_pixel(samples: &[ExplainedSample], count: usize) -> [f32; 4] {
+    let mut sum = [0.0; 4];
+    for sample in samples {
+        let [r, g, b] = sample.color;
+        let share = sample.covers.len() as f32 * (1.0 / count as f32);
+        resolve::add_share(&mut sum, [r, g, b, sample.alpha], share);
+    }
+    resolve::straight(sum)
+}
+
+/// Samples with transparent surfaces become a pixel.
+fn layered_pixel(entries: &[ExplainedSample], count: usize) -> [f32; 4] {
+    let mut sum = [0.0; 4];
+    for sample in 0..count as u8 {
+        let Some(entry) = entries.iter().find(|entry| entry.covers.contains(&sample)) else {
+            continue;
+        };
+        let (light, through) = entry.gathered();
+        Layered::add_sample(&mut sum, light, through, 1.0 / count as f32);
+    }
+    resolve::straight(sum)
+}
+
+/// Writes down what one sample sees and every term of its light.
+#[derive(Default)]
+pub(crate) struct Written {
+    pub(crate) point: Option<SurfacePoint<f32>>,
+    pub(crate) reflectance: Option<Reflectance<f32>>,
+    pub(crate) ledger: Ledger,
+}
+
+impl Witness<f32> for Written {
+    fn light(&mut self, index: usize, terms: &LightTerms<f32>) {
+        self.ledger.light(index, terms);
+    }
+
+    fn terms(&mut self, terms: &Terms<f32>) {
+        self.ledger.terms(terms);
+    }
+
+    fn fog(&mut self, factor: f32, color: Rgb<f32>) {
+        self.ledger.fog(factor, color);
+    }
+
+    fn color(&mut self, color: Rgb<f32>) {
+        self.ledger.color(color);
+    }
+}
+
+impl SurfaceWitness<f32> for Written {
+    fn surface(&mut self, point: &SurfacePoint<f32>, reflectance: &Reflectance<f32>, _alpha: f32) {
+        self.point = Some(*point);
+        self.reflectance = Some(*reflectance);
+    }
+}
+
+const _: () = assert!(TILE % BLOCK == 0, "a tile's pixels are those of its blocks");

@@ -1,0 +1,232 @@
+//! The ledger of a pixel: what [`Renderer::explain`](crate::Renderer::explain) answers.
+//!
+//! All numbers are those that made the pixel, bit for bit, so that it can be made again from them:
+//!
+//! 1. `sum` = ((emission + scene_ambient) + each light's ambient, then diffuse, then specular, light
+//!    by light) + environment, from left to right in `f32`.
+//! 2. `color` = s sum + (1 - s) I_dc where there is fog, else `sum`.
+//! 3. An entry that sees several surfaces gathers them nearest first: light += t alpha color,
+//!    t *= 1 - alpha, from light = 0 and t = 1. Its `alpha` is 1 - t and its `color` light / alpha.
+//! 4. The pixel, if no sample sees several surfaces, is the entries' sum of color (weight alpha),
+//!    divided by the sum of weight alpha, which is its alpha. An entry alone is the pixel. If any
+//!    sample does, it is the sum over the samples, by number, of light / N, divided by the sum of
+//!    (1 - t) / N.
+//! 5. `rgba8` is [`PictureEncoding::byte`](luxel_lighting::PictureEncoding::byte) of it.
+
+use luxel_lighting::{Cone, Light, LightKind, LightTerms, Material, Reflectance};
+
+/// Why a pixel has its colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Explanation {
+    /// The pixel: column and row.
+    pub pixel: [u32; 2],
+    /// The point that was asked about, in pixels, if it was one point.
+    pub position: Option<[f64; 2]>,
+    /// What the samples see: those that see the same are one entry.
+    pub samples: Vec<ExplainedSample>,
+    /// The pixel's colour (straight) and alpha, linear, before clamping.
+    pub linear: [f32; 4],
+    /// The pixel's bytes: red, green, blue, alpha.
+    pub rgba8: [u8; 4],
+}
+
+/// Samples that see the same surfaces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplainedSample {
+    /// Their share of the pixel's samples.
+    pub weight: f32,
+    /// The samples, by number.
+    pub covers: Vec<u8>,
+    /// What they see, nearest first: transparent surfaces, then what is opaque or the background.
+    pub seen: Vec<Seen>,
+    /// The colour of all that is seen (straight, not multiplied by alpha).
+    pub color: [f32; 3],
+    /// How much of what lies behind is covered.
+    pub alpha: f32,
+}
+
+/// What a sample sees.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Seen {
+    /// Nothing.
+    Background {
+        /// Its colour (straight).
+        color: [f32; 3],
+        /// Its alpha.
+        alpha: f32,
+    },
+    /// A surface.
+    Surface(Box<ExplainedSurface>),
+}
+
+/// A surface at a sample, with every term of its light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplainedSurface {
+    /// The object, by its place among [`Renderer::objects`](crate::Renderer::objects).
+    pub object: usize,
+    /// Its name.
+    pub name: String,
+    /// The triangle, by its number in the object; `None` for points and lines.
+    pub triangle: Option<u32>,
+    /// The weights of its corners.
+    pub barycentric: [f32; 3],
+    /// The place, in world space.
+    pub position: [f64; 3],
+    /// N: the normal that was lit, of unit length, in world space.
+    pub normal: [f32; 3],
+    /// V: towards the eye, of unit length, in world space.
+    pub view: [f32; 3],
+    /// The distance from the eye along the viewing axis.
+    pub z: f32,
+    /// Texture coordinates of the first set.
+    pub uv: Option<[f32; 2]>,
+    /// What the surface reflects.
+    pub material: ExplainedMaterial,
+    /// I_a of the scene, ambient lights included.
+    pub ambient_light: [f32; 3],
+    /// What each directional, point and spot light adds, in the order of the view.
+    pub lights: Vec<ExplainedLight>,
+    /// What the surface sends of its own.
+    pub emission: [f32; 3],
+    /// I_a k_a O_a
+    pub scene_ambient: [f32; 3],
+    /// What the surface mirrors of the environment.
+    pub environment: [f32; 3],
+    /// The sum of all terms.
+    pub sum: [f32; 3],
+    /// s and I_dc, where there is fog.
+    pub fog: Option<(f32, [f32; 3])>,
+    /// What goes to the eye.
+    pub color: [f32; 3],
+    /// How much of what lies behind is covered.
+    pub alpha: f32,
+}
+
+/// A material at a sample.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplainedMaterial {
+    /// Its name.
+    pub name: String,
+    /// The constants, k_a, k_d, k_s and the model among them.
+    pub constants: Material,
+    /// What textures and vertex colours made of the others.
+    pub reflectance: Reflectance<f32>,
+}
+
+/// One light's terms at a sample.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplainedLight {
+    /// Its name.
+    pub name: String,
+    /// Its kind and intensities.
+    pub light: Light,
+    /// Factors and products.
+    pub terms: LightTerms<f32>,
+}
+
+/// Why a light adds nothing to the diffuse and the specular term.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unlit {
+    /// N.L <= 0: the light stands behind the surface.
+    Behind,
+    /// The surface lies outside of the cone; the angle to its axis isn't known here.
+    OutsideCone {
+        /// The cosine of the cone's half-angle.
+        cos_cutoff: f32,
+    },
+    /// The surface lies beyond the light's range.
+    OutOfRange {
+        /// Where the light ends.
+        range: f32,
+    },
+    /// The light stands at the surface itself.
+    AtTheSurface,
+    /// The light has no intensity for reflection.
+    Dark,
+    /// The surface reflects nothing of its colour.
+    Absorbed,
+}
+
+impl ExplainedSample {
+    /// An entry for one sample.
+    pub(crate) fn new(sample: u8, seen: Vec<Seen>) -> Self {
+        let mut entry =
+            Self { weight: 0.0, covers: vec![sample], seen, color: [0.0; 3], alpha: 0.0 };
+        if let [only] = &*entry.seen {
+            (entry.color, entry.alpha) = (only.color(), only.alpha());
+        } else {
+            let (light, through) = entry.gathered();
+            entry.alpha = 1.0 - through;
+            let divisor = if entry.alpha > 0.0 { entry.alpha } else { 1.0 };
+            entry.color = light.map(|channel| channel / divisor);
+        }
+        entry
+    }
+
+    /// The light of all that is seen, times alpha, and how much of what lies behind still comes
+    /// through.
+    #[must_use]
+    pub fn gathered(&self) -> ([f32; 3], f32) {
+        let (mut light, mut through) = ([0.0; 3], 1.0);
+        for seen in &self.seen {
+            crate::resolve::put_behind(&mut light, &mut through, seen.color(), seen.alpha());
+        }
+        (light, through)
+    }
+}
+
+impl Seen {
+    /// What goes to the eye of it, not multiplied by alpha.
+    #[must_use]
+    pub fn color(&self) -> [f32; 3] {
+        match self {
+            Self::Background { color, .. } => *color,
+            Self::Surface(surface) => surface.color,
+        }
+    }
+
+    /// How much of what lies behind it covers.
+    #[must_use]
+    pub fn alpha(&self) -> f32 {
+        match self {
+            Self::Background { alpha, .. } => *alpha,
+            Self::Surface(surface) => surface.alpha,
+        }
+    }
+
+    /// The surface, if it is one.
+    #[must_use]
+    pub fn surface(&self) -> Option<&ExplainedSurface> {
+        match self {
+            Self::Background { .. } => None,
+            Self::Surface(surface) => Some(surface),
+        }
+    }
+}
+
+impl ExplainedLight {
+    /// Why the light adds no diffuse and no specular term; `None` if it adds one.
+    #[must_use]
+    pub fn unlit(&self) -> Option<Unlit> {
+        let LightTerms { distance, attenuation, spot, n_dot_l, diffuse, specular, .. } =
+            &self.terms;
+        let black = [0.0; 3];
+        if diffuse.lane(0) != black || specular.lane(0) != black {
+            return None;
+        }
+        let Light { kind, diffuse, specular, attenuation: law, .. } = &self.light;
+        Some(match (kind, law.range) {
+            _ if *distance == Some(0.0) => Unlit::AtTheSurface,
+            _ if *diffuse == black && *specular == black => Unlit::Dark,
+            _ if *n_dot_l <= 0.0 => Unlit::Behind,
+            (LightKind::Spot(cone), _) if *spot == 0.0 => Unlit::OutsideCone {
+                cos_cutoff: match *cone {
+                    Cone::Exponent { cos_cutoff, .. } => cos_cutoff,
+                    Cone::Smooth { cos_outer, .. } => cos_outer,
+                },
+            },
+            (_, Some(range)) if *attenuation == 0.0 => Unlit::OutOfRange { range },
+            _ => Unlit::Absorbed,
+        })
+    }
+}

@@ -1,0 +1,176 @@
+//! The ledger against the frame: what is explained is what was drawn.
+
+use crate::scenes::{execution, fitted, glass};
+use luxel_lighting::{Attenuation, Cone, Fog, FogLaw, Light, LightKind, Reflection};
+use luxel_math::SimdLevel;
+use luxel_render::{At, RenderError, Renderer, View};
+use luxel_scene::{DVec3, Placement, Scene, SceneLight, Size, default_lights, demos};
+
+/// Numbers without a pattern: a multiplier and an increment of Knuth's MMIX.
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn below(&mut self, limit: u32) -> u32 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) % u64::from(limit)) as u32
+    }
+}
+
+/// Lights of all kinds, with everything that a light can have.
+pub(crate) fn many_lights(scene: &Scene) -> Vec<SceneLight> {
+    let bounds = scene.bounds();
+    let (centre, radius) = (bounds.centre(), bounds.radius());
+    let light = |name: &str, kind, color, placement, position, direction| SceneLight {
+        name: name.to_owned(),
+        light: Light {
+            ambient: [0.02, 0.0, 0.05],
+            specular: [0.5, 0.8, 1.5],
+            ..Light::new(kind, color)
+        },
+        placement,
+        position,
+        direction,
+    };
+    let cone = Cone::Exponent { cos_cutoff: 0.8, exponent: 7.0 };
+    let mut lights = vec![
+        light(
+            "sun",
+            LightKind::Directional,
+            [0.4; 3],
+            Placement::World,
+            DVec3::ZERO,
+            DVec3::new(-1.0, -2.0, -1.0),
+        ),
+        light(
+            "lamp",
+            LightKind::Point,
+            [2.0, 1.0, 0.5],
+            Placement::World,
+            centre + DVec3::new(0.5, 0.9, 0.7) * radius,
+            DVec3::ZERO,
+        ),
+        light(
+            "torch",
+            LightKind::Spot(cone),
+            [1.5; 3],
+            Placement::Camera,
+            DVec3::new(0.3, 0.2, 0.0) * radius,
+            DVec3::NEG_Z,
+        ),
+    ];
+    lights[1].light.attenuation = Attenuation {
+        coefficients: [0.5, 0.0, 1.0 / (radius * radius) as f32],
+        range: Some(3.0 * radius as f32),
+    };
+    lights.push(SceneLight { light: Light::ambient([0.05, 0.06, 0.08]), ..lights[0].clone() });
+    lights
+}
+
+pub(crate) const REFLECTIONS: [Reflection; 8] = [
+    Reflection::BlinnPhong,
+    Reflection::Phong,
+    Reflection::Lambert,
+    Reflection::OrenNayar,
+    Reflection::Microfacet,
+    Reflection::Retro,
+    Reflection::Mirror,
+    Reflection::Unlit,
+];
+
+/// All demos, and glass.
+fn scenes() -> Vec<(String, Scene)> {
+    let demos =
+        demos::names().into_iter().map(|(name, _)| (name.to_owned(), demos::demo(name).unwrap()));
+    demos.chain([("glass".to_owned(), glass())]).collect()
+}
+
+#[test]
+fn ten_thousand_explained_pixels_are_the_pictures() {
+    const PIXELS_OF_EACH: u32 = 50;
+    let mut random = Random(1);
+    let mut compared = 0;
+    for (name, scene) in scenes() {
+        for round in 0..8 {
+            let mut scene = scene.clone();
+            if round > 0 {
+                for (number, material) in scene.materials.iter_mut().enumerate() {
+                    let reflection = &REFLECTIONS[(round + number) % REFLECTIONS.len()];
+                    material.constants.reflection = reflection.clone();
+                }
+            }
+            let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+            for samples in [1, 2, 4, 8, 16] {
+                let view = styled(&scene, round, samples);
+                let picture = renderer.rgba8(&view).unwrap();
+                let Size { width, height } = view.size;
+                let mut pixels: Vec<_> = (0..PIXELS_OF_EACH)
+                    .map(|_| [random.below(width), random.below(height)])
+                    .collect();
+                // Those of one tile together.
+                pixels.sort_by_key(|pixel| pixel.map(|side| side / 64));
+                for explained in renderer.explain_pixels(&view, &pixels).unwrap() {
+                    let [x, y] = explained.pixel;
+                    let drawn = picture.pixels[(y * width + x) as usize];
+                    let place = format!("{name}, round {round}, {samples} samples: {x}, {y}");
+                    assert_eq!(explained.rgba8, drawn, "{place}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared >= 10_000, "{compared}");
+}
+
+/// A view with another mixture of lights, fog and background each round.
+fn styled(scene: &Scene, round: usize, samples: u32) -> View {
+    let size = Size { width: 90, height: 70 };
+    let mut view =
+        View { samples, lights: default_lights(), ambient: [0.1; 3], ..fitted(scene, size) };
+    if round % 2 == 1 {
+        view.lights = many_lights(scene);
+    }
+    if round % 3 == 1 {
+        let away =
+            (scene.bounds().centre() - view.camera.eye()).dot(view.camera.direction()) as f32;
+        let law = FogLaw::DepthCue { near: away * 0.7, far: away * 1.3, front: 1.0, back: 0.2 };
+        view.fog = Some(Fog { color: [0.5, 0.6, 0.9], law });
+    }
+    if round % 4 == 2 {
+        view.background = [0.1, 0.3, 0.2, 0.4];
+    }
+    view
+}
+
+#[test]
+fn a_single_sample_at_the_centre_is_the_pixel_of_one_sample() {
+    let scene = demos::demo("teapot").unwrap();
+    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let view = styled(&scene, 0, 1);
+    for pixel in [[45_u32, 35], [20, 40], [0, 0], [89, 69]] {
+        let whole = renderer.explain(&view, At::Pixel(pixel)).unwrap();
+        let centre = pixel.map(|side| f64::from(side) + 0.5);
+        let many = View { samples: 16, ..view.clone() };
+        let point = renderer.explain(&many, At::Point(centre)).unwrap();
+        assert_eq!(point.samples, whole.samples);
+        assert_eq!(point.position, Some(centre));
+    }
+}
+
+#[test]
+fn a_point_is_rounded_to_256ths_and_must_lie_in_the_picture() {
+    let scene = demos::demo("teapot").unwrap();
+    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let view = styled(&scene, 0, 4);
+    let explained = renderer.explain(&view, At::Point([10.001, 20.999])).unwrap();
+    assert_eq!((explained.pixel, explained.position), ([10, 21], Some([10.0, 21.0])));
+    for outside in [
+        At::Pixel([90, 0]),
+        At::Pixel([0, 70]),
+        At::Point([-0.01, 3.0]),
+        At::Point([90.0, 3.0]),
+        At::Point([f64::NAN, 3.0]),
+    ] {
+        assert!(matches!(renderer.explain(&view, outside), Err(RenderError::Outside(_))));
+    }
+}
