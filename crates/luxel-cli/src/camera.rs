@@ -41,8 +41,11 @@ pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Fa
     with_planes(options, &bounds, view_from_world, lens)
 }
 
-/// The camera with its clipping planes.
-fn with_planes(
+/// A camera in a given place, with the clipping planes of the line, else those that fit.
+///
+/// # Errors
+/// [`Failure::Usage`], if the planes contradict each other.
+pub(crate) fn with_planes(
     options: &FrameOptions,
     bounds: &Bounds,
     view_from_world: DMat4,

@@ -1,6 +1,6 @@
 //! The command line: commands and the flags that all of them take.
 
-use crate::commands::{bench, completions, demos, explain, info, render};
+use crate::commands::{bench, completions, demos, explain, info, navigate, render};
 use clap::{Parser, Subcommand};
 
 /// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
@@ -31,6 +31,7 @@ pub(crate) enum Command {
     Explain(Box<explain::ExplainCommand>),
     Info(Box<info::InfoCommand>),
     Bench(Box<bench::BenchCommand>),
+    Navigate(Box<navigate::NavigateCommand>),
     Demos(demos::DemosCommand),
     Completions(completions::CompletionsCommand),
     /// Print the manual page

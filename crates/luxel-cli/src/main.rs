@@ -11,6 +11,7 @@ mod commands;
 mod console;
 mod failure;
 mod model;
+mod navigation;
 mod options;
 mod output;
 mod surface;

@@ -80,14 +80,47 @@ impl Viewpoint {
 /// [`fit_planes`]. A scene without anything to see is looked at from the side all the same.
 #[must_use]
 pub fn fit_view(scene: &Scene, viewpoint: &Viewpoint, lens: Lens, size: Size) -> Camera {
-    let [right, up, back] = viewpoint.axes();
+    fit_along(scene, viewpoint.axes(), lens, size)
+}
+
+/// As [`fit_view`], along any axes: the directions right, up and back of the picture, in world
+/// space.
+#[must_use]
+pub fn fit_along(scene: &Scene, axes: [DVec3; 3], lens: Lens, size: Size) -> Camera {
+    let picture_from_world = picture_from_world(axes);
+    let points = Points::of(scene, &picture_from_world);
+    fit(&points, &scene.bounds(), &picture_from_world, lens, size)
+}
+
+/// As [`fit_along`], for the corners of a box.
+#[must_use]
+pub fn fit_box(bounds: &Bounds, axes: [DVec3; 3], lens: Lens, size: Size) -> Camera {
+    let picture_from_world = picture_from_world(axes);
+    let corners = if bounds.is_empty() { Vec::new() } else { Vec::from(bounds.corners()) };
+    let corners = corners.into_iter().map(|corner| picture_from_world.transform_point3(corner));
+    let points = Points { objects: Vec::new(), single: corners.collect() };
+    fit(&points, bounds, &picture_from_world, lens, size)
+}
+
+/// From world space to a picture's axes: right, up and back become x, y and z.
+fn picture_from_world([right, up, back]: [DVec3; 3]) -> DMat4 {
     let world_from_picture = DMat4::from_cols(
         right.extend(0.0),
         up.extend(0.0),
         back.extend(0.0),
         DVec3::ZERO.extend(1.0),
     );
-    let points = Points::of(scene, &world_from_picture.transpose());
+    world_from_picture.transpose()
+}
+
+/// The camera that fits points into the window; its planes enclose `in_world`.
+fn fit(
+    points: &Points,
+    in_world: &Bounds,
+    picture_from_world: &DMat4,
+    lens: Lens,
+    size: Size,
+) -> Camera {
     let bounds = points.bounds();
     let (eye, lens) = if bounds.is_empty() || !is_measurable(&bounds) {
         (DVec3::Z, lens)
@@ -97,11 +130,11 @@ pub fn fit_view(scene: &Scene, viewpoint: &Viewpoint, lens: Lens, size: Size) ->
         let distance = bounds.radius().max(height);
         (centre.with_z(bounds.max.z + distance), Lens::Orthographic { height })
     } else {
-        (fitted_eye(&points, &bounds, &Slopes::of(lens, size)), lens)
+        (fitted_eye(points, &bounds, &Slopes::of(lens, size)), lens)
     };
     let translation = DMat4::from_translation(-eye);
-    let view_from_world = translation * world_from_picture.transpose();
-    let (near, far) = fit_planes(&scene.bounds(), &view_from_world);
+    let view_from_world = translation * *picture_from_world;
+    let (near, far) = fit_planes(in_world, &view_from_world);
     Camera { view_from_world, projection: Projection { lens, near, far } }
 }
 
@@ -238,6 +271,8 @@ fn centred(points: &Points, slopes: &Slopes, eye: DVec3) -> [f64; 2] {
 /// Everything that is drawn, as points in the picture's axes.
 struct Points<'a> {
     objects: Vec<(&'a crate::Mesh, DMat4, Vec<bool>)>,
+    /// Points of no mesh, in the picture's axes already.
+    single: Vec<DVec3>,
 }
 
 impl<'a> Points<'a> {
@@ -246,7 +281,7 @@ impl<'a> Points<'a> {
             let mesh = &scene.meshes[object.mesh.index()];
             (mesh, *picture_from_world * object.world_from_mesh, mesh.drawn_positions())
         };
-        Self { objects: scene.objects().into_iter().map(object).collect() }
+        Self { objects: scene.objects().into_iter().map(object).collect(), single: Vec::new() }
     }
 
     /// The result of joining what `of` says about every point, in whatever order.
@@ -256,7 +291,8 @@ impl<'a> Points<'a> {
         of: impl Fn(DVec3) -> T + Sync,
         join: impl Fn(T, T) -> T + Sync,
     ) -> T {
-        self.objects.iter().fold(nothing, |all, (mesh, picture_from_mesh, drawn)| {
+        let single = self.single.iter().fold(nothing, |all, &point| join(all, of(point)));
+        self.objects.iter().fold(single, |all, (mesh, picture_from_mesh, drawn)| {
             let picture_from_mesh = *picture_from_mesh;
             let own = mesh.positions.par_chunks(RUN).zip(drawn.par_chunks(RUN));
             let own = own.map(|(positions, drawn)| {

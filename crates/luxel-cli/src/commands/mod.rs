@@ -6,6 +6,7 @@ pub(crate) mod demos;
 pub(crate) mod explain;
 pub(crate) mod info;
 mod manual;
+pub(crate) mod navigate;
 pub(crate) mod render;
 
 use crate::cli::Command;
@@ -19,6 +20,7 @@ pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
         Command::Explain(command) => command.run(console),
         Command::Info(command) => command.run(console),
         Command::Bench(command) => command.run(console),
+        Command::Navigate(command) => command.run(console),
         Command::Demos(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Man => manual::run(),

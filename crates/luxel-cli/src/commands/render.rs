@@ -1,5 +1,6 @@
 //! `luxel render`: a picture, or the layers it is made of.
 
+mod path;
 mod stopwatch;
 mod target;
 
@@ -85,6 +86,9 @@ struct OutputOptions {
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     turntable: Option<NonZeroU32>,
 
+    #[command(flatten)]
+    path: path::PathOptions,
+
     /// Print a JSON document about what was done
     #[arg(long)]
     json: bool,
@@ -99,6 +103,11 @@ fn bits(text: &str) -> Result<u8, String> {
 }
 
 impl OutputOptions {
+    /// Whether there are several pictures, each with a number in its name.
+    fn is_numbered(&self) -> bool {
+        self.turntable.is_some() || self.path.is_given()
+    }
+
     fn edges(&self) -> Option<Edges> {
         if self.wireframe {
             Some(Edges::WIREFRAME)
@@ -123,14 +132,19 @@ impl RenderCommand {
         surface::apply_normals(&self.shading, &mut model.scene);
         watch.lap("normals");
         let scene = &model.scene;
-        let frames = self.output.turntable.map_or(1, NonZeroU32::get);
-        let cameras = camera::turntable(&self.frame, scene, frames)?;
+        let cameras = match self.output.path.cameras(&self.frame, &self.execution, scene)? {
+            Some(cameras) => cameras,
+            None => {
+                let frames = self.output.turntable.map_or(1, NonZeroU32::get);
+                camera::turntable(&self.frame, scene, frames)?
+            }
+        };
         watch.lap("camera");
         let renderer = Renderer::new(scene, &view::execution(&self.execution))
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         watch.lap("prepare");
 
-        let progress = progress(console, frames);
+        let progress = progress(console, cameras.len());
         let mut files = Vec::new();
         let mut legend = None;
         let edges = self.output.edges();
@@ -207,7 +221,7 @@ impl RenderCommand {
         let Size { width, height } = self.frame.size;
         let mut report = Map::new();
         report.insert("file".into(), json!(files.first()));
-        if self.output.turntable.is_some() {
+        if self.output.is_numbered() {
             report.insert("files".into(), json!(files));
         }
         report.insert("size".into(), json!([width, height]));
@@ -279,11 +293,11 @@ fn check_memory(command: &RenderCommand, target: &Target) -> Result<(), Failure>
 }
 
 /// A bar for work of many pictures, on a terminal only.
-fn progress(console: Console, frames: u32) -> ProgressBar {
+fn progress(console: Console, frames: usize) -> ProgressBar {
     if frames < 2 || !console.shows_progress() {
         return ProgressBar::hidden();
     }
-    let bar = ProgressBar::new(u64::from(frames));
+    let bar = ProgressBar::new(frames as u64);
     match ProgressStyle::with_template("{bar:40} {pos}/{len} pictures, {eta} left") {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,

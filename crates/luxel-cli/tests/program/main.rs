@@ -7,6 +7,7 @@ mod bytes;
 mod damaged;
 mod info;
 mod models;
+mod navigate;
 mod program;
 mod render;
 mod usage;

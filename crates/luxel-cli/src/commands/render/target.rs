@@ -40,11 +40,11 @@ impl Target {
             }
             _ => {}
         }
-        let place = match options.turntable {
-            Some(_) if to_standard_output => {
-                return usage("a turntable needs files: use -o f_{n:3}.png");
+        let place = match options.is_numbered() {
+            true if to_standard_output => {
+                return usage("several pictures need files: use -o f_{n:3}.png");
             }
-            Some(_) => {
+            true => {
                 let numbering =
                     Numbering::parse(&options.output.to_string_lossy()).map_err(|message| {
                         Failure::Usage(format!("invalid value for '--output': {message}"))
@@ -52,8 +52,8 @@ impl Target {
                 output::check_folder(&numbering.name(0))?;
                 Place::Files(numbering)
             }
-            None if to_standard_output => Place::StandardOutput,
-            None => {
+            false if to_standard_output => Place::StandardOutput,
+            false => {
                 let path = PathBuf::from(&options.output);
                 output::check_folder(&path)?;
                 Place::File(path)
