@@ -73,7 +73,7 @@ fn after_events(
     entries: &[Entry],
 ) -> Vec<(State, Settings)> {
     let mut moments = Vec::new();
-    for entry in entries.iter() {
+    for entry in entries {
         (state, settings) = entry.play(&state, &settings);
         if let Entry::Event { .. } = entry {
             moments.push((state, settings));
