@@ -2,6 +2,7 @@
 //! read back.
 
 #![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::disallowed_methods, reason = "the measure may come from the platform")]
 
 mod by_hand;
 mod format;

@@ -26,7 +26,7 @@ fn standard_views_look_at_the_pivot_from_their_side_exactly() {
         assert!(end.eye().abs_diff_eq(start.pivot() + side * distance, 1e-14), "{name}");
     }
     let up = StandardView::Top.axes(DVec3::Z);
-    assert_eq!(up.map(|axis| axis.round()), [DVec3::X, DVec3::Y, DVec3::Z]);
+    assert_eq!(up.map(DVec3::round), [DVec3::X, DVec3::Y, DVec3::Z]);
 }
 
 #[test]
