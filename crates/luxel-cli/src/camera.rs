@@ -14,6 +14,9 @@ use serde_json::{Value, json};
 /// # Errors
 /// [`Failure`], if the flags contradict each other or the scene has no camera of that name.
 pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Failure> {
+    if options.target.is_some() && options.eye.is_none() {
+        return Err(Failure::Usage("--target needs --eye".to_owned()));
+    }
     let up = options.up.unwrap_or(scene.up);
     let of_file = file_camera(options, scene)?;
     let lens = lens(options, of_file);

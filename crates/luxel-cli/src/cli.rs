@@ -34,6 +34,10 @@ pub(crate) enum Command {
     Navigate(Box<navigate::NavigateCommand>),
     Demos(demos::DemosCommand),
     Completions(completions::CompletionsCommand),
+    /// Print the JSON schema of scene files
+    ///
+    /// For example: luxel schema > scene.schema.json
+    Schema,
     /// Print the manual page
     ///
     /// For example: luxel man > ~/.local/share/man/man1/luxel.1

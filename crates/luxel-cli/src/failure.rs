@@ -1,6 +1,6 @@
 //! What ends the program before its work is done, and with which status.
 
-use luxel::formats::{Error, ErrorKind};
+use luxel::formats::{Error, ErrorKind, Place};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -70,6 +70,9 @@ impl From<Error> for Failure {
                 "check the name; `luxel demos` lists the scenes that need no file"
             }
             ErrorKind::Io(_) => "check that it is a file that you may read",
+            ErrorKind::Malformed(_) if matches!(error.place, Place::LineColumn(..)) => {
+                "docs/scene-files.md and `luxel schema` say what may stand in a scene file"
+            }
             ErrorKind::Malformed(_) | ErrorKind::OutOfRange { .. } => {
                 "the file is damaged or written wrongly: export it again"
             }

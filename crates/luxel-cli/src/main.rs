@@ -14,15 +14,15 @@ mod model;
 mod navigation;
 mod options;
 mod output;
+mod scene_file;
 mod surface;
 mod values;
 mod view;
 
-use clap::Parser;
 use clap::error::ErrorKind;
-use cli::Cli;
 use console::Console;
 use failure::Failure;
+use scene_file::Refusal;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -38,9 +38,11 @@ fn main() -> ExitCode {
 }
 
 fn run() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let line: Vec<_> = std::env::args_os().collect();
+    let cli = match scene_file::command_of(&line) {
         Ok(cli) => cli,
-        Err(error) => return answer(&error),
+        Err(Refusal::Line(error)) => return answer(&error),
+        Err(Refusal::File(failure)) => return end(&failure),
     };
     let console = Console::new(cli.quiet, cli.verbose);
     match commands::run(cli.command, console) {

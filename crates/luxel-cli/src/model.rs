@@ -5,9 +5,12 @@ use crate::failure::Failure;
 use crate::options::{ExecutionOptions, InputOptions};
 use luxel::formats::{self, Error, ErrorKind, Format, Limits, Loaded, Place};
 use luxel::scene::{Scene, demos};
+use std::borrow::Cow;
+use std::ffi::OsStr;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
+use std::sync::OnceLock;
 use std::time::Instant;
 
 /// A scene with what `info` tells about its reading.
@@ -42,10 +45,10 @@ pub(crate) fn load(
         demo(name)?
     } else if input.model == "-" {
         let format = input.format.ok_or_else(|| {
-            Failure::Usage("the standard input needs --format: glb, gltf, obj, stl or ply".into())
+            let message = "the standard input needs --format: glb, gltf, obj, stl, ply or toml";
+            Failure::Usage(message.into())
         })?;
-        let bytes = read_all(&mut std::io::stdin().lock(), "the standard input", &limits)?;
-        formats::read(&bytes, format, "stdin", None, &limits)?.into()
+        formats::read(standard_input(&limits)?, format, "stdin", None, &limits)?.into()
     } else {
         let path = Path::new(&input.model);
         match input.format {
@@ -77,6 +80,26 @@ fn open_as(path: &Path, format: Format, limits: &Limits) -> Result<Loaded, Error
     read_all(&mut file, "the file", limits)
         .and_then(|bytes| formats::read(&bytes, format, &stem, path.parent(), limits))
         .map_err(|error| error.in_file(path))
+}
+
+/// The bytes of a file or of the standard input.
+pub(crate) fn bytes_of(name: &OsStr, limits: &Limits) -> Result<Cow<'static, [u8]>, Error> {
+    if name == "-" {
+        return standard_input(limits).map(Cow::Borrowed);
+    }
+    let mut file = File::open(name).map_err(|error| Error::at(Place::File, error.into()))?;
+    read_all(&mut file, "the file", limits).map(Cow::Owned)
+}
+
+/// The standard input, which can be read only once but is asked for twice where it is a scene file:
+/// for its flags, and for its scene.
+fn standard_input(limits: &Limits) -> Result<&'static [u8], Error> {
+    static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
+    if let Some(bytes) = BYTES.get() {
+        return Ok(bytes);
+    }
+    let bytes = read_all(&mut std::io::stdin().lock(), "the standard input", limits)?;
+    Ok(BYTES.get_or_init(|| bytes))
 }
 
 /// Reads to the end, unless there is more than the limits allow.

@@ -4,8 +4,7 @@ use crate::failure::Failure;
 use crate::options::{
     CullChoice, EncodingChoice, ExecutionOptions, FrameOptions, LightOptions, PictureOptions,
 };
-use crate::values::Surroundings;
-use luxel::lighting::{Environment, Fog, FogLaw, PictureEncoding};
+use luxel::lighting::PictureEncoding;
 use luxel::render::{Cull, Edges, EnvironmentChoice, Execution, View};
 use luxel::scene::{Camera, Scene, SceneLight};
 use std::sync::OnceLock;
@@ -36,16 +35,8 @@ pub(crate) fn view(
         lights,
         ambient,
         environment: environment(light, scene),
-        fog: light.fog.map(|fog| Fog {
-            color: fog.color,
-            law: FogLaw::DepthCue {
-                near: fog.near as f32,
-                far: fog.far as f32,
-                front: fog.front,
-                back: fog.back,
-            },
-        }),
-        background: picture.background.unwrap_or_default(),
+        fog: light.fog.or(scene.fog),
+        background: picture.background.or(scene.background).unwrap_or_default(),
         encoding: match picture.encoding {
             EncodingChoice::Srgb => PictureEncoding::Srgb,
             EncodingChoice::None => PictureEncoding::None,
@@ -55,9 +46,9 @@ pub(crate) fn view(
 }
 
 /// The lights and the scene's ambient light: those of the line, else of the file, else the default
-/// ones. `--ambient` alone takes no light away.
+/// ones. Ambient light alone takes no other away.
 fn lights(options: &LightOptions, scene: &Scene) -> Result<(Vec<SceneLight>, [f32; 3]), Failure> {
-    let ambient = options.ambient;
+    let ambient = options.ambient.or(scene.ambient);
     if !options.lights.is_empty() {
         let named = options.lights.iter().enumerate();
         let lights: Vec<_> = named.map(|(place, light)| light.clone().named(place)).collect();
@@ -74,15 +65,10 @@ fn lights(options: &LightOptions, scene: &Scene) -> Result<(Vec<SceneLight>, [f3
 }
 
 fn environment(options: &LightOptions, scene: &Scene) -> EnvironmentChoice {
-    let up = scene.up.as_vec3().to_array();
-    match options.environment {
-        None => luxel::environment_of(scene),
-        Some(Surroundings::None) => EnvironmentChoice::Always(Environment::None),
-        Some(Surroundings::Studio) => EnvironmentChoice::Always(Environment::Studio { up }),
-        Some(Surroundings::Constant(color)) => {
-            EnvironmentChoice::Always(Environment::Constant(color))
-        }
-    }
+    options.environment.map_or_else(
+        || luxel::environment_of(scene),
+        |surroundings| EnvironmentChoice::Always(surroundings.environment(scene.up)),
+    )
 }
 
 /// How the work is done.

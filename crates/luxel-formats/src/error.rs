@@ -12,6 +12,8 @@ pub enum Place {
     Byte(u64),
     /// A line, counted from 1.
     Line(u64),
+    /// A line and a column in it, both counted from 1.
+    LineColumn(u64, u64),
     /// A value in a JSON document (RFC 6901), as `/meshes/0/primitives/1`.
     Pointer(String),
 }
@@ -83,12 +85,14 @@ impl Error {
 }
 
 impl fmt::Display for Place {
-    /// As compilers write places: nothing for the file itself, `:12` for a line, else in words.
+    /// As compilers write places: nothing for the file itself, `:12` for a line, `:12:5` with a
+    /// column, else in words.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::File => Ok(()),
             Self::Byte(byte) => write!(formatter, ": byte {byte}"),
             Self::Line(line) => write!(formatter, ":{line}"),
+            Self::LineColumn(line, column) => write!(formatter, ":{line}:{column}"),
             Self::Pointer(pointer) => write!(formatter, ": {pointer}"),
         }
     }

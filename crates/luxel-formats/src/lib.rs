@@ -16,11 +16,14 @@ mod memory;
 mod obj;
 mod open;
 mod ply;
+mod scene_toml;
 mod stl;
 mod text;
+pub mod values;
 mod warnings;
 mod weld;
 
 pub use error::{Error, ErrorKind, Place};
 pub use limits::Limits;
 pub use open::{Format, Loaded, open, read};
+pub use scene_toml::{Key, Section, Setting, SettingValue, Shape, scene_settings, sections};

@@ -1,6 +1,6 @@
 //! The door: a path or bytes in, a scene out.
 
-use crate::{Error, ErrorKind, Limits, Place, files, gltf, obj, ply, stl};
+use crate::{Error, ErrorKind, Limits, Place, files, gltf, obj, ply, scene_toml, stl};
 use luxel_scene::Scene;
 use std::path::Path;
 use std::str::FromStr;
@@ -18,6 +18,8 @@ pub enum Format {
     Stl,
     /// Stanford polygons, binary or ASCII.
     Ply,
+    /// A scene file of luxel's own: models, materials, lights, cameras.
+    Toml,
 }
 
 /// A scene with what was said on reading it.
@@ -41,6 +43,7 @@ impl Format {
             Self::Obj => "obj",
             Self::Stl => "stl",
             Self::Ply => "ply",
+            Self::Toml => "toml",
         }
     }
 }
@@ -49,13 +52,13 @@ impl FromStr for Format {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, Self::Err> {
-        [Self::Gltf, Self::Glb, Self::Obj, Self::Stl, Self::Ply]
+        [Self::Gltf, Self::Glb, Self::Obj, Self::Stl, Self::Ply, Self::Toml]
             .into_iter()
             .find(|format| format.name().eq_ignore_ascii_case(name))
             .ok_or_else(|| match name {
                 "" => "the name has no extension to tell the format: say it with --format".into(),
                 _ => format!(
-                    "`{name}` is no format that luxel reads: use glb, gltf, obj, stl or ply"
+                    "`{name}` is no format that luxel reads: use glb, gltf, obj, stl, ply or toml"
                 ),
             })
     }
@@ -94,6 +97,7 @@ pub fn read(
         Format::Obj => obj::read(bytes, name, folder, limits),
         Format::Stl => stl::read(bytes, name, limits),
         Format::Ply => ply::read(bytes, name, limits),
+        Format::Toml => scene_toml::read(bytes, folder, limits),
     }
 }
 

@@ -191,7 +191,7 @@ pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
     if let Some([.., texel_alpha]) = base {
         alpha = alpha * texel_alpha;
     }
-    if corners.has.colors {
+    if corners.has.colors && material.vertex_colors {
         let [r, g, b, color_alpha] = corners.color(&interpolated.weights);
         base_tint = base_tint * Rgb::new(r, g, b);
         alpha = alpha * color_alpha;

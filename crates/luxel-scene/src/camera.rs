@@ -66,6 +66,9 @@ pub struct SceneCamera {
     pub name: String,
     /// The node; `None` stands for the world.
     pub node: Option<NodeId>,
+    /// From the node's coordinates (the world's without one) to the camera's own: a rotation and a
+    /// translation.
+    pub view_from_node: DMat4,
     /// The lens.
     pub lens: Lens,
     /// The file's clipping planes, near and far, if it has them.

@@ -16,6 +16,8 @@ pub struct SceneMaterial {
     pub alpha_mode: AlphaMode,
     /// Which sides are drawn.
     pub sides: Sides,
+    /// Whether the mesh's vertex colours multiply O_d and the opacity.
+    pub vertex_colors: bool,
     /// Times O_d; its alpha times the opacity (glTF base colour, MTL `map_Kd`).
     pub base_color: Option<TextureUse>,
     /// Metalness from blue, roughness from green.
@@ -95,6 +97,7 @@ impl Default for SceneMaterial {
             opacity: 1.0,
             alpha_mode: AlphaMode::Opaque,
             sides: Sides::Both,
+            vertex_colors: true,
             base_color: None,
             metallic_roughness: None,
             normal: None,
@@ -104,5 +107,22 @@ impl Default for SceneMaterial {
             ambient: None,
             opacity_map: None,
         }
+    }
+}
+
+impl SceneMaterial {
+    /// All its textures, for changing which they are.
+    pub fn textures_mut(&mut self) -> impl Iterator<Item = &mut TextureUse> {
+        let textures = [
+            &mut self.base_color,
+            &mut self.metallic_roughness,
+            &mut self.normal,
+            &mut self.occlusion,
+            &mut self.emission,
+            &mut self.specular,
+            &mut self.ambient,
+            &mut self.opacity_map,
+        ];
+        textures.into_iter().flatten()
     }
 }

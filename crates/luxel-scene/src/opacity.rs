@@ -43,7 +43,7 @@ impl Scene {
             self.textures[used.texture.index()].sample_base(u, v)
         };
         let mut alpha = material.opacity;
-        if !mesh.colors.is_empty() {
+        if !mesh.colors.is_empty() && material.vertex_colors {
             alpha *= mix(corners.map(|corner| mesh.colors[corner][3]));
         }
         if let Some(used) = material.base_color {

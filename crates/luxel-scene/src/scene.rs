@@ -2,7 +2,7 @@
 
 use crate::{Bounds, Mesh, MeshId, Node, NodeId, SceneCamera, SceneLight, SceneMaterial, Texture};
 use glam::{DMat4, DVec3};
-use luxel_lighting::Environment;
+use luxel_lighting::{Environment, Fog};
 
 /// Everything that can be drawn, lit and picked.
 ///
@@ -24,6 +24,12 @@ pub struct Scene {
     pub lights: Vec<SceneLight>,
     /// What mirrors and metals see, if the scene says so.
     pub environment: Option<Environment>,
+    /// I_a: the scene's own ambient light, if the scene says so.
+    pub ambient: Option<[f32; 3]>,
+    /// Depth cueing, if there is any.
+    pub fog: Option<Fog>,
+    /// Linear red, green, blue, and alpha, where nothing is, if the scene says so.
+    pub background: Option<[f32; 4]>,
     /// The direction that is up: +Y, +Z for STL.
     pub up: DVec3,
 }
@@ -38,6 +44,9 @@ impl Default for Scene {
             cameras: Vec::new(),
             lights: Vec::new(),
             environment: None,
+            ambient: None,
+            fog: None,
+            background: None,
             up: DVec3::Y,
         }
     }

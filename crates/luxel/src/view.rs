@@ -29,8 +29,8 @@ pub fn default_view(scene: &Scene, size: Size) -> View {
         lights,
         ambient,
         environment: environment_of(scene),
-        fog: None,
-        background: [0.0; 4],
+        fog: scene.fog,
+        background: scene.background.unwrap_or_default(),
         encoding: PictureEncoding::Srgb,
         edges: None,
     }
@@ -59,24 +59,25 @@ pub fn default_camera(scene: &Scene, size: Size) -> Camera {
 /// 2.0, section 3.10).
 #[must_use]
 pub fn view_from_world_of(camera: &SceneCamera, scene: &Scene) -> DMat4 {
-    let world_from_camera = camera
-        .node
-        .and_then(|node| scene.world_from_nodes().get(node.index()).copied())
-        .unwrap_or(DMat4::IDENTITY);
+    let world_from_node =
+        camera.node.and_then(|node| scene.world_from_nodes().get(node.index()).copied());
+    let Some(world_from_node) = world_from_node else { return camera.view_from_node };
+    let world_from_camera = world_from_node * camera.view_from_node.inverse();
     let eye = world_from_camera.w_axis.truncate();
     let back = world_from_camera.z_axis.truncate().normalize_or(DVec3::Z);
     Camera::look_at(eye, eye - back, world_from_camera.y_axis.truncate())
 }
 
-/// The scene's own lights, without ambient light beside them; without any, a key and a fill that
-/// move with the camera, and a little ambient light.
+/// The scene's own lights, and its own ambient light or none; without any lights, a key and a fill
+/// that move with the camera, and a little ambient light.
 #[must_use]
 pub fn lights_of(scene: &Scene) -> (Vec<SceneLight>, [f32; 3]) {
-    if scene.lights.is_empty() {
+    let (lights, ambient) = if scene.lights.is_empty() {
         (default_lights(), DEFAULT_AMBIENT)
     } else {
         (scene.lights.clone(), [0.0; 3])
-    }
+    };
+    (lights, scene.ambient.unwrap_or(ambient))
 }
 
 /// The scene's own environment; without one, a studio for microfacet materials of scenes without
@@ -109,6 +110,7 @@ mod tests {
             let camera = SceneCamera {
                 name: String::new(),
                 node: Some(NodeId(node)),
+                view_from_node: DMat4::IDENTITY,
                 lens: Lens::Orthographic { height: 1.0 },
                 planes: None,
             };

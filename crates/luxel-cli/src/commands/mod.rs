@@ -8,6 +8,7 @@ pub(crate) mod info;
 mod manual;
 pub(crate) mod navigate;
 pub(crate) mod render;
+pub(crate) mod schema;
 
 use crate::cli::Command;
 use crate::console::Console;
@@ -23,6 +24,7 @@ pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
         Command::Navigate(command) => command.run(console),
         Command::Demos(command) => command.run(),
         Command::Completions(command) => command.run(),
+        Command::Schema => schema::run(),
         Command::Man => manual::run(),
     }
 }

@@ -22,7 +22,7 @@ pub(crate) struct FrameOptions {
 
     /// Where the eye looks [default: the middle of the scene's bounds]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
-    #[arg(requires = "eye")]
+    #[arg(conflicts_with_all = ["camera", "azimuth", "elevation", "view_matrix"])]
     pub(crate) target: Option<DVec3>,
 
     /// What is up, and the axis of azimuth and elevation: a vector, X, Y or Z [default: Y; Z for

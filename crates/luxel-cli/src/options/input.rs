@@ -8,12 +8,12 @@ use std::ffi::OsString;
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Input")]
 pub(crate) struct InputOptions {
-    /// A model file (.glb .gltf .obj .stl .ply), `-` for the standard input (with --format), or
+    /// A model file (.glb .gltf .obj .stl .ply), a scene file (.toml), `-` for the standard input (with --format), or
     /// `demo:NAME` for a scene built into the program
     #[arg(default_value = "demo:teapot")]
     pub(crate) model: OsString,
 
-    /// The input's format, whatever its name: glb, gltf, obj, stl, ply
+    /// The input's format, whatever its name: glb, gltf, obj, stl, ply, toml
     #[arg(long, value_name = "EXT", required_if_eq("model", "-"))]
     pub(crate) format: Option<Format>,
 }

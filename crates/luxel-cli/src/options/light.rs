@@ -1,7 +1,8 @@
 //! Light: sources, environment, depth cueing.
 
-use crate::values::{FogSpec, LightSpec, Surroundings, color, fog, light, surroundings};
+use crate::values::{LightSpec, Surroundings, color, fog, light, surroundings};
 use clap::Args;
+use luxel::lighting::Fog;
 
 /// Sources, environment, depth cueing.
 #[derive(Args, Clone, Debug)]
@@ -27,5 +28,5 @@ pub(crate) struct LightOptions {
 
     /// Depth cueing: near=Z:far=Z:front=S:back=S:color=R,G,B
     #[arg(long, value_name = "SPEC", value_parser = fog)]
-    pub(crate) fog: Option<FogSpec>,
+    pub(crate) fog: Option<Fog>,
 }

@@ -4,23 +4,18 @@
 //! and ends with status 2.
 
 mod at;
-mod fog;
-mod light;
+mod count;
 mod memory;
-mod number;
 mod numbering;
-mod reflection;
 mod size;
-mod surroundings;
-mod vector;
 
 pub(crate) use at::at;
-pub(crate) use fog::{FogSpec, fog};
-pub(crate) use light::{LightSpec, light};
+pub(crate) use count::{samples, threads};
+pub(crate) use luxel::formats::values::{
+    LightSpec, Surroundings, background, color, far_plane, finite, fog, fov, intrinsics, light,
+    non_negative_f32, point, positive, reflectance, reflection, reflection_name, surroundings, up,
+    view_matrix,
+};
 pub(crate) use memory::memory;
-pub(crate) use number::{far_plane, finite, fov, non_negative_f32, positive, samples, threads};
 pub(crate) use numbering::Numbering;
-pub(crate) use reflection::{reflection, reflection_name};
 pub(crate) use size::size;
-pub(crate) use surroundings::{Surroundings, surroundings};
-pub(crate) use vector::{background, color, intrinsics, point, reflectance, up, view_matrix};

@@ -10,4 +10,5 @@ mod models;
 mod navigate;
 mod program;
 mod render;
+mod scene_files;
 mod usage;

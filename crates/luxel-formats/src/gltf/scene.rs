@@ -94,7 +94,9 @@ impl Builder<'_, '_> {
             let (lens, planes) = cameras::convert(file_camera, camera)?;
             let name = self.name_of_guest(&file_camera.name, node, || format!("camera_{camera}"));
             let planes = Some(planes);
-            self.scene.cameras.push(SceneCamera { name, node: Some(id), lens, planes });
+            let node = Some(id);
+            let view_from_node = DMat4::IDENTITY;
+            self.scene.cameras.push(SceneCamera { name, node, view_from_node, lens, planes });
         }
         if let Some(light) = &node.extensions.light {
             let number = light.light;

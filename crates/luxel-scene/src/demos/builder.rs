@@ -109,8 +109,13 @@ impl SceneBuilder {
         let world_from_view = Camera::look_at(eye, target, DVec3::Y).inverse();
         let node = self.group("camera", Some(parent), world_from_view);
         let lens = Lens::Perspective { fov_y_radians: fov_y_degrees.to_radians() };
-        let camera = SceneCamera { name: "camera".into(), node: Some(node), lens, planes: None };
-        self.scene.cameras.push(camera);
+        self.scene.cameras.push(SceneCamera {
+            name: "camera".into(),
+            node: Some(node),
+            view_from_node: DMat4::IDENTITY,
+            lens,
+            planes: None,
+        });
         CameraId(self.scene.cameras.len() as u32 - 1)
     }
 }

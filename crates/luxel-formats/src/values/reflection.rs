@@ -1,13 +1,16 @@
 //! `blinn-phong`, `mixed:lambert=.7,mirror=.3`: a model of reflection by name.
 
 use super::number::non_negative_f32;
-use luxel::lighting::Reflection;
+use luxel_lighting::Reflection;
 
 const NAMES: &str =
     "unlit, lambert, oren-nayar, phong, blinn-phong, microfacet, mirror, retro or mixed:NAME=W,...";
 
 /// A model of reflection.
-pub(crate) fn reflection(text: &str) -> Result<Reflection, String> {
+///
+/// # Errors
+/// A name that is none, a weight below 0.
+pub fn reflection(text: &str) -> Result<Reflection, String> {
     let Some(parts) = text.strip_prefix("mixed:") else {
         return single(text);
     };
@@ -36,7 +39,8 @@ fn single(name: &str) -> Result<Reflection, String> {
 }
 
 /// The name that [`reflection`] reads.
-pub(crate) fn reflection_name(reflection: &Reflection) -> &'static str {
+#[must_use]
+pub fn reflection_name(reflection: &Reflection) -> &'static str {
     match reflection {
         Reflection::Unlit => "unlit",
         Reflection::Lambert => "lambert",

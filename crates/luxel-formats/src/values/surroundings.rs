@@ -1,10 +1,12 @@
 //! `none`, `studio`, `R,G,B`: what mirrors and metals see.
 
 use super::vector::reflectance;
+use luxel_lighting::Environment;
+use luxel_scene::DVec3;
 
 /// What mirrors and metals see.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Surroundings {
+pub enum Surroundings {
     /// Nothing.
     None,
     /// An analytic gradient: bright above, dark below.
@@ -13,8 +15,23 @@ pub(crate) enum Surroundings {
     Constant([f32; 3]),
 }
 
+impl Surroundings {
+    /// The environment, where `up` is up.
+    #[must_use]
+    pub fn environment(self, up: DVec3) -> Environment {
+        match self {
+            Self::None => Environment::None,
+            Self::Studio => Environment::Studio { up: up.as_vec3().to_array() },
+            Self::Constant(color) => Environment::Constant(color),
+        }
+    }
+}
+
 /// An environment.
-pub(crate) fn surroundings(text: &str) -> Result<Surroundings, String> {
+///
+/// # Errors
+/// Anything but `none`, `studio` or a colour without negative components.
+pub fn surroundings(text: &str) -> Result<Surroundings, String> {
     match text {
         "none" => Ok(Surroundings::None),
         "studio" => Ok(Surroundings::Studio),

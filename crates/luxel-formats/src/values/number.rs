@@ -1,14 +1,20 @@
 //! Numbers: `.5`, `-3`, `1e-7`; never NaN, never infinite.
 
 /// A finite number.
-pub(crate) fn finite(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// Anything else.
+pub fn finite(text: &str) -> Result<f64, String> {
     let text = text.trim();
     let number: f64 = text.parse().map_err(|_| format!("`{text}` is no number"))?;
     if number.is_finite() { Ok(number) } else { Err(format!("`{text}` is not a finite number")) }
 }
 
 /// A finite number above 0.
-pub(crate) fn positive(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// Anything else.
+pub fn positive(text: &str) -> Result<f64, String> {
     let number = finite(text)?;
     if number > 0.0 { Ok(number) } else { Err("it must be above 0".to_owned()) }
 }
@@ -20,18 +26,24 @@ fn non_negative(text: &str) -> Result<f64, String> {
 }
 
 /// A finite number of at least 0, in single precision.
-pub(crate) fn non_negative_f32(text: &str) -> Result<f32, String> {
+///
+/// # Errors
+/// Anything else.
+pub fn non_negative_f32(text: &str) -> Result<f32, String> {
     single(non_negative(text)?)
 }
 
 /// The number in single precision, if it has room there.
-pub(crate) fn single(number: f64) -> Result<f32, String> {
+pub(super) fn single(number: f64) -> Result<f32, String> {
     let single = number as f32;
     if single.is_finite() { Ok(single) } else { Err(format!("{number:e} is too large")) }
 }
 
 /// The distance of the far plane: above 0, or `infinity`.
-pub(crate) fn far_plane(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// Anything but a finite number or `infinity`.
+pub fn far_plane(text: &str) -> Result<f64, String> {
     match text.trim() {
         "infinity" | "inf" => Ok(f64::INFINITY),
         text => finite(text),
@@ -39,7 +51,10 @@ pub(crate) fn far_plane(text: &str) -> Result<f64, String> {
 }
 
 /// An angle of view in degrees, between 0 and 180.
-pub(crate) fn fov(text: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// Anything else.
+pub fn fov(text: &str) -> Result<f64, String> {
     let degrees = finite(text)?;
     if degrees > 0.0 && degrees < 180.0 {
         Ok(degrees)
@@ -48,27 +63,13 @@ pub(crate) fn fov(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Samples a pixel.
-pub(crate) fn samples(text: &str) -> Result<u32, String> {
-    match text {
-        "1" => Ok(1),
-        "2" => Ok(2),
-        "4" => Ok(4),
-        "8" => Ok(8),
-        "16" => Ok(16),
-        _ => Err("use 1, 2, 4, 8 or 16".to_owned()),
-    }
-}
-
-/// The most threads that can be asked for: far above any machine, far below what would exhaust one.
-const MAX_THREADS: usize = 1024;
-
-/// A number of threads.
-pub(crate) fn threads(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(count @ 1..=MAX_THREADS) => Ok(count),
-        _ => Err(format!("use a whole number from 1 to {MAX_THREADS}")),
-    }
+/// A number from 0 to 1, in single precision.
+///
+/// # Errors
+/// Anything else.
+pub fn unit_interval(text: &str) -> Result<f32, String> {
+    let share = finite(text)?;
+    if (0.0..=1.0).contains(&share) { Ok(share as f32) } else { Err("use 0 to 1".to_owned()) }
 }
 
 #[cfg(test)]
@@ -105,9 +106,6 @@ mod tests {
     fn ranges_are_kept() {
         assert!(fov("0").is_err() && fov("180").is_err() && fov("179.9").is_ok());
         assert!(positive("0").is_err() && non_negative("0").is_ok() && non_negative("-1").is_err());
-        assert!(samples("3").is_err() && samples("16").is_ok() && samples("32").is_err());
-        assert!(threads("0").is_err() && threads("-1").is_err() && threads("7").is_ok());
-        assert!(threads("99999999999999999999").is_err());
     }
 
     proptest! {

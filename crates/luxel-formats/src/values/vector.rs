@@ -1,13 +1,13 @@
 //! Numbers with commas between them: points, directions, colours, matrices.
 
 use super::number::{finite, single};
-use luxel::scene::{DMat4, DVec3, DVec4};
+use luxel_scene::{DMat4, DVec3, DVec4};
 
 /// How far a view matrix may be from a rotation: what six printed digits leave.
 const RIGID_TOLERANCE: f64 = 1e-4;
 
 /// `N` finite numbers with commas between them.
-pub(super) fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
+pub(crate) fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let numbers: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
     let count = numbers.len();
     numbers.try_into().map_err(|_| {
@@ -17,12 +17,18 @@ pub(super) fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
 }
 
 /// A place.
-pub(crate) fn point(text: &str) -> Result<DVec3, String> {
+///
+/// # Errors
+/// Anything but three finite numbers.
+pub fn point(text: &str) -> Result<DVec3, String> {
     numbers(text).map(DVec3::from_array)
 }
 
 /// A direction of any length but 0, brought to length 1.
-pub(super) fn direction(text: &str) -> Result<DVec3, String> {
+///
+/// # Errors
+/// Anything but three finite numbers, and length 0.
+pub fn direction(text: &str) -> Result<DVec3, String> {
     let vector = point(text)?;
     let largest = vector.abs().max_element();
     if largest == 0.0 {
@@ -33,7 +39,10 @@ pub(super) fn direction(text: &str) -> Result<DVec3, String> {
 }
 
 /// What is up: an axis by name, or a direction.
-pub(crate) fn up(text: &str) -> Result<DVec3, String> {
+///
+/// # Errors
+/// Anything but an axis or a direction.
+pub fn up(text: &str) -> Result<DVec3, String> {
     match text {
         "X" | "x" | "+X" | "+x" => Ok(DVec3::X),
         "Y" | "y" | "+Y" | "+y" => Ok(DVec3::Y),
@@ -46,13 +55,19 @@ pub(crate) fn up(text: &str) -> Result<DVec3, String> {
 }
 
 /// Linear red, green and blue of any intensity.
-pub(crate) fn color(text: &str) -> Result<[f32; 3], String> {
+///
+/// # Errors
+/// Anything but three numbers that single precision has room for.
+pub fn color(text: &str) -> Result<[f32; 3], String> {
     let [r, g, b] = numbers(text)?;
     Ok([single(r)?, single(g)?, single(b)?])
 }
 
 /// Linear red, green and blue of a surface: none below 0.
-pub(crate) fn reflectance(text: &str) -> Result<[f32; 3], String> {
+///
+/// # Errors
+/// Anything but a colour without negative components.
+pub fn reflectance(text: &str) -> Result<[f32; 3], String> {
     let color = color(text)?;
     if color.iter().all(|&component| component >= 0.0) {
         Ok(color)
@@ -62,7 +77,10 @@ pub(crate) fn reflectance(text: &str) -> Result<[f32; 3], String> {
 }
 
 /// Linear red, green and blue, with or without alpha from 0 to 1 (1 if it is left out).
-pub(crate) fn background(text: &str) -> Result<[f32; 4], String> {
+///
+/// # Errors
+/// Anything but a colour with or without such an alpha.
+pub fn background(text: &str) -> Result<[f32; 4], String> {
     if text.split(',').count() == 3 {
         let [r, g, b] = color(text)?;
         return Ok([r, g, b, 1.0]);
@@ -76,7 +94,10 @@ pub(crate) fn background(text: &str) -> Result<[f32; 4], String> {
 }
 
 /// Focal lengths and principal point in pixels: fx, fy above 0, cx, cy anywhere.
-pub(crate) fn intrinsics(text: &str) -> Result<[f64; 4], String> {
+///
+/// # Errors
+/// Anything but such four numbers.
+pub fn intrinsics(text: &str) -> Result<[f64; 4], String> {
     let [fx, fy, cx, cy] = numbers(text)?;
     if fx > 0.0 && fy > 0.0 {
         Ok([fx, fy, cx, cy])
@@ -86,7 +107,10 @@ pub(crate) fn intrinsics(text: &str) -> Result<[f64; 4], String> {
 }
 
 /// A view matrix, column by column: a rotation and a translation.
-pub(crate) fn view_matrix(text: &str) -> Result<DMat4, String> {
+///
+/// # Errors
+/// Anything but sixteen numbers that are a rotation and a translation, to 1e-4.
+pub fn view_matrix(text: &str) -> Result<DMat4, String> {
     let matrix = DMat4::from_cols_array(&numbers(text)?);
     if matrix.row(3) != DMat4::IDENTITY.row(3) {
         return Err("its last row must be 0,0,0,1 (numbers go column by column)".to_owned());
@@ -126,7 +150,7 @@ fn rigid(matrix: &DMat4) -> DMat4 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luxel::scene::Camera;
+    use luxel_scene::Camera;
 
     #[test]
     fn points_may_begin_with_a_minus_and_hold_spaces() {

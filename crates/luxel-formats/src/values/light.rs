@@ -1,13 +1,14 @@
-//! `KIND:KEY=VALUE:...`: a light on the command line.
+//! `KIND:KEY=VALUE:...`: a light.
 
+use super::fields::{FieldError, Fields};
 use super::number::{finite, non_negative_f32};
 use super::vector::{color, direction, numbers, point};
-use luxel::lighting::{Attenuation, Cone, Light, LightKind};
-use luxel::scene::{DVec3, Placement, SceneLight};
+use luxel_lighting::{Attenuation, Cone, Light, LightKind};
+use luxel_scene::{DVec3, Placement, SceneLight};
 
 /// A light as the user wrote it; lights without a name are numbered later.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct LightSpec {
+pub struct LightSpec {
     name: Option<String>,
     light: Light,
     placement: Placement,
@@ -17,7 +18,8 @@ pub(crate) struct LightSpec {
 
 impl LightSpec {
     /// The light, called `light1` and so on by its place on the line if it has no name.
-    pub(crate) fn named(self, place: usize) -> SceneLight {
+    #[must_use]
+    pub fn named(self, place: usize) -> SceneLight {
         SceneLight {
             name: self.name.unwrap_or_else(|| format!("light{}", place + 1)),
             light: self.light,
@@ -28,48 +30,24 @@ impl LightSpec {
     }
 }
 
-/// What can be said about a light.
-#[derive(Default)]
-struct Fields<'a> {
-    /// Key and value of each field, in order, each taken once.
-    left: Vec<(&'a str, &'a str)>,
-}
-
-impl<'a> Fields<'a> {
-    fn parse(text: &'a str) -> Result<Self, String> {
-        let mut left: Vec<(&str, &str)> = Vec::new();
-        for field in text.split(':') {
-            let (key, value) = field
-                .split_once('=')
-                .ok_or_else(|| format!("`{field}` lacks a value: use KEY=VALUE"))?;
-            if left.iter().any(|(known, _)| *known == key) {
-                return Err(format!("`{key}` is given twice"));
-            }
-            left.push((key, value));
-        }
-        Ok(Self { left })
-    }
-
-    fn take<T>(
-        &mut self,
-        key: &str,
-        parse: impl Fn(&str) -> Result<T, String>,
-    ) -> Result<Option<T>, String> {
-        let Some(place) = self.left.iter().position(|(known, _)| *known == key) else {
-            return Ok(None);
-        };
-        let (_, value) = self.left.remove(place);
-        parse(value).map(Some).map_err(|message| format!("{key}: {message}"))
-    }
-}
-
-/// A light.
-pub(crate) fn light(text: &str) -> Result<LightSpec, String> {
+/// A light on the command line.
+///
+/// # Errors
+/// As [`light_of`], and fields that are given twice.
+pub fn light(text: &str) -> Result<LightSpec, String> {
     let (kind, rest) = text.split_once(':').unwrap_or((text, ""));
-    let mut fields = if rest.is_empty() { Fields::default() } else { Fields::parse(rest)? };
+    let fields = if rest.is_empty() { Ok(Fields::default()) } else { Fields::parse(rest) };
+    fields.and_then(|fields| light_of(kind, fields)).map_err(|error| error.to_string())
+}
+
+/// A light of a kind, by its fields.
+///
+/// # Errors
+/// A kind that is none, fields that are missing, unknown or wrong.
+pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldError> {
     let name = fields.take("name", light_name)?;
     let placement = fields.take("in", placement)?.unwrap_or_default();
-    let needs = |what: &str| format!("a light of kind `{kind}` needs {what}");
+    let needs = |what: &str| FieldError::new(format!("a light of kind `{kind}` needs {what}"));
 
     let mut position = DVec3::ZERO;
     let mut towards = DVec3::NEG_Z;
@@ -81,9 +59,9 @@ pub(crate) fn light(text: &str) -> Result<LightSpec, String> {
             "point" => LightKind::Point,
             "spot" => LightKind::Spot(cone(&mut fields)?),
             _ => {
-                return Err(format!(
+                return Err(FieldError::new(format!(
                     "`{kind}` is no kind of light: use directional, point, spot or ambient"
-                ));
+                )));
             }
         };
         if kind != LightKind::Directional {
@@ -98,8 +76,8 @@ pub(crate) fn light(text: &str) -> Result<LightSpec, String> {
         light.attenuation = fields.take("attenuation", attenuation)?.unwrap_or(Attenuation::NONE);
         light
     };
-    match fields.left.first() {
-        Some((key, _)) => Err(format!("a light of kind `{kind}` has no `{key}`")),
+    match fields.stranger() {
+        Some(key) => Err(FieldError::new(format!("a light of kind `{kind}` has no `{key}`"))),
         None => Ok(LightSpec { name, light, placement, position, direction: towards }),
     }
 }
@@ -116,7 +94,7 @@ fn placement(text: &str) -> Result<Placement, String> {
     }
 }
 
-fn cone(fields: &mut Fields<'_>) -> Result<Cone, String> {
+fn cone(fields: &mut Fields<'_>) -> Result<Cone, FieldError> {
     let cos_cutoff = fields.take("cutoff", cos_cutoff)?.unwrap_or(-1.0);
     let exponent = fields.take("exponent", non_negative_f32)?.unwrap_or(0.0);
     Ok(Cone::Exponent { cos_cutoff, exponent })

@@ -1,0 +1,195 @@
+//! The flags that a scene file brings: `[render]` read by the table of options of the command line.
+//!
+//! The keys of `[render]` are the flags of `luxel render`, and their values are read by the flags'
+//! own parsers: what the file says is put onto the command line, behind which nobody can tell where
+//! a flag came from. Flags that the user gives win, and so do flags that exclude one of the file's.
+
+pub(crate) mod flags;
+#[cfg(test)]
+mod page;
+pub(crate) mod schema;
+
+use crate::cli::Cli;
+use crate::failure::Failure;
+use crate::model;
+use clap::error::{ContextKind, ContextValue, ErrorKind as UsageKind};
+use clap::parser::ValueSource;
+use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory, FromArgMatches};
+use flags::{Answer, answer};
+use luxel::formats::{
+    Error, ErrorKind, Format, Limits, Place, Setting, SettingValue, scene_settings,
+};
+use std::error::Error as _;
+use std::ffi::OsString;
+use std::path::Path;
+
+/// Why there is no command to run.
+#[derive(Debug)]
+pub(crate) enum Refusal {
+    /// What clap has to say: help, the version, or what is wrong with the line.
+    Line(Box<clap::Error>),
+    /// The scene file is wrong.
+    File(Failure),
+}
+
+impl From<clap::Error> for Refusal {
+    fn from(error: clap::Error) -> Self {
+        Self::Line(Box::new(error))
+    }
+}
+
+/// The command that a line asks for, with what its scene file says, if its model is one.
+pub(crate) fn command_of(line: &[OsString]) -> Result<Cli, Refusal> {
+    let mut program = Cli::command();
+    // Building tells the commands of the flags that all of them take.
+    program.build();
+    let matches = program.try_get_matches_from_mut(line)?;
+    let settings = match matches.subcommand() {
+        Some((_, given)) => settings(given).map_err(Refusal::File)?,
+        None => Vec::new(),
+    };
+    let Some((name, given)) = matches.subcommand().filter(|_| !settings.is_empty()) else {
+        return Ok(Cli::from_arg_matches(&matches)?);
+    };
+    let file = given.get_one::<OsString>("model").cloned().unwrap_or_default();
+    let in_file = |error: Error| Refusal::File(error.in_file(&file).into());
+    let render = program.find_subcommand("render").unwrap_or(&program);
+    check(&settings, render).map_err(in_file)?;
+    let command = program.find_subcommand(name).unwrap_or(&program);
+    let flags = settings.iter().flat_map(|setting| flags_for(setting, command, given));
+    // Flags before the command take no values.
+    let is_command = |word: &OsString| word == name;
+    let after = line.iter().position(is_command).map_or(line.len(), |place| place + 1);
+    let (before, behind) = line.split_at(after);
+    let longer: Vec<OsString> =
+        before.iter().cloned().chain(flags).chain(behind.iter().cloned()).collect();
+    let matches = Cli::command().try_get_matches_from(longer)?;
+    Ok(Cli::from_arg_matches(&matches)?)
+}
+
+/// What the model says about flags, if it is a scene file. One that can't be read is told of later,
+/// when it is opened.
+fn settings(given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
+    let Ok(Some(name)) = given.try_get_one::<OsString>("model") else { return Ok(Vec::new()) };
+    let format = given.try_get_one::<Format>("format").ok().flatten();
+    let by_name =
+        || Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    if !format.map_or_else(by_name, |&format| format == Format::Toml) {
+        return Ok(Vec::new());
+    }
+    let max_memory = given.try_get_one::<u64>("max_memory").ok().flatten();
+    let limits = max_memory
+        .map_or_else(Limits::default, |&max_memory| Limits { max_memory, ..Limits::default() });
+    let Ok(bytes) = model::bytes_of(name, &limits) else { return Ok(Vec::new()) };
+    scene_settings(&bytes, &limits).map_err(|error| {
+        let error = if name == "-" { error } else { error.in_file(name) };
+        error.into()
+    })
+}
+
+/// The settings make sense, each by itself and all together: for `luxel render`, whatever the
+/// command is, so that a file is right or wrong for all of them.
+fn check(settings: &[Setting], render: &Command) -> Result<(), Error> {
+    let mut all: Vec<OsString> = Vec::new();
+    for setting in settings {
+        let wrong = |place: &Place, message: String| {
+            Error::at(place.clone(), ErrorKind::Malformed(message))
+        };
+        let arg = match answer(&setting.name, render) {
+            Answer::Flag(arg) => arg,
+            Answer::No(message) => return Err(wrong(&setting.place, message)),
+        };
+        let at_value =
+            |message: String| wrong(&setting.value_place, format!("{}: {message}", setting.name));
+        let words = words(setting, arg).map_err(at_value)?;
+        if let Err(error) = try_render(render, &words)
+            && let Some(message) = value_error(&error)
+        {
+            return Err(at_value(message));
+        }
+        all.extend(words);
+    }
+    match try_render(render, &all) {
+        Err(error) if error.kind() == UsageKind::ArgumentConflict => {
+            let named = |kind| match error.get(kind) {
+                Some(ContextValue::String(flag)) => named(settings, flag),
+                Some(ContextValue::Strings(flags)) => {
+                    flags.iter().find_map(|flag| named(settings, flag))
+                }
+                _ => None,
+            };
+            let pair = [named(ContextKind::InvalidArg), named(ContextKind::PriorArg)];
+            let [Some(one), Some(other)] = pair else { return Ok(()) };
+            let message = format!("`{}` and `{}` exclude each other", one.name, other.name);
+            Err(Error::at(one.place.clone(), ErrorKind::Malformed(message)))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The setting that a flag as clap writes it, `--fov <DEG>`, came from.
+fn named<'s>(settings: &'s [Setting], flag: &str) -> Option<&'s Setting> {
+    let name = flag.split([' ', '=']).next()?.trim_start_matches('-');
+    settings.iter().find(|setting| setting.name == name)
+}
+
+/// What `luxel render` would say to these flags.
+fn try_render(render: &Command, words: &[OsString]) -> Result<(), clap::Error> {
+    let line = ["render", "--output=x.png"].map(OsString::from).into_iter();
+    let line = line.chain(words.iter().cloned());
+    render.clone().no_binary_name(false).try_get_matches_from(line).map(|_| ())
+}
+
+/// What is wrong with a value, in the words of its parser; `None` if something else is wrong.
+fn value_error(error: &clap::Error) -> Option<String> {
+    match error.kind() {
+        UsageKind::ValueValidation => error.source().map(ToString::to_string),
+        UsageKind::InvalidValue => {
+            let Some(ContextValue::Strings(choices)) = error.get(ContextKind::ValidValue) else {
+                return Some("this means nothing here".to_owned());
+            };
+            Some(format!("use {}", choices.join(", ")))
+        }
+        UsageKind::UnknownArgument | UsageKind::TooManyValues | UsageKind::WrongNumberOfValues => {
+            Some("this means nothing here".to_owned())
+        }
+        _ => None,
+    }
+}
+
+/// What a setting is on the command line.
+fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
+    let name = &setting.name;
+    let given = |value: &String| OsString::from(format!("--{name}={value}"));
+    match (arg.get_action(), &setting.value) {
+        (ArgAction::SetTrue, SettingValue::Switch(true)) => Ok(vec![format!("--{name}").into()]),
+        (ArgAction::SetTrue, SettingValue::Switch(false)) => Ok(Vec::new()),
+        (ArgAction::SetTrue, _) => Err("use true or false".to_owned()),
+        (_, SettingValue::Switch(_)) => Err("true and false mean nothing here".to_owned()),
+        (_, SettingValue::One(value)) => Ok(vec![given(value)]),
+        (ArgAction::Append, SettingValue::Many(values)) => Ok(values.iter().map(given).collect()),
+        (_, SettingValue::Many(values)) => Ok(vec![given(&values.join(","))]),
+    }
+}
+
+/// What a setting adds to a command's line: nothing where the line already says it or something that
+/// excludes it, or where the command has no such flag.
+fn flags_for(setting: &Setting, command: &Command, given: &ArgMatches) -> Vec<OsString> {
+    let on_line = |arg: &Arg| {
+        let id = arg.get_id().as_str();
+        given.try_contains_id(id).is_ok_and(|known| known)
+            && given.value_source(id) == Some(ValueSource::CommandLine)
+    };
+    let has_name = |arg: &&Arg| arg.get_long() == Some(setting.name.as_str());
+    let Some(arg) = command.get_arguments().find(has_name) else { return Vec::new() };
+    let excludes = |one: &Arg, other: &Arg| {
+        command.get_arg_conflicts_with(one).iter().any(|arg| arg.get_id() == other.get_id())
+    };
+    let is_overruled = command.get_arguments().filter(|other| on_line(other)).any(|other| {
+        other.get_id() == arg.get_id() || excludes(arg, other) || excludes(other, arg)
+    });
+    if is_overruled { Vec::new() } else { words(setting, arg).unwrap_or_default() }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,90 @@
+//! Which flags of `luxel render` may stand in `[render]`.
+
+use clap::{Arg, Command};
+use luxel::formats::values::nearest;
+
+/// Whether a key of `[render]` is a flag.
+pub(crate) enum Answer<'a> {
+    /// This one.
+    Flag(&'a Arg),
+    /// It isn't: why, and what to write instead.
+    No(String),
+}
+
+/// Flags that stand elsewhere in a scene file, and where.
+const ELSEWHERE: [(&str, &str); 13] = [
+    ("light", "[[lights]]"),
+    ("fog", "[fog]"),
+    ("ambient", "`ambient` above all tables"),
+    ("environment", "`environment` above all tables"),
+    ("background", "`background` above all tables"),
+    ("up", "`up` above all tables"),
+    ("color", "`color` in [material]"),
+    ("ka", "`ka` in [material]"),
+    ("kd", "`kd` in [material]"),
+    ("ks", "`ks` in [material]"),
+    ("shininess", "`shininess` in [material]"),
+    ("emission", "`emission` in [material]"),
+    ("reflection", "`reflection` in [material]"),
+];
+
+/// Flags that say where results go and how the work is done: a file says what to draw.
+const ON_THE_LINE: [&str; 11] = [
+    "output",
+    "output-format",
+    "format",
+    "json",
+    "threads",
+    "simd",
+    "max-memory",
+    "quiet",
+    "verbose",
+    "help",
+    "version",
+];
+
+/// Looks a key of `[render]` up.
+pub(crate) fn answer<'a>(name: &str, render: &'a Command) -> Answer<'a> {
+    if let Some((_, place)) = ELSEWHERE.iter().find(|(flag, _)| *flag == name) {
+        return Answer::No(format!("`{name}` is no setting: write {place}"));
+    }
+    if ON_THE_LINE.contains(&name) {
+        let why = "a file says what to draw, not where it goes and how it is done";
+        return Answer::No(format!("`{name}` is for the command line: {why}"));
+    }
+    if let Some(arg) = keys(render).find(|arg| arg.get_long() == Some(name)) {
+        return Answer::Flag(arg);
+    }
+    let known: Vec<&str> = keys(render).filter_map(Arg::get_long).collect();
+    Answer::No(match nearest(name, known.iter().copied()) {
+        Some(meant) => format!("`{name}` is unknown here: did you mean `{meant}`?"),
+        None => format!("`{name}` is unknown here: use {}", known.join(", ")),
+    })
+}
+
+/// The flags that may stand in `[render]`, in the order of the table of options.
+pub(crate) fn keys(render: &Command) -> impl Iterator<Item = &Arg> {
+    let is_key = |name: &str| {
+        !ON_THE_LINE.contains(&name) && !ELSEWHERE.iter().any(|(flag, _)| *flag == name)
+    };
+    render.get_arguments().filter(move |arg| arg.get_long().is_some_and(is_key))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::Cli;
+    use clap::CommandFactory;
+
+    #[test]
+    fn what_stands_elsewhere_or_on_the_line_is_a_flag() {
+        let mut program = Cli::command();
+        program.build();
+        let render = program.find_subcommand("render").unwrap();
+        let flags: Vec<_> = render.get_arguments().filter_map(Arg::get_long).collect();
+        for name in ELSEWHERE.iter().map(|(name, _)| *name).chain(ON_THE_LINE) {
+            // Commands have no version of their own.
+            assert!(flags.contains(&name) || name == "version", "{name}");
+        }
+    }
+}

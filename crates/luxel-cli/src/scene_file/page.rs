@@ -1,0 +1,78 @@
+//! The tables of `docs/scene-files.md`, made of the tables of keys and options.
+//!
+//! `LUXEL_BLESS=1` writes page and schema instead of comparing them.
+
+use super::{flags, schema};
+use crate::cli::Cli;
+use crate::commands;
+use clap::CommandFactory;
+use luxel::formats::{Key, Section, Shape, sections};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+const BEGIN: &str = "<!-- keys: begin -->\n";
+const END: &str = "<!-- keys: end -->\n";
+
+fn docs(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name)
+}
+
+#[track_caller]
+fn assert_is_up_to_date(name: &str, expected: &str) {
+    if std::env::var_os("LUXEL_BLESS").is_some() {
+        std::fs::write(docs(name), expected).unwrap();
+    }
+    let is = std::fs::read_to_string(docs(name)).unwrap_or_default();
+    assert!(is == expected, "docs/{name} is behind: run this test with LUXEL_BLESS=1");
+}
+
+#[test]
+fn the_schema_says_what_scene_files_may_say() {
+    assert_is_up_to_date("scene.schema.json", &commands::schema::text());
+}
+
+#[test]
+fn the_page_lists_every_key() {
+    let page = std::fs::read_to_string(docs("scene-files.md")).unwrap();
+    let (before, rest) = page.split_once(BEGIN).unwrap();
+    let (_, behind) = rest.split_once(END).unwrap();
+    assert_is_up_to_date("scene-files.md", &format!("{before}{BEGIN}{}{END}{behind}", tables()));
+}
+
+fn tables() -> String {
+    let mut text = String::new();
+    for section in sections() {
+        table(section, &mut text);
+    }
+    let mut program = Cli::command();
+    program.build();
+    text.push_str(
+        "\n### `[render]`\n\nFlags of `luxel render`; those on the command line win.\n\n",
+    );
+    text.push_str("| key | meaning |\n| --- | --- |\n");
+    for arg in flags::keys(program.find_subcommand("render").unwrap()) {
+        let (name, help) = (arg.get_long().unwrap(), schema::help_of(arg).replace('|', "\\|"));
+        writeln!(text, "| `{name}` | {help} |").unwrap();
+    }
+    text.push('\n');
+    text
+}
+
+fn table(section: &Section, text: &mut String) {
+    let title = match (section.name, section.repeated) {
+        ("", _) => "Above all tables".to_owned(),
+        (name, true) => format!("`[[{name}]]`"),
+        (name, false) => format!("`[{name}]`"),
+    };
+    write!(text, "\n### {title}\n\n{}.\n\n", section.about).unwrap();
+    text.push_str("| key | meaning | for example |\n| --- | --- | --- |\n");
+    for Key { name, shape, required, about, example } in section.keys {
+        let mark = if *required { " (needed)" } else { "" };
+        writeln!(text, "| `{name}`{mark} | {about} | `{name} = {example}` |").unwrap();
+        if let Shape::Table(inner) = shape {
+            for key in inner.keys {
+                writeln!(text, "| `{name}.{}` | {} | |", key.name, key.about).unwrap();
+            }
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Whole numbers: samples of a pixel, threads.
+
+/// Samples a pixel.
+pub(crate) fn samples(text: &str) -> Result<u32, String> {
+    match text {
+        "1" => Ok(1),
+        "2" => Ok(2),
+        "4" => Ok(4),
+        "8" => Ok(8),
+        "16" => Ok(16),
+        _ => Err("use 1, 2, 4, 8 or 16".to_owned()),
+    }
+}
+
+/// The most threads that can be asked for: far above any machine, far below what would exhaust one.
+const MAX_THREADS: usize = 1024;
+
+/// A number of threads.
+pub(crate) fn threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count @ 1..=MAX_THREADS) => Ok(count),
+        _ => Err(format!("use a whole number from 1 to {MAX_THREADS}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_kept() {
+        assert!(samples("3").is_err() && samples("16").is_ok() && samples("32").is_err());
+        assert!(threads("0").is_err() && threads("-1").is_err() && threads("7").is_ok());
+        assert!(threads("99999999999999999999").is_err());
+    }
+}

@@ -1,0 +1,69 @@
+//! Scene files: models, materials, lights, cameras and what surrounds them, in a TOML of luxel's own.
+//!
+//! What a file may say is a table of its own (`keys`), out of which the readers take their keys, and
+//! of which the schema and the page about scene files are made. Values are read by the parsers of
+//! the flags that say the same ([`values`](crate::values)): a light's keys are the fields of
+//! `--light`. What `[render]` says are flags; the reader hands them on as [`Setting`]s.
+
+mod cameras;
+mod document;
+mod keys;
+mod lights;
+mod materials;
+mod models;
+mod nodes;
+mod settings;
+mod transform;
+
+use crate::memory::Memory;
+use crate::values::{background, color, fog_of, surroundings, up};
+use crate::warnings::Warnings;
+use crate::{Error, Format, Limits, Loaded};
+use document::{Document, Table};
+pub use keys::{Key, Section, Shape, sections};
+use luxel_scene::{Scene, SceneMaterial};
+pub use settings::{Setting, SettingValue, scene_settings};
+use std::path::Path;
+
+/// Reads a scene file, with its models from `folder`.
+pub(crate) fn read(bytes: &[u8], folder: Option<&Path>, limits: &Limits) -> Result<Loaded, Error> {
+    let memory = Memory::new(limits);
+    let mut warnings = Warnings::default();
+    let document = Document::parse(bytes, &memory)?;
+    let root = document.root()?;
+    let mut models = models::read(&document, folder, &memory, &mut warnings)?;
+    materials::apply(&document, &mut models, &memory)?;
+    surround(&document, &root, &mut models.scene)?;
+    let lights = lights::read(&document, &models.nodes, &models.scene)?;
+    let cameras = cameras::read(&document, &models.nodes, &models.scene)?;
+    let mut scene = models.scene;
+    scene.lights = if lights.is_empty() { models.lights } else { lights };
+    scene.cameras = cameras;
+    scene.cameras.extend(models.cameras);
+    if scene.materials.is_empty() {
+        scene.materials.push(SceneMaterial::default());
+    }
+    Ok(Loaded { scene, format: Format::Toml, warnings: warnings.finish() })
+}
+
+/// What stands outside the models: up, ambient light, environment, background, fog.
+fn surround(document: &Document<'_>, root: &Table<'_>, scene: &mut Scene) -> Result<(), Error> {
+    scene.up = root.value("up", up)?.unwrap_or(scene.up);
+    scene.ambient = root.value("ambient", color)?.or(scene.ambient);
+    let environment = root.value("environment", surroundings)?;
+    let environment = environment.map(|surroundings| surroundings.environment(scene.up));
+    scene.environment = environment.or(scene.environment);
+    scene.background = root.value("background", background)?.or(scene.background);
+    for table in document.tables(&keys::FOG)? {
+        let fields = table.fields(&[])?;
+        let fog = fog_of(fields.iter().map(|(key, value)| (*key, value.as_str())).collect());
+        scene.fog = Some(fog.map_err(|error| match &error.key {
+            Some(key) => table.error_at(key, error.to_string()),
+            None => table.error(error.to_string()),
+        })?);
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,306 @@
+//! From text to tables whose keys are known, with the place of everything.
+
+use super::keys::{FORMAT, Key, RENDER, ROOT, Section, sections};
+use crate::memory::Memory;
+use crate::values::nearest;
+use crate::{Error, ErrorKind, Place};
+use serde_spanned::Spanned;
+use std::borrow::Cow;
+use toml::de::{DeTable, DeValue};
+
+/// What a byte of the text may take in memory once it is read: the smallest value with its place,
+/// by what it takes to write one.
+const BYTES_PER_BYTE: u64 = 96;
+
+/// A scene file that says what it is.
+pub(super) struct Document<'a> {
+    text: &'a str,
+    root: Spanned<DeTable<'a>>,
+}
+
+/// A table of the file with the keys that may stand in it.
+#[derive(Clone, Copy)]
+pub(super) struct Table<'a> {
+    text: &'a str,
+    section: &'static Section,
+    entries: &'a DeTable<'a>,
+    start: usize,
+}
+
+/// The line and the column of a byte, from 1; columns are counted in characters.
+fn place_in(text: &str, byte: usize) -> Place {
+    let byte = byte.min(text.len());
+    let before = text.as_bytes().get(..byte).unwrap_or_default();
+    let line_start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+    let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+    // Bytes that go on with a character don't count.
+    let column = before[line_start..].iter().filter(|&&byte| byte & 0xc0 != 0x80).count() + 1;
+    Place::LineColumn(line as u64, column as u64)
+}
+
+fn malformed(text: &str, byte: usize, message: impl Into<String>) -> Error {
+    Error::at(place_in(text, byte), ErrorKind::Malformed(message.into()))
+}
+
+/// `` `coulor` is unknown: did you mean `color`? ``
+fn unknown(name: &str, known: &[&'static str]) -> String {
+    let rest = match nearest(name, known.iter().copied()) {
+        Some(meant) => format!("did you mean `{meant}`?"),
+        None => format!("use {}", known.join(", ")),
+    };
+    format!("`{name}` is unknown here: {rest}")
+}
+
+impl<'a> Document<'a> {
+    /// Reads the text and makes sure that it is a scene file of a version that luxel knows.
+    pub(super) fn parse(bytes: &'a [u8], memory: &Memory<'_>) -> Result<Self, Error> {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        memory.take("the scene file", bytes.len() as u64, BYTES_PER_BYTE, Place::File)?;
+        let text = std::str::from_utf8(bytes).map_err(|error| {
+            let place = Place::Byte(error.valid_up_to() as u64);
+            Error::at(place, ErrorKind::Malformed("a scene file is text in UTF-8".to_owned()))
+        })?;
+        let root = DeTable::parse(text).map_err(|error| {
+            let message = error.message().lines().next().unwrap_or_default();
+            malformed(text, error.span().map_or(0, |span| span.start), message)
+        })?;
+        let document = Self { text, root };
+        document.check_header()?;
+        Ok(document)
+    }
+
+    fn check_header(&self) -> Result<(), Error> {
+        let header = |name: &str| self.root.get_ref().get(name);
+        let wrong = |message: String| Error::at(Place::File, ErrorKind::Unsupported(message));
+        let form = format!("a scene file says format = \"{FORMAT}\" and version = 1");
+        match header("format") {
+            Some(format) if format.get_ref().as_str() == Some(FORMAT) => {}
+            Some(format) => return Err(malformed(self.text, format.span().start, form)),
+            None => return Err(wrong(format!("this is no scene file: {form}"))),
+        }
+        let Some(version) = header("version") else {
+            return Err(wrong(format!("the version is missing: {form}")));
+        };
+        let number = version.get_ref().as_integer().map(ToString::to_string);
+        match number.as_deref() {
+            Some("1") => Ok(()),
+            Some(other) => Err(malformed(
+                self.text,
+                version.span().start,
+                format!(
+                    "version {other} is not read here: use a luxel that knows it, or version 1"
+                ),
+            )),
+            None => Err(malformed(self.text, version.span().start, form)),
+        }
+    }
+
+    /// The keys outside all tables; tables must be known by name.
+    pub(super) fn root(&'a self) -> Result<Table<'a>, Error> {
+        let sections = sections();
+        let tables = sections.iter().map(|section| section.name).filter(|name| !name.is_empty());
+        let mut known: Vec<&'static str> = tables.collect();
+        known.push(RENDER);
+        let root =
+            Table { text: self.text, section: &ROOT, entries: self.root.get_ref(), start: 0 };
+        root.check_keys(&known)?;
+        Ok(root)
+    }
+
+    /// All tables of a section, in order.
+    pub(super) fn tables(&'a self, section: &'static Section) -> Result<Vec<Table<'a>>, Error> {
+        let Some(value) = self.root.get_ref().get(section.name) else { return Ok(Vec::new()) };
+        let wrong = || {
+            let Section { name, repeated, .. } = section;
+            let form = if *repeated { format!("[[{name}]]") } else { format!("[{name}]") };
+            malformed(self.text, value.span().start, format!("`{name}` is a table: write {form}"))
+        };
+        let table = |value: &'a Spanned<DeValue<'a>>| {
+            let entries = value.get_ref().as_table().ok_or_else(wrong)?;
+            Table::new(self.text, section, entries, value.span().start)
+        };
+        if !section.repeated {
+            return Ok(vec![table(value)?]);
+        }
+        value.get_ref().as_array().ok_or_else(wrong)?.iter().map(table).collect()
+    }
+
+    /// A table whose keys are checked by someone else: each with its value, and the place of both.
+    pub(super) fn entries(&'a self, name: &str) -> Result<Vec<Entry<'a>>, Error> {
+        let Some(value) = self.root.get_ref().get(name) else { return Ok(Vec::new()) };
+        let table = value.get_ref().as_table().ok_or_else(|| {
+            malformed(self.text, value.span().start, format!("`{name}` is a table: write [{name}]"))
+        })?;
+        let mut entries: Vec<_> = table.iter().collect();
+        entries.sort_by_key(|(key, _)| key.span().start);
+        let entry = |(key, value): (&'a Spanned<Cow<'a, str>>, &'a Spanned<DeValue<'a>>)| Entry {
+            name: key.get_ref(),
+            place: place_in(self.text, key.span().start),
+            value: value.get_ref(),
+            value_place: place_in(self.text, value.span().start),
+        };
+        Ok(entries.into_iter().map(entry).collect())
+    }
+}
+
+/// A key with its value.
+pub(super) struct Entry<'a> {
+    pub(super) name: &'a str,
+    pub(super) place: Place,
+    pub(super) value: &'a DeValue<'a>,
+    pub(super) value_place: Place,
+}
+
+impl<'a> Table<'a> {
+    fn new(
+        text: &'a str,
+        section: &'static Section,
+        entries: &'a DeTable<'a>,
+        start: usize,
+    ) -> Result<Self, Error> {
+        let table = Self { text, section, entries, start };
+        table.check_keys(&[])?;
+        Ok(table)
+    }
+
+    /// Every key is in the section or among `more`, and none that is needed is missing.
+    fn check_keys(&self, more: &[&'static str]) -> Result<(), Error> {
+        let own = self.section.keys.iter().map(|key| key.name);
+        let known: Vec<&'static str> = own.chain(more.iter().copied()).collect();
+        let strangers = self.entries.keys().filter(|key| !known.contains(&key.get_ref().as_ref()));
+        if let Some(stranger) = strangers.min_by_key(|key| key.span().start) {
+            let message = unknown(stranger.get_ref(), &known);
+            return Err(malformed(self.text, stranger.span().start, message));
+        }
+        let missing = |key: &&Key| key.required && self.get(key.name).is_none();
+        match self.section.keys.iter().find(missing) {
+            Some(key) => {
+                let Key { name, example, .. } = key;
+                Err(self.error(format!("`{name}` is missing: as {name} = {example}")))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn get(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        debug_assert!(
+            self.section.keys.iter().any(|known| known.name == key),
+            "`{key}` is not in the table of keys"
+        );
+        self.entries.get(key)
+    }
+
+    /// Whether the file says it.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.get(key).is_some()
+    }
+
+    /// What is wrong with the table as a whole.
+    pub(super) fn error(&self, message: impl Into<String>) -> Error {
+        malformed(self.text, self.start, message)
+    }
+
+    /// What is wrong with a value.
+    pub(super) fn error_at(&self, key: &str, message: impl Into<String>) -> Error {
+        let start = self.get(key).map_or(self.start, |value| value.span().start);
+        malformed(self.text, start, message)
+    }
+
+    /// The place of a value.
+    pub(super) fn place_of(&self, key: &str) -> Place {
+        place_in(self.text, self.get(key).map_or(self.start, |value| value.span().start))
+    }
+
+    /// A value as the command line would have it, read by the parser of the flag.
+    pub(super) fn value<T>(
+        &self,
+        key: &str,
+        parse: impl Fn(&str) -> Result<T, String>,
+    ) -> Result<Option<T>, Error> {
+        let Some(value) = self.get(key) else { return Ok(None) };
+        let parsed = as_text(value.get_ref()).and_then(|text| parse(&text));
+        parsed.map(Some).map_err(|message| self.error_at(key, format!("{key}: {message}")))
+    }
+
+    /// A string.
+    pub(super) fn text(&self, key: &str) -> Result<Option<&'a str>, Error> {
+        let Some(value) = self.get(key) else { return Ok(None) };
+        let text = value.get_ref().as_str();
+        text.map(Some).ok_or_else(|| self.error_at(key, format!("{key}: use a text in quotes")))
+    }
+
+    /// `true` or `false`.
+    pub(super) fn switch(&self, key: &str) -> Result<Option<bool>, Error> {
+        let Some(value) = self.get(key) else { return Ok(None) };
+        let switch = value.get_ref().as_bool();
+        switch.map(Some).ok_or_else(|| self.error_at(key, format!("{key}: use true or false")))
+    }
+
+    /// A name or a path: a text, with `/` between names, or a list of names.
+    pub(super) fn path(&self, key: &str) -> Result<Option<Vec<String>>, Error> {
+        let Some(value) = self.get(key) else { return Ok(None) };
+        let names = match value.get_ref() {
+            DeValue::String(text) => Some(vec![text.clone().into_owned()]),
+            DeValue::Array(names) => {
+                names.iter().map(|name| name.get_ref().as_str().map(str::to_owned)).collect()
+            }
+            _ => None,
+        };
+        match names {
+            Some(names) if !names.is_empty() => Ok(Some(names)),
+            _ => Err(self.error_at(key, format!("{key}: use a name, a path or a list of names"))),
+        }
+    }
+
+    /// A table within this one.
+    pub(super) fn table(
+        &self,
+        key: &str,
+        section: &'static Section,
+    ) -> Result<Option<Self>, Error> {
+        let Some(value) = self.get(key) else { return Ok(None) };
+        let entries = value.get_ref().as_table().ok_or_else(|| {
+            let keys: Vec<_> =
+                section.keys.iter().map(|key| format!("{} = {}", key.name, key.example)).collect();
+            self.error_at(key, format!("{key}: use {{ {} }}", keys.join(", ")))
+        })?;
+        Self::new(self.text, section, entries, value.span().start).map(Some)
+    }
+
+    /// All keys but some, each with its value as the command line would have it.
+    pub(super) fn fields(&self, but: &[&str]) -> Result<Vec<(&'a str, String)>, Error> {
+        let mut entries: Vec<_> =
+            self.entries.iter().filter(|(key, _)| !but.contains(&key.get_ref().as_ref())).collect();
+        entries.sort_by_key(|(key, _)| key.span().start);
+        let field = |(key, value): (&'a Spanned<Cow<'a, str>>, &'a Spanned<DeValue<'a>>)| {
+            let name: &str = key.get_ref();
+            let text = as_text(value.get_ref());
+            let text = text.map_err(|message| self.error_at(name, format!("{name}: {message}")))?;
+            Ok((name, text.into_owned()))
+        };
+        entries.into_iter().map(field).collect()
+    }
+}
+
+/// A value as it would be written after a flag: numbers as they are, lists with commas.
+pub(super) fn as_text<'v>(value: &'v DeValue<'_>) -> Result<Cow<'v, str>, String> {
+    match value {
+        DeValue::String(text) => Ok(Cow::Borrowed(text)),
+        DeValue::Integer(number) if number.radix() == 10 => Ok(Cow::Borrowed(number.as_str())),
+        DeValue::Integer(number) => i128::from_str_radix(number.as_str(), number.radix())
+            .map(|number| Cow::Owned(number.to_string()))
+            .map_err(|_| "the number is too large".to_owned()),
+        DeValue::Float(number) => Ok(Cow::Borrowed(number.as_str())),
+        DeValue::Array(items) => {
+            let flat = |item: &'v Spanned<DeValue<'_>>| match item.get_ref() {
+                DeValue::Array(_) => Err("a list within a list means nothing here".to_owned()),
+                item => as_text(item),
+            };
+            let items: Vec<_> = items.iter().map(flat).collect::<Result<_, _>>()?;
+            Ok(Cow::Owned(items.join(",")))
+        }
+        DeValue::Boolean(_) => Err("true and false mean nothing here".to_owned()),
+        DeValue::Datetime(_) => Err("a date means nothing here".to_owned()),
+        DeValue::Table(_) => Err("a table means nothing here".to_owned()),
+    }
+}

@@ -1,0 +1,95 @@
+//! `KEY=VALUE:...`: what is said of a thing, field by field, on the command line or in a table.
+
+/// Keys and values, each taken once.
+#[derive(Clone, Debug, Default)]
+pub struct Fields<'a> {
+    /// What nobody has taken yet, in the order in which it was said.
+    left: Vec<(&'a str, &'a str)>,
+}
+
+/// What is wrong with a field, or with all of them together.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}{message}", key.as_deref().map_or_else(String::new, |key| format!("{key}: ")))]
+pub struct FieldError {
+    /// The field whose value is wrong; `None` if it is something else.
+    pub key: Option<String>,
+    /// What would be right.
+    pub message: String,
+}
+
+impl FieldError {
+    /// Something that is wrong with no field alone.
+    pub(crate) fn new(message: impl Into<String>) -> Self {
+        Self { key: None, message: message.into() }
+    }
+}
+
+impl<'a> Fields<'a> {
+    /// Fields as they stand on the command line.
+    ///
+    /// # Errors
+    /// A field without a value, or one that is given twice.
+    pub fn parse(text: &'a str) -> Result<Self, FieldError> {
+        let mut left: Vec<(&str, &str)> = Vec::new();
+        for field in text.split(':') {
+            let (key, value) = field.split_once('=').ok_or_else(|| {
+                FieldError::new(format!("`{field}` lacks a value: use KEY=VALUE"))
+            })?;
+            if left.iter().any(|(known, _)| *known == key) {
+                return Err(FieldError::new(format!("`{key}` is given twice")));
+            }
+            left.push((key, value));
+        }
+        Ok(Self { left })
+    }
+
+    /// Takes a field, if it is there.
+    pub(crate) fn take<T>(
+        &mut self,
+        key: &str,
+        parse: impl Fn(&str) -> Result<T, String>,
+    ) -> Result<Option<T>, FieldError> {
+        let Some(place) = self.left.iter().position(|(known, _)| *known == key) else {
+            return Ok(None);
+        };
+        let (_, value) = self.left.remove(place);
+        let at_key = |message| FieldError { key: Some(key.to_owned()), message };
+        parse(value).map(Some).map_err(at_key)
+    }
+
+    /// A field that nobody knows, if one is left.
+    pub(crate) fn stranger(&self) -> Option<&'a str> {
+        self.left.first().map(|(key, _)| *key)
+    }
+}
+
+impl<'a> FromIterator<(&'a str, &'a str)> for Fields<'a> {
+    /// Fields as they stand in a table, which has each key once.
+    fn from_iter<I: IntoIterator<Item = (&'a str, &'a str)>>(pairs: I) -> Self {
+        Self { left: pairs.into_iter().collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::values::finite;
+
+    #[test]
+    fn a_field_is_taken_once() {
+        let mut fields = Fields::parse("a=1:b=2").unwrap();
+        assert_eq!(fields.take("b", finite), Ok(Some(2.0)));
+        assert_eq!(fields.take("b", finite), Ok(None));
+        assert_eq!(fields.stranger(), Some("a"));
+    }
+
+    #[test]
+    fn errors_name_the_field() {
+        let mut fields = Fields::parse("near=x").unwrap();
+        let error = fields.take("near", finite).unwrap_err();
+        assert_eq!(error.to_string(), "near: `x` is no number");
+        for text in ["", "a", "a=1:", "a=1:a=2"] {
+            assert!(Fields::parse(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! `near=Z:far=Z:front=S:back=S:color=R,G,B`: depth cueing.
+
+use super::fields::{FieldError, Fields};
+use super::number::{finite, unit_interval};
+use super::vector::color;
+use luxel_lighting::{Fog, FogLaw};
+
+/// Depth cueing on the command line.
+///
+/// # Errors
+/// As [`fog_of`], and fields that are given twice.
+pub fn fog(text: &str) -> Result<Fog, String> {
+    let fields = Fields::parse(text).map_err(|error| error.to_string())?;
+    fog_of(fields).map_err(|error| error.to_string())
+}
+
+/// Depth cueing, I' = s I + (1 - s) color, s going from `front` at `near` to `back` at `far`, which
+/// are distances along the viewing axis. `near` and `far` are needed; `front` is 1, `back` 0, the
+/// colour black by default.
+///
+/// # Errors
+/// Fields that are missing, unknown or wrong.
+pub fn fog_of(mut fields: Fields<'_>) -> Result<Fog, FieldError> {
+    let near = fields.take("near", finite)?;
+    let far = fields.take("far", finite)?;
+    let front = fields.take("front", unit_interval)?;
+    let back = fields.take("back", unit_interval)?;
+    let color = fields.take("color", color)?;
+    if let Some(key) = fields.stranger() {
+        let message = format!("`{key}` is unknown: use near, far, front, back, color");
+        return Err(FieldError::new(message));
+    }
+    // In single precision, as the pixels have it.
+    let near = near.ok_or_else(|| FieldError::new("it needs near=Z"))? as f32;
+    let far = far.ok_or_else(|| FieldError::new("it needs far=Z"))? as f32;
+    if near >= far {
+        return Err(FieldError::new("near must lie before far"));
+    }
+    Ok(Fog {
+        color: color.unwrap_or_default(),
+        law: FogLaw::DepthCue { near, far, front: front.unwrap_or(1.0), back: back.unwrap_or(0.0) },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_part_is_read() {
+        let all = fog("near=1:far=5:front=.9:back=.1:color=.5,.6,.7").unwrap();
+        let law = FogLaw::DepthCue { near: 1.0, far: 5.0, front: 0.9, back: 0.1 };
+        assert_eq!(all, Fog { color: [0.5, 0.6, 0.7], law });
+    }
+
+    #[test]
+    fn what_is_left_out_fades_to_black() {
+        let law = FogLaw::DepthCue { near: -1.0, far: 5.0, front: 1.0, back: 0.0 };
+        assert_eq!(fog("far=5:near=-1"), Ok(Fog { color: [0.0; 3], law }));
+    }
+
+    #[test]
+    fn wrong_fogs_are_refused() {
+        for text in [
+            "",
+            "near=1",
+            "far=1",
+            "near=1:far=1",
+            "near=2:far=1",
+            "near=1:far=nan",
+            "near=1:far=2:front=2",
+            "near=1:far=2:back=-1",
+            "near=1:far=2:color=1,1",
+            "near=1:near=1:far=2",
+            "near=1:far=2:density=3",
+            "near:far",
+        ] {
+            assert!(fog(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! Values as text: how a point, a colour, a light or a model of reflection is written, on the
+//! command line and in scene files.
+//!
+//! A parser answers wrong text with one sentence that says what would be right; whoever asked adds
+//! where the text stands.
+
+mod fields;
+mod fog;
+mod light;
+mod nearest;
+mod number;
+mod reflection;
+mod surroundings;
+mod vector;
+
+pub use fields::{FieldError, Fields};
+pub use fog::{fog, fog_of};
+pub use light::{LightSpec, light, light_of};
+pub use nearest::nearest;
+pub use number::{far_plane, finite, fov, non_negative_f32, positive, unit_interval};
+pub use reflection::{reflection, reflection_name};
+pub use surroundings::{Surroundings, surroundings};
+pub(crate) use vector::numbers;
+pub use vector::{background, color, direction, intrinsics, point, reflectance, up, view_matrix};

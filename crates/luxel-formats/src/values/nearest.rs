@@ -1,0 +1,63 @@
+//! What someone may have meant who wrote a name that nobody knows.
+
+/// The known name nearest to one, if it is near enough to be a slip of the pen: at most a third of
+/// its letters differ.
+#[must_use]
+pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let name: Vec<char> = name.chars().take(LONGEST + 1).collect();
+    let most = (name.len() / 3).max(1);
+    let distance_to = |other: &&str| distance(&name, &other.chars().collect::<Vec<_>>());
+    let near = |other: &&str| name.len() <= LONGEST && other.chars().count() <= LONGEST;
+    // Of equally near ones the first.
+    let nearest = known.into_iter().filter(near).min_by_key(distance_to)?;
+    (distance_to(&nearest) <= most).then_some(nearest)
+}
+
+/// Names longer than this are nobody's slip.
+const LONGEST: usize = 64;
+
+/// How many letters have to be changed, left out, put in or swapped with their neighbour (the
+/// optimal string alignment distance).
+fn distance(from: &[char], to: &[char]) -> usize {
+    let mut before_last = vec![0; to.len() + 1];
+    let mut last: Vec<usize> = (0..=to.len()).collect();
+    for (i, a) in from.iter().enumerate() {
+        let mut row = vec![i + 1; to.len() + 1];
+        for (j, b) in to.iter().enumerate() {
+            let changed = last[j] + usize::from(a != b);
+            row[j + 1] = changed.min(last[j + 1] + 1).min(row[j] + 1);
+            if i > 0 && j > 0 && *a == to[j - 1] && from[i - 1] == *b {
+                row[j + 1] = row[j + 1].min(before_last[j - 1] + 1);
+            }
+        }
+        before_last = std::mem::replace(&mut last, row);
+    }
+    last[to.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_understood_and_other_words_are_not() {
+        let known = ["shininess", "color", "ks", "kd"];
+        assert_eq!(nearest("shinines", known), Some("shininess"));
+        assert_eq!(nearest("colour", known), Some("color"));
+        assert_eq!(nearest("clour", known), Some("color"));
+        assert_eq!(nearest("sk", known), Some("ks"));
+        assert_eq!(nearest("texture", known), None);
+        assert_eq!(nearest("", known), None);
+        assert_eq!(nearest(&"x".repeat(1000), known), None);
+    }
+
+    #[test]
+    fn swapped_neighbours_are_one_slip() {
+        let letters = |text: &str| text.chars().collect::<Vec<_>>();
+        for (from, to, expected) in
+            [("", "", 0), ("abc", "abc", 0), ("abc", "acb", 1), ("abc", "bd", 2), ("", "ab", 2)]
+        {
+            assert_eq!(distance(&letters(from), &letters(to)), expected, "{from} {to}");
+        }
+    }
+}
