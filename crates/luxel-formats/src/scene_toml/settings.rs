@@ -4,6 +4,7 @@ use super::document::{Document, as_text};
 use super::keys::RENDER;
 use crate::memory::Memory;
 use crate::{Error, ErrorKind, Limits, Place};
+use std::borrow::Cow;
 use toml::de::DeValue;
 
 /// A flag that a scene file gives.
@@ -42,7 +43,7 @@ pub fn scene_settings(bytes: &[u8], limits: &Limits) -> Result<Vec<Setting>, Err
             DeValue::Boolean(on) => Ok(SettingValue::Switch(*on)),
             DeValue::Array(items) => {
                 let item = |item: &serde_spanned::Spanned<DeValue<'_>>| {
-                    as_text(item.get_ref()).map(|text| text.into_owned())
+                    as_text(item.get_ref()).map(Cow::into_owned)
                 };
                 items.iter().map(item).collect::<Result<_, _>>().map(SettingValue::Many)
             }

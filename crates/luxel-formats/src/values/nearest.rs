@@ -44,7 +44,7 @@ mod tests {
         let known = ["shininess", "color", "ks", "kd"];
         assert_eq!(nearest("shinines", known), Some("shininess"));
         assert_eq!(nearest("colour", known), Some("color"));
-        assert_eq!(nearest("clour", known), Some("color"));
+        assert_eq!(nearest("colro", known), Some("color"));
         assert_eq!(nearest("sk", known), Some("ks"));
         assert_eq!(nearest("texture", known), None);
         assert_eq!(nearest("", known), None);
