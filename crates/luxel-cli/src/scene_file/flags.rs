@@ -29,11 +29,13 @@ const ELSEWHERE: [(&str, &str); 13] = [
 ];
 
 /// Flags that say where results go and how the work is done: a file says what to draw.
-const ON_THE_LINE: [&str; 11] = [
+const ON_THE_LINE: [&str; 13] = [
     "output",
     "output-format",
     "format",
     "json",
+    "path",
+    "fps",
     "threads",
     "simd",
     "max-memory",

@@ -1,6 +1,6 @@
 //! `X,Y`: a pixel, or a point of the window.
 
-use super::number::finite;
+use super::finite;
 use luxel::render::At;
 
 /// A pixel by two whole numbers; by any others, a point.

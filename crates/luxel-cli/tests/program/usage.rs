@@ -90,7 +90,7 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
     ("-o {n:0}.png --turntable 4", "digits"),
     ("-o {n}.png --turntable 0", "--turntable"),
     ("-o {n}.png --turntable -3", "--turntable"),
-    ("-o - --turntable 3", "needs files"),
+    ("-o - --turntable 3", "need files"),
     ("-o a.png --light sun", "no kind of light"),
     ("-o a.png --light directional", "dir=X,Y,Z"),
     ("-o a.png --light directional:dir=0,0,0", "length 0"),
