@@ -75,9 +75,53 @@ impl Topology {
 /// For each position the first one with the same coordinates; 0 and -0 are the same.
 #[must_use]
 pub fn weld(positions: &[[f32; 3]]) -> Vec<u32> {
+    weld_by_hashing(positions).unwrap_or_else(|| weld_by_sorting(positions))
+}
+
+/// The bits of a position, equal for equal coordinates.
+fn bits([x, y, z]: [f32; 3]) -> [u32; 3] {
+    [x, y, z].map(|value| (value + 0.0).to_bits())
+}
+
+/// In one pass; `None` where positions get into each other's way more than chance would have it, as
+/// a file made for that could bring about.
+fn weld_by_hashing(positions: &[[f32; 3]]) -> Option<Vec<u32>> {
+    const EMPTY: u32 = u32::MAX;
+    /// Looks at a slot, for each position: with every other slot empty it takes two.
+    const MOST_LOOKS: usize = 8;
+    let slots = (positions.len() * 2).next_power_of_two().max(2);
+    let mut firsts = vec![EMPTY; slots];
+    let mut looks_left = positions.len().saturating_mul(MOST_LOOKS);
+    let mut places = Vec::with_capacity(positions.len());
+    for (number, &position) in (0..).zip(positions) {
+        let key @ [x, y, z] = bits(position);
+        // Multiplicative hashing (Knuth, volume 3, section 6.4) of three words.
+        let mixed = (u64::from(x) | u64::from(y) << 32).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            ^ u64::from(z).wrapping_mul(0xd6e8_feb8_6659_fd93);
+        let hash = (mixed ^ mixed >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let mut slot = (hash >> (u64::BITS - slots.ilog2())) as usize;
+        let place = loop {
+            looks_left = looks_left.checked_sub(1)?;
+            let first = &mut firsts[slot & (slots - 1)];
+            if *first == EMPTY {
+                *first = number;
+                break number;
+            }
+            if bits(positions[*first as usize]) == key {
+                break *first;
+            }
+            slot += 1;
+        };
+        places.push(place);
+    }
+    Some(places)
+}
+
+/// In time that no file can spoil.
+fn weld_by_sorting(positions: &[[f32; 3]]) -> Vec<u32> {
     // Coordinates and number in one key: sorting brings equal places together, the first in front.
     let key = |(number, position): (usize, &[f32; 3])| {
-        let [x, y, z] = position.map(|value| u128::from((value + 0.0).to_bits()));
+        let [x, y, z] = bits(*position).map(u128::from);
         x << 96 | y << 64 | z << 32 | number as u128
     };
     let mut keys: Vec<u128> = positions.par_iter().enumerate().map(key).collect();
@@ -110,6 +154,7 @@ mod tests {
             [0.0, 0.0, 1e-30],
         ];
         assert_eq!(weld(&positions), [0, 1, 2, 1, 0, 5]);
+        assert_eq!(weld_by_sorting(&positions), [0, 1, 2, 1, 0, 5]);
         let triangles = vec![[0, 1, 2], [3, 4, 5]];
         let topology = Topology::of(&Mesh { positions, triangles, ..Mesh::default() });
         assert_eq!(topology.corners_at(0), [0, 4]);
@@ -117,6 +162,17 @@ mod tests {
         assert_eq!(topology.corners_at(3), []);
         assert_eq!(topology.corners_at(5), [5]);
         assert_eq!(topology.place(3), 1);
+    }
+
+    #[test]
+    fn hashing_and_sorting_find_the_same_places() {
+        let numbers = |number: u32| {
+            let mixed = number.wrapping_mul(2_654_435_769) >> 16;
+            [mixed % 37, mixed % 11, number % 5].map(|value| value as f32 * 0.1)
+        };
+        let mut positions: Vec<[f32; 3]> = (0..20_000).map(numbers).collect();
+        positions.extend([[f32::NAN; 3], [f32::INFINITY; 3], [f32::NAN; 3]]);
+        assert_eq!(weld_by_hashing(&positions).unwrap(), weld_by_sorting(&positions));
     }
 
     #[test]

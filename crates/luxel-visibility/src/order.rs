@@ -1,50 +1,70 @@
 //! The order in which triangles are cut into clusters: along a curve that fills space, so that
 //! neighbours in the order are neighbours in space, whatever the file's order.
 
+use luxel_math::LANES;
 use luxel_scene::Mesh;
 use rayon::prelude::*;
 use std::ops::Range;
 
 /// Bits of a cell's coordinate along each axis.
-const BITS: u32 = 10;
+const BITS: u32 = 9;
 
 /// Triangles that one task places. Nothing depends on it.
 const TASK_TRIANGLES: usize = 1 << 14;
 
 /// The triangles of a range, by their places in the mesh's list, along a Hilbert curve through the
-/// cells of a grid of 1024 cells a side; in the file's order within a cell.
+/// cells of a grid of 512 cells a side; in the file's order within a cell.
 pub(crate) fn along_curve(mesh: &Mesh, range: Range<usize>) -> Vec<u32> {
     let triangles = &mesh.triangles[range.clone()];
-    // Three times the centroid does as well.
-    let centre = |corners: &[u32; 3]| {
-        let [a, b, c] = corners.map(|corner| mesh.positions[corner as usize]);
-        [0, 1, 2].map(|axis| a[axis] + b[axis] + c[axis])
-    };
     let (low, high) = triangles
         .par_chunks(TASK_TRIANGLES)
         .map(|triangles| {
-            triangles
-                .iter()
-                .map(centre)
-                .fold(EMPTY, |bounds, centre| union(bounds, (centre, centre)))
+            let centres = triangles.iter().map(|corners| centre(mesh, corners));
+            centres.fold(EMPTY, |bounds, centre| union(bounds, (centre, centre)))
         })
         .reduce(|| EMPTY, union);
     let extent = [0, 1, 2].map(|axis| high[axis] - low[axis]).into_iter().fold(0.0, f32::max);
     let scale = (1 << BITS) as f32 / extent;
-    // What is no number, or infinite, goes to a side.
-    let cell = |value: f32| (value as u32).min((1 << BITS) - 1);
-    let mut keys: Vec<u64> = triangles
-        .par_iter()
-        .with_min_len(TASK_TRIANGLES)
-        .enumerate()
-        .map(|(place, corners)| {
-            let centre = centre(corners);
-            let cells = [0, 1, 2].map(|axis| cell((centre[axis] - low[axis]) * scale));
-            u64::from(along_hilbert_curve(cells)) << u32::BITS | (range.start + place) as u64
-        })
-        .collect();
+    let mut keys = vec![0; triangles.len()];
+    keys.par_chunks_mut(TASK_TRIANGLES)
+        .zip(triangles.par_chunks(TASK_TRIANGLES))
+        .zip((range.start..range.end).into_par_iter().step_by(TASK_TRIANGLES))
+        .for_each(|((keys, triangles), first)| place(mesh, triangles, first, low, scale, keys));
     sort_by_cell(&mut keys);
     keys.into_iter().map(|key| key as u32).collect()
+}
+
+/// Three times the centroid, which does as well.
+fn centre(mesh: &Mesh, corners: &[u32; 3]) -> [f32; 3] {
+    let [a, b, c] = corners.map(|corner| mesh.positions[corner as usize]);
+    [0, 1, 2].map(|axis| a[axis] + b[axis] + c[axis])
+}
+
+/// Keys to sort triangles by: the place on the curve above, the number below.
+fn place(
+    mesh: &Mesh,
+    triangles: &[[u32; 3]],
+    first: usize,
+    low: [f32; 3],
+    scale: f32,
+    keys: &mut [u64],
+) {
+    let mut number = first as u64;
+    for (triangles, keys) in triangles.chunks(LANES).zip(keys.chunks_mut(LANES)) {
+        let mut cells = [[0; LANES]; 3];
+        for (lane, corners) in triangles.iter().enumerate() {
+            let centre = centre(mesh, corners);
+            for axis in 0..3 {
+                // What is no number, or infinite, goes to a side.
+                let cell = ((centre[axis] - low[axis]) * scale) as u32;
+                cells[axis][lane] = cell.min((1 << BITS) - 1);
+            }
+        }
+        for (key, along) in keys.iter_mut().zip(along_hilbert_curve(cells)) {
+            *key = u64::from(along) << u32::BITS | number;
+            number += 1;
+        }
+    }
 }
 
 /// Sorts by the upper halves, and leaves the order of equal ones: digit by digit from the lowest
@@ -83,33 +103,37 @@ fn union((low, high): Bounds, (other_low, other_high): Bounds) -> Bounds {
     )
 }
 
-/// How far along a Hilbert curve a cell of the grid lies (Skilling 2004, "Programming the Hilbert
-/// curve").
-fn along_hilbert_curve(mut cell: [u32; 3]) -> u32 {
-    // From the cell's coordinates to the curve's digits, transposed.
+/// How far along a Hilbert curve cells of the grid lie (Skilling 2004, "Programming the Hilbert
+/// curve"). Without branches and sixteen at a time, for the compiler to make vectors of.
+fn along_hilbert_curve([mut x, mut y, mut z]: [[u32; LANES]; 3]) -> [u32; LANES] {
+    // From the cells' coordinates to the curve's digits, transposed.
     for bit in (1..BITS).rev() {
-        let (mask, below) = (1 << bit, (1 << bit) - 1);
-        for axis in 0..3 {
-            if cell[axis] & mask == 0 {
-                let swapped = (cell[0] ^ cell[axis]) & below;
-                cell[0] ^= swapped;
-                cell[axis] ^= swapped;
-            } else {
-                cell[0] ^= below;
+        let below = (1 << bit) - 1;
+        for lane in 0..LANES {
+            x[lane] ^= below & (x[lane] >> bit & 1).wrapping_neg();
+        }
+        for other in [&mut y, &mut z] {
+            for lane in 0..LANES {
+                let is_set = (other[lane] >> bit & 1).wrapping_neg();
+                let swapped = (x[lane] ^ other[lane]) & below & !is_set;
+                x[lane] ^= swapped | below & is_set;
+                other[lane] ^= swapped;
             }
         }
     }
-    // Gray code.
-    cell[1] ^= cell[0];
-    cell[2] ^= cell[1];
-    let mut flips = 0;
-    for bit in (1..BITS).rev() {
-        if cell[2] >> bit & 1 == 1 {
-            flips ^= (1 << bit) - 1;
+    let mut along = [0; LANES];
+    for lane in 0..LANES {
+        // Gray code.
+        y[lane] ^= x[lane];
+        z[lane] ^= y[lane];
+        let mut flips = 0;
+        for bit in 1..BITS {
+            flips ^= ((1 << bit) - 1) & (z[lane] >> bit & 1).wrapping_neg();
         }
+        let [x, y, z] = [x, y, z].map(|axis| spread(axis[lane] ^ flips));
+        along[lane] = x << 2 | y << 1 | z;
     }
-    let [x, y, z] = cell.map(|axis| spread(axis ^ flips));
-    x << 2 | y << 1 | z
+    along
 }
 
 /// The lowest ten bits with two zeros between each.
@@ -132,7 +156,8 @@ mod tests {
         for x in 0..32 {
             for y in 0..32 {
                 for z in 0..32 {
-                    cells.push((along_hilbert_curve([x, y, z]), [x, y, z]));
+                    let [along, ..] = along_hilbert_curve([x, y, z].map(|at| [at; LANES]));
+                    cells.push((along, [x, y, z]));
                 }
             }
         }
