@@ -1,7 +1,8 @@
 //! The corners of the triangles that sixteen samples see: what interpolation starts from.
 
 use crate::triangles::{Attributes, Corner};
-use luxel_math::{LANES, Number, Vec3};
+use crate::view::ShadingMode;
+use luxel_math::{LANES, Number, Rgb, Vec3};
 
 /// One value at each of three corners, for sixteen samples.
 #[derive(Clone, Copy)]
@@ -23,6 +24,12 @@ pub(crate) struct Corners {
     uv: [[CornerValue; 2]; 2],
     /// Colours with alpha.
     color: [CornerValue; 4],
+    /// Light that was computed at the corners.
+    light: [CornerValue; 3],
+    /// Light of each lane that was computed elsewhere and is not to be interpolated here.
+    lane_light: [[f32; LANES]; 3],
+    /// Whether `light` is written.
+    lights: bool,
     /// Which of the optional ones any triangle of the scene has: those are written for every
     /// triangle, as nothing may be left from another.
     written: Attributes,
@@ -33,8 +40,9 @@ pub(crate) struct Corners {
 const ZERO: CornerValue = CornerValue([[0.0; LANES]; 3]);
 
 impl Corners {
-    /// For the triangles of a scene with these attributes.
-    pub(crate) fn new(written: Attributes) -> Self {
+    /// For the triangles of a scene with these attributes; `lights` tells whether their corners
+    /// bring light.
+    pub(crate) fn new(written: Attributes, lights: bool) -> Self {
         Self {
             uniform: false,
             written,
@@ -43,6 +51,9 @@ impl Corners {
             tangent: [ZERO; 4],
             uv: [[ZERO; 2]; 2],
             color: [ZERO; 4],
+            light: [ZERO; 3],
+            lane_light: [[0.0; LANES]; 3],
+            lights,
             has: Attributes::default(),
         }
     }
@@ -72,6 +83,16 @@ impl Corners {
             if self.written.colors {
                 put(&mut self.color, corner, lanes, values.color);
             }
+            if self.lights {
+                put(&mut self.light, corner, lanes, values.light);
+            }
+        }
+    }
+
+    /// Takes the light of a lane that was computed elsewhere.
+    pub(crate) fn set_light(&mut self, lane: usize, light: [f32; 3]) {
+        for (channel, value) in self.lane_light.iter_mut().zip(light) {
+            channel[lane & (LANES - 1)] = value;
         }
     }
 
@@ -112,6 +133,18 @@ impl Corners {
     #[inline(always)]
     pub(crate) fn tangent<N: Number>(&self, weights: &[N; 3]) -> (Vec3<N>, N) {
         (self.interpolate3(&self.tangent, weights), self.interpolate(&self.tangent[3], weights))
+    }
+
+    /// The light that was computed at the corners, or for whole pieces.
+    #[inline(always)]
+    pub(crate) fn light<N: Number>(&self, mode: ShadingMode, weights: &[N; 3]) -> Rgb<N> {
+        let like = weights[0];
+        if mode == ShadingMode::Gouraud {
+            let Vec3 { x, y, z } = self.interpolate3(&self.light, weights);
+            return Rgb::new(x, y, z);
+        }
+        let [r, g, b] = &self.lane_light;
+        Rgb::new(like.of_lanes(r), like.of_lanes(g), like.of_lanes(b))
     }
 
     /// Texture coordinates.

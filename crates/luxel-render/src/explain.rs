@@ -5,15 +5,19 @@
 //! that writes every term down; as one number and sixteen lanes give the same bits, the ledger's
 //! colours are the picture's.
 
+use crate::evaluated::{Interpolated, evaluated_at};
 use crate::ledger::{
-    ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation, Seen,
+    EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation,
+    Seen,
 };
 use crate::renderer::{RenderError, Renderer, Worker};
 use crate::resolve::{self, Layered, Ranks};
 use crate::shade::{Batch, Kept, Scene16, shade};
 use crate::surface::SurfaceWitness;
-use crate::view::View;
-use luxel_lighting::{Ledger, LightKind, LightTerms, Reflectance, SurfacePoint, Terms, Witness};
+use crate::view::{ShadingMode, View};
+use luxel_lighting::{
+    Ledger, LedgerLight, LightKind, LightTerms, Reflectance, SurfacePoint, Terms, Witness,
+};
 use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
 use luxel_visibility::{BLOCK, Coverage, Samples, TILE, Tile, TriangleId};
@@ -214,18 +218,52 @@ impl PixelScene<'_> {
         let object = scene.objects[of.instance];
         let mesh = scene.frame.instances()[of.instance].mesh;
         let material = &scene.scene.materials[mesh.parts[of.part].material.index()];
-        let weights = scene.frame.forms(of).barycentric(scene.frame.rays(), batch.steps(0));
+        let barycentric = scene.frame.forms(of).barycentric(scene.frame.rays(), batch.steps(0));
         let eye = self.view.camera.eye().to_array();
+        let lights = self.lights();
+        let mut evaluated = Vec::new();
+        let mut uv = None;
+        if let Some(triangle) = kept.seen.get(scene, id) {
+            uv = triangle.has.uvs[0].then(|| triangle.uv(barycentric));
+            if scene.shading.mode != ShadingMode::Phong {
+                for place in triangle.lit_at(barycentric, batch.position(0)) {
+                    let (there, reflectance) = evaluated_at(scene, triangle, &place, eye, &lights);
+                    let heaviest =
+                        evaluated.iter().all(|other: &EvaluatedAt| other.weight < place.0);
+                    if heaviest {
+                        written.reflectance = reflectance;
+                    }
+                    evaluated.push(there);
+                }
+            }
+        }
+        let texture = written.tint.unwrap_or([1.0; 3]);
+        let terms = if evaluated.is_empty() {
+            Interpolated {
+                emission: written.ledger.emission,
+                scene_ambient: written.ledger.scene_ambient,
+                environment: written.ledger.environment,
+                lights: written.explained_lights(&lights),
+            }
+        } else {
+            Interpolated::of(&evaluated, texture)
+        };
+        let mut reflectance =
+            written.reflectance.unwrap_or_else(|| Reflectance::of(0.0, &material.constants));
+        if written.tint.is_some() {
+            let [r, g, b] = texture;
+            reflectance = reflectance.times_base_color(Rgb::new(r, g, b), &material.constants);
+        }
         let position = written.point.map(|point| point.position.lane(0)).unwrap_or_default();
         let node = &self.renderer.objects()[object].node;
-        let uv = if mesh.uvs[0].is_empty() { None } else { Some(kept.corners.uv(0, &weights)) };
-        let lights = self.lights();
         Seen::Surface(Box::new(ExplainedSurface {
             object,
             name: scene.scene.nodes[node.index()].name.clone(),
             // Points and lines come after the objects' own instances and have no triangles.
             triangle: (object == of.instance).then_some(of.triangle),
-            barycentric: weights,
+            barycentric,
+            evaluated_at: evaluated,
+            texture,
             position: std::array::from_fn(|axis| eye[axis] + f64::from(position[axis])),
             normal: written.point.map(|point| point.normal.lane(0)).unwrap_or_default(),
             view: written.point.map(|point| point.view.lane(0)).unwrap_or_default(),
@@ -234,25 +272,14 @@ impl PixelScene<'_> {
             material: ExplainedMaterial {
                 name: material.name.clone(),
                 constants: material.constants.clone(),
-                reflectance: written
-                    .reflectance
-                    .unwrap_or_else(|| Reflectance::of(0.0, &material.constants)),
+                reflectance,
             },
             ambient_light: scene.ambient,
-            lights: written
-                .ledger
-                .lights
-                .iter()
-                .map(|entry| ExplainedLight {
-                    name: lights[entry.index].name.clone(),
-                    light: lights[entry.index].light.clone(),
-                    terms: entry.terms,
-                })
-                .collect(),
-            emission: written.ledger.emission,
-            scene_ambient: written.ledger.scene_ambient,
-            environment: written.ledger.environment,
-            sum: written.ledger.sum,
+            lights: terms.lights,
+            emission: terms.emission,
+            scene_ambient: terms.scene_ambient,
+            environment: terms.environment,
+            sum: written.sum.unwrap_or(written.ledger.sum),
             fog: written.ledger.fog,
             color: [r, g, b],
             alpha,
@@ -296,6 +323,21 @@ pub(crate) struct Written {
     pub(crate) point: Option<SurfacePoint<f32>>,
     pub(crate) reflectance: Option<Reflectance<f32>>,
     pub(crate) ledger: Ledger,
+    /// Where light was computed elsewhere: the texture of the base colour, and their product.
+    tint: Option<[f32; 3]>,
+    sum: Option<[f32; 3]>,
+}
+
+impl Written {
+    /// The terms of each light, by its name.
+    pub(crate) fn explained_lights(&self, lights: &[&SceneLight]) -> Vec<ExplainedLight> {
+        let explained = |entry: &LedgerLight| ExplainedLight {
+            name: lights[entry.index].name.clone(),
+            light: lights[entry.index].light.clone(),
+            terms: entry.terms,
+        };
+        self.ledger.lights.iter().map(explained).collect()
+    }
 }
 
 impl Witness<f32> for Written {
@@ -320,6 +362,12 @@ impl SurfaceWitness<f32> for Written {
     fn surface(&mut self, point: &SurfacePoint<f32>, reflectance: &Reflectance<f32>, _alpha: f32) {
         self.point = Some(*point);
         self.reflectance = Some(*reflectance);
+    }
+
+    fn elsewhere(&mut self, point: &SurfacePoint<f32>, tint: Rgb<f32>, sum: Rgb<f32>) {
+        self.point = Some(*point);
+        self.tint = Some(tint.lane(0));
+        self.sum = Some(sum.lane(0));
     }
 }
 

@@ -2,8 +2,11 @@
 //!
 //! All numbers are those that made the pixel, bit for bit, so that it can be made again from them:
 //!
-//! 1. `sum` = ((emission + scene_ambient) + each light's ambient, then diffuse, then specular, light
-//!    by light) + environment, from left to right in `f32`.
+//! 1. Where light was computed at the pixel, `sum` = ((emission + scene_ambient) + each light's ambient, then diffuse, then specular, light
+//!    by light) + environment, from left to right in `f32`. Where it was computed elsewhere, the same
+//!    holds for the `sum` of each place in `evaluated_at`; `light` is that clamped to 0..1 (or as it
+//!    is), and the pixel's `sum` = (the places' light x weight, from left to right) x `texture`.
+//!    (Along edges and rows of polygons, weights are products, and right to rounding.)
 //! 2. `color` = s sum + (1 - s) I_dc where there is fog, else `sum`.
 //! 3. An entry that sees several surfaces gathers them nearest first: light += t alpha color,
 //!    t *= 1 - alpha, from light = 0 and t = 1. Its `alpha` is 1 - t and its `color` light / alpha.
@@ -70,6 +73,12 @@ pub struct ExplainedSurface {
     pub triangle: Option<u32>,
     /// The weights of its corners.
     pub barycentric: [f32; 3],
+    /// Where light was computed, if not here: the terms below are then those of these places by
+    /// their weights (as much as clamping leaves, times the texture), each light's factors their
+    /// means, and the material is that of the heaviest.
+    pub evaluated_at: Vec<EvaluatedAt>,
+    /// The texture of the base colour, which multiplies light that was computed elsewhere.
+    pub texture: [f32; 3],
     /// The place, in world space.
     pub position: [f64; 3],
     /// N: the normal that was lit, of unit length, in world space.
@@ -100,6 +109,31 @@ pub struct ExplainedSurface {
     pub color: [f32; 3],
     /// How much of what lies behind is covered.
     pub alpha: f32,
+}
+
+/// A place where light was computed that pixels elsewhere show.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EvaluatedAt {
+    /// Its part in the pixel's light.
+    pub weight: f32,
+    /// The place, in world space.
+    pub position: [f64; 3],
+    /// N
+    pub normal: [f32; 3],
+    /// V
+    pub view: [f32; 3],
+    /// What each light adds.
+    pub lights: Vec<ExplainedLight>,
+    /// What the surface sends of its own.
+    pub emission: [f32; 3],
+    /// I_a k_a O_a
+    pub scene_ambient: [f32; 3],
+    /// What the surface mirrors of the environment.
+    pub environment: [f32; 3],
+    /// The sum of all terms.
+    pub sum: [f32; 3],
+    /// The sum as it is interpolated: clamped, unless the view says otherwise.
+    pub light: [f32; 3],
 }
 
 /// A material at a sample.

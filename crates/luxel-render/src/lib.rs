@@ -10,29 +10,37 @@
 
 mod corners;
 mod edges;
+mod evaluated;
 mod explain;
 mod holes;
 mod layers;
 mod ledger;
+mod outline;
 mod picture;
+mod pieces;
 mod place;
+mod polygons;
 mod renderer;
 mod resolve;
 mod shade;
 mod surface;
 mod tiles;
 mod triangles;
+mod vertex;
 mod view;
 
 pub use explain::At;
 pub use layers::{Layer, LayerValues, ParseLayerError};
 pub use ledger::{
-    ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation, Seen, Unlit,
+    EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation,
+    Seen, Unlit,
 };
 pub use luxel_visibility::Cull;
 pub use picture::{
     LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color,
     write_layers, write_linear, write_rgba8,
 };
-pub use renderer::{MAX_SIDE, Picture, RenderError, Renderer, Stages};
-pub use view::{Edges, EnvironmentChoice, Execution, View};
+pub use renderer::{MAX_SIDE, Picture, RenderError, Renderer, Stages, Subdivision};
+pub use view::{
+    Clamp, Edges, EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View,
+};

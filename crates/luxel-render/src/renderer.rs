@@ -4,10 +4,11 @@ use crate::edges::EdgeFlags;
 use crate::holes::Holes;
 use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, layers_of_block};
 use crate::place;
+use crate::polygons::Polygons;
 use crate::resolve::{BlockPixels, Layered, resolve_block};
 use crate::shade::{Kept, Scene16};
 use crate::tiles::{TilePixels, draw_tiles};
-use crate::view::{EnvironmentChoice, Execution, View};
+use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
 use luxel_lighting::{Environment, PictureEncoding, Reflection};
 use luxel_math::{LANES, Level, Simd, UnavailableSimdLevel, dispatch};
 use luxel_scene::{Object, Scene, Size};
@@ -16,7 +17,7 @@ use luxel_visibility::{
     strokes,
 };
 use rayon::prelude::*;
-use std::sync::Mutex;
+use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
 
 /// Why a view can't be drawn.
@@ -62,6 +63,8 @@ pub struct Renderer<'s> {
     objects: Vec<Object>,
     /// The clusters of each mesh.
     clusters: Vec<Clusters>,
+    /// The polygons of each mesh, once they are asked for.
+    polygons_of_meshes: Vec<OnceLock<Polygons>>,
     level: Level,
     /// `None` where the machine has no threads.
     pool: Option<rayon::ThreadPool>,
@@ -77,13 +80,25 @@ pub struct Picture<T> {
     pub pixels: Vec<T>,
     /// Culling and binning; then, added up over threads, finding what is visible, and lighting it.
     pub stages: Stages,
+    /// What was divided, if the shading mode divides.
+    pub subdivision: Option<Subdivision>,
+}
+
+/// What [`ShadingMode::Subdivided`] came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Subdivision {
+    /// The small triangles into which those that are seen were divided.
+    pub triangles: u64,
+    /// The largest difference between the interpolated light and that of [`ShadingMode::Phong`] in
+    /// steps of 8 bits, where it was measured: at places along the edges and inside of all pieces.
+    pub largest_error: f32,
 }
 
 impl<T> Default for Picture<T> {
     /// No pixels.
     fn default() -> Self {
         let size = Size { width: 0, height: 0 };
-        Self { size, pixels: Vec::new(), stages: Stages::default() }
+        Self { size, pixels: Vec::new(), stages: Stages::default(), subdivision: None }
     }
 }
 
@@ -114,8 +129,15 @@ impl<'s> Renderer<'s> {
             Some(pool.map_err(|error| RenderError::Threads(error.to_string()))?)
         };
         let objects = scene.objects();
-        let mut renderer =
-            Self { scene, objects, clusters: Vec::new(), level, pool, clock: execution.clock };
+        let mut renderer = Self {
+            scene,
+            objects,
+            clusters: Vec::new(),
+            polygons_of_meshes: scene.meshes.iter().map(|_| OnceLock::new()).collect(),
+            level,
+            pool,
+            clock: execution.clock,
+        };
         renderer.clusters =
             renderer.install(|| scene.meshes.par_iter().map(Clusters::new).collect());
         Ok(renderer)
@@ -248,6 +270,14 @@ impl<'s> Renderer<'s> {
             let stages = Stages { bin: binned - start, frame: (self.clock)() - start, ..sums };
             picture.size = view.size;
             picture.stages = stages;
+            let divides = matches!(scene.shading.mode, ShadingMode::Subdivided { .. });
+            picture.subdivision = scene.subdivided.lock().ok().filter(|_| divides).map(|counts| {
+                // Neither the sum nor the largest hangs on the order.
+                counts.values().fold(Subdivision::default(), |all, one| Subdivision {
+                    triangles: all.triangles + u64::from(one.pieces),
+                    largest_error: all.largest_error.max(one.error),
+                })
+            });
         })
     }
 
@@ -337,6 +367,8 @@ impl<'s> Renderer<'s> {
                 *flags = flags_of_meshes.get(object.mesh.index());
             }
             let environments = self.environments(view);
+            let polygons = self.polygons(view, objects.len());
+            let subdivided = Mutex::default();
             let scene = Scene16 {
                 scene: self.scene,
                 frame: &frame,
@@ -350,6 +382,11 @@ impl<'s> Renderer<'s> {
                 edges: view.edges.filter(|edges| !edges.wireframe),
                 edge_flags: &edge_flags,
                 objects: &objects,
+                shading: view.shading,
+                encoding: view.encoding,
+                near: view.camera.projection.near,
+                polygons: &polygons,
+                subdivided: &subdivided,
             };
             let holes = Holes {
                 scene: self.scene,
@@ -358,6 +395,19 @@ impl<'s> Renderer<'s> {
             };
             Ok(work(&scene, &holes))
         })
+    }
+
+    /// The polygons of each instance's mesh, if shading takes them whole.
+    fn polygons(&self, view: &View, instances: usize) -> Vec<Option<&Polygons>> {
+        let Shading { mode, interpolation, .. } = view.shading;
+        let whole = mode == ShadingMode::Flat || interpolation == Interpolation::Scanline;
+        let mut polygons = vec![None; instances];
+        for (place, object) in polygons.iter_mut().zip(&self.objects).filter(|_| whole) {
+            let mesh = object.mesh.index();
+            let made = || Polygons::new(&self.scene.meshes[mesh]);
+            *place = Some(self.polygons_of_meshes[mesh].get_or_init(made));
+        }
+        polygons
     }
 
     /// What the mirror term of each material sees.

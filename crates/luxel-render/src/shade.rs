@@ -2,13 +2,18 @@
 
 use crate::corners::{Corners, lanes_of};
 use crate::edges::{EdgeFlags, edge_distance};
+use crate::pieces::PieceCount;
+use crate::polygons::Polygons;
 use crate::surface::{self, Interpolated, SurfaceWitness};
 use crate::triangles::{Attributes, SeenTriangles, distinct};
-use crate::view::Edges;
-use luxel_lighting::{Environment, Fog, PlacedLight};
+use crate::vertex::VertexLight;
+use crate::view::{Edges, Interpolation, Shading, ShadingMode};
+use luxel_lighting::{Environment, Fog, PictureEncoding, PlacedLight, Surroundings};
 use luxel_math::{LANES, Mask, Number, SUBPIXELS};
 use luxel_scene::{DVec3, Scene};
 use luxel_visibility::{BLOCK, BLOCKS, Frame, InstanceSpace, Samples, Tile, TriangleId};
+use std::collections::HashMap;
+use std::sync::Mutex;
 
 /// Everything that shading looks at.
 pub(crate) struct Scene16<'a> {
@@ -28,6 +33,28 @@ pub(crate) struct Scene16<'a> {
     pub(crate) edge_flags: &'a [Option<&'a EdgeFlags>],
     /// The object that each instance shows.
     pub(crate) objects: &'a [usize],
+    /// Where light is computed, and how it gets to the pixels between.
+    pub(crate) shading: Shading,
+    pub(crate) encoding: PictureEncoding,
+    /// The distance of the near plane.
+    pub(crate) near: f64,
+    /// The polygons of each instance's mesh, where shading asks for them.
+    pub(crate) polygons: &'a [Option<&'a Polygons>],
+    /// What subdividing took, by triangle.
+    pub(crate) subdivided: &'a Mutex<HashMap<u32, PieceCount>>,
+}
+
+impl Scene16<'_> {
+    /// What shines on a material.
+    #[inline(always)]
+    pub(crate) fn surroundings(&self, material: usize) -> Surroundings<'_> {
+        Surroundings {
+            lights: self.lights,
+            scene_ambient: self.ambient,
+            environment: self.environments[material],
+            fog: self.fog,
+        }
+    }
 }
 
 /// What a thread keeps from block to block.
@@ -38,7 +65,12 @@ pub(crate) struct Kept {
 
 impl Kept {
     pub(crate) fn new(scene: &Scene16<'_>) -> Self {
-        Self { corners: Corners::new(Attributes::of(scene.scene)), seen: SeenTriangles::new() }
+        let attributes = Attributes::of(scene.scene);
+        let lights = scene.shading.mode == ShadingMode::Gouraud;
+        Self {
+            corners: Corners::new(attributes, lights),
+            seen: SeenTriangles::new(VertexLight::new(attributes)),
+        }
     }
 }
 
@@ -86,6 +118,11 @@ impl Batch {
         alone
     }
 
+    /// The position of a lane's sample in the window, in pixels.
+    pub(crate) fn position(&self, lane: usize) -> [f64; 2] {
+        self.steps(lane).map(|steps| f64::from(steps) / f64::from(SUBPIXELS))
+    }
+
     /// The position of a lane's sample, in steps of 1/256 pixel.
     pub(crate) fn steps(&self, lane: usize) -> [i32; 2] {
         let steps =
@@ -129,9 +166,10 @@ fn interpolate_lanes<N: Number>(
         seen: 0,
     };
     let one_triangle = batch.ids.iter().all(|id| *id == batch.ids[0]);
-    corners.reset(one_triangle);
+    let perspective = scene.shading.interpolation == Interpolation::Perspective;
+    corners.reset(one_triangle && perspective);
     for (id, lanes) in distinct(&batch.ids) {
-        let Some(triangle) = seen.get(scene.frame, scene.spaces, id) else { continue };
+        let Some(triangle) = seen.get(scene, id) else { continue };
         let about = triangle.forms.about(batch.origin[0], batch.origin[1]);
         let mask = like.mask_of(lanes);
         let (mut weights, outside) = about.barycentric(x, y);
@@ -159,9 +197,40 @@ fn interpolate_lanes<N: Number>(
             interpolated.materials[lane] = triangle.material;
         }
         interpolated.seen |= lanes;
-        corners.set(&triangle.corners, triangle.has, lanes);
+        if perspective {
+            corners.set(&triangle.corners, triangle.has, lanes);
+        } else {
+            for lane in lanes_of(lanes) {
+                let barycentric = weights.map(
+                    #[inline(always)]
+                    |weight| weight.lane(lane),
+                );
+                let flat = triangle.in_window(batch.position(lane), barycentric);
+                corners.set(&flat.corners, triangle.has, 1 << lane);
+                put_lane(&mut interpolated.weights, lane, flat.weights);
+                put_lane(&mut interpolated.weights_right, lane, flat.weights_right);
+                put_lane(&mut interpolated.weights_below, lane, flat.weights_below);
+            }
+        }
+        if triangle.has_own_light() {
+            for lane in lanes_of(lanes) {
+                let barycentric = weights.map(
+                    #[inline(always)]
+                    |weight| weight.lane(lane),
+                );
+                corners.set_light(lane, triangle.own_light(barycentric));
+            }
+        }
     }
     interpolated
+}
+
+/// Takes new values in one lane.
+#[inline(always)]
+fn put_lane<N: Number>(values: &mut [N; 3], lane: usize, new: [f32; 3]) {
+    for (value, new) in values.iter_mut().zip(new) {
+        *value = value.with_lane(lane, new);
+    }
 }
 
 /// Takes new values where the mask is true.
@@ -219,7 +288,12 @@ fn shade_lanes<N: Number, W: SurfaceWitness<N>>(
         }
         let mask = like.mask_of(lanes);
         let number = material as usize;
-        let lit = surface::lit(scene, &interpolated, &kept.corners, &point, number, lanes, witness);
+        let corners = &kept.corners;
+        let lit = if scene.shading.mode == ShadingMode::Phong {
+            surface::lit(scene, &interpolated, corners, &point, number, lanes, witness)
+        } else {
+            surface::lit_elsewhere(scene, &interpolated, corners, &point, number, lanes, witness)
+        };
         for (result, lit) in result.iter_mut().zip(lit) {
             *result = lit.select(mask, *result);
         }

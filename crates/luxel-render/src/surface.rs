@@ -2,7 +2,7 @@
 
 use crate::corners::Corners;
 use crate::shade::Scene16;
-use luxel_lighting::{Reflectance, Silent, SurfacePoint, Surroundings, Witness};
+use luxel_lighting::{Reflectance, Silent, SurfacePoint, Witness};
 use luxel_math::{LANES, Number, Rgb, Vec3};
 use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
 
@@ -12,6 +12,13 @@ pub(crate) trait SurfaceWitness<N>: Witness<N> {
     #[inline(always)]
     fn surface(&mut self, point: &SurfacePoint<N>, reflectance: &Reflectance<N>, alpha: N) {
         let _ = (point, reflectance, alpha);
+    }
+
+    /// The point that is seen, the texture of its base colour, and its light, where that was
+    /// computed elsewhere.
+    #[inline(always)]
+    fn elsewhere(&mut self, point: &SurfacePoint<N>, tint: Rgb<N>, sum: Rgb<N>) {
+        let _ = (point, tint, sum);
     }
 }
 
@@ -169,35 +176,56 @@ pub(crate) fn shading_normals<N: Number>(
     normals
 }
 
-/// Colour and alpha of the lanes that see one material.
+/// The texture of the base colour, and alpha, at the lanes that see one material.
 #[inline(always)]
-pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
+fn base<N: Number>(
     scene: &Scene16<'_>,
     interpolated: &Interpolated<N>,
     corners: &Corners,
-    point: &SurfacePoint<N>,
     number: usize,
     lanes: u32,
-    witness: &mut W,
-) -> [N; 4] {
+) -> (Rgb<N>, N) {
     let material: &SceneMaterial = &scene.scene.materials[number];
-    let like = point.position.x;
-    let constants = &material.constants;
-    let mut reflectance = Reflectance::of(like, constants);
+    let like = interpolated.weights[0];
     let mut alpha = like.constant(material.opacity);
-
     let base = texel(scene, material.base_color, interpolated, corners, lanes);
-    let mut base_tint = tinted(Rgb::splat(like, [1.0; 3]), base);
+    let tint = tinted(Rgb::splat(like, [1.0; 3]), base);
     if let Some([.., texel_alpha]) = base {
         alpha = alpha * texel_alpha;
     }
     if corners.has.colors && material.vertex_colors {
-        let [r, g, b, color_alpha] = corners.color(&interpolated.weights);
-        base_tint = base_tint * Rgb::new(r, g, b);
+        let [.., color_alpha] = corners.color(&interpolated.weights);
         alpha = alpha * color_alpha;
     }
     if let Some([r, ..]) = texel(scene, material.opacity_map, interpolated, corners, lanes) {
         alpha = alpha * r;
+    }
+    let alpha = match material.alpha_mode {
+        AlphaMode::Blend => alpha.limited(0.0, 1.0),
+        AlphaMode::Opaque | AlphaMode::Mask { .. } => like.one(),
+    };
+    (tint, alpha)
+}
+
+/// What the surface reflects at the lanes that see one material, its base colour times `tint` and
+/// the colours of the corners.
+#[inline(always)]
+pub(crate) fn reflectance<N: Number>(
+    scene: &Scene16<'_>,
+    interpolated: &Interpolated<N>,
+    corners: &Corners,
+    number: usize,
+    lanes: u32,
+    tint: Rgb<N>,
+) -> Reflectance<N> {
+    let material: &SceneMaterial = &scene.scene.materials[number];
+    let like = interpolated.weights[0];
+    let constants = &material.constants;
+    let mut reflectance = Reflectance::of(like, constants);
+    let mut base_tint = tint;
+    if corners.has.colors && material.vertex_colors {
+        let [r, g, b, _] = corners.color(&interpolated.weights);
+        base_tint = base_tint * Rgb::new(r, g, b);
     }
     reflectance.diffuse = reflectance.diffuse * base_tint;
     reflectance.ambient = match (constants.ambient, material.ambient) {
@@ -222,21 +250,80 @@ pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
         let strength = like.constant(used.strength);
         reflectance.occlusion = like.one() + strength * (r - like.one());
     }
+    reflectance
+}
+
+/// Colour and alpha of the lanes that see one material, lit at the pixel.
+#[inline(always)]
+pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
+    scene: &Scene16<'_>,
+    interpolated: &Interpolated<N>,
+    corners: &Corners,
+    point: &SurfacePoint<N>,
+    number: usize,
+    lanes: u32,
+    witness: &mut W,
+) -> [N; 4] {
+    let material: &SceneMaterial = &scene.scene.materials[number];
+    let (tint, alpha) = base(scene, interpolated, corners, number, lanes);
+    let reflectance = reflectance(scene, interpolated, corners, number, lanes, tint);
     let mut point = *point;
     if let Some(used) = material.normal.filter(|_| corners.has.tangents) {
         point.normal = mapped_normal(scene, &used, interpolated, corners, point.normal, lanes);
     }
-    let surroundings = Surroundings {
-        lights: scene.lights,
-        scene_ambient: scene.ambient,
-        environment: scene.environments[number],
-        fog: scene.fog,
-    };
-    let alpha = match material.alpha_mode {
-        AlphaMode::Blend => alpha.limited(0.0, 1.0),
-        AlphaMode::Opaque | AlphaMode::Mask { .. } => like.one(),
-    };
     witness.surface(&point, &reflectance, alpha);
+    let surroundings = scene.surroundings(number);
+    let constants = &material.constants;
     let color = luxel_lighting::lit(&point, &reflectance, constants, &surroundings, witness);
     [color.r, color.g, color.b, alpha]
+}
+
+/// Colour and alpha of the lanes that see one material, whose light was computed elsewhere: the
+/// texture of the base colour times the light, and fog.
+#[inline(always)]
+pub(crate) fn lit_elsewhere<N: Number, W: SurfaceWitness<N>>(
+    scene: &Scene16<'_>,
+    interpolated: &Interpolated<N>,
+    corners: &Corners,
+    point: &SurfacePoint<N>,
+    number: usize,
+    lanes: u32,
+    witness: &mut W,
+) -> [N; 4] {
+    let (tint, alpha) = base(scene, interpolated, corners, number, lanes);
+    let sum = corners.light(scene.shading.mode, &interpolated.weights) * tint;
+    witness.elsewhere(point, tint, sum);
+    let color = match scene.fog {
+        Some(fog) => fog.veiled(sum, point.depth, witness),
+        None => sum,
+    };
+    witness.color(color);
+    [color.r, color.g, color.b, alpha]
+}
+
+/// The light that leaves a place on a surface, given as all three corners of lane 0, without the
+/// texture of its base colour.
+pub(crate) fn lit_at_corner<W: SurfaceWitness<f32>>(
+    scene: &Scene16<'_>,
+    corners: &Corners,
+    number: usize,
+    witness: &mut W,
+) -> [f32; 3] {
+    let there = [1.0, 0.0, 0.0];
+    let interpolated = Interpolated {
+        weights: there,
+        // Textures by their finest level.
+        weights_right: there,
+        weights_below: there,
+        edge_distance: f32::MAX,
+        materials: [number as u32; LANES],
+        seen: 1,
+    };
+    let point = point(scene, &interpolated, corners);
+    let white = Rgb::splat(0.0, [1.0; 3]);
+    let reflectance = reflectance(scene, &interpolated, corners, number, 1, white);
+    witness.surface(&point, &reflectance, 1.0);
+    let constants = &scene.scene.materials[number].constants;
+    let surroundings = scene.surroundings(number);
+    luxel_lighting::reflected(&point, &reflectance, constants, &surroundings, witness).lane(0)
 }

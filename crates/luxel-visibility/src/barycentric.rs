@@ -74,7 +74,8 @@ impl WindowRays {
     }
 
     /// The window position of a point in view space, in pixels; `None` if it isn't before the eye.
-    fn window(&self, point: DVec3) -> Option<[f64; 2]> {
+    #[must_use]
+    pub fn window(&self, point: DVec3) -> Option<[f64; 2]> {
         let depth = if self.parallel { 1.0 } else { -point.z };
         (depth > 0.0)
             .then(|| [(point.x / depth - self.x0) / self.dx, (point.y / depth - self.y0) / self.dy])

@@ -1,7 +1,7 @@
 //! How a scene is looked at and lit where nothing else is said.
 
 use luxel_lighting::{Environment, PictureEncoding};
-use luxel_render::{Cull, EnvironmentChoice, View};
+use luxel_render::{Cull, EnvironmentChoice, Shading, View};
 use luxel_scene::{
     Camera, DEFAULT_AMBIENT, DMat4, DVec3, Lens, Scene, SceneCamera, SceneLight, Size, Viewpoint,
     default_lights, fit_planes, fit_view,
@@ -33,6 +33,7 @@ pub fn default_view(scene: &Scene, size: Size) -> View {
         background: scene.background.unwrap_or_default(),
         encoding: PictureEncoding::Srgb,
         edges: None,
+        shading: Shading::default(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use luxel_lighting::{Light, LightKind, Material, PictureEncoding, Reflection};
 use luxel_math::SimdLevel;
-use luxel_render::{Cull, EnvironmentChoice, Execution, Renderer, View};
+use luxel_render::{Cull, EnvironmentChoice, Execution, Renderer, Shading, View};
 use luxel_scene::{
     AlphaMode, Camera, DMat4, DVec3, Lens, MaterialId, Mesh, MeshId, Node, Part, Placement,
     Projection, Scene, SceneLight, SceneMaterial, Size, Viewpoint, fit_view,
@@ -72,6 +72,7 @@ pub(crate) fn view(side: u32) -> View {
         background: [0.0; 4],
         encoding: PictureEncoding::Srgb,
         edges: None,
+        shading: Shading::default(),
     }
 }
 
