@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::options::{
-    CullChoice, EncodingChoice, ExecutionOptions, FrameOptions, LightOptions, PictureOptions,
+    CullChoice, EncodingChoice, ExecutionOptions, FrameOptions, LightOptions, ModeOptions,
+    PictureOptions,
 };
 use luxel::lighting::PictureEncoding;
 use luxel::render::{Cull, Edges, EnvironmentChoice, Execution, View};
@@ -13,10 +14,11 @@ use std::time::{Duration, Instant};
 /// What a picture of the scene shows.
 ///
 /// # Errors
-/// [`Failure::Usage`], if two lights have one name.
+/// [`Failure::Usage`], if two lights have one name, or shading flags don't go together.
 pub(crate) fn view(
     frame: &FrameOptions,
     light: &LightOptions,
+    mode: &ModeOptions,
     picture: &PictureOptions,
     edges: Option<Edges>,
     camera: Camera,
@@ -42,6 +44,7 @@ pub(crate) fn view(
             EncodingChoice::None => PictureEncoding::None,
         },
         edges,
+        shading: mode.shading()?,
     })
 }
 

@@ -3,8 +3,8 @@
 //!
 //! An edge is halved if the light at places along it differs from what its ends interpolate to. The
 //! decision depends on nothing but the edge, so neighbours agree and the light has no seams. Where
-//! the edges are fine and the inside is not, a corner is put into the middle. Edges shorter than a
-//! pixel stay whole.
+//! the edges are fine and the inside is not, a corner is put into the middle. Edges shorter than
+//! a small part of a pixel stay whole.
 
 use luxel_lighting::PictureEncoding;
 use luxel_math::elementary;
@@ -18,7 +18,7 @@ const MOST_TRIED: usize = 24;
 /// Most places along a side of the grid where an inside is tried.
 const MOST_INSIDE: usize = 12;
 /// Edges shorter than this, in pixels, stay whole.
-const SHORTEST: f64 = 1.0;
+const SHORTEST: f64 = 1.0 / 64.0;
 /// How often pieces are divided again at most.
 const DEEPEST: u32 = 12;
 /// Most places that are lit for one triangle.
@@ -286,7 +286,7 @@ mod tests {
     /// A narrow highlight in the middle, which no corner and no edge sees.
     fn highlight([_, v, w]: Place) -> [f32; 3] {
         let (x, y) = (v - 0.3, w - 0.3);
-        [1.0 / (1.0 + 300.0 * (x * x + y * y)), 0.2, 0.0]
+        [1.0 / (1.0 + 60.0 * (x * x + y * y)), 0.2, 0.0]
     }
 
     #[test]

@@ -5,8 +5,8 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::model;
 use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, PictureOptions,
-    ShadingOptions,
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
+    PictureOptions, ShadingOptions,
 };
 use crate::output;
 use crate::surface;
@@ -50,6 +50,8 @@ pub(crate) struct BenchCommand {
     #[command(flatten)]
     shading: ShadingOptions,
     #[command(flatten)]
+    mode: ModeOptions,
+    #[command(flatten)]
     picture: PictureOptions,
     #[command(flatten)]
     execution: ExecutionOptions,
@@ -74,7 +76,9 @@ impl BenchCommand {
         let cameras = camera::turntable(&self.frame, scene, sides)?;
         let views = cameras
             .into_iter()
-            .map(|camera| view::view(&self.frame, &self.light, &self.picture, None, camera, scene))
+            .map(|camera| {
+                view::view(&self.frame, &self.light, &self.mode, &self.picture, None, camera, scene)
+            })
             .collect::<Result<Vec<_>, _>>()?;
 
         let mut picture = Picture::default();

@@ -9,8 +9,8 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::model;
 use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, PictureOptions,
-    ShadingOptions,
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
+    PictureOptions, ShadingOptions,
 };
 use crate::output;
 use crate::surface;
@@ -37,6 +37,8 @@ pub(crate) struct ExplainCommand {
     material: MaterialOptions,
     #[command(flatten)]
     shading: ShadingOptions,
+    #[command(flatten)]
+    mode: ModeOptions,
     #[command(flatten)]
     picture: PictureOptions,
     #[command(flatten)]
@@ -75,7 +77,8 @@ impl ExplainCommand {
         surface::apply_normals(&self.shading, &mut model.scene);
         let scene = &model.scene;
         let camera = camera::choose(&self.frame, scene)?;
-        let view = view::view(&self.frame, &self.light, &self.picture, None, camera, scene)?;
+        let view =
+            view::view(&self.frame, &self.light, &self.mode, &self.picture, None, camera, scene)?;
         let renderer = Renderer::new(scene, &view::execution(&self.execution))
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         let explanation = renderer.explain(&view, self.asked.at).map_err(|error| match error {

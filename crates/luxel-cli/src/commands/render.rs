@@ -9,8 +9,8 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::model;
 use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, PictureOptions,
-    ShadingOptions,
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
+    PictureOptions, ShadingOptions,
 };
 use crate::output;
 use crate::surface;
@@ -18,8 +18,8 @@ use crate::view;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use luxel::render::{
-    Edges, Layer, LayerImage, Legend, PictureError, PictureFormat, RenderError, Renderer, View,
-    write_layers, write_linear, write_rgba8,
+    Edges, Layer, LayerImage, Legend, PictureError, PictureFormat, RenderError, Renderer,
+    Subdivision, View, write_layers, write_linear, write_rgba8,
 };
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Map, Value, json};
@@ -46,6 +46,8 @@ pub(crate) struct RenderCommand {
     material: MaterialOptions,
     #[command(flatten)]
     shading: ShadingOptions,
+    #[command(flatten)]
+    mode: ModeOptions,
     #[command(flatten)]
     picture: PictureOptions,
     #[command(flatten)]
@@ -147,21 +149,40 @@ impl RenderCommand {
         let progress = progress(console, cameras.len());
         let mut files = Vec::new();
         let mut legend = None;
+        let mut subdivision = None;
         let edges = self.output.edges();
         for (number, &camera) in cameras.iter().enumerate() {
-            let view = view::view(&self.frame, &self.light, &self.picture, edges, camera, scene)?;
+            let view = view::view(
+                &self.frame,
+                &self.light,
+                &self.mode,
+                &self.picture,
+                edges,
+                camera,
+                scene,
+            )?;
             let drawn = self.draw(&renderer, &view, target.format, &mut watch)?;
             if let Some(file) = target.write(number as u32, &drawn.bytes)? {
                 files.push(file);
             }
             legend = drawn.legend;
+            subdivision = subdivision.or(drawn.subdivision);
             watch.lap("write");
             progress.inc(1);
         }
         progress.finish_and_clear();
         console.detail(&watch.to_string());
+        if let Some(Subdivision { triangles, largest_error }) = subdivision {
+            console.detail(&format!(
+                "subdivided into {triangles} triangles, at most {largest_error:.2} steps of 255 from phong"
+            ));
+        }
         if self.output.json {
             let mut report = self.report(&renderer, scene, &cameras[0], &files, &watch);
+            if let Some(Subdivision { triangles, largest_error }) = subdivision {
+                let told = json!({ "triangles": triangles, "largest_error": largest_error });
+                report.insert("subdivision".into(), told);
+            }
             report.insert("warnings".into(), json!(model.warnings));
             if let Some(legend) = &legend {
                 let layer = self.output.layers[0];
@@ -180,8 +201,8 @@ impl RenderCommand {
         format: PictureFormat,
         watch: &mut Stopwatch,
     ) -> Result<Drawn, Failure> {
-        let mut drawn = Drawn { bytes: Vec::new(), legend: None };
-        let Drawn { bytes, legend } = &mut drawn;
+        let mut drawn = Drawn { bytes: Vec::new(), legend: None, subdivision: None };
+        let Drawn { bytes, legend, subdivision } = &mut drawn;
         let size = view.size;
         if !self.output.layers.is_empty() {
             let values = renderer.layers(view, &self.output.layers).map_err(cannot_draw)?;
@@ -197,12 +218,14 @@ impl RenderCommand {
             let picture = renderer.linear(view).map_err(cannot_draw)?;
             watch.lap("frame");
             watch.add_stages(&picture.stages);
+            *subdivision = picture.subdivision;
             write_linear(format, size, &picture.pixels, view.encoding, bytes)
                 .map_err(cannot_encode)?;
         } else {
             let picture = renderer.rgba8(view).map_err(cannot_draw)?;
             watch.lap("frame");
             watch.add_stages(&picture.stages);
+            *subdivision = picture.subdivision;
             write_rgba8(format, size, &picture.pixels, view.encoding, bytes)
                 .map_err(cannot_encode)?;
         }
@@ -239,6 +262,8 @@ struct Drawn {
     bytes: Vec<u8>,
     /// What the 16 bits of a layer mean.
     legend: Option<Legend>,
+    /// What subdividing took.
+    subdivision: Option<Subdivision>,
 }
 
 fn cannot_draw(error: RenderError) -> Failure {

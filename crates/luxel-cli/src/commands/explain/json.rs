@@ -3,7 +3,9 @@
 use super::Told;
 use crate::values::reflection_name;
 use luxel::lighting::{Light, LightKind, Reflection};
-use luxel::render::{ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Seen};
+use luxel::render::{
+    EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Seen,
+};
 use luxel::scene::Scene;
 use serde_json::{Map, Value, json};
 
@@ -73,6 +75,8 @@ fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
         "path": path,
         "triangle": seen.triangle,
         "barycentric": seen.barycentric,
+        "evaluated_at": evaluated(seen),
+        "texture": seen.texture,
         "position": seen.position,
         "normal": seen.normal,
         "view": seen.view,
@@ -89,6 +93,29 @@ fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
         "color": seen.color,
         "alpha": seen.alpha,
     })
+}
+
+/// The places where light was computed; null if that is the sample itself.
+fn evaluated(seen: &ExplainedSurface) -> Value {
+    let place = |place: &EvaluatedAt| {
+        json!({
+            "weight": place.weight,
+            "position": place.position,
+            "normal": place.normal,
+            "view": place.view,
+            "emission": place.emission,
+            "scene_ambient": place.scene_ambient,
+            "lights": place.lights.iter().map(light).collect::<Vec<_>>(),
+            "environment": place.environment,
+            "sum": place.sum,
+            "light": place.light,
+        })
+    };
+    if seen.evaluated_at.is_empty() {
+        Value::Null
+    } else {
+        seen.evaluated_at.iter().map(place).collect()
+    }
 }
 
 fn material(material: &ExplainedMaterial) -> Value {
