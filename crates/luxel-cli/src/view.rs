@@ -24,7 +24,11 @@ pub(crate) fn view(
     camera: Camera,
     scene: &Scene,
 ) -> Result<View, Failure> {
-    let (lights, ambient) = lights(light, scene)?;
+    let (mut lights, mut ambient) = lights(light, scene)?;
+    if let Some(scale) = light.light_scale {
+        lights.iter_mut().for_each(|light| light.light.scale(scale));
+        ambient = ambient.map(|channel| channel * scale);
+    }
     Ok(View {
         size: frame.size,
         camera,

@@ -71,6 +71,13 @@ impl Attenuation {
 }
 
 impl Light {
+    /// Makes all its intensities this many times as strong.
+    pub fn scale(&mut self, by: f32) {
+        for intensity in [&mut self.ambient, &mut self.diffuse, &mut self.specular] {
+            *intensity = intensity.map(|channel| channel * by);
+        }
+    }
+
     /// A light of one colour for diffuse and specular reflection, unattenuated.
     #[must_use]
     pub const fn new(kind: LightKind, color: [f32; 3]) -> Self {

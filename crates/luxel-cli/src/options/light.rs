@@ -1,6 +1,6 @@
 //! Light: sources, environment, depth cueing.
 
-use crate::values::{LightSpec, Surroundings, color, fog, light, surroundings};
+use crate::values::{LightSpec, Surroundings, color, fog, light, non_negative_f32, surroundings};
 use clap::Args;
 use luxel::lighting::Fog;
 
@@ -20,6 +20,10 @@ pub(crate) struct LightOptions {
     /// The scene's ambient light
     #[arg(long, value_name = "R,G,B", value_parser = color, allow_hyphen_values = true)]
     pub(crate) ambient: Option<[f32; 3]>,
+
+    /// All lights, the ambient one too, this many times as strong: for files whose lights are in lux
+    #[arg(long, value_name = "S", value_parser = non_negative_f32, allow_hyphen_values = true)]
+    pub(crate) light_scale: Option<f32>,
 
     /// What mirrors and metals see: none, studio or R,G,B [default: studio for glTF's metallic-
     /// roughness materials where the file has no lights, else none]

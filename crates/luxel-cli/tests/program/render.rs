@@ -240,6 +240,15 @@ fn a_picture_beyond_the_memory_allowed_is_refused() {
 }
 
 #[test]
+fn lights_are_scaled_on_the_line() {
+    let light = "-o a.png --light directional:dir=0,0,-1:ambient=.5,.5,.5 --ambient .25,.25,.25";
+    let scaled = square(&format!("{light} --light-scale 0.5"));
+    let half = "directional:dir=0,0,-1:ambient=.25,.25,.25:diffuse=.5,.5,.5";
+    let written_out = square(&format!("-o a.png --light {half} --ambient .125,.125,.125"));
+    assert_eq!(scaled.read("a.png"), written_out.read("a.png"));
+}
+
+#[test]
 fn an_unlit_scene_is_its_ambient_light() {
     let folder = square("-o a.png --light ambient:color=.5,.5,.5 --encoding none --samples 1");
     let (_, _, pixels, _) = png(&folder.read("a.png"));

@@ -42,6 +42,19 @@ pub(crate) fn convert(light: &FileLight, index: u32) -> Result<Light, Error> {
     Ok(Light { attenuation, ..Light::new(kind, color) })
 }
 
+/// Directional light beyond this many lux leaves nothing of a picture that is drawn without exposure.
+const GLARING_LUX: f32 = 100.0;
+
+/// What to say about a light that is given in the lux of the real world, such as the sun.
+pub(crate) fn glare(light: &FileLight) -> Option<String> {
+    let lux = light.intensity.filter(|&lux| light.kind == "directional" && lux > GLARING_LUX)?;
+    // Exporters turn watts into lumens by 683 lm/W.
+    Some(format!(
+        "{lux} lux burn the picture out, which is drawn without exposure: see --light-scale, such \
+         as 0.00146 (1/683) for lights that were watts"
+    ))
+}
+
 fn cone(light: &FileLight, pointer: &str) -> Result<Cone, Error> {
     let spot = light.spot.as_ref();
     let inner = spot.and_then(|spot| spot.inner_cone_angle).unwrap_or(0.0);

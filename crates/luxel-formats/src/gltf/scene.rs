@@ -104,9 +104,13 @@ impl Builder<'_, '_> {
             let lights = document.extensions.lights.as_ref();
             let lights = lights.map_or(&[][..], |extension| &extension.lights);
             let file_light = item(lights, number, "light", pointer)?;
+            let light = lights::convert(file_light, number)?;
+            if let Some(warning) = lights::glare(file_light) {
+                self.warnings.push(format!("{}: {warning}", pointer()));
+            }
             self.scene.lights.push(SceneLight {
                 name: self.name_of_guest(&file_light.name, node, || format!("light_{number}")),
-                light: lights::convert(file_light, number)?,
+                light,
                 placement: Placement::Node(id),
                 position: DVec3::ZERO,
                 direction: DVec3::NEG_Z,
