@@ -1,6 +1,6 @@
 //! The command line: commands and the flags that all of them take.
 
-use crate::commands::{bench, completions, demos, explain, info, navigate, render};
+use crate::commands::{bench, check, completions, demos, explain, info, navigate, render};
 use clap::{Parser, Subcommand};
 
 /// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
@@ -30,6 +30,7 @@ pub(crate) enum Command {
     Render(Box<render::RenderCommand>),
     Explain(Box<explain::ExplainCommand>),
     Info(Box<info::InfoCommand>),
+    Check(Box<check::CheckCommand>),
     Bench(Box<bench::BenchCommand>),
     Navigate(Box<navigate::NavigateCommand>),
     Demos(demos::DemosCommand),

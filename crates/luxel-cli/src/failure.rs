@@ -16,6 +16,8 @@ pub(crate) enum Failure {
         /// What to do about it; empty if `what` says it.
         remedy: String,
     },
+    /// A check has found something, and told it: status 3.
+    Findings,
     /// Whoever reads the standard output has heard enough: no error at all.
     Unheard,
 }
@@ -48,6 +50,7 @@ impl Failure {
         match self {
             Self::Usage(_) => ExitCode::from(2),
             Self::Work { .. } => ExitCode::FAILURE,
+            Self::Findings => ExitCode::from(3),
             Self::Unheard => ExitCode::SUCCESS,
         }
     }
@@ -58,7 +61,7 @@ impl Failure {
             Self::Usage(what) => vec![what, "for more, try `luxel help`"],
             Self::Work { what, remedy } if remedy.is_empty() => vec![what],
             Self::Work { what, remedy } => vec![what, remedy],
-            Self::Unheard => Vec::new(),
+            Self::Findings | Self::Unheard => Vec::new(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The program `luxel`: model files to lit pictures, from the command line.
 //!
 //! Results go to the standard output, everything else to the standard error. Status 0: done; 1: the
-//! work could not be done; 2: wrong usage.
+//! work could not be done; 2: wrong usage; 3: a check has found something.
 
 #![forbid(unsafe_code)]
 

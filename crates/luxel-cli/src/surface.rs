@@ -22,6 +22,12 @@ pub(crate) fn apply_material(options: &MaterialOptions, scene: &mut Scene) {
 
 /// Gives every mesh the normals that the flags ask for, and tangents where normal maps need them.
 pub(crate) fn apply_normals(options: &ShadingOptions, scene: &mut Scene) {
+    scene.compute_normals(&normal_options(options));
+    scene.compute_tangents();
+}
+
+/// Where the flags say that normals come from.
+pub(crate) fn normal_options(options: &ShadingOptions) -> NormalOptions {
     let source = match options.normals {
         NormalsChoice::File => NormalSource::File,
         NormalsChoice::Mean => NormalSource::Mean,
@@ -30,6 +36,5 @@ pub(crate) fn apply_normals(options: &ShadingOptions, scene: &mut Scene) {
         NormalsChoice::AreaAngle => NormalSource::AreaAngle,
     };
     let crease_radians = options.crease.unwrap_or(DEFAULT_CREASE_DEGREES).to_radians();
-    scene.compute_normals(&NormalOptions { source, crease_radians });
-    scene.compute_tangents();
+    NormalOptions { source, crease_radians }
 }

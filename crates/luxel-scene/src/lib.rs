@@ -33,7 +33,7 @@ pub use fit::{Viewpoint, fit_along, fit_box, fit_planes, fit_view};
 pub use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 pub use light::{DEFAULT_AMBIENT, Placement, SceneLight, default_lights};
 pub use material::{AlphaMode, SceneMaterial, Sides, TextureUse};
-pub use mesh::{Bounds, Lines, Mesh, Part, Points};
+pub use mesh::{Bounds, Lines, Mesh, NormalFault, Part, Points};
 pub use node::{CameraId, LightId, MaterialId, MeshId, Node, NodeId, TextureId};
 pub use normals::{DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource};
 pub use restyle::Restyle;

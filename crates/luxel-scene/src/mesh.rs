@@ -22,6 +22,8 @@ pub struct Mesh {
     pub attribute_corners: Option<Vec<[u32; 3]>>,
     /// Unit normals of the attribute vertices; empty if the file has none.
     pub normals: Vec<[f32; 3]>,
+    /// What was wrong with the file's normals before they were mended, in order of positions.
+    pub normal_faults: Vec<NormalFault>,
     /// Unit tangents, with the bitangent's sign; empty if there are none.
     pub tangents: Vec<[f32; 4]>,
     /// Texture coordinates of up to two sets, (0, 0) at the image's upper left; empty if none.
@@ -38,6 +40,30 @@ pub struct Mesh {
     pub points: Vec<Points>,
     /// Line segments, which are no triangles.
     pub lines: Vec<Lines>,
+}
+
+/// A normal that is none, or not of unit length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct NormalFault {
+    /// The position that it stands at.
+    pub position: u32,
+    /// Whether it is zero or not finite; else its length isn't 1.
+    pub undefined: bool,
+}
+
+impl NormalFault {
+    /// How far from 1 a length may be: beyond what normals in signed bytes have.
+    const TOLERANCE: f64 = 0.02;
+
+    /// What is wrong with a normal, if something is.
+    #[must_use]
+    pub fn of(position: u32, normal: [f32; 3]) -> Option<Self> {
+        let [x, y, z] = normal.map(f64::from);
+        let length = (x * x + y * y + z * z).sqrt();
+        let undefined = !(length > 0.0 && length.is_finite());
+        let is_sound = !undefined && (length - 1.0).abs() <= Self::TOLERANCE;
+        (!is_sound).then_some(Self { position, undefined })
+    }
 }
 
 /// A run of triangles with one material.

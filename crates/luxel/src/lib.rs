@@ -19,6 +19,7 @@
 //! | [`formats`] | files in: glTF, OBJ, STL, PLY, with limits and errors that name their place |
 //! | [`scene`] | what there is: meshes, nodes, cameras, lights, textures, the built-in demos |
 //! | [`lighting`] | what a lit surface point sends to the eye |
+//! | [`check`] | what in a mesh spoils its shading |
 //! | [`render`] | pictures and layers of a scene |
 //! | [`navigation`] | from mouse and keys to the camera, without a window |
 //! | [`math`] | numbers with the same bits everywhere |
@@ -31,6 +32,7 @@ mod view;
 
 pub use draw::{draw, write_png};
 pub use load::load;
+pub use luxel_check as check;
 pub use luxel_formats as formats;
 pub use luxel_lighting as lighting;
 pub use luxel_math as math;

@@ -69,6 +69,9 @@ the work could not be done: input that is missing, malformed or not supported, o
 .TP
 2
 wrong usage
+.TP
+3
+a check has found something
 .SH ENVIRONMENT
 .TP
 NO_COLOR

@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub(crate) mod bench;
+pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod demos;
 pub(crate) mod explain;
@@ -22,6 +23,7 @@ pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
         Command::Info(command) => command.run(console),
         Command::Bench(command) => command.run(console),
         Command::Navigate(command) => command.run(console),
+        Command::Check(command) => command.run(console),
         Command::Demos(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => schema::run(),

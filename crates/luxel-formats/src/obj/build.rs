@@ -6,7 +6,9 @@ use crate::stl::warn_of_faces_left_out;
 use crate::text::shown;
 use crate::warnings::Warnings;
 use crate::weld::Welder;
-use luxel_scene::{Lines, MaterialId, Mesh, MeshId, Node, Part, Points, Scene, triangulate};
+use luxel_scene::{
+    Lines, MaterialId, Mesh, MeshId, Node, NormalFault, Part, Points, Scene, triangulate,
+};
 use std::ops::Range;
 
 /// Sorts the elements into objects; those without any are left out.
@@ -207,6 +209,9 @@ fn set_attributes(
     let is_direction =
         |index: u32| document.normals.get(index as usize).is_some_and(|&normal| normal != [0.0; 3]);
     let has_normals = some_normals && corners.iter().all(|corner| is_direction(corner[2]));
+    if !document.normal_faults.is_empty() {
+        mesh.normal_faults = faults_of(mesh, document, corners);
+    }
     if some_normals && !has_normals {
         warnings.push(format!(
             "object `{name}`: corners without a normal, so all of its normals are computed instead"
@@ -282,4 +287,19 @@ fn set_materials(
             _ => mesh.points.push(Points { indices: vec![point], material }),
         }
     }
+}
+
+/// What is wrong with the normals that an object uses. The document's faults are in the order of its
+/// normals.
+fn faults_of(mesh: &Mesh, document: &Document, corners: &[[u32; 3]]) -> Vec<NormalFault> {
+    let fault = |(&position, corner): (&u32, &[u32; 3])| {
+        let faults = &document.normal_faults;
+        let at = faults.binary_search_by_key(&corner[2], |fault| fault.position).ok()?;
+        Some(NormalFault { position, ..faults[at] })
+    };
+    let positions = mesh.triangles.as_flattened().iter();
+    let mut faults: Vec<_> = positions.zip(corners).filter_map(fault).collect();
+    faults.sort_unstable();
+    faults.dedup();
+    faults
 }

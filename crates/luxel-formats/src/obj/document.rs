@@ -1,5 +1,7 @@
 //! What an OBJ file says, before it is sorted into objects.
 
+use luxel_scene::NormalFault;
+
 /// "No such index" in a corner.
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -13,6 +15,8 @@ pub(super) struct Document<'a> {
     pub(super) uvs: Vec<[f32; 2]>,
     /// Of unit length, or 0.
     pub(super) normals: Vec<[f32; 3]>,
+    /// What is wrong with them, each by its place in `normals`, in order.
+    pub(super) normal_faults: Vec<NormalFault>,
     /// Position, texture coordinates and normal of the corners of one element after the other.
     pub(super) corners: Vec<[u32; 3]>,
     pub(super) elements: Vec<Element>,

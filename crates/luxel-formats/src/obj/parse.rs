@@ -5,6 +5,7 @@ use crate::direction::unit;
 use crate::text::{Words, integer, number, shown, single};
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place, color};
+use luxel_scene::NormalFault;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -94,6 +95,8 @@ impl<'a> Parser<'a> {
             }
             b"vn" => {
                 let normal = self.values(&mut words, 3)?;
+                let number = self.document.normals.len() as u32;
+                self.document.normal_faults.extend(NormalFault::of(number, normal));
                 self.document.normals.push(unit(normal));
             }
             b"f" | b"fo" => self.element(Kind::Face, words)?,

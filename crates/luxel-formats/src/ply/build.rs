@@ -8,8 +8,8 @@ use crate::stl::warn_of_faces_left_out;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
 use luxel_scene::{
-    AlphaMode, Lines, MaterialId, Mesh, MeshId, Node, Part, Points, Scene, SceneMaterial,
-    triangulate,
+    AlphaMode, Lines, MaterialId, Mesh, MeshId, Node, NormalFault, Part, Points, Scene,
+    SceneMaterial, triangulate,
 };
 use rayon::prelude::*;
 
@@ -144,6 +144,7 @@ fn set_attributes(
     warnings: &mut Warnings,
 ) {
     mesh.normals = vertices.normals;
+    mesh.normal_faults = faults_of(mesh);
     let used_wrong = !mesh.normals.is_empty() && {
         mesh.normals.par_iter_mut().for_each(|normal| *normal = unit(*normal));
         let wrong = |corner: &u32| mesh.normals[*corner as usize] == [0.0; 3];
@@ -167,6 +168,18 @@ fn set_attributes(
     if tells_nothing && !face_colors.is_empty() {
         color_faces(mesh, &face_colors);
     }
+}
+
+/// What is wrong with the normals that are in use.
+fn faults_of(mesh: &Mesh) -> Vec<NormalFault> {
+    let fault = |(vertex, normal): (usize, &[f32; 3])| NormalFault::of(vertex as u32, *normal);
+    let mut faults: Vec<_> = mesh.normals.par_iter().enumerate().filter_map(fault).collect();
+    if !faults.is_empty() {
+        let mut is_used = vec![false; mesh.positions.len()];
+        mesh.triangles.as_flattened().iter().for_each(|&corner| is_used[corner as usize] = true);
+        faults.retain(|fault| is_used[fault.position as usize]);
+    }
+    faults
 }
 
 /// Gives every corner an attribute vertex of its own, which has its face's colour.

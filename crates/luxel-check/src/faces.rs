@@ -1,0 +1,133 @@
+//! Triangles by themselves: without area, doubled, long and thin.
+
+use crate::surface::Surface;
+use luxel_scene::{Mesh, Scene, Sides};
+use rayon::prelude::*;
+
+/// A triangle whose height is less than this part of its longest edge has no area: its normal hangs
+/// on the rounding of its corners, which in f32 is about 1e-7 of their coordinates.
+const FLAT: f64 = 1e-6;
+
+/// A triangle whose longest edge is at least this many times its height is a sliver.
+const SLIVER: f64 = 40.0;
+
+/// A sliver is harmless where the corner at its longest edge has the normal that the edge has there,
+/// to this angle. Cylinders are made of slivers whose corners lie at the ends of the longest edge,
+/// and flat faces of such as have one normal.
+const SLIVER_TURN_DEGREES: f64 = 15.0;
+
+/// How far the corner has to be from the ends of the longest edge, in parts of its length.
+const FROM_ENDS: f64 = 0.05;
+
+/// A triangle with this proportion is a sliver whatever its normals: a thousand pixels long, it is
+/// less than a pixel wide, and the direction of its own normal hangs on the last digits of its
+/// corners.
+const NEEDLE: f64 = 1000.0;
+
+/// The longest edge's length and the height above it.
+fn proportions(surface: &Surface<'_>, triangle: u32) -> (f64, f64) {
+    let [a, b, c] = surface.corners(triangle);
+    let longest = (b - a).length().max((c - b).length()).max((a - c).length());
+    let height = if longest > 0.0 { surface.area_vector(triangle).length() / longest } else { 0.0 };
+    (longest, height)
+}
+
+/// Triangles without area.
+pub(crate) fn degenerate(surface: &Surface<'_>) -> Vec<u32> {
+    let is_flat = |triangle: &u32| {
+        let (longest, height) = proportions(surface, *triangle);
+        height <= FLAT * longest
+    };
+    (0..surface.triangles.len() as u32).into_par_iter().filter(is_flat).collect()
+}
+
+/// Triangles over the same places as an earlier one, but for the backs of those of which only the
+/// front is drawn; and those backs, which are a surface of their own.
+pub(crate) fn duplicates(
+    surface: &Surface<'_>,
+    scene: &Scene,
+    is_degenerate: &[bool],
+) -> (Vec<u32>, Vec<u32>) {
+    let sides = sides_of(surface.mesh, scene);
+    let key = |triangle: usize| {
+        let mut places = surface.triangles[triangle];
+        // Two swaps are a turn: the parity tells the sides apart.
+        let mut swaps = 0;
+        for (i, j) in [(0, 1), (1, 2), (0, 1)] {
+            if places[i] > places[j] {
+                places.swap(i, j);
+                swaps ^= 1_u32;
+            }
+        }
+        (places, swaps, triangle as u32)
+    };
+    let mut keys: Vec<([u32; 3], u32, u32)> = (0..surface.triangles.len())
+        .into_par_iter()
+        .filter(|&triangle| !is_degenerate[triangle])
+        .map(key)
+        .collect();
+    keys.par_sort_unstable();
+    let (mut duplicates, mut backs) = (Vec::new(), Vec::new());
+    for same in keys.chunk_by(|one, other| one.0 == other.0).filter(|same| same.len() > 1) {
+        let first = same.iter().map(|key| key.2).min().unwrap_or_default();
+        let parity = same.iter().find(|key| key.2 == first).map_or(0, |key| key.1);
+        let mut has_back = false;
+        for &(_, swaps, triangle) in same.iter().filter(|key| key.2 != first) {
+            let is_back = swaps != parity && sides[triangle as usize] == Sides::Front;
+            if is_back && !has_back {
+                has_back = true;
+                backs.push(triangle);
+            } else {
+                duplicates.push(triangle);
+            }
+        }
+    }
+    duplicates.sort_unstable();
+    backs.sort_unstable();
+    (duplicates, backs)
+}
+
+/// Which sides of each triangle are drawn.
+fn sides_of(mesh: &Mesh, scene: &Scene) -> Vec<Sides> {
+    let mut sides = vec![Sides::Both; mesh.triangles.len()];
+    for part in &mesh.parts {
+        let of_part = scene.materials.get(part.material.index()).map_or(Sides::Both, |m| m.sides);
+        let run = part.first as usize..(part.first + part.count) as usize;
+        if let Some(run) = sides.get_mut(run) {
+            run.fill(of_part);
+        }
+    }
+    sides
+}
+
+/// Slivers whose corner disagrees with the longest edge that it almost lies in, and needles.
+pub(crate) fn slivers(
+    surface: &Surface<'_>,
+    normals: &[[luxel_scene::DVec3; 3]],
+    is_left_out: &[bool],
+) -> Vec<u32> {
+    let least_cosine = libm::cos(SLIVER_TURN_DEGREES.to_radians());
+    let is_sliver = |triangle: &u32| {
+        if is_left_out[*triangle as usize] {
+            return false;
+        }
+        let corners = surface.corners(*triangle);
+        let length = |k: usize| corners[k].distance(corners[(k + 1) % 3]);
+        let k = (0..3).max_by(|&one, &other| length(one).total_cmp(&length(other))).unwrap_or(0);
+        let [from, to, corner] = [k, (k + 1) % 3, (k + 2) % 3];
+        let longest = length(k);
+        let height = surface.area_vector(*triangle).length() / longest;
+        if height * NEEDLE <= longest {
+            return true;
+        }
+        let way = corners[to] - corners[from];
+        let t = (corners[corner] - corners[from]).dot(way) / (longest * longest);
+        if height * SLIVER > longest || !(FROM_ENDS..=1.0 - FROM_ENDS).contains(&t) {
+            return false;
+        }
+        let normals = &normals[*triangle as usize];
+        let within = (normals[from] * (1.0 - t) + normals[to] * t).normalize_or_zero();
+        within.dot(normals[corner]) < least_cosine
+    };
+    (0..surface.triangles.len() as u32).into_par_iter().filter(is_sliver).collect()
+}

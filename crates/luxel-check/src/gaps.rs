@@ -1,0 +1,118 @@
+//! Where a surface comes apart: corners in the middle of edges, and gaps between edges.
+
+use crate::nearby::Nearby;
+use crate::surface::{HalfEdge, Surface};
+use luxel_scene::DVec3;
+use rayon::prelude::*;
+
+/// How far a corner may lie beside an edge to be in it, in parts of the edge's length: a quarter of
+/// a pixel where the edge is a thousand pixels long.
+const BESIDE: f64 = 2.5e-4;
+
+/// What rounding to f32 leaves, in parts of the mesh's extent.
+const ROUNDING: f64 = 5e-7;
+
+/// How wide a gap may be to be one that was not meant, in parts of the shorter edge at it.
+const GAP: f64 = 0.01;
+
+/// What is open where it should be closed.
+#[derive(Default)]
+pub(crate) struct Gaps {
+    /// Corners in the middle of a neighbour's edge: the place, and the edge.
+    pub(crate) t_junctions: Vec<(u32, HalfEdge)>,
+    /// Edges along a gap, each with the one beyond.
+    pub(crate) cracks: Vec<(HalfEdge, HalfEdge)>,
+}
+
+/// The boundary of a surface.
+struct Boundary<'s, 'm> {
+    surface: &'s Surface<'m>,
+    half_edges: &'s [HalfEdge],
+    /// Place and half-edge, for both ends of each, sorted.
+    at_places: Vec<(u32, HalfEdge)>,
+    nearby: Nearby,
+}
+
+/// Looks along the edges that have one triangle only.
+pub(crate) fn find(surface: &Surface<'_>, half_edges: &[HalfEdge]) -> Gaps {
+    if half_edges.len() < 2 {
+        return Gaps::default();
+    }
+    let ends = |&half_edge: &HalfEdge| surface.ends(half_edge).map(|place| (place, half_edge));
+    let mut at_places: Vec<_> = half_edges.iter().flat_map(ends).collect();
+    at_places.par_sort_unstable();
+    let mut places: Vec<u32> = at_places.iter().map(|(place, _)| *place).collect();
+    places.dedup();
+    let nearby = Nearby::new(places.into_iter().map(|at| (surface.at(at), at)).collect());
+    let boundary = Boundary { surface, half_edges, at_places, nearby };
+    Gaps { t_junctions: boundary.t_junctions(), cracks: boundary.cracks() }
+}
+
+impl Boundary<'_, '_> {
+    /// The half-edges that begin or end at a place.
+    fn at(&self, place: u32) -> impl Iterator<Item = HalfEdge> {
+        let first = self.at_places.partition_point(|(other, _)| *other < place);
+        let run = self.at_places[first..].iter().take_while(move |(other, _)| *other == place);
+        run.map(|(_, half_edge)| *half_edge)
+    }
+
+    /// The other end of a half-edge.
+    fn beyond(&self, half_edge: HalfEdge, place: u32) -> u32 {
+        let [from, to] = self.surface.ends(half_edge);
+        if from == place { to } else { from }
+    }
+
+    fn t_junctions(&self) -> Vec<(u32, HalfEdge)> {
+        let of_edge = |found: &mut Vec<u32>, &half_edge: &HalfEdge| {
+            let ends = self.surface.ends(half_edge);
+            let [from, to] = ends.map(|place| self.surface.at(place));
+            let reach = BESIDE * from.distance(to) + ROUNDING * self.surface.extent;
+            self.nearby.along(from, to, reach, found);
+            let is_on = |place: u32| ends.contains(&place) || found.binary_search(&place).is_ok();
+            let is_inside = |place: u32| {
+                let at = self.surface.at(place);
+                at.distance(from) > 2.0 * reach && at.distance(to) > 2.0 * reach
+            };
+            // The neighbour's edge goes on along this one: else the two only touch.
+            let goes_along = |place: u32| {
+                self.at(place).any(|other| other != half_edge && is_on(self.beyond(other, place)))
+            };
+            let corners = found.iter().copied();
+            let corners = corners.filter(|&place| !ends.contains(&place) && is_inside(place));
+            corners.filter(|&place| goes_along(place)).map(|place| (place, half_edge)).collect()
+        };
+        let found: Vec<Vec<_>> = self.half_edges.par_iter().map_init(Vec::new, of_edge).collect();
+        let mut junctions = found.concat();
+        junctions.sort_unstable();
+        junctions.dedup_by_key(|(place, _)| *place);
+        junctions
+    }
+
+    fn cracks(&self) -> Vec<(HalfEdge, HalfEdge)> {
+        let of_edge = |found: &mut Vec<u32>, &half_edge: &HalfEdge| {
+            let [from, to] = self.surface.ends(half_edge);
+            let [at_from, at_to] = [from, to].map(|place| self.surface.at(place));
+            let length = at_from.distance(at_to);
+            let reach = GAP * length;
+            self.nearby.along(at_from, at_from, reach, found);
+            let is_beyond_gap = |other: &HalfEdge| {
+                let [other_from, other_to] = self.surface.ends(*other);
+                let is_narrow = |[one, two]: [DVec3; 2]| {
+                    let other_length =
+                        self.surface.at(other_from).distance(self.surface.at(other_to));
+                    one.distance(two) <= GAP * length.min(other_length)
+                };
+                // Over the gap runs another way than here, or the same way if it is flipped.
+                let ends = [self.surface.at(other_from), self.surface.at(other_to)];
+                let across = is_narrow([at_from, ends[1]]) && is_narrow([at_to, ends[0]]);
+                let along = is_narrow([at_from, ends[0]]) && is_narrow([at_to, ends[1]]);
+                *other != half_edge && (across || along)
+            };
+            let near = found.iter().flat_map(|&place| self.at(place));
+            let partner = near.filter(is_beyond_gap).min();
+            // Told once, from the lower side.
+            partner.filter(|&partner| half_edge < partner).map(|partner| (half_edge, partner))
+        };
+        self.half_edges.par_iter().map_init(Vec::new, of_edge).flatten().collect()
+    }
+}

@@ -1,0 +1,58 @@
+//! Highlights that lie between the vertices, where shading per vertex doesn't see them.
+
+use luxel_lighting::{
+    Environment, Light, LightKind, PictureEncoding, PlacedLight, Reflectance, Silent, SurfacePoint,
+    Surroundings, lit,
+};
+use luxel_math::Vec3;
+use luxel_scene::{DVec3, SceneMaterial};
+
+/// Normals closer together than this hide nothing that could be seen: the widest lobe in use falls
+/// by a hundredth over it.
+const LEAST_TURN_COSINE: f64 = 0.999;
+
+/// What a triangle can lose, in steps of 8 bits: the difference in its middle between the equation
+/// at the normal there and the average of the equation at the three corners, clamped as the vertices
+/// of Gouraud shading are, where light and eye are straight above the middle.
+///
+/// That is the worst place for a highlight: as far as can be from all three corners.
+pub(crate) fn loss(normals: &[DVec3; 3], material: &SceneMaterial) -> f32 {
+    let [a, b, c] = *normals;
+    if a.dot(b).min(b.dot(c)).min(c.dot(a)) > LEAST_TURN_COSINE {
+        return 0.0;
+    }
+    let middle = (a + b + c).normalize_or_zero();
+    if middle == DVec3::ZERO {
+        return 0.0;
+    }
+    let towards = middle.as_vec3().to_array();
+    let light = Light::new(LightKind::Directional, [1.0; 3]);
+    let lights = [PlacedLight::new(light, [0.0; 3], towards.map(|component| -component))];
+    let surroundings = Surroundings {
+        lights: &lights,
+        scene_ambient: [0.0; 3],
+        environment: Environment::None,
+        fog: None,
+    };
+    let constants = &material.constants;
+    let reflectance = Reflectance::of(0.0_f32, constants);
+    let vector = |[x, y, z]: [f32; 3]| Vec3::new(x, y, z);
+    let at = |normal: DVec3| {
+        let point = SurfacePoint {
+            position: vector(towards.map(|component| -component)),
+            normal: vector(normal.as_vec3().to_array()),
+            view: vector(towards),
+            depth: 1.0,
+        };
+        let color = lit(&point, &reflectance, constants, &surroundings, &mut Silent);
+        [color.r, color.g, color.b].map(|component| component.clamp(0.0, 1.0))
+    };
+    let corners = [a, b, c].map(at);
+    let whole = at(middle);
+    let step = |value: f32| f32::from(PictureEncoding::Srgb.byte(value));
+    let lost = |channel: usize| {
+        let mean = (corners[0][channel] + corners[1][channel] + corners[2][channel]) / 3.0;
+        (step(whole[channel]) - step(mean)).abs()
+    };
+    lost(0).max(lost(1)).max(lost(2))
+}

@@ -1,0 +1,90 @@
+//! How much of the picture a finding spoils: the mesh drawn as it is and cured, and compared.
+
+use luxel_render::{Cull, EnvironmentChoice, Execution, Renderer, View};
+use luxel_scene::{
+    Camera, DEFAULT_AMBIENT, DMat4, DVec3, Lens, Mesh, MeshId, Node, NormalOptions, Projection,
+    Scene, SceneMaterial, Size, default_lights,
+};
+
+/// The sides from which a mesh is drawn, and what is up there.
+const SIDES: [(DVec3, DVec3); 6] = [
+    (DVec3::X, DVec3::Y),
+    (DVec3::NEG_X, DVec3::Y),
+    (DVec3::Y, DVec3::Z),
+    (DVec3::NEG_Y, DVec3::Z),
+    (DVec3::Z, DVec3::Y),
+    (DVec3::NEG_Z, DVec3::Y),
+];
+
+/// Pixels across and down.
+const SIDE: u32 = 384;
+
+/// The pictures of a mesh from all sides.
+pub(crate) struct Pictures {
+    pixels: Vec<Vec<[u8; 4]>>,
+}
+
+impl Pictures {
+    /// Draws a mesh in the plain material under the default lights, in parallel rays. `None` where
+    /// it can't be drawn.
+    pub(crate) fn of(
+        mesh: &Mesh,
+        scene: &Scene,
+        normals: &NormalOptions,
+        execution: &Execution,
+    ) -> Option<Self> {
+        let bounds = mesh.bounds(&DMat4::IDENTITY);
+        let radius = bounds.radius();
+        if bounds.is_empty() || !radius.is_finite() || radius <= 0.0 {
+            return None;
+        }
+        let mut alone = Scene {
+            nodes: vec![Node::root("", Some(MeshId(0)))],
+            meshes: vec![Mesh { uvs: Default::default(), colors: Vec::new(), ..mesh.clone() }],
+            // Of the materials only the sides that are drawn.
+            materials: scene
+                .materials
+                .iter()
+                .map(|material| SceneMaterial { sides: material.sides, ..SceneMaterial::default() })
+                .collect(),
+            ..Scene::default()
+        };
+        alone.compute_normals(normals);
+        let renderer = Renderer::new(&alone, execution).ok()?;
+        let view = |(side, up): (DVec3, DVec3)| View {
+            size: Size { width: SIDE, height: SIDE },
+            camera: Camera {
+                view_from_world: Camera::look_at(
+                    bounds.centre() + side * (2.0 * radius),
+                    bounds.centre(),
+                    up,
+                ),
+                projection: Projection {
+                    lens: Lens::Orthographic { height: 2.0 * radius },
+                    near: 0.5 * radius,
+                    far: 3.5 * radius,
+                },
+            },
+            samples: 1,
+            cull: Cull::Auto,
+            lights: default_lights(),
+            ambient: DEFAULT_AMBIENT,
+            environment: EnvironmentChoice::default(),
+            fog: None,
+            background: [0.0; 4],
+            encoding: luxel_lighting::PictureEncoding::Srgb,
+            edges: None,
+        };
+        let draw = |side| renderer.rgba8(&view(side)).map(|picture| picture.pixels);
+        let pixels = SIDES.into_iter().map(draw).collect::<Result<_, _>>().ok()?;
+        Some(Self { pixels })
+    }
+
+    /// The largest difference of a colour or of alpha, in steps of 8 bits.
+    pub(crate) fn difference(&self, other: &Self) -> f32 {
+        let pairs = self.pixels.iter().flatten().zip(other.pixels.iter().flatten());
+        let largest =
+            pairs.flat_map(|(one, other)| (0..4).map(|k| one[k].abs_diff(other[k]))).max();
+        f32::from(largest.unwrap_or(0))
+    }
+}

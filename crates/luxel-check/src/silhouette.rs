@@ -1,0 +1,171 @@
+//! Outlines that are straight where the surface is curved.
+
+use crate::surface::{Edges, HalfEdge, Surface};
+use luxel_scene::{Camera, DMat4, DVec3, DVec4, Size};
+use rayon::prelude::*;
+
+/// A smooth edge has the same normal on both of its sides, to this cosine.
+const SAME: f64 = 0.999;
+
+/// How long the next edge of a curve's outline is at least, in parts of an edge's length.
+const NEXT: f64 = 0.4;
+
+/// How far it turns at most, as a cosine: a hexagon's turns by 60 degrees, and what zigzags is no
+/// curve.
+const STRAIGHT: f64 = 0.4;
+
+/// An edge of the outline that is not round.
+pub(crate) struct Facet {
+    pub(crate) half_edge: HalfEdge,
+    /// How far the curve stands off the edge, in pixels.
+    pub(crate) pixels: f64,
+}
+
+/// The view of a mesh.
+pub(crate) struct Sight {
+    clip_from_mesh: DMat4,
+    world_from_mesh: DMat4,
+    eye: DVec3,
+    /// The direction of the view where rays are parallel.
+    parallel: Option<DVec3>,
+    size: DVec3,
+}
+
+impl Sight {
+    /// Of a mesh whose origin is moved to 0.
+    pub(crate) fn new(camera: &Camera, size: Size, world_from_mesh: &DMat4, origin: DVec3) -> Self {
+        let world_from_mesh = *world_from_mesh * DMat4::from_translation(origin);
+        let clip_from_view = camera.projection.clip_from_view(size);
+        let (width, height) = (f64::from(size.width), f64::from(size.height));
+        Self {
+            clip_from_mesh: clip_from_view * camera.view_from_world * world_from_mesh,
+            world_from_mesh,
+            eye: camera.eye(),
+            parallel: camera.projection.is_orthographic().then(|| camera.direction()),
+            size: DVec3::new(width * 0.5, height * 0.5, 0.0),
+        }
+    }
+
+    /// A place in pixels, about the window's middle; `None` behind the eye.
+    fn pixel(&self, place: DVec3) -> Option<DVec3> {
+        self.pixel_and_depth(place).map(|(pixel, _)| pixel)
+    }
+
+    /// The same, with the depth that interpolation divides by: 1 for parallel rays.
+    pub(crate) fn pixel_and_depth(&self, place: DVec3) -> Option<(DVec3, f64)> {
+        let clip: DVec4 = self.clip_from_mesh * place.extend(1.0);
+        (clip.w > 1e-9).then(|| {
+            let (x, y) = (clip.x / clip.w * self.size.x, clip.y / clip.w * self.size.y);
+            (DVec3::new(x, y, 0.0), clip.w)
+        })
+    }
+
+    fn is_in_window(&self, pixel: DVec3) -> bool {
+        pixel.x.abs() <= self.size.x && pixel.y.abs() <= self.size.y
+    }
+
+    /// Whether a triangle shows the side that its area points to.
+    fn faces_eye(&self, corners: [DVec3; 3]) -> bool {
+        let [a, b, c] = corners.map(|corner| self.world_from_mesh.transform_point3(corner));
+        let towards = self.parallel.map_or(self.eye - a, |direction| -direction);
+        (b - a).cross(c - a).dot(towards) > 0.0
+    }
+}
+
+/// An edge of the outline in the window, with the pixels of its ends.
+struct Outline {
+    half_edge: HalfEdge,
+    other: HalfEdge,
+    ends: [u32; 2],
+    pixels: [DVec3; 2],
+}
+
+impl Outline {
+    fn length(&self) -> f64 {
+        self.pixels[0].distance(self.pixels[1])
+    }
+}
+
+/// The edges of the outline whose curve stands off by more than a number of pixels.
+///
+/// An edge belongs to the outline where one of its triangles shows its front and the other its back.
+/// It stands for a curve that is at right angles to the vertex normals, as the picture shows them,
+/// at its ends: an arc that turns by their angle t. Over a chord of length c it rises by
+/// c / 2 tan(t / 4). Where the outline goes on in much shorter edges, these do the turning, and the
+/// long one is meant to be straight; where it zigzags, it isn't the outline of a curve.
+pub(crate) fn facets(
+    surface: &Surface<'_>,
+    edges: &Edges,
+    normals: &[[DVec3; 3]],
+    sight: &Sight,
+    least_pixels: f64,
+) -> Vec<Facet> {
+    let outline = outline(surface, edges, sight);
+    // The ways from each place along the outline.
+    let mut ways: Vec<(u32, HalfEdge, DVec3)> = Vec::with_capacity(2 * outline.len());
+    for Outline { half_edge, ends, pixels: [begin, end], .. } in &outline {
+        ways.push((ends[0], *half_edge, *end - *begin));
+        ways.push((ends[1], *half_edge, *begin - *end));
+    }
+    ways.sort_unstable_by_key(|(place, half_edge, _)| (*place, *half_edge));
+    let goes_on = |edge: &Outline, k: usize| {
+        let into = edge.pixels[k] - edge.pixels[1 - k];
+        let first = ways.partition_point(|(other, ..)| *other < edge.ends[k]);
+        let mut here = ways[first..].iter().take_while(|(other, ..)| *other == edge.ends[k]);
+        here.any(|(_, half_edge, way)| {
+            *half_edge != edge.half_edge
+                && way.length() >= NEXT * into.length()
+                && way.dot(into) >= STRAIGHT * way.length() * into.length()
+        })
+    };
+    let mut facets = Vec::new();
+    for edge in outline.iter().filter(|edge| goes_on(edge, 0) && goes_on(edge, 1)) {
+        let at = |half_edge: HalfEdge, place: u32| {
+            let triangle = (half_edge / 3) as usize;
+            let corner = surface.triangles[triangle].iter().position(|&other| other == place);
+            corner.map_or(DVec3::ZERO, |corner| normals[triangle][corner])
+        };
+        let ends = edge.ends.map(|place| at(edge.half_edge, place));
+        let beyond = edge.ends.map(|place| at(edge.other, place));
+        if ends[0].dot(beyond[0]) < SAME || ends[1].dot(beyond[1]) < SAME {
+            continue;
+        }
+        // Normals as the picture shows them: a step along each, in parts of the edge.
+        let places = edge.ends.map(|place| surface.at(place));
+        let step = 0.01 * places[0].distance(places[1]);
+        let shown = |k: usize| {
+            let pixel = sight.pixel(places[k] + ends[k] * step)?;
+            Some((pixel - edge.pixels[k]).normalize_or_zero())
+        };
+        let (Some(first), Some(last)) = (shown(0), shown(1)) else { continue };
+        let turn = libm::acos(first.dot(last).clamp(-1.0, 1.0));
+        let pixels = edge.length() * 0.5 * libm::tan(turn * 0.25);
+        if pixels >= least_pixels {
+            facets.push(Facet { half_edge: edge.half_edge, pixels });
+        }
+    }
+    facets
+}
+
+/// The outline in the window, in order of its edges' places.
+fn outline(surface: &Surface<'_>, edges: &Edges, sight: &Sight) -> Vec<Outline> {
+    let faces_eye: Vec<bool> = (0..surface.triangles.len() as u32)
+        .into_par_iter()
+        .map(|triangle| sight.faces_eye(surface.corners(triangle)))
+        .collect();
+    let mut outline = Vec::new();
+    for edge in edges.iter() {
+        let [(_, half_edge), (_, other)] = *edge else { continue };
+        if faces_eye[(half_edge / 3) as usize] == faces_eye[(other / 3) as usize] {
+            continue;
+        }
+        let ends = surface.ends(half_edge);
+        let [Some(begin), Some(end)] = ends.map(|place| sight.pixel(surface.at(place))) else {
+            continue;
+        };
+        if sight.is_in_window(begin) && sight.is_in_window(end) {
+            outline.push(Outline { half_edge, other, ends, pixels: [begin, end] });
+        }
+    }
+    outline
+}

@@ -1,0 +1,98 @@
+//! A mesh as a surface: triangles over places, and which meet at which edge.
+//!
+//! A *place* is a position, or several with equal coordinates, as in
+//! [`Topology`](luxel_scene::Topology): files split positions where attributes change, and a seam
+//! of texture coordinates is no gap.
+
+use luxel_scene::{DVec3, Mesh, weld};
+use rayon::prelude::*;
+
+/// A mesh as a surface.
+pub(crate) struct Surface<'m> {
+    pub(crate) mesh: &'m Mesh,
+    /// The places of each triangle's corners.
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// The diagonal of the bounds of all that is drawn.
+    pub(crate) extent: f64,
+}
+
+/// An edge of a triangle: from corner k to corner k + 1 of triangle t, numbered 3 t + k.
+pub(crate) type HalfEdge = u32;
+
+/// The half-edges of a surface, those over the same two places side by side.
+pub(crate) struct Edges {
+    /// The two places, the lower one in the upper half; then the half-edge.
+    sorted: Vec<(u64, HalfEdge)>,
+}
+
+impl<'m> Surface<'m> {
+    pub(crate) fn of(mesh: &'m Mesh) -> Self {
+        let places = weld(&mesh.positions);
+        // Half-edges are numbered in 32 bits.
+        let most = mesh.triangles.len().min((u32::MAX / 3) as usize);
+        let triangles: Vec<[u32; 3]> = mesh.triangles[..most]
+            .par_iter()
+            .map(|corners| corners.map(|corner| places[corner as usize]))
+            .collect();
+        let bounds = mesh.bounds(&luxel_scene::DMat4::IDENTITY);
+        let extent = if bounds.is_empty() { 0.0 } else { 2.0 * bounds.radius() };
+        Self { mesh, triangles, extent }
+    }
+
+    /// A place, about the mesh's origin: exact in f64.
+    #[inline]
+    pub(crate) fn at(&self, place: u32) -> DVec3 {
+        let [x, y, z] = self.mesh.positions[place as usize];
+        DVec3::new(f64::from(x), f64::from(y), f64::from(z))
+    }
+
+    /// The corners of a triangle.
+    #[inline]
+    pub(crate) fn corners(&self, triangle: u32) -> [DVec3; 3] {
+        self.triangles[triangle as usize].map(|place| self.at(place))
+    }
+
+    /// Twice the area along the normal.
+    #[inline]
+    pub(crate) fn area_vector(&self, triangle: u32) -> DVec3 {
+        let [a, b, c] = self.corners(triangle);
+        (b - a).cross(c - a)
+    }
+
+    /// The places at the ends of a half-edge, in its direction.
+    #[inline]
+    pub(crate) fn ends(&self, half_edge: HalfEdge) -> [u32; 2] {
+        let corners = self.triangles[(half_edge / 3) as usize];
+        let k = (half_edge % 3) as usize;
+        [corners[k], corners[(k + 1) % 3]]
+    }
+}
+
+impl Edges {
+    /// The half-edges of all triangles but those left out.
+    pub(crate) fn of(surface: &Surface<'_>, is_left_out: &[bool]) -> Self {
+        let half_edges = |triangle: usize| {
+            (0..3_u32).filter_map(move |k| {
+                let half_edge = triangle as u32 * 3 + k;
+                let [a, b] = surface.ends(half_edge);
+                let key = u64::from(a.min(b)) << 32 | u64::from(a.max(b));
+                (a != b).then_some((key, half_edge))
+            })
+        };
+        let kept = (0..surface.triangles.len()).into_par_iter();
+        let kept = kept.filter(|&triangle| !is_left_out[triangle]);
+        let mut sorted: Vec<_> = kept.flat_map_iter(half_edges).collect();
+        sorted.par_sort_unstable();
+        Self { sorted }
+    }
+
+    /// Each edge, by the half-edges along it.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &[(u64, HalfEdge)]> {
+        self.sorted.chunk_by(|(one, _), (other, _)| one == other)
+    }
+
+    /// The half-edges that no other triangle shares, in order of their places.
+    pub(crate) fn boundary(&self) -> Vec<HalfEdge> {
+        self.iter().filter(|edge| edge.len() == 1).map(|edge| edge[0].1).collect()
+    }
+}

@@ -1,0 +1,191 @@
+//! `luxel check`: what in a mesh spoils its shading.
+
+use crate::camera;
+use crate::console::{Console, printable};
+use crate::failure::Failure;
+use crate::model::{self, Model};
+use crate::options::{
+    ExecutionOptions, FrameOptions, InputOptions, MaterialOptions, ShadingOptions,
+};
+use crate::output;
+use crate::surface;
+use crate::view;
+use clap::Args;
+use luxel::check::{Finding, Place, Report, Setup, check};
+use luxel::lighting::PictureEncoding;
+use luxel::render::{ParsePictureFormatError, PictureFormat, Renderer, write_rgba8};
+use luxel::scene::{Camera, Object, Scene};
+use serde_json::{Value, json};
+use std::ffi::OsString;
+use std::fmt::Write;
+use std::path::Path;
+
+/// Tell what in the mesh spoils its shading
+///
+/// Winding, degenerate faces, T-junctions, cracks, normals and more: how often, how bad in steps of
+/// the picture's 8 bits, where, and what helps. Ends with status 0 where nothing is found, else
+/// with 3. For example: luxel check model.obj -o marks.png
+#[derive(Args, Debug)]
+pub(crate) struct CheckCommand {
+    #[command(flatten)]
+    input: InputOptions,
+
+    /// A picture of the model in grey with everything that is found in colours: .png or .ppm
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<OsString>,
+
+    /// Print a JSON document
+    #[arg(long)]
+    json: bool,
+
+    #[command(flatten)]
+    frame: FrameOptions,
+    #[command(flatten)]
+    material: MaterialOptions,
+    #[command(flatten)]
+    shading: ShadingOptions,
+    #[command(flatten)]
+    execution: ExecutionOptions,
+}
+
+impl CheckCommand {
+    pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+        let format = self.output.as_ref().map(format_of).transpose()?;
+        let mut model = model::load(&self.input, &self.execution, console)?;
+        surface::apply_material(&self.material, &mut model.scene);
+        let scene = &model.scene;
+        let camera = camera::choose(&self.frame, scene)?;
+        let execution = view::execution(&self.execution);
+        let setup = Setup {
+            camera,
+            size: self.frame.size,
+            normals: surface::normal_options(&self.shading),
+            least_highlight: None,
+            least_drift: None,
+            least_outline: Setup::LEAST_OUTLINE,
+            execution,
+        };
+        let report = check(scene, &setup);
+        if let (Some(path), Some(format)) = (&self.output, format) {
+            self.draw(&report, scene, camera, Path::new(path), format)?;
+        }
+        if self.json {
+            output::print_json(&to_json(&report, &model))?;
+        } else {
+            output::print(&to_text(&report, &model, &self.input.name()))?;
+        }
+        if report.findings.is_empty() { Ok(()) } else { Err(Failure::Findings) }
+    }
+
+    /// Draws where everything is.
+    fn draw(
+        &self,
+        report: &Report,
+        scene: &Scene,
+        camera: Camera,
+        path: &Path,
+        format: PictureFormat,
+    ) -> Result<(), Failure> {
+        output::check_folder(path)?;
+        let failure = |error: String| Failure::work(error, "");
+        let mut marked = report.marked(scene);
+        surface::apply_normals(&self.shading, &mut marked);
+        let execution = view::execution(&self.execution);
+        let renderer =
+            Renderer::new(&marked, &execution).map_err(|error| failure(error.to_string()))?;
+        let mut view = luxel::default_view(&marked, self.frame.size);
+        view.camera = camera;
+        view.samples = self.frame.samples;
+        let picture = renderer.rgba8(&view).map_err(|error| failure(error.to_string()))?;
+        let mut bytes = Vec::new();
+        write_rgba8(format, view.size, &picture.pixels, PictureEncoding::Srgb, &mut bytes)
+            .map_err(|error| failure(error.to_string()))?;
+        output::write_file(path, &bytes)
+    }
+}
+
+/// The format of the marks, by their file's name.
+fn format_of(name: &OsString) -> Result<PictureFormat, Failure> {
+    let extension = Path::new(name).extension().unwrap_or_default().to_string_lossy();
+    let format = extension.parse().map_err(|error: ParsePictureFormatError| {
+        let name = name.to_string_lossy();
+        Failure::Usage(format!("invalid value '{name}' for '--output': {error}"))
+    })?;
+    match format {
+        PictureFormat::Png | PictureFormat::Ppm => Ok(format),
+        _ => Err(Failure::Usage("marks are drawn into .png or .ppm".to_owned())),
+    }
+}
+
+fn to_json(report: &Report, model: &Model) -> Value {
+    let objects = model.scene.objects();
+    let place = |place: &Place| {
+        let object: &Object = &objects[place.object as usize];
+        json!({
+            "index": place.object,
+            "object": model.scene.nodes[object.node.index()].name,
+            "path": model.scene.path(object.node),
+            "triangle": place.triangle,
+            "position": place.position.to_array(),
+        })
+    };
+    let finding = |finding: &Finding| {
+        let mut entry = json!({
+            "kind": finding.kind.name(),
+            "count": finding.count,
+            "severity": finding.severity,
+            "places": finding.places.iter().map(place).collect::<Value>(),
+            "cure": finding.kind.cure(),
+        });
+        if let Some(pixels) = finding.pixels {
+            entry["pixels"] = json!(pixels);
+        }
+        entry
+    };
+    json!({
+        "findings": report.findings.iter().map(finding).collect::<Value>(),
+        "triangles": model.scene.triangle_count(),
+        "warnings": model.warnings,
+    })
+}
+
+fn to_text(report: &Report, model: &Model, name: &str) -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = write_text(report, model, name, &mut text);
+    text
+}
+
+fn write_text(report: &Report, model: &Model, name: &str, text: &mut String) -> std::fmt::Result {
+    let triangles = model.scene.triangle_count();
+    let name = printable(name);
+    if report.findings.is_empty() {
+        return writeln!(text, "{name}: nothing found in {triangles} triangles");
+    }
+    let kinds = match report.findings.len() {
+        1 => "1 kind of finding".to_owned(),
+        count => format!("{count} kinds of findings"),
+    };
+    writeln!(text, "{name}: {kinds} in {triangles} triangles")?;
+    let objects = model.scene.objects();
+    for finding in &report.findings {
+        let Finding { kind, count, severity, pixels, places } = finding;
+        let degree = match (severity, pixels) {
+            (_, Some(pixels)) => format!(", up to {pixels:.1} pixels off"),
+            (Some(0.0), _) => ", not to be seen in luxel".to_owned(),
+            (Some(steps), _) => format!(", up to {steps} steps of 255"),
+            _ => String::new(),
+        };
+        writeln!(text, "\n{}  {count}{degree}", kind.name())?;
+        writeln!(text, "  {}", kind.about())?;
+        for place in places.iter().take(3) {
+            let object = &objects[place.object as usize];
+            let path = printable(&model.scene.path(object.node).join(" / "));
+            let [x, y, z] = place.position.to_array().map(|value| format!("{value:.5}"));
+            let triangle = place.triangle.map(|number| format!(" triangle {number}"));
+            writeln!(text, "  at {x} {y} {z}: {path}{}", triangle.unwrap_or_default())?;
+        }
+        writeln!(text, "  cure: {}", kind.cure())?;
+    }
+    Ok(())
+}

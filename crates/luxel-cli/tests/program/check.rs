@@ -1,0 +1,153 @@
+//! Checking meshes: what is told, and with which status the program ends.
+
+use crate::program::{Folder, SQUARE_PLY, luxel};
+use serde_json::Value;
+use std::path::PathBuf;
+
+/// A square of two triangles of which one is wound the wrong way.
+const TWISTED_PLY: &str = "\
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+element face 2
+property list uchar int vertex_indices
+end_header
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+3 0 1 2
+3 0 3 2
+";
+
+#[test]
+fn a_sound_mesh_ends_with_0_and_a_faulty_one_with_3() {
+    let folder = Folder::new();
+    folder.write("sound.ply", SQUARE_PLY);
+    folder.write("twisted.ply", TWISTED_PLY);
+    let sound = folder.run(["check", "sound.ply"]).text();
+    assert_eq!(sound, "sound.ply: nothing found in 2 triangles\n");
+    let run = folder.run(["check", "twisted.ply"]);
+    assert_eq!((run.status, run.stderr.as_str()), (Some(3), ""));
+    let text = String::from_utf8(run.stdout).unwrap();
+    assert!(text.starts_with("twisted.ply: 1 kind of finding in 2 triangles\n"), "{text}");
+    assert!(text.contains("\ninconsistent-winding  1, up to "), "{text}");
+    assert!(text.contains("  cure: make the winding consistent"), "{text}");
+}
+
+#[test]
+fn the_document_has_every_key_that_scripts_rely_on() {
+    let folder = Folder::new();
+    folder.write("sound.ply", SQUARE_PLY);
+    folder.write("twisted.ply", TWISTED_PLY);
+    let sound = folder.run(["check", "sound.ply", "--json"]).json();
+    assert_eq!(sound["findings"], Value::Array(Vec::new()));
+    let run = folder.run(["check", "twisted.ply", "--json"]);
+    assert_eq!(run.status, Some(3));
+    let document: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let finding = &document["findings"][0];
+    assert_eq!(finding["kind"], "inconsistent-winding");
+    assert_eq!(finding["count"], 1);
+    assert!(finding["severity"].as_f64().unwrap() > 0.0);
+    assert!(finding["cure"].as_str().unwrap().len() > 10);
+    let place = &finding["places"][0];
+    assert_eq!(place["object"], "twisted");
+    assert_eq!(place["path"], serde_json::json!(["twisted"]));
+    assert_eq!(place["triangle"], 1);
+    assert!((place["position"][0].as_f64().unwrap() - 1.0 / 3.0).abs() < 1e-6);
+}
+
+#[test]
+fn normals_that_readers_mend_are_told() {
+    let folder = Folder::new();
+    let with_normals = |normals: &str| {
+        let head = SQUARE_PLY.replace(
+            "property float z\n",
+            "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n",
+        );
+        let mut normals = normals.split(';');
+        let rows: Vec<String> = head
+            .lines()
+            .map(|line| match line.split(' ').count() {
+                3 if !line.starts_with(|c: char| c.is_alphabetic()) => {
+                    format!("{line} {}", normals.next().unwrap())
+                }
+                _ => line.to_owned(),
+            })
+            .collect();
+        rows.join("\n") + "\n"
+    };
+    let found = |normals: &str| -> Vec<(String, u64)> {
+        folder.write("n.ply", with_normals(normals));
+        let run = folder.run(["check", "n.ply", "--json", "-q"]);
+        let document: Value = serde_json::from_slice(&run.stdout).unwrap();
+        let findings = document["findings"].as_array().unwrap().iter();
+        findings
+            .map(|f| (f["kind"].as_str().unwrap().to_owned(), f["count"].as_u64().unwrap()))
+            .collect()
+    };
+    assert_eq!(found("0 0 1;0 0 1;0 0 1;0 0 1"), []);
+    assert_eq!(found("0 0 2;0 0 1;0 0 .5;0 0 1"), [("non-unit-normal".to_owned(), 2)]);
+    assert_eq!(found("0 0 0;0 0 1;nan 0 1;0 0 1"), [("undefined-normal".to_owned(), 2)]);
+    folder.write("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 3\nvn 0 0 1\nf 1//1 2//2 3//1\n");
+    let run = folder.run(["check", "n.obj", "--json"]);
+    let document: Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(document["findings"][0]["kind"], "non-unit-normal");
+    assert_eq!(document["findings"][0]["count"], 2);
+}
+
+#[test]
+fn marks_are_a_picture() {
+    let folder = Folder::new();
+    folder.write("twisted.ply", TWISTED_PLY);
+    let run = folder.run(["check", "twisted.ply", "-o", "marks.ppm", "--size", "60x40"]);
+    assert_eq!(run.status, Some(3));
+    let bytes = folder.read("marks.ppm");
+    let pixels: Vec<_> = bytes["P6\n60 40\n255\n".len()..].chunks(3).collect();
+    let is_red = |pixel: &&&[u8]| pixel[0] > 200 && pixel[1] < 100;
+    let is_grey = |pixel: &&&[u8]| pixel[0] > 30 && pixel[0].abs_diff(pixel[2]) < 20;
+    assert!(pixels.iter().filter(is_red).count() > 100);
+    assert!(pixels.iter().filter(is_grey).count() > 100);
+    folder.run(["check", "twisted.ply", "-o", "marks.exr"]).failed(2, ".png or .ppm");
+    assert_eq!(folder.files(), ["marks.ppm", "twisted.ply"]);
+}
+
+#[test]
+fn what_cannot_be_read_ends_with_1() {
+    luxel("check missing.obj").failed(1, "missing.obj");
+}
+
+/// What is found in public models, each of which `docs/check.md` defends.
+const MODELS: &[(&str, &[&str])] = &[
+    ("DepthOfFieldExample.glb", &[]),
+    ("VertexColorTest/VertexColorTest.gltf", &[]),
+    ("bunny.ply", &[]),
+    ("busted.STL", &[]),
+    ("cornell_box/cornell_box.obj", &[]),
+    ("spot/spot.obj", &[]),
+    ("two_objects_ascii.stl", &[]),
+    ("teapot.obj", &["duplicate-vertex"]),
+    ("suzanne.ply", &["unrepresentative-normals"]),
+    ("featuretype.STL", &["crack", "sliver"]),
+    ("octagonal_pocket.stl", &["crack", "sliver"]),
+];
+
+#[test]
+fn public_models_have_the_faults_that_they_have() {
+    let Some(folder) = std::env::var_os("LUXEL_TEST_MODELS").map(PathBuf::from) else {
+        eprintln!("SKIPPED: LUXEL_TEST_MODELS names no folder of models");
+        return;
+    };
+    for (name, expected) in MODELS {
+        let path = folder.join(name).into_os_string().into_string().unwrap();
+        let run = luxel(&format!("check {path} --json -q"));
+        let document: Value = serde_json::from_slice(&run.stdout).unwrap();
+        let findings = document["findings"].as_array().unwrap();
+        let kinds: Vec<_> = findings.iter().map(|f| f["kind"].as_str().unwrap()).collect();
+        assert_eq!(kinds, *expected, "{name}");
+        assert_eq!(run.status, Some(if expected.is_empty() { 0 } else { 3 }), "{name}");
+    }
+}
