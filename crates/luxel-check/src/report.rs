@@ -7,42 +7,33 @@ use crate::finding::{Finding, Kind, Place};
 use crate::gaps::{self, Gaps};
 use crate::highlight;
 use crate::normals;
-use crate::severity::Pictures;
+use crate::severity::{Pictures, largest_difference};
 use crate::silhouette::{self, Sight};
 use crate::surface::{Edges, HalfEdge, Surface};
 use crate::winding;
-use luxel_render::Execution;
-use luxel_scene::{Camera, DVec3, Mesh, NormalOptions, NormalSource, Object, Scene, Size};
+use luxel_render::{Execution, Interpolation, Renderer, Shading, ShadingMode, View};
+use luxel_scene::{DVec3, Mesh, NormalOptions, NormalSource, Object, Scene};
 use rayon::prelude::*;
 
 /// What the findings hang on, beside the scene.
 #[derive(Clone, Debug)]
 pub struct Setup {
-    /// The view whose outlines are looked at.
-    pub camera: Camera,
-    /// The size of its picture.
-    pub size: Size,
+    /// The picture that is to be drawn: its camera decides on outlines; highlights are asked for
+    /// where its shading lights vertices, and drift where it interpolates in the window.
+    pub view: View,
     /// Where normals come from.
     pub normals: NormalOptions,
-    /// How many steps a highlight has to lose to be told of; `None` where lighting is computed in
-    /// every pixel and loses none.
-    pub least_highlight: Option<f32>,
-    /// How far things have to slide to be told of, in pixels; `None` where they are interpolated in
-    /// space and don't.
-    pub least_drift: Option<f64>,
-    /// How far outlines have to be off to be told of, in pixels.
-    pub least_outline: f64,
     /// How the pictures are drawn by which severity is measured.
     pub execution: Execution,
 }
 
 impl Setup {
-    /// Highlights that lose this much where vertices are lit are told of: a sixteenth of the range.
+    /// Highlights that lose this many steps are told of: a sixteenth of the range.
     pub const LEAST_HIGHLIGHT: f32 = 16.0;
     /// Things that slide this far in the window are told of, in pixels.
     pub const LEAST_DRIFT: f64 = 4.0;
-    /// Outlines this far off are told of, in pixels: more than what a regular polygon of 16 sides has that
-    /// fills the height of 720 pixels by eight tenths.
+    /// Outlines this far off are told of, in pixels: more than what a regular polygon of 16 sides has
+    /// that fills the height of 720 pixels by eight tenths.
     pub const LEAST_OUTLINE: f64 = 6.0;
     /// How many places of a kind are told.
     pub const MOST_PLACES: usize = 16;
@@ -114,7 +105,35 @@ pub fn check(scene: &Scene, setup: &Setup) -> Report {
             report.findings.push(finding);
         }
     }
+    measure_shading(&mut report, scene, setup);
     report
+}
+
+/// What the view's shading and interpolation make worse, by drawing the view with the best of them.
+fn measure_shading(report: &mut Report, scene: &Scene, setup: &Setup) {
+    let is_of_shading = |kind| matches!(kind, Kind::MissedHighlight | Kind::ScreenDrift);
+    if !report.findings.iter().any(|finding| is_of_shading(finding.kind)) {
+        return;
+    }
+    let mut drawn = scene.clone();
+    drawn.compute_normals(&setup.normals);
+    drawn.compute_tangents();
+    let Ok(renderer) = Renderer::new(&drawn, &setup.execution) else { return };
+    let draw = |shading: Shading| {
+        renderer.rgba8(&View { shading, ..setup.view.clone() }).ok().map(|picture| picture.pixels)
+    };
+    let as_asked = setup.view.shading;
+    let before = draw(as_asked);
+    for finding in report.findings.iter_mut().filter(|finding| is_of_shading(finding.kind)) {
+        let better = if finding.kind == Kind::MissedHighlight {
+            Shading { mode: ShadingMode::Phong, ..as_asked }
+        } else {
+            Shading { interpolation: Interpolation::Perspective, ..as_asked }
+        };
+        if let (Some(before), Some(after)) = (&before, draw(better)) {
+            finding.severity = Some(largest_difference(before, &after));
+        }
+    }
 }
 
 /// Where something is, in the world.
@@ -264,9 +283,8 @@ impl<'a> Examination<'a> {
         let unrepresentative = triangles(&normals.unrepresentative);
         self.add(Kind::UnrepresentativeNormals, of_unrepresentative, unrepresentative);
         self.add(Kind::Sliver, None, triangles(&slivers));
-        let largest = highlights.iter().map(|(_, loss)| *loss).fold(0.0, f32::max);
         let highlights = highlights.iter().map(|(triangle, _)| Spot::Triangle(*triangle)).collect();
-        self.add(Kind::MissedHighlight, Some(largest), highlights);
+        self.add(Kind::MissedHighlight, None, highlights);
     }
 
     /// Attribute vertices as spots, each with the first triangle that it is at.
@@ -312,7 +330,10 @@ impl<'a> Examination<'a> {
     /// Triangles that can lose a highlight, with what they lose.
     fn missed_highlights(&self, is_left_out: &[bool]) -> Vec<(u32, f32)> {
         let mut found = Vec::new();
-        let Some(least) = self.setup.least_highlight else { return found };
+        let mode = self.setup.view.shading.mode;
+        if !matches!(mode, ShadingMode::Gouraud | ShadingMode::Subdivided { .. }) {
+            return found;
+        }
         for part in &self.mesh.parts {
             let Some(material) = self.scene.materials.get(part.material.index()) else { continue };
             let last = (part.first + part.count).min(is_left_out.len() as u32);
@@ -322,17 +343,17 @@ impl<'a> Examination<'a> {
             };
             let run = (part.first..last).into_par_iter();
             let kept = run.filter(|&triangle| !is_left_out[triangle as usize]).map(lost);
-            found.par_extend(kept.filter(|(_, loss)| *loss >= least));
+            found.par_extend(kept.filter(|(_, loss)| *loss >= Setup::LEAST_HIGHLIGHT));
         }
         found
     }
 
     /// What an object looks like in the view.
     fn in_view(&mut self, object: &Object, edges: &Edges, is_left_out: &[bool]) {
-        let Setup { camera, size, least_outline, least_drift, .. } = self.setup;
+        let View { camera, size, shading, .. } = &self.setup.view;
         let sight = Sight::new(camera, *size, &object.world_from_mesh, self.mesh.origin);
-        if let Some(least) = least_drift {
-            let drifts = drift::drifts(&self.surface, is_left_out, &sight, *least);
+        if shading.interpolation != Interpolation::Perspective {
+            let drifts = drift::drifts(&self.surface, is_left_out, &sight, Setup::LEAST_DRIFT);
             let pixels = drifts.iter().map(|(_, pixels)| *pixels).fold(0.0, f64::max);
             let spots = drifts.iter().map(|(triangle, _)| Spot::Triangle(*triangle)).collect();
             self.add(Kind::ScreenDrift, None, spots);
@@ -341,7 +362,7 @@ impl<'a> Examination<'a> {
             }
         }
         let facets =
-            silhouette::facets(&self.surface, edges, &self.normals, &sight, *least_outline);
+            silhouette::facets(&self.surface, edges, &self.normals, &sight, Setup::LEAST_OUTLINE);
         let pixels = facets.iter().map(|facet| facet.pixels).fold(0.0, f64::max);
         if !facets.is_empty() {
             self.found.push(Found {

@@ -74,6 +74,7 @@ impl Pictures {
             background: [0.0; 4],
             encoding: luxel_lighting::PictureEncoding::Srgb,
             edges: None,
+            shading: luxel_render::Shading::default(),
         };
         let draw = |side| renderer.rgba8(&view(side)).map(|picture| picture.pixels);
         let pixels = SIDES.into_iter().map(draw).collect::<Result<_, _>>().ok()?;
@@ -82,9 +83,16 @@ impl Pictures {
 
     /// The largest difference of a colour or of alpha, in steps of 8 bits.
     pub(crate) fn difference(&self, other: &Self) -> f32 {
-        let pairs = self.pixels.iter().flatten().zip(other.pixels.iter().flatten());
-        let largest =
-            pairs.flat_map(|(one, other)| (0..4).map(|k| one[k].abs_diff(other[k]))).max();
-        f32::from(largest.unwrap_or(0))
+        let pairs = self.pixels.iter().zip(&other.pixels);
+        pairs.map(|(one, other)| largest_difference(one, other)).fold(0.0, f32::max)
     }
+}
+
+/// The largest difference of a colour or of alpha between two pictures, in steps of 8 bits.
+pub(crate) fn largest_difference(one: &[[u8; 4]], other: &[[u8; 4]]) -> f32 {
+    let of_pixel = |(one, other): (&[u8; 4], &[u8; 4])| {
+        let steps = one.iter().zip(other).map(|(one, other)| one.abs_diff(*other));
+        steps.max().unwrap_or(0)
+    };
+    f32::from(one.iter().zip(other).map(of_pixel).max().unwrap_or(0))
 }

@@ -1,10 +1,11 @@
 //! Meshes by formula, and how they are checked.
 
 use luxel_check::{Kind, Report, Setup, check};
-use luxel_render::Execution;
+use luxel_lighting::PictureEncoding;
+use luxel_render::{Cull, EnvironmentChoice, Execution, Shading, View};
 use luxel_scene::{
-    Lens, MaterialId, Mesh, MeshId, Node, NormalOptions, Part, Scene, SceneMaterial, Size,
-    Viewpoint, fit_view,
+    DEFAULT_AMBIENT, Lens, MaterialId, Mesh, MeshId, Node, NormalOptions, Part, Scene,
+    SceneMaterial, Size, Viewpoint, default_lights, fit_view,
 };
 
 /// A scene that shows a mesh.
@@ -34,15 +35,21 @@ pub(crate) fn setup(scene: &Scene) -> Setup {
     };
     let lens = Lens::Perspective { fov_y_radians: 45_f64.to_radians() };
     let size = Size { width: 1280, height: 720 };
-    Setup {
-        camera: fit_view(scene, &viewpoint, lens, size),
+    let view = View {
         size,
-        normals: NormalOptions::default(),
-        least_highlight: None,
-        least_drift: None,
-        least_outline: Setup::LEAST_OUTLINE,
-        execution: Execution::default(),
-    }
+        camera: fit_view(scene, &viewpoint, lens, size),
+        samples: 1,
+        cull: Cull::Auto,
+        lights: default_lights(),
+        ambient: DEFAULT_AMBIENT,
+        environment: EnvironmentChoice::default(),
+        fog: None,
+        background: [0.0; 4],
+        encoding: PictureEncoding::Srgb,
+        edges: None,
+        shading: Shading::default(),
+    };
+    Setup { view, normals: NormalOptions::default(), execution: Execution::default() }
 }
 
 pub(crate) fn checked(mesh: Mesh) -> Report {

@@ -5,7 +5,8 @@ use crate::console::{Console, printable};
 use crate::failure::Failure;
 use crate::model::{self, Model};
 use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, MaterialOptions, ShadingOptions,
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
+    PictureOptions, ShadingOptions,
 };
 use crate::output;
 use crate::surface;
@@ -41,9 +42,15 @@ pub(crate) struct CheckCommand {
     #[command(flatten)]
     frame: FrameOptions,
     #[command(flatten)]
+    light: LightOptions,
+    #[command(flatten)]
     material: MaterialOptions,
     #[command(flatten)]
+    mode: ModeOptions,
+    #[command(flatten)]
     shading: ShadingOptions,
+    #[command(flatten)]
+    picture: PictureOptions,
     #[command(flatten)]
     execution: ExecutionOptions,
 }
@@ -56,15 +63,9 @@ impl CheckCommand {
         let scene = &model.scene;
         let camera = camera::choose(&self.frame, scene)?;
         let execution = view::execution(&self.execution);
-        let setup = Setup {
-            camera,
-            size: self.frame.size,
-            normals: surface::normal_options(&self.shading),
-            least_highlight: None,
-            least_drift: None,
-            least_outline: Setup::LEAST_OUTLINE,
-            execution,
-        };
+        let (light, picture) = (&self.light, &self.picture);
+        let view = view::view(&self.frame, light, &self.mode, picture, None, camera, scene)?;
+        let setup = Setup { view, normals: surface::normal_options(&self.shading), execution };
         let report = check(scene, &setup);
         if let (Some(path), Some(format)) = (&self.output, format) {
             self.draw(&report, scene, camera, Path::new(path), format)?;
@@ -171,7 +172,10 @@ fn write_text(report: &Report, model: &Model, name: &str, text: &mut String) -> 
     for finding in &report.findings {
         let Finding { kind, count, severity, pixels, places } = finding;
         let degree = match (severity, pixels) {
-            (_, Some(pixels)) => format!(", up to {pixels:.1} pixels off"),
+            (Some(steps), Some(pixels)) => {
+                format!(", up to {pixels:.1} pixels off and {steps} steps of 255")
+            }
+            (None, Some(pixels)) => format!(", up to {pixels:.1} pixels off"),
             (Some(0.0), _) => ", not to be seen in luxel".to_owned(),
             (Some(steps), _) => format!(", up to {steps} steps of 255"),
             _ => String::new(),
