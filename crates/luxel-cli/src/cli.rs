@@ -1,7 +1,6 @@
 //! The command line: commands and the flags that all of them take.
 
-use crate::commands::{bench, check, completions, demos, explain, info, navigate, render};
-use clap::{Parser, Subcommand};
+use crate::commands::{bench, check, completions, demos, explain, info, navigate, render, view};
 
 /// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
 ///
@@ -9,7 +8,7 @@ use clap::{Parser, Subcommand};
 /// shadows and global light. It needs no GPU and no display.
 #[derive(Parser, Debug)]
 #[command(name = "luxel", version, args_override_self = true)]
-#[command(subcommand_required = true, arg_required_else_help = true)]
+#[command(subcommand_required = true)]
 #[command(infer_long_args = false, max_term_width = 100)]
 pub(crate) struct Cli {
     /// Say nothing but errors
@@ -27,6 +26,7 @@ pub(crate) struct Cli {
 /// What to do.
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
+    View(Box<view::ViewCommand>),
     Render(Box<render::RenderCommand>),
     Explain(Box<explain::ExplainCommand>),
     Info(Box<info::InfoCommand>),
@@ -45,10 +45,47 @@ pub(crate) enum Command {
     Man,
 }
 
+/// The words of the command line, with `view` put in where they name no command.
+///
+/// Only what stands before the first word that is no flag of all commands counts: `luxel info`
+/// asks for the command, `luxel view info` for a file of that name.
+pub(crate) fn with_command(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
+    let mut words: Vec<_> = words.into_iter().collect();
+    let of_all = ["-q", "--quiet", "-v", "--verbose"];
+    let first = words.iter().skip(1).position(|word| !of_all.iter().any(|flag| word == flag));
+    let place = first.map_or(words.len(), |place| place + 1);
+    let names_one = words.get(place).is_some_and(|word| {
+        let about = ["help", "-h", "--help", "-V", "--version"];
+        let program = Cli::command();
+        about.iter().any(|name| word == name)
+            || program.get_subcommands().any(|command| word == command.get_name())
+    });
+    if !names_one {
+        words.insert(place.max(1).min(words.len()), "view".into());
+    }
+    words
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
+
+    #[test]
+    fn without_a_command_it_is_view() {
+        for (line, expected) in [
+            ("luxel", "luxel view"),
+            ("luxel a.glb --size 3x3", "luxel view a.glb --size 3x3"),
+            ("luxel -q demo:teapot", "luxel -q view demo:teapot"),
+            ("luxel --fov 3 info", "luxel view --fov 3 info"),
+            ("luxel info a.glb", "luxel info a.glb"),
+            ("luxel -v render", "luxel -v render"),
+            ("luxel --help", "luxel --help"),
+            ("luxel help", "luxel help"),
+        ] {
+            let words = with_command(line.split(' ').map(OsString::from));
+            assert_eq!(words.join(" ".as_ref()), expected);
+        }
+    }
 
     #[test]
     fn the_table_of_options_is_sound() {

@@ -30,6 +30,14 @@ impl Console {
         }
     }
 
+    /// Something was done that is worth a line.
+    #[cfg(feature = "viewer")]
+    pub(crate) fn tell(self, message: &str) {
+        if !self.quiet {
+            write(&format!("luxel: {}\n", printable(message)));
+        }
+    }
+
     /// Something for those who asked for it.
     pub(crate) fn detail(self, message: &str) {
         if self.verbose {

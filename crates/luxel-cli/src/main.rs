@@ -38,7 +38,7 @@ fn main() -> ExitCode {
 }
 
 fn run() -> ExitCode {
-    let line: Vec<_> = std::env::args_os().collect();
+    let line = cli::with_command(std::env::args_os());
     let cli = match scene_file::command_of(&line) {
         Ok(cli) => cli,
         Err(Refusal::Line(error)) => return answer(&error),

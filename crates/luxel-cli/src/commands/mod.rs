@@ -10,6 +10,7 @@ mod manual;
 pub(crate) mod navigate;
 pub(crate) mod render;
 pub(crate) mod schema;
+pub(crate) mod view;
 
 use crate::cli::Command;
 use crate::console::Console;
@@ -18,6 +19,7 @@ use crate::failure::Failure;
 /// Does what the command line asks for.
 pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
     match command {
+        Command::View(command) => command.run(console),
         Command::Render(command) => command.run(console),
         Command::Explain(command) => command.run(console),
         Command::Info(command) => command.run(console),

@@ -13,3 +13,4 @@ mod program;
 mod render;
 mod scene_files;
 mod usage;
+mod view;

@@ -55,6 +55,10 @@ impl Folder {
         let mut child = Command::new(env!("CARGO_BIN_EXE_luxel"))
             .args(args)
             .current_dir(&self.0)
+            // No test opens a window on the desk of whoever runs it.
+            .env_remove("DISPLAY")
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())

@@ -1,0 +1,151 @@
+//! `luxel view`: a window.
+
+use crate::options::{
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, PictureOptions,
+    ShadingOptions,
+};
+#[cfg(not(feature = "viewer"))]
+use crate::{console::Console, failure::Failure};
+use clap::Args;
+use luxel::navigation::Mode;
+use std::ffi::OsString;
+
+/// Open a window and look at a model
+///
+/// For example: luxel view model.glb --mode rolling-ball
+#[derive(Args, Debug)]
+#[cfg_attr(not(feature = "viewer"), expect(dead_code, reason = "there is no window to give it to"))]
+pub(crate) struct ViewCommand {
+    #[command(flatten)]
+    input: InputOptions,
+
+    /// The way to navigate at the start: absolute, look-at, rolling-ball, flying, mouselook,
+    /// turntable
+    #[arg(long, value_name = "MODE", default_value = "turntable")]
+    mode: Mode,
+
+    /// Write a log of what is done in the window, when it is closed
+    #[arg(long, value_name = "FILE")]
+    record: Option<OsString>,
+
+    /// Play a log of events in the window first
+    #[arg(long, value_name = "FILE")]
+    replay: Option<OsString>,
+
+    #[command(flatten)]
+    frame: FrameOptions,
+    #[command(flatten)]
+    light: LightOptions,
+    #[command(flatten)]
+    material: MaterialOptions,
+    #[command(flatten)]
+    shading: ShadingOptions,
+    #[command(flatten)]
+    picture: PictureOptions,
+    #[command(flatten)]
+    execution: ExecutionOptions,
+}
+
+#[cfg(not(feature = "viewer"))]
+impl ViewCommand {
+    pub(crate) fn run(self, _: Console) -> Result<(), Failure> {
+        let what = "this build of luxel has no window";
+        Err(Failure::work(what, "build it with `--features viewer`, or use `luxel render`"))
+    }
+}
+
+#[cfg(feature = "viewer")]
+mod window {
+    use super::ViewCommand;
+    use crate::console::Console;
+    use crate::failure::Failure;
+    use crate::{model, navigation, output, surface, view};
+    use luxel_viewer::{Model, Options, Outcome, ViewerError};
+    use std::path::{Path, PathBuf};
+    use std::sync::{Arc, Mutex, PoisonError};
+
+    impl ViewCommand {
+        pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+            if self.input.model == "-" && self.replay.as_deref() == Some("-".as_ref()) {
+                let message = "model and log can't both come from the standard input: use a file";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+            self.check_model(console)?;
+            let record = self.record.as_ref().map(PathBuf::from);
+            if let Some(path) = &record {
+                output::check_folder(path)?;
+            }
+            let most = self.execution.max_memory;
+            let replay = self.replay.as_ref().map(|path| navigation::read_log(path, most));
+            let name = self.input.name();
+            let file = name.strip_prefix("demo:").unwrap_or(&name);
+            let part = |of: fn(&Path) -> Option<&std::ffi::OsStr>| {
+                of(Path::new(file)).unwrap_or("model".as_ref()).to_string_lossy().into_owned()
+            };
+            let options = Options {
+                name: part(Path::file_name),
+                stem: part(Path::file_stem),
+                size: self.frame.size,
+                mode: self.mode,
+                record,
+                replay: replay.transpose()?.map(|(log, _)| log),
+                execution: view::execution(&self.execution),
+                write: Box::new(|path, bytes| {
+                    output::write_file(path, bytes).map_err(|failure| failure.lines().join("; "))
+                }),
+                tell: Box::new(move |what| console.tell(what)),
+            };
+            // What went wrong on the thread that loads.
+            let failure = Arc::new(Mutex::new(None));
+            let kept = Arc::clone(&failure);
+            let load = move || match self.load(console) {
+                Ok(model) => Some(model),
+                Err(failure) => {
+                    *kept.lock().unwrap_or_else(PoisonError::into_inner) = Some(failure);
+                    None
+                }
+            };
+            match luxel_viewer::run(load, options) {
+                Ok(Outcome::Closed) => Ok(()),
+                Ok(Outcome::NotLoaded) => {
+                    let failure = failure.lock().unwrap_or_else(PoisonError::into_inner).take();
+                    failure.map_or(Ok(()), Err)
+                }
+                Err(error @ ViewerError::NoDisplay(_)) => Err(Failure::work(
+                    error.to_string(),
+                    "`luxel render` draws without a display; or set DISPLAY",
+                )),
+                Err(error) => Err(Failure::work(error.to_string(), "")),
+            }
+        }
+
+        /// Says before any window opens that there is no such file.
+        fn check_model(&self, console: Console) -> Result<(), Failure> {
+            let model = &self.input.model;
+            let is_file = model != "-" && !model.to_string_lossy().starts_with("demo:");
+            if is_file && std::fs::metadata(model).is_err() {
+                return model::load(&self.input, &self.execution, console).map(|_| ());
+            }
+            Ok(())
+        }
+
+        fn load(&self, console: Console) -> Result<Model, Failure> {
+            let mut model = model::load(&self.input, &self.execution, console)?;
+            if model.scene.bounds().is_empty() {
+                return Err(model::nothing_to_draw(&self.input.name()));
+            }
+            surface::apply_material(&self.material, &mut model.scene);
+            surface::apply_normals(&self.shading, &mut model.scene);
+            let scene = model.scene;
+            let (state, settings, camera) = navigation::start(&self.frame, &scene, self.mode)?;
+            let view = view::view(&self.frame, &self.light, &self.picture, None, camera, &scene)?;
+            Ok(Model {
+                scene: Arc::new(scene),
+                view,
+                up: settings.up,
+                pivot: state.pivot(),
+                planes: [self.frame.near, self.frame.far],
+            })
+        }
+    }
+}

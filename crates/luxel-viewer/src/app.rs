@@ -1,0 +1,407 @@
+//! The window: what happens in it, and what it shows.
+
+mod input;
+mod present;
+
+use crate::model::Model;
+use crate::pace::Pace;
+use crate::screen::Screen;
+use crate::session::Session;
+use crate::ui::{Status, Ui};
+use crate::worker::{Answer, Drawn, Purpose, Worker};
+use luxel::navigation::{Command, Entry, Event, Log, Mode};
+use luxel::render::{Execution, View};
+use luxel::scene::{Camera, DVec2, DVec3, Size};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use winit::application::ApplicationHandler;
+use winit::dpi::{LogicalSize, PhysicalPosition};
+use winit::event::{ElementState, MouseButton, WindowEvent};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
+use winit::keyboard::{Key, ModifiersState};
+use winit::window::{Window, WindowId};
+
+/// How the window begins, and what it leaves.
+pub struct Options {
+    /// The model's name, for the title.
+    pub name: String,
+    /// The beginning of screenshots' names.
+    pub stem: String,
+    /// The window's size in logical pixels.
+    pub size: Size,
+    /// The way to navigate at first.
+    pub mode: Mode,
+    /// Where a log of what is done goes, at the end.
+    pub record: Option<PathBuf>,
+    /// A log to be played at first, in its own time.
+    pub replay: Option<Log>,
+    /// How pictures are drawn.
+    pub execution: Execution,
+    /// Writes a file, whole or not at all; answers with what went wrong, for the user.
+    pub write: Write,
+    /// Says something that is worth knowing.
+    pub tell: Box<dyn Fn(&str)>,
+}
+
+/// Writes a file; answers with what went wrong.
+pub type Write = Box<dyn Fn(&Path, &[u8]) -> Result<(), String>>;
+
+/// How the window came to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The user has closed it.
+    Closed,
+    /// The model was not loaded; whoever has tried knows why.
+    NotLoaded,
+}
+
+/// Why there is no window.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ViewerError {
+    /// The system has no display, or gives no window on it.
+    #[error("no window can be opened: {0}")]
+    NoDisplay(String),
+    /// The scene can't be drawn.
+    #[error("{0}")]
+    Draw(String),
+    /// A file could not be written.
+    #[error("{0}")]
+    Write(String),
+    /// The system gives no thread.
+    #[error("can't start a thread: {0}")]
+    Thread(#[from] std::io::Error),
+}
+
+/// Loads a model on a thread of its own and shows it, until the user closes the window.
+///
+/// # Errors
+/// [`ViewerError`], if there is no display, or the scene can't be drawn.
+pub fn run(
+    load: impl FnOnce() -> Option<Model> + Send + 'static,
+    options: Options,
+) -> Result<Outcome, ViewerError> {
+    let no_display = |error: winit::error::EventLoopError| {
+        let text = error.to_string();
+        // The place in the library's source says nothing to users.
+        let text = text.split_once(": ").map_or(text.as_str(), |(_, what)| what).to_owned();
+        ViewerError::NoDisplay(text)
+    };
+    let event_loop = EventLoop::<Answer>::with_user_event().build().map_err(no_display)?;
+    let proxy: EventLoopProxy<Answer> = event_loop.create_proxy();
+    let answer = move |answer| proxy.send_event(answer).is_ok();
+    let worker = Worker::start(load, options.execution, answer)?;
+    let mut app = App::new(options, worker);
+    event_loop.run_app(&mut app).map_err(no_display)?;
+    app.finish()
+}
+
+/// How long nothing may change until the picture sharpens.
+const REST: Duration = Duration::from_millis(120);
+
+/// Longer than anyone waits for an event of a log.
+const LONGEST: Duration = Duration::from_secs(1 << 30);
+
+/// What a picture shows: the camera, the window's size, the view's revision.
+type Asked = (Camera, Size, u64);
+
+struct App {
+    options: Options,
+    worker: Worker,
+    screen: Option<Screen>,
+    session: Option<Session>,
+    pace: Pace,
+    /// The picture that is shown.
+    shown: Option<Box<Drawn>>,
+    /// The last picture asked for, and what for.
+    asked: Option<(Asked, Purpose)>,
+    /// The picture in the window's size, below what the panels paint.
+    below: Vec<u32>,
+    is_below_stale: bool,
+    ui: Ui,
+    status: Status,
+    /// When the panels want to be painted again.
+    repaint: Option<Instant>,
+    /// Up to when a note is shown.
+    noted: Option<Instant>,
+    is_drawing: bool,
+    wants_screenshot: bool,
+    /// When the camera last changed.
+    changed: Instant,
+    /// Up to when time has passed for navigation.
+    now: Instant,
+    /// What is left of the log being played: its next entry, and when that was due to begin.
+    playing: Option<(usize, Instant)>,
+    pointer: DVec2,
+    modifiers: ModifiersState,
+    holding: Option<MouseButton>,
+    clicked: Option<(Instant, DVec2)>,
+    /// What lies under the pointer, for the wheel.
+    under: Option<(DVec2, Option<DVec3>)>,
+    held: Vec<(Key, Command)>,
+    end: Option<Result<Outcome, ViewerError>>,
+}
+impl App {
+    fn new(options: Options, worker: Worker) -> Self {
+        let now = Instant::now();
+        let status = Status { name: options.name.clone(), ..Status::default() };
+        Self {
+            options,
+            worker,
+            screen: None,
+            session: None,
+            pace: Pace::default(),
+            shown: None,
+            asked: None,
+            below: Vec::new(),
+            is_below_stale: true,
+            ui: Ui::new(),
+            status,
+            repaint: None,
+            noted: None,
+            is_drawing: false,
+            wants_screenshot: false,
+            changed: now,
+            now,
+            playing: None,
+            pointer: DVec2::ZERO,
+            modifiers: ModifiersState::empty(),
+            holding: None,
+            clicked: None,
+            under: None,
+            held: Vec::new(),
+            end: None,
+        }
+    }
+
+    /// What is left to do when the window is gone.
+    fn finish(self) -> Result<Outcome, ViewerError> {
+        let log = self.session.as_ref().and_then(Session::log);
+        if let (Some(path), Some(log)) = (&self.options.record, log) {
+            (self.options.write)(path, log.as_bytes()).map_err(ViewerError::Write)?;
+        }
+        self.end.unwrap_or(Ok(Outcome::Closed))
+    }
+
+    fn end(&mut self, event_loop: &ActiveEventLoop, end: Result<Outcome, ViewerError>) {
+        self.end = Some(end);
+        event_loop.exit();
+    }
+
+    /// The seconds since the last event, to the microsecond, as a log has them.
+    fn seconds(&mut self) -> f64 {
+        let passed = self.now.elapsed();
+        let micros = passed.as_micros() as u64;
+        self.now += Duration::from_micros(micros);
+        micros as f64 * 1e-6
+    }
+
+    /// Something has happened to the camera.
+    fn happen(&mut self, event: Event) {
+        if self.playing.is_some() {
+            return;
+        }
+        let seconds = self.seconds();
+        if let Some(session) = &mut self.session {
+            session.happen(event, seconds);
+        }
+    }
+
+    /// Brings time and picture up to date; when to do so again, if nothing else happens.
+    fn pump(&mut self) -> Option<Instant> {
+        let due = self.play();
+        if self.is_drawing || self.screen.is_none() {
+            return due;
+        }
+        if self.playing.is_none() && self.session.as_ref().is_some_and(|one| one.state.is_moving())
+        {
+            self.happen(Event::Wait);
+        }
+        let session = self.session.as_ref()?;
+        let view = session.view();
+        let wanted = (view.camera, view.size, session.revision());
+        if self.wants_screenshot {
+            self.wants_screenshot = false;
+            self.draw(view, Purpose::File);
+            return due;
+        }
+        match self.asked {
+            None => {
+                self.asked = Some((wanted, Purpose::Sharp));
+                self.draw(view, Purpose::Sharp);
+            }
+            Some((asked, _)) if asked != wanted => {
+                self.changed = Instant::now();
+                self.asked = Some((wanted, Purpose::Moving));
+                let size = self.pace.moving(view.size);
+                let camera = shrunk(view.camera, view.size, size);
+                self.draw(View { camera, size, samples: 1, ..view }, Purpose::Moving);
+            }
+            Some((_, Purpose::Moving)) => {
+                let rests = self.changed + REST;
+                if Instant::now() < rests {
+                    return Some(due.map_or(rests, |due| due.min(rests)));
+                }
+                self.asked = Some((wanted, Purpose::Sharp));
+                self.draw(view, Purpose::Sharp);
+            }
+            Some(_) => {}
+        }
+        due
+    }
+
+    fn draw(&mut self, view: View, purpose: Purpose) {
+        self.is_drawing = true;
+        self.worker.draw(view, purpose);
+    }
+
+    /// Plays what is due of the log; when the next event is.
+    fn play(&mut self) -> Option<Instant> {
+        let (Some(log), Some(session)) = (&self.options.replay, &mut self.session) else {
+            return None;
+        };
+        let (mut next, mut begun) = self.playing?;
+        let now = Instant::now();
+        loop {
+            let Some(entry) = log.entries.get(next) else {
+                self.playing = None;
+                self.now = now;
+                return None;
+            };
+            let due = begun + duration_of(entry);
+            if due > now {
+                self.playing = Some((next, begun));
+                return Some(due);
+            }
+            session.play(entry);
+            (next, begun) = (next + 1, due);
+        }
+    }
+}
+
+impl ApplicationHandler<Answer> for App {
+    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+        if self.screen.is_some() {
+            return;
+        }
+        let Size { width, height } = self.options.size;
+        let attributes = Window::default_attributes()
+            .with_title(format!("{} - luxel", self.options.name))
+            .with_inner_size(LogicalSize::new(width, height));
+        match Screen::open(event_loop, attributes) {
+            Ok(screen) => {
+                if let Some(session) = &mut self.session {
+                    session.resize(screen.size());
+                }
+                self.screen = Some(screen);
+            }
+            Err(error) => self.end(event_loop, Err(error)),
+        }
+    }
+
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, answer: Answer) {
+        match answer {
+            Answer::Loaded(None) => self.end(event_loop, Ok(Outcome::NotLoaded)),
+            Answer::Loaded(Some(model)) => {
+                let size = self.screen.as_ref().map_or(self.options.size, Screen::size);
+                let records = self.options.record.is_some();
+                self.now = Instant::now();
+                self.status.triangles = model.scene.triangle_count();
+                self.session = Some(Session::new(*model, size, self.options.mode, records));
+                self.playing = self.options.replay.as_ref().map(|_| (0, self.now));
+            }
+            Answer::Drawn(drawn) => self.drawn(drawn),
+            Answer::Failed(what) => self.end(event_loop, Err(ViewerError::Draw(what))),
+        }
+    }
+
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        match event {
+            WindowEvent::CloseRequested => event_loop.exit(),
+            WindowEvent::Resized(_) => {
+                if let (Some(screen), Some(session)) = (&self.screen, &mut self.session) {
+                    session.resize(screen.size());
+                }
+                self.redraw();
+            }
+            WindowEvent::RedrawRequested => {
+                if let Err(error) = self.show() {
+                    self.end(event_loop, Err(error));
+                }
+            }
+            WindowEvent::ModifiersChanged(modifiers) => {
+                self.modifiers = modifiers.state();
+                self.ui.modifiers = egui::Modifiers {
+                    alt: self.modifiers.alt_key(),
+                    ctrl: self.modifiers.control_key(),
+                    shift: self.modifiers.shift_key(),
+                    mac_cmd: false,
+                    command: self.modifiers.control_key(),
+                };
+            }
+            WindowEvent::Focused(false) => self.lift_all(),
+            WindowEvent::KeyboardInput { event, .. } => {
+                if event.state == ElementState::Released {
+                    self.lift(&event.logical_key);
+                }
+                let is_typed = self.is_typed(&event);
+                if !is_typed && !event.repeat && event.state == ElementState::Pressed {
+                    self.press(event_loop, event.logical_key);
+                }
+            }
+            WindowEvent::CursorMoved { position: PhysicalPosition { x, y }, .. } => {
+                self.pointer = DVec2::new(x, y);
+                if self.holding.is_some() {
+                    self.happen(Event::Drag { at: self.pointer });
+                } else {
+                    let place = self.pointer_in_points();
+                    self.ui.events.push(egui::Event::PointerMoved(place));
+                    self.redraw();
+                }
+            }
+            WindowEvent::MouseInput { state: ElementState::Pressed, button, .. } => {
+                self.press_button(button);
+            }
+            WindowEvent::MouseInput { state: ElementState::Released, button, .. } => {
+                self.release_button(button);
+            }
+            WindowEvent::MouseWheel { delta, .. } => self.turn_wheel(delta),
+            _ => {}
+        }
+    }
+
+    fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        let now = Instant::now();
+        if self.noted.is_some_and(|until| until <= now) {
+            self.noted = None;
+            self.status.note = None;
+            self.redraw();
+        }
+        if self.repaint.is_some_and(|when| when <= now) {
+            self.repaint = None;
+            self.redraw();
+        }
+        let next = [self.pump(), self.noted, self.repaint].into_iter().flatten().min();
+        event_loop.set_control_flow(next.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
+    }
+}
+
+/// How long an entry of a log takes.
+fn duration_of(entry: &Entry) -> Duration {
+    match entry {
+        Entry::Set(_) => Duration::ZERO,
+        Entry::Event { seconds, .. } => Duration::try_from_secs_f64(*seconds).unwrap_or(LONGEST),
+    }
+}
+
+/// The camera for a smaller picture: only lenses in pixels depend on them.
+fn shrunk(mut camera: Camera, from: Size, to: Size) -> Camera {
+    use luxel::scene::Lens;
+    if let Lens::Intrinsics { fx, fy, cx, cy } = &mut camera.projection.lens {
+        let across = f64::from(to.width) / f64::from(from.width);
+        let down = f64::from(to.height) / f64::from(from.height);
+        (*fx, *cx) = (*fx * across, *cx * across);
+        (*fy, *cy) = (*fy * down, *cy * down);
+    }
+    camera
+}

@@ -1,0 +1,232 @@
+//! What mouse and keys do: for the panels where they are theirs, for the camera elsewhere.
+
+use super::App;
+use crate::keys::{Action, MODES, action};
+use crate::ui::Wish;
+use crate::worker::Purpose;
+use luxel::navigation::{Event, Gesture, Mode};
+use luxel::scene::DVec3;
+use std::time::{Duration, Instant};
+use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta};
+use winit::event_loop::ActiveEventLoop;
+use winit::keyboard::Key;
+
+/// Two clicks within this time, and this many pixels, are a double click.
+const DOUBLE_CLICK: (Duration, f64) = (Duration::from_millis(350), 5.0);
+/// Pixels of smooth scrolling that are a notch of a wheel.
+const PIXELS_A_NOTCH: f64 = 50.0;
+/// How long the hand waits to know what it has taken hold of.
+const PATIENCE: Duration = Duration::from_millis(80);
+
+impl App {
+    /// What lies under the pointer, if that is known soon enough.
+    pub(super) fn point_under(&mut self) -> Option<DVec3> {
+        let session = self.session.as_ref()?;
+        if let Some((at, point)) = self.under
+            && at == self.pointer
+            && self.asked.is_some_and(|(_, purpose)| purpose == Purpose::Moving)
+        {
+            return point;
+        }
+        let view = session.view();
+        let (x, y) = (self.pointer.x, self.pointer.y);
+        let size = view.size;
+        if !(x >= 0.0 && y >= 0.0 && x < f64::from(size.width) && y < f64::from(size.height)) {
+            return None;
+        }
+        let answer = self.worker.probe(view, [x as u32, y as u32]);
+        let point = answer.recv_timeout(PATIENCE).ok().flatten();
+        self.under = Some((self.pointer, point));
+        point
+    }
+
+    pub(super) fn press(&mut self, event_loop: &ActiveEventLoop, key: Key) {
+        let Some(session) = &self.session else {
+            if action(&key, false, Mode::default()) == Some(Action::Quit) {
+                event_loop.exit();
+            }
+            return;
+        };
+        let mode = session.state.mode();
+        let Some(action) = action(&key, self.modifiers.control_key(), mode) else { return };
+        match action {
+            Action::Quit => event_loop.exit(),
+            Action::Screenshot => self.wants_screenshot = true,
+            Action::View(view) => self.happen(Event::View(view)),
+            Action::Level => self.happen(Event::Level),
+            Action::Mode(mode) => self.happen(Event::Mode(mode)),
+            Action::NextMode => {
+                let at = MODES.iter().position(|(one, _)| *one == mode).unwrap_or(0);
+                self.happen(Event::Mode(MODES[(at + 1) % MODES.len()].0));
+            }
+            Action::Hold(command) => {
+                self.happen(Event::Press(command));
+                self.held.push((key, command));
+            }
+            Action::Fit | Action::Lens if self.playing.is_some() => {}
+            Action::Fit | Action::Lens => {
+                let seconds = self.seconds();
+                if let Some(session) = &mut self.session {
+                    match action {
+                        Action::Fit => session.fit(seconds),
+                        _ => session.switch_lens(seconds),
+                    }
+                }
+            }
+            Action::Help => {
+                self.ui.shows_help = !self.ui.shows_help;
+                self.redraw();
+            }
+            Action::Panels => {
+                self.ui.shows_panels = !self.ui.shows_panels;
+                self.redraw();
+            }
+        }
+    }
+
+    /// A key has come up: whatever it was when it went down.
+    pub(super) fn lift(&mut self, key: &Key) {
+        let lower = |key: &Key| match key {
+            Key::Character(text) => Key::Character(text.to_lowercase().into()),
+            other => other.clone(),
+        };
+        while let Some(at) = self.held.iter().position(|(down, _)| lower(down) == lower(key)) {
+            let (_, command) = self.held.remove(at);
+            self.happen(Event::Lift(command));
+        }
+    }
+
+    pub(super) fn lift_all(&mut self) {
+        for (_, command) in std::mem::take(&mut self.held) {
+            self.happen(Event::Lift(command));
+        }
+        if self.holding.take().is_some() {
+            self.happen(Event::Release);
+        }
+    }
+
+    pub(super) fn press_button(&mut self, button: MouseButton) {
+        if self.is_for_panels(button, true) || self.holding.is_some() {
+            return;
+        }
+        let gesture = match button {
+            MouseButton::Left if self.modifiers.control_key() => return,
+            MouseButton::Left if self.modifiers.shift_key() => Gesture::Pan,
+            MouseButton::Left => Gesture::Turn,
+            MouseButton::Middle => Gesture::Pan,
+            MouseButton::Right => Gesture::Zoom,
+            _ => return,
+        };
+        let at = self.pointer;
+        if gesture == Gesture::Turn {
+            let (time, distance) = DOUBLE_CLICK;
+            let is_second = self.clicked.is_some_and(|(when, place)| {
+                when.elapsed() < time && place.distance(at) < distance
+            });
+            if is_second {
+                self.clicked = None;
+                if let Some(point) = self.point_under() {
+                    self.happen(Event::Pivot(point));
+                }
+                return;
+            }
+            self.clicked = Some((Instant::now(), at));
+        }
+        let point = if gesture == Gesture::Turn { None } else { self.point_under() };
+        self.holding = Some(button);
+        self.happen(Event::Grab { gesture, at, point });
+    }
+
+    pub(super) fn release_button(&mut self, button: MouseButton) {
+        if self.holding == Some(button) {
+            self.holding = None;
+            self.happen(Event::Release);
+        }
+        self.is_for_panels(button, false);
+    }
+
+    /// Does what was asked for in the panels.
+    pub(super) fn grant(&mut self, wish: Wish) {
+        match wish {
+            Wish::View(view) => self.happen(Event::View(view)),
+            Wish::Mode(mode) => self.happen(Event::Mode(mode)),
+            Wish::Fit(Some(bounds)) => self.happen(Event::Fit(Some(bounds))),
+            Wish::Fit(None) | Wish::Lens if self.playing.is_some() => {}
+            Wish::Fit(None) | Wish::Lens => {
+                let seconds = self.seconds();
+                if let Some(session) = &mut self.session {
+                    match wish {
+                        Wish::Lens => session.switch_lens(seconds),
+                        _ => session.fit(seconds),
+                    }
+                }
+            }
+        }
+    }
+
+    /// The pointer, in the points of the panels.
+    pub(super) fn pointer_in_points(&self) -> egui::Pos2 {
+        let scale = self.screen.as_ref().map_or(1.0, |screen| screen.window.scale_factor());
+        egui::pos2((self.pointer.x / scale) as f32, (self.pointer.y / scale) as f32)
+    }
+
+    /// Tells the panels of a button; whether the pointer is theirs.
+    pub(super) fn is_for_panels(&mut self, button: MouseButton, pressed: bool) -> bool {
+        let button = match button {
+            MouseButton::Left => egui::PointerButton::Primary,
+            MouseButton::Right => egui::PointerButton::Secondary,
+            _ => return self.ui.has_pointer(),
+        };
+        let (pos, modifiers) = (self.pointer_in_points(), self.ui.modifiers);
+        self.ui.events.push(egui::Event::PointerButton { pos, button, pressed, modifiers });
+        self.redraw();
+        self.ui.has_pointer()
+    }
+
+    /// Tells the panels of a key that is typed into one of their fields; whether it was.
+    pub(super) fn is_typed(&mut self, event: &KeyEvent) -> bool {
+        if !self.ui.has_keyboard() {
+            return false;
+        }
+        let pressed = event.state == ElementState::Pressed;
+        if let (true, Some(text)) = (pressed, &event.text)
+            && !text.chars().any(char::is_control)
+        {
+            self.ui.events.push(egui::Event::Text(text.to_string()));
+        }
+        let name = match &event.logical_key {
+            Key::Named(named) => format!("{named:?}"),
+            Key::Character(text) => text.to_uppercase(),
+            _ => String::new(),
+        };
+        if let Some(key) = egui::Key::from_name(&name) {
+            self.ui.events.push(egui::Event::Key {
+                key,
+                physical_key: None,
+                pressed,
+                repeat: event.repeat,
+                modifiers: self.ui.modifiers,
+            });
+        }
+        self.redraw();
+        true
+    }
+
+    pub(super) fn turn_wheel(&mut self, delta: MouseScrollDelta) {
+        let notches = match delta {
+            MouseScrollDelta::LineDelta(_, lines) => f64::from(lines),
+            MouseScrollDelta::PixelDelta(way) => way.y / PIXELS_A_NOTCH,
+        };
+        if self.ui.has_pointer() {
+            self.ui.events.push(egui::Event::MouseWheel {
+                unit: egui::MouseWheelUnit::Line,
+                delta: egui::vec2(0.0, notches as f32),
+                modifiers: self.ui.modifiers,
+            });
+            self.redraw();
+            return;
+        }
+        let point = self.point_under();
+        self.happen(Event::Wheel { notches, at: self.pointer, point });
+    }
+}

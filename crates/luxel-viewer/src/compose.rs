@@ -1,0 +1,158 @@
+//! From a picture to the window's pixels: over a quiet gradient, enlarged where it is smaller.
+
+use crate::theme::GROUND;
+use luxel::scene::Size;
+
+/// What breaks up the steps of the gradient, in 64ths of a step: an ordered dither (Bayer 1973, An
+/// optimum method for two-level rendition of continuous-tone pictures).
+const DITHER: [[i32; 4]; 4] =
+    [[2, 34, 10, 42], [50, 18, 58, 26], [14, 46, 6, 38], [62, 30, 54, 22]];
+
+/// The ground at a place of the window: red, green, blue.
+fn ground(x: usize, y: usize, height: usize) -> [i32; 3] {
+    let [top, bottom] = GROUND;
+    let threshold = DITHER[y % 4][x % 4];
+    let down = (y * 64 / height.max(1)) as i32;
+    let fine = (y * 64 % height.max(1)) as i32 * 64 / height.max(1) as i32;
+    std::array::from_fn(|channel| {
+        let (from, to) = (i32::from(top[channel]), i32::from(bottom[channel]));
+        // In 64ths of a step of a byte.
+        let level = from * 64 + (to - from) * down + (to - from) * fine / 64;
+        (level + threshold) / 64
+    })
+}
+
+/// Puts a picture with straight alpha over the ground, as large as the window; pixels are 0RGB.
+///
+/// A smaller picture is enlarged bilinearly, its pixels' centres where they were.
+pub(crate) fn compose(picture: &[[u8; 4]], size: Size, window: Size, pixels: &mut [u32]) {
+    let (across, down) = (window.width as usize, window.height as usize);
+    let is_whole = size == window;
+    let columns: Vec<_> = (0..across).map(|x| between(x, across, size.width as usize)).collect();
+    for (y, row) in pixels.chunks_exact_mut(across.max(1)).take(down).enumerate() {
+        let [above, below, weight_y] = between(y, down, size.height as usize);
+        let line = |y: usize| &picture[y * size.width as usize..][..size.width as usize];
+        let (above, below) = (line(above), line(below));
+        for (x, out) in row.iter_mut().enumerate() {
+            let color = if is_whole {
+                above[x]
+            } else {
+                let [left, right, weight_x] = columns[x];
+                let corners = [above[left], above[right], below[left], below[right]];
+                if corners.iter().all(|corner| corner[3] == 0) {
+                    [0; 4]
+                } else {
+                    bilinear(corners, weight_x as u32, weight_y as u32)
+                }
+            };
+            *out = over(color, x, y, down);
+        }
+    }
+}
+
+/// The two pixels whose centres lie about that of another raster's pixel, and the second's weight in
+/// 256ths.
+fn between(at: usize, of: usize, source: usize) -> [usize; 3] {
+    // The centre's place in 256ths of the source's pixels.
+    let place = ((2 * at + 1) * source * 128 / of.max(1)).saturating_sub(128);
+    let first = (place / 256).min(source.saturating_sub(1));
+    let second = (first + 1).min(source.saturating_sub(1));
+    [first, second, place % 256]
+}
+
+/// Between four pixels. Colours of straight alpha are weighted by it.
+fn bilinear(corners: [[u8; 4]; 4], x: u32, y: u32) -> [u8; 4] {
+    let weights = [(256 - x) * (256 - y), x * (256 - y), (256 - x) * y, x * y];
+    let opaque = corners.iter().all(|corner| corner[3] == 255);
+    let mut sums = [0_u64; 4];
+    for (corner, weight) in corners.iter().zip(weights) {
+        let alpha = if opaque { 255 } else { u64::from(corner[3]) };
+        let weighted = u64::from(weight) * alpha;
+        for channel in 0..3 {
+            sums[channel] += u64::from(corner[channel]) * weighted;
+        }
+        sums[3] += weighted;
+    }
+    let alpha = sums[3];
+    if alpha == 0 {
+        return [0; 4];
+    }
+    let color = |channel: usize| ((sums[channel] + alpha / 2) / alpha) as u8;
+    [color(0), color(1), color(2), ((alpha + (1 << 15)) >> 16) as u8]
+}
+
+fn over([r, g, b, alpha]: [u8; 4], x: usize, y: usize, height: usize) -> u32 {
+    if alpha == 255 {
+        return pack([r, g, b]);
+    }
+    let below = ground(x, y, height).map(|channel| channel as u32);
+    let alpha = u32::from(alpha);
+    let mix =
+        |color: u8, below: u32| ((u32::from(color) * alpha + below * (255 - alpha)) / 255) as u8;
+    pack([mix(r, below[0]), mix(g, below[1]), mix(b, below[2])])
+}
+
+/// The ground alone.
+pub(crate) fn empty(window: Size, pixels: &mut [u32]) {
+    let (across, down) = (window.width as usize, window.height as usize);
+    for (y, row) in pixels.chunks_exact_mut(across.max(1)).enumerate() {
+        for (x, out) in row.iter_mut().enumerate() {
+            *out = over([0; 4], x, y, down);
+        }
+    }
+}
+
+fn pack([r, g, b]: [u8; 3]) -> u32 {
+    u32::from(r) << 16 | u32::from(g) << 8 | u32::from(b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn composed(picture: &[[u8; 4]], size: [u32; 2], window: [u32; 2]) -> Vec<u32> {
+        let [size, window] = [size, window].map(|[width, height]| Size { width, height });
+        let mut pixels = vec![0; (window.width * window.height) as usize];
+        compose(picture, size, window, &mut pixels);
+        pixels
+    }
+
+    #[test]
+    fn an_opaque_picture_of_the_window_s_size_is_shown_as_it_is() {
+        let picture: Vec<_> = (0..6).map(|n| [n, 2 * n, 3 * n, 255]).collect();
+        let expected: Vec<_> = (0..6).map(|n| pack([n, 2 * n, 3 * n])).collect();
+        assert_eq!(composed(&picture, [3, 2], [3, 2]), expected);
+    }
+
+    #[test]
+    fn enlarging_keeps_flat_colours_and_the_corners() {
+        let flat = vec![[10, 200, 30, 255]; 6];
+        assert!(composed(&flat, [3, 2], [17, 11]).iter().all(|&one| one == pack([10, 200, 30])));
+        let ramp = [[0, 0, 0, 255], [200, 200, 200, 255]];
+        let wide = composed(&ramp, [2, 1], [8, 1]);
+        assert_eq!((wide[0], wide[7]), (0, pack([200; 3])));
+        assert!(wide.is_sorted(), "{wide:x?}");
+    }
+
+    #[test]
+    fn transparent_colours_do_not_bleed() {
+        // White, but nothing of it.
+        let edge = [[255, 255, 255, 0], [0, 0, 0, 255]];
+        let wide = composed(&edge, [2, 1], [16, 1]);
+        let lightest = wide.iter().map(|pixel| pixel >> 16).max().unwrap();
+        assert!(lightest <= 0x24, "{lightest:x}");
+    }
+
+    #[test]
+    fn the_ground_goes_from_one_colour_to_the_other() {
+        let window = Size { width: 8, height: 720 };
+        let mut pixels = vec![0; 8 * 720];
+        empty(window, &mut pixels);
+        let mean = |row: usize| {
+            let sum: u32 = pixels[row * 8..][..8].iter().map(|pixel| pixel >> 16).sum();
+            f64::from(sum) / 8.0
+        };
+        assert!((mean(0) - f64::from(GROUND[0][0])).abs() < 1.0);
+        assert!((mean(719) - f64::from(GROUND[1][0])).abs() < 1.0);
+    }
+}

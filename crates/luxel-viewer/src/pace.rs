@@ -1,0 +1,72 @@
+//! How large pictures may be while the camera moves.
+
+use luxel::scene::Size;
+
+/// What a frame may take, so that 30 a second leave some time for the rest.
+const SECONDS_A_FRAME: f64 = 0.026;
+/// The smallest part of the window's width that is drawn: less can't be made out.
+const LEAST: f64 = 0.3;
+/// Parts change in such steps, so that the picture's grain doesn't flicker.
+const STEP: f64 = 0.1;
+
+/// What frames have taken so far.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pace {
+    /// The part of the window's width that is drawn while moving.
+    part: f64,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self { part: 1.0 }
+    }
+}
+
+impl Pace {
+    /// A frame while moving has taken some time.
+    pub(crate) fn learn(&mut self, size: Size, window: Size, seconds: f64) {
+        let pixels = f64::from(size.width) * f64::from(size.height);
+        let all = f64::from(window.width) * f64::from(window.height);
+        let whole = seconds / pixels.max(1.0) * all;
+        let part = (SECONDS_A_FRAME / whole).sqrt();
+        let steps = (part.clamp(LEAST, 1.0) / STEP).floor();
+        let wanted = (steps * STEP).clamp(LEAST, 1.0);
+        // Down at once, up by a step: a frame that was quick by chance changes little.
+        self.part = if wanted < self.part { wanted } else { wanted.min(self.part + STEP) };
+    }
+
+    /// The size to draw while moving.
+    pub(crate) fn moving(&self, window: Size) -> Size {
+        let side = |side: u32| ((f64::from(side) * self.part).round() as u32).max(1);
+        Size { width: side(window.width), height: side(window.height) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WINDOW: Size = Size { width: 1280, height: 720 };
+
+    #[test]
+    fn quick_frames_are_drawn_whole() {
+        let mut pace = Pace::default();
+        assert_eq!(pace.moving(WINDOW), WINDOW);
+        pace.learn(WINDOW, WINDOW, 0.02);
+        assert_eq!(pace.moving(WINDOW), WINDOW);
+    }
+
+    #[test]
+    fn slow_frames_become_small_enough_and_grow_again() {
+        let mut pace = Pace::default();
+        for (whole, expected_part) in [(0.104, 0.5), (10.0, LEAST), (0.02, 1.0)] {
+            for _ in 0..20 {
+                let size = pace.moving(WINDOW);
+                let part = f64::from(size.width) / f64::from(WINDOW.width);
+                pace.learn(size, WINDOW, whole * part * part);
+            }
+            let part = f64::from(pace.moving(WINDOW).width) / f64::from(WINDOW.width);
+            assert!((part - expected_part).abs() < STEP + 1e-9, "{whole}: {part}");
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! What lies under one pixel: the picture of that pixel alone.
+
+use luxel::render::{Layer, LayerValues, Renderer, View};
+use luxel::scene::{Camera, DMat4, DVec3, Lens, Projection, Size};
+
+/// The camera whose only pixel is one of another camera's: no matter how large a window is, asking
+/// about one place of it costs one pixel.
+pub(crate) fn pixel_camera(camera: &Camera, size: Size, [x, y]: [u32; 2]) -> Camera {
+    let (width, height) = (f64::from(size.width), f64::from(size.height));
+    let (left, top) = (f64::from(x), f64::from(y));
+    let Projection { lens, near, far } = camera.projection;
+    let mut view_from_world = camera.view_from_world;
+    let lens = match lens {
+        Lens::Perspective { .. } => {
+            let focal = height * 0.5 * camera.projection.clip_from_view(size).y_axis.y;
+            Lens::Intrinsics {
+                fx: focal,
+                fy: focal,
+                cx: width * 0.5 - left,
+                cy: height * 0.5 - top,
+            }
+        }
+        Lens::Intrinsics { fx, fy, cx, cy } => {
+            Lens::Intrinsics { fx, fy, cx: cx - left, cy: cy - top }
+        }
+        Lens::Orthographic { height: extent } => {
+            let pixel = extent / height;
+            let right = (left + 0.5 - width * 0.5) * pixel;
+            let down = (top + 0.5 - height * 0.5) * pixel;
+            view_from_world =
+                DMat4::from_translation(DVec3::new(-right, down, 0.0)) * view_from_world;
+            Lens::Orthographic { height: pixel }
+        }
+    };
+    Camera { view_from_world, projection: Projection { lens, near, far } }
+}
+
+/// The point of the world under a pixel's centre, if something is there.
+pub(crate) fn point_under(renderer: &Renderer<'_>, view: &View, pixel: [u32; 2]) -> Option<DVec3> {
+    let camera = pixel_camera(&view.camera, view.size, pixel);
+    let view = View { camera, size: Size { width: 1, height: 1 }, ..view.clone() };
+    let layers = renderer.layers(&view, &[Layer::Position, Layer::Z]).ok()?;
+    match layers.as_slice() {
+        [LayerValues::F32(position), LayerValues::F32(z)] if z.first()?.is_finite() => {
+            let [x, y, z] = position.first_chunk()?;
+            Some(DVec3::new(f64::from(*x), f64::from(*y), f64::from(*z)))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luxel::render::Execution;
+
+    #[test]
+    fn a_pixel_alone_tells_what_it_tells_in_the_whole_picture() {
+        let scene = luxel::scene::demos::demo("teapot").unwrap();
+        let renderer = Renderer::new(&scene, &Execution::default()).unwrap();
+        let size = Size { width: 96, height: 54 };
+        let mut view = luxel::default_view(&scene, size);
+        let planes = (view.camera.projection.near, view.camera.projection.far);
+        for lens in [
+            view.camera.projection.lens,
+            Lens::Orthographic { height: 6.0 },
+            Lens::Intrinsics { fx: 70.0, fy: 60.0, cx: 40.0, cy: 30.0 },
+        ] {
+            view.camera.projection = Projection { lens, near: planes.0, far: planes.1 };
+            let layers = renderer.layers(&view, &[Layer::Position, Layer::Z]).unwrap();
+            let [LayerValues::F32(positions), LayerValues::F32(z)] = layers.as_slice() else {
+                panic!("other layers")
+            };
+            let mut hits = 0;
+            for (x, y) in (3..96).step_by(13).flat_map(|x| (2..54).step_by(7).map(move |y| (x, y)))
+            {
+                let at = (y * 96 + x) as usize;
+                let found = point_under(&renderer, &view, [x, y]);
+                assert_eq!(found.is_some(), z[at].is_finite(), "{lens:?} {x} {y}");
+                if let Some(found) = found {
+                    hits += 1;
+                    let expected: [f32; 3] = positions[3 * at..][..3].try_into().unwrap();
+                    let expected = DVec3::from_array(expected.map(f64::from));
+                    assert!(found.abs_diff_eq(expected, 1e-3), "{lens:?}: {found} {expected}");
+                }
+            }
+            assert!(hits > 5, "{lens:?}: the teapot is not there");
+        }
+    }
+}

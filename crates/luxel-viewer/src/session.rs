@@ -1,0 +1,225 @@
+//! What is looked at and from where: navigation, and the view to draw. It knows no window.
+
+use crate::model::Model;
+use crate::recorder::Recorder;
+use luxel::navigation::{
+    Change, Entry, Event, Mode, Number, Settings, State, advance, parallel_height, with_lens,
+};
+use luxel::render::View;
+use luxel::scene::{Camera, Lens, Projection, Size, fit_along, fit_planes};
+
+/// How long the way to another view takes, in seconds.
+const TRANSITION: f64 = 0.15;
+
+/// A model with its camera.
+pub(crate) struct Session {
+    pub(crate) model: Model,
+    pub(crate) state: State,
+    pub(crate) settings: Settings,
+    /// The perspective to come back to from parallel rays.
+    perspective: Lens,
+    recorder: Recorder,
+    /// Which lights are off.
+    pub(crate) dark: Vec<bool>,
+    /// Grows with each change of the view beside the camera.
+    revision: u64,
+}
+
+impl Session {
+    /// The model from its first view.
+    pub(crate) fn new(model: Model, size: Size, mode: Mode, records: bool) -> Self {
+        let lens = model.view.camera.projection.lens;
+        let bounds = model.scene.bounds();
+        let settings =
+            Settings::new(bounds, model.up, lens, size).with(Number::Transition, TRANSITION);
+        let state = State::new(mode, &model.view.camera.view_from_world, model.pivot);
+        let recorder =
+            if records { Recorder::start(&settings, &state) } else { Recorder::default() };
+        let perspective = match lens {
+            Lens::Orthographic { .. } => {
+                Lens::Perspective { fov_y_radians: luxel::DEFAULT_FOV_DEGREES.to_radians() }
+            }
+            lens => lens,
+        };
+        let dark = vec![false; model.view.lights.len()];
+        Self { model, state, settings, perspective, recorder, dark, revision: 0 }
+    }
+
+    /// Some seconds have passed, then something has happened.
+    pub(crate) fn happen(&mut self, event: Event, seconds: f64) {
+        self.state = advance(&self.state, &self.settings, &event, seconds);
+        self.recorder.keep(Entry::Event { seconds, event });
+    }
+
+    /// An entry of a log is played.
+    pub(crate) fn play(&mut self, entry: &Entry) {
+        match entry {
+            // The window has its own size, and pictures are drawn for it.
+            Entry::Set(change) => self.set(*change),
+            Entry::Event { seconds, event } => self.happen(*event, *seconds),
+        }
+    }
+
+    /// The window has another size. The camera of a model that nobody has moved yet is fitted anew by
+    /// whoever asks.
+    pub(crate) fn resize(&mut self, size: Size) {
+        self.set(Change::Size(size));
+    }
+
+    fn set(&mut self, change: Change) {
+        self.settings = change.apply(&self.settings);
+        self.recorder.keep(Entry::Set(change));
+    }
+
+    /// All of the scene comes into view, along the direction of the view.
+    pub(crate) fn fit(&mut self, seconds: f64) {
+        let view = self.state.view_from_world();
+        let axes = [0, 1, 2].map(|row| view.row(row).truncate());
+        let lens = match self.settings.lens {
+            // A height of 0 is the one that fits.
+            Lens::Orthographic { .. } => Lens::Orthographic { height: 0.0 },
+            lens => lens,
+        };
+        let camera = fit_along(&self.model.scene, axes, lens, self.settings.size);
+        let scale = match (camera.projection.lens, self.settings.lens) {
+            (Lens::Orthographic { height: fitted }, Lens::Orthographic { height }) => {
+                fitted / height
+            }
+            _ => 1.0,
+        };
+        let bounds = self.settings.bounds;
+        let pivot = if bounds.is_empty() { self.state.pivot() } else { bounds.centre() };
+        let view_from_world = camera.view_from_world;
+        self.happen(Event::Go { view_from_world, pivot, scale }, seconds);
+    }
+
+    /// Parallel rays instead of a perspective, or the other way, with the picture in place.
+    pub(crate) fn switch_lens(&mut self, seconds: f64) {
+        // Whatever is under way comes to its end first.
+        self.happen(Event::Pivot(self.state.pivot()), seconds);
+        let (view, pivot, size) =
+            (self.state.view_from_world(), self.state.pivot(), self.settings.size);
+        let before = self.state.lens(self.settings.lens);
+        let after = match before {
+            Lens::Orthographic { .. } => self.perspective,
+            lens => {
+                self.perspective = lens;
+                Lens::Orthographic { height: parallel_height(&view, pivot, lens, size) }
+            }
+        };
+        let place = with_lens(&view, pivot, before, after, size);
+        self.set(Change::Lens(after));
+        self.happen(Event::Place(place), 0.0);
+    }
+
+    /// The camera as it is now.
+    pub(crate) fn camera(&self) -> Camera {
+        let view_from_world = self.state.view_from_world();
+        let lens = self.state.lens(self.settings.lens);
+        let (near, far) = fit_planes(&self.settings.bounds, &view_from_world);
+        let [fixed_near, fixed_far] = self.model.planes;
+        let projection =
+            Projection { lens, near: fixed_near.unwrap_or(near), far: fixed_far.unwrap_or(far) };
+        Camera { view_from_world, projection }
+    }
+
+    /// What to draw now.
+    pub(crate) fn view(&self) -> View {
+        let mut view = self.model.view.clone();
+        let mut dark = self.dark.iter();
+        view.lights.retain(|_| dark.next() != Some(&true));
+        View { camera: self.camera(), size: self.settings.size, ..view }
+    }
+
+    /// Light or layers are others now.
+    pub(crate) fn changed(&mut self) {
+        self.revision += 1;
+    }
+
+    /// Tells views apart that have the same camera and size.
+    pub(crate) fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// The user likes another number.
+    pub(crate) fn set_number(&mut self, number: Number, value: f64) {
+        if number.allows(value) {
+            self.set(Change::Number(number, value));
+        }
+    }
+
+    /// The log of what was done, if one is kept.
+    pub(crate) fn log(&self) -> Option<String> {
+        self.recorder.text()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luxel::navigation::{Gesture, Log};
+    use luxel::scene::{DVec2, demos};
+    use std::sync::Arc;
+
+    const SIZE: Size = Size { width: 640, height: 360 };
+
+    fn session(records: bool) -> Session {
+        let scene = demos::demo("plane").unwrap();
+        let view = luxel::default_view(&scene, SIZE);
+        let (up, pivot) = (scene.up, scene.bounds().centre());
+        let model = Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] };
+        Session::new(model, SIZE, Mode::RollingBall, records)
+    }
+
+    #[test]
+    fn a_recording_plays_back_to_the_same_bits_from_any_start() {
+        let mut recorded = session(true);
+        let at = DVec2::new(300.0, 200.0);
+        recorded.happen(Event::Grab { gesture: Gesture::Turn, at, point: None }, 0.25);
+        recorded.happen(Event::Drag { at: at + DVec2::new(40.0, -7.0) }, 0.016);
+        recorded.happen(Event::Release, 0.016);
+        recorded.switch_lens(0.5);
+        recorded.fit(0.1);
+        recorded.happen(Event::Wait, 0.07);
+        recorded.resize(Size { width: 800, height: 300 });
+        recorded.happen(Event::Wheel { notches: 2.0, at, point: None }, 0.01);
+        let log: Log = recorded.log().unwrap().parse().unwrap();
+        let mut played = session(false);
+        played.happen(Event::Tap { command: "orbit-up".parse().unwrap(), steps: 5.0 }, 0.0);
+        for entry in &log.entries {
+            played.play(entry);
+        }
+        assert_eq!(played.camera(), recorded.camera());
+        assert_eq!(played.settings.size, recorded.settings.size);
+    }
+
+    #[test]
+    fn parallel_rays_and_back_is_where_it_was() {
+        let mut session = session(false);
+        let before = session.camera();
+        session.switch_lens(0.0);
+        assert!(session.camera().projection.is_orthographic());
+        session.switch_lens(0.0);
+        let after = session.camera();
+        assert!(after.view_from_world.abs_diff_eq(before.view_from_world, 1e-9));
+        assert_eq!(after.projection.lens, before.projection.lens);
+    }
+
+    #[test]
+    fn lights_that_are_off_are_not_drawn() {
+        let mut session = session(false);
+        let all = session.view().lights;
+        session.dark[0] = true;
+        assert_eq!(session.view().lights, all[1..]);
+    }
+
+    #[test]
+    fn planes_that_are_fixed_stay_sound() {
+        let mut session = session(false);
+        for planes in [[Some(1e6), None], [None, Some(1e-6)], [Some(0.5), Some(9.0)]] {
+            session.model.planes = planes;
+            let Projection { near, far, .. } = session.camera().projection;
+            assert!(near > 0.0 && near < far, "{planes:?}: {near} {far}");
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! Everything over the picture: the line below it, the axes, the panels, the help.
+
+use crate::keys::{MODES, held};
+use crate::paint::Painter;
+use crate::panels;
+use crate::session::Session;
+use crate::theme::{self, ACCENT, AXES, PANEL, QUIET};
+use egui::{Align2, Color32, Context, FontId, Frame, Margin, RawInput, Rect, Sense, Stroke, vec2};
+use luxel::navigation::{Mode, StandardView, hit, knobs};
+use luxel::scene::{Bounds, DVec2, Size};
+use std::time::{Duration, Instant};
+
+/// What the user asks for in the panels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Wish {
+    /// A side to look from.
+    View(StandardView),
+    /// A part of the scene into view; all of it.
+    Fit(Option<Bounds>),
+    /// Another way to navigate.
+    Mode(Mode),
+    /// Parallel rays or a perspective.
+    Lens,
+}
+
+/// What the line below the picture tells.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Status {
+    pub(crate) name: String,
+    pub(crate) triangles: u64,
+    /// Milliseconds of the last picture, and its size in parts of the window's.
+    pub(crate) drawn: Option<(f64, f64)>,
+    pub(crate) note: Option<String>,
+}
+
+/// Panels, their state, and what paints them.
+pub(crate) struct Ui {
+    pub(crate) events: Vec<egui::Event>,
+    pub(crate) modifiers: egui::Modifiers,
+    pub(crate) shows_panels: bool,
+    pub(crate) shows_help: bool,
+    pub(crate) search: String,
+    pub(crate) tab: panels::Tab,
+    context: Context,
+    painter: Painter,
+    begun: Instant,
+}
+
+/// Narrower than this, in points, there is no room for panels beside the picture.
+const ROOM_FOR_PANELS: f32 = 700.0;
+/// The axes in the corner: their length, their knobs' radius, and their square's side.
+const AXIS: f32 = 34.0;
+const KNOB: f32 = 9.0;
+const CORNER: f32 = 96.0;
+
+impl Ui {
+    pub(crate) fn new() -> Self {
+        let context = Context::default();
+        context.set_style(theme::style());
+        Self {
+            events: Vec::new(),
+            modifiers: egui::Modifiers::NONE,
+            shows_panels: false,
+            shows_help: false,
+            search: String::new(),
+            tab: panels::Tab::default(),
+            context,
+            painter: Painter::default(),
+            begun: Instant::now(),
+        }
+    }
+
+    /// Whether the pointer is the panels' and not the picture's.
+    pub(crate) fn has_pointer(&self) -> bool {
+        self.context.wants_pointer_input() || self.context.is_pointer_over_area()
+    }
+
+    /// Whether keys are typed into a field.
+    pub(crate) fn has_keyboard(&self) -> bool {
+        self.context.wants_keyboard_input()
+    }
+
+    /// Lays everything out and paints it over the window's pixels; what is asked for, and when it
+    /// wants to be painted again.
+    pub(crate) fn show(
+        &mut self,
+        mut session: Option<&mut Session>,
+        status: &Status,
+        (size, pixels_per_point): (Size, f32),
+        pixels: &mut [u32],
+    ) -> (Vec<Wish>, Duration) {
+        let points = vec2(size.width as f32, size.height as f32) / pixels_per_point;
+        self.context.set_pixels_per_point(pixels_per_point);
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(egui::Pos2::ZERO, points)),
+            time: Some(self.begun.elapsed().as_secs_f64()),
+            modifiers: self.modifiers,
+            events: std::mem::take(&mut self.events),
+            ..RawInput::default()
+        };
+        let mut wishes = Vec::new();
+        let context = self.context.clone();
+        let output = context.run(input, |context| {
+            self.lay_out(context, session.as_deref_mut(), status, &mut wishes);
+        });
+        self.painter.take(&output.textures_delta);
+        let primitives = context.tessellate(output.shapes, pixels_per_point);
+        self.painter.paint(&primitives, pixels_per_point, size, pixels);
+        self.painter.free(&output.textures_delta);
+        let again = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
+        (wishes, again.unwrap_or(Duration::MAX))
+    }
+
+    fn lay_out(
+        &mut self,
+        context: &Context,
+        session: Option<&mut Session>,
+        status: &Status,
+        wishes: &mut Vec<Wish>,
+    ) {
+        let mode = session.as_ref().map(|session| session.state.mode());
+        status_line(context, status, mode);
+        let Some(session) = session else { return };
+        if self.shows_panels && context.content_rect().width() >= ROOM_FOR_PANELS {
+            panels::tree(self, context, session, wishes);
+            panels::settings(self, context, session, wishes);
+        }
+        axes(context, session, wishes);
+        if self.shows_help {
+            help(context, session.state.mode());
+        }
+    }
+}
+
+/// One quiet line below the picture.
+fn status_line(context: &Context, status: &Status, mode: Option<Mode>) {
+    let frame = Frame::new().fill(PANEL).inner_margin(Margin::symmetric(12, 4));
+    let panel = egui::TopBottomPanel::bottom("status").frame(frame).show_separator_line(false);
+    panel.exact_height(28.0).show(context, |ui| {
+        ui.horizontal_centered(|ui| {
+            ui.label(&status.name);
+            let mut parts = Vec::new();
+            match (&status.note, mode) {
+                (Some(note), _) => parts.push(note.clone()),
+                (None, None) => parts.push("is being read".to_owned()),
+                (None, Some(mode)) => {
+                    parts.push(format!("{} triangles", grouped(status.triangles)));
+                    if let Some((milliseconds, part)) = status.drawn {
+                        let whole = if part < 0.99 {
+                            format!(" at {:.0} %", part * 100.0)
+                        } else {
+                            String::new()
+                        };
+                        parts.push(format!("{milliseconds:.0} ms{whole}"));
+                    }
+                    parts.push(mode.to_string());
+                }
+            }
+            ui.colored_label(QUIET, parts.join("   "));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.colored_label(QUIET, "Tab panels    h help");
+            });
+        });
+    });
+}
+
+/// A number with gaps between thousands.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// The axes of the world, to see and to click.
+fn axes(context: &Context, session: &Session, wishes: &mut Vec<Wish>) {
+    let area = egui::Area::new("axes".into());
+    let free = context.available_rect();
+    let area = area.fixed_pos(free.right_top() + vec2(-CORNER - 8.0, 8.0));
+    area.show(context, |ui| {
+        let (rect, response) = ui.allocate_exact_size(vec2(CORNER, CORNER), Sense::click());
+        let centre = rect.center();
+        let view = session.state.view_from_world();
+        let knobs = knobs(
+            &view,
+            session.settings.up,
+            DVec2::new(f64::from(centre.x), f64::from(centre.y)),
+            f64::from(AXIS),
+        );
+        let under = |place: egui::Pos2| {
+            hit(&knobs, DVec2::new(f64::from(place.x), f64::from(place.y)), f64::from(KNOB))
+        };
+        let hovered = response.hover_pos().and_then(under);
+        let painter = ui.painter();
+        for knob in &knobs {
+            let at = egui::pos2(knob.at.x as f32, knob.at.y as f32);
+            let along = knob.axis.abs();
+            let axis = [along.x, along.y, along.z];
+            let Some(axis) = axis.iter().position(|&part| part > 0.5) else { continue };
+            let is_positive = knob.axis.max_element() > 0.5;
+            let faded = 0.55 + 0.45 * (knob.towards as f32 * 0.5 + 0.5);
+            let color = AXES[axis].gamma_multiply(faded);
+            if is_positive {
+                painter.line_segment([centre, at], Stroke::new(2.0, color));
+                painter.circle_filled(at, KNOB, color);
+                let name = ["x", "y", "z"][axis];
+                let font = FontId::proportional(11.0);
+                painter.text(at, Align2::CENTER_CENTER, name, font, Color32::BLACK);
+            } else {
+                painter.circle(at, KNOB - 2.0, PANEL, Stroke::new(1.5, color));
+            }
+            if hovered.is_some_and(|one| one.axis == knob.axis) {
+                painter.circle_stroke(at, KNOB + 2.0, Stroke::new(1.5, ACCENT));
+            }
+        }
+        if response.clicked()
+            && let Some(knob) = response.interact_pointer_pos().and_then(under)
+        {
+            wishes.push(Wish::View(knob.view));
+        }
+    });
+}
+
+/// What mouse and keys do.
+fn help(context: &Context, mode: Mode) {
+    let frame = Frame::new().fill(PANEL).corner_radius(4).inner_margin(Margin::same(20));
+    let area = egui::Area::new("help".into()).anchor(Align2::CENTER_CENTER, vec2(0.0, -14.0));
+    area.order(egui::Order::Foreground).show(context, |ui| {
+        frame.show(ui, |ui| {
+            ui.set_width(620.0);
+            ui.columns(2, |columns| {
+                let [left, right] = columns else { return };
+                table(
+                    left,
+                    "Mouse",
+                    &[
+                        ("left drag", "turn"),
+                        ("shift + left, middle", "pan"),
+                        ("right drag", "zoom"),
+                        ("wheel", "zoom to the pointer"),
+                        ("double click", "turn about that point"),
+                    ],
+                );
+                left.add_space(12.0);
+                table(
+                    left,
+                    "Keys",
+                    &[
+                        ("f, Home", "fit all into view"),
+                        ("1  3  7", "front, right, top"),
+                        ("Ctrl 1 3 7", "back, left, bottom"),
+                        ("5", "parallel rays, perspective"),
+                        ("n", "level horizon"),
+                        ("Tab", "panels"),
+                        ("F12", "picture into a file"),
+                        ("h, ?", "this help"),
+                        ("q, Esc", "quit"),
+                    ],
+                );
+                let modes: Vec<_> =
+                    MODES.iter().map(|(one, key)| (*key, one.to_string())).collect();
+                let modes: Vec<_> = modes.iter().map(|(key, name)| (*key, name.as_str())).collect();
+                table(right, "Ways to navigate (m: the next)", &modes);
+                right.add_space(12.0);
+                let letters: Vec<String> = ('a'..='z').map(String::from).collect();
+                let keys: Vec<_> = letters
+                    .iter()
+                    .filter_map(|letter| Some((letter.as_str(), held(letter, mode)?)))
+                    .collect();
+                table(right, &format!("Held, in {mode}"), &keys);
+            });
+        });
+    });
+}
+
+fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, &str)]) {
+    ui.colored_label(ACCENT, title);
+    egui::Grid::new(title).num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
+        for (keys, what) in rows {
+            ui.monospace(*keys);
+            ui.colored_label(QUIET, *what);
+            ui.end_row();
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thousands_are_told_apart() {
+        assert_eq!(grouped(7), "7");
+        assert_eq!(grouped(6320), "6 320");
+        assert_eq!(grouped(1_234_567), "1 234 567");
+    }
+}
