@@ -118,9 +118,14 @@ impl Session {
         let lens = self.state.lens(self.settings.lens);
         let (near, far) = fit_planes(&self.settings.bounds, &view_from_world);
         let [fixed_near, fixed_far] = self.model.planes;
-        let projection =
-            Projection { lens, near: fixed_near.unwrap_or(near), far: fixed_far.unwrap_or(far) };
-        Camera { view_from_world, projection }
+        let (mut near, mut far) = (fixed_near.unwrap_or(near), fixed_far.unwrap_or(far));
+        // What the user has fixed may leave nothing of what fits.
+        if near >= far && fixed_far.is_none() {
+            far = near + near.abs().max(1.0);
+        } else if near >= far {
+            near = if matches!(lens, Lens::Orthographic { .. }) { far - 1.0 } else { far * 1e-4 };
+        }
+        Camera { view_from_world, projection: Projection { lens, near, far } }
     }
 
     /// What to draw now.
