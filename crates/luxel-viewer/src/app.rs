@@ -125,6 +125,9 @@ struct App {
     /// Up to when a note is shown.
     noted: Option<Instant>,
     is_drawing: bool,
+    /// What was last asked to be explained, and whether the answer is still to come.
+    explained: Option<(Asked, [u32; 2])>,
+    is_explaining: bool,
     wants_screenshot: bool,
     /// When the camera last changed.
     changed: Instant,
@@ -160,6 +163,8 @@ impl App {
             repaint: None,
             noted: None,
             is_drawing: false,
+            explained: None,
+            is_explaining: false,
             wants_screenshot: false,
             changed: now,
             now,
@@ -245,9 +250,20 @@ impl App {
                 self.asked = Some((wanted, Purpose::Sharp));
                 self.draw(view, Purpose::Sharp);
             }
-            Some(_) => {}
+            Some((asked, Purpose::Sharp | Purpose::File)) => self.explain(view, asked),
         }
         due
+    }
+
+    /// Asks why the pixel under the pointer has its colour, where that is to be seen.
+    fn explain(&mut self, view: View, asked: Asked) {
+        let Some(pixel) = self.pixel().filter(|_| self.ui.explains()) else { return };
+        if self.is_explaining || self.ui.has_pointer() || self.explained == Some((asked, pixel)) {
+            return;
+        }
+        self.explained = Some((asked, pixel));
+        self.is_explaining = true;
+        self.worker.explain(view, pixel);
     }
 
     fn draw(&mut self, view: View, purpose: Purpose) {
@@ -311,6 +327,11 @@ impl ApplicationHandler<Answer> for App {
                 self.playing = self.options.replay.as_ref().map(|_| (0, self.now));
             }
             Answer::Drawn(drawn) => self.drawn(drawn),
+            Answer::Explained(explanation) => {
+                self.is_explaining = false;
+                self.ui.explanation = explanation;
+                self.redraw();
+            }
             Answer::Failed(what) => self.end(event_loop, Err(ViewerError::Draw(what))),
         }
     }

@@ -8,6 +8,7 @@
 
 mod app;
 mod compose;
+mod explain;
 mod keys;
 mod model;
 mod pace;

@@ -1,5 +1,6 @@
 //! The panels at the sides: the scene's tree, light, and how it is looked at.
 
+use crate::explain;
 use crate::keys::MODES;
 use crate::session::Session;
 use crate::theme::{ACCENT, PANEL, QUIET};
@@ -15,6 +16,7 @@ use luxel::scene::{Bounds, DVec3, Lens, Object, Placement, Scene, SceneLight};
 pub(crate) enum Tab {
     #[default]
     Light,
+    Explain,
     View,
 }
 
@@ -87,12 +89,14 @@ pub(crate) fn settings(
     panel.resizable(false).exact_width(272.0).show(context, |panel| {
         panel.horizontal(|panel| {
             panel.selectable_value(&mut ui.tab, Tab::Light, "Light");
+            panel.selectable_value(&mut ui.tab, Tab::Explain, "Explain");
             panel.selectable_value(&mut ui.tab, Tab::View, "View");
         });
         panel.add_space(8.0);
         let area = ScrollArea::vertical().auto_shrink([false, false]);
         area.show(panel, |panel| match ui.tab {
             Tab::Light => light(panel, session),
+            Tab::Explain => explain::ledger(panel, ui.explanation.as_deref()),
             Tab::View => view(panel, session, wishes),
         });
     });

@@ -17,6 +17,21 @@ pub(crate) const AXES: [Color32; 3] = [
     Color32::from_rgb(0x4c, 0x82, 0xd8),
 ];
 
+/// Ambient, diffuse, specular, emission, environment.
+pub(crate) const TERMS: [Color32; 5] = [
+    Color32::from_rgb(0x7d, 0x8c, 0xa3),
+    Color32::from_rgb(0x5a, 0xa9, 0xe6),
+    Color32::from_rgb(0xf2, 0xf2, 0xf2),
+    Color32::from_rgb(0xf2, 0x8f, 0x5a),
+    Color32::from_rgb(0xa3, 0xb5, 0xa6),
+];
+/// N, L, V.
+pub(crate) const VECTORS: [Color32; 3] = [
+    Color32::from_rgb(0x6f, 0xd3, 0xc7),
+    Color32::from_rgb(0xf2, 0xb8, 0x4b),
+    Color32::from_rgb(0xc9, 0xa2, 0xf2),
+];
+
 /// Words in 13 points, notes in 11; steps of 4 points; nothing moves by itself.
 pub(crate) fn style() -> Style {
     let mut style = Style::default();

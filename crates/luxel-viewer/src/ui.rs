@@ -1,5 +1,6 @@
 //! Everything over the picture: the line below it, the axes, the panels, the help.
 
+use crate::explain;
 use crate::keys::{MODES, held};
 use crate::paint::Painter;
 use crate::panels;
@@ -7,6 +8,7 @@ use crate::session::Session;
 use crate::theme::{self, ACCENT, AXES, PANEL, QUIET};
 use egui::{Align2, Color32, Context, FontId, Frame, Margin, RawInput, Rect, Sense, Stroke, vec2};
 use luxel::navigation::{Mode, StandardView, hit, knobs};
+use luxel::render::Explanation;
 use luxel::scene::{Bounds, DVec2, Size};
 use std::time::{Duration, Instant};
 
@@ -41,6 +43,8 @@ pub(crate) struct Ui {
     pub(crate) shows_help: bool,
     pub(crate) search: String,
     pub(crate) tab: panels::Tab,
+    /// Why the pixel under the pointer has its colour.
+    pub(crate) explanation: Option<Box<Explanation>>,
     context: Context,
     painter: Painter,
     begun: Instant,
@@ -64,10 +68,16 @@ impl Ui {
             shows_help: false,
             search: String::new(),
             tab: panels::Tab::default(),
+            explanation: None,
             context,
             painter: Painter::default(),
             begun: Instant::now(),
         }
+    }
+
+    /// Whether the ledger is to be seen.
+    pub(crate) fn explains(&self) -> bool {
+        self.shows_panels && self.tab == panels::Tab::Explain
     }
 
     /// Whether the pointer is the panels' and not the picture's.
@@ -124,6 +134,9 @@ impl Ui {
         if self.shows_panels && context.content_rect().width() >= ROOM_FOR_PANELS {
             panels::tree(self, context, session, wishes);
             panels::settings(self, context, session, wishes);
+            if let (true, Some(explanation)) = (self.explains(), &self.explanation) {
+                explain::vectors(context, session, explanation);
+            }
         }
         axes(context, session, wishes);
         if self.shows_help {

@@ -2,7 +2,7 @@
 
 use crate::model::Model;
 use crate::probe::point_under;
-use luxel::render::{Execution, Renderer, View};
+use luxel::render::{At, Execution, Explanation, Renderer, View};
 use luxel::scene::{DVec3, Size};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Instant;
@@ -13,6 +13,8 @@ pub(crate) enum Answer {
     Loaded(Option<Box<Model>>),
     /// A picture.
     Drawn(Box<Drawn>),
+    /// Why a pixel has its colour; nothing, if it can't be told.
+    Explained(Option<Box<Explanation>>),
     /// The scene can't be drawn, or a view.
     Failed(String),
 }
@@ -40,6 +42,7 @@ pub(crate) enum Purpose {
 /// What the thread is asked for.
 enum Request {
     Draw(Box<View>, Purpose),
+    Explain(Box<View>, [u32; 2]),
     Probe(Box<View>, [u32; 2], Sender<Option<DVec3>>),
 }
 
@@ -85,6 +88,11 @@ impl Worker {
         let _ = self.requests.send(Request::Draw(Box::new(view), purpose));
     }
 
+    /// Asks why a pixel has its colour. One at a time, too.
+    pub(crate) fn explain(&self, view: View, pixel: [u32; 2]) {
+        let _ = self.requests.send(Request::Explain(Box::new(view), pixel));
+    }
+
     /// Asks for the point of the world under a pixel of a view.
     pub(crate) fn probe(&self, view: View, pixel: [u32; 2]) -> Receiver<Option<DVec3>> {
         let (answer, received) = channel();
@@ -107,6 +115,10 @@ fn work(renderer: &Renderer<'_>, requests: &Receiver<Request>, answer: impl Fn(A
                     })),
                     Err(error) => Answer::Failed(error.to_string()),
                 })
+            }
+            Request::Explain(view, pixel) => {
+                let explanation = renderer.explain(&view, At::Pixel(pixel)).ok();
+                answer(Answer::Explained(explanation.map(Box::new)))
             }
             // Who has asked may not wait any more.
             Request::Probe(view, pixel, to) => {

@@ -1,8 +1,8 @@
 //! `luxel view`: a window.
 
 use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, PictureOptions,
-    ShadingOptions,
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
+    PictureOptions, ShadingOptions,
 };
 #[cfg(not(feature = "viewer"))]
 use crate::{console::Console, failure::Failure};
@@ -40,6 +40,8 @@ pub(crate) struct ViewCommand {
     material: MaterialOptions,
     #[command(flatten)]
     shading: ShadingOptions,
+    #[command(flatten)]
+    shade: ModeOptions,
     #[command(flatten)]
     picture: PictureOptions,
     #[command(flatten)]
@@ -138,7 +140,15 @@ mod window {
             surface::apply_normals(&self.shading, &mut model.scene);
             let scene = model.scene;
             let (state, settings, camera) = navigation::start(&self.frame, &scene, self.mode)?;
-            let view = view::view(&self.frame, &self.light, &self.picture, None, camera, &scene)?;
+            let view = view::view(
+                &self.frame,
+                &self.light,
+                &self.shade,
+                &self.picture,
+                None,
+                camera,
+                &scene,
+            )?;
             Ok(Model {
                 scene: Arc::new(scene),
                 view,

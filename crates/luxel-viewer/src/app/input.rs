@@ -5,7 +5,7 @@ use crate::keys::{Action, MODES, action};
 use crate::ui::Wish;
 use crate::worker::Purpose;
 use luxel::navigation::{Event, Gesture, Mode};
-use luxel::scene::DVec3;
+use luxel::scene::{DVec3, Size};
 use std::time::{Duration, Instant};
 use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta};
 use winit::event_loop::ActiveEventLoop;
@@ -28,16 +28,18 @@ impl App {
         {
             return point;
         }
-        let view = session.view();
-        let (x, y) = (self.pointer.x, self.pointer.y);
-        let size = view.size;
-        if !(x >= 0.0 && y >= 0.0 && x < f64::from(size.width) && y < f64::from(size.height)) {
-            return None;
-        }
-        let answer = self.worker.probe(view, [x as u32, y as u32]);
+        let answer = self.worker.probe(session.view(), self.pixel()?);
         let point = answer.recv_timeout(PATIENCE).ok().flatten();
         self.under = Some((self.pointer, point));
         point
+    }
+
+    /// The pixel under the pointer, if it is in the window.
+    pub(super) fn pixel(&self) -> Option<[u32; 2]> {
+        let Size { width, height } = self.session.as_ref()?.settings.size;
+        let (x, y) = (self.pointer.x, self.pointer.y);
+        let is_inside = x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height);
+        is_inside.then_some([x as u32, y as u32])
     }
 
     pub(super) fn press(&mut self, event_loop: &ActiveEventLoop, key: Key) {
