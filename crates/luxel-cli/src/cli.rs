@@ -1,6 +1,8 @@
 //! The command line: commands and the flags that all of them take.
 
 use crate::commands::{bench, check, completions, demos, explain, info, navigate, render, view};
+use clap::{CommandFactory, Parser, Subcommand};
+use std::ffi::OsString;
 
 /// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
 ///
