@@ -18,6 +18,9 @@ pub(crate) fn drifts(
 ) -> Vec<(u32, f64)> {
     let drift = |triangle: u32| {
         let corners = surface.corners(triangle).map(|corner| sight.pixel_and_depth(corner));
+        if sight.is_beside_window(&corners) {
+            return (triangle, 0.0);
+        }
         let mut largest: f64 = 0.0;
         for k in 0..3 {
             let (Some((from, near)), Some((to, far))) = (corners[k], corners[(k + 1) % 3]) else {

@@ -60,6 +60,13 @@ impl Sight {
         })
     }
 
+    /// Whether a triangle in front of the eye can't be seen in the window.
+    pub(crate) fn is_beside_window(&self, corners: &[Option<(DVec3, f64)>; 3]) -> bool {
+        let [Some((a, _)), Some((b, _)), Some((c, _))] = *corners else { return false };
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        low.x > self.size.x || low.y > self.size.y || high.x < -self.size.x || high.y < -self.size.y
+    }
+
     fn is_in_window(&self, pixel: DVec3) -> bool {
         pixel.x.abs() <= self.size.x && pixel.y.abs() <= self.size.y
     }

@@ -352,6 +352,12 @@ fn things_slide_over_triangles_that_reach_into_the_depth() {
     let pixels = f64::from(finding.pixels.unwrap());
     assert!((pixels - expected).abs() < 1e-3 * expected, "{pixels} {expected}");
     assert_eq!(seen(40), [], "small triangles have one depth");
+    let beside = scene_of(field(1, |_, _| 0.0));
+    let mut away = setup(&beside);
+    away.view.shading.interpolation = Interpolation::Screen;
+    away.view.camera.view_from_world =
+        Camera::look_at(DVec3::new(0.5, 0.5, 4.0), DVec3::new(4.0, 0.5, 1.0), DVec3::Y);
+    assert_eq!(check(&beside, &away).findings, [], "nothing slides where nothing is seen");
     let scene = scene_of(field(1, |_, _| 0.0));
     assert_eq!(check(&scene, &setup(&scene)).findings, [], "nobody interpolates in the window");
 }

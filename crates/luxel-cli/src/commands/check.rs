@@ -171,13 +171,17 @@ fn write_text(report: &Report, model: &Model, name: &str, text: &mut String) -> 
     let objects = model.scene.objects();
     for finding in &report.findings {
         let Finding { kind, count, severity, pixels, places } = finding;
+        let steps = |steps: &f32| match steps {
+            1.0 => "1 step".to_owned(),
+            steps => format!("{steps} steps"),
+        };
         let degree = match (severity, pixels) {
-            (Some(steps), Some(pixels)) => {
-                format!(", up to {pixels:.1} pixels off and {steps} steps of 255")
+            (Some(most), Some(pixels)) => {
+                format!(", up to {pixels:.1} pixels off and {} of 255", steps(most))
             }
             (None, Some(pixels)) => format!(", up to {pixels:.1} pixels off"),
             (Some(0.0), _) => ", not to be seen in luxel".to_owned(),
-            (Some(steps), _) => format!(", up to {steps} steps of 255"),
+            (Some(most), _) => format!(", up to {} of 255", steps(most)),
             _ => String::new(),
         };
         writeln!(text, "\n{}  {count}{degree}", kind.name())?;
