@@ -1,6 +1,6 @@
 //! Where a surface comes apart: corners in the middle of edges, and gaps between edges.
 
-use crate::nearby::Nearby;
+use crate::nearby::{MOST, Nearby};
 use crate::surface::{HalfEdge, Surface};
 use luxel_scene::DVec3;
 use rayon::prelude::*;
@@ -49,11 +49,11 @@ pub(crate) fn find(surface: &Surface<'_>, half_edges: &[HalfEdge]) -> Gaps {
 }
 
 impl Boundary<'_, '_> {
-    /// The half-edges that begin or end at a place.
+    /// The half-edges that begin or end at a place; the first few if a great many do.
     fn at(&self, place: u32) -> impl Iterator<Item = HalfEdge> {
         let first = self.at_places.partition_point(|(other, _)| *other < place);
         let run = self.at_places[first..].iter().take_while(move |(other, _)| *other == place);
-        run.map(|(_, half_edge)| *half_edge)
+        run.map(|(_, half_edge)| *half_edge).take(MOST)
     }
 
     /// The other end of a half-edge.

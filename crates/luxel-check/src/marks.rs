@@ -57,23 +57,21 @@ impl Report {
         marked.materials.extend(kinds.iter().map(|kind| mark(kind.color())));
         let objects = scene.objects();
         let mut marks: Vec<Node> = Vec::new();
-        for (number, kind) in kinds.into_iter().enumerate() {
+        // The spots of a kind and an object follow one another.
+        let is_same = |one: &(Kind, u32, Spot), other: &(Kind, u32, Spot)| {
+            (one.0, one.1) == (other.0, other.1)
+        };
+        for run in self.spots.chunk_by(is_same) {
+            let (kind, index, _) = run[0];
+            let object = &objects[index as usize];
+            let number = kinds.iter().position(|other| *other == kind).unwrap_or_default();
             let material = MaterialId(first_material + number as u32);
-            for (index, object) in objects.iter().enumerate() {
-                let of_object =
-                    |(other, at, _): &&(Kind, u32, Spot)| *other == kind && *at as usize == index;
-                let spots: Vec<Spot> =
-                    self.spots.iter().filter(of_object).map(|(_, _, spot)| *spot).collect();
-                if spots.is_empty() {
-                    continue;
-                }
-                let mesh = mesh_of(&scene.meshes[object.mesh.index()], &spots, material);
-                marked.meshes.push(mesh);
-                marks.push(Node {
-                    parent_from_node: object.world_from_mesh,
-                    ..Node::root(kind.name(), Some(MeshId(marked.meshes.len() as u32 - 1)))
-                });
-            }
+            let spots: Vec<Spot> = run.iter().map(|(_, _, spot)| *spot).collect();
+            marked.meshes.push(mesh_of(&scene.meshes[object.mesh.index()], &spots, material));
+            marks.push(Node {
+                parent_from_node: object.world_from_mesh,
+                ..Node::root(kind.name(), Some(MeshId(marked.meshes.len() as u32 - 1)))
+            });
         }
         // Of equally deep triangles the first one is seen: marks come before what they mark.
         let shift = marks.len() as u32;

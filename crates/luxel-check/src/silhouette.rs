@@ -1,5 +1,6 @@
 //! Outlines that are straight where the surface is curved.
 
+use crate::nearby::MOST;
 use crate::surface::{Edges, HalfEdge, Surface};
 use luxel_scene::{Camera, DMat4, DVec3, DVec4, Size};
 use rayon::prelude::*;
@@ -118,7 +119,9 @@ pub(crate) fn facets(
     let goes_on = |edge: &Outline, k: usize| {
         let into = edge.pixels[k] - edge.pixels[1 - k];
         let first = ways.partition_point(|(other, ..)| *other < edge.ends[k]);
-        let mut here = ways[first..].iter().take_while(|(other, ..)| *other == edge.ends[k]);
+        let here = ways[first..].iter().take_while(|(other, ..)| *other == edge.ends[k]);
+        // Where more edges of an outline meet than this, it isn't the outline of a curve.
+        let mut here = here.take(MOST);
         here.any(|(_, half_edge, way)| {
             *half_edge != edge.half_edge
                 && way.length() >= NEXT * into.length()

@@ -32,3 +32,18 @@ proptest! {
         let _ = report.marked(&scene);
     }
 }
+
+/// Twenty thousand triangles that share nothing but one corner: each is near all others there.
+#[test]
+fn a_star_is_checked_without_comparing_all_its_rays() {
+    let mut mesh = Mesh { positions: vec![[0.0; 3]], ..Mesh::default() };
+    for ray in 0..20_000_u32 {
+        let angle = ray as f32 * 1e-4;
+        let end = |turn: f32| [libm::cosf(angle + turn), libm::sinf(angle + turn), angle];
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend([end(0.0), end(4e-5)]);
+        mesh.triangles.push([0, first, first + 1]);
+    }
+    let scene = scene_of(mesh);
+    let _ = check(&scene, &setup(&scene)).marked(&scene);
+}
