@@ -38,10 +38,11 @@ pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &Session, wishes: &m
             .iter()
             .filter(|object| path(scene, object).to_lowercase().contains(&wanted))
             .collect();
+        let noun = if objects.len() == 1 { "object" } else { "objects" };
         let of = if found.len() == objects.len() {
-            format!("{} objects", objects.len())
+            format!("{} {noun}", objects.len())
         } else {
-            format!("{} of {} objects", found.len(), objects.len())
+            format!("{} of {} {noun}", found.len(), objects.len())
         };
         panel.label(RichText::new(of).small().color(QUIET));
         let height = panel.spacing().interact_size.y;
