@@ -210,31 +210,99 @@ impl PixelScene<'_> {
         let (block, lane) = self.place;
         let samples = scene.frame.samples();
         let batch = Batch::new(tile, block, [id.0; LANES], &[sample; LANES], samples).only(lane);
-        let mut written = Written::default();
-        let [r, g, b, alpha] = shade(0.0_f32, scene, &batch, kept, &mut written);
-        let Some(of) = scene.frame.triangle(id) else {
+        let eye = self.view.camera.eye().to_array();
+        let lit = Lit::of(scene, eye, &lights_with_terms(self.view), &batch, kept);
+        let (Some(of), Some(lit)) = (scene.frame.triangle(id), lit) else {
+            let [r, g, b, alpha] = scene.background;
             return Seen::Background { color: [r, g, b], alpha };
         };
         let object = scene.objects[of.instance];
         let mesh = scene.frame.instances()[of.instance].mesh;
         let material = &scene.scene.materials[mesh.parts[of.part].material.index()];
+        let mut reflectance =
+            lit.reflectance.unwrap_or_else(|| Reflectance::of(0.0, &material.constants));
+        if !lit.evaluated_at.is_empty() {
+            let [r, g, b] = lit.texture;
+            reflectance = reflectance.times_base_color(Rgb::new(r, g, b), &material.constants);
+        }
+        let point = |of: fn(&SurfacePoint<f32>) -> [f32; 3]| lit.point.as_ref().map(of);
+        let position = point(|point| point.position.lane(0)).unwrap_or_default();
+        let node = self.renderer.objects()[object].node;
+        Seen::Surface(Box::new(ExplainedSurface {
+            object,
+            name: scene.scene.nodes[node.index()].name.clone(),
+            // Points and lines come after the objects' own instances and have no triangles.
+            triangle: (object == of.instance).then_some(of.triangle),
+            barycentric: lit.barycentric,
+            texture: lit.texture,
+            position: std::array::from_fn(|axis| eye[axis] + f64::from(position[axis])),
+            normal: point(|point| point.normal.lane(0)).unwrap_or_default(),
+            view: point(|point| point.view.lane(0)).unwrap_or_default(),
+            z: lit.point.map_or(0.0, |point| point.depth),
+            uv: lit.uv,
+            material: ExplainedMaterial {
+                name: material.name.clone(),
+                constants: material.constants.clone(),
+                reflectance,
+            },
+            ambient_light: scene.ambient,
+            evaluated_at: lit.evaluated_at,
+            lights: lit.terms.lights,
+            emission: lit.terms.emission,
+            scene_ambient: lit.terms.scene_ambient,
+            environment: lit.terms.environment,
+            sum: lit.sum,
+            fog: lit.fog,
+            color: lit.color,
+            alpha: lit.alpha,
+        }))
+    }
+}
+
+/// The lights that have terms, in the order of the equation.
+pub(crate) fn lights_with_terms(view: &View) -> Vec<&SceneLight> {
+    let shines = |light: &&SceneLight| light.light.kind != LightKind::Ambient;
+    view.lights.iter().filter(shines).collect()
+}
+
+/// One sample, lit with its terms written down.
+pub(crate) struct Lit {
+    pub(crate) terms: Interpolated,
+    pub(crate) fog: Option<(f32, [f32; 3])>,
+    sum: [f32; 3],
+    color: [f32; 3],
+    alpha: f32,
+    point: Option<SurfacePoint<f32>>,
+    reflectance: Option<Reflectance<f32>>,
+    barycentric: [f32; 3],
+    uv: Option<[f32; 2]>,
+    texture: [f32; 3],
+    evaluated_at: Vec<EvaluatedAt>,
+}
+
+impl Lit {
+    /// Lights the first sample of a batch, the only one; `None` if it sees nothing.
+    pub(crate) fn of(
+        scene: &Scene16<'_>,
+        eye: [f64; 3],
+        lights: &[&SceneLight],
+        batch: &Batch,
+        kept: &mut Kept,
+    ) -> Option<Self> {
+        let id = TriangleId(batch.ids[0]);
+        let of = scene.frame.triangle(id)?;
+        let mut written = Written::default();
+        let [r, g, b, alpha] = shade(0.0_f32, scene, batch, kept, &mut written);
         let barycentric = scene.frame.forms(of).barycentric(scene.frame.rays(), batch.steps(0));
-        let eye = self.view.camera.eye().to_array();
-        let lights = self.lights();
-        let mut evaluated = Vec::new();
-        let mut uv = None;
-        if let Some(triangle) = kept.seen.get(scene, id) {
-            uv = triangle.has.uvs[0].then(|| triangle.uv(barycentric));
-            if scene.shading.mode != ShadingMode::Phong {
-                for place in triangle.lit_at(barycentric, batch.position(0)) {
-                    let (there, reflectance) = evaluated_at(scene, triangle, &place, eye, &lights);
-                    let heaviest =
-                        evaluated.iter().all(|other: &EvaluatedAt| other.weight < place.0);
-                    if heaviest {
-                        written.reflectance = reflectance;
-                    }
-                    evaluated.push(there);
+        let triangle = kept.seen.get(scene, id)?;
+        let mut evaluated: Vec<EvaluatedAt> = Vec::new();
+        if scene.shading.mode != ShadingMode::Phong {
+            for place in triangle.lit_at(barycentric, batch.position(0)) {
+                let (there, reflectance) = evaluated_at(scene, triangle, &place, eye, lights);
+                if evaluated.iter().all(|other| other.weight < place.0) {
+                    written.reflectance = reflectance;
                 }
+                evaluated.push(there);
             }
         }
         let texture = written.tint.unwrap_or([1.0; 3]);
@@ -243,53 +311,24 @@ impl PixelScene<'_> {
                 emission: written.ledger.emission,
                 scene_ambient: written.ledger.scene_ambient,
                 environment: written.ledger.environment,
-                lights: written.explained_lights(&lights),
+                lights: written.explained_lights(lights),
             }
         } else {
             Interpolated::of(&evaluated, texture)
         };
-        let mut reflectance =
-            written.reflectance.unwrap_or_else(|| Reflectance::of(0.0, &material.constants));
-        if written.tint.is_some() {
-            let [r, g, b] = texture;
-            reflectance = reflectance.times_base_color(Rgb::new(r, g, b), &material.constants);
-        }
-        let position = written.point.map(|point| point.position.lane(0)).unwrap_or_default();
-        let node = &self.renderer.objects()[object].node;
-        Seen::Surface(Box::new(ExplainedSurface {
-            object,
-            name: scene.scene.nodes[node.index()].name.clone(),
-            // Points and lines come after the objects' own instances and have no triangles.
-            triangle: (object == of.instance).then_some(of.triangle),
-            barycentric,
-            evaluated_at: evaluated,
-            texture,
-            position: std::array::from_fn(|axis| eye[axis] + f64::from(position[axis])),
-            normal: written.point.map(|point| point.normal.lane(0)).unwrap_or_default(),
-            view: written.point.map(|point| point.view.lane(0)).unwrap_or_default(),
-            z: written.point.map_or(0.0, |point| point.depth),
-            uv,
-            material: ExplainedMaterial {
-                name: material.name.clone(),
-                constants: material.constants.clone(),
-                reflectance,
-            },
-            ambient_light: scene.ambient,
-            lights: terms.lights,
-            emission: terms.emission,
-            scene_ambient: terms.scene_ambient,
-            environment: terms.environment,
-            sum: written.sum.unwrap_or(written.ledger.sum),
+        Some(Self {
+            terms,
             fog: written.ledger.fog,
+            sum: written.sum.unwrap_or(written.ledger.sum),
             color: [r, g, b],
             alpha,
-        }))
-    }
-
-    /// The lights that have terms, in the order of the equation.
-    fn lights(&self) -> Vec<&SceneLight> {
-        let shines = |light: &&SceneLight| light.light.kind != LightKind::Ambient;
-        self.view.lights.iter().filter(shines).collect()
+            point: written.point,
+            reflectance: written.reflectance,
+            barycentric,
+            uv: triangle.has.uvs[0].then(|| triangle.uv(barycentric)),
+            texture,
+            evaluated_at: evaluated,
+        })
     }
 }
 

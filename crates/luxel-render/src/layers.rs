@@ -1,15 +1,17 @@
 //! Layers: what the picture is made of, one value or three a pixel, taken at the pixel's centre and
 //! never averaged.
 
+use crate::explain::Lit;
 use crate::shade::{Batch, Kept, Scene16, interpolate};
 use crate::surface;
+use luxel_lighting::LightTerms;
 use luxel_math::{LANES, Simd, f32x16, prelude::*};
-use luxel_scene::Projection;
+use luxel_scene::{Projection, SceneLight};
 use luxel_visibility::{Tile, TriangleId};
 use std::str::FromStr;
 
 /// What a layer shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Layer {
     /// Window depth, 0 at the near plane, 1 at the far one and where nothing is.
     Depth,
@@ -27,6 +29,25 @@ pub enum Layer {
     Barycentric,
     /// Texture coordinates of the first set; 0 where there are none.
     Uv,
+    /// The ambient terms of the scene and of all lights. Terms are linear light, times the fog's
+    /// factor s; 0 where nothing is. `Ambient`, `Diffuse`, `Specular`, `Emission`, `Environment` and
+    /// `Fog` add up to the colour before clamping.
+    Ambient,
+    /// The diffuse terms of all lights.
+    Diffuse,
+    /// The specular terms of all lights.
+    Specular,
+    /// What surfaces send of their own.
+    Emission,
+    /// What surfaces mirror of the environment.
+    Environment,
+    /// What the fog adds: (1 - s) I_dc.
+    Fog,
+    /// N.L of the first directional, point or spot light, negative where it stands behind; 0 where
+    /// nothing is.
+    NDotL,
+    /// The ambient, diffuse and specular term of the light of this name.
+    Light(String),
 }
 
 /// A layer's values, row by row.
@@ -39,8 +60,8 @@ pub enum LayerValues {
 }
 
 impl Layer {
-    /// All layers.
-    pub const ALL: [Self; 8] = [
+    /// All layers but those of single lights.
+    pub const ALL: [Self; 15] = [
         Self::Depth,
         Self::Z,
         Self::Normal,
@@ -49,12 +70,19 @@ impl Layer {
         Self::Triangle,
         Self::Barycentric,
         Self::Uv,
+        Self::Ambient,
+        Self::Diffuse,
+        Self::Specular,
+        Self::Emission,
+        Self::Environment,
+        Self::Fog,
+        Self::NDotL,
     ];
 
     /// The name.
     #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
+    pub fn name(&self) -> String {
+        let name = match self {
             Self::Depth => "depth",
             Self::Z => "z",
             Self::Normal => "normal",
@@ -63,39 +91,67 @@ impl Layer {
             Self::Triangle => "triangle",
             Self::Barycentric => "barycentric",
             Self::Uv => "uv",
-        }
+            Self::Ambient => "ambient",
+            Self::Diffuse => "diffuse",
+            Self::Specular => "specular",
+            Self::Emission => "emission",
+            Self::Environment => "environment",
+            Self::Fog => "fog",
+            Self::NDotL => "n_dot_l",
+            Self::Light(name) => return format!("{LIGHT}{name}"),
+        };
+        name.to_owned()
     }
 
     /// Values a pixel.
     #[must_use]
-    pub const fn channels(self) -> usize {
+    pub const fn channels(&self) -> usize {
         match self {
-            Self::Depth | Self::Z | Self::Object | Self::Triangle => 1,
+            Self::Depth | Self::Z | Self::Object | Self::Triangle | Self::NDotL => 1,
             Self::Uv => 2,
-            Self::Normal | Self::Position | Self::Barycentric => 3,
+            _ => 3,
         }
     }
 
     /// Whether the values are whole numbers.
     #[must_use]
-    pub const fn is_id(self) -> bool {
+    pub const fn is_id(&self) -> bool {
         matches!(self, Self::Object | Self::Triangle)
+    }
+
+    /// Whether it takes the lighting equation.
+    fn is_lit(&self) -> bool {
+        match self {
+            Self::Ambient | Self::Diffuse | Self::Specular | Self::Emission => true,
+            Self::Environment | Self::Fog | Self::NDotL | Self::Light(_) => true,
+            Self::Depth | Self::Z | Self::Normal | Self::Position | Self::Object => false,
+            Self::Triangle | Self::Barycentric | Self::Uv => false,
+        }
     }
 }
 
 /// A name that is no layer.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no layer: use depth, z, normal, position, object, triangle, barycentric or uv")]
+#[error(
+    "`{0}` is no layer: use depth, z, normal, position, object, triangle, barycentric, uv, ambient, \
+     diffuse, specular, emission, environment, fog, n_dot_l or light:NAME"
+)]
 pub struct ParseLayerError(String);
 
 impl FromStr for Layer {
     type Err = ParseLayerError;
 
     fn from_str(name: &str) -> Result<Self, Self::Err> {
+        if let Some(light) = name.strip_prefix(LIGHT) {
+            return Ok(Self::Light(light.to_owned()));
+        }
         let found = Self::ALL.into_iter().find(|layer| layer.name() == name);
         found.ok_or_else(|| ParseLayerError(name.to_owned()))
     }
 }
+
+/// What the names of single lights' layers begin with.
+const LIGHT: &str = "light:";
 
 /// Most channels of a layer.
 const CHANNELS: usize = 3;
@@ -104,13 +160,15 @@ const CHANNELS: usize = 3;
 pub(crate) type LayerPixel = [u32; CHANNELS];
 
 /// Everything that layers need beside the surfaces.
-pub(crate) struct LayerView {
+pub(crate) struct LayerView<'a> {
+    /// The lights that have terms.
+    pub(crate) lights: Vec<&'a SceneLight>,
     pub(crate) projection: Projection,
     /// The eye's place in the world, f64, which positions are about.
     pub(crate) eye: [f64; 3],
 }
 
-impl LayerView {
+impl LayerView<'_> {
     fn depth(&self, z: f32) -> f32 {
         self.projection.window_depth(f64::from(z)) as f32
     }
@@ -121,8 +179,8 @@ impl LayerView {
 pub(crate) fn layers_of_block<S: Simd>(
     simd: S,
     scene: &Scene16<'_>,
-    view: &LayerView,
-    layer: Layer,
+    view: &LayerView<'_>,
+    layer: &Layer,
     tile: &Tile,
     block: usize,
     kept: &mut Kept,
@@ -143,6 +201,13 @@ pub(crate) fn layers_of_block<S: Simd>(
         [f32x16::splat(simd, 0.0); 2]
     };
     let mut values = [[0; CHANNELS]; LANES];
+    if layer.is_lit() {
+        for (lane, value) in values.iter_mut().enumerate() {
+            let term = lit_value(scene, view, layer, &batch.only(lane), kept);
+            *value = term.map(f32::to_bits);
+        }
+        return values;
+    }
     for (lane, (value, &id)) in values.iter_mut().zip(&ids).enumerate() {
         let floats = |values: [f32; CHANNELS]| values.map(f32::to_bits);
         let Some(of) = scene.frame.triangle(TriangleId(id)) else {
@@ -169,7 +234,48 @@ pub(crate) fn layers_of_block<S: Simd>(
             }
             Layer::Barycentric => floats(interpolated.weights.map(|weight| weight[lane])),
             Layer::Uv => floats([uv[0][lane], uv[1][lane], 0.0]),
+            // Lit ones have been told above.
+            _ => [0; CHANNELS],
         };
     }
     values
+}
+
+/// The value of a term at one sample; 0 where nothing is seen.
+fn lit_value(
+    scene: &Scene16<'_>,
+    view: &LayerView<'_>,
+    layer: &Layer,
+    batch: &Batch,
+    kept: &mut Kept,
+) -> [f32; CHANNELS] {
+    let Some(lit) = Lit::of(scene, view.eye, &view.lights, batch, kept) else {
+        return [0.0; CHANNELS];
+    };
+    let plus = |a: [f32; 3], b: [f32; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+    let terms = &lit.terms;
+    let each = |of: fn(&LightTerms<f32>) -> [f32; 3], first: [f32; 3]| {
+        terms.lights.iter().fold(first, |sum, light| plus(sum, of(&light.terms)))
+    };
+    let (factor, fog) = lit.fog.unwrap_or((1.0, [0.0; 3]));
+    let term = match layer {
+        Layer::Ambient => each(|terms| terms.ambient.lane(0), terms.scene_ambient),
+        Layer::Diffuse => each(|terms| terms.diffuse.lane(0), [0.0; 3]),
+        Layer::Specular => each(|terms| terms.specular.lane(0), [0.0; 3]),
+        Layer::Emission => terms.emission,
+        Layer::Environment => terms.environment,
+        Layer::Fog => return fog.map(|channel| channel * (1.0 - factor)),
+        Layer::NDotL => {
+            return [terms.lights.first().map_or(0.0, |light| light.terms.n_dot_l); CHANNELS];
+        }
+        Layer::Light(name) => {
+            let light = terms.lights.iter().find(|light| light.name == *name);
+            light.map_or([0.0; 3], |light| {
+                let LightTerms { ambient, diffuse, specular, .. } = &light.terms;
+                plus(plus(ambient.lane(0), diffuse.lane(0)), specular.lane(0))
+            })
+        }
+        _ => [0.0; 3],
+    };
+    term.map(|channel| channel * factor)
 }

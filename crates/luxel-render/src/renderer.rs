@@ -1,6 +1,7 @@
 //! The renderer: a scene made ready once, then drawn from any view.
 
 use crate::edges::EdgeFlags;
+use crate::explain::lights_with_terms;
 use crate::holes::Holes;
 use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, layers_of_block};
 use crate::place;
@@ -30,6 +31,9 @@ pub enum RenderError {
     /// A side of 0 or beyond the limit.
     #[error("a picture of {0}x{1} isn't possible: each side has 1 to {MAX_SIDE} pixels")]
     Size(u32, u32),
+    /// A layer of a light that the view doesn't have.
+    #[error("there is no directional, point or spot light `{0}`")]
+    NoSuchLight(String),
     /// A place outside of the picture.
     #[error("it lies outside of the picture of {}x{} pixels", .0.width, .0.height)]
     Outside(Size),
@@ -199,14 +203,24 @@ impl<'s> Renderer<'s> {
     /// # Errors
     /// [`RenderError`] if the view asks for something impossible.
     pub fn layers(&self, view: &View, layers: &[Layer]) -> Result<Vec<LayerValues>, RenderError> {
+        for layer in layers {
+            if let Layer::Light(name) = layer
+                && !lights_with_terms(view).iter().any(|light| light.name == *name)
+            {
+                return Err(RenderError::NoSuchLight(name.clone()));
+            }
+        }
         // Where nothing is let through but what is wholly transparent, the nearest surface counts.
         let view = View { samples: 1, edges: None, ..view.clone() };
         self.with_scene(&view, Coverage::Cutout, None, |scene, holes| {
-            let layer_view =
-                LayerView { projection: view.camera.projection, eye: view.camera.eye().to_array() };
+            let layer_view = LayerView {
+                lights: lights_with_terms(&view),
+                projection: view.camera.projection,
+                eye: view.camera.eye().to_array(),
+            };
             layers
                 .iter()
-                .map(|&layer| {
+                .map(|layer| {
                     let mut pixels: Vec<LayerPixel> = Vec::new();
                     draw_tiles(
                         scene.frame,
@@ -500,8 +514,8 @@ fn tile_pixels<S: Simd>(simd: S, scene: &Scene16<'_>, worker: &mut Worker, has_l
 fn tile_layer<S: Simd>(
     simd: S,
     scene: &Scene16<'_>,
-    view: &LayerView,
-    layer: Layer,
+    view: &LayerView<'_>,
+    layer: &Layer,
     tile: &Tile,
     kept: &mut Kept,
     pixels: &mut TilePixels<LayerPixel>,

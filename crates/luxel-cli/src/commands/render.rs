@@ -71,7 +71,8 @@ struct OutputOptions {
     bits: u8,
 
     /// A layer instead of the picture: depth, z, normal, position, object, triangle, barycentric,
-    /// uv; may be repeated for an EXR
+    /// uv, ambient, diffuse, specular, emission, environment, fog, n_dot_l, light:NAME; may be
+    /// repeated for an EXR
     #[arg(long = "layer", value_name = "NAME")]
     layers: Vec<Layer>,
 
@@ -185,7 +186,7 @@ impl RenderCommand {
             }
             report.insert("warnings".into(), json!(model.warnings));
             if let Some(legend) = &legend {
-                let layer = self.output.layers[0];
+                let layer = &self.output.layers[0];
                 report.insert("legend".into(), legend_to_json(legend, layer, scene));
             }
             output::print_json(&Value::Object(report))?;
@@ -208,7 +209,7 @@ impl RenderCommand {
             let values = renderer.layers(view, &self.output.layers).map_err(cannot_draw)?;
             watch.lap("frame");
             let image = |(layer, values): (&Layer, _)| LayerImage {
-                name: layer.name().to_owned(),
+                name: layer.name(),
                 channels: layer.channels(),
                 values,
             };
@@ -275,14 +276,14 @@ fn cannot_encode(error: PictureError) -> Failure {
 }
 
 /// What the numbers or colours in the picture of a layer mean.
-fn legend_to_json(legend: &Legend, layer: Layer, scene: &Scene) -> Value {
+fn legend_to_json(legend: &Legend, layer: &Layer, scene: &Scene) -> Value {
     match legend {
         Legend::Scaled(ranges) => json!({ "from_0_to_65535": ranges }),
         Legend::Colors(colors) => {
             let objects = scene.objects();
             let entry = |(id, color): &(u32, [u16; 3])| {
                 let mut entry = json!({ "id": id, "color": color });
-                if layer == Layer::Object
+                if *layer == Layer::Object
                     && let Some(object) = objects.get(*id as usize)
                 {
                     entry["name"] = json!(scene.nodes[object.node.index()].name);

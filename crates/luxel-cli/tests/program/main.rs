@@ -6,6 +6,7 @@
 mod bytes;
 mod check;
 mod damaged;
+mod explain;
 mod info;
 mod models;
 mod navigate;

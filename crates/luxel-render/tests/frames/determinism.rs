@@ -2,7 +2,7 @@
 
 use crate::scenes::{execution, glass, view};
 use luxel_math::SimdLevel;
-use luxel_render::{Edges, Layer, Renderer, View};
+use luxel_render::{Edges, Interpolation, Layer, Renderer, Shading, ShadingMode, View};
 use luxel_scene::{Camera, DVec3, Lens, Projection, Scene, Size, demos};
 
 fn perspective(scene: &Scene, size: Size) -> View {
@@ -42,6 +42,21 @@ fn demos_have_the_same_bytes_however_they_are_run() {
     for (name, _) in demos::names() {
         let scene = demos::demo(name).unwrap();
         check(name, &scene, &perspective(&scene, Size { width: 150, height: 90 }));
+    }
+}
+
+#[test]
+fn every_shading_mode_has_the_same_bytes_however_it_is_run() {
+    let scene = demos::demo("plane").unwrap();
+    for (mode, interpolation) in [
+        (ShadingMode::Flat, Interpolation::Screen),
+        (ShadingMode::Gouraud, Interpolation::Perspective),
+        (ShadingMode::Gouraud, Interpolation::Scanline),
+        (ShadingMode::Subdivided { tolerance: 2.0 }, Interpolation::Perspective),
+    ] {
+        let mut view = perspective(&scene, Size { width: 150, height: 90 });
+        view.shading = Shading { mode, interpolation, ..Shading::default() };
+        check(&format!("{mode:?}"), &scene, &view);
     }
 }
 

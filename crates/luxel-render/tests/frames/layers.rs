@@ -14,14 +14,14 @@ fn values(layer: Layer) -> LayerValues {
 }
 
 fn f32s(layer: Layer) -> Vec<f32> {
-    match values(layer) {
+    match values(layer.clone()) {
         LayerValues::F32(values) => values,
         LayerValues::U32(_) => panic!("{layer:?} holds floats"),
     }
 }
 
 fn u32s(layer: Layer) -> Vec<u32> {
-    match values(layer) {
+    match values(layer.clone()) {
         LayerValues::U32(values) => values,
         LayerValues::F32(_) => panic!("{layer:?} holds ids"),
     }

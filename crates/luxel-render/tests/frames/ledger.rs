@@ -3,7 +3,9 @@
 use crate::scenes::{execution, fitted, glass};
 use luxel_lighting::{Attenuation, Cone, Fog, FogLaw, Light, LightKind, Reflection};
 use luxel_math::SimdLevel;
-use luxel_render::{At, RenderError, Renderer, View};
+use luxel_render::{
+    At, Clamp, Interpolation, Layer, LayerValues, RenderError, Renderer, Shading, ShadingMode, View,
+};
 use luxel_scene::{DVec3, Placement, Scene, SceneLight, Size, default_lights, demos};
 
 /// Numbers without a pattern: a multiplier and an increment of Knuth's MMIX.
@@ -78,6 +80,21 @@ pub(crate) const REFLECTIONS: [Reflection; 8] = [
     Reflection::Unlit,
 ];
 
+const fn shading(mode: ShadingMode, interpolation: Interpolation, clamp: Clamp) -> Shading {
+    Shading { mode, interpolation, clamp }
+}
+
+const SHADINGS: [Shading; 8] = [
+    shading(ShadingMode::Phong, Interpolation::Perspective, Clamp::Vertex),
+    shading(ShadingMode::Gouraud, Interpolation::Perspective, Clamp::Vertex),
+    shading(ShadingMode::Flat, Interpolation::Perspective, Clamp::Vertex),
+    shading(ShadingMode::Subdivided { tolerance: 2.0 }, Interpolation::Perspective, Clamp::Vertex),
+    shading(ShadingMode::Gouraud, Interpolation::Scanline, Clamp::End),
+    shading(ShadingMode::Phong, Interpolation::Scanline, Clamp::Vertex),
+    shading(ShadingMode::Gouraud, Interpolation::Screen, Clamp::Vertex),
+    shading(ShadingMode::Flat, Interpolation::Screen, Clamp::End),
+];
+
 /// All demos, and glass.
 fn scenes() -> Vec<(String, Scene)> {
     let demos =
@@ -139,6 +156,7 @@ fn styled(scene: &Scene, round: usize, samples: u32) -> View {
     if round % 4 == 2 {
         view.background = [0.1, 0.3, 0.2, 0.4];
     }
+    view.shading = SHADINGS[round % SHADINGS.len()];
     view
 }
 
@@ -173,4 +191,62 @@ fn a_point_is_rounded_to_256ths_and_must_lie_in_the_picture() {
     ] {
         assert!(matches!(renderer.explain(&view, outside), Err(RenderError::Outside(_))));
     }
+}
+
+/// What layers add up to, and what the picture has, at each pixel.
+fn sums_of_layers(scene: &Scene, view: &View, layers: &[Layer]) -> Vec<([f32; 3], [f32; 4])> {
+    let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let values = renderer.layers(view, layers).unwrap();
+    let picture = renderer.linear(view).unwrap();
+    let mut sums = vec![[0.0_f32; 3]; picture.pixels.len()];
+    for layer in values {
+        let LayerValues::F32(values) = layer else { panic!("terms are no whole numbers") };
+        for (sum, value) in sums.iter_mut().zip(values.chunks_exact(3)) {
+            *sum = [sum[0] + value[0], sum[1] + value[1], sum[2] + value[2]];
+        }
+    }
+    sums.into_iter().zip(picture.pixels).collect()
+}
+
+#[test]
+fn the_layers_of_terms_add_up_to_the_picture() {
+    let terms = [
+        Layer::Ambient,
+        Layer::Diffuse,
+        Layer::Specular,
+        Layer::Emission,
+        Layer::Environment,
+        Layer::Fog,
+    ];
+    for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "glass" && name != "blob")
+    {
+        for round in 0..8 {
+            let view = View { background: [0.0; 4], ..styled(&scene, round, 1) };
+            for (sum, [r, g, b, _]) in sums_of_layers(&scene, &view, &terms) {
+                for (sum, drawn) in sum.into_iter().zip([r, g, b]) {
+                    let off = (sum - drawn).abs();
+                    assert!(off <= 2e-5 * drawn.abs().max(1.0), "{name} {round}: {sum} {drawn}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_layers_of_lights_add_up_to_their_terms() {
+    let scene = demos::demo("spheres").unwrap();
+    let view = View { lights: many_lights(&scene), ..styled(&scene, 1, 1) };
+    let by_term = sums_of_layers(&scene, &view, &[Layer::Diffuse, Layer::Specular]);
+    let lights = ["sun", "lamp", "torch"].map(|name| Layer::Light(name.to_owned()));
+    let by_light = sums_of_layers(&scene, &view, &lights);
+    let mut seen = 0;
+    for ((terms, _), (lights, _)) in by_term.into_iter().zip(by_light) {
+        // The lights have an ambient term of their own, too.
+        seen += u32::from(lights[0] > 0.01);
+        assert!((0..3).all(|channel| lights[channel] >= terms[channel] - 1e-5));
+    }
+    assert!(seen > 100);
+    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let unknown = renderer.layers(&view, &[Layer::Light("moon".to_owned())]);
+    assert_eq!(unknown, Err(RenderError::NoSuchLight("moon".to_owned())));
 }

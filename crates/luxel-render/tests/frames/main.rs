@@ -8,5 +8,6 @@ mod layers;
 mod ledger;
 mod light;
 mod scenes;
+mod shading;
 mod strokes;
 mod transparency;

@@ -1,0 +1,285 @@
+//! Shading modes against pictures computed naively: rays, triangles and the lighting equation in f64.
+
+use crate::scenes::{bytes, execution, linear, matte, scene, square, view};
+use luxel_lighting::{Material, Reflection, encode_srgb};
+use luxel_math::SimdLevel;
+use luxel_render::{Clamp, Interpolation, Renderer, Shading, ShadingMode, View};
+use luxel_scene::{
+    Camera, DMat4, DVec3, Lens, Mesh, Placement, Projection, Scene, SceneMaterial, Size,
+    default_lights,
+};
+
+const EYE: DVec3 = DVec3::new(1.5, 1.1, 2.6);
+
+/// A bent sheet of quads with normals, steep enough that perspective matters.
+fn sheet() -> Scene {
+    const SIDE: u32 = 7;
+    let mut mesh = Mesh { polygons: Some(Vec::new()), ..Mesh::default() };
+    for row in 0..=SIDE {
+        for column in 0..=SIDE {
+            let [u, v] = [column, row].map(|at| f64::from(at) / f64::from(SIDE) * 2.0 - 1.0);
+            let height = 0.3 * u * u - 0.2 * v * v + 0.1 * u * v;
+            let normal = DVec3::new(-0.6 * u - 0.1 * v, 1.0, 0.4 * v - 0.1 * u).normalize();
+            mesh.positions.push([u, height, v].map(|value| value as f32));
+            mesh.normals.push(normal.as_vec3().to_array());
+        }
+    }
+    for row in 0..SIDE {
+        for column in 0..SIDE {
+            let first = row * (SIDE + 1) + column;
+            let [a, b, c, d] = [first, first + SIDE + 1, first + SIDE + 2, first + 1];
+            mesh.triangles.extend([[a, b, c], [a, c, d]]);
+            let polygon = row * SIDE + column;
+            mesh.polygons.as_mut().unwrap().extend([polygon, polygon]);
+        }
+    }
+    let constants = Material {
+        reflection: Reflection::BlinnPhong,
+        diffuse: [0.7, 0.5, 0.2],
+        k_s: 0.8,
+        shininess: 20.0,
+        ..Material::default()
+    };
+    scene(vec![(mesh, SceneMaterial { constants, ..SceneMaterial::default() })])
+}
+
+fn sheet_view(mode: ShadingMode) -> View {
+    let lens = Lens::Perspective { fov_y_radians: 0.8 };
+    let mut lights = default_lights();
+    for light in &mut lights {
+        light.placement = Placement::World;
+    }
+    View {
+        size: Size { width: 96, height: 80 },
+        camera: Camera {
+            view_from_world: Camera::look_at(EYE, DVec3::ZERO, DVec3::Y),
+            projection: Projection { lens, near: 0.1, far: 20.0 },
+        },
+        lights,
+        ambient: [0.1, 0.2, 0.3],
+        shading: Shading { mode, ..Shading::default() },
+        ..view(1)
+    }
+}
+
+/// I_a k_a O_a and Blinn-Phong's terms.
+fn light(view: &View, material: &Material, place: DVec3, normal: DVec3) -> DVec3 {
+    let color = |c: [f32; 3]| DVec3::from_array(c.map(f64::from));
+    let to_eye = (EYE - place).normalize();
+    let mut sum = color(view.ambient) * color(material.diffuse);
+    for placed in &view.lights {
+        let to_light = -placed.direction.normalize();
+        let n_dot_l = normal.dot(to_light);
+        if n_dot_l > 0.0 {
+            let n_dot_h = normal.dot((to_light + to_eye).normalize()).max(0.0);
+            let lobe = libm::pow(n_dot_h, f64::from(material.shininess));
+            sum += color(placed.light.diffuse) * color(material.diffuse) * n_dot_l;
+            sum += color(placed.light.specular) * f64::from(material.k_s) * lobe;
+        }
+    }
+    sum
+}
+
+/// The colour at a pixel's centre; `None` where nothing is, or close to an edge of a triangle.
+fn naive(scene: &Scene, view: &View, x: u32, y: u32) -> Option<[f64; 3]> {
+    let world_from_view = view.camera.view_from_world.inverse();
+    let half = (0.8_f64 / 2.0).tan();
+    let (width, height) = (f64::from(view.size.width), f64::from(view.size.height));
+    let right = (2.0 * (f64::from(x) + 0.5) / width - 1.0) * half * width / height;
+    let up = (1.0 - 2.0 * (f64::from(y) + 0.5) / height) * half;
+    let ray = world_from_view.transform_vector3(DVec3::new(right, up, -1.0));
+    let mesh = &scene.meshes[0];
+    let material = &scene.materials[0].constants;
+    let mut nearest: Option<(f64, usize, [f64; 3])> = None;
+    for (number, triangle) in mesh.triangles.iter().enumerate() {
+        let [a, b, c] = triangle.map(|at| mesh.position(at) - EYE);
+        let volumes = [ray.dot(b.cross(c)), ray.dot(c.cross(a)), ray.dot(a.cross(b))];
+        let sum = volumes[0] + volumes[1] + volumes[2];
+        let weights = volumes.map(|volume| volume / sum);
+        let least = weights[0].min(weights[1]).min(weights[2]);
+        if least >= -1e-3 {
+            let distance = (a * weights[0] + b * weights[1] + c * weights[2]).dot(ray);
+            if distance > 0.0 && nearest.is_none_or(|(other, ..)| distance < other) {
+                nearest = Some((distance, number, weights));
+            }
+        }
+    }
+    let (_, number, weights) = nearest?;
+    if weights.iter().any(|weight| *weight < 2e-3) {
+        return None;
+    }
+    let normal_at = |at: u32| DVec3::from_array(mesh.normals[at as usize].map(f64::from));
+    let corners = mesh.triangles[number];
+    // Which side is seen, the face's plane tells.
+    let [a, b, c] = corners.map(|at| mesh.position(at));
+    let plane = (b - a).cross(c - a);
+    let side = if plane.dot(EYE - a) < 0.0 { -1.0 } else { 1.0 };
+    let outwards = plane.dot(corners.map(normal_at).into_iter().sum());
+    let side = if outwards < 0.0 { -side } else { side };
+    let clamped = |light: DVec3| light.clamp(DVec3::ZERO, DVec3::ONE);
+    let mixed = |values: [DVec3; 3]| {
+        values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2]
+    };
+    let sum = match view.shading.mode {
+        ShadingMode::Phong => {
+            let normal = mixed(corners.map(normal_at)).normalize() * side;
+            light(view, material, mixed([a, b, c]), normal)
+        }
+        ShadingMode::Gouraud => mixed(
+            corners
+                .map(|at| clamped(light(view, material, mesh.position(at), normal_at(at) * side))),
+        ),
+        ShadingMode::Flat => {
+            let quad = number / 2 * 2;
+            let [a, b, c] = mesh.triangles[quad].map(|at| mesh.position(at));
+            let d = mesh.position(mesh.triangles[quad + 1][2]);
+            let areas = [(b - a).cross(c - a), (c - a).cross(d - a)];
+            let whole = areas[0] + areas[1];
+            let parts = areas.map(|area| area.dot(whole) / whole.dot(whole));
+            let centroid = (a + b + c) / 3.0 * parts[0] + (a + c + d) / 3.0 * parts[1];
+            let normal = whole.normalize();
+            let normal = if normal.dot(EYE - centroid) < 0.0 { -normal } else { normal };
+            clamped(light(view, material, centroid, normal))
+        }
+        ShadingMode::Subdivided { .. } => return None,
+    };
+    Some(clamped(sum).to_array())
+}
+
+#[test]
+fn whole_pictures_are_the_naive_ones_within_a_step() {
+    let scene = sheet();
+    for mode in [ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat] {
+        let view = sheet_view(mode);
+        let drawn = bytes(&scene, &view);
+        let mut compared = 0;
+        for y in 0..view.size.height {
+            for x in 0..view.size.width {
+                let Some(naive) = naive(&scene, &view, x, y) else { continue };
+                let pixel = drawn[(y * view.size.width + x) as usize];
+                for channel in 0..3 {
+                    let expected = 255.0 * encode_srgb(naive[channel]);
+                    let off = (f64::from(pixel[channel]) - expected).abs();
+                    assert!(off <= 0.51, "{mode:?} ({x}, {y}): {pixel:?} and {naive:?}");
+                }
+                compared += 1;
+            }
+        }
+        assert!(compared > 1500, "{mode:?}: {compared}");
+    }
+}
+
+#[test]
+fn subdividing_comes_within_its_tolerance_of_phong() {
+    let mut scene = sheet();
+    // A small highlight, which corners miss.
+    scene.materials[0].constants.shininess = 300.0;
+    let phong = bytes(&scene, &sheet_view(ShadingMode::Phong));
+    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let mut counts = Vec::new();
+    for tolerance in [1.0, 4.0, 40.0] {
+        let picture = renderer.rgba8(&sheet_view(ShadingMode::Subdivided { tolerance })).unwrap();
+        let told = picture.subdivision.unwrap();
+        assert!(told.largest_error <= tolerance, "{told:?}");
+        let mut largest = 0;
+        for (a, b) in picture.pixels.as_flattened().iter().zip(phong.as_flattened()) {
+            largest = largest.max(a.abs_diff(*b));
+        }
+        // A byte is rounded by half a step, once in each picture.
+        assert!(f32::from(largest) <= told.largest_error * 1.2 + 1.0, "{tolerance}: {largest}");
+        if tolerance == 40.0 {
+            assert!(largest > 4, "a coarse tolerance shows: {largest}");
+        }
+        counts.push(told.triangles);
+    }
+    assert!(counts[0] > counts[1] && counts[1] > counts[2], "{counts:?}");
+    assert!(renderer.rgba8(&sheet_view(ShadingMode::Phong)).unwrap().subdivision.is_none());
+}
+
+/// A square whose corners differ, turned about the line of sight.
+fn rolled(interpolation: Interpolation, degrees: f64) -> Vec<[u8; 4]> {
+    let mut mesh = square(0.0);
+    mesh.colors = vec![[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [1.0; 4]];
+    let mut scene = scene(vec![(mesh, matte([1.0; 3]))]);
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians());
+    let shading = Shading { mode: ShadingMode::Gouraud, interpolation, clamp: Clamp::Vertex };
+    let mut pixels = bytes(&scene, &View { shading, ..view(65) });
+    // Turned back: pixels near the middle, asked at the same places of the square.
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let at = |x: f64, y: f64| {
+        let [x, y] = [cos * x - sin * y, sin * x + cos * y];
+        pixels[(32.0 - y).round() as usize * 65 + (32.0 + x).round() as usize]
+    };
+    let asked = [[5.0, 0.0], [0.0, 5.0], [-5.0, 0.0], [0.0, -5.0], [7.0, 7.0], [-7.0, 7.0]];
+    let found = asked.map(|[x, y]| at(x, y)).to_vec();
+    pixels.clear();
+    found
+}
+
+fn largest_difference(a: &[[u8; 4]], b: &[[u8; 4]]) -> u8 {
+    let pairs = a.as_flattened().iter().zip(b.as_flattened());
+    pairs.map(|(a, b)| a.abs_diff(*b)).max().unwrap()
+}
+
+#[test]
+fn a_rolled_quad_changes_its_colours_along_rows_and_not_in_perspective() {
+    let quarter = |interpolation| {
+        let (before, after) = (rolled(interpolation, 0.0), rolled(interpolation, 90.0));
+        largest_difference(&before, &after)
+    };
+    // By a right angle pixels fall on pixels, and colours may be compared exactly.
+    assert!(quarter(Interpolation::Perspective) <= 1);
+    assert!(quarter(Interpolation::Scanline) <= 1, "rows and columns give the same in a square");
+    let eighth = |interpolation| {
+        let (before, after) = (rolled(interpolation, 0.0), rolled(interpolation, 45.0));
+        largest_difference(&before, &after)
+    };
+    // Half a pixel aside is a few steps; rows that change their ends are many.
+    let (right, along_rows) = (eighth(Interpolation::Perspective), eighth(Interpolation::Scanline));
+    assert!(along_rows > right + 20, "{along_rows} and {right}");
+}
+
+#[test]
+fn scanlines_run_between_the_edges_of_the_quad_and_not_of_its_triangles() {
+    // In the middle of an upright square all corners weigh the same, which no diagonal gives.
+    let mut mesh = square(0.0);
+    mesh.colors = vec![[1.0, 0.0, 0.0, 1.0], [0.0; 4], [0.0; 4], [0.0; 4]];
+    let scene = scene(vec![(mesh, matte([1.0; 3]))]);
+    let red = |interpolation| {
+        let shading = Shading { mode: ShadingMode::Gouraud, interpolation, clamp: Clamp::Vertex };
+        linear(&scene, &View { shading, ..view(65) })[32 * 65 + 32][0]
+    };
+    assert!((red(Interpolation::Scanline) - 0.25).abs() < 1e-5);
+    assert!((red(Interpolation::Perspective) - 0.5).abs() < 1e-5);
+}
+
+#[test]
+fn intensities_are_clamped_at_the_corners_unless_it_is_said_otherwise() {
+    // Light 4 on one corner and 0 on the others: half of it is 2 along the edge, or 1 / 2.
+    let mut mesh = square(0.0);
+    mesh.colors = vec![[4.0, 4.0, 4.0, 1.0], [0.0; 4], [0.0; 4], [0.0; 4]];
+    let scene = scene(vec![(mesh, matte([1.0; 3]))]);
+    let middle = |clamp| {
+        let interpolation = Interpolation::Perspective;
+        let shading = Shading { mode: ShadingMode::Gouraud, interpolation, clamp };
+        linear(&scene, &View { shading, ..view(65) })[32 * 65 + 32][0]
+    };
+    assert!((middle(Clamp::Vertex) - 0.5).abs() < 1e-5);
+    assert!((middle(Clamp::End) - 2.0).abs() < 1e-5);
+}
+
+#[test]
+fn screen_interpolation_is_perspective_where_nothing_recedes_and_differs_where_it_does() {
+    let scene = sheet();
+    let of = |interpolation| {
+        let shading = Shading { interpolation, mode: ShadingMode::Gouraud, clamp: Clamp::Vertex };
+        bytes(&scene, &View { shading, ..sheet_view(ShadingMode::Gouraud) })
+    };
+    let slid = largest_difference(&of(Interpolation::Screen), &of(Interpolation::Perspective));
+    assert!(slid > 0 && slid < 60, "{slid}");
+    let flat = largest_difference(
+        &rolled(Interpolation::Screen, 0.0),
+        &rolled(Interpolation::Perspective, 0.0),
+    );
+    assert!(flat <= 1, "{flat}");
+}
