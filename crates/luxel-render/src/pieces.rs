@@ -1,10 +1,11 @@
 //! Recursive subdivision: a triangle into pieces so small that interpolating the light between
 //! their corners gives what lighting every pixel would give, to a tolerance.
 //!
-//! An edge is halved if the light at places along it differs from what its ends interpolate to. The
-//! decision depends on nothing but the edge, so neighbours agree and the light has no seams. Where
-//! the edges are fine and the inside is not, a corner is put into the middle. Edges shorter than
-//! a small part of a pixel stay whole.
+//! An edge is halved if the light at places along it differs from what its ends interpolate to, and
+//! the longest edge with any other, so that no slivers arise. Where the edges are fine and the inside
+//! is not, all three are halved. Neighbours may decide differently about an edge that is fine; the
+//! seam is then within the tolerance. Edges shorter than a small part of a pixel stay whole: there
+//! the light jumps, as a highlight does where N.L becomes 0.
 
 use luxel_lighting::PictureEncoding;
 use luxel_math::elementary;
@@ -204,33 +205,29 @@ impl Builder<'_> {
         let [a, b, c] = corners;
         let tolerance = self.asked.tolerance;
         let may = depth < DEEPEST && self.pieces.places.len() < MOST_LIT;
+        let edges = [[b, c], [c, a], [a, b]];
+        let lengths = edges.map(|[from, to]| self.length(from, to));
+        let longest = lengths[0].max(lengths[1]).max(lengths[2]);
+        let may = may && longest > SHORTEST;
+        let off: [f32; 3] =
+            std::array::from_fn(|at| self.edge_error(edges[at][0], edges[at][1], lengths[at]));
+        let inside = self.inside_error(corners, longest);
+        let rough = off.map(|off| off > tolerance && may);
+        let any = rough.contains(&true);
+        // The longest edge goes with the others, so that no slivers arise.
+        let halves = |at: usize| match any {
+            true => rough[at] || lengths[at] >= longest,
+            false => inside > tolerance && may,
+        };
         let mut halved = [None; 3];
-        let (mut error, mut longest) = (0.0_f32, 0.0_f64);
-        // Each edge lies opposite the corner of its number.
-        for (edge, [from, to]) in [[b, c], [c, a], [a, b]].into_iter().enumerate() {
-            let length = self.length(from, to);
-            longest = longest.max(length);
-            let off = self.edge_error(from, to, length);
-            if off > tolerance && length > SHORTEST && may {
-                let middle = mixed([self.place(from), self.place(to), [0.0; 3]], [0.5, 0.5, 0.0]);
-                halved[edge] = Some(self.lit(middle));
-            } else {
-                error = error.max(off);
+        for at in 0..3 {
+            if halves(at) {
+                let ends = [self.place(edges[at][0]), self.place(edges[at][1]), [0.0; 3]];
+                halved[at] = Some(self.lit(mixed(ends, [0.5, 0.5, 0.0])));
             }
         }
         let parts: Vec<[u32; 3]> = match halved {
-            [None, None, None] => {
-                let off = self.inside_error(corners, longest);
-                if off > tolerance && longest > SHORTEST && may {
-                    let third = 1.0 / 3.0;
-                    let middle = mixed(corners.map(|corner| self.place(corner)), [third; 3]);
-                    let middle = self.lit(middle);
-                    vec![[a, b, middle], [b, c, middle], [c, a, middle]]
-                } else {
-                    error = error.max(off);
-                    Vec::new()
-                }
-            }
+            [None, None, None] => Vec::new(),
             [Some(x), None, None] => vec![[a, b, x], [a, x, c]],
             [None, Some(y), None] => vec![[b, c, y], [b, y, a]],
             [None, None, Some(z)] => vec![[c, a, z], [c, z, b]],
@@ -241,6 +238,7 @@ impl Builder<'_> {
         };
         if parts.is_empty() {
             self.pieces.count.pieces += 1;
+            let error = off[0].max(off[1]).max(off[2]).max(inside);
             self.pieces.count.error = self.pieces.count.error.max(error);
             return;
         }
