@@ -117,12 +117,6 @@ fn texel<N: Number>(
     }
 }
 
-/// A texel's value as a signed number: 0..1 becomes -1..1.
-#[inline(always)]
-fn signed<N: Number>(value: N) -> N {
-    value + value - value.one()
-}
-
 /// Multiplies a colour by a texture's, if there is one.
 #[inline(always)]
 fn tinted<N: Number>(color: Rgb<N>, texel: Option<[N; 4]>) -> Rgb<N> {
@@ -143,14 +137,8 @@ fn mapped_normal<N: Number>(
     lanes: u32,
 ) -> Vec3<N> {
     let [r, g, b, _] = sample(scene, used, interpolated, corners, lanes);
-    let strength = r.constant(used.strength);
-    let (tangent, sign) = corners.tangent(&interpolated.weights);
-    let bitangent = normal.cross(tangent) * sign;
-    let mapped =
-        tangent * (signed(r) * strength) + bitangent * (signed(g) * strength) + normal * signed(b);
-    let mapped = mapped.normalized_or_zero();
-    let sound = r.zero().less(mapped.dot(mapped));
-    mapped.select(sound, normal)
+    let tangent = corners.tangent(&interpolated.weights);
+    luxel_scene::mapped_normal(normal, tangent, [r, g, b], used.strength)
 }
 
 /// The normals that shading uses, normal maps included.

@@ -23,6 +23,9 @@ pub struct Strokes {
     pub mesh: Mesh,
     /// The mesh, cut into clusters.
     pub clusters: Clusters,
+    /// The point or line of each rectangle: counted through all points of the object's mesh, then
+    /// on through all lines. What lies wholly before the near plane has no rectangle.
+    pub elements: Vec<u32>,
 }
 
 /// The strokes of all objects that have any.
@@ -36,12 +39,19 @@ pub fn strokes(scene: &Scene, objects: &[Object], camera: &Camera, size: Size) -
             continue;
         }
         let view_from_mesh = camera.view_from_world * object.world_from_mesh;
-        let mut builder = Builder { lens: &lens, source, mesh: Mesh::default() };
+        let mut builder = Builder {
+            lens: &lens,
+            source,
+            mesh: Mesh::default(),
+            elements: Vec::new(),
+            element: 0,
+        };
         let place = |index: u32| view_from_mesh.transform_point3(source.position(index));
         for points in &source.points {
             let first = builder.mesh.triangles.len();
             for &index in &points.indices {
                 builder.point(place(index), index);
+                builder.element += 1;
             }
             builder.part(first, points.material);
         }
@@ -49,12 +59,19 @@ pub fn strokes(scene: &Scene, objects: &[Object], camera: &Camera, size: Size) -
             let first = builder.mesh.triangles.len();
             for &[from, to] in &lines.segments {
                 builder.line([place(from), place(to)], [from, to]);
+                builder.element += 1;
             }
             builder.part(first, lines.material);
         }
+<<<<<<< HEAD
         let mesh = builder.mesh;
         let clusters = Clusters::new(&mesh);
         all.push(Strokes { object: number, mesh, clusters });
+=======
+        let Builder { mesh, elements, .. } = builder;
+        let clusters = Clusters::in_file_order(&mesh);
+        all.push(Strokes { object: number, mesh, clusters, elements });
+>>>>>>> 828afca (Pick what a frame shows, at every pixel; what reaches into a region of the window, and what is seen there)
     }
     all
 }
@@ -94,6 +111,9 @@ struct Builder<'a> {
     lens: &'a PixelSize,
     source: &'a Mesh,
     mesh: Mesh,
+    elements: Vec<u32>,
+    /// The point or line at hand.
+    element: u32,
 }
 
 impl Builder<'_> {
@@ -132,6 +152,7 @@ impl Builder<'_> {
 
     fn rectangle(&mut self, corners: [DVec3; 4], sources: [u32; 4]) {
         let first = self.mesh.positions.len() as u32;
+        self.elements.push(self.element);
         self.mesh.positions.extend(corners.map(|corner| corner.as_vec3().to_array()));
         self.mesh.triangles.extend([[0, 1, 2], [0, 2, 3]].map(|t| t.map(|corner| first + corner)));
         // Attribute vertices of points and lines are numbered like their positions.

@@ -20,6 +20,7 @@
 //! | [`scene`] | what there is: meshes, nodes, cameras, lights, textures, the built-in demos |
 //! | [`lighting`] | what a lit surface point sends to the eye |
 //! | [`check`] | what in a mesh spoils its shading |
+//! | [`pick`] | what is under the mouse: rays, pixels, rectangles |
 //! | [`render`] | pictures and layers of a scene |
 //! | [`navigation`] | from mouse and keys to the camera, without a window |
 //! | [`math`] | numbers with the same bits everywhere |
@@ -37,6 +38,7 @@ pub use luxel_formats as formats;
 pub use luxel_lighting as lighting;
 pub use luxel_math as math;
 pub use luxel_navigation as navigation;
+pub use luxel_pick as pick;
 pub use luxel_render as render;
 pub use luxel_scene as scene;
 pub use view::{

@@ -1,0 +1,220 @@
+//! A scene made ready for picking: a tree for each mesh, and one over all objects.
+
+use crate::bvh::{Box3, Bvh, Quality, TooManyForTree, Tree, build};
+use crate::rays::MeshRays;
+use glam::{DMat3, DMat4, DVec3};
+use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
+use luxel_scene::{Mesh, Object, Scene};
+use rayon::prelude::*;
+
+/// Why a scene can't be made ready.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PickError {
+    /// A mesh of too many triangles.
+    #[error(transparent)]
+    TooManyTriangles(#[from] TooManyForTree),
+    /// The machine lacks the instruction set.
+    #[error("{0}")]
+    Simd(String),
+}
+
+impl From<UnavailableSimdLevel> for PickError {
+    fn from(error: UnavailableSimdLevel) -> Self {
+        Self::Simd(error.to_string())
+    }
+}
+
+/// A scene ready to be asked what is where: with rays through the world, or, as a
+/// [`PickView`](crate::PickView), for what a camera sees.
+pub struct Picker<'s> {
+    pub(crate) scene: &'s Scene,
+    pub(crate) objects: Vec<Object>,
+    pub(crate) level: Level,
+    bvhs: Vec<Bvh>,
+    placed: Vec<Placed>,
+    /// Over the boxes of the objects, about `middle`.
+    pub(crate) top: Tree,
+    pub(crate) middle: DVec3,
+}
+
+/// Where an object's tree lies.
+struct Placed {
+    mesh: usize,
+    /// From the coordinates of the tree's boxes to the world.
+    world_from_tree: DMat4,
+    tree_from_world: DMat4,
+    /// A tree of its own in world coordinates, where the object's transform flattens or stretches
+    /// so much that rays can't go the other way.
+    own: Option<Box<Baked>>,
+}
+
+struct Baked {
+    bvh: Bvh,
+    positions: Vec<[f32; 3]>,
+}
+
+/// An object's tree in its place.
+#[derive(Clone, Copy)]
+pub(crate) struct ObjectTree<'p> {
+    pub(crate) bvh: &'p Bvh,
+    pub(crate) positions: &'p [[f32; 3]],
+    pub(crate) world_from_tree: &'p DMat4,
+    pub(crate) tree_from_world: &'p DMat4,
+    /// Whether the tree's positions are those of the mesh.
+    pub(crate) of_mesh: bool,
+}
+
+/// Stretching beyond this, of the longest axis against the shortest or so, costs rays their
+/// precision.
+const MOST_STRETCHED: f64 = 1e4;
+
+impl<'s> Picker<'s> {
+    /// Builds the trees, on all threads of the current pool, for the best instruction set that the
+    /// machine has.
+    ///
+    /// # Errors
+    /// [`PickError`] if a mesh has too many triangles.
+    pub fn new(scene: &'s Scene) -> Result<Self, PickError> {
+        Self::with(scene, Quality::Thorough, SimdLevel::Auto)
+    }
+
+    /// Builds the trees with a care and an instruction set of your choice.
+    ///
+    /// # Errors
+    /// [`PickError`] if a mesh has too many triangles or the machine lacks the instructions.
+    pub fn with(scene: &'s Scene, quality: Quality, simd: SimdLevel) -> Result<Self, PickError> {
+        let level = simd.resolve()?;
+        let bvh = |mesh: &Mesh| Bvh::build(&mesh.positions, &mesh.triangles, quality);
+        let bvhs: Vec<Bvh> = scene.meshes.par_iter().map(bvh).collect::<Result<_, _>>()?;
+        let objects = scene.objects();
+        let placed: Vec<Placed> = objects
+            .par_iter()
+            .map(|object| Placed::new(scene, object, quality))
+            .collect::<Result<_, _>>()?;
+        let mut picker =
+            Self { scene, objects, level, bvhs, placed, top: Tree::default(), middle: DVec3::ZERO };
+        let boxes: Vec<[DVec3; 2]> =
+            (0..picker.objects.len()).map(|object| picker.tree(object).world_box()).collect();
+        let sound = |[low, high]: &[DVec3; 2]| {
+            low.cmple(*high).all() && low.is_finite() && high.is_finite()
+        };
+        let all = boxes
+            .iter()
+            .filter(|bounds| sound(bounds))
+            .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], bounds| {
+                [low.min(bounds[0]), high.max(bounds[1])]
+            });
+        picker.middle = if sound(&all) { all[0] * 0.5 + all[1] * 0.5 } else { DVec3::ZERO };
+        let middle = picker.middle;
+        let around = |[low, high]: &[DVec3; 2]| Box3 {
+            low: (*low - middle).as_vec3().to_array().map(f32::next_down),
+            high: (*high - middle).as_vec3().to_array().map(f32::next_up),
+        };
+        picker.top = build(&boxes, &sound, &around, Quality::Fast);
+        Ok(picker)
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &'s Scene {
+        self.scene
+    }
+
+    /// The objects, by whose places hits name them.
+    #[must_use]
+    pub fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    /// What the trees take beside the scene, in bytes.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        let own = |placed: &Placed| {
+            placed.own.as_ref().map_or(0, |own| own.bvh.memory() + size_of_val(&own.positions[..]))
+        };
+        self.bvhs.iter().map(Bvh::memory).sum::<usize>()
+            + self.placed.iter().map(own).sum::<usize>()
+    }
+
+    pub(crate) fn mesh(&self, object: usize) -> &'s Mesh {
+        &self.scene.meshes[self.objects[object].mesh.index()]
+    }
+
+    pub(crate) fn tree(&self, object: usize) -> ObjectTree<'_> {
+        let placed = &self.placed[object];
+        let (bvh, positions) = match &placed.own {
+            Some(own) => (&own.bvh, &own.positions),
+            None => (&self.bvhs[placed.mesh], &self.scene.meshes[placed.mesh].positions),
+        };
+        ObjectTree {
+            bvh,
+            positions,
+            world_from_tree: &placed.world_from_tree,
+            tree_from_world: &placed.tree_from_world,
+            of_mesh: placed.own.is_none(),
+        }
+    }
+
+    pub(crate) fn rays(&self, object: usize) -> MeshRays<'_> {
+        let tree = self.tree(object);
+        MeshRays::with_level(tree.bvh, tree.positions, self.level)
+    }
+}
+
+impl Placed {
+    fn new(scene: &Scene, object: &Object, quality: Quality) -> Result<Self, TooManyForTree> {
+        let mesh = &scene.meshes[object.mesh.index()];
+        let world_from_tree = object.world_from_mesh * DMat4::from_translation(mesh.origin);
+        let tree_from_world = world_from_tree.inverse();
+        let of = |world_from_tree, tree_from_world, own| Self {
+            mesh: object.mesh.index(),
+            world_from_tree,
+            tree_from_world,
+            own,
+        };
+        if tree_from_world.is_finite()
+            && stretch(&world_from_tree, &tree_from_world) < MOST_STRETCHED
+        {
+            return Ok(of(world_from_tree, tree_from_world, None));
+        }
+        let middle = world_from_tree.w_axis.truncate();
+        let middle = if middle.is_finite() { middle } else { DVec3::ZERO };
+        let place = |&[x, y, z]: &[f32; 3]| {
+            let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
+            (world_from_tree.transform_point3(position) - middle).as_vec3().to_array()
+        };
+        let positions: Vec<[f32; 3]> = mesh.positions.par_iter().map(place).collect();
+        let bvh = Bvh::build(&positions, &mesh.triangles, quality)?;
+        let shift = DMat4::from_translation(middle);
+        let back = DMat4::from_translation(-middle);
+        Ok(of(shift, back, Some(Box::new(Baked { bvh, positions }))))
+    }
+}
+
+/// How much a transform stretches one direction more than another, at most: the product of the
+/// norms of it and its inverse, over 3, which a rotation with a scale has.
+fn stretch(matrix: &DMat4, inverse: &DMat4) -> f64 {
+    let norm = |matrix: &DMat4| {
+        let DMat3 { x_axis, y_axis, z_axis } = DMat3::from_mat4(*matrix);
+        (x_axis.length_squared() + y_axis.length_squared() + z_axis.length_squared()).sqrt()
+    };
+    norm(matrix) * norm(inverse) / 3.0
+}
+
+impl ObjectTree<'_> {
+    /// The box in the world that the tree's box lies in.
+    fn world_box(&self) -> [DVec3; 2] {
+        let Some([low, high]) = self.bvh.bounds() else {
+            return [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        };
+        let mut bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        for corner in 0..8 {
+            let at =
+                |axis: usize| f64::from(if corner >> axis & 1 == 0 { low } else { high }[axis]);
+            let place = self.world_from_tree.transform_point3(DVec3::new(at(0), at(1), at(2)));
+            bounds = [bounds[0].min(place), bounds[1].max(place)];
+        }
+        bounds
+    }
+}

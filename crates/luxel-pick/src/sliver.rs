@@ -1,0 +1,331 @@
+//! The sliver: everything between the eye and the far plane that falls into a region of the window,
+//! cut off exactly at its sides.
+//!
+//! Each triangle is clipped in homogeneous coordinates of f64 against the planes through the
+//! region's sides and the near and far planes (Sutherland and Hodgman 1974); the depths of what is
+//! left are those that selection mode would report (OpenGL 2.1, section 5.2). The tree leaves out
+//! what lies wholly beyond one of the planes.
+
+use crate::bvh::{Node, WIDTH, Walk};
+use crate::region::{Piece, Region};
+use crate::view::PickView;
+use glam::{DMat4, DVec3, DVec4};
+use rayon::prelude::*;
+
+/// What of an object falls into a region.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SliverHit {
+    /// The object, by its place in [`Picker::objects`](crate::Picker::objects).
+    pub object: usize,
+    /// The least window depth of the part inside, 0 near to 1 far.
+    pub z_min: f64,
+    /// The greatest.
+    pub z_max: f64,
+    /// How many triangles reach inside, from either side, culled or not.
+    pub triangles: u64,
+    /// How many points and lines do.
+    pub strokes: u64,
+}
+
+/// Which objects count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Inclusion {
+    /// Those that reach inside.
+    #[default]
+    Touching,
+    /// Those that lie inside as a whole: nothing of them is outside of the region, before the near
+    /// plane or beyond the far one.
+    Enclosed,
+}
+
+/// What has been found of one object.
+#[derive(Clone, Copy)]
+struct Found {
+    z_min: f64,
+    z_max: f64,
+    count: u64,
+    /// How many lie inside as a whole.
+    whole: u64,
+}
+
+const NOTHING: Found = Found { z_min: f64::INFINITY, z_max: f64::NEG_INFINITY, count: 0, whole: 0 };
+
+/// Most planes: four sides, near and far.
+const PLANES: usize = 6;
+/// A triangle's most corners after all of them.
+const CORNERS: usize = 3 + PLANES;
+
+/// The planes around one convex piece, in clip coordinates: plane . corner >= 0 inside.
+type Planes = [DVec4; PLANES];
+
+/// Leaves that one task takes.
+const LEAVES: usize = 256;
+
+impl PickView<'_> {
+    /// Everything in a rectangle of the window, by its upper left corner and size in pixels; `None`
+    /// for a rectangle without size.
+    #[must_use]
+    pub fn rectangle(&self, x: f64, y: f64, width: f64, height: f64) -> Option<Vec<SliverHit>> {
+        let region = Region::rectangle(x, y, width, height).ok()?;
+        Some(self.sliver(&region, Inclusion::Touching))
+    }
+
+    /// Everything in a region of the window, an entry an object, in the order of objects.
+    #[must_use]
+    pub fn sliver(&self, region: &Region, inclusion: Inclusion) -> Vec<SliverHit> {
+        let instances = self.instances.iter().filter(|instance| instance.strokes.is_none());
+        let objects: Vec<usize> = instances.map(|instance| instance.object).collect();
+        let of = |&object: &usize| self.of_object(object, region, inclusion);
+        if objects.len() > LEAVES {
+            objects.par_iter().filter_map(of).collect()
+        } else {
+            objects.iter().filter_map(of).collect()
+        }
+    }
+
+    /// The triangles of one object that reach into a region, each with its least and greatest window
+    /// depth inside, in the order of the mesh.
+    ///
+    /// # Panics
+    /// If there is no such object.
+    #[must_use]
+    pub fn triangles_in(&self, object: usize, region: &Region) -> Vec<(u32, [f64; 2])> {
+        let clipper = Clipper::new(self, object, region);
+        let mut found = Vec::new();
+        clipper.each_leaf(self, object, |triangles| {
+            for triangle in triangles {
+                let reach = clipper.triangle(self.picker.mesh(object), *triangle);
+                if reach.count > 0 {
+                    found.push((*triangle, [reach.z_min, reach.z_max]));
+                }
+            }
+        });
+        found.sort_unstable_by_key(|(triangle, _)| *triangle);
+        found
+    }
+
+    fn of_object(&self, object: usize, region: &Region, inclusion: Inclusion) -> Option<SliverHit> {
+        let mesh = self.picker.mesh(object);
+        let clipper = Clipper::new(self, object, region);
+        let mut candidates: Vec<u32> = Vec::new();
+        clipper.each_leaf(self, object, |triangles| candidates.extend_from_slice(triangles));
+        let of_run = |run: &[u32]| {
+            run.iter().fold(NOTHING, |all, &triangle| all.and(clipper.triangle(mesh, triangle)))
+        };
+        let faces = if candidates.len() > LEAVES * WIDTH {
+            let runs = candidates.par_chunks(LEAVES * WIDTH).map(of_run);
+            runs.reduce(|| NOTHING, Found::and)
+        } else {
+            of_run(&candidates)
+        };
+        let points = mesh.points.iter().flat_map(|points| &points.indices);
+        let lines = mesh.lines.iter().flat_map(|lines| &lines.segments);
+        let strokes = points
+            .map(|&at| clipper.polygon(&[mesh.position(at)]))
+            .chain(lines.map(|ends| clipper.polygon(&ends.map(|at| mesh.position(at)))))
+            .fold(NOTHING, Found::and);
+        let all = faces.and(strokes);
+        if inclusion == Inclusion::Enclosed {
+            let points = mesh.points.iter().map(|points| points.indices.len()).sum::<usize>();
+            let lines = mesh.lines.iter().map(|lines| lines.segments.len()).sum::<usize>();
+            if all.whole != (mesh.triangles.len() + points + lines) as u64 {
+                return None;
+            }
+        }
+        let Found { z_min, z_max, .. } = all;
+        let (triangles, strokes) = (faces.count, strokes.count);
+        (all.count > 0).then_some(SliverHit { object, z_min, z_max, triangles, strokes })
+    }
+}
+
+impl Found {
+    fn and(self, other: Self) -> Self {
+        Self {
+            z_min: self.z_min.min(other.z_min),
+            z_max: self.z_max.max(other.z_max),
+            count: self.count + other.count,
+            whole: self.whole + other.whole,
+        }
+    }
+}
+
+/// Clips one object.
+struct Clipper<'r> {
+    region: &'r Region,
+    pieces: Vec<Planes>,
+    clip_from_mesh: DMat4,
+    /// The planes around the whole region in the tree's coordinates, rounded so that nothing is
+    /// lost: normal and distance.
+    around: [[f32; 4]; PLANES],
+    /// Pixels across and down.
+    window: [f64; 2],
+}
+
+impl<'r> Clipper<'r> {
+    fn new(view: &PickView<'_>, object: usize, region: &'r Region) -> Self {
+        let of = &view.picker.objects[object];
+        let tree = view.picker.tree(object);
+        let projection = view.camera.projection.clip_from_view(view.size);
+        let clip_from_world = projection * view.camera.view_from_world;
+        let window = [f64::from(view.size.width), f64::from(view.size.height)];
+        let clip_from_tree = clip_from_world * *tree.world_from_tree;
+        let tree_from_clip = clip_from_tree.transpose();
+        let [low, high] = tree.bvh.bounds().unwrap_or_default();
+        let around = planes(&region.hull(), window).map(|plane| {
+            // plane . (M p) = (M^T plane) . p
+            let plane = tree_from_clip * plane;
+            let size =
+                |axis: usize| plane[axis].abs() * f64::from(low[axis].abs().max(high[axis].abs()));
+            let slack = 1e-5 * (size(0) + size(1) + size(2) + plane.w.abs());
+            let scale = 1.0 / plane.abs().max_element().max(f64::MIN_POSITIVE);
+            let [x, y, z, w] = [plane.x, plane.y, plane.z, plane.w + slack];
+            [x, y, z, w].map(|value| (value * scale) as f32)
+        });
+        Self {
+            region,
+            pieces: region.pieces().iter().map(|piece| planes(piece, window)).collect(),
+            clip_from_mesh: clip_from_world * of.world_from_mesh,
+            around,
+            window,
+        }
+    }
+
+    /// Visits the triangles of the leaves that may reach inside.
+    fn each_leaf(&self, view: &PickView<'_>, object: usize, mut visit: impl FnMut(&[u32])) {
+        let bvh = view.picker.tree(object).bvh;
+        let mut walk = Walk::new(bvh.tree());
+        let mut triangles = [0; WIDTH];
+        while let Some((start, count)) = walk.next(|node| self.meets(node)) {
+            for (triangle, record) in triangles.iter_mut().zip(&bvh.records()[start..start + count])
+            {
+                *triangle = record[3];
+            }
+            visit(&triangles[..count]);
+        }
+    }
+
+    /// A bit for each child that isn't wholly beyond one of the planes.
+    fn meets(&self, node: &Node) -> u32 {
+        let mut outside = [false; WIDTH];
+        for [x, y, z, w] in self.around {
+            let row = |axis: usize, along: f32| &node.rows[2 * axis + usize::from(along >= 0.0)];
+            let (rx, ry, rz) = (row(0, x), row(1, y), row(2, z));
+            for slot in 0..WIDTH {
+                let farthest = rx[slot] * x + ry[slot] * y + rz[slot] * z + w;
+                outside[slot] |= farthest < 0.0;
+            }
+        }
+        // Empty places have no box.
+        (0..WIDTH).fold(0, |bits, slot| {
+            let there = node.rows[0][slot] <= node.rows[1][slot];
+            bits | u32::from(there && !outside[slot]) << slot
+        })
+    }
+
+    fn triangle(&self, mesh: &luxel_scene::Mesh, triangle: u32) -> Found {
+        let corners = mesh.triangles[triangle as usize].map(|vertex| mesh.position(vertex));
+        self.polygon(&corners)
+    }
+
+    /// What of a point, a line or a triangle lies inside.
+    fn polygon(&self, corners: &[DVec3]) -> Found {
+        let mut clip = [DVec4::ZERO; 3];
+        for (clip, corner) in clip.iter_mut().zip(corners) {
+            *clip = self.clip_from_mesh * corner.extend(1.0);
+        }
+        let clip = &clip[..corners.len()];
+        let mut found = NOTHING;
+        let mut whole = false;
+        for planes in &self.pieces {
+            let (piece, uncut) = clipped(clip, planes);
+            whole |= uncut;
+            found.z_min = found.z_min.min(piece[0]);
+            found.z_max = found.z_max.max(piece[1]);
+        }
+        if found.z_min <= found.z_max {
+            found.count = 1;
+            let is_whole = whole || self.pieces.len() > 1 && self.encloses(clip);
+            found.whole = u64::from(is_whole);
+        }
+        found
+    }
+
+    /// Whether a polygon lies inside of the region as a whole, though in several of its pieces.
+    fn encloses(&self, corners: &[DVec4]) -> bool {
+        let between = |corner: &DVec4| corner.w + corner.z >= 0.0 && corner.w - corner.z >= 0.0;
+        let mut places = [[0.0; 2]; 3];
+        for (place, corner) in places.iter_mut().zip(corners) {
+            *place = [
+                (corner.x / corner.w + 1.0) * 0.5 * self.window[0],
+                (1.0 - corner.y / corner.w) * 0.5 * self.window[1],
+            ];
+        }
+        corners.iter().all(between) && self.region.encloses(&places[..corners.len()])
+    }
+}
+
+/// The planes around a piece of the window: with X = (x / w + 1) / 2 width and
+/// Y = (1 - y / w) / 2 height, a X + b Y + c >= 0 times 2 w.
+fn planes(piece: &Piece, [width, height]: [f64; 2]) -> Planes {
+    let side = |[a, b, c]: [f64; 3]| {
+        let (a, b) = (a * width, b * height);
+        DVec4::new(a, -b, 0.0, a + b + 2.0 * c)
+    };
+    let [left, right, top, bottom] = piece.sides.map(side);
+    let near = DVec4::new(0.0, 0.0, 1.0, 1.0);
+    let far = DVec4::new(0.0, 0.0, -1.0, 1.0);
+    [left, right, top, bottom, near, far]
+}
+
+/// The least and greatest window depth of a polygon's part inside of planes (upside down if there
+/// is none), and whether all of it is inside.
+fn clipped(corners: &[DVec4], planes: &Planes) -> ([f64; 2], bool) {
+    const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut polygon = [DVec4::ZERO; CORNERS + 1];
+    polygon[..corners.len()].copy_from_slice(corners);
+    let mut count = corners.len();
+    let mut whole = true;
+    for plane in planes {
+        let source = polygon;
+        let mut distances = [0.0; CORNERS + 1];
+        let mut outside = 0;
+        for (distance, corner) in distances.iter_mut().zip(&source[..count]) {
+            *distance = plane.dot(*corner);
+            outside += usize::from(*distance < 0.0);
+        }
+        if outside == count {
+            return (NONE, false);
+        }
+        if outside == 0 {
+            continue;
+        }
+        whole = false;
+        let mut kept = 0;
+        let mut keep = |corner: DVec4| {
+            if kept <= CORNERS {
+                polygon[kept] = corner;
+                kept += 1;
+            }
+        };
+        for here in 0..count {
+            let next = if here + 1 == count { 0 } else { here + 1 };
+            let (inside, next_inside) = (distances[here] >= 0.0, distances[next] >= 0.0);
+            if inside {
+                keep(source[here]);
+            }
+            // A line has two ends, and goes back the way it came.
+            if inside != next_inside {
+                let (from, to) = if inside { (here, next) } else { (next, here) };
+                let t = distances[from] / (distances[from] - distances[to]);
+                keep(source[from] + (source[to] - source[from]) * t);
+            }
+        }
+        count = kept;
+    }
+    let mut range = NONE;
+    for corner in &polygon[..count] {
+        let depth = ((corner.z / corner.w + 1.0) * 0.5).clamp(0.0, 1.0);
+        range = [range[0].min(depth), range[1].max(depth)];
+    }
+    (range, whole)
+}

@@ -1,0 +1,251 @@
+//! Rays through the world: two levels, the objects' boxes and the trees of their meshes.
+
+use crate::bvh::{Child, Slabs, Stack, step};
+use crate::intersect::Ray;
+use crate::picker::Picker;
+use crate::rays::RayHit;
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// A ray through the world: every place `origin + t direction` with t from `range`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorldRay {
+    /// Where t is 0.
+    pub origin: DVec3,
+    /// Where it goes, of any length but 0; t counts in this length.
+    pub direction: DVec3,
+    /// The least t, not below 0, and the greatest, which may be infinite.
+    pub range: [f64; 2],
+}
+
+/// Where a ray meets a triangle of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorldHit {
+    /// Along the ray, in lengths of its direction.
+    pub t: f64,
+    /// The object, by its place in [`Picker::objects`].
+    pub object: usize,
+    /// The triangle, by its place in the object's mesh.
+    pub triangle: u32,
+    /// The weights of the triangle's corners.
+    pub barycentric: [f64; 3],
+    /// The place in the world.
+    pub position: DVec3,
+}
+
+impl WorldRay {
+    /// A ray that has no end.
+    #[must_use]
+    pub const fn new(origin: DVec3, direction: DVec3) -> Self {
+        Self { origin, direction, range: [0.0, f64::INFINITY] }
+    }
+
+    fn is_sound(&self) -> bool {
+        self.origin.is_finite()
+            && self.direction.is_finite()
+            && self.direction != DVec3::ZERO
+            && self.range[0] >= 0.0
+            && self.range[1] >= self.range[0]
+    }
+}
+
+/// A ray within f32: its origin brought near a box, and how t counts there.
+pub(crate) struct NearRay {
+    pub(crate) ray: Ray,
+    /// t of the world = `start + scale * t`.
+    pub(crate) start: f64,
+    pub(crate) scale: f64,
+}
+
+impl NearRay {
+    /// Of a ray in a box's own coordinates; `None` if it can't meet the box's sphere.
+    pub(crate) fn new(
+        origin: DVec3,
+        direction: DVec3,
+        range: [f64; 2],
+        [low, high]: [[f32; 3]; 2],
+    ) -> Option<Self> {
+        let corner =
+            |corner: [f32; 3]| DVec3::new(corner[0].into(), corner[1].into(), corner[2].into());
+        let (low, high) = (corner(low), corner(high));
+        let centre = low * 0.5 + high * 0.5;
+        let radius = (high - low).length() * 0.500_001 + centre.length() * 1e-6 + f64::MIN_POSITIVE;
+        let length = direction.length();
+        let unit = direction / length;
+        let along = (centre - origin).dot(unit);
+        let aside = (origin + unit * along - centre).length_squared();
+        // Twice the radius: squares of far places round.
+        let is_near = aside <= 4.0 * radius * radius;
+        let enter = (along - 2.0 * radius).max(range[0] * length);
+        let leave = (along + 2.0 * radius).min(range[1] * length);
+        let meets = is_near && enter <= leave;
+        if !meets {
+            return None;
+        }
+        let start = origin + unit * enter;
+        let ray = Ray {
+            origin: start.as_vec3().to_array(),
+            direction: unit.as_vec3().to_array(),
+            range: [0.0, ((leave - enter) as f32).next_up()],
+        };
+        Some(Self { ray, start: enter / length, scale: 1.0 / length })
+    }
+}
+
+impl Picker<'_> {
+    /// The nearest triangle that a ray meets, both sides of triangles alike; among equally near ones
+    /// the first object's lowest. `None` also for what is no ray.
+    ///
+    /// ```
+    /// use luxel_pick::{Picker, WorldRay};
+    /// use luxel_scene::{demos, DVec3};
+    ///
+    /// let scene = demos::demo("teapot").unwrap();
+    /// let picker = Picker::new(&scene)?;
+    /// let ray = WorldRay::new(DVec3::new(0.0, 1.0, 50.0), DVec3::NEG_Z);
+    /// let hit = picker.closest(&ray).unwrap();
+    /// assert!(hit.position.z > 0.0);
+    /// # Ok::<(), luxel_pick::PickError>(())
+    /// ```
+    #[must_use]
+    pub fn closest(&self, ray: &WorldRay) -> Option<WorldHit> {
+        let mut best: Option<WorldHit> = None;
+        self.each_object(ray, |object, farthest| {
+            let hit = self.ray_to_object(ray, object, |near| self.rays(object).closest(&near.ray));
+            if let Some(hit) = hit
+                && best.is_none_or(|best| (hit.t, hit.object) < (best.t, best.object))
+            {
+                best = Some(hit);
+                return hit.t;
+            }
+            farthest
+        });
+        best
+    }
+
+    /// Whether a ray meets anything.
+    #[must_use]
+    pub fn any(&self, ray: &WorldRay) -> bool {
+        let mut any = false;
+        self.each_object(ray, |object, farthest| {
+            any = any
+                || self.near_ray(ray, object).is_some_and(|near| self.rays(object).any(&near.ray));
+            if any { f64::NEG_INFINITY } else { farthest }
+        });
+        any
+    }
+
+    /// Every triangle that a ray meets, nearest first.
+    #[must_use]
+    pub fn all(&self, ray: &WorldRay) -> Vec<WorldHit> {
+        let mut hits = Vec::new();
+        self.each_object(ray, |object, farthest| {
+            if let Some(near) = self.near_ray(ray, object) {
+                let own = self.rays(object).all(&near.ray);
+                hits.extend(own.iter().filter_map(|hit| self.told(ray, object, &near, hit)));
+            }
+            farthest
+        });
+        hits.sort_by(|a, b| {
+            a.t.total_cmp(&b.t).then((a.object, a.triangle).cmp(&(b.object, b.triangle)))
+        });
+        hits
+    }
+
+    /// The nearest triangle for each of many rays, on all threads of the current pool.
+    #[must_use]
+    pub fn closest_of_each(&self, rays: &[WorldRay]) -> Vec<Option<WorldHit>> {
+        rays.par_iter().with_min_len(256).map(|ray| self.closest(ray)).collect()
+    }
+
+    /// Visits the objects whose boxes a ray meets, near ones first; `visit` gives the farthest t
+    /// that still counts.
+    fn each_object(&self, ray: &WorldRay, mut visit: impl FnMut(usize, f64) -> f64) {
+        let Some(bounds) = self.top.bounds.filter(|_| ray.is_sound()) else { return };
+        let origin = ray.origin - self.middle;
+        let bounds = [bounds.low, bounds.high];
+        let Some(near) = NearRay::new(origin, ray.direction, ray.range, bounds) else { return };
+        let largest = self.top.bounds.map_or([0.0; 3], |bounds| bounds.largest());
+        let slabs = Slabs::new(near.ray.origin, near.ray.direction, 0.0, largest);
+        // A little farther than told: distances in f32 and f64 differ by rounding.
+        let within = |t: f64| ((t - near.start) / near.scale * (1.0 + 1e-5)) as f32;
+        let mut farthest = ray.range[1];
+        let mut limit = near.ray.range[1];
+        let mut stack = Stack::new();
+        let mut next = Some(Child::inner(0));
+        while let Some(child) = next {
+            if let Some((start, count)) = child.as_leaf() {
+                for &object in &self.top.items[start..start + count] {
+                    farthest = visit(object as usize, farthest);
+                    limit = limit.min(within(farthest).next_up());
+                }
+            } else {
+                let node = &self.top.nodes[child.0 as usize];
+                let (distances, bits) = step(self.level, node, &slabs, limit);
+                stack.push(node, &distances, bits);
+            }
+            next = stack.pop(limit);
+        }
+    }
+
+    /// A ray in the coordinates of an object's tree.
+    fn near_ray(&self, ray: &WorldRay, object: usize) -> Option<NearRay> {
+        let tree = self.tree(object);
+        let origin = tree.tree_from_world.transform_point3(ray.origin);
+        let direction = tree.tree_from_world.transform_vector3(ray.direction);
+        NearRay::new(origin, direction, ray.range, tree.bvh.bounds()?)
+    }
+
+    fn ray_to_object(
+        &self,
+        ray: &WorldRay,
+        object: usize,
+        ask: impl Fn(&NearRay) -> Option<RayHit>,
+    ) -> Option<WorldHit> {
+        let near = self.near_ray(ray, object)?;
+        self.told(ray, object, &near, &ask(&near)?)
+    }
+
+    /// A hit in f64: where the ray meets the triangle's plane. A triangle that is seen edge-on
+    /// keeps what f32 found.
+    fn told(
+        &self,
+        ray: &WorldRay,
+        object: usize,
+        near: &NearRay,
+        hit: &RayHit,
+    ) -> Option<WorldHit> {
+        let mesh = self.mesh(object);
+        let world_from_mesh = &self.objects[object].world_from_mesh;
+        let [a, b, c] = mesh.triangles[hit.triangle as usize]
+            .map(|vertex| world_from_mesh.transform_point3(mesh.position(vertex)));
+        let rough = near.start + near.scale * f64::from(hit.t);
+        let (ab, ac) = (b - a, c - a);
+        let p = ray.direction.cross(ac);
+        let determinant = ab.dot(p);
+        let to_origin = ray.origin - a;
+        let q = to_origin.cross(ab);
+        let (v, w) = (to_origin.dot(p) / determinant, ray.direction.dot(q) / determinant);
+        let exact = ac.dot(q) / determinant;
+        let slack = 1e-3;
+        let inside = v >= -slack && w >= -slack && v + w <= 1.0 + slack;
+        let (t, barycentric) = if inside && exact.is_finite() {
+            // Rounding in f32 may have let in what lies just outside.
+            let (v, w) = (v.clamp(0.0, 1.0), w.clamp(0.0, 1.0));
+            let sum = (v + w).max(1.0);
+            let (v, w) = (v / sum, w / sum);
+            (exact, [1.0 - v - w, v, w])
+        } else {
+            (rough, hit.barycentric.map(f64::from))
+        };
+        let [u, v, w] = barycentric;
+        let position = a * u + b * v + c * w;
+        (ray.range[0] <= t && t <= ray.range[1]).then_some(WorldHit {
+            t,
+            object,
+            triangle: hit.triangle,
+            barycentric,
+            position,
+        })
+    }
+}
