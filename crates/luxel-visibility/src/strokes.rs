@@ -63,15 +63,9 @@ pub fn strokes(scene: &Scene, objects: &[Object], camera: &Camera, size: Size) -
             }
             builder.part(first, lines.material);
         }
-<<<<<<< HEAD
-        let mesh = builder.mesh;
-        let clusters = Clusters::new(&mesh);
-        all.push(Strokes { object: number, mesh, clusters });
-=======
         let Builder { mesh, elements, .. } = builder;
-        let clusters = Clusters::in_file_order(&mesh);
+        let clusters = Clusters::new(&mesh);
         all.push(Strokes { object: number, mesh, clusters, elements });
->>>>>>> 828afca (Pick what a frame shows, at every pixel; what reaches into a region of the window, and what is seen there)
     }
     all
 }
