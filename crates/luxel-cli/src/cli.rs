@@ -3,6 +3,8 @@
 use crate::commands::{bench, check, completions, demos, explain, info, navigate, render, view};
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
+use crate::commands::{bench, completions, demos, explain, info, navigate, pick, render};
+use clap::{Parser, Subcommand};
 
 /// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
 ///
@@ -30,6 +32,7 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     View(Box<view::ViewCommand>),
     Render(Box<render::RenderCommand>),
+    Pick(Box<pick::PickCommand>),
     Explain(Box<explain::ExplainCommand>),
     Info(Box<info::InfoCommand>),
     Check(Box<check::CheckCommand>),

@@ -56,7 +56,17 @@ const PLANES: usize = 6;
 const CORNERS: usize = 3 + PLANES;
 
 /// The planes around one convex piece, in clip coordinates: plane . corner >= 0 inside.
-type Planes = [DVec4; PLANES];
+pub(crate) type Planes = [DVec4; PLANES];
+
+/// The planes of the whole clip volume.
+pub(crate) const CLIP_VOLUME: Planes = [
+    DVec4::new(1.0, 0.0, 0.0, 1.0),
+    DVec4::new(-1.0, 0.0, 0.0, 1.0),
+    DVec4::new(0.0, 1.0, 0.0, 1.0),
+    DVec4::new(0.0, -1.0, 0.0, 1.0),
+    DVec4::new(0.0, 0.0, 1.0, 1.0),
+    DVec4::new(0.0, 0.0, -1.0, 1.0),
+];
 
 /// Leaves that one task takes.
 const LEAVES: usize = 256;
@@ -279,7 +289,7 @@ fn planes(piece: &Piece, [width, height]: [f64; 2]) -> Planes {
 
 /// The least and greatest window depth of a polygon's part inside of planes (upside down if there
 /// is none), and whether all of it is inside.
-fn clipped(corners: &[DVec4], planes: &Planes) -> ([f64; 2], bool) {
+pub(crate) fn clipped(corners: &[DVec4], planes: &Planes) -> ([f64; 2], bool) {
     const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
     let mut polygon = [DVec4::ZERO; CORNERS + 1];
     polygon[..corners.len()].copy_from_slice(corners);

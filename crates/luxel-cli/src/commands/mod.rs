@@ -8,6 +8,7 @@ pub(crate) mod explain;
 pub(crate) mod info;
 mod manual;
 pub(crate) mod navigate;
+pub(crate) mod pick;
 pub(crate) mod render;
 pub(crate) mod schema;
 pub(crate) mod view;
@@ -21,6 +22,7 @@ pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
     match command {
         Command::View(command) => command.run(console),
         Command::Render(command) => command.run(console),
+        Command::Pick(command) => command.run(console),
         Command::Explain(command) => command.run(console),
         Command::Info(command) => command.run(console),
         Command::Bench(command) => command.run(console),

@@ -7,6 +7,7 @@ mod at;
 mod count;
 mod memory;
 mod numbering;
+mod region;
 mod size;
 
 pub(crate) use at::at;
@@ -18,4 +19,5 @@ pub(crate) use luxel::formats::values::{
 };
 pub(crate) use memory::memory;
 pub(crate) use numbering::Numbering;
+pub(crate) use region::{Rectangle, lasso, rectangle};
 pub(crate) use size::size;

@@ -1,0 +1,158 @@
+//! `luxel pick`: what is under a place of the window, and in a part of it.
+
+mod at;
+mod region;
+mod tell;
+
+use crate::camera;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::model;
+use crate::options::{
+    CullChoice, ExecutionOptions, FrameOptions, InputOptions, MaterialOptions, ShadingOptions,
+};
+use crate::surface;
+use crate::values::{Rectangle, at as position, finite, lasso, rectangle};
+use clap::{Args, ValueEnum};
+use luxel::pick::{Inclusion, PickView, Picker, Quality};
+use luxel::render::{At, Cull};
+
+/// Tell what is under a place of the window, or in a part of it
+///
+/// For example: luxel pick model.glb --at 640,360
+#[derive(Args, Debug)]
+pub(crate) struct PickCommand {
+    #[command(flatten)]
+    input: InputOptions,
+    #[command(flatten)]
+    asked: AskedOptions,
+    #[command(flatten)]
+    frame: FrameOptions,
+    #[command(flatten)]
+    material: MaterialOptions,
+    #[command(flatten)]
+    shading: ShadingOptions,
+    #[command(flatten)]
+    execution: ExecutionOptions,
+}
+
+/// What is asked, and how it is told.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Question and answer")]
+#[group(id = "place", required = true, multiple = false, args = ["at", "rect", "lasso"])]
+struct AskedOptions {
+    /// The centre of a pixel (whole numbers), or a point of the window (decimals); `-` reads a
+    /// position a line from the standard input
+    #[arg(long, value_name = "X,Y", value_parser = asked_at, allow_hyphen_values = true)]
+    at: Option<AskedAt>,
+
+    /// Everything in a rectangle: its upper left corner and size in pixels
+    #[arg(long, value_name = "X,Y,W,H", value_parser = rectangle, allow_hyphen_values = true)]
+    rect: Option<Rectangle>,
+
+    /// Everything in a polygon of the window, by its corners
+    #[arg(long, value_name = "X,Y,X,Y,...", value_parser = lasso, allow_hyphen_values = true)]
+    lasso: Option<Lasso>,
+
+    /// Everything under the place, nearest first
+    #[arg(long, requires = "at")]
+    through: bool,
+
+    /// Only what owns pixels of the rectangle or polygon, with their number
+    #[arg(long, conflicts_with = "at")]
+    visible: bool,
+
+    /// Only what lies inside of the rectangle or polygon as a whole
+    #[arg(long, conflicts_with = "at")]
+    enclosed: bool,
+
+    /// The nearest vertex, edge or face that is seen around the place: vertex, edge, face
+    #[arg(long, value_name = "KIND", requires = "at", hide_possible_values = true)]
+    snap: Option<SnapChoice>,
+
+    /// Points and lines seen within so many pixels of the place count as hit; and how far --snap
+    /// looks [default: 0; 8 for --snap]
+    #[arg(long, value_name = "PIXELS", value_parser = tolerance, allow_hyphen_values = true)]
+    #[arg(requires = "at")]
+    tolerance: Option<f64>,
+
+    /// Print a JSON document; a document a line for positions from the standard input
+    #[arg(long)]
+    json: bool,
+}
+
+/// A position, or many.
+#[derive(Clone, Copy, Debug)]
+enum AskedAt {
+    One(At),
+    Many,
+}
+
+/// A polygon's corners.
+type Lasso = Vec<[f64; 2]>;
+
+/// What to snap to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum SnapChoice {
+    /// Corners of polygons.
+    Vertex,
+    /// Edges of polygons.
+    Edge,
+    /// Surfaces.
+    Face,
+}
+
+/// The widest tolerance: each pixel around the place is asked.
+const MAX_TOLERANCE: f64 = 100.0;
+/// How far snapping looks unless told.
+const SNAP_TOLERANCE: f64 = 8.0;
+
+fn asked_at(text: &str) -> Result<AskedAt, String> {
+    if text == "-" { Ok(AskedAt::Many) } else { position(text).map(AskedAt::One) }
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let pixels = finite(text)?;
+    if (0.0..=MAX_TOLERANCE).contains(&pixels) {
+        Ok(pixels)
+    } else {
+        Err(format!("it must lie between 0 and {MAX_TOLERANCE} pixels"))
+    }
+}
+
+impl PickCommand {
+    pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+        let many = matches!(self.asked.at, Some(AskedAt::Many));
+        if many && self.input.model == "-" {
+            let message = "the standard input can't give both the model and the positions";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let mut model = model::load(&self.input, &self.execution, console)?;
+        surface::apply_material(&self.material, &mut model.scene);
+        surface::apply_normals(&self.shading, &mut model.scene);
+        let scene = &model.scene;
+        let camera = camera::choose(&self.frame, scene)?;
+        // A single question is answered sooner by a tree that is built quickly.
+        let quality = if many { Quality::Thorough } else { Quality::Fast };
+        let picker = Picker::with(scene, quality, self.execution.simd)
+            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        let cull = match self.frame.cull {
+            CullChoice::Auto => Cull::Auto,
+            CullChoice::None => Cull::None,
+            CullChoice::Back => Cull::Back,
+        };
+        let view = PickView::new(&picker, camera, self.frame.size, cull)
+            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        match self.asked.at {
+            Some(AskedAt::One(at)) => self.asked.one(&view, at),
+            Some(AskedAt::Many) => self.asked.many(&view),
+            None => self.asked.region(&view),
+        }
+    }
+}
+
+impl AskedOptions {
+    fn inclusion(&self) -> Inclusion {
+        if self.enclosed { Inclusion::Enclosed } else { Inclusion::Touching }
+    }
+}

@@ -1,0 +1,150 @@
+//! Places of the window: one from the line, or as many as the standard input gives.
+
+use super::tell::{self, Answer};
+use super::{AskedOptions, SNAP_TOLERANCE, SnapChoice};
+use crate::camera;
+use crate::failure::Failure;
+use crate::output;
+use crate::values::at as position;
+use luxel::pick::{PickHit, PickView, SnapTo};
+use luxel::render::At;
+use rayon::prelude::*;
+use serde_json::Value;
+use std::io::{self, BufRead, Write};
+
+/// Bytes of positions that are answered together, at most.
+const BATCH: usize = 1 << 20;
+/// Positions that one thread takes.
+const RUN: usize = 64;
+
+impl AskedOptions {
+    /// Answers for one place.
+    pub(super) fn one(&self, view: &PickView<'_>, at: At) -> Result<(), Failure> {
+        let answer = self.answer(view, at);
+        if !self.json {
+            return output::print(&tell::text(view, &answer));
+        }
+        let mut document = tell::document(view, &answer);
+        document["camera"] = camera::to_json(view.camera(), view.size());
+        output::print_json(&Value::Object(document))
+    }
+
+    /// Answers for each line of the standard input, as soon as it can be read, in order.
+    pub(super) fn many(&self, view: &PickView<'_>) -> Result<(), Failure> {
+        let mut input = io::stdin().lock();
+        let mut output = io::stdout().lock();
+        let mut left: Vec<u8> = Vec::new();
+        let mut line = 0;
+        loop {
+            let read = match input.fill_buf() {
+                Ok(read) => read,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(error) => {
+                    return Err(Failure::work(format!("standard input: {error}"), ""));
+                }
+            };
+            let count = read.len();
+            left.extend_from_slice(read);
+            input.consume(count);
+            let ended = count == 0;
+            if ended && !left.is_empty() {
+                left.push(b'\n');
+            }
+            let Some(end) = left.iter().rposition(|&byte| byte == b'\n') else {
+                if left.len() > BATCH {
+                    return Err(unreadable(line + 1, "a line without end"));
+                }
+                if ended {
+                    return Ok(());
+                }
+                continue;
+            };
+            let answered = self.answers(view, &left[..=end], &mut line);
+            output
+                .write_all(&answered.0)
+                .and_then(|()| output.flush())
+                .map_err(|error| Failure::standard_output(&error))?;
+            if let Some(failure) = answered.1 {
+                return Err(failure);
+            }
+            left.drain(..=end);
+            if ended {
+                return Ok(());
+            }
+        }
+    }
+
+    /// The answers for whole lines, up to the first that can't be read.
+    fn answers(
+        &self,
+        view: &PickView<'_>,
+        lines: &[u8],
+        line: &mut usize,
+    ) -> (Vec<u8>, Option<Failure>) {
+        let mut places = Vec::new();
+        let mut failure = None;
+        for text in lines.split_inclusive(|&byte| byte == b'\n') {
+            *line += 1;
+            let text = String::from_utf8_lossy(text);
+            let text = text.trim();
+            if text.is_empty() {
+                continue;
+            }
+            match position(text) {
+                Ok(at) => places.push(at),
+                Err(message) => {
+                    failure = Some(unreadable(*line, &message));
+                    break;
+                }
+            }
+        }
+        let of_run = |run: &[At]| {
+            let mut bytes = Vec::new();
+            for &at in run {
+                let answer = self.answer(view, at);
+                let text = if self.json {
+                    format!("{}\n", Value::Object(tell::document(view, &answer)))
+                } else {
+                    tell::text(view, &answer)
+                };
+                bytes.extend_from_slice(text.as_bytes());
+            }
+            bytes
+        };
+        (places.par_chunks(RUN).map(of_run).collect::<Vec<_>>().concat(), failure)
+    }
+
+    fn answer(&self, view: &PickView<'_>, at: At) -> Answer {
+        let [x, y] = match at {
+            At::Pixel([x, y]) => [f64::from(x) + 0.5, f64::from(y) + 0.5],
+            At::Point(point) => point,
+        };
+        let stroke = self.tolerance.and_then(|tolerance| view.stroke_near(x, y, tolerance));
+        let mut hits: Vec<PickHit> =
+            if self.through { view.through(x, y) } else { view.at(x, y).into_iter().collect() };
+        if let Some(stroke) = stroke {
+            if self.through {
+                hits.retain(|hit| (hit.object, hit.element) != (stroke.object, stroke.element));
+                hits.insert(0, stroke);
+            } else {
+                hits = vec![stroke];
+            }
+        }
+        let snapped = self.snap.map(|choice| {
+            let to = match choice {
+                SnapChoice::Vertex => SnapTo::Vertex,
+                SnapChoice::Edge => SnapTo::Edge,
+                SnapChoice::Face => SnapTo::Face,
+            };
+            view.snap(x, y, to, self.tolerance.unwrap_or(SNAP_TOLERANCE))
+        });
+        Answer { at: [x, y], hits, snapped }
+    }
+}
+
+fn unreadable(line: usize, message: &str) -> Failure {
+    Failure::work(
+        format!("standard input, line {line}: {message}"),
+        "give a position a line, as 640,360",
+    )
+}
