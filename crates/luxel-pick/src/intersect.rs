@@ -45,6 +45,41 @@ impl Ray {
     }
 }
 
+/// Directions between these lengths are used as they are.
+const USUAL_LENGTHS: std::ops::Range<f32> = 1e-9..1e9;
+
+impl Ray {
+    /// The same ray with a direction of about 1, and what its t must be multiplied with: a power of
+    /// two, so that nothing is rounded. Very short and very long directions would leave the range of
+    /// f32 on the way. For sound rays.
+    #[inline(always)]
+    pub(crate) fn scaled(&self) -> (Self, f32) {
+        let [x, y, z] = self.direction.map(f32::abs);
+        let longest = x.max(y).max(z);
+        if USUAL_LENGTHS.contains(&longest) { (*self, 1.0) } else { self.rescaled(longest) }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn rescaled(&self, longest: f32) -> (Self, f32) {
+        let mut ray = *self;
+        let (mut scale, mut longest) = (1.0_f32, longest);
+        // Steps of 2^24: a factor for all could itself be out of range.
+        const STEP: f32 = 16_777_216.0;
+        // A few steps bring any finite length but 0 into range.
+        for _ in 0..8 {
+            if USUAL_LENGTHS.contains(&longest) {
+                break;
+            }
+            let factor = if longest < 1.0 { STEP } else { 1.0 / STEP };
+            ray.direction = ray.direction.map(|component| component * factor);
+            ray.range = ray.range.map(|t| t / factor);
+            (scale, longest) = (scale * factor, longest * factor);
+        }
+        (ray, scale)
+    }
+}
+
 /// A ray turned and sheared for triangles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sheared {

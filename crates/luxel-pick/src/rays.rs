@@ -95,6 +95,7 @@ impl<'m> MeshRays<'m> {
         if !ray.is_sound() {
             return hits;
         }
+        let (ray, scale) = &ray.scaled();
         let (slabs, sheared) = self.prepared(ray);
         let mut walk = Walk::new(self.bvh.tree());
         while let Some((start, count)) =
@@ -107,7 +108,7 @@ impl<'m> MeshRays<'m> {
                 let [a, b, c, triangle] = self.bvh.records()[start + lane];
                 let corners = [a, b, c].map(|vertex| self.positions[vertex as usize]);
                 let barycentric = sheared.barycentric(corners);
-                hits.push(RayHit { t: distances[lane], triangle, barycentric });
+                hits.push(RayHit { t: distances[lane] * scale, triangle, barycentric });
             }
         }
         hits.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.triangle.cmp(&b.triangle)));
@@ -132,7 +133,8 @@ impl<'m> MeshRays<'m> {
         }
         let [a, b, c, triangle] = self.bvh.records()[nearest.record as usize];
         let corners = [a, b, c].map(|vertex| self.positions[vertex as usize]);
-        let barycentric = Sheared::new(ray.origin, ray.direction).barycentric(corners);
+        let (scaled, _) = ray.scaled();
+        let barycentric = Sheared::new(scaled.origin, scaled.direction).barycentric(corners);
         Some(RayHit { t: nearest.t, triangle, barycentric })
     }
 }
@@ -162,9 +164,12 @@ fn closest<S: Simd>(
     stack: &mut Stack,
 ) {
     for (ray, nearest) in followed.iter().zip(nearest) {
-        *nearest = Nearest::before(ray.range[1]);
+        *nearest = Nearest::before(0.0);
         if ray.is_sound() {
-            closest_of(simd, rays, ray, nearest, stack);
+            let (ray, scale) = ray.scaled();
+            nearest.t = ray.range[1];
+            closest_of(simd, rays, &ray, nearest, stack);
+            nearest.t *= scale;
         }
     }
 }
@@ -214,6 +219,7 @@ fn closest_of<S: Simd>(
 
 #[inline(always)]
 fn any<S: Simd>(simd: S, rays: &MeshRays<'_>, ray: &Ray, stack: &mut Stack) -> bool {
+    let (ray, _) = &ray.scaled();
     let (slabs, sheared) = rays.prepared(ray);
     let nodes: &[Node] = &rays.bvh.tree().nodes;
     stack.clear();

@@ -209,6 +209,26 @@ fn a_ray_through_an_edge_or_corner_takes_the_lowest_triangle() {
 }
 
 #[test]
+fn rays_of_tiny_and_huge_directions_hit_what_others_hit() {
+    let mesh = bumpy_sphere(8);
+    let bvh = Bvh::build(&mesh.positions, &mesh.triangles, Quality::Thorough).unwrap();
+    let rays = MeshRays::new(&bvh, &mesh.positions);
+    let mut random = Random(31);
+    for _ in 0..200 {
+        let usual = Ray::new(random.point(2.0), random.point(1.0));
+        let expected = rays.closest(&usual);
+        for exponent in [-100, -60, 60, 100] {
+            let factor = f32::from_bits(((127 + exponent) as u32) << 23);
+            let scaled = Ray::new(usual.origin, usual.direction.map(|x| x * factor));
+            let hit = rays.closest(&scaled);
+            assert_eq!(hit.map(|hit| hit.triangle), expected.map(|hit| hit.triangle));
+            assert_eq!(hit.map(|hit| hit.t * factor), expected.map(|hit| hit.t));
+            assert_eq!(rays.any(&scaled), expected.is_some());
+        }
+    }
+}
+
+#[test]
 fn every_level_and_thread_count_gives_the_same_bits() {
     let mesh = bumpy_sphere(60);
     let trees: Vec<Bvh> = [1, 2, 3]

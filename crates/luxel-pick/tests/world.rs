@@ -80,8 +80,8 @@ fn the_nearest_of_all_objects_is_that_of_asking_all_triangles() {
                 assert!(own, "{hit:?} isn't among {expected:?}");
                 let along = origin + ray.direction * hit.t;
                 assert!(hit.position.distance(along) < 1e-4, "{hit:?} {along}");
-                // At an edge the two may take either neighbour.
-                assert!((picker.all(&ray)[0].t - hit.t).abs() < 1e-9);
+                // At an edge, and where a flat sphere lies on itself, the two may take either one.
+                assert!((picker.all(&ray)[0].t - hit.t).abs() < 1e-6);
             }
         }
         assert_eq!(picker.any(&ray), closest.is_some());
