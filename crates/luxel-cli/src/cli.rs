@@ -1,10 +1,10 @@
 //! The command line: commands and the flags that all of them take.
 
-use crate::commands::{bench, check, completions, demos, explain, info, navigate, render, view};
+use crate::commands::{
+    bench, check, completions, demos, explain, info, navigate, pick, render, view,
+};
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
-use crate::commands::{bench, completions, demos, explain, info, navigate, pick, render};
-use clap::{Parser, Subcommand};
 
 /// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
 ///
