@@ -39,20 +39,9 @@ pub(crate) struct PickCommand {
 /// What is asked, and how it is told.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Question and answer")]
-#[group(id = "place", required = true, multiple = false, args = ["at", "rect", "lasso"])]
 struct AskedOptions {
-    /// The centre of a pixel (whole numbers), or a point of the window (decimals); `-` reads a
-    /// position a line from the standard input
-    #[arg(long, value_name = "X,Y", value_parser = asked_at, allow_hyphen_values = true)]
-    at: Option<AskedAt>,
-
-    /// Everything in a rectangle: its upper left corner and size in pixels
-    #[arg(long, value_name = "X,Y,W,H", value_parser = rectangle, allow_hyphen_values = true)]
-    rect: Option<Rectangle>,
-
-    /// Everything in a polygon of the window, by its corners
-    #[arg(long, value_name = "X,Y,X,Y,...", value_parser = lasso, allow_hyphen_values = true)]
-    lasso: Option<Lasso>,
+    #[command(flatten)]
+    place: PlaceOptions,
 
     /// Everything under the place, nearest first
     #[arg(long, requires = "at")]
@@ -79,6 +68,25 @@ struct AskedOptions {
     /// Print a JSON document; a document a line for positions from the standard input
     #[arg(long)]
     json: bool,
+}
+
+/// Where: one of these.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Question and answer")]
+#[group(required = true, multiple = false)]
+struct PlaceOptions {
+    /// The centre of a pixel (whole numbers), or a point of the window (decimals); `-` reads a
+    /// position a line from the standard input
+    #[arg(long, value_name = "X,Y", value_parser = asked_at, allow_hyphen_values = true)]
+    at: Option<AskedAt>,
+
+    /// Everything in a rectangle: its upper left corner and size in pixels
+    #[arg(long, value_name = "X,Y,W,H", value_parser = rectangle, allow_hyphen_values = true)]
+    rect: Option<Rectangle>,
+
+    /// Everything in a polygon of the window, by its corners
+    #[arg(long, value_name = "X,Y,X,Y,...", value_parser = lasso, allow_hyphen_values = true)]
+    lasso: Option<Lasso>,
 }
 
 /// A position, or many.
@@ -122,7 +130,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 
 impl PickCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
-        let many = matches!(self.asked.at, Some(AskedAt::Many));
+        let many = matches!(self.asked.place.at, Some(AskedAt::Many));
         if many && self.input.model == "-" {
             let message = "the standard input can't give both the model and the positions";
             return Err(Failure::Usage(message.to_owned()));
@@ -143,7 +151,7 @@ impl PickCommand {
         };
         let view = PickView::new(&picker, camera, self.frame.size, cull)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
-        match self.asked.at {
+        match self.asked.place.at {
             Some(AskedAt::One(at)) => self.asked.one(&view, at),
             Some(AskedAt::Many) => self.asked.many(&view),
             None => self.asked.region(&view),

@@ -10,7 +10,6 @@ mod explain;
 mod info;
 mod models;
 mod navigate;
-mod pick;
 mod program;
 mod render;
 mod scene_files;

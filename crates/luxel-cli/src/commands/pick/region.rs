@@ -12,7 +12,7 @@ use std::fmt::Write;
 impl AskedOptions {
     /// Answers for a part of the window.
     pub(super) fn region(&self, view: &PickView<'_>) -> Result<(), Failure> {
-        let region = match (&self.rect, &self.lasso) {
+        let region = match (&self.place.rect, &self.place.lasso) {
             (Some(rect), _) => Region::rectangle(rect.x, rect.y, rect.width, rect.height),
             (None, corners) => Region::polygon(corners.as_deref().unwrap_or_default()),
         };
