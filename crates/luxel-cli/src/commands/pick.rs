@@ -61,9 +61,9 @@ struct AskedOptions {
 
     /// Points and lines seen within so many pixels of the place count as hit; and how far --snap
     /// looks [default: 0; 8 for --snap]
-    #[arg(long, value_name = "PIXELS", value_parser = tolerance, allow_hyphen_values = true)]
+    #[arg(long, value_name = "PIXELS", value_parser = within, allow_hyphen_values = true)]
     #[arg(requires = "at")]
-    tolerance: Option<f64>,
+    within: Option<f64>,
 
     /// Print a JSON document; a document a line for positions from the standard input
     #[arg(long)]
@@ -110,21 +110,21 @@ enum SnapChoice {
     Face,
 }
 
-/// The widest tolerance: each pixel around the place is asked.
-const MAX_TOLERANCE: f64 = 100.0;
+/// The widest: each pixel around the place is asked.
+const MOST_WITHIN: f64 = 100.0;
 /// How far snapping looks unless told.
-const SNAP_TOLERANCE: f64 = 8.0;
+const SNAP_WITHIN: f64 = 8.0;
 
 fn asked_at(text: &str) -> Result<AskedAt, String> {
     if text == "-" { Ok(AskedAt::Many) } else { position(text).map(AskedAt::One) }
 }
 
-fn tolerance(text: &str) -> Result<f64, String> {
+fn within(text: &str) -> Result<f64, String> {
     let pixels = finite(text)?;
-    if (0.0..=MAX_TOLERANCE).contains(&pixels) {
+    if (0.0..=MOST_WITHIN).contains(&pixels) {
         Ok(pixels)
     } else {
-        Err(format!("it must lie between 0 and {MAX_TOLERANCE} pixels"))
+        Err(format!("it must lie between 0 and {MOST_WITHIN} pixels"))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Places of the window: one from the line, or as many as the standard input gives.
 
 use super::tell::{self, Answer};
-use super::{AskedOptions, SNAP_TOLERANCE, SnapChoice};
+use super::{AskedOptions, SNAP_WITHIN, SnapChoice};
 use crate::camera;
 use crate::failure::Failure;
 use crate::output;
@@ -119,7 +119,7 @@ impl AskedOptions {
             At::Pixel([x, y]) => [f64::from(x) + 0.5, f64::from(y) + 0.5],
             At::Point(point) => point,
         };
-        let stroke = self.tolerance.and_then(|tolerance| view.stroke_near(x, y, tolerance));
+        let stroke = self.within.and_then(|within| view.stroke_near(x, y, within));
         let mut hits: Vec<PickHit> =
             if self.through { view.through(x, y) } else { view.at(x, y).into_iter().collect() };
         if let Some(stroke) = stroke {
@@ -136,7 +136,7 @@ impl AskedOptions {
                 SnapChoice::Edge => SnapTo::Edge,
                 SnapChoice::Face => SnapTo::Face,
             };
-            view.snap(x, y, to, self.tolerance.unwrap_or(SNAP_TOLERANCE))
+            view.snap(x, y, to, self.within.unwrap_or(SNAP_WITHIN))
         });
         Answer { at: [x, y], hits, snapped }
     }
