@@ -10,6 +10,7 @@ mod explain;
 mod info;
 mod models;
 mod navigate;
+mod pick;
 mod program;
 mod render;
 mod scene_files;

@@ -1,0 +1,195 @@
+//! `luxel pick`: what is under a place of the window, in a part of it, and for places by the million.
+
+use crate::program::{Folder, SQUARE_PLY, luxel};
+use serde_json::{Value, json};
+
+/// The square fills the window's middle: 100 pixels a unit, its lower left corner at (150, 150).
+const FLAGS: &str =
+    "--size 400x300 --eye 0.5,0,2 --target 0.5,0,0 --ortho 3 --near 1 --far 5 --cull none";
+
+fn run(folder: &Folder, line: &str) -> crate::program::Run {
+    folder.run(line.split_whitespace().chain(FLAGS.split_whitespace()))
+}
+
+fn square() -> Folder {
+    let folder = Folder::new();
+    folder.write("square.ply", SQUARE_PLY);
+    folder
+}
+
+#[track_caller]
+fn assert_near(value: &Value, expected: &[f64]) {
+    let value: Vec<f64> =
+        value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect();
+    assert_eq!(value.len(), expected.len());
+    for (a, b) in value.iter().zip(expected) {
+        assert!((a - b).abs() < 1e-6, "{value:?} isn't {expected:?}");
+    }
+}
+
+#[test]
+fn a_hit_has_every_key_that_scripts_rely_on() {
+    let folder = square();
+    let document = run(&folder, "pick square.ply --at 180,120 --json").json();
+    let hits = document["hits"].as_array().unwrap();
+    assert_eq!(hits.len(), 1);
+    let hit = &hits[0];
+    assert_eq!(hit["index"], 0);
+    assert_eq!(hit["object"], "square");
+    assert_eq!(hit["path"].as_array().unwrap().last(), Some(&json!("square")));
+    assert!(hit["triangle"] == 0 || hit["triangle"] == 1);
+    let weights: f64 =
+        hit["barycentric"].as_array().unwrap().iter().map(|w| w.as_f64().unwrap()).sum();
+    assert!((weights - 1.0).abs() < 1e-6);
+    // Pixel (180, 120) has its centre at (180.5, 120.5).
+    assert_near(&hit["position"], &[0.305, 0.295, 0.0]);
+    assert_near(&hit["normal"], &[0.0, 0.0, 1.0]);
+    assert_eq!(hit["uv"], Value::Null);
+    assert_near(&json!([hit["depth"]]), &[0.25]);
+    let distance = f64::sqrt(4.0 + 0.195 * 0.195 + 0.295 * 0.295);
+    assert_near(&json!([hit["distance"]]), &[distance]);
+    assert_eq!(document["camera"]["view_from_world"].as_array().unwrap().len(), 16);
+    // A point of the window is that point, not a pixel's centre.
+    let document = run(&folder, "pick square.ply --at 180.0,120 --json").json();
+    assert_near(&document["hits"][0]["position"], &[0.3, 0.3, 0.0]);
+}
+
+#[test]
+fn nothing_under_a_place_is_no_error() {
+    let folder = square();
+    for at in ["20,20", "-5.5,3.5", "399,299", "400,5", "1e9,1e9"] {
+        let document = run(&folder, &format!("pick square.ply --json --at {at}")).json();
+        assert_eq!(document["hits"], json!([]), "{at}");
+    }
+    assert_eq!(run(&folder, "pick square.ply --at 20,20").text(), "nothing\n");
+    let document = run(&folder, "pick square.ply --json --rect 0,0,20,20").json();
+    assert_eq!(document["hits"], json!([]));
+}
+
+#[test]
+fn every_pixel_is_picked_as_the_layers_of_render_show_it() {
+    let folder = Folder::new();
+    let (width, height) = (97, 71);
+    for demo in ["spheres", "cornell"] {
+        let flags = format!("demo:{demo} --size {width}x{height} --azimuth 40");
+        let mut layers = Vec::new();
+        for layer in ["object", "triangle"] {
+            let line = format!("render {flags} --samples 1 --layer {layer} -o {layer}.npy");
+            folder.run(line.split_whitespace()).done();
+            let file = folder.read(&format!("{layer}.npy"));
+            let values = &file[file.len() - 4 * width * height..];
+            let words: Vec<u32> =
+                values.as_chunks::<4>().0.iter().map(|word| u32::from_le_bytes(*word)).collect();
+            layers.push(words);
+        }
+        let places: String =
+            (0..width * height).map(|at| format!("{},{}\n", at % width, at / width)).collect();
+        let line = format!("pick {flags} --at - --json");
+        let run = folder.run_with_input(line.split_whitespace(), places.as_bytes()).done();
+        let text = String::from_utf8(run.stdout).unwrap();
+        let mut seen = 0;
+        for (at, line) in text.lines().enumerate() {
+            let document: Value = serde_json::from_str(line).unwrap();
+            let hit = document["hits"].as_array().unwrap().first();
+            let told = hit.map_or([u64::from(u32::MAX); 2], |hit| {
+                seen += 1;
+                [hit["index"].as_u64().unwrap(), hit["triangle"].as_u64().unwrap()]
+            });
+            assert_eq!(told, [u64::from(layers[0][at]), u64::from(layers[1][at])], "pixel {at}");
+        }
+        assert_eq!(text.lines().count(), width * height);
+        assert!(seen > 1000);
+    }
+}
+
+#[test]
+fn answers_come_in_the_order_of_lines_up_to_one_that_cannot_be_read() {
+    let folder = square();
+    let args = ["pick", "square.ply", "--at", "-"];
+    let args = args.into_iter().chain(FLAGS.split_whitespace());
+    let run = folder.run_with_input(args, b"180,120\n\n20,20\r\nhere\n1,1\n");
+    assert_eq!(run.status, Some(1));
+    let lines = String::from_utf8(run.stdout).unwrap();
+    assert_eq!(lines.lines().count(), 2, "{lines}");
+    assert!(lines.lines().nth(1) == Some("nothing"), "{lines}");
+    assert!(run.stderr.contains("line 4"), "{}", run.stderr);
+    let args = ["pick", "-", "--format", "ply", "--at", "-"];
+    folder.run_with_input(args, b"").failed(2, "both the model and the positions");
+}
+
+#[test]
+fn everything_under_a_place_comes_nearest_first() {
+    let document =
+        luxel("pick demo:cornell --size 200x150 --at 100,75 --through --cull none --json").json();
+    let depths: Vec<f64> = document["hits"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|hit| hit["depth"].as_f64().unwrap())
+        .collect();
+    assert!(depths.len() > 1 && depths.is_sorted(), "{depths:?}");
+}
+
+#[test]
+fn a_rectangle_tells_depths_and_triangles_of_what_reaches_inside() {
+    let folder = square();
+    let document = run(&folder, "pick square.ply --rect 160,60,5,5 --json").json();
+    let hit = &document["hits"][0];
+    assert_eq!(hit["object"], "square");
+    assert_eq!(hit["names"], hit["path"]);
+    assert_near(&json!([hit["z_min"], hit["z_max"]]), &[0.25, 0.25]);
+    assert_eq!(hit["triangles"], 1);
+    let document = run(&folder, "pick square.ply --rect 0,0,400,300 --visible --json").json();
+    assert_eq!(document["hits"][0]["triangles"], 2);
+    assert_eq!(document["hits"][0]["pixels"], 100 * 100);
+    let lasso = "--lasso 140,40,260,40,260,160,140,160 --json";
+    let document = run(&folder, &format!("pick square.ply {lasso} --enclosed")).json();
+    assert_eq!(document["hits"].as_array().unwrap().len(), 1);
+    let document = run(&folder, "pick square.ply --rect 160,60,90,90 --enclosed --json").json();
+    assert_eq!(document["hits"], json!([]));
+}
+
+#[test]
+fn far_and_near_clip_rectangles_and_places() {
+    let folder = square();
+    for planes in ["--near 0.5 --far 1.9", "--near 2.1 --far 5"] {
+        let flags = format!("{FLAGS} {planes}");
+        for place in ["--at 180,120", "--rect 0,0,400,300"] {
+            let line = format!("pick square.ply {place} --json {flags}");
+            let document = folder.run(line.split_whitespace()).json();
+            assert_eq!(document["hits"], json!([]), "{place} {planes}");
+        }
+    }
+}
+
+#[test]
+fn a_cursor_snaps_to_the_corner_nearby() {
+    let folder = square();
+    let document = run(&folder, "pick square.ply --at 153.5,146.5 --snap vertex --json").json();
+    assert_near(&document["snap"]["position"], &[0.0, 0.0, 0.0]);
+    assert_near(&document["snap"]["window"], &[150.0, 150.0]);
+    let document = run(&folder, "pick square.ply --at 147.5,100.5 --snap edge --json").json();
+    assert_near(&document["snap"]["position"], &[0.0, 0.495, 0.0]);
+    assert_near(&json!([document["snap"]["pixels"]]), &[2.5]);
+    assert_eq!(document["hits"], json!([]));
+    let document = run(&folder, "pick square.ply --at 20,20 --snap vertex --json").json();
+    assert_eq!(document["snap"], Value::Null);
+}
+
+#[test]
+fn questions_that_make_no_sense_are_refused() {
+    for (line, expected) in [
+        ("pick", "--at"),
+        ("pick --at 1,2 --rect 1,2,3,4", "--rect"),
+        ("pick --rect 1,2,3", "four numbers"),
+        ("pick --rect 1,2,0,4", "above 0"),
+        ("pick --rect 1,2,3,4 --through", "--at"),
+        ("pick --at 1,2 --visible", "--visible"),
+        ("pick --lasso 1,2,3,4", "three corners"),
+        ("pick --at 1,nan", "finite"),
+        ("pick --at 1,2 --snap corner", "corner"),
+        ("pick --at 1,2 --tolerance -1", "between 0 and"),
+    ] {
+        luxel(line).failed(2, expected);
+    }
+}
