@@ -24,9 +24,8 @@ impl AskedOptions {
         if !self.json {
             return output::print(&tell::text(view, &answer));
         }
-        let mut document = tell::document(view, &answer);
-        document["camera"] = camera::to_json(view.camera(), view.size());
-        output::print_json(&Value::Object(document))
+        let camera = camera::to_json(view.camera(), view.size());
+        output::print_json(&document(view, &answer, &camera))
     }
 
     /// Answers for each line of the standard input, as soon as it can be read, in order.
@@ -98,12 +97,13 @@ impl AskedOptions {
                 }
             }
         }
+        let camera = camera::to_json(view.camera(), view.size());
         let of_run = |run: &[At]| {
             let mut bytes = Vec::new();
             for &at in run {
                 let answer = self.answer(view, at);
                 let text = if self.json {
-                    format!("{}\n", Value::Object(tell::document(view, &answer)))
+                    format!("{}\n", document(view, &answer, &camera))
                 } else {
                     tell::text(view, &answer)
                 };
@@ -140,6 +140,13 @@ impl AskedOptions {
         });
         Answer { at: [x, y], hits, snapped }
     }
+}
+
+/// What `--json` prints about one place.
+fn document(view: &PickView<'_>, answer: &Answer, camera: &Value) -> Value {
+    let mut document = tell::document(view, answer);
+    document.insert("camera".to_owned(), camera.clone());
+    Value::Object(document)
 }
 
 fn unreadable(line: usize, message: &str) -> Failure {
