@@ -14,7 +14,6 @@ use std::ffi::OsString;
 ///
 /// For example: luxel view model.glb --mode rolling-ball
 #[derive(Args, Debug)]
-#[cfg_attr(not(feature = "viewer"), expect(dead_code, reason = "there is no window to give it to"))]
 pub(crate) struct ViewCommand {
     #[command(flatten)]
     input: InputOptions,
