@@ -44,7 +44,7 @@ struct AskedOptions {
     place: PlaceOptions,
 
     /// Everything under the place, nearest first
-    #[arg(long, requires = "at")]
+    #[arg(long, conflicts_with_all = ["rect", "lasso"])]
     through: bool,
 
     /// Only what owns pixels of the rectangle or polygon, with their number
@@ -56,13 +56,14 @@ struct AskedOptions {
     enclosed: bool,
 
     /// The nearest vertex, edge or face that is seen around the place: vertex, edge, face
-    #[arg(long, value_name = "KIND", requires = "at", hide_possible_values = true)]
+    #[arg(long, value_name = "KIND", hide_possible_values = true)]
+    #[arg(conflicts_with_all = ["rect", "lasso"])]
     snap: Option<SnapChoice>,
 
     /// Points and lines seen within so many pixels of the place count as hit; and how far --snap
     /// looks [default: 0; 8 for --snap]
     #[arg(long, value_name = "PIXELS", value_parser = within, allow_hyphen_values = true)]
-    #[arg(requires = "at")]
+    #[arg(conflicts_with_all = ["rect", "lasso"])]
     within: Option<f64>,
 
     /// Print a JSON document; a document a line for positions from the standard input

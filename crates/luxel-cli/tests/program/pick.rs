@@ -183,12 +183,12 @@ fn questions_that_make_no_sense_are_refused() {
         ("pick --at 1,2 --rect 1,2,3,4", "--rect"),
         ("pick --rect 1,2,3", "four numbers"),
         ("pick --rect 1,2,0,4", "above 0"),
-        ("pick --rect 1,2,3,4 --through", "--at"),
+        ("pick --rect 1,2,3,4 --through", "--rect"),
         ("pick --at 1,2 --visible", "--visible"),
         ("pick --lasso 1,2,3,4", "three corners"),
         ("pick --at 1,nan", "finite"),
         ("pick --at 1,2 --snap corner", "corner"),
-        ("pick --at 1,2 --tolerance -1", "between 0 and"),
+        ("pick --at 1,2 --within -1", "between 0 and"),
     ] {
         luxel(line).failed(2, expected);
     }
