@@ -65,10 +65,12 @@ fn triangles_and_bounds_are_those_that_others_find() {
 }
 
 #[test]
-fn every_model_is_read_without_a_warning() {
+fn no_model_is_warned_of_but_the_one_with_a_glaring_sun() {
     for model in MODELS {
         let Some(loaded) = load(model) else { return };
-        assert_eq!(loaded.warnings, [""; 0], "{model}");
+        let glaring = model == "DepthOfFieldExample.glb";
+        assert_eq!(loaded.warnings.len(), usize::from(glaring), "{model}: {:?}", loaded.warnings);
+        assert!(loaded.warnings.iter().all(|warning| warning.contains("6830 lux")));
     }
 }
 
