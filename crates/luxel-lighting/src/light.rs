@@ -53,21 +53,38 @@ pub enum Cone {
     },
 }
 
-/// Attenuation 1 / (c1 + c2 d + c3 d^2) over the distance d to the light, with glTF's window.
+/// Attenuation min(1 / (c1 + c2 d + c3 d^2), limit) over the distance d to the light, with glTF's
+/// window.
+///
+/// OpenGL 1.x has no limit (section 2.13.1), and so the default is none; Foley et al. cut the factor
+/// at 1 (*Computer Graphics: Principles and Practice*, 1990, section 16.1.2), so that no light is
+/// brighter nearby than at its source.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attenuation {
     /// c1, c2, c3; not all 0.
     pub coefficients: [f32; 3],
+    /// The quotient is cut at this, before the window: 1 as Foley et al. have it, or
+    /// [`Attenuation::NO_LIMIT`].
+    pub limit: f32,
     /// The distance where the light ends: the factor max(min(1 - (d / range)^4, 1), 0) of glTF
     /// `KHR_lights_punctual`. `None`: it never ends.
     pub range: Option<f32>,
 }
 
 impl Attenuation {
+    /// Attenuation beyond this is taken as this in any case, so that no product overflows: the
+    /// surface nearly touches the light.
+    pub const NO_LIMIT: f32 = 1e10;
     /// No attenuation: c = (1, 0, 0).
-    pub const NONE: Self = Self { coefficients: [1.0, 0.0, 0.0], range: None };
+    pub const NONE: Self = Self::new([1.0, 0.0, 0.0]);
     /// The physical law 1 / d^2.
-    pub const INVERSE_SQUARE: Self = Self { coefficients: [0.0, 0.0, 1.0], range: None };
+    pub const INVERSE_SQUARE: Self = Self::new([0.0, 0.0, 1.0]);
+
+    /// 1 / (c1 + c2 d + c3 d^2), not cut, without a window.
+    #[must_use]
+    pub const fn new(coefficients: [f32; 3]) -> Self {
+        Self { coefficients, limit: Self::NO_LIMIT, range: None }
+    }
 }
 
 impl Light {

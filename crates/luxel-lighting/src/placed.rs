@@ -1,11 +1,8 @@
 //! Lights where they stand: how much of them reaches a point, and from where.
 
 use crate::light::bounded;
-use crate::{Cone, Light, LightKind};
+use crate::{Attenuation, Cone, Light, LightKind};
 use luxel_math::{Mask, Number, Vec3, elementary};
-
-/// Attenuation beyond this is taken as this: the surface nearly touches the light.
-const ATTENUATION_LIMIT: f32 = 1e10;
 
 /// A light in its place: world directions, with the eye as the origin.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +19,7 @@ pub(crate) struct Arrival<N> {
     pub(crate) to_light: Vec3<N>,
     /// d; `None` for directional lights.
     pub(crate) distance: Option<N>,
-    /// 1 / (c1 + c2 d + c3 d^2) times the window of the range.
+    /// min(1 / (c1 + c2 d + c3 d^2), limit) times the window of the range.
     pub(crate) attenuation: N,
     /// How much of the cone's light goes this way.
     pub(crate) spot: N,
@@ -39,6 +36,9 @@ impl PlacedLight {
         for color in [&mut light.ambient, &mut light.diffuse, &mut light.specular] {
             *color = bounded(*color);
         }
+        let limit = light.attenuation.limit;
+        light.attenuation.limit =
+            if limit.is_nan() { 0.0 } else { limit.clamp(0.0, Attenuation::NO_LIMIT) };
         let position = position.map(finite);
         let direction = direction.map(finite);
         // Brought near 1 first: the square of a huge or tiny length is not an `f32`.
@@ -96,7 +96,7 @@ impl PlacedLight {
         Arrival { to_light, distance: Some(distance), attenuation, spot }
     }
 
-    /// 1 / (c1 + c2 d + c3 d^2), 0 where that isn't positive; times glTF's window.
+    /// min(1 / (c1 + c2 d + c3 d^2), limit), 0 where that isn't positive; times glTF's window.
     #[inline(always)]
     fn attenuation<N: Number>(&self, distance: N) -> N {
         let [c1, c2, c3] = self.light.attenuation.coefficients;
@@ -105,7 +105,7 @@ impl PlacedLight {
             + distance.constant(c3) * distance * distance;
         let positive = divisor.zero().less(divisor);
         let attenuation = (divisor.one() / divisor.select(positive, divisor.one()))
-            .minimum(divisor.constant(ATTENUATION_LIMIT))
+            .minimum(divisor.constant(self.light.attenuation.limit))
             .only_where(positive);
         match self.light.attenuation.range {
             Some(range) => attenuation * window(distance, range),

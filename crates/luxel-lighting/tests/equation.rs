@@ -156,7 +156,7 @@ fn attenuation_follows_its_law_and_is_not_cut_at_one() {
         ([0.0, 0.0, 0.0], 0.0),
     ] {
         let light = Light {
-            attenuation: Attenuation { coefficients, range: None },
+            attenuation: Attenuation::new(coefficients),
             ..Light::new(LightKind::Point, [1.0; 3])
         };
         let lights = [PlacedLight::new(light, [0.0; 3], [0.0; 3])];
@@ -164,6 +164,22 @@ fn attenuation_follows_its_law_and_is_not_cut_at_one() {
             shade(&facing_point(), &white(Reflection::Lambert), &surroundings(&lights));
         assert!((value - expected).abs() < 1e-6, "{coefficients:?}: {value}");
     }
+}
+
+#[test]
+fn attenuation_is_cut_at_its_limit_and_only_there() {
+    let at_distance_5 = |coefficients, limit| {
+        let light = Light {
+            attenuation: Attenuation { limit, ..Attenuation::new(coefficients) },
+            ..Light::new(LightKind::Point, [1.0; 3])
+        };
+        let lights = [PlacedLight::new(light, [0.0; 3], [0.0; 3])];
+        shade(&facing_point(), &white(Reflection::Lambert), &surroundings(&lights))[0]
+    };
+    assert_eq!(at_distance_5([0.25, 0.0, 0.0], 1.0), 1.0, "4 cut at 1, as Foley et al. have it");
+    assert_eq!(at_distance_5([0.25, 0.0, 0.0], 2.5), 2.5);
+    assert_eq!(at_distance_5([0.25, 0.0, 0.0], f32::NAN), 0.0);
+    assert!((at_distance_5([0.0, 0.0, 1.0], 1.0) - 0.04).abs() < 1e-7, "below 1 nothing is cut");
 }
 
 #[test]
@@ -259,8 +275,10 @@ fn any_light() -> impl Strategy<Value = PlacedLight> {
             .prop_map(|(cos_outer, cos_inner)| Cone::Smooth { cos_inner, cos_outer })
             .prop_map(LightKind::Spot),
     ];
-    let attenuation = (prop::array::uniform3(0.1..1.0_f32), prop::option::of(5.0..50.0_f32))
-        .prop_map(|(coefficients, range)| Attenuation { coefficients, range });
+    let limit = prop_oneof![Just(Attenuation::NO_LIMIT), Just(1.0_f32), 0.1..2.0_f32];
+    let range = prop::option::of(5.0..50.0_f32);
+    let attenuation = (prop::array::uniform3(0.1..1.0_f32), limit, range)
+        .prop_map(|(coefficients, limit, range)| Attenuation { coefficients, limit, range });
     (
         kind,
         (color(), color(), color()),
@@ -421,7 +439,7 @@ proptest! {
         let kind = [LightKind::Directional, LightKind::Point, LightKind::Spot(cone)][kind];
         let light = Light {
             kind, ambient: light_colors[0], diffuse: light_colors[1], specular: light_colors[2],
-            attenuation: Attenuation { coefficients: attenuation, range },
+            attenuation: Attenuation { coefficients: attenuation, limit: numbers[5], range },
         };
         let lights = [PlacedLight::new(light, places[0], places[1])];
         // The contract asks for unit vectors; 0 is what degenerate ones become.

@@ -17,25 +17,26 @@ pub(crate) fn evaluated_at(
     (weight, corner): &(f32, Corner),
     eye: [f64; 3],
     lights: &[&SceneLight],
-) -> (EvaluatedAt, Option<Reflectance<f32>>) {
+) -> EvaluatedAt {
     let mut written = Written::default();
     let mut vertex_light = VertexLight::new(triangle.has);
     let light = vertex_light.at(scene, corner, triangle.has, triangle.material, &mut written);
     let point = written.point;
     let ledger = &written.ledger;
-    let evaluated = EvaluatedAt {
+    let constants = &scene.scene.materials[triangle.material as usize].constants;
+    EvaluatedAt {
         weight: *weight,
         position: [0, 1, 2].map(|axis| eye[axis] + f64::from(corner.position[axis])),
         normal: point.map(|point| point.normal.lane(0)).unwrap_or_default(),
         view: point.map(|point| point.view.lane(0)).unwrap_or_default(),
-        lights: written.explained_lights(lights),
+        reflectance: written.reflectance.unwrap_or_else(|| Reflectance::of(0.0, constants)),
+        lights: written.explained_lights(scene, eye, lights),
         emission: ledger.emission,
         scene_ambient: ledger.scene_ambient,
         environment: ledger.environment,
         sum: ledger.sum,
         light,
-    };
-    (evaluated, written.reflectance)
+    }
 }
 
 /// The terms that reach the pixel: each place's terms by its weight, as much of them as clamping
@@ -73,6 +74,8 @@ impl Interpolated {
             ExplainedLight {
                 name: first.name.clone(),
                 light: first.light.clone(),
+                position: first.position,
+                direction: first.direction,
                 terms: LightTerms {
                     to_light: if places.len() == 1 {
                         first.terms.to_light

@@ -179,10 +179,17 @@ impl PixelScene<'_> {
             let seen = stack.iter().map(|&seen| self.seen(opaque, seen, kept)).collect();
             entries.push((stack, ExplainedSample::new(sample as u8, seen)));
         }
-        let mut explained: Vec<_> = entries.into_iter().map(|(_, entry)| entry).collect();
-        for entry in &mut explained {
+        let placed = |(stack, mut entry): (&Vec<(TriangleId, u8)>, ExplainedSample)| {
             entry.weight = entry.covers.len() as f32 / samples.count() as f32;
-        }
+            let lit = stack.first().map(|seen| seen.1).filter(|lit| entry.covers.contains(lit));
+            let sample = usize::from(lit.unwrap_or(entry.covers[0]));
+            let inside = samples.positions()[sample];
+            entry.at = [0, 1].map(|axis| {
+                f64::from(pixel[axis]) + f64::from(inside[axis]) / f64::from(SUBPIXELS)
+            });
+            entry
+        };
+        let explained: Vec<_> = entries.into_iter().map(placed).collect();
         let linear = if layered {
             layered_pixel(&explained, samples.count())
         } else if resolve::is_empty(opaque, block) {
@@ -298,9 +305,9 @@ impl Lit {
         let mut evaluated: Vec<EvaluatedAt> = Vec::new();
         if scene.shading.mode != ShadingMode::Phong {
             for place in triangle.lit_at(barycentric, batch.position(0)) {
-                let (there, reflectance) = evaluated_at(scene, triangle, &place, eye, lights);
+                let there = evaluated_at(scene, triangle, &place, eye, lights);
                 if evaluated.iter().all(|other| other.weight < place.0) {
-                    written.reflectance = reflectance;
+                    written.reflectance = Some(there.reflectance);
                 }
                 evaluated.push(there);
             }
@@ -311,7 +318,7 @@ impl Lit {
                 emission: written.ledger.emission,
                 scene_ambient: written.ledger.scene_ambient,
                 environment: written.ledger.environment,
-                lights: written.explained_lights(lights),
+                lights: written.explained_lights(scene, eye, lights),
             }
         } else {
             Interpolated::of(&evaluated, texture)
@@ -369,11 +376,22 @@ pub(crate) struct Written {
 
 impl Written {
     /// The terms of each light, by its name.
-    pub(crate) fn explained_lights(&self, lights: &[&SceneLight]) -> Vec<ExplainedLight> {
-        let explained = |entry: &LedgerLight| ExplainedLight {
-            name: lights[entry.index].name.clone(),
-            light: lights[entry.index].light.clone(),
-            terms: entry.terms,
+    pub(crate) fn explained_lights(
+        &self,
+        scene: &Scene16<'_>,
+        eye: [f64; 3],
+        lights: &[&SceneLight],
+    ) -> Vec<ExplainedLight> {
+        let explained = |entry: &LedgerLight| {
+            let placed = &scene.lights[entry.index];
+            let about_eye = placed.position();
+            ExplainedLight {
+                name: lights[entry.index].name.clone(),
+                light: lights[entry.index].light.clone(),
+                position: [0, 1, 2].map(|axis| eye[axis] + f64::from(about_eye[axis])),
+                direction: placed.direction(),
+                terms: entry.terms,
+            }
         };
         self.ledger.lights.iter().map(explained).collect()
     }

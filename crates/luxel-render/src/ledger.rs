@@ -40,6 +40,8 @@ pub struct ExplainedSample {
     pub weight: f32,
     /// The samples, by number.
     pub covers: Vec<u8>,
+    /// Where one of them lies in the window, in pixels: the one that is lit, if it is among them.
+    pub at: [f64; 2],
     /// What they see, nearest first: transparent surfaces, then what is opaque or the background.
     pub seen: Vec<Seen>,
     /// The colour of all that is seen (straight, not multiplied by alpha).
@@ -122,6 +124,8 @@ pub struct EvaluatedAt {
     pub normal: [f32; 3],
     /// V
     pub view: [f32; 3],
+    /// What the surface reflects there.
+    pub reflectance: Reflectance<f32>,
     /// What each light adds.
     pub lights: Vec<ExplainedLight>,
     /// What the surface sends of its own.
@@ -154,6 +158,11 @@ pub struct ExplainedLight {
     pub name: String,
     /// Its kind and intensities.
     pub light: Light,
+    /// Where it stands, in world space; of a directional light it means nothing.
+    pub position: [f64; 3],
+    /// The direction in which its light travels, of unit length, in world space; of a point light
+    /// it means nothing.
+    pub direction: [f32; 3],
     /// Factors and products.
     pub terms: LightTerms<f32>,
 }
@@ -163,13 +172,17 @@ pub struct ExplainedLight {
 pub enum Unlit {
     /// N.L <= 0: the light stands behind the surface.
     Behind,
-    /// The surface lies outside of the cone; the angle to its axis isn't known here.
+    /// The surface lies outside of the cone.
     OutsideCone {
+        /// The cosine of the angle between the cone's axis and the way to the surface.
+        cos_angle: f32,
         /// The cosine of the cone's half-angle.
         cos_cutoff: f32,
     },
     /// The surface lies beyond the light's range.
     OutOfRange {
+        /// How far the surface is.
+        distance: f32,
         /// Where the light ends.
         range: f32,
     },
@@ -184,8 +197,14 @@ pub enum Unlit {
 impl ExplainedSample {
     /// An entry for one sample.
     pub(crate) fn new(sample: u8, seen: Vec<Seen>) -> Self {
-        let mut entry =
-            Self { weight: 0.0, covers: vec![sample], seen, color: [0.0; 3], alpha: 0.0 };
+        let mut entry = Self {
+            weight: 0.0,
+            covers: vec![sample],
+            at: [0.0; 2],
+            seen,
+            color: [0.0; 3],
+            alpha: 0.0,
+        };
         if let [only] = &*entry.seen {
             (entry.color, entry.alpha) = (only.color(), only.alpha());
         } else {
@@ -254,13 +273,23 @@ impl ExplainedLight {
             _ if *diffuse == black && *specular == black => Unlit::Dark,
             _ if *n_dot_l <= 0.0 => Unlit::Behind,
             (LightKind::Spot(cone), _) if *spot == 0.0 => Unlit::OutsideCone {
+                cos_angle: -self.cos_to_axis(),
                 cos_cutoff: match *cone {
                     Cone::Exponent { cos_cutoff, .. } => cos_cutoff,
                     Cone::Smooth { cos_outer, .. } => cos_outer,
                 },
             },
-            (_, Some(range)) if *attenuation == 0.0 => Unlit::OutOfRange { range },
+            (_, Some(range)) if *attenuation == 0.0 => {
+                Unlit::OutOfRange { distance: distance.unwrap_or_default(), range }
+            }
             _ => Unlit::Absorbed,
         })
+    }
+
+    /// The cosine of the angle between L and the direction of the light.
+    fn cos_to_axis(&self) -> f32 {
+        let [x, y, z] = self.terms.to_light.lane(0);
+        let [a, b, c] = self.direction;
+        x * a + y * b + z * c
     }
 }

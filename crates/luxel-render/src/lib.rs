@@ -8,6 +8,7 @@
 
 #![forbid(unsafe_code)]
 
+mod around;
 mod corners;
 mod edges;
 mod evaluated;

@@ -265,11 +265,7 @@ impl<'s> Renderer<'s> {
                 || Worker::new(scene.frame.samples(), scene),
                 |worker, number, pixels| {
                     let begin = (self.clock)();
-                    let hole = |id, position| holes.hole(scene.frame, id, position);
-                    scene.frame.draw_opaque(self.level, number, &hole, &mut worker.opaque);
-                    let layered = self.peel(scene, number, &hole, worker, &mut |_| {});
-                    let visible = (self.clock)();
-                    dispatch!(self.level, simd => tile_pixels(simd, scene, worker, layered));
+                    let visible = self.draw_tile(scene, holes, number, worker);
                     for (pixel, &linear) in pixels.iter_mut().zip(&*worker.linear) {
                         *pixel = if linear == background { finished } else { finish(linear) };
                     }
@@ -293,6 +289,22 @@ impl<'s> Renderer<'s> {
                 })
             });
         })
+    }
+
+    /// Draws one tile into `worker.linear`; the time at which it was known what is seen.
+    pub(crate) fn draw_tile(
+        &self,
+        scene: &Scene16<'_>,
+        holes: &Holes<'_>,
+        number: usize,
+        worker: &mut Worker,
+    ) -> Duration {
+        let hole = |id, position| holes.hole(scene.frame, id, position);
+        scene.frame.draw_opaque(self.level, number, &hole, &mut worker.opaque);
+        let layered = self.peel(scene, number, &hole, worker, &mut |_| {});
+        let visible = (self.clock)();
+        dispatch!(self.level, simd => tile_pixels(simd, scene, worker, layered));
+        visible
     }
 
     /// Gathers the transparent layers of a tile, nearest first; whether there are any.
@@ -457,7 +469,7 @@ pub(crate) struct Worker {
     layers: [Tile; 2],
     layered: Layered,
     kept: Kept,
-    linear: Box<TilePixels<[f32; 4]>>,
+    pub(crate) linear: Box<TilePixels<[f32; 4]>>,
 }
 
 impl Worker {

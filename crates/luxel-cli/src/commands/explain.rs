@@ -1,8 +1,12 @@
 //! `luxel explain`: why a pixel has its colour, term by term.
 
 mod equation;
+mod hidden;
+mod html;
 mod json;
+mod latex;
 mod text;
+mod words;
 
 use crate::camera;
 use crate::console::Console;
@@ -17,8 +21,12 @@ use crate::surface;
 use crate::values::at;
 use crate::view;
 use clap::Args;
+use hidden::Unseen;
 use luxel::render::{At, Explanation, RenderError, Renderer, View};
 use luxel::scene::Scene;
+use std::ffi::OsString;
+use std::io::IsTerminal;
+use std::path::Path;
 
 /// Explain a pixel's colour, term by term
 ///
@@ -54,13 +62,26 @@ struct AskedOptions {
     at: At,
 
     /// Print a JSON document
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["latex", "html"])]
     json: bool,
+
+    /// Print a fragment of LaTeX, for a document with amsmath
+    #[arg(long, conflicts_with = "html")]
+    latex: bool,
+
+    /// Print a page of HTML, with the pixel's neighbourhood and its vectors drawn
+    #[arg(long)]
+    html: bool,
+
+    /// Where that goes; `-` is the standard output [default: -]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<OsString>,
 }
 
 /// What is told, and what about.
 struct Told<'a> {
     explanation: &'a Explanation,
+    unseen: &'a Unseen,
     scene: &'a Scene,
     view: &'a View,
     /// The model's name.
@@ -69,6 +90,10 @@ struct Told<'a> {
 
 impl ExplainCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+        let file = self.asked.output.as_deref().filter(|name| *name != "-").map(Path::new);
+        if let Some(path) = file {
+            output::check_folder(path)?;
+        }
         let mut model = model::load(&self.input, &self.execution, console)?;
         if model.scene.bounds().is_empty() {
             return Err(model::nothing_to_draw(&self.input.name()));
@@ -85,11 +110,29 @@ impl ExplainCommand {
             RenderError::Outside(_) => Failure::Usage(format!("--at: {error}")),
             other => Failure::work(other.to_string(), ""),
         })?;
-        let told = Told { explanation: &explanation, scene, view: &view, model: self.input.name() };
-        if self.asked.json {
-            output::print_json(&json::document(&told))
+        let unseen = Unseen::new(scene, &view, &explanation, self.execution.simd)
+            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        let model = self.input.name();
+        let told = Told { explanation: &explanation, unseen: &unseen, scene, view: &view, model };
+        let text = if self.asked.json {
+            format!("{}\n", json::document(&told))
+        } else if self.asked.latex {
+            latex::fragment(&told)
+        } else if self.asked.html {
+            html::page(&told, &renderer)?
         } else {
-            output::print(&text::page(&told))
+            text::page(&told, file.is_none() && has_colors())
+        };
+        match file {
+            Some(path) => output::write_file(path, text.as_bytes()),
+            None => output::print(&text),
         }
     }
+}
+
+/// Colours appear on a terminal that has them, unless `NO_COLOR` is set to anything.
+fn has_colors() -> bool {
+    std::io::stdout().is_terminal()
+        && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+        && std::env::var_os("TERM").is_none_or(|value| value != "dumb")
 }

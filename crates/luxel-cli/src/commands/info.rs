@@ -8,7 +8,7 @@ use crate::options::{ExecutionOptions, FrameOptions, InputOptions};
 use crate::output;
 use crate::values::reflection_name;
 use clap::Args;
-use luxel::lighting::{Cone, LightKind};
+use luxel::lighting::{Attenuation, Cone, LightKind};
 use luxel::scene::{
     AlphaMode, Bounds, Camera, Lens, Object, Placement, Scene, SceneCamera, SceneLight,
     SceneMaterial, Sides,
@@ -123,6 +123,9 @@ impl<'a> Survey<'a> {
         entry.insert("diffuse".into(), json!(light.light.diffuse));
         entry.insert("specular".into(), json!(light.light.specular));
         entry.insert("attenuation".into(), json!(light.light.attenuation.coefficients));
+        let limit = light.light.attenuation.limit;
+        let limit = (limit < Attenuation::NO_LIMIT).then_some(limit);
+        entry.insert("limit".into(), json!(limit));
         entry.insert("range".into(), json!(light.light.attenuation.range));
         if let LightKind::Spot(cone) = kind {
             entry.insert("cone".into(), cone_to_json(cone));

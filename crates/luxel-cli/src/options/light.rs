@@ -11,9 +11,10 @@ pub(crate) struct LightOptions {
     /// A light, instead of the file's; may be repeated:
     /// directional:dir=X,Y,Z,
     /// point:pos=X,Y,Z,
-    /// spot:pos=X,Y,Z:dir=X,Y,Z:cutoff=DEG:exponent=E or
+    /// spot:pos=X,Y,Z:dir=X,Y,Z:cutoff=DEG:exponent=E (or :inner=DEG, a soft edge) or
     /// ambient:color=R,G,B, with optional :ambient=R,G,B :diffuse=R,G,B :specular=R,G,B
-    /// :attenuation=C1,C2,C3 :in=world|camera :name=NAME
+    /// :attenuation=C1,C2,C3 :limit=A (cuts the attenuation, at 1 as in Foley et al.) :range=D
+    /// :in=world|camera :name=NAME
     #[arg(long = "light", value_name = "SPEC", value_parser = light)]
     pub(crate) lights: Vec<LightSpec>,
 
@@ -30,7 +31,8 @@ pub(crate) struct LightOptions {
     #[arg(long, value_name = "WHAT", value_parser = surroundings, allow_hyphen_values = true)]
     pub(crate) environment: Option<Surroundings>,
 
-    /// Depth cueing: near=Z:far=Z:front=S:back=S:color=R,G,B
+    /// Depth cueing: near=Z:far=Z:front=S:back=S:color=R,G,B, or fog:
+    /// law=exp|exp2:density=D:color=R,G,B
     #[arg(long, value_name = "SPEC", value_parser = fog)]
     pub(crate) fog: Option<Fog>,
 }

@@ -4,13 +4,13 @@
 use crate::program::{Folder, luxel};
 use serde_json::Value;
 
-type Rgb = [f32; 3];
+pub(crate) type Rgb = [f32; 3];
 
 fn number(value: &Value) -> f32 {
     value.as_f64().unwrap() as f32
 }
 
-fn rgb(value: &Value) -> Rgb {
+pub(crate) fn rgb(value: &Value) -> Rgb {
     [0, 1, 2].map(|channel| number(&value[channel]))
 }
 
@@ -314,7 +314,7 @@ fn parsed(text: &str) -> V {
 
 /// Equal to 2e-4, or to 2e-5 of nothing.
 #[track_caller]
-fn close(what: &str, told: f64, expected: f64) {
+pub(crate) fn close(what: &str, told: f64, expected: f64) {
     let off = (told - expected).abs();
     assert!(off <= 2e-5 || off <= 2e-4 * expected.abs(), "{what}: {told}, not {expected}");
 }

@@ -7,6 +7,7 @@ mod bytes;
 mod check;
 mod damaged;
 mod explain;
+mod explain_pages;
 mod info;
 mod models;
 mod navigate;

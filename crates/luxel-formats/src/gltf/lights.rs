@@ -7,11 +7,8 @@
 use super::buffers::malformed;
 use super::schema::Light as FileLight;
 use crate::Error;
+use crate::values::LEAST_CONE_EDGE;
 use luxel_lighting::{Attenuation, Cone, Light, LightKind};
-
-/// The smallest difference of the cones' cosines: what the extension's reference code divides by at
-/// least.
-const LEAST_CONE_EDGE: f32 = 0.001;
 
 /// The light, as it stands at its node and shines along the node's -Z.
 pub(crate) fn convert(light: &FileLight, index: u32) -> Result<Light, Error> {

@@ -318,6 +318,12 @@ pub(crate) static LIGHTS: Section = Section {
             "how it concentrates along the axis (spot) [default: 0]",
             "8",
         ),
+        key(
+            "inner",
+            Shape::Number,
+            "instead of an exponent: the half-angle up to which it is not weakened, as in glTF (spot)",
+            "20",
+        ),
         key("color", Shape::Numbers(3), "its intensity (ambient)", "[0.1, 0.1, 0.1]"),
         key(
             "ambient",
@@ -342,6 +348,18 @@ pub(crate) static LIGHTS: Section = Section {
             Shape::Numbers(3),
             "c1, c2, c3 of 1 / (c1 + c2 d + c3 d^2) [default: 1, 0, 0]",
             "[1, 0, 0.1]",
+        ),
+        key(
+            "limit",
+            Shape::Number,
+            "what that is cut at, 1 as in Foley et al. [default: it is not cut]",
+            "1",
+        ),
+        key(
+            "range",
+            Shape::Number,
+            "where its light ends, faded out as in glTF [default: nowhere]",
+            "20",
         ),
     ],
 };
@@ -388,20 +406,28 @@ pub(crate) static FOG: Section = Section {
     repeated: false,
     about: "Depth cueing; the keys are the fields of --fog",
     keys: &[
-        required(key(
+        key(
+            "law",
+            Shape::Choice(&["linear", "exp", "exp2"]),
+            "how the surface's own light fades: linearly from near to far, as exp(-density z), or as \
+             exp(-(density z)^2) [default: linear]",
+            "\"exp\"",
+        ),
+        key(
             "near",
             Shape::Number,
-            "the distance along the view where the fog begins",
+            "the distance along the view where the fog begins (linear)",
             "4",
-        )),
-        required(key("far", Shape::Number, "where it ends", "20")),
+        ),
+        key("far", Shape::Number, "where it ends (linear)", "20"),
+        key("density", Shape::Number, "how thick it is (exp, exp2)", "0.1"),
         key(
             "front",
             Shape::Number,
-            "the share of the surface's own light at near [default: 1]",
+            "the share of the surface's own light at near (linear) [default: 1]",
             "1",
         ),
-        key("back", Shape::Number, "its share at far [default: 0]", "0.2"),
+        key("back", Shape::Number, "its share at far (linear) [default: 0]", "0.2"),
         key(
             "color",
             Shape::Numbers(3),

@@ -64,10 +64,18 @@ fn every_key_takes_its_example_and_no_key_is_for_show() {
                     ("lights", "cutoff" | "exponent") => {
                         "kind = \"spot\"\npos = [0, 0, 0]\ndir = [1, 0, 0]\n"
                     }
+                    ("lights", "inner") => {
+                        "kind = \"spot\"\npos = [0, 0, 0]\ndir = [1, 0, 0]\ncutoff = 30\n"
+                    }
                     ("lights", "dir") => "kind = \"directional\"\n",
                     ("lights", "pos") => "kind = \"point\"\n",
                     ("lights", "kind") => "pos = [0, 0, 0]\n",
                     ("lights", _) => "kind = \"point\"\npos = [0, 0, 0]\n",
+                    ("fog", "near") => "far = 20\n",
+                    ("fog", "far") => "near = 4\n",
+                    ("fog", "law") => "density = 1\n",
+                    ("fog", "density") => "law = \"exp\"\n",
+                    ("fog", _) => "near = 4\nfar = 20\n",
                     ("cameras", "eye") => "target = [0, 0, 0]\n",
                     ("cameras", "view-matrix" | "node") => "",
                     ("cameras", "target") => "eye = [9, 9, 9]\n",
@@ -282,7 +290,8 @@ fn what_is_wrong_is_told_with_line_column_and_a_guess() {
         ("ambient = [1, 2, nan]\n", ":3:11: ambient: `nan` is not a finite number"),
         ("ambient = [[1, 2, 3]]\n", "a list within a list"),
         ("up = 1979-05-27\n", "a date means nothing here"),
-        ("[fog]\nnear = 3\n", ":3:1: `far` is missing"),
+        ("[fog]\nnear = 3\n", ":3:1: it needs far=Z"),
+        ("[fog]\nlaw = \"exp\"\ndensity = -1\n", ":5:11: density: it must not be below 0"),
         ("[fog]\nnear = 3\nfar = 2\n", ":3:1: near must lie before far"),
         ("[[cameras]]\nname = \"c\"\n", "needs eye and target"),
         ("[[cameras]]\nname = \"c\"\neye=[1,1,1]\ntarget=[1,1,1]\n", "stands at its target"),

@@ -1,7 +1,7 @@
-//! `near=Z:far=Z:front=S:back=S:color=R,G,B`: depth cueing.
+//! `near=Z:far=Z:front=S:back=S:color=R,G,B`: depth cueing; `law=exp:density=D`: fog.
 
 use super::fields::{FieldError, Fields};
-use super::number::{finite, unit_interval};
+use super::number::{finite, non_negative_f32, unit_interval};
 use super::vector::color;
 use luxel_lighting::{Fog, FogLaw};
 
@@ -16,18 +16,57 @@ pub fn fog(text: &str) -> Result<Fog, String> {
 
 /// Depth cueing, I' = s I + (1 - s) color, s going from `front` at `near` to `back` at `far`, which
 /// are distances along the viewing axis. `near` and `far` are needed; `front` is 1, `back` 0, the
-/// colour black by default.
+/// colour black by default. With `law=exp` or `law=exp2` s is exp(-density z) or
+/// exp(-(density z)^2) instead, and `density` is needed.
 ///
 /// # Errors
 /// Fields that are missing, unknown or wrong.
 pub fn fog_of(mut fields: Fields<'_>) -> Result<Fog, FieldError> {
+    let law = fields.take("law", law)?.unwrap_or_default();
+    let color = fields.take("color", color)?.unwrap_or_default();
+    let law = match law {
+        Law::Linear => return Ok(Fog { color, law: depth_cue(fields)? }),
+        Law::Exp | Law::Exp2 => {
+            let density = fields.take("density", non_negative_f32)?;
+            if let Some(key) = fields.stranger() {
+                let message = format!("`{key}` is not for this law: use density, color");
+                return Err(FieldError::new(message));
+            }
+            let density = density.ok_or_else(|| FieldError::new("it needs density=D"))?;
+            match law {
+                Law::Exp2 => FogLaw::ExponentialSquared { density },
+                _ => FogLaw::Exponential { density },
+            }
+        }
+    };
+    Ok(Fog { color, law })
+}
+
+/// How s falls.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Law {
+    #[default]
+    Linear,
+    Exp,
+    Exp2,
+}
+
+fn law(text: &str) -> Result<Law, String> {
+    match text {
+        "linear" => Ok(Law::Linear),
+        "exp" => Ok(Law::Exp),
+        "exp2" => Ok(Law::Exp2),
+        _ => Err(format!("`{text}` is no law of fog: use linear, exp or exp2")),
+    }
+}
+
+fn depth_cue(mut fields: Fields<'_>) -> Result<FogLaw, FieldError> {
     let near = fields.take("near", finite)?;
     let far = fields.take("far", finite)?;
     let front = fields.take("front", unit_interval)?;
     let back = fields.take("back", unit_interval)?;
-    let color = fields.take("color", color)?;
     if let Some(key) = fields.stranger() {
-        let message = format!("`{key}` is unknown: use near, far, front, back, color");
+        let message = format!("`{key}` is unknown: use law, near, far, front, back, color");
         return Err(FieldError::new(message));
     }
     // In single precision, as the pixels have it.
@@ -36,10 +75,7 @@ pub fn fog_of(mut fields: Fields<'_>) -> Result<Fog, FieldError> {
     if near >= far {
         return Err(FieldError::new("near must lie before far"));
     }
-    Ok(Fog {
-        color: color.unwrap_or_default(),
-        law: FogLaw::DepthCue { near, far, front: front.unwrap_or(1.0), back: back.unwrap_or(0.0) },
-    })
+    Ok(FogLaw::DepthCue { near, far, front: front.unwrap_or(1.0), back: back.unwrap_or(0.0) })
 }
 
 #[cfg(test)]
@@ -60,6 +96,15 @@ mod tests {
     }
 
     #[test]
+    fn laws_of_density_are_exp_and_exp2() {
+        let color = [0.1, 0.2, 0.3];
+        let law = FogLaw::Exponential { density: 0.5 };
+        assert_eq!(fog("law=exp:density=.5:color=.1,.2,.3"), Ok(Fog { color, law }));
+        let law = FogLaw::ExponentialSquared { density: 2.0 };
+        assert_eq!(fog("density=2:law=exp2"), Ok(Fog { color: [0.0; 3], law }));
+    }
+
+    #[test]
     fn wrong_fogs_are_refused() {
         for text in [
             "",
@@ -74,6 +119,10 @@ mod tests {
             "near=1:near=1:far=2",
             "near=1:far=2:density=3",
             "near:far",
+            "law=exp",
+            "law=thick:near=1:far=2",
+            "law=exp:density=-1",
+            "law=exp2:density=1:near=1:far=2",
         ] {
             assert!(fog(text).is_err(), "{text}");
         }

@@ -1,10 +1,14 @@
 //! `KIND:KEY=VALUE:...`: a light.
 
 use super::fields::{FieldError, Fields};
-use super::number::{finite, non_negative_f32};
+use super::number::{finite, non_negative_f32, positive, single};
 use super::vector::{color, direction, numbers, point};
 use luxel_lighting::{Attenuation, Cone, Light, LightKind};
 use luxel_scene::{DVec3, Placement, SceneLight};
+
+/// The smallest difference between the cosines of a soft cone's angles: what the reference code of
+/// glTF's `KHR_lights_punctual` divides by at least.
+pub(crate) const LEAST_CONE_EDGE: f32 = 0.001;
 
 /// A light as the user wrote it; lights without a name are numbered later.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +77,7 @@ pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldEr
         let mut light = Light::new(kind, fields.take("diffuse", color)?.unwrap_or([1.0; 3]));
         light.ambient = fields.take("ambient", color)?.unwrap_or_default();
         light.specular = fields.take("specular", color)?.unwrap_or(light.diffuse);
-        light.attenuation = fields.take("attenuation", attenuation)?.unwrap_or(Attenuation::NONE);
+        light.attenuation = attenuation_of(&mut fields)?;
         light
     };
     match fields.stranger() {
@@ -95,13 +99,34 @@ fn placement(text: &str) -> Result<Placement, String> {
 }
 
 fn cone(fields: &mut Fields<'_>) -> Result<Cone, FieldError> {
-    let cos_cutoff = fields.take("cutoff", cos_cutoff)?.unwrap_or(-1.0);
-    let exponent = fields.take("exponent", non_negative_f32)?.unwrap_or(0.0);
-    Ok(Cone::Exponent { cos_cutoff, exponent })
+    let cos_cutoff = fields.take("cutoff", cos_cutoff_of)?.unwrap_or(-1.0);
+    let exponent = fields.take("exponent", non_negative_f32)?;
+    let Some(inner) = fields.take("inner", cos_cutoff_of)? else {
+        return Ok(Cone::Exponent { cos_cutoff, exponent: exponent.unwrap_or(0.0) });
+    };
+    let refused = |message: &str| FieldError { key: Some("inner".into()), message: message.into() };
+    if exponent.is_some() {
+        Err(refused("a cone has either an inner angle or an exponent"))
+    } else if cos_cutoff < 0.0 || inner < cos_cutoff {
+        Err(refused("the inner angle lies between 0 and the cutoff, which has to be given"))
+    } else {
+        let cos_inner = inner.max(cos_cutoff + LEAST_CONE_EDGE);
+        Ok(Cone::Smooth { cos_inner, cos_outer: cos_cutoff })
+    }
+}
+
+fn attenuation_of(fields: &mut Fields<'_>) -> Result<Attenuation, FieldError> {
+    let mut law = fields.take("attenuation", attenuation)?.unwrap_or(Attenuation::NONE);
+    let above_0 = |text: &str| positive(text).and_then(single);
+    if let Some(limit) = fields.take("limit", above_0)? {
+        law.limit = limit.min(Attenuation::NO_LIMIT);
+    }
+    law.range = fields.take("range", above_0)?;
+    Ok(law)
 }
 
 /// The cosine of a cone's half-angle of 0 to 90 degrees; -1 for 180, which is no cone.
-fn cos_cutoff(text: &str) -> Result<f32, String> {
+fn cos_cutoff_of(text: &str) -> Result<f32, String> {
     let degrees = finite(text)?;
     if degrees == 180.0 {
         Ok(-1.0)
@@ -123,7 +148,7 @@ fn attenuation(text: &str) -> Result<Attenuation, String> {
     } else if single == [0.0; 3] {
         Err("the coefficients are all 0: the light would be infinitely bright".to_owned())
     } else {
-        Ok(Attenuation { coefficients: single, range: None })
+        Ok(Attenuation::new(single))
     }
 }
 
@@ -167,12 +192,32 @@ mod tests {
     }
 
     #[test]
+    fn attenuation_has_a_limit_and_a_range_if_they_are_given() {
+        let plain = parsed("point:pos=0,0,0:attenuation=0,0,1").light.attenuation;
+        assert_eq!(plain, Attenuation::INVERSE_SQUARE);
+        let cut = parsed("point:pos=0,0,0:attenuation=0,0,1:limit=1:range=8").light.attenuation;
+        assert_eq!((cut.limit, cut.range), (1.0, Some(8.0)));
+    }
+
+    #[test]
+    fn a_cone_with_an_inner_angle_is_soft() {
+        let soft = parsed("spot:pos=0,0,0:dir=1,0,0:cutoff=60:inner=0").light.kind;
+        assert_eq!(soft, LightKind::Spot(Cone::Smooth { cos_inner: 1.0, cos_outer: 0.5 }));
+        let LightKind::Spot(Cone::Smooth { cos_inner, cos_outer }) =
+            parsed("spot:pos=0,0,0:dir=1,0,0:cutoff=60:inner=60").light.kind
+        else {
+            panic!("not soft")
+        };
+        assert!(cos_inner > cos_outer, "its edge has a width");
+    }
+
+    #[test]
     fn cutoffs_end_at_90_except_180_which_is_no_cone() {
-        assert_eq!(cos_cutoff("0"), Ok(1.0));
-        assert_eq!(cos_cutoff("90"), Ok(0.0));
-        assert_eq!(cos_cutoff("180"), Ok(-1.0));
+        assert_eq!(cos_cutoff_of("0"), Ok(1.0));
+        assert_eq!(cos_cutoff_of("90"), Ok(0.0));
+        assert_eq!(cos_cutoff_of("180"), Ok(-1.0));
         for text in ["-1", "91", "179", "181", "nan"] {
-            assert!(cos_cutoff(text).is_err(), "{text}");
+            assert!(cos_cutoff_of(text).is_err(), "{text}");
         }
         let open = Cone::Exponent { cos_cutoff: -1.0, exponent: 0.0 };
         assert_eq!(parsed("spot:pos=0,0,0:dir=1,0,0").light.kind, LightKind::Spot(open));
@@ -204,6 +249,12 @@ mod tests {
             "point:pos=1,2,3:attenuation=0,0,0",
             "point:pos=1,2,3:attenuation=1e-99,0,0",
             "point:pos=1,2,3:attenuation=-1,0,0",
+            "point:pos=1,2,3:limit=0",
+            "point:pos=1,2,3:range=-1",
+            "directional:dir=1,0,0:inner=3",
+            "spot:pos=1,2,3:dir=1,0,0:inner=20",
+            "spot:pos=1,2,3:dir=1,0,0:cutoff=20:inner=21",
+            "spot:pos=1,2,3:dir=1,0,0:cutoff=20:inner=2:exponent=1",
             "point:pos=1,2,3:in=space",
             "point:pos=1,2,3:name=",
             "spot:pos=1,2,3",

@@ -122,7 +122,7 @@ pub(crate) fn falloff(attenuation: &Attenuation, d: f64) -> f64 {
         }
         None => 1.0,
     };
-    window / (c1 + c2 * d + c3 * d * d)
+    window * (1.0 / (c1 + c2 * d + c3 * d * d)).min(f64::from(attenuation.limit))
 }
 
 pub(crate) fn brightness(cone: Cone, cosine: f64) -> f64 {

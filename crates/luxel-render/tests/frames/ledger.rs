@@ -62,8 +62,8 @@ pub(crate) fn many_lights(scene: &Scene) -> Vec<SceneLight> {
         ),
     ];
     lights[1].light.attenuation = Attenuation {
-        coefficients: [0.5, 0.0, 1.0 / (radius * radius) as f32],
         range: Some(3.0 * radius as f32),
+        ..Attenuation::new([0.5, 0.0, 1.0 / (radius * radius) as f32])
     };
     lights.push(SceneLight { light: Light::ambient([0.05, 0.06, 0.08]), ..lights[0].clone() });
     lights
@@ -172,6 +172,31 @@ fn a_single_sample_at_the_centre_is_the_pixel_of_one_sample() {
         let point = renderer.explain(&many, At::Point(centre)).unwrap();
         assert_eq!(point.samples, whole.samples);
         assert_eq!(point.position, Some(centre));
+    }
+}
+
+#[test]
+fn a_part_of_a_picture_is_the_pictures_part() {
+    for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "blob") {
+        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let view = styled(&scene, 1, 4);
+        let whole = renderer.rgba8(&view).unwrap().pixels;
+        let Size { width, height } = view.size;
+        for (pixel, size) in [([45, 35], [33, 21]), ([0, 69], [33, 21]), ([66, 65], [500, 3])] {
+            let asked = Size { width: size[0], height: size[1] };
+            let ([left, top], part) = renderer.rgba8_around(&view, pixel, asked).unwrap();
+            assert_eq!(part.size.width, size[0].min(width));
+            assert!((left..left + part.size.width).contains(&pixel[0]), "{name}");
+            assert!((top..top + part.size.height).contains(&pixel[1]), "{name}");
+            let rows = part.pixels.chunks(part.size.width as usize);
+            for (y, row) in (top..).zip(rows) {
+                assert!(y < height);
+                let first = (y * width + left) as usize;
+                assert_eq!(row, &whole[first..first + row.len()], "{name}, row {y}");
+            }
+        }
+        let outside = renderer.rgba8_around(&view, [90, 3], view.size);
+        assert!(matches!(outside, Err(RenderError::Outside(_))));
     }
 }
 

@@ -86,7 +86,7 @@ impl SceneBuilder {
         attenuation: [f32; 3],
     ) {
         let light = Light {
-            attenuation: Attenuation { coefficients: attenuation, range: None },
+            attenuation: Attenuation::new(attenuation),
             ..Light::new(LightKind::Point, color)
         };
         self.light(name, light, position, DVec3::NEG_Y);

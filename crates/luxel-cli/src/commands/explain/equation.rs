@@ -1,7 +1,7 @@
-//! The lighting equation of one sample as rows: what each term is the product of.
+//! The lighting equation of one place as rows: what each term is the product of.
 
 use crate::values::reflection_name;
-use luxel::lighting::{Light, LightKind, Material, Reflection};
+use luxel::lighting::{Attenuation, Light, LightKind, Material, Reflectance, Reflection};
 use luxel::render::{ExplainedLight, ExplainedSurface, Unlit};
 
 /// What a row is about; pages give each its colour.
@@ -38,6 +38,8 @@ pub(super) struct Symbol {
     pub(super) text: &'static str,
     /// For LaTeX.
     pub(super) latex: &'static str,
+    /// For HTML.
+    pub(super) html: &'static str,
 }
 
 /// One term.
@@ -57,7 +59,60 @@ pub(super) struct LightRows<'a> {
     pub(super) why_not: Option<String>,
 }
 
-/// The rows of one surface.
+/// A place where light was computed: the sample itself, or one of those between which light is
+/// interpolated.
+pub(super) struct LitPlace<'a> {
+    /// Its part in the light of the sample, and its light as it is interpolated; `None` for the
+    /// sample itself.
+    pub(super) share: Option<(f32, [f32; 3])>,
+    pub(super) normal: [f32; 3],
+    pub(super) view: [f32; 3],
+    pub(super) constants: &'a Material,
+    pub(super) reflectance: &'a Reflectance<f32>,
+    ambient_light: [f32; 3],
+    pub(super) emission: [f32; 3],
+    pub(super) scene_ambient: [f32; 3],
+    pub(super) lights: &'a [ExplainedLight],
+    pub(super) environment: [f32; 3],
+    pub(super) sum: [f32; 3],
+}
+
+/// The places where a surface's light was computed.
+pub(super) fn lit_places(surface: &ExplainedSurface) -> Vec<LitPlace<'_>> {
+    let constants = &surface.material.constants;
+    let ambient_light = surface.ambient_light;
+    if surface.evaluated_at.is_empty() {
+        return vec![LitPlace {
+            share: None,
+            normal: surface.normal,
+            view: surface.view,
+            constants,
+            reflectance: &surface.material.reflectance,
+            ambient_light,
+            emission: surface.emission,
+            scene_ambient: surface.scene_ambient,
+            lights: &surface.lights,
+            environment: surface.environment,
+            sum: surface.sum,
+        }];
+    }
+    let places = surface.evaluated_at.iter().map(|place| LitPlace {
+        share: Some((place.weight, place.light)),
+        normal: place.normal,
+        view: place.view,
+        constants,
+        reflectance: &place.reflectance,
+        ambient_light,
+        emission: place.emission,
+        scene_ambient: place.scene_ambient,
+        lights: &place.lights,
+        environment: place.environment,
+        sum: place.sum,
+    });
+    places.collect()
+}
+
+/// The rows of one place.
 pub(super) struct Rows<'a> {
     /// Emission and ambient light.
     pub(super) own: Vec<Row>,
@@ -77,38 +132,41 @@ impl Factor {
     }
 }
 
-const fn symbol(text: &'static str, latex: &'static str) -> Symbol {
-    Symbol { text, latex }
+const fn symbol(text: &'static str, latex: &'static str, html: &'static str) -> Symbol {
+    Symbol { text, latex, html }
 }
 
-const F: Symbol = symbol("f", "f");
-const I_A: Symbol = symbol("I_a", "I_a");
-const I_D: Symbol = symbol("I_d", "I_d");
-const I_S: Symbol = symbol("I_s", "I_s");
-const K_A: Symbol = symbol("k_a", "k_a");
-const K_D: Symbol = symbol("k_d", "k_d");
-const K_S: Symbol = symbol("k_s", "k_s");
-const O_A: Symbol = symbol("O_a", "O_a");
-const O_D: Symbol = symbol("O_d", "O_d");
-const O_E: Symbol = symbol("O_e", "O_e");
-const O_S: Symbol = symbol("O_s", "O_s");
-const OCCLUSION: Symbol = symbol("occlusion", r"\mathrm{occlusion}");
-const NOT_METAL: Symbol = symbol("(1 - metallic)", r"(1 - m)");
-const N_DOT_L: Symbol = symbol("N.L", r"(\mathbf N \cdot \mathbf L)");
-const R_DOT_V: Symbol = symbol("R.V", r"(\mathbf R \cdot \mathbf V)");
-const N_DOT_H: Symbol = symbol("N.H", r"(\mathbf N \cdot \mathbf H)");
-const V_DOT_L: Symbol = symbol("V.L", r"(\mathbf V \cdot \mathbf L)");
-const ROUGH: Symbol = symbol("(A + B max(q, 0) / max(N.L, N.V))", r"(A + B \sin\alpha \tan\beta)");
-const NOT_MIRRORED: Symbol = symbol("(1 - F)", "(1 - F)");
-const FACETS: Symbol = symbol("pi D V F", r"\pi D V F");
-const MIXED: Symbol = symbol("mixed lobe", r"\rho_{\mathrm{mixed}}");
-const E_OF_R: Symbol = symbol("E(R)", r"E(\mathbf R)");
-const SPLIT_SUM: Symbol = symbol("(F0 A + B)", "(F_0 A + B)");
+const F: Symbol = symbol("f", "f", "<i>f</i>");
+const I_A: Symbol = symbol("I_a", "I_a", "<i>I</i><sub>a</sub>");
+const I_D: Symbol = symbol("I_d", "I_d", "<i>I</i><sub>d</sub>");
+const I_S: Symbol = symbol("I_s", "I_s", "<i>I</i><sub>s</sub>");
+const K_A: Symbol = symbol("k_a", "k_a", "<i>k</i><sub>a</sub>");
+const K_D: Symbol = symbol("k_d", "k_d", "<i>k</i><sub>d</sub>");
+const K_S: Symbol = symbol("k_s", "k_s", "<i>k</i><sub>s</sub>");
+const O_A: Symbol = symbol("O_a", "O_a", "<i>O</i><sub>a</sub>");
+const O_D: Symbol = symbol("O_d", "O_d", "<i>O</i><sub>d</sub>");
+const O_E: Symbol = symbol("O_e", "O_e", "<i>O</i><sub>e</sub>");
+const O_S: Symbol = symbol("O_s", "O_s", "<i>O</i><sub>s</sub>");
+const OCCLUSION: Symbol = symbol("occlusion", r"\mathrm{occlusion}", "occlusion");
+const NOT_METAL: Symbol = symbol("(1 - metallic)", r"(1 - \mathrm{metallic})", "(1 − metallic)");
+const N_DOT_L: Symbol = symbol("N.L", r"\mathbf N\cdot\mathbf L", "<b>N</b>·<b>L</b>");
+const R_DOT_V: Symbol = symbol("R.V", r"\mathbf R\cdot\mathbf V", "<b>R</b>·<b>V</b>");
+const N_DOT_H: Symbol = symbol("N.H", r"\mathbf N\cdot\mathbf H", "<b>N</b>·<b>H</b>");
+const V_DOT_L: Symbol = symbol("V.L", r"\mathbf V\cdot\mathbf L", "<b>V</b>·<b>L</b>");
+const ROUGH: Symbol = symbol(
+    "(A + B max(q, 0) / max(N.L, N.V))",
+    r"\Bigl(A + B\,\tfrac{\max(q, 0)}{\max(\mathbf N\cdot\mathbf L,\,\mathbf N\cdot\mathbf V)}\Bigr)",
+    "(A + B max(q, 0) / max(<b>N</b>·<b>L</b>, <b>N</b>·<b>V</b>))",
+);
+const NOT_MIRRORED: Symbol = symbol("(1 - F)", "(1 - F)", "(1 − F)");
+const FACETS: Symbol = symbol("pi D V F", r"\pi D V F", "π D V F");
+const MIXED: Symbol = symbol("mixed lobe", r"\rho", "mixed lobe");
+const E_OF_R: Symbol = symbol("E(R)", r"E(\mathbf R)", "E(<b>R</b>)");
+const SPLIT_SUM: Symbol = symbol("(F0 A + B)", "(F_0 A + B)", "(F<sub>0</sub> A + B)");
 
-/// The rows of a surface's light.
-pub(super) fn rows(surface: &ExplainedSurface) -> Rows<'_> {
-    let constants = &surface.material.constants;
-    let reflectance = &surface.material.reflectance;
+/// The rows of a place's light.
+pub(super) fn rows<'a>(place: &LitPlace<'a>) -> Rows<'a> {
+    let LitPlace { constants, reflectance, .. } = place;
     let unlit = constants.reflection == Reflection::Unlit;
     let emission = Row {
         role: Role::Emission,
@@ -121,54 +179,54 @@ pub(super) fn rows(surface: &ExplainedSurface) -> Rows<'_> {
         } else {
             vec![Factor::Color(O_E, reflectance.emission.lane(0))]
         },
-        value: surface.emission,
+        value: place.emission,
     };
     let ambient = Row {
         role: Role::Ambient,
         name: "ambient",
-        factors: ambient_factors(surface, Factor::Color(I_A, surface.ambient_light)),
-        value: surface.scene_ambient,
+        factors: ambient_factors(place, Factor::Color(I_A, place.ambient_light)),
+        value: place.scene_ambient,
     };
-    let mirrors = surface.environment != [0.0; 3];
+    let mirrors = place.environment != [0.0; 3];
     Rows {
         // An emission of nothing is not worth a line.
-        own: (surface.emission != [0.0; 3])
+        own: (place.emission != [0.0; 3])
             .then_some(emission)
             .into_iter()
             .chain([ambient])
             .collect(),
-        lights: surface.lights.iter().map(|light| light_rows(surface, light)).collect(),
+        lights: place.lights.iter().map(|light| light_rows(place, light)).collect(),
         environment: mirrors.then(|| Row {
             role: Role::Environment,
             name: "environment",
-            factors: environment_factors(surface),
-            value: surface.environment,
+            factors: environment_factors(place),
+            value: place.environment,
         }),
     }
 }
 
-fn ambient_factors(surface: &ExplainedSurface, intensity: Factor) -> Vec<Factor> {
-    let Material { k_a, reflection, .. } = &surface.material.constants;
-    let reflectance = &surface.material.reflectance;
+fn ambient_factors(place: &LitPlace<'_>, intensity: Factor) -> Vec<Factor> {
+    let Material { k_a, reflection, .. } = place.constants;
+    let reflectance = place.reflectance;
     let mut factors =
         vec![intensity, Factor::Number(K_A, *k_a), Factor::Color(O_A, reflectance.ambient.lane(0))];
     if reflectance.occlusion != 1.0 {
         factors.push(Factor::Number(OCCLUSION, reflectance.occlusion));
     }
     // With an environment, metals have no other ambient light.
-    if *reflection == Reflection::Microfacet && surface.environment != [0.0; 3] {
+    if *reflection == Reflection::Microfacet && place.environment != [0.0; 3] {
         factors.push(Factor::Number(NOT_METAL, 1.0 - reflectance.metallic));
     }
     factors
 }
 
-fn environment_factors(surface: &ExplainedSurface) -> Vec<Factor> {
-    let reflectance = &surface.material.reflectance;
+fn environment_factors(place: &LitPlace<'_>) -> Vec<Factor> {
+    let reflectance = place.reflectance;
     let mut factors = vec![
-        Factor::Number(K_S, surface.material.constants.k_s),
+        Factor::Number(K_S, place.constants.k_s),
         Factor::Color(O_S, reflectance.specular.lane(0)),
     ];
-    match surface.material.constants.reflection {
+    match place.constants.reflection {
         Reflection::Microfacet => factors.push(Factor::Named(SPLIT_SUM)),
         Reflection::Mixed(_) => factors.push(Factor::Named(MIXED)),
         _ => {}
@@ -180,7 +238,7 @@ fn environment_factors(surface: &ExplainedSurface) -> Vec<Factor> {
     factors
 }
 
-fn light_rows<'a>(surface: &ExplainedSurface, light: &'a ExplainedLight) -> LightRows<'a> {
+fn light_rows<'a>(place: &LitPlace<'_>, light: &'a ExplainedLight) -> LightRows<'a> {
     let terms = &light.terms;
     let f = Factor::Number(F, terms.attenuation * terms.spot);
     let with_f = |rest: Vec<Factor>| -> Vec<Factor> {
@@ -193,7 +251,7 @@ fn light_rows<'a>(surface: &ExplainedSurface, light: &'a ExplainedLight) -> Ligh
         rows.push(Row {
             role: Role::Ambient,
             name: "ambient",
-            factors: with_f(ambient_factors(surface, intensity)),
+            factors: with_f(ambient_factors(place, intensity)),
             value: terms.ambient.lane(0),
         });
     }
@@ -202,10 +260,10 @@ fn light_rows<'a>(surface: &ExplainedSurface, light: &'a ExplainedLight) -> Ligh
         rows.push(Row {
             role: Role::Diffuse,
             name: "diffuse",
-            factors: with_f(diffuse_factors(surface, light)),
+            factors: with_f(diffuse_factors(place, light)),
             value: terms.diffuse.lane(0),
         });
-        if let Some(factors) = specular_factors(surface, light) {
+        if let Some(factors) = specular_factors(place, light) {
             rows.push(Row {
                 role: Role::Specular,
                 name: "specular",
@@ -217,9 +275,8 @@ fn light_rows<'a>(surface: &ExplainedSurface, light: &'a ExplainedLight) -> Ligh
     LightRows { light, rows, why_not }
 }
 
-fn diffuse_factors(surface: &ExplainedSurface, light: &ExplainedLight) -> Vec<Factor> {
-    let constants = &surface.material.constants;
-    let reflectance = &surface.material.reflectance;
+fn diffuse_factors(place: &LitPlace<'_>, light: &ExplainedLight) -> Vec<Factor> {
+    let LitPlace { constants, reflectance, .. } = place;
     let mut factors = vec![
         Factor::Color(I_D, light.light.diffuse),
         Factor::Number(K_D, constants.k_d),
@@ -240,9 +297,8 @@ fn diffuse_factors(surface: &ExplainedSurface, light: &ExplainedLight) -> Vec<Fa
 }
 
 /// The factors of the highlight; `None` where the model has none.
-fn specular_factors(surface: &ExplainedSurface, light: &ExplainedLight) -> Option<Vec<Factor>> {
-    let constants = &surface.material.constants;
-    let reflectance = &surface.material.reflectance;
+fn specular_factors(place: &LitPlace<'_>, light: &ExplainedLight) -> Option<Vec<Factor>> {
+    let LitPlace { constants, reflectance, .. } = place;
     let mut factors = vec![
         Factor::Color(I_S, light.light.specular),
         Factor::Number(K_S, constants.k_s),
@@ -265,13 +321,21 @@ fn specular_factors(surface: &ExplainedSurface, light: &ExplainedLight) -> Optio
 
 /// Why a light adds nothing, in words.
 pub(super) fn why_not(unlit: Unlit) -> String {
+    let degrees = |cosine: f32| libm::acos(f64::from(cosine.clamp(-1.0, 1.0))).to_degrees();
     match unlit {
-        Unlit::Behind => "it stands behind the surface: N.L is not above 0".to_owned(),
-        Unlit::OutsideCone { cos_cutoff } => {
-            let degrees = libm::acos(f64::from(cos_cutoff)).to_degrees();
-            format!("the surface lies outside of its cone of {degrees:.1} degrees")
+        Unlit::Behind => {
+            "it stands behind the surface, or in its plane: N.L is not above 0".to_owned()
         }
-        Unlit::OutOfRange { range } => format!("the surface lies beyond its range of {range}"),
+        Unlit::OutsideCone { cos_angle, cos_cutoff } => format!(
+            "the surface lies {:.1} degrees off its axis, outside of its cone of {:.1} degrees",
+            degrees(cos_angle),
+            degrees(cos_cutoff)
+        ),
+        Unlit::OutOfRange { distance, range } => format!(
+            "the surface lies {} away, beyond its range of {}",
+            number(distance),
+            number(range)
+        ),
         Unlit::AtTheSurface => "it stands at the surface itself".to_owned(),
         Unlit::Dark => "it has no intensity".to_owned(),
         Unlit::Absorbed => "the surface reflects nothing of its colour".to_owned(),
@@ -280,12 +344,12 @@ pub(super) fn why_not(unlit: Unlit) -> String {
 
 /// The vector that the highlight goes by, and its name.
 pub(super) fn highlight_vector(
-    surface: &ExplainedSurface,
+    place: &LitPlace<'_>,
     light: &ExplainedLight,
 ) -> Option<(&'static str, [f32; 3])> {
     let l = light.terms.to_light.lane(0);
-    let (n, v) = (surface.normal, surface.view);
-    let vector = match surface.material.constants.reflection {
+    let (n, v) = (place.normal, place.view);
+    let vector = match place.constants.reflection {
         Reflection::Phong => {
             let twice = 2.0 * light.terms.n_dot_l;
             ("R", [0, 1, 2].map(|axis| twice * n[axis] - l[axis]))
@@ -319,9 +383,17 @@ pub(super) fn reach(light: &ExplainedLight) -> Option<String> {
     let distance = terms.distance?;
     let [c1, c2, c3] = attenuation.coefficients;
     let mut text = format!("d = {}", number(distance));
-    if [c1, c2, c3] != [1.0, 0.0, 0.0] || attenuation.range.is_some() {
+    if *attenuation != Attenuation::NONE {
         let shown = number(terms.attenuation);
-        text += &format!(", attenuation 1 / ({c1} + {c2} d + {c3} d^2) = {shown}");
+        let cut = match attenuation.limit {
+            Attenuation::NO_LIMIT => String::new(),
+            limit => format!(", cut at {limit}"),
+        };
+        let window = match attenuation.range {
+            Some(range) => format!(", ending at {range}"),
+            None => String::new(),
+        };
+        text += &format!(", attenuation 1 / ({c1} + {c2} d + {c3} d^2){cut}{window} = {shown}");
     }
     if matches!(kind, LightKind::Spot(_)) {
         text += &format!(", cone {}", number(terms.spot));

@@ -1,29 +1,38 @@
 //! The ledger as JSON. Numbers are written with all their digits, so that they read back exactly.
 
 use super::Told;
+use super::hidden::Hidden;
+use super::words::kind_name;
 use crate::values::reflection_name;
-use luxel::lighting::{Light, LightKind, Reflection};
-use luxel::render::{
-    EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Seen,
-};
+use luxel::lighting::{Light, LightKind, Material, Reflectance, Reflection};
+use luxel::pick::{Element, PickHit};
+use luxel::render::{EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Seen};
 use luxel::scene::Scene;
 use serde_json::{Map, Value, json};
 
 /// The whole document.
 pub(super) fn document(told: &Told<'_>) -> Value {
     let explanation = told.explanation;
-    let samples = explanation.samples.iter().map(|entry| sample(entry, told.scene));
+    let entries = explanation.samples.iter().zip(&told.unseen.entries);
+    let samples = entries.map(|(entry, hidden)| sample(entry, hidden, told.scene));
+    let nearest = told.unseen.nearest.map(|nearest| {
+        let mut object = object_of(nearest.object, told.scene);
+        object.insert("pixel".to_owned(), json!(nearest.pixel));
+        object.insert("pixels".to_owned(), json!(nearest.pixels));
+        object
+    });
     json!({
         "pixel": explanation.pixel,
         "position": explanation.position,
         "samples": samples.collect::<Vec<_>>(),
         "linear": explanation.linear,
         "rgba8": explanation.rgba8,
+        "nearest": nearest,
     })
 }
 
 /// Samples that see the same.
-fn sample(entry: &ExplainedSample, scene: &Scene) -> Value {
+fn sample(entry: &ExplainedSample, hidden: &Hidden, scene: &Scene) -> Value {
     let mut object = match &*entry.seen {
         [only] => seen(only, scene),
         // Their terms are the layers' business; what lies nearest gives the place.
@@ -38,11 +47,39 @@ fn sample(entry: &ExplainedSample, scene: &Scene) -> Value {
         }
         [] => Map::new(),
     };
+    let hits = |hits: &[PickHit]| hits.iter().map(|hit| hit_of(hit, scene)).collect::<Value>();
+    object.insert("at".to_owned(), json!(entry.at));
+    object.insert("behind".to_owned(), hits(&hidden.behind));
+    object.insert("culled".to_owned(), hits(&hidden.culled));
     object.insert("weight".to_owned(), json!(entry.weight));
     object.insert("covers".to_owned(), json!(entry.covers));
     object.insert("color".to_owned(), json!(entry.color));
     object.insert("alpha".to_owned(), json!(entry.alpha));
     Value::Object(object)
+}
+
+/// An object by its place, name and path.
+fn object_of(index: usize, scene: &Scene) -> Map<String, Value> {
+    let path = scene.objects().get(index).map(|object| scene.path(object.node));
+    let mut object = Map::new();
+    object.insert("index".to_owned(), json!(index));
+    object.insert("object".to_owned(), json!(path.as_ref().and_then(|path| path.last())));
+    object.insert("path".to_owned(), json!(path));
+    object
+}
+
+/// A surface that isn't seen.
+fn hit_of(hit: &PickHit, scene: &Scene) -> Map<String, Value> {
+    let mut object = object_of(hit.object, scene);
+    let triangle = match hit.element {
+        Element::Triangle(number) => Some(number),
+        Element::Point(_) | Element::Line(_) => None,
+    };
+    object.insert("triangle".to_owned(), json!(triangle));
+    object.insert("position".to_owned(), json!(hit.position.to_array()));
+    object.insert("z".to_owned(), json!(hit.z));
+    object.insert("depth".to_owned(), json!(hit.depth));
+    object
 }
 
 /// The keys that belong to one surface's light.
@@ -82,7 +119,7 @@ fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
         "view": seen.view,
         "z": seen.z,
         "uv": seen.uv,
-        "material": material(&seen.material),
+        "material": material(&seen.material.name, &seen.material.constants, &seen.material.reflectance),
         "emission": seen.emission,
         "ambient_light": seen.ambient_light,
         "scene_ambient": seen.scene_ambient,
@@ -103,6 +140,7 @@ fn evaluated(seen: &ExplainedSurface) -> Value {
             "position": place.position,
             "normal": place.normal,
             "view": place.view,
+            "material": material(&seen.material.name, &seen.material.constants, &place.reflectance),
             "emission": place.emission,
             "scene_ambient": place.scene_ambient,
             "lights": place.lights.iter().map(light).collect::<Vec<_>>(),
@@ -118,8 +156,7 @@ fn evaluated(seen: &ExplainedSurface) -> Value {
     }
 }
 
-fn material(material: &ExplainedMaterial) -> Value {
-    let ExplainedMaterial { name, constants, reflectance } = material;
+fn material(name: &str, constants: &Material, reflectance: &Reflectance<f32>) -> Value {
     let mut value = json!({
         "name": name,
         "reflection": reflection_name(&constants.reflection),
@@ -144,11 +181,13 @@ fn material(material: &ExplainedMaterial) -> Value {
 
 fn light(light: &ExplainedLight) -> Value {
     let terms = &light.terms;
-    let Light { ambient, diffuse, specular, .. } = &light.light;
+    let Light { kind, ambient, diffuse, specular, .. } = light.light;
     json!({
         "name": light.name,
         "kind": kind_name(&light.light),
         "intensity": { "ambient": ambient, "diffuse": diffuse, "specular": specular },
+        "position": (kind != LightKind::Directional).then_some(light.position),
+        "direction": (kind != LightKind::Point).then_some(light.direction),
         "to_light": terms.to_light.lane(0),
         "distance": terms.distance,
         "attenuation": terms.attenuation,
@@ -160,14 +199,4 @@ fn light(light: &ExplainedLight) -> Value {
         "specular": terms.specular.lane(0),
         "why_not": light.unlit().map(super::equation::why_not),
     })
-}
-
-/// The kind as `--light` names it.
-pub(super) fn kind_name(light: &Light) -> &'static str {
-    match light.kind {
-        LightKind::Ambient => "ambient",
-        LightKind::Directional => "directional",
-        LightKind::Point => "point",
-        LightKind::Spot(_) => "spot",
-    }
 }

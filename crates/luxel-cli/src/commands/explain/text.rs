@@ -2,13 +2,16 @@
 
 use super::Told;
 use super::equation::{
-    Factor, LightRows, Role, Row, color, highlight_vector, model_name, number, reach, rows,
+    Factor, LightRows, LitPlace, Role, Row, color, highlight_vector, lit_places, number, reach,
+    rows,
 };
-use super::json::kind_name;
+use super::words::{
+    Mixture, coordinate, encoded, kind_name, material, nearest, part_of, place_name, share,
+    surface_path, why_not_seen,
+};
 use crate::console::printable;
 use luxel::lighting::PictureEncoding;
 use luxel::render::{ExplainedSample, ExplainedSurface, Explanation, Seen};
-use std::io::IsTerminal;
 
 /// Columns of the names of terms.
 const NAMES: usize = 14;
@@ -16,17 +19,10 @@ const NAMES: usize = 14;
 const VALUE: usize = 9;
 
 /// The whole page.
-pub(super) fn page(told: &Told<'_>) -> String {
-    let mut page = Page { text: String::new(), colored: colored() };
+pub(super) fn page(told: &Told<'_>, colored: bool) -> String {
+    let mut page = Page { text: String::new(), colored };
     page.tell(told);
     page.text
-}
-
-/// Colours appear on a terminal that has them, unless `NO_COLOR` is set to anything.
-fn colored() -> bool {
-    std::io::stdout().is_terminal()
-        && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
-        && std::env::var_os("TERM").is_none_or(|value| value != "dumb")
 }
 
 struct Page {
@@ -83,9 +79,16 @@ impl Page {
         let head = self.bold(&format!("{place} of {}", printable(&told.model)));
         let patch = self.patch([r, g, b]);
         self.line(&format!("{head}   {patch}#{r:02x}{g:02x}{b:02x}   {r} {g} {b}, alpha {alpha}"));
-        for entry in samples {
+        for (place, entry) in samples.iter().enumerate() {
             self.line("");
             self.sample(entry, told);
+            for (label, sentence) in why_not_seen(place, told) {
+                let sentence = printable(&sentence);
+                self.line(&self.quiet(&format!("  {label:NAMES$}{sentence}")));
+            }
+        }
+        if let Some(nearest) = nearest(told) {
+            self.line(&self.quiet(&format!("  {}", printable(&nearest))));
         }
         self.line("");
         self.pixel(told);
@@ -122,14 +125,9 @@ impl Page {
     }
 
     fn surface(&mut self, which: &str, surface: &ExplainedSurface, told: &Told<'_>) {
-        let objects = told.scene.objects();
-        let path = objects.get(surface.object).map(|object| told.scene.path(object.node));
-        let name = path.map_or_else(|| surface.name.clone(), |path| path.join(" / "));
-        let triangle = match surface.triangle {
-            Some(triangle) => format!("triangle {triangle} of "),
-            None => "a point or line of ".to_owned(),
-        };
-        self.line(&format!("{which} {triangle}{}", self.bold(&printable(&name))));
+        let name = printable(&surface_path(surface, told.scene));
+        let triangle = part_of(surface.triangle);
+        self.line(&format!("{which} {triangle}{}", self.bold(&name)));
         let [a, b, c] = surface.barycentric.map(number_of);
         let [x, y, z] = surface.position.map(|side| number(side as f32));
         let place = format!("({x}, {y}, {z})");
@@ -138,23 +136,24 @@ impl Page {
         );
         let vectors = format!("N = {}   V = {}", vector(surface.normal), vector(surface.view));
         self.line(&self.quiet(&format!("  {:NAMES$}{vectors}", "vectors")));
-        let material = material_line(surface);
+        let material = material(surface);
         self.line(&self.quiet(&format!("  {:NAMES$}{}", "material", printable(&material))));
         self.line(&self.quiet(&format!(
             "  {:NAMES$}{:>VALUE$}{:>VALUE$}{:>VALUE$}",
             "", "red", "green", "blue"
         )));
-        let rows = rows(surface);
-        for row in &rows.own {
-            self.row(row, "");
+        let places = lit_places(surface);
+        for (at, place) in places.iter().enumerate() {
+            if let Some((weight, _)) = place.share {
+                let name = self.bold(&place_name(at, places.len(), told));
+                let (n, v) = (vector(place.normal), vector(place.view));
+                self.line(&format!("  {name} weighs {}   N = {n}   V = {v}", number(weight)));
+            }
+            self.lit(place);
         }
-        for light in &rows.lights {
-            self.light(light, surface);
-        }
-        if let Some(environment) = &rows.environment {
-            self.row(environment, "");
-        }
-        self.total("= I", surface.sum, Role::Sum, "");
+        let Mixture { parts, texture } = Mixture::of(surface, &places);
+        let note = if parts.is_empty() { String::new() } else { mixture_text(&parts, texture) };
+        self.total("= I", surface.sum, Role::Sum, &note);
         if let Some((factor, fog)) = surface.fog {
             let note = format!(
                 "s I + (1 - s) I_dc = {} I + {} x {}, {} away",
@@ -167,7 +166,25 @@ impl Page {
         }
     }
 
-    fn light(&mut self, told: &LightRows<'_>, surface: &ExplainedSurface) {
+    /// The terms of one place.
+    fn lit(&mut self, place: &LitPlace<'_>) {
+        let rows = rows(place);
+        for row in &rows.own {
+            self.row(row, "");
+        }
+        for light in &rows.lights {
+            self.light(light, place);
+        }
+        if let Some(environment) = &rows.environment {
+            self.row(environment, "");
+        }
+        if let Some((_, light)) = place.share {
+            let clamped = if light == place.sum { "" } else { "clamped to 0..1" };
+            self.total("= light here", light, Role::Sum, clamped);
+        }
+    }
+
+    fn light(&mut self, told: &LightRows<'_>, place: &LitPlace<'_>) {
         let light = told.light;
         let mut head = format!(
             "  {} ({})   N.L = {}   L = {}",
@@ -176,7 +193,7 @@ impl Page {
             number(light.terms.n_dot_l),
             vector(light.terms.to_light.lane(0)),
         );
-        if let Some((name, highlight)) = highlight_vector(surface, light)
+        if let Some((name, highlight)) = highlight_vector(place, light)
             && told.why_not.is_none()
         {
             head += &format!("   {name} = {}", vector(highlight));
@@ -235,35 +252,31 @@ impl Page {
         let text = format!("{:width$}{}", "pixel", values([*r, *g, *b]), width = NAMES + 2);
         let shown = self.painted(&text, role_color(Role::Sum));
         let curve = match told.view.encoding {
-            PictureEncoding::Srgb => "clamped to 0..1, through the curve of sRGB",
+            PictureEncoding::Srgb => "clamped to 0..1, then through the curve of sRGB",
             PictureEncoding::None => "clamped to 0..1",
         };
         let [byte_r, byte_g, byte_b, byte_alpha] = rgba8;
-        self.line(&format!(
-            "{shown}  alpha {}   {curve}, times 255: {byte_r} {byte_g} {byte_b}, alpha {byte_alpha}",
-            number_of(*alpha),
-        ));
+        self.line(&format!("{shown}  alpha {}", number_of(*alpha)));
+        let steps = [*r, *g, *b].map(|value| encoded(value, told.view.encoding));
+        let steps = steps.map(|step| format!("{step:>VALUE$.2}")).concat();
+        let text = format!("{:width$}{steps}", "times 255", width = NAMES + 2);
+        self.line(&format!("{text}  {}", self.quiet(curve)));
+        let bytes = [byte_r, byte_g, byte_b].map(|byte| format!("{byte:>VALUE$}")).concat();
+        let text = format!("{:width$}{bytes}", "rounded", width = NAMES + 2);
+        self.line(&format!("{text}  alpha {byte_alpha}"));
     }
 }
 
-/// How many of the samples an entry is about.
-fn share(entry: &ExplainedSample) -> String {
-    if entry.weight == 1.0 {
-        return "the pixel".to_owned();
+/// How light comes from the places where it was computed.
+fn mixture_text(parts: &[(f32, [f32; 3])], texture: Option<[f32; 3]>) -> String {
+    let parts: Vec<_> = parts
+        .iter()
+        .map(|(weight, light)| format!("{} x {}", number(*weight), color(*light)))
+        .collect();
+    match texture {
+        Some(texture) => format!("({}) x texture {}", parts.join(" + "), color(texture)),
+        None => parts.join(" + "),
     }
-    let count = entry.covers.len() as f32;
-    let all = (count / entry.weight).round();
-    format!("{count} of {all} samples: it")
-}
-
-fn material_line(surface: &ExplainedSurface) -> String {
-    let material = &surface.material;
-    let (constants, reflectance) = (&material.constants, &material.reflectance);
-    let mut text =
-        if material.name.is_empty() { String::new() } else { format!("{}, ", material.name) };
-    text += &model_name(&constants.reflection);
-    text += &format!("   O_d = {}", color(reflectance.diffuse.lane(0)));
-    text
 }
 
 fn symbol_text(factor: &Factor) -> String {
@@ -285,8 +298,9 @@ fn factor_text(factor: &Factor) -> String {
     }
 }
 
-fn vector([x, y, z]: [f32; 3]) -> String {
-    format!("({x:.3}, {y:.3}, {z:.3})")
+fn vector(vector: [f32; 3]) -> String {
+    let [x, y, z] = vector.map(coordinate);
+    format!("({x}, {y}, {z})")
 }
 
 /// Red, green and blue in their columns.
