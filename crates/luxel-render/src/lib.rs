@@ -43,5 +43,6 @@ pub use picture::{
 };
 pub use renderer::{MAX_SIDE, Picture, RenderError, Renderer, Stages, Subdivision};
 pub use view::{
-    Clamp, Edges, EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View,
+    Clamp, Edges, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading, ShadingMode,
+    View,
 };

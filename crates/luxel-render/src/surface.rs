@@ -2,6 +2,7 @@
 
 use crate::corners::Corners;
 use crate::shade::Scene16;
+use crate::view::NormalLength;
 use luxel_lighting::{Reflectance, Silent, SurfacePoint, Witness};
 use luxel_math::{LANES, Number, Rgb, Vec3};
 use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
@@ -40,7 +41,7 @@ pub(crate) struct Interpolated<N> {
     pub(crate) seen: u32,
 }
 
-/// Place, unit normal and direction to the eye of sixteen samples.
+/// Place, normal and direction to the eye of sixteen samples.
 #[inline(always)]
 pub(crate) fn point<N: Number>(
     scene: &Scene16<'_>,
@@ -48,7 +49,11 @@ pub(crate) fn point<N: Number>(
     corners: &Corners,
 ) -> SurfacePoint<N> {
     let position = corners.position(&interpolated.weights);
-    let normal = corners.normal(&interpolated.weights).normalized_or_zero();
+    let normal = corners.normal(&interpolated.weights);
+    let normal = match scene.shading.normal_length {
+        NormalLength::Unit => normal.normalized_or_zero(),
+        NormalLength::Interpolated => normal,
+    };
     let view = match scene.spaces.first() {
         Some(space) if space.parallel => {
             Vec3::splat(position.x, (-scene.direction).as_vec3().to_array())

@@ -44,6 +44,8 @@ pub struct Shading {
     pub interpolation: Interpolation,
     /// Where intensities are brought into 0..1.
     pub clamp: Clamp,
+    /// Whether interpolated normals are brought to unit length.
+    pub normal_length: NormalLength,
 }
 
 /// Where light is computed.
@@ -95,6 +97,17 @@ pub enum Clamp {
     Vertex,
     /// At the end, where colours become bytes.
     End,
+}
+
+/// The length of the normals that pixels are lit with. At corners it is 1 always.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NormalLength {
+    /// 1, as the equation wants it (Phong 1975).
+    #[default]
+    Unit,
+    /// As interpolation left it: less than 1 between corners, by the more the farther apart their
+    /// normals point. It shows what becomes of highlights then.
+    Interpolated,
 }
 
 /// What mirrors and metals see.

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::values::positive;
 use clap::{Args, ValueEnum};
-use luxel::render::{Clamp, Interpolation, Shading, ShadingMode};
+use luxel::render::{Clamp, Interpolation, NormalLength, Shading, ShadingMode};
 
 /// Where light is computed, and how it gets to the pixels between.
 #[derive(Args, Clone, Debug)]
@@ -26,6 +26,11 @@ pub(crate) struct ModeOptions {
     /// scanline (along edges and rows of polygons)
     #[arg(long, value_name = "HOW", default_value = "perspective", hide_possible_values = true)]
     pub(crate) interpolation: InterpolationChoice,
+
+    /// The length of the normals that phong lights pixels with: unit, or interpolated (as it is
+    /// between corners, to see what that spoils)
+    #[arg(long, value_name = "LENGTH", default_value = "unit", hide_possible_values = true)]
+    pub(crate) normal_length: NormalLengthChoice,
 }
 
 /// Where light is computed.
@@ -61,6 +66,15 @@ pub(crate) enum InterpolationChoice {
     Scanline,
 }
 
+/// The length of interpolated normals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum NormalLengthChoice {
+    /// 1.
+    Unit,
+    /// As it is between corners.
+    Interpolated,
+}
+
 /// The tolerance of subdivided shading where none is given, in 8-bit steps.
 const DEFAULT_TOLERANCE: f64 = 1.0;
 
@@ -90,6 +104,10 @@ impl ModeOptions {
             clamp: match self.clamp {
                 ClampChoice::Vertex => Clamp::Vertex,
                 ClampChoice::End => Clamp::End,
+            },
+            normal_length: match self.normal_length {
+                NormalLengthChoice::Unit => NormalLength::Unit,
+                NormalLengthChoice::Interpolated => NormalLength::Interpolated,
             },
         })
     }

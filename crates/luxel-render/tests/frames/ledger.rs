@@ -4,7 +4,8 @@ use crate::scenes::{execution, fitted, glass};
 use luxel_lighting::{Attenuation, Cone, Fog, FogLaw, Light, LightKind, Reflection};
 use luxel_math::SimdLevel;
 use luxel_render::{
-    At, Clamp, Interpolation, Layer, LayerValues, RenderError, Renderer, Shading, ShadingMode, View,
+    At, Clamp, Interpolation, Layer, LayerValues, NormalLength, RenderError, Renderer, Shading,
+    ShadingMode, View,
 };
 use luxel_scene::{DVec3, Placement, Scene, SceneLight, Size, default_lights, demos};
 
@@ -81,7 +82,7 @@ pub(crate) const REFLECTIONS: [Reflection; 8] = [
 ];
 
 const fn shading(mode: ShadingMode, interpolation: Interpolation, clamp: Clamp) -> Shading {
-    Shading { mode, interpolation, clamp }
+    Shading { mode, interpolation, clamp, normal_length: NormalLength::Unit }
 }
 
 const SHADINGS: [Shading; 8] = [

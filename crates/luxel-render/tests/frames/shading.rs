@@ -3,7 +3,7 @@
 use crate::scenes::{bytes, execution, linear, matte, scene, square, view};
 use luxel_lighting::{Material, Reflection, encode_srgb};
 use luxel_math::SimdLevel;
-use luxel_render::{Clamp, Interpolation, Renderer, Shading, ShadingMode, View};
+use luxel_render::{At, Clamp, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
 use luxel_scene::{
     Camera, DMat4, DVec3, Lens, Mesh, Placement, Projection, Scene, SceneMaterial, Size,
     default_lights,
@@ -208,7 +208,7 @@ fn rolled(interpolation: Interpolation, degrees: f64) -> Vec<[u8; 4]> {
     mesh.colors = vec![[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [1.0; 4]];
     let mut scene = scene(vec![(mesh, matte([1.0; 3]))]);
     scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians());
-    let shading = Shading { mode: ShadingMode::Gouraud, interpolation, clamp: Clamp::Vertex };
+    let shading = Shading { mode: ShadingMode::Gouraud, interpolation, ..Shading::default() };
     let mut pixels = bytes(&scene, &View { shading, ..view(65) });
     // Turned back: pixels near the middle, asked at the same places of the square.
     let (sin, cos) = libm::sincos(degrees.to_radians());
@@ -252,7 +252,7 @@ fn scanlines_run_between_the_edges_of_the_quad_and_not_of_its_triangles() {
     mesh.colors = vec![[1.0, 0.0, 0.0, 1.0], [0.0; 4], [0.0; 4], [0.0; 4]];
     let scene = scene(vec![(mesh, matte([1.0; 3]))]);
     let red = |interpolation| {
-        let shading = Shading { mode: ShadingMode::Gouraud, interpolation, clamp: Clamp::Vertex };
+        let shading = Shading { mode: ShadingMode::Gouraud, interpolation, ..Shading::default() };
         linear(&scene, &View { shading, ..view(65) })[32 * 65 + 32][0]
     };
     assert!((red(Interpolation::Scanline) - 0.25).abs() < 1e-5);
@@ -266,8 +266,8 @@ fn intensities_are_clamped_at_the_corners_unless_it_is_said_otherwise() {
     mesh.colors = vec![[4.0, 4.0, 4.0, 1.0], [0.0; 4], [0.0; 4], [0.0; 4]];
     let scene = scene(vec![(mesh, matte([1.0; 3]))]);
     let middle = |clamp| {
-        let interpolation = Interpolation::Perspective;
-        let shading = Shading { mode: ShadingMode::Gouraud, interpolation, clamp };
+        let shading = Shading { mode: ShadingMode::Gouraud, clamp, ..Shading::default() };
+
         linear(&scene, &View { shading, ..view(65) })[32 * 65 + 32][0]
     };
     assert!((middle(Clamp::Vertex) - 0.5).abs() < 1e-5);
@@ -278,7 +278,8 @@ fn intensities_are_clamped_at_the_corners_unless_it_is_said_otherwise() {
 fn screen_interpolation_is_perspective_where_nothing_recedes_and_differs_where_it_does() {
     let scene = sheet();
     let of = |interpolation| {
-        let shading = Shading { interpolation, mode: ShadingMode::Gouraud, clamp: Clamp::Vertex };
+        let mode = ShadingMode::Gouraud;
+        let shading = Shading { interpolation, mode, ..Shading::default() };
         bytes(&scene, &View { shading, ..sheet_view(ShadingMode::Gouraud) })
     };
     let slid = largest_difference(&of(Interpolation::Screen), &of(Interpolation::Perspective));
@@ -288,4 +289,29 @@ fn screen_interpolation_is_perspective_where_nothing_recedes_and_differs_where_i
         &rolled(Interpolation::Perspective, 0.0),
     );
     assert!(flat <= 1, "{flat}");
+}
+
+#[test]
+fn normals_that_keep_their_interpolated_length_darken_the_middle_by_just_that() {
+    // Normals at both sides turned away by 45 degrees: between them their mean is 0.7071 long.
+    let mut mesh = square(0.0);
+    let slant = std::f32::consts::FRAC_1_SQRT_2;
+    let [left, right] = [[-slant, 0.0, slant], [slant, 0.0, slant]];
+    mesh.normals = vec![left, right, right, left];
+    let scene = scene(vec![(mesh, matte([1.0; 3]))]);
+    let view_of = |normal_length| {
+        let shading = Shading { normal_length, ..Shading::default() };
+        View { shading, ..view(65) }
+    };
+    let middle = |view: &View| linear(&scene, view)[32 * 65 + 32][0];
+    assert!((middle(&view_of(NormalLength::Unit)) - 1.0).abs() < 1e-5);
+    let short = view_of(NormalLength::Interpolated);
+    assert!((middle(&short) - slant).abs() < 1e-5);
+    // What is explained is what was drawn.
+    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let picture = bytes(&scene, &short);
+    for x in [18, 25, 32, 40, 46] {
+        let explained = renderer.explain(&short, At::Pixel([x, 32])).unwrap();
+        assert_eq!(explained.rgba8, picture[32 * 65 + x as usize]);
+    }
 }
