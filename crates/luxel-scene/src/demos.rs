@@ -3,6 +3,7 @@
 mod blob;
 mod builder;
 mod cornell;
+pub mod lab;
 mod plane;
 mod spheres;
 mod teapot;
@@ -47,13 +48,17 @@ const DEMOS: [Demo; 5] = [
 /// The names of the built-in scenes with a line about each.
 #[must_use]
 pub fn names() -> Vec<(&'static str, &'static str)> {
-    DEMOS.iter().map(|demo| (demo.name, demo.about)).collect()
+    demos().map(|demo| (demo.name, demo.about)).collect()
 }
 
 /// A built-in scene by its name.
 #[must_use]
 pub fn demo(name: &str) -> Option<Scene> {
-    DEMOS.iter().find(|demo| demo.name == name).map(|demo| (demo.make)())
+    demos().find(|demo| demo.name == name).map(|demo| (demo.make)())
+}
+
+fn demos() -> impl Iterator<Item = &'static Demo> {
+    DEMOS.iter().chain(&lab::DEMOS)
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ mod icosphere;
 mod revolution;
 
 pub(crate) use bezier::Patch;
-pub(crate) use builder::MeshBuilder;
+pub(crate) use builder::{MeshBuilder, SurfacePoint};
 pub use flat::{cuboid, plane};
 pub(crate) use icosphere::geodesic;
 pub use icosphere::icosphere;

@@ -84,18 +84,20 @@ fn every_pixel_of_the_demos_is_picked_as_drawn() {
         if name == "blob" {
             continue;
         }
+        // Sheets and panels are narrow from the side.
+        let least = if name.starts_with("lab-") { 1000 } else { 3000 };
         let mut scene = demos::demo(name).unwrap();
         scene.compute_normals(&NormalOptions::default());
         for cull in [Cull::Auto, Cull::Back] {
             let seen = compare(&scene, fitted(&scene, 0.5, PERSPECTIVE), SIZE, cull);
-            assert!(seen > 3000, "{name}: {seen}");
+            assert!(seen > least, "{name}: {seen}");
         }
         let parallel = fitted(&scene, 2.5, Lens::Orthographic { height: 0.0 });
-        assert!(compare(&scene, parallel, SIZE, Cull::Auto) > 3000, "{name}");
+        assert!(compare(&scene, parallel, SIZE, Cull::Auto) > least, "{name}");
         let off_centre = Lens::Intrinsics { fx: 300.0, fy: 280.0, cx: 40.0, cy: 140.0 };
         let mut camera = fitted(&scene, -1.0, off_centre);
         camera.projection.far = f64::INFINITY;
-        assert!(compare(&scene, camera, SIZE, Cull::None) > 3000, "{name}");
+        assert!(compare(&scene, camera, SIZE, Cull::None) > least, "{name}");
     }
 }
 

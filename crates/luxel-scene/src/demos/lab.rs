@@ -1,0 +1,133 @@
+//! The lab of problems: small scenes, each of which shows one thing that shading does wrong, and
+//! those beside them in which it is cured by another mesh.
+//!
+//! What a scene is made of can be chosen, so that a cure can be tried at many sizes; the built-in
+//! demos are those sizes at which the problem is seen best. All stand before the same quiet ground.
+
+mod ball;
+mod column;
+mod corrugated;
+mod floor;
+mod panel;
+mod quad;
+mod seam;
+
+pub use ball::ball;
+pub use column::column;
+pub use corrugated::corrugated;
+pub use floor::floor;
+pub use panel::panel;
+pub use quad::quad;
+pub use seam::{Seam, seam};
+
+use super::Demo;
+use super::builder::{SceneBuilder, srgb};
+use crate::primitives::{MeshBuilder, SurfacePoint};
+use crate::{DVec2, DVec3, MaterialId, Mesh};
+use luxel_lighting::Material;
+
+/// Faces round the ball whose outline has corners.
+pub const COARSE: u32 = 12;
+/// Faces round the ball whose outline has none to be seen.
+pub const FINE: u32 = 192;
+/// Faces round the ball whose highlight smears.
+pub const MIDDLING: u32 = 24;
+/// The exponent of the smearing highlight.
+pub const SHININESS: f32 = 24.0;
+/// Cells of the sheet along its seam.
+pub const CELLS: u32 = 8;
+/// Quadrilaterals along each side of the quad that rolls without harm.
+pub const CUT: u32 = 16;
+
+pub(super) const DEMOS: [Demo; 11] = [
+    Demo {
+        name: "lab-silhouette",
+        about: "a ball of 12 faces round: smooth within, its outline a polygon",
+        make: || ball("lab-silhouette", COARSE, 20.0),
+    },
+    Demo {
+        name: "lab-silhouette-cured",
+        about: "the same of 192 faces round",
+        make: || ball("lab-silhouette-cured", FINE, 20.0),
+    },
+    Demo {
+        name: "lab-perspective",
+        about: "a floor of one polygon: its texture slides with --interpolation screen",
+        make: || floor("lab-perspective", 1),
+    },
+    Demo {
+        name: "lab-rolling",
+        about: "a quad of four colours: they change as it rolls with --interpolation scanline",
+        make: || quad("lab-rolling", 1),
+    },
+    Demo {
+        name: "lab-rolling-cured",
+        about: "the same cut into 16 x 16 quads",
+        make: || quad("lab-rolling-cured", CUT),
+    },
+    Demo {
+        name: "lab-t-junction",
+        about: "a sheet whose left half doesn't know the corners on its seam",
+        make: || seam("lab-t-junction", Seam::Forgotten, CELLS),
+    },
+    Demo {
+        name: "lab-t-junction-cured",
+        about: "the same with the corners shared",
+        make: || seam("lab-t-junction-cured", Seam::Shared, CELLS),
+    },
+    Demo {
+        name: "lab-corrugated",
+        about: "a folded sheet that averaged normals make flat; --normals mean unfolds it",
+        make: || corrugated("lab-corrugated"),
+    },
+    Demo {
+        name: "lab-lamp",
+        about: "a lamp before a panel of one polygon: --shading gouraud misses the highlight",
+        make: || panel("lab-lamp", 1),
+    },
+    Demo {
+        name: "lab-highlight",
+        about: "a glossy ball of 24 faces round, chalky with --shading gouraud",
+        make: || ball("lab-highlight", MIDDLING, SHININESS),
+    },
+    Demo {
+        name: "lab-mach",
+        about: "a column of 12 faces: Mach bands with --shading flat and gouraud",
+        make: || column("lab-mach", COARSE),
+    },
+];
+
+/// What is behind all of it.
+const GROUND: u32 = 0x1c_1f23;
+
+/// A scene of one object under a root of the scene's name, before the ground.
+fn stage(
+    name: &str,
+    object: &str,
+    material: Material,
+    mesh: Mesh,
+) -> (SceneBuilder, crate::NodeId) {
+    let mut builder = SceneBuilder::default();
+    let root = builder.group(name, None, crate::DMat4::IDENTITY);
+    let material: MaterialId = builder.material(object, material);
+    let mesh = builder.mesh(mesh, material);
+    builder.object(object, root, crate::DMat4::IDENTITY, mesh);
+    let [red, green, blue] = srgb(GROUND);
+    builder.scene.background = Some([red, green, blue, 1.0]);
+    (builder, root)
+}
+
+/// A grid of `columns` x `rows` quadrilaterals, each of them one polygon; `point` gives place and
+/// normal at (u, v) from 0 to 1, to the right and downwards seen from the front.
+fn grid(columns: u32, rows: u32, point: impl Fn(f64, f64) -> (DVec3, DVec3)) -> Mesh {
+    let mut builder = MeshBuilder::default();
+    builder.grid(columns, rows, |column, row| {
+        let uv =
+            DVec2::new(f64::from(column) / f64::from(columns), f64::from(row) / f64::from(rows));
+        let (position, normal) = point(uv.x, uv.y);
+        SurfacePoint { position, normal, uv }
+    });
+    let mut mesh = builder.finish();
+    mesh.polygons = Some((0..columns * rows).flat_map(|polygon| [polygon; 2]).collect());
+    mesh
+}
