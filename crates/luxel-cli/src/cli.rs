@@ -1,7 +1,7 @@
 //! The command line: commands and the flags that all of them take.
 
 use crate::commands::{
-    bench, check, completions, demos, explain, info, navigate, pick, render, view,
+    bench, check, completions, demos, explain, gallery, info, navigate, pick, render, view,
 };
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
@@ -39,6 +39,7 @@ pub(crate) enum Command {
     Bench(Box<bench::BenchCommand>),
     Navigate(Box<navigate::NavigateCommand>),
     Demos(demos::DemosCommand),
+    Gallery(gallery::GalleryCommand),
     Completions(completions::CompletionsCommand),
     /// Print the JSON schema of scene files
     ///

@@ -5,6 +5,7 @@ pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod demos;
 pub(crate) mod explain;
+pub(crate) mod gallery;
 pub(crate) mod info;
 mod manual;
 pub(crate) mod navigate;
@@ -28,6 +29,7 @@ pub(crate) fn run(command: Command, console: Console) -> Result<(), Failure> {
         Command::Bench(command) => command.run(console),
         Command::Navigate(command) => command.run(console),
         Command::Check(command) => command.run(console),
+        Command::Gallery(command) => command.run(console),
         Command::Demos(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => schema::run(),

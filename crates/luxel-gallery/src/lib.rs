@@ -1,0 +1,122 @@
+//! The picture book: every problem of shading beside its cure, with the errors measured, and plots
+//! of light and reflection.
+//!
+//! [`Gallery::make`] draws all of it: pictures (PNG, one of them animated), plots (SVG) and one page
+//! of HTML that explains them. All is drawn by luxel's own renderer and lit by its own equation; the
+//! words on the page follow the numbers.
+//!
+//! The same bytes come out on every machine.
+
+#![forbid(unsafe_code)]
+
+mod chapter;
+mod compare;
+mod lab;
+mod page;
+mod picture;
+mod plots;
+mod shot;
+mod svg;
+
+pub use chapter::Pair;
+pub use compare::Error;
+
+use chapter::Chapter;
+use luxel::render::{Execution, RenderError};
+use shot::Studio;
+
+/// Why there is no gallery.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GalleryError {
+    /// The renderer can't draw.
+    #[error(transparent)]
+    Render(#[from] RenderError),
+    /// A picture can't be encoded.
+    #[error("a picture can't be encoded: {0}")]
+    Png(#[from] png::EncodingError),
+    /// Rays can't be followed.
+    #[error("rays can't be followed: {0}")]
+    Rays(String),
+}
+
+/// A file of the gallery.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Its name, without folders.
+    pub name: String,
+    /// What is in it.
+    pub bytes: Vec<u8>,
+}
+
+/// What a command line draws into a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reproduced {
+    /// The file of the gallery.
+    pub file: String,
+    /// The words of the command, the program's name first.
+    pub command: Vec<String>,
+}
+
+/// Pictures, plots, and the page that explains them.
+#[derive(Clone, Debug)]
+pub struct Gallery {
+    /// All files: `index.html` first, then those that it shows, in the order of the page.
+    pub files: Vec<File>,
+    /// Every problem with its cure.
+    pub pairs: Vec<Pair>,
+    /// The pictures that are the result of a command line.
+    pub reproduced: Vec<Reproduced>,
+}
+
+/// Makes a chapter.
+type Make = fn(&Studio) -> Result<Chapter, GalleryError>;
+
+const CHAPTERS: [Make; 16] = [
+    lab::silhouette::chapter,
+    lab::perspective::chapter,
+    lab::rolling::chapter,
+    lab::seam::chapter,
+    lab::normals::missed_geometry,
+    lab::normals::missed_highlight,
+    lab::chalk::chapter,
+    lab::unnormalised::chapter,
+    lab::mach::chapter,
+    plots::beam::chapter,
+    plots::falloff::chapter,
+    plots::spheres::phases,
+    plots::lobes::chapter,
+    plots::spheres::table,
+    plots::microsurface::profile,
+    plots::microsurface::lobe,
+];
+
+impl Gallery {
+    /// Into how many steps the work falls.
+    pub const STEPS: usize = CHAPTERS.len();
+
+    /// Makes all of it; `step` is called after each of [`Gallery::STEPS`].
+    ///
+    /// # Errors
+    /// [`GalleryError`] if the machine can't do what `execution` asks.
+    pub fn make(execution: &Execution, mut step: impl FnMut()) -> Result<Self, GalleryError> {
+        let studio = Studio { execution: *execution };
+        let mut chapters = Vec::with_capacity(CHAPTERS.len());
+        for make in CHAPTERS {
+            chapters.push(make(&studio)?);
+            step();
+        }
+        let page = page::page(&chapters);
+        let mut gallery = Self {
+            files: vec![File { name: "index.html".into(), bytes: page.into_bytes() }],
+            pairs: Vec::new(),
+            reproduced: Vec::new(),
+        };
+        for chapter in chapters {
+            gallery.files.extend(chapter.files);
+            gallery.pairs.extend(chapter.pairs);
+            gallery.reproduced.extend(chapter.reproduced);
+        }
+        Ok(gallery)
+    }
+}

@@ -1,0 +1,242 @@
+//! One picture of a scene, and the command line that draws the same.
+
+use crate::GalleryError;
+use crate::picture::Picture;
+use luxel::lighting::{Light, LightKind, Reflection};
+use luxel::render::{Execution, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
+use luxel::scene::{
+    Camera, DVec3, Lens, NormalOptions, NormalSource, Placement, Projection, Restyle, Scene,
+    SceneLight, Size, demos, fit_planes,
+};
+use std::fmt::Write;
+
+/// What draws.
+pub(crate) struct Studio {
+    pub(crate) execution: Execution,
+}
+
+/// The size of most pictures.
+pub(crate) const SIZE: Size = Size { width: 320, height: 240 };
+
+/// What a command line says of a picture.
+#[derive(Clone, Debug)]
+pub(crate) struct Shot {
+    /// The name of the built-in scene.
+    pub(crate) demo: &'static str,
+    pub(crate) size: Size,
+    pub(crate) samples: u32,
+    pub(crate) shading: Shading,
+    pub(crate) normals: NormalSource,
+    /// Instead of the scene's camera: one on the z axis, with this direction upwards.
+    pub(crate) rolled: Option<Rolled>,
+    /// The scene's material changed.
+    pub(crate) reflection: Option<Reflection>,
+    pub(crate) color: Option<[f32; 3]>,
+    pub(crate) shininess: Option<f32>,
+    /// Instead of the scene's lights: one from far away, that travels this way.
+    pub(crate) sun: Option<[f64; 3]>,
+}
+
+/// A camera before the origin, at (0, 0, 7), rolled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rolled {
+    /// The direction upwards, x and y.
+    pub(crate) up: [f64; 2],
+    /// The angle of view in degrees.
+    pub(crate) fov: f64,
+}
+
+/// Where a rolled camera stands.
+const ROLLED_EYE: f64 = 7.0;
+
+impl Shot {
+    /// A built-in scene as it is.
+    pub(crate) fn of(demo: &'static str) -> Self {
+        Self {
+            demo,
+            size: SIZE,
+            samples: 16,
+            shading: Shading::default(),
+            normals: NormalSource::File,
+            rolled: None,
+            reflection: None,
+            color: None,
+            shininess: None,
+            sun: None,
+        }
+    }
+
+    pub(crate) fn mode(mut self, mode: ShadingMode) -> Self {
+        self.shading.mode = mode;
+        self
+    }
+
+    pub(crate) fn interpolation(mut self, interpolation: Interpolation) -> Self {
+        self.shading.interpolation = interpolation;
+        self
+    }
+
+    pub(crate) fn normal_length(mut self, normal_length: NormalLength) -> Self {
+        self.shading.normal_length = normal_length;
+        self
+    }
+
+    pub(crate) fn size(mut self, width: u32, height: u32) -> Self {
+        self.size = Size { width, height };
+        self
+    }
+
+    pub(crate) fn up(mut self, up: [f64; 2]) -> Self {
+        self.rolled = Some(Rolled { up, fov: 25.0 });
+        self
+    }
+
+    /// The scene as it is, with this command's changes.
+    pub(crate) fn scene(&self) -> Scene {
+        let mut scene = demos::demo(self.demo).unwrap_or_default();
+        self.restyle(&mut scene);
+        scene
+    }
+
+    /// Changes a scene as the command line says.
+    pub(crate) fn restyle(&self, scene: &mut Scene) {
+        let Self { color, shininess, reflection, .. } = self.clone();
+        let restyle = Restyle { color, shininess, reflection, ..Restyle::default() };
+        for material in &mut scene.materials {
+            restyle.apply(material);
+        }
+        let options = NormalOptions { source: self.normals, ..NormalOptions::default() };
+        scene.compute_normals(&options);
+        scene.compute_tangents();
+    }
+
+    /// The view of a scene as the command line says.
+    pub(crate) fn view(&self, scene: &Scene) -> View {
+        let mut view = luxel::default_view(scene, self.size);
+        view.samples = self.samples;
+        view.shading = self.shading;
+        if let Some(Rolled { up: [x, y], fov }) = self.rolled {
+            let eye = DVec3::Z * ROLLED_EYE;
+            let view_from_world = Camera::look_at(eye, DVec3::ZERO, DVec3::new(x, y, 0.0));
+            let (near, far) = fit_planes(&scene.bounds(), &view_from_world);
+            let lens = Lens::Perspective { fov_y_radians: fov.to_radians() };
+            view.camera = Camera { view_from_world, projection: Projection { lens, near, far } };
+        }
+        if let Some(direction) = self.sun {
+            view.lights = vec![SceneLight {
+                name: "0".into(),
+                light: Light::new(LightKind::Directional, [1.0; 3]),
+                placement: Placement::World,
+                position: DVec3::ZERO,
+                direction: DVec3::from_array(direction),
+            }];
+            view.ambient = [0.0; 3];
+        }
+        view
+    }
+
+    /// The words of the command line that draws this into a file.
+    pub(crate) fn command(&self, file: &str) -> Vec<String> {
+        let Self { size, samples, shading, .. } = self;
+        let mut line = format!("luxel render demo:{}", self.demo);
+        let mut say = |words: &str| {
+            let _ = write!(line, " {words}");
+        };
+        match shading.mode {
+            ShadingMode::Phong => {}
+            ShadingMode::Flat => say("--shading flat"),
+            ShadingMode::Gouraud => say("--shading gouraud"),
+            ShadingMode::Subdivided { tolerance } => {
+                say(&format!("--shading subdivided --tolerance {tolerance}"));
+            }
+        }
+        match shading.interpolation {
+            Interpolation::Perspective => {}
+            Interpolation::Screen => say("--interpolation screen"),
+            Interpolation::Scanline => say("--interpolation scanline"),
+        }
+        if shading.normal_length == NormalLength::Interpolated {
+            say("--normal-length interpolated");
+        }
+        if self.normals == NormalSource::Mean {
+            say("--normals mean");
+        }
+        match self.reflection {
+            Some(Reflection::Lambert) => say("--reflection lambert"),
+            Some(Reflection::Phong) => say("--reflection phong"),
+            _ => {}
+        }
+        if let Some([r, g, b]) = self.color {
+            say(&format!("--color {r},{g},{b}"));
+        }
+        if let Some(shininess) = self.shininess {
+            say(&format!("--shininess {shininess}"));
+        }
+        if let Some([x, y, z]) = self.sun {
+            say(&format!("--light directional:dir={x},{y},{z}"));
+        }
+        if let Some(Rolled { up: [x, y], fov }) = self.rolled {
+            say(&format!("--eye 0,0,{ROLLED_EYE} --target 0,0,0 --fov {fov} --up {x},{y},0"));
+        }
+        say(&format!("--size {}x{} --samples {samples} -o {file}", size.width, size.height));
+        line.split(' ').map(str::to_owned).collect()
+    }
+}
+
+impl Studio {
+    /// A scene ready to be drawn from any view.
+    pub(crate) fn stage<'s>(&self, scene: &'s Scene) -> Result<Stage<'s>, GalleryError> {
+        Ok(Stage { scene, renderer: Renderer::new(scene, &self.execution)? })
+    }
+
+    /// Draws a built-in scene.
+    pub(crate) fn shoot(&self, shot: &Shot) -> Result<Picture, GalleryError> {
+        self.stage(&shot.scene())?.shoot(shot)
+    }
+
+    /// Draws a scene as a command line says.
+    pub(crate) fn shoot_scene(&self, shot: &Shot, scene: &Scene) -> Result<Picture, GalleryError> {
+        self.stage(scene)?.shoot(shot)
+    }
+
+    /// Where a scene covers pixels wholly.
+    pub(crate) fn covered(&self, shot: &Shot, scene: &Scene) -> Result<Vec<bool>, GalleryError> {
+        self.stage(scene)?.covered(shot)
+    }
+}
+
+/// A scene ready to be drawn.
+pub(crate) struct Stage<'s> {
+    scene: &'s Scene,
+    pub(crate) renderer: Renderer<'s>,
+}
+
+impl Stage<'_> {
+    /// Draws the scene as a command line says.
+    pub(crate) fn shoot(&self, shot: &Shot) -> Result<Picture, GalleryError> {
+        let drawn = self.renderer.rgba8(&shot.view(self.scene))?;
+        let pixels = drawn.pixels.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
+        Ok(Picture { size: drawn.size, pixels })
+    }
+
+    /// Where the scene covers pixels wholly.
+    pub(crate) fn covered(&self, shot: &Shot) -> Result<Vec<bool>, GalleryError> {
+        let mut view = View { background: [0.0; 4], ..shot.view(self.scene) };
+        // What is there is there however it is lit.
+        view.lights.clear();
+        view.shading = Shading::default();
+        Ok(self.renderer.rgba8(&view)?.pixels.iter().map(|pixel| pixel[3] == 255).collect())
+    }
+}
+
+/// A scene made ready as the program makes it ready.
+pub(crate) fn ready(mut scene: Scene) -> Scene {
+    scene.compute_normals(&NormalOptions::default());
+    scene.compute_tangents();
+    scene
+}
+
+/// Where both are true.
+pub(crate) fn both(a: &[bool], b: &[bool]) -> Vec<bool> {
+    a.iter().zip(b).map(|(a, b)| *a && *b).collect()
+}

@@ -1,0 +1,180 @@
+//! The gallery: its claims, its page, and that what is kept of it under `docs/` is what is made.
+//!
+//! `LUXEL_BLESS=1` writes `docs/gallery` and the hashes of the pictures instead of comparing them.
+
+#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+
+use luxel::render::Execution;
+use luxel_gallery::{File, Gallery};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+fn gallery() -> &'static Gallery {
+    static GALLERY: OnceLock<Gallery> = OnceLock::new();
+    GALLERY.get_or_init(|| {
+        let mut steps = 0;
+        let gallery = Gallery::make(&Execution::default(), || steps += 1).unwrap();
+        assert_eq!(steps, Gallery::STEPS);
+        gallery
+    })
+}
+
+fn page() -> &'static str {
+    let page = gallery().files.iter().find(|file| file.name == "index.html").unwrap();
+    std::str::from_utf8(&page.bytes).unwrap()
+}
+
+fn is_blessing() -> bool {
+    std::env::var_os("LUXEL_BLESS").is_some()
+}
+
+/// The gallery that is kept with the source.
+fn kept() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/gallery")
+}
+
+/// FNV-1a (Fowler, Noll and Vo 1991), 64 bits.
+fn hash(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+/// The pixels of all pictures of a PNG, one after the other.
+fn pixels(file: &File) -> Vec<u8> {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(&file.bytes));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().unwrap();
+    let pictures = reader.info().animation_control().map_or(1, |control| control.num_frames);
+    let mut pixels = Vec::new();
+    for _ in 0..pictures {
+        let mut picture = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut picture).unwrap();
+        pixels.extend_from_slice(&picture[..info.buffer_size()]);
+    }
+    pixels
+}
+
+#[test]
+fn every_cure_is_five_times_better_or_says_why_not() {
+    for pair in &gallery().pairs {
+        let [largest, mean] = pair.times_better();
+        let told = format!("{}: {:?} to {:?}", pair.name, pair.problem, pair.cure);
+        assert!(largest > 1.0 && mean > 1.0, "{told}: the cure is no better");
+        // Mach bands are what the eye makes of next to nothing.
+        let is_seen = pair.problem.largest >= 8.0 || pair.name.starts_with("mach-bands");
+        assert!(is_seen, "{told}: there is hardly a problem");
+        // A reason that isn't needed any more would be a lie about the numbers.
+        assert_eq!(pair.is_enough(), pair.because.is_none(), "{told}: {largest}, {mean} times");
+    }
+    let names: BTreeSet<_> = gallery().pairs.iter().map(|pair| pair.name).collect();
+    for problem in [
+        "silhouette",
+        "perspective",
+        "rolling",
+        "shared-vertices",
+        "missed-geometry",
+        "missed-highlight",
+        "chalk",
+        "unnormalised",
+        "mach-bands",
+    ] {
+        assert!(names.contains(problem), "{problem} isn't measured");
+    }
+    assert_eq!(names.len(), gallery().pairs.len(), "two pairs have one name");
+}
+
+#[test]
+fn the_page_tells_the_numbers_that_were_measured() {
+    for pair in &gallery().pairs {
+        let at = page().find(&pair.measure).unwrap_or_else(|| panic!("{} isn't told", pair.name));
+        let row = &page()[at..];
+        let row = &row[row.find("largest</th><td>").unwrap()..];
+        let mut cells = row.split("<td>").skip(1).map(|cell| cell.split('<').next().unwrap());
+        for value in [pair.problem.largest, pair.cure.largest] {
+            let told: f64 = cells.next().unwrap().parse().unwrap();
+            assert!((told - value).abs() <= 0.51, "{}: {told} and {value}", pair.name);
+        }
+    }
+}
+
+#[test]
+fn the_page_shows_every_file_and_nothing_else() {
+    let mut shown = BTreeSet::new();
+    for image in page().split("<img ").skip(1) {
+        let tag = &image[..image.find('>').unwrap()];
+        let value = |key: &str| {
+            let at = tag.find(&format!("{key}=\"")).unwrap() + key.len() + 2;
+            &tag[at..at + tag[at..].find('"').unwrap()]
+        };
+        assert!(value("alt").len() > 20, "{} has no text for those who don't see it", value("src"));
+        assert!(shown.insert(value("src").to_owned()), "{} is shown twice", value("src"));
+    }
+    let written: BTreeSet<_> = gallery()
+        .files
+        .iter()
+        .map(|file| file.name.clone())
+        .filter(|name| name != "index.html")
+        .collect();
+    assert_eq!(shown, written);
+    for outside in ["<script", "http://", "https://", "@import", "url("] {
+        assert!(!page().contains(outside), "the page asks for {outside}");
+    }
+    for link in page().split("href=\"#").skip(1) {
+        let id = &link[..link.find('"').unwrap()];
+        assert!(page().contains(&format!("<section id=\"{id}\">")), "#{id} leads nowhere");
+    }
+}
+
+#[test]
+fn drawings_have_titles_and_no_broken_numbers() {
+    for file in gallery().files.iter().filter(|file| file.name.ends_with(".svg")) {
+        let text = std::str::from_utf8(&file.bytes).unwrap();
+        assert!(text.contains("<title>"), "{}", file.name);
+        for broken in ["NaN", "inf", "-0 "] {
+            assert!(!text.contains(broken), "{}: {broken}", file.name);
+        }
+    }
+}
+
+#[test]
+fn pictures_look_as_they_did() {
+    let hashes: String = gallery()
+        .files
+        .iter()
+        .filter(|file| file.name.ends_with(".png"))
+        .map(|file| format!("{} {:016x}\n", file.name, hash(&pixels(file))))
+        .collect();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/pictures.txt");
+    if is_blessing() {
+        fs::write(&path, &hashes).unwrap();
+    }
+    let expected = fs::read_to_string(&path).unwrap_or_default();
+    for line in hashes.lines() {
+        assert!(expected.lines().any(|other| other == line), "{line} has changed");
+    }
+    assert_eq!(hashes, expected);
+}
+
+#[test]
+fn the_gallery_that_is_kept_is_the_one_that_is_made() {
+    let mut size = 0;
+    if is_blessing() {
+        let _ = fs::remove_dir_all(kept());
+        fs::create_dir_all(kept()).unwrap();
+    }
+    for file in &gallery().files {
+        let path = kept().join(&file.name);
+        if is_blessing() {
+            fs::write(&path, &file.bytes).unwrap();
+        }
+        let there = fs::read(&path).unwrap_or_default();
+        assert!(there == file.bytes, "docs/gallery/{} is behind: use LUXEL_BLESS=1", file.name);
+        size += file.bytes.len();
+    }
+    let count = fs::read_dir(kept()).unwrap().count();
+    assert_eq!(count, gallery().files.len(), "docs/gallery holds files that aren't made any more");
+    assert!(size < 1_500_000, "{size} bytes");
+}
