@@ -54,22 +54,21 @@ pub(crate) fn chapter(_: &Studio) -> Result<Chapter, GalleryError> {
             arriving(&power, distance, 0.0)[2]
         })],
     ));
+    let law = |coefficients: [f32; 3]| at(lamp(Attenuation::new(coefficients)));
+    let cut = Attenuation { limit: 1.0, ..Attenuation::INVERSE_SQUARE };
+    let ending = Attenuation { range: Some(3.0), ..Attenuation::NONE };
     let laws = vec![
-        curve("1/d²", (0.88, [8.0, 0.0], Anchor::Start), at(lamp([0.0, 0.0, 1.0], None))),
-        curve("1/(1 + d²)", (1.25, [-6.0, 16.0], Anchor::End), at(lamp([1.0, 0.0, 1.0], None))),
-        curve("1/(1 + d)", (3.15, [0.0, -8.0], Anchor::Start), at(lamp([1.0, 1.0, 0.0], None))),
-        curve("1", (3.7, [0.0, -8.0], Anchor::Middle), at(lamp([1.0, 0.0, 0.0], None))),
-        curve(
-            "1, range 3",
-            (2.45, [8.0, 0.0], Anchor::Start),
-            at(lamp([1.0, 0.0, 0.0], Some(3.0))),
-        ),
+        curve("1/d²", (0.88, [8.0, 0.0], Anchor::Start), law([0.0, 0.0, 1.0])),
+        curve("1/(1 + d²)", (1.25, [-6.0, 16.0], Anchor::End), law([1.0, 0.0, 1.0])),
+        curve("1/(1 + d)", (3.15, [0.0, -8.0], Anchor::Start), law([1.0, 1.0, 0.0])),
+        curve("1/d² cut at 1", (0.1, [4.0, -8.0], Anchor::Start), at(lamp(cut))),
+        curve("1, range 3", (2.45, [8.0, 0.0], Anchor::Start), at(lamp(ending))),
     ];
     figures.push(plot(
         &mut chapter,
         "falloff-attenuation",
-        "1/(c1 + c2 d + c3 d<sup>2</sup>) for some coefficients, not cut at 1; and glTF's window, \
-         which ends a light at its range.",
+        "1/(c1 + c2 d + c3 d<sup>2</sup>) for some coefficients, as OpenGL has it; cut at 1, as Foley \
+         has it; and glTF's window, which ends a light at its range.",
         "Plot: five curves over the distance, from steep to constant.",
         Scale {
             x: [0.0, 4.0],

@@ -51,12 +51,9 @@ pub(crate) fn let_through(fog: &Fog, distance: f64) -> f64 {
     ledger.fog.map_or(1.0, |(factor, _)| factor.into())
 }
 
-/// A point light without a cone.
-pub(crate) fn lamp(coefficients: [f32; 3], range: Option<f32>) -> Light {
-    Light {
-        attenuation: Attenuation { coefficients, range },
-        ..Light::new(LightKind::Point, [1.0; 3])
-    }
+/// A point light of intensity 1.
+pub(crate) fn lamp(attenuation: Attenuation) -> Light {
+    Light { attenuation, ..Light::new(LightKind::Point, [1.0; 3]) }
 }
 
 /// Runs the equation with every term written down.
