@@ -13,6 +13,7 @@ mod corners;
 mod edges;
 mod evaluated;
 mod explain;
+mod feedback;
 mod holes;
 mod layers;
 mod ledger;
@@ -21,16 +22,19 @@ mod picture;
 mod pieces;
 mod place;
 mod polygons;
+mod primitives;
 mod renderer;
 mod resolve;
 mod shade;
 mod surface;
+mod svg;
 mod tiles;
 mod triangles;
 mod vertex;
 mod view;
 
 pub use explain::At;
+pub use feedback::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};
 pub use layers::{Layer, LayerValues, ParseLayerError};
 pub use ledger::{
     EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation,
@@ -42,6 +46,7 @@ pub use picture::{
     write_layers, write_linear, write_rgba8,
 };
 pub use renderer::{MAX_SIDE, Picture, RenderError, Renderer, Stages, Subdivision};
+pub use svg::{MAX_PIECES, Svg, SvgOptions};
 pub use view::{
     Clamp, Edges, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading, ShadingMode,
     View,

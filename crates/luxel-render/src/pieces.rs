@@ -259,7 +259,7 @@ pub(crate) fn mixed([a, b, c]: [[f32; 3]; 3], weights: [f32; 3]) -> [f32; 3] {
 }
 
 /// encode(clamp(v, 0, 1)), to about a hundredth of a step of 8 bits.
-fn encoded(encoding: PictureEncoding, light: f32) -> f32 {
+pub(crate) fn encoded(encoding: PictureEncoding, light: f32) -> f32 {
     let unit = if light > 0.0 { light.min(1.0) } else { 0.0 };
     match encoding {
         PictureEncoding::None => unit,

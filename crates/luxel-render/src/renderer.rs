@@ -40,6 +40,9 @@ pub enum RenderError {
     /// More triangles than can be numbered.
     #[error(transparent)]
     TooManyTriangles(#[from] TooManyTriangles),
+    /// More pieces of vectors than are allowed.
+    #[error("the picture has more than {0} pieces of one colour")]
+    TooManyPieces(usize),
     /// The machine lacks the instruction set.
     #[error("{0}")]
     Simd(String),

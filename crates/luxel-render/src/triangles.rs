@@ -163,6 +163,28 @@ impl SeenTriangle {
         }
     }
 
+    /// The corners of a triangle, lit there or, in flat shading, with the light of the whole. Given
+    /// places in view space, they are lit there instead.
+    pub(crate) fn lit_corners(
+        scene: &Scene16<'_>,
+        of: TriangleOf,
+        places: Option<[DVec3; 3]>,
+        vertex_light: &mut VertexLight,
+    ) -> [Corner; 3] {
+        let mut seen = Self::new(scene, TriangleId::NONE, of);
+        let world_from_view = scene.spaces[of.instance].world_from_view;
+        for (corner, place) in seen.corners.iter_mut().zip(places.into_iter().flatten()) {
+            corner.position = (world_from_view * place).as_vec3().to_array();
+        }
+        seen.light_elsewhere(scene, vertex_light);
+        if let OwnLight::Whole(whole) = &seen.own_light {
+            for corner in &mut seen.corners {
+                corner.light = whole.light;
+            }
+        }
+        seen.corners
+    }
+
     /// Computes what is not computed at pixels, as the shading mode asks.
     fn light_elsewhere(&mut self, scene: &Scene16<'_>, vertex_light: &mut VertexLight) {
         let (has, material) = (self.has, self.material);

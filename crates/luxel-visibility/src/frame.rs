@@ -272,6 +272,16 @@ impl<'a> Frame<'a> {
         Some(TriangleOf { instance, triangle, part: clusters.headers[cluster].part as usize })
     }
 
+    /// All triangles of all instances: instance by instance, in the order of clusters.
+    pub fn triangle_ids(&self) -> impl Iterator<Item = TriangleId> + '_ {
+        self.instances.iter().zip(&self.first_clusters).flat_map(|(instance, &first)| {
+            let headers = (first..).zip(&instance.clusters.headers);
+            headers.flat_map(|(cluster, header)| {
+                (0..usize::from(header.triangles)).map(move |slot| TriangleId::new(cluster, slot))
+            })
+        })
+    }
+
     /// The place of a triangle in the order in which triangles were submitted.
     pub(crate) fn submitted(&self, id: TriangleId) -> u64 {
         self.triangle(id).map_or(u64::MAX, |of| (of.instance as u64) << 32 | u64::from(of.triangle))
@@ -312,6 +322,12 @@ impl<'a> Frame<'a> {
 
     pub(crate) fn transform(&self, instance: usize) -> &WindowTransform {
         &self.transforms[instance]
+    }
+
+    /// How a triangle is drawn.
+    #[must_use]
+    pub fn use_of(&self, of: TriangleOf) -> PartUse {
+        self.instances[of.instance].parts[of.part]
     }
 
     fn part_use(&self, cluster: u32) -> PartUse {

@@ -9,8 +9,8 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::model;
 use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
-    PictureOptions, ShadingOptions,
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeChoice,
+    ModeOptions, PictureOptions, ShadingOptions,
 };
 use crate::output;
 use crate::surface;
@@ -18,15 +18,15 @@ use crate::view;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use luxel::render::{
-    Edges, Layer, LayerImage, Legend, PictureError, PictureFormat, RenderError, Renderer,
-    Subdivision, View, write_layers, write_linear, write_rgba8,
+    Edges, Layer, LayerImage, Legend, PictureError, RenderError, Renderer, Subdivision, SvgOptions,
+    View, write_layers, write_linear, write_rgba8,
 };
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Map, Value, json};
 use std::ffi::OsString;
 use std::num::NonZeroU32;
 use stopwatch::Stopwatch;
-use target::Target;
+use target::{Format, Target};
 
 /// Draw a picture
 ///
@@ -58,13 +58,13 @@ pub(crate) struct RenderCommand {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Output")]
 struct OutputOptions {
-    /// The picture's file: .png, .exr, .ppm or .npy; `-` for the standard output
+    /// The picture's file: .png, .exr, .ppm, .npy, or .svg for vectors; `-` for the standard output
     #[arg(short, long, value_name = "FILE")]
     output: OsString,
 
-    /// The output's format, whatever its name: png, exr, ppm, npy [default for `-`: png]
+    /// The output's format, whatever its name: png, exr, ppm, npy, svg [default for `-`: png]
     #[arg(long, value_name = "EXT")]
-    output_format: Option<PictureFormat>,
+    output_format: Option<Format>,
 
     /// Bits of the channels of a PNG or PPM: 8 or 16
     #[arg(long, value_name = "N", default_value = "8", value_parser = bits)]
@@ -151,23 +151,23 @@ impl RenderCommand {
         let mut files = Vec::new();
         let mut legend = None;
         let mut subdivision = None;
+        let mut vectors = None;
         let edges = self.output.edges();
+        // Vectors have a tolerance in every mode.
+        let mut mode = self.mode.clone();
+        if target.format == Format::Svg && mode.shading != ModeChoice::Subdivided {
+            mode.tolerance = None;
+        }
         for (number, &camera) in cameras.iter().enumerate() {
-            let view = view::view(
-                &self.frame,
-                &self.light,
-                &self.mode,
-                &self.picture,
-                edges,
-                camera,
-                scene,
-            )?;
+            let view =
+                view::view(&self.frame, &self.light, &mode, &self.picture, edges, camera, scene)?;
             let drawn = self.draw(&renderer, &view, target.format, &mut watch)?;
             if let Some(file) = target.write(number as u32, &drawn.bytes)? {
                 files.push(file);
             }
             legend = drawn.legend;
             subdivision = subdivision.or(drawn.subdivision);
+            vectors = vectors.or(drawn.svg);
             watch.lap("write");
             progress.inc(1);
         }
@@ -178,11 +178,19 @@ impl RenderCommand {
                 "subdivided into {triangles} triangles, at most {largest_error:.2} steps of 255 from phong"
             ));
         }
+        if let Some([faces, pieces, paths]) = vectors {
+            console
+                .detail(&format!("{faces} faces in {pieces} pieces of one colour, {paths} paths"));
+        }
         if self.output.json {
             let mut report = self.report(&renderer, scene, &cameras[0], &files, &watch);
             if let Some(Subdivision { triangles, largest_error }) = subdivision {
                 let told = json!({ "triangles": triangles, "largest_error": largest_error });
                 report.insert("subdivision".into(), told);
+            }
+            if let Some([faces, pieces, paths]) = vectors {
+                let told = json!({ "faces": faces, "pieces": pieces, "paths": paths });
+                report.insert("svg".into(), told);
             }
             report.insert("warnings".into(), json!(model.warnings));
             if let Some(legend) = &legend {
@@ -199,11 +207,30 @@ impl RenderCommand {
         &self,
         renderer: &Renderer<'_>,
         view: &View,
-        format: PictureFormat,
+        format: Format,
         watch: &mut Stopwatch,
     ) -> Result<Drawn, Failure> {
-        let mut drawn = Drawn { bytes: Vec::new(), legend: None, subdivision: None };
-        let Drawn { bytes, legend, subdivision } = &mut drawn;
+        let mut drawn = Drawn::default();
+        let format = match format {
+            Format::Pixels(format) => format,
+            Format::Svg => {
+                let defaults = SvgOptions::default();
+                // Half of the memory for pieces, half for the text of their paths.
+                let pieces = self.execution.max_memory / 600;
+                let options = SvgOptions {
+                    tolerance: self.mode.tolerance.map_or(defaults.tolerance, |t| t as f32),
+                    max_pieces: defaults
+                        .max_pieces
+                        .min(usize::try_from(pieces).unwrap_or(usize::MAX)),
+                };
+                let svg = renderer.svg(view, &options).map_err(cannot_draw)?;
+                watch.lap("frame");
+                drawn.svg = Some([svg.faces, svg.pieces, svg.paths]);
+                drawn.bytes = svg.text.into_bytes();
+                return Ok(drawn);
+            }
+        };
+        let Drawn { bytes, legend, subdivision, .. } = &mut drawn;
         let size = view.size;
         if !self.output.layers.is_empty() {
             let values = renderer.layers(view, &self.output.layers).map_err(cannot_draw)?;
@@ -259,12 +286,15 @@ impl RenderCommand {
 }
 
 /// A picture as a file has it.
+#[derive(Default)]
 struct Drawn {
     bytes: Vec<u8>,
     /// What the 16 bits of a layer mean.
     legend: Option<Legend>,
     /// What subdividing took.
     subdivision: Option<Subdivision>,
+    /// Faces, pieces and paths of vectors.
+    svg: Option<[usize; 3]>,
 }
 
 fn cannot_draw(error: RenderError) -> Failure {
@@ -302,10 +332,12 @@ fn check_memory(command: &RenderCommand, target: &Target) -> Result<(), Failure>
     // Pixels as they are drawn and as they are encoded.
     let bytes_each: u64 = if !command.output.layers.is_empty() {
         command.output.layers.iter().map(|layer| 12 + 8 * layer.channels() as u64).sum()
-    } else if target.format.is_linear() || command.output.bits == 16 {
-        32
     } else {
-        8
+        match target.format {
+            Format::Pixels(format) if format.is_linear() || command.output.bits == 16 => 32,
+            Format::Pixels(_) => 8,
+            Format::Svg => 0,
+        }
     };
     let needed = pixels.saturating_mul(bytes_each);
     let limit = command.execution.max_memory;

@@ -14,7 +14,8 @@ pub(crate) struct ModeOptions {
     #[arg(long, value_name = "MODE", default_value = "phong", hide_possible_values = true)]
     pub(crate) shading: ModeChoice,
 
-    /// How far subdivided shading may be from phong, in 8-bit steps [default: 1]
+    /// How far subdivided shading may be from phong, or the colours of an .svg from the picture's, in
+    /// 8-bit steps [default: 1; for .svg 2]
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) tolerance: Option<f64>,
 

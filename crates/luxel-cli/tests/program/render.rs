@@ -303,3 +303,27 @@ fn an_interrupt_leaves_whole_files_only() {
         assert_eq!(folder.read(&name).len(), "P6\n640 480\n255\n".len() + 640 * 480 * 3, "{name}");
     }
 }
+
+#[test]
+fn vectors_are_the_square_in_its_colour_on_the_background() {
+    let folder = square("-o a.svg --background 0,0,1 --json");
+    let text = String::from_utf8(folder.read("a.svg")).unwrap();
+    let expected = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"64\" height=\"64\" \
+                    viewBox=\"0 0 64 64\">\n<rect width=\"64\" height=\"64\" fill=\"#00f\"/>\n\
+                    <path fill=\"#fff\" d=\"m16 48v-32h32v32z\"/>\n</svg>\n";
+    assert_eq!(text, expected);
+}
+
+#[test]
+fn vectors_take_a_tolerance_and_refuse_what_they_cannot_show() {
+    let folder = Folder::new();
+    folder.write("square.ply", SQUARE_PLY);
+    let run =
+        |flags: &str| folder.run(format!("render square.ply -o a.svg {flags}").split_whitespace());
+    run("--tolerance 8").done();
+    assert_eq!(run("--json --size 64x64").json()["svg"]["paths"], 1);
+    run("--edges").failed(2, "without edges");
+    run("--wireframe").failed(2, "without edges");
+    run("--bits 16").failed(2, "8 bits");
+    run("--layer depth").failed(2, "layers are pixels");
+}

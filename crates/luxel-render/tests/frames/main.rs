@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a frame that can't be drawn fails the test")]
 
 mod determinism;
+mod feedback;
 mod golden;
 mod layers;
 mod ledger;
@@ -11,3 +12,4 @@ mod scenes;
 mod shading;
 mod strokes;
 mod transparency;
+mod vectors;

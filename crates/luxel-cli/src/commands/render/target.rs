@@ -10,8 +10,30 @@ use std::path::{Path, PathBuf};
 /// Where pictures go, and in which format.
 #[derive(Debug)]
 pub(super) struct Target {
-    pub(super) format: PictureFormat,
+    pub(super) format: Format,
     place: Place,
+}
+
+/// What a picture becomes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Format {
+    /// Pixels.
+    Pixels(PictureFormat),
+    /// Vectors.
+    Svg,
+}
+
+impl std::str::FromStr for Format {
+    type Err = String;
+
+    fn from_str(extension: &str) -> Result<Self, Self::Err> {
+        if extension.eq_ignore_ascii_case("svg") {
+            return Ok(Self::Svg);
+        }
+        extension.parse().map(Self::Pixels).map_err(|_: ParsePictureFormatError| {
+            format!("`{extension}` is no format for pictures: use png, exr, ppm, npy or svg")
+        })
+    }
 }
 
 #[derive(Debug)]
@@ -30,15 +52,30 @@ impl Target {
             return usage("--json and `-o -` would both write to the standard output: use a file");
         }
         let format = format(options)?;
-        if options.bits == 16 && format.is_linear() {
-            return usage("--bits is for PNG and PPM: EXR and NPY hold 32 bits");
-        }
-        match (options.layers.len(), format) {
-            (0, _) => {}
-            (2.., PictureFormat::Png | PictureFormat::Ppm | PictureFormat::Npy) => {
-                return usage("only an EXR holds several layers: use -o FILE.exr, or one --layer");
+        match format {
+            Format::Pixels(format) => {
+                if options.bits == 16 && format.is_linear() {
+                    return usage("--bits is for PNG and PPM: EXR and NPY hold 32 bits");
+                }
+                if options.layers.len() > 1 && format != PictureFormat::Exr {
+                    return usage(
+                        "only an EXR holds several layers: use -o FILE.exr, or one --layer",
+                    );
+                }
             }
-            _ => {}
+            Format::Svg => {
+                if options.bits == 16 {
+                    return usage("--bits is for PNG and PPM: SVG has colours of 8 bits");
+                }
+                if !options.layers.is_empty() {
+                    return usage("layers are pixels: use -o FILE.exr, .png, .ppm or .npy");
+                }
+                if options.wireframe || options.edges {
+                    return usage(
+                        "SVG shows faces without edges: leave --wireframe or --edges out",
+                    );
+                }
+            }
         }
         let place = match options.is_numbered() {
             true if to_standard_output => {
@@ -77,19 +114,20 @@ impl Target {
     }
 }
 
-fn format(options: &OutputOptions) -> Result<PictureFormat, Failure> {
+fn format(options: &OutputOptions) -> Result<Format, Failure> {
     if let Some(format) = options.output_format {
         return Ok(format);
     }
     if options.output == "-" {
-        return Ok(PictureFormat::Png);
+        return Ok(Format::Pixels(PictureFormat::Png));
     }
     let extension = Path::new(&options.output).extension().unwrap_or_default().to_string_lossy();
     if extension.is_empty() {
-        let message = "--output needs an ending: .png, .exr, .ppm or .npy (or --output-format)";
+        let message =
+            "--output needs an ending: .png, .exr, .ppm, .npy or .svg (or --output-format)";
         return Err(Failure::Usage(message.to_owned()));
     }
-    extension.parse().map_err(|error: ParsePictureFormatError| {
+    extension.parse().map_err(|error: String| {
         let name = options.output.to_string_lossy();
         Failure::Usage(format!("invalid value '{name}' for '--output': {error}"))
     })

@@ -1,0 +1,348 @@
+//! SVG against the picture: its paths, painted by a few lines of code of this test's own.
+
+use crate::scenes::{execution, fitted, frontal, glass, matte, scene, square, view};
+use luxel_lighting::{Fog, FogLaw, PictureEncoding};
+use luxel_math::SimdLevel;
+use luxel_render::{RenderError, Renderer, Svg, SvgOptions, View};
+use luxel_scene::{
+    DMat4, DVec3, Lens, Mesh, Projection, Scene, Size, default_lights, demos, primitives,
+};
+
+/// One path: closed outlines, a colour, an opacity.
+struct Path {
+    outlines: Vec<Vec<[f64; 2]>>,
+    color: [f64; 3],
+    opacity: f64,
+}
+
+/// Takes the paths of a document apart: of what `luxel` writes, no more.
+fn paths(text: &str) -> Vec<Path> {
+    let attribute = |line: &str, name: &str| {
+        let start = line.find(&format!(" {name}=\""))? + name.len() + 3;
+        Some(line[start..].split('"').next().unwrap().to_owned())
+    };
+    let mut paths = Vec::new();
+    for line in text.lines().filter(|line| line.starts_with("<path") || line.starts_with("<rect")) {
+        let fill = attribute(line, "fill").unwrap();
+        let digits = &fill[1..];
+        let channel = |at: usize| {
+            let each = digits.len() / 3;
+            let value = u32::from_str_radix(&digits[at * each..(at + 1) * each], 16).unwrap();
+            f64::from(if each == 1 { value * 17 } else { value })
+        };
+        let opacity = attribute(line, "fill-opacity").map_or(1.0, |text| text.parse().unwrap());
+        let outlines = if let Some(data) = attribute(line, "d") {
+            outlines(&data)
+        } else {
+            let side = |name| attribute(line, name).unwrap().parse::<f64>().unwrap();
+            let (width, height) = (side("width"), side("height"));
+            vec![vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]]]
+        };
+        paths.push(Path { outlines, color: [channel(0), channel(1), channel(2)], opacity });
+    }
+    paths
+}
+
+fn outlines(data: &str) -> Vec<Vec<[f64; 2]>> {
+    let mut outlines: Vec<Vec<[f64; 2]>> = Vec::new();
+    let (mut start, mut here) = ([0.0; 2], [0.0; 2]);
+    let bytes = data.as_bytes();
+    let (mut at, mut command) = (0, b'm');
+    let number = |at: &mut usize| -> f64 {
+        while bytes[*at] == b' ' {
+            *at += 1;
+        }
+        let begin = *at;
+        let mut point = false;
+        while *at < bytes.len()
+            && (bytes[*at].is_ascii_digit()
+                || (bytes[*at] == b'-' && *at == begin)
+                || (bytes[*at] == b'.' && !point))
+        {
+            point |= bytes[*at] == b'.';
+            *at += 1;
+        }
+        data[begin..*at].parse().unwrap()
+    };
+    while at < bytes.len() {
+        if bytes[at].is_ascii_alphabetic() {
+            command = bytes[at];
+            at += 1;
+        }
+        match command {
+            b'z' => here = start,
+            b'h' => here[0] += number(&mut at),
+            b'v' => here[1] += number(&mut at),
+            b'm' | b'l' => {
+                here[0] += number(&mut at);
+                here[1] += number(&mut at);
+            }
+            other => panic!("no command of ours: {}", char::from(other)),
+        }
+        match command {
+            b'm' => {
+                start = here;
+                outlines.push(vec![here]);
+                command = b'l';
+            }
+            b'z' => {}
+            _ => outlines.last_mut().unwrap().push(here),
+        }
+    }
+    outlines
+}
+
+impl Path {
+    /// Whether a place lies inside, by the rule of nonzero winding.
+    fn contains(&self, [x, y]: [f64; 2]) -> bool {
+        let mut winding = 0;
+        for outline in &self.outlines {
+            for (at, &[ax, ay]) in outline.iter().enumerate() {
+                let [bx, by] = outline[(at + 1) % outline.len()];
+                if (ay <= y) != (by <= y) && x < ax + (bx - ax) * ((y - ay) / (by - ay)) {
+                    winding += if by > ay { 1 } else { -1 };
+                }
+            }
+        }
+        winding != 0
+    }
+
+    fn bounds(&self) -> [f64; 4] {
+        let places = self.outlines.iter().flatten();
+        places.fold([f64::MAX, f64::MAX, f64::MIN, f64::MIN], |[l, t, r, b], &[x, y]| {
+            [l.min(x), t.min(y), r.max(x), b.max(y)]
+        })
+    }
+}
+
+/// Paints paths as programs do: one after another, each pixel covered by as much as `places` of it
+/// lie inside. Colour multiplied by alpha, and alpha.
+fn painted(paths: &[Path], size: Size, places: &[[f64; 2]]) -> Vec<[f64; 4]> {
+    let (width, height) = (size.width as usize, size.height as usize);
+    let mut pixels = vec![[0.0; 4]; width * height];
+    for path in paths {
+        let [left, top, right, bottom] = path.bounds();
+        let columns = left.max(0.0) as usize..(right.ceil().max(0.0) as usize).min(width);
+        for y in top.max(0.0) as usize..(bottom.ceil().max(0.0) as usize).min(height) {
+            for x in columns.clone() {
+                let inside = places
+                    .iter()
+                    .filter(|&&[dx, dy]| path.contains([x as f64 + dx, y as f64 + dy]));
+                let cover = inside.count() as f64 / places.len() as f64 * path.opacity;
+                if cover > 0.0 {
+                    let pixel = &mut pixels[y * width + x];
+                    for (channel, color) in pixel.iter_mut().zip(path.color) {
+                        *channel += (color - *channel) * cover;
+                    }
+                    pixel[3] += (1.0 - pixel[3]) * cover;
+                }
+            }
+        }
+    }
+    pixels
+}
+
+fn svg(scene: &Scene, view: &View, tolerance: f32) -> Svg {
+    let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
+    renderer.svg(view, &SvgOptions { tolerance, ..SvgOptions::default() }).unwrap()
+}
+
+/// Pixels whose colour is farther than `allowed` steps from the picture's, each looked at in its
+/// middle.
+fn wrong_pixels(scene: &Scene, view: &View, tolerance: f32, allowed: f64) -> usize {
+    // Not quite the middle: corners of these scenes lie there.
+    let vectors =
+        painted(&paths(&svg(scene, view, tolerance).text), view.size, &[[0.5003, 0.4996]]);
+    let pixels = crate::scenes::bytes(scene, view);
+    let differs = |(pixel, vector): (&[u8; 4], &[f64; 4])| {
+        let alpha = f64::from(pixel[3]) / 255.0;
+        (0..3).any(|at| {
+            (f64::from(pixel[at]) * alpha - vector[at] * if vector[3] > 0.0 { 1.0 } else { 0.0 })
+                .abs()
+                > allowed
+        })
+    };
+    pixels.iter().zip(&vectors).filter(|pair| differs(*pair)).count()
+}
+
+/// Three squares, each of which passes through the two others.
+fn crossing() -> Scene {
+    let colors = [[0.9, 0.1, 0.1], [0.1, 0.8, 0.1], [0.1, 0.2, 0.9]];
+    let mut scene = scene(colors.map(|color| (square(0.0), matte(color))).to_vec());
+    let turns = [DMat4::IDENTITY, DMat4::from_rotation_x(1.3), DMat4::from_rotation_y(1.2)];
+    for (node, turn) in scene.nodes.iter_mut().zip(turns) {
+        node.parent_from_node = turn;
+    }
+    scene
+}
+
+/// Three bars in a ring, each before the next: no order of whole bars is right.
+fn ring() -> Scene {
+    let mut things = Vec::new();
+    for (number, color) in
+        [[0.9, 0.1, 0.1], [0.1, 0.8, 0.1], [0.1, 0.2, 0.9]].into_iter().enumerate()
+    {
+        // From behind the bar before to in front of the bar after.
+        let angle = number as f64 * std::f64::consts::TAU / 3.0;
+        let turn = DMat4::from_rotation_z(angle);
+        let at = |x: f64, y: f64, z: f64| {
+            turn.transform_point3(DVec3::new(x, y, z)).as_vec3().to_array()
+        };
+        let mesh = Mesh {
+            positions: vec![
+                at(-1.5, -0.8, -0.5),
+                at(1.5, -0.8, 0.5),
+                at(1.5, -0.4, 0.5),
+                at(-1.5, -0.4, -0.5),
+            ],
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+            polygons: Some(vec![0, 0]),
+            ..Mesh::default()
+        };
+        things.push((mesh, matte(color)));
+    }
+    scene(things)
+}
+
+#[test]
+fn faces_through_one_another_and_in_a_ring_hide_what_the_picture_hides() {
+    for (name, scene) in [("crossing", crossing()), ("ring", ring())] {
+        let mut view = view(120);
+        view.camera.view_from_world =
+            luxel_scene::Camera::look_at(DVec3::new(2.0, 3.0, 9.0), DVec3::ZERO, DVec3::Y);
+        // Where faces meet, the picture rounds depths to f32, and paths have two decimals.
+        assert!(wrong_pixels(&scene, &view, 1.0, 2.5) <= 4, "{name}, parallel");
+        view.camera.projection =
+            Projection { lens: Lens::Perspective { fov_y_radians: 0.3 }, near: 1.0, far: 20.0 };
+        let wrong = wrong_pixels(&scene, &view, 1.0, 2.5);
+        assert!(wrong <= 4, "{name}, perspective: {wrong}");
+    }
+}
+
+#[test]
+fn many_squares_through_one_another_hide_what_the_picture_hides() {
+    let mut scene = glass();
+    for material in &mut scene.materials {
+        material.alpha_mode = luxel_scene::AlphaMode::Opaque;
+    }
+    let view = fitted(&scene, Size { width: 200, height: 200 });
+    let wrong = wrong_pixels(&scene, &view, 1.0, 2.5);
+    // All edges meet in the middle, within a pixel.
+    assert!(wrong <= 4, "{wrong} pixels are wrong");
+}
+
+fn ball() -> Scene {
+    scene(vec![(primitives::sphere(1.0, 48, 24), matte([0.8, 0.6, 0.4]))])
+}
+
+#[test]
+fn shaded_colours_are_within_the_tolerance_of_the_picture() {
+    let scene = ball();
+    let mut view = fitted(&scene, Size { width: 160, height: 160 });
+    view.lights = default_lights();
+    let law = FogLaw::DepthCue { near: 1.5, far: 4.0, front: 1.0, back: 0.3 };
+    view.fog = Some(Fog { color: [0.2, 0.2, 0.3], law });
+    view.background = [0.1, 0.3, 0.2, 1.0];
+    for tolerance in [1.0, 3.0, 8.0] {
+        let wrong = wrong_pixels(&scene, &view, tolerance, f64::from(tolerance) + 1.0);
+        // Outlines at two decimals; facets at the rim that are narrower than half a pixel.
+        assert!(wrong <= 24, "tolerance {tolerance}: {wrong} pixels");
+    }
+    let size = |tolerance| svg(&scene, &view, tolerance).text.len();
+    assert!(size(8.0) * 3 < size(1.0), "a coarser picture is smaller");
+}
+
+#[test]
+fn demos_as_vectors_show_the_picture() {
+    for name in ["teapot", "cornell", "plane"] {
+        let scene = demos::demo(name).unwrap();
+        let mut view = fitted(&scene, Size { width: 160, height: 90 });
+        view.lights = if scene.lights.is_empty() { default_lights() } else { scene.lights.clone() };
+        view.background = [0.2, 0.2, 0.25, 1.0];
+        let wrong = wrong_pixels(&scene, &view, 4.0, 6.0);
+        // Outlines at two decimals, and pieces less than half a pixel wide, which have one colour.
+        assert!(wrong <= 160 * 90 / 100, "{name}: {wrong} pixels");
+    }
+}
+
+#[test]
+fn no_seam_lets_the_background_through() {
+    let scene = ball();
+    let mut view = fitted(&scene, Size { width: 96, height: 96 });
+    view.lights = default_lights();
+    view.background = [1.0, 0.0, 1.0, 1.0];
+    // Sixteen places a pixel, as programs smooth edges; each path blends over what is there.
+    let places: Vec<[f64; 2]> = (0..16)
+        .map(|at| [(f64::from(at % 4) + 0.5) / 4.0, (f64::from(at / 4) + 0.5) / 4.0])
+        .collect();
+    let vectors = painted(&paths(&svg(&scene, &view, 2.0).text), view.size, &places);
+    let pixels = crate::scenes::bytes(&scene, &view);
+    let inside = |x: usize, y: usize| {
+        (y - 2..=y + 2).all(|y| (x - 2..=x + 2).all(|x| pixels[y * 96 + x][1] > 0))
+    };
+    let (mut looked_at, mut off, mut worst) = (0, 0, 0.0_f64);
+    for y in 2..94 {
+        for x in (2..94).filter(|&x| inside(x, y)) {
+            let at = y * 96 + x;
+            let differences =
+                (0..3).map(|rgb| (f64::from(pixels[at][rgb]) - vectors[at][rgb]).abs());
+            let difference = differences.fold(0.0, f64::max);
+            worst = worst.max(difference);
+            off += usize::from(difference > 6.0);
+            looked_at += 1;
+        }
+    }
+    // The background differs by 128 steps and more.
+    assert!(looked_at > 2000 && worst < 16.0, "{looked_at} pixels, {worst} steps at worst");
+    assert!(off * 100 < looked_at, "{off} of {looked_at} pixels");
+}
+
+#[test]
+fn glass_blends_as_in_the_picture() {
+    let scene = glass();
+    // Programs blend encoded colours, so that only these can be compared.
+    let view = View {
+        encoding: PictureEncoding::None,
+        background: [1.0; 4],
+        ..fitted(&scene, Size { width: 128, height: 128 })
+    };
+    let wrong = wrong_pixels(&scene, &view, 1.0, 6.0);
+    assert!(wrong <= 128 * 128 / 200, "{wrong} pixels");
+}
+
+#[test]
+fn an_even_square_is_one_path_of_its_four_corners() {
+    let scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    let expected = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"16\" height=\"16\" \
+                    viewBox=\"0 0 16 16\">\n<path fill=\"#fff\" d=\"m4 12v-8h8v8z\"/>\n</svg>\n";
+    assert_eq!(svg(&scene, &view(16), 1.0).text, expected);
+}
+
+#[test]
+fn what_lies_behind_is_not_painted() {
+    let near = (square(1.0), matte([1.0; 3]));
+    let scene = scene(vec![near, (square(-1.0), matte([0.5; 3])), (square(0.0), matte([0.2; 3]))]);
+    assert_eq!(svg(&scene, &view(16), 1.0).faces, 2);
+}
+
+#[test]
+fn the_text_depends_on_neither_threads_nor_instruction_set() {
+    let scene = crossing();
+    let view =
+        View { lights: vec![frontal([0.9; 3])], ..fitted(&scene, Size { width: 64, height: 64 }) };
+    let text = |threads, simd| {
+        let renderer = Renderer::new(&scene, &execution(threads, simd)).unwrap();
+        renderer.svg(&view, &SvgOptions::default()).unwrap().text
+    };
+    assert_eq!(text(1, SimdLevel::Auto), text(3, SimdLevel::Auto));
+    assert_eq!(text(1, SimdLevel::Scalar), text(3, SimdLevel::Auto));
+}
+
+#[test]
+fn too_many_pieces_are_refused() {
+    let scene = ball();
+    let view = View { lights: default_lights(), ..fitted(&scene, Size { width: 64, height: 64 }) };
+    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let options = SvgOptions { max_pieces: 100, ..SvgOptions::default() };
+    assert_eq!(renderer.svg(&view, &options), Err(RenderError::TooManyPieces(100)));
+}
