@@ -3,9 +3,10 @@
 use crate::GalleryError;
 use crate::compare::{Error, error, error_picture};
 use crate::picture::Picture;
-use crate::shot::Shot;
+use crate::shot::{Shot, Studio};
 use crate::{File, Reproduced};
-use luxel::scene::Size;
+use luxel::check::{Finding, Setup, check};
+use luxel::scene::{NormalOptions, Size, demos};
 
 /// A problem and its cure, measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,9 +117,17 @@ impl Chapter {
         self.blocks.push(Block::Pair(pair));
     }
 
-    /// A command line worth showing by itself.
-    pub(crate) fn command(&mut self, line: &str) {
-        self.blocks.push(Block::Command(line.split(' ').map(str::to_owned).collect()));
+    /// What `luxel check` says of a scene, asked with a picture's flags.
+    pub(crate) fn checked(&mut self, studio: &Studio, shot: &Shot) {
+        let shot = Shot { samples: 4, ..shot.clone().size(640, 480) };
+        let scene = demos::demo(shot.demo).unwrap_or_default();
+        let normals = NormalOptions { source: shot.normals, ..NormalOptions::default() };
+        let setup = Setup { view: shot.view(&scene), normals, execution: studio.execution };
+        let findings = check(&scene, &setup).findings;
+        let told: Vec<_> = findings.iter().map(found).collect();
+        let told = if told.is_empty() { "nothing".to_owned() } else { told.join("; ") };
+        self.text(format!("<code>luxel check</code>, asked with the same flags, finds {told}."));
+        self.blocks.push(Block::Command(shot.check_command()));
     }
 
     /// A picture that a command line draws.
@@ -219,4 +228,13 @@ pub(crate) fn times(value: f64) -> String {
     } else {
         format!("{value:.0} times")
     }
+}
+
+/// What was found, how often and how bad.
+fn found(finding: &Finding) -> String {
+    let Finding { kind, count, severity, pixels, .. } = finding;
+    let pixels = pixels.map(|pixels| format!("up to {pixels:.1} pixels off"));
+    let severity = severity.map(|steps| format!("up to {steps} steps of 255"));
+    let degree: Vec<_> = pixels.into_iter().chain(severity).collect();
+    format!("{count} of <code>{}</code> ({})", kind.name(), degree.join(", "))
 }

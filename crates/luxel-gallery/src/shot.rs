@@ -137,8 +137,19 @@ impl Shot {
 
     /// The words of the command line that draws this into a file.
     pub(crate) fn command(&self, file: &str) -> Vec<String> {
-        let Self { size, samples, shading, .. } = self;
-        let mut line = format!("luxel render demo:{}", self.demo);
+        let samples = self.samples;
+        words(&format!("luxel render {} --samples {samples} -o {file}", self.flags()))
+    }
+
+    /// The words of the command line that checks the scene for what spoils this picture.
+    pub(crate) fn check_command(&self) -> Vec<String> {
+        words(&format!("luxel check {}", self.flags()))
+    }
+
+    /// The scene and the flags that all commands take.
+    fn flags(&self) -> String {
+        let Self { size, shading, .. } = self;
+        let mut line = format!("demo:{}", self.demo);
         let mut say = |words: &str| {
             let _ = write!(line, " {words}");
         };
@@ -178,9 +189,13 @@ impl Shot {
         if let Some(Rolled { up: [x, y], fov }) = self.rolled {
             say(&format!("--eye 0,0,{ROLLED_EYE} --target 0,0,0 --fov {fov} --up {x},{y},0"));
         }
-        say(&format!("--size {}x{} --samples {samples} -o {file}", size.width, size.height));
-        line.split(' ').map(str::to_owned).collect()
+        say(&format!("--size {}x{}", size.width, size.height));
+        line
     }
+}
+
+fn words(line: &str) -> Vec<String> {
+    line.split(' ').map(str::to_owned).collect()
 }
 
 impl Studio {

@@ -82,6 +82,7 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
 
     // The whole table: the narrower the highlight and the larger the polygons, the worse.
     let mut rows = Vec::new();
+    let [problem, cure] = [problem, cure].map(|shot| Shot { samples: 4, ..shot });
     let mut truths = Vec::new();
     for shininess in EXPONENTS {
         truths.push(truth(studio, &cure, shininess)?.1);
@@ -111,6 +112,7 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         &head,
         rows,
     );
+    chapter.checked(studio, &problem);
     Ok(chapter)
 }
 

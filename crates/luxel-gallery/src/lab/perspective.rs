@@ -73,5 +73,6 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         &["polygons", "largest error", "mean error"],
         rows,
     );
+    chapter.checked(studio, &problem);
     Ok(chapter)
 }

@@ -5,7 +5,7 @@ use crate::chapter::{Chapter, Pair, steps};
 use crate::compare::{Error, error};
 use crate::picture::{Picture, animation};
 use crate::shot::{Shot, Studio, ready};
-use luxel::lighting::encode_srgb;
+use luxel::lighting::{PictureEncoding, encode_srgb};
 use luxel::render::Interpolation;
 use luxel::scene::{DVec2, Scene, Size, demos::lab};
 
@@ -148,7 +148,9 @@ fn roll(studio: &Studio, shot: &Shot) -> Result<(Vec<Picture>, Error), GalleryEr
         let view = shot.view(&scene);
         // Before rounding, so that what changes isn't the rounding.
         let light = stage.renderer.linear(&view)?.pixels;
-        let picture = stage.shoot(&shot)?;
+        let byte = |value: f32| PictureEncoding::Srgb.byte(value);
+        let pixels = light.iter().map(|&[r, g, b, _]| [r, g, b].map(byte)).collect();
+        let picture = Picture { size: shot.size, pixels };
         let window_of = |place: DVec2| {
             let in_view = view.camera.view_from_world.transform_point3(place.extend(0.0));
             let clip = view.camera.projection.clip_from_view(shot.size);

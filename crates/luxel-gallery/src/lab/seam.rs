@@ -54,10 +54,7 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         cure: cure_error,
         because: None,
     });
-    chapter.text(format!(
-        "<code>luxel check</code> finds the {forgotten} corners and says what helps:"
-    ));
-    chapter.command("luxel check demo:lab-t-junction");
+    chapter.checked(studio, &problem);
     Ok(chapter)
 }
 

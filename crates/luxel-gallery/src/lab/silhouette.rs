@@ -63,5 +63,6 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         &["faces round", "triangles", "largest error", "mean error"],
         rows,
     );
+    chapter.checked(studio, &problem);
     Ok(chapter)
 }

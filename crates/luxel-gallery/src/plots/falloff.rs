@@ -61,7 +61,7 @@ pub(crate) fn chapter(_: &Studio) -> Result<Chapter, GalleryError> {
         curve("1/d²", (0.88, [8.0, 0.0], Anchor::Start), law([0.0, 0.0, 1.0])),
         curve("1/(1 + d²)", (1.25, [-6.0, 16.0], Anchor::End), law([1.0, 0.0, 1.0])),
         curve("1/(1 + d)", (3.15, [0.0, -8.0], Anchor::Start), law([1.0, 1.0, 0.0])),
-        curve("1/d² cut at 1", (0.1, [4.0, -8.0], Anchor::Start), at(lamp(cut))),
+        curve("cut at 1", (0.06, [0.0, -8.0], Anchor::Start), at(lamp(cut))),
         curve("1, range 3", (2.45, [8.0, 0.0], Anchor::Start), at(lamp(ending))),
     ];
     figures.push(plot(

@@ -115,13 +115,13 @@ fn grooves() -> Result<(Vec<DVec3>, Surface), GalleryError> {
 
 fn drawing(chapter: &mut Chapter) -> Result<Figure, GalleryError> {
     let (profile, surface) = grooves()?;
-    let mut svg = Svg::new(660, 236);
-    let place = |at: DVec3| [30.0 + at.x * 600.0, 218.0 - at.z * 600.0];
+    let mut svg = Svg::new(660, 196);
+    let place = |at: DVec3| [30.0 + at.x * 600.0, 178.0 - at.z * 600.0];
     let towards = to_light(DRAWN_LIGHT);
 
     let mut body: Vec<_> = profile.iter().map(|&at| place(at)).collect();
     svg.line(Ink::Quiet, 1.5, &body);
-    body.extend([[place(profile[profile.len() - 1])[0], 226.0], [place(profile[0])[0], 226.0]]);
+    body.extend([[place(profile[profile.len() - 1])[0], 186.0], [place(profile[0])[0], 186.0]]);
     svg.area(Ink::Quiet, 0.18, &body);
 
     // What the light reaches, piece by piece.
@@ -382,4 +382,37 @@ fn polar_plot(chapter: &mut Chapter, light: f64, bounced: &Bounced, model: &[[f6
     );
     let file = format!("microsurface-{light:.0}.svg");
     chapter.file(&file, svg.finish(&title), size, alt, &caption)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luxel::lighting::{Material, Reflection};
+
+    #[test]
+    fn mirrors_that_are_really_there_send_what_the_model_says() {
+        let areas = areas().unwrap_or_default();
+        assert_eq!(areas.len(), AREAS as usize);
+        let metal = Material {
+            reflection: Reflection::Microfacet,
+            diffuse: [1.0; 3],
+            k_s: 1.0,
+            metallic: 1.0,
+            roughness: ALPHA.sqrt() as f32,
+            ..Material::default()
+        };
+        for light in [10.0, 35.0, 60.0] {
+            let bounced = bounce(&areas, light);
+            let (mut off, mut whole) = (0.0, 0.0);
+            for &[eye, rays] in bounced.sent.iter().filter(|value| value[0].abs() < 75.0) {
+                let model = sent(&metal, -light, eye);
+                off += (rays - model).abs();
+                whole += model;
+            }
+            // What is off is the counting of rays, and neighbours that shadow each other more alike
+            // than Smith has it.
+            assert!(off < 0.12 * whole, "light at {light}: {off} of {whole}");
+            assert!(bounced.once > 0.8 && bounced.once < 1.0, "{}", bounced.once);
+        }
+    }
 }
