@@ -110,7 +110,7 @@ fn main() {
             continue;
         }
         let mesh = bumpy_sphere(frequency);
-        for quality in [Quality::Thorough, Quality::Fast] {
+        for quality in [Quality::Thorough, Quality::Fast, Quality::InOrder] {
             for threads in ["1 thread", "all threads"] {
                 let name = format!("{triangles} build {quality:?} {threads}");
                 if !wanted(&name) {

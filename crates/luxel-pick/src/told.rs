@@ -75,11 +75,18 @@ impl PickView<'_> {
     }
 
     /// Everything under a place of the window, nearest first.
+    ///
+    /// The first is what a frame shows, whose depths are rounded to f32; the others go by their exact
+    /// depths.
     #[must_use]
     pub fn through(&self, x: f64, y: f64) -> Vec<PickHit> {
         let Some(position) = self.steps(x, y) else { return Vec::new() };
         let all = self.all_covering(position);
-        all.iter().map(|covering| self.told(covering, position)).collect()
+        let mut hits: Vec<_> = all.iter().map(|covering| self.told(covering, position)).collect();
+        if let Some((_, behind)) = hits.split_first_mut() {
+            behind.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+        }
+        hits
     }
 
     /// What is seen at a place of the window: object and element, without more.

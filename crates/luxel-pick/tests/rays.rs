@@ -109,6 +109,31 @@ fn the_nearest_triangle_is_that_of_asking_all() {
 }
 
 #[test]
+fn trees_of_every_quality_give_the_same_hits() {
+    let mut mesh = bumpy_sphere(14);
+    // Neighbours far apart in the list, and one that isn't there.
+    let count = mesh.triangles.len();
+    mesh.triangles = (0..count).map(|at| mesh.triangles[at * 1009 % count]).collect();
+    mesh.positions.push([f32::NAN; 3]);
+    mesh.triangles[77][1] = mesh.positions.len() as u32 - 1;
+    let trees = [Quality::Thorough, Quality::Fast, Quality::InOrder]
+        .map(|quality| Bvh::build(&mesh.positions, &mesh.triangles, quality).unwrap());
+    let asked = trees.each_ref().map(|tree| MeshRays::new(tree, &mesh.positions));
+    let mut random = Random(41);
+    for _ in 0..2000 {
+        let ray = Ray::new(random.point(2.0), random.point(1.0));
+        let [thorough, fast, in_order] =
+            asked.each_ref().map(|rays| (rays.closest(&ray), rays.all(&ray)));
+        assert_eq!(thorough, fast);
+        assert_eq!(thorough, in_order);
+    }
+    for tree in &trees {
+        assert_eq!(tree.triangles(), count - 1);
+        assert!(tree.memory() <= count * Quality::InOrder.bytes_a_triangle() + 1024);
+    }
+}
+
+#[test]
 fn all_hits_of_a_closed_mesh_are_even_in_number_from_outside_and_sorted() {
     let mesh = bumpy_sphere(20);
     let bvh = Bvh::build(&mesh.positions, &mesh.triangles, Quality::Fast).unwrap();
@@ -286,8 +311,14 @@ fn hostile_meshes_make_no_deep_tree_and_no_panic() {
     for positions in meshes {
         let triangles: Vec<[u32; 3]> =
             (0..positions.len() as u32 / 3).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+        for quality in [Quality::Thorough, Quality::InOrder] {
+            let bvh = Bvh::build(&positions, &triangles, quality).unwrap();
+            assert!(bvh.depth() <= 67, "{}", bvh.depth());
+        }
+        let bvh = Bvh::build(&positions, &triangles, Quality::InOrder).unwrap();
+        let rays = MeshRays::new(&bvh, &positions);
+        assert!(!rays.any(&Ray::new([9e9; 3], [1.0, 0.0, 0.0])));
         let bvh = Bvh::build(&positions, &triangles, Quality::Thorough).unwrap();
-        assert!(bvh.depth() <= 67, "{}", bvh.depth());
         let rays = MeshRays::new(&bvh, &positions);
         let mut random = Random(23);
         for _ in 0..50 {
@@ -301,16 +332,19 @@ fn hostile_meshes_make_no_deep_tree_and_no_panic() {
 #[test]
 fn a_refitted_tree_answers_for_the_moved_mesh() {
     let mut mesh = bumpy_sphere(16);
-    let mut bvh = Bvh::build(&mesh.positions, &mesh.triangles, Quality::Fast).unwrap();
+    let build = |quality| Bvh::build(&mesh.positions, &mesh.triangles, quality).unwrap();
+    let mut trees = [build(Quality::Fast), build(Quality::InOrder)];
     for position in &mut mesh.positions {
         *position = [position[0] * 1.5 + position[1] * 0.3, position[1] - 0.7, position[2] * 0.8];
     }
-    bvh.refit(&mesh.positions);
-    let rays = MeshRays::new(&bvh, &mesh.positions);
-    let mut random = Random(29);
-    for _ in 0..500 {
-        let ray = Ray::new(random.point(3.0), random.point(1.0));
-        check(&mesh, &ray, rays.closest(&ray)).unwrap();
+    for bvh in &mut trees {
+        bvh.refit(&mesh.positions);
+        let rays = MeshRays::new(bvh, &mesh.positions);
+        let mut random = Random(29);
+        for _ in 0..500 {
+            let ray = Ray::new(random.point(3.0), random.point(1.0));
+            check(&mesh, &ray, rays.closest(&ray)).unwrap();
+        }
     }
 }
 

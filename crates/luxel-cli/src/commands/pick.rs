@@ -16,6 +16,7 @@ use crate::values::{Rectangle, at as position, finite, lasso, rectangle};
 use clap::{Args, ValueEnum};
 use luxel::pick::{Inclusion, PickView, Picker, Quality};
 use luxel::render::{At, Cull};
+use luxel::scene::Scene;
 
 /// Tell what is under a place of the window, or in a part of it
 ///
@@ -141,8 +142,13 @@ impl PickCommand {
         surface::apply_normals(&self.shading, &mut model.scene);
         let scene = &model.scene;
         let camera = camera::choose(&self.frame, scene)?;
-        // A single question is answered sooner by a tree that is built quickly.
-        let quality = if many { Quality::Thorough } else { Quality::Fast };
+        // A single question is answered sooner by a tree that is made quickly.
+        let quality = match (many, self.asked.visible) {
+            (true, _) => Quality::Thorough,
+            (false, true) => Quality::Fast,
+            (false, false) => Quality::InOrder,
+        };
+        check_memory(scene, quality, self.execution.max_memory)?;
         let picker = Picker::with(scene, quality, self.execution.simd)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         let cull = match self.frame.cull {
@@ -158,6 +164,21 @@ impl PickCommand {
             None => self.asked.region(&view),
         }
     }
+}
+
+/// Ends the work before memory is taken for trees that is not allowed.
+fn check_memory(scene: &Scene, quality: Quality, limit: u64) -> Result<(), Failure> {
+    let triangles = scene.meshes.iter().map(|mesh| mesh.triangles.len() as u64).sum::<u64>();
+    let needed = triangles.saturating_mul(quality.bytes_a_triangle() as u64);
+    if needed <= limit {
+        return Ok(());
+    }
+    Err(Failure::work(
+        format!(
+            "a tree over {triangles} triangles would take {needed} bytes; the limit is {limit}"
+        ),
+        "raise the limit with --max-memory",
+    ))
 }
 
 impl AskedOptions {

@@ -193,3 +193,9 @@ fn questions_that_make_no_sense_are_refused() {
         luxel(line).failed(2, expected);
     }
 }
+
+#[test]
+fn trees_beyond_the_memory_allowed_are_refused_before_they_are_built() {
+    luxel("pick demo:plane --at 1,1 --max-memory 100K").failed(1, "tree");
+    luxel("pick demo:plane --at 1,1 --max-memory 10M").done();
+}

@@ -34,6 +34,9 @@ pub(crate) fn build<T: Sync>(
     bounds: &(impl Fn(&T) -> Box3 + Sync),
     quality: Quality,
 ) -> Tree {
+    if quality == Quality::InOrder {
+        return in_order(things, is_sound, bounds);
+    }
     const LEFT_OUT: u32 = u32::MAX;
     let of = |(number, thing): (usize, &T)| {
         let id = if is_sound(thing) { number as u32 } else { LEFT_OUT };
@@ -60,6 +63,62 @@ pub(crate) fn build<T: Sync>(
     };
     let items = refs.par_iter().map(|of| of.id).collect();
     Tree { nodes, items, bounds: Some(bounds) }
+}
+
+/// A tree over things as they stand: each eight that follow one another are a leaf, each eight leaves
+/// a node, and so on up to the root.
+fn in_order<T: Sync>(
+    things: &[T],
+    is_sound: &(impl Fn(&T) -> bool + Sync),
+    bounds: &(impl Fn(&T) -> Box3 + Sync),
+) -> Tree {
+    let numbers = 0..things.len() as u32;
+    let sound = |&item: &u32| is_sound(&things[item as usize]);
+    let items: Vec<u32> = numbers.into_par_iter().filter(sound).collect();
+    if items.is_empty() {
+        return Tree::default();
+    }
+    let of_leaf = |leaf: &[u32]| {
+        let boxes = leaf.iter().map(|&item| bounds(&things[item as usize]));
+        boxes.fold(Box3::EMPTY, |all, bounds| all.union(&bounds))
+    };
+    let mut boxes: Vec<Box3> = items.par_chunks(WIDTH).map(of_leaf).collect();
+    // The lowest level first; children by their places within the level below.
+    let mut levels: Vec<Vec<Node>> = Vec::new();
+    loop {
+        let lowest = levels.is_empty();
+        let of_node = |(number, boxes): (usize, &[Box3])| {
+            let mut node = Node::EMPTY;
+            for (slot, bounds) in boxes.iter().enumerate() {
+                let child = number * WIDTH + slot;
+                let first = child * WIDTH;
+                let child = if lowest {
+                    Child::leaf(first, WIDTH.min(items.len() - first))
+                } else {
+                    Child::inner(child as u32)
+                };
+                node.set(slot, bounds, child);
+            }
+            node
+        };
+        let nodes: Vec<Node> = boxes.par_chunks(WIDTH).enumerate().map(of_node).collect();
+        boxes = nodes.par_iter().map(Node::all_bounds).collect();
+        levels.push(nodes);
+        if boxes.len() == 1 {
+            break;
+        }
+    }
+    let mut nodes = Vec::with_capacity(levels.iter().map(Vec::len).sum());
+    for mut level in levels.into_iter().rev() {
+        let below = (nodes.len() + level.len()) as u32;
+        for child in level.iter_mut().flat_map(|node| &mut node.children) {
+            if child.as_leaf().is_none() {
+                child.0 += below;
+            }
+        }
+        nodes.append(&mut level);
+    }
+    Tree { nodes, items, bounds: Some(boxes[0]) }
 }
 
 impl<'r> Run<'r> {
