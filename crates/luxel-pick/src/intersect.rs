@@ -181,9 +181,9 @@ fn on_edge(corners: [[f32; 3]; 3]) -> Option<f32> {
 type Gathered = [[[f32; WIDTH]; 3]; 3];
 
 #[inline(always)]
-fn gather(records: &[Record; WIDTH], positions: &[[f32; 3]]) -> Gathered {
+fn gather(records: &[Record], positions: &[[f32; 3]]) -> Gathered {
     let mut gathered = [[[0.0; WIDTH]; 3]; 3];
-    for (lane, record) in records.iter().enumerate() {
+    for (lane, record) in records.iter().enumerate().take(WIDTH) {
         for corner in 0..3 {
             let position = positions[record[corner] as usize];
             for axis in 0..3 {
@@ -205,7 +205,7 @@ pub(crate) fn meet_triangles<S: Simd>(
     ray: &Sheared,
     range: [f32; 2],
 ) -> ([f32; WIDTH], u32) {
-    let gathered = gather(records, positions);
+    let gathered = gather(&records[..count.min(WIDTH)], positions);
     let axes = ray.axes.map(|axis| if axis < 3 { axis } else { 0 });
     let [sx, sy, sz] = ray.shear;
     let mut x = [f32x8::splat(simd, 0.0); 3];
