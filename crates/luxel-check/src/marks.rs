@@ -41,6 +41,12 @@ impl Report {
     /// [`Kind::ALL`] shows.
     #[must_use]
     pub fn marked(&self, scene: &Scene) -> Scene {
+        self.marked_only(scene, &Kind::ALL)
+    }
+
+    /// As [`Report::marked`], with the marks of some kinds only.
+    #[must_use]
+    pub fn marked_only(&self, scene: &Scene, only: &[Kind]) -> Scene {
         let mut marked = Scene {
             nodes: Vec::new(),
             meshes: scene.meshes.clone(),
@@ -63,6 +69,9 @@ impl Report {
         };
         for run in self.spots.chunk_by(is_same) {
             let (kind, index, _) = run[0];
+            if !only.contains(&kind) {
+                continue;
+            }
             let object = &objects[index as usize];
             let number = kinds.iter().position(|other| *other == kind).unwrap_or_default();
             let material = MaterialId(first_material + number as u32);

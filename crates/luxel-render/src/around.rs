@@ -1,9 +1,10 @@
 //! A part of a picture: only the tiles that it touches are drawn.
 
+use crate::place::Covers;
 use crate::renderer::{Picture, RenderError, Renderer, Worker, bytes_of};
 use crate::view::View;
 use luxel_scene::Size;
-use luxel_visibility::{Coverage, TILE};
+use luxel_visibility::TILE;
 
 impl Renderer<'_> {
     /// The bytes of a part of a view's picture, as they are in [`Renderer::rgba8`]: `part` pixels
@@ -28,7 +29,7 @@ impl Renderer<'_> {
             pixel[1].saturating_sub(part.height / 2).min(height - part.height),
         ];
         let mut pixels = vec![[0; 4]; part.width as usize * part.height as usize];
-        self.with_scene(view, Coverage::Blended, None, |scene, holes| {
+        self.with_scene(view, Covers::DRAWN, None, |scene, holes| {
             let mut worker = Worker::new(scene.frame.samples(), scene);
             let tile = TILE as usize;
             let [across, _] = scene.frame.tiles();

@@ -10,6 +10,7 @@ use crate::ledger::{
     EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation,
     Seen,
 };
+use crate::place::Covers;
 use crate::renderer::{RenderError, Renderer, Worker};
 use crate::resolve::{self, Layered, Ranks};
 use crate::shade::{Batch, Kept, Scene16, shade};
@@ -20,7 +21,7 @@ use luxel_lighting::{
 };
 use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
-use luxel_visibility::{BLOCK, Coverage, Samples, TILE, Tile, TriangleId};
+use luxel_visibility::{BLOCK, Samples, TILE, Tile, TriangleId};
 
 /// What is asked about.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +93,7 @@ impl Renderer<'_> {
         only: Option<[i32; 2]>,
     ) -> Result<Vec<Explanation>, RenderError> {
         let view = View { edges: None, ..view.clone() };
-        self.with_scene(&view, Coverage::Blended, only.map(Samples::one_at), |scene, holes| {
+        self.with_scene(&view, Covers::DRAWN, only.map(Samples::one_at), |scene, holes| {
             let mut worker = Worker::new(scene.frame.samples(), scene);
             let mut kept = Kept::new(scene);
             let [across, _] = scene.frame.tiles();

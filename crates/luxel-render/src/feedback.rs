@@ -5,6 +5,7 @@
 //! (flat): before texture and fog, which OpenGL applies to fragments. A polygon that clipping cut
 //! keeps its corners' colours interpolated in clip coordinates, that is, with perspective.
 
+use crate::place::Covers;
 use crate::primitives::{Clipper, InWindow, is_culled};
 use crate::renderer::{RenderError, Renderer};
 use crate::shade::Scene16;
@@ -13,7 +14,7 @@ use crate::vertex::VertexLight;
 use crate::view::{Interpolation, Shading, ShadingMode, View};
 use glam::DVec3;
 use luxel_scene::{AlphaMode, Size};
-use luxel_visibility::{Coverage, Samples, TriangleOf};
+use luxel_visibility::{Samples, TriangleOf};
 
 /// A corner in the window, lit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -186,7 +187,7 @@ impl Renderer<'_> {
         };
         let shading = Shading { mode, interpolation: Interpolation::Perspective, ..view.shading };
         let view = View { shading, edges: None, ..view.clone() };
-        self.with_scene(&view, Coverage::Opaque, Some(Samples::ONE), |scene, _| {
+        self.with_scene(&view, Covers::SOLID, Some(Samples::ONE), |scene, _| {
             Stream::new(scene, &view).tell(&mut take);
         })
     }

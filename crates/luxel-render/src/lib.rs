@@ -30,6 +30,7 @@ mod surface;
 mod svg;
 mod tiles;
 mod triangles;
+mod unseen;
 mod vertex;
 mod view;
 
@@ -47,6 +48,7 @@ pub use picture::{
 };
 pub use renderer::{MAX_SIDE, Picture, RenderError, Renderer, Stages, Subdivision};
 pub use svg::{MAX_PIECES, Svg, SvgOptions};
+pub use unseen::{NearestObject, SurfaceBelow};
 pub use view::{
     Clamp, Edges, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading, ShadingMode,
     View,

@@ -7,6 +7,27 @@ use luxel_lighting::{LightKind, PlacedLight};
 use luxel_scene::{AlphaMode, Camera, Object, Placement, Scene, SceneLight};
 use luxel_visibility::{Clusters, Coverage, Cull, CullFaces, Instance, PartUse, Strokes};
 
+/// How surfaces cover what lies behind them, by what their materials say.
+#[derive(Clone, Copy)]
+pub(crate) struct Covers {
+    opaque: Coverage,
+    masked: Coverage,
+    blended: Coverage,
+}
+
+impl Covers {
+    /// As they are drawn.
+    pub(crate) const DRAWN: Self =
+        Self { opaque: Coverage::Opaque, masked: Coverage::Cutout, blended: Coverage::Blended };
+    /// The nearest surface counts, unless it is wholly transparent.
+    pub(crate) const NEAREST: Self = Self { blended: Coverage::Cutout, ..Self::DRAWN };
+    /// What is blended hides what lies behind it, too.
+    pub(crate) const SOLID: Self = Self { blended: Coverage::Opaque, ..Self::DRAWN };
+    /// One surface behind the other, as if all were of glass.
+    pub(crate) const LAYERS: Self =
+        Self { opaque: Coverage::Blended, masked: Coverage::Blended, blended: Coverage::Blended };
+}
+
 /// The instances of a scene before the camera: the objects, then the points and lines of some.
 pub(crate) fn instances<'a>(
     scene: &'a Scene,
@@ -14,7 +35,7 @@ pub(crate) fn instances<'a>(
     clusters: &'a [Clusters],
     strokes: &'a [Strokes],
     view: &View,
-    blended: Coverage,
+    covers: Covers,
 ) -> Vec<Instance<'a>> {
     let part_use = |object: &Object, material: usize| {
         let material = &scene.materials[material];
@@ -23,9 +44,9 @@ pub(crate) fn instances<'a>(
         let wires = view.edges.is_some_and(|edges| edges.wireframe);
         let coverage = match material.alpha_mode {
             AlphaMode::Opaque if wires => Coverage::Cutout,
-            AlphaMode::Opaque => Coverage::Opaque,
-            AlphaMode::Mask { .. } => Coverage::Cutout,
-            AlphaMode::Blend => blended,
+            AlphaMode::Opaque => covers.opaque,
+            AlphaMode::Mask { .. } => covers.masked,
+            AlphaMode::Blend => covers.blended,
         };
         // Wires are seen from both sides.
         PartUse {
@@ -47,7 +68,10 @@ pub(crate) fn instances<'a>(
         mesh: &strokes.mesh,
         clusters: &strokes.clusters,
         view_from_mesh: DMat4::IDENTITY,
-        parts: vec![PartUse::default(); strokes.mesh.parts.len()],
+        parts: vec![
+            PartUse { coverage: covers.opaque, ..PartUse::default() };
+            strokes.mesh.parts.len()
+        ],
     });
     faces.chain(strokes).collect()
 }

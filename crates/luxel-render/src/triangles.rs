@@ -10,7 +10,7 @@ use crate::view::{Interpolation, ShadingMode};
 use glam::DVec3;
 use luxel_lighting::Silent;
 use luxel_math::LANES;
-use luxel_scene::{Mesh, Scene};
+use luxel_scene::{Mesh, Scene, Size};
 use luxel_visibility::{Forms, InstanceSpace, TriangleId, TriangleOf};
 
 /// What meshes carry beside positions and normals.
@@ -205,8 +205,10 @@ impl SeenTriangle {
             ShadingMode::Subdivided { tolerance } => {
                 let space = &scene.spaces[self.of.instance];
                 let corners = &self.corners;
+                let Size { width, height } = scene.frame.size();
                 let pieces = Pieces::new(Asked {
                     tolerance,
+                    size: [f64::from(width), f64::from(height)],
                     encoding: scene.encoding,
                     light: &mut |place| lit(&within(corners, place)),
                     window: &|place| {

@@ -12,7 +12,8 @@ use crate::output;
 use crate::surface;
 use crate::view;
 use clap::Args;
-use luxel::check::{Finding, Place, Report, Setup, check};
+use luxel::check::{Finding, Kind, Place, Report, Setup, check};
+use luxel::formats::values::nearest;
 use luxel::lighting::PictureEncoding;
 use luxel::render::{ParsePictureFormatError, PictureFormat, Renderer, write_rgba8};
 use luxel::scene::{Camera, Object, Scene};
@@ -34,6 +35,10 @@ pub(crate) struct CheckCommand {
     /// A picture of the model in grey with everything that is found in colours: .png or .ppm
     #[arg(short, long, value_name = "FILE")]
     output: Option<OsString>,
+
+    /// Only this kind of finding is marked, such as t-junction; may be repeated [default: all]
+    #[arg(long = "layer", value_name = "KIND", value_parser = kind, requires = "output")]
+    layers: Vec<Kind>,
 
     /// Print a JSON document
     #[arg(long)]
@@ -89,7 +94,10 @@ impl CheckCommand {
     ) -> Result<(), Failure> {
         output::check_folder(path)?;
         let failure = |error: String| Failure::work(error, "");
-        let mut marked = report.marked(scene);
+        let mut marked = match &*self.layers {
+            [] => report.marked(scene),
+            only => report.marked_only(scene, only),
+        };
         surface::apply_normals(&self.shading, &mut marked);
         let execution = view::execution(&self.execution);
         let renderer =
@@ -103,6 +111,16 @@ impl CheckCommand {
             .map_err(|error| failure(error.to_string()))?;
         output::write_file(path, &bytes)
     }
+}
+
+/// A kind of finding by its name.
+fn kind(name: &str) -> Result<Kind, String> {
+    let names = Kind::ALL.map(Kind::name);
+    let found = Kind::ALL.into_iter().find(|kind| kind.name() == name);
+    found.ok_or_else(|| match nearest(name, names) {
+        Some(meant) => format!("it is no kind of finding: did you mean `{meant}`?"),
+        None => format!("it is no kind of finding: use {}", names.join(", ")),
+    })
 }
 
 /// The format of the marks, by their file's name.

@@ -110,7 +110,7 @@ impl ExplainCommand {
             RenderError::Outside(_) => Failure::Usage(format!("--at: {error}")),
             other => Failure::work(other.to_string(), ""),
         })?;
-        let unseen = Unseen::new(scene, &view, &explanation, self.execution.simd)
+        let unseen = Unseen::new(&renderer, &view, &explanation)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         let model = self.input.name();
         let told = Told { explanation: &explanation, unseen: &unseen, scene, view: &view, model };

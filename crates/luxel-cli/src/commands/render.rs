@@ -173,9 +173,11 @@ impl RenderCommand {
         }
         progress.finish_and_clear();
         console.detail(&watch.to_string());
-        if let Some(Subdivision { triangles, largest_error }) = subdivision {
+        if let Some(told) = subdivision {
+            let Subdivision { triangles, largest_error, beyond, beyond_pixels } = told;
             console.detail(&format!(
-                "subdivided into {triangles} triangles, at most {largest_error:.2} steps of 255 from phong"
+                "subdivided into {triangles} triangles, at most {largest_error:.2} steps of 255 from \
+                 phong; {beyond} of them, {beyond_pixels:.2} pixels in all, are beyond the tolerance"
             ));
         }
         if let Some([faces, pieces, paths]) = vectors {
@@ -184,8 +186,13 @@ impl RenderCommand {
         }
         if self.output.json {
             let mut report = self.report(&renderer, scene, &cameras[0], &files, &watch);
-            if let Some(Subdivision { triangles, largest_error }) = subdivision {
-                let told = json!({ "triangles": triangles, "largest_error": largest_error });
+            if let Some(told) = subdivision {
+                let told = json!({
+                    "triangles": told.triangles,
+                    "largest_error": told.largest_error,
+                    "beyond": told.beyond,
+                    "beyond_pixels": told.beyond_pixels,
+                });
                 report.insert("subdivision".into(), told);
             }
             if let Some([faces, pieces, paths]) = vectors {

@@ -112,6 +112,20 @@ fn marks_are_a_picture() {
     let is_grey = |pixel: &&&[u8]| pixel[0] > 30 && pixel[0].abs_diff(pixel[2]) < 20;
     assert!(pixels.iter().filter(is_red).count() > 100);
     assert!(pixels.iter().filter(is_grey).count() > 100);
+    // Of one kind alone: others leave the model grey.
+    let only = |kind: &str| {
+        let line = ["check", "twisted.ply", "-o", "marks.ppm", "--size", "60x40", "--layer", kind];
+        assert_eq!(folder.run(line).status, Some(3));
+        folder.read("marks.ppm")
+    };
+    assert!(only("inconsistent-winding") == bytes);
+    let others = only("sliver");
+    let pixels: Vec<_> = others["P6\n60 40\n255\n".len()..].chunks(3).collect();
+    assert_eq!(pixels.iter().filter(is_red).count(), 0);
+    assert!(pixels.iter().filter(is_grey).count() > 100);
+    let wrong = ["check", "twisted.ply", "-o", "marks.ppm", "--layer", "slivers"];
+    folder.run(wrong).failed(2, "did you mean `sliver`?");
+    folder.run(["check", "twisted.ply", "--layer", "sliver"]).failed(2, "--output");
     folder.run(["check", "twisted.ply", "-o", "marks.exr"]).failed(2, ".png or .ppm");
     assert_eq!(folder.files(), ["marks.ppm", "twisted.ply"]);
 }

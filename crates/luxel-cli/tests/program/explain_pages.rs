@@ -1,6 +1,7 @@
 //! The ledger's pages: what isn't seen and why, LaTeX, HTML, files.
 
-use crate::explain::{close, rgb};
+use crate::explain::rgb;
+use crate::explain_terms::close;
 use crate::program::{Folder, luxel};
 use serde_json::Value;
 
@@ -63,9 +64,7 @@ fn what_is_culled_and_what_is_hidden_is_told() {
     assert_eq!(hidden, ["front", "behind"]);
 
     let text = ask("--at 24,12 --cull back").text();
-    for expected in
-        ["triangle 0 of back, 4.000 away, would be seen here", "--cull back", "of behind"]
-    {
+    for expected in ["triangle 0 of back, 4 away, would be seen here", "--cull back", "of behind"] {
         assert!(text.contains(expected), "`{expected}` is not in:\n{text}");
     }
     let latex = ask("--at 24,12 --cull back --latex").text();

@@ -8,6 +8,7 @@ mod check;
 mod damaged;
 mod explain;
 mod explain_pages;
+mod explain_terms;
 mod gallery;
 mod info;
 mod models;

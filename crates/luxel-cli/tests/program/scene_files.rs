@@ -46,6 +46,21 @@ fn a_scene_file_and_the_equal_flags_make_equal_bytes() {
 }
 
 #[test]
+fn laws_of_light_and_fog_in_a_scene_file_are_those_of_the_flags() {
+    assert_equal(
+        "[[models]]\nsource = \"demo:plane\"\n\
+         [[lights]]\nkind = \"point\"\npos = [1, 3, 2]\nattenuation = [0, 0, 0.3]\nlimit = 0.4\n\
+         range = 6\n\
+         [[lights]]\nkind = \"spot\"\npos = [0, 5, 1]\ndir = [0, -1, 0]\ncutoff = 35\ninner = 12\n\
+         [fog]\nlaw = \"exp2\"\ndensity = 0.08\ncolor = [0.5, 0.6, 0.7]\n\
+         [render]\nsize = \"160x120\"\n",
+        "demo:plane --size 160x120 --light point:pos=1,3,2:attenuation=0,0,.3:limit=.4:range=6 \
+         --light spot:pos=0,5,1:dir=0,-1,0:cutoff=35:inner=12 \
+         --fog law=exp2:density=.08:color=.5,.6,.7",
+    );
+}
+
+#[test]
 fn a_camera_of_the_file_is_the_camera_of_the_flags() {
     assert_equal(
         "[[models]]\nsource = \"demo:teapot\"\n[render]\nsize = \"160x120\"\n\

@@ -17,6 +17,7 @@ mod paint;
 mod path;
 mod web;
 
+use crate::place::Covers;
 use crate::primitives::{Clipper, InWindow, is_culled};
 use crate::renderer::{RenderError, Renderer, bytes_of};
 use crate::shade::Scene16;
@@ -77,7 +78,7 @@ impl Renderer<'_> {
         let shading = Shading { mode, ..view.shading };
         let view = View { shading, edges: None, ..view.clone() };
         let samples = Samples::new(16);
-        self.with_scene(&view, Coverage::Blended, samples, |scene, holes| {
+        self.with_scene(&view, Covers::DRAWN, samples, |scene, holes| {
             let hole = |id, position| holes.hole(scene.frame, id, position);
             let seen = seen(self, scene, &hole);
             draw(self, scene, &view, options, &seen)

@@ -70,7 +70,7 @@ pub(crate) fn many_lights(scene: &Scene) -> Vec<SceneLight> {
     lights
 }
 
-pub(crate) const REFLECTIONS: [Reflection; 8] = [
+const SIMPLE_REFLECTIONS: [Reflection; 8] = [
     Reflection::BlinnPhong,
     Reflection::Phong,
     Reflection::Lambert,
@@ -80,6 +80,17 @@ pub(crate) const REFLECTIONS: [Reflection; 8] = [
     Reflection::Mirror,
     Reflection::Unlit,
 ];
+
+/// Every model, and a mix.
+pub(crate) fn reflections() -> Vec<Reflection> {
+    let parts = vec![
+        (Reflection::OrenNayar, 0.4),
+        (Reflection::Microfacet, 0.3),
+        (Reflection::Retro, 0.2),
+        (Reflection::Mirror, 0.1),
+    ];
+    SIMPLE_REFLECTIONS.into_iter().chain([Reflection::mixed(parts)]).collect()
+}
 
 const fn shading(mode: ShadingMode, interpolation: Interpolation, clamp: Clamp) -> Shading {
     Shading { mode, interpolation, clamp, normal_length: NormalLength::Unit }
@@ -113,7 +124,8 @@ fn ten_thousand_explained_pixels_are_the_pictures() {
             let mut scene = scene.clone();
             if round > 0 {
                 for (number, material) in scene.materials.iter_mut().enumerate() {
-                    let reflection = &REFLECTIONS[(round + number) % REFLECTIONS.len()];
+                    let reflections = reflections();
+                    let reflection = &reflections[(round + number) % reflections.len()];
                     material.constants.reflection = reflection.clone();
                 }
             }
@@ -151,7 +163,11 @@ fn styled(scene: &Scene, round: usize, samples: u32) -> View {
     if round % 3 == 1 {
         let away =
             (scene.bounds().centre() - view.camera.eye()).dot(view.camera.direction()) as f32;
-        let law = FogLaw::DepthCue { near: away * 0.7, far: away * 1.3, front: 1.0, back: 0.2 };
+        let law = match round {
+            1 => FogLaw::DepthCue { near: away * 0.7, far: away * 1.3, front: 1.0, back: 0.2 },
+            4 => FogLaw::Exponential { density: 1.0 / away },
+            _ => FogLaw::ExponentialSquared { density: 0.7 / away },
+        };
         view.fog = Some(Fog { color: [0.5, 0.6, 0.9], law });
     }
     if round % 4 == 2 {
@@ -198,6 +214,64 @@ fn a_part_of_a_picture_is_the_pictures_part() {
         }
         let outside = renderer.rgba8_around(&view, [90, 3], view.size);
         assert!(matches!(outside, Err(RenderError::Outside(_))));
+    }
+}
+
+#[test]
+fn what_lies_below_a_place_begins_with_what_is_seen_there() {
+    for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "blob") {
+        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let view = styled(&scene, 0, 1);
+        let mut random = Random(9);
+        let mut several = 0;
+        for _ in 0..40 {
+            let place = [90.0, 70.0].map(|side| side * f64::from(random.below(1000)) / 1000.0);
+            let below = renderer.below(&view, place).unwrap();
+            let explained = renderer.explain(&view, At::Point(place)).unwrap();
+            let seen: Vec<_> = explained.samples[0]
+                .seen
+                .iter()
+                .filter_map(|seen| seen.surface())
+                .map(|surface| (surface.object, surface.triangle))
+                .collect();
+            let found: Vec<_> =
+                below.iter().map(|surface| (surface.object, surface.triangle)).collect();
+            assert!(found.starts_with(&seen), "{name} {place:?}: {found:?}, {seen:?}");
+            assert!(seen.is_empty() == found.is_empty(), "{name} {place:?}");
+            assert!(below.windows(2).all(|two| two[0].z <= two[1].z + 1e-4), "{name} {place:?}");
+            if let Some(surface) = explained.samples[0].seen[0].surface() {
+                assert!((below[0].z - f64::from(surface.z)).abs() < 1e-4 * below[0].z, "{name}");
+            }
+            several += usize::from(below.len() > 1);
+        }
+        // Solids have a far side, glass is there to be looked through.
+        let is_deep = ["teapot", "spheres", "glass"].contains(&name.as_str());
+        assert!(several > 3 || !is_deep, "{name}: {several}");
+    }
+}
+
+#[test]
+fn the_nearest_object_is_the_nearest_pixel_that_is_covered() {
+    let scene = demos::demo("spheres").unwrap();
+    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let view = styled(&scene, 0, 1);
+    let layers = renderer.layers(&view, &[Layer::Object]).unwrap();
+    let LayerValues::U32(objects) = &layers[0] else { panic!("objects are numbers") };
+    for pixel in [[0_u32, 0], [89, 69], [45, 0], [44, 35], [3, 40]] {
+        let away = |place: usize| {
+            let [x, y] = [place as u32 % 90, place as u32 / 90];
+            f64::from(x.abs_diff(pixel[0])).hypot(f64::from(y.abs_diff(pixel[1])))
+        };
+        let covered = (0..objects.len()).filter(|&place| objects[place] != u32::MAX);
+        let expected = covered.map(away).fold(f64::INFINITY, f64::min);
+        let nearest = renderer.nearest_object(&view, pixel, 100).unwrap().unwrap();
+        assert!((nearest.distance - expected).abs() < 1e-9, "{pixel:?}: {nearest:?}, {expected}");
+        let place = (nearest.pixel[1] * 90 + nearest.pixel[0]) as usize;
+        assert_eq!(objects[place] as usize, nearest.object);
+        if expected > 1.0 {
+            let within = renderer.nearest_object(&view, pixel, expected as u32 - 1).unwrap();
+            assert_eq!(within, None);
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! Colours that can be computed by hand.
 
-use crate::scenes::{bytes, frontal, linear, matte, middle, scene, square, view};
-use luxel_lighting::{Fog, FogLaw, Material, Reflection};
-use luxel_render::{Cull, Edges};
-use luxel_scene::{DMat4, DVec3, Sides};
+use crate::scenes::{bytes, execution, frontal, linear, matte, middle, scene, square, view};
+use luxel_lighting::{Attenuation, Fog, FogLaw, Light, LightKind, Material, Reflection};
+use luxel_math::SimdLevel;
+use luxel_render::{Cull, Edges, Layer, LayerValues, Renderer};
+use luxel_scene::{DMat4, DVec3, Node, NodeId, Placement, SceneLight, Sides};
 
 #[test]
 fn a_white_surface_facing_a_unit_light_is_white() {
@@ -116,4 +117,79 @@ fn wires_are_drawn_along_polygons_and_not_along_diagonals() {
     assert_eq!(pixels[32 * 64 + 32], [255; 4]);
     // The pixel's centre is half a pixel from the edge: half covered by a line one pixel wide.
     assert!(pixels[16 * 64 + 32][0] < 192, "an edge over the face is dark");
+}
+
+#[test]
+fn a_red_light_leaves_a_green_surface_black() {
+    let scene = scene(vec![(square(0.0), matte([0.0, 1.0, 0.0]))]);
+    let mut view = view(16);
+    view.lights = vec![frontal([1.0, 0.0, 0.0])];
+    assert_eq!(middle(&bytes(&scene, &view)), [0, 0, 0, 255]);
+    view.lights = vec![frontal([1.0, 1.0, 0.0])];
+    assert_eq!(middle(&bytes(&scene, &view)), [0, 255, 0, 255]);
+}
+
+/// A lamp of intensity 1 that fades with the square of the distance.
+fn lamp(placement: Placement, position: DVec3) -> SceneLight {
+    let light = Light {
+        attenuation: Attenuation::INVERSE_SQUARE,
+        ..Light::new(LightKind::Point, [1.0; 3])
+    };
+    SceneLight { light, placement, position, ..frontal([0.0; 3]) }
+}
+
+#[test]
+fn a_light_on_a_node_moves_with_it() {
+    let mut scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    let arm = DMat4::from_translation(DVec3::new(0.0, 3.0, 0.0))
+        * DMat4::from_rotation_x(std::f64::consts::FRAC_PI_2);
+    scene.nodes.push(Node { parent_from_node: arm, ..Node::root("arm", None) });
+    let on_arm = Placement::Node(NodeId(scene.nodes.len() as u32 - 1));
+    // A quarter turn about x takes (0, 2, 3) to (0, -3, 2), and the arm's place that to (0, 0, 2).
+    let mut by_node = view(16);
+    by_node.lights = vec![lamp(on_arm, DVec3::new(0.0, 2.0, 3.0))];
+    let mut by_world = view(16);
+    by_world.lights = vec![lamp(Placement::World, DVec3::new(0.0, 0.0, 2.0))];
+    let (on_node, in_world) = (linear(&scene, &by_node), linear(&scene, &by_world));
+    assert!(middle(&in_world)[0] > 0.2);
+    let differ = |(one, other): (&[f32; 4], &[f32; 4])| (one[0] - other[0]).abs() > 1e-6;
+    assert!(!on_node.iter().zip(&in_world).any(differ), "the same place, the same light");
+    let last = scene.nodes.len() - 1;
+    scene.nodes[last].parent_from_node = DMat4::IDENTITY;
+    assert!(on_node.iter().zip(&linear(&scene, &by_node)).any(differ), "the light has moved");
+}
+
+#[test]
+fn a_light_in_the_camera_stays_where_the_eye_goes() {
+    let scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    let mut front = view(16);
+    front.lights = vec![lamp(Placement::Camera, DVec3::new(0.0, 0.0, -8.5))];
+    // The eye stands at z = 10, so the lamp is 1.5 before the square.
+    let expected = 1.0 / 2.25;
+    assert!((middle(&linear(&scene, &front))[0] - expected).abs() < 0.01);
+    let mut nearer = front.clone();
+    nearer.camera.view_from_world =
+        luxel_scene::Camera::look_at(DVec3::Z * 11.0, DVec3::ZERO, DVec3::Y);
+    assert!((middle(&linear(&scene, &nearer))[0] - 1.0 / 6.25).abs() < 0.01);
+}
+
+#[test]
+fn the_layer_of_n_dot_l_is_the_cosine_of_the_first_light_negative_behind() {
+    let mut scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_x(std::f64::consts::FRAC_PI_3);
+    let mut view = view(16);
+    let of = |view: &luxel_render::View| {
+        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let LayerValues::F32(values) = renderer.layers(view, &[Layer::NDotL]).unwrap().remove(0)
+        else {
+            panic!("a cosine is no id")
+        };
+        (middle(&values), values[0])
+    };
+    view.lights.push(frontal([1.0; 3]));
+    view.lights[1].direction = DVec3::X;
+    let (cosine, outside) = of(&view);
+    assert!((cosine - 0.5).abs() < 1e-6 && outside == 0.0, "{cosine} {outside}");
+    view.lights[0].direction = DVec3::Z;
+    assert!((of(&view).0 + 0.5).abs() < 1e-6);
 }

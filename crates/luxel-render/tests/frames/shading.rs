@@ -1,7 +1,7 @@
 //! Shading modes against pictures computed naively: rays, triangles and the lighting equation in f64.
 
 use crate::scenes::{bytes, execution, linear, matte, scene, square, view};
-use luxel_lighting::{Material, Reflection, encode_srgb};
+use luxel_lighting::{Cone, LightKind, Material, Reflection, encode_srgb};
 use luxel_math::SimdLevel;
 use luxel_render::{At, Clamp, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
 use luxel_scene::{
@@ -192,7 +192,8 @@ fn subdividing_comes_within_its_tolerance_of_phong() {
             largest = largest.max(a.abs_diff(*b));
         }
         // A byte is rounded by half a step, once in each picture.
-        assert!(f32::from(largest) <= told.largest_error * 1.2 + 1.0, "{tolerance}: {largest}");
+        assert!(f32::from(largest) <= told.largest_error + 1.0, "{tolerance}: {largest}");
+        assert_eq!((told.beyond, told.beyond_pixels), (0, 0.0));
         if tolerance == 40.0 {
             assert!(largest > 4, "a coarse tolerance shows: {largest}");
         }
@@ -200,6 +201,51 @@ fn subdividing_comes_within_its_tolerance_of_phong() {
     }
     assert!(counts[0] > counts[1] && counts[1] > counts[2], "{counts:?}");
     assert!(renderer.rgba8(&mirrored(ShadingMode::Phong)).unwrap().subdivision.is_none());
+}
+
+#[test]
+fn where_light_jumps_subdividing_tells_how_far_and_on_how_many_pixels() {
+    let scene = sheet();
+    let with_torch = |mode| {
+        let mut view = sheet_view(mode);
+        let cone = Cone::Exponent { cos_cutoff: 0.97, exponent: 0.0 };
+        view.lights[0].light.kind = LightKind::Spot(cone);
+        view.lights[0].position = DVec3::new(0.4, 3.0, 0.5);
+        view.lights[0].direction = DVec3::NEG_Y;
+        view
+    };
+    let phong = bytes(&scene, &with_torch(ShadingMode::Phong));
+    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let mode = ShadingMode::Subdivided { tolerance: 2.0 };
+    let picture = renderer.rgba8(&with_torch(mode)).unwrap();
+    let told = picture.subdivision.unwrap();
+    // The edge of the cone is a jump, which no interpolation follows.
+    assert!(told.largest_error > 20.0 && told.beyond > 0, "{told:?}");
+    assert!(told.beyond_pixels < 20.0, "it is as thin as a part of a pixel: {told:?}");
+    let steps = |(one, other): (&[u8; 4], &[u8; 4])| {
+        (0..3).map(|channel| one[channel].abs_diff(other[channel])).max().unwrap()
+    };
+    let off: Vec<u8> = picture.pixels.iter().zip(&phong).map(steps).collect();
+    let largest = f32::from(*off.iter().max().unwrap());
+    assert!(largest <= told.largest_error + 1.0);
+    let beyond = off.iter().filter(|off| **off > 3).count();
+    assert!((beyond as f64) <= told.beyond_pixels + 3.0, "{beyond} of {}", told.beyond_pixels);
+}
+
+#[test]
+fn with_any_error_allowed_subdividing_is_gouraud_and_lights_no_pixel() {
+    let mut scene = sheet();
+    // A small highlight, which corners miss.
+    scene.materials[0].constants.shininess = 300.0;
+    let drawn = |mode| {
+        let mut view = sheet_view(mode);
+        view.lights[0].direction = EYE * DVec3::new(1.0, -1.0, 1.0);
+        bytes(&scene, &view)
+    };
+    let gouraud = drawn(ShadingMode::Gouraud);
+    let subdivided = drawn(ShadingMode::Subdivided { tolerance: 1e6 });
+    assert!(largest_difference(&subdivided, &gouraud) <= 1);
+    assert!(largest_difference(&drawn(ShadingMode::Phong), &gouraud) > 4);
 }
 
 /// A square whose corners differ, turned about the line of sight.
@@ -243,6 +289,39 @@ fn a_rolled_quad_changes_its_colours_along_rows_and_not_in_perspective() {
     // Half a pixel aside is a few steps; rows that change their ends are many.
     let (right, along_rows) = (eighth(Interpolation::Perspective), eighth(Interpolation::Scanline));
     assert!(along_rows > right + 20, "{along_rows} and {right}");
+}
+
+#[test]
+fn rolled_by_45_degrees_a_quad_keeps_its_colours_in_perspective_to_a_step() {
+    // Asked at the places themselves, not at the pixels next to them.
+    let colors = |interpolation, degrees: f64| -> Vec<[u8; 4]> {
+        let mut mesh = square(0.0);
+        mesh.colors =
+            vec![[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [1.0; 4]];
+        let mut scene = scene(vec![(mesh, matte([1.0; 3]))]);
+        scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians());
+        let shading = Shading {
+            mode: ShadingMode::Gouraud,
+            interpolation,
+            clamp: Clamp::Vertex,
+            ..Shading::default()
+        };
+        let view = View { shading, ..view(64) };
+        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let (sin, cos) = libm::sincos(degrees.to_radians());
+        let mut told = Vec::new();
+        for (x, y) in [(9.0, 1.0), (-3.0, 12.0), (5.0, -7.0), (-11.0, -10.0), (12.0, 12.0)] {
+            let [x, y] = [cos * x - sin * y, sin * x + cos * y];
+            let at = At::Point([32.0 + x, 32.0 - y]);
+            told.push(renderer.explain(&view, at).unwrap().rgba8);
+        }
+        told
+    };
+    let changed = |interpolation| {
+        largest_difference(&colors(interpolation, 0.0), &colors(interpolation, 45.0))
+    };
+    assert!(changed(Interpolation::Perspective) <= 1);
+    assert!(changed(Interpolation::Scanline) > 10);
 }
 
 #[test]

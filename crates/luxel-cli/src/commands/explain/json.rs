@@ -5,8 +5,9 @@ use super::hidden::Hidden;
 use super::words::kind_name;
 use crate::values::reflection_name;
 use luxel::lighting::{Light, LightKind, Material, Reflectance, Reflection};
-use luxel::pick::{Element, PickHit};
-use luxel::render::{EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Seen};
+use luxel::render::{
+    EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Seen, SurfaceBelow,
+};
 use luxel::scene::Scene;
 use serde_json::{Map, Value, json};
 
@@ -18,7 +19,7 @@ pub(super) fn document(told: &Told<'_>) -> Value {
     let nearest = told.unseen.nearest.map(|nearest| {
         let mut object = object_of(nearest.object, told.scene);
         object.insert("pixel".to_owned(), json!(nearest.pixel));
-        object.insert("pixels".to_owned(), json!(nearest.pixels));
+        object.insert("pixels".to_owned(), json!(nearest.distance));
         object
     });
     json!({
@@ -47,10 +48,11 @@ fn sample(entry: &ExplainedSample, hidden: &Hidden, scene: &Scene) -> Value {
         }
         [] => Map::new(),
     };
-    let hits = |hits: &[PickHit]| hits.iter().map(|hit| hit_of(hit, scene)).collect::<Value>();
+    let surfaces =
+        |list: &[SurfaceBelow]| list.iter().map(|one| below(one, scene)).collect::<Value>();
     object.insert("at".to_owned(), json!(entry.at));
-    object.insert("behind".to_owned(), hits(&hidden.behind));
-    object.insert("culled".to_owned(), hits(&hidden.culled));
+    object.insert("behind".to_owned(), surfaces(&hidden.behind));
+    object.insert("culled".to_owned(), surfaces(&hidden.culled));
     object.insert("weight".to_owned(), json!(entry.weight));
     object.insert("covers".to_owned(), json!(entry.covers));
     object.insert("color".to_owned(), json!(entry.color));
@@ -69,16 +71,12 @@ fn object_of(index: usize, scene: &Scene) -> Map<String, Value> {
 }
 
 /// A surface that isn't seen.
-fn hit_of(hit: &PickHit, scene: &Scene) -> Map<String, Value> {
-    let mut object = object_of(hit.object, scene);
-    let triangle = match hit.element {
-        Element::Triangle(number) => Some(number),
-        Element::Point(_) | Element::Line(_) => None,
-    };
-    object.insert("triangle".to_owned(), json!(triangle));
-    object.insert("position".to_owned(), json!(hit.position.to_array()));
-    object.insert("z".to_owned(), json!(hit.z));
-    object.insert("depth".to_owned(), json!(hit.depth));
+fn below(surface: &SurfaceBelow, scene: &Scene) -> Map<String, Value> {
+    let mut object = object_of(surface.object, scene);
+    object.insert("triangle".to_owned(), json!(surface.triangle));
+    object.insert("position".to_owned(), json!(surface.position));
+    object.insert("z".to_owned(), json!(surface.z));
+    object.insert("depth".to_owned(), json!(surface.depth));
     object
 }
 

@@ -3,8 +3,7 @@
 use super::Told;
 use super::equation::{LitPlace, color, number};
 use luxel::lighting::{Light, LightKind, PictureEncoding, encode_srgb};
-use luxel::pick::{Element, PickHit};
-use luxel::render::{Cull, ExplainedSample, ExplainedSurface, Seen, ShadingMode};
+use luxel::render::{Cull, ExplainedSample, ExplainedSurface, Seen, ShadingMode, SurfaceBelow};
 use luxel::scene::Scene;
 
 /// Surfaces behind what is seen that are told of one by one.
@@ -49,13 +48,9 @@ pub(super) fn surface_path(surface: &ExplainedSurface, scene: &Scene) -> String 
     path_of(surface.object, scene).unwrap_or_else(|| surface.name.clone())
 }
 
-fn hit(hit: &PickHit, scene: &Scene) -> String {
-    let triangle = match hit.element {
-        Element::Triangle(number) => Some(number),
-        Element::Point(_) | Element::Line(_) => None,
-    };
-    let path = path_of(hit.object, scene).unwrap_or_default();
-    format!("{}{path}, {} away", part_of(triangle), number(hit.z))
+fn below(surface: &SurfaceBelow, scene: &Scene) -> String {
+    let path = path_of(surface.object, scene).unwrap_or_default();
+    format!("{}{path}, {} away", part_of(surface.triangle), number(surface.z as f32))
 }
 
 /// What isn't seen at an entry's samples, sentence by sentence: a label and the rest.
@@ -68,13 +63,13 @@ pub(super) fn why_not_seen(place: usize, told: &Told<'_>) -> Vec<(&'static str, 
             Cull::Auto | Cull::None => "its material shows one side only",
         };
         let text =
-            format!("{}, would be seen here, but shows its back: {why}", hit(back, told.scene));
+            format!("{}, would be seen here, but shows its back: {why}", below(back, told.scene));
         sentences.push(("not drawn", text));
     }
     let behind = &hidden.behind;
     if !behind.is_empty() {
         let mut told_of: Vec<_> =
-            behind.iter().take(MOST_BEHIND).map(|surface| hit(surface, told.scene)).collect();
+            behind.iter().take(MOST_BEHIND).map(|surface| below(surface, told.scene)).collect();
         if behind.len() > MOST_BEHIND {
             told_of.push(format!("and {} more", behind.len() - MOST_BEHIND));
         }
@@ -95,7 +90,7 @@ pub(super) fn nearest(told: &Told<'_>) -> Option<String> {
             let [x, y] = nearest.pixel;
             format!(
                 "nothing covers the pixel; the nearest thing is {path}, {:.1} pixels away at ({x}, {y})",
-                nearest.pixels
+                nearest.distance
             )
         }
         None => format!(
