@@ -1,8 +1,10 @@
 //! The window: what happens in it, and what it shows.
 
 mod input;
+mod pointing;
 mod present;
 
+use crate::marks::Marks;
 use crate::model::Model;
 use crate::pace::Pace;
 use crate::screen::Screen;
@@ -12,6 +14,7 @@ use crate::worker::{Answer, Drawn, Purpose, Worker};
 use luxel::navigation::{Command, Entry, Event, Log, Mode};
 use luxel::render::{Execution, View};
 use luxel::scene::{Camera, DVec2, DVec3, Size};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
@@ -118,6 +121,10 @@ struct App {
     /// The picture in the window's size, below what the panels paint.
     below: Vec<u32>,
     is_below_stale: bool,
+    /// The marks in it.
+    marked: Marks,
+    /// What the thread that draws leaves out.
+    hidden: BTreeSet<usize>,
     ui: Ui,
     status: Status,
     /// When the panels want to be painted again.
@@ -136,9 +143,14 @@ struct App {
     /// What is left of the log being played: its next entry, and when that was due to begin.
     playing: Option<(usize, Instant)>,
     pointer: DVec2,
+    is_pointer_in: bool,
     modifiers: ModifiersState,
     holding: Option<MouseButton>,
     clicked: Option<(Instant, DVec2)>,
+    /// Where the left button went down, as long as it may be a click.
+    pressed: Option<DVec2>,
+    /// Where the rubber band began.
+    band: Option<DVec2>,
     /// What lies under the pointer, for the wheel.
     under: Option<(DVec2, Option<DVec3>)>,
     held: Vec<(Key, Command)>,
@@ -158,6 +170,8 @@ impl App {
             asked: None,
             below: Vec::new(),
             is_below_stale: true,
+            marked: Marks::default(),
+            hidden: BTreeSet::new(),
             ui: Ui::new(),
             status,
             repaint: None,
@@ -170,9 +184,12 @@ impl App {
             now,
             playing: None,
             pointer: DVec2::ZERO,
+            is_pointer_in: false,
             modifiers: ModifiersState::empty(),
             holding: None,
             clicked: None,
+            pressed: None,
+            band: None,
             under: None,
             held: Vec::new(),
             end: None,
@@ -222,7 +239,12 @@ impl App {
         {
             self.happen(Event::Wait);
         }
-        let session = self.session.as_ref()?;
+        let session = self.session.as_mut()?;
+        if *session.marks.hidden() != self.hidden {
+            self.hidden.clone_from(session.marks.hidden());
+            self.worker.hide(self.hidden.clone());
+            session.changed();
+        }
         let view = session.view();
         let wanted = (view.camera, view.size, session.revision());
         if self.wants_screenshot {
@@ -268,7 +290,9 @@ impl App {
 
     fn draw(&mut self, view: View, purpose: Purpose) {
         self.is_drawing = true;
-        self.worker.draw(view, purpose);
+        let is_marked =
+            self.session.as_ref().is_some_and(|session| !session.marks.selected().is_empty());
+        self.worker.draw(view, purpose, is_marked);
     }
 
     /// Plays what is due of the log; when the next event is.
@@ -327,6 +351,13 @@ impl ApplicationHandler<Answer> for App {
                 self.playing = self.options.replay.as_ref().map(|_| (0, self.now));
             }
             Answer::Drawn(drawn) => self.drawn(drawn),
+            Answer::Seen(seen) => {
+                if let Some(shown) = &mut self.shown {
+                    shown.seen = seen;
+                }
+                self.is_below_stale = true;
+                self.redraw();
+            }
             Answer::Explained(explanation) => {
                 self.is_explaining = false;
                 self.ui.explanation = explanation;
@@ -372,13 +403,19 @@ impl ApplicationHandler<Answer> for App {
             }
             WindowEvent::CursorMoved { position: PhysicalPosition { x, y }, .. } => {
                 self.pointer = DVec2::new(x, y);
+                self.is_pointer_in = true;
                 if self.holding.is_some() {
-                    self.happen(Event::Drag { at: self.pointer });
+                    self.drag();
                 } else {
                     let place = self.pointer_in_points();
                     self.ui.events.push(egui::Event::PointerMoved(place));
                     self.redraw();
                 }
+            }
+            WindowEvent::CursorLeft { .. } => {
+                self.is_pointer_in = false;
+                self.ui.events.push(egui::Event::PointerGone);
+                self.redraw();
             }
             WindowEvent::MouseInput { state: ElementState::Pressed, button, .. } => {
                 self.press_button(button);

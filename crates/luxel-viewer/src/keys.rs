@@ -1,7 +1,7 @@
 //! What keys do.
 
 use luxel::navigation::{Command, Mode, StandardView};
-use winit::keyboard::{Key, NamedKey};
+use winit::keyboard::{Key, ModifiersState, NamedKey};
 
 /// What a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,8 +12,16 @@ pub(crate) enum Action {
     Help,
     /// Show or hide the panels.
     Panels,
-    /// All of the scene into view.
+    /// What is selected into view; all that is shown, if nothing is.
     Fit,
+    /// All of the scene into view.
+    FitAll,
+    /// What is selected is not drawn any more.
+    Hide,
+    /// Only what is selected is drawn.
+    Isolate,
+    /// Everything is drawn.
+    ShowAll,
     /// A side to look from.
     View(StandardView),
     /// Parallel rays or a perspective.
@@ -40,13 +48,16 @@ pub(crate) const MODES: [(Mode, &str); 6] = [
     (Mode::Mouselook, "F7"),
 ];
 
-/// What a key does in a mode. With Ctrl, views are those from the other side, as in Blender.
-pub(crate) fn action(key: &Key, is_ctrl_down: bool, mode: Mode) -> Option<Action> {
+/// What a key does in a mode. With Ctrl, views are those from the other side; with Shift and Alt, `h`
+/// hides what is not selected and shows everything: as in Blender.
+pub(crate) fn action(key: &Key, modifiers: ModifiersState, mode: Mode) -> Option<Action> {
+    let is_ctrl_down = modifiers.control_key();
     let view = |view, opposite| Some(Action::View(if is_ctrl_down { opposite } else { view }));
     match key {
         Key::Named(named) => Some(match named {
             NamedKey::Escape => Action::Quit,
-            NamedKey::Home => Action::Fit,
+            NamedKey::Home => Action::FitAll,
+            NamedKey::Delete => Action::Hide,
             NamedKey::Tab => Action::Panels,
             NamedKey::F1 => Action::Help,
             NamedKey::F2 => Action::Mode(Mode::Turntable),
@@ -64,6 +75,9 @@ pub(crate) fn action(key: &Key, is_ctrl_down: bool, mode: Mode) -> Option<Action
             "7" => view(StandardView::Top, StandardView::Bottom),
             _ if is_ctrl_down => None,
             "q" => Some(Action::Quit),
+            "h" if modifiers.shift_key() => Some(Action::Isolate),
+            "h" if modifiers.alt_key() => Some(Action::ShowAll),
+            "x" => Some(Action::Hide),
             "h" | "?" => Some(Action::Help),
             "f" => Some(Action::Fit),
             "5" => Some(Action::Lens),
@@ -159,7 +173,7 @@ mod tests {
                 if let Some(name) = held(&letter.to_string(), mode) {
                     assert!(name.parse::<Command>().is_ok(), "{mode} {letter}: {name}");
                     let key = Key::Character(letter.to_string().into());
-                    let action = action(&key, false, mode);
+                    let action = action(&key, ModifiersState::empty(), mode);
                     assert!(matches!(action, Some(Action::Hold(_))), "{mode} {letter}: {action:?}");
                 }
             }
@@ -168,8 +182,19 @@ mod tests {
 
     #[test]
     fn ctrl_gives_the_view_from_the_other_side() {
-        let of = |ctrl| action(&Key::Character("3".into()), ctrl, Mode::Turntable);
-        assert_eq!(of(false), Some(Action::View(StandardView::Right)));
-        assert_eq!(of(true), Some(Action::View(StandardView::Left)));
+        let of = |modifiers| action(&Key::Character("3".into()), modifiers, Mode::Turntable);
+        assert_eq!(of(ModifiersState::empty()), Some(Action::View(StandardView::Right)));
+        assert_eq!(of(ModifiersState::CONTROL), Some(Action::View(StandardView::Left)));
+    }
+
+    #[test]
+    fn h_helps_isolates_or_shows_all() {
+        let of = |text: &str, modifiers| {
+            action(&Key::Character(text.into()), modifiers, Mode::Turntable)
+        };
+        assert_eq!(of("h", ModifiersState::empty()), Some(Action::Help));
+        assert_eq!(of("?", ModifiersState::SHIFT), Some(Action::Help));
+        assert_eq!(of("H", ModifiersState::SHIFT), Some(Action::Isolate));
+        assert_eq!(of("h", ModifiersState::ALT), Some(Action::ShowAll));
     }
 }

@@ -2,14 +2,15 @@
 
 use crate::explain;
 use crate::keys::MODES;
+use crate::marks::Choice;
 use crate::session::Session;
-use crate::theme::{ACCENT, PANEL, QUIET};
+use crate::theme::{ACCENT, PANEL, QUIET, TEXT};
 use crate::ui::{Ui, Wish};
 use egui::{Context, Frame, Margin, RichText, ScrollArea, Slider};
 use luxel::lighting::LightKind;
 use luxel::navigation::Number;
 use luxel::render::Edges;
-use luxel::scene::{Bounds, DVec3, Lens, Object, Placement, Scene, SceneLight};
+use luxel::scene::{DVec3, Lens, Object, Placement, SceneLight};
 
 /// What the panel at the right shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,59 +25,120 @@ fn frame() -> Frame {
     Frame::new().fill(PANEL).inner_margin(Margin::same(12))
 }
 
-/// What is in the scene, with names and counts; a click brings it into view.
-pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &Session, wishes: &mut Vec<Wish>) {
+/// What is in the scene, with names, counts and eyes: a click selects, a double click brings into view.
+pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &mut Session, wishes: &mut Vec<Wish>) {
     let panel = egui::SidePanel::left("tree").frame(frame()).show_separator_line(false);
     panel.resizable(false).exact_width(240.0).show(context, |panel| {
         let field = egui::TextEdit::singleline(&mut ui.search).hint_text("search");
         panel.add(field.desired_width(f32::INFINITY));
         panel.add_space(4.0);
-        let scene = &session.model.scene;
-        let objects = scene.objects();
         let wanted = ui.search.to_lowercase();
-        let found: Vec<_> = objects
-            .iter()
-            .filter(|object| path(scene, object).to_lowercase().contains(&wanted))
+        let count = session.objects.len();
+        let found: Vec<_> = (0..count)
+            .filter(|object| {
+                wanted.is_empty() || session.path(*object).to_lowercase().contains(&wanted)
+            })
             .collect();
-        let noun = if objects.len() == 1 { "object" } else { "objects" };
-        let of = if found.len() == objects.len() {
-            format!("{} {noun}", objects.len())
+        let noun = if count == 1 { "object" } else { "objects" };
+        let mut of = if found.len() == count {
+            format!("{count} {noun}")
         } else {
-            format!("{} of {} {noun}", found.len(), objects.len())
+            format!("{} of {count} {noun}", found.len())
         };
-        panel.label(RichText::new(of).small().color(QUIET));
+        for (marked, what) in
+            [(session.marks.selected(), "selected"), (session.marks.hidden(), "hidden")]
+        {
+            if !marked.is_empty() {
+                of.push_str(&format!(", {} {what}", marked.len()));
+            }
+        }
+        panel.horizontal(|panel| {
+            panel.label(RichText::new(of).small().color(QUIET));
+            if !session.marks.hidden().is_empty() {
+                panel.with_layout(egui::Layout::right_to_left(egui::Align::Center), |panel| {
+                    if panel.small_button("show all").clicked() {
+                        session.marks.show_all();
+                    }
+                });
+            }
+        });
         let height = panel.spacing().interact_size.y;
         let area = ScrollArea::vertical().auto_shrink([false, false]);
         area.show_rows(panel, height, found.len(), |panel, rows| {
             for object in &found[rows] {
-                let name = scene.nodes[object.node.index()].name.clone();
-                let triangles = scene.meshes[object.mesh.index()].triangles.len();
-                panel.horizontal(|panel| {
-                    let count = RichText::new(triangles.to_string()).small().color(QUIET);
-                    let label = panel.add(egui::Button::new(name).frame(false).truncate());
-                    panel.label(count);
-                    if label.on_hover_text(path(scene, object)).clicked() {
-                        wishes.push(Wish::Fit(Some(bounds(scene, object))));
-                    }
-                });
+                one_object(panel, session, *object, wishes);
             }
         });
     });
 }
 
-fn path(scene: &Scene, object: &Object) -> String {
-    scene.path(object.node).join(" / ")
+fn one_object(ui: &mut egui::Ui, session: &mut Session, object: usize, wishes: &mut Vec<Wish>) {
+    let Object { node, mesh, .. } = session.objects[object];
+    let name = &session.model.scene.nodes[node.index()].name;
+    let triangles = session.model.scene.meshes[mesh.index()].triangles.len();
+    let is_hidden = session.marks.hidden().contains(&object);
+    let is_selected = session.marks.selected().contains(&object);
+    let color = if is_hidden {
+        QUIET
+    } else if is_selected {
+        ACCENT
+    } else {
+        TEXT
+    };
+    let name = RichText::new(name).color(color);
+    ui.push_id(object, |ui| {
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if eye(ui, is_hidden).clicked() {
+                session.marks.toggle_shown(object);
+            }
+            ui.label(RichText::new(triangles.to_string()).small().color(QUIET));
+            let rest = ui.available_size();
+            ui.allocate_ui_with_layout(
+                rest,
+                egui::Layout::left_to_right(egui::Align::Center),
+                |ui| {
+                    let label = egui::Button::selectable(is_selected, name).truncate();
+                    let label = ui.add(label).on_hover_text(session.path(object));
+                    if label.double_clicked() {
+                        wishes.push(Wish::Fit(Some(session.bounds(object))));
+                    } else if label.clicked() {
+                        let keys = ui.input(|input| input.modifiers);
+                        let choice =
+                            if keys.ctrl || keys.shift { Choice::Toggle } else { Choice::Replace };
+                        session.marks.select([object], choice);
+                    }
+                },
+            );
+        });
+    });
 }
 
-/// An object's bounds in world space.
-fn bounds(scene: &Scene, object: &Object) -> Bounds {
-    let mesh = &scene.meshes[object.mesh.index()];
-    let mut bounds = Bounds::EMPTY;
-    for &[x, y, z] in &mesh.positions {
-        let point = mesh.origin + DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-        bounds.include(object.world_from_mesh.transform_point3(point));
+/// An eye, open or shut.
+fn eye(ui: &mut egui::Ui, is_shut: bool) -> egui::Response {
+    let (rect, response) = ui.allocate_exact_size(egui::vec2(20.0, 20.0), egui::Sense::click());
+    let color = if response.hovered() {
+        ACCENT
+    } else if is_shut {
+        QUIET
+    } else {
+        TEXT
+    };
+    let (centre, stroke) = (rect.center(), egui::Stroke::new(1.25, color));
+    // A lid from the left corner to the right one, so many points high.
+    let lid = |height: f32| {
+        let point = |step: i32| {
+            let along = step as f32 / 4.0;
+            centre + egui::vec2(along * 7.0, height * (1.0 - along * along))
+        };
+        egui::Shape::line((-4..=4).map(point).collect(), stroke)
+    };
+    let painter = ui.painter();
+    painter.add(lid(4.0));
+    if !is_shut {
+        painter.add(lid(-4.0));
+        painter.circle_filled(centre, 2.0, color);
     }
-    bounds
+    response.on_hover_text(if is_shut { "show" } else { "hide" })
 }
 
 /// Light, and how the scene is looked at.

@@ -1,5 +1,6 @@
-//! What lies under one pixel: the picture of that pixel alone.
+//! What lies under one pixel: the picture of that pixel alone; and which objects a whole picture shows.
 
+use luxel::pick::VisibleIds;
 use luxel::render::{Layer, LayerValues, Renderer, View};
 use luxel::scene::{Camera, DMat4, DVec3, Lens, Projection, Size};
 
@@ -35,18 +36,48 @@ pub(crate) fn pixel_camera(camera: &Camera, size: Size, [x, y]: [u32; 2]) -> Cam
     Camera { view_from_world, projection: Projection { lens, near, far } }
 }
 
-/// The point of the world under a pixel's centre, if something is there.
-pub(crate) fn point_under(renderer: &Renderer<'_>, view: &View, pixel: [u32; 2]) -> Option<DVec3> {
+/// What lies under a pixel's centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Under {
+    /// The point of the world.
+    pub(crate) point: DVec3,
+    /// The object, by its place in the renderer's list.
+    pub(crate) object: usize,
+}
+
+/// What lies under a pixel's centre, if something is there.
+pub(crate) fn under(renderer: &Renderer<'_>, view: &View, pixel: [u32; 2]) -> Option<Under> {
     let camera = pixel_camera(&view.camera, view.size, pixel);
     let view = View { camera, size: Size { width: 1, height: 1 }, ..view.clone() };
-    let layers = renderer.layers(&view, &[Layer::Position, Layer::Z]).ok()?;
+    let layers = renderer.layers(&view, &[Layer::Position, Layer::Z, Layer::Object]).ok()?;
     match layers.as_slice() {
-        [LayerValues::F32(position), LayerValues::F32(z)] if z.first()?.is_finite() => {
+        [LayerValues::F32(position), LayerValues::F32(z), LayerValues::U32(object)]
+            if z.first()?.is_finite() =>
+        {
             let [x, y, z] = position.first_chunk()?;
-            Some(DVec3::new(f64::from(*x), f64::from(*y), f64::from(*z)))
+            let point = DVec3::new(f64::from(*x), f64::from(*y), f64::from(*z));
+            Some(Under { point, object: *object.first()? as usize })
         }
         _ => None,
     }
+}
+
+/// What each pixel of a view shows, by the fill rule of its picture. `numbers` are those of the
+/// renderer's objects in the whole scene.
+pub(crate) fn seen(renderer: &Renderer<'_>, view: &View, numbers: &[usize]) -> Option<VisibleIds> {
+    let layers = renderer.layers(view, &[Layer::Object, Layer::Triangle]).ok()?;
+    let mut layers = layers.into_iter();
+    let (Some(LayerValues::U32(mut objects)), Some(LayerValues::U32(triangles))) =
+        (layers.next(), layers.next())
+    else {
+        return None;
+    };
+    for object in &mut objects {
+        if let Some(number) = numbers.get(*object as usize) {
+            *object = *number as u32;
+        }
+    }
+    VisibleIds::new(view.size, objects, triangles)
 }
 
 #[cfg(test)]
@@ -68,6 +99,8 @@ mod tests {
         ] {
             view.camera.projection = Projection { lens, near: planes.0, far: planes.1 };
             let layers = renderer.layers(&view, &[Layer::Position, Layer::Z]).unwrap();
+            let all: Vec<_> = (0..renderer.objects().len()).collect();
+            let seen = seen(&renderer, &view, &all).unwrap();
             let [LayerValues::F32(positions), LayerValues::F32(z)] = layers.as_slice() else {
                 panic!("other layers")
             };
@@ -75,9 +108,11 @@ mod tests {
             for (x, y) in (3..96).step_by(13).flat_map(|x| (2..54).step_by(7).map(move |y| (x, y)))
             {
                 let at = (y * 96 + x) as usize;
-                let found = point_under(&renderer, &view, [x, y]);
+                let found = under(&renderer, &view, [x, y]);
+                let object = seen.at(x, y).map(|(object, _)| object);
+                assert_eq!(found.map(|found| found.object), object, "{lens:?} {x} {y}");
                 assert_eq!(found.is_some(), z[at].is_finite(), "{lens:?} {x} {y}");
-                if let Some(found) = found {
+                if let Some(Under { point: found, .. }) = found {
                     hits += 1;
                     let expected: [f32; 3] = positions[3 * at..][..3].try_into().unwrap();
                     let expected = DVec3::from_array(expected.map(f64::from));

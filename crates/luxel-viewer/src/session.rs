@@ -1,12 +1,13 @@
 //! What is looked at and from where: navigation, and the view to draw. It knows no window.
 
+use crate::marks::Marks;
 use crate::model::Model;
 use crate::recorder::Recorder;
 use luxel::navigation::{
     Change, Entry, Event, Mode, Number, Settings, State, advance, parallel_height, with_lens,
 };
 use luxel::render::View;
-use luxel::scene::{Camera, Lens, Projection, Size, fit_along, fit_planes};
+use luxel::scene::{Bounds, Camera, Lens, Object, Projection, Size, fit_along, fit_planes};
 
 /// How long the way to another view takes, in seconds.
 const TRANSITION: f64 = 0.15;
@@ -21,6 +22,10 @@ pub(crate) struct Session {
     recorder: Recorder,
     /// Which lights are off.
     pub(crate) dark: Vec<bool>,
+    /// The scene's objects.
+    pub(crate) objects: Vec<Object>,
+    /// Which of them are selected, and which are hidden.
+    pub(crate) marks: Marks,
     /// Grows with each change of the view beside the camera.
     revision: u64,
 }
@@ -42,7 +47,8 @@ impl Session {
             lens => lens,
         };
         let dark = vec![false; model.view.lights.len()];
-        Self { model, state, settings, perspective, recorder, dark, revision: 0 }
+        let (objects, marks) = (model.scene.objects(), Marks::default());
+        Self { model, state, settings, perspective, recorder, dark, objects, marks, revision: 0 }
     }
 
     /// Some seconds have passed, then something has happened.
@@ -91,6 +97,35 @@ impl Session {
         let pivot = if bounds.is_empty() { self.state.pivot() } else { bounds.centre() };
         let view_from_world = camera.view_from_world;
         self.happen(Event::Go { view_from_world, pivot, scale }, seconds);
+    }
+
+    /// What is selected comes into view; if nothing is, whatever is not hidden.
+    pub(crate) fn fit_selected(&mut self, seconds: f64) {
+        let (selected, hidden) = (self.marks.selected(), self.marks.hidden());
+        if selected.is_empty() && hidden.is_empty() {
+            self.fit(seconds);
+            return;
+        }
+        let wanted = (0..self.objects.len()).filter(|object| {
+            if selected.is_empty() { !hidden.contains(object) } else { selected.contains(object) }
+        });
+        let bounds = wanted.fold(Bounds::EMPTY, |all, object| all.union(&self.bounds(object)));
+        if !bounds.is_empty() {
+            self.happen(Event::Fit(Some(bounds)), seconds);
+        }
+    }
+
+    /// An object's bounds in world space.
+    pub(crate) fn bounds(&self, object: usize) -> Bounds {
+        self.objects.get(object).map_or(Bounds::EMPTY, |object| {
+            self.model.scene.meshes[object.mesh.index()].bounds(&object.world_from_mesh)
+        })
+    }
+
+    /// The names from the scene's root down to an object.
+    pub(crate) fn path(&self, object: usize) -> String {
+        let object = self.objects.get(object);
+        object.map(|object| self.model.scene.path(object.node).join(" / ")).unwrap_or_default()
     }
 
     /// Parallel rays instead of a perspective, or the other way, with the picture in place.
@@ -208,6 +243,29 @@ mod tests {
         let after = session.camera();
         assert!(after.view_from_world.abs_diff_eq(before.view_from_world, 1e-9));
         assert_eq!(after.projection.lens, before.projection.lens);
+    }
+
+    #[test]
+    fn what_is_selected_comes_into_view_else_what_is_not_hidden() {
+        use crate::marks::Choice;
+        let scene = demos::demo("spheres").unwrap();
+        let view = luxel::default_view(&scene, SIZE);
+        let (up, pivot) = (scene.up, scene.bounds().centre());
+        let model = Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] };
+        let mut session = Session::new(model, SIZE, Mode::Turntable, false);
+        let centre = session.bounds(1).centre();
+        session.marks.select([1], Choice::Replace);
+        session.fit_selected(0.0);
+        session.happen(Event::Wait, 10.0);
+        assert!(session.state.pivot().abs_diff_eq(centre, 1e-9));
+        session.marks.isolate(session.objects.len());
+        session.marks.select(None, Choice::Replace);
+        session.fit(0.0);
+        session.happen(Event::Wait, 10.0);
+        assert!(!session.state.pivot().abs_diff_eq(centre, 1e-3));
+        session.fit_selected(0.0);
+        session.happen(Event::Wait, 10.0);
+        assert!(session.state.pivot().abs_diff_eq(centre, 1e-9));
     }
 
     #[test]

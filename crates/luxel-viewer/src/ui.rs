@@ -45,6 +45,8 @@ pub(crate) struct Ui {
     pub(crate) tab: panels::Tab,
     /// Why the pixel under the pointer has its colour.
     pub(crate) explanation: Option<Box<Explanation>>,
+    /// Two corners of the rubber band, while it is drawn.
+    pub(crate) band: Option<[egui::Pos2; 2]>,
     context: Context,
     painter: Painter,
     begun: Instant,
@@ -56,6 +58,8 @@ const ROOM_FOR_PANELS: f32 = 700.0;
 const AXIS: f32 = 34.0;
 const KNOB: f32 = 9.0;
 const CORNER: f32 = 96.0;
+/// Letters of an object's name in the line below the picture.
+const LONGEST_NAME: usize = 28;
 
 impl Ui {
     pub(crate) fn new() -> Self {
@@ -69,6 +73,7 @@ impl Ui {
             search: String::new(),
             tab: panels::Tab::default(),
             explanation: None,
+            band: None,
             context,
             painter: Painter::default(),
             begun: Instant::now(),
@@ -128,8 +133,7 @@ impl Ui {
         status: &Status,
         wishes: &mut Vec<Wish>,
     ) {
-        let mode = session.as_ref().map(|session| session.state.mode());
-        status_line(context, status, mode);
+        status_line(context, status, session.as_deref());
         let Some(session) = session else { return };
         if self.shows_panels && context.content_rect().width() >= ROOM_FOR_PANELS {
             panels::tree(self, context, session, wishes);
@@ -139,6 +143,9 @@ impl Ui {
             }
         }
         axes(context, session, wishes);
+        if let Some([from, to]) = self.band {
+            rubber_band(context, Rect::from_two_pos(from, to));
+        }
         if self.shows_help {
             help(context, session.state.mode());
         }
@@ -146,18 +153,27 @@ impl Ui {
 }
 
 /// One quiet line below the picture.
-fn status_line(context: &Context, status: &Status, mode: Option<Mode>) {
+fn status_line(context: &Context, status: &Status, session: Option<&Session>) {
     let frame = Frame::new().fill(PANEL).inner_margin(Margin::symmetric(12, 4));
     let panel = egui::TopBottomPanel::bottom("status").frame(frame).show_separator_line(false);
     panel.exact_height(28.0).show(context, |ui| {
         ui.horizontal_centered(|ui| {
             ui.label(&status.name);
             let mut parts = Vec::new();
-            match (&status.note, mode) {
+            match (&status.note, session) {
                 (Some(note), _) => parts.push(note.clone()),
                 (None, None) => parts.push("is being read".to_owned()),
-                (None, Some(mode)) => {
-                    parts.push(format!("{} triangles", grouped(status.triangles)));
+                (None, Some(session)) => {
+                    parts.push(match session.marks.hovered {
+                        Some(object) => pointed_at(session, object),
+                        None => format!("{} triangles", grouped(status.triangles)),
+                    });
+                    let (selected, hidden) = (session.marks.selected(), session.marks.hidden());
+                    for (marked, what) in [(selected, "selected"), (hidden, "hidden")] {
+                        if !marked.is_empty() {
+                            parts.push(format!("{} {what}", marked.len()));
+                        }
+                    }
                     if let Some((milliseconds, part)) = status.drawn {
                         let whole = if part < 0.99 {
                             format!(" at {:.0} %", part * 100.0)
@@ -166,7 +182,7 @@ fn status_line(context: &Context, status: &Status, mode: Option<Mode>) {
                         };
                         parts.push(format!("{milliseconds:.0} ms{whole}"));
                     }
-                    parts.push(mode.to_string());
+                    parts.push(session.state.mode().to_string());
                 }
             }
             ui.colored_label(QUIET, parts.join("   "));
@@ -175,6 +191,26 @@ fn status_line(context: &Context, status: &Status, mode: Option<Mode>) {
             });
         });
     });
+}
+
+/// The object under the pointer, with its triangles.
+fn pointed_at(session: &Session, object: usize) -> String {
+    let Some(one) = session.objects.get(object) else { return String::new() };
+    let scene = &session.model.scene;
+    let name = &scene.nodes[one.node.index()].name;
+    let triangles = scene.meshes[one.mesh.index()].triangles.len() as u64;
+    // Long names leave room for the rest.
+    let short: String = name.chars().take(LONGEST_NAME).collect();
+    let dots = if short.len() < name.len() { "..." } else { "" };
+    format!("{short}{dots}, {} triangles", grouped(triangles))
+}
+
+/// The rectangle in which objects are selected when the button comes up.
+fn rubber_band(context: &Context, rect: Rect) {
+    let painter = context.layer_painter(egui::LayerId::background());
+    painter.rect_filled(rect, 0, ACCENT.gamma_multiply(0.1));
+    let line = Stroke::new(1.0, ACCENT);
+    painter.rect_stroke(rect, 0, line, egui::StrokeKind::Inside);
 }
 
 /// A number with gaps between thousands.
@@ -252,6 +288,9 @@ fn help(context: &Context, mode: Mode) {
                     left,
                     "Mouse",
                     &[
+                        ("click", "select"),
+                        ("shift + click", "select more, or less"),
+                        ("ctrl + left drag", "select in a rectangle"),
                         ("left drag", "turn"),
                         ("shift + left, middle", "pan"),
                         ("right drag", "zoom"),
@@ -264,7 +303,11 @@ fn help(context: &Context, mode: Mode) {
                     left,
                     "Keys",
                     &[
-                        ("f, Home", "fit all into view"),
+                        ("f", "fit the selection, or all"),
+                        ("Home", "fit all into view"),
+                        ("x, Delete", "hide the selection"),
+                        ("Shift h", "hide all but the selection"),
+                        ("Alt h", "show all"),
                         ("1  3  7", "front, right, top"),
                         ("Ctrl 1 3 7", "back, left, bottom"),
                         ("5", "parallel rays, perspective"),

@@ -1,9 +1,11 @@
 //! The thread that loads and draws, so that the window answers all the while.
 
 use crate::model::Model;
-use crate::probe::point_under;
+use crate::probe::{Under, seen, under};
+use luxel::pick::VisibleIds;
 use luxel::render::{At, Execution, Explanation, Renderer, View};
-use luxel::scene::{DVec3, Size};
+use luxel::scene::{Scene, Size};
+use std::collections::BTreeSet;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Instant;
 
@@ -13,6 +15,8 @@ pub(crate) enum Answer {
     Loaded(Option<Box<Model>>),
     /// A picture.
     Drawn(Box<Drawn>),
+    /// Which objects the last sharp picture shows.
+    Seen(Option<Box<VisibleIds>>),
     /// Why a pixel has its colour; nothing, if it can't be told.
     Explained(Option<Box<Explanation>>),
     /// The scene can't be drawn, or a view.
@@ -24,6 +28,8 @@ pub(crate) struct Drawn {
     pub(crate) pixels: Vec<[u8; 4]>,
     pub(crate) size: Size,
     pub(crate) purpose: Purpose,
+    /// Which objects it shows, where that was asked for or has come since.
+    pub(crate) seen: Option<Box<VisibleIds>>,
     /// What it took.
     pub(crate) seconds: f64,
 }
@@ -41,9 +47,12 @@ pub(crate) enum Purpose {
 
 /// What the thread is asked for.
 enum Request {
-    Draw(Box<View>, Purpose),
+    /// With which objects are seen, where something is to be marked.
+    Draw(Box<View>, Purpose, bool),
+    /// Objects that are not drawn from now on.
+    Hide(BTreeSet<usize>),
     Explain(Box<View>, [u32; 2]),
-    Probe(Box<View>, [u32; 2], Sender<Option<DVec3>>),
+    Probe(Box<View>, [u32; 2], Sender<Option<Under>>),
 }
 
 /// The thread's other end. It ends when this goes away.
@@ -72,20 +81,20 @@ impl Worker {
             if !answer(Answer::Loaded(Some(Box::new(model)))) {
                 return;
             }
-            match Renderer::new(&scene, &execution) {
-                Ok(renderer) => work(&renderer, &received, answer),
-                Err(error) => {
-                    answer(Answer::Failed(error.to_string()));
-                }
-            }
+            work_on(&scene, &execution, &received, &answer);
         })?;
         Ok(Self { requests })
     }
 
     /// Asks for a picture. One at a time: the window asks for the next when this one has come.
-    pub(crate) fn draw(&self, view: View, purpose: Purpose) {
+    pub(crate) fn draw(&self, view: View, purpose: Purpose, is_marked: bool) {
         // A thread that is gone has said why.
-        let _ = self.requests.send(Request::Draw(Box::new(view), purpose));
+        let _ = self.requests.send(Request::Draw(Box::new(view), purpose, is_marked));
+    }
+
+    /// From now on, these objects are not there; their numbers are those in the whole scene.
+    pub(crate) fn hide(&self, objects: BTreeSet<usize>) {
+        let _ = self.requests.send(Request::Hide(objects));
     }
 
     /// Asks why a pixel has its colour. One at a time, too.
@@ -93,28 +102,84 @@ impl Worker {
         let _ = self.requests.send(Request::Explain(Box::new(view), pixel));
     }
 
-    /// Asks for the point of the world under a pixel of a view.
-    pub(crate) fn probe(&self, view: View, pixel: [u32; 2]) -> Receiver<Option<DVec3>> {
+    /// Asks for what is under a pixel of a view.
+    pub(crate) fn probe(&self, view: View, pixel: [u32; 2]) -> Receiver<Option<Under>> {
         let (answer, received) = channel();
         let _ = self.requests.send(Request::Probe(Box::new(view), pixel, answer));
         received
     }
 }
 
-fn work(renderer: &Renderer<'_>, requests: &Receiver<Request>, answer: impl Fn(Answer) -> bool) {
+/// Works on the scene as long as it is asked to, whatever is hidden of it.
+fn work_on(
+    scene: &Scene,
+    execution: &Execution,
+    requests: &Receiver<Request>,
+    answer: &impl Fn(Answer) -> bool,
+) {
+    let mut hidden = BTreeSet::new();
+    // What is hidden is taken from a copy, which is made when it is first needed.
+    let mut copy: Option<Scene> = None;
+    loop {
+        if hidden.is_empty() {
+            copy = None;
+        } else {
+            let shown = copy.get_or_insert_with(|| scene.clone());
+            leave_out(scene, &hidden, shown);
+        }
+        let renderer = match Renderer::new(copy.as_ref().unwrap_or(scene), execution) {
+            Ok(renderer) => renderer,
+            Err(error) => {
+                answer(Answer::Failed(error.to_string()));
+                return;
+            }
+        };
+        let count = renderer.objects().len() + hidden.len();
+        let numbers: Vec<_> = (0..count).filter(|number| !hidden.contains(number)).collect();
+        match work(&renderer, &numbers, requests, answer) {
+            Some(others) => hidden = others,
+            None => return,
+        }
+    }
+}
+
+/// Takes the meshes of hidden objects from their nodes in a copy of the scene, and gives the others
+/// theirs.
+fn leave_out(scene: &Scene, hidden: &BTreeSet<usize>, copy: &mut Scene) {
+    for (number, object) in scene.objects().into_iter().enumerate() {
+        let mesh = (!hidden.contains(&number)).then_some(object.mesh);
+        copy.nodes[object.node.index()].mesh = mesh;
+    }
+}
+
+/// Draws what it is asked for, until other objects are to be hidden or the window is gone.
+fn work(
+    renderer: &Renderer<'_>,
+    numbers: &[usize],
+    requests: &Receiver<Request>,
+    answer: &impl Fn(Answer) -> bool,
+) -> Option<BTreeSet<usize>> {
     while let Ok(request) = requests.recv() {
         let is_heard = match request {
-            Request::Draw(view, purpose) => {
+            Request::Hide(hidden) => return Some(hidden),
+            Request::Draw(view, purpose, is_marked) => {
                 let start = Instant::now();
-                answer(match renderer.rgba8(&view) {
+                let picture = renderer.rgba8(&view);
+                let seen = || seen(renderer, &view, numbers).map(Box::new);
+                let marked = if is_marked { seen() } else { None };
+                let is_heard = answer(match picture {
                     Ok(picture) => Answer::Drawn(Box::new(Drawn {
                         pixels: picture.pixels,
                         size: picture.size,
                         purpose,
+                        seen: marked,
                         seconds: start.elapsed().as_secs_f64(),
                     })),
                     Err(error) => Answer::Failed(error.to_string()),
-                })
+                });
+                // The picture first: nobody has pointed at anything in it yet.
+                let is_to_come = purpose == Purpose::Sharp && !is_marked;
+                is_heard && (!is_to_come || answer(Answer::Seen(seen())))
             }
             Request::Explain(view, pixel) => {
                 let explanation = renderer.explain(&view, At::Pixel(pixel)).ok();
@@ -122,12 +187,87 @@ fn work(renderer: &Renderer<'_>, requests: &Receiver<Request>, answer: impl Fn(A
             }
             // Who has asked may not wait any more.
             Request::Probe(view, pixel, to) => {
-                let _ = to.send(point_under(renderer, &view, pixel));
+                let found = under(renderer, &view, pixel)
+                    .and_then(|found| Some(Under { object: *numbers.get(found.object)?, ..found }));
+                let _ = to.send(found);
                 true
             }
         };
         if !is_heard {
-            return;
+            return None;
         }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luxel::scene::demos;
+
+    const SIZE: Size = Size { width: 96, height: 64 };
+
+    /// What the thread answers to some requests, after the model itself.
+    fn answers(scene: &Scene, requests: impl IntoIterator<Item = Request>) -> Vec<Answer> {
+        let (to, received) = channel();
+        for request in requests {
+            to.send(request).unwrap();
+        }
+        drop(to);
+        let answers = std::cell::RefCell::new(Vec::new());
+        work_on(scene, &Execution::default(), &received, &|answer| {
+            answers.borrow_mut().push(answer);
+            true
+        });
+        answers.into_inner()
+    }
+
+    fn drawn(answer: &Answer) -> &Drawn {
+        match answer {
+            Answer::Drawn(drawn) => drawn,
+            _ => panic!("another answer"),
+        }
+    }
+
+    #[test]
+    fn what_is_hidden_is_not_seen_the_others_keep_their_numbers_and_all_comes_back() {
+        let scene = demos::demo("spheres").unwrap();
+        let count = scene.objects().len();
+        assert!(count > 2, "{count}");
+        let view = luxel::default_view(&scene, SIZE);
+        let draw = || Request::Draw(Box::new(view.clone()), Purpose::Moving, true);
+        let hide = |objects: &[usize]| Request::Hide(objects.iter().copied().collect());
+        let all: Vec<_> = (0..count).collect();
+        let asked = [draw(), hide(&[0, 2]), draw(), hide(&all), draw(), hide(&[]), draw()];
+        let answers = answers(&scene, asked);
+        let [whole, part, nothing, again] = answers.as_slice() else { panic!("too few answers") };
+        let objects = |answer: &Answer| {
+            let seen = drawn(answer).seen.as_ref().unwrap();
+            let all = (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| (x, y)));
+            all.filter_map(|(x, y)| Some(seen.at(x, y)?.0)).collect::<BTreeSet<_>>()
+        };
+        let seen = objects(whole);
+        assert!(seen.contains(&0) && seen.contains(&1) && seen.contains(&2), "{seen:?}");
+        let rest: BTreeSet<_> = seen.iter().copied().filter(|one| ![0, 2].contains(one)).collect();
+        assert!(objects(part).is_superset(&rest) && !objects(part).contains(&0));
+        assert!(!objects(part).contains(&2));
+        assert!(objects(nothing).is_empty());
+        assert_eq!(drawn(again).pixels, drawn(whole).pixels);
+    }
+
+    #[test]
+    fn objects_follow_a_sharp_picture_and_come_with_a_marked_one() {
+        let scene = demos::demo("plane").unwrap();
+        let view = luxel::default_view(&scene, SIZE);
+        let draw = |purpose, marked| Request::Draw(Box::new(view.clone()), purpose, marked);
+        let answers = answers(
+            &scene,
+            [draw(Purpose::Sharp, false), draw(Purpose::Sharp, true), draw(Purpose::Moving, false)],
+        );
+        let [first, Answer::Seen(Some(seen)), second, third] = answers.as_slice() else {
+            panic!("other answers")
+        };
+        assert!(drawn(first).seen.is_none() && drawn(third).seen.is_none());
+        assert_eq!(drawn(second).seen.as_deref(), Some(&**seen));
     }
 }

@@ -3,54 +3,28 @@
 use super::App;
 use crate::keys::{Action, MODES, action};
 use crate::ui::Wish;
-use crate::worker::Purpose;
 use luxel::navigation::{Event, Gesture, Mode};
-use luxel::scene::{DVec3, Size};
+use luxel::scene::DVec2;
 use std::time::{Duration, Instant};
 use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta};
 use winit::event_loop::ActiveEventLoop;
-use winit::keyboard::Key;
+use winit::keyboard::{Key, ModifiersState};
 
 /// Two clicks within this time, and this many pixels, are a double click.
 const DOUBLE_CLICK: (Duration, f64) = (Duration::from_millis(350), 5.0);
 /// Pixels of smooth scrolling that are a notch of a wheel.
 const PIXELS_A_NOTCH: f64 = 50.0;
-/// How long the hand waits to know what it has taken hold of.
-const PATIENCE: Duration = Duration::from_millis(80);
 
 impl App {
-    /// What lies under the pointer, if that is known soon enough.
-    pub(super) fn point_under(&mut self) -> Option<DVec3> {
-        let session = self.session.as_ref()?;
-        if let Some((at, point)) = self.under
-            && at == self.pointer
-            && self.asked.is_some_and(|(_, purpose)| purpose == Purpose::Moving)
-        {
-            return point;
-        }
-        let answer = self.worker.probe(session.view(), self.pixel()?);
-        let point = answer.recv_timeout(PATIENCE).ok().flatten();
-        self.under = Some((self.pointer, point));
-        point
-    }
-
-    /// The pixel under the pointer, if it is in the window.
-    pub(super) fn pixel(&self) -> Option<[u32; 2]> {
-        let Size { width, height } = self.session.as_ref()?.settings.size;
-        let (x, y) = (self.pointer.x, self.pointer.y);
-        let is_inside = x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height);
-        is_inside.then_some([x as u32, y as u32])
-    }
-
     pub(super) fn press(&mut self, event_loop: &ActiveEventLoop, key: Key) {
         let Some(session) = &self.session else {
-            if action(&key, false, Mode::default()) == Some(Action::Quit) {
+            if action(&key, ModifiersState::empty(), Mode::default()) == Some(Action::Quit) {
                 event_loop.exit();
             }
             return;
         };
         let mode = session.state.mode();
-        let Some(action) = action(&key, self.modifiers.control_key(), mode) else { return };
+        let Some(action) = action(&key, self.modifiers, mode) else { return };
         match action {
             Action::Quit => event_loop.exit(),
             Action::Screenshot => self.wants_screenshot = true,
@@ -65,15 +39,27 @@ impl App {
                 self.happen(Event::Press(command));
                 self.held.push((key, command));
             }
-            Action::Fit | Action::Lens if self.playing.is_some() => {}
-            Action::Fit | Action::Lens => {
+            Action::Fit | Action::FitAll | Action::Lens if self.playing.is_some() => {}
+            Action::Fit | Action::FitAll | Action::Lens => {
                 let seconds = self.seconds();
                 if let Some(session) = &mut self.session {
                     match action {
-                        Action::Fit => session.fit(seconds),
+                        Action::Fit => session.fit_selected(seconds),
+                        Action::FitAll => session.fit(seconds),
                         _ => session.switch_lens(seconds),
                     }
                 }
+            }
+            Action::Hide | Action::Isolate | Action::ShowAll => {
+                if let Some(session) = &mut self.session {
+                    let count = session.objects.len();
+                    match action {
+                        Action::Hide => session.marks.hide_selected(),
+                        Action::Isolate => session.marks.isolate(count),
+                        _ => session.marks.show_all(),
+                    }
+                }
+                self.redraw();
             }
             Action::Help => {
                 self.ui.shows_help = !self.ui.shows_help;
@@ -102,7 +88,10 @@ impl App {
         for (_, command) in std::mem::take(&mut self.held) {
             self.happen(Event::Lift(command));
         }
-        if self.holding.take().is_some() {
+        self.pressed = None;
+        let was_band = self.band.take().is_some();
+        self.ui.band = None;
+        if self.holding.take().is_some() && !was_band {
             self.happen(Event::Release);
         }
     }
@@ -112,7 +101,11 @@ impl App {
             return;
         }
         let gesture = match button {
-            MouseButton::Left if self.modifiers.control_key() => return,
+            MouseButton::Left if self.modifiers.control_key() => {
+                self.band = Some(self.pointer);
+                self.holding = Some(button);
+                return;
+            }
             MouseButton::Left if self.modifiers.shift_key() => Gesture::Pan,
             MouseButton::Left => Gesture::Turn,
             MouseButton::Middle => Gesture::Pan,
@@ -136,13 +129,21 @@ impl App {
         }
         let point = if gesture == Gesture::Turn { None } else { self.point_under() };
         self.holding = Some(button);
+        self.pressed = (button == MouseButton::Left).then_some(at);
         self.happen(Event::Grab { gesture, at, point });
     }
 
     pub(super) fn release_button(&mut self, button: MouseButton) {
         if self.holding == Some(button) {
             self.holding = None;
-            self.happen(Event::Release);
+            if let Some(from) = self.band.take() {
+                self.select_in_band(from);
+            } else {
+                self.happen(Event::Release);
+            }
+            if self.pressed.take().is_some() {
+                self.click();
+            }
         }
         self.is_for_panels(button, false);
     }
@@ -168,8 +169,13 @@ impl App {
 
     /// The pointer, in the points of the panels.
     pub(super) fn pointer_in_points(&self) -> egui::Pos2 {
+        self.in_points(self.pointer)
+    }
+
+    /// A place of the window in the points of the panels.
+    pub(super) fn in_points(&self, place: DVec2) -> egui::Pos2 {
         let scale = self.screen.as_ref().map_or(1.0, |screen| screen.window.scale_factor());
-        egui::pos2((self.pointer.x / scale) as f32, (self.pointer.y / scale) as f32)
+        egui::pos2((place.x / scale) as f32, (place.y / scale) as f32)
     }
 
     /// Tells the panels of a button; whether the pointer is theirs.

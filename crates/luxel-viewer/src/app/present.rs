@@ -2,6 +2,7 @@
 
 use super::{App, ViewerError};
 use crate::compose::{compose, empty};
+use crate::outline::outline;
 use crate::worker::{Drawn, Purpose};
 use luxel::render::{PictureFormat, write_rgba8};
 use std::path::PathBuf;
@@ -73,9 +74,12 @@ impl App {
 
     /// Paints the window: the picture, and what lies over it.
     pub(super) fn show(&mut self) -> Result<(), ViewerError> {
+        self.hover();
         let Some(screen) = &mut self.screen else { return Ok(()) };
+        let marks = self.session.as_ref().map(|session| session.marks.clone()).unwrap_or_default();
         let (shown, below) = (self.shown.as_deref(), &mut self.below);
-        let is_stale = std::mem::take(&mut self.is_below_stale);
+        let is_stale = std::mem::take(&mut self.is_below_stale) || marks != self.marked;
+        self.marked.clone_from(&marks);
         let (ui, session, status) = (&mut self.ui, self.session.as_mut(), &self.status);
         let pixels_per_point = screen.window.scale_factor() as f32;
         let mut asked = (Vec::new(), Duration::MAX);
@@ -83,7 +87,12 @@ impl App {
             if is_stale || below.len() != pixels.len() {
                 below.resize(pixels.len(), 0);
                 match shown {
-                    Some(drawn) => compose(&drawn.pixels, drawn.size, window, below),
+                    Some(drawn) => {
+                        compose(&drawn.pixels, drawn.size, window, below);
+                        if let Some(seen) = &drawn.seen {
+                            outline((seen, drawn.size), &marks, pixels_per_point, window, below);
+                        }
+                    }
                     None => empty(window, below),
                 }
             }
@@ -93,6 +102,10 @@ impl App {
         let (wishes, again) = asked;
         self.repaint = Instant::now().checked_add(again);
         if again.is_zero() {
+            self.redraw();
+        }
+        // A click in the tree.
+        if self.session.as_ref().is_some_and(|session| session.marks != self.marked) {
             self.redraw();
         }
         for wish in wishes {
