@@ -1,9 +1,11 @@
 //! The window: what happens in it, and what it shows.
 
 mod input;
+mod opening;
 mod pointing;
 mod present;
 
+use crate::files::{Files, Watch};
 use crate::marks::Marks;
 use crate::model::Model;
 use crate::pace::Pace;
@@ -14,7 +16,9 @@ use crate::worker::{Answer, Drawn, Purpose, Worker};
 use luxel::navigation::{Command, Entry, Event, Log, Mode};
 use luxel::render::{Execution, View};
 use luxel::scene::{Camera, DVec2, DVec3, Size};
+use opening::Reading;
 use std::collections::BTreeSet;
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
@@ -26,10 +30,8 @@ use winit::window::{Window, WindowId};
 
 /// How the window begins, and what it leaves.
 pub struct Options {
-    /// The model's name, for the title.
-    pub name: String,
-    /// The beginning of screenshots' names.
-    pub stem: String,
+    /// The files to look at, one after the other; `demo:NAME` and `-` are those of the command line.
+    pub files: Vec<OsString>,
     /// The window's size in logical pixels.
     pub size: Size,
     /// The way to navigate at first.
@@ -54,7 +56,7 @@ pub type Write = Box<dyn Fn(&Path, &[u8]) -> Result<(), String>>;
 pub enum Outcome {
     /// The user has closed it.
     Closed,
-    /// The model was not loaded; whoever has tried knows why.
+    /// The first file was not loaded; whoever has tried knows why.
     NotLoaded,
 }
 
@@ -76,12 +78,13 @@ pub enum ViewerError {
     Thread(#[from] std::io::Error),
 }
 
-/// Loads a model on a thread of its own and shows it, until the user closes the window.
+/// Loads models on a thread of its own and shows them, until the user closes the window. `load` answers
+/// with what went wrong, for the user.
 ///
 /// # Errors
 /// [`ViewerError`], if there is no display, or the scene can't be drawn.
 pub fn run(
-    load: impl FnOnce() -> Option<Model> + Send + 'static,
+    load: impl Fn(&OsStr) -> Result<Model, String> + Send + 'static,
     options: Options,
 ) -> Result<Outcome, ViewerError> {
     let no_display = |error: winit::error::EventLoopError| {
@@ -93,7 +96,8 @@ pub fn run(
     let event_loop = EventLoop::<Answer>::with_user_event().build().map_err(no_display)?;
     let proxy: EventLoopProxy<Answer> = event_loop.create_proxy();
     let answer = move |answer| proxy.send_event(answer).is_ok();
-    let worker = Worker::start(load, options.execution, answer)?;
+    let first = options.files.first().cloned().unwrap_or_default();
+    let worker = Worker::start(load, first, options.execution, answer)?;
     let mut app = App::new(options, worker);
     event_loop.run_app(&mut app).map_err(no_display)?;
     app.finish()
@@ -111,6 +115,17 @@ type Asked = (Camera, Size, u64);
 struct App {
     options: Options,
     worker: Worker,
+    files: Files,
+    /// The file that is read now, or was last.
+    requested: OsString,
+    /// Why a file is being read, if one is.
+    reading: Option<Reading>,
+    /// The file that is seen, the one that is read, and when to look at the former.
+    watched: Watch,
+    coming: Watch,
+    next_look: Instant,
+    /// The beginning of screenshots' names.
+    stem: String,
     screen: Option<Screen>,
     session: Option<Session>,
     pace: Pace,
@@ -159,10 +174,20 @@ struct App {
 impl App {
     fn new(options: Options, worker: Worker) -> Self {
         let now = Instant::now();
-        let status = Status { name: options.name.clone(), ..Status::default() };
+        let files = Files::new(options.files.clone());
+        let requested = files.asked().to_owned();
+        let name = Files::title(&requested);
+        let status = Status { name: name.clone(), reading: Some(name), ..Status::default() };
         Self {
             options,
             worker,
+            coming: Watch::of(&requested),
+            stem: Files::stem(&requested),
+            files,
+            requested,
+            reading: Some(Reading::First),
+            watched: Watch::default(),
+            next_look: now,
             screen: None,
             session: None,
             pace: Pace::default(),
@@ -232,7 +257,7 @@ impl App {
     /// Brings time and picture up to date; when to do so again, if nothing else happens.
     fn pump(&mut self) -> Option<Instant> {
         let due = self.play();
-        if self.is_drawing || self.screen.is_none() {
+        if self.is_drawing || self.reading.is_some() || self.screen.is_none() {
             return due;
         }
         if self.playing.is_none() && self.session.as_ref().is_some_and(|one| one.state.is_moving())
@@ -326,7 +351,7 @@ impl ApplicationHandler<Answer> for App {
         }
         let Size { width, height } = self.options.size;
         let attributes = Window::default_attributes()
-            .with_title(format!("{} - luxel", self.options.name))
+            .with_title(format!("{} - luxel", self.status.name))
             .with_inner_size(LogicalSize::new(width, height));
         match Screen::open(event_loop, attributes) {
             Ok(screen) => {
@@ -341,15 +366,12 @@ impl ApplicationHandler<Answer> for App {
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, answer: Answer) {
         match answer {
-            Answer::Loaded(None) => self.end(event_loop, Ok(Outcome::NotLoaded)),
-            Answer::Loaded(Some(model)) => {
-                let size = self.screen.as_ref().map_or(self.options.size, Screen::size);
-                let records = self.options.record.is_some();
-                self.now = Instant::now();
-                self.status.triangles = model.scene.triangle_count();
-                self.session = Some(Session::new(*model, size, self.options.mode, records));
-                self.playing = self.options.replay.as_ref().map(|_| (0, self.now));
+            Answer::Loaded(Err(what)) => {
+                if !self.not_loaded(what) {
+                    self.end(event_loop, Ok(Outcome::NotLoaded));
+                }
             }
+            Answer::Loaded(Ok(model)) => self.loaded(*model),
             Answer::Drawn(drawn) => self.drawn(drawn),
             Answer::Seen(seen) => {
                 if let Some(shown) = &mut self.shown {
@@ -391,6 +413,7 @@ impl ApplicationHandler<Answer> for App {
                     command: self.modifiers.control_key(),
                 };
             }
+            WindowEvent::DroppedFile(path) => self.drop_file(path),
             WindowEvent::Focused(false) => self.lift_all(),
             WindowEvent::KeyboardInput { event, .. } => {
                 if event.state == ElementState::Released {
@@ -439,7 +462,8 @@ impl ApplicationHandler<Answer> for App {
             self.repaint = None;
             self.redraw();
         }
-        let next = [self.pump(), self.noted, self.repaint].into_iter().flatten().min();
+        let next =
+            [self.pump(), self.watch(), self.noted, self.repaint].into_iter().flatten().min();
         event_loop.set_control_flow(next.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 }

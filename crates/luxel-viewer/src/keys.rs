@@ -12,6 +12,8 @@ pub(crate) enum Action {
     Help,
     /// Show or hide the panels.
     Panels,
+    /// The next file, or the one before.
+    Step(bool),
     /// What is selected into view; all that is shown, if nothing is.
     Fit,
     /// All of the scene into view.
@@ -59,6 +61,8 @@ pub(crate) fn action(key: &Key, modifiers: ModifiersState, mode: Mode) -> Option
             NamedKey::Home => Action::FitAll,
             NamedKey::Delete => Action::Hide,
             NamedKey::Tab => Action::Panels,
+            NamedKey::ArrowRight | NamedKey::PageDown => Action::Step(true),
+            NamedKey::ArrowLeft | NamedKey::PageUp => Action::Step(false),
             NamedKey::F1 => Action::Help,
             NamedKey::F2 => Action::Mode(Mode::Turntable),
             NamedKey::F3 => Action::Mode(Mode::RollingBall),

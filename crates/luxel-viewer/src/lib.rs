@@ -9,6 +9,7 @@
 mod app;
 mod compose;
 mod explain;
+mod files;
 mod keys;
 mod marks;
 mod model;

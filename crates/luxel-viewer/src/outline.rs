@@ -34,23 +34,29 @@ pub(crate) fn outline(
     for y in 0..down {
         for x in 0..across {
             let at = y * across + x;
-            let own = owners[at];
+            let (object, own) = owners[at];
             if own == NOTHING {
                 continue;
             }
-            let width = if own == SELECTED { 2 * point } else { point };
             // The window's edge is none of the object's.
-            let mut look = |is_in: bool, other: usize| {
-                if is_in && owners[other] != own && (own == SELECTED || owners[other] == NOTHING) {
+            let mut look = |step: usize, is_in: bool, other: usize| {
+                if !is_in || owners[other].0 == object {
+                    return;
+                }
+                // Between two that are selected, each has its half of the line.
+                let is_selected = owners[other].1 == SELECTED;
+                if own != SELECTED {
+                    lines[at] = if is_selected { lines[at] } else { lines[at].max(own) };
+                } else if step <= point || !is_selected {
                     lines[at] = own;
-                    lines[other] = lines[other].max(if own == SELECTED { HALO } else { NOTHING });
+                    lines[other] = lines[other].max(HALO);
                 }
             };
-            for step in 1..=width {
-                look(x >= step, at.wrapping_sub(step));
-                look(x + step < across, at + step);
-                look(y >= step, at.wrapping_sub(step * across));
-                look(y + step < down, at + step * across);
+            for step in 1..=if own == SELECTED { 2 * point } else { point } {
+                look(step, x >= step, at.wrapping_sub(step));
+                look(step, x + step < across, at + step);
+                look(step, y >= step, at.wrapping_sub(step * across));
+                look(step, y + step < down, at + step * across);
             }
         }
     }
@@ -64,8 +70,8 @@ pub(crate) fn outline(
     }
 }
 
-/// What each pixel of the window belongs to.
-fn owners(seen: &VisibleIds, size: Size, marks: &Marks, window: Size) -> Vec<u8> {
+/// The object that each pixel of the window shows, and how it is marked.
+fn owners(seen: &VisibleIds, size: Size, marks: &Marks, window: Size) -> Vec<(Option<usize>, u8)> {
     let place = |at: u32, of: u32, source: u32| {
         (u64::from(at) * u64::from(source) / u64::from(of.max(1))) as u32
     };
@@ -77,14 +83,14 @@ fn owners(seen: &VisibleIds, size: Size, marks: &Marks, window: Size) -> Vec<u8>
         for x in 0..window.width {
             let object = seen.at(place(x, window.width, size.width), row).map(|(object, _)| object);
             if object != last.0 {
-                let owner = match object {
+                let mark = match object {
                     Some(object) if marks.selected().contains(&object) => SELECTED,
                     object if object.is_some() && object == marks.hovered => HOVERED,
                     _ => NOTHING,
                 };
-                last = (object, owner);
+                last = (object, mark);
             }
-            owners.push(last.1);
+            owners.push(last);
         }
     }
     owners
@@ -142,11 +148,13 @@ mod tests {
     }
 
     #[test]
-    fn objects_selected_together_have_one_line_about_them() {
+    fn objects_selected_together_are_told_apart_by_a_line_no_wider_than_others() {
         let pixels = drawn(&[0, 1], None);
-        assert_eq!(pixels[5 * 12 + 9], GREY);
-        // Nor is there one at the window's edge.
-        assert_eq!(pixels[5 * 12 + 11], GREY);
+        let accent = mixed(0, ACCENT, 256);
+        let row = &pixels[5 * 12..][..12];
+        assert_eq!((row[8], row[9], row[10]), (GREY, accent, accent));
+        // There is none at the window's edge.
+        assert_eq!(row[11], GREY);
     }
 
     #[test]

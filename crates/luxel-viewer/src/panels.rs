@@ -45,14 +45,13 @@ pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &mut Session, wishes
         } else {
             format!("{} of {count} {noun}", found.len())
         };
-        for (marked, what) in
-            [(session.marks.selected(), "selected"), (session.marks.hidden(), "hidden")]
-        {
-            if !marked.is_empty() {
-                of.push_str(&format!(", {} {what}", marked.len()));
-            }
+        if !session.marks.hidden().is_empty() {
+            of.push_str(&format!(", {} hidden", session.marks.hidden().len()));
         }
-        panel.horizontal(|panel| {
+        // As high with the button as without it.
+        let row = egui::vec2(panel.available_width(), panel.spacing().interact_size.y);
+        let from_left = egui::Layout::left_to_right(egui::Align::Center);
+        panel.allocate_ui_with_layout(row, from_left, |panel| {
             panel.label(RichText::new(of).small().color(QUIET));
             if !session.marks.hidden().is_empty() {
                 panel.with_layout(egui::Layout::right_to_left(egui::Align::Center), |panel| {
@@ -87,7 +86,9 @@ fn one_object(ui: &mut egui::Ui, session: &mut Session, object: usize, wishes: &
     };
     let name = RichText::new(name).color(color);
     ui.push_id(object, |ui| {
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        let row = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+        let from_right = egui::Layout::right_to_left(egui::Align::Center);
+        ui.allocate_ui_with_layout(row, from_right, |ui| {
             if eye(ui, is_hidden).clicked() {
                 session.marks.toggle_shown(object);
             }

@@ -7,7 +7,9 @@ use luxel::navigation::{
     Change, Entry, Event, Mode, Number, Settings, State, advance, parallel_height, with_lens,
 };
 use luxel::render::View;
-use luxel::scene::{Bounds, Camera, Lens, Object, Projection, Size, fit_along, fit_planes};
+use luxel::scene::{
+    Bounds, Camera, Lens, Object, Projection, SceneLight, Size, fit_along, fit_planes,
+};
 
 /// How long the way to another view takes, in seconds.
 const TRANSITION: f64 = 0.15;
@@ -20,6 +22,8 @@ pub(crate) struct Session {
     /// The perspective to come back to from parallel rays.
     perspective: Lens,
     recorder: Recorder,
+    /// Lights and ambient light as they were read.
+    read: (Vec<SceneLight>, [f32; 3]),
     /// Which lights are off.
     pub(crate) dark: Vec<bool>,
     /// The scene's objects.
@@ -48,7 +52,51 @@ impl Session {
         };
         let dark = vec![false; model.view.lights.len()];
         let (objects, marks) = (model.scene.objects(), Marks::default());
-        Self { model, state, settings, perspective, recorder, dark, objects, marks, revision: 0 }
+        let read = (model.view.lights.clone(), model.view.ambient);
+        Self {
+            read,
+            model,
+            state,
+            settings,
+            perspective,
+            recorder,
+            dark,
+            objects,
+            marks,
+            revision: 0,
+        }
+    }
+
+    /// Edges and samples are those of another session.
+    pub(crate) fn look_like(&mut self, other: &Self) {
+        let (view, like) = (&mut self.model.view, &other.model.view);
+        (view.edges, view.samples) = (like.edges, like.samples);
+    }
+
+    /// The model has changed on the way; camera, edges and samples stay. So do lights that were changed
+    /// in the window, unless the file has others than before, and marks, if it has the same objects.
+    pub(crate) fn reload(&mut self, model: Model) {
+        let paths = |one: &Self| (0..one.objects.len()).map(|at| one.path(at)).collect::<Vec<_>>();
+        let before = paths(self);
+        let mut old = std::mem::replace(&mut self.model, model).view;
+        let view = &mut self.model.view;
+        (view.edges, view.samples) = (old.edges, old.samples);
+        let read = (view.lights.clone(), view.ambient);
+        if read == self.read {
+            (view.lights, view.ambient) = (std::mem::take(&mut old.lights), old.ambient);
+        } else {
+            self.dark = vec![false; read.0.len()];
+            self.read = read;
+        }
+        self.objects = self.model.scene.objects();
+        if paths(self) != before {
+            self.marks = Marks::default();
+        }
+        let bounds = self.model.scene.bounds();
+        if !bounds.is_empty() {
+            self.set(Change::Bounds(bounds));
+        }
+        self.revision += 1;
     }
 
     /// Some seconds have passed, then something has happened.
@@ -266,6 +314,37 @@ mod tests {
         session.fit_selected(0.0);
         session.happen(Event::Wait, 10.0);
         assert!(session.state.pivot().abs_diff_eq(centre, 1e-9));
+    }
+
+    #[test]
+    fn a_model_that_has_changed_keeps_camera_and_edited_lights_but_not_marks_of_others() {
+        use crate::marks::Choice;
+        let mut session = session(false);
+        let first = session.model.clone();
+        session.happen(Event::Tap { command: "orbit-up".parse().unwrap(), steps: 5.0 }, 0.0);
+        session.model.view.samples = 16;
+        session.model.view.lights[0].light.scale(0.5);
+        session.dark[1] = true;
+        session.marks.select([1], Choice::Replace);
+        let (place, view) = (session.state.view_from_world(), session.view());
+        session.reload(first.clone());
+        assert_eq!(session.state.view_from_world(), place);
+        assert_eq!(session.view().lights, view.lights);
+        assert_eq!((session.view().samples, session.marks.selected().len()), (16, 1));
+        // Larger, with other lights and one object less.
+        let mut scene = (*first.scene).clone();
+        for mesh in &mut scene.meshes {
+            mesh.positions.iter_mut().flatten().for_each(|part| *part *= 3.0);
+        }
+        let last = scene.objects().pop().unwrap();
+        scene.nodes[last.node.index()].mesh = None;
+        let mut other = Model { scene: Arc::new(scene), ..first };
+        other.view.lights.truncate(1);
+        session.reload(other.clone());
+        assert_eq!(session.view().lights, other.view.lights);
+        assert_eq!(session.state.view_from_world(), place);
+        assert!(session.marks.selected().is_empty());
+        assert_eq!(session.settings.bounds, other.scene.bounds());
     }
 
     #[test]

@@ -33,6 +33,10 @@ pub(crate) struct Status {
     /// Milliseconds of the last picture, and its size in parts of the window's.
     pub(crate) drawn: Option<(f64, f64)>,
     pub(crate) note: Option<String>,
+    /// The file that is being read.
+    pub(crate) reading: Option<String>,
+    /// How many the file is of how many.
+    pub(crate) place: Option<[usize; 2]>,
 }
 
 /// Panels, their state, and what paints them.
@@ -160,10 +164,12 @@ fn status_line(context: &Context, status: &Status, session: Option<&Session>) {
         ui.horizontal_centered(|ui| {
             ui.label(&status.name);
             let mut parts = Vec::new();
+            if let Some([place, count]) = status.place {
+                parts.push(format!("{place} of {count}"));
+            }
             match (&status.note, session) {
                 (Some(note), _) => parts.push(note.clone()),
-                (None, None) => parts.push("is being read".to_owned()),
-                (None, Some(session)) => {
+                (None, Some(session)) if status.reading.is_none() => {
                     parts.push(match session.marks.hovered {
                         Some(object) => pointed_at(session, object),
                         None => format!("{} triangles", grouped(status.triangles)),
@@ -183,6 +189,11 @@ fn status_line(context: &Context, status: &Status, session: Option<&Session>) {
                         parts.push(format!("{milliseconds:.0} ms{whole}"));
                     }
                     parts.push(session.state.mode().to_string());
+                }
+                (None, _) => {
+                    let other = status.reading.as_ref().filter(|name| **name != status.name);
+                    let other = other.map(|name| format!("{name} ")).unwrap_or_default();
+                    parts.push(format!("{other}is being read"));
                 }
             }
             ui.colored_label(QUIET, parts.join("   "));
@@ -312,6 +323,7 @@ fn help(context: &Context, mode: Mode) {
                         ("Ctrl 1 3 7", "back, left, bottom"),
                         ("5", "parallel rays, perspective"),
                         ("n", "level horizon"),
+                        ("Left, Right", "previous, next file"),
                         ("Tab", "panels"),
                         ("F12", "picture into a file"),
                         ("h, ?", "this help"),
@@ -336,6 +348,8 @@ fn help(context: &Context, mode: Mode) {
 
 fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, &str)]) {
     ui.colored_label(ACCENT, title);
+    // Nothing to be clicked here: lines may be close.
+    ui.spacing_mut().interact_size.y = 18.0;
     egui::Grid::new(title).num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
         for (keys, what) in rows {
             ui.monospace(*keys);

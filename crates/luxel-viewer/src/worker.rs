@@ -6,13 +6,14 @@ use luxel::pick::VisibleIds;
 use luxel::render::{At, Execution, Explanation, Renderer, View};
 use luxel::scene::{Scene, Size};
 use std::collections::BTreeSet;
+use std::ffi::{OsStr, OsString};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Instant;
 
 /// What the thread has to say.
 pub(crate) enum Answer {
-    /// The model is there, or isn't; whoever has tried to load it knows why.
-    Loaded(Option<Box<Model>>),
+    /// A model is there, or why it isn't.
+    Loaded(Result<Box<Model>, String>),
     /// A picture.
     Drawn(Box<Drawn>),
     /// Which objects the last sharp picture shows.
@@ -47,6 +48,8 @@ pub(crate) enum Purpose {
 
 /// What the thread is asked for.
 enum Request {
+    /// Another file instead.
+    Load(OsString),
     /// With which objects are seen, where something is to be marked.
     Draw(Box<View>, Purpose, bool),
     /// Objects that are not drawn from now on.
@@ -61,29 +64,37 @@ pub(crate) struct Worker {
 }
 
 impl Worker {
-    /// Loads a model and then draws what it is asked for, one after the other. `answer` wakes the
+    /// Loads the first file and then draws what it is asked for, one after the other. `answer` wakes the
     /// window; once it says no, the thread ends.
     ///
     /// # Errors
     /// The system's, if it gives no thread.
     pub(crate) fn start(
-        load: impl FnOnce() -> Option<Model> + Send + 'static,
+        load: impl Fn(&OsStr) -> Result<Model, String> + Send + 'static,
+        first: OsString,
         execution: Execution,
         answer: impl Fn(Answer) -> bool + Send + 'static,
     ) -> std::io::Result<Self> {
         let (requests, received) = channel();
         std::thread::Builder::new().name("luxel-draw".to_owned()).spawn(move || {
-            let Some(model) = load() else {
-                answer(Answer::Loaded(None));
-                return;
-            };
-            let scene = model.scene.clone();
-            if !answer(Answer::Loaded(Some(Box::new(model)))) {
-                return;
+            let mut next = Some(load(&first));
+            while let Some(Ok(model)) = next {
+                let scene = model.scene.clone();
+                if !answer(Answer::Loaded(Ok(Box::new(model)))) {
+                    return;
+                }
+                next = work_on(&scene, &execution, &received, &answer, &load).map(Ok);
             }
-            work_on(&scene, &execution, &received, &answer);
+            if let Some(Err(what)) = next {
+                answer(Answer::Loaded(Err(what)));
+            }
         })?;
         Ok(Self { requests })
+    }
+
+    /// Asks for another file. If it can't be read, everything stays as it is.
+    pub(crate) fn load(&self, file: OsString) {
+        let _ = self.requests.send(Request::Load(file));
     }
 
     /// Asks for a picture. One at a time: the window asks for the next when this one has come.
@@ -110,13 +121,25 @@ impl Worker {
     }
 }
 
-/// Works on the scene as long as it is asked to, whatever is hidden of it.
+/// Why drawing comes to an end.
+enum End {
+    /// These objects are to be left out.
+    Hide(BTreeSet<usize>),
+    /// A file is to be looked at.
+    Load(OsString),
+    /// The window is gone.
+    Gone,
+}
+
+/// Works on the scene as long as it is asked to, whatever is hidden of it; the model to go on with, if
+/// there is one.
 fn work_on(
     scene: &Scene,
     execution: &Execution,
     requests: &Receiver<Request>,
     answer: &impl Fn(Answer) -> bool,
-) {
+    load: &impl Fn(&OsStr) -> Result<Model, String>,
+) -> Option<Model> {
     let mut hidden = BTreeSet::new();
     // What is hidden is taken from a copy, which is made when it is first needed.
     let mut copy: Option<Scene> = None;
@@ -131,14 +154,27 @@ fn work_on(
             Ok(renderer) => renderer,
             Err(error) => {
                 answer(Answer::Failed(error.to_string()));
-                return;
+                return None;
             }
         };
         let count = renderer.objects().len() + hidden.len();
         let numbers: Vec<_> = (0..count).filter(|number| !hidden.contains(number)).collect();
-        match work(&renderer, &numbers, requests, answer) {
-            Some(others) => hidden = others,
-            None => return,
+        loop {
+            match work(&renderer, &numbers, requests, answer) {
+                End::Hide(others) => {
+                    hidden = others;
+                    break;
+                }
+                End::Load(file) => match load(&file) {
+                    Ok(model) => return Some(model),
+                    Err(what) => {
+                        if !answer(Answer::Loaded(Err(what))) {
+                            return None;
+                        }
+                    }
+                },
+                End::Gone => return None,
+            }
         }
     }
 }
@@ -152,16 +188,17 @@ fn leave_out(scene: &Scene, hidden: &BTreeSet<usize>, copy: &mut Scene) {
     }
 }
 
-/// Draws what it is asked for, until other objects are to be hidden or the window is gone.
+/// Draws what it is asked for, until there is another scene to draw or nobody to draw for.
 fn work(
     renderer: &Renderer<'_>,
     numbers: &[usize],
     requests: &Receiver<Request>,
     answer: &impl Fn(Answer) -> bool,
-) -> Option<BTreeSet<usize>> {
+) -> End {
     while let Ok(request) = requests.recv() {
         let is_heard = match request {
-            Request::Hide(hidden) => return Some(hidden),
+            Request::Load(file) => return End::Load(file),
+            Request::Hide(hidden) => return End::Hide(hidden),
             Request::Draw(view, purpose, is_marked) => {
                 let start = Instant::now();
                 let picture = renderer.rgba8(&view);
@@ -194,10 +231,10 @@ fn work(
             }
         };
         if !is_heard {
-            return None;
+            return End::Gone;
         }
     }
-    None
+    End::Gone
 }
 
 #[cfg(test)]
@@ -215,10 +252,16 @@ mod tests {
         }
         drop(to);
         let answers = std::cell::RefCell::new(Vec::new());
-        work_on(scene, &Execution::default(), &received, &|answer| {
-            answers.borrow_mut().push(answer);
-            true
-        });
+        work_on(
+            scene,
+            &Execution::default(),
+            &received,
+            &|answer| {
+                answers.borrow_mut().push(answer);
+                true
+            },
+            &|file| Err(format!("{}: no such file", file.display())),
+        );
         answers.into_inner()
     }
 
@@ -253,6 +296,20 @@ mod tests {
         assert!(!objects(part).contains(&2));
         assert!(objects(nothing).is_empty());
         assert_eq!(drawn(again).pixels, drawn(whole).pixels);
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_read_leaves_the_last_one_there() {
+        let scene = demos::demo("plane").unwrap();
+        let view = luxel::default_view(&scene, SIZE);
+        let draw = || Request::Draw(Box::new(view.clone()), Purpose::Moving, false);
+        let asked = [draw(), Request::Load("gone.obj".into()), draw()];
+        let answers = answers(&scene, asked);
+        let [before, Answer::Loaded(Err(what)), after] = answers.as_slice() else {
+            panic!("other answers")
+        };
+        assert_eq!(what, "gone.obj: no such file");
+        assert_eq!(drawn(before).pixels, drawn(after).pixels);
     }
 
     #[test]

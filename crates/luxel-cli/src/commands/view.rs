@@ -18,6 +18,10 @@ pub(crate) struct ViewCommand {
     #[command(flatten)]
     input: InputOptions,
 
+    /// More models, seen by the arrow keys
+    #[arg(value_name = "MODEL")]
+    more: Vec<OsString>,
+
     /// The way to navigate at the start: absolute, look-at, rolling-ball, flying, mouselook,
     /// turntable
     #[arg(long, value_name = "MODE", default_value = "turntable")]
@@ -60,9 +64,11 @@ mod window {
     use super::ViewCommand;
     use crate::console::Console;
     use crate::failure::Failure;
+    use crate::options::InputOptions;
     use crate::{model, navigation, output, surface, view};
     use luxel_viewer::{Model, Options, Outcome, ViewerError};
-    use std::path::{Path, PathBuf};
+    use std::ffi::OsStr;
+    use std::path::PathBuf;
     use std::sync::{Arc, Mutex, PoisonError};
 
     impl ViewCommand {
@@ -71,21 +77,19 @@ mod window {
                 let message = "model and log can't both come from the standard input: use a file";
                 return Err(Failure::Usage(message.to_owned()));
             }
-            self.check_model(console)?;
+            let files: Vec<_> = std::iter::once(&self.input.model).chain(&self.more).collect();
+            for file in &files {
+                self.check_model(file, console)?;
+            }
+            let files = files.into_iter().cloned().collect();
             let record = self.record.as_ref().map(PathBuf::from);
             if let Some(path) = &record {
                 output::check_folder(path)?;
             }
             let most = self.execution.max_memory;
             let replay = self.replay.as_ref().map(|path| navigation::read_log(path, most));
-            let name = self.input.name();
-            let file = name.strip_prefix("demo:").unwrap_or(&name);
-            let part = |of: fn(&Path) -> Option<&std::ffi::OsStr>| {
-                of(Path::new(file)).unwrap_or("model".as_ref()).to_string_lossy().into_owned()
-            };
             let options = Options {
-                name: part(Path::file_name),
-                stem: part(Path::file_stem),
+                files,
                 size: self.frame.size,
                 mode: self.mode,
                 record,
@@ -99,12 +103,12 @@ mod window {
             // What went wrong on the thread that loads.
             let failure = Arc::new(Mutex::new(None));
             let kept = Arc::clone(&failure);
-            let load = move || match self.load(console) {
-                Ok(model) => Some(model),
-                Err(failure) => {
+            let load = move |file: &OsStr| {
+                self.load(file, console).map_err(|failure| {
+                    let what = failure.lines().join("; ");
                     *kept.lock().unwrap_or_else(PoisonError::into_inner) = Some(failure);
-                    None
-                }
+                    what
+                })
             };
             match luxel_viewer::run(load, options) {
                 Ok(Outcome::Closed) => Ok(()),
@@ -121,19 +125,24 @@ mod window {
         }
 
         /// Says before any window opens that there is no such file.
-        fn check_model(&self, console: Console) -> Result<(), Failure> {
-            let model = &self.input.model;
+        fn check_model(&self, model: &OsStr, console: Console) -> Result<(), Failure> {
             let is_file = model != "-" && !model.to_string_lossy().starts_with("demo:");
             if is_file && std::fs::metadata(model).is_err() {
-                return model::load(&self.input, &self.execution, console).map(|_| ());
+                return model::load(&self.input(model), &self.execution, console).map(|_| ());
             }
             Ok(())
         }
 
-        fn load(&self, console: Console) -> Result<Model, Failure> {
-            let mut model = model::load(&self.input, &self.execution, console)?;
+        /// Another model, of the same format if that is told.
+        fn input(&self, model: &OsStr) -> InputOptions {
+            InputOptions { model: model.to_owned(), format: self.input.format }
+        }
+
+        fn load(&self, file: &OsStr, console: Console) -> Result<Model, Failure> {
+            let input = self.input(file);
+            let mut model = model::load(&input, &self.execution, console)?;
             if model.scene.bounds().is_empty() {
-                return Err(model::nothing_to_draw(&self.input.name()));
+                return Err(model::nothing_to_draw(&input.name()));
             }
             surface::apply_material(&self.material, &mut model.scene);
             surface::apply_normals(&self.shading, &mut model.scene);

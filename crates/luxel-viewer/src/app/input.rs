@@ -50,6 +50,7 @@ impl App {
                     }
                 }
             }
+            Action::Step(is_forward) => self.step(is_forward),
             Action::Hide | Action::Isolate | Action::ShowAll => {
                 if let Some(session) = &mut self.session {
                     let count = session.objects.len();

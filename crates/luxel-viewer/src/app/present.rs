@@ -52,7 +52,7 @@ impl App {
         let mut bytes = Vec::new();
         write_rgba8(PictureFormat::Png, size, &rgba, encoding.unwrap_or_default(), &mut bytes)
             .map_err(|error| error.to_string())?;
-        let name = |number: u32| PathBuf::from(format!("{}-{number}.png", self.options.stem));
+        let name = |number: u32| PathBuf::from(format!("{}-{number}.png", self.stem));
         let free = (1..).map(name).find(|path| !path.exists());
         let path = free.ok_or("no name is free for a picture")?;
         (self.options.write)(&path, &bytes)?;
