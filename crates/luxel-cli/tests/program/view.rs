@@ -14,6 +14,7 @@ fn without_a_display_it_is_said_what_works() {
 fn a_model_that_is_not_there_is_told_first() {
     luxel("view nosuch.glb").failed(1, "nosuch.glb");
     luxel("nosuch").failed(1, "nosuch");
+    luxel("view demo:plane nosuch.obj").failed(1, "nosuch.obj");
 }
 
 #[test]
