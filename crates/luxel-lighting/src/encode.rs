@@ -85,8 +85,10 @@ static DECODED: LazyLock<[f32; 256]> =
 #[inline]
 #[must_use]
 pub fn unit_to_byte(linear: f32) -> u8 {
-    // In f64 the product is exact.
-    (f64::from(unit(linear)) * 255.0).round_ties_even() as u8
+    // In f64 the product is exact; adding what leaves no digits behind the point rounds it, without
+    // a call where processors have no instruction for that.
+    const WHOLE: f64 = 6_755_399_441_055_744.0;
+    (f64::from(unit(linear)) * 255.0 + WHOLE - WHOLE) as u8
 }
 
 /// round(255 encode(clamp(v, 0, 1))), ties to even; 0 for NaN.
@@ -108,7 +110,8 @@ const ONE_BITS: u32 = 127 << 23;
 /// 84 steps in an octave at most, at its lower end, if the octave went on as it begins).
 const CELL_BITS: u32 = 7;
 const CELL_SHIFT: u32 = 23 - CELL_BITS;
-const CELLS: usize = 13 << CELL_BITS;
+/// More than the 13 octaves take: a power of 2.
+const CELLS: usize = 16 << CELL_BITS;
 
 /// The thresholds, and where to find them by the top bits of a float.
 struct SrgbTable {
@@ -139,17 +142,14 @@ impl SrgbTable {
 
     #[inline]
     fn byte(&self, linear: f32) -> u8 {
-        // Comparisons with NaN are false.
-        if linear >= 1.0 {
-            return 255;
-        }
-        let bits = linear.to_bits();
-        // Negative numbers have the top bit: too large to be in the range, as NaN is.
-        if !(LEAST_BITS..ONE_BITS).contains(&bits) {
-            return 0;
-        }
-        let byte = self.bytes[((bits - LEAST_BITS) >> CELL_SHIFT) as usize];
-        byte + u8::from(linear >= self.thresholds[usize::from(byte)])
+        // Comparisons with NaN are false. What is brought to an end of the range has its byte.
+        let least = f32::from_bits(LEAST_BITS);
+        let most = f32::from_bits(ONE_BITS - 1);
+        let inside = if linear > least { linear } else { least };
+        let inside = if inside < most { inside } else { most };
+        let cell = (inside.to_bits() - LEAST_BITS) >> CELL_SHIFT;
+        let byte = self.bytes[cell as usize & (CELLS - 1)];
+        byte + u8::from(inside >= self.thresholds[usize::from(byte)])
     }
 }
 

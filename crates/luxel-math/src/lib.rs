@@ -11,6 +11,7 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`Number`] | the operations that one value and sixteen lanes share |
+//! | [`Wide`] | the `f64` beside a number, for places that are far apart |
 //! | [`elementary`] | `log2`, `exp2`, powers, made of those operations |
 //! | [`Vec3`], [`Rgb`] | three numbers in space, three numbers of light |
 //! | [`SubPixel`] | window positions in steps of 1/256 pixel |
@@ -23,15 +24,18 @@ mod fixed;
 mod lanes;
 mod number;
 mod vector;
+mod wide;
 
 pub use fearless_simd::{Level, Simd, dispatch, f32x8, f32x16, i32x16, mask32x16, u32x16};
 pub use fixed::{SUBPIXELS, SubPixel};
 pub use lanes::{LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel};
 pub use number::{Mask, Number};
 pub use vector::{Rgb, Vec3};
+pub use wide::{Wide, Wide16};
 
 /// What code over sixteen lanes wants in scope.
 pub mod prelude {
     pub use crate::number::{Mask, Number};
+    pub use crate::wide::Wide;
     pub use fearless_simd::prelude::*;
 }

@@ -8,6 +8,7 @@
 //! into the dispatched kernel loses its instruction set and passes vectors through memory.
 
 use crate::LANES;
+use crate::wide::{Wide, Wide16};
 use fearless_simd::{ExtractToken, Simd, f32x16, i32x16, mask32x16, prelude::*};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -37,7 +38,11 @@ pub trait Number:
 {
     /// The outcome of comparisons.
     type Mask: Mask;
+    /// The `f64` beside it.
+    type Wide: Wide<Narrow = Self>;
 
+    /// The same value with the digits of an `f64`.
+    fn widened(self) -> Self::Wide;
     /// `value` in every lane; `self` tells only the kind of number.
     fn constant(self, value: f32) -> Self;
     /// The correctly rounded square root.
@@ -67,6 +72,8 @@ pub trait Number:
     fn each_lane(self, of: impl FnMut(usize) -> f32) -> Self;
     /// A number with these lanes, of which an `f32` takes the first; `self` tells only the kind.
     fn of_lanes(self, values: &[f32; LANES]) -> Self;
+    /// The values of all lanes, of which an `f32` fills the first.
+    fn to_lanes(self, values: &mut [f32; LANES]);
     /// The number with another value in one lane; an `f32` has only lane 0.
     fn with_lane(self, lane: usize, value: f32) -> Self;
     /// The mask whose lane i is bit i; `self` tells only the kind of number.
@@ -165,6 +172,12 @@ const SQRT_HALF_BITS: i32 = 0x3f35_04f4;
 
 impl Number for f32 {
     type Mask = bool;
+    type Wide = f64;
+
+    #[inline(always)]
+    fn widened(self) -> f64 {
+        f64::from(self)
+    }
 
     #[inline(always)]
     fn constant(self, value: f32) -> Self {
@@ -227,6 +240,10 @@ impl Number for f32 {
         values[0]
     }
     #[inline(always)]
+    fn to_lanes(self, values: &mut [Self; LANES]) {
+        values[0] = self;
+    }
+    #[inline(always)]
     fn with_lane(self, lane: usize, value: Self) -> Self {
         if lane == 0 { value } else { self }
     }
@@ -242,6 +259,12 @@ impl Number for f32 {
 
 impl<S: Simd> Number for f32x16<S> {
     type Mask = mask32x16<S>;
+    type Wide = Wide16<S>;
+
+    #[inline(always)]
+    fn widened(self) -> Wide16<S> {
+        Wide16::of(self)
+    }
 
     #[inline(always)]
     fn constant(self, value: f32) -> Self {
@@ -306,6 +329,10 @@ impl<S: Simd> Number for f32x16<S> {
     #[inline(always)]
     fn of_lanes(self, values: &[f32; LANES]) -> Self {
         Self::simd_from(self.simd, *values)
+    }
+    #[inline(always)]
+    fn to_lanes(self, values: &mut [f32; LANES]) {
+        self.store_slice(values);
     }
     #[inline(always)]
     fn with_lane(mut self, lane: usize, value: f32) -> Self {

@@ -6,7 +6,7 @@ use crate::view::{Instance, PickView};
 use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
-use luxel_visibility::{BLOCK, Forms};
+use luxel_visibility::Forms;
 
 /// What lies under a place of the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,15 +115,10 @@ impl PickView<'_> {
         if element < points { Element::Point(element) } else { Element::Line(element - points) }
     }
 
-    /// A triangle's corners in view space.
-    pub(crate) fn corners_in_view(&self, instance: &Instance, triangle: u32) -> [DVec3; 3] {
-        let mesh = self.geometry(instance).mesh;
-        mesh.triangles[triangle as usize]
-            .map(|corner| instance.view_from_mesh.transform_point3(mesh.position(corner)))
-    }
-
     pub(crate) fn forms(&self, instance: &Instance, triangle: u32) -> Forms {
-        Forms::new(&self.rays, self.corners_in_view(instance, triangle))
+        let mesh = self.geometry(instance).mesh;
+        let corners = instance.space.view_from_local.corners(positions(mesh, triangle));
+        Forms::new(&self.rays, corners)
     }
 
     /// The surface of a triangle at a sample that it covers.
@@ -133,22 +128,28 @@ impl PickView<'_> {
         let space = &instance.space;
         let geometry = self.geometry(instance);
         let mesh = geometry.mesh;
-        let corners_in_view = self.corners_in_view(instance, triangle);
-        let places = corners_in_view.map(|corner| space.world_from_view * corner);
-        let forms = Forms::new(&self.rays, corners_in_view);
+        let forms = self.forms(instance, triangle);
+        let in_view = forms.corners();
         let weights = forms.barycentric(&self.rays, position);
         let attributes = mesh.attribute_corners()[triangle as usize].map(|at| at as usize);
 
-        let about_eye = mix3(places.map(|place| place.as_vec3().to_array()), weights);
+        let about_eye = mix3(in_view.map(|corner| space.about_eye(corner.to_array())), weights);
         let along = self.camera.direction().as_vec3().to_array();
         let z = Vec3::new(about_eye.x, about_eye.y, about_eye.z)
             .dot(Vec3::new(along[0], along[1], along[2]));
-        let normals = space.facing_normals(mesh, attributes, places);
+        let in_mesh = (!mesh.normals.is_empty()).then(|| {
+            attributes.map(|attribute| {
+                let [x, y, z] = mesh.normals[attribute];
+                Vec3::new(x, y, z)
+            })
+        });
+        let corners = in_view.map(|corner| corner.to_array());
+        let normals = space.facing_normals(&corners, forms.towards_eye(), in_mesh);
         let normal = mix3(normals, weights).normalized_or_zero();
         let material = mesh.parts[part_of(&geometry, triangle)].material;
         let normal =
             self.mapped(mesh, instance, attributes, material, &forms, position, weights, normal);
-        let [a, b, c] = places;
+        let [a, b, c] = in_view.map(|corner| space.world_from_view * corner);
         let plane = (b - a).cross(c - a).normalize_or_zero();
         let to_eye = if space.parallel { space.world_from_view.z_axis } else { -a };
         let plane = if plane.dot(to_eye) < 0.0 { -plane } else { plane };
@@ -211,16 +212,8 @@ impl PickView<'_> {
         position: [i32; 2],
         weights: [f32; 3],
     ) -> [f32; 4] {
-        let side = BLOCK * SUBPIXELS;
-        let [block_x, block_y] = position.map(|steps| steps.div_euclid(side) * BLOCK);
-        let [x, y] = position.map(|steps| steps.rem_euclid(side) as f32 / SUBPIXELS as f32);
-        let about = forms.about(block_x, block_y);
-        let normalized = |[a, b, c]: [f32; 3]| {
-            let scale = 1.0 / (a + b + c);
-            [a * scale, b * scale, c * scale]
-        };
-        let right = normalized(about.weights(x + 1.0, y));
-        let below = normalized(about.weights(x, y + 1.0));
+        let [x, y] = position.map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
+        let [right, below] = forms.beside(x, y);
         let set = usize::from(used.uv_set & 1);
         let [here, right, below] = [weights, right, below]
             .map(|weights| used.transformed(uv(mesh, set, attributes, weights)));
@@ -234,9 +227,13 @@ fn mix<const N: usize>([a, b, c]: [[f32; N]; 3], weights: [f32; 3]) -> [f32; N] 
     std::array::from_fn(|at| a[at] * weights[0] + b[at] * weights[1] + c[at] * weights[2])
 }
 
-fn mix3(values: [[f32; 3]; 3], weights: [f32; 3]) -> Vec3<f32> {
-    let [x, y, z] = mix(values, weights);
-    Vec3::new(x, y, z)
+fn mix3([a, b, c]: [Vec3<f32>; 3], weights: [f32; 3]) -> Vec3<f32> {
+    a * weights[0] + b * weights[1] + c * weights[2]
+}
+
+/// The positions of a triangle's corners, about its mesh's origin.
+fn positions(mesh: &Mesh, triangle: u32) -> [[f32; 3]; 3] {
+    mesh.triangles[triangle as usize].map(|corner| mesh.positions[corner as usize])
 }
 
 /// Texture coordinates; 0 where the mesh has none.

@@ -7,7 +7,8 @@ use glam::{DMat4, DVec3};
 use luxel_math::SUBPIXELS;
 use luxel_scene::{AlphaMode, Camera, Mesh, Size};
 use luxel_visibility::{
-    Coverage, Cull, InstanceSpace, PartUse, Probe, Reach, Strokes, WindowRays, strokes,
+    Coverage, Cull, InstanceSpace, PartUse, Probe, Reach, Strokes, ViewFromLocal, WindowRays,
+    strokes,
 };
 
 /// What a camera sees of a scene in a window, ready to be asked pixel by pixel.
@@ -30,7 +31,6 @@ pub(crate) struct Instance {
     pub(crate) object: usize,
     /// Which of the view's strokes it is, if it isn't the object's triangles.
     pub(crate) strokes: Option<usize>,
-    pub(crate) view_from_mesh: DMat4,
     /// From view space to the coordinates of the tree.
     pub(crate) tree_from_view: DMat4,
     pub(crate) space: InstanceSpace,
@@ -152,11 +152,12 @@ impl<'p> PickView<'p> {
         let of_mesh = if bounds_tell_depth { bounds } else { mesh_bounds(mesh) };
         let reach = probe.reach(of_mesh.map_or([0.0; 3], largest));
         let thickness = bounds.map(|bounds| self.thickness(bounds, &tree_from_view, &reach));
-        let space = InstanceSpace::new(&self.picker.objects[object].world_from_mesh, &self.camera);
+        let world_from_mesh = &self.picker.objects[object].world_from_mesh;
+        let view_from_local = ViewFromLocal::new(&view_from_mesh, mesh.origin);
+        let space = InstanceSpace::new(world_from_mesh, view_from_local, &self.camera);
         self.instances.push(Instance {
             object,
             strokes,
-            view_from_mesh,
             tree_from_view,
             space,
             probe,

@@ -1,7 +1,9 @@
 //! A part of a picture: only the tiles that it touches are drawn.
 
 use crate::place::Covers;
-use crate::renderer::{Picture, RenderError, Renderer, Worker, bytes_of};
+use crate::renderer::{Picture, RenderError, Renderer, Worker, bytes_of_block};
+use crate::resolve::empty_block;
+use crate::tiles::TilePixels;
 use crate::view::View;
 use luxel_scene::Size;
 use luxel_visibility::TILE;
@@ -30,7 +32,10 @@ impl Renderer<'_> {
         ];
         let mut pixels = vec![[0; 4]; part.width as usize * part.height as usize];
         self.with_scene(view, Covers::DRAWN, None, |scene, holes| {
-            let mut worker = Worker::new(scene.frame.samples(), scene);
+            let mut worker = Worker::new(scene.frame.samples());
+            let finish = |block: &_| bytes_of_block(block, view.encoding);
+            let [background, ..] = finish(&empty_block(scene));
+            let mut drawn: Box<TilePixels<_>> = Box::new([background; (TILE * TILE) as usize]);
             let tile = TILE as usize;
             let [across, _] = scene.frame.tiles();
             let [left, top] = corner.map(|side| side as usize);
@@ -41,14 +46,14 @@ impl Renderer<'_> {
             for row in top / tile..=(top + high - 1) / tile {
                 for column in left / tile..=(left + wide - 1) / tile {
                     self.draw_tile(scene, holes, row * across + column, &mut worker);
+                    worker.finish(finish, background, &mut drawn);
                     // The columns and rows of the picture that the tile and the part share.
                     let columns = left.max(column * tile)..(left + wide).min((column + 1) * tile);
                     for y in top.max(row * tile)..(top + high).min((row + 1) * tile) {
                         let from = (y - row * tile) * tile + (columns.start - column * tile);
                         let to = (y - top) * wide + (columns.start - left);
-                        for at in 0..columns.len() {
-                            pixels[to + at] = bytes_of(worker.linear[from + at], view.encoding);
-                        }
+                        let count = columns.len();
+                        pixels[to..to + count].copy_from_slice(&drawn[from..from + count]);
                     }
                 }
             }

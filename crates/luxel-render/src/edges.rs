@@ -4,9 +4,9 @@
 //! its value over the length of its gradient is the distance from that edge in pixels. Edges
 //! between two triangles of one polygon are none.
 
-use luxel_math::Number;
+use luxel_math::{Number, Wide};
 use luxel_scene::Mesh;
-use luxel_visibility::BlockForms;
+use luxel_visibility::Forms;
 
 /// Which edges of each triangle are edges of its polygon: bit i for the edge opposite corner i.
 pub(crate) struct EdgeFlags(Option<Vec<u8>>);
@@ -47,19 +47,16 @@ impl EdgeFlags {
     }
 }
 
-/// The distance in pixels from the nearest edge of the polygon, at (x, y) pixels from the block's
-/// corner; very far where no edge counts.
+/// The distance in pixels from the nearest edge of the polygon at window position (x, y); very far
+/// where no edge counts.
 #[inline(always)]
-pub(crate) fn edge_distance<N: Number>(forms: &BlockForms, flags: u8, x: N, y: N) -> N {
-    let weights = forms.weights(x, y);
-    let mut distance = x.constant(f32::MAX);
+pub(crate) fn edge_distance<D: Wide>(forms: &Forms, flags: u8, x: D, y: D) -> D::Narrow {
+    let weights = forms.in_lanes(x).weights(x, y);
+    let mut distance = x.narrow().constant(f32::MAX);
     for (corner, weight) in weights.into_iter().enumerate() {
-        if flags >> corner & 1 == 1 {
-            let [along_x, along_y] = forms.gradient(corner);
-            let steepness = (along_x * along_x + along_y * along_y).sqrt();
-            if steepness > 0.0 {
-                distance = distance.minimum(weight.abs() / x.constant(steepness));
-            }
+        let steepness = forms.steepness(corner);
+        if flags >> corner & 1 == 1 && steepness > 0.0 {
+            distance = distance.minimum((weight.abs() / x.constant(steepness)).narrow());
         }
     }
     distance

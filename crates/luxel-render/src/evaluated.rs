@@ -5,7 +5,7 @@ use crate::explain::Written;
 use crate::ledger::{EvaluatedAt, ExplainedLight};
 use crate::shade::Scene16;
 use crate::triangles::{Corner, SeenTriangle};
-use crate::vertex::VertexLight;
+use crate::vertex::light_at;
 use luxel_lighting::{LightTerms, Reflectance};
 use luxel_math::{Rgb, Vec3};
 use luxel_scene::SceneLight;
@@ -19,8 +19,7 @@ pub(crate) fn evaluated_at(
     lights: &[&SceneLight],
 ) -> EvaluatedAt {
     let mut written = Written::default();
-    let mut vertex_light = VertexLight::new(triangle.has);
-    let light = vertex_light.at(scene, corner, triangle.has, triangle.material, &mut written);
+    let light = light_at(scene, corner, triangle.has, triangle.material, &mut written);
     let point = written.point;
     let ledger = &written.ledger;
     let constants = &scene.scene.materials[triangle.material as usize].constants;

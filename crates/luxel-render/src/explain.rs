@@ -94,8 +94,8 @@ impl Renderer<'_> {
     ) -> Result<Vec<Explanation>, RenderError> {
         let view = View { edges: None, ..view.clone() };
         self.with_scene(&view, Covers::DRAWN, only.map(Samples::one_at), |scene, holes| {
-            let mut worker = Worker::new(scene.frame.samples(), scene);
-            let mut kept = Kept::new(scene);
+            let mut worker = Worker::new(scene.frame.samples());
+            let mut kept = Kept::new();
             let [across, _] = scene.frame.tiles();
             let tile_of = |side: u32| side as usize / TILE as usize;
             let (mut drawn, mut layers) = (None, Vec::new());

@@ -9,8 +9,7 @@ use crate::place::Covers;
 use crate::primitives::{Clipper, InWindow, is_culled};
 use crate::renderer::{RenderError, Renderer};
 use crate::shade::Scene16;
-use crate::triangles::{Attributes, Corner, SeenTriangle};
-use crate::vertex::VertexLight;
+use crate::triangles::{Corner, SeenTriangle};
 use crate::view::{Interpolation, Shading, ShadingMode, View};
 use glam::DVec3;
 use luxel_scene::{AlphaMode, Size};
@@ -211,7 +210,6 @@ impl Renderer<'_> {
 /// What turns a frame's instances into items.
 struct Stream<'a> {
     scene: &'a Scene16<'a>,
-    vertex_light: VertexLight,
     clipper: Clipper,
     clipped: Vec<InWindow>,
     vertices: Vec<FeedbackVertex>,
@@ -221,7 +219,6 @@ impl<'a> Stream<'a> {
     fn new(scene: &'a Scene16<'a>, view: &View) -> Self {
         Self {
             scene,
-            vertex_light: VertexLight::new(Attributes::of(scene.scene)),
             clipper: Clipper::new(&view.camera.projection, view.size),
             clipped: Vec::new(),
             vertices: Vec::new(),
@@ -296,8 +293,7 @@ impl<'a> Stream<'a> {
 
     /// Lights the corners that are left of a triangle, or of what it stands for, at its places.
     fn light(&mut self, of: TriangleOf, places: Option<[DVec3; 3]>) {
-        let light = &mut self.vertex_light;
-        let corners = SeenTriangle::lit_corners(self.scene, of, places, light);
+        let corners = SeenTriangle::lit_corners(self.scene, of, places);
         let mesh = self.scene.frame.instances()[of.instance].mesh;
         let material = &self.scene.scene.materials[mesh.parts[of.part].material.index()];
         let has_color = !mesh.colors.is_empty() && material.vertex_colors;

@@ -5,7 +5,7 @@ use crate::edges::{EdgeFlags, edge_distance};
 use crate::view::Edges;
 use luxel_math::SUBPIXELS;
 use luxel_scene::{AlphaMode, Scene};
-use luxel_visibility::{BLOCK, Frame, TriangleId, TriangleOf};
+use luxel_visibility::{Frame, TriangleId, TriangleOf};
 
 /// Answers for one frame.
 pub(crate) struct Holes<'a> {
@@ -42,11 +42,8 @@ impl Holes<'_> {
         [x, y]: [i32; 2],
         width: f32,
     ) -> bool {
-        let side = BLOCK * SUBPIXELS;
-        let (block_x, block_y) = (x.div_euclid(side) * BLOCK, y.div_euclid(side) * BLOCK);
-        let inside = |steps: i32| steps.rem_euclid(side) as f32 / SUBPIXELS as f32;
+        let pixels = |steps: i32| f64::from(steps) / f64::from(SUBPIXELS);
         let Some(flags) = self.edge_flags[of.instance] else { return false };
-        let forms = frame.forms(of).about(block_x, block_y);
-        edge_distance(&forms, flags.of(of.triangle), inside(x), inside(y)) > width * 0.5
+        edge_distance(&frame.forms(of), flags.of(of.triangle), pixels(x), pixels(y)) > width * 0.5
     }
 }

@@ -188,18 +188,13 @@ pub(crate) fn layers_of_block<S: Simd>(
     let ids = tile.planes()[0].ids[block];
     let batch = Batch::new(tile, block, ids, &[0; LANES], scene.frame.samples());
     let interpolated = interpolate(f32x16::splat(simd, 0.0), scene, &batch, kept);
-    let corners = &kept.corners;
-    let point = surface::point(scene, &interpolated, corners);
+    let point = surface::point(scene, &interpolated.varying);
     let z = point.depth;
     let normals = match layer {
-        Layer::Normal => surface::shading_normals(scene, &interpolated, corners, &point),
+        Layer::Normal => surface::shading_normals(scene, &interpolated, &point),
         _ => point.normal,
     };
-    let uv = if corners.has.uvs[0] {
-        corners.uv(0, &interpolated.weights)
-    } else {
-        [f32x16::splat(simd, 0.0); 2]
-    };
+    let [[uv, ..], _] = interpolated.varying.uv;
     let mut values = [[0; CHANNELS]; LANES];
     if layer.is_lit() {
         for (lane, value) in values.iter_mut().enumerate() {

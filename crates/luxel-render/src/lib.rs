@@ -2,18 +2,18 @@
 //!
 //! A [`Renderer`] makes a scene ready once; [`Renderer::rgba8`], [`Renderer::linear`] and
 //! [`Renderer::layers`] then draw a [`View`] of it. Every pixel goes the same way: what its samples
-//! see (`luxel-visibility`), where on the triangle they lie (`corners`), what the surface is there
-//! (`surface`), what light it sends (`luxel-lighting`), and how samples become a pixel (`resolve`).
+//! see (`luxel-visibility`), where on the triangle they lie (`shade`), what the surface is there
+//! (`varying`, `surface`), what light it sends (`luxel-lighting`), and how samples become a pixel (`resolve`).
 //! [`write_rgba8`], [`write_linear`] and [`write_layers`] make files of what was drawn.
 
 #![forbid(unsafe_code)]
 
 mod around;
-mod corners;
 mod edges;
 mod evaluated;
 mod explain;
 mod feedback;
+mod gathered;
 mod holes;
 mod layers;
 mod ledger;
@@ -31,6 +31,7 @@ mod svg;
 mod tiles;
 mod triangles;
 mod unseen;
+mod varying;
 mod vertex;
 mod view;
 

@@ -5,6 +5,7 @@
 //! what is left has a place in the window, and everything between is linear there.
 
 use crate::triangles::Corner;
+use crate::varying::Weights;
 use glam::DVec3;
 use luxel_visibility::WindowRays;
 
@@ -31,10 +32,7 @@ struct Point {
 #[derive(Clone, Debug)]
 pub(crate) struct InWindow {
     pub(crate) corners: [Corner; 3],
-    pub(crate) weights: [f32; 3],
-    /// The same one pixel to the right, and one below.
-    pub(crate) weights_right: [f32; 3],
-    pub(crate) weights_below: [f32; 3],
+    pub(crate) weights: Weights<f32>,
 }
 
 /// Between two points, and how far from the first.
@@ -120,9 +118,11 @@ impl Outline {
         let beside = |x: f64, y: f64| self.weights(points, x, y).unwrap_or([1.0, 0.0, 0.0]);
         Some(InWindow {
             corners: points.map(|point| self.points[point].corner),
-            weights,
-            weights_right: beside(x + 1.0, y).map(|weight| weight as f32),
-            weights_below: beside(x, y + 1.0).map(|weight| weight as f32),
+            weights: Weights {
+                here: weights,
+                right: beside(x + 1.0, y).map(|weight| weight as f32),
+                below: beside(x, y + 1.0).map(|weight| weight as f32),
+            },
         })
     }
 
@@ -171,9 +171,11 @@ impl Outline {
         Some(InWindow {
             // Left end, right end, and the place below.
             corners: [mixed(row.left), mixed(row.right), below],
-            weights: [1.0 - s, s, 0.0],
-            weights_right: [1.0 - right, right, 0.0],
-            weights_below: [0.0, 0.0, 1.0],
+            weights: Weights {
+                here: [1.0 - s, s, 0.0],
+                right: [1.0 - right, right, 0.0],
+                below: [0.0, 0.0, 1.0],
+            },
         })
     }
 

@@ -6,7 +6,7 @@ use crate::holes::Holes;
 use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, layers_of_block};
 use crate::place::{self, Covers};
 use crate::polygons::Polygons;
-use crate::resolve::{BlockPixels, Layered, resolve_block};
+use crate::resolve::{BlockPixels, Layered, empty_block, is_empty, resolve_block};
 use crate::shade::{Kept, Scene16};
 use crate::tiles::{TilePixels, draw_tiles};
 use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
@@ -14,7 +14,8 @@ use luxel_lighting::{Environment, PictureEncoding, Reflection};
 use luxel_math::{LANES, Level, Simd, UnavailableSimdLevel, dispatch};
 use luxel_scene::{Object, Scene, Size};
 use luxel_visibility::{
-    BLOCK, BLOCKS, Clusters, Frame, InstanceSpace, Samples, TILE, Tile, TooManyTriangles, strokes,
+    BLOCK, BLOCKS, Clusters, Frame, InstanceSpace, Samples, TILE, Tile, TooManyTriangles,
+    ViewFromLocal, strokes,
 };
 use rayon::prelude::*;
 use std::sync::{Mutex, OnceLock};
@@ -180,7 +181,7 @@ impl<'s> Renderer<'s> {
     /// [`RenderError`] if the view asks for something impossible.
     pub fn linear(&self, view: &View) -> Result<Picture<[f32; 4]>, RenderError> {
         let mut picture = Picture::default();
-        self.draw(view, |pixel| pixel, &mut picture)?;
+        self.draw(view, linear_pixels, &mut picture)?;
         Ok(picture)
     }
 
@@ -204,7 +205,7 @@ impl<'s> Renderer<'s> {
         picture: &mut Picture<[u8; 4]>,
     ) -> Result<(), RenderError> {
         let encoding = view.encoding;
-        self.draw(view, move |pixel| bytes_of(pixel, encoding), picture)
+        self.draw(view, move |block| bytes_of_block(block, encoding), picture)
     }
 
     /// Layers of a view, in the order in which they are asked for.
@@ -234,7 +235,7 @@ impl<'s> Renderer<'s> {
                     draw_tiles(
                         scene.frame,
                         &mut pixels,
-                        || (Tile::new(1), Kept::new(scene)),
+                        || (Tile::new(1), Kept::new()),
                         |(tile, kept), number, pixels| {
                             let hole = |id, position| holes.hole(scene.frame, id, position);
                             scene.frame.draw_opaque(self.level, number, &hole, tile);
@@ -254,30 +255,31 @@ impl<'s> Renderer<'s> {
         })
     }
 
-    /// Draws a view, each pixel turned into what is kept of it while it is in the cache.
+    /// Draws a view, each block turned into what is kept of its pixels while it is in the cache.
     fn draw<T: Copy + Default + Send + Sync>(
         &self,
         view: &View,
-        finish: impl Fn([f32; 4]) -> T + Sync,
+        finish: impl Fn(&BlockPixels) -> [T; LANES] + Sync,
         picture: &mut Picture<T>,
     ) -> Result<(), RenderError> {
         let start = (self.clock)();
         self.with_scene(view, Covers::DRAWN, None, |scene, holes| {
             let binned = (self.clock)();
             // Most pixels of many pictures are background: finished once.
-            let background = scene.background;
-            let finished = finish(background);
+            let [background, ..] = finish(&empty_block(scene));
             let sums = Mutex::new(Stages::default());
             draw_tiles(
                 scene.frame,
                 &mut picture.pixels,
-                || Worker::new(scene.frame.samples(), scene),
+                || Worker::new(scene.frame.samples()),
                 |worker, number, pixels| {
+                    if scene.frame.is_tile_empty(number) {
+                        pixels.fill(background);
+                        return;
+                    }
                     let begin = (self.clock)();
                     let visible = self.draw_tile(scene, holes, number, worker);
-                    for (pixel, &linear) in pixels.iter_mut().zip(&*worker.linear) {
-                        *pixel = if linear == background { finished } else { finish(linear) };
-                    }
+                    worker.finish(&finish, background, pixels);
                     let end = (self.clock)();
                     if let Ok(mut sums) = sums.lock() {
                         sums.visibility += visible - begin;
@@ -306,7 +308,7 @@ impl<'s> Renderer<'s> {
         })
     }
 
-    /// Draws one tile into `worker.linear`; the time at which it was known what is seen.
+    /// Draws one tile into `worker.blocks`; the time at which it was known what is seen.
     pub(crate) fn draw_tile(
         &self,
         scene: &Scene16<'_>,
@@ -384,7 +386,13 @@ impl<'s> Renderer<'s> {
                 Frame::new(instances, &view.camera.projection, view.size, samples, self.level)?;
             let spaces: Vec<InstanceSpace> = objects
                 .iter()
-                .map(|&at| InstanceSpace::new(&self.objects[at].world_from_mesh, &view.camera))
+                .zip(frame.instances())
+                .map(|(&at, instance)| {
+                    let world_from_mesh = &self.objects[at].world_from_mesh;
+                    let origin = instance.mesh.origin;
+                    let view_from_local = ViewFromLocal::new(&instance.view_from_mesh, origin);
+                    InstanceSpace::new(world_from_mesh, view_from_local, &view.camera)
+                })
                 .collect();
             let world_from_nodes = self.scene.world_from_nodes();
             let lights: Vec<_> = view
@@ -466,6 +474,40 @@ impl<'s> Renderer<'s> {
     }
 }
 
+/// A block's pixels as they are.
+fn linear_pixels([r, g, b, alpha]: &BlockPixels) -> [[f32; 4]; LANES] {
+    std::array::from_fn(|lane| [r[lane], g[lane], b[lane], alpha[lane]])
+}
+
+/// The bytes of a block's pixels.
+pub(crate) fn bytes_of_block(
+    [r, g, b, alpha]: &BlockPixels,
+    encoding: PictureEncoding,
+) -> [[u8; 4]; LANES] {
+    let mut bytes = [[0; LANES]; 4];
+    let [red, green, blue, opacity] = &mut bytes;
+    encoding.bytes(r, red);
+    encoding.bytes(g, green);
+    encoding.bytes(b, blue);
+    if *alpha == [1.0; LANES] {
+        *opacity = [u8::MAX; LANES];
+    } else {
+        PictureEncoding::None.bytes(alpha, opacity);
+    }
+    std::array::from_fn(|lane| [red[lane], green[lane], blue[lane], opacity[lane]])
+}
+
+/// Writes a block's pixels among the rows of its tile.
+#[inline(always)]
+fn put_block<T: Copy>(pixels: &mut TilePixels<T>, block: usize, values: &[T; LANES]) {
+    const WIDTH: usize = BLOCK as usize;
+    let first = place_in_tile(block, 0);
+    for (row, values) in values.as_chunks::<WIDTH>().0.iter().enumerate() {
+        let start = first + row * TILE as usize;
+        pixels[start..start + WIDTH].copy_from_slice(values);
+    }
+}
+
 /// A pixel's bytes. Alpha is never encoded.
 pub(crate) fn bytes_of([r, g, b, alpha]: [f32; 4], encoding: PictureEncoding) -> [u8; 4] {
     let byte = |value| encoding.byte(value);
@@ -478,18 +520,35 @@ pub(crate) struct Worker {
     layers: [Tile; 2],
     layered: Layered,
     kept: Kept,
-    pub(crate) linear: Box<TilePixels<[f32; 4]>>,
+    /// The light of each block; `None` where nothing is seen.
+    pub(crate) blocks: Vec<Option<BlockPixels>>,
 }
 
 impl Worker {
-    pub(crate) fn new(samples: Samples, scene: &Scene16<'_>) -> Self {
+    pub(crate) fn new(samples: Samples) -> Self {
         let count = samples.count();
         Self {
             opaque: Tile::new(count),
             layers: [Tile::new(count), Tile::new(count)],
             layered: Layered::new(count),
-            kept: Kept::new(scene),
-            linear: Box::new([[0.0; 4]; (TILE * TILE) as usize]),
+            kept: Kept::new(),
+            blocks: vec![None; ALL_BLOCKS],
+        }
+    }
+
+    /// What is kept of the pixels of the tile drawn last.
+    pub(crate) fn finish<T: Copy>(
+        &self,
+        finish: impl Fn(&BlockPixels) -> [T; LANES],
+        background: T,
+        pixels: &mut TilePixels<T>,
+    ) {
+        for (block, colors) in self.blocks.iter().enumerate() {
+            let finished = match colors {
+                Some(colors) => finish(colors),
+                None => [background; LANES],
+            };
+            put_block(pixels, block, &finished);
         }
     }
 }
@@ -514,19 +573,21 @@ fn add_layer<S: Simd>(
     deeper
 }
 
-/// Lights all blocks of a tile, into `worker.linear`.
+/// Lights all blocks of a tile, into `worker.blocks`.
 #[inline(always)]
 fn tile_pixels<S: Simd>(simd: S, scene: &Scene16<'_>, worker: &mut Worker, has_layers: bool) {
-    let Worker { opaque, layered, kept, linear, .. } = worker;
-    for block in 0..ALL_BLOCKS {
-        let mut colors: BlockPixels = resolve_block(simd, scene, opaque, block, kept);
-        if has_layers && layered.is_touched(block) {
+    let Worker { opaque, layered, kept, blocks, .. } = worker;
+    for (block, pixels) in blocks.iter_mut().enumerate() {
+        let is_layered = has_layers && layered.is_touched(block);
+        if is_empty(opaque, block) && !is_layered {
+            *pixels = None;
+            continue;
+        }
+        let mut colors = resolve_block(simd, scene, opaque, block, kept);
+        if is_layered {
             layered.finish_block(simd, scene, opaque, block, kept, &mut colors);
         }
-        for lane in 0..LANES {
-            let pixel = [colors[0][lane], colors[1][lane], colors[2][lane], colors[3][lane]];
-            linear[place_in_tile(block, lane)] = pixel;
-        }
+        *pixels = Some(colors);
     }
 }
 

@@ -26,16 +26,6 @@ pub(crate) struct Rank {
 }
 
 impl Ranks {
-    /// Of a block where all samples of each pixel see the same.
-    fn even(tile: &Tile, block: usize, samples: Samples) -> Self {
-        let rank = Rank {
-            ids: tile.planes()[0].ids[block],
-            shares: [samples.count() as u8; LANES],
-            sample: [samples.nearest_first()[0]; LANES],
-        };
-        Self { list: vec![rank] }
-    }
-
     /// Of any block.
     pub(crate) fn of(tile: &Tile, block: usize, samples: Samples) -> Self {
         let planes = tile.planes();
@@ -86,6 +76,11 @@ pub(crate) fn empty_pixel(scene: &Scene16<'_>) -> [f32; 4] {
     if alpha > 0.0 { scene.background } else { [0.0; 4] }
 }
 
+/// The pixels of a block where nothing is seen.
+pub(crate) fn empty_block(scene: &Scene16<'_>) -> BlockPixels {
+    empty_pixel(scene).map(|channel| [channel; LANES])
+}
+
 /// The pixels of a block without transparent surfaces.
 #[inline(always)]
 pub(crate) fn resolve_block<S: Simd>(
@@ -96,13 +91,19 @@ pub(crate) fn resolve_block<S: Simd>(
     kept: &mut Kept,
 ) -> BlockPixels {
     let samples = scene.frame.samples();
-    let even = is_even(tile, block);
     if is_empty(tile, block) {
-        return empty_pixel(scene).map(|channel| [channel; LANES]);
+        return empty_block(scene);
     }
-    let ranks =
-        if even { Ranks::even(tile, block, samples) } else { Ranks::of(tile, block, samples) };
     let mut sum = [f32x16::splat(simd, 0.0); 4];
+    if is_even(tile, block) {
+        // All samples of each pixel see the same.
+        let ids = tile.planes()[0].ids[block];
+        let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
+        let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
+        add_share(&mut sum, lit, f32x16::splat(simd, 1.0));
+        return stored(straight(sum));
+    }
+    let ranks = Ranks::of(tile, block, samples);
     let share_of_one = 1.0 / samples.count() as f32;
     for rank in &ranks.list {
         let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);

@@ -1,15 +1,15 @@
 //! Sixteen samples of a block into light.
 
-use crate::corners::{Corners, lanes_of};
 use crate::edges::{EdgeFlags, edge_distance};
+use crate::gathered::Gathered;
 use crate::pieces::PieceCount;
 use crate::polygons::Polygons;
 use crate::surface::{self, Interpolated, SurfaceWitness};
-use crate::triangles::{Attributes, SeenTriangles, distinct};
-use crate::vertex::VertexLight;
+use crate::triangles::{SeenTriangle, SeenTriangles, distinct};
+use crate::varying::{Varying, Weights, lanes_of, merge};
 use crate::view::{Edges, Interpolation, Shading, ShadingMode};
 use luxel_lighting::{Environment, Fog, PictureEncoding, PlacedLight, Surroundings};
-use luxel_math::{LANES, Mask, Number, SUBPIXELS};
+use luxel_math::{LANES, Mask, Number, SUBPIXELS, Wide};
 use luxel_scene::{DVec3, Scene};
 use luxel_visibility::{BLOCK, BLOCKS, Frame, InstanceSpace, Samples, Tile, TriangleId};
 use std::collections::HashMap;
@@ -59,18 +59,13 @@ impl Scene16<'_> {
 
 /// What a thread keeps from block to block.
 pub(crate) struct Kept {
-    pub(crate) corners: Corners,
     pub(crate) seen: SeenTriangles,
+    gathered: Gathered,
 }
 
 impl Kept {
-    pub(crate) fn new(scene: &Scene16<'_>) -> Self {
-        let attributes = Attributes::of(scene.scene);
-        let lights = scene.shading.mode == ShadingMode::Gouraud;
-        Self {
-            corners: Corners::new(attributes, lights),
-            seen: SeenTriangles::new(VertexLight::new(attributes)),
-        }
+    pub(crate) fn new() -> Self {
+        Self { seen: SeenTriangles::new(), gathered: Gathered::new() }
     }
 }
 
@@ -95,13 +90,31 @@ impl Batch {
         sample: &[u8; LANES],
         samples: Samples,
     ) -> Self {
-        let [tile_x, tile_y] = tile.origin();
-        let block = block as i32;
-        let origin = [tile_x + block % BLOCKS * BLOCK, tile_y + block / BLOCKS * BLOCK];
-        let mut batch = Self { origin, ids, x: [0.0; LANES], y: [0.0; LANES] };
+        let mut batch =
+            Self { origin: block_origin(tile, block), ids, x: [0.0; LANES], y: [0.0; LANES] };
         let positions = samples.positions();
         for lane in 0..LANES {
             let [x, y] = positions[usize::from(sample[lane]) & (positions.len() - 1)];
+            let (column, row) = (lane as i32 % BLOCK, lane as i32 / BLOCK);
+            batch.x[lane] = (column * SUBPIXELS + x) as f32 / SUBPIXELS as f32;
+            batch.y[lane] = (row * SUBPIXELS + y) as f32 / SUBPIXELS as f32;
+        }
+        batch
+    }
+
+    /// The same sample of each pixel of a block.
+    #[inline(always)]
+    pub(crate) fn even(
+        tile: &Tile,
+        block: usize,
+        ids: [u32; LANES],
+        sample: u8,
+        samples: Samples,
+    ) -> Self {
+        let mut batch =
+            Self { origin: block_origin(tile, block), ids, x: [0.0; LANES], y: [0.0; LANES] };
+        let [x, y] = samples.positions()[usize::from(sample)];
+        for lane in 0..LANES {
             let (column, row) = (lane as i32 % BLOCK, lane as i32 / BLOCK);
             batch.x[lane] = (column * SUBPIXELS + x) as f32 / SUBPIXELS as f32;
             batch.y[lane] = (row * SUBPIXELS + y) as f32 / SUBPIXELS as f32;
@@ -118,6 +131,14 @@ impl Batch {
         alone
     }
 
+    /// The positions of all samples in the window, in pixels.
+    #[inline(always)]
+    fn places<N: Number>(&self, like: N) -> [N::Wide; 2] {
+        let x = like.of_lanes(&self.x).widened();
+        let y = like.of_lanes(&self.y).widened();
+        [x + x.constant(self.origin[0].into()), y + y.constant(self.origin[1].into())]
+    }
+
     /// The position of a lane's sample in the window, in pixels.
     pub(crate) fn position(&self, lane: usize) -> [f64; 2] {
         self.steps(lane).map(|steps| f64::from(steps) / f64::from(SUBPIXELS))
@@ -130,6 +151,18 @@ impl Batch {
         [steps(self.origin[0], self.x[lane]), steps(self.origin[1], self.y[lane])]
     }
 }
+
+/// The first pixel of a block.
+#[inline(always)]
+fn block_origin(tile: &Tile, block: usize) -> [i32; 2] {
+    let [tile_x, tile_y] = tile.origin();
+    let block = block as i32;
+    [tile_x + block % BLOCKS * BLOCK, tile_y + block / BLOCKS * BLOCK]
+}
+
+/// Up to so many triangles a block are made ready one by one, and kept for the next block; with more,
+/// sixteen at once.
+const FEW: usize = 4;
 
 /// Interpolates the surfaces that the samples see. Compiled once a kind of number, not into its
 /// callers.
@@ -153,99 +186,91 @@ fn interpolate_lanes<N: Number>(
     batch: &Batch,
     kept: &mut Kept,
 ) -> Interpolated<N> {
-    let Kept { corners, seen } = kept;
-    let x = like.of_lanes(&batch.x);
-    let y = like.of_lanes(&batch.y);
-    let zero = like.zero();
+    let Kept { seen, gathered } = kept;
+    let [x, y] = batch.places(like);
     let mut interpolated = Interpolated {
-        weights: [zero; 3],
-        weights_right: [zero; 3],
-        weights_below: [zero; 3],
+        weights: [like.zero(); 3],
+        varying: Varying::nothing(like),
         edge_distance: like.constant(f32::MAX),
         materials: [u32::MAX; LANES],
         seen: 0,
     };
-    let one_triangle = batch.ids.iter().all(|id| *id == batch.ids[0]);
     let perspective = scene.shading.interpolation == Interpolation::Perspective;
-    corners.reset(one_triangle && perspective);
+    let at_pixels = scene.shading.mode == ShadingMode::Phong && perspective;
+    if at_pixels && scene.edges.is_none() && distinct(&batch.ids).nth(FEW).is_some() {
+        gathered.interpolate(scene, batch, [x, y], &mut interpolated);
+        return interpolated;
+    }
     for (id, lanes) in distinct(&batch.ids) {
         let Some(triangle) = seen.get(scene, id) else { continue };
-        let about = triangle.forms.about(batch.origin[0], batch.origin[1]);
+        let forms = triangle.forms.in_lanes(x);
         let mask = like.mask_of(lanes);
-        let (mut weights, outside) = about.barycentric(x, y);
-        let outside = outside.bits() & lanes;
-        for lane in lanes_of(outside) {
-            let nearest = triangle.forms.nearest_at(scene.frame.rays(), batch.steps(lane));
-            for (weight, value) in weights.iter_mut().zip(nearest) {
-                *weight = weight.with_lane(lane, value);
-            }
+        let (mut here, outside) = forms.told(x, y);
+        for lane in lanes_of(outside.bits() & lanes) {
+            let [x, y] = batch.position(lane);
+            put_lane(&mut here, lane, triangle.forms.nearest_on_edges(scene.frame.rays(), x, y));
         }
-        merge(&mut interpolated.weights, weights, mask);
-        if triangle.has.uvs[0] | triangle.has.uvs[1] {
-            let right = normalized(about.weights(x + x.one(), y));
-            let below = normalized(about.weights(x, y + y.one()));
-            merge(&mut interpolated.weights_right, right, mask);
-            merge(&mut interpolated.weights_below, below, mask);
-        }
+        merge(&mut interpolated.weights, here, mask);
         if scene.edges.is_some()
             && let Some(flags) = scene.edge_flags[triangle.of.instance]
         {
-            let distance = edge_distance(&about, flags.of(triangle.of.triangle), x, y);
+            let distance = edge_distance(&triangle.forms, flags.of(triangle.of.triangle), x, y);
             interpolated.edge_distance = distance.select(mask, interpolated.edge_distance);
         }
         for lane in lanes_of(lanes) {
             interpolated.materials[lane] = triangle.material;
         }
         interpolated.seen |= lanes;
+        let varying = &mut interpolated.varying;
         if perspective {
-            corners.set(&triangle.corners, triangle.has, lanes);
+            let has_uvs = triangle.has.uvs[0] | triangle.has.uvs[1];
+            let [right, below] = if has_uvs { forms.beside(x, y) } else { [here; 2] };
+            let weights = Weights { here, right, below };
+            let lights = scene.shading.mode == ShadingMode::Gouraud;
+            varying.take(&triangle.corners, &weights, triangle.has, lights, mask);
         } else {
-            for lane in lanes_of(lanes) {
-                let barycentric = weights.map(
-                    #[inline(always)]
-                    |weight| weight.lane(lane),
-                );
-                let flat = triangle.in_window(batch.position(lane), barycentric);
-                corners.set(&flat.corners, triangle.has, 1 << lane);
-                put_lane(&mut interpolated.weights, lane, flat.weights);
-                put_lane(&mut interpolated.weights_right, lane, flat.weights_right);
-                put_lane(&mut interpolated.weights_below, lane, flat.weights_below);
-            }
+            slide(scene, batch, triangle, here, lanes, varying);
         }
         if triangle.has_own_light() {
             for lane in lanes_of(lanes) {
-                let barycentric = weights.map(
-                    #[inline(always)]
-                    |weight| weight.lane(lane),
-                );
-                corners.set_light(lane, triangle.own_light(barycentric));
+                varying.take_light(lane, triangle.own_light(lane_of(&here, lane)));
             }
         }
     }
     interpolated
 }
 
+/// Interpolates in the window, without perspective: sample by sample, as it is there to be studied.
+#[inline(never)]
+fn slide<N: Number>(
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    triangle: &SeenTriangle,
+    here: [N; 3],
+    lanes: u32,
+    varying: &mut Varying<N>,
+) {
+    let lights = scene.shading.mode == ShadingMode::Gouraud;
+    for lane in lanes_of(lanes) {
+        let (corners, weights) = triangle.in_window(batch.position(lane), lane_of(&here, lane));
+        let mut one = Varying::nothing(0.0_f32);
+        one.take(&corners, &weights, triangle.has, lights, true);
+        varying.take_lane(lane, &one);
+    }
+}
+
+/// The weights of one lane.
+#[inline(always)]
+fn lane_of<N: Number>([a, b, c]: &[N; 3], lane: usize) -> [f32; 3] {
+    [a.lane(lane), b.lane(lane), c.lane(lane)]
+}
+
 /// Takes new values in one lane.
 #[inline(always)]
-fn put_lane<N: Number>(values: &mut [N; 3], lane: usize, new: [f32; 3]) {
+pub(crate) fn put_lane<N: Number>(values: &mut [N; 3], lane: usize, new: [f32; 3]) {
     for (value, new) in values.iter_mut().zip(new) {
         *value = value.with_lane(lane, new);
     }
-}
-
-/// Takes new values where the mask is true.
-#[inline(always)]
-fn merge<N: Number>(values: &mut [N; 3], new: [N; 3], mask: N::Mask) {
-    for (value, new) in values.iter_mut().zip(new) {
-        *value = new.select(mask, *value);
-    }
-}
-
-/// Weights that sum to 1, also outside of the triangle.
-#[inline(always)]
-fn normalized<N: Number>([a, b, c]: [N; 3]) -> [N; 3] {
-    let scale = a.one() / (a + b + c);
-    [a * scale, b * scale, c * scale]
 }
 
 /// The colour (straight) and alpha of the samples; the background's where nothing is seen.
@@ -278,7 +303,7 @@ fn shade_lanes<N: Number, W: SurfaceWitness<N>>(
         return result;
     }
     let interpolated = interpolate(like, scene, batch, kept);
-    let point = surface::point(scene, &interpolated, &kept.corners);
+    let point = surface::point(scene, &interpolated.varying);
     let mut left = interpolated.seen;
     while left != 0 {
         let material = interpolated.materials[left.trailing_zeros() as usize];
@@ -288,11 +313,11 @@ fn shade_lanes<N: Number, W: SurfaceWitness<N>>(
         }
         let mask = like.mask_of(lanes);
         let number = material as usize;
-        let corners = &kept.corners;
+        let varying = &interpolated.varying;
         let lit = if scene.shading.mode == ShadingMode::Phong {
-            surface::lit(scene, &interpolated, corners, &point, number, lanes, witness)
+            surface::lit(scene, varying, &point, number, lanes, witness)
         } else {
-            surface::lit_elsewhere(scene, &interpolated, corners, &point, number, lanes, witness)
+            surface::lit_elsewhere(scene, varying, &point, number, lanes, witness)
         };
         for (result, lit) in result.iter_mut().zip(lit) {
             *result = lit.select(mask, *result);

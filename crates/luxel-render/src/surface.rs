@@ -1,7 +1,7 @@
 //! The surface at sixteen samples: interpolated, textured, and handed to the lighting equation.
 
-use crate::corners::Corners;
 use crate::shade::Scene16;
+use crate::varying::Varying;
 use crate::view::NormalLength;
 use luxel_lighting::{Reflectance, Silent, SurfacePoint, Witness};
 use luxel_math::{LANES, Number, Rgb, Vec3};
@@ -25,14 +25,12 @@ pub(crate) trait SurfaceWitness<N>: Witness<N> {
 
 impl<N> SurfaceWitness<N> for Silent {}
 
-/// What interpolation starts from, for sixteen samples.
+/// What sixteen samples see.
 pub(crate) struct Interpolated<N> {
     /// Barycentrics at the sample.
     pub(crate) weights: [N; 3],
-    /// Barycentrics one pixel to the right and one below, in the triangle's plane: how textures
-    /// learn what a pixel covers.
-    pub(crate) weights_right: [N; 3],
-    pub(crate) weights_below: [N; 3],
+    /// What the surface is there.
+    pub(crate) varying: Varying<N>,
     /// Pixels from the nearest edge of the polygon.
     pub(crate) edge_distance: N,
     /// Each sample's material, by number.
@@ -43,16 +41,11 @@ pub(crate) struct Interpolated<N> {
 
 /// Place, normal and direction to the eye of sixteen samples.
 #[inline(always)]
-pub(crate) fn point<N: Number>(
-    scene: &Scene16<'_>,
-    interpolated: &Interpolated<N>,
-    corners: &Corners,
-) -> SurfacePoint<N> {
-    let position = corners.position(&interpolated.weights);
-    let normal = corners.normal(&interpolated.weights);
+pub(crate) fn point<N: Number>(scene: &Scene16<'_>, varying: &Varying<N>) -> SurfacePoint<N> {
+    let position = varying.position;
     let normal = match scene.shading.normal_length {
-        NormalLength::Unit => normal.normalized_or_zero(),
-        NormalLength::Interpolated => normal,
+        NormalLength::Unit => varying.normal.normalized_or_zero(),
+        NormalLength::Interpolated => varying.normal,
     };
     let view = match scene.spaces.first() {
         Some(space) if space.parallel => {
@@ -69,13 +62,12 @@ pub(crate) fn point<N: Number>(
 fn sample<N: Number>(
     scene: &Scene16<'_>,
     used: &TextureUse,
-    interpolated: &Interpolated<N>,
-    corners: &Corners,
+    varying: &Varying<N>,
     lanes: u32,
 ) -> [N; 4] {
-    interpolated.weights[0].vectorized(
+    varying.position.x.vectorized(
         #[inline(always)]
-        || sample_lanes(scene, used, interpolated, corners, lanes),
+        || sample_lanes(scene, used, varying, lanes),
     )
 }
 
@@ -83,14 +75,10 @@ fn sample<N: Number>(
 fn sample_lanes<N: Number>(
     scene: &Scene16<'_>,
     used: &TextureUse,
-    interpolated: &Interpolated<N>,
-    corners: &Corners,
+    varying: &Varying<N>,
     lanes: u32,
 ) -> [N; 4] {
-    let set = usize::from(used.uv_set);
-    let [u, v] = corners.uv(set, &interpolated.weights);
-    let [right_u, right_v] = corners.uv(set, &interpolated.weights_right);
-    let [below_u, below_v] = corners.uv(set, &interpolated.weights_below);
+    let [[u, v], [right_u, right_v], [below_u, below_v]] = varying.uv[usize::from(used.uv_set & 1)];
     let texture = &scene.scene.textures[used.texture.index()];
     let mut texels = [[0.0; LANES]; 4];
     for lane in (0..LANES).filter(|lane| lanes >> lane & 1 == 1) {
@@ -112,12 +100,11 @@ fn sample_lanes<N: Number>(
 fn texel<N: Number>(
     scene: &Scene16<'_>,
     used: Option<TextureUse>,
-    interpolated: &Interpolated<N>,
-    corners: &Corners,
+    varying: &Varying<N>,
     lanes: u32,
 ) -> Option<[N; 4]> {
     match used {
-        Some(used) => Some(sample(scene, &used, interpolated, corners, lanes)),
+        Some(used) => Some(sample(scene, &used, varying, lanes)),
         None => None,
     }
 }
@@ -136,14 +123,13 @@ fn tinted<N: Number>(color: Rgb<N>, texel: Option<[N; 4]>) -> Rgb<N> {
 fn mapped_normal<N: Number>(
     scene: &Scene16<'_>,
     used: &TextureUse,
-    interpolated: &Interpolated<N>,
-    corners: &Corners,
+    varying: &Varying<N>,
     normal: Vec3<N>,
     lanes: u32,
 ) -> Vec3<N> {
-    let [r, g, b, _] = sample(scene, used, interpolated, corners, lanes);
-    let tangent = corners.tangent(&interpolated.weights);
-    luxel_scene::mapped_normal(normal, tangent, [r, g, b], used.strength)
+    let [r, g, b, _] = sample(scene, used, varying, lanes);
+    let [x, y, z, sign] = varying.tangent;
+    luxel_scene::mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
 }
 
 /// The normals that shading uses, normal maps included.
@@ -151,18 +137,18 @@ fn mapped_normal<N: Number>(
 pub(crate) fn shading_normals<N: Number>(
     scene: &Scene16<'_>,
     interpolated: &Interpolated<N>,
-    corners: &Corners,
     point: &SurfacePoint<N>,
 ) -> Vec3<N> {
+    let varying = &interpolated.varying;
     let mut normals = point.normal;
     for (number, material) in scene.scene.materials.iter().enumerate() {
-        let Some(used) = material.normal.filter(|_| corners.has.tangents) else { continue };
+        let Some(used) = material.normal.filter(|_| varying.has.tangents) else { continue };
         let mut lanes = 0;
         for (lane, other) in interpolated.materials.iter().enumerate() {
             lanes |= u32::from(*other as usize == number) << lane;
         }
         if lanes != 0 {
-            let mapped = mapped_normal(scene, &used, interpolated, corners, point.normal, lanes);
+            let mapped = mapped_normal(scene, &used, varying, point.normal, lanes);
             normals = mapped.select(point.normal.x.mask_of(lanes), normals);
         }
     }
@@ -173,24 +159,23 @@ pub(crate) fn shading_normals<N: Number>(
 #[inline(always)]
 fn base<N: Number>(
     scene: &Scene16<'_>,
-    interpolated: &Interpolated<N>,
-    corners: &Corners,
+    varying: &Varying<N>,
     number: usize,
     lanes: u32,
 ) -> (Rgb<N>, N) {
     let material: &SceneMaterial = &scene.scene.materials[number];
-    let like = interpolated.weights[0];
+    let like = varying.position.x;
     let mut alpha = like.constant(material.opacity);
-    let base = texel(scene, material.base_color, interpolated, corners, lanes);
+    let base = texel(scene, material.base_color, varying, lanes);
     let tint = tinted(Rgb::splat(like, [1.0; 3]), base);
     if let Some([.., texel_alpha]) = base {
         alpha = alpha * texel_alpha;
     }
-    if corners.has.colors && material.vertex_colors {
-        let [.., color_alpha] = corners.color(&interpolated.weights);
+    if varying.has.colors && material.vertex_colors {
+        let [.., color_alpha] = varying.color;
         alpha = alpha * color_alpha;
     }
-    if let Some([r, ..]) = texel(scene, material.opacity_map, interpolated, corners, lanes) {
+    if let Some([r, ..]) = texel(scene, material.opacity_map, varying, lanes) {
         alpha = alpha * r;
     }
     let alpha = match material.alpha_mode {
@@ -205,19 +190,18 @@ fn base<N: Number>(
 #[inline(always)]
 pub(crate) fn reflectance<N: Number>(
     scene: &Scene16<'_>,
-    interpolated: &Interpolated<N>,
-    corners: &Corners,
+    varying: &Varying<N>,
     number: usize,
     lanes: u32,
     tint: Rgb<N>,
 ) -> Reflectance<N> {
     let material: &SceneMaterial = &scene.scene.materials[number];
-    let like = interpolated.weights[0];
+    let like = varying.position.x;
     let constants = &material.constants;
     let mut reflectance = Reflectance::of(like, constants);
     let mut base_tint = tint;
-    if corners.has.colors && material.vertex_colors {
-        let [r, g, b, _] = corners.color(&interpolated.weights);
+    if varying.has.colors && material.vertex_colors {
+        let [r, g, b, _] = varying.color;
         base_tint = base_tint * Rgb::new(r, g, b);
     }
     reflectance.diffuse = reflectance.diffuse * base_tint;
@@ -225,21 +209,19 @@ pub(crate) fn reflectance<N: Number>(
         (None, _) => reflectance.diffuse,
         (Some(_), None) => reflectance.ambient * base_tint,
         (Some(_), used @ Some(_)) => {
-            tinted(reflectance.ambient, texel(scene, used, interpolated, corners, lanes))
+            tinted(reflectance.ambient, texel(scene, used, varying, lanes))
         }
     };
     reflectance.specular =
-        tinted(reflectance.specular, texel(scene, material.specular, interpolated, corners, lanes));
+        tinted(reflectance.specular, texel(scene, material.specular, varying, lanes));
     reflectance.emission =
-        tinted(reflectance.emission, texel(scene, material.emission, interpolated, corners, lanes));
-    if let Some([_, g, b, _]) =
-        texel(scene, material.metallic_roughness, interpolated, corners, lanes)
-    {
+        tinted(reflectance.emission, texel(scene, material.emission, varying, lanes));
+    if let Some([_, g, b, _]) = texel(scene, material.metallic_roughness, varying, lanes) {
         reflectance.roughness = reflectance.roughness * g;
         reflectance.metallic = reflectance.metallic * b;
     }
     if let Some(used) = material.occlusion {
-        let [r, ..] = sample(scene, &used, interpolated, corners, lanes);
+        let [r, ..] = sample(scene, &used, varying, lanes);
         let strength = like.constant(used.strength);
         reflectance.occlusion = like.one() + strength * (r - like.one());
     }
@@ -250,19 +232,18 @@ pub(crate) fn reflectance<N: Number>(
 #[inline(always)]
 pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
     scene: &Scene16<'_>,
-    interpolated: &Interpolated<N>,
-    corners: &Corners,
+    varying: &Varying<N>,
     point: &SurfacePoint<N>,
     number: usize,
     lanes: u32,
     witness: &mut W,
 ) -> [N; 4] {
     let material: &SceneMaterial = &scene.scene.materials[number];
-    let (tint, alpha) = base(scene, interpolated, corners, number, lanes);
-    let reflectance = reflectance(scene, interpolated, corners, number, lanes, tint);
+    let (tint, alpha) = base(scene, varying, number, lanes);
+    let reflectance = reflectance(scene, varying, number, lanes, tint);
     let mut point = *point;
-    if let Some(used) = material.normal.filter(|_| corners.has.tangents) {
-        point.normal = mapped_normal(scene, &used, interpolated, corners, point.normal, lanes);
+    if let Some(used) = material.normal.filter(|_| varying.has.tangents) {
+        point.normal = mapped_normal(scene, &used, varying, point.normal, lanes);
     }
     witness.surface(&point, &reflectance, alpha);
     let surroundings = scene.surroundings(number);
@@ -276,15 +257,14 @@ pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
 #[inline(always)]
 pub(crate) fn lit_elsewhere<N: Number, W: SurfaceWitness<N>>(
     scene: &Scene16<'_>,
-    interpolated: &Interpolated<N>,
-    corners: &Corners,
+    varying: &Varying<N>,
     point: &SurfacePoint<N>,
     number: usize,
     lanes: u32,
     witness: &mut W,
 ) -> [N; 4] {
-    let (tint, alpha) = base(scene, interpolated, corners, number, lanes);
-    let sum = corners.light(scene.shading.mode, &interpolated.weights) * tint;
+    let (tint, alpha) = base(scene, varying, number, lanes);
+    let sum = varying.light * tint;
     witness.elsewhere(point, tint, sum);
     let color = match scene.fog {
         Some(fog) => fog.veiled(sum, point.depth, witness),
@@ -294,27 +274,16 @@ pub(crate) fn lit_elsewhere<N: Number, W: SurfaceWitness<N>>(
     [color.r, color.g, color.b, alpha]
 }
 
-/// The light that leaves a place on a surface, given as all three corners of lane 0, without the
-/// texture of its base colour.
+/// The light that leaves a place on a surface, without the texture of its base colour.
 pub(crate) fn lit_at_corner<W: SurfaceWitness<f32>>(
     scene: &Scene16<'_>,
-    corners: &Corners,
+    place: &Varying<f32>,
     number: usize,
     witness: &mut W,
 ) -> [f32; 3] {
-    let there = [1.0, 0.0, 0.0];
-    let interpolated = Interpolated {
-        weights: there,
-        // Textures by their finest level.
-        weights_right: there,
-        weights_below: there,
-        edge_distance: f32::MAX,
-        materials: [number as u32; LANES],
-        seen: 1,
-    };
-    let point = point(scene, &interpolated, corners);
+    let point = point(scene, place);
     let white = Rgb::splat(0.0, [1.0; 3]);
-    let reflectance = reflectance(scene, &interpolated, corners, number, 1, white);
+    let reflectance = reflectance(scene, place, number, 1, white);
     witness.surface(&point, &reflectance, 1.0);
     let constants = &scene.scene.materials[number].constants;
     let surroundings = scene.surroundings(number);

@@ -5,12 +5,13 @@ use crate::outline::{InWindow, Outline};
 use crate::pieces::{self, Asked, Pieces};
 use crate::polygons::{self, Polygons};
 use crate::shade::Scene16;
-use crate::vertex::VertexLight;
+use crate::varying::Weights;
+use crate::vertex::light_at;
 use crate::view::{Interpolation, ShadingMode};
 use glam::DVec3;
 use luxel_lighting::Silent;
-use luxel_math::LANES;
-use luxel_scene::{Mesh, Scene, Size};
+use luxel_math::{LANES, Vec3};
+use luxel_scene::{Mesh, Size};
 use luxel_visibility::{Forms, InstanceSpace, TriangleId, TriangleOf};
 
 /// What meshes carry beside positions and normals.
@@ -22,14 +23,21 @@ pub(crate) struct Attributes {
 }
 
 impl Attributes {
-    /// What any mesh of a scene carries.
-    pub(crate) fn of(scene: &Scene) -> Self {
-        let any = |has: fn(&Mesh) -> bool| scene.meshes.iter().any(has);
+    /// What a mesh carries.
+    pub(crate) fn of_mesh(mesh: &Mesh) -> Self {
         Self {
-            tangents: any(|mesh| !mesh.tangents.is_empty()),
-            uvs: [any(|mesh| !mesh.uvs[0].is_empty()), any(|mesh| !mesh.uvs[1].is_empty())],
-            colors: any(|mesh| !mesh.colors.is_empty()),
+            tangents: !mesh.tangents.is_empty(),
+            uvs: [!mesh.uvs[0].is_empty(), !mesh.uvs[1].is_empty()],
+            colors: !mesh.colors.is_empty(),
         }
+    }
+
+    /// Takes what another carries, too.
+    pub(crate) fn join(&mut self, other: Self) {
+        self.tangents |= other.tangents;
+        self.colors |= other.colors;
+        self.uvs[0] |= other.uvs[0];
+        self.uvs[1] |= other.uvs[1];
     }
 }
 
@@ -111,15 +119,14 @@ pub(crate) struct SeenTriangle {
 /// The triangles that a thread has seen last, by the low bits of their ids.
 pub(crate) struct SeenTriangles {
     entries: Vec<Option<SeenTriangle>>,
-    vertex_light: VertexLight,
 }
 
 /// Entries of the cache: 128 KiB, a part of a core's second-level cache.
 const ENTRIES: usize = 256;
 
 impl SeenTriangles {
-    pub(crate) fn new(vertex_light: VertexLight) -> Self {
-        Self { entries: vec![None; ENTRIES], vertex_light }
+    pub(crate) fn new() -> Self {
+        Self { entries: vec![None; ENTRIES] }
     }
 
     /// The triangle of an id; `None` for [`TriangleId::NONE`].
@@ -128,7 +135,7 @@ impl SeenTriangles {
         if entry.as_ref().is_none_or(|seen| seen.id != id) {
             let of = scene.frame.triangle(id)?;
             let mut seen = SeenTriangle::new(scene, id, of);
-            seen.light_elsewhere(scene, &mut self.vertex_light);
+            seen.light_elsewhere(scene);
             *entry = Some(seen);
         }
         entry.as_ref()
@@ -140,23 +147,28 @@ impl SeenTriangle {
         let frame = scene.frame;
         let space = &scene.spaces[of.instance];
         let mesh = frame.instances()[of.instance].mesh;
+        let corners = mesh.triangles[of.triangle as usize];
+        let positions = corners.map(|corner| mesh.positions[corner as usize]);
         let attributes =
             mesh.attribute_corners()[of.triangle as usize].map(|corner| corner as usize);
-        let corners_in_view = frame.corners_in_view(of);
-        let places = corners_in_view.map(|corner| space.world_from_view * corner);
-        let normals = space.facing_normals(mesh, attributes, places);
+        let corners_in_view = space.view_from_local.corners(positions);
+        let forms = Forms::new(frame.rays(), corners_in_view);
+        let in_mesh = (!mesh.normals.is_empty()).then(|| {
+            attributes.map(|attribute| {
+                let [x, y, z] = mesh.normals[attribute];
+                Vec3::new(x, y, z)
+            })
+        });
+        let normals = space.facing_normals(&corners_in_view, forms.towards_eye(), in_mesh);
         Self {
             id,
             of,
-            forms: frame.forms_of(corners_in_view),
+            forms,
             material: mesh.parts[of.part].material.0,
-            has: Attributes {
-                tangents: !mesh.tangents.is_empty(),
-                uvs: [0, 1].map(|set| !mesh.uvs[set].is_empty()),
-                colors: !mesh.colors.is_empty(),
-            },
+            has: Attributes::of_mesh(mesh),
             corners: std::array::from_fn(|place| {
-                corner(mesh, space, attributes[place], places[place], normals[place])
+                let about_eye = space.about_eye(corners_in_view[place]);
+                corner(mesh, space, attributes[place], about_eye, normals[place])
             }),
             own_light: OwnLight::None,
             outline: None,
@@ -169,14 +181,13 @@ impl SeenTriangle {
         scene: &Scene16<'_>,
         of: TriangleOf,
         places: Option<[DVec3; 3]>,
-        vertex_light: &mut VertexLight,
     ) -> [Corner; 3] {
         let mut seen = Self::new(scene, TriangleId::NONE, of);
         let world_from_view = scene.spaces[of.instance].world_from_view;
         for (corner, place) in seen.corners.iter_mut().zip(places.into_iter().flatten()) {
             corner.position = (world_from_view * place).as_vec3().to_array();
         }
-        seen.light_elsewhere(scene, vertex_light);
+        seen.light_elsewhere(scene);
         if let OwnLight::Whole(whole) = &seen.own_light {
             for corner in &mut seen.corners {
                 corner.light = whole.light;
@@ -186,9 +197,9 @@ impl SeenTriangle {
     }
 
     /// Computes what is not computed at pixels, as the shading mode asks.
-    fn light_elsewhere(&mut self, scene: &Scene16<'_>, vertex_light: &mut VertexLight) {
+    fn light_elsewhere(&mut self, scene: &Scene16<'_>) {
         let (has, material) = (self.has, self.material);
-        let mut lit = |corner: &Corner| vertex_light.at(scene, corner, has, material, &mut Silent);
+        let lit = |corner: &Corner| light_at(scene, corner, has, material, &mut Silent);
         match scene.shading.mode {
             ShadingMode::Phong => {}
             ShadingMode::Flat => {
@@ -245,25 +256,27 @@ impl SeenTriangle {
         let instance = &scene.frame.instances()[of.instance];
         let polygons = scene.polygons[of.instance].filter(|_| polygon);
         let Some(polygons) = polygons else {
-            return scene.frame.corners_in_view(of).into_iter().zip(self.corners).collect();
+            return self.forms.corners().into_iter().zip(self.corners).collect();
         };
         let space = &scene.spaces[of.instance];
         let mesh = instance.mesh;
         // All corners are turned as this triangle's are.
         let turned = self.is_turned(mesh, space);
         let corner_of = |(position, attribute): (u32, u32)| {
-            let in_view = instance.view_from_mesh.transform_point3(mesh.position(position));
+            let in_view = space.view_from_local.place(mesh.positions[position as usize]);
             let attribute = attribute as usize;
             let normal = match mesh.normals.get(attribute) {
                 Some(&[x, y, z]) => {
-                    let normal = space.normal_from_mesh * DVec3::new(x.into(), y.into(), z.into());
-                    let normal = normal.normalize_or_zero();
-                    (if turned { -normal } else { normal }).as_vec3().to_array()
+                    let normal = space.unit_normal(Vec3::new(x, y, z));
+                    if turned { -normal } else { normal }
                 }
-                None => self.corners[0].normal,
+                None => {
+                    let [x, y, z] = self.corners[0].normal;
+                    Vec3::new(x, y, z)
+                }
             };
-            let place = space.world_from_view * in_view;
-            (in_view, corner(mesh, space, attribute, place, normal))
+            let about_eye = space.about_eye(in_view);
+            (DVec3::from_array(in_view), corner(mesh, space, attribute, about_eye, normal))
         };
         polygons.outline(mesh, of.triangle).into_iter().map(corner_of).collect()
     }
@@ -272,8 +285,8 @@ impl SeenTriangle {
     fn is_turned(&self, mesh: &Mesh, space: &InstanceSpace) -> bool {
         let attribute = mesh.attribute_corners()[self.of.triangle as usize][0] as usize;
         let Some(&[x, y, z]) = mesh.normals.get(attribute) else { return false };
-        let normal = space.normal_from_mesh * DVec3::new(x.into(), y.into(), z.into());
-        normal.dot(DVec3::from_array(self.corners[0].normal.map(f64::from))) < 0.0
+        let [seen_x, seen_y, seen_z] = self.corners[0].normal;
+        space.unit_normal(Vec3::new(x, y, z)).dot(Vec3::new(seen_x, seen_y, seen_z)) < 0.0
     }
 
     /// The polygon as one place: its centroid, with its own normal.
@@ -339,21 +352,24 @@ impl SeenTriangle {
         }
     }
 
-    /// What interpolation in the window starts from at a position in pixels.
-    pub(crate) fn in_window(&self, position: [f64; 2], barycentric: [f32; 3]) -> InWindow {
+    /// What interpolation in the window starts from at a position in pixels: corners and weights.
+    pub(crate) fn in_window(
+        &self,
+        position: [f64; 2],
+        barycentric: [f32; 3],
+    ) -> ([Corner; 3], Weights<f32>) {
         let here = within(&self.corners, barycentric).position;
         let found = self.outline.as_ref().and_then(|outline| outline.at(position));
-        let mut found = found.unwrap_or(InWindow {
-            corners: self.corners,
-            weights: barycentric,
-            weights_right: barycentric,
-            weights_below: barycentric,
-        });
+        let all = Weights { here: barycentric, right: barycentric, below: barycentric };
+        let (mut corners, weights) = match found {
+            Some(InWindow { corners, weights }) => (corners, weights),
+            None => (self.corners, all),
+        };
         // The place stays where it is: only what lies upon it slides.
-        for corner in &mut found.corners {
+        for corner in &mut corners {
             corner.position = here;
         }
-        found
+        (corners, weights)
     }
 }
 
@@ -362,13 +378,13 @@ fn corner(
     mesh: &Mesh,
     space: &InstanceSpace,
     attribute: usize,
-    place: DVec3,
-    normal: [f32; 3],
+    about_eye: Vec3<f32>,
+    normal: Vec3<f32>,
 ) -> Corner {
     let uv = |set: usize| mesh.uvs[set].get(attribute).copied().unwrap_or_default();
     Corner {
-        position: place.as_vec3().to_array(),
-        normal,
+        position: about_eye.lane(0),
+        normal: normal.lane(0),
         tangent: space.tangent(mesh, attribute),
         uv: [uv(0), uv(1)],
         color: mesh.colors.get(attribute).copied().unwrap_or([1.0; 4]),

@@ -6,11 +6,11 @@
 //! direction is linear in window x and y, and so are the weights: three linear forms a triangle
 //! ("perspective-correct interpolation", Olano and Greer 1997), also for parallel rays.
 //!
-//! Forms are made in f64, then moved to the 4x4 block that is evaluated, where f32 suffices: to
-//! about 1e-6 of the triangle's size where it is larger than the block.
+//! Forms are made and evaluated in f64, and only barycentrics are rounded to f32: what is told is
+//! right to the last digits also on triangles of a hundredth of a pixel.
 
 use glam::DVec3;
-use luxel_math::{Number, SUBPIXELS};
+use luxel_math::{Number, SUBPIXELS, Wide};
 use luxel_scene::{Projection, Size};
 
 /// How window positions become rays: x = x0 + dx X in the plane z = -1 of view space for
@@ -22,6 +22,7 @@ pub struct WindowRays {
     y0: f64,
     dy: f64,
     parallel: bool,
+    size: [f64; 2],
 }
 
 impl WindowRays {
@@ -43,6 +44,7 @@ impl WindowRays {
             y0: (skew_y + 1.0) / clip.y_axis.y,
             dy: -2.0 / (height * clip.y_axis.y),
             parallel,
+            size: [width, height],
         }
     }
 
@@ -83,56 +85,148 @@ impl WindowRays {
 }
 
 /// The weights of a triangle's corners as linear forms over the window: w_i = a_i X + b_i Y + c_i.
+///
+/// Of one triangle, or of sixteen (`D` = [`Wide16`](luxel_math::Wide16)).
 #[derive(Clone, Copy, Debug)]
-pub struct Forms {
-    corners: [DVec3; 3],
-    a: [f64; 3],
-    b: [f64; 3],
-    c: [f64; 3],
+pub struct Forms<D = f64> {
+    /// In view space.
+    corners: [[D; 3]; 3],
+    a: [D; 3],
+    b: [D; 3],
+    c: [D; 3],
+    /// Below this sum of weights, rounding would tell more than the triangle.
+    least_sum: D,
+    /// Positive where the corners run counterclockwise as seen from the eye.
+    towards_eye: D,
 }
 
-/// [`Forms`] about a block's upper left corner, in f32, scaled to about 1.
-#[derive(Clone, Copy, Debug)]
-pub struct BlockForms {
-    a: [f32; 3],
-    b: [f32; 3],
-    c: [f32; 3],
-}
+/// What the sum of weights must be, in parts of the largest terms that it may be made of.
+const TOLD: f64 = 1e-9;
 
-impl Forms {
+impl<D: Wide> Forms<D> {
     /// The forms of a triangle given in view space.
+    #[inline(always)]
     #[must_use]
-    pub fn new(rays: &WindowRays, corners: [DVec3; 3]) -> Self {
-        let [mut a, mut b, mut c] = [[0.0; 3]; 3];
+    pub fn new(rays: &WindowRays, corners: [[D; 3]; 3]) -> Self {
+        let like = corners[0][0];
+        let zero = like.constant(0.0);
+        let [mut a, mut b, mut c] = [[zero; 3]; 3];
+        let mut terms = zero;
+        let mut towards_eye = zero;
         for i in 0..3 {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let (p, q) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
+            let area = p[0] * q[1] - p[1] * q[0];
             let n = if rays.parallel {
                 // Twice the area of (o, p_j, p_k) for the ray's origin o.
-                let (p, q) = (corners[j], corners[k]);
-                DVec3::new(p.y - q.y, q.x - p.x, p.y * q.x - p.x * q.y)
+                [p[1] - q[1], q[0] - p[0], -area]
             } else {
-                corners[j].cross(corners[k])
+                [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], area]
             };
-            a[i] = n.x * rays.dx;
-            b[i] = n.y * rays.dy;
-            c[i] = n.x * rays.x0 + n.y * rays.y0 - n.z;
+            a[i] = n[0] * like.constant(rays.dx);
+            b[i] = n[1] * like.constant(rays.dy);
+            c[i] = n[0] * like.constant(rays.x0) + n[1] * like.constant(rays.y0) - n[2];
+            let [width, height] = rays.size;
+            terms = terms
+                + a[i].abs() * like.constant(width)
+                + b[i].abs() * like.constant(height)
+                + c[i].abs();
+            if rays.parallel {
+                towards_eye = towards_eye + area;
+            } else if i == 0 {
+                // -p_0 . (p_1 x p_2): the plane's normal by the right-hand rule, on the way to the eye.
+                let [x, y, z] = corners[0];
+                towards_eye = -(x * n[0] + y * n[1] + z * n[2]);
+            }
         }
-        Self { corners, a, b, c }
+        Self { corners, a, b, c, least_sum: terms * like.constant(TOLD), towards_eye }
     }
 
-    /// The forms about pixel (x, y), the first of a block.
+    /// Positive where the corners run counterclockwise as seen from the eye, negative where they run
+    /// clockwise.
+    #[inline(always)]
     #[must_use]
-    pub fn about(&self, x: i32, y: i32) -> BlockForms {
-        let (x, y) = (f64::from(x), f64::from(y));
-        let mut c = [0.0; 3];
-        let mut largest = f64::MIN_POSITIVE;
-        for (i, value) in c.iter_mut().enumerate() {
-            *value = self.a[i] * x + self.b[i] * y + self.c[i];
-            largest = largest.max(value.abs()).max(self.a[i].abs()).max(self.b[i].abs());
+    pub fn towards_eye(&self) -> D {
+        self.towards_eye
+    }
+
+    /// The weights at window position (x, y) in pixels; divided by their sum they are barycentrics,
+    /// also outside of the triangle.
+    #[inline(always)]
+    #[must_use]
+    pub fn weights(&self, x: D, y: D) -> [D; 3] {
+        [self.weight(0, x, y), self.weight(1, x, y), self.weight(2, x, y)]
+    }
+
+    #[inline(always)]
+    fn weight(&self, i: usize, x: D, y: D) -> D {
+        self.a[i] * x + self.b[i] * y + self.c[i]
+    }
+
+    /// The barycentrics at window position (x, y) in pixels, and where they lie outside the triangle
+    /// or rounding would tell more than the triangle (edge-on) and [`Forms::nearest_on_edges`] has
+    /// to answer.
+    #[inline(always)]
+    #[must_use]
+    pub fn told(&self, x: D, y: D) -> ([D::Narrow; 3], <D::Narrow as Number>::Mask) {
+        let [w0, w1, w2] = self.weights(x, y);
+        let scale = x.constant(1.0) / (w0 + w1 + w2);
+        let [b0, b1, b2] = [(w0 * scale).narrow(), (w1 * scale).narrow(), (w2 * scale).narrow()];
+        // Comparisons with NaN are false: what can't be told counts as outside.
+        let zero = b0.zero();
+        let inside = zero.less_or_equal(b0)
+            & zero.less_or_equal(b1)
+            & zero.less_or_equal(b2)
+            & (self.least_sum * scale.abs()).narrow().less(b0.one());
+        ([b0, b1, b2], !inside)
+    }
+
+    /// The barycentrics one pixel to the right of (x, y), and one below, in the triangle's plane:
+    /// how textures learn what a pixel covers.
+    #[inline(always)]
+    #[must_use]
+    pub fn beside(&self, x: D, y: D) -> [[D::Narrow; 3]; 2] {
+        let [w0, w1, w2] = self.weights(x, y);
+        let beside = [
+            [w0 + self.a[0], w1 + self.a[1], w2 + self.a[2]],
+            [w0 + self.b[0], w1 + self.b[1], w2 + self.b[2]],
+        ];
+        beside.map(
+            #[inline(always)]
+            |[w0, w1, w2]| {
+                let scale = x.constant(1.0) / (w0 + w1 + w2);
+                [(w0 * scale).narrow(), (w1 * scale).narrow(), (w2 * scale).narrow()]
+            },
+        )
+    }
+}
+
+/// One triangle alone.
+impl Forms {
+    /// The same triangle in every lane; `like` tells only the kind of number.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_lanes<D: Wide>(&self, like: D) -> Forms<D> {
+        let [p, q, r] = &self.corners;
+        Forms {
+            corners: [in_lanes(like, p), in_lanes(like, q), in_lanes(like, r)],
+            a: in_lanes(like, &self.a),
+            b: in_lanes(like, &self.b),
+            c: in_lanes(like, &self.c),
+            least_sum: like.constant(self.least_sum),
+            towards_eye: like.constant(self.towards_eye),
         }
-        // A common factor leaves the barycentrics as they are.
-        let scaled = |values: [f64; 3]| values.map(|value| (value / largest) as f32);
-        BlockForms { a: scaled(self.a), b: scaled(self.b), c: scaled(c) }
+    }
+
+    /// The triangle's corners in view space.
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 3] {
+        self.corners.map(DVec3::from_array)
+    }
+
+    /// How much a corner's weight grows a pixel: 0 for a triangle seen edge-on.
+    #[must_use]
+    pub fn steepness(&self, corner: usize) -> f64 {
+        (self.a[corner] * self.a[corner] + self.b[corner] * self.b[corner]).sqrt()
     }
 
     /// The barycentrics of the place on the triangle's edges that lies nearest, in the window, to
@@ -142,14 +236,14 @@ impl Forms {
     /// within 1/512 pixel of an edge.
     #[must_use]
     pub fn nearest_on_edges(&self, rays: &WindowRays, x: f64, y: f64) -> [f32; 3] {
+        let corners = self.corners.map(DVec3::from_array);
         let mut best = (f64::INFINITY, [1.0, 0.0, 0.0]);
         for i in 0..3 {
             let j = (i + 1) % 3;
-            let Some((start, end)) = rays.visible_part(self.corners[i], self.corners[j]) else {
+            let Some((start, end)) = rays.visible_part(corners[i], corners[j]) else {
                 continue;
             };
-            let [p, q] =
-                [start, end].map(|at| rays.window(self.corners[i].lerp(self.corners[j], at)));
+            let [p, q] = [start, end].map(|at| rays.window(corners[i].lerp(corners[j], at)));
             let (Some(p), Some(q)) = (p, q) else { continue };
             let (along_x, along_y) = (q[0] - p[0], q[1] - p[1]);
             let squared = along_x * along_x + along_y * along_y;
@@ -160,7 +254,7 @@ impl Forms {
             if distance < best.0 {
                 // A step along the window's edge is perspective on the triangle's.
                 let depth = |at: f64| {
-                    let z = self.corners[i].z + (self.corners[j].z - self.corners[i].z) * at;
+                    let z = corners[i].z + (corners[j].z - corners[i].z) * at;
                     if rays.parallel { 1.0 } else { -z }
                 };
                 let (from, to) = ((1.0 - t) / depth(start), t / depth(end));
@@ -174,85 +268,17 @@ impl Forms {
         best.1.map(|value| value as f32)
     }
 
-    /// The barycentrics of one window position, in steps of 1/256 pixel: what a block's lanes hold,
-    /// bit for bit.
+    /// The barycentrics of the sample at a position in steps of 1/256 pixel: where the ray meets the
+    /// triangle, or else [`Forms::nearest_on_edges`]. What a frame's lanes hold, bit for bit.
     #[must_use]
     pub fn barycentric(&self, rays: &WindowRays, [x, y]: [i32; 2]) -> [f32; 3] {
-        let block = |steps: i32| steps.div_euclid(BLOCK_STEPS) * (BLOCK_STEPS / SUBPIXELS);
-        let inside = |steps: i32| steps.rem_euclid(BLOCK_STEPS) as f32 / SUBPIXELS as f32;
-        let forms = self.about(block(x), block(y));
-        let (barycentric, outside) = forms.barycentric(inside(x), inside(y));
-        if outside { self.nearest_at(rays, [x, y]) } else { barycentric }
-    }
-
-    /// The barycentrics at a position in steps of 1/256 pixel, in f64: where the ray meets the
-    /// triangle, or else [`Forms::nearest_on_edges`].
-    #[must_use]
-    pub fn nearest_at(&self, rays: &WindowRays, [x, y]: [i32; 2]) -> [f32; 3] {
-        let pixels = |steps: i32| f64::from(steps) / f64::from(SUBPIXELS);
-        let (x, y) = (pixels(x), pixels(y));
-        self.on_ray(x, y).unwrap_or_else(|| self.nearest_on_edges(rays, x, y))
-    }
-
-    /// Where the ray meets the triangle; `None` if it misses or runs along it.
-    fn on_ray(&self, x: f64, y: f64) -> Option<[f32; 3]> {
-        let mut weights = [0.0; 3];
-        let mut largest = 0.0_f64;
-        for (i, weight) in weights.iter_mut().enumerate() {
-            let (across, down) = (self.a[i] * x, self.b[i] * y);
-            *weight = across + down + self.c[i];
-            largest = largest.max(across.abs()).max(down.abs()).max(self.c[i].abs());
-        }
-        let sum = weights[0] + weights[1] + weights[2];
-        // Below this, rounding would tell more than the triangle.
-        let is_told = sum.abs() > largest * 1e-9;
-        (is_told && weights.iter().all(|weight| weight / sum >= 0.0))
-            .then(|| weights.map(|weight| (weight / sum) as f32))
+        let [x, y] = [x, y].map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
+        let (barycentric, outside) = self.told(x, y);
+        if outside { self.nearest_on_edges(rays, x, y) } else { barycentric }
     }
 }
 
-/// Steps of 1/256 pixel along a block's side.
-const BLOCK_STEPS: i32 = crate::buffer::BLOCK * SUBPIXELS;
-
-impl BlockForms {
-    /// The weights at (x, y) pixels from the block's corner; divided by their sum they are
-    /// barycentrics, also outside of the triangle.
-    #[inline(always)]
-    pub fn weights<N: Number>(&self, x: N, y: N) -> [N; 3] {
-        [self.weight(0, x, y), self.weight(1, x, y), self.weight(2, x, y)]
-    }
-
-    /// How a corner's weight changes from pixel to pixel, across and down.
-    #[inline(always)]
-    #[must_use]
-    pub fn gradient(&self, corner: usize) -> [f32; 2] {
-        [self.a[corner], self.b[corner]]
-    }
-
-    #[inline(always)]
-    fn weight<N: Number>(&self, i: usize, x: N, y: N) -> N {
-        x.constant(self.c[i]) + x * x.constant(self.a[i]) + y * y.constant(self.b[i])
-    }
-
-    /// The barycentrics at (x, y) pixels from the block's corner, and where they lie outside the
-    /// triangle or f32 can't tell (near edge-on) and [`Forms::nearest_at`] has to answer.
-    #[inline(always)]
-    pub fn barycentric<N: Number>(&self, x: N, y: N) -> ([N; 3], N::Mask) {
-        let [w0, w1, w2] = self.weights(x, y);
-        let sum = w0 + w1 + w2;
-        let scale = x.one() / sum;
-        let [b0, b1, b2] = [w0 * scale, w1 * scale, w2 * scale];
-        // Comparisons with NaN are false: what can't be told counts as outside.
-        let zero = x.zero();
-        let inside = zero.less_or_equal(b0)
-            & zero.less_or_equal(b1)
-            & zero.less_or_equal(b2)
-            & x.constant(Self::LEAST_SUM).less_or_equal(sum.abs());
-        ([b0, b1, b2], !inside)
-    }
-
-    /// Weights are rounded to about 2^-21, as they and their slopes are at most 1: with a smaller
-    /// sum, barycentrics would be off by more than 1e-4. It is the height in pixels, or so, of the
-    /// triangles that this leaves to f64.
-    const LEAST_SUM: f32 = 1.0 / 64.0;
+#[inline(always)]
+fn in_lanes<D: Wide>(like: D, [x, y, z]: &[f64; 3]) -> [D; 3] {
+    [like.constant(*x), like.constant(*y), like.constant(*z)]
 }

@@ -108,6 +108,18 @@ impl Clusters {
         Block { vertices: &self.words[vertices..triangles], triangles: &self.words[triangles..end] }
     }
 
+    /// The positions of a triangle's corners.
+    #[inline]
+    pub(crate) fn positions(&self, cluster: usize, slot: usize) -> [[f32; 3]; 3] {
+        let block = self.block(cluster);
+        let word = block.triangles[slot];
+        [0, 8, 16].map(|shift| {
+            let number = (word >> shift & 255) as usize;
+            let first = number / LANES * GROUP_WORDS + number % LANES;
+            [0, 1, 2].map(|axis| f32::from_bits(block.vertices[first + axis * LANES]))
+        })
+    }
+
     fn append(&mut self, other: Self) {
         let (words, originals) = (self.words.len(), self.originals.len() as u32);
         self.words.extend_from_slice(&other.words);

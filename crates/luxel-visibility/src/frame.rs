@@ -7,6 +7,7 @@ use crate::cluster::{Clusters, SLOT_BITS};
 use crate::cull::{MAX_SIDE, VisibleCluster, cull_group};
 use crate::samples::Samples;
 use crate::setup::CullFaces;
+use crate::space::ViewFromLocal;
 use crate::tile;
 use crate::transform::WindowTransform;
 use glam::{DMat4, DVec3};
@@ -79,6 +80,7 @@ pub struct Frame<'a> {
     rays: WindowRays,
     instances: Vec<Instance<'a>>,
     transforms: Vec<WindowTransform>,
+    places: Vec<ViewFromLocal>,
     /// The number of each instance's first cluster, and after them the number of all.
     first_clusters: Vec<u32>,
     opaque: Bins,
@@ -144,7 +146,12 @@ impl<'a> Frame<'a> {
                 dispatch!(level, simd => cull_run(simd, transform, size, clusters, groups.clone(), first))
             })
             .collect();
+        let places = instances
+            .iter()
+            .map(|instance| ViewFromLocal::new(&instance.view_from_mesh, instance.mesh.origin))
+            .collect();
         let mut frame = Self {
+            places,
             size,
             samples,
             rays: WindowRays::new(projection, size),
@@ -208,6 +215,12 @@ impl<'a> Frame<'a> {
         let load = |tile: usize| self.opaque.load(tile) + self.blended.load(tile);
         tiles.sort_by_key(|&tile| std::cmp::Reverse(load(tile as usize)));
         tiles
+    }
+
+    /// Whether nothing can be seen in a tile.
+    #[must_use]
+    pub fn is_tile_empty(&self, tile: usize) -> bool {
+        self.opaque.load(tile) + self.blended.load(tile) == 0
     }
 
     /// Whether anything blended may be seen anywhere.
@@ -282,6 +295,15 @@ impl<'a> Frame<'a> {
         })
     }
 
+    /// The positions of a triangle's corners, about its mesh's origin: from its cluster, which was in
+    /// the cache when the triangle was drawn.
+    #[must_use]
+    #[inline]
+    pub fn positions(&self, id: TriangleId, instance: usize) -> [[f32; 3]; 3] {
+        let cluster = self.within_instance(instance, id.cluster());
+        self.instances[instance].clusters.positions(cluster, id.slot())
+    }
+
     /// The place of a triangle in the order in which triangles were submitted.
     pub(crate) fn submitted(&self, id: TriangleId) -> u64 {
         self.triangle(id).map_or(u64::MAX, |of| (of.instance as u64) << 32 | u64::from(of.triangle))
@@ -290,21 +312,20 @@ impl<'a> Frame<'a> {
     /// The forms that give a triangle's barycentrics anywhere in the window.
     #[must_use]
     pub fn forms(&self, of: TriangleOf) -> Forms {
-        self.forms_of(self.corners_in_view(of))
-    }
-
-    /// The forms of a triangle given in view space.
-    #[must_use]
-    pub fn forms_of(&self, corners_in_view: [DVec3; 3]) -> Forms {
-        Forms::new(&self.rays, corners_in_view)
+        Forms::new(&self.rays, self.in_view(of))
     }
 
     /// A triangle's corners in view space.
     #[must_use]
     pub fn corners_in_view(&self, of: TriangleOf) -> [DVec3; 3] {
-        let instance = &self.instances[of.instance];
-        instance.mesh.triangles[of.triangle as usize]
-            .map(|corner| instance.view_from_mesh.transform_point3(instance.mesh.position(corner)))
+        self.in_view(of).map(DVec3::from_array)
+    }
+
+    fn in_view(&self, of: TriangleOf) -> [[f64; 3]; 3] {
+        let mesh = self.instances[of.instance].mesh;
+        let corners = mesh.triangles[of.triangle as usize];
+        let corners = corners.map(|corner| mesh.positions[corner as usize]);
+        self.places[of.instance].corners(corners)
     }
 
     /// The instance that a cluster belongs to.

@@ -34,7 +34,7 @@ mod strokes;
 mod tile;
 mod transform;
 
-pub use barycentric::{BlockForms, Forms, WindowRays};
+pub use barycentric::{Forms, WindowRays};
 pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
 pub use cluster::{CLUSTER_TRIANGLES, Clusters};
 pub use cull::MAX_SIDE;
@@ -42,5 +42,5 @@ pub use frame::{Coverage, Frame, Hole, Instance, PartUse, TooManyTriangles, Tria
 pub use probe::{Probe, Reach};
 pub use samples::{MAX_SAMPLES, Samples};
 pub use setup::{Cull, CullFaces};
-pub use space::InstanceSpace;
+pub use space::{InstanceSpace, ViewFromLocal};
 pub use strokes::{LINE_WIDTH, POINT_SIZE, Strokes, strokes};

@@ -1,12 +1,61 @@
-//! What an instance's transform does to directions: which side of a triangle is seen, and the
-//! normals and tangents of its corners in world space.
+//! What an instance's transform does to a triangle: its corners in view space and about the eye,
+//! which side of it is seen, and the normals and tangents of its corners in world space.
+//!
+//! Written once for one triangle and for sixteen. Corners in view space are f64; what light is
+//! computed from is f32.
 
 use glam::{DMat3, DMat4, DVec3};
+use luxel_math::{Number, Vec3, Wide};
 use luxel_scene::{Camera, Mesh};
 
-/// An instance's transforms for directions.
+/// From a mesh's coordinates about its origin to view space.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewFromLocal {
+    /// Columns of the matrix.
+    columns: [[f64; 3]; 4],
+}
+
+impl ViewFromLocal {
+    /// For a mesh about `origin` (its [`Mesh::origin`]).
+    #[must_use]
+    pub fn new(view_from_mesh: &DMat4, origin: DVec3) -> Self {
+        let matrix = *view_from_mesh * DMat4::from_translation(origin);
+        Self { columns: matrix.to_cols_array_2d().map(|[x, y, z, _]| [x, y, z]) }
+    }
+
+    /// A triangle's corners in view space.
+    #[inline(always)]
+    #[must_use]
+    pub fn corners<D: Wide>(&self, [a, b, c]: [[D::Narrow; 3]; 3]) -> [[D; 3]; 3] {
+        [self.place(a), self.place(b), self.place(c)]
+    }
+
+    /// A place in view space.
+    #[inline(always)]
+    #[must_use]
+    pub fn place<D: Wide>(&self, [x, y, z]: [D::Narrow; 3]) -> [D; 3] {
+        let (x, y, z) = (x.widened(), y.widened(), z.widened());
+        let [along_x, along_y, along_z, origin] = &self.columns;
+        let mut place = [x; 3];
+        for axis in 0..3 {
+            place[axis] = x * x.constant(along_x[axis])
+                + y * x.constant(along_y[axis])
+                + z * x.constant(along_z[axis])
+                + x.constant(origin[axis]);
+        }
+        place
+    }
+}
+
+/// An instance's transforms.
 #[derive(Clone, Copy, Debug)]
 pub struct InstanceSpace {
+    /// For places.
+    pub view_from_local: ViewFromLocal,
+    /// Rows of `world_from_view`.
+    rotation: [[f32; 3]; 3],
+    /// Rows of `normal_from_mesh`, its largest entry from 1/2 to 1.
+    normals: [[f32; 3]; 3],
     /// From view space to world axes about the eye: a rotation.
     pub world_from_view: DMat3,
     /// For normals: the inverse transpose of the mesh's transform, up to a positive factor.
@@ -22,7 +71,7 @@ pub struct InstanceSpace {
 impl InstanceSpace {
     /// The transforms of a mesh in its place before a camera.
     #[must_use]
-    pub fn new(world_from_mesh: &DMat4, camera: &Camera) -> Self {
+    pub fn new(world_from_mesh: &DMat4, view_from_local: ViewFromLocal, camera: &Camera) -> Self {
         let world_from_mesh = DMat3::from_mat4(*world_from_mesh);
         let determinant = world_from_mesh.determinant();
         // The cofactor matrix is the inverse transpose times the determinant, and exists even where
@@ -30,45 +79,66 @@ impl InstanceSpace {
         let [x, y, z] = [world_from_mesh.x_axis, world_from_mesh.y_axis, world_from_mesh.z_axis];
         let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
         let handedness = if determinant < 0.0 { -1.0 } else { 1.0 };
+        let world_from_view = DMat3::from_mat4(camera.view_from_world).transpose();
+        let normal_from_mesh = cofactors * handedness;
+        let largest =
+            normal_from_mesh.to_cols_array().into_iter().fold(0.0, |largest: f64, value| {
+                if value.abs() > largest { value.abs() } else { largest }
+            });
+        let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
         Self {
-            world_from_view: DMat3::from_mat4(camera.view_from_world).transpose(),
-            normal_from_mesh: cofactors * handedness,
+            view_from_local,
+            rotation: rows(world_from_view),
+            normals: rows(normal_from_mesh * scale),
+            world_from_view,
+            normal_from_mesh,
             world_from_mesh,
             handedness,
             parallel: camera.projection.is_orthographic(),
         }
     }
 
-    /// A triangle's unit vertex normals in world space, turned to the side that is seen; its
-    /// corners' places are given along the world's axes about the eye.
-    ///
-    /// Which side that is, the face's plane decides, pointed along the sum of the vertex normals
-    /// (by winding where that is 0), so that a file with reversed winding is not black.
-    ///
-    /// # Panics
-    /// If the mesh has normals, but not for these attribute vertices.
+    /// A place in view space, about the eye along the world's axes.
+    #[inline(always)]
     #[must_use]
-    pub fn facing_normals(
+    pub fn about_eye<D: Wide>(&self, [x, y, z]: [D; 3]) -> Vec3<D::Narrow> {
+        transformed(&self.rotation, Vec3::new(x.narrow(), y.narrow(), z.narrow()))
+    }
+
+    /// A vertex normal in world space, of unit length.
+    #[inline(always)]
+    #[must_use]
+    pub fn unit_normal<N: Number>(&self, in_mesh: Vec3<N>) -> Vec3<N> {
+        transformed(&self.normals, in_mesh).normalized_or_zero()
+    }
+
+    /// A triangle's unit vertex normals in world space, turned to the side that is seen. Without
+    /// normals of the mesh (`None`) they are the face's own.
+    ///
+    /// Which side is seen, the face's plane decides, pointed along the sum of the vertex normals (by
+    /// winding where that is 0), so that a file with reversed winding is not black. `in_view` are
+    /// the corners; `towards_eye` is [`Forms::towards_eye`](crate::Forms::towards_eye).
+    #[inline(always)]
+    #[must_use]
+    pub fn facing_normals<D: Wide>(
         &self,
-        mesh: &Mesh,
-        attributes: [usize; 3],
-        [a, b, c]: [DVec3; 3],
-    ) -> [[f32; 3]; 3] {
-        let by_winding = (b - a).cross(c - a) * self.handedness;
-        let normals = if mesh.normals.is_empty() {
-            [by_winding.normalize_or_zero(); 3]
-        } else {
-            attributes.map(|attribute| {
-                let [x, y, z] = mesh.normals[attribute];
-                let normal = self.normal_from_mesh * DVec3::new(x.into(), y.into(), z.into());
-                normal.normalize_or_zero()
-            })
+        in_view: &[[D; 3]; 3],
+        towards_eye: D,
+        in_mesh: Option<[Vec3<D::Narrow>; 3]>,
+    ) -> [Vec3<D::Narrow>; 3] {
+        let by_winding = transformed(&self.rotation, face_normal(in_view));
+        let by_winding = by_winding * by_winding.x.constant(self.handedness as f32);
+        let [a, b, c] = match in_mesh {
+            Some([a, b, c]) => [self.unit_normal(a), self.unit_normal(b), self.unit_normal(c)],
+            None => [by_winding.normalized_or_zero(); 3],
         };
-        let sum = normals[0] + normals[1] + normals[2];
-        let outwards = if by_winding.dot(sum) < 0.0 { -by_winding } else { by_winding };
-        let to_eye = if self.parallel { self.world_from_view.z_axis } else { -a };
-        let from_behind = outwards.dot(to_eye) < 0.0;
-        normals.map(|normal| (if from_behind { -normal } else { normal }).as_vec3().to_array())
+        let zero = a.x.zero();
+        let inwards = by_winding.dot(a + b + c).less(zero);
+        let towards_eye = towards_eye * towards_eye.constant(self.handedness);
+        let (counterclockwise, clockwise) =
+            (towards_eye.is_positive(), (-towards_eye).is_positive());
+        let from_behind = (inwards & counterclockwise) | (!inwards & clockwise);
+        [(-a).select(from_behind, a), (-b).select(from_behind, b), (-c).select(from_behind, c)]
     }
 
     /// An attribute vertex's unit tangent in world space with the bitangent's sign; 0 where the
@@ -80,4 +150,41 @@ impl InstanceSpace {
         let [x, y, z] = tangent.normalize_or_zero().as_vec3().to_array();
         [x, y, z, if self.handedness < 0.0 { -sign } else { sign }]
     }
+}
+
+/// The rows of a matrix, in f32.
+fn rows(matrix: DMat3) -> [[f32; 3]; 3] {
+    [0, 1, 2].map(|row| matrix.row(row).as_vec3().to_array())
+}
+
+/// A matrix, given by rows, times a vector.
+#[inline(always)]
+fn transformed<N: Number>([x, y, z]: &[[f32; 3]; 3], vector: Vec3<N>) -> Vec3<N> {
+    Vec3::new(
+        Vec3::splat(vector.x, *x).dot(vector),
+        Vec3::splat(vector.x, *y).dot(vector),
+        Vec3::splat(vector.x, *z).dot(vector),
+    )
+}
+
+/// A triangle's normal by the right-hand rule, of a length about 1 whatever the triangle's size.
+#[inline(always)]
+fn face_normal<D: Wide>([a, b, c]: &[[D; 3]; 3]) -> Vec3<D::Narrow> {
+    let (along, aside) = (side(a, b), side(a, c));
+    let largest = along
+        .x
+        .constant(f32::MIN_POSITIVE)
+        .maximum(along.x.abs())
+        .maximum(along.y.abs())
+        .maximum(along.z.abs())
+        .maximum(aside.x.abs())
+        .maximum(aside.y.abs())
+        .maximum(aside.z.abs());
+    let scale = largest.one() / largest;
+    (along * scale).cross(aside * scale)
+}
+
+#[inline(always)]
+fn side<D: Wide>(from: &[D; 3], to: &[D; 3]) -> Vec3<D::Narrow> {
+    Vec3::new((to[0] - from[0]).narrow(), (to[1] - from[1]).narrow(), (to[2] - from[2]).narrow())
 }

@@ -49,7 +49,7 @@ pub(super) struct Sampler<'a> {
 
 impl<'a> Sampler<'a> {
     pub(super) fn new(scene: &'a Scene16<'a>, level: Level) -> Self {
-        Self { scene, level, kept: Kept::new(scene) }
+        Self { scene, level, kept: Kept::new() }
     }
 
     /// Colours at up to sixteen places of a triangle, in steps of 8 bits.
@@ -83,7 +83,7 @@ impl<'a> Sampler<'a> {
         let mesh = frame.instances()[of.instance].mesh;
         let material = &self.scene.scene.materials[mesh.parts[of.part].material.index()];
         let steps = place.map(|side| (side * f64::from(SUBPIXELS)).round() as i32);
-        let barycentric = frame.forms(of).nearest_at(frame.rays(), steps);
+        let barycentric = frame.forms(of).barycentric(frame.rays(), steps);
         self.scene.scene.is_hole(mesh, of.triangle, barycentric, material)
     }
 }

@@ -68,8 +68,9 @@ fn check(view: &View) -> Result<(), TestCaseError> {
         for (number, position) in view.sample_positions() {
             let Some((_, (instance, triangle))) = picture.seen[number] else { continue };
             let of = TriangleOf { instance, triangle, part: 0 };
-            let corners = frame.corners_in_view(of);
-            let found = frame.forms(of).barycentric(frame.rays(), position);
+            let forms = frame.forms(of);
+            let corners = forms.corners();
+            let found = forms.barycentric(frame.rays(), position);
             let sum = found.iter().map(|&value| f64::from(value)).sum::<f64>();
             prop_assert!(found.iter().all(|value| (0.0..=1.0).contains(value)), "{:?}", found);
             prop_assert!((sum - 1.0).abs() <= 2e-7, "{:?} sum to {}", found, sum);
@@ -165,16 +166,17 @@ fn of_block<S: Simd>(
     frame: &Frame<'_>,
     [x, y]: [i32; 2],
 ) -> [[f32; 3]; 16] {
-    let lane = |value: fn(usize) -> usize| {
-        f32x16::simd_from(simd, std::array::from_fn(|lane| value(lane) as f32 + 0.5))
+    let lane = |value: fn(usize) -> usize, first: i32| {
+        let lanes = std::array::from_fn(|lane| first as f32 + value(lane) as f32 + 0.5);
+        f32x16::simd_from(simd, lanes).widened()
     };
-    let (across, down) = (lane(|lane| lane % 4), lane(|lane| lane / 4));
-    let ([a, b, c], outside) = forms.about(x, y).barycentric(across, down);
+    let (across, down) = (lane(|lane| lane % 4, x), lane(|lane| lane / 4, y));
+    let ([a, b, c], outside) = forms.in_lanes(across).told(across, down);
     let outside = outside.to_bitmask();
     std::array::from_fn(|lane| {
         if outside >> lane & 1 == 1 {
-            let pixel = [x + lane as i32 % 4, y + lane as i32 / 4];
-            forms.nearest_at(frame.rays(), pixel.map(|pixel| pixel * 256 + 128))
+            let [x, y] = [x + lane as i32 % 4, y + lane as i32 / 4].map(|at| f64::from(at) + 0.5);
+            forms.nearest_on_edges(frame.rays(), x, y)
         } else {
             [a[lane], b[lane], c[lane]]
         }

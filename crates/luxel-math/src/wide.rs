@@ -1,0 +1,192 @@
+//! [`Wide`]: the `f64` beside a [`Number`], for places that are far apart.
+//!
+//! Where coordinates of a scene meet those of a window, differences are much smaller than what they
+//! are taken of, and `f32` would lose them. Such steps are written over `Wide`, once for one value
+//! and for sixteen lanes, and give the same bits in both.
+
+use crate::Number;
+use fearless_simd::{Simd, f32x16, f64x8, mask32x16, prelude::*};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// One `f64`, or one for each of sixteen lanes.
+pub trait Wide:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The `f32` beside it.
+    type Narrow: Number<Wide = Self>;
+
+    /// `value` in every lane; `self` tells only the kind of number.
+    fn constant(self, value: f64) -> Self;
+    /// The value without its sign.
+    fn abs(self) -> Self;
+    /// Whether it is above 0.
+    fn is_positive(self) -> <Self::Narrow as Number>::Mask;
+    /// Rounded to `f32`, ties to even.
+    fn narrow(self) -> Self::Narrow;
+}
+
+impl Wide for f64 {
+    type Narrow = f32;
+
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self::abs(self)
+    }
+    #[inline(always)]
+    fn is_positive(self) -> bool {
+        self > 0.0
+    }
+    #[inline(always)]
+    fn narrow(self) -> f32 {
+        self as f32
+    }
+}
+
+/// Sixteen `f64`: the wide side of [`f32x16`].
+#[derive(Clone, Copy, Debug)]
+pub struct Wide16<S: Simd> {
+    low: f64x8<S>,
+    high: f64x8<S>,
+}
+
+impl<S: Simd> Wide16<S> {
+    /// The exact values of sixteen `f32`.
+    #[inline(always)]
+    pub(crate) fn of(narrow: f32x16<S>) -> Self {
+        let (low, high) = narrow.simd.widen_f32x16(narrow);
+        Self { low, high }
+    }
+}
+
+impl<S: Simd> Wide for Wide16<S> {
+    type Narrow = f32x16<S>;
+
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        let eight = f64x8::splat(self.low.simd, value);
+        Self { low: eight, high: eight }
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self { low: self.low.abs(), high: self.high.abs() }
+    }
+    #[inline(always)]
+    fn is_positive(self) -> mask32x16<S> {
+        let simd = self.low.simd;
+        let zero = f64x8::splat(simd, 0.0);
+        let [low, high] = [self.low, self.high].map(
+            #[inline(always)]
+            |eight| eight.simd_gt(zero).to_bitmask(),
+        );
+        mask32x16::from_bitmask(simd, low | high << 8)
+    }
+    #[inline(always)]
+    fn narrow(self) -> f32x16<S> {
+        self.low.simd.narrow_f64x8(self.low, self.high)
+    }
+}
+
+impl<S: Simd> Add for Wide16<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { low: self.low + other.low, high: self.high + other.high }
+    }
+}
+
+impl<S: Simd> Sub for Wide16<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { low: self.low - other.low, high: self.high - other.high }
+    }
+}
+
+impl<S: Simd> Mul for Wide16<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self { low: self.low * other.low, high: self.high * other.high }
+    }
+}
+
+impl<S: Simd> Div for Wide16<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self { low: self.low / other.low, high: self.high / other.high }
+    }
+}
+
+impl<S: Simd> Neg for Wide16<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { low: -self.low, high: -self.high }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{LANES, SimdLevel};
+    use fearless_simd::dispatch;
+
+    #[inline(always)]
+    fn worked<N: Number>(a: N, b: N) -> [N; 4] {
+        let (a, b) = (a.widened(), b.widened());
+        let far = a.constant(1e8) + b;
+        [
+            (far - a.constant(1e8)).narrow(),
+            (-a * b).narrow(),
+            (b / far).narrow(),
+            (a.abs() + b.abs()).narrow(),
+        ]
+    }
+
+    #[inline(always)]
+    fn sixteen<S: Simd>(simd: S, a: [f32; LANES], b: [f32; LANES]) -> ([[f32; LANES]; 4], u64) {
+        let [a, b] = [a, b].map(|lanes| f32x16::simd_from(simd, lanes));
+        let worked = worked(a, b).map(|result| std::array::from_fn(|lane| result.lane(lane)));
+        (worked, a.widened().is_positive().to_bitmask())
+    }
+
+    #[test]
+    fn lanes_have_the_bits_of_one_value_at_a_time() {
+        for round in 0..100 {
+            let value = |lane: usize, seed: u32| {
+                let bits = (round * 16 + lane as u32 + 1).wrapping_mul(seed);
+                (bits as f32 / u32::MAX as f32 - 0.5)
+                    * [1e-10, 1e-3, 1.0, 1e5, 1e10][round as usize % 5]
+            };
+            let a: [f32; LANES] = std::array::from_fn(|lane| value(lane, 2_654_435_761));
+            let b: [f32; LANES] = std::array::from_fn(|lane| value(lane, 2_246_822_519));
+            for level in SimdLevel::available() {
+                let level = level.resolve().expect("it is available");
+                let (lanes, positive) = dispatch!(level, simd => sixteen(simd, a, b));
+                for lane in 0..LANES {
+                    let one = worked(a[lane], b[lane]);
+                    for (lanes, one) in lanes.iter().zip(one) {
+                        assert_eq!(lanes[lane].to_bits(), one.to_bits());
+                    }
+                    assert_eq!(positive >> lane & 1 == 1, a[lane] > 0.0);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_f32_would_lose_is_kept() {
+        let [kept, ..] = worked(1.0_f32, 0.25);
+        assert_eq!(kept, 0.25);
+    }
+}
