@@ -12,6 +12,8 @@ pub(crate) enum Action {
     Help,
     /// Show or hide the panels.
     Panels,
+    /// A point of the ruler, under the pointer.
+    Measure,
     /// The next file, or the one before.
     Step(bool),
     /// What is selected into view; all that is shown, if nothing is.
@@ -81,6 +83,7 @@ pub(crate) fn action(key: &Key, modifiers: ModifiersState, mode: Mode) -> Option
             "q" => Some(Action::Quit),
             "h" if modifiers.shift_key() => Some(Action::Isolate),
             "h" if modifiers.alt_key() => Some(Action::ShowAll),
+            "r" => Some(Action::Measure),
             "x" => Some(Action::Hide),
             "h" | "?" => Some(Action::Help),
             "f" => Some(Action::Fit),

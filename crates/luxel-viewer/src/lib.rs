@@ -19,6 +19,7 @@ mod paint;
 mod panels;
 mod probe;
 mod recorder;
+mod ruler;
 mod screen;
 mod session;
 mod theme;

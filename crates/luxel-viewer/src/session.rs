@@ -3,6 +3,7 @@
 use crate::marks::Marks;
 use crate::model::Model;
 use crate::recorder::Recorder;
+use crate::ruler::Ruler;
 use luxel::navigation::{
     Change, Entry, Event, Mode, Number, Settings, State, advance, parallel_height, with_lens,
 };
@@ -30,6 +31,8 @@ pub(crate) struct Session {
     pub(crate) objects: Vec<Object>,
     /// Which of them are selected, and which are hidden.
     pub(crate) marks: Marks,
+    /// What is measured.
+    pub(crate) ruler: Ruler,
     /// Grows with each change of the view beside the camera.
     revision: u64,
 }
@@ -52,6 +55,7 @@ impl Session {
         };
         let dark = vec![false; model.view.lights.len()];
         let (objects, marks) = (model.scene.objects(), Marks::default());
+        let ruler = Ruler::default();
         let read = (model.view.lights.clone(), model.view.ambient);
         Self {
             read,
@@ -63,6 +67,7 @@ impl Session {
             dark,
             objects,
             marks,
+            ruler,
             revision: 0,
         }
     }

@@ -4,6 +4,7 @@ use crate::explain;
 use crate::keys::{MODES, held};
 use crate::paint::Painter;
 use crate::panels;
+use crate::ruler;
 use crate::session::Session;
 use crate::theme::{self, ACCENT, AXES, PANEL, QUIET};
 use egui::{Align2, Color32, Context, FontId, Frame, Margin, RawInput, Rect, Sense, Stroke, vec2};
@@ -146,6 +147,7 @@ impl Ui {
                 explain::vectors(context, session, explanation);
             }
         }
+        ruler::draw(context, session);
         axes(context, session, wishes);
         if let Some([from, to]) = self.band {
             rubber_band(context, Rect::from_two_pos(from, to));
@@ -319,6 +321,7 @@ fn help(context: &Context, mode: Mode) {
                         ("x, Delete", "hide the selection"),
                         ("Shift h", "hide all but the selection"),
                         ("Alt h", "show all"),
+                        ("r, r", "measure between two points"),
                         ("1  3  7", "front, right, top"),
                         ("Ctrl 1 3 7", "back, left, bottom"),
                         ("5", "parallel rays, perspective"),

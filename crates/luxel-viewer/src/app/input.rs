@@ -50,6 +50,7 @@ impl App {
                     }
                 }
             }
+            Action::Measure => self.measure(),
             Action::Step(is_forward) => self.step(is_forward),
             Action::Hide | Action::Isolate | Action::ShowAll => {
                 if let Some(session) = &mut self.session {

@@ -83,6 +83,19 @@ impl App {
         self.happen(Event::Drag { at: self.pointer });
     }
 
+    /// Puts an end of the ruler to the point under the pointer, or puts it away.
+    pub(super) fn measure(&mut self) {
+        if self.ui.has_pointer() || !self.is_pointer_in {
+            return;
+        }
+        // Not known in time: nothing is changed by it.
+        let Some(found) = self.probe(LONG_PATIENCE) else { return };
+        let Some(session) = &mut self.session else { return };
+        session.ruler = session.ruler.with(found.map(|found| found.point));
+        let told = session.ruler.told();
+        self.note(told);
+    }
+
     /// Selects what is under the pointer.
     pub(super) fn click(&mut self) {
         let found = self.object_shown().or_else(|| {
