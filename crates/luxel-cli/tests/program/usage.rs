@@ -140,7 +140,9 @@ fn commands_that_are_not_there_are_wrong_usage() {
     luxel("render demo:cornell").failed(2, "--output");
     luxel("info a.ply b.ply").failed(2, "b.ply");
     luxel("completions tcsh").failed(2, "tcsh");
-    luxel("rendr a.glb -o a.png").failed(2, "a.glb");
+    // Words that name no command are models to be viewed.
+    luxel("rendr a.glb -o a.png").failed(2, "-o");
+    luxel("rendr a.glb").failed(1, "rendr");
 }
 
 #[test]
