@@ -1,10 +1,11 @@
 //! A part of a picture: only the tiles that it touches are drawn.
 
 use crate::place::Covers;
-use crate::renderer::{Picture, RenderError, Renderer, Worker, bytes_of_block};
+use crate::renderer::{Picture, RenderError, Renderer};
 use crate::resolve::empty_block;
 use crate::tiles::TilePixels;
 use crate::view::View;
+use crate::worker::{Worker, bytes_of_block};
 use luxel_scene::Size;
 use luxel_visibility::TILE;
 

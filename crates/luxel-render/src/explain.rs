@@ -11,11 +11,12 @@ use crate::ledger::{
     Seen,
 };
 use crate::place::Covers;
-use crate::renderer::{RenderError, Renderer, Worker};
+use crate::renderer::{RenderError, Renderer};
 use crate::resolve::{self, Layered, Ranks};
 use crate::shade::{Batch, Kept, Scene16, shade};
 use crate::surface::SurfaceWitness;
 use crate::view::{ShadingMode, View};
+use crate::worker::{Worker, bytes_of};
 use luxel_lighting::{
     Ledger, LedgerLight, LightKind, LightTerms, Reflectance, SurfacePoint, Terms, Witness,
 };
@@ -208,7 +209,7 @@ impl PixelScene<'_> {
             }),
             samples: explained,
             linear,
-            rgba8: crate::renderer::bytes_of(linear, self.view.encoding),
+            rgba8: bytes_of(linear, self.view.encoding),
         }
     }
 

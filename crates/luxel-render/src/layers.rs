@@ -4,6 +4,8 @@
 use crate::explain::Lit;
 use crate::shade::{Batch, Kept, Scene16, interpolate};
 use crate::surface;
+use crate::tiles::TilePixels;
+use crate::worker::{ALL_BLOCKS, place_in_tile};
 use luxel_lighting::LightTerms;
 use luxel_math::{LANES, Simd, f32x16, prelude::*};
 use luxel_scene::{Projection, SceneLight};
@@ -174,9 +176,28 @@ impl LayerView<'_> {
     }
 }
 
+/// Writes one layer of all blocks of a tile.
+#[inline(always)]
+pub(crate) fn tile_layer<S: Simd>(
+    simd: S,
+    scene: &Scene16<'_>,
+    view: &LayerView<'_>,
+    layer: &Layer,
+    tile: &Tile,
+    kept: &mut Kept,
+    pixels: &mut TilePixels<LayerPixel>,
+) {
+    for block in 0..ALL_BLOCKS {
+        let values = layers_of_block(simd, scene, view, layer, tile, block, kept);
+        for (lane, value) in values.into_iter().enumerate() {
+            pixels[place_in_tile(block, lane)] = value;
+        }
+    }
+}
+
 /// The values of a layer for one block of a tile of one sample a pixel.
 #[inline(always)]
-pub(crate) fn layers_of_block<S: Simd>(
+fn layers_of_block<S: Simd>(
     simd: S,
     scene: &Scene16<'_>,
     view: &LayerView<'_>,

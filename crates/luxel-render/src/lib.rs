@@ -34,6 +34,7 @@ mod unseen;
 mod varying;
 mod vertex;
 mod view;
+mod worker;
 
 pub use explain::At;
 pub use feedback::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};

@@ -19,9 +19,10 @@ mod web;
 
 use crate::place::Covers;
 use crate::primitives::{Clipper, InWindow, is_culled};
-use crate::renderer::{RenderError, Renderer, bytes_of};
+use crate::renderer::{RenderError, Renderer};
 use crate::shade::Scene16;
 use crate::view::{Shading, ShadingMode, View};
+use crate::worker::bytes_of;
 use face::{Face, Grid, for_each};
 use flatten::{Flattener, Sampler, largest_range};
 use luxel_lighting::PictureEncoding;
