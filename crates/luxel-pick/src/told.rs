@@ -6,7 +6,7 @@ use crate::view::{Instance, PickView};
 use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
-use luxel_visibility::Forms;
+use luxel_visibility::{Forms, InstanceSpace};
 
 /// What lies under a place of the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,12 +137,7 @@ impl PickView<'_> {
         let along = self.camera.direction().as_vec3().to_array();
         let z = Vec3::new(about_eye.x, about_eye.y, about_eye.z)
             .dot(Vec3::new(along[0], along[1], along[2]));
-        let in_mesh = (!mesh.normals.is_empty()).then(|| {
-            attributes.map(|attribute| {
-                let [x, y, z] = mesh.normals[attribute];
-                Vec3::new(x, y, z)
-            })
-        });
+        let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
         let corners = in_view.map(|corner| corner.to_array());
         let normals = space.facing_normals(&corners, forms.towards_eye(), in_mesh);
         let normal = mix3(normals, weights).normalized_or_zero();

@@ -14,9 +14,7 @@ use crate::worker::{Worker, add_layer, bytes_of_block, linear_pixels, tile_pixel
 use luxel_lighting::{Environment, Reflection};
 use luxel_math::{LANES, Level, UnavailableSimdLevel, dispatch};
 use luxel_scene::{Object, Scene, Size};
-use luxel_visibility::{
-    Clusters, Frame, InstanceSpace, Samples, Tile, TooManyTriangles, ViewFromLocal, strokes,
-};
+use luxel_visibility::{Clusters, Frame, InstanceSpace, Samples, Tile, TooManyTriangles, strokes};
 use rayon::prelude::*;
 use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
@@ -384,13 +382,11 @@ impl<'s> Renderer<'s> {
                 own.chain(strokes.iter().map(|strokes| strokes.object)).collect();
             let frame =
                 Frame::new(instances, &view.camera.projection, view.size, samples, self.level)?;
-            let spaces: Vec<InstanceSpace> = objects
-                .iter()
-                .zip(frame.instances())
-                .map(|(&at, instance)| {
+            let spaces: Vec<InstanceSpace> = (0..)
+                .zip(&objects)
+                .map(|(instance, &at)| {
                     let world_from_mesh = &self.objects[at].world_from_mesh;
-                    let origin = instance.mesh.origin;
-                    let view_from_local = ViewFromLocal::new(&instance.view_from_mesh, origin);
+                    let view_from_local = frame.view_from_local(instance);
                     InstanceSpace::new(world_from_mesh, view_from_local, &view.camera)
                 })
                 .collect();

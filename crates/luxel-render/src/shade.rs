@@ -94,10 +94,8 @@ impl Batch {
             Self { origin: block_origin(tile, block), ids, x: [0.0; LANES], y: [0.0; LANES] };
         let positions = samples.positions();
         for lane in 0..LANES {
-            let [x, y] = positions[usize::from(sample[lane]) & (positions.len() - 1)];
-            let (column, row) = (lane as i32 % BLOCK, lane as i32 / BLOCK);
-            batch.x[lane] = (column * SUBPIXELS + x) as f32 / SUBPIXELS as f32;
-            batch.y[lane] = (row * SUBPIXELS + y) as f32 / SUBPIXELS as f32;
+            let position = positions[usize::from(sample[lane]) & (positions.len() - 1)];
+            batch.put(lane, position);
         }
         batch
     }
@@ -113,13 +111,19 @@ impl Batch {
     ) -> Self {
         let mut batch =
             Self { origin: block_origin(tile, block), ids, x: [0.0; LANES], y: [0.0; LANES] };
-        let [x, y] = samples.positions()[usize::from(sample)];
+        let position = samples.positions()[usize::from(sample)];
         for lane in 0..LANES {
-            let (column, row) = (lane as i32 % BLOCK, lane as i32 / BLOCK);
-            batch.x[lane] = (column * SUBPIXELS + x) as f32 / SUBPIXELS as f32;
-            batch.y[lane] = (row * SUBPIXELS + y) as f32 / SUBPIXELS as f32;
+            batch.put(lane, position);
         }
         batch
+    }
+
+    /// Puts a lane's sample at a place of its pixel, in steps of 1/256 pixel.
+    #[inline(always)]
+    fn put(&mut self, lane: usize, [x, y]: [i32; 2]) {
+        let (column, row) = (lane as i32 % BLOCK, lane as i32 / BLOCK);
+        self.x[lane] = (column * SUBPIXELS + x) as f32 / SUBPIXELS as f32;
+        self.y[lane] = (row * SUBPIXELS + y) as f32 / SUBPIXELS as f32;
     }
 
     /// One of the samples alone, in the first lane.

@@ -153,12 +153,7 @@ impl SeenTriangle {
             mesh.attribute_corners()[of.triangle as usize].map(|corner| corner as usize);
         let corners_in_view = space.view_from_local.corners(positions);
         let forms = Forms::new(frame.rays(), corners_in_view);
-        let in_mesh = (!mesh.normals.is_empty()).then(|| {
-            attributes.map(|attribute| {
-                let [x, y, z] = mesh.normals[attribute];
-                Vec3::new(x, y, z)
-            })
-        });
+        let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
         let normals = space.facing_normals(&corners_in_view, forms.towards_eye(), in_mesh);
         Self {
             id,

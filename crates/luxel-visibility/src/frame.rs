@@ -315,6 +315,12 @@ impl<'a> Frame<'a> {
         Forms::new(&self.rays, self.in_view(of))
     }
 
+    /// How an instance's coordinates become those of view space.
+    #[must_use]
+    pub fn view_from_local(&self, instance: usize) -> ViewFromLocal {
+        self.places[instance]
+    }
+
     /// A triangle's corners in view space.
     #[must_use]
     pub fn corners_in_view(&self, of: TriangleOf) -> [DVec3; 3] {

@@ -54,7 +54,7 @@ pub struct InstanceSpace {
     pub view_from_local: ViewFromLocal,
     /// Rows of `world_from_view`.
     rotation: [[f32; 3]; 3],
-    /// Rows of `normal_from_mesh`, its largest entry from 1/2 to 1.
+    /// Rows of `normal_from_mesh`, scaled to a largest entry of 1.
     normals: [[f32; 3]; 3],
     /// From view space to world axes about the eye: a rotation.
     pub world_from_view: DMat3,
@@ -103,6 +103,20 @@ impl InstanceSpace {
     #[must_use]
     pub fn about_eye<D: Wide>(&self, [x, y, z]: [D; 3]) -> Vec3<D::Narrow> {
         transformed(&self.rotation, Vec3::new(x.narrow(), y.narrow(), z.narrow()))
+    }
+
+    /// The normals of a triangle's corners as the mesh has them; `None` where it has none.
+    ///
+    /// # Panics
+    /// If the mesh has normals, but not for these attribute vertices.
+    #[must_use]
+    pub fn normals_in_mesh(mesh: &Mesh, attributes: [usize; 3]) -> Option<[Vec3<f32>; 3]> {
+        (!mesh.normals.is_empty()).then(|| {
+            attributes.map(|attribute| {
+                let [x, y, z] = mesh.normals[attribute];
+                Vec3::new(x, y, z)
+            })
+        })
     }
 
     /// A vertex normal in world space, of unit length.
