@@ -2,11 +2,10 @@
 
 use crate::failure::Failure;
 use crate::options::{
-    CullChoice, EncodingChoice, ExecutionOptions, FrameOptions, LightOptions, ModeOptions,
-    PictureOptions,
+    EncodingChoice, ExecutionOptions, FrameOptions, LightOptions, ModeOptions, PictureOptions,
 };
 use luxel::lighting::PictureEncoding;
-use luxel::render::{Cull, Edges, EnvironmentChoice, Execution, View};
+use luxel::render::{Edges, EnvironmentChoice, Execution, View};
 use luxel::scene::{Camera, Scene, SceneLight};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
@@ -33,11 +32,7 @@ pub(crate) fn view(
         size: frame.size,
         camera,
         samples: frame.samples,
-        cull: match frame.cull {
-            CullChoice::Auto => Cull::Auto,
-            CullChoice::None => Cull::None,
-            CullChoice::Back => Cull::Back,
-        },
+        cull: frame.cull.into(),
         lights,
         ambient,
         environment: environment(light, scene),

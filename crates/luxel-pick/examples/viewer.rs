@@ -52,14 +52,14 @@ impl<'s> Viewer<'s> {
     fn hover(&self, cursor: LogicalPosition) -> Result<(), PickError> {
         let at = cursor.to_physical(self.scale_factor);
         let view = self.view()?;
-        match view.at(at.x, at.y) {
+        match view.at(at) {
             None => println!("nothing at {at:?}"),
             Some(hit) => {
                 let name = self.name(hit.object);
                 println!("{:?} of {name} at {:.3}", hit.element, hit.position);
             }
         }
-        if let Some(snapped) = view.snap(at.x, at.y, SnapTo::Vertex, 12.0) {
+        if let Some(snapped) = view.snap(at, SnapTo::Vertex, 12.0) {
             println!("  snaps to {snapped:?}");
         }
         Ok(())
@@ -74,8 +74,7 @@ impl<'s> Viewer<'s> {
     fn release(&mut self, cursor: LogicalPosition) -> Result<(), Box<dyn std::error::Error>> {
         let Some(pressed) = self.pressed.take() else { return Ok(()) };
         let [a, b] = [pressed, cursor].map(|place| place.to_physical(self.scale_factor));
-        let side = |a: f64, b: f64| (a - b).abs().max(1.0);
-        let region = Region::rectangle(a.x.min(b.x), a.y.min(b.y), side(a.x, b.x), side(a.y, b.y))?;
+        let region = Region::between(a, b)?;
         let view = self.view()?;
         for hit in view.sliver(&region, Inclusion::Touching) {
             println!("in the rectangle: {} triangles of {}", hit.triangles, self.name(hit.object));

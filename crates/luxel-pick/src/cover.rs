@@ -139,7 +139,7 @@ impl PickView<'_> {
     }
 
     /// Whether the surface isn't there: cut away, or wholly transparent.
-    fn is_hole(&self, covering: &Covering, position: [i32; 2]) -> bool {
+    pub(crate) fn is_hole(&self, covering: &Covering, position: [i32; 2]) -> bool {
         let instance = &self.instances[covering.instance];
         let geometry = self.geometry(instance);
         let part = part_of(&geometry, covering.triangle);

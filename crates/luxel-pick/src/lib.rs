@@ -57,6 +57,8 @@
 //! # Ok::<(), luxel_pick::TooManyForTree>(())
 //! ```
 //!
+//! `examples/own_renderer.rs` is that for many meshes in their places, with wgpu's projections, and
+//! `examples/viewer.rs` a viewer that asks for what luxel's frames show: both run without a window.
 //! For a scene of many meshes in their places, a [`Picker`] does the rest; a [`PickView`] tells what
 //! luxel's frames show, pixel by pixel, and a [`VisibleIds`] takes an id buffer that your renderer
 //! has drawn.
@@ -71,6 +73,8 @@
 
 mod bvh;
 mod cover;
+mod drawing;
+mod frustum;
 mod intersect;
 mod names;
 mod near;

@@ -2,7 +2,8 @@
 //! of names stands beside what is drawn, and whatever falls into the clip volume is recorded under
 //! the names that stood there.
 
-use crate::sliver::{CLIP_VOLUME, clipped};
+use crate::frustum::CLIP_VOLUME;
+use crate::sliver::clipped;
 use glam::{DMat4, DVec3};
 use luxel_scene::Mesh;
 

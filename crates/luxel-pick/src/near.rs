@@ -3,6 +3,7 @@
 
 use crate::told::{Element, PickHit};
 use crate::view::PickView;
+use crate::window::PhysicalPosition;
 use glam::{DVec3, DVec4};
 
 /// A vertex near a place of the window.
@@ -95,11 +96,17 @@ impl PickView<'_> {
     /// What is seen within `tolerance` pixels of a place and lies nearest to it: a vertex or edge of
     /// a polygon, or a surface. `None` if there is nothing. Points and lines don't hold a cursor.
     #[must_use]
-    pub fn snap(&self, x: f64, y: f64, to: SnapTo, tolerance: f64) -> Option<Snapped> {
+    pub fn snap(
+        &self,
+        place: impl Into<PhysicalPosition>,
+        to: SnapTo,
+        tolerance: f64,
+    ) -> Option<Snapped> {
+        let [x, y] = place.into().to_array();
         let mut best: Option<(f64, Snapped)> = None;
         let mut asked = std::collections::BTreeSet::new();
         for [px, py] in around(x, y, tolerance) {
-            let Some((object, Element::Triangle(triangle))) = self.owner_at(px, py) else {
+            let Some((object, Element::Triangle(triangle))) = self.owner_at([px, py]) else {
                 continue;
             };
             if to != SnapTo::Face && !asked.insert((object, triangle)) {
@@ -114,7 +121,7 @@ impl PickView<'_> {
                     .polygon_near(object, triangle, [x, y])
                     .edge
                     .map(|edge| (edge.pixels, SnappedTo::Edge(edge))),
-                SnapTo::Face => self.at(px, py).map(|hit| {
+                SnapTo::Face => self.at([px, py]).map(|hit| {
                     let (dx, dy) = (px - x, py - y);
                     let pixels = (dx * dx + dy * dy).sqrt();
                     let (position, window) = (hit.position, [px, py]);
@@ -137,14 +144,19 @@ impl PickView<'_> {
 
     /// The nearest point or line that is seen within `tolerance` pixels of a place.
     #[must_use]
-    pub fn stroke_near(&self, x: f64, y: f64, tolerance: f64) -> Option<PickHit> {
+    pub fn stroke_near(
+        &self,
+        place: impl Into<PhysicalPosition>,
+        tolerance: f64,
+    ) -> Option<PickHit> {
+        let [x, y] = place.into().to_array();
         if !self.instances.iter().any(|instance| instance.strokes.is_some()) {
             return None;
         }
         around(x, y, tolerance).into_iter().find_map(|[px, py]| {
-            let (_, element) = self.owner_at(px, py)?;
+            let (_, element) = self.owner_at([px, py])?;
             let is_stroke = !matches!(element, Element::Triangle(_));
-            if is_stroke { self.at(px, py) } else { None }
+            if is_stroke { self.at([px, py]) } else { None }
         })
     }
 

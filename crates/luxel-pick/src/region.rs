@@ -4,6 +4,8 @@
 //! it an odd number of times. It is cut into trapezoids between the heights of its corners and
 //! crossings, so that everything after works on convex pieces.
 
+use crate::window::PhysicalPosition;
+
 /// A part of the window, in pixels from the upper left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
@@ -58,22 +60,34 @@ impl Region {
         Ok(Self { pieces: vec![Piece { sides, bounds }], outline: Vec::new(), bounds })
     }
 
+    /// The rectangle between two corners, as a rubber band is drawn; at least one pixel each way, so
+    /// that a click is a rectangle, too.
+    ///
+    /// # Errors
+    /// [`RegionError::NotFinite`]
+    pub fn between(a: PhysicalPosition, b: PhysicalPosition) -> Result<Self, RegionError> {
+        let side = |a: f64, b: f64| (a - b).abs().max(1.0);
+        Self::rectangle(a.x.min(b.x), a.y.min(b.y), side(a.x, b.x), side(a.y, b.y))
+    }
+
     /// A polygon, by its corners; it closes by itself.
     ///
     /// # Errors
     /// [`RegionError`] if a number isn't finite or there are too few or too many corners.
-    pub fn polygon(corners: &[[f64; 2]]) -> Result<Self, RegionError> {
+    pub fn polygon<P: Into<PhysicalPosition> + Copy>(corners: &[P]) -> Result<Self, RegionError> {
         if !(3..=MAX_CORNERS).contains(&corners.len()) {
             return Err(RegionError::Corners(corners.len()));
         }
+        let corners: Vec<[f64; 2]> =
+            corners.iter().map(|&corner| corner.into().to_array()).collect();
         if !corners.as_flattened().iter().all(|number| number.is_finite()) {
             return Err(RegionError::NotFinite);
         }
         let mut bounds = [corners[0][0], corners[0][1], corners[0][0], corners[0][1]];
-        for &[x, y] in corners {
+        for &[x, y] in &corners {
             bounds = [bounds[0].min(x), bounds[1].min(y), bounds[2].max(x), bounds[3].max(y)];
         }
-        Ok(Self { pieces: trapezoids(corners), outline: corners.to_vec(), bounds })
+        Ok(Self { pieces: trapezoids(&corners), outline: corners, bounds })
     }
 
     /// Left, top, right, bottom.

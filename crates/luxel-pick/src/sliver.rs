@@ -6,8 +6,9 @@
 //! left are those that selection mode would report (OpenGL 2.1, section 5.2). The tree leaves out
 //! what lies wholly beyond one of the planes.
 
-use crate::bvh::{Node, WIDTH, Walk};
-use crate::region::{Piece, Region};
+use crate::bvh::WIDTH;
+use crate::frustum::{Frustum, PLANES, Planes, planes};
+use crate::region::Region;
 use crate::view::PickView;
 use glam::{DMat4, DVec3, DVec4};
 use rayon::prelude::*;
@@ -50,23 +51,8 @@ struct Found {
 
 const NOTHING: Found = Found { z_min: f64::INFINITY, z_max: f64::NEG_INFINITY, count: 0, whole: 0 };
 
-/// Most planes: four sides, near and far.
-const PLANES: usize = 6;
-/// A triangle's most corners after all of them.
+/// A triangle's most corners after all planes.
 const CORNERS: usize = 3 + PLANES;
-
-/// The planes around one convex piece, in clip coordinates: plane . corner >= 0 inside.
-pub(crate) type Planes = [DVec4; PLANES];
-
-/// The planes of the whole clip volume.
-pub(crate) const CLIP_VOLUME: Planes = [
-    DVec4::new(1.0, 0.0, 0.0, 1.0),
-    DVec4::new(-1.0, 0.0, 0.0, 1.0),
-    DVec4::new(0.0, 1.0, 0.0, 1.0),
-    DVec4::new(0.0, -1.0, 0.0, 1.0),
-    DVec4::new(0.0, 0.0, 1.0, 1.0),
-    DVec4::new(0.0, 0.0, -1.0, 1.0),
-];
 
 /// Leaves that one task takes.
 const LEAVES: usize = 256;
@@ -102,7 +88,7 @@ impl PickView<'_> {
     pub fn triangles_in(&self, object: usize, region: &Region) -> Vec<(u32, [f64; 2])> {
         let clipper = Clipper::new(self, object, region);
         let mut found = Vec::new();
-        clipper.each_leaf(self, object, |triangles| {
+        clipper.frustum.each_leaf(self.picker.tree(object).bvh, |triangles| {
             for triangle in triangles {
                 let reach = clipper.triangle(self.picker.mesh(object), *triangle);
                 if reach.count > 0 {
@@ -118,7 +104,9 @@ impl PickView<'_> {
         let mesh = self.picker.mesh(object);
         let clipper = Clipper::new(self, object, region);
         let mut candidates: Vec<u32> = Vec::new();
-        clipper.each_leaf(self, object, |triangles| candidates.extend_from_slice(triangles));
+        clipper.frustum.each_leaf(self.picker.tree(object).bvh, |triangles| {
+            candidates.extend_from_slice(triangles);
+        });
         let of_run = |run: &[u32]| {
             run.iter().fold(NOTHING, |all, &triangle| all.and(clipper.triangle(mesh, triangle)))
         };
@@ -164,9 +152,8 @@ struct Clipper<'r> {
     region: &'r Region,
     pieces: Vec<Planes>,
     clip_from_mesh: DMat4,
-    /// The planes around the whole region in the tree's coordinates, rounded so that nothing is
-    /// lost: normal and distance.
-    around: [[f32; 4]; PLANES],
+    /// Around the whole region.
+    frustum: Frustum,
     /// Pixels across and down.
     window: [f64; 2],
 }
@@ -179,57 +166,15 @@ impl<'r> Clipper<'r> {
         let clip_from_world = projection * view.camera.view_from_world;
         let window = [f64::from(view.size.width), f64::from(view.size.height)];
         let clip_from_tree = clip_from_world * *tree.world_from_tree;
-        let tree_from_clip = clip_from_tree.transpose();
-        let [low, high] = tree.bvh.bounds().unwrap_or_default();
-        let around = planes(&region.hull(), window).map(|plane| {
-            // plane . (M p) = (M^T plane) . p
-            let plane = tree_from_clip * plane;
-            let size =
-                |axis: usize| plane[axis].abs() * f64::from(low[axis].abs().max(high[axis].abs()));
-            let slack = 1e-5 * (size(0) + size(1) + size(2) + plane.w.abs());
-            let scale = 1.0 / plane.abs().max_element().max(f64::MIN_POSITIVE);
-            let [x, y, z, w] = [plane.x, plane.y, plane.z, plane.w + slack];
-            [x, y, z, w].map(|value| (value * scale) as f32)
-        });
+        let hull = planes(&region.hull(), window);
+        let frustum = Frustum::new(&hull, &clip_from_tree, tree.bvh.bounds(), [0.0; PLANES]);
         Self {
             region,
             pieces: region.pieces().iter().map(|piece| planes(piece, window)).collect(),
             clip_from_mesh: clip_from_world * of.world_from_mesh,
-            around,
+            frustum,
             window,
         }
-    }
-
-    /// Visits the triangles of the leaves that may reach inside.
-    fn each_leaf(&self, view: &PickView<'_>, object: usize, mut visit: impl FnMut(&[u32])) {
-        let bvh = view.picker.tree(object).bvh;
-        let mut walk = Walk::new(bvh.tree());
-        let mut triangles = [0; WIDTH];
-        while let Some((start, count)) = walk.next(|node| self.meets(node)) {
-            for (triangle, record) in triangles.iter_mut().zip(&bvh.records()[start..start + count])
-            {
-                *triangle = record[3];
-            }
-            visit(&triangles[..count]);
-        }
-    }
-
-    /// A bit for each child that isn't wholly beyond one of the planes.
-    fn meets(&self, node: &Node) -> u32 {
-        let mut outside = [false; WIDTH];
-        for [x, y, z, w] in self.around {
-            let row = |axis: usize, along: f32| &node.rows[2 * axis + usize::from(along >= 0.0)];
-            let (rx, ry, rz) = (row(0, x), row(1, y), row(2, z));
-            for slot in 0..WIDTH {
-                let farthest = rx[slot] * x + ry[slot] * y + rz[slot] * z + w;
-                outside[slot] |= farthest < 0.0;
-            }
-        }
-        // Empty places have no box.
-        (0..WIDTH).fold(0, |bits, slot| {
-            let there = node.rows[0][slot] <= node.rows[1][slot];
-            bits | u32::from(there && !outside[slot]) << slot
-        })
     }
 
     fn triangle(&self, mesh: &luxel_scene::Mesh, triangle: u32) -> Found {
@@ -272,19 +217,6 @@ impl<'r> Clipper<'r> {
         }
         corners.iter().all(between) && self.region.encloses(&places[..corners.len()])
     }
-}
-
-/// The planes around a piece of the window: with X = (x / w + 1) / 2 width and
-/// Y = (1 - y / w) / 2 height, a X + b Y + c >= 0 times 2 w.
-fn planes(piece: &Piece, [width, height]: [f64; 2]) -> Planes {
-    let side = |[a, b, c]: [f64; 3]| {
-        let (a, b) = (a * width, b * height);
-        DVec4::new(a, -b, 0.0, a + b + 2.0 * c)
-    };
-    let [left, right, top, bottom] = piece.sides.map(side);
-    let near = DVec4::new(0.0, 0.0, 1.0, 1.0);
-    let far = DVec4::new(0.0, 0.0, -1.0, 1.0);
-    [left, right, top, bottom, near, far]
 }
 
 /// The least and greatest window depth of a polygon's part inside of planes (upside down if there

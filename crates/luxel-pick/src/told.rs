@@ -3,6 +3,7 @@
 
 use crate::cover::{Covering, part_of};
 use crate::view::{Instance, PickView};
+use crate::window::PhysicalPosition;
 use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
@@ -64,13 +65,13 @@ impl PickView<'_> {
     ///     Viewpoint { up: scene.up, azimuth_radians: 0.5, elevation_radians: 0.3 };
     /// let camera = fit_view(&scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, size);
     /// let view = PickView::new(&picker, camera, size, Cull::Auto)?;
-    /// let hit = view.at(320.5, 240.5).unwrap();
+    /// let hit = view.at([320.5, 240.5]).unwrap();
     /// println!("{:?} of object {} at {}", hit.element, hit.object, hit.position);
     /// # Ok::<(), luxel_pick::PickError>(())
     /// ```
     #[must_use]
-    pub fn at(&self, x: f64, y: f64) -> Option<PickHit> {
-        let position = self.steps(x, y)?;
+    pub fn at(&self, place: impl Into<PhysicalPosition>) -> Option<PickHit> {
+        let position = self.steps(place.into())?;
         Some(self.told(&self.owner(position)?, position))
     }
 
@@ -79,8 +80,8 @@ impl PickView<'_> {
     /// The first is what a frame shows, whose depths are rounded to f32; the others go by their exact
     /// depths.
     #[must_use]
-    pub fn through(&self, x: f64, y: f64) -> Vec<PickHit> {
-        let Some(position) = self.steps(x, y) else { return Vec::new() };
+    pub fn through(&self, place: impl Into<PhysicalPosition>) -> Vec<PickHit> {
+        let Some(position) = self.steps(place.into()) else { return Vec::new() };
         let all = self.all_covering(position);
         let mut hits: Vec<_> = all.iter().map(|covering| self.told(covering, position)).collect();
         if let Some((_, behind)) = hits.split_first_mut() {
@@ -91,14 +92,14 @@ impl PickView<'_> {
 
     /// What is seen at a place of the window: object and element, without more.
     #[must_use]
-    pub fn owner_at(&self, x: f64, y: f64) -> Option<(usize, Element)> {
-        let covering = self.owner(self.steps(x, y)?)?;
+    pub fn owner_at(&self, place: impl Into<PhysicalPosition>) -> Option<(usize, Element)> {
+        let covering = self.owner(self.steps(place.into())?)?;
         let instance = &self.instances[covering.instance];
         Some((instance.object, self.element_of(instance, covering.triangle)))
     }
 
     /// A place of the window in steps of 1/256 pixel.
-    pub(crate) fn steps(&self, x: f64, y: f64) -> Option<[i32; 2]> {
+    fn steps(&self, PhysicalPosition { x, y }: PhysicalPosition) -> Option<[i32; 2]> {
         let inside = |at: f64, side: u32| at >= 0.0 && at < f64::from(side);
         if !inside(x, self.size.width) || !inside(y, self.size.height) {
             return None;

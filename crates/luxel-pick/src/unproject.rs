@@ -5,6 +5,7 @@
 //! 0 near and 1 far, `view` is the modelview matrix and `clip_from_view` the projection.
 //! [`flip_y`](crate::flip_y) joins them to windows that begin at the upper left.
 
+use crate::window::PhysicalPosition;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use luxel_scene::{Camera, Projection, Size};
 use luxel_visibility::WindowRays;
@@ -139,7 +140,8 @@ pub struct SightLine {
 /// The line of sight through a place of the window, in pixels from the *upper left*; any camera:
 /// perspective, parallel, off-centre, without a far plane.
 #[must_use]
-pub fn window_ray(camera: &Camera, size: Size, x: f64, y: f64) -> SightLine {
+pub fn window_ray(camera: &Camera, size: Size, place: impl Into<PhysicalPosition>) -> SightLine {
+    let [x, y] = place.into().to_array();
     let Projection { near, far, .. } = camera.projection;
     let (origin, direction) = WindowRays::new(&camera.projection, size).ray(x, y);
     let world_from_view = camera.view_from_world.inverse();

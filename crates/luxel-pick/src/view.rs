@@ -7,8 +7,8 @@ use glam::{DMat4, DVec3};
 use luxel_math::SUBPIXELS;
 use luxel_scene::{AlphaMode, Camera, Mesh, Size};
 use luxel_visibility::{
-    Coverage, Cull, InstanceSpace, PartUse, Probe, Reach, Strokes, ViewFromLocal, WindowRays,
-    strokes,
+    Coverage, Cull, InstanceSpace, MAX_SIDE, PartUse, Probe, Reach, Strokes, ViewFromLocal,
+    WindowRays, strokes,
 };
 
 /// What a camera sees of a scene in a window, ready to be asked pixel by pixel.
@@ -31,11 +31,12 @@ pub(crate) struct Instance {
     pub(crate) object: usize,
     /// Which of the view's strokes it is, if it isn't the object's triangles.
     pub(crate) strokes: Option<usize>,
+    pub(crate) view_from_mesh: DMat4,
     /// From view space to the coordinates of the tree.
     pub(crate) tree_from_view: DMat4,
     pub(crate) space: InstanceSpace,
     pub(crate) probe: Probe,
-    reach: Reach,
+    pub(crate) reach: Reach,
     /// `None` for an instance without triangles.
     pub(crate) thickness: Option<Thickness>,
     pub(crate) parts: Vec<PartUse>,
@@ -71,14 +72,19 @@ impl<'p> PickView<'p> {
     /// [`PickError`] if an object has too many points and lines.
     ///
     /// # Panics
-    /// If a side of the window is 0.
+    /// If a side of the window is 0 or more than [`MAX_SIDE`] pixels.
     pub fn new(
         picker: &'p Picker<'p>,
         camera: Camera,
         size: Size,
         cull: Cull,
     ) -> Result<Self, PickError> {
-        assert!(size.width > 0 && size.height > 0, "a window without pixels");
+        assert!(
+            [size.width, size.height].iter().all(|side| (1..=MAX_SIDE).contains(side)),
+            "a window of {} x {} pixels: a side has 1 to {MAX_SIDE}",
+            size.width,
+            size.height,
+        );
         let scene = picker.scene;
         let strokes = strokes(scene, &picker.objects, &camera, size)
             .into_iter()
@@ -158,6 +164,7 @@ impl<'p> PickView<'p> {
         self.instances.push(Instance {
             object,
             strokes,
+            view_from_mesh,
             tree_from_view,
             space,
             probe,

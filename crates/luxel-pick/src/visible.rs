@@ -1,11 +1,14 @@
 //! What is seen in a region: objects with the pixels they own, from a frame that has been drawn, or
-//! asked pixel by pixel.
+//! from what is drawn of the region alone.
 
+use crate::drawing::{Pixels, Shown};
 use crate::region::Region;
 use crate::told::Element;
 use crate::view::PickView;
+use crate::window::PhysicalPosition;
 use luxel_scene::Size;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// An object and how many pixels show it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,32 +65,92 @@ impl VisibleIds {
 }
 
 impl PickView<'_> {
-    /// The objects that own pixels of a region, by the fill rule of frames, in their order.
+    /// The objects that own pixels of a region, by the fill rule of frames, in their order: those
+    /// whose centres lie inside.
     #[must_use]
     pub fn visible_in(&self, region: &Region) -> Vec<VisibleHit> {
-        counted(self.size, region, |x, y| {
-            self.owner_at(f64::from(x) + 0.5, f64::from(y) + 0.5).map(|(object, _)| object)
-        })
+        let pixels = pixels_of(self.size, region);
+        let of_tile = |shown: &mut dyn Iterator<Item = Shown>| {
+            let mut counts = Counts::new();
+            for Shown { pixel: [x, y], instance, .. } in shown {
+                let PhysicalPosition { x, y } = PhysicalPosition::centre_of(x, y);
+                if region.contains(x, y) {
+                    *counts.entry(self.instances[instance].object).or_default() += 1;
+                }
+            }
+            counts
+        };
+        match self.drawn(&pixels, of_tile) {
+            Ok(counts) => told(counts.into_iter().fold(Counts::new(), sum)),
+            // So many that a frame can't number them can still be asked for.
+            Err(_) => counted(self.size, region, |x, y| {
+                self.owner_at(PhysicalPosition::centre_of(x, y)).map(|(object, _)| object)
+            }),
+        }
     }
 
     /// What every pixel shows, to be asked again and again.
     #[must_use]
     pub fn visible_ids(&self) -> VisibleIds {
         let Size { width, height } = self.size;
-        let pixels: Vec<(u32, u32)> = (0..u64::from(width) * u64::from(height))
-            .into_par_iter()
-            .map(|at| {
-                let [x, y] = [at % u64::from(width), at / u64::from(width)];
-                match self.owner_at(x as f64 + 0.5, y as f64 + 0.5) {
-                    Some((object, Element::Triangle(triangle))) => (object as u32, triangle),
-                    Some((object, _)) => (object as u32, NOTHING),
-                    None => (NOTHING, NOTHING),
+        let count = width as usize * height as usize;
+        let (mut objects, mut triangles) = (vec![NOTHING; count], vec![NOTHING; count]);
+        let mut set = |[x, y]: [u32; 2], object: usize, element: Element| {
+            let at = y as usize * width as usize + x as usize;
+            objects[at] = object as u32;
+            if let Element::Triangle(triangle) = element {
+                triangles[at] = triangle;
+            }
+        };
+        let of_tile = |shown: &mut dyn Iterator<Item = Shown>| {
+            let element = |shown: Shown| {
+                let instance = &self.instances[shown.instance];
+                (shown.pixel, instance.object, self.element_of(instance, shown.triangle))
+            };
+            shown.map(element).collect::<Vec<_>>()
+        };
+        match self.drawn(&[0..width, 0..height], of_tile) {
+            Ok(tiles) => {
+                for (pixel, object, element) in tiles.into_iter().flatten() {
+                    set(pixel, object, element);
                 }
-            })
-            .collect();
-        let (objects, triangles) = pixels.into_iter().unzip();
+            }
+            Err(_) => {
+                for pixel @ [x, y] in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
+                    if let Some((object, element)) =
+                        self.owner_at(PhysicalPosition::centre_of(x, y))
+                    {
+                        set(pixel, object, element);
+                    }
+                }
+            }
+        }
         VisibleIds { size: self.size, objects, triangles }
     }
+}
+
+/// Pixels by object.
+type Counts = BTreeMap<usize, u64>;
+
+fn sum(mut all: Counts, more: Counts) -> Counts {
+    for (object, pixels) in more {
+        *all.entry(object).or_default() += pixels;
+    }
+    all
+}
+
+fn told(counts: Counts) -> Vec<VisibleHit> {
+    counts.into_iter().map(|(object, pixels)| VisibleHit { object, pixels }).collect()
+}
+
+/// The pixels of the window that a region may have centres in.
+fn pixels_of(size: Size, region: &Region) -> Pixels {
+    let [left, top, right, bottom] = region.bounds();
+    let pixels = |from: f64, to: f64, side: u32| {
+        let side = f64::from(side);
+        (from.floor().clamp(0.0, side) as u32)..(to.ceil().clamp(0.0, side) as u32)
+    };
+    [pixels(left, right, size.width), pixels(top, bottom, size.height)]
 }
 
 /// Counts the pixels of a region whose centres show something.
@@ -96,30 +159,18 @@ fn counted(
     region: &Region,
     object: impl Fn(u32, u32) -> Option<usize> + Sync,
 ) -> Vec<VisibleHit> {
-    let [left, top, right, bottom] = region.bounds();
-    let pixels = |from: f64, to: f64, side: u32| {
-        let side = f64::from(side);
-        (from.floor().clamp(0.0, side) as u32)..(to.ceil().clamp(0.0, side) as u32)
-    };
-    let columns = pixels(left, right, size.width);
-    let rows = pixels(top, bottom, size.height);
+    let [columns, rows] = pixels_of(size, region);
     let of_row = |y: u32| {
-        let mut seen = std::collections::BTreeMap::new();
+        let mut counts = Counts::new();
         for x in columns.clone() {
-            if region.contains(f64::from(x) + 0.5, f64::from(y) + 0.5)
+            let centre = PhysicalPosition::centre_of(x, y);
+            if region.contains(centre.x, centre.y)
                 && let Some(object) = object(x, y)
             {
-                *seen.entry(object).or_insert(0_u64) += 1;
+                *counts.entry(object).or_default() += 1;
             }
         }
-        seen
+        counts
     };
-    let seen = rows.into_par_iter().map(of_row).reduce(std::collections::BTreeMap::new, |a, b| {
-        let mut sum = a;
-        for (object, pixels) in b {
-            *sum.entry(object).or_insert(0) += pixels;
-        }
-        sum
-    });
-    seen.into_iter().map(|(object, pixels)| VisibleHit { object, pixels }).collect()
+    told(rows.into_par_iter().map(of_row).reduce(Counts::new, sum))
 }

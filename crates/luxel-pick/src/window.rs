@@ -1,8 +1,8 @@
 //! Windows: sizes in the two units that systems use, and the two places where their origin lies.
 //!
 //! Window systems give the mouse in *logical* points and draw in *physical* pixels; on a display of
-//! high density they differ by a scale. They are types of their own here, so that mixing them up
-//! doesn't compile.
+//! high density they differ by a scale. They are types of their own here, and questions about places
+//! take [`PhysicalPosition`], so that mixing them up doesn't compile.
 
 use glam::DVec2;
 use luxel_scene::Size;
@@ -35,6 +35,22 @@ pub struct LogicalPosition {
 }
 
 /// A place in physical pixels, the origin at the window's upper left: pixel n covers `[n, n + 1)`.
+///
+/// Bare numbers stand for pixels; points have to be turned into pixels first:
+///
+/// ```compile_fail
+/// # fn hover(view: &luxel_pick::PickView<'_>) {
+/// let cursor = luxel_pick::LogicalPosition { x: 320.0, y: 180.0 };
+/// view.at(cursor); // On a display of high density another place of the window.
+/// # }
+/// ```
+/// ```
+/// # fn hover(view: &luxel_pick::PickView<'_>, scale_factor: f64) {
+/// let cursor = luxel_pick::LogicalPosition { x: 320.0, y: 180.0 };
+/// view.at(cursor.to_physical(scale_factor));
+/// view.at([640.5, 360.5]);
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhysicalPosition {
     /// To the right.
@@ -85,6 +101,29 @@ impl PhysicalPosition {
     #[must_use]
     pub fn flipped(self, size: PhysicalSize) -> DVec2 {
         DVec2::new(self.x, flip_y(self.y, f64::from(size.height)))
+    }
+}
+
+impl PhysicalPosition {
+    /// The centre of a pixel, by its column and row.
+    ///
+    /// ```
+    /// let centre = luxel_pick::PhysicalPosition::centre_of(3, 4);
+    /// assert_eq!((centre.x, centre.y), (3.5, 4.5));
+    /// ```
+    #[must_use]
+    pub fn centre_of(column: u32, row: u32) -> Self {
+        Self { x: f64::from(column) + 0.5, y: f64::from(row) + 0.5 }
+    }
+
+    pub(crate) fn to_array(self) -> [f64; 2] {
+        [self.x, self.y]
+    }
+}
+
+impl From<[f64; 2]> for PhysicalPosition {
+    fn from([x, y]: [f64; 2]) -> Self {
+        Self { x, y }
     }
 }
 

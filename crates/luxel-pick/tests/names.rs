@@ -160,13 +160,13 @@ fn points_and_lines_are_hit_within_so_many_pixels_and_no_farther() {
     };
     let view = PickView::new(&picker, camera, SIZE, Cull::Auto).unwrap();
     // A point covers 3x3 pixels, a line 1.5 pixels across: what the frame shows is hit as it is.
-    let shown = |x, y| view.at(x, y).map(|hit| hit.element);
+    let shown = |x, y| view.at([x, y]).map(|hit| hit.element);
     assert_eq!(shown(20.5, 24.5), Some(Element::Point(0)));
     assert_eq!(shown(21.5, 25.5), Some(Element::Point(0)));
     assert_eq!(shown(23.5, 24.5), None);
     assert_eq!(shown(30.5, 40.5), Some(Element::Line(0)));
     assert_eq!(shown(30.5, 42.5), None);
-    let near = |x, y, within| view.stroke_near(x, y, within).map(|hit| hit.element);
+    let near = |x, y, within| view.stroke_near([x, y], within).map(|hit| hit.element);
     for off in [2.5, 4.5, 7.5] {
         assert_eq!(near(30.5, 40.5 + off, off + 0.75), Some(Element::Line(0)), "{off}");
         assert_eq!(near(30.5, 40.5 + off, off - 1.5), None, "{off}");

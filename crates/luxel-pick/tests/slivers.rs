@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
 
-use luxel_pick::{Inclusion, PickView, Picker, Region, SnapTo, SnappedTo};
+use luxel_pick::{Inclusion, PhysicalPosition, PickView, Picker, Region, SnapTo, SnappedTo};
 use luxel_scene::{
     Camera, DMat4, DVec3, DVec4, Lens, MaterialId, Mesh, MeshId, Node, Part, Projection, Scene,
     SceneMaterial, Size, primitives,
@@ -207,7 +207,7 @@ fn pixels_of_what_is_visible_add_up_to_the_frame() {
     let mut count = 0;
     for y in 0..200 {
         for x in 0..320 {
-            let hit = view.at(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            let hit = view.at(PhysicalPosition::centre_of(x, y));
             assert_eq!(hit.map(|hit| hit.object), ids.at(x, y).map(|(object, _)| object));
             count += u64::from(ids.at(x, y).is_some());
         }
@@ -223,14 +223,14 @@ fn a_cursor_snaps_to_the_nearest_vertex_and_edge_that_are_seen() {
     let view = PickView::new(&picker, cameras()[0], SIZE, Cull::Auto).unwrap();
     let objects = scene.objects();
     for (x, y) in [(100.3, 90.2), (210.0, 100.0), (90.0, 120.7)] {
-        let snapped = view.snap(x, y, SnapTo::Vertex, 12.0).unwrap();
+        let snapped = view.snap([x, y], SnapTo::Vertex, 12.0).unwrap();
         let SnappedTo::Vertex(vertex) = snapped.to else { panic!("{snapped:?}") };
         // No vertex of a triangle that is seen nearby is nearer.
         let mut least = f64::INFINITY;
         for dy in -12..=12 {
             for dx in -12..=12 {
                 let (px, py) = (x + f64::from(dx), y + f64::from(dy));
-                let Some(hit) = view.at(px, py) else { continue };
+                let Some(hit) = view.at([px, py]) else { continue };
                 let luxel_pick::Element::Triangle(triangle) = hit.element else { continue };
                 let object = &objects[hit.object];
                 let mesh = &scene.meshes[object.mesh.index()];
@@ -242,15 +242,15 @@ fn a_cursor_snaps_to_the_nearest_vertex_and_edge_that_are_seen() {
             }
         }
         assert!(vertex.pixels <= least + 1e-9, "{} {least}", vertex.pixels);
-        let SnappedTo::Edge(edge) = view.snap(x, y, SnapTo::Edge, 12.0).unwrap().to else {
+        let SnappedTo::Edge(edge) = view.snap([x, y], SnapTo::Edge, 12.0).unwrap().to else {
             panic!("an edge");
         };
         assert!(edge.pixels <= vertex.pixels + 1e-9);
         let back = view.window_of(edge.position).unwrap();
         assert!((back[0] - edge.window[0]).abs() < 1e-6 && (back[1] - edge.window[1]).abs() < 1e-6);
     }
-    assert_eq!(view.snap(2.0, 2.0, SnapTo::Vertex, 5.0), None);
-    let SnappedTo::Face { pixels, .. } = view.snap(100.3, 90.2, SnapTo::Face, 5.0).unwrap().to
+    assert_eq!(view.snap([2.0, 2.0], SnapTo::Vertex, 5.0), None);
+    let SnappedTo::Face { pixels, .. } = view.snap([100.3, 90.2], SnapTo::Face, 5.0).unwrap().to
     else {
         panic!("a face");
     };

@@ -36,7 +36,7 @@ proptest! {
     ) {
         let clip_from_view = camera.projection.clip_from_view(SIZE);
         let viewport = Viewport::of(SIZE);
-        let line = window_ray(&camera, SIZE, x, y);
+        let line = window_ray(&camera, SIZE, [x, y]);
         let [near, far] = line.range;
         let along = near + (far.min(near + 50.0) - near) * distance;
         let place = line.origin + line.direction * along;

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
 
 use luxel::formats::{Limits, open};
-use luxel::pick::{Element, PickView, Picker};
+use luxel::pick::{Element, PhysicalPosition, PickView, Picker, Region, VisibleIds};
 use luxel::render::{Cull, Execution, Layer, LayerValues, Renderer};
 use luxel::scene::{
     Camera, DMat4, DVec3, Lens, Lines, MaterialId, Mesh, MeshId, Node, NormalOptions, NormalSource,
@@ -46,11 +46,25 @@ fn compare(scene: &Scene, camera: Camera, size: Size, cull: Cull) -> usize {
     };
     let picker = Picker::new(scene).unwrap();
     let picks = PickView::new(&picker, camera, size, cull).unwrap();
+    // What is drawn of a part alone is what the frame shows there.
+    let shown = VisibleIds::new(size, ids(0).to_vec(), ids(1).to_vec()).unwrap();
+    assert_eq!(picks.visible_ids(), shown);
+    let (w, h) = (f64::from(size.width), f64::from(size.height));
+    for [x, y, width, height] in [
+        [0.0, 0.0, w, h],
+        [w * 0.4, h * 0.3, 5.0, 5.0],
+        [w * 0.5 + 0.25, h * 0.5 - 0.25, 0.5, 1.0],
+        [60.5, 62.25, 71.0, 9.5],
+        [-9.0, h - 20.0, w, 40.0],
+    ] {
+        let region = Region::rectangle(x, y, width, height).unwrap();
+        assert_eq!(picks.visible_in(&region), shown.in_region(&region), "{x} {y} {width} {height}");
+    }
     let mut seen = 0;
     for y in 0..size.height {
         for x in 0..size.width {
             let at = (y * size.width + x) as usize;
-            let hit = picks.at(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            let hit = picks.at(PhysicalPosition::centre_of(x, y));
             let Some(hit) = hit else {
                 assert_eq!(ids(0)[at], u32::MAX, "({x}, {y}) shows something that isn't picked");
                 continue;
@@ -71,7 +85,7 @@ fn compare(scene: &Scene, camera: Camera, size: Size, cull: Cull) -> usize {
             assert_eq!(hit.uv.unwrap_or_default(), floats(5)[2 * at..2 * at + 2], "({x}, {y})");
             assert_eq!(hit.depth as f32, floats(6)[at], "({x}, {y})");
             assert_eq!(hit.z, floats(7)[at], "({x}, {y})");
-            let all = picks.through(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            let all = picks.through(PhysicalPosition::centre_of(x, y));
             assert_eq!(all[0], hit, "({x}, {y})");
         }
     }

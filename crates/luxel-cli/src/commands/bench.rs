@@ -1,5 +1,6 @@
-//! `luxel bench`: how long frames take.
+//! `luxel bench`: how long frames and picks take.
 
+use super::pick::check_memory;
 use crate::camera;
 use crate::console::Console;
 use crate::failure::Failure;
@@ -13,17 +14,19 @@ use crate::surface;
 use crate::view;
 use clap::Args;
 use luxel::math::SimdLevel;
+use luxel::pick::{PhysicalPosition, PickError, PickView, Picker, Quality};
 use luxel::render::{Picture, Renderer};
-use luxel::scene::Size;
+use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::hint::black_box;
 use std::num::NonZeroU32;
 use std::time::{Duration, Instant};
 
 /// Time frames of an orbiting camera
 ///
 /// Each frame is drawn from nothing into finished 8-bit pixels in memory, from another side than the
-/// one before. For example: luxel bench model.ply --size 1920x1080 --samples 1 --frames 100
+/// one before. Then places of the window are picked, with the tree built. For example: luxel bench model.ply --size 1920x1080 --samples 1 --frames 100
 #[derive(Args, Debug)]
 pub(crate) struct BenchCommand {
     #[command(flatten)]
@@ -96,10 +99,12 @@ impl BenchCommand {
             }
         }
 
+        let picks = self.picks(scene, views[0].camera)?;
         let simd = SimdLevel::name_of(renderer.level());
         let Size { width, height } = self.frame.size;
         if self.json {
             let mut report = timings.to_json();
+            report["pick_us"] = json!(picks.median);
             report["threads"] = json!(renderer.threads());
             report["simd"] = json!(simd);
             report["triangles"] = json!(scene.triangle_count());
@@ -115,9 +120,36 @@ impl BenchCommand {
             renderer.threads(),
         );
         text.push_str(&timings.to_text());
+        // Writing to a string can't fail.
+        let _ = writeln!(text, "pick        {:9.3} us median, one at a time", picks.median);
         output::print(&text)
     }
+
+    /// Microseconds that a pick takes, everything told, where there is something.
+    fn picks(&self, scene: &Scene, camera: Camera) -> Result<Spread, Failure> {
+        let failed = |error: PickError| Failure::work(error.to_string(), "");
+        check_memory(scene, Quality::Thorough, self.execution.max_memory)?;
+        let picker = Picker::with(scene, Quality::Thorough, self.execution.simd).map_err(failed)?;
+        let size = self.frame.size;
+        let view = PickView::new(&picker, camera, size, self.frame.cull.into()).map_err(failed)?;
+        let mut times = [Vec::new(), Vec::new()];
+        for number in 0..PICKS {
+            // Far from one another, and everywhere: both steps are primes.
+            let place = PhysicalPosition::centre_of(
+                number.wrapping_mul(7919) % size.width,
+                number.wrapping_mul(104_729) % size.height,
+            );
+            let start = Instant::now();
+            let hit = black_box(view.at(place));
+            times[usize::from(hit.is_some())].push(start.elapsed().as_secs_f64() * 1e6);
+        }
+        let [missed, hit] = times;
+        Ok(Spread::of(if hit.is_empty() { &missed } else { &hit }))
+    }
 }
+
+/// Places that are picked.
+const PICKS: u32 = 4000;
 
 impl Timings {
     fn new() -> Self {

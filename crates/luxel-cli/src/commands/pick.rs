@@ -9,13 +9,13 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::model;
 use crate::options::{
-    CullChoice, ExecutionOptions, FrameOptions, InputOptions, MaterialOptions, ShadingOptions,
+    ExecutionOptions, FrameOptions, InputOptions, MaterialOptions, ShadingOptions,
 };
 use crate::surface;
 use crate::values::{Rectangle, at as position, finite, lasso, rectangle};
 use clap::{Args, ValueEnum};
 use luxel::pick::{Inclusion, PickView, Picker, Quality};
-use luxel::render::{At, Cull};
+use luxel::render::At;
 use luxel::scene::Scene;
 
 /// Tell what is under a place of the window, or in a part of it
@@ -143,20 +143,11 @@ impl PickCommand {
         let scene = &model.scene;
         let camera = camera::choose(&self.frame, scene)?;
         // A single question is answered sooner by a tree that is made quickly.
-        let quality = match (many, self.asked.visible) {
-            (true, _) => Quality::Thorough,
-            (false, true) => Quality::Fast,
-            (false, false) => Quality::InOrder,
-        };
+        let quality = if many { Quality::Thorough } else { Quality::InOrder };
         check_memory(scene, quality, self.execution.max_memory)?;
         let picker = Picker::with(scene, quality, self.execution.simd)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
-        let cull = match self.frame.cull {
-            CullChoice::Auto => Cull::Auto,
-            CullChoice::None => Cull::None,
-            CullChoice::Back => Cull::Back,
-        };
-        let view = PickView::new(&picker, camera, self.frame.size, cull)
+        let view = PickView::new(&picker, camera, self.frame.size, self.frame.cull.into())
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         match self.asked.place.at {
             Some(AskedAt::One(at)) => self.asked.one(&view, at),
@@ -167,7 +158,7 @@ impl PickCommand {
 }
 
 /// Ends the work before memory is taken for trees that is not allowed.
-fn check_memory(scene: &Scene, quality: Quality, limit: u64) -> Result<(), Failure> {
+pub(super) fn check_memory(scene: &Scene, quality: Quality, limit: u64) -> Result<(), Failure> {
     let triangles = scene.meshes.iter().map(|mesh| mesh.triangles.len() as u64).sum::<u64>();
     let needed = triangles.saturating_mul(quality.bytes_a_triangle() as u64);
     if needed <= limit {

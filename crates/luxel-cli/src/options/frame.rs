@@ -4,6 +4,7 @@ use crate::values::{
     far_plane, finite, fov, intrinsics, point, positive, samples, size, up, view_matrix,
 };
 use clap::{Args, ValueEnum};
+use luxel::render::Cull;
 use luxel::scene::{DMat4, DVec3, Size};
 
 /// Size, camera, samples.
@@ -89,6 +90,16 @@ pub(crate) enum CullChoice {
     None,
     /// Back faces.
     Back,
+}
+
+impl From<CullChoice> for Cull {
+    fn from(choice: CullChoice) -> Self {
+        match choice {
+            CullChoice::Auto => Self::Auto,
+            CullChoice::None => Self::None,
+            CullChoice::Back => Self::Back,
+        }
+    }
 }
 
 /// Degrees above the horizon, from straight below to straight above.

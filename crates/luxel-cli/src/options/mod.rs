@@ -12,7 +12,7 @@ mod picture;
 mod shading;
 
 pub(crate) use execution::ExecutionOptions;
-pub(crate) use frame::{CullChoice, FrameOptions};
+pub(crate) use frame::FrameOptions;
 pub(crate) use input::InputOptions;
 pub(crate) use light::LightOptions;
 pub(crate) use material::MaterialOptions;

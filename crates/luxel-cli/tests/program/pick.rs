@@ -96,10 +96,34 @@ fn every_pixel_is_picked_as_the_layers_of_render_show_it() {
                 [hit["index"].as_u64().unwrap(), hit["triangle"].as_u64().unwrap()]
             });
             assert_eq!(told, [u64::from(layers[0][at]), u64::from(layers[1][at])], "pixel {at}");
+            assert_eq!(document["camera"]["clip_from_view"].as_array().unwrap().len(), 16);
         }
+        // What is visible in a part of the window is what the layers show there.
+        let (left, top, wide, high) = (20, 11, 51, 40);
+        let line = format!("pick {flags} --rect {left},{top},{wide},{high} --visible --json");
+        let document = folder.run(line.split_whitespace()).json();
+        let mut counts = std::collections::BTreeMap::new();
+        for (x, y) in (top..top + high).flat_map(|y| (left..left + wide).map(move |x| (x, y))) {
+            *counts.entry(u64::from(layers[0][y * width + x])).or_insert(0_u64) += 1;
+        }
+        counts.remove(&u64::from(u32::MAX));
+        let told: std::collections::BTreeMap<u64, u64> = document["hits"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|hit| (hit["index"].as_u64().unwrap(), hit["pixels"].as_u64().unwrap()))
+            .collect();
+        assert_eq!(told, counts, "{demo}");
         assert_eq!(text.lines().count(), width * height);
         assert!(seen > 1000);
     }
+}
+
+#[test]
+fn a_benchmark_tells_what_a_pick_takes() {
+    let report = luxel("bench demo:spheres --size 64x48 --frames 1 --json").json();
+    assert!(report["pick_us"].as_f64().unwrap() > 0.0, "{report}");
+    assert!(luxel("bench demo:spheres --size 64x48 --frames 1").text().contains("pick"));
 }
 
 #[test]

@@ -24,8 +24,9 @@ impl AskedOptions {
         if !self.json {
             return output::print(&tell::text(view, &answer));
         }
-        let camera = camera::to_json(view.camera(), view.size());
-        output::print_json(&document(view, &answer, &camera))
+        let mut document = tell::document(view, &answer);
+        document.insert("camera".to_owned(), camera::to_json(view.camera(), view.size()));
+        output::print_json(&Value::Object(document))
     }
 
     /// Answers for each line of the standard input, as soon as it can be read, in order.
@@ -97,17 +98,22 @@ impl AskedOptions {
                 }
             }
         }
-        let camera = camera::to_json(view.camera(), view.size());
+        // The camera is the same for all: written once.
+        let camera = camera::to_json(view.camera(), view.size()).to_string();
         let of_run = |run: &[At]| {
             let mut bytes = Vec::new();
             for &at in run {
                 let answer = self.answer(view, at);
-                let text = if self.json {
-                    format!("{}\n", document(view, &answer, &camera))
+                if self.json {
+                    let document = Value::Object(tell::document(view, &answer)).to_string();
+                    // After the opening brace; there is always a hit list to follow.
+                    let rest = document.get(1..).unwrap_or_default();
+                    for part in ["{\"camera\":", &camera, ",", rest, "\n"] {
+                        bytes.extend_from_slice(part.as_bytes());
+                    }
                 } else {
-                    tell::text(view, &answer)
-                };
-                bytes.extend_from_slice(text.as_bytes());
+                    bytes.extend_from_slice(tell::text(view, &answer).as_bytes());
+                }
             }
             bytes
         };
@@ -119,9 +125,9 @@ impl AskedOptions {
             At::Pixel([x, y]) => [f64::from(x) + 0.5, f64::from(y) + 0.5],
             At::Point(point) => point,
         };
-        let stroke = self.within.and_then(|within| view.stroke_near(x, y, within));
+        let stroke = self.within.and_then(|within| view.stroke_near([x, y], within));
         let mut hits: Vec<PickHit> =
-            if self.through { view.through(x, y) } else { view.at(x, y).into_iter().collect() };
+            if self.through { view.through([x, y]) } else { view.at([x, y]).into_iter().collect() };
         if let Some(stroke) = stroke {
             if self.through {
                 hits.retain(|hit| (hit.object, hit.element) != (stroke.object, stroke.element));
@@ -136,17 +142,10 @@ impl AskedOptions {
                 SnapChoice::Edge => SnapTo::Edge,
                 SnapChoice::Face => SnapTo::Face,
             };
-            view.snap(x, y, to, self.within.unwrap_or(SNAP_WITHIN))
+            view.snap([x, y], to, self.within.unwrap_or(SNAP_WITHIN))
         });
         Answer { at: [x, y], hits, snapped }
     }
-}
-
-/// What `--json` prints about one place.
-fn document(view: &PickView<'_>, answer: &Answer, camera: &Value) -> Value {
-    let mut document = tell::document(view, answer);
-    document.insert("camera".to_owned(), camera.clone());
-    Value::Object(document)
 }
 
 fn unreadable(line: usize, message: &str) -> Failure {

@@ -1,0 +1,164 @@
+//! What a part of the window shows, drawn as frames are: the tree tells which triangles may reach
+//! there, and a frame of `luxel-visibility` over those alone finds out which pixel shows which.
+
+use crate::cover::Covering;
+use crate::frustum::{Frustum, PLANES, planes};
+use crate::region::Region;
+use crate::view::{Geometry, Instance, PickView};
+use luxel_math::SUBPIXELS;
+use luxel_scene::{Mesh, Part};
+use luxel_visibility::{
+    Clusters, Frame, Instance as FrameInstance, Samples, TILE, Tile, TooManyTriangles, TriangleId,
+};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// Columns and rows of the window.
+pub(crate) type Pixels = [Range<u32>; 2];
+
+/// What may be seen of an instance.
+struct Drawn<'v> {
+    /// The instance, by its place in the view.
+    instance: usize,
+    mesh: Cow<'v, Mesh>,
+    /// The triangles of the instance that the mesh holds; `None` for all.
+    triangles: Option<Vec<u32>>,
+    clusters: Clusters,
+}
+
+/// A pixel of a row, and the instance and triangle that it shows.
+pub(crate) struct Shown {
+    pub(crate) pixel: [u32; 2],
+    pub(crate) instance: usize,
+    pub(crate) triangle: u32,
+}
+
+impl PickView<'_> {
+    /// Visits what pixels show, tile by tile on all threads; `visit` gives what is kept of a tile.
+    ///
+    /// # Errors
+    /// [`TooManyTriangles`] where a frame can't number them.
+    pub(crate) fn drawn<T: Send>(
+        &self,
+        [columns, rows]: &Pixels,
+        visit: impl Fn(&mut dyn Iterator<Item = Shown>) -> T + Sync,
+    ) -> Result<Vec<T>, TooManyTriangles> {
+        if columns.is_empty() || rows.is_empty() {
+            return Ok(Vec::new());
+        }
+        let around = [columns.start, rows.start, columns.end, rows.end].map(f64::from);
+        let drawn: Vec<Drawn<'_>> = (0..self.instances.len())
+            .into_par_iter()
+            .filter_map(|number| self.to_draw(number, around))
+            .collect();
+        let instances = drawn.iter().map(|drawn| {
+            let Instance { view_from_mesh, parts, .. } = &self.instances[drawn.instance];
+            FrameInstance {
+                mesh: &drawn.mesh,
+                clusters: &drawn.clusters,
+                view_from_mesh: *view_from_mesh,
+                parts: parts.clone(),
+            }
+        });
+        let (projection, level) = (&self.camera.projection, self.picker.level);
+        let frame = Frame::new(instances.collect(), projection, self.size, Samples::ONE, level)?;
+        let shown = |id: TriangleId| {
+            let of = frame.triangle(id)?;
+            let Drawn { instance, triangles, .. } = &drawn[of.instance];
+            let triangle = triangles.as_ref().map_or(of.triangle, |all| all[of.triangle as usize]);
+            Some((*instance, triangle))
+        };
+        let hole = |id: TriangleId, position: [i32; 2]| {
+            shown(id).is_some_and(|(instance, triangle)| {
+                self.is_hole(&Covering { instance, triangle, depth: 0.0 }, position)
+            })
+        };
+        let [across, _] = frame.tiles();
+        let of_tile = |tile: &mut Tile, number: usize| {
+            frame.draw_opaque(level, number, &hole, tile);
+            let [left, top] = tile.origin().map(i32::cast_unsigned);
+            let within = |range: &Range<u32>, first: u32| {
+                range.start.max(first)..range.end.min(first + TILE.cast_unsigned())
+            };
+            let columns = within(columns, left);
+            let pixels = within(rows, top).flat_map(|y| columns.clone().map(move |x| [x, y]));
+            let tile = &*tile;
+            visit(&mut pixels.filter_map(|pixel @ [x, y]| {
+                let id = tile.id((x - left).cast_signed(), (y - top).cast_signed(), 0);
+                let (instance, triangle) = shown(id)?;
+                Some(Shown { pixel, instance, triangle })
+            }))
+        };
+        let tiles = |range: &Range<u32>| {
+            (range.start / TILE.cast_unsigned()) as usize
+                ..range.end.div_ceil(TILE.cast_unsigned()) as usize
+        };
+        let columns = tiles(columns);
+        let numbers: Vec<usize> = tiles(rows)
+            .flat_map(|row| columns.clone().map(move |column| row * across + column))
+            .filter(|&number| !frame.is_tile_empty(number))
+            .collect();
+        let numbers = numbers.into_par_iter();
+        Ok(numbers.map_init(|| Tile::new(1), |tile, number| of_tile(tile, number)).collect())
+    }
+
+    /// What of an instance may be seen between left, top, right and bottom; `None` for nothing.
+    fn to_draw(&self, number: usize, [left, top, right, bottom]: [f64; 4]) -> Option<Drawn<'_>> {
+        let instance = &self.instances[number];
+        let Geometry { mesh, bvh } = self.geometry(instance);
+        let window = [f64::from(self.size.width), f64::from(self.size.height)];
+        let clip_from_tree =
+            self.camera.projection.clip_from_view(self.size) * instance.tree_from_view.inverse();
+        // How far snapping may carry a corner: by so many pixels, and in proportion to distance;
+        // planes are in units of 2 w pixels.
+        let pixels = |steps: f64| steps / f64::from(SUBPIXELS);
+        let grow = pixels(instance.reach.constant);
+        let (width, height) = (right - left + 2.0 * grow, bottom - top + 2.0 * grow);
+        let region = Region::rectangle(left - grow, top - grow, width, height).ok()?;
+        let [x, y] = instance.reach.by_distance.map(|steps| 2.0 * pixels(steps));
+        let beyond: [f64; PLANES] = [x, x, y, y, 0.0, 0.0];
+        let planes = planes(&region.hull(), window);
+        let frustum = Frustum::new(&planes, &clip_from_tree, bvh.bounds(), beyond);
+        let mut triangles: Vec<u32> = Vec::new();
+        frustum.each_leaf(bvh, |leaf| triangles.extend_from_slice(leaf));
+        if triangles.is_empty() {
+            return None;
+        }
+        // Copying less than half of a mesh pays.
+        if triangles.len() > mesh.triangles.len() / 2 {
+            let clusters = Clusters::new(mesh);
+            return Some(Drawn {
+                instance: number,
+                mesh: Cow::Borrowed(mesh),
+                triangles: None,
+                clusters,
+            });
+        }
+        // At equal depth the first in the file is seen.
+        triangles.par_sort_unstable();
+        let mesh = only(mesh, &triangles);
+        let clusters = Clusters::new(&mesh);
+        let (mesh, triangles) = (Cow::Owned(mesh), Some(triangles));
+        Some(Drawn { instance: number, mesh, triangles, clusters })
+    }
+}
+
+/// Some triangles of a mesh, given in its order, each with corners of its own.
+fn only(mesh: &Mesh, triangles: &[u32]) -> Mesh {
+    let corners = |&triangle: &u32| {
+        mesh.triangles[triangle as usize].map(|vertex| mesh.positions[vertex as usize])
+    };
+    let part = |part: &Part| {
+        let before = |end: u32| triangles.partition_point(|&triangle| triangle < end) as u32;
+        let first = before(part.first);
+        Part { first, count: before(part.first + part.count) - first, ..*part }
+    };
+    Mesh {
+        origin: mesh.origin,
+        positions: triangles.iter().flat_map(corners).collect(),
+        triangles: (0..triangles.len() as u32).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect(),
+        parts: mesh.parts.iter().map(part).collect(),
+        ..Mesh::default()
+    }
+}
