@@ -44,9 +44,14 @@ pub struct Options {
     pub execution: Execution,
     /// Writes a file, whole or not at all; answers with what went wrong, for the user.
     pub write: Write,
+    /// Prints the line of a terminal that draws a view of a file.
+    pub print: Print,
     /// Says something that is worth knowing.
     pub tell: Box<dyn Fn(&str)>,
 }
+
+/// Prints the line of a terminal that draws a view of a file.
+pub type Print = Box<dyn Fn(&OsStr, &View)>;
 
 /// Writes a file; answers with what went wrong.
 pub type Write = Box<dyn Fn(&Path, &[u8]) -> Result<(), String>>;

@@ -12,6 +12,8 @@ pub(crate) enum Action {
     Help,
     /// Show or hide the panels.
     Panels,
+    /// The line of a terminal that draws what is seen.
+    Line,
     /// A point of the ruler, under the pointer.
     Measure,
     /// The next file, or the one before.
@@ -79,6 +81,7 @@ pub(crate) fn action(key: &Key, modifiers: ModifiersState, mode: Mode) -> Option
             "1" => view(StandardView::Front, StandardView::Back),
             "3" => view(StandardView::Right, StandardView::Left),
             "7" => view(StandardView::Top, StandardView::Bottom),
+            "c" if is_ctrl_down => Some(Action::Line),
             _ if is_ctrl_down => None,
             "q" => Some(Action::Quit),
             "h" if modifiers.shift_key() => Some(Action::Isolate),
@@ -192,6 +195,9 @@ mod tests {
         let of = |modifiers| action(&Key::Character("3".into()), modifiers, Mode::Turntable);
         assert_eq!(of(ModifiersState::empty()), Some(Action::View(StandardView::Right)));
         assert_eq!(of(ModifiersState::CONTROL), Some(Action::View(StandardView::Left)));
+        let c = |modifiers| action(&Key::Character("c".into()), modifiers, Mode::Turntable);
+        assert_eq!(c(ModifiersState::CONTROL), Some(Action::Line));
+        assert!(matches!(c(ModifiersState::empty()), Some(Action::Hold(_))));
     }
 
     #[test]

@@ -26,5 +26,5 @@ mod theme;
 mod ui;
 mod worker;
 
-pub use app::{Options, Outcome, ViewerError, Write, run};
+pub use app::{Options, Outcome, Print, ViewerError, Write, run};
 pub use model::Model;

@@ -288,6 +288,10 @@ fn view(ui: &mut egui::Ui, session: &mut Session, wishes: &mut Vec<Wish>) {
     if ui.button("fit all").clicked() {
         wishes.push(Wish::Fit(None));
     }
+    let line = ui.button("print as `luxel render`");
+    if line.on_hover_text("Ctrl c: the line that draws this view goes to the terminal").clicked() {
+        wishes.push(Wish::Line);
+    }
     let view = &mut session.model.view;
     let before = (view.edges, view.samples);
     heading(ui, "Edges");

@@ -104,6 +104,13 @@ impl Session {
         self.revision += 1;
     }
 
+    /// Whether something was changed in the window beside the camera, its samples and its edges.
+    pub(crate) fn is_edited(&self) -> bool {
+        let view = &self.model.view;
+        let is_lit_as_read = (&view.lights, view.ambient) == (&self.read.0, self.read.1);
+        !is_lit_as_read || self.dark.contains(&true) || !self.marks.hidden().is_empty()
+    }
+
     /// Some seconds have passed, then something has happened.
     pub(crate) fn happen(&mut self, event: Event, seconds: f64) {
         self.state = advance(&self.state, &self.settings, &event, seconds);
@@ -356,8 +363,10 @@ mod tests {
     fn lights_that_are_off_are_not_drawn() {
         let mut session = session(false);
         let all = session.view().lights;
+        assert!(!session.is_edited());
         session.dark[0] = true;
         assert_eq!(session.view().lights, all[1..]);
+        assert!(session.is_edited());
     }
 
     #[test]

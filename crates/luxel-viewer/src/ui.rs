@@ -24,6 +24,8 @@ pub(crate) enum Wish {
     Mode(Mode),
     /// Parallel rays or a perspective.
     Lens,
+    /// The line of a terminal that draws what is seen.
+    Line,
 }
 
 /// What the line below the picture tells.
@@ -329,6 +331,7 @@ fn help(context: &Context, mode: Mode) {
                         ("Left, Right", "previous, next file"),
                         ("Tab", "panels"),
                         ("F12", "picture into a file"),
+                        ("Ctrl c", "print its `luxel render`"),
                         ("h, ?", "this help"),
                         ("q, Esc", "quit"),
                     ],

@@ -54,6 +54,13 @@ pub(crate) struct RenderCommand {
     execution: ExecutionOptions,
 }
 
+#[cfg(all(test, feature = "viewer"))]
+impl RenderCommand {
+    pub(crate) fn frame(&self) -> &FrameOptions {
+        &self.frame
+    }
+}
+
 /// What is written, and where.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Output")]

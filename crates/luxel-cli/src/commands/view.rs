@@ -60,8 +60,13 @@ impl ViewCommand {
 }
 
 #[cfg(feature = "viewer")]
+mod line;
+
+#[cfg(feature = "viewer")]
 mod window {
     use super::ViewCommand;
+    use super::line::line;
+    use crate::cli::with_command;
     use crate::console::Console;
     use crate::failure::Failure;
     use crate::options::InputOptions;
@@ -97,6 +102,11 @@ mod window {
                 execution: view::execution(&self.execution),
                 write: Box::new(|path, bytes| {
                     output::write_file(path, bytes).map_err(|failure| failure.lines().join("; "))
+                }),
+                print: Box::new(|file, view| {
+                    let words = with_command(std::env::args_os());
+                    // Who reads it may be gone; the window is still there.
+                    let _ = output::print(&format!("{}\n", line(&words, file, view)));
                 }),
                 tell: Box::new(move |what| console.tell(what)),
             };

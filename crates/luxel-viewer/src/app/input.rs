@@ -51,6 +51,7 @@ impl App {
                 }
             }
             Action::Measure => self.measure(),
+            Action::Line => self.print_line(),
             Action::Step(is_forward) => self.step(is_forward),
             Action::Hide | Action::Isolate | Action::ShowAll => {
                 if let Some(session) = &mut self.session {
@@ -155,6 +156,7 @@ impl App {
         match wish {
             Wish::View(view) => self.happen(Event::View(view)),
             Wish::Mode(mode) => self.happen(Event::Mode(mode)),
+            Wish::Line => self.print_line(),
             Wish::Fit(Some(bounds)) => self.happen(Event::Fit(Some(bounds))),
             Wish::Fit(None) | Wish::Lens if self.playing.is_some() => {}
             Wish::Fit(None) | Wish::Lens => {

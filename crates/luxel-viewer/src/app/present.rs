@@ -59,6 +59,18 @@ impl App {
         Ok(format!("{} written", path.display()))
     }
 
+    /// Prints the line of a terminal that draws what is seen.
+    pub(super) fn print_line(&mut self) {
+        let Some(session) = &self.session else { return };
+        (self.options.print)(self.files.seen(), &session.view());
+        let note = if session.is_edited() {
+            "its line is in the terminal, but for lights changed here and what is hidden"
+        } else {
+            "its line is in the terminal"
+        };
+        self.note(note.to_owned());
+    }
+
     pub(super) fn redraw(&self) {
         if let Some(screen) = &self.screen {
             screen.window.request_redraw();
