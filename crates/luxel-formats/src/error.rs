@@ -84,6 +84,20 @@ impl Error {
     }
 }
 
+impl Place {
+    /// The line and the column of a byte of a text, from 1; columns are counted in characters.
+    #[must_use]
+    pub fn in_text(text: &str, byte: usize) -> Self {
+        let byte = byte.min(text.len());
+        let before = text.as_bytes().get(..byte).unwrap_or_default();
+        let line_start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+        let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+        // Bytes that go on with a character don't count.
+        let column = before[line_start..].iter().filter(|&&byte| byte & 0xc0 != 0x80).count() + 1;
+        Self::LineColumn(line as u64, column as u64)
+    }
+}
+
 impl fmt::Display for Place {
     /// As compilers write places: nothing for the file itself, `:12` for a line, `:12:5` with a
     /// column, else in words.

@@ -45,10 +45,10 @@ pub use ledger::{
 };
 pub use luxel_visibility::Cull;
 pub use picture::{
-    LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color,
+    LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color, layer_rgb8,
     write_layers, write_linear, write_rgba8,
 };
-pub use renderer::{MAX_SIDE, Picture, RenderError, Renderer, Stages, Subdivision};
+pub use renderer::{MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision};
 pub use svg::{MAX_PIECES, Svg, SvgOptions};
 pub use unseen::{NearestObject, SurfaceBelow};
 pub use view::{

@@ -1,5 +1,7 @@
 //! The renderer: a scene made ready once, then drawn from any view.
 
+mod prepared;
+
 use crate::edges::EdgeFlags;
 use crate::explain::lights_with_terms;
 use crate::holes::Holes;
@@ -18,6 +20,8 @@ use luxel_visibility::{Clusters, Frame, InstanceSpace, Samples, Tile, TooManyTri
 use rayon::prelude::*;
 use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
+
+pub use prepared::Prepared;
 
 /// Why a view can't be drawn.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -7,7 +7,7 @@ use luxel_visibility::Cull;
 use std::time::Duration;
 
 /// What a picture shows, apart from the scene.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct View {
     /// The picture's size.
     pub size: Size,

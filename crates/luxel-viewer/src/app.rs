@@ -6,18 +6,21 @@ mod pointing;
 mod present;
 
 use crate::files::{Files, Watch};
+use crate::keys::Keys;
 use crate::marks::Marks;
 use crate::model::Model;
 use crate::pace::Pace;
 use crate::screen::Screen;
 use crate::session::Session;
+use crate::sheet::Sheet;
+use crate::theme::ThemeChoice;
 use crate::ui::{Status, Ui};
-use crate::worker::{Answer, Drawn, Purpose, Worker};
+use crate::worker::{Answer, Changes, Drawn, Order, Purpose, Worker};
 use luxel::navigation::{Command, Entry, Event, Log, Mode};
 use luxel::render::{Execution, View};
 use luxel::scene::{Camera, DVec2, DVec3, Size};
 use opening::Reading;
-use std::collections::BTreeSet;
+use present::GuideLines;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -40,6 +43,10 @@ pub struct Options {
     pub record: Option<PathBuf>,
     /// A log to be played at first, in its own time.
     pub replay: Option<Log>,
+    /// The window's colours.
+    pub theme: ThemeChoice,
+    /// What keys do.
+    pub keys: Keys,
     /// How pictures are drawn.
     pub execution: Execution,
     /// Writes a file, whole or not at all; answers with what went wrong, for the user.
@@ -141,10 +148,13 @@ struct App {
     /// The picture in the window's size, below what the panels paint.
     below: Vec<u32>,
     is_below_stale: bool,
-    /// The marks in it.
+    /// The marks in it, and the line between two looks.
     marked: Marks,
-    /// What the thread that draws leaves out.
-    hidden: BTreeSet<usize>,
+    divided: Option<f32>,
+    /// Lines of the world over it, and what they were made of.
+    guides: GuideLines,
+    /// What the thread that draws has otherwise than the file.
+    changes: Changes,
     ui: Ui,
     status: Status,
     /// When the panels want to be painted again.
@@ -182,6 +192,7 @@ impl App {
         let files = Files::new(options.files.clone());
         let requested = files.asked().to_owned();
         let name = Files::title(&requested);
+        let ui = Ui::new(options.theme.theme(None), options.keys.clone());
         let status = Status { name: name.clone(), reading: Some(name), ..Status::default() };
         Self {
             options,
@@ -201,8 +212,10 @@ impl App {
             below: Vec::new(),
             is_below_stale: true,
             marked: Marks::default(),
-            hidden: BTreeSet::new(),
-            ui: Ui::new(),
+            divided: None,
+            guides: GuideLines::default(),
+            changes: Changes::default(),
+            ui,
             status,
             repaint: None,
             noted: None,
@@ -270,29 +283,36 @@ impl App {
             self.happen(Event::Wait);
         }
         let session = self.session.as_mut()?;
-        if *session.marks.hidden() != self.hidden {
-            self.hidden.clone_from(session.marks.hidden());
-            self.worker.hide(self.hidden.clone());
+        let changes = session.changes();
+        if changes != self.changes {
+            self.worker.change(changes.clone());
+            self.changes = changes;
             session.changed();
         }
         let view = session.view();
         let wanted = (view.camera, view.size, session.revision());
         if self.wants_screenshot {
             self.wants_screenshot = false;
-            self.draw(view, Purpose::File);
+            let sheets = session.sheets();
+            self.draw(sheets, Purpose::File);
             return due;
         }
         match self.asked {
             None => {
                 self.asked = Some((wanted, Purpose::Sharp));
-                self.draw(view, Purpose::Sharp);
+                let sheets = session.sheets();
+                self.draw(sheets, Purpose::Sharp);
             }
             Some((asked, _)) if asked != wanted => {
                 self.changed = Instant::now();
                 self.asked = Some((wanted, Purpose::Moving));
                 let size = self.pace.moving(view.size);
                 let camera = shrunk(view.camera, view.size, size);
-                self.draw(View { camera, size, samples: 1, ..view }, Purpose::Moving);
+                let mut sheets = session.sheets();
+                for Sheet { view, .. } in &mut sheets {
+                    (view.camera, view.size, view.samples) = (camera, size, 1);
+                }
+                self.draw(sheets, Purpose::Moving);
             }
             Some((_, Purpose::Moving)) => {
                 let rests = self.changed + REST;
@@ -300,9 +320,13 @@ impl App {
                     return Some(due.map_or(rests, |due| due.min(rests)));
                 }
                 self.asked = Some((wanted, Purpose::Sharp));
-                self.draw(view, Purpose::Sharp);
+                let sheets = session.sheets();
+                self.draw(sheets, Purpose::Sharp);
             }
-            Some((asked, Purpose::Sharp | Purpose::File)) => self.explain(view, asked),
+            Some((asked, Purpose::Sharp | Purpose::File)) => {
+                let view = session.view_at(self.pointer.x);
+                self.explain(view, asked);
+            }
         }
         due
     }
@@ -318,11 +342,12 @@ impl App {
         self.worker.explain(view, pixel);
     }
 
-    fn draw(&mut self, view: View, purpose: Purpose) {
+    fn draw(&mut self, sheets: Vec<Sheet>, purpose: Purpose) {
         self.is_drawing = true;
-        let is_marked =
-            self.session.as_ref().is_some_and(|session| !session.marks.selected().is_empty());
-        self.worker.draw(view, purpose, is_marked);
+        let session = self.session.as_ref();
+        let is_marked = session.is_some_and(|session| !session.marks.selected().is_empty());
+        let has_lines = session.is_some_and(|session| session.guides.is_any());
+        self.worker.draw(Order { sheets, purpose, is_marked, has_lines });
     }
 
     /// Plays what is due of the log; when the next event is.
@@ -363,6 +388,9 @@ impl ApplicationHandler<Answer> for App {
                 if let Some(session) = &mut self.session {
                     session.resize(screen.size());
                 }
+                let is_light =
+                    screen.window.theme().map(|theme| theme == winit::window::Theme::Light);
+                self.ui.dress(self.options.theme.theme(is_light));
                 self.screen = Some(screen);
             }
             Err(error) => self.end(event_loop, Err(error)),
@@ -417,6 +445,12 @@ impl ApplicationHandler<Answer> for App {
                     mac_cmd: false,
                     command: self.modifiers.control_key(),
                 };
+            }
+            WindowEvent::ThemeChanged(theme) => {
+                let is_light = theme == winit::window::Theme::Light;
+                self.ui.dress(self.options.theme.theme(Some(is_light)));
+                self.is_below_stale = true;
+                self.redraw();
             }
             WindowEvent::DroppedFile(path) => self.drop_file(path),
             WindowEvent::Focused(false) => self.lift_all(),

@@ -1,6 +1,6 @@
 //! From a picture to the window's pixels: over a quiet gradient, enlarged where it is smaller.
 
-use crate::theme::GROUND;
+use crate::theme::Theme;
 use luxel::scene::Size;
 
 /// What breaks up the steps of the gradient, in 64ths of a step: an ordered dither (Bayer 1973, An
@@ -9,8 +9,7 @@ const DITHER: [[i32; 4]; 4] =
     [[2, 34, 10, 42], [50, 18, 58, 26], [14, 46, 6, 38], [62, 30, 54, 22]];
 
 /// The ground at a place of the window: red, green, blue.
-fn ground(x: usize, y: usize, height: usize) -> [i32; 3] {
-    let [top, bottom] = GROUND;
+fn ground([top, bottom]: [[u8; 3]; 2], x: usize, y: usize, height: usize) -> [i32; 3] {
     let threshold = DITHER[y % 4][x % 4];
     let down = (y * 64 / height.max(1)) as i32;
     let fine = (y * 64 % height.max(1)) as i32 * 64 / height.max(1) as i32;
@@ -25,7 +24,12 @@ fn ground(x: usize, y: usize, height: usize) -> [i32; 3] {
 /// Puts a picture with straight alpha over the ground, as large as the window; pixels are 0RGB.
 ///
 /// A smaller picture is enlarged bilinearly, its pixels' centres where they were.
-pub(crate) fn compose(picture: &[[u8; 4]], size: Size, window: Size, pixels: &mut [u32]) {
+pub(crate) fn compose(
+    (picture, size): (&[[u8; 4]], Size),
+    theme: &Theme,
+    window: Size,
+    pixels: &mut [u32],
+) {
     let (across, down) = (window.width as usize, window.height as usize);
     let is_whole = size == window;
     let columns: Vec<_> = (0..across).map(|x| between(x, across, size.width as usize)).collect();
@@ -45,7 +49,7 @@ pub(crate) fn compose(picture: &[[u8; 4]], size: Size, window: Size, pixels: &mu
                     bilinear(corners, weight_x as u32, weight_y as u32)
                 }
             };
-            *out = over(color, x, y, down);
+            *out = over(color, theme, x, y, down);
         }
     }
 }
@@ -81,11 +85,11 @@ fn bilinear(corners: [[u8; 4]; 4], x: u32, y: u32) -> [u8; 4] {
     [color(0), color(1), color(2), ((alpha + (1 << 15)) >> 16) as u8]
 }
 
-fn over([r, g, b, alpha]: [u8; 4], x: usize, y: usize, height: usize) -> u32 {
+fn over([r, g, b, alpha]: [u8; 4], theme: &Theme, x: usize, y: usize, height: usize) -> u32 {
     if alpha == 255 {
         return pack([r, g, b]);
     }
-    let below = ground(x, y, height).map(|channel| channel as u32);
+    let below = ground(theme.ground, x, y, height).map(|channel| channel as u32);
     let alpha = u32::from(alpha);
     let mix =
         |color: u8, below: u32| ((u32::from(color) * alpha + below * (255 - alpha)) / 255) as u8;
@@ -93,11 +97,11 @@ fn over([r, g, b, alpha]: [u8; 4], x: usize, y: usize, height: usize) -> u32 {
 }
 
 /// The ground alone.
-pub(crate) fn empty(window: Size, pixels: &mut [u32]) {
+pub(crate) fn empty(theme: &Theme, window: Size, pixels: &mut [u32]) {
     let (across, down) = (window.width as usize, window.height as usize);
     for (y, row) in pixels.chunks_exact_mut(across.max(1)).enumerate() {
         for (x, out) in row.iter_mut().enumerate() {
-            *out = over([0; 4], x, y, down);
+            *out = over([0; 4], theme, x, y, down);
         }
     }
 }
@@ -109,11 +113,12 @@ fn pack([r, g, b]: [u8; 3]) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::theme::DARK;
 
     fn composed(picture: &[[u8; 4]], size: [u32; 2], window: [u32; 2]) -> Vec<u32> {
         let [size, window] = [size, window].map(|[width, height]| Size { width, height });
         let mut pixels = vec![0; (window.width * window.height) as usize];
-        compose(picture, size, window, &mut pixels);
+        compose((picture, size), &DARK, window, &mut pixels);
         pixels
     }
 
@@ -147,12 +152,12 @@ mod tests {
     fn the_ground_goes_from_one_colour_to_the_other() {
         let window = Size { width: 8, height: 720 };
         let mut pixels = vec![0; 8 * 720];
-        empty(window, &mut pixels);
+        empty(&DARK, window, &mut pixels);
         let mean = |row: usize| {
             let sum: u32 = pixels[row * 8..][..8].iter().map(|pixel| pixel >> 16).sum();
             f64::from(sum) / 8.0
         };
-        assert!((mean(0) - f64::from(GROUND[0][0])).abs() < 1.0);
-        assert!((mean(719) - f64::from(GROUND[1][0])).abs() < 1.0);
+        assert!((mean(0) - f64::from(DARK.ground[0][0])).abs() < 1.0);
+        assert!((mean(719) - f64::from(DARK.ground[1][0])).abs() < 1.0);
     }
 }

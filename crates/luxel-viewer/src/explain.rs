@@ -1,7 +1,7 @@
 //! The panel that says why the pixel under the pointer has its colour, and the vectors at its point.
 
 use crate::session::Session;
-use crate::theme::{ACCENT, LINE, QUIET, TERMS, VECTORS};
+use crate::theme::{self, Theme};
 use egui::{Align2, Color32, Context, FontId, RichText, Stroke, pos2, vec2};
 use luxel::render::{ExplainedLight, ExplainedSurface, Explanation, Seen, Unlit};
 use luxel::scene::DVec3;
@@ -12,7 +12,7 @@ type Term = (&'static str, Color32, [f32; 3]);
 /// The ledger of a pixel.
 pub(crate) fn ledger(ui: &mut egui::Ui, explanation: Option<&Explanation>) {
     let Some(explanation) = explanation else {
-        ui.label(RichText::new("Point at something.").color(QUIET));
+        ui.label(RichText::new("Point at something.").weak());
         return;
     };
     let [r, g, b, _] = explanation.rgba8;
@@ -21,7 +21,7 @@ pub(crate) fn ledger(ui: &mut egui::Ui, explanation: Option<&Explanation>) {
         ui.painter().rect_filled(rect, 4, Color32::from_rgb(r, g, b));
         let [x, y] = explanation.pixel;
         ui.monospace(format!("{r:3} {g:3} {b:3}"));
-        ui.label(RichText::new(format!("pixel {x}, {y}")).small().color(QUIET));
+        ui.label(RichText::new(format!("pixel {x}, {y}")).small().weak());
     });
     let heaviest = explanation.samples.iter().max_by(|a, b| a.weight.total_cmp(&b.weight));
     let surface = heaviest.and_then(|sample| {
@@ -31,7 +31,7 @@ pub(crate) fn ledger(ui: &mut egui::Ui, explanation: Option<&Explanation>) {
         })
     });
     let Some((weight, surface)) = surface else {
-        ui.label(RichText::new("nothing is here").color(QUIET));
+        ui.label(RichText::new("nothing is here").weak());
         return;
     };
     let what = match surface.triangle {
@@ -41,10 +41,11 @@ pub(crate) fn ledger(ui: &mut egui::Ui, explanation: Option<&Explanation>) {
     ui.label(what);
     if weight < 1.0 {
         let share = format!("{:.0} % of the pixel's samples", weight * 100.0);
-        ui.label(RichText::new(share).small().color(QUIET));
+        ui.label(RichText::new(share).small().weak());
     }
     ui.add_space(8.0);
-    let terms = terms(surface);
+    let theme = theme::of(ui.ctx());
+    let terms = terms(surface, theme);
     bar(ui, &terms);
     ui.add_space(4.0);
     for (name, color, value) in &terms {
@@ -52,14 +53,14 @@ pub(crate) fn ledger(ui: &mut egui::Ui, explanation: Option<&Explanation>) {
             row(ui, name, *color, *value);
         }
     }
-    row(ui, "sum", ACCENT, surface.sum);
+    row(ui, "sum", theme.accent, surface.sum);
     for light in &surface.lights {
         ui.add_space(8.0);
         one_light(ui, light);
     }
 }
 
-fn terms(surface: &ExplainedSurface) -> [Term; 5] {
+fn terms(surface: &ExplainedSurface, theme: &Theme) -> [Term; 5] {
     let sum =
         |of: fn(&ExplainedLight) -> [f32; 3]| {
             surface.lights.iter().map(of).fold([0.0; 3], |all, one| {
@@ -69,11 +70,11 @@ fn terms(surface: &ExplainedSurface) -> [Term; 5] {
     let of_lights = sum(|light| light.terms.ambient.lane(0));
     let ambient = std::array::from_fn(|at| surface.scene_ambient[at] + of_lights[at]);
     [
-        ("ambient", TERMS[0], ambient),
-        ("diffuse", TERMS[1], sum(|light| light.terms.diffuse.lane(0))),
-        ("specular", TERMS[2], sum(|light| light.terms.specular.lane(0))),
-        ("emission", TERMS[3], surface.emission),
-        ("environment", TERMS[4], surface.environment),
+        ("ambient", theme.terms[0], ambient),
+        ("diffuse", theme.terms[1], sum(|light| light.terms.diffuse.lane(0))),
+        ("specular", theme.terms[2], sum(|light| light.terms.specular.lane(0))),
+        ("emission", theme.terms[3], surface.emission),
+        ("environment", theme.terms[4], surface.environment),
     ]
 }
 
@@ -86,7 +87,7 @@ fn luminance([r, g, b]: [f32; 3]) -> f32 {
 fn bar(ui: &mut egui::Ui, terms: &[Term]) {
     let width = ui.available_width();
     let (rect, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
-    ui.painter().rect_filled(rect, 2, LINE);
+    ui.painter().rect_filled(rect, 2, theme::of(ui.ctx()).line);
     let all: f32 = terms.iter().map(|(_, _, value)| luminance(*value).max(0.0)).sum();
     let mut left = rect.left();
     for (_, color, value) in terms {
@@ -110,8 +111,8 @@ fn row(ui: &mut egui::Ui, name: &str, color: Color32, value: [f32; 3]) {
 }
 
 fn one_light(ui: &mut egui::Ui, light: &ExplainedLight) {
-    let terms = &light.terms;
-    ui.label(RichText::new(&light.name).color(ACCENT));
+    let (terms, theme) = (&light.terms, theme::of(ui.ctx()));
+    ui.label(RichText::new(&light.name).color(theme.heading));
     let mut factors = vec![format!("N.L {:.3}", terms.n_dot_l)];
     if let Some(cosine) = terms.specular_cosine {
         factors.push(format!("cos {cosine:.3}"));
@@ -120,11 +121,11 @@ fn one_light(ui: &mut egui::Ui, light: &ExplainedLight) {
         factors.push(format!("d {distance:.3}"));
         factors.push(format!("att {:.3}", terms.attenuation));
     }
-    ui.label(RichText::new(factors.join("   ")).monospace().size(11.0).color(QUIET));
+    ui.label(RichText::new(factors.join("   ")).monospace().size(11.0).weak());
     let why = match light.unlit() {
         None => {
-            row(ui, "diffuse", TERMS[1], terms.diffuse.lane(0));
-            row(ui, "specular", TERMS[2], terms.specular.lane(0));
+            row(ui, "diffuse", theme.terms[1], terms.diffuse.lane(0));
+            row(ui, "specular", theme.terms[2], terms.specular.lane(0));
             return;
         }
         Some(Unlit::Behind) => "adds nothing: it stands behind the surface",
@@ -134,7 +135,7 @@ fn one_light(ui: &mut egui::Ui, light: &ExplainedLight) {
         Some(Unlit::Dark) => "adds nothing: it is dark",
         Some(_) => "adds nothing: the surface absorbs it",
     };
-    ui.label(RichText::new(why).small().color(QUIET));
+    ui.label(RichText::new(why).small().weak());
 }
 
 /// N, V and the L of each light that adds something, drawn at the point in the picture.
@@ -149,6 +150,7 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
     const LENGTH: f64 = 72.0;
     let layer = egui::LayerId::background();
     let painter = context.layer_painter(layer);
+    let theme = theme::of(context);
     let scale = f64::from(context.pixels_per_point());
     let [x, y] = explanation.pixel.map(|side| (f64::from(side) + 0.5) / scale);
     let from = pos2(x as f32, y as f32);
@@ -158,17 +160,17 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
         let in_view = rotation.transform_vector3(vector) * LENGTH;
         // The window's y points down.
         let to = from + vec2(in_view.x as f32, -in_view.y as f32);
-        let halo = Stroke::new(4.0, Color32::from_black_alpha(120));
+        let halo = Stroke::new(4.0, theme.halo);
         painter.line_segment([from, to], halo);
         painter.line_segment([from, to], Stroke::new(2.0, color));
         painter.circle_filled(to, 3.0, color);
         let place = to + (to - from).normalized() * 10.0;
         painter.text(place, Align2::CENTER_CENTER, name, FontId::proportional(13.0), color);
     };
-    arrow("V", VECTORS[2], surface.view);
+    arrow("V", theme.vectors[2], surface.view);
     for light in surface.lights.iter().filter(|light| light.unlit().is_none()) {
-        arrow("L", VECTORS[1], light.terms.to_light.lane(0));
+        arrow("L", theme.vectors[1], light.terms.to_light.lane(0));
     }
-    arrow("N", VECTORS[0], surface.normal);
-    painter.circle(from, 4.0, Color32::from_black_alpha(120), Stroke::new(1.5, ACCENT));
+    arrow("N", theme.vectors[0], surface.normal);
+    painter.circle(from, 4.0, theme.halo, Stroke::new(1.5, theme.accent));
 }

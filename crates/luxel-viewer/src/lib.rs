@@ -7,24 +7,37 @@
 #![forbid(unsafe_code)]
 
 mod app;
+mod compare;
 mod compose;
+mod divider;
 mod explain;
 mod files;
+mod guides;
+mod handles;
+mod help;
 mod keys;
+mod lamps;
+mod lines;
+mod look;
 mod marks;
 mod model;
 mod outline;
 mod pace;
 mod paint;
 mod panels;
+mod places;
 mod probe;
 mod recorder;
 mod ruler;
 mod screen;
 mod session;
+mod sheet;
 mod theme;
 mod ui;
+mod wardrobe;
 mod worker;
 
 pub use app::{Options, Outcome, Print, ViewerError, Write, run};
+pub use keys::{Keys, KeysError, KeysErrorKind};
 pub use model::Model;
+pub use theme::ThemeChoice;

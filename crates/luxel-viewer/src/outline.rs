@@ -1,7 +1,7 @@
 //! Lines about the objects that are selected or under the pointer, drawn over the picture.
 
 use crate::marks::Marks;
-use crate::theme::{ACCENT, TEXT};
+use crate::theme::Theme;
 use luxel::pick::VisibleIds;
 use luxel::scene::Size;
 
@@ -17,7 +17,7 @@ const SELECTED: u8 = 3;
 pub(crate) fn outline(
     (seen, size): (&VisibleIds, Size),
     marks: &Marks,
-    scale: f32,
+    (theme, scale): (&Theme, f32),
     window: Size,
     pixels: &mut [u32],
 ) {
@@ -62,8 +62,8 @@ pub(crate) fn outline(
     }
     for (pixel, line) in pixels.iter_mut().zip(&lines) {
         *pixel = match *line {
-            SELECTED => mixed(*pixel, ACCENT, 256),
-            HOVERED => mixed(*pixel, TEXT, 150),
+            SELECTED => mixed(*pixel, theme.accent, 256),
+            HOVERED => mixed(*pixel, theme.text, 150),
             HALO => mixed(*pixel, egui::Color32::BLACK, 110),
             _ => continue,
         };
@@ -110,6 +110,7 @@ fn mixed(pixel: u32, color: egui::Color32, part: u32) -> u32 {
 mod tests {
     use super::*;
     use crate::marks::Choice;
+    use crate::theme::DARK;
     use luxel::pick::NOTHING as NONE;
 
     const SIZE: Size = Size { width: 12, height: 10 };
@@ -131,14 +132,14 @@ mod tests {
         marks.hovered = hovered;
         marks.select(selected.iter().copied(), Choice::Replace);
         let mut pixels = vec![GREY; 120];
-        outline((&seen(), SIZE), &marks, 1.0, SIZE, &mut pixels);
+        outline((&seen(), SIZE), &marks, (&DARK, 1.0), SIZE, &mut pixels);
         pixels
     }
 
     #[test]
     fn a_selected_object_has_a_line_within_and_keeps_its_colours_in_the_middle() {
         let pixels = drawn(&[0], None);
-        let accent = mixed(0, ACCENT, 256);
+        let accent = mixed(0, DARK.accent, 256);
         let at = |x: usize, y: usize| pixels[y * 12 + x];
         for (x, y) in [(2, 2), (3, 5), (9, 8), (8, 4), (5, 7), (5, 3)] {
             assert_eq!(at(x, y), accent, "{x} {y}");
@@ -150,7 +151,7 @@ mod tests {
     #[test]
     fn objects_selected_together_are_told_apart_by_a_line_no_wider_than_others() {
         let pixels = drawn(&[0, 1], None);
-        let accent = mixed(0, ACCENT, 256);
+        let accent = mixed(0, DARK.accent, 256);
         let row = &pixels[5 * 12..][..12];
         assert_eq!((row[8], row[9], row[10]), (GREY, accent, accent));
         // There is none at the window's edge.
@@ -161,7 +162,7 @@ mod tests {
     fn the_object_under_the_pointer_is_marked_more_lightly() {
         let pixels = drawn(&[], Some(0));
         let line = pixels[5 * 12 + 2];
-        assert!(line > GREY && line != mixed(0, ACCENT, 256), "{line:x}");
+        assert!(line > GREY && line != mixed(0, DARK.accent, 256), "{line:x}");
         assert_eq!(pixels[5 * 12 + 3], GREY);
         assert_eq!(drawn(&[0], Some(0)), drawn(&[0], None));
     }

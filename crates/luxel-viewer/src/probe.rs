@@ -80,6 +80,14 @@ pub(crate) fn seen(renderer: &Renderer<'_>, view: &View, numbers: &[usize]) -> O
     VisibleIds::new(view.size, objects, triangles)
 }
 
+/// The distance along the view of what each pixel of a view shows; infinite where nothing is.
+pub(crate) fn depths(renderer: &Renderer<'_>, view: &View) -> Option<Vec<f32>> {
+    match renderer.layers(view, &[Layer::Z]).ok()?.pop()? {
+        LayerValues::F32(z) => Some(z),
+        LayerValues::U32(_) => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

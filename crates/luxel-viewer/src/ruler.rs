@@ -1,10 +1,10 @@
 //! The distance between two points: which they are, and how it is shown.
 
+use crate::places::in_window;
 use crate::session::Session;
-use crate::theme::{PANEL, QUIET, TEXT};
-use egui::{Align2, Color32, Context, FontId, Stroke, vec2};
-use luxel::pick::{Viewport, project};
-use luxel::scene::{Camera, DMat4, DVec2, DVec3, Size};
+use crate::theme;
+use egui::{Align2, Context, FontId, Stroke, vec2};
+use luxel::scene::DVec3;
 
 /// Points of the world that were chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,32 +54,6 @@ fn number(length: f64) -> String {
     }
 }
 
-/// A line of the world in the window, pixels from the upper left; what lies before the near plane is
-/// cut off, and there may be nothing left.
-fn in_window(camera: &Camera, size: Size, ends: [DVec3; 2]) -> Option<[DVec2; 2]> {
-    let [a, b] = ends.map(|end| camera.view_from_world.transform_point3(end));
-    // The camera looks along -z.
-    let front = -camera.projection.near;
-    let cut = |end: DVec3, other: DVec3| {
-        let is_behind = end.z > front;
-        if is_behind { end + (other - end) * ((front - end.z) / (other.z - end.z)) } else { end }
-    };
-    if a.z > front && b.z > front {
-        return None;
-    }
-    let clip_from_view = camera.projection.clip_from_view(size);
-    let place = |end| {
-        let place = project(end, &DMat4::IDENTITY, &clip_from_view, Viewport::of(size))?;
-        let (x, y) = (place.x, f64::from(size.height) - place.y);
-        // Far outside, coordinates would not fit into the pixels' steps.
-        (x.abs() < FARTHEST && y.abs() < FARTHEST).then_some(DVec2::new(x, y))
-    };
-    Some([place(cut(a, b))?, place(cut(b, a))?])
-}
-
-/// Pixels from the window's corner.
-const FARTHEST: f64 = 5e4;
-
 /// Draws the points, the line between them and its length.
 pub(crate) fn draw(context: &Context, session: &Session) {
     let ends = match session.ruler {
@@ -91,15 +65,15 @@ pub(crate) fn draw(context: &Context, session: &Session) {
     let scale = f64::from(context.pixels_per_point());
     let [from, to] = ends.map(|end| egui::pos2((end.x / scale) as f32, (end.y / scale) as f32));
     let painter = context.layer_painter(egui::LayerId::background());
-    let halo = Color32::from_black_alpha(140);
-    painter.line_segment([from, to], Stroke::new(4.0, halo));
-    painter.line_segment([from, to], Stroke::new(1.5, TEXT));
+    let theme = theme::of(context);
+    painter.line_segment([from, to], Stroke::new(4.0, theme.halo));
+    painter.line_segment([from, to], Stroke::new(1.5, theme.text));
     for end in [from, to] {
-        painter.circle(end, 4.0, TEXT, Stroke::new(1.5, halo));
+        painter.circle(end, 4.0, theme.text, Stroke::new(1.5, theme.halo));
     }
     let (text, color) = match session.ruler {
-        Ruler::Between([from, to]) => (number(from.distance(to)), TEXT),
-        _ => ("from here".to_owned(), QUIET),
+        Ruler::Between([from, to]) => (number(from.distance(to)), theme.text),
+        _ => ("from here".to_owned(), theme.quiet),
     };
     let font = FontId::monospace(12.0);
     let text = painter.layout_no_wrap(text, font, color);
@@ -111,21 +85,13 @@ pub(crate) fn draw(context: &Context, session: &Session) {
     let gap = 10.0 + half.x * aside.x.abs() + half.y * aside.y.abs();
     let centre = from + (to - from) * 0.5 + aside * gap;
     let rect = Align2::CENTER_CENTER.anchor_size(centre, text.size());
-    painter.rect_filled(rect.expand2(vec2(6.0, 3.0)), 4, PANEL.gamma_multiply(0.9));
+    painter.rect_filled(rect.expand2(vec2(6.0, 3.0)), 4, theme.panel.gamma_multiply(0.9));
     painter.galley(rect.min, text, color);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luxel::scene::{Lens, Projection};
-
-    const SIZE: Size = Size { width: 200, height: 100 };
-
-    fn camera(lens: Lens) -> Camera {
-        let projection = Projection { lens, near: 1.0, far: 100.0 };
-        Camera { view_from_world: DMat4::IDENTITY, projection }
-    }
 
     #[test]
     fn two_points_are_measured_a_third_begins_anew_nothing_ends() {
@@ -153,26 +119,5 @@ mod tests {
         ] {
             assert_eq!(number(length), text);
         }
-    }
-
-    #[test]
-    fn a_point_is_drawn_where_the_picture_shows_it() {
-        // 100 pixels are 20 units; y points up in the world, down in the window.
-        let parallel = camera(Lens::Orthographic { height: 20.0 });
-        let ends = [DVec3::new(2.0, 4.0, -5.0), DVec3::new(-10.0, -10.0, -50.0)];
-        let [a, b] = in_window(&parallel, SIZE, ends).unwrap();
-        assert!(a.abs_diff_eq(DVec2::new(110.0, 30.0), 1e-9), "{a}");
-        assert!(b.abs_diff_eq(DVec2::new(50.0, 100.0), 1e-9), "{b}");
-    }
-
-    #[test]
-    fn a_line_past_the_eye_is_cut_at_the_near_plane() {
-        let lens = Lens::Perspective { fov_y_radians: std::f64::consts::FRAC_PI_2 };
-        let ends = [DVec3::new(0.5, 0.0, -3.0), DVec3::new(0.5, 0.0, 7.0)];
-        let [a, b] = in_window(&camera(lens), SIZE, ends).unwrap();
-        // x / -z times half the height, from the middle.
-        assert!(a.abs_diff_eq(DVec2::new(100.0 + 50.0 / 6.0, 50.0), 1e-9), "{a}");
-        assert!(b.abs_diff_eq(DVec2::new(125.0, 50.0), 1e-9), "{b}");
-        assert_eq!(in_window(&camera(lens), SIZE, [ends[1]; 2]), None);
     }
 }

@@ -1,15 +1,23 @@
 //! What is looked at and from where: navigation, and the view to draw. It knows no window.
 
+use crate::compare::Split;
+use crate::guides::{Guides, Subject};
+use crate::lamps::{NewLight, Places};
+use crate::look::Look;
 use crate::marks::Marks;
 use crate::model::Model;
+use crate::places::{place_of, point_at};
 use crate::recorder::Recorder;
 use crate::ruler::Ruler;
+use crate::sheet::Sheet;
+use crate::wardrobe::{Wardrobe, uses_of_materials};
+use crate::worker::Changes;
 use luxel::navigation::{
     Change, Entry, Event, Mode, Number, Settings, State, advance, parallel_height, with_lens,
 };
 use luxel::render::View;
 use luxel::scene::{
-    Bounds, Camera, Lens, Object, Projection, SceneLight, Size, fit_along, fit_planes,
+    Bounds, Camera, DMat4, DVec3, Lens, Object, Projection, SceneLight, Size, fit_along, fit_planes,
 };
 
 /// How long the way to another view takes, in seconds.
@@ -25,10 +33,18 @@ pub(crate) struct Session {
     recorder: Recorder,
     /// Lights and ambient light as they were read.
     read: (Vec<SceneLight>, [f32; 3]),
-    /// Which lights are off.
-    pub(crate) dark: Vec<bool>,
-    /// The scene's objects.
+    look: Look,
+    /// What it is compared with.
+    split: Option<Split>,
+    /// What is shown beside the model.
+    pub(crate) guides: Guides,
+    /// What was changed of the materials.
+    wardrobe: Wardrobe,
+    /// How many surfaces have each material.
+    pub(crate) uses: Vec<usize>,
+    /// The scene's objects, and from its nodes' coordinates to the world's.
     pub(crate) objects: Vec<Object>,
+    world_from_nodes: Vec<DMat4>,
     /// Which of them are selected, and which are hidden.
     pub(crate) marks: Marks,
     /// What is measured.
@@ -53,7 +69,9 @@ impl Session {
             }
             lens => lens,
         };
-        let dark = vec![false; model.view.lights.len()];
+        let look = Look::new(model.view.clone());
+        let uses = uses_of_materials(&model.scene);
+        let world_from_nodes = model.scene.world_from_nodes();
         let (objects, marks) = (model.scene.objects(), Marks::default());
         let ruler = Ruler::default();
         let read = (model.view.lights.clone(), model.view.ambient);
@@ -64,7 +82,12 @@ impl Session {
             settings,
             perspective,
             recorder,
-            dark,
+            look,
+            split: None,
+            guides: Guides::default(),
+            wardrobe: Wardrobe::default(),
+            uses,
+            world_from_nodes,
             objects,
             marks,
             ruler,
@@ -74,8 +97,10 @@ impl Session {
 
     /// Edges and samples are those of another session.
     pub(crate) fn look_like(&mut self, other: &Self) {
-        let (view, like) = (&mut self.model.view, &other.model.view);
-        (view.edges, view.samples) = (like.edges, like.samples);
+        let (view, like) = (self.look.view_mut(), other.look.view());
+        (view.edges, view.samples, view.shading) = (like.edges, like.samples, like.shading);
+        self.look.layer.clone_from(&other.look.layer);
+        self.guides = other.guides;
     }
 
     /// The model has changed on the way; camera, edges and samples stay. So do lights that were changed
@@ -83,17 +108,26 @@ impl Session {
     pub(crate) fn reload(&mut self, model: Model) {
         let paths = |one: &Self| (0..one.objects.len()).map(|at| one.path(at)).collect::<Vec<_>>();
         let before = paths(self);
-        let mut old = std::mem::replace(&mut self.model, model).view;
-        let view = &mut self.model.view;
-        (view.edges, view.samples) = (old.edges, old.samples);
-        let read = (view.lights.clone(), view.ambient);
-        if read == self.read {
-            (view.lights, view.ambient) = (std::mem::take(&mut old.lights), old.ambient);
-        } else {
-            self.dark = vec![false; read.0.len()];
+        let surfaces = |one: &Self| {
+            let materials = one.model.scene.materials.iter();
+            materials.map(|material| material.name.clone()).collect::<Vec<_>>()
+        };
+        let materials = surfaces(self);
+        self.model = model;
+        let read = (self.model.view.lights.clone(), self.model.view.ambient);
+        if read != self.read {
+            let looks = self.split.iter_mut().map(|split| &mut split.other);
+            for look in looks.chain([&mut self.look]) {
+                look.relight(read.0.clone(), read.1);
+            }
             self.read = read;
         }
+        if surfaces(self) != materials {
+            self.wardrobe = Wardrobe::default();
+        }
+        self.uses = uses_of_materials(&self.model.scene);
         self.objects = self.model.scene.objects();
+        self.world_from_nodes = self.model.scene.world_from_nodes();
         if paths(self) != before {
             self.marks = Marks::default();
         }
@@ -106,9 +140,13 @@ impl Session {
 
     /// Whether something was changed in the window beside the camera, its samples and its edges.
     pub(crate) fn is_edited(&self) -> bool {
-        let view = &self.model.view;
-        let is_lit_as_read = (&view.lights, view.ambient) == (&self.read.0, self.read.1);
-        !is_lit_as_read || self.dark.contains(&true) || !self.marks.hidden().is_empty()
+        let camera = self.model.view.camera;
+        let samples_and_edges = (self.model.view.samples, self.model.view.edges);
+        let mut view = self.look.drawn(camera, self.model.view.size);
+        (view.samples, view.edges) = samples_and_edges;
+        view != self.model.view
+            || self.wardrobe != Wardrobe::default()
+            || !self.marks.hidden().is_empty()
     }
 
     /// Some seconds have passed, then something has happened.
@@ -225,10 +263,154 @@ impl Session {
 
     /// What to draw now.
     pub(crate) fn view(&self) -> View {
-        let mut view = self.model.view.clone();
-        let mut dark = self.dark.iter();
-        view.lights.retain(|_| dark.next() != Some(&true));
-        View { camera: self.camera(), size: self.settings.size, ..view }
+        self.look.drawn(self.camera(), self.settings.size)
+    }
+
+    /// What to draw now: one picture, or two to be compared.
+    pub(crate) fn sheets(&self) -> Vec<Sheet> {
+        let (camera, size) = (self.camera(), self.settings.size);
+        let sheet =
+            |look: &Look| Sheet { view: look.drawn(camera, size), layer: look.layer.clone() };
+        match &self.split {
+            None => vec![sheet(&self.look)],
+            Some(split) if split.is_right_set => vec![sheet(&split.other), sheet(&self.look)],
+            Some(split) => vec![sheet(&self.look), sheet(&split.other)],
+        }
+    }
+
+    /// The view whose picture is seen at a column of the window.
+    pub(crate) fn view_at(&self, x: f64) -> View {
+        let look = match &self.split {
+            Some(split) if !split.is_difference => {
+                let is_right = x >= f64::from(split.at) * f64::from(self.settings.size.width);
+                if is_right == split.is_right_set { &self.look } else { &split.other }
+            }
+            _ => &self.look,
+        };
+        look.drawn(self.camera(), self.settings.size)
+    }
+
+    /// What the look is compared with.
+    pub(crate) fn split(&self) -> Option<&Split> {
+        self.split.as_ref()
+    }
+
+    /// Compares with a look like this one, or no more.
+    pub(crate) fn toggle_split(&mut self) {
+        self.split = if self.split.is_some() { None } else { Some(Split::new(&self.look)) };
+        self.changed();
+    }
+
+    /// Shows the difference to what the look is compared with, or both.
+    pub(crate) fn toggle_difference(&mut self) {
+        if self.split.is_none() {
+            self.toggle_split();
+        }
+        if let Some(split) = &mut self.split {
+            split.is_difference = !split.is_difference;
+        }
+        self.changed();
+    }
+
+    /// Sets the look on the right from now on, or the one on the left.
+    pub(crate) fn set_side(&mut self, is_right: bool) {
+        if let Some(split) = &mut self.split
+            && split.is_right_set != is_right
+        {
+            split.is_right_set = is_right;
+            std::mem::swap(&mut split.other, &mut self.look);
+        }
+    }
+
+    /// The line between two looks, to be moved.
+    pub(crate) fn divider(&mut self) -> Option<(&mut Split, &Look)> {
+        Some((self.split.as_mut()?, &self.look))
+    }
+
+    /// The model, as far as guides are about it.
+    pub(crate) fn subject(&self) -> Subject<'_> {
+        Subject {
+            scene: &self.model.scene,
+            objects: &self.objects,
+            marks: &self.marks,
+            bounds: self.settings.bounds,
+            up: self.settings.up,
+        }
+    }
+
+    /// How the scene is looked at.
+    pub(crate) fn look(&self) -> &Look {
+        &self.look
+    }
+
+    /// Changes how the scene is looked at; whoever changes nothing asks for no picture.
+    pub(crate) fn change_look(&mut self, change: impl FnOnce(&mut Look)) {
+        let before = self.look.clone();
+        change(&mut self.look);
+        if self.look != before {
+            self.changed();
+        }
+    }
+
+    /// What was changed of the materials.
+    pub(crate) fn wardrobe(&self) -> &Wardrobe {
+        &self.wardrobe
+    }
+
+    /// Changes materials.
+    pub(crate) fn change_wardrobe(&mut self, change: impl FnOnce(&mut Wardrobe)) {
+        let before = self.wardrobe.clone();
+        change(&mut self.wardrobe);
+        if self.wardrobe != before {
+            self.changed();
+        }
+    }
+
+    /// What is drawn otherwise than the file has it.
+    pub(crate) fn changes(&self) -> Changes {
+        let materials = self.wardrobe.all(&self.model.scene);
+        Changes { hidden: self.marks.hidden().clone(), materials }
+    }
+
+    /// What coordinates of lights are about.
+    pub(crate) fn places(&self) -> Places<'_> {
+        Places {
+            view_from_world: self.state.view_from_world(),
+            world_from_nodes: &self.world_from_nodes,
+        }
+    }
+
+    /// Adds a light that is seen in the upper left of the window and shines at what is looked at; its
+    /// place.
+    pub(crate) fn add_light(&mut self, kind: NewLight) -> usize {
+        let (camera, size, target) = (self.camera(), self.settings.size, self.state.pivot());
+        let eye = camera.eye();
+        // Between the eye and what is looked at.
+        let nearer = target + (eye - target) * 0.35;
+        let from = place_of(&camera, size, nearer).and_then(|place| {
+            let corner = [0.38 * f64::from(size.width), 0.25 * f64::from(size.height)];
+            point_at(&camera, size, DVec3::new(corner[0], corner[1], place.z))
+        });
+        let ends = [from.unwrap_or(eye), target];
+        let light = self.places().new_light(kind, ends, &self.look.view().lights);
+        let at = self.look.add(light);
+        self.changed();
+        at
+    }
+
+    /// Puts a light somewhere in the world, its light travelling in a direction.
+    pub(crate) fn put_light(&mut self, at: usize, position: DVec3, direction: DVec3) {
+        let places = Places {
+            view_from_world: self.state.view_from_world(),
+            world_from_nodes: &self.world_from_nodes,
+        };
+        if let Some(light) = self.look.view_mut().lights.get_mut(at) {
+            let before = light.clone();
+            places.put(light, position, direction);
+            if *light != before {
+                self.revision += 1;
+            }
+        }
     }
 
     /// Light or layers are others now.
@@ -334,15 +516,19 @@ mod tests {
         let mut session = session(false);
         let first = session.model.clone();
         session.happen(Event::Tap { command: "orbit-up".parse().unwrap(), steps: 5.0 }, 0.0);
-        session.model.view.samples = 16;
-        session.model.view.lights[0].light.scale(0.5);
-        session.dark[1] = true;
+        session.change_look(|look| {
+            look.view_mut().samples = 16;
+            look.view_mut().lights[0].light.scale(0.5);
+            look.switch(1, false);
+        });
+        session.change_wardrobe(|wardrobe| wardrobe.change(0).k_d = Some(0.5));
         session.marks.select([1], Choice::Replace);
         let (place, view) = (session.state.view_from_world(), session.view());
         session.reload(first.clone());
         assert_eq!(session.state.view_from_world(), place);
         assert_eq!(session.view().lights, view.lights);
         assert_eq!((session.view().samples, session.marks.selected().len()), (16, 1));
+        assert!(session.wardrobe().is_changed(0));
         // Larger, with other lights and one object less.
         let mut scene = (*first.scene).clone();
         for mesh in &mut scene.meshes {
@@ -364,9 +550,34 @@ mod tests {
         let mut session = session(false);
         let all = session.view().lights;
         assert!(!session.is_edited());
-        session.dark[0] = true;
+        session.change_look(|look| look.switch(0, false));
         assert_eq!(session.view().lights, all[1..]);
         assert!(session.is_edited());
+    }
+
+    #[test]
+    fn two_looks_keep_their_sides_and_the_panels_set_one_of_them() {
+        let mut session = session(false);
+        let samples = |session: &Session| {
+            session.sheets().iter().map(|sheet| sheet.view.samples).collect::<Vec<_>>()
+        };
+        let set = |session: &mut Session, samples| {
+            session.change_look(|look| look.view_mut().samples = samples);
+        };
+        set(&mut session, 8);
+        session.toggle_split();
+        set(&mut session, 1);
+        assert_eq!(samples(&session), [8, 1]);
+        session.set_side(false);
+        set(&mut session, 16);
+        assert_eq!(samples(&session), [16, 1]);
+        let of = |session: &Session, x| session.view_at(x).samples;
+        assert_eq!((of(&session, 10.0), of(&session, 600.0)), (16, 1));
+        let before = session.revision();
+        session.set_side(true);
+        assert_eq!((samples(&session), session.revision()), (vec![16, 1], before));
+        session.toggle_split();
+        assert_eq!(samples(&session), [1]);
     }
 
     #[test]

@@ -1,86 +1,200 @@
-//! Colours, type and spacing of the window.
+//! Colours, type and spacing of the window: one theme for dark rooms, one for light ones.
 
-use egui::{Color32, CornerRadius, FontFamily, FontId, Stroke, Style, TextStyle, Visuals};
+use egui::{Color32, Context, CornerRadius, FontFamily, FontId, Stroke, Style, TextStyle, Visuals};
 
-/// The ground behind the model, from the window's top to its bottom: sRGB.
-pub(crate) const GROUND: [[u8; 3]; 2] = [[0x23, 0x26, 0x2b], [0x15, 0x17, 0x1a]];
-
-pub(crate) const PANEL: Color32 = Color32::from_rgb(0x1b, 0x1d, 0x21);
-pub(crate) const LINE: Color32 = Color32::from_rgb(0x34, 0x38, 0x3f);
-pub(crate) const TEXT: Color32 = Color32::from_rgb(0xe8, 0xe6, 0xe1);
-pub(crate) const QUIET: Color32 = Color32::from_rgb(0x9a, 0x9c, 0x9f);
-pub(crate) const ACCENT: Color32 = Color32::from_rgb(0xf2, 0xb8, 0x4b);
-/// x, y and z.
-pub(crate) const AXES: [Color32; 3] = [
-    Color32::from_rgb(0xe5, 0x53, 0x3d),
-    Color32::from_rgb(0x6f, 0xb0, 0x4a),
-    Color32::from_rgb(0x4c, 0x82, 0xd8),
-];
-
-/// Ambient, diffuse, specular, emission, environment.
-pub(crate) const TERMS: [Color32; 5] = [
-    Color32::from_rgb(0x7d, 0x8c, 0xa3),
-    Color32::from_rgb(0x5a, 0xa9, 0xe6),
-    Color32::from_rgb(0xf2, 0xf2, 0xf2),
-    Color32::from_rgb(0xf2, 0x8f, 0x5a),
-    Color32::from_rgb(0xa3, 0xb5, 0xa6),
-];
-/// N, L, V.
-pub(crate) const VECTORS: [Color32; 3] = [
-    Color32::from_rgb(0x6f, 0xd3, 0xc7),
-    Color32::from_rgb(0xf2, 0xb8, 0x4b),
-    Color32::from_rgb(0xc9, 0xa2, 0xf2),
-];
-
-/// Words in 13 points, notes in 11; steps of 4 points; nothing moves by itself.
-pub(crate) fn style() -> Style {
-    let mut style = Style::default();
-    let font = |size, family| FontId::new(size, family);
-    style.text_styles = [
-        (TextStyle::Heading, font(13.0, FontFamily::Proportional)),
-        (TextStyle::Body, font(13.0, FontFamily::Proportional)),
-        (TextStyle::Button, font(13.0, FontFamily::Proportional)),
-        (TextStyle::Small, font(11.0, FontFamily::Proportional)),
-        (TextStyle::Monospace, font(12.0, FontFamily::Monospace)),
-    ]
-    .into();
-    style.spacing.item_spacing = egui::vec2(8.0, 4.0);
-    style.spacing.button_padding = egui::vec2(8.0, 4.0);
-    style.spacing.interact_size.y = 24.0;
-    style.animation_time = 0.0;
-    style.visuals = visuals();
-    style
+/// The colours of the window.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Theme {
+    /// Whether light things lie on dark ones.
+    is_dark: bool,
+    /// The ground behind the model, from the window's top to its bottom: sRGB.
+    pub(crate) ground: [[u8; 3]; 2],
+    pub(crate) panel: Color32,
+    pub(crate) line: Color32,
+    /// The ground's grid.
+    pub(crate) grid: Color32,
+    pub(crate) text: Color32,
+    pub(crate) quiet: Color32,
+    /// Light itself, and what is selected.
+    pub(crate) accent: Color32,
+    /// The accent where it is text.
+    pub(crate) heading: Color32,
+    /// Where something is typed or slid.
+    field: Color32,
+    button: Color32,
+    /// Ambient, diffuse, specular, emission, environment.
+    pub(crate) terms: [Color32; 5],
+    /// N, L, V.
+    pub(crate) vectors: [Color32; 3],
+    /// About lines over the picture, so that they are told from any colour.
+    pub(crate) halo: Color32,
 }
 
-fn visuals() -> Visuals {
-    let mut visuals = Visuals::dark();
-    visuals.panel_fill = PANEL;
-    visuals.window_fill = PANEL;
-    visuals.window_stroke = Stroke::NONE;
-    visuals.extreme_bg_color = Color32::from_rgb(0x15, 0x17, 0x1a);
-    visuals.override_text_color = Some(TEXT);
-    visuals.selection.bg_fill = ACCENT.gamma_multiply(0.28);
-    visuals.selection.stroke = Stroke::new(1.0, ACCENT);
-    visuals.window_shadow = egui::Shadow::NONE;
-    visuals.popup_shadow = egui::Shadow::NONE;
-    visuals.window_corner_radius = CornerRadius::same(4);
-    visuals.menu_corner_radius = CornerRadius::same(4);
-    let widgets = &mut visuals.widgets;
-    for widget in [
-        &mut widgets.noninteractive,
-        &mut widgets.inactive,
-        &mut widgets.hovered,
-        &mut widgets.active,
-        &mut widgets.open,
-    ] {
-        widget.corner_radius = CornerRadius::same(4);
-        widget.expansion = 0.0;
+const fn rgb(hex: u32) -> Color32 {
+    Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
+}
+
+/// For dark rooms.
+pub(crate) static DARK: Theme = Theme {
+    is_dark: true,
+    ground: [[0x23, 0x26, 0x2b], [0x15, 0x17, 0x1a]],
+    panel: rgb(0x1b1d21),
+    line: rgb(0x34383f),
+    grid: rgb(0x6b7078),
+    text: rgb(0xe8e6e1),
+    quiet: rgb(0x9a9c9f),
+    accent: rgb(0xf2b84b),
+    heading: rgb(0xf2b84b),
+    field: rgb(0x15171a),
+    button: rgb(0x26292e),
+    terms: [rgb(0x7d8ca3), rgb(0x5aa9e6), rgb(0xf2f2f2), rgb(0xf28f5a), rgb(0xa3b5a6)],
+    vectors: [rgb(0x6fd3c7), rgb(0xf2b84b), rgb(0xc9a2f2)],
+    halo: Color32::from_black_alpha(130),
+};
+
+/// For light ones: terms and vectors are darker by a third.
+pub(crate) static LIGHT: Theme = Theme {
+    is_dark: false,
+    ground: [[0xf4, 0xf2, 0xee], [0xde, 0xda, 0xd2]],
+    panel: rgb(0xfbfaf7),
+    line: rgb(0xd8d4cb),
+    grid: rgb(0x9b968b),
+    text: rgb(0x24262a),
+    quiet: rgb(0x6c6e72),
+    accent: rgb(0xb87400),
+    // The accent itself has too little contrast for letters.
+    heading: rgb(0x8f5a00),
+    field: rgb(0xeeece6),
+    button: rgb(0xece9e2),
+    terms: [rgb(0x535d6d), rgb(0x3c7199), rgb(0xa1a1a1), rgb(0xa15f3c), rgb(0x6d796f)],
+    vectors: [rgb(0x4a8d85), rgb(0xa17b32), rgb(0x866ca1)],
+    halo: Color32::from_rgba_premultiplied(150, 150, 150, 150),
+};
+
+/// x, y and z, in both themes.
+pub(crate) const AXES: [Color32; 3] = [rgb(0xe5533d), rgb(0x6fb04a), rgb(0x4c82d8)];
+
+/// Which theme a window has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ThemeChoice {
+    /// As the system's, if it tells; else dark.
+    #[default]
+    Auto,
+    /// Light things on dark ones.
+    Dark,
+    /// Dark things on light ones.
+    Light,
+}
+
+impl ThemeChoice {
+    /// The theme, where the system says whether it likes light ones.
+    pub(crate) fn theme(self, system_is_light: Option<bool>) -> &'static Theme {
+        match self {
+            Self::Auto if system_is_light == Some(true) => &LIGHT,
+            Self::Light => &LIGHT,
+            Self::Auto | Self::Dark => &DARK,
+        }
     }
-    widgets.noninteractive.bg_stroke = Stroke::new(1.0, LINE);
-    widgets.inactive.weak_bg_fill = Color32::from_rgb(0x26, 0x29, 0x2e);
-    widgets.inactive.bg_fill = Color32::from_rgb(0x26, 0x29, 0x2e);
-    widgets.hovered.weak_bg_fill = LINE;
-    widgets.hovered.bg_stroke = Stroke::NONE;
-    widgets.active.weak_bg_fill = LINE;
-    visuals
+}
+
+/// The theme in which something is laid out.
+pub(crate) fn of(context: &Context) -> &'static Theme {
+    if context.style().visuals.dark_mode { &DARK } else { &LIGHT }
+}
+
+impl Theme {
+    /// Words in 13 points, notes in 11; steps of 4 points; nothing moves by itself.
+    pub(crate) fn style(&self) -> Style {
+        let mut style = Style::default();
+        let font = |size, family| FontId::new(size, family);
+        style.text_styles = [
+            (TextStyle::Heading, font(13.0, FontFamily::Proportional)),
+            (TextStyle::Body, font(13.0, FontFamily::Proportional)),
+            (TextStyle::Button, font(13.0, FontFamily::Proportional)),
+            (TextStyle::Small, font(11.0, FontFamily::Proportional)),
+            (TextStyle::Monospace, font(12.0, FontFamily::Monospace)),
+        ]
+        .into();
+        style.spacing.item_spacing = egui::vec2(8.0, 4.0);
+        style.spacing.button_padding = egui::vec2(8.0, 4.0);
+        style.spacing.interact_size.y = 24.0;
+        style.animation_time = 0.0;
+        style.visuals = self.visuals();
+        style
+    }
+
+    fn visuals(&self) -> Visuals {
+        let mut visuals = if self.is_dark { Visuals::dark() } else { Visuals::light() };
+        visuals.panel_fill = self.panel;
+        visuals.window_fill = self.panel;
+        visuals.window_stroke = Stroke::new(1.0, self.line);
+        visuals.extreme_bg_color = self.field;
+        visuals.override_text_color = Some(self.text);
+        visuals.selection.bg_fill = self.accent.gamma_multiply(0.28);
+        visuals.selection.stroke = Stroke::new(1.0, self.accent);
+        visuals.window_shadow = egui::Shadow::NONE;
+        visuals.popup_shadow = egui::Shadow::NONE;
+        visuals.window_corner_radius = CornerRadius::same(4);
+        visuals.menu_corner_radius = CornerRadius::same(4);
+        visuals.slider_trailing_fill = true;
+        let widgets = &mut visuals.widgets;
+        for widget in [
+            &mut widgets.noninteractive,
+            &mut widgets.inactive,
+            &mut widgets.hovered,
+            &mut widgets.active,
+            &mut widgets.open,
+        ] {
+            widget.corner_radius = CornerRadius::same(4);
+            widget.expansion = 0.0;
+        }
+        widgets.noninteractive.bg_stroke = Stroke::new(1.0, self.line);
+        widgets.inactive.weak_bg_fill = self.button;
+        widgets.inactive.bg_fill = self.button;
+        widgets.hovered.weak_bg_fill = self.line;
+        widgets.hovered.bg_fill = self.line;
+        widgets.hovered.bg_stroke = Stroke::NONE;
+        widgets.active.weak_bg_fill = self.line;
+        widgets.active.bg_fill = self.line;
+        // What has the keyboard shows it.
+        widgets.active.bg_stroke = Stroke::new(1.0, self.accent);
+        widgets.open.weak_bg_fill = self.line;
+        visuals
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// WCAG 2.1, section 1.4.3.
+    fn contrast(a: Color32, b: Color32) -> f64 {
+        let luminance = |color: Color32| {
+            let [r, g, b, _] = egui::Rgba::from(color).to_array().map(f64::from);
+            0.2126 * r + 0.7152 * g + 0.0722 * b
+        };
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    #[test]
+    fn text_is_told_from_what_it_stands_on() {
+        for theme in [&DARK, &LIGHT] {
+            for text in [theme.text, theme.quiet, theme.heading] {
+                for ground in [theme.panel, theme.field] {
+                    let contrast = contrast(text, ground);
+                    assert!(contrast >= 4.3, "{text:?} on {ground:?}: {contrast}");
+                }
+                assert!(contrast(text, theme.panel) >= 4.5, "{text:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_system_that_says_nothing_gets_the_dark_theme() {
+        assert_eq!(ThemeChoice::Auto.theme(None), &DARK);
+        assert_eq!(ThemeChoice::Auto.theme(Some(true)), &LIGHT);
+        assert_eq!(ThemeChoice::Dark.theme(Some(true)), &DARK);
+        assert_eq!(ThemeChoice::Light.theme(None), &LIGHT);
+    }
 }

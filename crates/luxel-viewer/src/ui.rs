@@ -1,12 +1,16 @@
 //! Everything over the picture: the line below it, the axes, the panels, the help.
 
+use crate::compare::Apart;
+use crate::divider;
 use crate::explain;
-use crate::keys::{MODES, held};
+use crate::handles::{self, Grab};
+use crate::help::help;
+use crate::keys::{Action, Keys};
 use crate::paint::Painter;
 use crate::panels;
 use crate::ruler;
 use crate::session::Session;
-use crate::theme::{self, ACCENT, AXES, PANEL, QUIET};
+use crate::theme::{self, AXES, Theme};
 use egui::{Align2, Color32, Context, FontId, Frame, Margin, RawInput, Rect, Sense, Stroke, vec2};
 use luxel::navigation::{Mode, StandardView, hit, knobs};
 use luxel::render::Explanation;
@@ -50,6 +54,14 @@ pub(crate) struct Ui {
     pub(crate) shows_help: bool,
     pub(crate) search: String,
     pub(crate) tab: panels::Tab,
+    /// The light that is looked at.
+    pub(crate) chosen: Option<usize>,
+    /// The handle of a light that is dragged.
+    grab: Option<Grab>,
+    pub(crate) theme: &'static Theme,
+    pub(crate) keys: Keys,
+    /// How far two looks are apart, where that is shown.
+    pub(crate) apart: Option<Apart>,
     /// Why the pixel under the pointer has its colour.
     pub(crate) explanation: Option<Box<Explanation>>,
     /// Two corners of the rubber band, while it is drawn.
@@ -69,9 +81,9 @@ const CORNER: f32 = 96.0;
 const LONGEST_NAME: usize = 28;
 
 impl Ui {
-    pub(crate) fn new() -> Self {
+    pub(crate) fn new(theme: &'static Theme, keys: Keys) -> Self {
         let context = Context::default();
-        context.set_style(theme::style());
+        context.set_style(theme.style());
         Self {
             events: Vec::new(),
             modifiers: egui::Modifiers::NONE,
@@ -79,12 +91,29 @@ impl Ui {
             shows_help: false,
             search: String::new(),
             tab: panels::Tab::default(),
+            chosen: Some(0),
+            grab: None,
+            theme,
+            keys,
+            apart: None,
             explanation: None,
             band: None,
             context,
             painter: Painter::default(),
             begun: Instant::now(),
         }
+    }
+
+    /// Shows the panels, and puts the keyboard into their first field.
+    pub(crate) fn enter_panels(&mut self) {
+        self.shows_panels = true;
+        self.context.memory_mut(|memory| memory.request_focus(panels::search_field()));
+    }
+
+    /// Another theme from now on.
+    pub(crate) fn dress(&mut self, theme: &'static Theme) {
+        self.theme = theme;
+        self.context.set_style(theme.style());
     }
 
     /// Whether the ledger is to be seen.
@@ -140,7 +169,7 @@ impl Ui {
         status: &Status,
         wishes: &mut Vec<Wish>,
     ) {
-        status_line(context, status, session.as_deref());
+        status_line(context, status, session.as_deref(), &self.keys);
         let Some(session) = session else { return };
         if self.shows_panels && context.content_rect().width() >= ROOM_FOR_PANELS {
             panels::tree(self, context, session, wishes);
@@ -148,6 +177,14 @@ impl Ui {
             if let (true, Some(explanation)) = (self.explains(), &self.explanation) {
                 explain::vectors(context, session, explanation);
             }
+            if self.tab == panels::Tab::Light {
+                handles::draw(context, session, &mut self.chosen, &mut self.grab);
+            }
+        }
+        if let Some(apart) = self.apart.filter(|_| session.split().is_some()) {
+            divider::scale(context, &apart);
+        } else if let Some((split, look)) = session.divider() {
+            divider::line(context, split, look);
         }
         ruler::draw(context, session);
         axes(context, session, wishes);
@@ -155,14 +192,14 @@ impl Ui {
             rubber_band(context, Rect::from_two_pos(from, to));
         }
         if self.shows_help {
-            help(context, session.state.mode());
+            help(context, session.state.mode(), &self.keys);
         }
     }
 }
 
 /// One quiet line below the picture.
-fn status_line(context: &Context, status: &Status, session: Option<&Session>) {
-    let frame = Frame::new().fill(PANEL).inner_margin(Margin::symmetric(12, 4));
+fn status_line(context: &Context, status: &Status, session: Option<&Session>, keys: &Keys) {
+    let frame = Frame::new().fill(theme::of(context).panel).inner_margin(Margin::symmetric(12, 4));
     let panel = egui::TopBottomPanel::bottom("status").frame(frame).show_separator_line(false);
     panel.exact_height(28.0).show(context, |ui| {
         ui.horizontal_centered(|ui| {
@@ -200,9 +237,12 @@ fn status_line(context: &Context, status: &Status, session: Option<&Session>) {
                     parts.push(format!("{other}is being read"));
                 }
             }
-            ui.colored_label(QUIET, parts.join("   "));
+            ui.weak(parts.join("   "));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                ui.colored_label(QUIET, "Tab panels    h help");
+                let first =
+                    |action| keys.of(action).split("  ").next().unwrap_or_default().to_owned();
+                let (panels, help) = (first(Action::Panels), first(Action::Help));
+                ui.weak(format!("{panels} panels    {help} help"));
             });
         });
     });
@@ -223,8 +263,9 @@ fn pointed_at(session: &Session, object: usize) -> String {
 /// The rectangle in which objects are selected when the button comes up.
 fn rubber_band(context: &Context, rect: Rect) {
     let painter = context.layer_painter(egui::LayerId::background());
-    painter.rect_filled(rect, 0, ACCENT.gamma_multiply(0.1));
-    let line = Stroke::new(1.0, ACCENT);
+    let accent = theme::of(context).accent;
+    painter.rect_filled(rect, 0, accent.gamma_multiply(0.1));
+    let line = Stroke::new(1.0, accent);
     painter.rect_stroke(rect, 0, line, egui::StrokeKind::Inside);
 }
 
@@ -260,7 +301,7 @@ fn axes(context: &Context, session: &Session, wishes: &mut Vec<Wish>) {
             hit(&knobs, DVec2::new(f64::from(place.x), f64::from(place.y)), f64::from(KNOB))
         };
         let hovered = response.hover_pos().and_then(under);
-        let painter = ui.painter();
+        let (painter, theme) = (ui.painter(), theme::of(ui.ctx()));
         for knob in &knobs {
             let at = egui::pos2(knob.at.x as f32, knob.at.y as f32);
             let along = knob.axis.abs();
@@ -276,91 +317,16 @@ fn axes(context: &Context, session: &Session, wishes: &mut Vec<Wish>) {
                 let font = FontId::proportional(11.0);
                 painter.text(at, Align2::CENTER_CENTER, name, font, Color32::BLACK);
             } else {
-                painter.circle(at, KNOB - 2.0, PANEL, Stroke::new(1.5, color));
+                painter.circle(at, KNOB - 2.0, theme.panel, Stroke::new(1.5, color));
             }
             if hovered.is_some_and(|one| one.axis == knob.axis) {
-                painter.circle_stroke(at, KNOB + 2.0, Stroke::new(1.5, ACCENT));
+                painter.circle_stroke(at, KNOB + 2.0, Stroke::new(1.5, theme.accent));
             }
         }
         if response.clicked()
             && let Some(knob) = response.interact_pointer_pos().and_then(under)
         {
             wishes.push(Wish::View(knob.view));
-        }
-    });
-}
-
-/// What mouse and keys do.
-fn help(context: &Context, mode: Mode) {
-    let frame = Frame::new().fill(PANEL).corner_radius(4).inner_margin(Margin::same(20));
-    let area = egui::Area::new("help".into()).anchor(Align2::CENTER_CENTER, vec2(0.0, -14.0));
-    area.order(egui::Order::Foreground).show(context, |ui| {
-        frame.show(ui, |ui| {
-            ui.set_width(620.0);
-            ui.columns(2, |columns| {
-                let [left, right] = columns else { return };
-                table(
-                    left,
-                    "Mouse",
-                    &[
-                        ("click", "select"),
-                        ("shift + click", "select more, or less"),
-                        ("ctrl + left drag", "select in a rectangle"),
-                        ("left drag", "turn"),
-                        ("shift + left, middle", "pan"),
-                        ("right drag", "zoom"),
-                        ("wheel", "zoom to the pointer"),
-                        ("double click", "turn about that point"),
-                    ],
-                );
-                left.add_space(12.0);
-                table(
-                    left,
-                    "Keys",
-                    &[
-                        ("f", "fit the selection, or all"),
-                        ("Home", "fit all into view"),
-                        ("x, Delete", "hide the selection"),
-                        ("Shift h", "hide all but the selection"),
-                        ("Alt h", "show all"),
-                        ("r, r", "measure between two points"),
-                        ("1  3  7", "front, right, top"),
-                        ("Ctrl 1 3 7", "back, left, bottom"),
-                        ("5", "parallel rays, perspective"),
-                        ("n", "level horizon"),
-                        ("Left, Right", "previous, next file"),
-                        ("Tab", "panels"),
-                        ("F12", "picture into a file"),
-                        ("Ctrl c", "print its `luxel render`"),
-                        ("h, ?", "this help"),
-                        ("q, Esc", "quit"),
-                    ],
-                );
-                let modes: Vec<_> =
-                    MODES.iter().map(|(one, key)| (*key, one.to_string())).collect();
-                let modes: Vec<_> = modes.iter().map(|(key, name)| (*key, name.as_str())).collect();
-                table(right, "Ways to navigate (m: the next)", &modes);
-                right.add_space(12.0);
-                let letters: Vec<String> = ('a'..='z').map(String::from).collect();
-                let keys: Vec<_> = letters
-                    .iter()
-                    .filter_map(|letter| Some((letter.as_str(), held(letter, mode)?)))
-                    .collect();
-                table(right, &format!("Held, in {mode}"), &keys);
-            });
-        });
-    });
-}
-
-fn table(ui: &mut egui::Ui, title: &str, rows: &[(&str, &str)]) {
-    ui.colored_label(ACCENT, title);
-    // Nothing to be clicked here: lines may be close.
-    ui.spacing_mut().interact_size.y = 18.0;
-    egui::Grid::new(title).num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
-        for (keys, what) in rows {
-            ui.monospace(*keys);
-            ui.colored_label(QUIET, *what);
-            ui.end_row();
         }
     });
 }

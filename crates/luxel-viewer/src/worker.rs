@@ -1,10 +1,11 @@
 //! The thread that loads and draws, so that the window answers all the while.
 
 use crate::model::Model;
-use crate::probe::{Under, seen, under};
+use crate::probe::{Under, depths, seen, under};
+use crate::sheet::Sheet;
 use luxel::pick::VisibleIds;
-use luxel::render::{At, Execution, Explanation, Renderer, View};
-use luxel::scene::{Scene, Size};
+use luxel::render::{At, Execution, Explanation, Prepared, Renderer, View};
+use luxel::scene::{Camera, Scene, SceneMaterial, Size};
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -26,8 +27,12 @@ pub(crate) enum Answer {
 
 /// A picture of the scene.
 pub(crate) struct Drawn {
-    pub(crate) pixels: Vec<[u8; 4]>,
+    /// One, or two to be compared.
+    pub(crate) pictures: Vec<Vec<[u8; 4]>>,
+    pub(crate) camera: Camera,
     pub(crate) size: Size,
+    /// Distances along the view, where they were asked for.
+    pub(crate) depths: Option<Vec<f32>>,
     pub(crate) purpose: Purpose,
     /// Which objects it shows, where that was asked for or has come since.
     pub(crate) seen: Option<Box<VisibleIds>>,
@@ -46,14 +51,34 @@ pub(crate) enum Purpose {
     File,
 }
 
+/// What is drawn otherwise than the file has it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Changes {
+    /// Objects that are not there; their numbers are those in the whole scene.
+    pub(crate) hidden: BTreeSet<usize>,
+    /// All materials, if they are not the scene's own.
+    pub(crate) materials: Option<Vec<SceneMaterial>>,
+}
+
+/// What is to be drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Order {
+    /// One picture, or two to be compared; of one camera and size.
+    pub(crate) sheets: Vec<Sheet>,
+    pub(crate) purpose: Purpose,
+    /// Whether which objects are seen is needed at once, as something is to be marked.
+    pub(crate) is_marked: bool,
+    /// Whether distances are needed, as lines are to be drawn between things.
+    pub(crate) has_lines: bool,
+}
+
 /// What the thread is asked for.
 enum Request {
     /// Another file instead.
     Load(OsString),
-    /// With which objects are seen, where something is to be marked.
-    Draw(Box<View>, Purpose, bool),
-    /// Objects that are not drawn from now on.
-    Hide(BTreeSet<usize>),
+    Draw(Box<Order>),
+    /// What is not as in the file from now on.
+    Change(Box<Changes>),
     Explain(Box<View>, [u32; 2]),
     Probe(Box<View>, [u32; 2], Sender<Option<Under>>),
 }
@@ -98,14 +123,14 @@ impl Worker {
     }
 
     /// Asks for a picture. One at a time: the window asks for the next when this one has come.
-    pub(crate) fn draw(&self, view: View, purpose: Purpose, is_marked: bool) {
+    pub(crate) fn draw(&self, order: Order) {
         // A thread that is gone has said why.
-        let _ = self.requests.send(Request::Draw(Box::new(view), purpose, is_marked));
+        let _ = self.requests.send(Request::Draw(Box::new(order)));
     }
 
-    /// From now on, these objects are not there; their numbers are those in the whole scene.
-    pub(crate) fn hide(&self, objects: BTreeSet<usize>) {
-        let _ = self.requests.send(Request::Hide(objects));
+    /// From now on, the scene is drawn with these changes.
+    pub(crate) fn change(&self, changes: Changes) {
+        let _ = self.requests.send(Request::Change(Box::new(changes)));
     }
 
     /// Asks why a pixel has its colour. One at a time, too.
@@ -123,15 +148,15 @@ impl Worker {
 
 /// Why drawing comes to an end.
 enum End {
-    /// These objects are to be left out.
-    Hide(BTreeSet<usize>),
+    /// The scene is to be drawn with other changes.
+    Change(Box<Changes>),
     /// A file is to be looked at.
     Load(OsString),
     /// The window is gone.
     Gone,
 }
 
-/// Works on the scene as long as it is asked to, whatever is hidden of it; the model to go on with, if
+/// Works on the scene as long as it is asked to, whatever is changed of it; the model to go on with, if
 /// there is one.
 fn work_on(
     scene: &Scene,
@@ -140,29 +165,36 @@ fn work_on(
     answer: &impl Fn(Answer) -> bool,
     load: &impl Fn(&OsStr) -> Result<Model, String>,
 ) -> Option<Model> {
-    let mut hidden = BTreeSet::new();
-    // What is hidden is taken from a copy, which is made when it is first needed.
+    let mut changes = Changes::default();
+    // What is changed is changed in a copy, which is made when it is first needed.
     let mut copy: Option<Scene> = None;
+    // What the last renderer has made ready of the meshes, which stay the same.
+    let mut prepared: Option<Prepared> = None;
     loop {
-        if hidden.is_empty() {
+        if changes == Changes::default() {
             copy = None;
         } else {
-            let shown = copy.get_or_insert_with(|| scene.clone());
-            leave_out(scene, &hidden, shown);
+            apply(scene, &changes, copy.get_or_insert_with(|| scene.clone()));
         }
-        let renderer = match Renderer::new(copy.as_ref().unwrap_or(scene), execution) {
+        let drawn = copy.as_ref().unwrap_or(scene);
+        let renderer = match prepared.take() {
+            Some(prepared) => Ok(Renderer::again(drawn, prepared)),
+            None => Renderer::new(drawn, execution),
+        };
+        let renderer = match renderer {
             Ok(renderer) => renderer,
             Err(error) => {
                 answer(Answer::Failed(error.to_string()));
                 return None;
             }
         };
-        let count = renderer.objects().len() + hidden.len();
-        let numbers: Vec<_> = (0..count).filter(|number| !hidden.contains(number)).collect();
+        let count = renderer.objects().len() + changes.hidden.len();
+        let numbers: Vec<_> =
+            (0..count).filter(|number| !changes.hidden.contains(number)).collect();
         loop {
             match work(&renderer, &numbers, requests, answer) {
-                End::Hide(others) => {
-                    hidden = others;
+                End::Change(others) => {
+                    changes = *others;
                     break;
                 }
                 End::Load(file) => match load(&file) {
@@ -176,16 +208,18 @@ fn work_on(
                 End::Gone => return None,
             }
         }
+        prepared = Some(renderer.into_prepared());
     }
 }
 
-/// Takes the meshes of hidden objects from their nodes in a copy of the scene, and gives the others
-/// theirs.
-fn leave_out(scene: &Scene, hidden: &BTreeSet<usize>, copy: &mut Scene) {
+/// Changes a copy of the scene: takes the meshes of hidden objects from their nodes, gives the others
+/// theirs, and all of them their materials.
+fn apply(scene: &Scene, changes: &Changes, copy: &mut Scene) {
     for (number, object) in scene.objects().into_iter().enumerate() {
-        let mesh = (!hidden.contains(&number)).then_some(object.mesh);
+        let mesh = (!changes.hidden.contains(&number)).then_some(object.mesh);
         copy.nodes[object.node.index()].mesh = mesh;
     }
+    copy.materials.clone_from(changes.materials.as_ref().unwrap_or(&scene.materials));
 }
 
 /// Draws what it is asked for, until there is another scene to draw or nobody to draw for.
@@ -198,26 +232,8 @@ fn work(
     while let Ok(request) = requests.recv() {
         let is_heard = match request {
             Request::Load(file) => return End::Load(file),
-            Request::Hide(hidden) => return End::Hide(hidden),
-            Request::Draw(view, purpose, is_marked) => {
-                let start = Instant::now();
-                let picture = renderer.rgba8(&view);
-                let seen = || seen(renderer, &view, numbers).map(Box::new);
-                let marked = if is_marked { seen() } else { None };
-                let is_heard = answer(match picture {
-                    Ok(picture) => Answer::Drawn(Box::new(Drawn {
-                        pixels: picture.pixels,
-                        size: picture.size,
-                        purpose,
-                        seen: marked,
-                        seconds: start.elapsed().as_secs_f64(),
-                    })),
-                    Err(error) => Answer::Failed(error.to_string()),
-                });
-                // The picture first: nobody has pointed at anything in it yet.
-                let is_to_come = purpose == Purpose::Sharp && !is_marked;
-                is_heard && (!is_to_come || answer(Answer::Seen(seen())))
-            }
+            Request::Change(changes) => return End::Change(changes),
+            Request::Draw(order) => draw(renderer, numbers, &order, answer),
             Request::Explain(view, pixel) => {
                 let explanation = renderer.explain(&view, At::Pixel(pixel)).ok();
                 answer(Answer::Explained(explanation.map(Box::new)))
@@ -235,6 +251,37 @@ fn work(
         }
     }
     End::Gone
+}
+
+/// Draws what is asked for and hands it over; whether anyone has taken it.
+fn draw(
+    renderer: &Renderer<'_>,
+    numbers: &[usize],
+    order: &Order,
+    answer: &impl Fn(Answer) -> bool,
+) -> bool {
+    let Some(Sheet { view, .. }) = order.sheets.first() else { return true };
+    let start = Instant::now();
+    let pictures: Result<Vec<_>, _> =
+        order.sheets.iter().map(|sheet| sheet.draw(renderer)).collect();
+    let pictures = match pictures {
+        Ok(pictures) => pictures,
+        Err(error) => return answer(Answer::Failed(error.to_string())),
+    };
+    let seen = || seen(renderer, view, numbers).map(Box::new);
+    let drawn = Drawn {
+        pictures,
+        camera: view.camera,
+        size: view.size,
+        depths: if order.has_lines { depths(renderer, view) } else { None },
+        purpose: order.purpose,
+        seen: if order.is_marked { seen() } else { None },
+        seconds: start.elapsed().as_secs_f64(),
+    };
+    let is_heard = answer(Answer::Drawn(Box::new(drawn)));
+    // The picture first: nobody has pointed at anything in it yet.
+    let is_to_come = order.purpose == Purpose::Sharp && !order.is_marked;
+    is_heard && (!is_to_come || answer(Answer::Seen(seen())))
 }
 
 #[cfg(test)]
@@ -265,6 +312,11 @@ mod tests {
         answers.into_inner()
     }
 
+    fn order(view: &View, purpose: Purpose, is_marked: bool) -> Request {
+        let sheets = vec![Sheet { view: view.clone(), layer: None }];
+        Request::Draw(Box::new(Order { sheets, purpose, is_marked, has_lines: true }))
+    }
+
     fn drawn(answer: &Answer) -> &Drawn {
         match answer {
             Answer::Drawn(drawn) => drawn,
@@ -278,8 +330,11 @@ mod tests {
         let count = scene.objects().len();
         assert!(count > 2, "{count}");
         let view = luxel::default_view(&scene, SIZE);
-        let draw = || Request::Draw(Box::new(view.clone()), Purpose::Moving, true);
-        let hide = |objects: &[usize]| Request::Hide(objects.iter().copied().collect());
+        let draw = || order(&view, Purpose::Moving, true);
+        let hide = |objects: &[usize]| {
+            let hidden = objects.iter().copied().collect();
+            Request::Change(Box::new(Changes { hidden, ..Changes::default() }))
+        };
         let all: Vec<_> = (0..count).collect();
         let asked = [draw(), hide(&[0, 2]), draw(), hide(&all), draw(), hide(&[]), draw()];
         let answers = answers(&scene, asked);
@@ -295,28 +350,47 @@ mod tests {
         assert!(objects(part).is_superset(&rest) && !objects(part).contains(&0));
         assert!(!objects(part).contains(&2));
         assert!(objects(nothing).is_empty());
-        assert_eq!(drawn(again).pixels, drawn(whole).pixels);
+        assert_eq!(drawn(again).pictures, drawn(whole).pictures);
+    }
+
+    #[test]
+    fn a_changed_material_is_drawn_as_a_scene_that_has_it_and_comes_back() {
+        let scene = demos::demo("spheres").unwrap();
+        let view = luxel::default_view(&scene, SIZE);
+        let draw = || order(&view, Purpose::Moving, true);
+        let mut other = scene.clone();
+        other.materials[1].constants.diffuse = [0.9, 0.1, 0.1];
+        let materials = Some(other.materials.clone());
+        let dress = |hidden, materials| Request::Change(Box::new(Changes { hidden, materials }));
+        let none = BTreeSet::new();
+        let asked = [draw(), dress(none.clone(), materials), draw(), dress(none, None), draw()];
+        let answers = answers(&scene, asked);
+        let [plain, changed, again] = answers.as_slice() else { panic!("too few answers") };
+        let renderer = Renderer::new(&other, &Execution::default()).unwrap();
+        assert_eq!(drawn(changed).pictures, [renderer.rgba8(&view).unwrap().pixels]);
+        assert_ne!(drawn(changed).pictures, drawn(plain).pictures);
+        assert_eq!(drawn(again).pictures, drawn(plain).pictures);
     }
 
     #[test]
     fn a_file_that_cannot_be_read_leaves_the_last_one_there() {
         let scene = demos::demo("plane").unwrap();
         let view = luxel::default_view(&scene, SIZE);
-        let draw = || Request::Draw(Box::new(view.clone()), Purpose::Moving, false);
+        let draw = || order(&view, Purpose::Moving, false);
         let asked = [draw(), Request::Load("gone.obj".into()), draw()];
         let answers = answers(&scene, asked);
         let [before, Answer::Loaded(Err(what)), after] = answers.as_slice() else {
             panic!("other answers")
         };
         assert_eq!(what, "gone.obj: no such file");
-        assert_eq!(drawn(before).pixels, drawn(after).pixels);
+        assert_eq!(drawn(before).pictures, drawn(after).pictures);
     }
 
     #[test]
     fn objects_follow_a_sharp_picture_and_come_with_a_marked_one() {
         let scene = demos::demo("plane").unwrap();
         let view = luxel::default_view(&scene, SIZE);
-        let draw = |purpose, marked| Request::Draw(Box::new(view.clone()), purpose, marked);
+        let draw = |purpose, marked| order(&view, purpose, marked);
         let answers = answers(
             &scene,
             [draw(Purpose::Sharp, false), draw(Purpose::Sharp, true), draw(Purpose::Moving, false)],

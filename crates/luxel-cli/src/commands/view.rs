@@ -6,7 +6,7 @@ use crate::options::{
 };
 #[cfg(not(feature = "viewer"))]
 use crate::{console::Console, failure::Failure};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use luxel::navigation::Mode;
 use std::ffi::OsString;
 
@@ -35,6 +35,15 @@ pub(crate) struct ViewCommand {
     #[arg(long, value_name = "FILE")]
     replay: Option<OsString>,
 
+    /// The window's colours; auto is as the system's, where it tells
+    #[arg(long, value_enum, value_name = "THEME", default_value = "auto")]
+    theme: ThemeName,
+
+    /// A file that says which keys do what [default: luxel/keys.toml in the user's configuration,
+    /// if there is one]
+    #[arg(long, value_name = "FILE")]
+    keys: Option<OsString>,
+
     #[command(flatten)]
     frame: FrameOptions,
     #[command(flatten)]
@@ -51,6 +60,14 @@ pub(crate) struct ViewCommand {
     execution: ExecutionOptions,
 }
 
+/// The window's colours.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ThemeName {
+    Auto,
+    Dark,
+    Light,
+}
+
 #[cfg(not(feature = "viewer"))]
 impl ViewCommand {
     pub(crate) fn run(self, _: Console) -> Result<(), Failure> {
@@ -60,18 +77,21 @@ impl ViewCommand {
 }
 
 #[cfg(feature = "viewer")]
+mod keys;
+#[cfg(feature = "viewer")]
 mod line;
 
 #[cfg(feature = "viewer")]
 mod window {
-    use super::ViewCommand;
+    use super::keys;
     use super::line::line;
+    use super::{ThemeName, ViewCommand};
     use crate::cli::with_command;
     use crate::console::Console;
     use crate::failure::Failure;
     use crate::options::InputOptions;
     use crate::{model, navigation, output, surface, view};
-    use luxel_viewer::{Model, Options, Outcome, ViewerError};
+    use luxel_viewer::{Model, Options, Outcome, ThemeChoice, ViewerError};
     use std::ffi::OsStr;
     use std::path::PathBuf;
     use std::sync::{Arc, Mutex, PoisonError};
@@ -99,6 +119,12 @@ mod window {
                 mode: self.mode,
                 record,
                 replay: replay.transpose()?.map(|(log, _)| log),
+                theme: match self.theme {
+                    ThemeName::Auto => ThemeChoice::Auto,
+                    ThemeName::Dark => ThemeChoice::Dark,
+                    ThemeName::Light => ThemeChoice::Light,
+                },
+                keys: keys::keys(self.keys.as_deref())?,
                 execution: view::execution(&self.execution),
                 write: Box::new(|path, bytes| {
                     output::write_file(path, bytes).map_err(|failure| failure.lines().join("; "))

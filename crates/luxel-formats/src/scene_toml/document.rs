@@ -27,19 +27,8 @@ pub(super) struct Table<'a> {
     start: usize,
 }
 
-/// The line and the column of a byte, from 1; columns are counted in characters.
-fn place_in(text: &str, byte: usize) -> Place {
-    let byte = byte.min(text.len());
-    let before = text.as_bytes().get(..byte).unwrap_or_default();
-    let line_start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
-    let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
-    // Bytes that go on with a character don't count.
-    let column = before[line_start..].iter().filter(|&&byte| byte & 0xc0 != 0x80).count() + 1;
-    Place::LineColumn(line as u64, column as u64)
-}
-
 fn malformed(text: &str, byte: usize, message: impl Into<String>) -> Error {
-    Error::at(place_in(text, byte), ErrorKind::Malformed(message.into()))
+    Error::at(Place::in_text(text, byte), ErrorKind::Malformed(message.into()))
 }
 
 /// `` `coulor` is unknown: did you mean `color`? ``
@@ -135,9 +124,9 @@ impl<'a> Document<'a> {
         entries.sort_by_key(|(key, _)| key.span().start);
         let entry = |(key, value): (&'a Spanned<Cow<'a, str>>, &'a Spanned<DeValue<'a>>)| Entry {
             name: key.get_ref(),
-            place: place_in(self.text, key.span().start),
+            place: Place::in_text(self.text, key.span().start),
             value: value.get_ref(),
-            value_place: place_in(self.text, value.span().start),
+            value_place: Place::in_text(self.text, value.span().start),
         };
         Ok(entries.into_iter().map(entry).collect())
     }
@@ -208,7 +197,7 @@ impl<'a> Table<'a> {
 
     /// The place of a value.
     pub(super) fn place_of(&self, key: &str) -> Place {
-        place_in(self.text, self.get(key).map_or(self.start, |value| value.span().start))
+        Place::in_text(self.text, self.get(key).map_or(self.start, |value| value.span().start))
     }
 
     /// A value as the command line would have it, read by the parser of the flag.

@@ -125,19 +125,41 @@ fn attenuation_of(fields: &mut Fields<'_>) -> Result<Attenuation, FieldError> {
     Ok(law)
 }
 
-/// The cosine of a cone's half-angle of 0 to 90 degrees; -1 for 180, which is no cone.
-fn cos_cutoff_of(text: &str) -> Result<f32, String> {
-    let degrees = finite(text)?;
+/// The cosine of a cone's half-angle of 0 to 90 degrees; -1 for 180, which is no cone; `None` for
+/// other angles.
+#[must_use]
+pub fn cos_cutoff(degrees: f64) -> Option<f32> {
     if degrees == 180.0 {
-        Ok(-1.0)
+        Some(-1.0)
     } else if degrees == 90.0 {
         // The cosine of the f64 next to pi / 2 is not quite 0.
-        Ok(0.0)
+        Some(0.0)
     } else if (0.0..90.0).contains(&degrees) {
-        Ok(libm::cos(degrees.to_radians()) as f32)
+        Some(libm::cos(degrees.to_radians()) as f32)
     } else {
-        Err("use 0 to 90 degrees, or 180 for no cone".to_owned())
+        None
     }
+}
+
+/// The half-angle, with as few digits as it takes, of which [`cos_cutoff`] makes this cosine; 180 for
+/// what is below 0. Cosines below 1e-8 are taken as that of a right angle, next to which degrees can't
+/// tell them.
+#[must_use]
+pub fn cutoff_degrees(cosine: f32) -> f64 {
+    if cosine < 0.0 {
+        return 180.0;
+    }
+    if cosine < 1e-8 {
+        return 90.0;
+    }
+    let degrees = libm::acos(f64::from(cosine.min(1.0))).to_degrees();
+    let rounded = [1.0, 1e3, 1e6, 1e9].map(|unit| (degrees * unit).round() / unit);
+    let is_same = |angle: &f64| cos_cutoff(*angle) == Some(cosine);
+    rounded.into_iter().find(is_same).unwrap_or(degrees)
+}
+
+fn cos_cutoff_of(text: &str) -> Result<f32, String> {
+    cos_cutoff(finite(text)?).ok_or_else(|| "use 0 to 90 degrees, or 180 for no cone".to_owned())
 }
 
 fn attenuation(text: &str) -> Result<Attenuation, String> {
@@ -221,6 +243,21 @@ mod tests {
         }
         let open = Cone::Exponent { cos_cutoff: -1.0, exponent: 0.0 };
         assert_eq!(parsed("spot:pos=0,0,0:dir=1,0,0").light.kind, LightKind::Spot(open));
+    }
+
+    #[test]
+    fn every_cosine_is_that_of_its_angle() {
+        for degrees in 0..=90 {
+            let degrees = f64::from(degrees);
+            assert_eq!(cutoff_degrees(cos_cutoff(degrees).unwrap()), degrees);
+        }
+        for bits in
+            (1e-8_f32.to_bits()..1_f32.to_bits()).step_by(99_991).chain([1_f32.to_bits() - 1])
+        {
+            let cosine = f32::from_bits(bits);
+            assert_eq!(cos_cutoff(cutoff_degrees(cosine)), Some(cosine), "{cosine}");
+        }
+        assert_eq!(cutoff_degrees(-1.0), 180.0);
     }
 
     #[test]

@@ -82,6 +82,17 @@ pub(crate) fn of(layer: &LayerImage) -> (Legend, LayerWords) {
     }
 }
 
+/// A layer as it is seen on a screen: the upper eight bits of [`Legend`]'s picture, gray as three equal
+/// channels.
+#[must_use]
+pub fn layer_rgb8(layer: &LayerImage) -> Vec<[u8; 3]> {
+    let byte = |word: u16| (word >> 8) as u8;
+    match of(layer).1 {
+        LayerWords::Gray(words) => words.into_iter().map(|word| [byte(word); 3]).collect(),
+        LayerWords::Rgb(words) => words.into_iter().map(|words| words.map(byte)).collect(),
+    }
+}
+
 /// What 0 and 65535 stand for: fixed where the layer has natural bounds, else its least and its
 /// largest finite value.
 fn range(name: &str, values: &[f32], channel: usize, channels: usize) -> [f32; 2] {

@@ -15,7 +15,7 @@ mod png;
 mod ppm;
 
 pub use layer::LayerImage;
-pub use legend::{Legend, id_color};
+pub use legend::{Legend, id_color, layer_rgb8};
 
 use luxel_lighting::PictureEncoding;
 use luxel_scene::Size;

@@ -1,7 +1,8 @@
 //! What mouse and keys do: for the panels where they are theirs, for the camera elsewhere.
 
 use super::App;
-use crate::keys::{Action, MODES, action};
+use crate::keys::{Action, Chord, KeyName, MODES, Shown};
+use crate::look::Look;
 use crate::ui::Wish;
 use luxel::navigation::{Event, Gesture, Mode};
 use luxel::scene::DVec2;
@@ -17,14 +18,12 @@ const PIXELS_A_NOTCH: f64 = 50.0;
 
 impl App {
     pub(super) fn press(&mut self, event_loop: &ActiveEventLoop, key: Key) {
-        let Some(session) = &self.session else {
-            if action(&key, ModifiersState::empty(), Mode::default()) == Some(Action::Quit) {
-                event_loop.exit();
-            }
+        let Some(chord) = chord(&key, self.modifiers) else { return };
+        let mode = self.session.as_ref().map_or_else(Mode::default, |one| one.state.mode());
+        let Some(action) = self.ui.keys.action(&chord, mode) else { return };
+        if self.session.is_none() && action != Action::Quit {
             return;
-        };
-        let mode = session.state.mode();
-        let Some(action) = action(&key, self.modifiers, mode) else { return };
+        }
         match action {
             Action::Quit => event_loop.exit(),
             Action::Screenshot => self.wants_screenshot = true,
@@ -32,8 +31,8 @@ impl App {
             Action::Level => self.happen(Event::Level),
             Action::Mode(mode) => self.happen(Event::Mode(mode)),
             Action::NextMode => {
-                let at = MODES.iter().position(|(one, _)| *one == mode).unwrap_or(0);
-                self.happen(Event::Mode(MODES[(at + 1) % MODES.len()].0));
+                let at = MODES.iter().position(|one| *one == mode).unwrap_or(0);
+                self.happen(Event::Mode(MODES[(at + 1) % MODES.len()]));
             }
             Action::Hold(command) => {
                 self.happen(Event::Press(command));
@@ -50,6 +49,12 @@ impl App {
                     }
                 }
             }
+            Action::Show(_)
+            | Action::NextEdges
+            | Action::NextShading
+            | Action::StepLayer(_)
+            | Action::Split
+            | Action::Difference => self.look_otherwise(action),
             Action::Measure => self.measure(),
             Action::Line => self.print_line(),
             Action::Step(is_forward) => self.step(is_forward),
@@ -68,11 +73,47 @@ impl App {
                 self.ui.shows_help = !self.ui.shows_help;
                 self.redraw();
             }
+            Action::IntoPanels => {
+                self.ui.enter_panels();
+                self.redraw();
+            }
             Action::Panels => {
                 self.ui.shows_panels = !self.ui.shows_panels;
                 self.redraw();
             }
         }
+    }
+
+    /// Changes how the scene is looked at.
+    fn look_otherwise(&mut self, action: Action) {
+        let Some(session) = &mut self.session else { return };
+        match action {
+            Action::Show(shown) => {
+                let guides = &mut session.guides;
+                let one = match shown {
+                    Shown::Grid => &mut guides.grid,
+                    Shown::Axes => &mut guides.axes,
+                    Shown::Boxes => &mut guides.boxes,
+                    Shown::Normals => &mut guides.normals,
+                };
+                *one = !*one;
+                session.changed();
+            }
+            Action::NextEdges => session.change_look(Look::step_edges),
+            Action::NextShading => session.change_look(Look::step_shading),
+            Action::StepLayer(is_forward) => {
+                session.change_look(|look| look.step_layer(is_forward));
+            }
+            Action::Split => session.toggle_split(),
+            Action::Difference => session.toggle_difference(),
+            _ => {}
+        }
+        let told = session.look().told();
+        if matches!(action, Action::NextShading | Action::StepLayer(_)) {
+            self.status.note = Some(told);
+            self.noted = Some(Instant::now() + Duration::from_secs(2));
+        }
+        self.redraw();
     }
 
     /// A key has come up: whatever it was when it went down.
@@ -241,4 +282,19 @@ impl App {
         let point = self.point_under();
         self.happen(Event::Wheel { notches, at: self.pointer, point });
     }
+}
+
+/// A key of the window, as bindings name it.
+fn chord(key: &Key, modifiers: ModifiersState) -> Option<Chord> {
+    let key = match key {
+        Key::Character(text) => {
+            let mut letters = text.chars();
+            let one = letters.next()?;
+            letters.next().is_none().then(|| KeyName::of(one))?
+        }
+        Key::Named(named) => KeyName::named(&format!("{named:?}"))?,
+        _ => return None,
+    };
+    let (ctrl, shift) = (modifiers.control_key(), modifiers.shift_key());
+    Some(Chord::new(key, ctrl, shift, modifiers.alt_key()))
 }

@@ -5,6 +5,7 @@ use crate::files::{Files, Watch};
 use crate::model::Model;
 use crate::screen::Screen;
 use crate::session::Session;
+use crate::worker::Changes;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -110,7 +111,7 @@ impl App {
             screen.window.set_title(&format!("{} - luxel", self.status.name));
         }
         // What was known of the last scene.
-        self.hidden.clear();
+        self.changes = Changes::default();
         (self.asked, self.under, self.explained) = (None, None, None);
         self.ui.explanation = None;
         if let Some(shown) = &mut self.shown {

@@ -1,12 +1,66 @@
 //! What the window shows, and what of it is kept in files.
 
-use super::{App, ViewerError};
+use super::{App, ViewerError, shrunk};
+use crate::compare::{Apart, Split, heat, join};
 use crate::compose::{compose, empty};
+use crate::guides::Guides;
+use crate::lines::{Depths, Line, draw};
+use crate::marks::Marks;
 use crate::outline::outline;
+use crate::session::Session;
+use crate::theme::Theme;
 use crate::worker::{Drawn, Purpose};
 use luxel::render::{PictureFormat, write_rgba8};
+use luxel::scene::Size;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
+
+/// Lines of the world, with what they were made of.
+#[derive(Default)]
+pub(super) struct GuideLines {
+    made_of: Option<(Guides, Marks, &'static Theme, usize)>,
+    pub(super) lines: Vec<Line>,
+}
+
+/// What lies over pictures.
+struct Over<'a> {
+    theme: &'static Theme,
+    split: Option<&'a Split>,
+    lines: &'a [Line],
+    pixels_per_point: f32,
+}
+
+/// Makes the window's pixels of what was drawn: one picture, two side by side, or how far they are
+/// apart, with lines of the world.
+fn picture(drawn: &Drawn, over: &Over<'_>, window: Size, pixels: &mut Vec<u32>) -> Option<Apart> {
+    let count = window.width as usize * window.height as usize;
+    pixels.resize(count, 0);
+    let Drawn { pictures, size, .. } = drawn;
+    let mut apart = None;
+    match (pictures.as_slice(), over.split) {
+        ([one, other], Some(split)) if split.is_difference => {
+            let (colors, how_far) = heat(one, other);
+            compose((&colors, *size), over.theme, window, pixels);
+            apart = Some(how_far);
+        }
+        ([one, other], Some(split)) => {
+            compose((one, *size), over.theme, window, pixels);
+            let mut right = vec![0; count];
+            compose((other, *size), over.theme, window, &mut right);
+            let width = window.width as usize;
+            join(pixels, &right, width, (split.at * width as f32).round().max(0.0) as usize);
+        }
+        ([one, ..], _) => compose((one, *size), over.theme, window, pixels),
+        ([], _) => empty(over.theme, window, pixels),
+    }
+    if let Some(z) = &drawn.depths {
+        let depths = Depths { z, size: *size };
+        // A camera in pixels is one for the window's, too.
+        let camera = shrunk(drawn.camera, *size, window);
+        draw(over.lines, &camera, depths, (window, over.pixels_per_point), pixels);
+    }
+    apart
+}
 
 /// How long a note is shown.
 const NOTED: Duration = Duration::from_secs(4);
@@ -39,8 +93,15 @@ impl App {
     /// Writes what is seen into the first file that isn't there yet.
     pub(super) fn keep(&self, drawn: &Drawn) -> Result<String, String> {
         let size = drawn.size;
-        let mut pixels = vec![0; size.width as usize * size.height as usize];
-        compose(&drawn.pixels, size, size, &mut pixels);
+        let mut pixels = Vec::new();
+        let scale = self.screen.as_ref().map_or(1.0, |screen| screen.window.scale_factor());
+        let over = Over {
+            theme: self.ui.theme,
+            split: self.session.as_ref().and_then(Session::split),
+            lines: &self.guides.lines,
+            pixels_per_point: scale as f32,
+        };
+        picture(drawn, &over, size, &mut pixels);
         let rgba: Vec<_> = pixels
             .iter()
             .map(|pixel: &u32| {
@@ -48,7 +109,7 @@ impl App {
                 [r, g, b, 255]
             })
             .collect();
-        let encoding = self.session.as_ref().map(|session| session.model.view.encoding);
+        let encoding = self.session.as_ref().map(|session| session.look().view().encoding);
         let mut bytes = Vec::new();
         write_rgba8(PictureFormat::Png, size, &rgba, encoding.unwrap_or_default(), &mut bytes)
             .map_err(|error| error.to_string())?;
@@ -84,31 +145,60 @@ impl App {
         self.redraw();
     }
 
+    /// Makes the lines of the world that are to be seen, if they are others than before.
+    fn draw_guides(&mut self) {
+        let Some(session) = &self.session else { return };
+        let mut marks = session.marks.clone();
+        marks.hovered = None;
+        let scene = std::sync::Arc::as_ptr(&session.model.scene) as usize;
+        let made_of = (session.guides, marks, self.ui.theme, scene);
+        if self.guides.made_of.as_ref() != Some(&made_of) {
+            self.guides.lines = session.guides.lines(&session.subject(), self.ui.theme);
+            self.guides.made_of = Some(made_of);
+            self.is_below_stale = true;
+        }
+    }
+
     /// Paints the window: the picture, and what lies over it.
     pub(super) fn show(&mut self) -> Result<(), ViewerError> {
         self.hover();
+        self.draw_guides();
         let Some(screen) = &mut self.screen else { return Ok(()) };
         let marks = self.session.as_ref().map(|session| session.marks.clone()).unwrap_or_default();
         let (shown, below) = (self.shown.as_deref(), &mut self.below);
-        let is_stale = std::mem::take(&mut self.is_below_stale) || marks != self.marked;
+        let divided = self.session.as_ref().and_then(|one| Some(one.split()?.at));
+        let is_stale = std::mem::take(&mut self.is_below_stale)
+            || marks != self.marked
+            || divided != self.divided;
+        self.divided = divided;
+        let split = self.session.as_ref().and_then(|session| session.split().cloned());
+        let lines = &self.guides.lines;
         self.marked.clone_from(&marks);
         let (ui, session, status) = (&mut self.ui, self.session.as_mut(), &self.status);
+        let theme = ui.theme;
         let pixels_per_point = screen.window.scale_factor() as f32;
         let mut asked = (Vec::new(), Duration::MAX);
+        let mut apart = ui.apart;
         screen.present(|pixels, window| {
             if is_stale || below.len() != pixels.len() {
-                below.resize(pixels.len(), 0);
                 match shown {
                     Some(drawn) => {
-                        compose(&drawn.pixels, drawn.size, window, below);
+                        let split = split.as_ref();
+                        let over = Over { theme, split, lines, pixels_per_point };
+                        apart = picture(drawn, &over, window, below);
                         if let Some(seen) = &drawn.seen {
-                            outline((seen, drawn.size), &marks, pixels_per_point, window, below);
+                            let style = (theme, pixels_per_point);
+                            outline((seen, drawn.size), &marks, style, window, below);
                         }
                     }
-                    None => empty(window, below),
+                    None => {
+                        below.resize(pixels.len(), 0);
+                        empty(theme, window, below);
+                    }
                 }
             }
             pixels.copy_from_slice(below);
+            ui.apart = apart;
             asked = ui.show(session, status, (window, pixels_per_point), pixels);
         })?;
         let (wishes, again) = asked;
@@ -116,8 +206,10 @@ impl App {
         if again.is_zero() {
             self.redraw();
         }
-        // A click in the tree.
-        if self.session.as_ref().is_some_and(|session| session.marks != self.marked) {
+        // A click in the tree, the line between two looks.
+        if self.session.as_ref().is_some_and(|session| {
+            session.marks != self.marked || session.split().map(|split| split.at) != self.divided
+        }) {
             self.redraw();
         }
         for wish in wishes {

@@ -1,0 +1,65 @@
+//! What a renderer has made ready of meshes, kept for another scene that has the same ones.
+
+use super::Renderer;
+use crate::polygons::Polygons;
+use luxel_math::Level;
+use luxel_scene::Scene;
+use luxel_visibility::Clusters;
+use rayon::prelude::*;
+use std::sync::OnceLock;
+use std::time::Duration;
+
+/// What a renderer has made ready of its scene's meshes, with its threads.
+pub struct Prepared {
+    /// Of each mesh: how many triangles it has, and what was made of them.
+    meshes: Vec<(usize, Clusters, OnceLock<Polygons>)>,
+    level: Level,
+    pool: Option<rayon::ThreadPool>,
+    clock: fn() -> Duration,
+}
+
+impl<'s> Renderer<'s> {
+    /// Lets go of the scene, and keeps what was made of its meshes.
+    #[must_use]
+    pub fn into_prepared(self) -> Prepared {
+        let counts = self.scene.meshes.iter().map(|mesh| mesh.triangles.len());
+        let made = self.clusters.into_iter().zip(self.polygons_of_meshes);
+        Prepared {
+            meshes: counts.zip(made).map(|(count, (a, b))| (count, a, b)).collect(),
+            level: self.level,
+            pool: self.pool,
+            clock: self.clock,
+        }
+    }
+
+    /// Makes a scene ready that has the same meshes as another one, which costs nothing then: its
+    /// materials, and which nodes show which mesh, may be others. Meshes with another number of
+    /// triangles are made ready anew; those with as many, but other ones, would be drawn wrongly.
+    #[must_use]
+    pub fn again(scene: &'s Scene, prepared: Prepared) -> Self {
+        let Prepared { meshes, level, pool, clock } = prepared;
+        let mut renderer = Self {
+            scene,
+            objects: scene.objects(),
+            clusters: Vec::new(),
+            polygons_of_meshes: Vec::new(),
+            level,
+            pool,
+            clock,
+        };
+        let is_same = |(mesh, (count, ..)): (&luxel_scene::Mesh, &(usize, Clusters, _))| {
+            mesh.triangles.len() == *count
+        };
+        if scene.meshes.len() == meshes.len() && scene.meshes.iter().zip(&meshes).all(is_same) {
+            for (_, clusters, polygons) in meshes {
+                renderer.clusters.push(clusters);
+                renderer.polygons_of_meshes.push(polygons);
+            }
+        } else {
+            renderer.polygons_of_meshes = scene.meshes.iter().map(|_| OnceLock::new()).collect();
+            renderer.clusters =
+                renderer.install(|| scene.meshes.par_iter().map(Clusters::new).collect());
+        }
+        renderer
+    }
+}

@@ -1,0 +1,106 @@
+//! The line between two looks that are compared, to be dragged; or the scale of their difference.
+
+use crate::compare::{Apart, SCALE, Split};
+use crate::look::Look;
+use crate::theme;
+use egui::{Align2, Area, Color32, Context, FontId, Id, Order, Rect, Sense, Stroke, pos2, vec2};
+
+/// Half the width that the hand can take hold of, in points.
+const HALF: f32 = 6.0;
+
+/// Draws the line and what is on its sides; dragged, it moves.
+pub(crate) fn line(context: &Context, split: &mut Split, look: &Look) {
+    let (all, free) = (context.content_rect(), context.available_rect());
+    let x = (all.left() + split.at * all.width()).clamp(free.left() + HALF, free.right() - HALF);
+    let theme = theme::of(context);
+    let area = Area::new(Id::new("divider")).fixed_pos(pos2(x - HALF, free.top()));
+    let size = vec2(2.0 * HALF, free.height());
+    let response = area
+        .order(Order::Middle)
+        .constrain(false)
+        .show(context, |ui| ui.allocate_exact_size(size, Sense::drag()).1)
+        .inner
+        .on_hover_cursor(egui::CursorIcon::ResizeHorizontal);
+    if response.dragged() && response.drag_delta().x != 0.0 {
+        let to = (x + response.drag_delta().x).clamp(free.left() + HALF, free.right() - HALF);
+        split.at = (to - all.left()) / all.width().max(1.0);
+    }
+    let painter = context.layer_painter(egui::LayerId::background());
+    let ink = if response.hovered() || response.dragged() { theme.accent } else { theme.text };
+    let ends = [pos2(x, free.top()), pos2(x, free.bottom())];
+    painter.line_segment(ends, Stroke::new(3.5, theme.halo));
+    painter.line_segment(ends, Stroke::new(1.5, ink));
+    let grip = Rect::from_center_size(pos2(x, free.center().y), vec2(6.0, 28.0));
+    painter.rect(grip, 3, theme.panel, Stroke::new(1.5, ink), egui::StrokeKind::Inside);
+    let looks = if split.is_right_set { [&split.other, look] } else { [look, &split.other] };
+    let sides = [(looks[0], Align2::RIGHT_TOP, -12.0), (looks[1], Align2::LEFT_TOP, 12.0)];
+    for (at, (look, align, aside)) in sides.into_iter().enumerate() {
+        let is_set = (at == 1) == split.is_right_set;
+        let color = if is_set { theme.heading } else { theme.text };
+        let text = painter.layout_no_wrap(look.told(), FontId::proportional(13.0), color);
+        let rect = align.anchor_size(pos2(x + aside, free.top() + 12.0), text.size());
+        painter.rect_filled(rect.expand2(vec2(6.0, 3.0)), 4, theme.panel.gamma_multiply(0.85));
+        painter.galley(rect.min, text, color);
+    }
+}
+
+/// Draws the scale of differences, and how far two pictures are apart.
+pub(crate) fn scale(context: &Context, apart: &Apart) {
+    let free = context.available_rect();
+    let theme = theme::of(context);
+    let painter = context.layer_painter(egui::LayerId::background());
+    const CELL: egui::Vec2 = vec2(44.0, 12.0);
+    let size = vec2(CELL.x * SCALE.len() as f32, 56.0);
+    let corner = pos2(free.left() + 16.0, free.bottom() - size.y - 16.0);
+    let rect = Rect::from_min_size(corner, size);
+    painter.rect_filled(rect.expand(10.0), 4, theme.panel.gamma_multiply(0.9));
+    let text = |at, align, text: String, size: f32, color| {
+        painter.text(at, align, text, FontId::proportional(size), color);
+    };
+    let told = if apart.largest == 0 {
+        "no pixel differs".to_owned()
+    } else {
+        let Apart { largest, mean, share } = *apart;
+        format!("{} of pixels differ, by {largest} at most, {mean:.2} in the mean", percent(share))
+    };
+    text(rect.left_top(), Align2::LEFT_TOP, told, 13.0, theme.text);
+    for (at, (_, name, [r, g, b])) in SCALE.into_iter().enumerate() {
+        let left = rect.left() + CELL.x * at as f32;
+        let cell = Rect::from_min_size(pos2(left, rect.top() + 24.0), CELL);
+        painter.rect_filled(cell, 0, Color32::from_rgb(r, g, b));
+        let place = cell.center_bottom() + vec2(0.0, 4.0);
+        text(place, Align2::CENTER_TOP, name.to_owned(), 11.0, theme.quiet);
+    }
+}
+
+/// A share as people read it: never 0 for something, nor 100 for less than all.
+fn percent(share: f64) -> String {
+    let percent = share * 100.0;
+    if percent < 0.1 && percent > 0.0 {
+        "under 0.1 %".to_owned()
+    } else if percent < 10.0 {
+        format!("{percent:.1} %")
+    } else if percent < 100.0 {
+        format!("{:.0} %", percent.min(99.0))
+    } else {
+        "100 %".to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_told_as_no_less_and_no_more_than_they_are() {
+        for (share, text) in [
+            (0.0, "0.0 %"),
+            (1e-6, "under 0.1 %"),
+            (0.052, "5.2 %"),
+            (0.999, "99 %"),
+            (1.0, "100 %"),
+        ] {
+            assert_eq!(percent(share), text);
+        }
+    }
+}

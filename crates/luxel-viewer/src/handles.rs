@@ -1,0 +1,335 @@
+//! Handles of lights in the picture: a point where a light stands, to be dragged there, and the
+//! direction of its light, as a place on a ball about the middle of the picture.
+
+use crate::places::{place_of, point_at};
+use crate::session::Session;
+use crate::theme::{self, Theme};
+use egui::{
+    Align2, Area, Color32, Context, FontId, Id, Order, Painter, Pos2, Rgba, Sense, Stroke, vec2,
+};
+use luxel::lighting::LightKind;
+use luxel::scene::{Camera, DVec2, DVec3, SceneLight, Size};
+
+/// Half a handle's side, in points.
+const HALF: f32 = 9.0;
+/// The ball's radius, as a part of the free picture's shorter side.
+const BALL: f32 = 0.3;
+/// How much farther a light goes with Shift, for each point upwards, as an exponent of e.
+const DEEPER: f64 = 0.006;
+
+/// What the hand has taken hold of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Grab {
+    /// Which light, and whether it is its aim.
+    light: usize,
+    is_aim: bool,
+    /// On the ball: where the hand is, in radii from its middle, and the side it began on.
+    on_ball: (DVec2, bool),
+}
+
+/// What a handle shows and moves.
+enum Handle {
+    /// Where a light stands.
+    Stand(DVec3),
+    /// Where a spot light points at.
+    Aim(DVec3),
+    /// Where a directional light comes from, in view coordinates.
+    Ball(DVec3),
+}
+
+/// Draws the handles of all lights that are on; those that are dragged move their lights.
+pub(crate) fn draw(
+    context: &Context,
+    session: &mut Session,
+    chosen: &mut Option<usize>,
+    grab: &mut Option<Grab>,
+) {
+    let camera = session.camera();
+    let size = session.settings.size;
+    let free = context.available_rect();
+    let scale = f64::from(context.pixels_per_point());
+    let painter = context.layer_painter(egui::LayerId::background()).with_clip_rect(free);
+    let ball = Ball { middle: free.center(), radius: free.width().min(free.height()) * BALL };
+    let target = session.state.pivot();
+    for at in 0..session.look().view().lights.len() {
+        let places = session.places();
+        let Some((light, true)) = session.look().light(at) else { continue };
+        let (position, direction) = places.placed(light);
+        let mut moved = None;
+        let stand = place(&Handle::Stand(position), &ball, &camera, size, scale);
+        for handle in handles(light, &camera, (position, direction), target) {
+            let is_aim = matches!(handle, Handle::Aim(_));
+            let Some(place) = place(&handle, &ball, &camera, size, scale) else { continue };
+            if !free.shrink(HALF).contains(place) {
+                continue;
+            }
+            let id = Id::new(("handle", at, is_aim));
+            let area = Area::new(id).fixed_pos(place - vec2(HALF, HALF)).order(Order::Middle);
+            let response = area
+                .constrain(false)
+                .show(context, |ui| ui.allocate_exact_size(vec2(2.0, 2.0) * HALF, Sense::drag()).1)
+                .inner
+                .on_hover_cursor(egui::CursorIcon::Grab);
+            let is_held = grab.is_some_and(|grab| (grab.light, grab.is_aim) == (at, is_aim));
+            let is_lit = response.hovered() || is_held || *chosen == Some(at);
+            show(context, &painter, (light, is_lit), &handle, &ball, place, stand);
+            if response.drag_started() {
+                *chosen = Some(at);
+                let offset = ball.offset(place);
+                let is_near = matches!(handle, Handle::Ball(towards) if towards.z >= 0.0);
+                *grab = Some(Grab { light: at, is_aim, on_ball: (offset, is_near) });
+            }
+            if let Some(grab) = grab.as_mut().filter(|_| is_held || response.drag_started()) {
+                let delta = response.drag_delta();
+                let is_deeper = context.input(|input| input.modifiers.shift);
+                moved = drag(&handle, grab, delta, is_deeper, &ball, (&camera, size, scale))
+                    .map(|to| after(&handle, to, position, direction, &camera))
+                    .filter(|_| delta != egui::Vec2::ZERO)
+                    .or(moved);
+            }
+            if response.drag_stopped() {
+                *grab = None;
+            }
+        }
+        if let Some((position, direction)) = moved {
+            session.put_light(at, position, direction);
+        }
+    }
+    if grab.is_some() && !context.input(|input| input.pointer.any_down()) {
+        *grab = None;
+    }
+}
+
+fn handles(
+    light: &SceneLight,
+    camera: &Camera,
+    (position, direction): (DVec3, DVec3),
+    target: DVec3,
+) -> Vec<Handle> {
+    match light.light.kind {
+        LightKind::Ambient => Vec::new(),
+        LightKind::Directional => {
+            vec![Handle::Ball(camera.view_from_world.transform_vector3(-direction))]
+        }
+        LightKind::Point => vec![Handle::Stand(position)],
+        LightKind::Spot(_) => {
+            // As far away as what is looked at.
+            let reach = position.distance(target);
+            let aim = position + direction * if reach > 0.0 { reach } else { 1.0 };
+            vec![Handle::Aim(aim), Handle::Stand(position)]
+        }
+    }
+}
+
+/// The ball on which directions are shown, in points.
+struct Ball {
+    middle: Pos2,
+    radius: f32,
+}
+
+impl Ball {
+    /// A place in radii from the middle, y upwards.
+    fn offset(&self, place: Pos2) -> DVec2 {
+        let offset = (place - self.middle) / self.radius;
+        DVec2::new(f64::from(offset.x), f64::from(-offset.y))
+    }
+
+    fn place(&self, offset: DVec2) -> Pos2 {
+        self.middle + vec2(offset.x as f32, -offset.y as f32) * self.radius
+    }
+}
+
+fn place(handle: &Handle, ball: &Ball, camera: &Camera, size: Size, scale: f64) -> Option<Pos2> {
+    match handle {
+        Handle::Ball(towards) => Some(ball.place(towards.truncate())),
+        Handle::Stand(point) | Handle::Aim(point) => {
+            let place = place_of(camera, size, *point)? / scale;
+            Some(Pos2::new(place.x as f32, place.y as f32))
+        }
+    }
+}
+
+/// Where the hand has taken what it holds: a point of the world, or a place on the ball.
+fn drag(
+    handle: &Handle,
+    grab: &mut Grab,
+    delta: egui::Vec2,
+    is_deeper: bool,
+    ball: &Ball,
+    (camera, size, scale): (&Camera, Size, f64),
+) -> Option<DVec3> {
+    match handle {
+        Handle::Ball(_) => {
+            let (at, is_near) = &mut grab.on_ball;
+            *at += ball.offset(ball.middle + delta);
+            Some(on_ball(*at, *is_near))
+        }
+        Handle::Stand(point) | Handle::Aim(point) if is_deeper => {
+            let eye = camera.eye();
+            let steps = -f64::from(delta.y) * DEEPER;
+            if camera.projection.is_orthographic() {
+                let depth = -camera.view_from_world.transform_point3(*point).z;
+                let step = steps * depth.abs().max(1e-3);
+                return Some(*point + camera.direction() * step);
+            }
+            Some(eye + (*point - eye) * (1.0 + steps).max(0.1))
+        }
+        Handle::Stand(point) | Handle::Aim(point) => {
+            let mut place = place_of(camera, size, *point)?;
+            place.x += f64::from(delta.x) * scale;
+            place.y += f64::from(delta.y) * scale;
+            point_at(camera, size, place)
+        }
+    }
+}
+
+/// The light's position and direction after that.
+fn after(
+    handle: &Handle,
+    to: DVec3,
+    position: DVec3,
+    direction: DVec3,
+    camera: &Camera,
+) -> (DVec3, DVec3) {
+    match handle {
+        Handle::Stand(_) => (to, direction),
+        Handle::Aim(_) => (position, (to - position).normalize_or(direction)),
+        Handle::Ball(_) => (position, -camera.view_from_world.inverse().transform_vector3(to)),
+    }
+}
+
+/// The direction, in view coordinates, of a place on a ball seen from the front: `offset` from its
+/// middle in radii, y upwards. Within its outline that is on the near side, or on the far one if
+/// `is_near` is false; beyond the outline it goes on over the other side.
+fn on_ball(offset: DVec2, is_near: bool) -> DVec3 {
+    let reach = offset.length().min(2.0);
+    let (within, is_near) = if reach <= 1.0 { (reach, is_near) } else { (2.0 - reach, !is_near) };
+    let aside = offset.normalize_or_zero() * within;
+    let depth = (1.0 - within * within).max(0.0).sqrt();
+    aside.extend(if is_near { depth } else { -depth })
+}
+
+/// A light's colour at full strength.
+fn hue(light: &SceneLight) -> Color32 {
+    let [r, g, b] = light.light.diffuse;
+    let most = r.max(g).max(b);
+    if most > 0.0 {
+        Color32::from(Rgba::from_rgb((r / most).max(0.0), (g / most).max(0.0), (b / most).max(0.0)))
+    } else {
+        Color32::GRAY
+    }
+}
+
+fn show(
+    context: &Context,
+    painter: &Painter,
+    (light, is_lit): (&SceneLight, bool),
+    handle: &Handle,
+    ball: &Ball,
+    at: Pos2,
+    stand: Option<Pos2>,
+) {
+    let theme = theme::of(context);
+    let ink = if is_lit { theme.accent } else { theme.quiet };
+    match handle {
+        Handle::Ball(towards) => {
+            if is_lit {
+                painter.circle_stroke(ball.middle, ball.radius, Stroke::new(1.0, theme.line));
+            }
+            arrow(painter, theme, (at, at + (ball.middle - at) * 0.6), ink);
+            let is_near = towards.z >= 0.0;
+            knob(painter, theme, at, if is_near { Some(hue(light)) } else { None }, ink);
+        }
+        Handle::Stand(_) => {
+            for ray in 0..8 {
+                let way = egui::Vec2::angled(std::f32::consts::TAU * ray as f32 / 8.0);
+                let line = [at + way * (HALF - 1.0), at + way * (HALF + 4.0)];
+                painter.line_segment(line, Stroke::new(3.0, theme.halo));
+                painter.line_segment(line, Stroke::new(1.5, ink));
+            }
+            knob(painter, theme, at, Some(hue(light)), ink);
+        }
+        Handle::Aim(_) => {
+            if let Some(from) = stand {
+                arrow(painter, theme, (from, at), ink);
+            }
+            painter.circle(at, 4.0, theme.panel, Stroke::new(1.5, ink));
+            return;
+        }
+    }
+    let text = painter.layout_no_wrap(light.name.clone(), FontId::proportional(11.0), ink);
+    let rect = Align2::LEFT_CENTER.anchor_size(at + vec2(HALF + 10.0, 0.0), text.size());
+    painter.rect_filled(rect.expand2(vec2(4.0, 2.0)), 4, theme.panel.gamma_multiply(0.8));
+    painter.galley(rect.min, text, ink);
+}
+
+/// A point of a light's colour; hollow, if it has none to show.
+fn knob(painter: &Painter, theme: &Theme, at: Pos2, fill: Option<Color32>, ink: Color32) {
+    painter.circle_filled(at, 7.5, theme.halo);
+    painter.circle(at, 6.0, fill.unwrap_or(theme.panel), Stroke::new(1.5, ink));
+}
+
+/// A line with a head.
+fn arrow(painter: &Painter, theme: &Theme, (from, to): (Pos2, Pos2), ink: Color32) {
+    let way = to - from;
+    if way.length() < 2.0 * HALF {
+        return;
+    }
+    let along = way.normalized();
+    let (from, aside) = (from + along * 8.0, along.rot90());
+    let head = [to - along * 8.0 + aside * 4.0, to, to - along * 8.0 - aside * 4.0];
+    for (width, color) in [(3.5, theme.halo), (1.5, ink)] {
+        painter.line_segment([from, to], Stroke::new(width, color));
+        painter.line(head.to_vec(), Stroke::new(width, color));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ball_s_far_side_is_reached_over_its_outline_without_a_jump() {
+        let at = |reach: f64| on_ball(DVec2::new(0.6, 0.8) * reach, true);
+        for step in 0..=200 {
+            let reach = f64::from(step) / 100.0;
+            assert!((at(reach).length() - 1.0).abs() < 1e-12, "{reach}");
+            assert_eq!(at(reach).z >= 0.0, reach <= 1.0, "{reach}");
+        }
+        assert!(at(0.9999).distance(at(1.0001)) < 0.05);
+        assert!(at(2.0).abs_diff_eq(DVec3::NEG_Z, 1e-12) && at(9.0) == at(2.0));
+        // A handle on the far side goes with the hand, and over the outline to the near one.
+        let far = on_ball(DVec2::new(0.5, 0.0), false);
+        assert!(far.abs_diff_eq(DVec3::new(0.5, 0.0, -(0.75_f64.sqrt())), 1e-12));
+        assert!(on_ball(DVec2::new(1.5, 0.0), false).z > 0.0);
+    }
+
+    #[test]
+    fn a_handle_that_stands_somewhere_follows_the_hand_at_its_depth() {
+        use luxel::scene::{Lens, Projection};
+        let view_from_world = Camera::look_at(DVec3::new(0.0, 2.0, 9.0), DVec3::ZERO, DVec3::Y);
+        let size = Size { width: 800, height: 600 };
+        for lens in [Lens::Perspective { fov_y_radians: 0.8 }, Lens::Orthographic { height: 6.0 }] {
+            let projection = Projection { lens, near: 0.1, far: 50.0 };
+            let camera = Camera { view_from_world, projection };
+            let from = DVec3::new(1.0, 0.5, -1.0);
+            let mut grab = Grab { light: 0, is_aim: false, on_ball: (DVec2::ZERO, true) };
+            let ball = Ball { middle: Pos2::ZERO, radius: 1.0 };
+            let mut moved = |is_deeper, delta| {
+                let view = (&camera, size, 2.0);
+                drag(&Handle::Stand(from), &mut grab, delta, is_deeper, &ball, view).unwrap()
+            };
+            let to = moved(false, vec2(30.0, -20.0));
+            let places = [from, to].map(|point| place_of(&camera, size, point).unwrap());
+            let way = (places[1] - places[0]).truncate();
+            assert!(way.abs_diff_eq(DVec2::new(60.0, -40.0), 1e-6), "{lens:?}: {way}");
+            let depth = |point| -view_from_world.transform_point3(point).z;
+            assert!((depth(to) - depth(from)).abs() < 1e-6, "{lens:?}");
+            // With Shift and upwards, away from the eye, in the same place of the picture.
+            let deeper = moved(true, vec2(0.0, -20.0));
+            let place = place_of(&camera, size, deeper).unwrap();
+            assert!(place.truncate().abs_diff_eq(places[0].truncate(), 1e-6), "{lens:?}");
+            assert!(depth(deeper) > depth(from) + 0.1, "{lens:?}");
+        }
+    }
+}

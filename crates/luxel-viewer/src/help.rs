@@ -1,0 +1,79 @@
+//! What mouse and keys do, over the picture.
+
+use crate::keys::{Action, BINDINGS, Keys, MODES};
+use crate::theme;
+use egui::{Align2, Context, Frame, Margin, Stroke, vec2};
+use luxel::navigation::Mode;
+
+const MOUSE: [(&str, &str); 8] = [
+    ("click", "select"),
+    ("shift + click", "select more, or less"),
+    ("ctrl + left drag", "select in a rectangle"),
+    ("left drag", "turn"),
+    ("shift + left, middle", "pan"),
+    ("right drag", "zoom"),
+    ("wheel", "zoom to the pointer"),
+    ("double click", "turn about that point"),
+];
+
+/// Draws it.
+pub(crate) fn help(context: &Context, mode: Mode, keys: &Keys) {
+    let theme = theme::of(context);
+    let frame = Frame::new().fill(theme.panel).corner_radius(4).inner_margin(Margin::same(20));
+    let frame = frame.stroke(Stroke::new(1.0, theme.line));
+    let area = egui::Area::new("help".into()).anchor(Align2::CENTER_CENTER, vec2(0.0, -14.0));
+    let said: Vec<_> = BINDINGS.iter().filter(|binding| !binding.about.is_empty()).collect();
+    let rows: Vec<_> =
+        said.iter().map(|binding| (keys.of(binding.action()), binding.about.to_owned())).collect();
+    let (first, second) = rows.split_at(rows.len().div_ceil(2));
+    area.order(egui::Order::Foreground).show(context, |ui| {
+        frame.show(ui, |ui| {
+            ui.set_width(960.0_f32.min(context.content_rect().width() - 80.0));
+            ui.columns(3, |columns| {
+                let [left, middle, right] = columns else { return };
+                let mouse: Vec<_> =
+                    MOUSE.map(|(keys, what)| (keys.to_owned(), what.to_owned())).into();
+                table(left, "Mouse", &mouse);
+                left.add_space(12.0);
+                let modes: Vec<_> =
+                    MODES.map(|one| (keys.of(Action::Mode(one)), one.to_string())).into();
+                let next = keys.of(Action::NextMode);
+                table(left, &format!("Ways to navigate ({next}: the next)"), &modes);
+                table(middle, "Keys", first);
+                table(right, " ", second);
+                right.add_space(12.0);
+                let motions: Vec<_> = keys.motions(mode);
+                let title = format!("Held, in {mode}");
+                right.colored_label(theme.heading, &title);
+                pairs(right, &motions);
+            });
+        });
+    });
+}
+
+fn table(ui: &mut egui::Ui, title: &str, rows: &[(String, String)]) {
+    ui.colored_label(theme::of(ui.ctx()).heading, title);
+    // Nothing to be clicked here: lines may be close.
+    ui.spacing_mut().interact_size.y = 18.0;
+    egui::Grid::new(title).num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
+        for (keys, what) in rows {
+            ui.monospace(keys);
+            ui.weak(what);
+            ui.end_row();
+        }
+    });
+}
+
+/// Two keys with what they do on each line.
+fn pairs(ui: &mut egui::Ui, motions: &[(String, &str)]) {
+    ui.spacing_mut().interact_size.y = 18.0;
+    egui::Grid::new("held").num_columns(4).spacing([12.0, 2.0]).show(ui, |ui| {
+        for pair in motions.chunks(2) {
+            for (key, what) in pair {
+                ui.monospace(key);
+                ui.weak(*what);
+            }
+            ui.end_row();
+        }
+    });
+}

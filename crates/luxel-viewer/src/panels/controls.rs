@@ -1,0 +1,103 @@
+//! What panels are made of: headings, rows with a name, colours, vectors.
+
+use crate::theme;
+use egui::{Align, DragValue, Layout, RichText, Slider, Ui, vec2};
+use luxel::scene::DVec3;
+use std::ops::RangeInclusive;
+
+/// The width of names before what they name.
+const NAME: f32 = 60.0;
+
+pub(super) fn heading(ui: &mut Ui, text: &str) {
+    ui.add_space(8.0);
+    ui.label(RichText::new(text).color(theme::of(ui.ctx()).heading));
+}
+
+/// A line: a name, and what is set behind it.
+pub(super) fn row<R>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui) -> R) -> R {
+    ui.horizontal(|ui| {
+        let size = vec2(NAME, ui.spacing().interact_size.y);
+        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(NAME);
+            ui.label(RichText::new(name).small().weak());
+        });
+        add(ui)
+    })
+    .inner
+}
+
+/// A slider over the rest of the line, its number behind it.
+pub(super) fn slider(
+    ui: &mut Ui,
+    value: &mut f64,
+    range: RangeInclusive<f64>,
+    decimals: usize,
+) -> bool {
+    // What the number takes.
+    const NUMBER: f32 = 48.0;
+    ui.spacing_mut().slider_width = (ui.available_width() - NUMBER).max(40.0);
+    let clamping = egui::SliderClamping::Never;
+    ui.add(Slider::new(value, range).clamping(clamping).max_decimals(decimals)).changed()
+}
+
+/// As [`slider`], for single precision; never below 0.
+pub(super) fn slider_f32(
+    ui: &mut Ui,
+    value: &mut f32,
+    range: RangeInclusive<f64>,
+    decimals: usize,
+) -> bool {
+    let mut wide = f64::from(*value);
+    let changed = slider(ui, &mut wide, range, decimals);
+    if changed {
+        *value = wide.max(0.0) as f32;
+    }
+    changed
+}
+
+/// A linear colour of any strength: what it looks like, and how strong it is.
+pub(super) fn intensity(ui: &mut Ui, name: &str, color: &mut [f32; 3]) -> bool {
+    row(ui, name, |ui| {
+        let most = color.iter().copied().fold(0.0, f32::max);
+        let mut hue = if most > 0.0 { color.map(|part| part / most) } else { [1.0; 3] };
+        let mut strength = most;
+        ui.spacing_mut().interact_size.x = 28.0;
+        let edited = ui.color_edit_button_rgb(&mut hue).changed();
+        let slid = slider_f32(ui, &mut strength, 0.0..=2.0, 2);
+        if edited || slid {
+            *color = hue.map(|part| part * strength);
+        }
+        edited || slid
+    })
+}
+
+/// Three numbers.
+pub(super) fn vector(ui: &mut Ui, name: &str, vector: &mut DVec3, speed: f64) -> bool {
+    row(ui, name, |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.spacing_mut().button_padding.x = 4.0;
+        let width = (ui.available_width() - 8.0) / 3.0;
+        let mut changed = false;
+        for part in [&mut vector.x, &mut vector.y, &mut vector.z] {
+            let value = DragValue::new(part).speed(speed).max_decimals(2);
+            let size = vec2(width, ui.spacing().interact_size.y);
+            changed |= ui.add_sized(size, value).changed();
+        }
+        changed
+    })
+}
+
+/// One of some, side by side.
+pub(super) fn one_of<T: PartialEq + Clone>(
+    ui: &mut Ui,
+    value: &mut T,
+    choices: &[(T, &str)],
+) -> bool {
+    ui.spacing_mut().item_spacing.x = 4.0;
+    ui.spacing_mut().button_padding.x = 6.0;
+    let mut changed = false;
+    for (choice, name) in choices {
+        changed |= ui.selectable_value(value, choice.clone(), *name).changed();
+    }
+    changed
+}

@@ -1,0 +1,224 @@
+//! The lights of the scene: each on or off, what it is, where it stands; one more, one less.
+
+use super::controls::{heading, intensity, one_of, row, slider, slider_f32, vector};
+use crate::lamps::NewLight;
+use crate::session::Session;
+use crate::theme;
+use egui::{RichText, Ui};
+use luxel::formats::values::{cos_cutoff, cutoff_degrees};
+use luxel::lighting::{Cone, LightKind};
+use luxel::scene::{Placement, SceneLight};
+
+/// All lights; the chosen one with all that is set of it.
+pub(super) fn lights(ui: &mut Ui, session: &mut Session, chosen: &mut Option<usize>) {
+    let count = session.look().view().lights.len();
+    *chosen = chosen.filter(|at| *at < count);
+    heading(ui, "Lights");
+    let mut gone = None;
+    for at in 0..count {
+        ui.push_id(("light", at), |ui| {
+            if line(ui, session, at, chosen) {
+                gone = Some(at);
+            }
+            if *chosen == Some(at) {
+                settings(ui, session, at);
+                ui.add_space(4.0);
+            }
+        });
+    }
+    if let Some(gone) = gone {
+        session.change_look(|look| look.remove(gone));
+        *chosen = None;
+    }
+    row(ui, "add", |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.spacing_mut().button_padding.x = 6.0;
+        let kinds = [
+            (NewLight::Directional, "directional"),
+            (NewLight::Point, "point"),
+            (NewLight::Spot, "spot"),
+        ];
+        for (kind, name) in kinds {
+            if ui.button(name).clicked() {
+                *chosen = Some(session.add_light(kind));
+            }
+        }
+    });
+    let mut ambient = session.look().view().ambient;
+    if intensity(ui, "scene I_a", &mut ambient) {
+        session.change_look(|look| look.view_mut().ambient = ambient);
+    }
+}
+
+/// A light's line; whether it is to be taken away.
+fn line(ui: &mut Ui, session: &mut Session, at: usize, chosen: &mut Option<usize>) -> bool {
+    let Some((light, mut is_on)) = session.look().light(at) else { return false };
+    let (name, kind) = (light.name.clone(), kind_of(light));
+    let mut is_gone = false;
+    ui.horizontal(|ui| {
+        if ui.checkbox(&mut is_on, "").on_hover_text("on or off").changed() {
+            session.change_look(|look| look.switch(at, is_on));
+        }
+        let rest = egui::Layout::right_to_left(egui::Align::Center);
+        ui.with_layout(rest, |ui| {
+            is_gone = cross(ui).clicked();
+            ui.label(RichText::new(kind).small().weak());
+            let rest = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+            ui.allocate_ui_with_layout(
+                rest,
+                egui::Layout::left_to_right(egui::Align::Center),
+                |ui| {
+                    let is_chosen = *chosen == Some(at);
+                    let label = egui::Button::selectable(is_chosen, name).truncate();
+                    if ui.add(label).clicked() {
+                        *chosen = (!is_chosen).then_some(at);
+                    }
+                },
+            );
+        });
+    });
+    is_gone
+}
+
+/// A cross to take something away.
+fn cross(ui: &mut Ui) -> egui::Response {
+    let (rect, response) = ui.allocate_exact_size(egui::vec2(16.0, 20.0), egui::Sense::click());
+    let theme = theme::of(ui.ctx());
+    let is_lit = response.hovered() || response.has_focus();
+    let color = if is_lit { theme.accent } else { theme.quiet };
+    for way in [egui::vec2(3.5, 3.5), egui::vec2(3.5, -3.5)] {
+        let line = [rect.center() - way, rect.center() + way];
+        ui.painter().line_segment(line, egui::Stroke::new(1.25, color));
+    }
+    response.on_hover_text("delete")
+}
+
+fn kind_of(light: &SceneLight) -> &'static str {
+    match light.light.kind {
+        LightKind::Directional => "directional",
+        LightKind::Point => "point",
+        LightKind::Spot(_) => "spot",
+        LightKind::Ambient => "ambient",
+    }
+}
+
+fn settings(ui: &mut Ui, session: &mut Session, at: usize) {
+    let Some((light, _)) = session.look().light(at) else { return };
+    let mut light = light.clone();
+    let mut changed = false;
+    if light.light.kind == LightKind::Ambient {
+        changed |= intensity(ui, "I_a", &mut light.light.ambient);
+    } else {
+        changed |= colors(ui, &mut light);
+        changed |= place(ui, session, &mut light);
+    }
+    if changed {
+        session.change_look(|look| look.view_mut().lights[at] = light);
+    }
+}
+
+/// I_d, I_s, I_a.
+fn colors(ui: &mut Ui, light: &mut SceneLight) -> bool {
+    let is_one_color = light.light.diffuse == light.light.specular;
+    let mut changed = intensity(ui, "I_d", &mut light.light.diffuse);
+    if is_one_color {
+        light.light.specular = light.light.diffuse;
+        row(ui, "I_s", |ui| {
+            if ui.small_button("as I_d").on_hover_text("click to set it apart").clicked() {
+                light.light.specular = light.light.diffuse.map(|part| part * 0.5);
+                changed = true;
+            }
+        });
+    } else {
+        changed |= intensity(ui, "I_s", &mut light.light.specular);
+    }
+    changed | intensity(ui, "I_a", &mut light.light.ambient)
+}
+
+/// Where it stands, and how its light gets about.
+fn place(ui: &mut Ui, session: &Session, light: &mut SceneLight) -> bool {
+    let mut changed = false;
+    let mut placement = light.placement;
+    row(ui, "placed in", |ui| match placement {
+        Placement::Node(_) => {
+            ui.label(RichText::new("its node").small().weak());
+        }
+        _ => {
+            changed = one_of(
+                ui,
+                &mut placement,
+                &[(Placement::World, "world"), (Placement::Camera, "camera")],
+            );
+        }
+    });
+    session.places().replace(light, placement);
+    if light.light.kind != LightKind::Point {
+        let mut direction = light.direction;
+        if vector(ui, "direction", &mut direction, 0.01) && direction.length_squared() > 1e-12 {
+            light.direction = direction;
+            changed = true;
+        }
+    }
+    if light.light.kind == LightKind::Directional {
+        return changed;
+    }
+    let bounds = session.settings.bounds;
+    let speed = if bounds.is_empty() { 0.01 } else { (bounds.max - bounds.min).length() / 400.0 };
+    changed |= vector(ui, "position", &mut light.position, speed);
+    changed |= attenuation(ui, light);
+    if let LightKind::Spot(cone) = &mut light.light.kind {
+        changed |= self::cone(ui, cone);
+    }
+    changed
+}
+
+/// c1, c2, c3; never all 0.
+fn attenuation(ui: &mut Ui, light: &mut SceneLight) -> bool {
+    let mut coefficients = light.light.attenuation.coefficients;
+    let changed = row(ui, "c1 c2 c3", |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.spacing_mut().button_padding.x = 4.0;
+        let width = (ui.available_width() - 8.0) / 3.0;
+        let mut changed = false;
+        for part in &mut coefficients {
+            let value = egui::DragValue::new(part).range(0.0..=1e6).speed(0.01).max_decimals(3);
+            changed |=
+                ui.add_sized(egui::vec2(width, ui.spacing().interact_size.y), value).changed();
+        }
+        changed
+    });
+    let is_law = coefficients != [0.0; 3];
+    if changed && is_law {
+        light.light.attenuation.coefficients = coefficients;
+    }
+    changed && is_law
+}
+
+fn cone(ui: &mut Ui, cone: &mut Cone) -> bool {
+    let mut changed = false;
+    let mut angle = |ui: &mut Ui, name: &str, cosine: &mut f32, most: f64| {
+        let mut degrees = cutoff_degrees(*cosine);
+        row(ui, name, |ui| {
+            if slider(ui, &mut degrees, 1.0..=most, 1)
+                && let Some(other) = cos_cutoff(degrees.clamp(1.0, most))
+            {
+                *cosine = other;
+                changed = true;
+            }
+        });
+    };
+    match cone {
+        Cone::Exponent { cos_cutoff, exponent } => {
+            angle(ui, "cutoff", cos_cutoff, 90.0);
+            row(ui, "exponent", |ui| changed |= slider_f32(ui, exponent, 0.0..=64.0, 1));
+        }
+        Cone::Smooth { cos_inner, cos_outer } => {
+            angle(ui, "cutoff", cos_outer, 90.0);
+            let most = cutoff_degrees(*cos_outer).max(1.0);
+            angle(ui, "inner", cos_inner, most);
+            // The inner angle stays within the outer one.
+            *cos_inner = cos_inner.max(*cos_outer + 0.001);
+        }
+    }
+    changed
+}

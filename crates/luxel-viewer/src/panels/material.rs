@@ -1,0 +1,192 @@
+//! The materials of what is selected: the constants of reflection that the equation multiplies.
+
+use super::controls::{heading, one_of, row, slider_f32};
+use crate::session::Session;
+use crate::wardrobe::materials_of;
+use egui::{ComboBox, RichText, Ui};
+use luxel::formats::values::{reflection, reflection_name};
+use luxel::lighting::Reflection;
+use luxel::scene::{Restyle, SceneMaterial};
+use std::collections::BTreeSet;
+
+/// More are told to be there, and not shown.
+const MOST: usize = 8;
+
+const MODELS: [&str; 8] =
+    ["unlit", "lambert", "oren-nayar", "phong", "blinn-phong", "microfacet", "mirror", "retro"];
+
+/// The materials of the selected objects; of the whole scene, if it has only one.
+pub(super) fn materials(ui: &mut Ui, session: &mut Session) {
+    heading(ui, "Material");
+    let scene = &session.model.scene;
+    let of_selected = session.marks.selected().iter().filter_map(|at| session.objects.get(*at));
+    let mut shown: BTreeSet<usize> =
+        of_selected.flat_map(|object| materials_of(scene, object.mesh.index())).collect();
+    if shown.is_empty() && session.uses.iter().filter(|uses| **uses > 0).count() == 1 {
+        shown.extend(session.uses.iter().position(|uses| *uses > 0));
+    }
+    if shown.is_empty() {
+        ui.label(RichText::new("Select an object to change how it reflects light.").small().weak());
+    }
+    for material in shown.iter().copied().take(MOST) {
+        ui.push_id(("material", material), |ui| one(ui, session, material));
+    }
+    if shown.len() > MOST {
+        let more = format!("and {} more: select less", shown.len() - MOST);
+        ui.label(RichText::new(more).small().weak());
+    }
+}
+
+fn one(ui: &mut Ui, session: &mut Session, at: usize) {
+    let worn = session.wardrobe().worn(&session.model.scene, at);
+    let uses = session.uses.get(at).copied().unwrap_or_default();
+    ui.horizontal(|ui| {
+        ui.add(egui::Label::new(&worn.name).truncate());
+        if uses > 1 {
+            ui.label(RichText::new(format!("on {uses} objects")).small().weak());
+        }
+        if session.wardrobe().is_changed(at) {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if ui.small_button("as it was").clicked() {
+                    session.change_wardrobe(|wardrobe| wardrobe.undo(at));
+                }
+            });
+        }
+    });
+    let mut change = Restyle::default();
+    constants(ui, &worn, &mut change);
+    if change != Restyle::default() {
+        session.change_wardrobe(|wardrobe| merge(wardrobe.change(at), change));
+    }
+    ui.add_space(4.0);
+}
+
+/// What is changed now, on top of what was changed before.
+fn merge(before: &mut Restyle, now: Restyle) {
+    macro_rules! take {
+        ($($field:ident),*) => { $(if now.$field.is_some() { before.$field = now.$field; })* };
+    }
+    // A colour takes an ambient one of its own along.
+    if now.color.is_some() {
+        before.ambient = None;
+    }
+    take!(color, k_a, k_d, k_s, shininess, emission, reflection);
+    take!(ambient, specular, metallic, roughness, opacity);
+}
+
+/// The constants, those that the model of reflection heeds; what is changed goes into `change`.
+fn constants(ui: &mut Ui, worn: &SceneMaterial, change: &mut Restyle) {
+    let constants = &worn.constants;
+    row(ui, "reflection", |ui| {
+        let name = reflection_name(&constants.reflection);
+        let width = ui.available_width();
+        ComboBox::from_id_salt("reflection").selected_text(name).width(width).show_ui(ui, |ui| {
+            for model in MODELS {
+                if ui.selectable_label(name == model, model).clicked() && name != model {
+                    change.reflection = reflection(model).ok();
+                }
+            }
+        });
+    });
+    let models: Vec<&Reflection> = match &constants.reflection {
+        Reflection::Mixed(parts) => parts.iter().map(|(part, _)| part).collect(),
+        one => vec![one],
+    };
+    let has = |wanted: &[Reflection]| models.iter().any(|model| wanted.contains(model));
+    let is_lit = models.iter().any(|model| **model != Reflection::Unlit);
+    let note = worn.base_color.map(|_| "times a texture");
+    surface_color(ui, "O_d", note, constants.diffuse, &mut change.color);
+    if is_lit && !has(&[Reflection::Mirror]) {
+        let mut is_own = constants.ambient.is_some();
+        row(ui, "O_a", |ui| {
+            if one_of(ui, &mut is_own, &[(false, "as O_d"), (true, "its own")]) {
+                let diffuse = constants.diffuse;
+                // A colour without an ambient one is both.
+                if is_own { change.ambient = Some(diffuse) } else { change.color = Some(diffuse) }
+            }
+        });
+        if let Some(ambient) = constants.ambient {
+            surface_color(ui, "", None, ambient, &mut change.ambient);
+        }
+        number(ui, "k_a", constants.k_a, 0.0..=1.0, &mut change.k_a);
+    }
+    number(ui, "k_d", constants.k_d, 0.0..=1.0, &mut change.k_d);
+    if has(&[Reflection::Phong, Reflection::BlinnPhong, Reflection::Retro, Reflection::Mirror]) {
+        let note = worn.specular.map(|_| "times a texture");
+        surface_color(ui, "O_s", note, constants.specular, &mut change.specular);
+        number(ui, "k_s", constants.k_s, 0.0..=1.0, &mut change.k_s);
+    }
+    if has(&[Reflection::Phong, Reflection::BlinnPhong, Reflection::Retro]) {
+        number(ui, "n", constants.shininess, 0.0..=200.0, &mut change.shininess);
+    }
+    if has(&[Reflection::Microfacet, Reflection::OrenNayar, Reflection::Mirror]) {
+        number(ui, "roughness", constants.roughness, 0.0..=1.0, &mut change.roughness);
+    }
+    if has(&[Reflection::Microfacet]) {
+        number(ui, "metallic", constants.metallic, 0.0..=1.0, &mut change.metallic);
+    }
+    surface_color(ui, "emission", None, constants.emission, &mut change.emission);
+    number(ui, "opacity", worn.opacity, 0.0..=1.0, &mut change.opacity);
+    change.roughness = change.roughness.map(|share| share.min(1.0));
+    change.metallic = change.metallic.map(|share| share.min(1.0));
+    change.opacity = change.opacity.map(|share| share.min(1.0));
+}
+
+fn number(
+    ui: &mut Ui,
+    name: &str,
+    value: f32,
+    range: std::ops::RangeInclusive<f64>,
+    change: &mut Option<f32>,
+) {
+    let decimals = if *range.end() > 1.0 { 1 } else { 2 };
+    row(ui, name, |ui| {
+        let mut value = value;
+        if slider_f32(ui, &mut value, range, decimals) {
+            *change = Some(value);
+        }
+    });
+}
+
+fn surface_color(
+    ui: &mut Ui,
+    name: &str,
+    note: Option<&str>,
+    value: [f32; 3],
+    change: &mut Option<[f32; 3]>,
+) {
+    row(ui, name, |ui| {
+        let mut value = value;
+        ui.spacing_mut().interact_size.x = 28.0;
+        if ui.color_edit_button_rgb(&mut value).changed() {
+            *change = Some(value.map(|part| part.max(0.0)));
+        }
+        let [r, g, b] = value;
+        let text = note.map_or_else(|| format!("{r:.2} {g:.2} {b:.2}"), str::to_owned);
+        ui.label(RichText::new(text).monospace().size(11.0).weak());
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn later_changes_come_on_top_and_a_colour_takes_the_ambient_one_along() {
+        let mut change = Restyle { k_d: Some(0.5), ambient: Some([1.0; 3]), ..Restyle::default() };
+        merge(&mut change, Restyle { k_s: Some(0.1), k_d: Some(0.6), ..Restyle::default() });
+        assert_eq!(
+            (change.k_d, change.k_s, change.ambient),
+            (Some(0.6), Some(0.1), Some([1.0; 3]))
+        );
+        merge(&mut change, Restyle { color: Some([0.2; 3]), ..Restyle::default() });
+        assert_eq!((change.color, change.ambient), (Some([0.2; 3]), None));
+    }
+
+    #[test]
+    fn every_model_of_reflection_can_be_chosen() {
+        for model in MODELS {
+            assert_eq!(reflection(model).map(|model| reflection_name(&model)), Ok(model));
+        }
+    }
+}

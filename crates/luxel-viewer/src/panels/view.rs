@@ -1,0 +1,201 @@
+//! How the scene is looked at: what is drawn of it, two looks compared, camera, ways to navigate.
+
+use super::controls::{heading, one_of, row, slider};
+use crate::keys::{Action, Keys, MODES, Shown};
+use crate::look::{SHADINGS, is_of_light, layer_name, shading_name};
+use crate::session::Session;
+use crate::theme;
+use crate::ui::Wish;
+use egui::{RichText, Ui};
+use luxel::navigation::Number;
+use luxel::render::{Clamp, Edges, Interpolation, Layer, ShadingMode};
+use luxel::scene::Lens;
+
+pub(super) fn view(ui: &mut Ui, session: &mut Session, keys: &Keys, wishes: &mut Vec<Wish>) {
+    compared(ui, session, keys);
+    shading(ui, session, keys);
+    layers(ui, session, keys);
+    shown(ui, session, keys);
+    camera(ui, session, wishes);
+    navigation(ui, session, keys, wishes);
+}
+
+/// A heading with the keys that do the same.
+fn heading_with(ui: &mut Ui, text: &str, keys: String) {
+    ui.add_space(8.0);
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(text).color(theme::of(ui.ctx()).heading));
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.label(RichText::new(keys).small().weak());
+        });
+    });
+}
+
+fn compared(ui: &mut Ui, session: &mut Session, keys: &Keys) {
+    heading_with(ui, "Compare", keys.of(Action::Split));
+    let (is_split, is_difference, is_right) = session
+        .split()
+        .map_or((false, false, true), |split| (true, split.is_difference, split.is_right_set));
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        if ui.selectable_label(is_split && !is_difference, "side by side").clicked() {
+            if is_difference { session.toggle_difference() } else { session.toggle_split() }
+        }
+        if ui.selectable_label(is_difference, "difference").clicked() {
+            session.toggle_difference();
+        }
+    });
+    if is_split {
+        row(ui, "set here", |ui| {
+            let mut side = is_right;
+            if one_of(ui, &mut side, &[(false, "left"), (true, "right")]) {
+                session.set_side(side);
+            }
+        });
+    }
+}
+
+fn shading(ui: &mut Ui, session: &mut Session, keys: &Keys) {
+    heading_with(ui, "Shading", keys.of(Action::NextShading));
+    let mut shading = session.look().view().shading;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        ui.spacing_mut().button_padding.x = 5.0;
+        for mode in SHADINGS {
+            let name = shading_name(mode);
+            if ui.selectable_label(shading_name(shading.mode) == name, name).clicked() {
+                shading.mode = mode;
+            }
+        }
+    });
+    row(ui, "between", |ui| {
+        let ways = [
+            (Interpolation::Perspective, "space"),
+            (Interpolation::Screen, "screen"),
+            (Interpolation::Scanline, "scanline"),
+        ];
+        one_of(ui, &mut shading.interpolation, &ways);
+    });
+    match &mut shading.mode {
+        ShadingMode::Phong => {}
+        ShadingMode::Subdivided { tolerance } => row(ui, "tolerance", |ui| {
+            let mut steps = f64::from(*tolerance);
+            if slider(ui, &mut steps, 0.25..=16.0, 2) {
+                *tolerance = steps.max(0.25) as f32;
+            }
+        }),
+        _ => row(ui, "clamped", |ui| {
+            one_of(
+                ui,
+                &mut shading.clamp,
+                &[(Clamp::Vertex, "at corners"), (Clamp::End, "at the end")],
+            );
+        }),
+    }
+    session.change_look(|look| look.view_mut().shading = shading);
+}
+
+fn layers(ui: &mut Ui, session: &mut Session, keys: &Keys) {
+    heading_with(ui, "Shown", keys.of(Action::StepLayer(true)));
+    let all = session.look().layers();
+    let mut chosen = session.look().layer.clone();
+    let mut wrapped = |ui: &mut Ui, wanted: &dyn Fn(&Option<Layer>) -> bool| {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 2.0;
+            ui.spacing_mut().button_padding.x = 5.0;
+            for layer in all.iter().filter(|layer| wanted(layer)) {
+                let name = layer.as_ref().map_or_else(|| "picture".to_owned(), layer_name);
+                if ui.selectable_label(chosen == *layer, name).clicked() {
+                    chosen.clone_from(layer);
+                }
+            }
+        });
+    };
+    wrapped(ui, &|layer| layer.as_ref().is_none_or(is_of_light));
+    ui.add_space(4.0);
+    wrapped(ui, &|layer| layer.as_ref().is_some_and(|layer| !is_of_light(layer)));
+    session.change_look(|look| look.layer = chosen);
+}
+
+fn shown(ui: &mut Ui, session: &mut Session, keys: &Keys) {
+    heading_with(ui, "Beside it", keys.of(Action::Show(Shown::Grid)));
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let mut guides = session.guides;
+        for (one, name) in [
+            (&mut guides.grid, "grid"),
+            (&mut guides.axes, "axes"),
+            (&mut guides.boxes, "boxes"),
+            (&mut guides.normals, "normals"),
+        ] {
+            if ui.selectable_label(*one, name).clicked() {
+                *one = !*one;
+            }
+        }
+        if guides != session.guides {
+            session.guides = guides;
+            session.changed();
+        }
+    });
+    let (mut edges, mut samples) = (session.look().view().edges, session.look().view().samples);
+    row(ui, "edges", |ui| {
+        one_of(
+            ui,
+            &mut edges,
+            &[
+                (None, "none"),
+                (Some(Edges::OVER_FACES), "on faces"),
+                (Some(Edges::WIREFRAME), "alone"),
+            ],
+        );
+    });
+    row(ui, "samples", |ui| {
+        one_of(ui, &mut samples, &[(1, "1"), (2, "2"), (4, "4"), (8, "8"), (16, "16")]);
+    });
+    session.change_look(|look| {
+        (look.view_mut().edges, look.view_mut().samples) = (edges, samples);
+    });
+}
+
+fn camera(ui: &mut Ui, session: &Session, wishes: &mut Vec<Wish>) {
+    heading(ui, "Camera");
+    ui.horizontal(|ui| {
+        let mut is_parallel = matches!(session.settings.lens, Lens::Orthographic { .. });
+        if one_of(ui, &mut is_parallel, &[(false, "perspective"), (true, "parallel")]) {
+            wishes.push(Wish::Lens);
+        }
+        if ui.button("fit all").clicked() {
+            wishes.push(Wish::Fit(None));
+        }
+    });
+    let line = ui.button("print as `luxel render`");
+    if line.on_hover_text("the line that draws this view goes to the terminal").clicked() {
+        wishes.push(Wish::Line);
+    }
+}
+
+fn navigation(ui: &mut Ui, session: &mut Session, keys: &Keys, wishes: &mut Vec<Wish>) {
+    heading_with(ui, "Navigation", keys.of(Action::NextMode));
+    let mode = session.state.mode();
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        ui.spacing_mut().button_padding.x = 5.0;
+        for one in MODES {
+            let key = keys.of(Action::Mode(one));
+            let label = ui.selectable_label(mode == one, one.to_string());
+            if label.on_hover_text(key).clicked() {
+                wishes.push(Wish::Mode(one));
+            }
+        }
+    });
+    for (number, name, most) in
+        [(Number::Inertia, "inertia, s", 1.0), (Number::Transition, "ways, s", 0.5)]
+    {
+        row(ui, name, |ui| {
+            let mut value = session.settings.number(number);
+            if slider(ui, &mut value, 0.0..=most, 2) {
+                session.set_number(number, value.max(0.0));
+            }
+        });
+    }
+}
