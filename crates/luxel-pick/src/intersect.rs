@@ -11,8 +11,10 @@
 //! from the edge alone, whichever triangle it belongs to, so that all have the same one, and the
 //! triangle of the lowest number wins.
 
+use crate::bundle::ShearedEight;
 use crate::bvh::{Record, WIDTH};
 use luxel_math::{Simd, f32x8, prelude::*};
+use std::ops::{Div, Mul};
 
 /// A ray: every place `origin + t direction` with t from `range`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +36,7 @@ impl Ray {
 
     /// Whether it is a ray at all: finite, with a direction that isn't 0 and a range above 0.
     #[must_use]
+    #[inline]
     pub fn is_sound(&self) -> bool {
         let finite = |values: &[f32; 3]| values.iter().all(|value| value.is_finite());
         let [nearest, farthest] = self.range;
@@ -49,6 +52,13 @@ impl Ray {
 const USUAL_LENGTHS: std::ops::Range<f32> = 1e-9..1e9;
 
 impl Ray {
+    /// Whether its direction has a length to be used as it is.
+    #[inline(always)]
+    pub(crate) fn is_usual(&self) -> bool {
+        let [x, y, z] = self.direction.map(f32::abs);
+        USUAL_LENGTHS.contains(&x.max(y).max(z))
+    }
+
     /// The same ray with a direction of about 1, and what its t must be multiplied with: a power of
     /// two, so that nothing is rounded. Very short and very long directions would leave the range of
     /// f32 on the way. For sound rays.
@@ -106,17 +116,47 @@ impl Nearest {
     }
 }
 
+/// The axis of the largest component.
+#[inline(always)]
+pub(crate) fn longest_axis(direction: [f32; 3]) -> usize {
+    let [x, y, z] = direction.map(f32::abs);
+    if x > y && x > z { 0 } else { 1 + usize::from(z >= y) }
+}
+
+/// The order of axes with the longest last, so that winding stays.
+#[inline(always)]
+pub(crate) fn axes(longest: usize, is_negative: bool) -> [usize; 3] {
+    let (first, second) = ((longest + 1) % 3, (longest + 2) % 3);
+    if is_negative { [second, first, longest] } else { [first, second, longest] }
+}
+
+/// What a direction, in the order of its axes, is sheared by; of one ray or several side by side.
+#[inline(always)]
+pub(crate) fn shear<T: Copy + Mul<Output = T> + Div<Output = T>>(
+    [first, second, last]: [T; 3],
+    one: T,
+) -> [T; 3] {
+    let inverse = one / last;
+    [first * inverse, second * inverse, inverse]
+}
+
 impl Sheared {
+    #[inline(always)]
     pub(crate) fn new(origin: [f32; 3], direction: [f32; 3]) -> Self {
-        let [x, y, z] = direction.map(f32::abs);
-        let last = if x > y && x > z { 0 } else { 1 + usize::from(z >= y) };
-        let (mut first, mut second) = ((last + 1) % 3, (last + 2) % 3);
-        if direction[last] < 0.0 {
-            (first, second) = (second, first);
+        let last = longest_axis(direction);
+        let axes = axes(last, direction[last] < 0.0);
+        let shear = shear(axes.map(|axis| direction[axis]), 1.0);
+        Self { origin, axes, shear }
+    }
+
+    /// From origin and shear in the order of the axes.
+    #[inline(always)]
+    pub(crate) fn from_axes(axes: [usize; 3], along_axes: [f32; 3], shear: [f32; 3]) -> Self {
+        let mut origin = [0.0; 3];
+        for (axis, value) in axes.into_iter().zip(along_axes) {
+            origin[axis.min(2)] = value;
         }
-        let inverse = 1.0 / direction[last];
-        let shear = [direction[first] * inverse, direction[second] * inverse, inverse];
-        Self { origin, axes: [first, second, last], shear }
+        Self { origin, axes, shear }
     }
 
     /// Three corners as the ray sees them.
@@ -178,10 +218,10 @@ fn on_edge(corners: [[f32; 3]; 3]) -> Option<f32> {
 }
 
 /// The vertices of up to eight triangles, x, y and z of each corner side by side.
-type Gathered = [[[f32; WIDTH]; 3]; 3];
+pub(crate) type Gathered = [[[f32; WIDTH]; 3]; 3];
 
 #[inline(always)]
-fn gather(records: &[Record], positions: &[[f32; 3]]) -> Gathered {
+pub(crate) fn gather(records: &[Record], positions: &[[f32; 3]]) -> Gathered {
     let mut gathered = [[[0.0; WIDTH]; 3]; 3];
     for (lane, record) in records.iter().enumerate().take(WIDTH) {
         for corner in 0..3 {
@@ -194,6 +234,9 @@ fn gather(records: &[Record], positions: &[[f32; 3]]) -> Gathered {
     gathered
 }
 
+/// Eight pairs of a ray and a triangle: x, y and z of each corner as the ray sees it.
+type Seen<S> = [[f32x8<S>; 3]; 3];
+
 /// The distances at which a ray meets the first `count` of eight triangles, and a bit for each that
 /// it meets from `range[0]` to `range[1]`.
 #[inline(always)]
@@ -205,19 +248,68 @@ pub(crate) fn meet_triangles<S: Simd>(
     ray: &Sheared,
     range: [f32; 2],
 ) -> ([f32; WIDTH], u32) {
-    let gathered = gather(&records[..count.min(WIDTH)], positions);
+    meet_gathered(simd, &gather(&records[..count.min(WIDTH)], positions), count, ray, range)
+}
+
+/// The same for triangles whose vertices are there already.
+#[inline(always)]
+pub(crate) fn meet_gathered<S: Simd>(
+    simd: S,
+    gathered: &Gathered,
+    count: usize,
+    ray: &Sheared,
+    range: [f32; 2],
+) -> ([f32; WIDTH], u32) {
     let axes = ray.axes.map(|axis| if axis < 3 { axis } else { 0 });
     let [sx, sy, sz] = ray.shear;
-    let mut x = [f32x8::splat(simd, 0.0); 3];
-    let mut y = x;
-    let mut z = x;
+    let mut seen: Seen<S> = [[f32x8::splat(simd, 0.0); 3]; 3];
     for corner in 0..3 {
         let [kx, ky, kz] = axes;
         let along = f32x8::simd_from(simd, gathered[corner][kz]) - ray.origin[kz];
-        x[corner] = f32x8::simd_from(simd, gathered[corner][kx]) - ray.origin[kx] - along * sx;
-        y[corner] = f32x8::simd_from(simd, gathered[corner][ky]) - ray.origin[ky] - along * sy;
-        z[corner] = along * sz;
+        seen[0][corner] =
+            f32x8::simd_from(simd, gathered[corner][kx]) - ray.origin[kx] - along * sx;
+        seen[1][corner] =
+            f32x8::simd_from(simd, gathered[corner][ky]) - ray.origin[ky] - along * sy;
+        seen[2][corner] = along * sz;
     }
+    let range = range.map(|t| f32x8::splat(simd, t));
+    meet_seen(simd, &seen, range, (1 << count) - 1)
+}
+
+/// The distances at which eight rays meet a triangle, and a bit for each of the `asked` that meets it
+/// within its range. Corners and rays are in the order of the rays' axes.
+#[inline(always)]
+pub(crate) fn meet_rays<S: Simd>(
+    simd: S,
+    corners: [[f32; 3]; 3],
+    rays: &ShearedEight,
+    range: [[f32; WIDTH]; 2],
+    asked: u32,
+) -> ([f32; WIDTH], u32) {
+    let mut seen: Seen<S> = [[f32x8::splat(simd, 0.0); 3]; 3];
+    for corner in 0..3 {
+        let [x, y, z] = corners[corner];
+        let along = f32x8::splat(simd, z) - f32x8::simd_from(simd, rays.origin[2]);
+        seen[0][corner] = f32x8::splat(simd, x)
+            - f32x8::simd_from(simd, rays.origin[0])
+            - along * f32x8::simd_from(simd, rays.shear[0]);
+        seen[1][corner] = f32x8::splat(simd, y)
+            - f32x8::simd_from(simd, rays.origin[1])
+            - along * f32x8::simd_from(simd, rays.shear[1]);
+        seen[2][corner] = along * f32x8::simd_from(simd, rays.shear[2]);
+    }
+    let range = range.map(|t| f32x8::simd_from(simd, t));
+    meet_seen(simd, &seen, range, asked)
+}
+
+/// Where the origins lie within the triangles, and how far along.
+#[inline(always)]
+fn meet_seen<S: Simd>(
+    simd: S,
+    [x, y, z]: &Seen<S>,
+    range: [f32x8<S>; 2],
+    counted: u32,
+) -> ([f32; WIDTH], u32) {
     let u = x[2] * y[1] - y[2] * x[1];
     let v = x[0] * y[2] - y[0] * x[2];
     let w = x[1] * y[0] - y[1] * x[0];
@@ -228,8 +320,7 @@ pub(crate) fn meet_triangles<S: Simd>(
     let candidates = !(negative & positive);
     let sum = u + v + w;
     let t = (u * z[0] + v * z[1] + w * z[2]) / sum;
-    let within = t.simd_ge(f32x8::splat(simd, range[0])) & t.simd_le(f32x8::splat(simd, range[1]));
-    let counted = (1 << count) - 1;
+    let within = t.simd_ge(range[0]) & t.simd_le(range[1]);
     let mut distances = [0.0; WIDTH];
     t.store_slice(&mut distances);
     let mut hits = (candidates & within & !unknown).to_bitmask() as u32 & counted;
@@ -240,8 +331,8 @@ pub(crate) fn meet_triangles<S: Simd>(
         let corners = [0, 1, 2].map(|corner| [x[corner][lane], y[corner][lane], z[corner][lane]]);
         hits &= !(1 << lane);
         if let Some(t) = on_edge(corners)
-            && range[0] <= t
-            && t <= range[1]
+            && range[0][lane] <= t
+            && t <= range[1][lane]
         {
             distances[lane] = t;
             hits |= 1 << lane;

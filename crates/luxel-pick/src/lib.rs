@@ -71,6 +71,7 @@
 
 #![forbid(unsafe_code)]
 
+mod bundle;
 mod bvh;
 mod cover;
 mod drawing;

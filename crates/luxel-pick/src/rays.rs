@@ -1,6 +1,7 @@
 //! Rays through one mesh: the nearest triangle, any, all, and millions of rays on all cores.
 
-use crate::bvh::{Bvh, Child, Node, Slabs, Stack, WIDTH, Walk, meet, step};
+use crate::bundle::{BUNDLE, Bundle, Kind, LEAST, closest_of_bundle};
+use crate::bvh::{Bvh, Child, Node, Record, Slabs, Stack, Tree, WIDTH, Walk, meet, step};
 use crate::intersect::{Nearest, Ray, Sheared, meet_triangles};
 use luxel_math::{Level, Simd, SimdLevel, dispatch};
 use rayon::prelude::*;
@@ -26,6 +27,8 @@ pub struct MeshRays<'m> {
     bvh: &'m Bvh,
     positions: &'m [[f32; 3]],
     largest: [f32; 3],
+    /// Of the tree's box, along its longest side.
+    extent: f32,
     level: Level,
 }
 
@@ -34,6 +37,7 @@ const CHUNK: usize = 1024;
 
 thread_local! {
     static STACK: RefCell<Stack> = RefCell::new(Stack::new());
+    static BUNDLES: RefCell<Box<Bundle>> = RefCell::new(Box::new(Bundle::new()));
 }
 
 impl<'m> MeshRays<'m> {
@@ -55,14 +59,18 @@ impl<'m> MeshRays<'m> {
     pub fn with_level(bvh: &'m Bvh, positions: &'m [[f32; 3]], level: Level) -> Self {
         assert!(positions.len() >= bvh.vertices(), "positions are missing");
         let largest = bvh.tree().bounds.map_or([0.0; 3], |bounds| bounds.largest());
-        Self { bvh, positions, largest, level }
+        let extent = bvh.tree().bounds.map_or(0.0, |bounds| bounds.longest());
+        Self { bvh, positions, largest, extent, level }
     }
 
     /// The nearest triangle that a ray meets; `None` also for a ray that isn't sound.
     #[must_use]
     pub fn closest(&self, ray: &Ray) -> Option<RayHit> {
         let mut nearest = [Nearest::before(0.0)];
-        self.follow(std::slice::from_ref(ray), &mut nearest);
+        STACK.with_borrow_mut(|stack| {
+            let rays = std::slice::from_ref(ray);
+            dispatch!(self.level, simd => closest(simd, self, rays, &mut nearest, stack));
+        });
         self.told(ray, nearest[0])
     }
 
@@ -115,16 +123,41 @@ impl<'m> MeshRays<'m> {
         hits
     }
 
-    /// The nearest triangle, without what only picking wants to know.
-    pub(crate) fn follow(&self, rays: &[Ray], nearest: &mut [Nearest]) {
+    /// The nearest triangles, in bundles where rays that follow one another run close together.
+    fn follow(&self, rays: &[Ray], nearest: &mut [Nearest]) {
         STACK.with_borrow_mut(|stack| {
-            dispatch!(self.level, simd => closest(simd, self, rays, nearest, stack));
+            BUNDLES.with_borrow_mut(|bundle| {
+                dispatch!(self.level, simd => closest_of_many(simd, self, rays, nearest, bundle, stack));
+            });
         });
     }
 
+    pub(crate) fn tree(&self) -> &'m Tree {
+        self.bvh.tree()
+    }
+
+    pub(crate) fn records(&self) -> &'m [Record] {
+        self.bvh.records()
+    }
+
+    pub(crate) fn positions(&self) -> &'m [[f32; 3]] {
+        self.positions
+    }
+
+    #[inline(always)]
     fn prepared(&self, ray: &Ray) -> (Slabs, Sheared) {
         let slabs = Slabs::new(ray.origin, ray.direction, ray.range[0], self.largest);
         (slabs, Sheared::new(ray.origin, ray.direction))
+    }
+
+    /// The largest coordinates of the tree's box, without signs.
+    pub(crate) fn largest(&self) -> [f32; 3] {
+        self.largest
+    }
+
+    /// The longest side of the tree's box.
+    pub(crate) fn extent(&self) -> f32 {
+        self.extent
     }
 
     fn told(&self, ray: &Ray, nearest: Nearest) -> Option<RayHit> {
@@ -151,6 +184,57 @@ fn leaf<S: Simd>(
     match rays.bvh.records()[start..].first_chunk::<WIDTH>() {
         Some(records) => meet_triangles(simd, records, count, rays.positions, ray, range),
         None => ([0.0; WIDTH], 0),
+    }
+}
+
+/// Follows rays in bundles of their kind, those that are left one by one.
+#[inline(always)]
+fn closest_of_many<S: Simd>(
+    simd: S,
+    rays: &MeshRays<'_>,
+    followed: &[Ray],
+    nearest: &mut [Nearest],
+    bundle: &mut Bundle,
+    stack: &mut Stack,
+) {
+    for (followed, nearest) in followed.chunks(BUNDLE).zip(nearest.chunks_mut(BUNDLE)) {
+        let mut kinds = [Kind::NONE; BUNDLE];
+        for (kind, ray) in kinds.iter_mut().zip(followed) {
+            *kind = Kind::of(ray);
+        }
+        let kinds = &mut kinds[..followed.len()];
+        let mut counts = [0_u8; Kind::COUNT];
+        for kind in kinds.iter() {
+            counts[kind.number()] += 1;
+        }
+        let mut alone = [true; BUNDLE];
+        for first in 0..kinds.len() {
+            let kind = kinds[first];
+            if kind == Kind::NONE || usize::from(counts[kind.number()]) < LEAST {
+                continue;
+            }
+            let mut places = [0_u8; BUNDLE];
+            let mut count = 0;
+            for (place, other) in (0_u8..).zip(kinds.iter_mut()) {
+                places[count & (BUNDLE - 1)] = place;
+                count += usize::from(*other == kind);
+                *other = if *other == kind { Kind::NONE } else { *other };
+            }
+            let places = &places[..count];
+            if !bundle.fill(simd, rays, kind, followed, places) {
+                continue;
+            }
+            closest_of_bundle(simd, rays, bundle, stack);
+            for (number, &place) in places.iter().enumerate() {
+                nearest[usize::from(place)] = bundle.nearest(number);
+                alone[usize::from(place)] = false;
+            }
+        }
+        for ((ray, nearest), _) in
+            followed.iter().zip(nearest).zip(alone).filter(|(_, alone)| *alone)
+        {
+            closest(simd, rays, std::slice::from_ref(ray), std::slice::from_mut(nearest), stack);
+        }
     }
 }
 

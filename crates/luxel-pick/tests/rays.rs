@@ -279,6 +279,69 @@ fn every_level_and_thread_count_gives_the_same_bits() {
     }
 }
 
+/// Rays of a grid of places, eight by eight at a time: from one eye, or side by side; through
+/// vertices and along axes, too.
+fn grids(mesh: &Mesh) -> Vec<Ray> {
+    let mut random = Random(71);
+    let mut rays = Vec::new();
+    for round in 0..60 {
+        let eye =
+            [[0.0, 0.0, 3.0], [1.9, 0.4, -1.2], [-0.1, 2.5, 0.2], [0.01, 0.0, 0.02]][round % 4];
+        // From a tile of a view that is wide to one whose rays are almost the same.
+        let step = [0.4, 0.05, 0.002, 1e-5][round / 4 % 4];
+        let aim = random.point(0.7);
+        let mut of_tile = Vec::new();
+        for place in 0..64_u8 {
+            let (right, up) = (f32::from(place % 8) - 3.5, f32::from(place / 8) - 3.5);
+            let mut target = [aim[0] + right * step, aim[1] + up * step, aim[2]];
+            if round % 5 == 4 {
+                let vertex = (round * 977 + usize::from(place) * 3) % mesh.positions.len();
+                target = mesh.positions[vertex];
+            }
+            let ray = match round % 3 {
+                0 => Ray::new(eye, std::array::from_fn(|axis| target[axis] - eye[axis])),
+                // Side by side, along an axis.
+                1 => Ray::new([target[0], target[1], 4.0], [0.0, -0.0, -1.0]),
+                _ => Ray::new([target[0], target[1], 4.0], [0.1, 0.05, -1.0]),
+            };
+            let range = [[0.0, f32::INFINITY], [0.5, 3.1], [0.0, 3.4]][usize::from(place) % 3];
+            of_tile.push(if round % 2 == 0 { ray } else { Ray { range, ..ray } });
+        }
+        match round % 6 {
+            // Some that are none, and some of another direction or length.
+            3 => of_tile[17].direction = [0.0; 3],
+            4 => of_tile[40].direction = [0.3, -0.2, 0.9],
+            5 => of_tile[9].direction = of_tile[9].direction.map(|x| x * 1e-20),
+            _ => {}
+        }
+        rays.extend(of_tile);
+    }
+    // A last tile that isn't full.
+    rays.truncate(rays.len() - 27);
+    rays
+}
+
+#[test]
+fn rays_in_bundles_get_the_bits_that_they_get_alone() {
+    let mut mesh = bumpy_sphere(40);
+    // Triangles that lie on others, and one from side to side.
+    let twice = mesh.triangles[500..700].to_vec();
+    mesh.triangles.extend(twice);
+    mesh.triangles.push([0, 900, 2000]);
+    let aimed = grids(&mesh);
+    for quality in [Quality::Thorough, Quality::InOrder] {
+        let bvh = Bvh::build(&mesh.positions, &mesh.triangles, quality).unwrap();
+        for level in SimdLevel::available() {
+            let rays = MeshRays::with_level(&bvh, &mesh.positions, level.resolve().unwrap());
+            let together = rays.closest_of_each(&aimed);
+            assert!(together.iter().flatten().count() > 1000);
+            for (ray, hit) in aimed.iter().zip(together) {
+                assert_eq!(hit, rays.closest(ray), "{level} {ray:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_tree_takes_about_thirty_bytes_a_triangle() {
     let mesh = bumpy_sphere(100);

@@ -11,7 +11,7 @@ mod split;
 mod traverse;
 
 pub(crate) use build::build;
-pub(crate) use traverse::{Slabs, Stack, Walk, meet, step};
+pub(crate) use traverse::{ALMOST_ZERO, PADDING, Slabs, Stack, Walk, meet, moved, padding, step};
 
 use rayon::prelude::*;
 
@@ -103,6 +103,11 @@ impl Box3 {
         let extent = |axis: usize| (self.high[axis] - self.low[axis]).max(0.0);
         let [x, y, z] = [extent(0), extent(1), extent(2)];
         x * y + y * z + z * x
+    }
+
+    /// The length of the longest side.
+    pub(crate) fn longest(&self) -> f32 {
+        (0..3).map(|axis| self.high[axis] - self.low[axis]).fold(0.0, f32::max)
     }
 
     /// The largest coordinate, without its sign.

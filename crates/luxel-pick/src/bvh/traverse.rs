@@ -8,6 +8,7 @@
 
 use super::{Child, Node, Tree, WIDTH};
 use luxel_math::{Level, Simd, dispatch, f32x8, prelude::*};
+use std::ops::{Add, Mul, Sub};
 
 /// A line as the test of boxes wants it.
 #[derive(Clone, Copy, Debug)]
@@ -24,19 +25,56 @@ pub(crate) struct Slabs {
 
 /// Units of the last place of the largest coordinate by which origins are moved; with 6 nothing
 /// was lost among rays through vertices along axes, where everything was lost without.
-const PADDING: f32 = 6.0 * f32::EPSILON;
+pub(crate) const PADDING: f32 = 6.0 * f32::EPSILON;
 /// Stands for 0 in directions, whose inverse must be finite.
-const ALMOST_ZERO: f32 = 1e-18;
+pub(crate) const ALMOST_ZERO: f32 = 1e-18;
+
+/// How far the origins of near and far planes are moved, for one ray or several side by side.
+#[inline(always)]
+pub(crate) fn padding<T: Add<Output = T> + Mul<Output = T>>(size: T, largest: T, unit: T) -> T {
+    unit * (size + largest)
+}
+
+/// The origins of near planes and far ones.
+#[inline(always)]
+pub(crate) fn moved<T: Copy + Add<Output = T> + Sub<Output = T>>(origin: T, ahead: T) -> [T; 2] {
+    [origin + ahead, origin - ahead]
+}
+
+/// One over a length, which may be 0.
+#[inline(always)]
+fn inverse(along: f32) -> f32 {
+    1.0 / if along > ALMOST_ZERO { along } else { ALMOST_ZERO }
+}
 
 impl Slabs {
     /// For a ray through boxes whose coordinates are no larger than `largest`.
+    #[inline(always)]
     pub(crate) fn new(
         origin: [f32; 3],
         direction: [f32; 3],
         nearest: f32,
         largest: [f32; 3],
     ) -> Self {
-        Self::widening(origin, direction, [nearest, 0.0], largest, [0.0; 3], [0.0; 3])
+        let mut slabs =
+            Self { origin: [[0.0; 2]; 3], inverse: [[0.0; 2]; 3], turned: [0; 3], nearest };
+        for axis in 0..3 {
+            let pad = padding(origin[axis].abs(), largest[axis], PADDING);
+            let inverse = inverse(direction[axis].abs());
+            slabs.set(axis, origin[axis], direction[axis], pad, [inverse; 2]);
+        }
+        slabs
+    }
+
+    /// An axis: the ray's own origin and direction there, how far the origins are moved, and one over
+    /// the lengths of the directions to near planes and far ones.
+    #[inline(always)]
+    fn set(&mut self, axis: usize, origin: f32, direction: f32, pad: f32, inverse: [f32; 2]) {
+        let turned = direction.is_sign_negative();
+        let sign = if turned { -1.0 } else { 1.0 };
+        self.origin[axis] = moved(origin, sign * pad);
+        self.inverse[axis] = inverse.map(|inverse| sign * inverse);
+        self.turned[axis] = usize::from(turned);
     }
 
     /// For what lies within `reach + distance * growth` of a ray, axis by axis, up to the distance
@@ -52,20 +90,16 @@ impl Slabs {
         let mut slabs =
             Self { origin: [[0.0; 2]; 3], inverse: [[0.0; 2]; 3], turned: [0; 3], nearest };
         for axis in 0..3 {
-            let turned = direction[axis].is_sign_negative();
-            let sign = if turned { -1.0 } else { 1.0 };
             let mut along = direction[axis].abs();
             let mut growth = growth[axis];
-            let mut pad = PADDING * (origin[axis].abs() + largest[axis]) + reach[axis];
+            let mut pad = padding(origin[axis].abs(), largest[axis], PADDING) + reach[axis];
             if growth > 0.0 && along <= growth {
                 // The sides go both ways: as wide everywhere as at the end.
                 pad += farthest * (along + growth);
                 (along, growth) = (0.0, 0.0);
             }
-            let inverse = |along: f32| 1.0 / if along > ALMOST_ZERO { along } else { ALMOST_ZERO };
-            slabs.origin[axis] = [origin[axis] + sign * pad, origin[axis] - sign * pad];
-            slabs.inverse[axis] = [sign * inverse(along + growth), sign * inverse(along - growth)];
-            slabs.turned[axis] = usize::from(turned);
+            let inverse = [inverse(along + growth), inverse(along - growth)];
+            slabs.set(axis, origin[axis], direction[axis], pad, inverse);
         }
         slabs
     }
@@ -128,28 +162,54 @@ impl Stack {
         while bits != 0 {
             let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
             bits &= bits - 1;
-            // Distances are not negative, but for the sign of a zero.
-            let distance = u64::from(distances[slot].to_bits() & !(1 << 31));
-            let key = distance << 32 | u64::from(node.children[slot].0);
-            let mut place = self.top;
-            while place > bottom && self.entries[(place - 1) & (Self::SIZE - 1)] < key {
-                self.entries[place & (Self::SIZE - 1)] =
-                    self.entries[(place - 1) & (Self::SIZE - 1)];
-                place -= 1;
-            }
-            self.entries[place & (Self::SIZE - 1)] = key;
-            self.top += 1;
+            self.insert(bottom, distances[slot], node.children[slot].0);
         }
+    }
+
+    /// The same, with the children's places instead: the node's number times eight, and the slot.
+    #[inline(always)]
+    pub(crate) fn push_places(&mut self, node: usize, distances: &[f32; WIDTH], mut bits: u32) {
+        let bottom = self.top;
+        while bits != 0 {
+            let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+            bits &= bits - 1;
+            self.insert(bottom, distances[slot], (node * WIDTH + slot) as u32);
+        }
+    }
+
+    #[inline(always)]
+    fn insert(&mut self, bottom: usize, distance: f32, word: u32) {
+        // Distances are not negative, but for the sign of a zero.
+        let distance = u64::from(distance.to_bits() & !(1 << 31));
+        let key = distance << 32 | u64::from(word);
+        let mut place = self.top;
+        while place > bottom && self.entries[(place - 1) & (Self::SIZE - 1)] < key {
+            self.entries[place & (Self::SIZE - 1)] = self.entries[(place - 1) & (Self::SIZE - 1)];
+            place -= 1;
+        }
+        self.entries[place & (Self::SIZE - 1)] = key;
+        self.top += 1;
     }
 
     /// The nearest child whose box begins no farther than `farthest`.
     #[inline(always)]
     pub(crate) fn pop(&mut self, farthest: f32) -> Option<Child> {
+        self.pop_word(farthest).map(Child)
+    }
+
+    /// The same for children that were pushed by their places.
+    #[inline(always)]
+    pub(crate) fn pop_place(&mut self, farthest: f32) -> Option<usize> {
+        self.pop_word(farthest).map(|word| word as usize)
+    }
+
+    #[inline(always)]
+    fn pop_word(&mut self, farthest: f32) -> Option<u32> {
         while self.top > 0 {
             self.top -= 1;
             let key = self.entries[self.top & (Self::SIZE - 1)];
             if f32::from_bits((key >> 32) as u32) <= farthest {
-                return Some(Child(key as u32));
+                return Some(key as u32);
             }
         }
         None
