@@ -193,8 +193,13 @@ impl Bundle {
             near_origin: [0.0; 3],
             far_origin: [0.0; 3],
             inverse: [[0.0; 2]; 3],
-            start: eights.iter().flat_map(|eight| eight.start).fold(f32::INFINITY, lower),
+            start: 0.0,
         };
+        let mut starts = Range::none(simd);
+        for eight in eights {
+            starts.include(f32x8::simd_from(simd, eight.start));
+        }
+        [interval.start, _] = starts.ends();
         for axis in 0..3 {
             let mut ranges = [Range::none(simd); 3];
             for eight in eights {

@@ -185,8 +185,6 @@ fn edges(corners: &[[f32; 3]; 3]) -> [f64; 3] {
 }
 
 /// The distance for a ray through an edge or a corner, if it meets the triangle at all.
-#[cold]
-#[inline(never)]
 fn on_edge(corners: [[f32; 3]; 3]) -> Option<f32> {
     let weights = edges(&corners);
     let negative = weights.iter().any(|weight| *weight < 0.0);
@@ -215,6 +213,31 @@ fn on_edge(corners: [[f32; 3]; 3]) -> Option<f32> {
         }
     };
     Some(t as f32)
+}
+
+/// [`on_edge`] for those of eight pairs whose bit is set in `asked`; all hits.
+#[cold]
+#[inline(never)]
+fn on_edges(
+    corners: &Gathered,
+    range: &[[f32; WIDTH]; 2],
+    mut asked: u32,
+    distances: &mut [f32; WIDTH],
+    mut hits: u32,
+) -> u32 {
+    while asked != 0 {
+        let lane = asked.trailing_zeros() as usize & (WIDTH - 1);
+        asked &= asked - 1;
+        hits &= !(1 << lane);
+        if let Some(t) = on_edge(corners.map(|corner| corner.map(|row| row[lane])))
+            && range[0][lane] <= t
+            && t <= range[1][lane]
+        {
+            distances[lane] = t;
+            hits |= 1 << lane;
+        }
+    }
+    hits
 }
 
 /// The vertices of up to eight triangles, x, y and z of each corner side by side.
@@ -324,19 +347,19 @@ fn meet_seen<S: Simd>(
     let mut distances = [0.0; WIDTH];
     t.store_slice(&mut distances);
     let mut hits = (candidates & within & !unknown).to_bitmask() as u32 & counted;
-    let mut asked = (candidates & unknown).to_bitmask() as u32 & counted;
-    while asked != 0 {
-        let lane = asked.trailing_zeros() as usize & (WIDTH - 1);
-        asked &= asked - 1;
-        let corners = [0, 1, 2].map(|corner| [x[corner][lane], y[corner][lane], z[corner][lane]]);
-        hits &= !(1 << lane);
-        if let Some(t) = on_edge(corners)
-            && range[0][lane] <= t
-            && t <= range[1][lane]
-        {
-            distances[lane] = t;
-            hits |= 1 << lane;
+    let asked = (candidates & unknown).to_bitmask() as u32 & counted;
+    if asked != 0 {
+        // Stored here alone: all else stays in registers.
+        let mut corners = [[[0.0; WIDTH]; 3]; 3];
+        let mut ends = [[0.0; WIDTH]; 2];
+        for corner in 0..3 {
+            x[corner].store_slice(&mut corners[corner][0]);
+            y[corner].store_slice(&mut corners[corner][1]);
+            z[corner].store_slice(&mut corners[corner][2]);
         }
+        range[0].store_slice(&mut ends[0]);
+        range[1].store_slice(&mut ends[1]);
+        hits = on_edges(&corners, &ends, asked, &mut distances, hits);
     }
     (distances, hits)
 }
