@@ -139,7 +139,10 @@ impl PickCommand {
         }
         let mut model = model::load(&self.input, &self.execution, console)?;
         surface::apply_material(&self.material, &mut model.scene);
-        surface::apply_normals(&self.shading, &mut model.scene);
+        // Regions tell no normals.
+        if self.asked.place.at.is_some() {
+            surface::apply_normals(&self.shading, &mut model.scene);
+        }
         let scene = &model.scene;
         let camera = camera::choose(&self.frame, scene)?;
         // A single question is answered sooner by a tree that is made quickly.
