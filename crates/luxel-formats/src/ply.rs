@@ -15,19 +15,16 @@ mod vertices;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
 use faces::Faces;
-use header::{Element, Encoding, Header};
-use source::{Binary, Source, Text};
+use header::{Element, Header};
+use source::Source;
 use vertices::Vertices;
 
 /// Reads a PLY file, which is one object, called `name`.
 pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, Error> {
     let header = Header::read(bytes)?;
     let mut warnings = Warnings::default();
-    let content = match header.encoding {
-        Encoding::Text => read_body(&header, Text::new(bytes, header.body), limits)?,
-        Encoding::Little => read_body(&header, Binary::<false>::new(bytes, header.body), limits)?,
-        Encoding::Big => read_body(&header, Binary::<true>::new(bytes, header.body), limits)?,
-    };
+    let source = Source::new(bytes, header.body, header.encoding);
+    let content = read_body(&header, source, limits)?;
     let scene = build::scene(content, name, &mut warnings)?;
     Ok(Loaded { scene, format: Format::Ply, warnings: warnings.finish() })
 }
@@ -40,7 +37,7 @@ struct Content {
     edges: Vec<[u32; 2]>,
 }
 
-fn read_body<S: Source>(header: &Header, mut source: S, limits: &Limits) -> Result<Content, Error> {
+fn read_body(header: &Header, mut source: Source<'_>, limits: &Limits) -> Result<Content, Error> {
     let vertex = header.elements.iter().find(|element| element.name == "vertex");
     // Rows without values are none: they take no space in the file.
     let with_values = vertex.filter(|element| !element.properties.is_empty());
@@ -67,10 +64,10 @@ fn read_body<S: Source>(header: &Header, mut source: S, limits: &Limits) -> Resu
 }
 
 /// Checks a count against what follows and against the limits, before anything is allocated.
-fn check<S: Source>(element: &Element, source: &S, limits: &Limits) -> Result<(), Error> {
+fn check(element: &Element, source: &Source<'_>, limits: &Limits) -> Result<(), Error> {
     let place = || Place::Line(element.line);
     let left = source.bytes_left() as u64;
-    if element.count.saturating_mul(S::least_bytes(element)) > left {
+    if element.count.saturating_mul(source.least_bytes(element)) > left {
         let what = format!(
             "element `{}`: the header says it has {} rows, but only {left} bytes follow",
             element.name, element.count
@@ -86,9 +83,9 @@ fn check<S: Source>(element: &Element, source: &S, limits: &Limits) -> Result<()
     limits.check(&format!("element `{}`", element.name), element.count, bytes_each, place())
 }
 
-fn read_edges<S: Source>(
+fn read_edges(
     element: &Element,
-    source: &mut S,
+    source: &mut Source<'_>,
     vertex_count: u64,
     edges: &mut Vec<[u32; 2]>,
 ) -> Result<(), Error> {
@@ -106,16 +103,17 @@ fn read_edges<S: Source>(
     })
 }
 
-fn skip<S: Source>(element: &Element, source: &mut S) -> Result<(), Error> {
-    match (element.stride(), S::IS_BINARY) {
-        // The product was compared with the bytes that follow.
-        (Some(stride), true) => {
-            source.skip_bytes(stride * element.count as usize);
+fn skip(element: &Element, source: &mut Source<'_>) -> Result<(), Error> {
+    // Rows without values take no space, however many there are.
+    if element.stride() == Some(0) {
+        return Ok(());
+    }
+    match element.stride().and_then(|stride| source.table(element.count, stride)) {
+        Some(table) => {
+            source.skip(&table);
             Ok(())
         }
-        // Rows without values take no space, however many there are.
-        (Some(0), false) => Ok(()),
-        _ => source::each_row(element, source, None, |_, _| Ok(())),
+        None => source::each_row(element, source, None, |_, _| Ok(())),
     }
 }
 

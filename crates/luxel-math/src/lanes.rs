@@ -165,6 +165,40 @@ impl fmt::Display for UnavailableSimdLevel {
 
 impl std::error::Error for UnavailableSimdLevel {}
 
+/// [`dispatch`](fearless_simd::dispatch) for long kernels: those of SSE4.2 run as SSE2's.
+///
+/// Lighting gains less than a hundredth of its instructions from what SSE4.2 adds, and each copy of
+/// it takes seconds to compile.
+#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), not(feature = "scalar")))]
+#[macro_export]
+macro_rules! dispatch_long {
+    ($level:expr, $simd:ident => $kernel:expr) => {
+        match $level {
+            #[cfg(not(disable_dispatch_avx512))]
+            $crate::Level::Avx512($simd) => $crate::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $kernel,
+            ),
+            #[cfg(not(disable_dispatch_avx2))]
+            $crate::Level::Avx2($simd) => $crate::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $kernel,
+            ),
+            level => match level.as_sse2() {
+                #[cfg(not(disable_dispatch_sse2))]
+                Some($simd) => $crate::Simd::vectorize(
+                    $simd,
+                    #[inline(always)]
+                    || $kernel,
+                ),
+                _ => unreachable!("every level of these machines has SSE2"),
+            },
+        }
+    };
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -14,7 +14,7 @@ use crate::tiles::draw_tiles;
 use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
 use crate::worker::{Worker, add_layer, bytes_of_block, linear_pixels, tile_pixels};
 use luxel_lighting::{Environment, Reflection};
-use luxel_math::{LANES, Level, UnavailableSimdLevel, dispatch};
+use luxel_math::{LANES, Level, UnavailableSimdLevel, dispatch_long};
 use luxel_scene::{Object, Scene, Size};
 use luxel_visibility::{Clusters, Frame, InstanceSpace, Samples, Tile, TooManyTriangles, strokes};
 use rayon::prelude::*;
@@ -241,7 +241,7 @@ impl<'s> Renderer<'s> {
                         |(tile, kept), number, pixels| {
                             let hole = |id, position| holes.hole(scene.frame, id, position);
                             scene.frame.draw_opaque(self.level, number, &hole, tile);
-                            dispatch!(self.level, simd => {
+                            dispatch_long!(self.level, simd => {
                                 tile_layer(simd, scene, &layer_view, layer, tile, kept, pixels);
                             });
                         },
@@ -322,7 +322,7 @@ impl<'s> Renderer<'s> {
         scene.frame.draw_opaque(self.level, number, &hole, &mut worker.opaque);
         let layered = self.peel(scene, number, &hole, worker, &mut |_| {});
         let visible = (self.clock)();
-        dispatch!(self.level, simd => tile_pixels(simd, scene, worker, layered));
+        dispatch_long!(self.level, simd => tile_pixels(simd, scene, worker, layered));
         visible
     }
 
@@ -350,8 +350,7 @@ impl<'s> Renderer<'s> {
             if depth == 0 {
                 layered.clear();
             }
-            let deeper =
-                dispatch!(self.level, simd => add_layer(simd, scene, here, opaque, layered, kept));
+            let deeper = dispatch_long!(self.level, simd => add_layer(simd, scene, here, opaque, layered, kept));
             if !deeper {
                 break;
             }
@@ -370,6 +369,22 @@ impl<'s> Renderer<'s> {
         samples: Option<Samples>,
         work: impl FnOnce(&Scene16<'_>, &Holes<'_>) -> R + Send,
     ) -> Result<R, RenderError> {
+        let mut work = Some(work);
+        let mut result = None;
+        self.put_in_place(view, covers, samples, &mut |scene, holes| {
+            result = work.take().map(|work| work(scene, holes));
+        })?;
+        Ok(result.unwrap_or_else(|| unreachable!("the work is done once")))
+    }
+
+    /// [`Self::with_scene`], compiled once.
+    fn put_in_place(
+        &self,
+        view: &View,
+        covers: Covers,
+        samples: Option<Samples>,
+        work: &mut (dyn FnMut(&Scene16<'_>, &Holes<'_>) + Send),
+    ) -> Result<(), RenderError> {
         let Size { width, height } = view.size;
         if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
             return Err(RenderError::Size(width, height));
@@ -436,7 +451,8 @@ impl<'s> Renderer<'s> {
                 wires: view.edges.filter(|edges| edges.wireframe),
                 edge_flags: &edge_flags,
             };
-            Ok(work(&scene, &holes))
+            work(&scene, &holes);
+            Ok(())
         })
     }
 

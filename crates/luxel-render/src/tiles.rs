@@ -45,6 +45,11 @@ pub(crate) fn draw_tiles<T: Copy + Default + Send, W>(
             }
         }
     };
-    let workers = rayon::current_num_threads().min(order.len());
+    on_threads(order.len(), &work);
+}
+
+/// Runs the same work on every thread, but on no more than there is work for.
+fn on_threads(most: usize, work: &(dyn Fn() + Sync)) {
+    let workers = rayon::current_num_threads().min(most);
     (0..workers).into_par_iter().with_max_len(1).for_each(|_| work());
 }

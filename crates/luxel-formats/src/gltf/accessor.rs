@@ -41,6 +41,23 @@ impl Component {
         }
     }
 
+    const fn is_unsigned(self) -> bool {
+        matches!(self, Self::U8 | Self::U16 | Self::U32)
+    }
+
+    /// The value that stands first in the bytes, of which there have to be enough.
+    #[inline]
+    fn value(self, bytes: &[u8]) -> f64 {
+        match self {
+            Self::I8 => f64::from(bytes[0] as i8),
+            Self::U8 => f64::from(bytes[0]),
+            Self::I16 => f64::from(i16::from_le_bytes([bytes[0], bytes[1]])),
+            Self::U16 => f64::from(u16::from_le_bytes([bytes[0], bytes[1]])),
+            Self::U32 => f64::from(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])),
+            Self::F32 => f64::from(f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])),
+        }
+    }
+
     /// What a stored value is divided by if it is normalized (section 3.6.2.2).
     pub(crate) const fn full_scale(self) -> f64 {
         match self {
@@ -86,11 +103,11 @@ fn width_of(kind: &str) -> Option<usize> {
 pub(crate) fn elements<'b>(
     buffers: &'b Buffers<'_>,
     index: u32,
-    referrer: impl Fn() -> String,
+    referrer: &dyn Fn() -> String,
 ) -> Result<Elements<'b>, Error> {
     let accessor = item(&buffers.document().accessors, index, "accessor", &referrer)?;
     let pointer = || format!("/accessors/{index}");
-    let component = component_of(accessor.component_type, pointer)?;
+    let component = component_of(accessor.component_type, &pointer)?;
     let width = width_of(&accessor.kind).ok_or_else(|| {
         let message = format!("`{}` is no accessor type: use SCALAR, VEC3, ...", accessor.kind);
         malformed(format!("{}/type", pointer()), message)
@@ -103,8 +120,14 @@ pub(crate) fn elements<'b>(
     let element_bytes = component.bytes() * width as u64;
     let dense = match accessor.buffer_view {
         Some(view) => {
-            let view = buffers.view(view, pointer)?;
-            Some(checked_range(view, accessor.byte_offset, element_bytes, accessor.count, pointer)?)
+            let view = buffers.view(view, &pointer)?;
+            Some(checked_range(
+                view,
+                accessor.byte_offset,
+                element_bytes,
+                accessor.count,
+                &pointer,
+            )?)
         }
         None => None,
     };
@@ -121,7 +144,7 @@ pub(crate) fn elements<'b>(
                 }
             }
             if let Some(sparse) = sparse {
-                replace(buffers, sparse, &mut packed, size, accessor, pointer)?;
+                replace(buffers, sparse, &mut packed, size, accessor, &pointer)?;
             }
             (Cow::Owned(packed), size)
         }
@@ -136,7 +159,7 @@ pub(crate) fn elements<'b>(
     })
 }
 
-fn component_of(code: u32, pointer: impl Fn() -> String) -> Result<Component, Error> {
+fn component_of(code: u32, pointer: &dyn Fn() -> String) -> Result<Component, Error> {
     Component::from_code(code).ok_or_else(|| {
         let message = format!("{code} is no component type: use 5120 to 5123, 5125 or 5126");
         malformed(format!("{}/componentType", pointer()), message)
@@ -149,7 +172,7 @@ fn checked_range<'b>(
     offset: u64,
     element_bytes: u64,
     count: u64,
-    pointer: impl Fn() -> String,
+    pointer: &dyn Fn() -> String,
 ) -> Result<(&'b [u8], usize), Error> {
     let stride = view.stride.unwrap_or(element_bytes);
     if stride < element_bytes {
@@ -182,25 +205,25 @@ fn replace(
     packed: &mut [u8],
     size: usize,
     accessor: &Accessor,
-    pointer: impl Fn() -> String,
+    pointer: &dyn Fn() -> String,
 ) -> Result<(), Error> {
     let pointer = || format!("{}/sparse", pointer());
     let indices_pointer = || format!("{}/indices", pointer());
     let values_pointer = || format!("{}/values", pointer());
-    let component = component_of(sparse.indices.component_type, indices_pointer)?;
+    let component = component_of(sparse.indices.component_type, &indices_pointer)?;
     let place = Place::Pointer(pointer());
     buffers.memory().take("a sparse accessor", sparse.count, 8, place)?;
-    let view = buffers.view(sparse.indices.buffer_view, indices_pointer)?;
+    let view = buffers.view(sparse.indices.buffer_view, &indices_pointer)?;
     let offset = sparse.indices.byte_offset;
     let (bytes, stride) =
-        checked_range(view, offset, component.bytes(), sparse.count, indices_pointer)?;
+        checked_range(view, offset, component.bytes(), sparse.count, &indices_pointer)?;
     let count = sparse.count as usize;
     let indices =
         Elements { bytes: bytes.into(), stride, count, width: 1, component, normalized: false };
     let indices = indices.indices().map_err(|message| malformed(indices_pointer(), message))?;
-    let view = buffers.view(sparse.values.buffer_view, values_pointer)?;
+    let view = buffers.view(sparse.values.buffer_view, &values_pointer)?;
     let offset = sparse.values.byte_offset;
-    let (values, stride) = checked_range(view, offset, size as u64, sparse.count, values_pointer)?;
+    let (values, stride) = checked_range(view, offset, size as u64, sparse.count, &values_pointer)?;
     for (index, value) in indices.into_iter().zip(values.chunks(stride)) {
         let start = index as usize * size;
         let Some(to) = packed.get_mut(start..start + size) else {
@@ -218,22 +241,22 @@ impl Elements<'_> {
     pub(crate) fn vectors<const N: usize>(&self) -> Result<Vec<[f64; N]>, String> {
         self.check_width(N)?;
         let scale = if self.normalized { self.component.full_scale() } else { 1.0 };
-        let of = |value: f64| if scale == 1.0 { value } else { (value / scale).max(-1.0) };
-        Ok(match self.component {
-            Component::I8 => self.map(|[byte]| of(f64::from(i8::from_le_bytes([byte])))),
-            Component::U8 => self.map(|[byte]| of(f64::from(byte))),
-            Component::I16 => self.map(|bytes| of(f64::from(i16::from_le_bytes(bytes)))),
-            Component::U16 => self.map(|bytes| of(f64::from(u16::from_le_bytes(bytes)))),
-            Component::U32 => self.map(|bytes| of(f64::from(u32::from_le_bytes(bytes)))),
-            Component::F32 => self.map(|bytes| f64::from(f32::from_le_bytes(bytes))),
-        })
+        let size = self.component.bytes() as usize;
+        let value = |bytes: &[u8]| {
+            let value = self.component.value(bytes);
+            if scale == 1.0 { value } else { (value / scale).max(-1.0) }
+        };
+        Ok(self.map(|bytes| std::array::from_fn(|place| value(&bytes[place * size..]))))
     }
 
     /// The same in f32.
     pub(crate) fn vectors_f32<const N: usize>(&self) -> Result<Vec<[f32; N]>, String> {
         if self.component == Component::F32 {
             self.check_width(N)?;
-            return Ok(self.map(f32::from_le_bytes));
+            return Ok(self.map(|bytes| {
+                let (singles, _) = bytes.as_chunks();
+                std::array::from_fn(|place| f32::from_le_bytes(singles[place]))
+            }));
         }
         let vectors = self.vectors::<N>()?;
         Ok(vectors.into_iter().map(|vector| vector.map(|value| value as f32)).collect())
@@ -242,24 +265,19 @@ impl Elements<'_> {
     /// Indices: plain unsigned integers, of which -1 is none (it restarts primitives in OpenGL).
     pub(crate) fn indices(&self) -> Result<Vec<u32>, String> {
         self.check_width(1)?;
-        let lists = match self.component {
-            Component::U8 => self.map(|[byte]| u32::from(byte)),
-            Component::U16 => self.map(|bytes| u32::from(u16::from_le_bytes(bytes))),
-            Component::U32 => self.map(u32::from_le_bytes),
-            _ => return Err("indices have to be unsigned integers".to_owned()),
-        };
-        Ok(lists.into_iter().map(|[index]| index).collect())
+        if !self.component.is_unsigned() {
+            return Err("indices have to be unsigned integers".to_owned());
+        }
+        Ok(self.map(|bytes| self.component.value(bytes) as u32))
     }
 
     /// Small unsigned integers in fours: the joints of a skin.
     pub(crate) fn joints(&self) -> Result<Vec<[u32; 4]>, String> {
-        self.check_width(4)?;
-        Ok(match self.component {
-            Component::U8 => self.map(|[byte]| u32::from(byte)),
-            Component::U16 => self.map(|bytes| u32::from(u16::from_le_bytes(bytes))),
-            Component::U32 => self.map(u32::from_le_bytes),
-            _ => return Err("joints have to be unsigned integers".to_owned()),
-        })
+        if !self.component.is_unsigned() {
+            return Err("joints have to be unsigned integers".to_owned());
+        }
+        let vectors = self.vectors::<4>()?;
+        Ok(vectors.into_iter().map(|vector| vector.map(|value| value as u32)).collect())
     }
 
     fn check_width(&self, wanted: usize) -> Result<(), String> {
@@ -269,19 +287,8 @@ impl Elements<'_> {
         Err(format!("elements have {} components instead of {wanted}", self.width))
     }
 
-    /// Decodes each component of `S` bytes.
-    fn map<const N: usize, const S: usize, T: Copy + Default>(
-        &self,
-        decode: impl Fn([u8; S]) -> T,
-    ) -> Vec<[T; N]> {
-        let element = |bytes: &[u8]| {
-            let mut vector = [T::default(); N];
-            let (components, _) = bytes.as_chunks::<S>();
-            for (value, component) in vector.iter_mut().zip(components) {
-                *value = decode(*component);
-            }
-            vector
-        };
-        self.bytes.chunks(self.stride.max(1)).map(element).take(self.count).collect()
+    /// Decodes each element.
+    fn map<T>(&self, decode: impl Fn(&[u8]) -> T) -> Vec<T> {
+        self.bytes.chunks(self.stride.max(1)).map(decode).take(self.count).collect()
     }
 }

@@ -42,7 +42,7 @@ pub(crate) fn item<'d, T>(
     list: &'d [T],
     index: u32,
     what: &'static str,
-    pointer: impl FnOnce() -> String,
+    pointer: &dyn Fn() -> String,
 ) -> Result<&'d T, Error> {
     list.get(index as usize).ok_or_else(|| {
         let kind =
@@ -72,9 +72,9 @@ impl<'a> Buffers<'a> {
     pub(crate) fn view(
         &self,
         index: u32,
-        referrer: impl Fn() -> String,
+        referrer: &dyn Fn() -> String,
     ) -> Result<View<'_>, Error> {
-        let view = item(&self.document.buffer_views, index, "buffer view", || {
+        let view = item(&self.document.buffer_views, index, "buffer view", &|| {
             format!("{}/bufferView", referrer())
         })?;
         let pointer = format!("/bufferViews/{index}");
@@ -117,7 +117,7 @@ impl<'a> Buffers<'a> {
 
     fn buffer(&self, index: u32, referrer: &str) -> Result<&[u8], Error> {
         let buffer =
-            item(&self.document.buffers, index, "buffer", || format!("{referrer}/buffer"))?;
+            item(&self.document.buffers, index, "buffer", &|| format!("{referrer}/buffer"))?;
         let cell = &self.buffers[index as usize];
         if let Some(bytes) = cell.get() {
             return Ok(bytes);

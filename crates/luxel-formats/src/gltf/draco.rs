@@ -17,10 +17,10 @@ pub(crate) struct Decoded {
 pub(crate) fn decode(
     buffers: &Buffers<'_>,
     draco: &Draco,
-    pointer: impl Fn() -> String,
+    pointer: &dyn Fn() -> String,
 ) -> Result<Decoded, Error> {
     let pointer = || format!("{}/extensions/KHR_draco_mesh_compression", pointer());
-    let stream = buffers.view(draco.buffer_view, pointer)?.bytes;
+    let stream = buffers.view(draco.buffer_view, &pointer)?.bytes;
     let memory = buffers.memory();
     // A face or a point takes at least so much while it is decoded and kept.
     const LEAST_BYTES: u64 = 24;

@@ -48,7 +48,7 @@ fn attribute<const N: usize>(
 ) -> Result<Option<Vec<[f64; N]>>, Error> {
     let Some(&index) = instancing.attributes.get(name) else { return Ok(None) };
     let pointer = || format!("{pointer}/attributes/{name}");
-    let elements = accessor::elements(buffers, index, pointer)?;
+    let elements = accessor::elements(buffers, index, &pointer)?;
     let place = || Place::Pointer(pointer());
     buffers.memory().take("instances", elements.count as u64, BYTES_PER_INSTANCE, place())?;
     elements.vectors().map(Some).map_err(|message| malformed(pointer(), message))

@@ -172,7 +172,7 @@ fn texture_use(
 ) -> Result<Option<TextureUse>, Error> {
     let transform = reference.transform;
     let set = transform.and_then(|transform| transform.tex_coord).unwrap_or(reference.tex_coord);
-    let texture = textures.get(reference.index, encoding, || pointer.to_owned(), warnings)?;
+    let texture = textures.get(reference.index, encoding, &|| pointer.to_owned(), warnings)?;
     let Some(uv_set) = u8::try_from(set).ok().filter(|&set| set < 2) else {
         warnings.push(format!(
             "{pointer}: left out, since only TEXCOORD_0 and TEXCOORD_1 are read, not TEXCOORD_{set}"

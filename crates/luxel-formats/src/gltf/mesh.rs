@@ -14,7 +14,7 @@ use super::vertices::{Source, Vertices};
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
 use luxel_scene::{Lines, MaterialId, Mesh, Part, Points};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// The materials that primitives without one get; they follow the file's own.
 #[derive(Debug, Default)]
@@ -53,14 +53,14 @@ pub(crate) fn build(
         let material = match primitive.material {
             Some(material) => {
                 let materials = &buffers.document().materials;
-                item(materials, material, "material", || format!("{pointer}/material"))?;
+                item(materials, material, "material", &|| format!("{pointer}/material"))?;
                 MaterialId(material)
             }
             None => materials.get(primitive.attributes.contains_key("COLOR_0")),
         };
         let draco = match &primitive.extensions.draco {
             Some(draco) if mode.has_triangles() => {
-                Some(draco::decode(buffers, draco, || pointer.clone())?)
+                Some(draco::decode(buffers, draco, &|| pointer.clone())?)
             }
             _ => None,
         };
@@ -108,7 +108,7 @@ fn corners(
         }
         Some(index) => {
             let pointer = || format!("{pointer}/indices");
-            let elements = accessor::elements(source.buffers, index, pointer)?;
+            let elements = accessor::elements(source.buffers, index, &pointer)?;
             let place = || Place::Pointer(pointer());
             memory.take("indices", elements.count as u64, BYTES_PER_CORNER, place())?;
             let indices = elements.indices().map_err(|message| malformed(pointer(), message))?;
@@ -145,7 +145,7 @@ type Key<'k> = (&'k BTreeMap<String, Index>, &'k Vec<BTreeMap<String, Index>>);
 struct Joined<'k> {
     mesh: Mesh,
     positions: Vec<[f64; 3]>,
-    runs: BTreeMap<Key<'k>, Run>,
+    runs: HashMap<Key<'k>, Run>,
 }
 
 impl<'k> Joined<'k> {

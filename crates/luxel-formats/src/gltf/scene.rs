@@ -13,7 +13,7 @@ use crate::warnings::Warnings;
 use crate::{Error, Place};
 use glam::{DMat4, DVec3};
 use luxel_scene::{MeshId, Node, NodeId, Placement, Scene, SceneCamera, SceneLight};
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 /// Builds the scene that the document shows.
 pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Scene, Error> {
@@ -23,7 +23,7 @@ pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Sc
         buffers,
         tree: &tree,
         scene: Scene::default(),
-        shared_meshes: BTreeMap::new(),
+        shared_meshes: HashMap::new(),
         default_materials: DefaultMaterials {
             in_file: document.materials.len() as u32,
             ..DefaultMaterials::default()
@@ -67,7 +67,7 @@ struct Builder<'b, 'd> {
     tree: &'b Tree,
     scene: Scene,
     /// Meshes in their plain form, which nodes share.
-    shared_meshes: BTreeMap<Index, MeshId>,
+    shared_meshes: HashMap<Index, MeshId>,
     default_materials: DefaultMaterials,
     warnings: &'b mut Warnings,
 }
@@ -90,7 +90,7 @@ impl Builder<'_, '_> {
         }
         if let Some(camera) = node.camera {
             let pointer = || format!("/nodes/{index}/camera");
-            let file_camera = item(&document.cameras, camera, "camera", pointer)?;
+            let file_camera = item(&document.cameras, camera, "camera", &pointer)?;
             let (lens, planes) = cameras::convert(file_camera, camera)?;
             let name = self.name_of_guest(&file_camera.name, node, || format!("camera_{camera}"));
             let planes = Some(planes);
@@ -103,7 +103,7 @@ impl Builder<'_, '_> {
             let pointer = || format!("/nodes/{index}/extensions/KHR_lights_punctual/light");
             let lights = document.extensions.lights.as_ref();
             let lights = lights.map_or(&[][..], |extension| &extension.lights);
-            let file_light = item(lights, number, "light", pointer)?;
+            let file_light = item(lights, number, "light", &pointer)?;
             let light = lights::convert(file_light, number)?;
             if let Some(warning) = lights::glare(file_light) {
                 self.warnings.push(format!("{}: {warning}", pointer()));
@@ -135,7 +135,7 @@ impl Builder<'_, '_> {
     fn mesh(&mut self, node: &FileNode, index: Index, number: Index) -> Result<MeshId, Error> {
         let meshes = &self.buffers.document().meshes;
         let pointer = || format!("/nodes/{index}/mesh");
-        let file_mesh = item(meshes, number, "mesh", pointer)?;
+        let file_mesh = item(meshes, number, "mesh", &pointer)?;
         let is_shared = node.weights.is_none() && node.skin.is_none();
         if let Some(&mesh) = self.shared_meshes.get(&number).filter(|_| is_shared) {
             return Ok(mesh);
@@ -161,14 +161,14 @@ impl Builder<'_, '_> {
     /// For each joint of a skin, from the bind pose to the node that shows the skinned mesh.
     fn joints(&mut self, number: Index, node: Index) -> Result<Option<Vec<DMat4>>, Error> {
         let document = self.buffers.document();
-        let skin = item(&document.skins, number, "skin", || format!("/nodes/{node}/skin"))?;
+        let skin = item(&document.skins, number, "skin", &|| format!("/nodes/{node}/skin"))?;
         let pointer = || format!("/skins/{number}/inverseBindMatrices");
         let joints = skin.joints.len();
         let place = || Place::Pointer(format!("/skins/{number}/joints"));
         self.buffers.memory().take("joints", joints as u64, 384, place())?;
         let inverse_bind: Vec<[f64; 16]> = match skin.inverse_bind_matrices {
             Some(index) => {
-                let elements = accessor::elements(self.buffers, index, pointer)?;
+                let elements = accessor::elements(self.buffers, index, &pointer)?;
                 self.buffers.memory().take("joints", elements.count as u64, 128, place())?;
                 elements.vectors().map_err(|message| malformed(pointer(), message))?
             }
@@ -188,7 +188,7 @@ impl Builder<'_, '_> {
         let mut matrices = Vec::with_capacity(joints);
         for (place, (&joint, bind)) in skin.joints.iter().zip(&inverse_bind).enumerate() {
             let pointer = || format!("/skins/{number}/joints/{place}");
-            item(&document.nodes, joint, "node", pointer)?;
+            item(&document.nodes, joint, "node", &pointer)?;
             let world_from_joint = self.tree.world_from_nodes[joint as usize];
             let joint_from_mesh = DMat4::from_cols_array(bind);
             matrices.push(node_from_world * (world_from_joint * joint_from_mesh));

@@ -9,7 +9,7 @@ use luxel_scene::{
 };
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// The textures that materials have asked for.
@@ -20,18 +20,18 @@ pub(crate) struct Textures<'b, 'd> {
     /// For each texture, its image's place in the list above, and how it is sampled.
     textures: Vec<(usize, Sampler)>,
     /// Where in the lists above an image (and whether it is sRGB), and a texture, are.
-    image_places: BTreeMap<(Index, bool), usize>,
-    texture_places: BTreeMap<(usize, Option<Index>), TextureId>,
+    image_places: HashMap<(Index, bool), usize>,
+    texture_places: HashMap<(usize, Option<Index>), TextureId>,
 }
 
 impl<'b, 'd> Textures<'b, 'd> {
-    pub(crate) const fn new(buffers: &'b Buffers<'d>) -> Self {
+    pub(crate) fn new(buffers: &'b Buffers<'d>) -> Self {
         Self {
             buffers,
             images: Vec::new(),
             textures: Vec::new(),
-            image_places: BTreeMap::new(),
-            texture_places: BTreeMap::new(),
+            image_places: HashMap::new(),
+            texture_places: HashMap::new(),
         }
     }
 
@@ -41,22 +41,22 @@ impl<'b, 'd> Textures<'b, 'd> {
         &mut self,
         index: Index,
         encoding: Encoding,
-        referrer: impl Fn() -> String,
+        referrer: &dyn Fn() -> String,
         warnings: &mut Warnings,
     ) -> Result<Option<TextureId>, Error> {
         let document = self.buffers.document();
         let texture =
-            item(&document.textures, index, "texture", || format!("{}/index", referrer()))?;
+            item(&document.textures, index, "texture", &|| format!("{}/index", referrer()))?;
         let pointer = || format!("/textures/{index}");
         let Some(source) = texture.source else {
             warnings.push(format!("{}: left out, since luxel can't read its image", pointer()));
             return Ok(None);
         };
-        item(&document.images, source, "image", || format!("{}/source", pointer()))?;
+        item(&document.images, source, "image", &|| format!("{}/source", pointer()))?;
         let sampler = match texture.sampler {
             Some(sampler) => {
                 let pointer = || format!("{}/sampler", pointer());
-                convert(item(&document.samplers, sampler, "sampler", pointer)?)
+                convert(item(&document.samplers, sampler, "sampler", &pointer)?)
             }
             None => Sampler::trilinear(),
         };
@@ -163,7 +163,7 @@ impl<'b, 'd> Textures<'b, 'd> {
         let bytes = match (&image.uri, image.buffer_view) {
             (Some(uri), _) => self.buffers.resource(uri, &format!("{pointer}/uri")).map(Cow::Owned),
             (None, Some(view)) => {
-                self.buffers.view(view, || pointer.clone()).map(|view| Cow::Borrowed(view.bytes))
+                self.buffers.view(view, &|| pointer.clone()).map(|view| Cow::Borrowed(view.bytes))
             }
             (None, None) => return Err("it has neither `uri` nor `bufferView`".to_owned()),
         };

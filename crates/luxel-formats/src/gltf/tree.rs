@@ -67,7 +67,7 @@ fn parents(document: &Document) -> Result<Vec<Option<Index>>, Error> {
     for (index, node) in document.nodes.iter().enumerate() {
         for (place, &child) in node.children.iter().enumerate() {
             let pointer = || format!("/nodes/{index}/children/{place}");
-            item(&document.nodes, child, "node", pointer)?;
+            item(&document.nodes, child, "node", &pointer)?;
             if let Some(other) = parents[child as usize].replace(index as Index) {
                 let message = format!(
                     "node {child} hangs on node {other} already: a node has one parent at most"
@@ -90,12 +90,12 @@ fn roots(
         let all = (0..document.nodes.len() as Index).zip(parents);
         return Ok(all.filter(|(_, parent)| parent.is_none()).map(|(node, _)| node).collect());
     }
-    let scene = item(&document.scenes, index, "scene", || "/scene".to_owned())?;
+    let scene = item(&document.scenes, index, "scene", &|| "/scene".to_owned())?;
     let mut is_listed = vec![false; document.nodes.len()];
     let mut roots = Vec::new();
     for (place, &node) in scene.nodes.iter().enumerate() {
         let pointer = || format!("/scenes/{index}/nodes/{place}");
-        item(&document.nodes, node, "node", pointer)?;
+        item(&document.nodes, node, "node", &pointer)?;
         if std::mem::replace(&mut is_listed[node as usize], true) {
             warnings.push(format!("{}: node {node} is listed twice", pointer()));
         } else {

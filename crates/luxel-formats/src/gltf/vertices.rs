@@ -139,7 +139,7 @@ impl Source<'_, '_> {
 
     fn elements(&self, name: &str) -> Result<Option<Elements<'_>>, Error> {
         let Some(&index) = self.primitive.attributes.get(name) else { return Ok(None) };
-        accessor::elements(self.buffers, index, || self.attribute_pointer(name)).map(Some)
+        accessor::elements(self.buffers, index, &|| self.attribute_pointer(name)).map(Some)
     }
 
     fn of_length<T>(&self, mut values: Vec<T>, name: &str, count: usize) -> Result<Vec<T>, Error> {
@@ -165,7 +165,7 @@ impl Source<'_, '_> {
     ) -> Result<Option<Vec<[f64; 3]>>, Error> {
         let Some(&index) = target.get(name) else { return Ok(None) };
         let pointer = || format!("{}/targets/{number}/{name}", self.pointer);
-        let elements = accessor::elements(self.buffers, index, pointer)?;
+        let elements = accessor::elements(self.buffers, index, &pointer)?;
         let place = || Place::Pointer(pointer());
         self.buffers.memory().take("morph targets", elements.count as u64, 24, place())?;
         let values = elements.vectors().map_err(|message| malformed(pointer(), message))?;

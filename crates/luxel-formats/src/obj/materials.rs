@@ -24,7 +24,7 @@ use luxel_scene::{
     AlphaMode, Encoding, Image, MaterialId, Sampler, SceneMaterial, Texture, TextureId, TextureUse,
     Wrap,
 };
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -41,12 +41,12 @@ pub(super) struct Materials<'a> {
     pub(super) textures: Vec<Texture>,
     /// Materials made, by the file's number; those that aren't defined also by whether they are
     /// for vertices with colours.
-    made: BTreeMap<(u32, bool), MaterialId>,
-    loaded: BTreeMap<(String, Use, bool), TextureId>,
+    made: HashMap<(u32, bool), MaterialId>,
+    loaded: HashMap<(String, Use, bool), TextureId>,
 }
 
 /// What the texels of an image are used for, which decides how they are read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Use {
     Color,
     Opacity,
@@ -78,8 +78,8 @@ impl<'a> Materials<'a> {
             definitions,
             list: Vec::new(),
             textures: Vec::new(),
-            made: BTreeMap::new(),
-            loaded: BTreeMap::new(),
+            made: HashMap::new(),
+            loaded: HashMap::new(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Faces: polygons, and triangle strips.
 
 use super::header::{Element, Kind, Scalar};
-use super::source::{Source, each_row};
+use super::source::{Source, Table, each_row};
 use super::vertices::{ColorColumns, Column};
 use crate::{Error, ErrorKind, Limits, Place};
 use rayon::prelude::*;
@@ -66,10 +66,10 @@ impl Faces {
     }
 
     /// Reads polygons.
-    pub(super) fn read_polygons<S: Source>(
+    pub(super) fn read_polygons(
         &mut self,
         element: &Element,
-        source: &mut S,
+        source: &mut Source<'_>,
     ) -> Result<(), Error> {
         let Some((list, count, item)) = index_list(element) else {
             return super::skip(element, source);
@@ -98,10 +98,10 @@ impl Faces {
 
     /// Reads triangle strips, which -1 interrupts: each corner from the third on makes a triangle
     /// with the two before it, every other one turned over.
-    pub(super) fn read_strips<S: Source>(
+    pub(super) fn read_strips(
         &mut self,
         element: &Element,
-        source: &mut S,
+        source: &mut Source<'_>,
     ) -> Result<(), Error> {
         let Some((list, ..)) = index_list(element) else {
             return super::skip(element, source);
@@ -154,44 +154,42 @@ impl Faces {
     }
 
     /// Reads triangles at fixed distances, several at a time.
-    fn read_records<S: Source>(
+    fn read_records(
         &mut self,
-        records: &Records,
+        records: &Records<'_>,
         color: Option<ColorColumns>,
-        source: &mut S,
+        source: &mut Source<'_>,
     ) -> Result<(), Error> {
-        let table = &source.bytes()[..records.size];
-        let rows = || table.par_chunks_exact(records.stride);
-        let index = |row: &[u8], corner: usize| {
-            let at = records.first_item + corner * records.item.size();
-            S::decode(&row[at..], records.item)
-        };
+        let table = &records.table;
+        let corner_at = |corner: usize| records.first_item + corner * records.item.size();
+        let index = |row: &[u8], corner| table.value(row, corner_at(corner), records.item);
         let checked = |value: f64| vertex_index(value, self.vertex_count).unwrap_or(u32::MAX);
-        rows()
+        table
+            .rows()
             .map(|row| [0, 1, 2].map(|corner| checked(index(row, corner))))
             .collect_into_vec(&mut self.triangles);
         // No vertex has the last number, since there are fewer.
         let wrong = |corners: &[u32; 3]| corners.contains(&u32::MAX);
         if let Some(face) = self.triangles.par_iter().position_first(wrong) {
-            let at = face * records.stride;
             let corner = self.triangles[face].iter().position(|&index| index == u32::MAX);
             let corner = corner.unwrap_or(0);
-            let kind = vertex_index(index(&table[at..], corner), self.vertex_count).err();
+            let kind = vertex_index(index(table.row(face), corner), self.vertex_count).err();
             let Place::Byte(start) = source.place() else { return Ok(()) };
-            let byte = start + (at + records.first_item + corner * records.item.size()) as u64;
+            let byte = start + (table.row_at(face) + corner_at(corner)) as u64;
             return kind.map_or(Ok(()), |kind| Err(Error::at(Place::Byte(byte), kind)));
         }
         if let Some(color) = color {
             let value = |row: &[u8], column: Column| {
                 let after_list = column.property > records.list;
                 let shift = if after_list { records.list_size } else { 0 };
-                S::decode(&row[column.offset + shift..], column.scalar)
+                table.value(row, column.offset + shift, column.scalar)
             };
-            rows()
+            table
+                .rows()
                 .map(|row| color.decode(|column| value(row, column)))
                 .collect_into_vec(&mut self.colors);
         }
-        source.skip_bytes(records.size);
+        source.skip(table);
         Ok(())
     }
 }
@@ -204,7 +202,7 @@ impl Polygons {
 }
 
 /// Rows of one list of three items each, which therefore take the same number of bytes.
-struct Records {
+struct Records<'a> {
     /// The place of the list among the properties.
     list: usize,
     /// Bytes of the count and the three items.
@@ -212,17 +210,16 @@ struct Records {
     /// The type of the items, and where the first is in a row.
     item: Scalar,
     first_item: usize,
-    stride: usize,
-    size: usize,
+    table: Table<'a>,
 }
 
-impl Records {
+impl<'a> Records<'a> {
     /// If the source is binary and all rows are triangles.
-    fn of<S: Source>(
+    fn of(
         element: &Element,
         list: usize,
         [count, item]: [Scalar; 2],
-        source: &S,
+        source: &Source<'a>,
     ) -> Option<Self> {
         let mut stride = 0_usize;
         let mut first_item = 0;
@@ -237,11 +234,9 @@ impl Records {
                 Kind::List { .. } => return None,
             }
         }
-        let size = stride.checked_mul(usize::try_from(element.count).ok()?)?;
-        let table = source.bytes().get(..size).filter(|_| S::IS_BINARY)?;
+        let table = source.table(element.count, stride)?;
         let count_at = first_item - count.size();
-        let all_triangles =
-            table.par_chunks_exact(stride).all(|row| S::decode(&row[count_at..], count) == 3.0);
-        all_triangles.then_some(Self { list, list_size, item, first_item, stride, size })
+        let all_triangles = table.rows().all(|row| table.value(row, count_at, count) == 3.0);
+        all_triangles.then_some(Self { list, list_size, item, first_item, table })
     }
 }

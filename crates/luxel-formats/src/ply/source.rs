@@ -1,37 +1,16 @@
 //! The body: values one after the other, from text or bytes.
 
-use super::header::{Element, Kind, Scalar};
+use super::header::{Element, Encoding, Kind, Scalar};
 use crate::text::{integer, is_blank, line_of, number, shown, single};
 use crate::{Error, ErrorKind, Place};
+use rayon::prelude::*;
+use rayon::slice::ChunksExact;
 
 /// Where values come from.
-pub(super) trait Source {
-    /// Whether rows without lists all take the same number of bytes.
-    const IS_BINARY: bool;
-
-    /// The next value. All types fit into f64.
-    fn scalar(&mut self, scalar: Scalar) -> Result<f64, Fault>;
-
-    /// How many bytes haven't been read.
-    fn bytes_left(&self) -> usize;
-
-    /// How many bytes the whole file has.
-    fn length(&self) -> u64;
-
-    /// Leaves bytes aside; only in binary bodies does their number mean something.
-    fn skip_bytes(&mut self, count: usize);
-
-    /// The next bytes; empty for text.
-    fn bytes(&self) -> &[u8];
-
-    /// Where the last value was.
-    fn place(&self) -> Place;
-
-    /// The least bytes that a row takes.
-    fn least_bytes(element: &Element) -> u64;
-
-    /// A value from the bytes of a row.
-    fn decode(bytes: &[u8], scalar: Scalar) -> f64;
+pub(super) struct Source<'a> {
+    file: &'a [u8],
+    at: usize,
+    encoding: Encoding,
 }
 
 /// What can be wrong with a value.
@@ -50,11 +29,11 @@ pub(super) struct Row {
 
 /// Reads an element's rows one by one; the items of the property `list` are kept, those of other
 /// lists are skipped.
-pub(super) fn each_row<S: Source>(
+pub(super) fn each_row(
     element: &Element,
-    source: &mut S,
+    source: &mut Source<'_>,
     list: Option<usize>,
-    mut visit: impl FnMut(&S, &Row) -> Result<(), Error>,
+    mut visit: impl FnMut(&Source<'_>, &Row) -> Result<(), Error>,
 ) -> Result<(), Error> {
     let mut row = Row::default();
     if element.properties.is_empty() {
@@ -77,8 +56,8 @@ pub(super) fn each_row<S: Source>(
     Ok(())
 }
 
-fn read_list<S: Source>(
-    source: &mut S,
+fn read_list(
+    source: &mut Source<'_>,
     count: Scalar,
     item: Scalar,
     items: &mut Vec<f64>,
@@ -91,14 +70,14 @@ fn read_list<S: Source>(
     Ok(0.0)
 }
 
-fn skip_list<S: Source>(source: &mut S, count: Scalar, item: Scalar) -> Result<f64, Fault> {
+fn skip_list(source: &mut Source<'_>, count: Scalar, item: Scalar) -> Result<f64, Fault> {
     for _ in 0..list_length(source, count)? {
         source.scalar(item)?;
     }
     Ok(0.0)
 }
 
-fn list_length<S: Source>(source: &mut S, count: Scalar) -> Result<u64, Fault> {
+fn list_length(source: &mut Source<'_>, count: Scalar) -> Result<u64, Fault> {
     let count = source.scalar(count)?;
     // Items take at least a byte each, so a length that lies runs into the file's end.
     if count >= 0.0 && count.fract() == 0.0 {
@@ -109,7 +88,7 @@ fn list_length<S: Source>(source: &mut S, count: Scalar) -> Result<u64, Fault> {
 }
 
 #[cold]
-fn explain<S: Source>(fault: Fault, element: &Element, row: u64, source: &S) -> Error {
+fn explain(fault: Fault, element: &Element, row: u64, source: &Source<'_>) -> Error {
     let name = &element.name;
     let kind = match fault {
         Fault::End => ErrorKind::Truncated(format!(
@@ -123,23 +102,31 @@ fn explain<S: Source>(fault: Fault, element: &Element, row: u64, source: &S) -> 
     Error::at(source.place(), kind)
 }
 
-/// A text body: words apart by blanks, wherever lines end.
-pub(super) struct Text<'a> {
-    file: &'a [u8],
-    at: usize,
-}
-
-impl<'a> Text<'a> {
-    pub(super) const fn new(file: &'a [u8], body: usize) -> Self {
-        Self { file, at: body }
+impl<'a> Source<'a> {
+    /// `body` is where in the file the values begin.
+    pub(super) const fn new(file: &'a [u8], body: usize, encoding: Encoding) -> Self {
+        Self { file, at: body, encoding }
     }
-}
 
-impl Source for Text<'_> {
-    const IS_BINARY: bool = false;
-
+    /// The next value. All types fit into f64.
     #[inline]
     fn scalar(&mut self, scalar: Scalar) -> Result<f64, Fault> {
+        match self.encoding {
+            Encoding::Text => self.word(scalar),
+            order => {
+                let end = self.at + scalar.size();
+                let Some(bytes) = self.file.get(self.at..end) else {
+                    self.at = self.file.len();
+                    return Err(Fault::End);
+                };
+                self.at = end;
+                Ok(decode(bytes, scalar, order))
+            }
+        }
+    }
+
+    /// The next word: they stand apart by blanks, wherever lines end.
+    fn word(&mut self, scalar: Scalar) -> Result<f64, Fault> {
         let rest = &self.file[self.at..];
         let start = rest.iter().position(|&byte| !is_blank(byte)).ok_or(Fault::End)?;
         let rest = &rest[start..];
@@ -154,106 +141,97 @@ impl Source for Text<'_> {
         value.ok_or_else(|| Fault::NotANumber(format!("`{}` is no number", shown(word))))
     }
 
-    fn bytes_left(&self) -> usize {
+    /// How many bytes haven't been read.
+    pub(super) fn bytes_left(&self) -> usize {
         self.file.len() - self.at
     }
 
-    fn length(&self) -> u64 {
+    /// How many bytes the whole file has.
+    pub(super) fn length(&self) -> u64 {
         self.file.len() as u64
     }
 
-    fn skip_bytes(&mut self, _: usize) {}
-
-    fn bytes(&self) -> &[u8] {
-        &[]
+    /// Where the last value was.
+    pub(super) fn place(&self) -> Place {
+        match self.encoding {
+            Encoding::Text => Place::Line(line_of(self.file, self.at.saturating_sub(1))),
+            _ => Place::Byte(self.at as u64),
+        }
     }
 
-    fn place(&self) -> Place {
-        Place::Line(line_of(self.file, self.at.saturating_sub(1)))
-    }
-
-    /// A digit for each value, and a blank between two; the last one may be missing.
-    fn least_bytes(element: &Element) -> u64 {
-        (element.properties.len() as u64 * 2).saturating_sub(1)
-    }
-
-    fn decode(_: &[u8], _: Scalar) -> f64 {
-        0.0
-    }
-}
-
-/// A binary body.
-pub(super) struct Binary<'a, const BIG_ENDIAN: bool> {
-    file: &'a [u8],
-    at: usize,
-}
-
-impl<'a, const BIG_ENDIAN: bool> Binary<'a, BIG_ENDIAN> {
-    pub(super) const fn new(file: &'a [u8], body: usize) -> Self {
-        Self { file, at: body }
-    }
-}
-
-impl<const BIG_ENDIAN: bool> Source for Binary<'_, BIG_ENDIAN> {
-    const IS_BINARY: bool = true;
-
-    #[inline]
-    fn scalar(&mut self, scalar: Scalar) -> Result<f64, Fault> {
-        let end = self.at + scalar.size();
-        let Some(bytes) = self.file.get(self.at..end) else {
-            self.at = self.file.len();
-            return Err(Fault::End);
-        };
-        self.at = end;
-        Ok(Self::decode(bytes, scalar))
-    }
-
-    fn bytes_left(&self) -> usize {
-        self.file.len() - self.at
-    }
-
-    fn length(&self) -> u64 {
-        self.file.len() as u64
-    }
-
-    fn skip_bytes(&mut self, count: usize) {
-        self.at = self.at.saturating_add(count).min(self.file.len());
-    }
-
-    fn bytes(&self) -> &[u8] {
-        &self.file[self.at..]
-    }
-
-    fn place(&self) -> Place {
-        Place::Byte(self.at as u64)
-    }
-
-    fn least_bytes(element: &Element) -> u64 {
+    /// The least bytes that a row takes: of text, a digit for each value, and a blank between two;
+    /// the last one may be missing.
+    pub(super) fn least_bytes(&self, element: &Element) -> u64 {
         let least = |kind: Kind| match kind {
             Kind::Scalar(scalar) | Kind::List { count: scalar, .. } => scalar.size() as u64,
         };
-        element.properties.iter().map(|property| least(property.kind)).sum()
+        match self.encoding {
+            Encoding::Text => (element.properties.len() as u64 * 2).saturating_sub(1),
+            _ => element.properties.iter().map(|property| least(property.kind)).sum(),
+        }
     }
 
-    /// `bytes` has the scalar's size at least; otherwise the value is 0.
-    #[inline]
-    fn decode(bytes: &[u8], scalar: Scalar) -> f64 {
-        fn first<const N: usize, const BIG_ENDIAN: bool>(bytes: &[u8]) -> [u8; N] {
-            let mut value = bytes.first_chunk::<N>().copied().unwrap_or([0; N]);
-            if BIG_ENDIAN {
-                value.reverse();
-            }
-            value
+    /// The next `count` rows of `stride` bytes each; text has none, nor has a file that ends before.
+    pub(super) fn table(&self, count: u64, stride: usize) -> Option<Table<'a>> {
+        let size = stride.checked_mul(usize::try_from(count).ok()?)?;
+        let bytes = self.file[self.at..].get(..size);
+        let bytes = bytes.filter(|_| self.encoding != Encoding::Text && stride > 0)?;
+        Some(Table { bytes, stride, order: self.encoding })
+    }
+
+    /// Goes on behind a table.
+    pub(super) fn skip(&mut self, table: &Table<'_>) {
+        self.at += table.bytes.len();
+    }
+}
+
+/// Binary rows that all take the same number of bytes.
+pub(super) struct Table<'a> {
+    bytes: &'a [u8],
+    stride: usize,
+    order: Encoding,
+}
+
+impl<'a> Table<'a> {
+    /// The bytes of the rows.
+    pub(super) fn rows(&self) -> ChunksExact<'a, u8> {
+        self.bytes.par_chunks_exact(self.stride)
+    }
+
+    /// Where a row begins, from the beginning of the table.
+    pub(super) const fn row_at(&self, row: usize) -> usize {
+        row * self.stride
+    }
+
+    /// The bytes of one row, and of those behind it.
+    pub(super) fn row(&self, row: usize) -> &'a [u8] {
+        &self.bytes[self.row_at(row)..]
+    }
+
+    /// The value at a place in a row.
+    pub(super) fn value(&self, row: &[u8], offset: usize, scalar: Scalar) -> f64 {
+        decode(&row[offset..], scalar, self.order)
+    }
+}
+
+/// `bytes` has the scalar's size at least; otherwise the value is 0.
+#[inline]
+fn decode(bytes: &[u8], scalar: Scalar, order: Encoding) -> f64 {
+    fn first<const N: usize>(bytes: &[u8], order: Encoding) -> [u8; N] {
+        let mut value = bytes.first_chunk::<N>().copied().unwrap_or([0; N]);
+        if order == Encoding::Big {
+            value.reverse();
         }
-        match scalar {
-            Scalar::I8 => f64::from(i8::from_le_bytes(first::<1, BIG_ENDIAN>(bytes))),
-            Scalar::U8 => f64::from(u8::from_le_bytes(first::<1, BIG_ENDIAN>(bytes))),
-            Scalar::I16 => f64::from(i16::from_le_bytes(first::<2, BIG_ENDIAN>(bytes))),
-            Scalar::U16 => f64::from(u16::from_le_bytes(first::<2, BIG_ENDIAN>(bytes))),
-            Scalar::I32 => f64::from(i32::from_le_bytes(first::<4, BIG_ENDIAN>(bytes))),
-            Scalar::U32 => f64::from(u32::from_le_bytes(first::<4, BIG_ENDIAN>(bytes))),
-            Scalar::F32 => f64::from(f32::from_le_bytes(first::<4, BIG_ENDIAN>(bytes))),
-            Scalar::F64 => f64::from_le_bytes(first::<8, BIG_ENDIAN>(bytes)),
-        }
+        value
+    }
+    match scalar {
+        Scalar::I8 => f64::from(i8::from_le_bytes(first(bytes, order))),
+        Scalar::U8 => f64::from(u8::from_le_bytes(first(bytes, order))),
+        Scalar::I16 => f64::from(i16::from_le_bytes(first(bytes, order))),
+        Scalar::U16 => f64::from(u16::from_le_bytes(first(bytes, order))),
+        Scalar::I32 => f64::from(i32::from_le_bytes(first(bytes, order))),
+        Scalar::U32 => f64::from(u32::from_le_bytes(first(bytes, order))),
+        Scalar::F32 => f64::from(f32::from_le_bytes(first(bytes, order))),
+        Scalar::F64 => f64::from_le_bytes(first(bytes, order)),
     }
 }

@@ -1,7 +1,7 @@
 //! Vertices: positions, normals, texture coordinates and colours, under the names in use.
 
 use super::header::{Element, Kind, Scalar};
-use super::source::{Source, each_row};
+use super::source::{Source, Table, each_row};
 use crate::{Error, color};
 use luxel_scene::Encoding;
 use rayon::prelude::*;
@@ -123,27 +123,21 @@ pub(super) fn bytes_each(element: &Element) -> u64 {
 
 impl Vertices {
     /// Reads the element; a vertex without coordinates lies at the origin.
-    pub(super) fn read<S: Source>(
-        &mut self,
-        element: &Element,
-        source: &mut S,
-    ) -> Result<(), Error> {
+    pub(super) fn read(&mut self, element: &Element, source: &mut Source<'_>) -> Result<(), Error> {
         let columns = Columns::of(element);
-        match element.stride().filter(|&stride| S::IS_BINARY && stride > 0) {
-            Some(stride) => {
-                // The product was compared with the bytes that follow.
-                let size = stride * element.count as usize;
-                self.read_table::<S>(&columns, &source.bytes()[..size], stride);
-                source.skip_bytes(size);
+        match element.stride().and_then(|stride| source.table(element.count, stride)) {
+            Some(table) => {
+                self.read_table(&columns, &table, element.count as usize);
+                source.skip(&table);
                 Ok(())
             }
             None => self.read_rows(&columns, element, source),
         }
     }
 
-    fn read_table<S: Source>(&mut self, columns: &Columns, table: &[u8], stride: usize) {
-        let value = |row: &[u8], column: Column| S::decode(&row[column.offset..], column.scalar);
-        let rows = || table.par_chunks_exact(stride);
+    fn read_table(&mut self, columns: &Columns, table: &Table<'_>, count: usize) {
+        let value = |row: &[u8], column: Column| table.value(row, column.offset, column.scalar);
+        let rows = || table.rows();
         let single = |row: &[u8], column: Column| value(row, column) as f32;
         match columns.position {
             Some(position) if columns.single() => rows()
@@ -152,7 +146,7 @@ impl Vertices {
             Some(position) => rows()
                 .map(|row| position.map(|column| value(row, column)))
                 .collect_into_vec(&mut self.doubles),
-            None => self.singles = vec![[0.0; 3]; table.len() / stride],
+            None => self.singles = vec![[0.0; 3]; count],
         }
         if let Some(normal) = columns.normal {
             rows()
@@ -169,11 +163,11 @@ impl Vertices {
         }
     }
 
-    fn read_rows<S: Source>(
+    fn read_rows(
         &mut self,
         columns: &Columns,
         element: &Element,
-        source: &mut S,
+        source: &mut Source<'_>,
     ) -> Result<(), Error> {
         // Rows without values take no space in the file, but would take some here.
         let count = if element.properties.is_empty() { 0 } else { element.count as usize };

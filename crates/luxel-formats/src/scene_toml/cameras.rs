@@ -7,7 +7,7 @@ use crate::Error;
 use crate::values::{fov, intrinsics, point, positive, up, view_matrix};
 use glam::DMat4;
 use luxel_scene::{Camera, Lens, Scene, SceneCamera};
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 
 /// Angle of view from bottom to top where nothing is said, in degrees.
 const DEFAULT_FOV_DEGREES: f64 = 45.0;
@@ -18,7 +18,7 @@ pub(super) fn read(
     nodes: &Nodes,
     scene: &Scene,
 ) -> Result<Vec<SceneCamera>, Error> {
-    let mut names = BTreeSet::new();
+    let mut names = HashSet::new();
     let mut cameras = Vec::new();
     for table in document.tables(&CAMERAS)? {
         let name = table.text("name")?.unwrap_or_default().to_owned();

@@ -14,7 +14,7 @@ pub(super) fn read(
     scene: &Scene,
 ) -> Result<Vec<SceneLight>, Error> {
     let mut lights: Vec<SceneLight> = Vec::new();
-    let mut names = std::collections::BTreeSet::new();
+    let mut names = std::collections::HashSet::new();
     for (place, table) in document.tables(&LIGHTS)?.into_iter().enumerate() {
         let light = light(&table, place, nodes, scene)?;
         if !names.insert(light.name.clone()) {

@@ -7,7 +7,7 @@ use crate::memory::Memory;
 use crate::values::{color, nearest, non_negative_f32, reflectance, reflection, unit_interval};
 use crate::{Error, ErrorKind, Place};
 use luxel_scene::{MaterialId, Mesh, MeshId, NodeId, Restyle, Scene, SceneMaterial};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// A change with its name.
 struct Named {
@@ -192,11 +192,11 @@ fn dress(
     memory: &Memory<'_>,
 ) -> Result<(), Error> {
     // A material and the changes on top of it, in order, and which material that makes.
-    let mut dressed: BTreeMap<(u32, Vec<usize>), MaterialId> = BTreeMap::new();
+    let mut dressed: HashMap<(u32, Vec<usize>), MaterialId> = HashMap::new();
     let originals = scene.materials.clone();
     let mut is_taken = vec![false; originals.len()];
     // Which mesh, in which materials, and which mesh that makes.
-    let mut meshes: BTreeMap<(MeshId, Vec<MaterialId>), MeshId> = BTreeMap::new();
+    let mut meshes: HashMap<(MeshId, Vec<MaterialId>), MeshId> = HashMap::new();
     let mut is_first_use = vec![true; scene.meshes.len()];
     for (node, rules) in rules.iter().enumerate() {
         let Some(mesh) = scene.nodes[node].mesh else { continue };

@@ -11,7 +11,7 @@ use luxel_scene::{
     MaterialId, Mesh, MeshId, Node, NodeId, Placement, Scene, SceneCamera, SceneLight, TextureId,
     demos,
 };
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::path::Path;
 
 /// All models, with what is told about them elsewhere.
@@ -60,7 +60,7 @@ pub(super) fn read(
         lights: Vec::new(),
         cameras: Vec::new(),
     };
-    let mut sources: BTreeMap<String, Source> = BTreeMap::new();
+    let mut sources: HashMap<String, Source> = HashMap::new();
     for table in document.tables(&MODELS)? {
         let name = table.text("source")?.unwrap_or_default();
         if !sources.contains_key(name) {

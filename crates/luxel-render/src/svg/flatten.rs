@@ -10,7 +10,7 @@ use crate::pieces::encoded;
 use crate::primitives::twice_area;
 use crate::shade::{Batch, Kept, Scene16, shade};
 use luxel_lighting::Silent;
-use luxel_math::{LANES, Level, SUBPIXELS, Simd, dispatch, f32x16, prelude::*};
+use luxel_math::{LANES, Level, SUBPIXELS, Simd, dispatch_long, f32x16, prelude::*};
 use luxel_scene::AlphaMode;
 use luxel_visibility::{TriangleId, TriangleOf};
 
@@ -66,7 +66,7 @@ impl<'a> Sampler<'a> {
             batch.y[lane] = (place[1] - f64::from(batch.origin[1])) as f32;
         }
         let Self { scene, level, kept } = self;
-        let lit = dispatch!(*level, simd => lit(simd, scene, &batch, kept));
+        let lit = dispatch_long!(*level, simd => lit(simd, scene, &batch, kept));
         let encoding = scene.encoding;
         let mut colors = [[0.0; 4]; LANES];
         for (lane, color) in colors.iter_mut().enumerate().take(places.len()) {
