@@ -46,6 +46,7 @@ impl Console {
     }
 
     /// Whether a progress bar may appear.
+    #[cfg(feature = "progress")]
     pub(crate) fn shows_progress(self) -> bool {
         !self.quiet && std::io::stderr().is_terminal()
     }

@@ -14,6 +14,7 @@ mod model;
 mod navigation;
 mod options;
 mod output;
+mod progress;
 mod scene_file;
 mod surface;
 mod values;

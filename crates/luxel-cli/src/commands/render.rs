@@ -13,10 +13,10 @@ use crate::options::{
     ModeOptions, PictureOptions, ShadingOptions,
 };
 use crate::output;
+use crate::progress::Progress;
 use crate::surface;
 use crate::view;
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use luxel::render::{
     Edges, Layer, LayerImage, Legend, PictureError, RenderError, Renderer, Subdivision, SvgOptions,
     View, write_layers, write_linear, write_rgba8,
@@ -154,7 +154,7 @@ impl RenderCommand {
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         watch.lap("prepare");
 
-        let progress = progress(console, cameras.len());
+        let progress = Progress::new(console, cameras.len(), "pictures");
         let mut files = Vec::new();
         let mut legend = None;
         let mut subdivision = None;
@@ -176,9 +176,9 @@ impl RenderCommand {
             subdivision = subdivision.or(drawn.subdivision);
             vectors = vectors.or(drawn.svg);
             watch.lap("write");
-            progress.inc(1);
+            progress.step();
         }
-        progress.finish_and_clear();
+        progress.finish();
         console.detail(&watch.to_string());
         if let Some(told) = subdivision {
             let Subdivision { triangles, largest_error, beyond, beyond_pixels } = told;
@@ -362,16 +362,4 @@ fn check_memory(command: &RenderCommand, target: &Target) -> Result<(), Failure>
         format!("a picture of {width}x{height} would take {needed} bytes; the limit is {limit}"),
         "make it smaller with --size, or raise the limit with --max-memory",
     ))
-}
-
-/// A bar for work of many pictures, on a terminal only.
-fn progress(console: Console, frames: usize) -> ProgressBar {
-    if frames < 2 || !console.shows_progress() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(frames as u64);
-    match ProgressStyle::with_template("{bar:40} {pos}/{len} pictures, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }

@@ -9,6 +9,7 @@ mod damaged;
 mod explain;
 mod explain_pages;
 mod explain_terms;
+#[cfg(feature = "gallery")]
 mod gallery;
 mod info;
 mod models;

@@ -1,0 +1,83 @@
+//! The picture book, made and written.
+
+use super::GalleryCommand;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::Progress;
+use crate::view;
+use luxel_gallery::{Error, File, Gallery, Pair, Reproduced};
+use serde_json::{Value, json};
+use std::fs;
+use std::io;
+use std::path::Path;
+
+impl GalleryCommand {
+    pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+        if self.output == "-" {
+            let message = "a gallery is many files: name a folder with -o";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let folder = Path::new(&self.output);
+        check(folder)?;
+        self.execution.limit_threads();
+        let bar = Progress::new(console, Gallery::STEPS, "chapters");
+        let gallery = Gallery::make(&view::execution(&self.execution), || bar.step())
+            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        bar.finish();
+        if !folder.is_dir() {
+            fs::create_dir(folder).map_err(|error| Failure::writing(folder, &error))?;
+        }
+        // The page last: whoever sees it finds all that it shows.
+        for file in gallery.files.iter().rev() {
+            output::write_file(&folder.join(&file.name), &file.bytes)?;
+        }
+        let page = folder.join("index.html");
+        console.detail(&format!("{} files, begin with {}", gallery.files.len(), page.display()));
+        if self.json {
+            output::print_json(&to_json(&gallery, folder))?;
+        }
+        Ok(())
+    }
+}
+
+/// Says before any work is done that nothing can be written there.
+fn check(folder: &Path) -> Result<(), Failure> {
+    match fs::metadata(folder) {
+        Ok(there) if there.is_dir() => Ok(()),
+        Ok(_) => {
+            let what = format!("{}: is no folder", folder.display());
+            Err(Failure::work(what, "choose another place with -o"))
+        }
+        Err(error) if error.kind() == io::ErrorKind::NotFound => output::check_folder(folder),
+        Err(error) => Err(Failure::writing(folder, &error)),
+    }
+}
+
+fn to_json(gallery: &Gallery, folder: &Path) -> Value {
+    let file = |file: &File| {
+        let path = folder.join(&file.name);
+        json!({ "file": path.to_string_lossy(), "bytes": file.bytes.len() })
+    };
+    let drawn = |picture: &Reproduced| json!({ "file": picture.file, "command": picture.command });
+    let error = |error: &Error| json!({ "largest": error.largest, "mean": error.mean });
+    let pair = |pair: &Pair| {
+        // Where nothing is left of an error there is no number.
+        let [largest, mean] = pair.times_better().map(|times| times.is_finite().then_some(times));
+        json!({
+            "name": pair.name,
+            "measure": pair.measure,
+            "problem": error(&pair.problem),
+            "cure": error(&pair.cure),
+            "times_better": { "largest": largest, "mean": mean },
+            "enough": pair.is_enough(),
+            "because": if pair.is_enough() { None } else { pair.because },
+        })
+    };
+    json!({
+        "page": folder.join("index.html").to_string_lossy(),
+        "files": gallery.files.iter().map(file).collect::<Vec<_>>(),
+        "pairs": gallery.pairs.iter().map(pair).collect::<Vec<_>>(),
+        "commands": gallery.reproduced.iter().map(drawn).collect::<Vec<_>>(),
+    })
+}

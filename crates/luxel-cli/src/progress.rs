@@ -1,0 +1,47 @@
+//! A bar that tells how far long work is: on a terminal only, and only in builds that have it.
+
+use crate::console::Console;
+
+/// How far work of several steps is.
+pub(crate) struct Progress {
+    #[cfg(feature = "progress")]
+    bar: indicatif::ProgressBar,
+}
+
+#[cfg(feature = "progress")]
+impl Progress {
+    /// Nothing is shown for a single step.
+    pub(crate) fn new(console: Console, steps: usize, unit: &str) -> Self {
+        use indicatif::{ProgressBar, ProgressStyle};
+        if steps < 2 || !console.shows_progress() {
+            return Self { bar: ProgressBar::hidden() };
+        }
+        let bar = ProgressBar::new(steps as u64);
+        let template = format!("{{bar:40}} {{pos}}/{{len}} {unit}, {{eta}} left");
+        match ProgressStyle::with_template(&template) {
+            Ok(style) => Self { bar: bar.with_style(style) },
+            Err(_) => Self { bar },
+        }
+    }
+
+    /// One more step is done.
+    pub(crate) fn step(&self) {
+        self.bar.inc(1);
+    }
+
+    /// Takes the bar away.
+    pub(crate) fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+#[cfg(not(feature = "progress"))]
+impl Progress {
+    pub(crate) fn new(_: Console, _: usize, _: &str) -> Self {
+        Self {}
+    }
+
+    pub(crate) fn step(&self) {}
+
+    pub(crate) fn finish(&self) {}
+}
