@@ -32,6 +32,8 @@ pub enum Kind {
     NormalBehindFace,
     /// Faces of which their vertex normals know nothing.
     UnrepresentativeNormals,
+    /// Folds that vertex normals average away.
+    HiddenFold,
     /// Long thin triangles that show as streaks or dots.
     Sliver,
     /// Faces that hold a highlight which their vertices miss.
@@ -44,7 +46,7 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order in which they are told.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::DegenerateFace,
         Self::DuplicateFace,
         Self::InconsistentWinding,
@@ -58,6 +60,7 @@ impl Kind {
         Self::NonUnitNormal,
         Self::NormalBehindFace,
         Self::UnrepresentativeNormals,
+        Self::HiddenFold,
         Self::Sliver,
         Self::MissedHighlight,
         Self::ScreenDrift,
@@ -81,6 +84,7 @@ impl Kind {
             Self::NonUnitNormal => "non-unit-normal",
             Self::NormalBehindFace => "normal-behind-face",
             Self::UnrepresentativeNormals => "unrepresentative-normals",
+            Self::HiddenFold => "hidden-fold",
             Self::Sliver => "sliver",
             Self::MissedHighlight => "missed-highlight",
             Self::ScreenDrift => "screen-drift",
@@ -129,13 +133,17 @@ impl Kind {
                 "triangles that face another way than the average of their vertex normals: shading \
                  shows a shape that isn't there"
             }
+            Self::HiddenFold => {
+                "edges at which faces turn sharply while their vertex normals don't: shading shows \
+                 a smooth sheet"
+            }
             Self::Sliver => {
                 "long thin triangles whose corners disagree with the edge that they almost lie in, \
                  or thinner than a thousandth of their length: they show as streaks or dots"
             }
             Self::MissedHighlight => {
-                "triangles that can hold a highlight which none of their vertices sees: shading \
-                 per vertex loses it"
+                "triangles that hold, or can hold, a highlight which none of their vertices sees: \
+                 shading per vertex loses it"
             }
             Self::ScreenDrift => {
                 "triangles that reach so far into the depth that colours and textures slide over \
@@ -169,6 +177,7 @@ impl Kind {
                 "split vertices at sharp edges (--normals area-angle --crease 40), or refine the \
                  mesh"
             }
+            Self::HiddenFold => "split vertices at sharp edges (--normals area-angle --crease 40)",
             Self::Sliver => "divide them across, or flip the diagonals of their neighbours",
             Self::MissedHighlight => "shade per pixel (--shading phong), or refine the mesh",
             Self::ScreenDrift => {

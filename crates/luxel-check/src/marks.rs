@@ -27,6 +27,7 @@ impl Kind {
             Self::UndefinedNormal | Self::NonUnitNormal => [0.6, 0.95, 0.1],
             Self::NormalBehindFace => [0.1, 0.85, 0.12],
             Self::UnrepresentativeNormals => [0.04, 0.5, 0.2],
+            Self::HiddenFold => [0.15, 0.75, 0.45],
             Self::Sliver => [0.75, 0.55, 0.2],
             Self::MissedHighlight => [0.95, 0.9, 0.6],
             Self::ScreenDrift => [0.6, 0.35, 0.1],

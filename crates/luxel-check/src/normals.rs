@@ -29,8 +29,15 @@ pub(crate) fn of_corners(mesh: &Mesh) -> Vec<[DVec3; 3]> {
     mesh.attribute_corners().par_iter().map(|corners| corners.map(normal)).collect()
 }
 
-/// Compares the normals of corners, which are those of the mesh as it is drawn, with their faces; those left out, and those that are flipped as
-/// a whole, have been told of.
+/// A face's own normal, on the side that most of its vertices take for the front.
+pub(crate) fn facing(surface: &Surface<'_>, normals: &[[DVec3; 3]], triangle: usize) -> DVec3 {
+    let face = surface.area_vector(triangle as u32).normalize_or_zero();
+    let sum: DVec3 = normals[triangle].iter().sum();
+    if face.dot(sum) < 0.0 { -face } else { face }
+}
+
+/// Compares the normals of corners, which are those of the mesh as it is drawn, with their faces;
+/// those left out, and those that are flipped as a whole, have been told of.
 pub(crate) fn examine(
     surface: &Surface<'_>,
     drawn: &Mesh,
@@ -38,12 +45,7 @@ pub(crate) fn examine(
     is_left_out: &[bool],
 ) -> Normals {
     let least = libm::cos(UNREPRESENTATIVE_DEGREES.to_radians());
-    // The face's own normal, on the side that most of its vertices take for the front.
-    let face = |triangle: usize| {
-        let face = surface.area_vector(triangle as u32).normalize_or_zero();
-        let sum: DVec3 = normals[triangle].iter().sum();
-        if face.dot(sum) < 0.0 { -face } else { face }
-    };
+    let face = |triangle: usize| facing(surface, normals, triangle);
     let kept = |triangle: &usize| !is_left_out[*triangle];
     let corners = drawn.attribute_corners();
     let behind = |triangle: usize| {

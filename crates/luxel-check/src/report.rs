@@ -4,14 +4,16 @@ use crate::cure;
 use crate::drift;
 use crate::faces;
 use crate::finding::{Finding, Kind, Place};
+use crate::folds;
 use crate::gaps::{self, Gaps};
 use crate::highlight;
+use crate::lost;
 use crate::normals;
-use crate::severity::{Pictures, largest_difference};
+use crate::severity::Pictures;
 use crate::silhouette::{self, Sight};
 use crate::surface::{Edges, HalfEdge, Surface};
 use crate::winding;
-use luxel_render::{Execution, Interpolation, Renderer, Shading, ShadingMode, View};
+use luxel_render::{Execution, Interpolation, View};
 use luxel_scene::{DVec3, Mesh, NormalOptions, NormalSource, Object, Scene};
 use rayon::prelude::*;
 
@@ -105,39 +107,12 @@ pub fn check(scene: &Scene, setup: &Setup) -> Report {
             report.findings.push(finding);
         }
     }
-    measure_shading(&mut report, scene, setup);
+    lost::measure(&mut report, scene, setup);
     report
 }
 
-/// What the view's shading and interpolation make worse, by drawing the view with the best of them.
-fn measure_shading(report: &mut Report, scene: &Scene, setup: &Setup) {
-    let is_of_shading = |kind| matches!(kind, Kind::MissedHighlight | Kind::ScreenDrift);
-    if !report.findings.iter().any(|finding| is_of_shading(finding.kind)) {
-        return;
-    }
-    let mut drawn = scene.clone();
-    drawn.compute_normals(&setup.normals);
-    drawn.compute_tangents();
-    let Ok(renderer) = Renderer::new(&drawn, &setup.execution) else { return };
-    let draw = |shading: Shading| {
-        renderer.rgba8(&View { shading, ..setup.view.clone() }).ok().map(|picture| picture.pixels)
-    };
-    let as_asked = setup.view.shading;
-    let before = draw(as_asked);
-    for finding in report.findings.iter_mut().filter(|finding| is_of_shading(finding.kind)) {
-        let better = if finding.kind == Kind::MissedHighlight {
-            Shading { mode: ShadingMode::Phong, ..as_asked }
-        } else {
-            Shading { interpolation: Interpolation::Perspective, ..as_asked }
-        };
-        if let (Some(before), Some(after)) = (&before, draw(better)) {
-            finding.severity = Some(largest_difference(before, &after));
-        }
-    }
-}
-
 /// Where something is, in the world.
-fn place(number: u32, object: &Object, mesh: &Mesh, spot: Spot) -> Place {
+pub(crate) fn place(number: u32, object: &Object, mesh: &Mesh, spot: Spot) -> Place {
     let corner = |triangle: u32, k: usize| mesh.position(mesh.triangles[triangle as usize][k]);
     let (triangle, position) = match spot {
         Spot::Triangle(triangle) => {
@@ -222,6 +197,10 @@ impl<'a> Examination<'a> {
         }
         self.leave_out_normal_maps(&mut is_told);
         let normals = normals::examine(&self.surface, &self.drawn, &self.normals, &is_told);
+        for &triangle in &normals.unrepresentative {
+            is_told[triangle as usize] = true;
+        }
+        let folds = folds::hidden(&self.surface, edges, &self.normals, &is_told);
         let vertices = if self.mesh.normals.is_empty() {
             normals::seams(&self.surface, &self.normals)
         } else {
@@ -253,6 +232,8 @@ impl<'a> Examination<'a> {
             .of(normals.unrepresentative.is_empty() || !self.has_file_normals, || {
                 cure::with_new_normals(self.mesh)
             });
+        let of_folds = measure
+            .of(folds.is_empty() || !self.has_file_normals, || cure::with_new_normals(self.mesh));
 
         self.add(Kind::DegenerateFace, of_degenerate, triangles(&degenerate));
         self.add(Kind::DuplicateFace, of_duplicates, triangles(&duplicates));
@@ -282,6 +263,7 @@ impl<'a> Examination<'a> {
         self.add(Kind::NormalBehindFace, of_behind, behind);
         let unrepresentative = triangles(&normals.unrepresentative);
         self.add(Kind::UnrepresentativeNormals, of_unrepresentative, unrepresentative);
+        self.add(Kind::HiddenFold, of_folds, half_edges(&folds));
         self.add(Kind::Sliver, None, triangles(&slivers));
         let highlights = highlights.iter().map(|(triangle, _)| Spot::Triangle(*triangle)).collect();
         self.add(Kind::MissedHighlight, None, highlights);
@@ -330,8 +312,7 @@ impl<'a> Examination<'a> {
     /// Triangles that can lose a highlight, with what they lose.
     fn missed_highlights(&self, is_left_out: &[bool]) -> Vec<(u32, f32)> {
         let mut found = Vec::new();
-        let mode = self.setup.view.shading.mode;
-        if !matches!(mode, ShadingMode::Gouraud | ShadingMode::Subdivided { .. }) {
+        if !lost::lights_vertices(self.setup.view.shading.mode) {
             return found;
         }
         for part in &self.mesh.parts {

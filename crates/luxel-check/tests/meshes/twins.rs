@@ -266,8 +266,30 @@ fn faces_of_which_their_normals_know_nothing_are_counted() {
         mesh.normals = vec![[0.0, 1.0, 0.0]; mesh.positions.len()];
         mesh
     };
-    assert_eq!(counts(zigzag(1.0)), [], "45 degrees are a bump");
+    assert_eq!(counts(zigzag(0.3)), [], "17 degrees are a bump");
     assert_eq!(counts(zigzag(2.5)), [(Kind::UnrepresentativeNormals, 128)]);
+}
+
+#[test]
+fn folds_that_normals_average_away_are_counted_and_seen() {
+    let zigzag = |slope: f32| {
+        field(8, |x, _| if (x * 8.0).round() as u32 % 2 == 1 { slope / 8.0 } else { 0.0 })
+    };
+    // Seven folds of 90 degrees, each over eight cells.
+    let upright =
+        Mesh { normals: vec![[0.0, 1.0, 0.0]; zigzag(1.0).positions.len()], ..zigzag(1.0) };
+    let report = checked(upright);
+    let found: Vec<_> = report.findings.iter().map(|f| (f.kind, f.count)).collect();
+    assert_eq!(found, [(Kind::HiddenFold, 56)]);
+    assert!(severity(&report, Kind::HiddenFold) > 30.0);
+    assert_eq!(counts(zigzag(1.0)), [], "normals split at folds show them");
+    // A box whose normals are averages is badly shaded, but its edges show.
+    let cube = luxel_scene::primitives::cuboid([1.0; 3].into());
+    let diagonal = |position: &[f32; 3]| position.map(|x| x.signum() / 3.0_f32.sqrt());
+    let normals = cube.positions.iter().map(diagonal).collect();
+    let cube =
+        Mesh { normals, positions: cube.positions, triangles: cube.triangles, ..Mesh::default() };
+    assert!(!counts(cube).iter().any(|(kind, _)| *kind == Kind::HiddenFold));
 }
 
 #[test]
@@ -319,6 +341,20 @@ fn highlights_between_vertices_are_lost_where_vertices_are_lit() {
     let count = ball().triangles.len() as u64;
     assert_eq!(shiny(ball_with_normals(), 400.0), [(Kind::MissedHighlight, count)]);
     assert_eq!(shiny(ball_with_normals(), 2.0), []);
+}
+
+#[test]
+fn a_highlight_that_a_lamp_puts_inside_a_flat_face_is_missed_by_its_corners() {
+    let found = |name: &str| {
+        let mut scene = luxel_scene::demos::demo(name).unwrap();
+        scene.compute_normals(&Default::default());
+        let mut asked = setup(&scene);
+        asked.view.lights = scene.lights.clone();
+        asked.view.shading.mode = ShadingMode::Gouraud;
+        let report = check(&scene, &asked);
+        report.findings.iter().map(|found| (found.kind, found.count)).collect::<Vec<_>>()
+    };
+    assert_eq!(found("lab-lamp"), [(Kind::MissedHighlight, 2)]);
 }
 
 #[test]
