@@ -4,9 +4,9 @@ use crate::normals::facing;
 use crate::surface::{Edges, HalfEdge, Surface};
 use luxel_scene::DVec3;
 
-/// Flatter folds than this may well be meant to look smooth: normals that luxel computes are split
-/// at sharper ones.
-const LEAST_FOLD_DEGREES: f64 = 40.0;
+/// Flatter folds than this may well be meant to look smooth, or be the noise of a scan: here each
+/// face is lit thirty degrees beside its own normal.
+const LEAST_FOLD_DEGREES: f64 = 60.0;
 
 /// The part of a fold's angle that shading shows at least where it shows a fold. On a smooth surface
 /// the averages of two neighbours' normals turn by as much as the faces do.

@@ -80,7 +80,7 @@ pub fn reflected<N: Number, W: Witness<N>>(
         let arrival = placed.arrival(point.position);
         let n_dot_l = point.normal.dot(arrival.to_light);
         let incidence = Incidence { to_light: arrival.to_light, n_dot_l };
-        let part = surface.reflected(reflection, &incidence);
+        let part = surface.reflected(reflection, &incidence, witness);
         let factor = arrival.attenuation * arrival.spot;
 
         let ambient = ambient_share * Rgb::splat(like, light.ambient) * factor;
@@ -106,7 +106,7 @@ pub fn reflected<N: Number, W: Witness<N>>(
     }
     let environment = match reflection {
         Reflection::Unlit => Rgb::black(like),
-        _ => surface.mirrored(reflection, &surroundings.environment),
+        _ => surface.mirrored(reflection, &surroundings.environment, witness),
     };
     let sum = finite(sum + environment);
     witness.terms(&Terms { emission, scene_ambient, environment, sum });

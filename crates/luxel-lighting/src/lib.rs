@@ -39,4 +39,6 @@ pub use light::{Attenuation, Cone, Light, LightKind};
 pub use material::{Material, Reflection};
 pub use placed::PlacedLight;
 pub use surface::{Reflectance, SurfacePoint};
-pub use witness::{Ledger, LedgerLight, LightTerms, Silent, Terms, Witness};
+pub use witness::{
+    Ledger, LedgerLight, LightTerms, Lobe, MirrorTerms, PartTerms, Silent, Terms, Witness,
+};

@@ -51,7 +51,7 @@ impl Reflection {
 
     /// One of the models that are summed, with its weight, kept within 1e3.
     #[inline(always)]
-    pub(crate) fn part(&self, index: usize) -> (&Self, f32) {
+    pub fn part(&self, index: usize) -> (&Self, f32) {
         match self {
             Self::Mixed(parts) => {
                 let (part, weight) = &parts[index];

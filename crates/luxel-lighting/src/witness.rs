@@ -26,6 +26,52 @@ pub struct LightTerms<N> {
     pub specular: Rgb<N>,
 }
 
+/// What a model of reflection makes of one light, before the light's intensity and its fading.
+///
+/// A mix has several parts, all other models one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PartTerms<N> {
+    /// w: how much of the part is in the mix; 1 outside of mixes.
+    pub weight: f32,
+    /// The factor of I_d, not weighted.
+    pub diffuse: Rgb<N>,
+    /// The factor of I_s, not weighted.
+    pub specular: Rgb<N>,
+    /// The cosine of the highlight as it is: R.V, N.H or V.L; `None` where the model has none.
+    pub specular_cosine: Option<N>,
+    /// Factors that only this model has.
+    pub lobe: Lobe<N>,
+}
+
+/// Factors that only some models of reflection have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lobe<N> {
+    /// Nothing beyond cosines and their powers.
+    Plain,
+    /// Oren and Nayar's A + B max(cos(phi_r - phi_i), 0) sin(alpha) tan(beta).
+    Rough(N),
+    /// Torrance and Sparrow's facets.
+    Facets {
+        /// pi D: how many of the facets mirror the light to the eye.
+        pi_d: N,
+        /// V: masking and shadowing, over 4 (N.L) (N.V).
+        visibility: N,
+        /// F: what they reflect.
+        fresnel: Rgb<N>,
+    },
+}
+
+/// What a model mirrors of the environment, before k_s O_s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MirrorTerms<N> {
+    /// w: how much of it is in the mix; 1 outside of mixes.
+    pub weight: f32,
+    /// The part that is mirrored: F0 A + B of a microfacet surface, 1 of a mirror.
+    pub share: Rgb<N>,
+    /// E(R), as blurred as the surface is rough.
+    pub radiance: Rgb<N>,
+}
+
 /// The terms that belong to no single light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Terms<N> {
@@ -42,6 +88,19 @@ pub struct Terms<N> {
 
 /// Hears every term of the equation. Each method does nothing unless it is written.
 pub trait Witness<N> {
+    /// A part of the model, by its place in the mix, for the light that [`Self::light`] tells of
+    /// next.
+    #[inline(always)]
+    fn part(&mut self, index: usize, terms: &PartTerms<N>) {
+        let _ = (index, terms);
+    }
+
+    /// A part of the model that mirrors the environment, by its place in the mix.
+    #[inline(always)]
+    fn mirror(&mut self, index: usize, terms: &MirrorTerms<N>) {
+        let _ = (index, terms);
+    }
+
     /// The terms of the light at this place of the list.
     #[inline(always)]
     fn light(&mut self, index: usize, terms: &LightTerms<N>) {
@@ -78,6 +137,10 @@ impl<N> Witness<N> for Silent {}
 pub struct Ledger {
     /// What each light adds, in the order of the list.
     pub lights: Vec<LedgerLight>,
+    /// What is mirrored of the environment, by the parts of the model.
+    pub mirrors: Vec<(usize, MirrorTerms<f32>)>,
+    /// The parts of the light that comes next.
+    parts: Vec<(usize, PartTerms<f32>)>,
     /// What the surface sends of its own.
     pub emission: [f32; 3],
     /// I_a k_a O_a
@@ -97,13 +160,24 @@ pub struct Ledger {
 pub struct LedgerLight {
     /// The place in the list of lights.
     pub index: usize,
+    /// What the parts of the model make of it, by their place in the mix.
+    pub parts: Vec<(usize, PartTerms<f32>)>,
     /// The terms.
     pub terms: LightTerms<f32>,
 }
 
 impl Witness<f32> for Ledger {
     fn light(&mut self, index: usize, terms: &LightTerms<f32>) {
-        self.lights.push(LedgerLight { index, terms: *terms });
+        let parts = std::mem::take(&mut self.parts);
+        self.lights.push(LedgerLight { index, parts, terms: *terms });
+    }
+
+    fn part(&mut self, index: usize, terms: &PartTerms<f32>) {
+        self.parts.push((index, *terms));
+    }
+
+    fn mirror(&mut self, index: usize, terms: &MirrorTerms<f32>) {
+        self.mirrors.push((index, *terms));
     }
 
     fn terms(&mut self, terms: &Terms<f32>) {

@@ -187,13 +187,12 @@ macro_rules! dispatch_long {
                 || $kernel,
             ),
             level => match level.as_sse2() {
-                #[cfg(not(disable_dispatch_sse2))]
                 Some($simd) => $crate::Simd::vectorize(
                     $simd,
                     #[inline(always)]
                     || $kernel,
                 ),
-                _ => unreachable!("every level of these machines has SSE2"),
+                None => unreachable!("every level of these machines has SSE2"),
             },
         }
     };

@@ -6,7 +6,7 @@ use crate::ledger::{EvaluatedAt, ExplainedLight};
 use crate::shade::Scene16;
 use crate::triangles::{Corner, SeenTriangle};
 use crate::vertex::light_at;
-use luxel_lighting::{LightTerms, Reflectance};
+use luxel_lighting::{LightTerms, MirrorTerms, Reflectance};
 use luxel_math::{Rgb, Vec3};
 use luxel_scene::SceneLight;
 
@@ -33,6 +33,7 @@ pub(crate) fn evaluated_at(
         emission: ledger.emission,
         scene_ambient: ledger.scene_ambient,
         environment: ledger.environment,
+        mirrors: ledger.mirrors.clone(),
         sum: ledger.sum,
         light,
     }
@@ -44,6 +45,7 @@ pub(crate) struct Interpolated {
     pub(crate) emission: [f32; 3],
     pub(crate) scene_ambient: [f32; 3],
     pub(crate) environment: [f32; 3],
+    pub(crate) mirrors: Vec<(usize, MirrorTerms<f32>)>,
     pub(crate) lights: Vec<ExplainedLight>,
 }
 
@@ -75,6 +77,7 @@ impl Interpolated {
                 light: first.light.clone(),
                 position: first.position,
                 direction: first.direction,
+                parts: Vec::new(),
                 terms: LightTerms {
                     to_light: if places.len() == 1 {
                         first.terms.to_light
@@ -102,6 +105,7 @@ impl Interpolated {
             emission: color(&|place| place.emission),
             scene_ambient: color(&|place| place.scene_ambient),
             environment: color(&|place| place.environment),
+            mirrors: Vec::new(),
             lights: (0..count).map(light).collect(),
         }
     }

@@ -18,7 +18,8 @@ use crate::surface::SurfaceWitness;
 use crate::view::{ShadingMode, View};
 use crate::worker::{Worker, bytes_of};
 use luxel_lighting::{
-    Ledger, LedgerLight, LightKind, LightTerms, Reflectance, SurfacePoint, Terms, Witness,
+    Ledger, LedgerLight, LightKind, LightTerms, MirrorTerms, PartTerms, Reflectance, SurfacePoint,
+    Terms, Witness,
 };
 use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
@@ -260,6 +261,7 @@ impl PixelScene<'_> {
             emission: lit.terms.emission,
             scene_ambient: lit.terms.scene_ambient,
             environment: lit.terms.environment,
+            mirrors: lit.terms.mirrors,
             sum: lit.sum,
             fog: lit.fog,
             color: lit.color,
@@ -320,6 +322,7 @@ impl Lit {
                 emission: written.ledger.emission,
                 scene_ambient: written.ledger.scene_ambient,
                 environment: written.ledger.environment,
+                mirrors: written.ledger.mirrors.clone(),
                 lights: written.explained_lights(scene, eye, lights),
             }
         } else {
@@ -392,6 +395,7 @@ impl Written {
                 light: lights[entry.index].light.clone(),
                 position: [0, 1, 2].map(|axis| eye[axis] + f64::from(about_eye[axis])),
                 direction: placed.direction(),
+                parts: entry.parts.clone(),
                 terms: entry.terms,
             }
         };
@@ -400,6 +404,14 @@ impl Written {
 }
 
 impl Witness<f32> for Written {
+    fn part(&mut self, index: usize, terms: &PartTerms<f32>) {
+        self.ledger.part(index, terms);
+    }
+
+    fn mirror(&mut self, index: usize, terms: &MirrorTerms<f32>) {
+        self.ledger.mirror(index, terms);
+    }
+
     fn light(&mut self, index: usize, terms: &LightTerms<f32>) {
         self.ledger.light(index, terms);
     }

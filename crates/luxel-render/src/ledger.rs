@@ -16,7 +16,9 @@
 //!    (1 - t) / N.
 //! 5. `rgba8` is [`PictureEncoding::byte`](luxel_lighting::PictureEncoding::byte) of it.
 
-use luxel_lighting::{Cone, Light, LightKind, LightTerms, Material, Reflectance};
+use luxel_lighting::{
+    Cone, Light, LightKind, LightTerms, Material, MirrorTerms, PartTerms, Reflectance,
+};
 
 /// Why a pixel has its colour.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,6 +105,9 @@ pub struct ExplainedSurface {
     pub scene_ambient: [f32; 3],
     /// What the surface mirrors of the environment.
     pub environment: [f32; 3],
+    /// What the parts of the model mirror, by their place in the mix; empty where light is
+    /// interpolated between other places.
+    pub mirrors: Vec<(usize, MirrorTerms<f32>)>,
     /// The sum of all terms.
     pub sum: [f32; 3],
     /// s and I_dc, where there is fog.
@@ -134,6 +139,9 @@ pub struct EvaluatedAt {
     pub scene_ambient: [f32; 3],
     /// What the surface mirrors of the environment.
     pub environment: [f32; 3],
+    /// What the parts of the model mirror, by their place in the mix; empty where light is
+    /// interpolated between other places.
+    pub mirrors: Vec<(usize, MirrorTerms<f32>)>,
     /// The sum of all terms.
     pub sum: [f32; 3],
     /// The sum as it is interpolated: clamped, unless the view says otherwise.
@@ -163,6 +171,9 @@ pub struct ExplainedLight {
     /// The direction in which its light travels, of unit length, in world space; of a point light
     /// it means nothing.
     pub direction: [f32; 3],
+    /// What the parts of the model of reflection make of it, by their place in the mix; empty where
+    /// light is interpolated between other places.
+    pub parts: Vec<(usize, PartTerms<f32>)>,
     /// Factors and products.
     pub terms: LightTerms<f32>,
 }

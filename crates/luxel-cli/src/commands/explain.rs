@@ -5,6 +5,7 @@ mod hidden;
 mod html;
 mod json;
 mod latex;
+mod rows;
 mod text;
 mod words;
 

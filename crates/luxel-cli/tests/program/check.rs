@@ -145,7 +145,7 @@ const MODELS: &[(&str, &[&str])] = &[
     ("spot/spot.obj", &[]),
     ("two_objects_ascii.stl", &[]),
     ("teapot.obj", &["duplicate-vertex"]),
-    ("suzanne.ply", &["unrepresentative-normals"]),
+    ("suzanne.ply", &["unrepresentative-normals", "hidden-fold"]),
     ("featuretype.STL", &["crack", "sliver"]),
     ("octagonal_pocket.stl", &["crack", "sliver"]),
 ];

@@ -1,6 +1,7 @@
 //! Torrance-Sparrow reflection with GGX facets: glTF's metallic-roughness material.
 
 use super::{Incidence, Reflected, Surface, any_lit};
+use crate::witness::Lobe;
 use luxel_math::{Number, Rgb};
 
 /// F0 of dielectrics: an index of refraction of 1.5 (glTF 2.0, appendix B.3.4).
@@ -35,6 +36,7 @@ pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N
             diffuse: Rgb::black(like),
             specular: Rgb::black(like),
             specular_cosine: Some(n_dot_h),
+            lobe: Lobe::Plain,
         };
     }
     let n_dot_l = incidence.n_dot_l.limited(0.0, 1.0);
@@ -66,6 +68,7 @@ pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N
         diffuse: surface.diffuse * (white - fresnel) * ((like.one() - surface.metallic) * n_dot_l),
         specular: surface.specular * fresnel * (pi_d * visibility * n_dot_l),
         specular_cosine: Some(n_dot_h),
+        lobe: Lobe::Facets { pi_d, visibility, fresnel },
     }
 }
 

@@ -10,7 +10,8 @@ mod oren_nayar;
 mod phong;
 
 use crate::environment::split_sum;
-use crate::{Environment, Material, Reflectance, Reflection, SurfacePoint};
+use crate::witness::{Lobe, MirrorTerms, PartTerms};
+use crate::{Environment, Material, Reflectance, Reflection, SurfacePoint, Witness};
 use luxel_math::{Mask, Number, Rgb, Vec3};
 
 /// Coefficients of reflection beyond this are taken as this, so that no product overflows.
@@ -52,6 +53,8 @@ pub(crate) struct Reflected<N> {
     pub(crate) specular: Rgb<N>,
     /// The cosine of the highlight as it is.
     pub(crate) specular_cosine: Option<N>,
+    /// Factors of the model's own.
+    pub(crate) lobe: Lobe<N>,
 }
 
 /// A light as one surface point meets it.
@@ -89,20 +92,24 @@ impl<N: Number> Surface<N> {
 
     /// What goes to the eye of a light.
     #[inline(always)]
-    pub(crate) fn reflected(
+    pub(crate) fn reflected<W: Witness<N>>(
         &self,
         reflection: &Reflection,
         incidence: &Incidence<N>,
+        witness: &mut W,
     ) -> Reflected<N> {
         let like = self.n_dot_v;
         let mut whole = Reflected {
             diffuse: Rgb::black(like),
             specular: Rgb::black(like),
             specular_cosine: None,
+            lobe: Lobe::Plain,
         };
         for index in 0..reflection.part_count() {
             let (kind, weight) = reflection.part(index);
             let part = self.part_reflected(kind, incidence);
+            let Reflected { diffuse, specular, specular_cosine, lobe } = part;
+            witness.part(index, &PartTerms { weight, diffuse, specular, specular_cosine, lobe });
             let weight = like.constant(weight);
             whole.diffuse = whole.diffuse + part.diffuse * weight;
             whole.specular = whole.specular + part.specular * weight;
@@ -122,12 +129,9 @@ impl<N: Number> Surface<N> {
                 diffuse: lambert::diffuse(self, incidence),
                 specular: Rgb::black(like),
                 specular_cosine: None,
+                lobe: Lobe::Plain,
             },
-            Reflection::OrenNayar => Reflected {
-                diffuse: oren_nayar::diffuse(self, incidence),
-                specular: Rgb::black(like),
-                specular_cosine: None,
-            },
+            Reflection::OrenNayar => oren_nayar::reflected(self, incidence),
             // One power for the three: code of lanes is long, and the compiler's time dear.
             Reflection::Phong | Reflection::BlinnPhong | Reflection::Retro => {
                 let cosine = match kind {
@@ -144,6 +148,7 @@ impl<N: Number> Surface<N> {
                 diffuse: Rgb::black(like),
                 specular: Rgb::black(like),
                 specular_cosine: None,
+                lobe: Lobe::Plain,
             },
         }
     }
@@ -153,7 +158,12 @@ impl<N: Number> Surface<N> {
     /// An ideal mirror: k_s O_s E(R), R = 2 N (N.V) - V. A microfacet surface: k_s O_s (F0 A + B)
     /// E(R) with E blurred by its roughness (see [`split_sum`]). All of it occluded.
     #[inline(always)]
-    pub(crate) fn mirrored(&self, reflection: &Reflection, environment: &Environment) -> Rgb<N> {
+    pub(crate) fn mirrored<W: Witness<N>>(
+        &self,
+        reflection: &Reflection,
+        environment: &Environment,
+        witness: &mut W,
+    ) -> Rgb<N> {
         let like = self.n_dot_v;
         let mut mirrored = Rgb::black(like);
         if environment.is_none() {
@@ -163,11 +173,18 @@ impl<N: Number> Surface<N> {
         for index in 0..reflection.part_count() {
             let (kind, weight) = reflection.part(index);
             let part = match kind {
-                Reflection::Mirror => environment.radiance(direction, like.zero()),
+                Reflection::Mirror => {
+                    let radiance = environment.radiance(direction, like.zero());
+                    let share = Rgb::new(like.one(), like.one(), like.one());
+                    witness.mirror(index, &MirrorTerms { weight, share, radiance });
+                    radiance
+                }
                 Reflection::Microfacet => {
                     let (a, b) = split_sum(self.n_dot_v.limited(0.0, 1.0), self.roughness);
                     let share = microfacet::facing_reflectance(self) * a + Rgb::new(b, b, b);
-                    environment.radiance(direction, self.roughness) * share
+                    let radiance = environment.radiance(direction, self.roughness);
+                    witness.mirror(index, &MirrorTerms { weight, share, radiance });
+                    radiance * share
                 }
                 _ => continue,
             };

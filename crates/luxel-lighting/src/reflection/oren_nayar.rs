@@ -1,6 +1,7 @@
 //! Diffuse reflection of rough surfaces.
 
-use super::{Incidence, Surface};
+use super::{Incidence, Reflected, Surface};
+use crate::witness::Lobe;
 use luxel_math::{Number, Rgb};
 
 /// k_d O_d (N.L) (A + B max(cos(phi_r - phi_i), 0) sin(alpha) tan(beta)) with
@@ -12,7 +13,7 @@ use luxel_math::{Number, Rgb};
 /// With q = L.V - (N.L)(N.V) = cos(phi_r - phi_i) sin(theta_r) sin(theta_i), the product of the
 /// last three factors is max(q, 0) / max(N.L, N.V).
 #[inline(always)]
-pub(crate) fn diffuse<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> Rgb<N> {
+pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> Reflected<N> {
     let like = surface.n_dot_v;
     let variance = surface.roughness * surface.roughness;
     let a = like.one() - variance * like.constant(0.5) / (variance + like.constant(0.33));
@@ -22,5 +23,11 @@ pub(crate) fn diffuse<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>)
     let q = incidence.to_light.dot(surface.view) - n_dot_l * n_dot_v;
     // Where both cosines vanish, so does the whole; 1e-6 keeps the quotient finite.
     let slant = q.positive_part() / n_dot_l.maximum(n_dot_v).maximum(like.constant(1e-6));
-    surface.diffuse * (n_dot_l * (a + b * slant))
+    let rough = a + b * slant;
+    Reflected {
+        diffuse: surface.diffuse * (n_dot_l * rough),
+        specular: Rgb::black(like),
+        specular_cosine: None,
+        lobe: Lobe::Rough(rough),
+    }
 }

@@ -1,6 +1,7 @@
 //! Highlights as a power of a cosine: Phong, Blinn-Phong, and back to the light.
 
 use super::{Incidence, Reflected, Surface, any_lit, lambert};
+use crate::witness::Lobe;
 use luxel_math::{Number, Rgb, elementary};
 
 /// R.V with R = 2 N (N.L) - L, the direction of mirroring (Phong, *Illumination for Computer
@@ -37,5 +38,6 @@ pub(crate) fn with_lobe<N: Number>(
         diffuse: lambert::diffuse(surface, incidence),
         specular,
         specular_cosine: Some(cosine),
+        lobe: Lobe::Plain,
     }
 }

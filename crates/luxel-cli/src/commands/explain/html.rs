@@ -6,9 +6,10 @@ mod pictures;
 
 use super::Told;
 use super::equation::{
-    Factor, LightRows, LitPlace, Role, Row, color, highlight_vector, lit_places, model_name,
-    number, reach, rows,
+    Factor, LightRows, LitPlace, PartRow, Role, Row, color, highlight_vector, lit_places,
+    model_name, number, reach,
 };
+use super::rows::rows;
 use super::words::{
     Mixture, capital, coordinate, encoded, kind_name, nearest, part_of, place_name, share,
     surface_path, why_not_seen,
@@ -227,6 +228,7 @@ impl Page {
         for light in &told.lights {
             self.light(light, place);
         }
+        self.parts(&told.mirrors);
         if let Some(environment) = &told.environment {
             self.row(environment);
         }
@@ -262,8 +264,26 @@ impl Page {
             self.push(format_args!("<p class=\"why\">Adds {what} light: {}.</p>", escaped(why)));
         }
         self.push("</div>\n");
+        self.parts(&told.parts);
         for row in &told.rows {
             self.row(row);
+        }
+    }
+
+    /// The parts of a mix, in quiet: only their sums are terms.
+    fn parts(&mut self, parts: &[PartRow]) {
+        for PartRow { of, row } in parts {
+            let [r, g, b] = row.value.map(in_column);
+            let symbols: Vec<_> = row.factors.iter().map(symbol).collect();
+            let numbers: Vec<_> = row.factors.iter().map(numbers).collect();
+            self.push(format_args!(
+                "<div class=\"row part\"><span>{}</span><span>{r}</span><span>{g}</span>\
+                 <span>{b}</span><span class=\"eq\">in {}: {}<br>= {}</span></div>\n",
+                row.name,
+                of.html,
+                symbols.join(" "),
+                numbers.join(" × ")
+            ));
         }
     }
 
@@ -339,7 +359,6 @@ fn numbers(factor: &Factor) -> String {
         Factor::Power(_, value, n) => {
             format!("{}<sup>{}</sup>", number(value.max(0.0)), number(*n))
         }
-        Factor::Named(symbol) => symbol.html.to_owned(),
     }
 }
 

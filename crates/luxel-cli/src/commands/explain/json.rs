@@ -4,7 +4,9 @@ use super::Told;
 use super::hidden::Hidden;
 use super::words::kind_name;
 use crate::values::reflection_name;
-use luxel::lighting::{Light, LightKind, Material, Reflectance, Reflection};
+use luxel::lighting::{
+    Light, LightKind, Lobe, Material, MirrorTerms, PartTerms, Reflectance, Reflection,
+};
 use luxel::render::{
     EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Seen, SurfaceBelow,
 };
@@ -121,8 +123,9 @@ fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
         "emission": seen.emission,
         "ambient_light": seen.ambient_light,
         "scene_ambient": seen.scene_ambient,
-        "lights": seen.lights.iter().map(light).collect::<Vec<_>>(),
+        "lights": lights(&seen.lights, &seen.material.constants),
         "environment": seen.environment,
+        "mirrors": mirrors(&seen.mirrors, &seen.material.constants),
         "sum": seen.sum,
         "fog": seen.fog.map(|(factor, color)| json!({ "factor": factor, "color": color })),
         "color": seen.color,
@@ -141,8 +144,9 @@ fn evaluated(seen: &ExplainedSurface) -> Value {
             "material": material(&seen.material.name, &seen.material.constants, &place.reflectance),
             "emission": place.emission,
             "scene_ambient": place.scene_ambient,
-            "lights": place.lights.iter().map(light).collect::<Vec<_>>(),
+            "lights": lights(&place.lights, &seen.material.constants),
             "environment": place.environment,
+            "mirrors": mirrors(&place.mirrors, &seen.material.constants),
             "sum": place.sum,
             "light": place.light,
         })
@@ -177,7 +181,46 @@ fn material(name: &str, constants: &Material, reflectance: &Reflectance<f32>) ->
     value
 }
 
-fn light(light: &ExplainedLight) -> Value {
+fn lights(lights: &[ExplainedLight], constants: &Material) -> Value {
+    lights.iter().map(|one| light(one, constants)).collect()
+}
+
+/// What a part of the model makes of a light: factors of I_d and I_s.
+fn part(index: usize, part: &PartTerms<f32>, constants: &Material) -> Value {
+    let (reflection, _) = constants.reflection.part(index);
+    let mut value = json!({
+        "reflection": reflection_name(reflection),
+        "weight": part.weight,
+        "diffuse": part.diffuse.lane(0),
+        "specular": part.specular.lane(0),
+        "specular_cosine": part.specular_cosine,
+    });
+    match part.lobe {
+        Lobe::Plain => {}
+        Lobe::Rough(factor) => value["rough"] = json!(factor),
+        Lobe::Facets { pi_d, visibility, fresnel } => {
+            value["pi_d"] = json!(pi_d);
+            value["visibility"] = json!(visibility);
+            value["fresnel"] = json!(fresnel.lane(0));
+        }
+    }
+    value
+}
+
+/// What the parts of the model mirror.
+fn mirrors(mirrors: &[(usize, MirrorTerms<f32>)], constants: &Material) -> Value {
+    let mirror = |(index, mirror): &(usize, MirrorTerms<f32>)| {
+        json!({
+            "reflection": reflection_name(constants.reflection.part(*index).0),
+            "weight": mirror.weight,
+            "share": mirror.share.lane(0),
+            "radiance": mirror.radiance.lane(0),
+        })
+    };
+    mirrors.iter().map(mirror).collect()
+}
+
+fn light(light: &ExplainedLight, constants: &Material) -> Value {
     let terms = &light.terms;
     let Light { kind, ambient, diffuse, specular, .. } = light.light;
     json!({
@@ -192,6 +235,7 @@ fn light(light: &ExplainedLight) -> Value {
         "spot": terms.spot,
         "n_dot_l": terms.n_dot_l,
         "specular_cosine": terms.specular_cosine,
+        "parts": light.parts.iter().map(|(index, one)| part(*index, one, constants)).collect::<Vec<_>>(),
         "ambient": terms.ambient.lane(0),
         "diffuse": terms.diffuse.lane(0),
         "specular": terms.specular.lane(0),

@@ -2,8 +2,9 @@
 
 use super::Told;
 use super::equation::{
-    Factor, LightRows, LitPlace, Row, highlight_vector, lit_places, number, rows,
+    Factor, LightRows, LitPlace, PartRow, Row, highlight_vector, lit_places, number,
 };
+use super::rows::rows;
 use super::words::{
     Mixture, capital, coordinate, encoded, kind_name, nearest, part_of, place_name, share,
     surface_path, why_not_seen,
@@ -180,7 +181,9 @@ impl Page {
             own.chain(of_lights).chain(environment).collect();
         for (at, light) in told.lights.iter().enumerate() {
             self.light(at + 1, light, place);
+            self.parts(&light.parts, Some(at + 1));
         }
+        self.parts(&told.mirrors, None);
         let lines = |first: &str, of: &dyn Fn(&Row, Option<usize>) -> String, names: bool| {
             let line = |(at, (row, light, name)): (usize, &(&Row, Option<usize>, String))| {
                 let sign = if at == 0 { first } else { "&\\quad + " };
@@ -199,6 +202,28 @@ impl Page {
             all.push(format!("&\\to {} \\quad\\text{{clamped}}", color(light)));
         }
         self.display(&all);
+    }
+
+    /// The parts of a mix: each sum that is a factor, as symbols, numbers and value.
+    fn parts(&mut self, parts: &[PartRow], light: Option<usize>) {
+        for same in parts.chunk_by(|one, other| one.of == other.of) {
+            let sum = |of: &dyn Fn(&Row) -> String| {
+                let terms: Vec<_> = same.iter().map(|part| of(&part.row)).collect();
+                terms.join(" \\\\\n&\\quad + ")
+            };
+            let name = match light {
+                Some(at) => numbered(same[0].of.latex, at),
+                None => same[0].of.latex.to_owned(),
+            };
+            let value = same.iter().fold([0.0_f32; 3], |sum, part| {
+                [0, 1, 2].map(|channel| sum[channel] + part.row.value[channel])
+            });
+            self.display(&[
+                format!("{name} &= {}", sum(&|row| symbols(row, light))),
+                format!("&= {}", sum(&numbers)),
+                format!("&= {}", color(value)),
+            ]);
+        }
     }
 
     fn light(&mut self, at: usize, told: &LightRows<'_>, place: &LitPlace<'_>) {
@@ -324,8 +349,10 @@ fn numbered(symbol: &str, at: usize) -> String {
     if symbol == "f" {
         return format!("f_{{{at}}}");
     }
-    if let Some(which) = symbol.strip_prefix("I_") {
-        return format!("I_{{{which},{at}}}");
+    for (start, letter) in [("I_", "I"), ("\\rho_", "\\rho")] {
+        if let Some(which) = symbol.strip_prefix(start) {
+            return format!("{letter}_{{{which},{at}}}");
+        }
     }
     let mut text = symbol.to_owned();
     for vector in ["\\mathbf L", "\\mathbf R", "\\mathbf H"] {
@@ -341,7 +368,6 @@ fn numbers(row: &Row) -> String {
         Factor::Color(_, value) => color(*value),
         Factor::Cosine(_, value) => math(value.max(0.0)),
         Factor::Power(_, value, n) => format!("{}^{{{}}}", math(value.max(0.0)), math(*n)),
-        Factor::Named(symbol) => symbol.latex.to_owned(),
     };
     row.factors.iter().map(one).collect::<Vec<_>>().join(" \\cdot ")
 }

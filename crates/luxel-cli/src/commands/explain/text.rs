@@ -2,9 +2,10 @@
 
 use super::Told;
 use super::equation::{
-    Factor, LightRows, LitPlace, Role, Row, color, highlight_vector, lit_places, number, reach,
-    rows,
+    Factor, LightRows, LitPlace, PartRow, Role, Row, color, highlight_vector, lit_places, number,
+    reach,
 };
+use super::rows::rows;
 use super::words::{
     Mixture, coordinate, encoded, kind_name, material, nearest, part_of, place_name, share,
     surface_path, why_not_seen,
@@ -175,6 +176,7 @@ impl Page {
         for light in &rows.lights {
             self.light(light, place);
         }
+        self.parts(&rows.mirrors);
         if let Some(environment) = &rows.environment {
             self.row(environment, "");
         }
@@ -202,6 +204,7 @@ impl Page {
             head += &format!("   {reach}");
         }
         self.line(&head);
+        self.parts(&told.parts);
         for row in &told.rows {
             self.row(row, "  ");
         }
@@ -211,6 +214,19 @@ impl Page {
                 if told.rows.is_empty() { "no" } else { "no other" }
             ));
             self.line(&why);
+        }
+    }
+
+    /// The parts of a mix, in quiet: only their sums are terms.
+    fn parts(&mut self, parts: &[PartRow]) {
+        for PartRow { of, row } in parts {
+            let name = format!("    {:width$}", row.name, width = NAMES - 2);
+            let symbols: Vec<_> = row.factors.iter().map(symbol_text).collect();
+            let numbers: Vec<_> = row.factors.iter().map(factor_text).collect();
+            let symbols = format!("in {}: {}", of.text, symbols.join(" "));
+            self.line(&self.quiet(&format!("{name}{}  {symbols}", values(row.value))));
+            let numbers = format!("  = {}", numbers.join(" x "));
+            self.line(&self.quiet(&format!("  {:width$}{numbers}", "", width = NAMES + 3 * VALUE)));
         }
     }
 
@@ -294,7 +310,6 @@ fn factor_text(factor: &Factor) -> String {
         Factor::Color(_, value) => color(*value),
         Factor::Cosine(_, value) => number(value.max(0.0)),
         Factor::Power(_, value, n) => format!("{}^{}", number(value.max(0.0)), number(*n)),
-        Factor::Named(symbol) => symbol.text.to_owned(),
     }
 }
 
