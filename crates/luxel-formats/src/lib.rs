@@ -26,4 +26,7 @@ mod weld;
 pub use error::{Error, ErrorKind, Place};
 pub use limits::Limits;
 pub use open::{Format, Loaded, open, read};
-pub use scene_toml::{Key, Section, Setting, SettingValue, Shape, scene_settings, sections};
+pub use scene_toml::{
+    Key, SceneModels, SceneText, Section, Setting, SettingValue, Shape, SurfaceChange,
+    scene_settings, sections,
+};

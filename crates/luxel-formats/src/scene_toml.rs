@@ -14,6 +14,7 @@ mod models;
 mod nodes;
 mod settings;
 mod transform;
+mod write;
 
 use crate::memory::Memory;
 use crate::values::{background, color, fog_of, surroundings, up};
@@ -24,6 +25,7 @@ pub use keys::{Key, Section, Shape, sections};
 use luxel_scene::{Scene, SceneMaterial};
 pub use settings::{Setting, SettingValue, scene_settings};
 use std::path::Path;
+pub use write::{SceneModels, SceneText, SurfaceChange};
 
 /// Reads a scene file, with its models from `folder`.
 pub(crate) fn read(bytes: &[u8], folder: Option<&Path>, limits: &Limits) -> Result<Loaded, Error> {

@@ -256,6 +256,13 @@ impl<'a> Table<'a> {
         Self::new(self.text, section, entries, value.span().start).map(Some)
     }
 
+    /// All keys with their values, in order.
+    pub(super) fn values(&self) -> Vec<(&'a str, &'a DeValue<'a>)> {
+        let mut entries: Vec<_> = self.entries.iter().collect();
+        entries.sort_by_key(|(key, _)| key.span().start);
+        entries.into_iter().map(|(key, value)| (&**key.get_ref(), value.get_ref())).collect()
+    }
+
     /// All keys but some, each with its value as the command line would have it.
     pub(super) fn fields(&self, but: &[&str]) -> Result<Vec<(&'a str, String)>, Error> {
         let mut entries: Vec<_> =

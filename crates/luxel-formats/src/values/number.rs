@@ -63,6 +63,17 @@ pub fn fov(text: &str) -> Result<f64, String> {
     }
 }
 
+/// The degrees, with as few digits as it takes, that are these radians, bit by bit if there are any.
+#[must_use]
+pub fn degrees(radians: f64) -> f64 {
+    let near = radians.to_degrees();
+    let rounded = [1.0, 1e3, 1e6, 1e9].map(|unit| (near * unit).round() / unit);
+    let (up, down) = (near.next_up(), near.next_down());
+    let next = [near, up, down, up.next_up(), down.next_down()];
+    let is_same = |degrees: &f64| degrees.to_radians() == radians;
+    rounded.into_iter().chain(next).find(is_same).unwrap_or(near)
+}
+
 /// A number from 0 to 1, in single precision.
 ///
 /// # Errors
@@ -103,12 +114,26 @@ mod tests {
     }
 
     #[test]
+    fn every_usual_angle_is_written_as_it_was_given() {
+        for angle in 1..180 {
+            let angle = f64::from(angle);
+            assert_eq!(degrees(angle.to_radians()), angle);
+        }
+    }
+
+    #[test]
     fn ranges_are_kept() {
         assert!(fov("0").is_err() && fov("180").is_err() && fov("179.9").is_ok());
         assert!(positive("0").is_err() && non_negative("0").is_ok() && non_negative("-1").is_err());
     }
 
     proptest! {
+        #[test]
+        fn an_angle_said_in_degrees_is_found_bit_by_bit(angle in 0.0..360.0_f64) {
+            let radians = angle.to_radians();
+            prop_assert_eq!(degrees(radians).to_radians(), radians);
+        }
+
         #[test]
         fn every_finite_number_reads_back_exactly(number in proptest::num::f64::NORMAL) {
             prop_assert_eq!(finite(&number.to_string()), Ok(number));

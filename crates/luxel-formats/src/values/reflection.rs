@@ -54,6 +54,20 @@ pub fn reflection_name(reflection: &Reflection) -> &'static str {
     }
 }
 
+/// The text that [`reflection`] reads as this model.
+#[must_use]
+pub fn reflection_text(model: &Reflection) -> String {
+    match model {
+        Reflection::Mixed(parts) => {
+            let part = |(model, weight): &(Reflection, f32)| {
+                format!("{}={weight}", reflection_name(model))
+            };
+            format!("mixed:{}", parts.iter().map(part).collect::<Vec<_>>().join(","))
+        }
+        simple => reflection_name(simple).to_owned(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -79,6 +93,7 @@ mod tests {
         let mixed = reflection("mixed:lambert=.75,mirror=0.25").unwrap();
         let parts = vec![(Reflection::Lambert, 0.75), (Reflection::Mirror, 0.25)];
         assert_eq!(mixed, Reflection::Mixed(parts));
+        assert_eq!(reflection(&reflection_text(&mixed)), Ok(mixed));
     }
 
     #[test]

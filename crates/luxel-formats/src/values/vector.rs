@@ -34,6 +34,10 @@ pub fn direction(text: &str) -> Result<DVec3, String> {
     if largest == 0.0 {
         return Err("a direction of length 0 points nowhere".to_owned());
     }
+    // What is of unit length already comes back as it was written.
+    if (vector.length_squared() - 1.0).abs() < 1e-15 {
+        return Ok(vector);
+    }
     // Dividing first keeps tiny and huge vectors from under- and overflowing when squared.
     Ok((vector / largest).normalize())
 }
@@ -144,7 +148,12 @@ fn rigid(matrix: &DMat4) -> DMat4 {
     let near =
         DMat4::from_cols(x.extend(0.0), y.extend(0.0), z.extend(0.0), translation.extend(1.0));
     // Digits that are rigid already come back as they were written.
-    if near.abs_diff_eq(*matrix, 1e-14) { *matrix } else { near }
+    let is_rotation = |one: &DMat4, other: &DMat4| {
+        [(one.x_axis, other.x_axis), (one.y_axis, other.y_axis), (one.z_axis, other.z_axis)]
+            .into_iter()
+            .all(|(one, other)| one.abs_diff_eq(other, 1e-14))
+    };
+    if is_rotation(&near, matrix) { *matrix } else { near }
 }
 
 #[cfg(test)]
