@@ -17,7 +17,7 @@
 //! 5. `rgba8` is [`PictureEncoding::byte`](luxel_lighting::PictureEncoding::byte) of it.
 
 use luxel_lighting::{
-    Cone, Light, LightKind, LightTerms, Material, MirrorTerms, PartTerms, Reflectance,
+    Cone, Light, LightKind, LightTerms, Material, MirrorTerms, PartTerms, Reflectance, Reflection,
 };
 
 /// Why a pixel has its colour.
@@ -269,6 +269,30 @@ impl Seen {
 }
 
 impl ExplainedLight {
+    /// The vector that the highlight goes by, with its name, for a surface of a model of reflection
+    /// with N and V: R = 2 (N.L) N - L (Phong), H = (L + V) / |L + V| (Blinn, microfacets).
+    #[must_use]
+    pub fn highlight(
+        &self,
+        reflection: &Reflection,
+        normal: [f32; 3],
+        view: [f32; 3],
+    ) -> Option<(&'static str, [f32; 3])> {
+        let to_light = self.terms.to_light.lane(0);
+        match reflection {
+            Reflection::Phong => {
+                let twice = 2.0 * self.terms.n_dot_l;
+                Some(("R", [0, 1, 2].map(|axis| twice * normal[axis] - to_light[axis])))
+            }
+            Reflection::BlinnPhong | Reflection::Microfacet => {
+                let sum = [0, 1, 2].map(|axis| to_light[axis] + view[axis]);
+                let length = sum.iter().map(|side| side * side).sum::<f32>().sqrt();
+                Some(("H", sum.map(|side| if length > 0.0 { side / length } else { 0.0 })))
+            }
+            _ => None,
+        }
+    }
+
     /// Why the light adds no diffuse and no specular term; `None` if it adds one.
     #[must_use]
     pub fn unlit(&self) -> Option<Unlit> {

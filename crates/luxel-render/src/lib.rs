@@ -50,7 +50,7 @@ pub use picture::{
 };
 pub use renderer::{MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision};
 pub use svg::{MAX_PIECES, Svg, SvgOptions};
-pub use unseen::{NearestObject, SurfaceBelow};
+pub use unseen::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
 pub use view::{
     Clamp, Edges, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading, ShadingMode,
     View,

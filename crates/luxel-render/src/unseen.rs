@@ -1,12 +1,13 @@
 //! What a picture doesn't show: the surfaces under a place of it, one behind the other, and what lies
 //! next to a pixel that nothing covers. Both by the frame's own fill rule, tile by tile.
 
+use crate::ledger::{ExplainedSample, Explanation, Seen};
 use crate::place::Covers;
 use crate::renderer::{RenderError, Renderer};
 use crate::view::View;
 use luxel_math::SUBPIXELS;
 use luxel_scene::{DVec3, Size};
-use luxel_visibility::{Samples, TILE, Tile, TriangleId};
+use luxel_visibility::{Cull, Samples, TILE, Tile, TriangleId};
 
 /// A surface under a place of the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,27 @@ pub struct NearestObject {
     /// How far away that is, in pixels.
     pub distance: f64,
 }
+
+/// What the samples of an entry don't show.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Hidden {
+    /// Back faces that would be seen if they were drawn, nearest first.
+    pub culled: Vec<SurfaceBelow>,
+    /// What lies behind all that is seen, nearest first.
+    pub behind: Vec<SurfaceBelow>,
+}
+
+/// What a pixel doesn't show.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Unseen {
+    /// For each entry of the explanation.
+    pub entries: Vec<Hidden>,
+    /// Where nothing covers the pixel, and something lies within [`NEAREST_WITHIN`].
+    pub nearest: Option<NearestObject>,
+}
+
+/// How far around a pixel without a surface something is looked for, in pixels.
+pub const NEAREST_WITHIN: u32 = 100;
 
 /// Most surfaces that are told of one place.
 const MOST_BELOW: usize = 256;
@@ -145,4 +167,49 @@ impl Renderer<'_> {
             nearest.map(|(_, nearest)| nearest)
         })
     }
+}
+
+impl Unseen {
+    /// Asks for the places that an explanation is about.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible.
+    pub fn new(
+        renderer: &Renderer<'_>,
+        view: &View,
+        explanation: &Explanation,
+    ) -> Result<Self, RenderError> {
+        let with_backs = View { cull: Cull::None, ..view.clone() };
+        let hidden = |entry: &ExplainedSample| {
+            let drawn = renderer.below(view, entry.at)?;
+            Ok(hidden(entry, &drawn, &renderer.below(&with_backs, entry.at)?))
+        };
+        let entries = explanation.samples.iter().map(hidden).collect::<Result<_, RenderError>>()?;
+        let mut seen = explanation.samples.iter().flat_map(|entry| &entry.seen);
+        let nearest = if seen.any(|seen| seen.surface().is_some()) {
+            None
+        } else {
+            renderer.nearest_object(view, explanation.pixel, NEAREST_WITHIN)?
+        };
+        Ok(Self { entries, nearest })
+    }
+}
+
+fn hidden(entry: &ExplainedSample, drawn: &[SurfaceBelow], all: &[SurfaceBelow]) -> Hidden {
+    let is = |below: &SurfaceBelow, seen: &Seen| {
+        seen.surface().is_some_and(|surface| {
+            (surface.object, surface.triangle) == (below.object, below.triangle)
+        })
+    };
+    let is_seen = |below: &&SurfaceBelow| entry.seen.iter().any(|seen| is(below, seen));
+    let last = entry.seen.last();
+    let before_last = |below: &&SurfaceBelow| !last.is_some_and(|seen| is(below, seen));
+    let is_drawn = |below: &&SurfaceBelow| {
+        let same =
+            |other: &SurfaceBelow| (other.object, other.triangle) == (below.object, below.triangle);
+        drawn.iter().any(same)
+    };
+    let culled = all.iter().take_while(before_last).filter(|below| !is_drawn(below));
+    let behind = drawn.iter().filter(|below| !is_seen(below));
+    Hidden { culled: culled.cloned().collect(), behind: behind.cloned().collect() }
 }

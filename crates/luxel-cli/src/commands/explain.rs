@@ -1,7 +1,6 @@
 //! `luxel explain`: why a pixel has its colour, term by term.
 
 mod equation;
-mod hidden;
 mod html;
 mod json;
 mod latex;
@@ -22,8 +21,7 @@ use crate::surface;
 use crate::values::at;
 use crate::view;
 use clap::Args;
-use hidden::Unseen;
-use luxel::render::{At, Explanation, RenderError, Renderer, View};
+use luxel::render::{At, Explanation, RenderError, Renderer, Unseen, View};
 use luxel::scene::Scene;
 use std::ffi::OsString;
 use std::io::IsTerminal;

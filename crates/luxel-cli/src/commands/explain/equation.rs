@@ -174,21 +174,7 @@ pub(super) fn highlight_vector(
     place: &LitPlace<'_>,
     light: &ExplainedLight,
 ) -> Option<(&'static str, [f32; 3])> {
-    let l = light.terms.to_light.lane(0);
-    let (n, v) = (place.normal, place.view);
-    let vector = match place.constants.reflection {
-        Reflection::Phong => {
-            let twice = 2.0 * light.terms.n_dot_l;
-            ("R", [0, 1, 2].map(|axis| twice * n[axis] - l[axis]))
-        }
-        Reflection::BlinnPhong | Reflection::Microfacet => {
-            let sum = [0, 1, 2].map(|axis| l[axis] + v[axis]);
-            let length = sum.iter().map(|side| side * side).sum::<f32>().sqrt();
-            ("H", sum.map(|side| if length > 0.0 { side / length } else { 0.0 }))
-        }
-        _ => return None,
-    };
-    Some(vector)
+    light.highlight(&place.constants.reflection, place.normal, place.view)
 }
 
 /// The model, and for mixes its parts.

@@ -1,14 +1,13 @@
 //! The ledger as JSON. Numbers are written with all their digits, so that they read back exactly.
 
 use super::Told;
-use super::hidden::Hidden;
 use super::words::kind_name;
 use crate::values::reflection_name;
 use luxel::lighting::{
     Light, LightKind, Lobe, Material, MirrorTerms, PartTerms, Reflectance, Reflection,
 };
 use luxel::render::{
-    EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Seen, SurfaceBelow,
+    EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Hidden, Seen, SurfaceBelow,
 };
 use luxel::scene::Scene;
 use serde_json::{Map, Value, json};

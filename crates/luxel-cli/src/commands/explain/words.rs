@@ -3,7 +3,9 @@
 use super::Told;
 use super::equation::{LitPlace, color, number};
 use luxel::lighting::{Light, LightKind, PictureEncoding, encode_srgb};
-use luxel::render::{Cull, ExplainedSample, ExplainedSurface, Seen, ShadingMode, SurfaceBelow};
+use luxel::render::{
+    Cull, ExplainedSample, ExplainedSurface, NEAREST_WITHIN, Seen, ShadingMode, SurfaceBelow,
+};
 use luxel::scene::Scene;
 
 /// Surfaces behind what is seen that are told of one by one.
@@ -95,7 +97,7 @@ pub(super) fn nearest(told: &Told<'_>) -> Option<String> {
         }
         None => format!(
             "nothing covers the pixel, and nothing lies within {} pixels of it",
-            super::hidden::NEAREST_WITHIN
+            NEAREST_WITHIN
         ),
     })
 }
