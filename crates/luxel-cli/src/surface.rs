@@ -5,7 +5,15 @@ use luxel::scene::{DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource, Restyle,
 
 /// Replaces what the flags name, on all materials.
 pub(crate) fn apply_material(options: &MaterialOptions, scene: &mut Scene) {
-    let restyle = Restyle {
+    let restyle = restyle(options);
+    for material in &mut scene.materials {
+        restyle.apply(material);
+    }
+}
+
+/// What the flags name of materials.
+pub(crate) fn restyle(options: &MaterialOptions) -> Restyle {
+    Restyle {
         color: options.color,
         k_a: options.ka,
         k_d: options.kd,
@@ -14,9 +22,6 @@ pub(crate) fn apply_material(options: &MaterialOptions, scene: &mut Scene) {
         emission: options.emission,
         reflection: options.reflection.clone(),
         ..Restyle::default()
-    };
-    for material in &mut scene.materials {
-        restyle.apply(material);
     }
 }
 

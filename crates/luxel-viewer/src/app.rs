@@ -2,27 +2,26 @@
 
 mod input;
 mod opening;
+mod options;
 mod pointing;
 mod present;
 
 use crate::files::{Files, Watch};
-use crate::keys::Keys;
 use crate::marks::Marks;
 use crate::model::Model;
-use crate::pace::Pace;
+use crate::pace::{Pace, Run};
 use crate::screen::Screen;
 use crate::session::Session;
 use crate::sheet::Sheet;
-use crate::theme::ThemeChoice;
 use crate::ui::{Status, Ui};
 use crate::worker::{Answer, Changes, Drawn, Order, Purpose, Worker};
-use luxel::navigation::{Command, Entry, Event, Log, Mode};
-use luxel::render::{Execution, View};
+use luxel::navigation::{Command, Entry, Event};
+use luxel::render::View;
 use luxel::scene::{Camera, DVec2, DVec3, Size};
 use opening::Reading;
+pub use options::{Options, Outcome, Print, Save, Showing, ViewerError, Write};
 use present::GuideLines;
 use std::ffi::{OsStr, OsString};
-use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::dpi::{LogicalSize, PhysicalPosition};
@@ -30,65 +29,6 @@ use winit::event::{ElementState, MouseButton, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::keyboard::{Key, ModifiersState};
 use winit::window::{Window, WindowId};
-
-/// How the window begins, and what it leaves.
-pub struct Options {
-    /// The files to look at, one after the other; `demo:NAME` and `-` are those of the command line.
-    pub files: Vec<OsString>,
-    /// The window's size in logical pixels.
-    pub size: Size,
-    /// The way to navigate at first.
-    pub mode: Mode,
-    /// Where a log of what is done goes, at the end.
-    pub record: Option<PathBuf>,
-    /// A log to be played at first, in its own time.
-    pub replay: Option<Log>,
-    /// The window's colours.
-    pub theme: ThemeChoice,
-    /// What keys do.
-    pub keys: Keys,
-    /// How pictures are drawn.
-    pub execution: Execution,
-    /// Writes a file, whole or not at all; answers with what went wrong, for the user.
-    pub write: Write,
-    /// Prints the line of a terminal that draws a view of a file.
-    pub print: Print,
-    /// Says something that is worth knowing.
-    pub tell: Box<dyn Fn(&str)>,
-}
-
-/// Prints the line of a terminal that draws a view of a file.
-pub type Print = Box<dyn Fn(&OsStr, &View)>;
-
-/// Writes a file; answers with what went wrong.
-pub type Write = Box<dyn Fn(&Path, &[u8]) -> Result<(), String>>;
-
-/// How the window came to its end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// The user has closed it.
-    Closed,
-    /// The first file was not loaded; whoever has tried knows why.
-    NotLoaded,
-}
-
-/// Why there is no window.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ViewerError {
-    /// The system has no display, or gives no window on it.
-    #[error("no window can be opened: {0}")]
-    NoDisplay(String),
-    /// The scene can't be drawn.
-    #[error("{0}")]
-    Draw(String),
-    /// A file could not be written.
-    #[error("{0}")]
-    Write(String),
-    /// The system gives no thread.
-    #[error("can't start a thread: {0}")]
-    Thread(#[from] std::io::Error),
-}
 
 /// Loads models on a thread of its own and shows them, until the user closes the window. `load` answers
 /// with what went wrong, for the user.
@@ -141,6 +81,9 @@ struct App {
     screen: Option<Screen>,
     session: Option<Session>,
     pace: Pace,
+    run: Run,
+    /// When all began, until the first picture is there.
+    begun: Option<Instant>,
     /// The picture that is shown.
     shown: Option<Box<Drawn>>,
     /// The last picture asked for, and what for.
@@ -207,6 +150,8 @@ impl App {
             screen: None,
             session: None,
             pace: Pace::default(),
+            run: Run::default(),
+            begun: Some(now),
             shown: None,
             asked: None,
             below: Vec::new(),
@@ -405,7 +350,11 @@ impl ApplicationHandler<Answer> for App {
                 }
             }
             Answer::Loaded(Ok(model)) => self.loaded(*model),
-            Answer::Drawn(drawn) => self.drawn(drawn),
+            Answer::Drawn(drawn) => {
+                self.drawn(drawn);
+                // The next picture is drawn while this one is brought to the window.
+                self.pump();
+            }
             Answer::Seen(seen) => {
                 if let Some(shown) = &mut self.shown {
                     shown.seen = seen;

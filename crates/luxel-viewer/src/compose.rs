@@ -8,17 +8,16 @@ use luxel::scene::Size;
 const DITHER: [[i32; 4]; 4] =
     [[2, 34, 10, 42], [50, 18, 58, 26], [14, 46, 6, 38], [62, 30, 54, 22]];
 
-/// The ground at a place of the window: red, green, blue.
-fn ground([top, bottom]: [[u8; 3]; 2], x: usize, y: usize, height: usize) -> [i32; 3] {
-    let threshold = DITHER[y % 4][x % 4];
+/// The ground along a row of the window: red, green, blue of every fourth pixel.
+fn ground([top, bottom]: [[u8; 3]; 2], y: usize, height: usize) -> [[u8; 3]; 4] {
     let down = (y * 64 / height.max(1)) as i32;
     let fine = (y * 64 % height.max(1)) as i32 * 64 / height.max(1) as i32;
-    std::array::from_fn(|channel| {
+    // In 64ths of a step of a byte.
+    let levels: [i32; 3] = std::array::from_fn(|channel| {
         let (from, to) = (i32::from(top[channel]), i32::from(bottom[channel]));
-        // In 64ths of a step of a byte.
-        let level = from * 64 + (to - from) * down + (to - from) * fine / 64;
-        (level + threshold) / 64
-    })
+        from * 64 + (to - from) * down + (to - from) * fine / 64
+    });
+    DITHER[y % 4].map(|threshold| levels.map(|level| ((level + threshold) / 64) as u8))
 }
 
 /// Puts a picture with straight alpha over the ground, as large as the window; pixels are 0RGB.
@@ -37,6 +36,7 @@ pub(crate) fn compose(
         let [above, below, weight_y] = between(y, down, size.height as usize);
         let line = |y: usize| &picture[y * size.width as usize..][..size.width as usize];
         let (above, below) = (line(above), line(below));
+        let ground = ground(theme.ground, y, down);
         for (x, out) in row.iter_mut().enumerate() {
             let color = if is_whole {
                 above[x]
@@ -49,7 +49,7 @@ pub(crate) fn compose(
                     bilinear(corners, weight_x as u32, weight_y as u32)
                 }
             };
-            *out = over(color, theme, x, y, down);
+            *out = over(color, ground[x % 4]);
         }
     }
 }
@@ -68,10 +68,17 @@ fn between(at: usize, of: usize, source: usize) -> [usize; 3] {
 fn bilinear(corners: [[u8; 4]; 4], x: u32, y: u32) -> [u8; 4] {
     let weights = [(256 - x) * (256 - y), x * (256 - y), (256 - x) * y, x * y];
     let opaque = corners.iter().all(|corner| corner[3] == 255);
+    if opaque {
+        let mix = |channel: usize| {
+            let parts = corners.iter().zip(weights);
+            let sum: u32 = parts.map(|(corner, weight)| u32::from(corner[channel]) * weight).sum();
+            ((sum + (1 << 15)) >> 16) as u8
+        };
+        return [mix(0), mix(1), mix(2), 255];
+    }
     let mut sums = [0_u64; 4];
     for (corner, weight) in corners.iter().zip(weights) {
-        let alpha = if opaque { 255 } else { u64::from(corner[3]) };
-        let weighted = u64::from(weight) * alpha;
+        let weighted = u64::from(weight) * u64::from(corner[3]);
         for channel in 0..3 {
             sums[channel] += u64::from(corner[channel]) * weighted;
         }
@@ -85,23 +92,28 @@ fn bilinear(corners: [[u8; 4]; 4], x: u32, y: u32) -> [u8; 4] {
     [color(0), color(1), color(2), ((alpha + (1 << 15)) >> 16) as u8]
 }
 
-fn over([r, g, b, alpha]: [u8; 4], theme: &Theme, x: usize, y: usize, height: usize) -> u32 {
-    if alpha == 255 {
-        return pack([r, g, b]);
+/// A colour with straight alpha over the ground's.
+fn over([r, g, b, alpha]: [u8; 4], ground: [u8; 3]) -> u32 {
+    match alpha {
+        255 => pack([r, g, b]),
+        0 => pack(ground),
+        _ => {
+            let alpha = u32::from(alpha);
+            let mix = |color: u8, below: u8| {
+                ((u32::from(color) * alpha + u32::from(below) * (255 - alpha)) / 255) as u8
+            };
+            pack([mix(r, ground[0]), mix(g, ground[1]), mix(b, ground[2])])
+        }
     }
-    let below = ground(theme.ground, x, y, height).map(|channel| channel as u32);
-    let alpha = u32::from(alpha);
-    let mix =
-        |color: u8, below: u32| ((u32::from(color) * alpha + below * (255 - alpha)) / 255) as u8;
-    pack([mix(r, below[0]), mix(g, below[1]), mix(b, below[2])])
 }
 
 /// The ground alone.
 pub(crate) fn empty(theme: &Theme, window: Size, pixels: &mut [u32]) {
     let (across, down) = (window.width as usize, window.height as usize);
     for (y, row) in pixels.chunks_exact_mut(across.max(1)).enumerate() {
+        let ground = ground(theme.ground, y, down);
         for (x, out) in row.iter_mut().enumerate() {
-            *out = over([0; 4], theme, x, y, down);
+            *out = pack(ground[x % 4]);
         }
     }
 }

@@ -257,6 +257,10 @@ fn show(
             return;
         }
     }
+    // Of all lights at once, names would lie over one another.
+    if !is_lit {
+        return;
+    }
     let text = painter.layout_no_wrap(light.name.clone(), FontId::proportional(11.0), ink);
     let rect = Align2::LEFT_CENTER.anchor_size(at + vec2(HALF + 10.0, 0.0), text.size());
     painter.rect_filled(rect.expand2(vec2(4.0, 2.0)), 4, theme.panel.gamma_multiply(0.8));

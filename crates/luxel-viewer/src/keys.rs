@@ -18,8 +18,12 @@ pub(crate) enum Action {
     Panels,
     /// The keyboard into the panels.
     IntoPanels,
+    /// The ledger of the pixel under the pointer.
+    Explain,
     /// The line of a terminal that draws what is seen.
     Line,
+    /// What is seen into a scene file.
+    Save,
     /// A point of the ruler, under the pointer.
     Measure,
     /// The next file, or the one before.
@@ -128,8 +132,10 @@ pub(crate) static BINDINGS: &[Binding] = &[
     bind("previous-file", Action::Step(false), &["Left", "PageUp"], "previous file"),
     bind("panels", Action::Panels, &["Tab"], "panels"),
     bind("into-panels", Action::IntoPanels, &["Shift+Tab"], "the keyboard into them"),
+    bind("explain", Action::Explain, &["Space"], "explain the pixel"),
     bind("screenshot", Action::Screenshot, &["F12"], "picture into a file"),
     bind("line", Action::Line, &["Ctrl+c"], "print its `luxel render`"),
+    bind("save", Action::Save, &["Ctrl+s"], "save as a scene file"),
     bind("help", Action::Help, &["h", "?", "F1"], "this help"),
     bind("quit", Action::Quit, &["q", "Escape"], "quit"),
     bind("next-mode", Action::NextMode, &["m"], ""),

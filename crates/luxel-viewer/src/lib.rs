@@ -32,12 +32,15 @@ mod ruler;
 mod screen;
 mod session;
 mod sheet;
+mod snapshot;
+mod terminal;
 mod theme;
 mod ui;
 mod wardrobe;
 mod worker;
 
-pub use app::{Options, Outcome, Print, ViewerError, Write, run};
+pub use app::{Options, Outcome, Print, Save, Showing, ViewerError, Write, run};
 pub use keys::{Keys, KeysError, KeysErrorKind};
 pub use model::Model;
+pub use terminal::{Graphics, GraphicsChoice, TerminalOptions, view_in_terminal};
 pub use theme::ThemeChoice;

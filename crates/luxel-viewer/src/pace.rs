@@ -1,6 +1,7 @@
 //! How large pictures may be while the camera moves.
 
 use luxel::scene::Size;
+use std::time::Instant;
 
 /// What a frame may take, so that 30 a second leave some time for the rest.
 const SECONDS_A_FRAME: f64 = 0.026;
@@ -39,6 +40,40 @@ impl Pace {
     pub(crate) fn moving(&self, window: Size) -> Size {
         let side = |side: u32| ((f64::from(side) * self.part).round() as u32).max(1);
         Size { width: side(window.width), height: side(window.height) }
+    }
+}
+
+/// Pictures drawn one after the other while something moved, for those who want to know.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Run {
+    begun: Option<Instant>,
+    ended: Option<Instant>,
+    pictures: u32,
+    /// Their parts of the window's width, added up.
+    parts: f64,
+}
+
+impl Run {
+    /// One more picture, at a part of the window's width.
+    pub(crate) fn count(&mut self, part: f64) {
+        let now = Instant::now();
+        self.begun.get_or_insert(now);
+        self.ended = Some(now);
+        self.pictures += 1;
+        self.parts += part;
+    }
+
+    /// What it came to, if there were enough to tell; the next run begins.
+    pub(crate) fn told(&mut self) -> Option<String> {
+        let Self { begun, ended, pictures, parts } = std::mem::take(self);
+        let seconds = (ended? - begun?).as_secs_f64();
+        (pictures > 4 && seconds > 0.0).then(|| {
+            format!(
+                "{pictures} pictures while moving, {:.1} a second, at {:.0} % of the width",
+                f64::from(pictures - 1) / seconds,
+                parts / f64::from(pictures) * 100.0
+            )
+        })
     }
 }
 

@@ -22,11 +22,6 @@ pub(crate) enum Tab {
     View,
 }
 
-/// The tree's search, the first of all fields.
-pub(crate) fn search_field() -> egui::Id {
-    egui::Id::new("search")
-}
-
 fn frame(context: &Context) -> Frame {
     Frame::new().fill(theme::of(context).panel).inner_margin(Margin::same(12))
 }
@@ -35,9 +30,11 @@ fn frame(context: &Context) -> Frame {
 pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &mut Session, wishes: &mut Vec<Wish>) {
     let panel = egui::SidePanel::left("tree").frame(frame(context)).show_separator_line(false);
     panel.resizable(false).exact_width(240.0).show(context, |panel| {
-        let field =
-            egui::TextEdit::singleline(&mut ui.search).hint_text("search").id(search_field());
-        panel.add(field.desired_width(f32::INFINITY));
+        let field = egui::TextEdit::singleline(&mut ui.search).hint_text("search");
+        let field = panel.add(field.desired_width(f32::INFINITY));
+        if std::mem::take(&mut ui.wants_focus) {
+            field.request_focus();
+        }
         panel.add_space(4.0);
         let wanted = ui.search.to_lowercase();
         let count = session.objects.len();
@@ -161,7 +158,10 @@ pub(crate) fn settings(
     let panel = egui::SidePanel::right("settings").frame(frame(context)).show_separator_line(false);
     panel.resizable(false).exact_width(272.0).show(context, |panel| {
         panel.horizontal(|panel| {
-            panel.selectable_value(&mut ui.tab, Tab::Light, "Light");
+            let first = panel.selectable_value(&mut ui.tab, Tab::Light, "Light");
+            if std::mem::take(&mut ui.wants_focus) {
+                first.request_focus();
+            }
             panel.selectable_value(&mut ui.tab, Tab::Explain, "Explain");
             panel.selectable_value(&mut ui.tab, Tab::View, "View");
         });
@@ -172,7 +172,7 @@ pub(crate) fn settings(
                 light::lights(panel, session, &mut ui.chosen);
                 material::materials(panel, session);
             }
-            Tab::Explain => explain::ledger(panel, ui.explanation.as_deref()),
+            Tab::Explain => explain::ledger(panel, session, ui.explanation.as_deref()),
             Tab::View => view::view(panel, session, &ui.keys, wishes),
         });
     });

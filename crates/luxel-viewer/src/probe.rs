@@ -1,7 +1,7 @@
 //! What lies under one pixel: the picture of that pixel alone; and which objects a whole picture shows.
 
 use luxel::pick::VisibleIds;
-use luxel::render::{Layer, LayerValues, Renderer, View};
+use luxel::render::{At, Explanation, Layer, LayerValues, Renderer, Unseen, View};
 use luxel::scene::{Camera, DMat4, DVec3, Lens, Projection, Size};
 
 /// The camera whose only pixel is one of another camera's: no matter how large a window is, asking
@@ -78,6 +78,35 @@ pub(crate) fn seen(renderer: &Renderer<'_>, view: &View, numbers: &[usize]) -> O
         }
     }
     VisibleIds::new(view.size, objects, triangles)
+}
+
+/// Why a pixel has its colour, and what it doesn't show.
+#[derive(Clone, Debug)]
+pub(crate) struct Explained {
+    pub(crate) explanation: Explanation,
+    /// Its objects are those of the whole scene.
+    pub(crate) unseen: Unseen,
+}
+
+/// Why a pixel has its colour; `None`, if it can't be told. `numbers` are those of the renderer's
+/// objects in the whole scene.
+pub(crate) fn explained(
+    renderer: &Renderer<'_>,
+    view: &View,
+    pixel: [u32; 2],
+    numbers: &[usize],
+) -> Option<Explained> {
+    let explanation = renderer.explain(view, At::Pixel(pixel)).ok()?;
+    let mut unseen = Unseen::new(renderer, view, &explanation).ok()?;
+    let whole = |object: &mut usize| *object = numbers.get(*object).copied().unwrap_or(*object);
+    for hidden in &mut unseen.entries {
+        let surfaces = hidden.culled.iter_mut().chain(&mut hidden.behind);
+        surfaces.for_each(|surface| whole(&mut surface.object));
+    }
+    if let Some(nearest) = &mut unseen.nearest {
+        whole(&mut nearest.object);
+    }
+    Some(Explained { explanation, unseen })
 }
 
 /// The distance along the view of what each pixel of a view shows; infinite where nothing is.

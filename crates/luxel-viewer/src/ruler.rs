@@ -42,7 +42,7 @@ impl Ruler {
 }
 
 /// A length as exactly as points of pictures are known: to four digits.
-fn number(length: f64) -> String {
+pub(crate) fn number(length: f64) -> String {
     if length == 0.0 {
         return "0".to_owned();
     }

@@ -2,6 +2,7 @@
 
 use crate::compare::Split;
 use crate::guides::{Guides, Subject};
+use crate::keys::{Action, Shown};
 use crate::lamps::{NewLight, Places};
 use crate::look::Look;
 use crate::marks::Marks;
@@ -352,6 +353,29 @@ impl Session {
         }
     }
 
+    /// Changes how the scene is looked at as a key asks; whether it asks for that.
+    pub(crate) fn look_otherwise(&mut self, action: Action) -> bool {
+        match action {
+            Action::Show(shown) => {
+                let one = match shown {
+                    Shown::Grid => &mut self.guides.grid,
+                    Shown::Axes => &mut self.guides.axes,
+                    Shown::Boxes => &mut self.guides.boxes,
+                    Shown::Normals => &mut self.guides.normals,
+                };
+                *one = !*one;
+                self.changed();
+            }
+            Action::NextEdges => self.change_look(Look::step_edges),
+            Action::NextShading => self.change_look(Look::step_shading),
+            Action::StepLayer(is_forward) => self.change_look(|look| look.step_layer(is_forward)),
+            Action::Split => self.toggle_split(),
+            Action::Difference => self.toggle_difference(),
+            _ => return false,
+        }
+        true
+    }
+
     /// What was changed of the materials.
     pub(crate) fn wardrobe(&self) -> &Wardrobe {
         &self.wardrobe
@@ -437,156 +461,4 @@ impl Session {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use luxel::navigation::{Gesture, Log};
-    use luxel::scene::{DVec2, demos};
-    use std::sync::Arc;
-
-    const SIZE: Size = Size { width: 640, height: 360 };
-
-    fn session(records: bool) -> Session {
-        let scene = demos::demo("plane").unwrap();
-        let view = luxel::default_view(&scene, SIZE);
-        let (up, pivot) = (scene.up, scene.bounds().centre());
-        let model = Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] };
-        Session::new(model, SIZE, Mode::RollingBall, records)
-    }
-
-    #[test]
-    fn a_recording_plays_back_to_the_same_bits_from_any_start() {
-        let mut recorded = session(true);
-        let at = DVec2::new(300.0, 200.0);
-        recorded.happen(Event::Grab { gesture: Gesture::Turn, at, point: None }, 0.25);
-        recorded.happen(Event::Drag { at: at + DVec2::new(40.0, -7.0) }, 0.016);
-        recorded.happen(Event::Release, 0.016);
-        recorded.switch_lens(0.5);
-        recorded.fit(0.1);
-        recorded.happen(Event::Wait, 0.07);
-        recorded.resize(Size { width: 800, height: 300 });
-        recorded.happen(Event::Wheel { notches: 2.0, at, point: None }, 0.01);
-        let log: Log = recorded.log().unwrap().parse().unwrap();
-        let mut played = session(false);
-        played.happen(Event::Tap { command: "orbit-up".parse().unwrap(), steps: 5.0 }, 0.0);
-        for entry in &log.entries {
-            played.play(entry);
-        }
-        assert_eq!(played.camera(), recorded.camera());
-        assert_eq!(played.settings.size, recorded.settings.size);
-    }
-
-    #[test]
-    fn parallel_rays_and_back_is_where_it_was() {
-        let mut session = session(false);
-        let before = session.camera();
-        session.switch_lens(0.0);
-        assert!(session.camera().projection.is_orthographic());
-        session.switch_lens(0.0);
-        let after = session.camera();
-        assert!(after.view_from_world.abs_diff_eq(before.view_from_world, 1e-9));
-        assert_eq!(after.projection.lens, before.projection.lens);
-    }
-
-    #[test]
-    fn what_is_selected_comes_into_view_else_what_is_not_hidden() {
-        use crate::marks::Choice;
-        let scene = demos::demo("spheres").unwrap();
-        let view = luxel::default_view(&scene, SIZE);
-        let (up, pivot) = (scene.up, scene.bounds().centre());
-        let model = Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] };
-        let mut session = Session::new(model, SIZE, Mode::Turntable, false);
-        let centre = session.bounds(1).centre();
-        session.marks.select([1], Choice::Replace);
-        session.fit_selected(0.0);
-        session.happen(Event::Wait, 10.0);
-        assert!(session.state.pivot().abs_diff_eq(centre, 1e-9));
-        session.marks.isolate(session.objects.len());
-        session.marks.select(None, Choice::Replace);
-        session.fit(0.0);
-        session.happen(Event::Wait, 10.0);
-        assert!(!session.state.pivot().abs_diff_eq(centre, 1e-3));
-        session.fit_selected(0.0);
-        session.happen(Event::Wait, 10.0);
-        assert!(session.state.pivot().abs_diff_eq(centre, 1e-9));
-    }
-
-    #[test]
-    fn a_model_that_has_changed_keeps_camera_and_edited_lights_but_not_marks_of_others() {
-        use crate::marks::Choice;
-        let mut session = session(false);
-        let first = session.model.clone();
-        session.happen(Event::Tap { command: "orbit-up".parse().unwrap(), steps: 5.0 }, 0.0);
-        session.change_look(|look| {
-            look.view_mut().samples = 16;
-            look.view_mut().lights[0].light.scale(0.5);
-            look.switch(1, false);
-        });
-        session.change_wardrobe(|wardrobe| wardrobe.change(0).k_d = Some(0.5));
-        session.marks.select([1], Choice::Replace);
-        let (place, view) = (session.state.view_from_world(), session.view());
-        session.reload(first.clone());
-        assert_eq!(session.state.view_from_world(), place);
-        assert_eq!(session.view().lights, view.lights);
-        assert_eq!((session.view().samples, session.marks.selected().len()), (16, 1));
-        assert!(session.wardrobe().is_changed(0));
-        // Larger, with other lights and one object less.
-        let mut scene = (*first.scene).clone();
-        for mesh in &mut scene.meshes {
-            mesh.positions.iter_mut().flatten().for_each(|part| *part *= 3.0);
-        }
-        let last = scene.objects().pop().unwrap();
-        scene.nodes[last.node.index()].mesh = None;
-        let mut other = Model { scene: Arc::new(scene), ..first };
-        other.view.lights.truncate(1);
-        session.reload(other.clone());
-        assert_eq!(session.view().lights, other.view.lights);
-        assert_eq!(session.state.view_from_world(), place);
-        assert!(session.marks.selected().is_empty());
-        assert_eq!(session.settings.bounds, other.scene.bounds());
-    }
-
-    #[test]
-    fn lights_that_are_off_are_not_drawn() {
-        let mut session = session(false);
-        let all = session.view().lights;
-        assert!(!session.is_edited());
-        session.change_look(|look| look.switch(0, false));
-        assert_eq!(session.view().lights, all[1..]);
-        assert!(session.is_edited());
-    }
-
-    #[test]
-    fn two_looks_keep_their_sides_and_the_panels_set_one_of_them() {
-        let mut session = session(false);
-        let samples = |session: &Session| {
-            session.sheets().iter().map(|sheet| sheet.view.samples).collect::<Vec<_>>()
-        };
-        let set = |session: &mut Session, samples| {
-            session.change_look(|look| look.view_mut().samples = samples);
-        };
-        set(&mut session, 8);
-        session.toggle_split();
-        set(&mut session, 1);
-        assert_eq!(samples(&session), [8, 1]);
-        session.set_side(false);
-        set(&mut session, 16);
-        assert_eq!(samples(&session), [16, 1]);
-        let of = |session: &Session, x| session.view_at(x).samples;
-        assert_eq!((of(&session, 10.0), of(&session, 600.0)), (16, 1));
-        let before = session.revision();
-        session.set_side(true);
-        assert_eq!((samples(&session), session.revision()), (vec![16, 1], before));
-        session.toggle_split();
-        assert_eq!(samples(&session), [1]);
-    }
-
-    #[test]
-    fn planes_that_are_fixed_stay_sound() {
-        let mut session = session(false);
-        for planes in [[Some(1e6), None], [None, Some(1e-6)], [Some(0.5), Some(9.0)]] {
-            session.model.planes = planes;
-            let Projection { near, far, .. } = session.camera().projection;
-            assert!(near > 0.0 && near < far, "{planes:?}: {near} {far}");
-        }
-    }
-}
+mod tests;

@@ -24,8 +24,8 @@ pub(crate) struct Theme {
     button: Color32,
     /// Ambient, diffuse, specular, emission, environment.
     pub(crate) terms: [Color32; 5],
-    /// N, L, V.
-    pub(crate) vectors: [Color32; 3],
+    /// N, L, V, R or H.
+    pub(crate) vectors: [Color32; 4],
     /// About lines over the picture, so that they are told from any colour.
     pub(crate) halo: Color32,
 }
@@ -48,7 +48,7 @@ pub(crate) static DARK: Theme = Theme {
     field: rgb(0x15171a),
     button: rgb(0x26292e),
     terms: [rgb(0x7d8ca3), rgb(0x5aa9e6), rgb(0xf2f2f2), rgb(0xf28f5a), rgb(0xa3b5a6)],
-    vectors: [rgb(0x6fd3c7), rgb(0xf2b84b), rgb(0xc9a2f2)],
+    vectors: [rgb(0x6fd3c7), rgb(0xf2b84b), rgb(0xc9a2f2), rgb(0xf27fb2)],
     halo: Color32::from_black_alpha(130),
 };
 
@@ -67,7 +67,7 @@ pub(crate) static LIGHT: Theme = Theme {
     field: rgb(0xeeece6),
     button: rgb(0xece9e2),
     terms: [rgb(0x535d6d), rgb(0x3c7199), rgb(0xa1a1a1), rgb(0xa15f3c), rgb(0x6d796f)],
-    vectors: [rgb(0x4a8d85), rgb(0xa17b32), rgb(0x866ca1)],
+    vectors: [rgb(0x4a8d85), rgb(0xa17b32), rgb(0x866ca1), rgb(0xa15577)],
     halo: Color32::from_rgba_premultiplied(150, 150, 150, 150),
 };
 

@@ -8,12 +8,12 @@ use crate::help::help;
 use crate::keys::{Action, Keys};
 use crate::paint::Painter;
 use crate::panels;
+use crate::probe::Explained;
 use crate::ruler;
 use crate::session::Session;
 use crate::theme::{self, AXES, Theme};
 use egui::{Align2, Color32, Context, FontId, Frame, Margin, RawInput, Rect, Sense, Stroke, vec2};
 use luxel::navigation::{Mode, StandardView, hit, knobs};
-use luxel::render::Explanation;
 use luxel::scene::{Bounds, DVec2, Size};
 use std::time::{Duration, Instant};
 
@@ -30,6 +30,8 @@ pub(crate) enum Wish {
     Lens,
     /// The line of a terminal that draws what is seen.
     Line,
+    /// What is seen into a scene file.
+    Save,
 }
 
 /// What the line below the picture tells.
@@ -56,6 +58,8 @@ pub(crate) struct Ui {
     pub(crate) tab: panels::Tab,
     /// The light that is looked at.
     pub(crate) chosen: Option<usize>,
+    /// Whether the first control of the panels is to have the keyboard.
+    pub(crate) wants_focus: bool,
     /// The handle of a light that is dragged.
     grab: Option<Grab>,
     pub(crate) theme: &'static Theme,
@@ -63,7 +67,7 @@ pub(crate) struct Ui {
     /// How far two looks are apart, where that is shown.
     pub(crate) apart: Option<Apart>,
     /// Why the pixel under the pointer has its colour.
-    pub(crate) explanation: Option<Box<Explanation>>,
+    pub(crate) explanation: Option<Box<Explained>>,
     /// Two corners of the rubber band, while it is drawn.
     pub(crate) band: Option<[egui::Pos2; 2]>,
     context: Context,
@@ -71,8 +75,9 @@ pub(crate) struct Ui {
     begun: Instant,
 }
 
-/// Narrower than this, in points, there is no room for panels beside the picture.
-const ROOM_FOR_PANELS: f32 = 700.0;
+/// Narrower than this, in points, there is no room for both panels beside the picture, then for none.
+const ROOM_FOR_BOTH: f32 = 880.0;
+const ROOM_FOR_ONE: f32 = 560.0;
 /// The axes in the corner: their length, their knobs' radius, and their square's side.
 const AXIS: f32 = 34.0;
 const KNOB: f32 = 9.0;
@@ -92,6 +97,7 @@ impl Ui {
             search: String::new(),
             tab: panels::Tab::default(),
             chosen: Some(0),
+            wants_focus: false,
             grab: None,
             theme,
             keys,
@@ -104,10 +110,16 @@ impl Ui {
         }
     }
 
+    /// Shows the ledger of the pixel under the pointer, or the panels no more.
+    pub(crate) fn toggle_ledger(&mut self) {
+        self.shows_panels = !self.explains();
+        self.tab = panels::Tab::Explain;
+    }
+
     /// Shows the panels, and puts the keyboard into their first field.
     pub(crate) fn enter_panels(&mut self) {
         self.shows_panels = true;
-        self.context.memory_mut(|memory| memory.request_focus(panels::search_field()));
+        self.wants_focus = true;
     }
 
     /// Another theme from now on.
@@ -171,11 +183,15 @@ impl Ui {
     ) {
         status_line(context, status, session.as_deref(), &self.keys);
         let Some(session) = session else { return };
-        if self.shows_panels && context.content_rect().width() >= ROOM_FOR_PANELS {
-            panels::tree(self, context, session, wishes);
+        let width = context.content_rect().width();
+        if self.shows_panels && width >= ROOM_FOR_ONE {
+            // The tree's objects are in the picture, too.
+            if width >= ROOM_FOR_BOTH {
+                panels::tree(self, context, session, wishes);
+            }
             panels::settings(self, context, session, wishes);
             if let (true, Some(explanation)) = (self.explains(), &self.explanation) {
-                explain::vectors(context, session, explanation);
+                explain::vectors(context, session, &explanation.explanation);
             }
             if self.tab == panels::Tab::Light {
                 handles::draw(context, session, &mut self.chosen, &mut self.grab);

@@ -1,10 +1,10 @@
 //! The thread that loads and draws, so that the window answers all the while.
 
 use crate::model::Model;
-use crate::probe::{Under, depths, seen, under};
+use crate::probe::{Explained, Under, depths, explained, seen, under};
 use crate::sheet::Sheet;
 use luxel::pick::VisibleIds;
-use luxel::render::{At, Execution, Explanation, Prepared, Renderer, View};
+use luxel::render::{Execution, Prepared, Renderer, View};
 use luxel::scene::{Camera, Scene, SceneMaterial, Size};
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
@@ -20,7 +20,7 @@ pub(crate) enum Answer {
     /// Which objects the last sharp picture shows.
     Seen(Option<Box<VisibleIds>>),
     /// Why a pixel has its colour; nothing, if it can't be told.
-    Explained(Option<Box<Explanation>>),
+    Explained(Option<Box<Explained>>),
     /// The scene can't be drawn, or a view.
     Failed(String),
 }
@@ -235,8 +235,8 @@ fn work(
             Request::Change(changes) => return End::Change(changes),
             Request::Draw(order) => draw(renderer, numbers, &order, answer),
             Request::Explain(view, pixel) => {
-                let explanation = renderer.explain(&view, At::Pixel(pixel)).ok();
-                answer(Answer::Explained(explanation.map(Box::new)))
+                let explained = explained(renderer, &view, pixel, numbers);
+                answer(Answer::Explained(explained.map(Box::new)))
             }
             // Who has asked may not wait any more.
             Request::Probe(view, pixel, to) => {

@@ -35,6 +35,15 @@ pub(crate) struct ViewCommand {
     #[arg(long, value_name = "FILE")]
     replay: Option<OsString>,
 
+    /// Show the model in the terminal instead of a window, with the same keys
+    #[arg(long, conflicts_with_all = ["record", "replay", "more"])]
+    terminal: bool,
+
+    /// By what the terminal shows pictures; auto is the best that it is known to have, and blocks are
+    /// two pixels in each of its cells
+    #[arg(long, value_enum, value_name = "HOW", default_value = "auto", requires = "terminal")]
+    graphics: GraphicsName,
+
     /// The window's colours; auto is as the system's, where it tells
     #[arg(long, value_enum, value_name = "THEME", default_value = "auto")]
     theme: ThemeName,
@@ -60,6 +69,16 @@ pub(crate) struct ViewCommand {
     execution: ExecutionOptions,
 }
 
+/// By what a terminal shows pictures.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum GraphicsName {
+    Auto,
+    Kitty,
+    Iterm2,
+    Sixel,
+    Blocks,
+}
+
 /// The window's colours.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum ThemeName {
@@ -80,27 +99,40 @@ impl ViewCommand {
 mod keys;
 #[cfg(feature = "viewer")]
 mod line;
+#[cfg(feature = "viewer")]
+mod saved;
 
 #[cfg(feature = "viewer")]
 mod window {
     use super::keys;
     use super::line::line;
-    use super::{ThemeName, ViewCommand};
+    use super::saved;
+    use super::{GraphicsName, ThemeName, ViewCommand};
     use crate::cli::with_command;
     use crate::console::Console;
     use crate::failure::Failure;
     use crate::options::InputOptions;
     use crate::{model, navigation, output, surface, view};
-    use luxel_viewer::{Model, Options, Outcome, ThemeChoice, ViewerError};
+    use luxel_viewer::{
+        Graphics, GraphicsChoice, Model, Options, Outcome, TerminalOptions, ThemeChoice,
+        ViewerError, view_in_terminal,
+    };
     use std::ffi::OsStr;
-    use std::path::PathBuf;
+    use std::path::{Path, PathBuf};
     use std::sync::{Arc, Mutex, PoisonError};
+
+    fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
+        output::write_file(path, bytes).map_err(|failure| failure.lines().join("; "))
+    }
 
     impl ViewCommand {
         pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
             if self.input.model == "-" && self.replay.as_deref() == Some("-".as_ref()) {
                 let message = "model and log can't both come from the standard input: use a file";
                 return Err(Failure::Usage(message.to_owned()));
+            }
+            if self.terminal {
+                return self.in_terminal(console);
             }
             let files: Vec<_> = std::iter::once(&self.input.model).chain(&self.more).collect();
             for file in &files {
@@ -113,28 +145,30 @@ mod window {
             }
             let most = self.execution.max_memory;
             let replay = self.replay.as_ref().map(|path| navigation::read_log(path, most));
+            let (restyle, shading) = (surface::restyle(&self.material), self.shading.clone());
             let options = Options {
                 files,
                 size: self.frame.size,
                 mode: self.mode,
                 record,
                 replay: replay.transpose()?.map(|(log, _)| log),
-                theme: match self.theme {
-                    ThemeName::Auto => ThemeChoice::Auto,
-                    ThemeName::Dark => ThemeChoice::Dark,
-                    ThemeName::Light => ThemeChoice::Light,
-                },
+                theme: self.theme(),
                 keys: keys::keys(self.keys.as_deref())?,
                 execution: view::execution(&self.execution),
-                write: Box::new(|path, bytes| {
-                    output::write_file(path, bytes).map_err(|failure| failure.lines().join("; "))
-                }),
+                write: Box::new(write),
                 print: Box::new(|file, view| {
                     let words = with_command(std::env::args_os());
                     // Who reads it may be gone; the window is still there.
                     let _ = output::print(&format!("{}\n", line(&words, file, view)));
                 }),
+                save: Box::new(move |file, showing| {
+                    let (path, text) = saved::saved(file, showing, restyle.clone(), &shading)?;
+                    output::write_file(&path, text.as_bytes())
+                        .map_err(|failure| failure.lines().join("; "))?;
+                    Ok(path.display().to_string())
+                }),
                 tell: Box::new(move |what| console.tell(what)),
+                detail: Box::new(move |what| console.detail(what)),
             };
             // What went wrong on the thread that loads.
             let failure = Arc::new(Mutex::new(None));
@@ -154,10 +188,48 @@ mod window {
                 }
                 Err(error @ ViewerError::NoDisplay(_)) => Err(Failure::work(
                     error.to_string(),
-                    "`luxel render` draws without a display; or set DISPLAY",
+                    "`luxel view --terminal` and `luxel render` need no display; or set DISPLAY",
                 )),
                 Err(error) => Err(Failure::work(error.to_string(), "")),
             }
+        }
+
+        fn theme(&self) -> ThemeChoice {
+            match self.theme {
+                ThemeName::Auto => ThemeChoice::Auto,
+                ThemeName::Dark => ThemeChoice::Dark,
+                ThemeName::Light => ThemeChoice::Light,
+            }
+        }
+
+        /// Shows the model in the terminal.
+        fn in_terminal(&self, console: Console) -> Result<(), Failure> {
+            let keys = keys::keys(self.keys.as_deref())?;
+            let graphics = match self.graphics {
+                GraphicsName::Auto => GraphicsChoice::Auto,
+                GraphicsName::Kitty => GraphicsChoice::Only(Graphics::Kitty),
+                GraphicsName::Iterm2 => GraphicsChoice::Only(Graphics::Iterm2),
+                GraphicsName::Sixel => GraphicsChoice::Only(Graphics::Sixel),
+                GraphicsName::Blocks => GraphicsChoice::Only(Graphics::Blocks),
+            };
+            let file = &self.input.model;
+            let model = self.load(file, console)?;
+            let options = TerminalOptions {
+                file: file.clone(),
+                mode: self.mode,
+                keys,
+                theme: self.theme(),
+                graphics,
+                execution: view::execution(&self.execution),
+                write: Box::new(write),
+            };
+            view_in_terminal(model, &options).map_err(|error| match error {
+                ViewerError::NoTerminal(_) => Failure::work(
+                    error.to_string(),
+                    "run it in a terminal, or draw a file with `luxel render`",
+                ),
+                error => Failure::work(error.to_string(), ""),
+            })
         }
 
         /// Says before any window opens that there is no such file.

@@ -6,7 +6,7 @@ use crate::program::{Folder, luxel};
 fn without_a_display_it_is_said_what_works() {
     // Without a command, it is `view`.
     for line in ["view demo:plane", "demo:plane --size 64x48", ""] {
-        luxel(line).failed(1, "`luxel render` draws without a display");
+        luxel(line).failed(1, "`luxel view --terminal` and `luxel render` need no display");
     }
 }
 
@@ -25,4 +25,21 @@ fn flags_of_the_window_are_checked() {
     let folder = Folder::new();
     folder.write("a.log", "luxel-navigation 1\njump\n");
     folder.run(["view", "demo:plane", "--replay", "a.log"]).failed(1, "line 2");
+}
+
+#[test]
+fn without_a_terminal_it_is_said_what_works() {
+    luxel("view demo:plane --terminal").failed(1, "this is no terminal");
+    luxel("view demo:plane --graphics sixel").failed(2, "--terminal");
+}
+
+#[test]
+fn a_wrong_file_of_keys_is_told_with_its_line_before_anything_opens() {
+    let folder = Folder::new();
+    folder.write("keys.toml", "fit = \"g\"\nquit = \"g\"\n");
+    for more in [&[][..], &["--terminal"]] {
+        let line = [&["view", "demo:plane", "--keys", "keys.toml"], more].concat();
+        folder.run(line).failed(1, "keys.toml:2:8: g does `fit` already");
+    }
+    folder.run(["view", "demo:plane", "--keys", "none.toml"]).failed(1, "none.toml");
 }

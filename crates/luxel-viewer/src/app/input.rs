@@ -1,8 +1,7 @@
 //! What mouse and keys do: for the panels where they are theirs, for the camera elsewhere.
 
 use super::App;
-use crate::keys::{Action, Chord, KeyName, MODES, Shown};
-use crate::look::Look;
+use crate::keys::{Action, Chord, KeyName, MODES};
 use crate::ui::Wish;
 use luxel::navigation::{Event, Gesture, Mode};
 use luxel::scene::DVec2;
@@ -57,6 +56,7 @@ impl App {
             | Action::Difference => self.look_otherwise(action),
             Action::Measure => self.measure(),
             Action::Line => self.print_line(),
+            Action::Save => self.save(),
             Action::Step(is_forward) => self.step(is_forward),
             Action::Hide | Action::Isolate | Action::ShowAll => {
                 if let Some(session) = &mut self.session {
@@ -77,6 +77,10 @@ impl App {
                 self.ui.enter_panels();
                 self.redraw();
             }
+            Action::Explain => {
+                self.ui.toggle_ledger();
+                self.redraw();
+            }
             Action::Panels => {
                 self.ui.shows_panels = !self.ui.shows_panels;
                 self.redraw();
@@ -87,30 +91,9 @@ impl App {
     /// Changes how the scene is looked at.
     fn look_otherwise(&mut self, action: Action) {
         let Some(session) = &mut self.session else { return };
-        match action {
-            Action::Show(shown) => {
-                let guides = &mut session.guides;
-                let one = match shown {
-                    Shown::Grid => &mut guides.grid,
-                    Shown::Axes => &mut guides.axes,
-                    Shown::Boxes => &mut guides.boxes,
-                    Shown::Normals => &mut guides.normals,
-                };
-                *one = !*one;
-                session.changed();
-            }
-            Action::NextEdges => session.change_look(Look::step_edges),
-            Action::NextShading => session.change_look(Look::step_shading),
-            Action::StepLayer(is_forward) => {
-                session.change_look(|look| look.step_layer(is_forward));
-            }
-            Action::Split => session.toggle_split(),
-            Action::Difference => session.toggle_difference(),
-            _ => {}
-        }
-        let told = session.look().told();
+        session.look_otherwise(action);
         if matches!(action, Action::NextShading | Action::StepLayer(_)) {
-            self.status.note = Some(told);
+            self.status.note = Some(session.look().told());
             self.noted = Some(Instant::now() + Duration::from_secs(2));
         }
         self.redraw();
@@ -198,6 +181,7 @@ impl App {
             Wish::View(view) => self.happen(Event::View(view)),
             Wish::Mode(mode) => self.happen(Event::Mode(mode)),
             Wish::Line => self.print_line(),
+            Wish::Save => self.save(),
             Wish::Fit(Some(bounds)) => self.happen(Event::Fit(Some(bounds))),
             Wish::Fit(None) | Wish::Lens if self.playing.is_some() => {}
             Wish::Fit(None) | Wish::Lens => {

@@ -1,6 +1,6 @@
 //! What the window shows, and what of it is kept in files.
 
-use super::{App, ViewerError, shrunk};
+use super::{App, Showing, ViewerError, shrunk};
 use crate::compare::{Apart, Split, heat, join};
 use crate::compose::{compose, empty};
 use crate::guides::Guides;
@@ -8,11 +8,10 @@ use crate::lines::{Depths, Line, draw};
 use crate::marks::Marks;
 use crate::outline::outline;
 use crate::session::Session;
+use crate::snapshot::{keep, rgba_of};
 use crate::theme::Theme;
 use crate::worker::{Drawn, Purpose};
-use luxel::render::{PictureFormat, write_rgba8};
 use luxel::scene::Size;
-use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// Lines of the world, with what they were made of.
@@ -77,9 +76,15 @@ impl App {
             Purpose::Moving => {
                 if let Some(session) = &self.session {
                     self.pace.learn(drawn.size, session.settings.size, drawn.seconds);
+                    let window = session.settings.size;
+                    self.run.count(f64::from(drawn.size.width) / f64::from(window.width));
                 }
             }
-            Purpose::Sharp => {}
+            Purpose::Sharp => {
+                if let Some(told) = self.run.told() {
+                    (self.options.detail)(&told);
+                }
+            }
         }
         if let Some(session) = &self.session {
             let part = f64::from(drawn.size.width) / f64::from(session.settings.size.width);
@@ -102,22 +107,9 @@ impl App {
             pixels_per_point: scale as f32,
         };
         picture(drawn, &over, size, &mut pixels);
-        let rgba: Vec<_> = pixels
-            .iter()
-            .map(|pixel: &u32| {
-                let [_, r, g, b] = pixel.to_be_bytes();
-                [r, g, b, 255]
-            })
-            .collect();
         let encoding = self.session.as_ref().map(|session| session.look().view().encoding);
-        let mut bytes = Vec::new();
-        write_rgba8(PictureFormat::Png, size, &rgba, encoding.unwrap_or_default(), &mut bytes)
-            .map_err(|error| error.to_string())?;
-        let name = |number: u32| PathBuf::from(format!("{}-{number}.png", self.stem));
-        let free = (1..).map(name).find(|path| !path.exists());
-        let path = free.ok_or("no name is free for a picture")?;
-        (self.options.write)(&path, &bytes)?;
-        Ok(format!("{} written", path.display()))
+        let encoding = encoding.unwrap_or_default();
+        keep(&self.stem, &rgba_of(&pixels), size, encoding, &self.options.write)
     }
 
     /// Prints the line of a terminal that draws what is seen.
@@ -130,6 +122,30 @@ impl App {
             "its line is in the terminal"
         };
         self.note(note.to_owned());
+    }
+
+    /// Saves what is seen as a scene file.
+    pub(super) fn save(&mut self) {
+        let Some(session) = &self.session else { return };
+        let scene = &session.model.scene;
+        let saved = session.wardrobe().said(scene, &session.objects).and_then(|changes| {
+            let worn = session.wardrobe().all(scene);
+            let view = session.view();
+            let showing = Showing {
+                scene,
+                view: &view,
+                planes: session.model.planes,
+                changes,
+                materials: worn.as_deref().unwrap_or(&scene.materials),
+            };
+            (self.options.save)(self.files.seen(), &showing)
+        });
+        let is_all = session.marks.hidden().is_empty();
+        let note = saved.map(|name| {
+            let but = if is_all { "" } else { ", with what is hidden" };
+            format!("{name} written{but}")
+        });
+        self.note(note.unwrap_or_else(|what| what));
     }
 
     pub(super) fn redraw(&self) {
@@ -201,6 +217,11 @@ impl App {
             ui.apart = apart;
             asked = ui.show(session, status, (window, pixels_per_point), pixels);
         })?;
+        if let Some(begun) = self.begun.filter(|_| self.shown.is_some()) {
+            self.begun = None;
+            let milliseconds = begun.elapsed().as_millis();
+            (self.options.detail)(&format!("the first picture was there after {milliseconds} ms"));
+        }
         let (wishes, again) = asked;
         self.repaint = Instant::now().checked_add(again);
         if again.is_zero() {

@@ -168,10 +168,17 @@ fn camera(ui: &mut Ui, session: &Session, wishes: &mut Vec<Wish>) {
             wishes.push(Wish::Fit(None));
         }
     });
-    let line = ui.button("print as `luxel render`");
-    if line.on_hover_text("the line that draws this view goes to the terminal").clicked() {
-        wishes.push(Wish::Line);
-    }
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let line = ui.button("print its line");
+        if line.on_hover_text("`luxel render ...`, in the terminal").clicked() {
+            wishes.push(Wish::Line);
+        }
+        let save = ui.button("save as a scene file");
+        if save.on_hover_text("a TOML beside the model; `luxel render` draws it").clicked() {
+            wishes.push(Wish::Save);
+        }
+    });
 }
 
 fn navigation(ui: &mut Ui, session: &mut Session, keys: &Keys, wishes: &mut Vec<Wish>) {

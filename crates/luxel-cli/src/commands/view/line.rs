@@ -3,6 +3,7 @@
 use crate::cli::Cli;
 use clap::CommandFactory;
 use clap::parser::ValueSource;
+use luxel::formats::values::degrees;
 use luxel::render::View;
 use luxel::scene::{Camera, Lens};
 use std::ffi::{OsStr, OsString};
@@ -74,14 +75,6 @@ fn given(words: &[OsString]) -> Vec<String> {
     flags
 }
 
-/// Degrees that are read as just these radians, if there are any.
-fn degrees(radians: f64) -> f64 {
-    let near = radians.to_degrees();
-    let short = (near * 1e9).round() / 1e9;
-    let of_same = |degrees: &f64| degrees.to_radians() == radians;
-    [short, near, near.next_up(), near.next_down()].into_iter().find(of_same).unwrap_or(near)
-}
-
 /// A word as shells read it.
 fn quoted(word: &str) -> String {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "-_=./:,+@%".contains(letter);
@@ -129,13 +122,5 @@ mod tests {
         let read = render.frame();
         assert_eq!((read.size, read.samples, read.view_matrix), (size, 8, Some(turned)));
         assert_eq!(read.fov.map(f64::to_radians), Some(0.7));
-    }
-
-    #[test]
-    fn every_usual_angle_is_written_as_it_was_given() {
-        for angle in 1..180 {
-            let angle = f64::from(angle);
-            assert_eq!(degrees(angle.to_radians()), angle);
-        }
     }
 }

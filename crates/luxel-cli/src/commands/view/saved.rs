@@ -1,0 +1,192 @@
+//! What a window shows, as a scene file: `luxel render` draws the same bytes of it.
+
+use crate::options::{NormalsChoice, ShadingOptions};
+use clap::ValueEnum;
+use luxel::formats::{SceneModels, SceneText, SettingValue, SurfaceChange};
+use luxel::lighting::{Environment, Light, PictureEncoding, Reflection};
+use luxel::render::{
+    Clamp, Cull, EnvironmentChoice, Interpolation, NormalLength, ShadingMode, View,
+};
+use luxel::scene::{DVec3, Placement, Restyle, Scene, SceneCamera, SceneLight, SceneMaterial};
+use luxel_viewer::Showing;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+/// A scene file's place and text for what a window shows of a file; what went wrong, if that can't be
+/// said in one.
+pub(super) fn saved(
+    file: &OsStr,
+    shown: &Showing<'_>,
+    restyle: Restyle,
+    shading: &ShadingOptions,
+) -> Result<(PathBuf, String), String> {
+    let name = file.to_str().ok_or("the file's name is no text that a scene file can hold")?;
+    if name == "-" {
+        return Err("what came from the standard input has no name to be saved by".to_owned());
+    }
+    let path = Path::new(name);
+    let is_scene = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
+    let bytes;
+    // Paths in the scene file begin with the model's own node.
+    let (models, root, stem) = if let Some(demo) = name.strip_prefix("demo:") {
+        (SceneModels::One(name), vec![demo.to_owned()], PathBuf::from(demo))
+    } else {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let beside = path.with_file_name(&stem);
+        if is_scene {
+            bytes = std::fs::read(path).map_err(|error| format!("{name}: {error}"))?;
+            (SceneModels::AsIn(&bytes), Vec::new(), beside)
+        } else {
+            let last = path.file_name().and_then(OsStr::to_str).unwrap_or(name);
+            (SceneModels::One(last), vec![stem], beside)
+        }
+    };
+    let text = text(models, &root, shown, restyle, shading).write();
+    let text = text.map_err(|error| format!("{name}{}: {}", error.place, error.kind))?;
+    let numbered = (1_u32..).map(|number| {
+        let mut numbered = stem.clone().into_os_string();
+        numbered.push(format!("-{number}.toml"));
+        PathBuf::from(numbered)
+    });
+    let free = numbered.into_iter().find(|path| !path.exists());
+    Ok((free.ok_or("no name is free for a scene file")?, text))
+}
+
+fn text<'a>(
+    models: SceneModels<'a>,
+    root: &[String],
+    shown: &Showing<'_>,
+    restyle: Restyle,
+    shading: &ShadingOptions,
+) -> SceneText<'a> {
+    let Showing { scene, view, planes, .. } = shown;
+    let below = |path: Vec<String>| root.iter().cloned().chain(path).collect::<Vec<_>>();
+    let own = shown
+        .changes
+        .iter()
+        .cloned()
+        .map(|change| SurfaceChange { object: change.object.map(below), ..change });
+    // What the flags change of all surfaces comes first.
+    let is_any = restyle != Restyle::default();
+    let of_flags = is_any.then_some(SurfaceChange { object: None, surface: None, restyle });
+    let node_of = |light: &SceneLight| match light.placement {
+        Placement::Node(node) => below(scene.path(node).into_iter().map(str::to_owned).collect()),
+        Placement::World | Placement::Camera => Vec::new(),
+    };
+    let mut lights: Vec<_> =
+        view.lights.iter().map(|light| (light.clone(), node_of(light))).collect();
+    if lights.is_empty() {
+        // Without any, the model's own would count.
+        lights.push((dark(), Vec::new()));
+    }
+    let camera = SceneCamera {
+        name: "window".to_owned(),
+        node: None,
+        view_from_node: view.camera.view_from_world,
+        lens: view.camera.projection.lens,
+        planes: None,
+    };
+    SceneText {
+        models,
+        changes: of_flags.into_iter().chain(own).collect(),
+        up: scene.up,
+        ambient: view.ambient,
+        environment: Some(environment(view.environment, scene, shown.materials)),
+        background: view.background,
+        fog: view.fog,
+        lights,
+        cameras: vec![camera],
+        settings: settings(view, *planes, shading),
+    }
+}
+
+/// A light that adds nothing.
+fn dark() -> SceneLight {
+    SceneLight {
+        name: "none".to_owned(),
+        light: Light::ambient([0.0; 3]),
+        placement: Placement::World,
+        position: DVec3::ZERO,
+        direction: DVec3::NEG_Z,
+    }
+}
+
+/// What mirrors and metals see: a studio for microfacet materials alone is a studio, where no other
+/// material mirrors it.
+fn environment(
+    choice: EnvironmentChoice,
+    scene: &Scene,
+    materials: &[SceneMaterial],
+) -> Environment {
+    let is = |wanted: &Reflection| {
+        materials.iter().any(|material| material.constants.reflection == *wanted)
+    };
+    match choice {
+        EnvironmentChoice::Always(environment) => environment,
+        EnvironmentChoice::StudioForMicrofacets if is(&Reflection::Microfacet) => {
+            Environment::Studio { up: scene.up.as_vec3().to_array() }
+        }
+        EnvironmentChoice::StudioForMicrofacets => Environment::None,
+    }
+}
+
+/// The flags of `luxel render`, as far as they are not those by default.
+fn settings(
+    view: &View,
+    [near, far]: [Option<f64>; 2],
+    shading: &ShadingOptions,
+) -> Vec<(String, SettingValue)> {
+    let one = |text: String| SettingValue::One(text);
+    let word = |text: &str| SettingValue::One(text.to_owned());
+    let mut settings = vec![
+        ("size", one(format!("{}x{}", view.size.width, view.size.height))),
+        ("samples", one(view.samples.to_string())),
+    ];
+    match view.cull {
+        Cull::Auto => {}
+        Cull::None => settings.push(("cull", word("none"))),
+        Cull::Back => settings.push(("cull", word("back"))),
+    }
+    match view.shading.mode {
+        ShadingMode::Phong => {}
+        ShadingMode::Flat => settings.push(("shading", word("flat"))),
+        ShadingMode::Gouraud => settings.push(("shading", word("gouraud"))),
+        ShadingMode::Subdivided { tolerance } => {
+            settings.push(("shading", word("subdivided")));
+            settings.push(("tolerance", one(tolerance.to_string())));
+        }
+    }
+    match view.shading.interpolation {
+        Interpolation::Perspective => {}
+        Interpolation::Screen => settings.push(("interpolation", word("screen"))),
+        Interpolation::Scanline => settings.push(("interpolation", word("scanline"))),
+    }
+    if view.shading.clamp == Clamp::End {
+        settings.push(("clamp", word("end")));
+    }
+    if view.shading.normal_length == NormalLength::Interpolated {
+        settings.push(("normal-length", word("interpolated")));
+    }
+    if view.encoding == PictureEncoding::None {
+        settings.push(("encoding", word("none")));
+    }
+    if let Some(edges) = view.edges {
+        let name = if edges.wireframe { "wireframe" } else { "edges" };
+        settings.push((name, SettingValue::Switch(true)));
+    }
+    for (name, plane) in [("near", near), ("far", far)] {
+        if let Some(plane) = plane {
+            let text = if plane.is_infinite() { "infinity".to_owned() } else { plane.to_string() };
+            settings.push((name, one(text)));
+        }
+    }
+    if shading.normals != NormalsChoice::File
+        && let Some(choice) = shading.normals.to_possible_value()
+    {
+        settings.push(("normals", word(choice.get_name())));
+    }
+    if let Some(crease) = shading.crease {
+        settings.push(("crease", one(crease.to_string())));
+    }
+    settings.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+}

@@ -1,0 +1,93 @@
+//! What a window is opened with, and how it ends.
+
+use crate::keys::Keys;
+use crate::theme::ThemeChoice;
+use luxel::formats::SurfaceChange;
+use luxel::navigation::{Log, Mode};
+use luxel::render::{Execution, View};
+use luxel::scene::{Scene, SceneMaterial, Size};
+use std::ffi::{OsStr, OsString};
+use std::path::{Path, PathBuf};
+
+/// How the window begins, and what it leaves.
+pub struct Options {
+    /// The files to look at, one after the other; `demo:NAME` and `-` are those of the command line.
+    pub files: Vec<OsString>,
+    /// The window's size in logical pixels.
+    pub size: Size,
+    /// The way to navigate at first.
+    pub mode: Mode,
+    /// Where a log of what is done goes, at the end.
+    pub record: Option<PathBuf>,
+    /// A log to be played at first, in its own time.
+    pub replay: Option<Log>,
+    /// The window's colours.
+    pub theme: ThemeChoice,
+    /// What keys do.
+    pub keys: Keys,
+    /// How pictures are drawn.
+    pub execution: Execution,
+    /// Writes a file, whole or not at all; answers with what went wrong, for the user.
+    pub write: Write,
+    /// Prints the line of a terminal that draws a view of a file.
+    pub print: Print,
+    /// Saves what is shown of a file as a scene file; answers with its name, or with what went wrong.
+    pub save: Save,
+    /// Says something that is worth knowing.
+    pub tell: Box<dyn Fn(&str)>,
+    /// Says how long things take, to those who have asked for it.
+    pub detail: Box<dyn Fn(&str)>,
+}
+
+/// Prints the line of a terminal that draws a view of a file.
+pub type Print = Box<dyn Fn(&OsStr, &View)>;
+
+/// Saves what is shown of a file as a scene file; answers with its name, or with what went wrong.
+pub type Save = Box<dyn Fn(&OsStr, &Showing<'_>) -> Result<String, String>>;
+
+/// What a window shows, to be saved.
+pub struct Showing<'a> {
+    /// The scene as it was read.
+    pub scene: &'a Scene,
+    /// The view.
+    pub view: &'a View,
+    /// The clipping planes that the user has fixed.
+    pub planes: [Option<f64>; 2],
+    /// What was changed of the surfaces.
+    pub changes: Vec<SurfaceChange>,
+    /// All materials as they are now.
+    pub materials: &'a [SceneMaterial],
+}
+
+/// Writes a file; answers with what went wrong.
+pub type Write = Box<dyn Fn(&Path, &[u8]) -> Result<(), String>>;
+
+/// How the window came to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The user has closed it.
+    Closed,
+    /// The first file was not loaded; whoever has tried knows why.
+    NotLoaded,
+}
+
+/// Why there is no window.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ViewerError {
+    /// The system has no display, or gives no window on it.
+    #[error("no window can be opened: {0}")]
+    NoDisplay(String),
+    /// There is no terminal, or it doesn't answer.
+    #[error("the terminal can't be used: {0}")]
+    NoTerminal(String),
+    /// The scene can't be drawn.
+    #[error("{0}")]
+    Draw(String),
+    /// A file could not be written.
+    #[error("{0}")]
+    Write(String),
+    /// The system gives no thread.
+    #[error("can't start a thread: {0}")]
+    Thread(#[from] std::io::Error),
+}
