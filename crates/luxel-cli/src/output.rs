@@ -31,6 +31,7 @@ static INTERRUPTS: Once = Once::new();
 
 /// What a program that was interrupted ends with, as shells report it: 128 and the number of the
 /// signal.
+#[cfg(not(target_family = "wasm"))]
 const INTERRUPTED: i32 = 130;
 
 /// Writes a file: under another name first, then renamed, so that it is there whole or not at all.
@@ -91,6 +92,7 @@ fn remove_when_interrupted(unfinished: &Path) {
     *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = Some(unfinished.to_owned());
     INTERRUPTS.call_once(|| {
         // Without a handler the system ends the program, which is right but for the unfinished file.
+        #[cfg(not(target_family = "wasm"))]
         let _ = ctrlc::set_handler(|| {
             if let Some(path) = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).take() {
                 let _ = fs::remove_file(path);
