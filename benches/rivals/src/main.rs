@@ -7,81 +7,17 @@
 //! 45 degrees high, in tiles of 8x8; and as many chords through the ball. Rows are medians of
 //! rounds that take turns, so that a busy machine is busy for all; hits are counted, as a check.
 
-use glam::Vec3A;
 use luxel_pick::{Bvh, MeshRays, Quality, Ray};
+use luxel_rivals::{camera_rays, chords, read, rival_ray, rival_triangles};
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
 use obvhs::cwbvh::builder::build_cwbvh_from_tris;
-use obvhs::ray::{Ray as RivalRay, RayHit};
+use obvhs::ray::RayHit;
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 
 const ROUNDS: usize = 5;
-
-struct Mesh {
-    positions: Vec<[f32; 3]>,
-    triangles: Vec<[u32; 3]>,
-}
-
-fn read(path: &str) -> Result<Mesh, Box<dyn std::error::Error>> {
-    let bytes = std::fs::read(path)?;
-    if !bytes.starts_with(b"CHM1") {
-        return Err("no CHM1 mesh".into());
-    }
-    let word = |at: usize| {
-        bytes.get(at..at + 4).and_then(|word| word.try_into().ok()).map(u32::from_le_bytes)
-    };
-    let count = |at| word(at).map(|count| count as usize).ok_or("too short");
-    let (vertices, triangles) = (count(4)?, count(8)?);
-    let triple = |at: usize| Some([word(at)?, word(at + 4)?, word(at + 8)?]);
-    let places =
-        (0..vertices).map(|at| triple(12 + 12 * at).map(|place| place.map(f32::from_bits)));
-    let corners = (0..triangles).map(|at| triple(12 + 24 * vertices + 12 * at));
-    let positions = places.collect::<Option<_>>().ok_or("too short")?;
-    let triangles = corners.collect::<Option<_>>().ok_or("too short")?;
-    Ok(Mesh { positions, triangles })
-}
-
-fn camera_rays(width: u32, height: u32) -> Vec<Ray> {
-    let half = (22.5_f32).to_radians().tan();
-    let mut rays = Vec::new();
-    for tile in 0..width / 8 * (height / 8) {
-        let (left, top) = (tile % (width / 8) * 8, tile / (width / 8) * 8);
-        for pixel in 0..64 {
-            let (x, y) = ((left + pixel % 8) as f32 + 0.5, (top + pixel / 8) as f32 + 0.5);
-            let (w, h) = (width as f32, height as f32);
-            let (dx, dy) = (half * w / h * (2.0 * x / w - 1.0), half * (1.0 - 2.0 * y / h));
-            let scale = 1.0 / (dx * dx + dy * dy + 1.0).sqrt();
-            rays.push(Ray::new([0.0, 0.0, 3.0], [dx * scale, dy * scale, -scale]));
-        }
-    }
-    rays
-}
-
-fn chords(count: usize) -> Vec<Ray> {
-    let mut state = 12345_u64;
-    let mut next = || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 40) as f32 / (1 << 24) as f32
-    };
-    let mut in_ball = |on_surface: bool| loop {
-        let place: [f32; 3] = std::array::from_fn(|_| 2.0 * next() - 1.0);
-        let squared: f32 = place.iter().map(|side| side * side).sum();
-        if (1e-4..=1.0).contains(&squared) {
-            let scale = if on_surface { 1.5 / squared.sqrt() } else { 1.0 };
-            return place.map(|side| side * scale);
-        }
-    };
-    let mut ray = || {
-        let (from, to) = (in_ball(true), in_ball(false));
-        let way: [f32; 3] = std::array::from_fn(|axis| to[axis] - from[axis]);
-        let scale = 1.0 / way.iter().map(|side| side * side).sum::<f32>().sqrt();
-        Ray::new(from, way.map(|side| side * scale))
-    };
-    (0..count).map(|_| ray()).collect()
-}
 
 /// One row: what is measured, and what a round of it gives to count.
 struct Row<'a> {
@@ -135,12 +71,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?;
     let mesh = read(path)?;
     let count = mesh.triangles.len();
-    let place = |at: u32| Vec3A::from_array(mesh.positions[at as usize]);
-    let of = |corners: &[u32; 3]| {
-        let [v0, v1, v2] = corners.map(place);
-        Triangle { v0, v1, v2 }
-    };
-    let triangles: Vec<Triangle> = mesh.triangles.iter().map(of).collect();
+    let triangles = rival_triangles(&mesh);
     let build = |quality| Bvh::build(&mesh.positions, &mesh.triangles, quality);
     let params = BvhBuildParams::medium_build;
     let bvh = build(Quality::Thorough)?;
@@ -155,9 +86,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         order.iter().map(|&at| triangles[at as usize]).collect()
     };
     let (of_bvh2, of_cwbvh) = (sorted(&bvh2.primitive_indices), sorted(&cwbvh.primitive_indices));
-    let rival_ray = |ray: &Ray| {
-        RivalRay::new_inf(Vec3A::from_array(ray.origin), Vec3A::from_array(ray.direction))
-    };
     let camera = camera_rays(1280, 720);
     let random = chords(camera.len());
     let mut rows = vec![
