@@ -84,7 +84,9 @@ pub(crate) fn check_folder(path: &Path) -> Result<(), Failure> {
 fn unfinished_name(path: &Path) -> PathBuf {
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.part", std::process::id()));
+    // WebAssembly's programs have no numbers, and asking for one ends them.
+    let number = if cfg!(target_family = "wasm") { 0 } else { std::process::id() };
+    name.push(format!(".{number}.part"));
     path.with_file_name(name)
 }
 
