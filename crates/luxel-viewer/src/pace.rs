@@ -3,8 +3,8 @@
 use luxel::scene::Size;
 use std::time::Instant;
 
-/// What a frame may take, so that 30 a second leave some time for the rest.
-const SECONDS_A_FRAME: f64 = 0.026;
+/// What drawing a frame may take at 30 a second: the last one is brought to the window meanwhile.
+const SECONDS_A_FRAME: f64 = 0.030;
 /// The smallest part of the window's width that is drawn: less can't be made out.
 const LEAST: f64 = 0.3;
 /// Parts change in such steps, so that the picture's grain doesn't flicker.
