@@ -20,7 +20,6 @@ mod mesh;
 mod meshopt;
 mod pose;
 mod scene;
-mod schema;
 mod textures;
 mod topology;
 mod tree;

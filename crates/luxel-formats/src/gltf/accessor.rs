@@ -4,8 +4,8 @@
 //! for it.
 
 use super::buffers::{Buffers, View, item, malformed};
-use super::schema::{Accessor, Sparse};
 use crate::{Error, ErrorKind, Place};
+use luxel_gltf::{Accessor, Sparse};
 use std::borrow::Cow;
 
 /// The type of a component.

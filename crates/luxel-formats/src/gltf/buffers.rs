@@ -4,10 +4,10 @@
 //! that only stand in for compressed data are exactly that.
 
 use super::meshopt;
-use super::schema::{BufferView, Document};
 use super::uri::{self, Target};
 use crate::memory::Memory;
 use crate::{Error, ErrorKind, Place, files};
+use luxel_gltf::{BufferView, Document};
 use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::path::Path;

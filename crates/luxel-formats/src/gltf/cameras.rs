@@ -1,8 +1,8 @@
 //! Cameras (glTF 2.0 specification, section 3.10).
 
 use super::buffers::malformed;
-use super::schema::Camera;
 use crate::Error;
+use luxel_gltf::Camera;
 use luxel_scene::Lens;
 
 /// The lens, and the near and far plane. The aspect ratio is the window's, so the file's is left

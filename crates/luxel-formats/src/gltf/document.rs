@@ -2,11 +2,10 @@
 
 use super::container::Container;
 use super::extensions;
-use super::schema::Document;
 use crate::memory::Memory;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
-use serde_path_to_error::Segment;
+use luxel_gltf::{Document, Fault, ReadError};
 
 /// What an object, and what a value, of the JSON text may take in memory once it is read: larger
 /// than the largest structure of the schema divided by what it takes to write one.
@@ -26,10 +25,7 @@ pub(crate) fn parse(
     // GLB pads the text with spaces, but zeros are common.
     let end = container.json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
     let json = &container.json[..end];
-    let mut deserializer = serde_json::Deserializer::from_slice(json);
-    let document: Document = serde_path_to_error::deserialize(&mut deserializer)
-        .map_err(|error| place_of(container, error.path(), error.inner()))?;
-    deserializer.end().map_err(|error| syntax_error(container, &error))?;
+    let document = luxel_gltf::read(json).map_err(|error| told(container, error))?;
     check_version(&document)?;
     extensions::check(&document, warnings)?;
     Ok(document)
@@ -56,48 +52,26 @@ fn check_version(document: &Document) -> Result<(), Error> {
 }
 
 /// A value of the wrong type is told by its pointer, bad syntax by its line or byte.
-fn place_of(
-    container: &Container<'_>,
-    path: &serde_path_to_error::Path,
-    error: &serde_json::Error,
-) -> Error {
-    if error.classify() != serde_json::error::Category::Data {
-        return syntax_error(container, error);
-    }
-    let mut pointer = String::new();
-    for segment in path {
-        match segment {
-            Segment::Seq { index } => pointer.push_str(&format!("/{index}")),
-            // RFC 6901 escapes its two special characters.
-            Segment::Map { key } => {
-                pointer.push_str(&format!("/{}", key.replace('~', "~0").replace('/', "~1")));
-            }
-            Segment::Enum { .. } | Segment::Unknown => {}
+fn told(container: &Container<'_>, error: ReadError) -> Error {
+    let ReadError { fault, message } = error;
+    let (line, column, is_end) = match fault {
+        Fault::Value { pointer } => {
+            return Error::at(Place::Pointer(pointer), ErrorKind::Malformed(message));
         }
-    }
-    Error::at(Place::Pointer(pointer), ErrorKind::Malformed(message_of(error)))
-}
-
-fn syntax_error(container: &Container<'_>, error: &serde_json::Error) -> Error {
-    let line = error.line();
+        Fault::Syntax { line, column, is_end } => (line, column, is_end),
+    };
     let place = if container.is_binary {
         let lines = container.json.split_inclusive(|&byte| byte == b'\n');
         let before: usize = lines.take(line.saturating_sub(1)).map(<[u8]>::len).sum();
-        let within = error.column().saturating_sub(1);
+        let within = column.saturating_sub(1);
         Place::Byte(container.json_start + (before + within) as u64)
     } else {
         Place::Line(line.max(1) as u64)
     };
-    let kind = if error.is_eof() {
-        ErrorKind::Truncated(format!("the JSON document ({})", message_of(error)))
+    let kind = if is_end {
+        ErrorKind::Truncated(format!("the JSON document ({message})"))
     } else {
-        ErrorKind::Malformed(format!("this is no JSON document: {}", message_of(error)))
+        ErrorKind::Malformed(format!("this is no JSON document: {message}"))
     };
     Error::at(place, kind)
-}
-
-/// The message without the line and column, which the place tells.
-fn message_of(error: &serde_json::Error) -> String {
-    let message = error.to_string();
-    message.split(" at line ").next().unwrap_or(&message).to_owned()
 }

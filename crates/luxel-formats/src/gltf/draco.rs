@@ -2,9 +2,9 @@
 
 use super::accessor::Component;
 use super::buffers::{Buffers, malformed};
-use super::schema::{Draco, Primitive};
 use crate::{Error, Place};
 use draco_core::{DecodeLimits, DecoderBuffer, Mesh, MeshDecoder};
+use luxel_gltf::{Draco, Primitive};
 
 /// A decompressed primitive.
 pub(crate) struct Decoded {

@@ -1,8 +1,8 @@
 //! Which extensions a picture shows.
 
-use super::schema::Document;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
+use luxel_gltf::Document;
 
 /// Extensions that are read and seen.
 const SUPPORTED: &[&str] = &[

@@ -2,9 +2,9 @@
 
 use super::accessor;
 use super::buffers::{Buffers, malformed};
-use super::schema::Instancing;
 use crate::{Error, Place};
 use glam::{DMat4, DQuat, DVec3};
+use luxel_gltf::Instancing;
 
 /// What an instance takes as a node of the scene, with its name.
 const BYTES_PER_INSTANCE: u64 = 512;

@@ -5,9 +5,9 @@
 //! unit light gives 1. So intensities are divided by pi here, once.
 
 use super::buffers::malformed;
-use super::schema::Light as FileLight;
 use crate::Error;
 use crate::values::LEAST_CONE_EDGE;
+use luxel_gltf::Light as FileLight;
 use luxel_lighting::{Attenuation, Cone, Light, LightKind};
 
 /// The light, as it stands at its node and shines along the node's -Z.

@@ -3,10 +3,10 @@
 
 use super::buffers::malformed;
 use super::mesh::DefaultMaterials;
-use super::schema::{Index, Material as FileMaterial, MetallicRoughness, TextureTransform};
 use super::textures::Textures;
 use crate::Error;
 use crate::warnings::Warnings;
+use luxel_gltf::{Index, Material as FileMaterial, MetallicRoughness, TextureTransform};
 use luxel_lighting::{Material, Reflection};
 use luxel_scene::{AlphaMode, Encoding, SceneMaterial, Sides, TextureUse};
 

@@ -8,11 +8,11 @@ use super::accessor;
 use super::buffers::{Buffers, item, malformed};
 use super::draco;
 use super::pose::{self, Pose};
-use super::schema::{Index, Primitive};
 use super::topology::{self, Mode};
 use super::vertices::{Source, Vertices};
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
+use luxel_gltf::{Index, Primitive};
 use luxel_scene::{Lines, MaterialId, Mesh, Part, Points};
 use std::collections::{BTreeMap, HashMap};
 

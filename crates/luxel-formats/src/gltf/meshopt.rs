@@ -5,7 +5,7 @@ mod attributes;
 mod filters;
 mod indices;
 
-use super::schema::Meshopt;
+use luxel_gltf::Meshopt;
 
 /// Decompresses a buffer view; what is wrong with the stream is told in a sentence. The caller has
 /// checked that `count` elements of `byte_stride` may be allocated.

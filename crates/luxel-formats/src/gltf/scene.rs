@@ -5,13 +5,13 @@ use super::instancing;
 use super::materials;
 use super::mesh::{self, DefaultMaterials};
 use super::pose::Pose;
-use super::schema::{Index, Node as FileNode};
 use super::textures::Textures;
 use super::tree::Tree;
 use super::{accessor, cameras, lights};
 use crate::warnings::Warnings;
 use crate::{Error, Place};
 use glam::{DMat4, DVec3};
+use luxel_gltf::{Index, Node as FileNode};
 use luxel_scene::{MeshId, Node, NodeId, Placement, Scene, SceneCamera, SceneLight};
 use std::collections::HashMap;
 

@@ -1,9 +1,9 @@
 //! Textures: images, decoded once for each encoding in which they are used, with their samplers.
 
 use super::buffers::{Buffers, item};
-use super::schema::{Index, Sampler as FileSampler};
 use crate::warnings::Warnings;
 use crate::{Error, Limits, Place, image};
+use luxel_gltf::{Index, Sampler as FileSampler};
 use luxel_scene::{
     Encoding, Filter, Image, Sampler, SceneMaterial, Texture, TextureId, TextureUse, Wrap,
 };

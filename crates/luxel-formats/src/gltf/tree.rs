@@ -1,10 +1,10 @@
 //! The tree of nodes of the scene that is shown (glTF 2.0 specification, section 3.5).
 
 use super::buffers::{item, malformed};
-use super::schema::{Document, Index, Node};
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place};
 use glam::{DMat4, DQuat, DVec3};
+use luxel_gltf::{Document, Index, Node};
 
 /// The document's nodes, checked: each has one parent at most, and none is its own ancestor.
 #[derive(Debug)]

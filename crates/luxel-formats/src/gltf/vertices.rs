@@ -3,8 +3,8 @@
 use super::accessor::{self, Elements};
 use super::buffers::{Buffers, malformed};
 use super::draco::Decoded;
-use super::schema::{Index, Primitive};
 use crate::{Error, Place};
+use luxel_gltf::{Index, Primitive};
 use std::collections::BTreeMap;
 
 /// What a vertex takes while it is read and once it is kept, in bytes, at the most.

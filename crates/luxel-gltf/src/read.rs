@@ -1,0 +1,89 @@
+//! From JSON text to a document, or to the place of what is wrong with it.
+
+use crate::Document;
+use serde_path_to_error::{Path, Segment};
+use std::fmt;
+
+/// Text that is no document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadError {
+    /// What kind of fault, and where.
+    pub fault: Fault,
+    /// What is wrong, without the place.
+    pub message: String,
+}
+
+/// What can be wrong with a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// It is no JSON.
+    Syntax {
+        /// The line, from 1.
+        line: usize,
+        /// The byte of the line, from 1; 0 for the end of the line before.
+        column: usize,
+        /// Whether the text ends too early.
+        is_end: bool,
+    },
+    /// A value is of the wrong type, or is missing.
+    Value {
+        /// Where it stands (RFC 6901).
+        pointer: String,
+    },
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.fault {
+            Fault::Syntax { line, column, .. } => {
+                write!(formatter, "line {line}, column {column}: {}", self.message)
+            }
+            Fault::Value { pointer } => write!(formatter, "{pointer}: {}", self.message),
+        }
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+/// Reads a document.
+///
+/// # Errors
+/// [`ReadError`] if the text is no JSON, or a value has the wrong type.
+pub fn read(json: &[u8]) -> Result<Document, ReadError> {
+    let mut deserializer = serde_json::Deserializer::from_slice(json);
+    let document = serde_path_to_error::deserialize(&mut deserializer)
+        .map_err(|error| value_error(error.path(), error.inner()))?;
+    deserializer.end().map_err(|error| syntax_error(&error))?;
+    Ok(document)
+}
+
+/// A value of the wrong type is told by its pointer, bad syntax by its line.
+fn value_error(path: &Path, error: &serde_json::Error) -> ReadError {
+    if error.classify() != serde_json::error::Category::Data {
+        return syntax_error(error);
+    }
+    let mut pointer = String::new();
+    for segment in path {
+        match segment {
+            Segment::Seq { index } => pointer.push_str(&format!("/{index}")),
+            // RFC 6901 escapes its two special characters.
+            Segment::Map { key } => {
+                pointer.push_str(&format!("/{}", key.replace('~', "~0").replace('/', "~1")));
+            }
+            Segment::Enum { .. } | Segment::Unknown => {}
+        }
+    }
+    ReadError { fault: Fault::Value { pointer }, message: message_of(error) }
+}
+
+fn syntax_error(error: &serde_json::Error) -> ReadError {
+    let fault =
+        Fault::Syntax { line: error.line(), column: error.column(), is_end: error.is_eof() };
+    ReadError { fault, message: message_of(error) }
+}
+
+/// The message without the line and column, which the fault tells.
+fn message_of(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    message.split(" at line ").next().unwrap_or(&message).to_owned()
+}
