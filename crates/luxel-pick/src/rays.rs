@@ -3,7 +3,7 @@
 use crate::bundle::{BUNDLE, Bundle, Kind, LEAST, closest_of_bundle};
 use crate::bvh::{Bvh, Child, Node, Record, Slabs, Stack, Tree, WIDTH, Walk, meet, step};
 use crate::intersect::{Nearest, Ray, Sheared, meet_triangles};
-use luxel_math::{Level, Simd, SimdLevel, dispatch};
+use luxel_math::{Level, Simd, SimdLevel, dispatch_long};
 use rayon::prelude::*;
 use std::cell::RefCell;
 
@@ -69,7 +69,7 @@ impl<'m> MeshRays<'m> {
         let mut nearest = [Nearest::before(0.0)];
         STACK.with_borrow_mut(|stack| {
             let rays = std::slice::from_ref(ray);
-            dispatch!(self.level, simd => closest(simd, self, rays, &mut nearest, stack));
+            dispatch_long!(self.level, simd => closest(simd, self, rays, &mut nearest, stack));
         });
         self.told(ray, nearest[0])
     }
@@ -93,7 +93,7 @@ impl<'m> MeshRays<'m> {
     pub fn any(&self, ray: &Ray) -> bool {
         ray.is_sound()
             && STACK
-                .with_borrow_mut(|stack| dispatch!(self.level, simd => any(simd, self, ray, stack)))
+                .with_borrow_mut(|stack| dispatch_long!(self.level, simd => any(simd, self, ray, stack)))
     }
 
     /// Every triangle that a ray meets, nearest first, of equally near ones the lowest number first.
@@ -109,7 +109,7 @@ impl<'m> MeshRays<'m> {
         while let Some((start, count)) =
             walk.next(|node| step(self.level, node, &slabs, ray.range[1]).1)
         {
-            let (distances, mut bits) = dispatch!(self.level, simd => leaf(simd, self, (start, count), &sheared, ray.range));
+            let (distances, mut bits) = dispatch_long!(self.level, simd => leaf(simd, self, (start, count), &sheared, ray.range));
             while bits != 0 {
                 let lane = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
@@ -127,7 +127,7 @@ impl<'m> MeshRays<'m> {
     fn follow(&self, rays: &[Ray], nearest: &mut [Nearest]) {
         STACK.with_borrow_mut(|stack| {
             BUNDLES.with_borrow_mut(|bundle| {
-                dispatch!(self.level, simd => closest_of_many(simd, self, rays, nearest, bundle, stack));
+                dispatch_long!(self.level, simd => closest_of_many(simd, self, rays, nearest, bundle, stack));
             });
         });
     }

@@ -7,7 +7,7 @@
 //! grid reach; then the two origins' directions differ, too.
 
 use super::{Child, Node, Tree, WIDTH};
-use luxel_math::{Level, Simd, dispatch, f32x8, prelude::*};
+use luxel_math::{Level, Simd, dispatch_long, f32x8, prelude::*};
 use std::ops::{Add, Mul, Sub};
 
 /// A line as the test of boxes wants it.
@@ -133,7 +133,7 @@ pub(crate) fn meet<S: Simd>(
 
 /// [`meet`] for callers outside of vector code.
 pub(crate) fn step(level: Level, node: &Node, slabs: &Slabs, farthest: f32) -> ([f32; WIDTH], u32) {
-    dispatch!(level, simd => meet(simd, node, slabs, farthest))
+    dispatch_long!(level, simd => meet(simd, node, slabs, farthest))
 }
 
 /// Places still to be visited: distance and child in one number, so that sorting is comparing
