@@ -92,8 +92,9 @@ impl<'m> MeshRays<'m> {
     #[must_use]
     pub fn any(&self, ray: &Ray) -> bool {
         ray.is_sound()
-            && STACK
-                .with_borrow_mut(|stack| dispatch_long!(self.level, simd => any(simd, self, ray, stack)))
+            && STACK.with_borrow_mut(
+                |stack| dispatch_long!(self.level, simd => any(simd, self, ray, stack)),
+            )
     }
 
     /// Every triangle that a ray meets, nearest first, of equally near ones the lowest number first.
