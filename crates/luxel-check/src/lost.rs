@@ -65,10 +65,11 @@ fn missed(
     };
     let owners = objects.iter().zip(triangles);
     let pixels = before.iter().zip(after).zip(owners);
-    let of_something = |&(_, (&object, _)): &(_, (&u32, _))| object != u32::MAX;
+    // Points and lines have no triangles, the background has no object either.
+    let of_triangles = |&(_, (_, &triangle)): &(_, (&u32, &u32))| triangle != u32::MAX;
     pixels
         .filter(|(colors, _)| lacks(*colors))
-        .filter(of_something)
+        .filter(of_triangles)
         .map(|(_, (&object, &triangle))| (object, triangle))
         .collect()
 }

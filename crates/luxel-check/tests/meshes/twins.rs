@@ -2,7 +2,7 @@ use crate::made::{ball, ball_with_normals, checked, counts, field, hill, scene_o
 use luxel_check::{Kind, Report, check};
 use luxel_lighting::{Material, Reflection};
 use luxel_render::{Interpolation, ShadingMode};
-use luxel_scene::{Camera, DVec3, Mesh, Sides, Size};
+use luxel_scene::{Camera, DVec3, Lines, Mesh, Sides, Size};
 
 fn severity(report: &Report, kind: Kind) -> f32 {
     let finding = report.findings.iter().find(|finding| finding.kind == kind).unwrap();
@@ -345,8 +345,13 @@ fn highlights_between_vertices_are_lost_where_vertices_are_lit() {
 
 #[test]
 fn a_highlight_that_a_lamp_puts_inside_a_flat_face_is_missed_by_its_corners() {
-    let found = |name: &str| {
-        let mut scene = luxel_scene::demos::demo(name).unwrap();
+    let found = |with_line: bool| {
+        let mut scene = luxel_scene::demos::demo("lab-lamp").unwrap();
+        if with_line {
+            // A line has no triangle that could be named.
+            let (material, ends) = (scene.meshes[0].parts[0].material, [0, 2]);
+            scene.meshes[0].lines.push(Lines { segments: vec![ends], material });
+        }
         scene.compute_normals(&Default::default());
         let mut asked = setup(&scene);
         asked.view.lights = scene.lights.clone();
@@ -354,7 +359,8 @@ fn a_highlight_that_a_lamp_puts_inside_a_flat_face_is_missed_by_its_corners() {
         let report = check(&scene, &asked);
         report.findings.iter().map(|found| (found.kind, found.count)).collect::<Vec<_>>()
     };
-    assert_eq!(found("lab-lamp"), [(Kind::MissedHighlight, 2)]);
+    assert_eq!(found(false), [(Kind::MissedHighlight, 2)]);
+    assert_eq!(found(true), [(Kind::MissedHighlight, 2)]);
 }
 
 #[test]
