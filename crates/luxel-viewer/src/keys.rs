@@ -157,6 +157,12 @@ pub(crate) const MODES: [Mode; 6] = [
     Mode::Mouselook,
 ];
 
+/// The way to navigate after this one.
+pub(crate) fn next_mode(mode: Mode) -> Mode {
+    let at = MODES.iter().position(|one| *one == mode).unwrap_or(0);
+    MODES[(at + 1) % MODES.len()]
+}
+
 /// The motions of held keys: left hand on `w a s d e c`, right hand on `i j k l u o`.
 fn motions(mode: Mode) -> &'static [(&'static str, &'static str)] {
     match mode {

@@ -8,7 +8,7 @@ use crate::app::ViewerError;
 use crate::compare::{heat, join};
 use crate::compose::compose;
 use crate::files::Files;
-use crate::keys::{Action, Chord, KeyName, Keys, MODES};
+use crate::keys::{Action, Chord, KeyName, Keys, next_mode};
 use crate::lines::{Depths, draw};
 use crate::model::Model;
 use crate::probe::{depths, under};
@@ -255,10 +255,7 @@ impl View<'_> {
             Action::View(view) => self.happen(Event::View(view)),
             Action::Level => self.happen(Event::Level),
             Action::Mode(mode) => self.happen(Event::Mode(mode)),
-            Action::NextMode => {
-                let at = MODES.iter().position(|one| *one == mode).unwrap_or(0);
-                self.happen(Event::Mode(MODES[(at + 1) % MODES.len()]));
-            }
+            Action::NextMode => self.happen(Event::Mode(next_mode(mode))),
             // Terminals do not tell when a key comes up.
             Action::Hold(command) => self.happen(Event::Tap { command, steps: 1.0 }),
             Action::Fit | Action::FitAll => self.session.fit(0.0),

@@ -1,7 +1,7 @@
 //! What mouse and keys do: for the panels where they are theirs, for the camera elsewhere.
 
 use super::App;
-use crate::keys::{Action, Chord, KeyName, MODES};
+use crate::keys::{Action, Chord, KeyName, next_mode};
 use crate::ui::Wish;
 use luxel::navigation::{Event, Gesture, Mode};
 use luxel::scene::DVec2;
@@ -29,10 +29,7 @@ impl App {
             Action::View(view) => self.happen(Event::View(view)),
             Action::Level => self.happen(Event::Level),
             Action::Mode(mode) => self.happen(Event::Mode(mode)),
-            Action::NextMode => {
-                let at = MODES.iter().position(|one| *one == mode).unwrap_or(0);
-                self.happen(Event::Mode(MODES[(at + 1) % MODES.len()]));
-            }
+            Action::NextMode => self.happen(Event::Mode(next_mode(mode))),
             Action::Hold(command) => {
                 self.happen(Event::Press(command));
                 self.held.push((key, command));
