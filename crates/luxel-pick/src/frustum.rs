@@ -11,16 +11,6 @@ pub(crate) const PLANES: usize = 6;
 /// The planes around one convex piece, in clip coordinates: plane . corner >= 0 inside.
 pub(crate) type Planes = [DVec4; PLANES];
 
-/// The planes of the whole clip volume.
-pub(crate) const CLIP_VOLUME: Planes = [
-    DVec4::new(1.0, 0.0, 0.0, 1.0),
-    DVec4::new(-1.0, 0.0, 0.0, 1.0),
-    DVec4::new(0.0, 1.0, 0.0, 1.0),
-    DVec4::new(0.0, -1.0, 0.0, 1.0),
-    DVec4::new(0.0, 0.0, 1.0, 1.0),
-    DVec4::new(0.0, 0.0, -1.0, 1.0),
-];
-
 /// The planes around a piece of the window: with X = (x / w + 1) / 2 width and
 /// Y = (1 - y / w) / 2 height, a X + b Y + c >= 0 times 2 w.
 pub(crate) fn planes(piece: &Piece, [width, height]: [f64; 2]) -> Planes {

@@ -2,10 +2,9 @@
 //! of names stands beside what is drawn, and whatever falls into the clip volume is recorded under
 //! the names that stood there.
 
-use crate::frustum::CLIP_VOLUME;
 use crate::sliver::clipped;
 use glam::{DMat4, DVec3};
-use luxel_scene::Mesh;
+use luxel_scene::{CLIP_VOLUME, Mesh};
 
 /// The most names that may stand on one another.
 pub const MAX_NAMES: usize = 64;

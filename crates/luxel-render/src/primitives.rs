@@ -6,18 +6,8 @@
 //! linearly in clip coordinates: a new corner brings the weights of the triangle's own corners.
 
 use glam::{DMat4, DVec3, DVec4};
-use luxel_scene::{Projection, Size};
+use luxel_scene::{CLIP_VOLUME, Projection, Size};
 use luxel_visibility::CullFaces;
-
-/// The planes of the view volume, not negative inside: x, y and z from -w to w.
-const PLANES: [DVec4; 6] = [
-    DVec4::new(1.0, 0.0, 0.0, 1.0),
-    DVec4::new(-1.0, 0.0, 0.0, 1.0),
-    DVec4::new(0.0, 1.0, 0.0, 1.0),
-    DVec4::new(0.0, -1.0, 0.0, 1.0),
-    DVec4::new(0.0, 0.0, 1.0, 1.0),
-    DVec4::new(0.0, 0.0, -1.0, 1.0),
-];
 
 /// A corner of what is left of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +60,7 @@ impl Clipper {
         if !self.source.iter().all(|corner| corner.clip.is_finite()) {
             return;
         }
-        for plane in PLANES {
+        for plane in CLIP_VOLUME {
             let distance = |corner: &InClip| plane.dot(corner.clip);
             if self.source.iter().all(|corner| distance(corner) >= 0.0) {
                 continue;

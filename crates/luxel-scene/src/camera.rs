@@ -38,6 +38,16 @@ pub enum Lens {
     },
 }
 
+/// The planes of the clip volume, x, y and z from -w to w: plane . corner >= 0 inside.
+pub const CLIP_VOLUME: [DVec4; 6] = [
+    DVec4::new(1.0, 0.0, 0.0, 1.0),
+    DVec4::new(-1.0, 0.0, 0.0, 1.0),
+    DVec4::new(0.0, 1.0, 0.0, 1.0),
+    DVec4::new(0.0, -1.0, 0.0, 1.0),
+    DVec4::new(0.0, 0.0, 1.0, 1.0),
+    DVec4::new(0.0, 0.0, -1.0, 1.0),
+];
+
 /// A lens with its clipping planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {

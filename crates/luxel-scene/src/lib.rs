@@ -28,7 +28,7 @@ mod texture;
 mod topology;
 mod triangulate;
 
-pub use camera::{Camera, Lens, Projection, SceneCamera, Size};
+pub use camera::{CLIP_VOLUME, Camera, Lens, Projection, SceneCamera, Size};
 pub use encoding::Encoding;
 pub use fit::{Viewpoint, fit_along, fit_box, fit_planes, fit_view};
 pub use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
