@@ -1,8 +1,8 @@
 //! How far things slide that are interpolated in the window instead of in space.
 
 use crate::silhouette::Sight;
-use crate::surface::Surface;
-use rayon::prelude::*;
+use crate::surface::{RUN, Surface};
+use luxel_parallel::gather;
 
 /// Triangles over which things slide by at least so many pixels, with how far they do.
 ///
@@ -31,7 +31,9 @@ pub(crate) fn drifts(
         }
         (triangle, largest)
     };
-    let kept = (0..surface.triangles.len() as u32).into_par_iter();
-    let kept = kept.filter(|&triangle| !is_left_out[triangle as usize]);
-    kept.map(drift).filter(|(_, pixels)| *pixels >= least_pixels).collect()
+    gather(surface.triangles.len(), RUN, &|run, found| {
+        let kept = run.filter(|&triangle| !is_left_out[triangle]);
+        let drifts = kept.map(|triangle| drift(triangle as u32));
+        found.extend(drifts.filter(|(_, pixels)| *pixels >= least_pixels));
+    })
 }

@@ -1,8 +1,8 @@
 //! Triangles by themselves: without area, doubled, long and thin.
 
-use crate::surface::Surface;
+use crate::surface::{RUN, Surface};
+use luxel_parallel::{gather, sort_u128};
 use luxel_scene::{Mesh, Scene, Sides};
-use rayon::prelude::*;
 
 /// A triangle whose height is less than this part of its longest edge has no area: its normal hangs
 /// on the rounding of its corners, which in f32 is about 1e-7 of their coordinates.
@@ -38,7 +38,7 @@ pub(crate) fn degenerate(surface: &Surface<'_>) -> Vec<u32> {
         let (longest, height) = proportions(surface, *triangle);
         height <= FLAT * longest
     };
-    (0..surface.triangles.len() as u32).into_par_iter().filter(is_flat).collect()
+    filtered(surface, &is_flat)
 }
 
 /// Triangles over the same places as an earlier one, but for the backs of those of which only the
@@ -49,6 +49,7 @@ pub(crate) fn duplicates(
     is_degenerate: &[bool],
 ) -> (Vec<u32>, Vec<u32>) {
     let sides = sides_of(surface.mesh, scene);
+    // The places, then in 32 bits the side and the triangle, of which there are less than 2^31.
     let key = |triangle: usize| {
         let mut places = surface.triangles[triangle];
         // Two swaps are a turn: the parity tells the sides apart.
@@ -56,24 +57,28 @@ pub(crate) fn duplicates(
         for (i, j) in [(0, 1), (1, 2), (0, 1)] {
             if places[i] > places[j] {
                 places.swap(i, j);
-                swaps ^= 1_u32;
+                swaps ^= 1;
             }
         }
-        (places, swaps, triangle as u32)
+        let [a, b, c] = places.map(u128::from);
+        a << 96 | b << 64 | c << 32 | swaps << 31 | triangle as u128
     };
-    let mut keys: Vec<([u32; 3], u32, u32)> = (0..surface.triangles.len())
-        .into_par_iter()
-        .filter(|&triangle| !is_degenerate[triangle])
-        .map(key)
-        .collect();
-    keys.par_sort_unstable();
+    let triangle_of = |key: u128| key as u32 & !(1 << 31);
+    let swaps_of = |key: u128| key as u32 >> 31;
+    let mut keys = gather(surface.triangles.len(), RUN, &|run, keys| {
+        keys.extend(run.filter(|&triangle| !is_degenerate[triangle]).map(key));
+    });
+    sort_u128(&mut keys);
     let (mut duplicates, mut backs) = (Vec::new(), Vec::new());
-    for same in keys.chunk_by(|one, other| one.0 == other.0).filter(|same| same.len() > 1) {
-        let first = same.iter().map(|key| key.2).min().unwrap_or_default();
-        let parity = same.iter().find(|key| key.2 == first).map_or(0, |key| key.1);
+    let same = keys.chunk_by(|one, other| one >> 32 == other >> 32);
+    for same in same.filter(|same| same.len() > 1) {
+        let first = same.iter().map(|&key| triangle_of(key)).min().unwrap_or_default();
+        let parity =
+            same.iter().find(|&&key| triangle_of(key) == first).map_or(0, |&key| swaps_of(key));
         let mut has_back = false;
-        for &(_, swaps, triangle) in same.iter().filter(|key| key.2 != first) {
-            let is_back = swaps != parity && sides[triangle as usize] == Sides::Front;
+        for &key in same.iter().filter(|&&key| triangle_of(key) != first) {
+            let triangle = triangle_of(key);
+            let is_back = swaps_of(key) != parity && sides[triangle as usize] == Sides::Front;
             if is_back && !has_back {
                 has_back = true;
                 backs.push(triangle);
@@ -129,5 +134,12 @@ pub(crate) fn slivers(
         let within = (normals[from] * (1.0 - t) + normals[to] * t).normalize_or_zero();
         within.dot(normals[corner]) < least_cosine
     };
-    (0..surface.triangles.len() as u32).into_par_iter().filter(is_sliver).collect()
+    filtered(surface, &is_sliver)
+}
+
+/// The triangles of which something holds.
+fn filtered(surface: &Surface<'_>, holds: &(impl Fn(&u32) -> bool + Sync)) -> Vec<u32> {
+    gather(surface.triangles.len(), RUN, &|run, found| {
+        found.extend((run.start as u32..run.end as u32).filter(holds));
+    })
 }

@@ -1,7 +1,7 @@
 //! Folds that vertex normals hide: the faces turn, their shading doesn't.
 
 use crate::normals::facing;
-use crate::surface::{Edges, HalfEdge, Surface};
+use crate::surface::{Edges, HalfEdge, Side, Surface, half_edge_of};
 use luxel_scene::DVec3;
 
 /// Flatter folds than this may well be meant to look smooth, or be the noise of a scan: here each
@@ -33,9 +33,10 @@ pub(crate) fn hidden(
             && fold >= LEAST_FOLD_DEGREES.to_radians()
             && angle(shown, other_shown) < SHOWN * fold
     };
-    let fold = |edge: &[(u64, HalfEdge)]| {
-        let &[(_, first), (_, second)] = edge else { return None };
-        let [one, other] = [first, second].map(|half_edge| (half_edge / 3) as usize);
+    let fold = |edge: &[Side]| {
+        let &[first, second] = edge else { return None };
+        let first = half_edge_of(first);
+        let [one, other] = [first, half_edge_of(second)].map(|half_edge| (half_edge / 3) as usize);
         let is_asked = !is_left_out[one] && !is_left_out[other];
         (is_asked && is_hidden(one, other)).then_some(first)
     };

@@ -2,8 +2,8 @@
 
 use crate::nearby::{MOST, Nearby};
 use crate::surface::{HalfEdge, Surface};
+use luxel_parallel::{gather, sort_u64};
 use luxel_scene::DVec3;
-use rayon::prelude::*;
 
 /// How far a corner may lie beside an edge to be in it, in parts of the edge's length: a quarter of
 /// a pixel where the edge is a thousand pixels long.
@@ -14,6 +14,9 @@ const ROUNDING: f64 = 5e-7;
 
 /// How wide a gap may be to be one that was not meant, in parts of the shorter edge at it.
 const GAP: f64 = 0.01;
+
+/// How many edges one thread looks along at a time.
+const RUN: usize = 1 << 8;
 
 /// What is open where it should be closed.
 #[derive(Default)]
@@ -28,8 +31,8 @@ pub(crate) struct Gaps {
 struct Boundary<'s, 'm> {
     surface: &'s Surface<'m>,
     half_edges: &'s [HalfEdge],
-    /// Place and half-edge, for both ends of each, sorted.
-    at_places: Vec<(u32, HalfEdge)>,
+    /// Place above and half-edge below, for both ends of each, sorted.
+    at_places: Vec<u64>,
     nearby: Nearby,
 }
 
@@ -38,22 +41,31 @@ pub(crate) fn find(surface: &Surface<'_>, half_edges: &[HalfEdge]) -> Gaps {
     if half_edges.len() < 2 {
         return Gaps::default();
     }
-    let ends = |&half_edge: &HalfEdge| surface.ends(half_edge).map(|place| (place, half_edge));
-    let mut at_places: Vec<_> = half_edges.iter().flat_map(ends).collect();
-    at_places.par_sort_unstable();
-    let mut places: Vec<u32> = at_places.iter().map(|(place, _)| *place).collect();
+    let mut at_places = Vec::with_capacity(2 * half_edges.len());
+    for &half_edge in half_edges {
+        at_places.extend(surface.ends(half_edge).map(|place| key(place, half_edge)));
+    }
+    sort_u64(&mut at_places);
+    let mut places: Vec<u32> = at_places.iter().map(|key| (key >> 32) as u32).collect();
     places.dedup();
     let nearby = Nearby::new(places.into_iter().map(|at| (surface.at(at), at)).collect());
     let boundary = Boundary { surface, half_edges, at_places, nearby };
     Gaps { t_junctions: boundary.t_junctions(), cracks: boundary.cracks() }
 }
 
+/// A place above, a half-edge below: to sort by.
+fn key(place: u32, half_edge: HalfEdge) -> u64 {
+    u64::from(place) << 32 | u64::from(half_edge)
+}
+
 impl Boundary<'_, '_> {
     /// The half-edges that begin or end at a place; the first few if a great many do.
     fn at(&self, place: u32) -> impl Iterator<Item = HalfEdge> {
-        let first = self.at_places.partition_point(|(other, _)| *other < place);
-        let run = self.at_places[first..].iter().take_while(move |(other, _)| *other == place);
-        run.map(|(_, half_edge)| *half_edge).take(MOST)
+        let first = self.at_places.partition_point(|other| *other < key(place, 0));
+        let run = self.at_places[first..].iter();
+        run.take_while(move |other| (*other >> 32) as u32 == place)
+            .map(|key| *key as HalfEdge)
+            .take(MOST)
     }
 
     /// The other end of a half-edge.
@@ -63,7 +75,7 @@ impl Boundary<'_, '_> {
     }
 
     fn t_junctions(&self) -> Vec<(u32, HalfEdge)> {
-        let of_edge = |found: &mut Vec<u32>, &half_edge: &HalfEdge| {
+        let of_edge = |half_edge: HalfEdge, found: &mut Vec<u32>, junctions: &mut Vec<u64>| {
             let ends = self.surface.ends(half_edge);
             let [from, to] = ends.map(|place| self.surface.at(place));
             let reach = BESIDE * from.distance(to) + ROUNDING * self.surface.extent;
@@ -79,17 +91,22 @@ impl Boundary<'_, '_> {
             };
             let corners = found.iter().copied();
             let corners = corners.filter(|&place| !ends.contains(&place) && is_inside(place));
-            corners.filter(|&place| goes_along(place)).map(|place| (place, half_edge)).collect()
+            let corners = corners.filter(|&place| goes_along(place));
+            junctions.extend(corners.map(|place| key(place, half_edge)));
         };
-        let found: Vec<Vec<_>> = self.half_edges.par_iter().map_init(Vec::new, of_edge).collect();
-        let mut junctions = found.concat();
-        junctions.sort_unstable();
-        junctions.dedup_by_key(|(place, _)| *place);
-        junctions
+        let mut junctions = gather(self.half_edges.len(), RUN, &|run, junctions| {
+            let mut found = Vec::new();
+            for &half_edge in &self.half_edges[run] {
+                of_edge(half_edge, &mut found, junctions);
+            }
+        });
+        sort_u64(&mut junctions);
+        junctions.dedup_by_key(|key| *key >> 32);
+        junctions.into_iter().map(|key| ((key >> 32) as u32, key as HalfEdge)).collect()
     }
 
     fn cracks(&self) -> Vec<(HalfEdge, HalfEdge)> {
-        let of_edge = |found: &mut Vec<u32>, &half_edge: &HalfEdge| {
+        let of_edge = |half_edge: HalfEdge, found: &mut Vec<u32>| {
             let [from, to] = self.surface.ends(half_edge);
             let [at_from, at_to] = [from, to].map(|place| self.surface.at(place));
             let length = at_from.distance(at_to);
@@ -113,6 +130,11 @@ impl Boundary<'_, '_> {
             // Told once, from the lower side.
             partner.filter(|&partner| half_edge < partner).map(|partner| (half_edge, partner))
         };
-        self.half_edges.par_iter().map_init(Vec::new, of_edge).flatten().collect()
+        gather(self.half_edges.len(), RUN, &|run, cracks| {
+            let mut found = Vec::new();
+            cracks.extend(
+                self.half_edges[run].iter().filter_map(|&half_edge| of_edge(half_edge, &mut found)),
+            );
+        })
     }
 }

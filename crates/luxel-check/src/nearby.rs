@@ -76,7 +76,7 @@ fn sort(points: &mut [(DVec3, u32)], axis: usize) {
     let high = &mut high[1..];
     let next = (axis + 1) % 3;
     if low.len() > ALONE {
-        rayon::join(|| sort(low, next), || sort(high, next));
+        luxel_parallel::join(|| sort(low, next), || sort(high, next));
     } else {
         sort(low, next);
         sort(high, next);

@@ -1,8 +1,8 @@
 //! Vertex normals against the faces that they stand for.
 
-use crate::surface::Surface;
+use crate::surface::{RUN, Surface};
+use luxel_parallel::{any, fill, gather, sort_u64, sort_u128};
 use luxel_scene::{DVec3, Mesh, NormalFault};
-use rayon::prelude::*;
 
 /// A normal is behind its face where the cosine of the angle to the face's is below this: two
 /// degrees beyond the plane, more than files round.
@@ -26,7 +26,14 @@ pub(crate) fn of_corners(mesh: &Mesh) -> Vec<[DVec3; 3]> {
         let [x, y, z] = mesh.normals.get(corner as usize).copied().unwrap_or_default();
         DVec3::new(f64::from(x), f64::from(y), f64::from(z))
     };
-    mesh.attribute_corners().par_iter().map(|corners| corners.map(normal)).collect()
+    let corners = mesh.attribute_corners();
+    let mut normals = vec![[DVec3::ZERO; 3]; corners.len()];
+    fill(&mut normals, RUN, &|start, run| {
+        for (normals, corners) in run.iter_mut().zip(&corners[start..]) {
+            *normals = corners.map(normal);
+        }
+    });
+    normals
 }
 
 /// A face's own normal, on the side that most of its vertices take for the front.
@@ -48,37 +55,42 @@ pub(crate) fn examine(
     let face = |triangle: usize| facing(surface, normals, triangle);
     let kept = |triangle: &usize| !is_left_out[*triangle];
     let corners = drawn.attribute_corners();
-    let behind = |triangle: usize| {
-        let face = face(triangle);
-        (0..3).filter_map(move |k| {
-            let is_behind = normals[triangle][k].dot(face) < BEHIND;
-            is_behind.then_some((corners[triangle][k], triangle as u32))
-        })
-    };
-    let triangles = 0..surface.triangles.len();
-    let mut found: Vec<(u32, u32)> =
-        triangles.clone().into_par_iter().filter(kept).flat_map_iter(behind).collect();
-    found.par_sort_unstable();
-    found.dedup_by_key(|(vertex, _)| *vertex);
-    let is_unrepresentative = |triangle: &usize| {
-        let sum: DVec3 = normals[*triangle].iter().sum();
-        let has_all = normals[*triangle].iter().all(|normal| normal.length_squared() > 0.25);
-        has_all && face(*triangle).dot(sum.normalize_or_zero()) < least
-    };
-    let unrepresentative = triangles.into_par_iter().filter(kept).filter(is_unrepresentative);
-    let unrepresentative = unrepresentative.map(|triangle| triangle as u32).collect();
-    Normals { behind: found, unrepresentative }
+    // Vertex above, triangle below.
+    let mut behind = gather(surface.triangles.len(), RUN, &|run, found| {
+        for triangle in run.filter(kept) {
+            let face = face(triangle);
+            for (vertex, normal) in corners[triangle].into_iter().zip(&normals[triangle]) {
+                if normal.dot(face) < BEHIND {
+                    found.push(u64::from(vertex) << 32 | triangle as u64);
+                }
+            }
+        }
+    });
+    sort_u64(&mut behind);
+    behind.dedup_by_key(|key| *key >> 32);
+    let behind = behind.into_iter().map(|key| ((key >> 32) as u32, key as u32)).collect();
+    let unrepresentative = gather(surface.triangles.len(), RUN, &|run, found| {
+        for triangle in run.filter(kept) {
+            let sum: DVec3 = normals[triangle].iter().sum();
+            let has_all = normals[triangle].iter().all(|normal| normal.length_squared() > 0.25);
+            if has_all && face(triangle).dot(sum.normalize_or_zero()) < least {
+                found.push(triangle as u32);
+            }
+        }
+    });
+    Normals { behind, unrepresentative }
 }
 
 /// What is wrong with the normals of the file: what its reader has told, and what is still there.
 pub(crate) fn faults(mesh: &Mesh) -> Vec<NormalFault> {
     let mut faults = mesh.normal_faults.clone();
-    let is_wrong: Vec<bool> =
-        mesh.normals.par_iter().map(|normal| NormalFault::of(0, *normal).is_some()).collect();
-    if is_wrong.contains(&true) {
+    let is_wrong = |vertex: usize| {
+        mesh.normals.get(vertex).is_some_and(|normal| NormalFault::of(0, *normal).is_some())
+    };
+    if any(mesh.normals.len(), RUN, &|mut run| run.any(is_wrong)) {
         for (corners, places) in mesh.attribute_corners().iter().zip(&mesh.triangles) {
             for (&corner, &place) in corners.iter().zip(places) {
-                if is_wrong.get(corner as usize) == Some(&true) {
+                if is_wrong(corner as usize) {
                     faults.extend(NormalFault::of(place, mesh.normals[corner as usize]));
                 }
             }
@@ -121,33 +133,42 @@ pub(crate) fn seams(surface: &Surface<'_>, normals: &[[DVec3; 3]]) -> Vec<u32> {
             own[vertex] += area;
         }
     }
-    own.par_iter_mut().for_each(|sum| *sum = sum.normalize_or_zero());
-    let key = |vertex: usize| {
-        let position = mesh.positions[position_of[vertex] as usize];
-        let [first, second] = &mesh.uvs;
-        let uv = |uvs: &[[f32; 2]]| uvs.get(vertex).copied().unwrap_or_default();
-        let color = mesh.colors.get(vertex).copied().unwrap_or_default();
-        let values = position.into_iter().chain(uv(first)).chain(uv(second)).chain(color);
-        let mut key = [0; 11];
-        for (bits, value) in key.iter_mut().zip(values) {
-            // 0 and -0 are the same.
-            *bits = (value + 0.0).to_bits();
+    fill(&mut own, RUN, &|_, run| run.iter_mut().for_each(|sum| *sum = sum.normalize_or_zero()));
+    // 0 and -0 are the same.
+    let bits = |value: f32| (value + 0.0).to_bits();
+    // Vertices by their positions, then by their numbers.
+    let mut at_places = gather(count, RUN, &|run, keys| {
+        for vertex in run.filter(|&vertex| position_of[vertex] != u32::MAX) {
+            let position = mesh.positions[position_of[vertex] as usize];
+            let [x, y, z] = position.map(|value| u128::from(bits(value)));
+            keys.push(x << 96 | y << 64 | z << 32 | vertex as u128);
         }
-        (key, vertex as u32)
+    });
+    sort_u128(&mut at_places);
+    let rest = |vertex: u32| {
+        let [first, second] = &mesh.uvs;
+        let uv = |uvs: &[[f32; 2]]| uvs.get(vertex as usize).copied().unwrap_or_default();
+        let color = mesh.colors.get(vertex as usize).copied().unwrap_or_default();
+        let ([s, t], [u, v], [red, green, blue, alpha]) = (uv(first), uv(second), color);
+        ([s, t, u, v, red, green, blue, alpha].map(bits), vertex)
     };
-    let used = (0..count).into_par_iter().filter(|&vertex| position_of[vertex] != u32::MAX);
-    let mut keys: Vec<([u32; 11], u32)> = used.map(key).collect();
-    keys.par_sort_unstable();
     let is_seam = |vertex: u32, earlier: u32| {
         let [vertex, earlier] = [vertex as usize, earlier as usize];
         drawn[vertex].dot(drawn[earlier]) > SMOOTH && own[vertex].dot(own[earlier]) < SEAM
     };
     let mut found = Vec::new();
-    for same in keys.chunk_by(|one, other| one.0 == other.0) {
-        for (place, (_, vertex)) in same.iter().enumerate().skip(1) {
-            let earlier = &same[..place.min(MOST_COMPARED)];
-            if earlier.iter().any(|(_, earlier)| is_seam(*vertex, *earlier)) {
-                found.push(*vertex);
+    let mut here = Vec::new();
+    let at_places = at_places.chunk_by(|one, other| one >> 32 == other >> 32);
+    for at_place in at_places.filter(|at_place| at_place.len() > 1) {
+        here.clear();
+        here.extend(at_place.iter().map(|key| rest(*key as u32)));
+        here.sort_unstable();
+        for same in here.chunk_by(|one, other| one.0 == other.0) {
+            for (place, (_, vertex)) in same.iter().enumerate().skip(1) {
+                let earlier = &same[..place.min(MOST_COMPARED)];
+                if earlier.iter().any(|(_, earlier)| is_seam(*vertex, *earlier)) {
+                    found.push(*vertex);
+                }
             }
         }
     }

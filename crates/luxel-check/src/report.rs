@@ -11,11 +11,11 @@ use crate::lost;
 use crate::normals;
 use crate::severity::Pictures;
 use crate::silhouette::{self, Sight};
-use crate::surface::{Edges, HalfEdge, Surface};
+use crate::surface::{Edges, HalfEdge, RUN, Surface, half_edge_of};
 use crate::winding;
+use luxel_parallel::gather;
 use luxel_render::{Execution, Interpolation, View};
 use luxel_scene::{DVec3, Mesh, NormalOptions, NormalSource, Object, Scene};
-use rayon::prelude::*;
 
 /// What the findings hang on, beside the scene.
 #[derive(Clone, Debug)]
@@ -188,7 +188,7 @@ impl<'a> Examination<'a> {
         let boundary = edges.boundary();
         let gaps = gaps::find(&self.surface, &boundary);
         let non_manifold: Vec<HalfEdge> =
-            edges.iter().filter(|edge| edge.len() > 2).map(|edge| edge[0].1).collect();
+            edges.iter().filter(|edge| edge.len() > 2).map(|edge| half_edge_of(edge[0])).collect();
         let slivers = faces::slivers(&self.surface, &self.normals, is_left_out);
         // What is wound wrongly has wrong normals for that reason.
         let mut is_told = is_left_out.to_vec();
@@ -318,13 +318,17 @@ impl<'a> Examination<'a> {
         for part in &self.mesh.parts {
             let Some(material) = self.scene.materials.get(part.material.index()) else { continue };
             let last = (part.first + part.count).min(is_left_out.len() as u32);
-            let lost = |triangle: u32| {
-                let loss = highlight::loss(&self.normals[triangle as usize], material);
-                (triangle, loss)
-            };
-            let run = (part.first..last).into_par_iter();
-            let kept = run.filter(|&triangle| !is_left_out[triangle as usize]).map(lost);
-            found.par_extend(kept.filter(|(_, loss)| *loss >= Setup::LEAST_HIGHLIGHT));
+            let first = part.first as usize;
+            let count = (last as usize).saturating_sub(first);
+            found.append(&mut gather(count, RUN, &|run, found| {
+                let run = first + run.start..first + run.end;
+                for triangle in run.filter(|&triangle| !is_left_out[triangle]) {
+                    let loss = highlight::loss(&self.normals[triangle], material);
+                    if loss >= Setup::LEAST_HIGHLIGHT {
+                        found.push((triangle as u32, loss));
+                    }
+                }
+            }));
         }
         found
     }

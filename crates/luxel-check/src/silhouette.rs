@@ -1,9 +1,9 @@
 //! Outlines that are straight where the surface is curved.
 
 use crate::nearby::MOST;
-use crate::surface::{Edges, HalfEdge, Surface};
+use crate::surface::{Edges, HalfEdge, RUN, Surface, half_edge_of};
+use luxel_parallel::fill;
 use luxel_scene::{Camera, DMat4, DVec3, DVec4, Size};
-use rayon::prelude::*;
 
 /// A smooth edge has the same normal on both of its sides, to this cosine.
 const SAME: f64 = 0.999;
@@ -159,13 +159,16 @@ pub(crate) fn facets(
 
 /// The outline in the window, in order of its edges' places.
 fn outline(surface: &Surface<'_>, edges: &Edges, sight: &Sight) -> Vec<Outline> {
-    let faces_eye: Vec<bool> = (0..surface.triangles.len() as u32)
-        .into_par_iter()
-        .map(|triangle| sight.faces_eye(surface.corners(triangle)))
-        .collect();
+    let mut faces_eye = vec![false; surface.triangles.len()];
+    fill(&mut faces_eye, RUN, &|start, run| {
+        for (triangle, faces_eye) in (start as u32..).zip(run) {
+            *faces_eye = sight.faces_eye(surface.corners(triangle));
+        }
+    });
     let mut outline = Vec::new();
     for edge in edges.iter() {
-        let [(_, half_edge), (_, other)] = *edge else { continue };
+        let [half_edge, other] = *edge else { continue };
+        let [half_edge, other] = [half_edge, other].map(half_edge_of);
         if faces_eye[(half_edge / 3) as usize] == faces_eye[(other / 3) as usize] {
             continue;
         }

@@ -4,8 +4,11 @@
 //! [`Topology`](luxel_scene::Topology): files split positions where attributes change, and a seam
 //! of texture coordinates is no gap.
 
+use luxel_parallel::{fill, gather, sort_u128};
 use luxel_scene::{DVec3, Mesh, weld};
-use rayon::prelude::*;
+
+/// How many triangles one thread takes at a time.
+pub(crate) const RUN: usize = 1 << 12;
 
 /// A mesh as a surface.
 pub(crate) struct Surface<'m> {
@@ -19,10 +22,19 @@ pub(crate) struct Surface<'m> {
 /// An edge of a triangle: from corner k to corner k + 1 of triangle t, numbered 3 t + k.
 pub(crate) type HalfEdge = u32;
 
+/// A half-edge as a key to sort by: the lower of its two places, the higher one, nothing, and the
+/// half-edge, 32 bits each.
+pub(crate) type Side = u128;
+
+/// The half-edge of a key.
+#[inline]
+pub(crate) const fn half_edge_of(side: Side) -> HalfEdge {
+    side as u32
+}
+
 /// The half-edges of a surface, those over the same two places side by side.
 pub(crate) struct Edges {
-    /// The two places, the lower one in the upper half; then the half-edge.
-    sorted: Vec<(u64, HalfEdge)>,
+    sorted: Vec<Side>,
 }
 
 impl<'m> Surface<'m> {
@@ -30,10 +42,12 @@ impl<'m> Surface<'m> {
         let places = weld(&mesh.positions);
         // Half-edges are numbered in 32 bits.
         let most = mesh.triangles.len().min((u32::MAX / 3) as usize);
-        let triangles: Vec<[u32; 3]> = mesh.triangles[..most]
-            .par_iter()
-            .map(|corners| corners.map(|corner| places[corner as usize]))
-            .collect();
+        let mut triangles = vec![[0; 3]; most];
+        fill(&mut triangles, RUN, &|start, run| {
+            for (triangle, corners) in run.iter_mut().zip(&mesh.triangles[start..]) {
+                *triangle = corners.map(|corner| places[corner as usize]);
+            }
+        });
         let bounds = mesh.bounds(&luxel_scene::DMat4::IDENTITY);
         let extent = if bounds.is_empty() { 0.0 } else { 2.0 * bounds.radius() };
         Self { mesh, triangles, extent }
@@ -71,28 +85,28 @@ impl<'m> Surface<'m> {
 impl Edges {
     /// The half-edges of all triangles but those left out.
     pub(crate) fn of(surface: &Surface<'_>, is_left_out: &[bool]) -> Self {
-        let half_edges = |triangle: usize| {
-            (0..3_u32).filter_map(move |k| {
-                let half_edge = triangle as u32 * 3 + k;
-                let [a, b] = surface.ends(half_edge);
-                let key = u64::from(a.min(b)) << 32 | u64::from(a.max(b));
-                (a != b).then_some((key, half_edge))
-            })
-        };
-        let kept = (0..surface.triangles.len()).into_par_iter();
-        let kept = kept.filter(|&triangle| !is_left_out[triangle]);
-        let mut sorted: Vec<_> = kept.flat_map_iter(half_edges).collect();
-        sorted.par_sort_unstable();
+        let mut sorted = gather(surface.triangles.len(), RUN, &|run, sides| {
+            for triangle in run.filter(|&triangle| !is_left_out[triangle]) {
+                for half_edge in 3 * triangle as u32..3 * triangle as u32 + 3 {
+                    let [a, b] = surface.ends(half_edge);
+                    if a != b {
+                        let places = u128::from(a.min(b)) << 96 | u128::from(a.max(b)) << 64;
+                        sides.push(places | u128::from(half_edge));
+                    }
+                }
+            }
+        });
+        sort_u128(&mut sorted);
         Self { sorted }
     }
 
     /// Each edge, by the half-edges along it.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = &[(u64, HalfEdge)]> {
-        self.sorted.chunk_by(|(one, _), (other, _)| one == other)
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &[Side]> {
+        self.sorted.chunk_by(|one, other| one >> 64 == other >> 64)
     }
 
     /// The half-edges that no other triangle shares, in order of their places.
     pub(crate) fn boundary(&self) -> Vec<HalfEdge> {
-        self.iter().filter(|edge| edge.len() == 1).map(|edge| edge[0].1).collect()
+        self.iter().filter(|edge| edge.len() == 1).map(|edge| half_edge_of(edge[0])).collect()
     }
 }

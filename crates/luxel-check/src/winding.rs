@@ -1,6 +1,6 @@
 //! Winding: which way round triangles go, by their neighbours, their solid and their normals.
 
-use crate::surface::{Edges, Surface};
+use crate::surface::{Edges, Surface, half_edge_of};
 use luxel_scene::DVec3;
 
 /// What is wrong with the winding.
@@ -93,12 +93,13 @@ pub(crate) fn examine(
     let mut sets = Sets::new(count);
     let mut is_open = vec![false; count];
     for edge in edges.iter() {
-        let [(_, one), (_, other)] = *edge else {
-            for (_, half_edge) in edge {
-                is_open[(half_edge / 3) as usize] = true;
+        let [one, other] = *edge else {
+            for side in edge {
+                is_open[(half_edge_of(*side) / 3) as usize] = true;
             }
             continue;
         };
+        let [one, other] = [one, other].map(half_edge_of);
         // Neighbours that agree run along their edge in opposite directions.
         let against = surface.ends(one) == surface.ends(other);
         if !sets.join(one / 3, other / 3, against) {

@@ -1,7 +1,7 @@
 //! Files in: whole, in parallel blocks, and never more than the limits allow.
 
 use crate::{Error, ErrorKind, Limits, Place};
-use rayon::prelude::*;
+use luxel_parallel::each;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -40,12 +40,16 @@ fn read_stream(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
 fn read_blocks(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
     let too_long = |_| std::io::Error::from(std::io::ErrorKind::FileTooLarge);
     let mut bytes = vec![0; usize::try_from(length).map_err(too_long)?];
-    bytes.par_chunks_mut(BLOCK).enumerate().try_for_each(|(index, block)| {
+    let read = |index: usize, block: &mut [u8]| {
         let mut file = File::open(path)?;
         file.seek(SeekFrom::Start((index * BLOCK) as u64))?;
         file.read_exact(block)
-    })?;
-    Ok(bytes)
+    };
+    let mut failures: Vec<Option<std::io::Error>> = Vec::new();
+    failures.resize_with(bytes.len().div_ceil(BLOCK), || None);
+    let blocks = bytes.chunks_mut(BLOCK).enumerate().zip(&mut failures);
+    each(blocks, &|((index, block), failure)| *failure = read(index, block).err());
+    failures.into_iter().flatten().next().map_or(Ok(bytes), Err)
 }
 
 /// The file that a name in a model file refers to: within the model's folder, whatever the system

@@ -6,16 +6,19 @@ use crate::frustum::{Frustum, PLANES, planes};
 use crate::region::Region;
 use crate::view::{Geometry, Instance, PickView};
 use luxel_math::SUBPIXELS;
+use luxel_parallel::{each, gather, sort_u32};
 use luxel_scene::{Mesh, Part};
 use luxel_visibility::{
     Clusters, Frame, Instance as FrameInstance, Samples, TILE, Tile, TooManyTriangles, TriangleId,
 };
-use rayon::prelude::*;
 use std::borrow::Cow;
 use std::ops::Range;
 
 /// Columns and rows of the window.
 pub(crate) type Pixels = [Range<u32>; 2];
+
+/// Tiles that one thread takes at a time.
+const TILES: usize = 4;
 
 /// What may be seen of an instance.
 struct Drawn<'v> {
@@ -35,23 +38,22 @@ pub(crate) struct Shown {
 }
 
 impl PickView<'_> {
-    /// Visits what pixels show, tile by tile on all threads; `visit` gives what is kept of a tile.
+    /// Visits what pixels show, tile by tile on all threads, in no order.
     ///
     /// # Errors
     /// [`TooManyTriangles`] where a frame can't number them.
-    pub(crate) fn drawn<T: Send>(
+    pub(crate) fn drawn(
         &self,
         [columns, rows]: &Pixels,
-        visit: impl Fn(&mut dyn Iterator<Item = Shown>) -> T + Sync,
-    ) -> Result<Vec<T>, TooManyTriangles> {
+        visit: &(dyn Fn(&mut dyn Iterator<Item = Shown>) + Sync),
+    ) -> Result<(), TooManyTriangles> {
         if columns.is_empty() || rows.is_empty() {
-            return Ok(Vec::new());
+            return Ok(());
         }
         let around = [columns.start, rows.start, columns.end, rows.end].map(f64::from);
-        let drawn: Vec<Drawn<'_>> = (0..self.instances.len())
-            .into_par_iter()
-            .filter_map(|number| self.to_draw(number, around))
-            .collect();
+        let drawn: Vec<Drawn<'_>> = gather(self.instances.len(), 1, &|run, drawn| {
+            drawn.extend(self.to_draw(run.start, around));
+        });
         let instances = drawn.iter().map(|drawn| {
             let Instance { view_from_mesh, parts, .. } = &self.instances[drawn.instance];
             FrameInstance {
@@ -88,7 +90,7 @@ impl PickView<'_> {
                 let id = tile.id((x - left).cast_signed(), (y - top).cast_signed(), 0);
                 let (instance, triangle) = shown(id)?;
                 Some(Shown { pixel, instance, triangle })
-            }))
+            }));
         };
         let tiles = |range: &Range<u32>| {
             (range.start / TILE.cast_unsigned()) as usize
@@ -99,8 +101,13 @@ impl PickView<'_> {
             .flat_map(|row| columns.clone().map(move |column| row * across + column))
             .filter(|&number| !frame.is_tile_empty(number))
             .collect();
-        let numbers = numbers.into_par_iter();
-        Ok(numbers.map_init(|| Tile::new(1), |tile, number| of_tile(tile, number)).collect())
+        each(numbers.chunks(TILES), &|numbers| {
+            let mut tile = Tile::new(1);
+            for &number in numbers {
+                of_tile(&mut tile, number);
+            }
+        });
+        Ok(())
     }
 
     /// What of an instance may be seen between left, top, right and bottom; `None` for nothing.
@@ -136,7 +143,7 @@ impl PickView<'_> {
             });
         }
         // At equal depth the first in the file is seen.
-        triangles.par_sort_unstable();
+        sort_u32(&mut triangles);
         let mesh = only(mesh, &triangles);
         let clusters = Clusters::new(&mesh);
         let (mesh, triangles) = (Cow::Owned(mesh), Some(triangles));

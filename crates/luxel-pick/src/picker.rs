@@ -1,11 +1,11 @@
 //! A scene made ready for picking: a tree for each mesh, and one over all objects.
 
-use crate::bvh::{Box3, Bvh, Quality, TooManyForTree, Tree, build};
+use crate::bvh::{Box3, Boxes, Bvh, Quality, TooManyForTree, Tree, build};
 use crate::rays::MeshRays;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
+use luxel_parallel::{fill, map};
 use luxel_scene::{Mesh, Object, Scene};
-use rayon::prelude::*;
 
 /// Why a scene can't be made ready.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -69,6 +69,30 @@ pub(crate) struct ObjectTree<'p> {
 /// precision.
 const MOST_STRETCHED: f64 = 1e4;
 
+/// Boxes of objects in the world, told from a middle.
+struct OfObjects<'o> {
+    boxes: &'o [[DVec3; 2]],
+    middle: DVec3,
+}
+
+impl Boxes for OfObjects<'_> {
+    fn count(&self) -> usize {
+        self.boxes.len()
+    }
+
+    fn bounds(&self, number: usize) -> Option<Box3> {
+        let [low, high] = self.boxes[number];
+        is_sound(&[low, high]).then(|| Box3 {
+            low: (low - self.middle).as_vec3().to_array().map(f32::next_down),
+            high: (high - self.middle).as_vec3().to_array().map(f32::next_up),
+        })
+    }
+}
+
+fn is_sound([low, high]: &[DVec3; 2]) -> bool {
+    low.cmple(*high).all() && low.is_finite() && high.is_finite()
+}
+
 impl<'s> Picker<'s> {
     /// Builds the trees, on all threads of the current pool, for the best instruction set that the
     /// machine has.
@@ -85,33 +109,28 @@ impl<'s> Picker<'s> {
     /// [`PickError`] if a mesh has too many triangles or the machine lacks the instructions.
     pub fn with(scene: &'s Scene, quality: Quality, simd: SimdLevel) -> Result<Self, PickError> {
         let level = simd.resolve()?;
-        let bvh = |mesh: &Mesh| Bvh::build(&mesh.positions, &mesh.triangles, quality);
-        let bvhs: Vec<Bvh> = scene.meshes.par_iter().map(bvh).collect::<Result<_, _>>()?;
+        let bvhs = map(scene.meshes.len(), 1, &|run| {
+            let mesh = &scene.meshes[run.start];
+            Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))
+        });
+        let bvhs = bvhs.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
         let objects = scene.objects();
-        let placed: Vec<Placed> = objects
-            .par_iter()
-            .map(|object| Placed::new(scene, object, quality))
-            .collect::<Result<_, _>>()?;
+        let placed =
+            map(objects.len(), 1, &|run| Some(Placed::new(scene, &objects[run.start], quality)));
+        let placed = placed.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
         let mut picker =
             Self { scene, objects, level, bvhs, placed, top: Tree::default(), middle: DVec3::ZERO };
         let boxes: Vec<[DVec3; 2]> =
             (0..picker.objects.len()).map(|object| picker.tree(object).world_box()).collect();
-        let sound = |[low, high]: &[DVec3; 2]| {
-            low.cmple(*high).all() && low.is_finite() && high.is_finite()
-        };
         let all = boxes
             .iter()
-            .filter(|bounds| sound(bounds))
+            .filter(|bounds| is_sound(bounds))
             .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], bounds| {
                 [low.min(bounds[0]), high.max(bounds[1])]
             });
-        picker.middle = if sound(&all) { all[0] * 0.5 + all[1] * 0.5 } else { DVec3::ZERO };
+        picker.middle = if is_sound(&all) { all[0] * 0.5 + all[1] * 0.5 } else { DVec3::ZERO };
         let middle = picker.middle;
-        let around = |[low, high]: &[DVec3; 2]| Box3 {
-            low: (*low - middle).as_vec3().to_array().map(f32::next_down),
-            high: (*high - middle).as_vec3().to_array().map(f32::next_up),
-        };
-        picker.top = build(&boxes, &sound, &around, Quality::Fast);
+        picker.top = build(&OfObjects { boxes: &boxes, middle }, Quality::Fast);
         Ok(picker)
     }
 
@@ -180,11 +199,14 @@ impl Placed {
         }
         let middle = world_from_tree.w_axis.truncate();
         let middle = if middle.is_finite() { middle } else { DVec3::ZERO };
-        let place = |&[x, y, z]: &[f32; 3]| {
-            let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-            (world_from_tree.transform_point3(position) - middle).as_vec3().to_array()
-        };
-        let positions: Vec<[f32; 3]> = mesh.positions.par_iter().map(place).collect();
+        let mut positions = vec![[0.0; 3]; mesh.positions.len()];
+        fill(&mut positions, 1 << 12, &|start, run| {
+            for (place, &[x, y, z]) in run.iter_mut().zip(&mesh.positions[start..]) {
+                let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
+                let position = world_from_tree.transform_point3(position);
+                *place = (position - middle).as_vec3().to_array();
+            }
+        });
         let bvh = Bvh::build(&positions, &mesh.triangles, quality)?;
         let shift = DMat4::from_translation(middle);
         let back = DMat4::from_translation(-middle);

@@ -4,7 +4,7 @@ use crate::bundle::{BUNDLE, Bundle, Kind, LEAST, closest_of_bundle};
 use crate::bvh::{Bvh, Child, Node, Record, Slabs, Stack, Tree, WIDTH, Walk, meet, step};
 use crate::intersect::{Nearest, Ray, Sheared, meet_triangles};
 use luxel_math::{Level, Simd, SimdLevel, dispatch_long};
-use rayon::prelude::*;
+use luxel_parallel::fill;
 use std::cell::RefCell;
 
 /// Where a ray meets a triangle.
@@ -78,7 +78,8 @@ impl<'m> MeshRays<'m> {
     #[must_use]
     pub fn closest_of_each(&self, rays: &[Ray]) -> Vec<Option<RayHit>> {
         let mut hits = vec![None; rays.len()];
-        hits.par_chunks_mut(CHUNK).zip(rays.par_chunks(CHUNK)).for_each(|(hits, rays)| {
+        fill(&mut hits, CHUNK, &|start, hits| {
+            let rays = &rays[start..start + hits.len()];
             let mut nearest = [Nearest::before(0.0); CHUNK];
             self.follow(rays, &mut nearest[..rays.len()]);
             for ((hit, ray), nearest) in hits.iter_mut().zip(rays).zip(nearest) {

@@ -11,7 +11,7 @@ use crate::frustum::{Frustum, PLANES, Planes, planes};
 use crate::region::Region;
 use crate::view::PickView;
 use glam::{DMat4, DVec3, DVec4};
-use rayon::prelude::*;
+use luxel_parallel::{gather, map};
 
 /// What of an object falls into a region.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +40,7 @@ pub enum Inclusion {
 }
 
 /// What has been found of one object.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Found {
     z_min: f64,
     z_max: f64,
@@ -71,12 +71,10 @@ impl PickView<'_> {
     pub fn sliver(&self, region: &Region, inclusion: Inclusion) -> Vec<SliverHit> {
         let instances = self.instances.iter().filter(|instance| instance.strokes.is_none());
         let objects: Vec<usize> = instances.map(|instance| instance.object).collect();
-        let of = |&object: &usize| self.of_object(object, region, inclusion);
-        if objects.len() > LEAVES {
-            objects.par_iter().filter_map(of).collect()
-        } else {
-            objects.iter().filter_map(of).collect()
-        }
+        gather(objects.len(), LEAVES, &|run, hits| {
+            let objects = objects[run].iter();
+            hits.extend(objects.filter_map(|&object| self.of_object(object, region, inclusion)));
+        })
     }
 
     /// The triangles of one object that reach into a region, each with its least and greatest window
@@ -107,15 +105,11 @@ impl PickView<'_> {
         clipper.frustum.each_leaf(self.picker.tree(object).bvh, |triangles| {
             candidates.extend_from_slice(triangles);
         });
-        let of_run = |run: &[u32]| {
-            run.iter().fold(NOTHING, |all, &triangle| all.and(clipper.triangle(mesh, triangle)))
-        };
-        let faces = if candidates.len() > LEAVES * WIDTH {
-            let runs = candidates.par_chunks(LEAVES * WIDTH).map(of_run);
-            runs.reduce(|| NOTHING, Found::and)
-        } else {
-            of_run(&candidates)
-        };
+        let faces = map(candidates.len(), LEAVES * WIDTH, &|run| {
+            let run = candidates[run].iter();
+            run.fold(NOTHING, |all, &triangle| all.and(clipper.triangle(mesh, triangle)))
+        });
+        let faces = faces.into_iter().fold(NOTHING, Found::and);
         let points = mesh.points.iter().flat_map(|points| &points.indices);
         let lines = mesh.lines.iter().flat_map(|lines| &lines.segments);
         let strokes = points

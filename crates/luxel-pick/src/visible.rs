@@ -6,9 +6,10 @@ use crate::region::Region;
 use crate::told::Element;
 use crate::view::PickView;
 use crate::window::PhysicalPosition;
+use luxel_parallel::map;
 use luxel_scene::Size;
-use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
 /// An object and how many pixels show it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +71,7 @@ impl PickView<'_> {
     #[must_use]
     pub fn visible_in(&self, region: &Region) -> Vec<VisibleHit> {
         let pixels = pixels_of(self.size, region);
+        let all = Mutex::new(Counts::new());
         let of_tile = |shown: &mut dyn Iterator<Item = Shown>| {
             let mut counts = Counts::new();
             for Shown { pixel: [x, y], instance, .. } in shown {
@@ -78,10 +80,10 @@ impl PickView<'_> {
                     *counts.entry(self.instances[instance].object).or_default() += 1;
                 }
             }
-            counts
+            add(&mut all.lock().unwrap_or_else(PoisonError::into_inner), counts);
         };
-        match self.drawn(&pixels, of_tile) {
-            Ok(counts) => told(counts.into_iter().fold(Counts::new(), sum)),
+        match self.drawn(&pixels, &of_tile) {
+            Ok(()) => told(all.into_inner().unwrap_or_else(PoisonError::into_inner)),
             // So many that a frame can't number them can still be asked for.
             Err(_) => counted(self.size, region, |x, y| {
                 self.owner_at(PhysicalPosition::centre_of(x, y)).map(|(object, _)| object)
@@ -94,12 +96,15 @@ impl PickView<'_> {
     pub fn visible_ids(&self) -> VisibleIds {
         let Size { width, height } = self.size;
         let count = width as usize * height as usize;
-        let (mut objects, mut triangles) = (vec![NOTHING; count], vec![NOTHING; count]);
-        let mut set = |[x, y]: [u32; 2], object: usize, element: Element| {
-            let at = y as usize * width as usize + x as usize;
-            objects[at] = object as u32;
-            if let Element::Triangle(triangle) = element {
-                triangles[at] = triangle;
+        let all = Mutex::new((vec![NOTHING; count], vec![NOTHING; count]));
+        let set = |told: &[([u32; 2], usize, Element)]| {
+            let (objects, triangles) = &mut *all.lock().unwrap_or_else(PoisonError::into_inner);
+            for &([x, y], object, element) in told {
+                let at = y as usize * width as usize + x as usize;
+                objects[at] = object as u32;
+                if let Element::Triangle(triangle) = element {
+                    triangles[at] = triangle;
+                }
             }
         };
         let of_tile = |shown: &mut dyn Iterator<Item = Shown>| {
@@ -107,36 +112,30 @@ impl PickView<'_> {
                 let instance = &self.instances[shown.instance];
                 (shown.pixel, instance.object, self.element_of(instance, shown.triangle))
             };
-            shown.map(element).collect::<Vec<_>>()
+            set(&shown.map(element).collect::<Vec<_>>());
         };
-        match self.drawn(&[0..width, 0..height], of_tile) {
-            Ok(tiles) => {
-                for (pixel, object, element) in tiles.into_iter().flatten() {
-                    set(pixel, object, element);
-                }
-            }
-            Err(_) => {
-                for pixel @ [x, y] in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
-                    if let Some((object, element)) =
-                        self.owner_at(PhysicalPosition::centre_of(x, y))
-                    {
-                        set(pixel, object, element);
-                    }
+        if self.drawn(&[0..width, 0..height], &of_tile).is_err() {
+            for pixel @ [x, y] in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
+                if let Some((object, element)) = self.owner_at(PhysicalPosition::centre_of(x, y)) {
+                    set(&[(pixel, object, element)]);
                 }
             }
         }
+        let (objects, triangles) = all.into_inner().unwrap_or_else(PoisonError::into_inner);
         VisibleIds { size: self.size, objects, triangles }
     }
 }
 
+/// Rows that one thread takes at a time.
+const ROWS: usize = 4;
+
 /// Pixels by object.
 type Counts = BTreeMap<usize, u64>;
 
-fn sum(mut all: Counts, more: Counts) -> Counts {
+fn add(all: &mut Counts, more: Counts) {
     for (object, pixels) in more {
         *all.entry(object).or_default() += pixels;
     }
-    all
 }
 
 fn told(counts: Counts) -> Vec<VisibleHit> {
@@ -160,17 +159,23 @@ fn counted(
     object: impl Fn(u32, u32) -> Option<usize> + Sync,
 ) -> Vec<VisibleHit> {
     let [columns, rows] = pixels_of(size, region);
-    let of_row = |y: u32| {
+    let of_rows = map(rows.len(), ROWS, &|run| {
         let mut counts = Counts::new();
-        for x in columns.clone() {
-            let centre = PhysicalPosition::centre_of(x, y);
-            if region.contains(centre.x, centre.y)
-                && let Some(object) = object(x, y)
-            {
-                *counts.entry(object).or_default() += 1;
+        for y in run.map(|row| rows.start + row as u32) {
+            for x in columns.clone() {
+                let centre = PhysicalPosition::centre_of(x, y);
+                if region.contains(centre.x, centre.y)
+                    && let Some(object) = object(x, y)
+                {
+                    *counts.entry(object).or_default() += 1;
+                }
             }
         }
         counts
-    };
-    told(rows.into_par_iter().map(of_row).reduce(Counts::new, sum))
+    });
+    let mut all = Counts::new();
+    for counts in of_rows {
+        add(&mut all, counts);
+    }
+    told(all)
 }

@@ -5,7 +5,7 @@ use crate::intersect::Ray;
 use crate::picker::Picker;
 use crate::rays::RayHit;
 use glam::DVec3;
-use rayon::prelude::*;
+use luxel_parallel::fill;
 
 /// A ray through the world: every place `origin + t direction` with t from `range`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,7 +155,13 @@ impl Picker<'_> {
     /// The nearest triangle for each of many rays, on all threads of the current pool.
     #[must_use]
     pub fn closest_of_each(&self, rays: &[WorldRay]) -> Vec<Option<WorldHit>> {
-        rays.par_iter().with_min_len(256).map(|ray| self.closest(ray)).collect()
+        let mut hits = vec![None; rays.len()];
+        fill(&mut hits, 256, &|start, hits| {
+            for (hit, ray) in hits.iter_mut().zip(&rays[start..]) {
+                *hit = self.closest(ray);
+            }
+        });
+        hits
     }
 
     /// Visits the objects whose boxes a ray meets, near ones first; `visit` gives the farthest t

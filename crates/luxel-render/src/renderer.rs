@@ -154,8 +154,7 @@ impl<'s> Renderer<'s> {
             pool,
             clock: execution.clock,
         };
-        renderer.clusters =
-            renderer.install(|| scene.meshes.par_iter().map(Clusters::new).collect());
+        renderer.clusters = renderer.install(|| prepared::clusters(scene));
         Ok(renderer)
     }
 

@@ -4,7 +4,7 @@
 //! they are where they can be, split where they must.
 
 use crate::{Mesh, Topology};
-use rayon::prelude::*;
+use luxel_parallel::{each, fill, sort_u128};
 
 /// How many places one thread takes at a time.
 const RUN: usize = 1 << 12;
@@ -39,22 +39,20 @@ impl<T: Copy + Send + Sync> Fans<T> {
             pieces.push((first as u32..end as u32, piece));
             rest = after;
         }
-        let values: Vec<Vec<T>> = pieces
-            .into_par_iter()
-            .map(|(places, mut slots)| {
-                let mut values = Vec::with_capacity(places.len());
-                let mut scratch = S::default();
-                for place in places {
-                    let corners = topology.corners_at(place);
-                    let (own, after) = slots.split_at_mut(corners.len());
-                    if !corners.is_empty() {
-                        find(place, corners, &mut scratch, &mut values, own);
-                    }
-                    slots = after;
+        let mut values: Vec<Vec<T>> = Vec::new();
+        values.resize_with(pieces.len(), Vec::new);
+        each(pieces.into_iter().zip(&mut values), &|((places, mut slots), values)| {
+            values.reserve_exact(places.len());
+            let mut scratch = S::default();
+            for place in places {
+                let corners = topology.corners_at(place);
+                let (own, after) = slots.split_at_mut(corners.len());
+                if !corners.is_empty() {
+                    find(place, corners, &mut scratch, values, own);
                 }
-                values
-            })
-            .collect();
+                slots = after;
+            }
+        });
         // Fans are numbered within their pieces until all pieces are known.
         let mut base = 0;
         let mut rest = &mut fan_of_slot[..];
@@ -73,8 +71,8 @@ impl<T: Copy + Send + Sync> Fans<T> {
     /// end with all its other attributes.
     pub(crate) fn assign(&self, mesh: &mut Mesh, topology: &Topology, unused: T) -> Vec<T> {
         let mut fan_of_vertex = vec![FREE; vertex_count(mesh)];
-        // Fan, attribute vertex, and corner, in this order of sorting.
-        let mut clashes: Vec<(u32, u32, u32)> = Vec::new();
+        // Fan, attribute vertex, and corner, 32 bits each, to be sorted.
+        let mut clashes: Vec<u128> = Vec::new();
         let starts = topology.starts();
         let vertices = mesh.attribute_corners().as_flattened();
         for place in 0..mesh.positions.len() {
@@ -86,7 +84,8 @@ impl<T: Copy + Send + Sync> Fans<T> {
                 if *owner == FREE {
                     *owner = fan;
                 } else if *owner != fan {
-                    clashes.push((fan, vertex, corner));
+                    let fan_and_vertex = u128::from(fan) << 64 | u128::from(vertex) << 32;
+                    clashes.push(fan_and_vertex | u128::from(corner));
                 }
             }
         }
@@ -98,28 +97,31 @@ impl<T: Copy + Send + Sync> Fans<T> {
             append_copies(&mut mesh.tangents, before, &copied);
             append_copies(&mut mesh.colors, before, &copied);
         }
-        let value = |&fan: &u32| if fan == FREE { unused } else { self.values[fan as usize] };
-        fan_of_vertex.par_iter().map(value).collect()
+        let mut values = vec![unused; fan_of_vertex.len()];
+        fill(&mut values, RUN, &|start, run| {
+            for (value, &fan) in run.iter_mut().zip(&fan_of_vertex[start..]) {
+                if fan != FREE {
+                    *value = self.values[fan as usize];
+                }
+            }
+        });
+        values
     }
 }
 
 /// Gives the corners of clashes attribute vertices of their own; tells of which each is a copy.
 /// The work is bounded by sorting, whatever the file.
-fn split(
-    mesh: &mut Mesh,
-    fan_of_vertex: &mut Vec<u32>,
-    mut clashes: Vec<(u32, u32, u32)>,
-) -> Vec<u32> {
-    clashes.par_sort_unstable();
+fn split(mesh: &mut Mesh, fan_of_vertex: &mut Vec<u32>, mut clashes: Vec<u128>) -> Vec<u32> {
+    sort_u128(&mut clashes);
     let corners = mesh.attribute_corners.get_or_insert_with(|| mesh.triangles.clone());
     let corners = corners.as_flattened_mut();
     let mut copied = Vec::new();
-    for clash in clashes.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-        for &(_, _, corner) in clash {
-            corners[corner as usize] = fan_of_vertex.len() as u32;
+    for clash in clashes.chunk_by(|a, b| a >> 32 == b >> 32) {
+        for &key in clash {
+            corners[key as u32 as usize] = fan_of_vertex.len() as u32;
         }
-        fan_of_vertex.push(clash[0].0);
-        copied.push(clash[0].1);
+        fan_of_vertex.push((clash[0] >> 64) as u32);
+        copied.push((clash[0] >> 32) as u32);
     }
     copied
 }

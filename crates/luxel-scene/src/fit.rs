@@ -2,7 +2,7 @@
 
 use crate::{Bounds, Camera, Lens, Object, Projection, Scene, Size};
 use glam::{DMat4, DQuat, DVec3};
-use rayon::prelude::*;
+use luxel_parallel::fill;
 
 /// How much of the window the silhouette may take, across and down.
 const FILLED: f64 = 0.8;
@@ -294,17 +294,16 @@ impl<'a> Points<'a> {
         let single = self.single.iter().fold(nothing, |all, &point| join(all, of(point)));
         self.objects.iter().fold(single, |all, (mesh, picture_from_mesh, drawn)| {
             let picture_from_mesh = *picture_from_mesh;
-            let own = mesh.positions.par_chunks(RUN).zip(drawn.par_chunks(RUN));
-            let own = own.map(|(positions, drawn)| {
-                let mut joined = nothing;
-                for (&[x, y, z], _) in positions.iter().zip(drawn).filter(|(_, drawn)| **drawn) {
+            let mut of_runs = vec![nothing; drawn.len().div_ceil(RUN)];
+            fill(&mut of_runs, 1, &|run, joined| {
+                let positions = mesh.positions.iter().zip(drawn).skip(run * RUN).take(RUN);
+                for (&[x, y, z], _) in positions.filter(|(_, drawn)| **drawn) {
                     let point = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
                     let point = picture_from_mesh.transform_point3(mesh.origin + point);
-                    joined = join(joined, of(point));
+                    joined[0] = join(joined[0], of(point));
                 }
-                joined
             });
-            join(all, own.reduce(|| nothing, &join))
+            of_runs.into_iter().fold(all, &join)
         })
     }
 

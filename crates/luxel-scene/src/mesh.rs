@@ -2,7 +2,7 @@
 
 use crate::MaterialId;
 use glam::{DMat4, DVec3};
-use rayon::prelude::*;
+use luxel_parallel::map;
 
 /// Triangles in the file's order, with points and lines beside them.
 ///
@@ -140,16 +140,16 @@ impl Mesh {
         const RUN: usize = 1 << 12;
         let drawn = self.drawn_positions();
         let world_from_mesh = *world_from_mesh;
-        let runs = self.positions.par_chunks(RUN).zip(drawn.par_chunks(RUN));
-        let of_run = |(positions, drawn): (&[[f32; 3]], &[bool])| {
+        let of_runs = map(drawn.len(), RUN, &|run| {
             let mut bounds = Bounds::EMPTY;
-            for (&[x, y, z], _) in positions.iter().zip(drawn).filter(|(_, drawn)| **drawn) {
+            let positions = self.positions[run.clone()].iter().zip(&drawn[run]);
+            for (&[x, y, z], _) in positions.filter(|(_, drawn)| **drawn) {
                 let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
                 bounds.include(world_from_mesh.transform_point3(self.origin + position));
             }
-            bounds
-        };
-        runs.map(of_run).reduce(|| Bounds::EMPTY, |a, b| a.union(&b))
+            Some(bounds)
+        });
+        of_runs.iter().flatten().fold(Bounds::EMPTY, |all, bounds| all.union(bounds))
     }
 
     /// Whether each position is drawn: as the corner of a triangle, as a point, or as the end of a

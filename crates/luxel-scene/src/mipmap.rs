@@ -8,10 +8,9 @@
 
 use crate::encoding::{Encoding, WholeNumbers};
 use crate::texture::MipLevel;
-use rayon::prelude::*;
 
-/// Below so many texels a level isn't worth more than one thread.
-const TEXELS_WORTH_THREADS: usize = 1 << 14;
+/// Texels that one thread takes at a time, or a few more.
+const TEXELS_OF_RUN: usize = 1 << 13;
 
 /// All levels below a picture, which comes first.
 pub(crate) fn mip_chain(base: MipLevel, encoding: Encoding) -> Vec<MipLevel> {
@@ -54,11 +53,13 @@ fn half(level: &MipLevel, encoding: Encoding) -> Option<MipLevel> {
             }
         }
     };
-    if texels.len() < TEXELS_WORTH_THREADS {
-        texels.chunks_exact_mut(width as usize).enumerate().for_each(fill);
-    } else {
-        texels.par_chunks_exact_mut(width as usize).enumerate().for_each(fill);
-    }
+    let width = width as usize;
+    // Whole rows.
+    let run = TEXELS_OF_RUN.next_multiple_of(width);
+    luxel_parallel::fill(&mut texels, run, &|start, rows| {
+        (start / width..).zip(rows.chunks_exact_mut(width)).for_each(fill);
+    });
+    let width = width as u32;
     Some(MipLevel { width, height, texels })
 }
 

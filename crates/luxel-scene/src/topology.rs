@@ -1,7 +1,7 @@
 //! Which triangles meet where.
 
 use crate::Mesh;
-use rayon::prelude::*;
+use luxel_parallel::{fill, sort_u128};
 
 /// The corners that meet at each place of a mesh.
 ///
@@ -120,12 +120,14 @@ fn weld_by_hashing(positions: &[[f32; 3]]) -> Option<Vec<u32>> {
 /// In time that no file can spoil.
 fn weld_by_sorting(positions: &[[f32; 3]]) -> Vec<u32> {
     // Coordinates and number in one key: sorting brings equal places together, the first in front.
-    let key = |(number, position): (usize, &[f32; 3])| {
-        let [x, y, z] = bits(*position).map(u128::from);
-        x << 96 | y << 64 | z << 32 | number as u128
-    };
-    let mut keys: Vec<u128> = positions.par_iter().enumerate().map(key).collect();
-    keys.par_sort_unstable();
+    let mut keys = vec![0; positions.len()];
+    fill(&mut keys, 1 << 12, &|start, run| {
+        for ((number, position), key) in (start..).zip(&positions[start..]).zip(run) {
+            let [x, y, z] = bits(*position).map(u128::from);
+            *key = x << 96 | y << 64 | z << 32 | number as u128;
+        }
+    });
+    sort_u128(&mut keys);
     let mut places = vec![0; positions.len()];
     let mut first = 0;
     let mut last_coordinates = None;

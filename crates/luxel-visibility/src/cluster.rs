@@ -10,8 +10,8 @@
 
 use crate::order::along_curve;
 use luxel_math::LANES;
+use luxel_parallel::{fill, map};
 use luxel_scene::Mesh;
-use rayon::prelude::*;
 
 /// Most triangles of a cluster: slot numbers take seven bits.
 pub const CLUSTER_TRIANGLES: usize = 1 << SLOT_BITS;
@@ -77,8 +77,10 @@ impl Clusters {
             .iter()
             .flat_map(|(part, order)| order.chunks(TASK_TRIANGLES).map(|task| (*part, task)))
             .collect();
-        let mut pieces: Vec<Self> =
-            tasks.into_par_iter().map(|(part, order)| cut(mesh, part, order)).collect();
+        let mut pieces: Vec<Self> = map(tasks.len(), 1, &|task| {
+            let (part, order) = tasks[task.start];
+            cut(mesh, part, order)
+        });
         let mut all = if pieces.len() == 1 { pieces.remove(0) } else { Self::default() };
         for piece in pieces {
             all.append(piece);
@@ -154,8 +156,12 @@ impl Clusters {
 
     /// The boxes of all clusters, transposed for the lanes; the last group repeats its last box.
     fn bounds_by_sixteen(&self) -> Vec<f32> {
-        let boxes: Vec<[f32; 6]> =
-            (0..self.count()).into_par_iter().map(|cluster| bounds(&self.block(cluster))).collect();
+        let mut boxes = vec![[0.0; 6]; self.count()];
+        fill(&mut boxes, 1 << 7, &|start, run| {
+            for (cluster, own) in (start..).zip(run) {
+                *own = bounds(&self.block(cluster));
+            }
+        });
         let mut bounds = Vec::with_capacity(boxes.len().next_multiple_of(LANES) * 6);
         for group in boxes.chunks(LANES) {
             for side in 0..6 {

@@ -2,8 +2,8 @@
 //! neighbours in the order are neighbours in space, whatever the file's order.
 
 use luxel_math::LANES;
+use luxel_parallel::{fill, map};
 use luxel_scene::Mesh;
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// Bits of a cell's coordinate along each axis.
@@ -16,20 +16,18 @@ const TASK_TRIANGLES: usize = 1 << 14;
 /// cells of a grid of 512 cells a side; in the file's order within a cell.
 pub(crate) fn along_curve(mesh: &Mesh, range: Range<usize>) -> Vec<u32> {
     let triangles = &mesh.triangles[range.clone()];
-    let (low, high) = triangles
-        .par_chunks(TASK_TRIANGLES)
-        .map(|triangles| {
-            let centres = triangles.iter().map(|corners| centre(mesh, corners));
-            centres.fold(EMPTY, |bounds, centre| union(bounds, (centre, centre)))
-        })
-        .reduce(|| EMPTY, union);
+    let of_tasks = map(triangles.len(), TASK_TRIANGLES, &|task| {
+        let centres = triangles[task].iter().map(|corners| centre(mesh, corners));
+        centres.fold(EMPTY, |bounds, centre| union(bounds, (centre, centre)))
+    });
+    let (low, high) = of_tasks.into_iter().fold(EMPTY, union);
     let extent = [0, 1, 2].map(|axis| high[axis] - low[axis]).into_iter().fold(0.0, f32::max);
     let scale = (1 << BITS) as f32 / extent;
     let mut keys = vec![0; triangles.len()];
-    keys.par_chunks_mut(TASK_TRIANGLES)
-        .zip(triangles.par_chunks(TASK_TRIANGLES))
-        .zip((range.start..range.end).into_par_iter().step_by(TASK_TRIANGLES))
-        .for_each(|((keys, triangles), first)| place(mesh, triangles, first, low, scale, keys));
+    fill(&mut keys, TASK_TRIANGLES, &|start, keys| {
+        let triangles = &triangles[start..start + keys.len()];
+        place(mesh, triangles, range.start + start, low, scale, keys);
+    });
     sort_by_cell(&mut keys);
     keys.into_iter().map(|key| key as u32).collect()
 }

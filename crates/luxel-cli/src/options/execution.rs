@@ -26,8 +26,7 @@ impl ExecutionOptions {
     /// Gives the readers as many threads as the line allows; the renderer has its own.
     pub(crate) fn limit_threads(&self) {
         if let Some(count) = self.threads {
-            // Fails only where the threads run already, which is not for the user to hear.
-            let _ = rayon::ThreadPoolBuilder::new().num_threads(count).build_global();
+            luxel_parallel::limit_threads(count);
         }
     }
 }

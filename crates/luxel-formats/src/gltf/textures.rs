@@ -7,7 +7,6 @@ use luxel_gltf::{Index, Sampler as FileSampler};
 use luxel_scene::{
     Encoding, Filter, Image, Sampler, SceneMaterial, Texture, TextureId, TextureUse, Wrap,
 };
-use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -116,7 +115,7 @@ impl<'b, 'd> Textures<'b, 'd> {
     /// doesn't fit into a share is tried alone, so that the outcome doesn't hang on the threads.
     fn decoded(&self, names: &[String]) -> Vec<Result<Image, String>> {
         let memory = self.buffers.memory();
-        let at_once = 4 * rayon::current_num_threads();
+        let at_once = 4 * luxel_parallel::threads();
         let mut decoded = Vec::with_capacity(names.len());
         for (images, names) in self.images.chunks(at_once).zip(names.chunks(at_once)) {
             let left = memory.left();
@@ -126,12 +125,11 @@ impl<'b, 'd> Textures<'b, 'd> {
                 let bytes = encoded[place].as_ref().map_err(Clone::clone)?;
                 image::decode(name, bytes, images[place].1, limits)
             };
-            let first: Vec<_> = names
-                .par_iter()
-                .enumerate()
-                .map(|(place, name)| decode(&share, name, place))
-                .collect();
-            for (place, (name, image)) in names.iter().zip(first).enumerate() {
+            let first = luxel_parallel::map(names.len(), 1, &|run| {
+                Some(decode(&share, &names[run.start], run.start))
+            });
+            for (place, (name, image)) in names.iter().zip(first.into_iter().flatten()).enumerate()
+            {
                 let image = image.or_else(|_| decode(&memory.left(), name, place));
                 decoded.push(image.and_then(|image| {
                     let texels = image.levels.iter().map(|level| level.texels.len() as u64).sum();

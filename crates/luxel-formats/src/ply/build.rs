@@ -2,16 +2,17 @@
 
 use super::Content;
 use super::faces::{Faces, Polygons};
+use super::source::RUN;
 use super::vertices::Vertices;
 use crate::direction::unit;
 use crate::stl::warn_of_faces_left_out;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
+use luxel_parallel::{any, fill, gather};
 use luxel_scene::{
     AlphaMode, Lines, MaterialId, Mesh, MeshId, Node, NormalFault, Part, Points, Scene,
     SceneMaterial, triangulate,
 };
-use rayon::prelude::*;
 
 pub(super) fn scene(content: Content, name: &str, warnings: &mut Warnings) -> Result<Scene, Error> {
     let mut scene = Scene::default();
@@ -34,7 +35,10 @@ pub(super) fn scene(content: Content, name: &str, warnings: &mut Warnings) -> Re
 
 /// Whether alpha says anything: writers that fill it with zeros don't mean an invisible surface.
 fn lets_light_through(colors: &[[f32; 4]]) -> bool {
-    colors.par_iter().any(|color| color[3] < 1.0) && colors.par_iter().any(|color| color[3] > 0.0)
+    let has = |is: fn(f32) -> bool| {
+        any(colors.len(), RUN, &|run| colors[run].iter().any(|color| is(color[3])))
+    };
+    has(|alpha| alpha < 1.0) && has(|alpha| alpha > 0.0)
 }
 
 fn mesh(content: Content, warnings: &mut Warnings) -> Result<Mesh, Error> {
@@ -106,7 +110,7 @@ fn cut(polygons: &Polygons, mesh: &Mesh) -> Result<(Vec<[u32; 3]>, Vec<u32>), Er
 /// Leaves out faces with a corner that isn't finite.
 fn leave_out_unplaced(faces: &mut Faces, mesh: &mut Mesh, warnings: &mut Warnings) {
     let is_placed = |position: &[f32; 3]| position.iter().all(|value| value.is_finite());
-    if mesh.positions.par_iter().all(is_placed) {
+    if !any(mesh.positions.len(), RUN, &|run| !mesh.positions[run].iter().all(is_placed)) {
         return;
     }
     let polygon_of = |triangle: usize| match &mesh.polygons {
@@ -146,9 +150,13 @@ fn set_attributes(
     mesh.normals = vertices.normals;
     mesh.normal_faults = faults_of(mesh);
     let used_wrong = !mesh.normals.is_empty() && {
-        mesh.normals.par_iter_mut().for_each(|normal| *normal = unit(*normal));
+        fill(&mut mesh.normals, RUN, &|_, run| {
+            for normal in run {
+                *normal = unit(*normal);
+            }
+        });
         let wrong = |corner: &u32| mesh.normals[*corner as usize] == [0.0; 3];
-        mesh.triangles.par_iter().any(|corners| corners.iter().any(wrong))
+        any(mesh.triangles.len(), RUN, &|run| mesh.triangles[run].as_flattened().iter().any(wrong))
     };
     if used_wrong {
         warnings.push(
@@ -158,22 +166,29 @@ fn set_attributes(
     }
     mesh.uvs[0] = vertices.uvs;
     // Images begin at the top, PLY's second coordinate points up.
-    mesh.uvs[0].par_iter_mut().for_each(|uv| {
-        *uv = [uv[0], 1.0 - uv[1]].map(|value| if value.is_finite() { value } else { 0.0 });
+    fill(&mut mesh.uvs[0], RUN, &|_, run| {
+        for uv in run {
+            *uv = [uv[0], 1.0 - uv[1]].map(|value| if value.is_finite() { value } else { 0.0 });
+        }
     });
     mesh.colors = vertices.colors;
     // Writers that have both fill the ones that weren't set with a single colour.
     let first = mesh.colors.first().copied();
-    let tells_nothing = mesh.colors.par_iter().all(|&color| Some(color) == first);
-    if tells_nothing && !face_colors.is_empty() {
+    let colors = &mesh.colors;
+    let tells_something =
+        any(colors.len(), RUN, &|run| colors[run].iter().any(|&color| Some(color) != first));
+    if !tells_something && !face_colors.is_empty() {
         color_faces(mesh, &face_colors);
     }
 }
 
 /// What is wrong with the normals that are in use.
 fn faults_of(mesh: &Mesh) -> Vec<NormalFault> {
-    let fault = |(vertex, normal): (usize, &[f32; 3])| NormalFault::of(vertex as u32, *normal);
-    let mut faults: Vec<_> = mesh.normals.par_iter().enumerate().filter_map(fault).collect();
+    let mut faults = gather(mesh.normals.len(), RUN, &|run, faults| {
+        for vertex in run {
+            faults.extend(NormalFault::of(vertex as u32, mesh.normals[vertex]));
+        }
+    });
     if !faults.is_empty() {
         let mut is_used = vec![false; mesh.positions.len()];
         mesh.triangles.as_flattened().iter().for_each(|&corner| is_used[corner as usize] = true);

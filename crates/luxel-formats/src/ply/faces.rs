@@ -1,10 +1,11 @@
 //! Faces: polygons, and triangle strips.
 
 use super::header::{Element, Kind, Scalar};
-use super::source::{Source, Table, each_row};
+use super::source::{RUN, Source, Table, each_row};
 use super::vertices::{ColorColumns, Column};
 use crate::{Error, ErrorKind, Limits, Place};
-use rayon::prelude::*;
+use luxel_parallel::first;
+use std::ops::Range;
 
 /// What a corner of a polygon takes: its number, its share of a triangle, and of the list's end.
 const BYTES_PER_CORNER: u64 = 4 + 12 + 4;
@@ -164,13 +165,14 @@ impl Faces {
         let corner_at = |corner: usize| records.first_item + corner * records.item.size();
         let index = |row: &[u8], corner| table.value(row, corner_at(corner), records.item);
         let checked = |value: f64| vertex_index(value, self.vertex_count).unwrap_or(u32::MAX);
-        table
-            .rows()
-            .map(|row| [0, 1, 2].map(|corner| checked(index(row, corner))))
-            .collect_into_vec(&mut self.triangles);
+        self.triangles =
+            table.read([0; 3], |row| [0, 1, 2].map(|corner| checked(index(row, corner))));
         // No vertex has the last number, since there are fewer.
         let wrong = |corners: &[u32; 3]| corners.contains(&u32::MAX);
-        if let Some(face) = self.triangles.par_iter().position_first(wrong) {
+        let wrong_of_run = |run: Range<usize>| {
+            self.triangles[run.clone()].iter().position(wrong).map(|at| run.start + at)
+        };
+        if let Some(face) = first(self.triangles.len(), RUN, &wrong_of_run) {
             let corner = self.triangles[face].iter().position(|&index| index == u32::MAX);
             let corner = corner.unwrap_or(0);
             let kind = vertex_index(index(table.row(face), corner), self.vertex_count).err();
@@ -184,10 +186,7 @@ impl Faces {
                 let shift = if after_list { records.list_size } else { 0 };
                 table.value(row, column.offset + shift, column.scalar)
             };
-            table
-                .rows()
-                .map(|row| color.decode(|column| value(row, column)))
-                .collect_into_vec(&mut self.colors);
+            self.colors = table.read([0.0; 4], |row| color.decode(|column| value(row, column)));
         }
         source.skip(table);
         Ok(())
@@ -236,7 +235,7 @@ impl<'a> Records<'a> {
         }
         let table = source.table(element.count, stride)?;
         let count_at = first_item - count.size();
-        let all_triangles = table.rows().all(|row| table.value(row, count_at, count) == 3.0);
+        let all_triangles = table.all(|row| table.value(row, count_at, count) == 3.0);
         all_triangles.then_some(Self { list, list_size, item, first_item, table })
     }
 }

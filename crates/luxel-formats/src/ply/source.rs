@@ -3,8 +3,7 @@
 use super::header::{Element, Encoding, Kind, Scalar};
 use crate::text::{integer, is_blank, line_of, number, shown, single};
 use crate::{Error, ErrorKind, Place};
-use rayon::prelude::*;
-use rayon::slice::ChunksExact;
+use luxel_parallel::{any, fill};
 
 /// Where values come from.
 pub(super) struct Source<'a> {
@@ -185,6 +184,9 @@ impl<'a> Source<'a> {
     }
 }
 
+/// Rows that one thread takes at a time.
+pub(super) const RUN: usize = 1 << 12;
+
 /// Binary rows that all take the same number of bytes.
 pub(super) struct Table<'a> {
     bytes: &'a [u8],
@@ -193,9 +195,32 @@ pub(super) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The bytes of the rows.
-    pub(super) fn rows(&self) -> ChunksExact<'a, u8> {
-        self.bytes.par_chunks_exact(self.stride)
+    /// What each row's bytes say, by all threads.
+    pub(super) fn read<T: Clone + Send>(
+        &self,
+        nothing: T,
+        of_row: impl Fn(&[u8]) -> T + Sync,
+    ) -> Vec<T> {
+        let mut values = vec![nothing; self.count()];
+        fill(&mut values, RUN, &|start, run| {
+            for (value, row) in run.iter_mut().zip(self.row(start).chunks_exact(self.stride)) {
+                *value = of_row(row);
+            }
+        });
+        values
+    }
+
+    /// Whether something holds for every row's bytes.
+    pub(super) fn all(&self, holds: impl Fn(&[u8]) -> bool + Sync) -> bool {
+        !any(self.count(), RUN, &|run| {
+            let rows = self.row(run.start).chunks_exact(self.stride);
+            !rows.take(run.len()).all(&holds)
+        })
+    }
+
+    /// How many rows there are.
+    const fn count(&self) -> usize {
+        self.bytes.len() / self.stride
     }
 
     /// Where a row begins, from the beginning of the table.

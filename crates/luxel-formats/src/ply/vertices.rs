@@ -4,7 +4,6 @@ use super::header::{Element, Kind, Scalar};
 use super::source::{Source, Table, each_row};
 use crate::{Error, color};
 use luxel_scene::Encoding;
-use rayon::prelude::*;
 
 /// Attributes of the vertices; those that the file lacks are empty.
 #[derive(Default)]
@@ -137,29 +136,26 @@ impl Vertices {
 
     fn read_table(&mut self, columns: &Columns, table: &Table<'_>, count: usize) {
         let value = |row: &[u8], column: Column| table.value(row, column.offset, column.scalar);
-        let rows = || table.rows();
         let single = |row: &[u8], column: Column| value(row, column) as f32;
         match columns.position {
-            Some(position) if columns.single() => rows()
-                .map(|row| position.map(|column| single(row, column)))
-                .collect_into_vec(&mut self.singles),
-            Some(position) => rows()
-                .map(|row| position.map(|column| value(row, column)))
-                .collect_into_vec(&mut self.doubles),
+            Some(position) if columns.single() => {
+                self.singles =
+                    table.read([0.0; 3], |row| position.map(|column| single(row, column)));
+            }
+            Some(position) => {
+                self.doubles =
+                    table.read([0.0; 3], |row| position.map(|column| value(row, column)));
+            }
             None => self.singles = vec![[0.0; 3]; count],
         }
         if let Some(normal) = columns.normal {
-            rows()
-                .map(|row| normal.map(|column| single(row, column)))
-                .collect_into_vec(&mut self.normals);
+            self.normals = table.read([0.0; 3], |row| normal.map(|column| single(row, column)));
         }
         if let Some(uv) = columns.uv {
-            rows().map(|row| uv.map(|column| single(row, column))).collect_into_vec(&mut self.uvs);
+            self.uvs = table.read([0.0; 2], |row| uv.map(|column| single(row, column)));
         }
         if let Some(color) = columns.color {
-            rows()
-                .map(|row| color.decode(|column| value(row, column)))
-                .collect_into_vec(&mut self.colors);
+            self.colors = table.read([0.0; 4], |row| color.decode(|column| value(row, column)));
         }
     }
 

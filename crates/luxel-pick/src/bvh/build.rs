@@ -2,8 +2,9 @@
 //! nodes of its own, and all are joined in order.
 
 use super::split::{Ref, bounds_of, split};
-use super::{Box3, Child, Node, Quality, Tree, WIDTH};
-use rayon::prelude::*;
+use super::{Box3, Child, Node, Quality, RUN, Tree, WIDTH};
+use luxel_parallel::{any, each, fill, gather, join};
+use std::ops::Range;
 
 /// Runs up to this size are one task's. Fixed, so that trees don't depend on threads.
 const TASK: usize = 1 << 13;
@@ -27,30 +28,63 @@ struct Run<'r> {
     whole: bool,
 }
 
-/// Builds a tree over things that have a box, leaving out those that aren't sound.
-pub(crate) fn build<T: Sync>(
-    things: &[T],
-    is_sound: &(impl Fn(&T) -> bool + Sync),
-    bounds: &(impl Fn(&T) -> Box3 + Sync),
-    quality: Quality,
-) -> Tree {
-    if quality == Quality::InOrder {
-        return in_order(things, is_sound, bounds);
+/// The number of what is left out.
+const LEFT_OUT: u32 = u32::MAX;
+
+/// Things that have a box. The provided methods go through many at a time.
+pub(crate) trait Boxes: Sync {
+    /// How many there are.
+    fn count(&self) -> usize;
+
+    /// The box of one; `None` if it isn't sound.
+    fn bounds(&self, number: usize) -> Option<Box3>;
+
+    /// The boxes of those from `start` on.
+    fn refs(&self, start: usize, refs: &mut [Ref]) {
+        for (number, of) in (start..).zip(refs) {
+            let bounds = self.bounds(number);
+            let id = if bounds.is_some() { number as u32 } else { LEFT_OUT };
+            let Box3 { low, high } = bounds.unwrap_or(Box3::EMPTY);
+            *of = Ref { low, id, high, spare: 0 };
+        }
     }
-    const LEFT_OUT: u32 = u32::MAX;
-    let of = |(number, thing): (usize, &T)| {
-        let id = if is_sound(thing) { number as u32 } else { LEFT_OUT };
-        let Box3 { low, high } = bounds(thing);
-        Ref { low, id, high, spare: 0 }
-    };
-    let mut refs: Vec<Ref> = things.par_iter().enumerate().map(of).collect();
-    if refs.par_iter().any(|of| of.id == LEFT_OUT) {
+
+    /// Appends the numbers of those of a run that are sound.
+    fn sound(&self, run: Range<usize>, numbers: &mut Vec<u32>) {
+        for number in run {
+            if self.bounds(number).is_some() {
+                numbers.push(number as u32);
+            }
+        }
+    }
+
+    /// The box around several.
+    fn around(&self, numbers: &[u32]) -> Box3 {
+        let mut all = Box3::EMPTY;
+        for &number in numbers {
+            if let Some(bounds) = self.bounds(number as usize) {
+                all = all.union(&bounds);
+            }
+        }
+        all
+    }
+}
+
+/// Builds a tree over things that have a box, leaving out those that aren't sound.
+pub(crate) fn build(things: &dyn Boxes, quality: Quality) -> Tree {
+    if quality == Quality::InOrder {
+        return in_order(things);
+    }
+    let nothing = Ref { low: [0.0; 3], id: 0, high: [0.0; 3], spare: 0 };
+    let mut refs = vec![nothing; things.count()];
+    fill(&mut refs, RUN, &|start, run| things.refs(start, run));
+    if any(refs.len(), RUN, &|run| refs[run].iter().any(|of| of.id == LEFT_OUT)) {
         refs.retain(|of| of.id != LEFT_OUT);
     }
     if refs.is_empty() {
         return Tree::default();
     }
-    let mut scratch = vec![Ref { low: [0.0; 3], id: 0, high: [0.0; 3], spare: 0 }; refs.len()];
+    let mut scratch = vec![nothing; refs.len()];
     let bounds = bounds_of(&refs);
     let run =
         Run { refs: &mut refs, scratch: &mut scratch, start: 0, bounds, depth: 0, whole: false };
@@ -61,34 +95,33 @@ pub(crate) fn build<T: Sync>(
     } else {
         nodes(cut_in_tasks(run, quality), quality)
     };
-    let items = refs.par_iter().map(|of| of.id).collect();
+    let mut items = vec![0; refs.len()];
+    fill(&mut items, RUN, &|start, run| {
+        for (item, of) in run.iter_mut().zip(&refs[start..]) {
+            *item = of.id;
+        }
+    });
     Tree { nodes, items, bounds: Some(bounds) }
 }
 
 /// A tree over things as they stand: each eight that follow one another are a leaf, each eight leaves
 /// a node, and so on up to the root.
-fn in_order<T: Sync>(
-    things: &[T],
-    is_sound: &(impl Fn(&T) -> bool + Sync),
-    bounds: &(impl Fn(&T) -> Box3 + Sync),
-) -> Tree {
-    let numbers = 0..things.len() as u32;
-    let sound = |&item: &u32| is_sound(&things[item as usize]);
-    let items: Vec<u32> = numbers.into_par_iter().filter(sound).collect();
+fn in_order(things: &dyn Boxes) -> Tree {
+    let items = gather(things.count(), RUN, &|run, numbers| things.sound(run, numbers));
     if items.is_empty() {
         return Tree::default();
     }
-    let of_leaf = |leaf: &[u32]| {
-        let boxes = leaf.iter().map(|&item| bounds(&things[item as usize]));
-        boxes.fold(Box3::EMPTY, |all, bounds| all.union(&bounds))
-    };
-    let mut boxes: Vec<Box3> = items.par_chunks(WIDTH).map(of_leaf).collect();
+    let mut boxes = vec![Box3::EMPTY; items.len().div_ceil(WIDTH)];
+    fill(&mut boxes, RUN / WIDTH, &|start, run| {
+        for (bounds, leaf) in run.iter_mut().zip(items[start * WIDTH..].chunks(WIDTH)) {
+            *bounds = things.around(leaf);
+        }
+    });
     // The lowest level first; children by their places within the level below.
     let mut levels: Vec<Vec<Node>> = Vec::new();
     loop {
         let lowest = levels.is_empty();
-        let of_node = |(number, boxes): (usize, &[Box3])| {
-            let mut node = Node::EMPTY;
+        let set = |node: &mut Node, number: usize, boxes: &[Box3]| {
             for (slot, bounds) in boxes.iter().enumerate() {
                 let child = number * WIDTH + slot;
                 let first = child * WIDTH;
@@ -99,10 +132,21 @@ fn in_order<T: Sync>(
                 };
                 node.set(slot, bounds, child);
             }
-            node
         };
-        let nodes: Vec<Node> = boxes.par_chunks(WIDTH).enumerate().map(of_node).collect();
-        boxes = nodes.par_iter().map(Node::all_bounds).collect();
+        let mut nodes = vec![Node::EMPTY; boxes.len().div_ceil(WIDTH)];
+        fill(&mut nodes, RUN / WIDTH, &|start, run| {
+            let boxes = boxes[start * WIDTH..].chunks(WIDTH);
+            for ((number, node), boxes) in (start..).zip(run).zip(boxes) {
+                set(node, number, boxes);
+            }
+        });
+        let mut above = vec![Box3::EMPTY; nodes.len()];
+        fill(&mut above, RUN / WIDTH, &|start, run| {
+            for (bounds, node) in run.iter_mut().zip(&nodes[start..]) {
+                *bounds = node.all_bounds();
+            }
+        });
+        boxes = above;
         levels.push(nodes);
         if boxes.len() == 1 {
             break;
@@ -156,8 +200,7 @@ fn cut_in_tasks(run: Run<'_>, quality: Quality) -> Part<'_> {
     }
     let (bounds, count) = (run.bounds, run.refs.len());
     let [left, right] = run.cut(quality);
-    let (left, right) =
-        rayon::join(|| cut_in_tasks(left, quality), || cut_in_tasks(right, quality));
+    let (left, right) = join(|| cut_in_tasks(left, quality), || cut_in_tasks(right, quality));
     Part::Cut { bounds, count, parts: Box::new([left, right]) }
 }
 
@@ -234,16 +277,16 @@ fn nodes(part: Part<'_>, quality: Quality) -> Vec<Node> {
         append(run, quality, &mut all);
         return all;
     }
-    let below: Vec<(Box3, usize, usize, Vec<Node>)> = children(part, quality)
-        .into_par_iter()
-        .map(|part| {
-            let (bounds, count) = (*part.bounds(), part.count());
-            match part {
-                Part::Run(run) if count <= WIDTH => (bounds, count, run.start, Vec::new()),
-                part => (bounds, count, 0, nodes(part, quality)),
-            }
-        })
-        .collect();
+    let parts = children(part, quality);
+    let mut below: Vec<(Box3, usize, usize, Vec<Node>)> = Vec::new();
+    below.resize_with(parts.len(), Default::default);
+    each(parts.into_iter().zip(&mut below), &|(part, below)| {
+        let (bounds, count) = (*part.bounds(), part.count());
+        *below = match part {
+            Part::Run(run) if count <= WIDTH => (bounds, count, run.start, Vec::new()),
+            part => (bounds, count, 0, nodes(part, quality)),
+        };
+    });
     all.push(Node::EMPTY);
     for (slot, (bounds, count, start, mut nodes)) in below.into_iter().enumerate() {
         let first = all.len() as u32;

@@ -10,10 +10,10 @@ mod build;
 mod split;
 mod traverse;
 
-pub(crate) use build::build;
+pub(crate) use build::{Boxes, build};
 pub(crate) use traverse::{ALMOST_ZERO, PADDING, Slabs, Stack, Walk, meet, moved, padding, step};
 
-use rayon::prelude::*;
+use luxel_parallel::fill;
 
 /// Children of a node, and most triangles of a leaf: lanes of a vector.
 pub(crate) const WIDTH: usize = 8;
@@ -26,6 +26,9 @@ const LEAF: u32 = 1 << 31;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("a tree over {0} triangles isn't possible: at most {MAX_TRIANGLES}")]
 pub struct TooManyForTree(pub usize);
+
+/// How many things one thread takes at a time where each takes little.
+const RUN: usize = 1 << 13;
 
 /// The boxes of up to eight children, and what they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,7 +68,7 @@ impl Child {
 }
 
 /// A box along the axes, in f32.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Box3 {
     pub(crate) low: [f32; 3],
     pub(crate) high: [f32; 3],
@@ -214,6 +217,25 @@ pub struct Bvh {
     vertices: usize,
 }
 
+/// What a [`Bvh`] is built over.
+struct Triangles<'m> {
+    positions: &'m [[f32; 3]],
+    triangles: &'m [[u32; 3]],
+}
+
+impl Boxes for Triangles<'_> {
+    fn count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    #[inline]
+    fn bounds(&self, number: usize) -> Option<Box3> {
+        let corners = self.triangles[number].map(|vertex| self.positions[vertex as usize]);
+        let is_sound = corners.as_flattened().iter().all(|coordinate| coordinate.is_finite());
+        is_sound.then(|| Box3::around(corners))
+    }
+}
+
 impl Bvh {
     /// Builds a tree, on all threads of the current pool.
     ///
@@ -241,17 +263,13 @@ impl Bvh {
         if triangles.len() > MAX_TRIANGLES {
             return Err(TooManyForTree(triangles.len()));
         }
-        let bounds =
-            |triangle: &[u32; 3]| Box3::around(triangle.map(|vertex| positions[vertex as usize]));
-        let is_sound = |triangle: &[u32; 3]| {
-            let corners = triangle.map(|vertex| positions[vertex as usize]);
-            corners.as_flattened().iter().all(|coordinate| coordinate.is_finite())
-        };
-        let tree = build(triangles, &is_sound, &bounds, quality);
+        let tree = build(&Triangles { positions, triangles }, quality);
         let mut records = vec![[0; 4]; tree.items.len() + WIDTH];
-        records[..tree.items.len()].par_iter_mut().zip(&tree.items).for_each(|(record, &item)| {
-            let [a, b, c] = triangles[item as usize];
-            *record = [a, b, c, item];
+        fill(&mut records[..tree.items.len()], RUN, &|start, run| {
+            for (record, &item) in run.iter_mut().zip(&tree.items[start..]) {
+                let [a, b, c] = triangles[item as usize];
+                *record = [a, b, c, item];
+            }
         });
         let highest = |record: &Record| record[0].max(record[1]).max(record[2]) as usize;
         let vertices = if tree.items.is_empty() {

@@ -3,12 +3,12 @@
 //! borders of equal bins along an axis (Wald 2007).
 
 use super::{Box3, Quality, higher, lower};
-use rayon::prelude::*;
+use luxel_parallel::map;
 
 /// A box with its thing's number.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
-pub(super) struct Ref {
+pub(crate) struct Ref {
     pub(super) low: [f32; 3],
     pub(super) id: u32,
     pub(super) high: [f32; 3],
@@ -34,7 +34,7 @@ pub(super) struct Split {
     pub(super) cost: f32,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Bin {
     bounds: Box3,
     count: u32,
@@ -123,8 +123,7 @@ fn middles(refs: &[Ref]) -> Box3 {
         bounds
     };
     if refs.len() > PARALLEL {
-        let runs = refs.par_chunks(PARALLEL).map(of_run);
-        runs.reduce(|| Box3::EMPTY, |a, b| a.union(&b))
+        united(&map(refs.len(), PARALLEL, &|run| of_run(&refs[run])))
     } else {
         of_run(refs)
     }
@@ -147,14 +146,14 @@ fn filled(refs: &[Ref], scale: &Scale) -> Bins {
     if refs.len() <= PARALLEL {
         return of_run(refs);
     }
-    let add = |mut a: Bins, b: Bins| {
-        for (a, b) in a.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
-            a.bounds = a.bounds.union(&b.bounds);
-            a.count += b.count;
+    let mut sum = NO_BINS;
+    for bins in map(refs.len(), PARALLEL, &|run| of_run(&refs[run])) {
+        for (sum, bin) in sum.as_flattened_mut().iter_mut().zip(bins.as_flattened()) {
+            sum.bounds = sum.bounds.union(&bin.bounds);
+            sum.count += bin.count;
         }
-        a
-    };
-    refs.par_chunks(PARALLEL).map(of_run).reduce(|| NO_BINS, add)
+    }
+    sum
 }
 
 /// Brings what lies in bins before `bin` to the front; where the rest begins.
@@ -200,5 +199,10 @@ pub(super) fn bounds_of(refs: &[Ref]) -> Box3 {
         }
         bounds
     };
-    refs.par_chunks(PARALLEL).map(of_run).reduce(|| Box3::EMPTY, |a, b| a.union(&b))
+    united(&map(refs.len(), PARALLEL, &|run| of_run(&refs[run])))
+}
+
+/// The box around boxes.
+fn united(boxes: &[Box3]) -> Box3 {
+    boxes.iter().fold(Box3::EMPTY, |all, bounds| all.union(bounds))
 }

@@ -5,7 +5,6 @@ use crate::polygons::Polygons;
 use luxel_math::Level;
 use luxel_scene::Scene;
 use luxel_visibility::Clusters;
-use rayon::prelude::*;
 use std::sync::OnceLock;
 use std::time::Duration;
 
@@ -57,9 +56,13 @@ impl<'s> Renderer<'s> {
             }
         } else {
             renderer.polygons_of_meshes = scene.meshes.iter().map(|_| OnceLock::new()).collect();
-            renderer.clusters =
-                renderer.install(|| scene.meshes.par_iter().map(Clusters::new).collect());
+            renderer.clusters = renderer.install(|| clusters(scene));
         }
         renderer
     }
+}
+
+/// The clusters of each mesh, by all threads.
+pub(super) fn clusters(scene: &Scene) -> Vec<Clusters> {
+    luxel_parallel::map(scene.meshes.len(), 1, &|run| Clusters::new(&scene.meshes[run.start]))
 }

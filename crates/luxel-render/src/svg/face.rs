@@ -4,7 +4,6 @@
 use super::convex::bounds;
 use super::web::{Place, Polygon, Web};
 use luxel_visibility::TriangleId;
-use rayon::prelude::*;
 
 /// A triangle, or a part of one, in the window.
 #[derive(Clone, Debug)]
@@ -153,9 +152,8 @@ impl Grid {
 }
 
 /// Runs a question for many faces on all threads; the answers keep their order.
-pub(super) fn for_each<T: Send>(
-    faces: impl IntoParallelIterator<Item = u32, Iter: IndexedParallelIterator>,
-    ask: impl Fn(u32) -> T + Sync + Send,
-) -> Vec<T> {
-    faces.into_par_iter().with_min_len(64).map(ask).collect()
+pub(super) fn for_each<T: Send>(faces: &[u32], ask: impl Fn(u32) -> T + Sync) -> Vec<T> {
+    luxel_parallel::gather(faces.len(), 64, &|run, found| {
+        found.extend(faces[run].iter().map(|&face| ask(face)));
+    })
 }

@@ -28,7 +28,6 @@ use flatten::{Flattener, Sampler, largest_range};
 use luxel_lighting::PictureEncoding;
 use luxel_visibility::{Coverage, Samples, Tile, TriangleId, TriangleOf};
 use paint::paint;
-use rayon::prelude::*;
 use std::fmt::Write;
 use web::{Place, Web};
 
@@ -101,20 +100,16 @@ fn seen(
     scene: &Scene16<'_>,
     hole: &luxel_visibility::Hole<'_>,
 ) -> SeenBits {
-    let tiles: Vec<Vec<u32>> = scene
-        .frame
-        .tiles_by_load()
-        .into_par_iter()
-        .map(|number| {
-            let mut tile = Tile::new(scene.frame.samples().count());
-            scene.frame.draw_opaque(renderer.level(), number as usize, hole, &mut tile);
-            let ids = tile.planes().iter().flat_map(|plane| plane.ids.as_flattened());
-            let mut ids: Vec<u32> = ids.copied().filter(|&id| id != TriangleId::NONE.0).collect();
-            ids.sort_unstable();
-            ids.dedup();
-            ids
-        })
-        .collect();
+    let numbers = scene.frame.tiles_by_load();
+    let tiles: Vec<Vec<u32>> = luxel_parallel::map(numbers.len(), 1, &|run| {
+        let mut tile = Tile::new(scene.frame.samples().count());
+        scene.frame.draw_opaque(renderer.level(), numbers[run.start] as usize, hole, &mut tile);
+        let ids = tile.planes().iter().flat_map(|plane| plane.ids.as_flattened());
+        let mut ids: Vec<u32> = ids.copied().filter(|&id| id != TriangleId::NONE.0).collect();
+        ids.sort_unstable();
+        ids.dedup();
+        ids
+    });
     let most = tiles.iter().flatten().max().map_or(0, |&id| id as usize / 64 + 1);
     let mut bits = vec![0; most];
     for &id in tiles.iter().flatten() {
@@ -200,8 +195,9 @@ fn visible_faces(web: &mut Web, scene: &Scene16<'_>, view: &View, seen: &SeenBit
     }
     let grid = Grid::new(&faces, [f64::from(view.size.width), f64::from(view.size.height)], &known);
     let asked: Vec<u32> = (0..faces.len() as u32).filter(|&face| !known[face as usize]).collect();
-    let hidden =
-        for_each(asked, |face| (face, order::is_hidden(web, &faces, &grid, &faces[face as usize])));
+    let hidden = for_each(&asked, |face| {
+        (face, order::is_hidden(web, &faces, &grid, &faces[face as usize]))
+    });
     for (face, hidden) in hidden {
         known[face as usize] = !hidden;
     }

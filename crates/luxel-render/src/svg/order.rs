@@ -125,7 +125,7 @@ fn pairs(web: &mut Web, faces: &mut Vec<Face>, window: [f64; 2], limit: usize) -
         let grid = Grid::new(faces, window, &vec![true; faces.len()]);
         let asked: Vec<u32> =
             (0..faces.len() as u32).filter(|&face| changed[face as usize]).collect();
-        let found = for_each(asked, |number| {
+        let found = for_each(&asked, |number| {
             let face = &faces[number as usize];
             let mut own = Vec::new();
             grid.near(faces, face, |other| {

@@ -3,7 +3,7 @@
 use super::NormalSource;
 use crate::Mesh;
 use crate::angle::{arc_tangent_of_ratio, cross, dot};
-use rayon::prelude::*;
+use luxel_parallel::{each, map};
 
 /// How many triangles one thread takes at a time.
 const RUN: usize = 1 << 14;
@@ -56,7 +56,7 @@ impl Faces {
             rest = after;
             first += length;
         }
-        pieces.into_par_iter().for_each(|(first, piece)| fill(mesh, source, scale, first, piece));
+        each(pieces.into_iter(), &|(first, piece)| fill(mesh, source, scale, first, piece));
         let once_per_polygon =
             mesh.polygons.is_some() && matches!(source, NormalSource::Mean | NormalSource::Area);
         Self { faces, once_per_polygon }
@@ -85,14 +85,11 @@ fn piece_length(mesh: &Mesh, first: usize, left: usize) -> usize {
 /// A power of two that brings areas of the size of the mesh to about 1, so that those of the
 /// smallest triangles are still numbers in f32.
 fn area_scale(mesh: &Mesh) -> f64 {
-    let largest = mesh.positions.par_iter().map(|position| {
-        position
-            .iter()
-            .map(|value| value.abs())
-            .filter(|value| value.is_finite())
-            .fold(0.0, f32::max)
+    let largest = map(mesh.positions.len(), RUN, &|run| {
+        let values = mesh.positions[run].as_flattened().iter().map(|value| value.abs());
+        values.filter(|value| value.is_finite()).fold(0.0, f32::max)
     });
-    let largest = f64::from(largest.reduce(|| 0.0, f32::max));
+    let largest = f64::from(largest.into_iter().fold(0.0, f32::max));
     let (_, exponent) = libm::frexp(largest);
     libm::ldexp(1.0, -2 * exponent)
 }

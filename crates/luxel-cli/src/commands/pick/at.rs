@@ -8,7 +8,6 @@ use crate::output;
 use crate::values::at as position;
 use luxel::pick::{PickHit, PickView, SnapTo};
 use luxel::render::At;
-use rayon::prelude::*;
 use serde_json::Value;
 use std::io::{self, BufRead, Write};
 
@@ -100,9 +99,8 @@ impl AskedOptions {
         }
         // The camera is the same for all: written once.
         let camera = camera::to_json(view.camera(), view.size()).to_string();
-        let of_run = |run: &[At]| {
-            let mut bytes = Vec::new();
-            for &at in run {
+        let told = luxel_parallel::gather(places.len(), RUN, &|run, bytes| {
+            for &at in &places[run] {
                 let answer = self.answer(view, at);
                 if self.json {
                     let document = Value::Object(tell::document(view, &answer)).to_string();
@@ -115,9 +113,8 @@ impl AskedOptions {
                     bytes.extend_from_slice(tell::text(view, &answer).as_bytes());
                 }
             }
-            bytes
-        };
-        (places.par_chunks(RUN).map(of_run).collect::<Vec<_>>().concat(), failure)
+        });
+        (told, failure)
     }
 
     fn answer(&self, view: &PickView<'_>, at: At) -> Answer {
