@@ -16,7 +16,7 @@ pub const LANES: usize = 16;
 /// The levels differ in speed only: pixels are the same at all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum SimdLevel {
-    /// The best that this machine has.
+    /// The best that this machine has and this build has kernels for.
     #[default]
     Auto,
     /// No more than every machine of its kind has: 128-bit vectors on x86-64 and aarch64, one value
@@ -28,7 +28,7 @@ pub enum SimdLevel {
     Sse42,
     /// 256 bits, x86-64 since 2013.
     Avx2,
-    /// 512 bits, x86-64 since Ice Lake and Zen 4.
+    /// 512 bits, x86-64 since Ice Lake and Zen 4; with this crate's feature `avx512`.
     Avx512,
     /// 128 bits, aarch64.
     Neon,
@@ -48,7 +48,7 @@ const LEVELS: [SimdLevel; 7] = [
 ];
 
 impl SimdLevel {
-    /// The levels that this machine can run, narrowest first.
+    /// The levels that this machine has and this build has kernels for, narrowest first.
     #[must_use]
     pub fn available() -> Vec<Self> {
         LEVELS.into_iter().filter(|level| level.resolve().is_ok()).collect()
@@ -69,18 +69,18 @@ impl SimdLevel {
         }
     }
 
-    /// The level that [`dispatch`](fearless_simd::dispatch) takes.
+    /// The level that [`dispatch`](crate::dispatch) takes.
     ///
     /// # Errors
-    /// [`UnavailableSimdLevel`] if this machine lacks the instructions.
+    /// [`UnavailableSimdLevel`] if this machine lacks the instructions, or this build the kernels.
     pub fn resolve(self) -> Result<Level, UnavailableSimdLevel> {
-        let best = Level::new();
+        let best = with_kernels(Level::new());
         let level = match self {
             Self::Auto => Some(best),
             #[cfg(feature = "scalar")]
             Self::Scalar => Some(Level::fallback()),
             #[cfg(not(feature = "scalar"))]
-            Self::Scalar => Some(Level::baseline()),
+            Self::Scalar => Some(with_kernels(Level::baseline())),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Self::Sse2 => best.as_sse2().map(Level::Sse2),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -121,6 +121,16 @@ impl SimdLevel {
     }
 }
 
+/// The best level up to this one that has kernels: without the feature `avx512`, AVX2 instead of
+/// AVX-512.
+fn with_kernels(level: Level) -> Level {
+    #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), not(feature = "avx512")))]
+    if let (Level::Avx512(_), Some(avx2)) = (level, level.as_avx2()) {
+        return Level::Avx2(avx2);
+    }
+    level
+}
+
 impl fmt::Display for SimdLevel {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(self.name())
@@ -152,14 +162,20 @@ impl fmt::Display for ParseSimdLevelError {
 
 impl std::error::Error for ParseSimdLevelError {}
 
-/// A level whose instructions this machine lacks.
+/// A level whose instructions this machine lacks, or whose kernels this build leaves out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnavailableSimdLevel(pub SimdLevel);
 
 impl fmt::Display for UnavailableSimdLevel {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names: Vec<_> = SimdLevel::available().into_iter().map(SimdLevel::name).collect();
-        write!(formatter, "this machine has no {}: it has {}", self.0, names.join(", "))
+        let names = names.join(", ");
+        // The machine's own level is another one only where its kernels are left out.
+        if SimdLevel::name_of(Level::new()) == self.0.name() {
+            write!(formatter, "this build leaves out {}: it has {names}", self.0)
+        } else {
+            write!(formatter, "this machine has no {}: it has {names}", self.0)
+        }
     }
 }
 
@@ -173,29 +189,78 @@ impl std::error::Error for UnavailableSimdLevel {}
 #[macro_export]
 macro_rules! dispatch_long {
     ($level:expr, $simd:ident => $kernel:expr) => {
-        match $level {
-            #[cfg(not(disable_dispatch_avx512))]
-            $crate::Level::Avx512($simd) => $crate::Simd::vectorize(
-                $simd,
-                #[inline(always)]
-                || $kernel,
-            ),
+        'kernel: {
+            let level: $crate::Level = $level;
+            $crate::__try_avx512!('kernel, level, $simd => $kernel);
             #[cfg(not(disable_dispatch_avx2))]
-            $crate::Level::Avx2($simd) => $crate::Simd::vectorize(
-                $simd,
-                #[inline(always)]
-                || $kernel,
-            ),
-            level => match level.as_sse2() {
-                Some($simd) => $crate::Simd::vectorize(
-                    $simd,
-                    #[inline(always)]
-                    || $kernel,
-                ),
-                None => unreachable!("every level of these machines has SSE2"),
-            },
+            $crate::__try_level!('kernel, level.as_avx2(), $simd => $kernel);
+            $crate::__try_level!('kernel, level.as_sse2(), $simd => $kernel);
+            unreachable!("every level of these machines has SSE2")
         }
     };
+}
+
+/// [`dispatch`](fearless_simd::dispatch) where AVX-512's kernels are left out: as AVX2's they run.
+#[cfg(all(
+    any(target_arch = "x86", target_arch = "x86_64"),
+    not(any(feature = "avx512", feature = "scalar"))
+))]
+#[macro_export]
+macro_rules! dispatch {
+    ($level:expr, $simd:ident => $kernel:expr) => {
+        'kernel: {
+            let level: $crate::Level = $level;
+            #[cfg(not(disable_dispatch_avx2))]
+            $crate::__try_level!('kernel, level.as_avx2(), $simd => $kernel);
+            #[cfg(not(disable_dispatch_sse4_2))]
+            $crate::__try_level!('kernel, level.as_sse4_2(), $simd => $kernel);
+            $crate::__try_level!('kernel, level.as_sse2(), $simd => $kernel);
+            unreachable!("every level of these machines has SSE2")
+        }
+    };
+}
+
+/// Leaves a block with what a kernel returns, if there is a token to run it with.
+#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), not(feature = "scalar")))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __try_level {
+    ($block:lifetime, $token:expr, $simd:ident => $kernel:expr) => {
+        if let Some($simd) = $token {
+            break $block $crate::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $kernel,
+            );
+        }
+    };
+}
+
+/// The same with AVX-512. What a macro says of features is asked of the crate that calls it, hence
+/// two macros.
+#[cfg(all(
+    any(target_arch = "x86", target_arch = "x86_64"),
+    feature = "avx512",
+    not(feature = "scalar")
+))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __try_avx512 {
+    ($block:lifetime, $level:expr, $simd:ident => $kernel:expr) => {
+        #[cfg(not(disable_dispatch_avx512))]
+        $crate::__try_level!($block, $level.as_avx512(), $simd => $kernel);
+    };
+}
+
+/// Nothing: AVX-512's kernels are left out.
+#[cfg(all(
+    any(target_arch = "x86", target_arch = "x86_64"),
+    not(any(feature = "avx512", feature = "scalar"))
+))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __try_avx512 {
+    ($block:lifetime, $level:expr, $simd:ident => $kernel:expr) => {};
 }
 
 #[cfg(test)]
@@ -214,5 +279,15 @@ mod tests {
     fn the_machine_has_auto_and_scalar_at_least() {
         assert!(SimdLevel::Auto.resolve().is_ok());
         assert!(SimdLevel::available().contains(&SimdLevel::Scalar));
+    }
+
+    #[test]
+    fn no_level_is_offered_whose_kernels_are_left_out() {
+        let offered = SimdLevel::available();
+        assert!(cfg!(feature = "avx512") || !offered.contains(&SimdLevel::Avx512));
+        for level in offered {
+            let name = SimdLevel::name_of(level.resolve().unwrap());
+            assert!(cfg!(feature = "avx512") || name != "avx512", "{level} runs {name}");
+        }
     }
 }

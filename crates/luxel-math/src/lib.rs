@@ -28,7 +28,13 @@ mod wide;
 
 #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), not(feature = "scalar"))))]
 pub use fearless_simd::dispatch as dispatch_long;
-pub use fearless_simd::{Level, Simd, dispatch, f32x8, f32x16, i32x16, mask32x16, u32x16};
+#[cfg(any(
+    not(any(target_arch = "x86", target_arch = "x86_64")),
+    feature = "avx512",
+    feature = "scalar"
+))]
+pub use fearless_simd::dispatch;
+pub use fearless_simd::{Level, Simd, f32x8, f32x16, i32x16, mask32x16, u32x16};
 pub use fixed::{SUBPIXELS, SubPixel};
 pub use lanes::{LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel};
 pub use number::{Mask, Number};
