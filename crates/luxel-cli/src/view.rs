@@ -69,7 +69,7 @@ fn lights(options: &LightOptions, scene: &Scene) -> Result<(Vec<SceneLight>, [f3
 fn environment(options: &LightOptions, scene: &Scene) -> EnvironmentChoice {
     options.environment.map_or_else(
         || luxel::environment_of(scene),
-        |surroundings| EnvironmentChoice::Always(surroundings.environment(scene.up)),
+        |surroundings| surroundings.environment(scene.up),
     )
 }
 

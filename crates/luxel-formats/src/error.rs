@@ -67,6 +67,9 @@ pub enum ErrorKind {
         /// Bytes allowed.
         limit: u64,
     },
+    /// Whoever watches the reading has stopped it.
+    #[error("reading was stopped")]
+    Stopped,
 }
 
 impl Error {

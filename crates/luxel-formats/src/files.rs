@@ -1,6 +1,6 @@
 //! Files in: whole, in parallel blocks, and never more than the limits allow.
 
-use crate::{Error, ErrorKind, Limits, Place};
+use crate::{Error, ErrorKind, Limits, Place, Progress};
 use luxel_parallel::each;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
@@ -19,12 +19,19 @@ pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> 
     }
     let in_file = |error: Error| error.in_file(path);
     limits.check("the file", metadata.len(), 1, Place::File).map_err(in_file)?;
+    if let Some(watch) = &limits.watch {
+        watch.expect(metadata.len());
+    }
     let read = if metadata.is_file() && metadata.len() >= 2 * BLOCK as u64 {
-        read_blocks(path, metadata.len())
+        read_blocks(path, metadata.len(), limits.watch.as_ref())
     } else {
         read_stream(path, limits)
     };
     let bytes = read.map_err(|error| in_file(Error::at(Place::File, error.into())))?;
+    // Where the blocks have not counted by themselves.
+    if let Some(watch) = limits.watch.as_ref().filter(|_| bytes.len() < 2 * BLOCK) {
+        watch.advance(metadata.len());
+    }
     // Pipes don't tell their length beforehand.
     limits.check("the file", bytes.len() as u64, 1, Place::File).map_err(in_file)?;
     Ok(bytes)
@@ -37,13 +44,20 @@ fn read_stream(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
 }
 
 /// Several threads copy from the page cache faster than one.
-fn read_blocks(path: &Path, length: u64) -> std::io::Result<Vec<u8>> {
+fn read_blocks(path: &Path, length: u64, watch: Option<&Progress>) -> std::io::Result<Vec<u8>> {
     let too_long = |_| std::io::Error::from(std::io::ErrorKind::FileTooLarge);
     let mut bytes = vec![0; usize::try_from(length).map_err(too_long)?];
     let read = |index: usize, block: &mut [u8]| {
         let mut file = File::open(path)?;
         file.seek(SeekFrom::Start((index * BLOCK) as u64))?;
-        file.read_exact(block)
+        // What is not wanted any more ends at the next check of the limits.
+        if watch.is_none_or(|watch| !watch.is_stopped()) {
+            file.read_exact(block)?;
+        }
+        if let Some(watch) = watch {
+            watch.advance(block.len() as u64);
+        }
+        Ok(())
     };
     let mut failures: Vec<Option<std::io::Error>> = Vec::new();
     failures.resize_with(bytes.len().div_ceil(BLOCK), || None);

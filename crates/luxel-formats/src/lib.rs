@@ -24,7 +24,7 @@ mod warnings;
 mod weld;
 
 pub use error::{Error, ErrorKind, Place};
-pub use limits::Limits;
+pub use limits::{Limits, Progress};
 pub use open::{Format, Loaded, open, read};
 pub use scene_toml::{
     Key, SceneModels, SceneText, Section, Setting, SettingValue, Shape, SurfaceChange,

@@ -1,7 +1,8 @@
 //! What to draw ([`View`]) and how ([`Execution`]): the second never changes a byte.
 
-use luxel_lighting::{Environment, Fog, PictureEncoding};
+use luxel_lighting::{Fog, PictureEncoding};
 use luxel_math::SimdLevel;
+pub use luxel_scene::EnvironmentChoice;
 use luxel_scene::{Camera, SceneLight, Size};
 use luxel_visibility::Cull;
 use std::time::Duration;
@@ -108,16 +109,6 @@ pub enum NormalLength {
     /// As interpolation left it: less than 1 between corners, by the more the farther apart their
     /// normals point. It shows what becomes of highlights then.
     Interpolated,
-}
-
-/// What mirrors and metals see.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum EnvironmentChoice {
-    /// The studio for microfacet materials, nothing for others.
-    #[default]
-    StudioForMicrofacets,
-    /// The same for every material.
-    Always(Environment),
 }
 
 /// How edges of polygons are drawn.

@@ -7,6 +7,7 @@ pub mod lab;
 mod plane;
 mod spheres;
 mod teapot;
+mod welcome;
 
 use crate::Scene;
 
@@ -17,7 +18,7 @@ struct Demo {
     make: fn() -> Scene,
 }
 
-const DEMOS: [Demo; 5] = [
+const DEMOS: [Demo; 6] = [
     Demo {
         name: "teapot",
         about: "the Utah teapot, from Newell's 32 patches",
@@ -37,6 +38,11 @@ const DEMOS: [Demo; 5] = [
         name: "plane",
         about: "a coloured ground plane with named things standing on it",
         make: plane::scene,
+    },
+    Demo {
+        name: "welcome",
+        about: "the teapot on the coloured ground, which a window shows first",
+        make: welcome::scene,
     },
     Demo {
         name: "blob",

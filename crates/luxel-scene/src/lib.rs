@@ -40,7 +40,7 @@ pub use normal_map::mapped_normal;
 pub use normals::{DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource};
 pub use restyle::Restyle;
 pub use sampler::{Filter, Sampler, Wrap};
-pub use scene::{Object, Scene};
+pub use scene::{EnvironmentChoice, Object, Scene};
 pub use texture::{Image, MipLevel, Texture};
 pub use topology::{Topology, weld};
 pub use triangulate::triangulate;

@@ -4,6 +4,16 @@ use crate::{Bounds, Mesh, MeshId, Node, NodeId, SceneCamera, SceneLight, SceneMa
 use glam::{DMat4, DVec3};
 use luxel_lighting::{Environment, Fog};
 
+/// What mirrors and metals see.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum EnvironmentChoice {
+    /// The studio for microfacet materials, nothing for others.
+    #[default]
+    StudioForMicrofacets,
+    /// The same for every material.
+    Always(Environment),
+}
+
 /// Everything that can be drawn, lit and picked.
 ///
 /// Only nodes that belong to the shown scene are listed, parents and children in the order of a
@@ -23,7 +33,7 @@ pub struct Scene {
     /// Lights, in the file's order.
     pub lights: Vec<SceneLight>,
     /// What mirrors and metals see, if the scene says so.
-    pub environment: Option<Environment>,
+    pub environment: Option<EnvironmentChoice>,
     /// I_a: the scene's own ambient light, if the scene says so.
     pub ambient: Option<[f32; 3]>,
     /// Depth cueing, if there is any.

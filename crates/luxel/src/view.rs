@@ -85,8 +85,8 @@ pub fn lights_of(scene: &Scene) -> (Vec<SceneLight>, [f32; 3]) {
 /// lights of their own, else nothing.
 #[must_use]
 pub fn environment_of(scene: &Scene) -> EnvironmentChoice {
-    if let Some(environment) = scene.environment {
-        EnvironmentChoice::Always(environment)
+    if let Some(choice) = scene.environment {
+        choice
     } else if scene.lights.is_empty() {
         EnvironmentChoice::StudioForMicrofacets
     } else {

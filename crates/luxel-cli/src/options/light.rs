@@ -26,8 +26,8 @@ pub(crate) struct LightOptions {
     #[arg(long, value_name = "S", value_parser = non_negative_f32, allow_hyphen_values = true)]
     pub(crate) light_scale: Option<f32>,
 
-    /// What mirrors and metals see: none, studio or R,G,B [default: studio for glTF's metallic-
-    /// roughness materials where the file has no lights, else none]
+    /// What mirrors and metals see: none, studio, microfacet (the studio, for microfacet materials
+    /// alone) or R,G,B [default: microfacet where the file has no lights, else none]
     #[arg(long, value_name = "WHAT", value_parser = surroundings, allow_hyphen_values = true)]
     pub(crate) environment: Option<Surroundings>,
 

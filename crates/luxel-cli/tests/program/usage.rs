@@ -108,7 +108,7 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
     ),
     ("-o a.png --ambient 1", "3 numbers"),
     ("-o a.png --ambient nan,0,0", "finite"),
-    ("-o a.png --environment hdri", "none, studio or R,G,B"),
+    ("-o a.png --environment hdri", "none, studio, microfacet or R,G,B"),
     ("-o a.png --fog near=1", "far=Z"),
     ("-o a.png --fog near=2:far=1", "before far"),
     ("-o a.png --fog near=1:far=2:front=3", "0 to 1"),

@@ -1,6 +1,6 @@
 use super::*;
 
-const LIMITS: Limits = Limits { max_memory: 1 << 20, max_depth: 8 };
+const LIMITS: Limits = Limits { max_memory: 1 << 20, max_depth: 8, watch: None };
 
 fn png(width: u32, height: u32, color: ColorType, depth: BitDepth, rows: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();

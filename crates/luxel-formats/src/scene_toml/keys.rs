@@ -91,7 +91,7 @@ pub(crate) static ROOT: Section = Section {
         key("ambient", Shape::Numbers(3), "the scene's ambient light", "[0.1, 0.1, 0.12]"),
         key(
             "environment",
-            Shape::NumbersOr(&["none", "studio"]),
+            Shape::NumbersOr(&["none", "studio", "microfacet"]),
             "what mirrors and metals see",
             "\"studio\"",
         ),

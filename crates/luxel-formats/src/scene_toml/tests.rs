@@ -2,7 +2,7 @@ use super::*;
 use crate::{Error, ErrorKind, Place};
 use glam::{DMat4, DVec3};
 use luxel_lighting::{Environment, FogLaw, LightKind, Reflection};
-use luxel_scene::{AlphaMode, Lens, Placement};
+use luxel_scene::{AlphaMode, EnvironmentChoice, Lens, Placement};
 use proptest::prelude::*;
 
 fn load_in(folder: Option<&Path>, rest: &str) -> Result<Loaded, Error> {
@@ -207,7 +207,8 @@ fn surroundings_are_those_of_the_flags() {
     );
     assert_eq!(scene.up, DVec3::Z);
     assert_eq!(scene.ambient, Some([0.1, 0.2, 0.3]));
-    assert_eq!(scene.environment, Some(Environment::Studio { up: [0.0, 0.0, 1.0] }));
+    let studio = Environment::Studio { up: [0.0, 0.0, 1.0] };
+    assert_eq!(scene.environment, Some(EnvironmentChoice::Always(studio)));
     assert_eq!(scene.background, Some([0.5, 0.5, 0.5, 1.0]));
     let law = FogLaw::DepthCue { near: 1.0, far: 5.0, front: 1.0, back: 0.25 };
     assert_eq!(scene.fog.unwrap().law, law);

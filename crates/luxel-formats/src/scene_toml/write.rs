@@ -9,7 +9,7 @@ use crate::values::{cutoff_degrees, degrees, reflection_text};
 use crate::{Error, Limits, SettingValue};
 use glam::DVec3;
 use luxel_lighting::{Attenuation, Cone, Environment, Fog, FogLaw, LightKind};
-use luxel_scene::{Lens, Placement, Restyle, SceneCamera, SceneLight};
+use luxel_scene::{EnvironmentChoice, Lens, Placement, Restyle, SceneCamera, SceneLight};
 use std::fmt::Write as _;
 use toml::de::DeValue;
 
@@ -25,7 +25,7 @@ pub struct SceneText<'a> {
     /// I_a: the scene's own ambient light.
     pub ambient: [f32; 3],
     /// What mirrors and metals see; nothing is said if there is nothing here.
-    pub environment: Option<Environment>,
+    pub environment: Option<EnvironmentChoice>,
     /// Linear red, green, blue, and alpha, where nothing is.
     pub background: [f32; 4],
     /// Depth cueing.
@@ -72,9 +72,17 @@ impl SceneText<'_> {
         page.line("ambient", &color(self.ambient));
         match self.environment {
             None => {}
-            Some(Environment::None) => page.line("environment", "\"none\""),
-            Some(Environment::Studio { .. }) => page.line("environment", "\"studio\""),
-            Some(Environment::Constant(light)) => page.line("environment", &color(light)),
+            Some(EnvironmentChoice::StudioForMicrofacets) => {
+                page.line("environment", "\"microfacet\"");
+            }
+            Some(EnvironmentChoice::Always(environment)) => {
+                let text = match environment {
+                    Environment::None => "\"none\"".to_owned(),
+                    Environment::Studio { .. } => "\"studio\"".to_owned(),
+                    Environment::Constant(light) => color(light),
+                };
+                page.line("environment", &text);
+            }
         }
         let [r, g, b, alpha] = self.background.map(single);
         page.line("background", &format!("[{r}, {g}, {b}, {alpha}]"));

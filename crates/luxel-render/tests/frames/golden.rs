@@ -14,6 +14,7 @@ const GOLDEN: &[(&str, u64)] = &[
     ("spheres", 0xaa7b_b90a_24aa_cb3a),
     ("cornell", 0x0ff4_2b6c_56d4_863b),
     ("plane", 0x8334_f777_1f31_8e5e),
+    ("welcome", 0xc9ab_aa20_aaad_5444),
     ("blob", 0x1a77_56ef_08cb_8393),
     ("lab-silhouette", 0x6184_6832_dc53_a03d),
     ("lab-silhouette-cured", 0x6fb6_192c_b980_2611),

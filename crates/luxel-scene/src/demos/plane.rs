@@ -17,11 +17,7 @@ pub(super) fn scene() -> Scene {
     let mut builder = SceneBuilder::default();
     let root = builder.group("plane", None, DMat4::IDENTITY);
 
-    let paint = Material { k_s: 0.06, shininess: 12.0, diffuse: [1.0; 3], ..Material::default() };
-    let ground = builder.material("ground", paint);
-    let mesh = builder.mesh(chequered(), ground);
-    builder.object("ground", root, DMat4::IDENTITY, mesh);
-
+    ground(&mut builder, root);
     let things = builder.group("things", Some(root), DMat4::IDENTITY);
     let glaze = builder.material("glaze", teapot::glaze());
     let pot = builder.group("teapot", Some(things), standing([-0.2, 0.0, -0.4], -28.0));
@@ -44,16 +40,28 @@ pub(super) fn scene() -> Scene {
     let cone = primitives::cone(0.95, 2.4, ROUND, 12);
     add(&mut builder, things, "cone", [4.0, 1.2, -2.5], cone, 0x6f_d3c7, 0.3);
 
-    // The sun stands to the upper left behind the eye, the sky fills in from the right.
-    builder.sun("sun", DVec3::new(0.55, -1.0, -0.62), [0.86, 0.82, 0.74]);
-    builder.sun("sky", DVec3::new(-0.9, -0.45, -0.35), [0.15, 0.18, 0.24]);
-    builder.ambient([0.15, 0.16, 0.19]);
+    daylight(&mut builder);
     builder.camera(root, DVec3::new(4.6, 6.2, 12.4), DVec3::new(-0.2, 0.9, 0.0), 36.0);
     builder.scene
 }
 
+/// The ground.
+pub(super) fn ground(builder: &mut SceneBuilder, root: NodeId) {
+    let paint = Material { k_s: 0.06, shininess: 12.0, diffuse: [1.0; 3], ..Material::default() };
+    let ground = builder.material("ground", paint);
+    let mesh = builder.mesh(chequered(), ground);
+    builder.object("ground", root, DMat4::IDENTITY, mesh);
+}
+
+/// The sun stands to the upper left behind the eye, the sky fills in from the right.
+pub(super) fn daylight(builder: &mut SceneBuilder) {
+    builder.sun("sun", DVec3::new(0.55, -1.0, -0.62), [0.86, 0.82, 0.74]);
+    builder.sun("sky", DVec3::new(-0.9, -0.45, -0.35), [0.15, 0.18, 0.24]);
+    builder.ambient([0.15, 0.16, 0.19]);
+}
+
 /// A place on the ground, turned about the vertical.
-fn standing(place: [f64; 3], turn_degrees: f64) -> DMat4 {
+pub(super) fn standing(place: [f64; 3], turn_degrees: f64) -> DMat4 {
     DMat4::from_translation(DVec3::from_array(place))
         * DMat4::from_rotation_y(turn_degrees.to_radians())
 }

@@ -1,7 +1,7 @@
 //! One sphere for each model of reflection, in rows.
 
 use super::builder::{SceneBuilder, srgb};
-use crate::{DMat4, DVec3, Scene, primitives};
+use crate::{DMat4, DVec3, EnvironmentChoice, Scene, primitives};
 use luxel_lighting::{Environment, Material, Reflection};
 
 /// Along each edge of the icosahedron: the outline has about eighty corners.
@@ -29,7 +29,8 @@ pub(super) fn scene() -> Scene {
     }
     builder.camera(root, DVec3::new(0.0, 0.0, 24.0), DVec3::ZERO, 20.0);
     // Without anything around it a mirror is black.
-    builder.scene.environment = Some(Environment::Studio { up: [0.0, 1.0, 0.0] });
+    let studio = Environment::Studio { up: [0.0, 1.0, 0.0] };
+    builder.scene.environment = Some(EnvironmentChoice::Always(studio));
     builder.scene
 }
 

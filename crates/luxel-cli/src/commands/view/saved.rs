@@ -3,11 +3,9 @@
 use crate::options::{NormalsChoice, ShadingOptions};
 use clap::ValueEnum;
 use luxel::formats::{SceneModels, SceneText, SettingValue, SurfaceChange};
-use luxel::lighting::{Environment, Light, PictureEncoding, Reflection};
-use luxel::render::{
-    Clamp, Cull, EnvironmentChoice, Interpolation, NormalLength, ShadingMode, View,
-};
-use luxel::scene::{DVec3, Placement, Restyle, Scene, SceneCamera, SceneLight, SceneMaterial};
+use luxel::lighting::{Light, PictureEncoding};
+use luxel::render::{Clamp, Cull, Interpolation, NormalLength, ShadingMode, View};
+use luxel::scene::{DVec3, Placement, Restyle, SceneCamera, SceneLight};
 use luxel_viewer::Showing;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -91,7 +89,7 @@ fn text<'a>(
         changes: of_flags.into_iter().chain(own).collect(),
         up: scene.up,
         ambient: view.ambient,
-        environment: Some(environment(view.environment, scene, shown.materials)),
+        environment: Some(view.environment),
         background: view.background,
         fog: view.fog,
         lights,
@@ -108,25 +106,6 @@ fn dark() -> SceneLight {
         placement: Placement::World,
         position: DVec3::ZERO,
         direction: DVec3::NEG_Z,
-    }
-}
-
-/// What mirrors and metals see: a studio for microfacet materials alone is a studio, where no other
-/// material mirrors it.
-fn environment(
-    choice: EnvironmentChoice,
-    scene: &Scene,
-    materials: &[SceneMaterial],
-) -> Environment {
-    let is = |wanted: &Reflection| {
-        materials.iter().any(|material| material.constants.reflection == *wanted)
-    };
-    match choice {
-        EnvironmentChoice::Always(environment) => environment,
-        EnvironmentChoice::StudioForMicrofacets if is(&Reflection::Microfacet) => {
-            Environment::Studio { up: scene.up.as_vec3().to_array() }
-        }
-        EnvironmentChoice::StudioForMicrofacets => Environment::None,
     }
 }
 

@@ -16,7 +16,7 @@ fn plain() -> SceneText<'static> {
         changes: Vec::new(),
         up: DVec3::Y,
         ambient: [0.0; 3],
-        environment: Some(Environment::None),
+        environment: Some(EnvironmentChoice::Always(Environment::None)),
         background: [0.0; 4],
         fog: None,
         lights: Vec::new(),
