@@ -28,13 +28,17 @@ def fail(what):
 class Terminal:
     """The program in a terminal of its own."""
 
-    def __init__(self, *flags, model="demo:plane"):
+    def __init__(self, *flags, model="demo:plane", answer=b"\x1b[?64;1;2;6;22c", variables=()):
+        """`answer` is what the terminal says of itself when it is asked; None is a silent one."""
         self.out = b""
+        self.answer = answer
+        self.asked = 0
         pid, self.fd = pty.fork()
         if pid == 0:
             os.environ["TERM"] = "xterm-256color"
-            for name in ("DISPLAY", "TMUX", "KITTY_WINDOW_ID", "TERM_PROGRAM"):
+            for name in ("DISPLAY", "TMUX", "KITTY_WINDOW_ID", "TERM_PROGRAM", "LC_TERMINAL", "KONSOLE_VERSION"):
                 os.environ.pop(name, None)
+            os.environ.update(variables)
             # Until the terminal has its size.
             time.sleep(0.2)
             os.execv(PROGRAM, [PROGRAM, "view", model, "--terminal", *flags])
@@ -60,6 +64,10 @@ class Terminal:
             if not piece:
                 break
             text += piece
+            if b"\x1b[c" in text and not self.asked:
+                self.asked += 1
+                if self.answer is not None:
+                    os.write(self.fd, self.answer)
         self.out += text
         return text
 
@@ -195,6 +203,44 @@ if not found or (int(found.group(1)), int(found.group(2))) != (width, height):
 bands = found.group(3).count(b"-")
 if bands != -(-height // 6):
     fail(f"{bands} bands of sixels for {height} rows")
+terminal.leave()
+
+# Who is not known by its environment is asked, and shows pictures by what it answers.
+XTERM, VT340 = b"\x1b[?64;1;2;6;22c", b"\x1b[?63;1;2;4;6;9;15;22c"
+KITTY, NO_KITTY = b"\x1b_Gi=31;OK\x1b\\", b"\x1b_Gi=31;EINVAL:no\x1b\\"
+SHOWN = {
+    "kitty": lambda text: b"a=T,f=100" in text,
+    "iterm2": lambda text: b"\x1b]1337;File=" in text,
+    "sixel": lambda text: b"\x1bP0;1q" in text,
+    "blocks": lambda text: "\u2580".encode() in text,
+}
+for shown, answer, variables, is_asked in [
+    ("kitty", KITTY + b"\x1b[?62;c", {}, True),
+    ("kitty", KITTY + VT340, {}, True),
+    ("sixel", VT340, {}, True),
+    ("sixel", NO_KITTY + VT340, {}, True),
+    ("blocks", XTERM, {}, True),
+    ("blocks", None, {}, True),
+    ("iterm2", XTERM, {"LC_TERMINAL": "iTerm2"}, False),
+    ("iterm2", VT340, {"TERM_PROGRAM": "WezTerm"}, False),
+    ("kitty", XTERM, {"KITTY_WINDOW_ID": "1"}, False),
+    ("blocks", KITTY + VT340, {"TMUX": "/tmp/tmux"}, False),
+]:
+    terminal = Terminal(answer=answer, variables=variables)
+    text = terminal.first()
+    for how, is_there in SHOWN.items():
+        if is_there(text) != (how == shown):
+            fail(f"a terminal that answers {answer} with {variables} gets {how}, not {shown}")
+    if bool(terminal.asked) != is_asked:
+        fail(f"a terminal with {variables} is {'not ' if is_asked else ''}asked")
+    # What it answered is no key: the picture stays until one is pressed.
+    if terminal.read(quiet=0.4):
+        fail(f"the answer {answer} does something")
+    terminal.leave()
+# A flag decides without asking.
+terminal = Terminal("--graphics", "blocks", answer=KITTY + VT340)
+if not SHOWN["blocks"](terminal.first()) or terminal.asked:
+    fail("a terminal is asked in spite of --graphics")
 terminal.leave()
 
 # Without a terminal, it says so.

@@ -3,7 +3,7 @@
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::options::{ExecutionOptions, InputOptions};
-use luxel::formats::{self, Error, ErrorKind, Format, Limits, Loaded, Place};
+use luxel::formats::{self, Error, ErrorKind, Format, Limits, Loaded, Place, Progress};
 use luxel::scene::{Scene, demos};
 use std::borrow::Cow;
 use std::ffi::OsStr;
@@ -37,9 +37,19 @@ pub(crate) fn load(
     execution: &ExecutionOptions,
     console: Console,
 ) -> Result<Model, Failure> {
+    load_watched(input, execution, console, None)
+}
+
+/// As [`load`], watched by somebody who may stop it.
+pub(crate) fn load_watched(
+    input: &InputOptions,
+    execution: &ExecutionOptions,
+    console: Console,
+    watch: Option<Progress>,
+) -> Result<Model, Failure> {
     let start = Instant::now();
     execution.limit_threads();
-    let limits = Limits { max_memory: execution.max_memory, ..Limits::default() };
+    let limits = Limits { max_memory: execution.max_memory, watch, ..Limits::default() };
     let model = if let Some(name) = input.model.to_str().and_then(|name| name.strip_prefix("demo:"))
     {
         demo(name)?

@@ -6,20 +6,21 @@ mod options;
 mod pointing;
 mod present;
 
-use crate::files::{Files, Watch};
+use crate::files::{Files, WELCOME, Watch};
+use crate::loading::Loading;
 use crate::marks::Marks;
 use crate::model::Model;
 use crate::pace::{Pace, Run};
 use crate::screen::Screen;
 use crate::session::Session;
 use crate::sheet::Sheet;
-use crate::ui::{Status, Ui};
-use crate::worker::{Answer, Changes, Drawn, Order, Purpose, Worker};
+use crate::ui::{OnItsWay, Panels, Status, Ui};
+use crate::worker::{Answer, Changes, Drawn, Order, Purpose, Said, Worker};
 use luxel::navigation::{Command, Entry, Event};
 use luxel::render::View;
 use luxel::scene::{Camera, DVec2, DVec3, Size};
 use opening::Reading;
-pub use options::{Options, Outcome, Print, Save, Showing, ViewerError, Write};
+pub use options::{Equation, Options, Outcome, Print, Save, Showing, ViewerError, Write};
 use present::GuideLines;
 use std::ffi::{OsStr, OsString};
 use std::time::{Duration, Instant};
@@ -30,13 +31,13 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy}
 use winit::keyboard::{Key, ModifiersState};
 use winit::window::{Window, WindowId};
 
-/// Loads models on a thread of its own and shows them, until the user closes the window. `load` answers
-/// with what went wrong, for the user.
+/// Loads models on threads of their own and shows them, until the user closes the window. `load` says
+/// how far it has come, and answers with what went wrong, for the user.
 ///
 /// # Errors
 /// [`ViewerError`], if there is no display, or the scene can't be drawn.
 pub fn run(
-    load: impl Fn(&OsStr) -> Result<Model, String> + Send + 'static,
+    load: impl Fn(&OsStr, &Loading) -> Result<Model, String> + Send + Sync + 'static,
     options: Options,
 ) -> Result<Outcome, ViewerError> {
     let no_display = |error: winit::error::EventLoopError| {
@@ -45,11 +46,11 @@ pub fn run(
         let text = text.split_once(": ").map_or(text.as_str(), |(_, what)| what).to_owned();
         ViewerError::NoDisplay(text)
     };
-    let event_loop = EventLoop::<Answer>::with_user_event().build().map_err(no_display)?;
-    let proxy: EventLoopProxy<Answer> = event_loop.create_proxy();
-    let answer = move |answer| proxy.send_event(answer).is_ok();
+    let event_loop = EventLoop::<Said>::with_user_event().build().map_err(no_display)?;
+    let proxy: EventLoopProxy<Said> = event_loop.create_proxy();
+    let say = move |said| proxy.send_event(said).is_ok();
     let first = options.files.first().cloned().unwrap_or_default();
-    let worker = Worker::start(load, first, options.execution, answer)?;
+    let worker = Worker::start(load, first, options.execution, say)?;
     let mut app = App::new(options, worker);
     event_loop.run_app(&mut app).map_err(no_display)?;
     app.finish()
@@ -72,6 +73,8 @@ struct App {
     requested: OsString,
     /// Why a file is being read, if one is.
     reading: Option<Reading>,
+    /// The number of the model that is drawn.
+    number: u64,
     /// The file that is seen, the one that is read, and when to look at the former.
     watched: Watch,
     coming: Watch,
@@ -127,6 +130,8 @@ struct App {
     /// What lies under the pointer, for the wheel.
     under: Option<(DVec2, Option<DVec3>)>,
     held: Vec<(Key, Command)>,
+    /// The key that shows the ledger as long as it is down, since when, and what was shown before.
+    peeking: Option<(Key, Instant, Panels)>,
     end: Option<Result<Outcome, ViewerError>>,
 }
 impl App {
@@ -136,7 +141,9 @@ impl App {
         let requested = files.asked().to_owned();
         let name = Files::title(&requested);
         let ui = Ui::new(options.theme.theme(None), options.keys.clone());
-        let status = Status { name: name.clone(), reading: Some(name), ..Status::default() };
+        let reading = OnItsWay::new(name.clone(), worker.loading().clone());
+        let is_chosen = requested != WELCOME.0;
+        let status = Status { name, reading: Some(reading), is_chosen, ..Status::default() };
         Self {
             options,
             worker,
@@ -145,6 +152,7 @@ impl App {
             files,
             requested,
             reading: Some(Reading::First),
+            number: 0,
             watched: Watch::default(),
             next_look: now,
             screen: None,
@@ -180,6 +188,7 @@ impl App {
             band: None,
             under: None,
             held: Vec::new(),
+            peeking: None,
             end: None,
         }
     }
@@ -220,7 +229,7 @@ impl App {
     /// Brings time and picture up to date; when to do so again, if nothing else happens.
     fn pump(&mut self) -> Option<Instant> {
         let due = self.play();
-        if self.is_drawing || self.reading.is_some() || self.screen.is_none() {
+        if self.is_drawing || self.screen.is_none() {
             return due;
         }
         if self.playing.is_none() && self.session.as_ref().is_some_and(|one| one.state.is_moving())
@@ -319,7 +328,7 @@ impl App {
     }
 }
 
-impl ApplicationHandler<Answer> for App {
+impl ApplicationHandler<Said> for App {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         if self.screen.is_some() {
             return;
@@ -342,30 +351,39 @@ impl ApplicationHandler<Answer> for App {
         }
     }
 
-    fn user_event(&mut self, event_loop: &ActiveEventLoop, answer: Answer) {
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, said: Said) {
+        let Said { about, answer } = said;
+        let is_about_shown = about == self.number;
         match answer {
+            // Something else is wanted by now, or nothing.
+            Answer::Loaded(_) if about != self.worker.asked() || self.reading.is_none() => {}
             Answer::Loaded(Err(what)) => {
                 if !self.not_loaded(what) {
                     self.end(event_loop, Ok(Outcome::NotLoaded));
                 }
             }
-            Answer::Loaded(Ok(model)) => self.loaded(*model),
+            Answer::Loaded(Ok(ready)) => self.loaded(*ready),
             Answer::Drawn(drawn) => {
-                self.drawn(drawn);
+                self.is_drawing = false;
+                if is_about_shown {
+                    self.drawn(drawn);
+                }
                 // The next picture is drawn while this one is brought to the window.
                 self.pump();
             }
-            Answer::Seen(seen) => {
+            Answer::Seen(seen) if is_about_shown => {
                 if let Some(shown) = &mut self.shown {
                     shown.seen = seen;
                 }
                 self.is_below_stale = true;
                 self.redraw();
             }
-            Answer::Explained(explanation) => {
+            Answer::Seen(_) => {}
+            Answer::Explained(explained) => {
                 self.is_explaining = false;
-                self.ui.explanation = explanation;
-                self.redraw();
+                if is_about_shown {
+                    self.explained_by(explained);
+                }
             }
             Answer::Failed(what) => self.end(event_loop, Err(ViewerError::Draw(what))),
         }
@@ -401,7 +419,7 @@ impl ApplicationHandler<Answer> for App {
                 self.is_below_stale = true;
                 self.redraw();
             }
-            WindowEvent::DroppedFile(path) => self.drop_file(path),
+            WindowEvent::DroppedFile(path) => self.open(path),
             WindowEvent::Focused(false) => self.lift_all(),
             WindowEvent::KeyboardInput { event, .. } => {
                 if event.state == ElementState::Released {

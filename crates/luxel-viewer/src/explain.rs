@@ -1,39 +1,46 @@
 //! The panel that says why the pixel under the pointer has its colour, and the vectors at its point.
 
+use crate::ledger::{self, LedgerLine, TermKind, value_row};
 use crate::probe::Explained;
 use crate::ruler::number;
 use crate::session::Session;
-use crate::theme::{self, Theme};
-use egui::{Align2, Color32, Context, FontId, RichText, Stroke, pos2, vec2};
+use crate::theme;
+use egui::{Color32, Context, FontId, RichText, Stroke, pos2, vec2};
 use luxel::render::{
     Cull, ExplainedLight, ExplainedSurface, Explanation, Hidden, NEAREST_WITHIN, Seen,
-    SurfaceBelow, Unlit, Unseen,
+    SurfaceBelow, Unseen,
 };
 use luxel::scene::DVec3;
 
-/// A term of the sum: its name, its colour in the bar, its value.
-type Term = (&'static str, Color32, [f32; 3]);
+/// A term of the sum: its name, what it is, its value.
+type Term = (&'static str, TermKind, [f32; 3]);
 
-/// The ledger of a pixel.
-pub(crate) fn ledger(ui: &mut egui::Ui, session: &Session, explained: Option<&Explained>) {
-    let Some(Explained { explanation, unseen }) = explained else {
+/// The ledger of a pixel: its terms as parts of a bar, and the equation with its numbers below.
+pub(crate) fn ledger(
+    ui: &mut egui::Ui,
+    session: &Session,
+    explained: Option<&Explained>,
+    equation: Option<&[LedgerLine]>,
+) {
+    let Some(explained) = explained else {
         ui.label(RichText::new("Point at something.").weak());
         return;
     };
+    let Explained { explanation, unseen } = explained;
     let [r, g, b, _] = explanation.rgba8;
     ui.horizontal(|ui| {
         let (rect, _) = ui.allocate_exact_size(vec2(24.0, 24.0), egui::Sense::hover());
         ui.painter().rect_filled(rect, 4, Color32::from_rgb(r, g, b));
         let [x, y] = explanation.pixel;
         ui.monospace(format!("{r:3} {g:3} {b:3}"));
-        ui.label(RichText::new(format!("pixel {x}, {y}")).small().weak());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.label(RichText::new(format!("pixel {x}, {y}")).small().weak());
+        });
     });
-    let heaviest =
-        (0..).zip(&explanation.samples).max_by(|(_, a), (_, b)| a.weight.total_cmp(&b.weight));
-    let hidden = heaviest.and_then(|(at, _): (usize, _)| unseen.entries.get(at));
-    let surface = heaviest
-        .and_then(|(_, sample)| Some((sample.weight, sample.seen.iter().find_map(Seen::surface)?)));
-    let Some((weight, surface)) = surface else {
+    let heaviest = explained.heaviest();
+    let hidden = heaviest.and_then(|(at, _)| unseen.entries.get(at));
+    let surface = explained.surface();
+    let (Some((_, sample)), Some(surface)) = (heaviest, surface) else {
         ui.label(RichText::new("nothing covers this pixel").weak());
         note(ui, &nearest(unseen, session));
         not_seen(ui, session, hidden);
@@ -44,30 +51,32 @@ pub(crate) fn ledger(ui: &mut egui::Ui, session: &Session, explained: Option<&Ex
         None => surface.name.clone(),
     };
     ui.label(what);
-    if weight < 1.0 {
-        let share = format!("{:.0} % of the pixel's samples", weight * 100.0);
+    if sample.weight < 1.0 {
+        let share = format!("{:.0} % of the pixel's samples", sample.weight * 100.0);
         ui.label(RichText::new(share).small().weak());
     }
     ui.add_space(8.0);
     let theme = theme::of(ui.ctx());
-    let terms = terms(surface, theme);
+    let terms = terms(surface);
     bar(ui, &terms);
     ui.add_space(4.0);
-    for (name, color, value) in &terms {
+    ui.spacing_mut().item_spacing.y = 2.0;
+    for (name, kind, value) in &terms {
         if *value != [0.0; 3] {
-            row(ui, name, *color, *value);
+            value_row(ui, Some(kind.color(theme)), name, *value);
         }
     }
-    row(ui, "sum", theme.accent, surface.sum);
-    for light in &surface.lights {
+    value_row(ui, Some(theme.accent), "sum", surface.sum);
+    ui.spacing_mut().item_spacing.y = 4.0;
+    if let Some(lines) = equation {
         ui.add_space(8.0);
-        one_light(ui, light);
+        ui.label(RichText::new("The equation here").color(theme.heading));
+        ledger::equation(ui, lines);
     }
-    let seen = heaviest.map_or(&[][..], |(_, sample)| sample.seen.as_slice());
-    if seen.len() > 1 {
+    if sample.seen.len() > 1 {
         ui.add_space(8.0);
         ui.label(RichText::new("Seen through it").color(theme.heading));
-        for below in &seen[1..] {
+        for below in &sample.seen[1..] {
             note(
                 ui,
                 &match below {
@@ -128,7 +137,7 @@ fn name_of(session: &Session, object: usize) -> String {
     node.map(|node| node.name.clone()).unwrap_or_default()
 }
 
-fn terms(surface: &ExplainedSurface, theme: &Theme) -> [Term; 5] {
+fn terms(surface: &ExplainedSurface) -> [Term; 5] {
     let sum =
         |of: fn(&ExplainedLight) -> [f32; 3]| {
             surface.lights.iter().map(of).fold([0.0; 3], |all, one| {
@@ -138,11 +147,11 @@ fn terms(surface: &ExplainedSurface, theme: &Theme) -> [Term; 5] {
     let of_lights = sum(|light| light.terms.ambient.lane(0));
     let ambient = std::array::from_fn(|at| surface.scene_ambient[at] + of_lights[at]);
     [
-        ("ambient", theme.terms[0], ambient),
-        ("diffuse", theme.terms[1], sum(|light| light.terms.diffuse.lane(0))),
-        ("specular", theme.terms[2], sum(|light| light.terms.specular.lane(0))),
-        ("emission", theme.terms[3], surface.emission),
-        ("environment", theme.terms[4], surface.environment),
+        ("ambient", TermKind::Ambient, ambient),
+        ("diffuse", TermKind::Diffuse, sum(|light| light.terms.diffuse.lane(0))),
+        ("specular", TermKind::Specular, sum(|light| light.terms.specular.lane(0))),
+        ("emission", TermKind::Emission, surface.emission),
+        ("environment", TermKind::Environment, surface.environment),
     ]
 }
 
@@ -155,64 +164,16 @@ fn luminance([r, g, b]: [f32; 3]) -> f32 {
 fn bar(ui: &mut egui::Ui, terms: &[Term]) {
     let width = ui.available_width();
     let (rect, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
-    ui.painter().rect_filled(rect, 2, theme::of(ui.ctx()).line);
+    let theme = theme::of(ui.ctx());
+    ui.painter().rect_filled(rect, 2, theme.line);
     let all: f32 = terms.iter().map(|(_, _, value)| luminance(*value).max(0.0)).sum();
     let mut left = rect.left();
-    for (_, color, value) in terms {
+    for (_, kind, value) in terms {
         let part = if all > 0.0 { luminance(*value).max(0.0) / all * width } else { 0.0 };
         let part = egui::Rect::from_min_size(pos2(left, rect.top()), vec2(part, rect.height()));
-        ui.painter().rect_filled(part, 0, *color);
+        ui.painter().rect_filled(part, 0, kind.color(theme));
         left = part.right();
     }
-}
-
-fn row(ui: &mut egui::Ui, name: &str, color: Color32, value: [f32; 3]) {
-    ui.horizontal(|ui| {
-        let (rect, _) = ui.allocate_exact_size(vec2(8.0, 8.0), egui::Sense::hover());
-        ui.painter().rect_filled(rect, 2, color);
-        ui.label(name);
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let [r, g, b] = value;
-            ui.monospace(format!("{r:.3} {g:.3} {b:.3}"));
-        });
-    });
-}
-
-fn one_light(ui: &mut egui::Ui, light: &ExplainedLight) {
-    let (terms, theme) = (&light.terms, theme::of(ui.ctx()));
-    ui.label(RichText::new(&light.name).color(theme.heading));
-    let mut factors = vec![format!("N.L {:.3}", terms.n_dot_l)];
-    if let Some(cosine) = terms.specular_cosine {
-        factors.push(format!("cos {cosine:.3}"));
-    }
-    if let Some(distance) = terms.distance {
-        factors.push(format!("d {distance:.3}"));
-        factors.push(format!("att {:.3}", terms.attenuation));
-    }
-    ui.label(RichText::new(factors.join("   ")).monospace().size(11.0).weak());
-    let degrees = |cosine: f32| libm::acos(f64::from(cosine.clamp(-1.0, 1.0))).to_degrees();
-    let why = match light.unlit() {
-        None => {
-            row(ui, "diffuse", theme.terms[1], terms.diffuse.lane(0));
-            row(ui, "specular", theme.terms[2], terms.specular.lane(0));
-            return;
-        }
-        Some(Unlit::Behind) => "it stands behind the surface: N.L is not above 0".to_owned(),
-        Some(Unlit::OutsideCone { cos_angle, cos_cutoff }) => format!(
-            "the surface is {:.1}\u{b0} off its axis, its cone ends at {:.1}\u{b0}",
-            degrees(cos_angle),
-            degrees(cos_cutoff)
-        ),
-        Some(Unlit::OutOfRange { distance, range }) => format!(
-            "it is {} away, its light ends at {}",
-            number(f64::from(distance)),
-            number(f64::from(range))
-        ),
-        Some(Unlit::AtTheSurface) => "it is at the surface itself".to_owned(),
-        Some(Unlit::Dark) => "its I_d and I_s are 0".to_owned(),
-        Some(_) => "the surface absorbs all of its colour".to_owned(),
-    };
-    note(ui, &format!("adds nothing: {why}"));
 }
 
 /// N, V and the L of each light that adds something, drawn at the point in the picture.
@@ -232,7 +193,9 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
     let [x, y] = explanation.pixel.map(|side| (f64::from(side) + 0.5) / scale);
     let from = pos2(x as f32, y as f32);
     let rotation = session.state.view_from_world();
-    let arrow = |name: &str, color: Color32, [x, y, z]: [f32; 3]| {
+    // Where names stand already.
+    let mut taken: Vec<egui::Rect> = Vec::new();
+    let mut arrow = |name: &str, color: Color32, [x, y, z]: [f32; 3]| {
         let vector = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
         let in_view = rotation.transform_vector3(vector) * LENGTH;
         // The window's y points down.
@@ -241,13 +204,24 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
         painter.line_segment([from, to], halo);
         painter.line_segment([from, to], Stroke::new(2.0, color));
         painter.circle_filled(to, 3.0, color);
-        // Names of highlights stand below their tips: these lie between the others.
-        let aside = if name.starts_with(['R', 'H']) { vec2(0.0, 12.0) } else { vec2(0.0, 0.0) };
-        let place = to + (to - from).normalized() * 10.0 + aside;
-        painter.text(place, Align2::CENTER_CENTER, name, FontId::proportional(13.0), color);
+        let text = painter.layout_no_wrap(name.to_owned(), FontId::proportional(13.0), color);
+        let way = (to - from).normalized();
+        // Beyond its tip, or above or below that, where no other name is.
+        let places = [0.0, 18.0, -18.0, 36.0, -36.0].map(|aside| {
+            let away = vec2(way.x * (8.0 + text.size().x / 2.0), way.y * 14.0);
+            egui::Rect::from_center_size(to + away + vec2(0.0, aside), text.size())
+                .expand2(vec2(4.0, 1.0))
+        });
+        let is_free = |place: &&egui::Rect| taken.iter().all(|other| !other.intersects(**place));
+        let place = *places.iter().find(is_free).unwrap_or(&places[0]);
+        painter.rect_filled(place, 4, theme.panel.gamma_multiply(0.85));
+        painter.galley(place.shrink2(vec2(4.0, 1.0)).min, text, color);
+        taken.push(place);
     };
     let angle = |cosine: f32| libm::acos(f64::from(cosine.clamp(-1.0, 1.0))).to_degrees();
-    arrow("V", theme.vectors[2], surface.view);
+    let dot = |a: [f32; 3], b: [f32; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
+    let n_dot_v = dot(surface.normal, surface.view);
+    arrow(&format!("V {:.0}\u{b0}", angle(n_dot_v)), theme.vectors[2], surface.view);
     let lit = || surface.lights.iter().filter(|light| light.unlit().is_none());
     for light in lit() {
         let name = format!("L {:.0}\u{b0}", angle(light.terms.n_dot_l));

@@ -78,8 +78,12 @@ impl Files {
     }
 }
 
+/// The scene that is shown where no file is named, and what it is called: by what is seen.
+pub(crate) const WELCOME: (&str, &str) = ("demo:welcome", "teapot");
+
 fn part(name: &OsStr, of: fn(&Path) -> Option<&OsStr>) -> String {
     let name = name.to_string_lossy();
+    let name = if name == WELCOME.0 { WELCOME.1.into() } else { name };
     let file = name.strip_prefix("demo:").unwrap_or(&name);
     of(Path::new(file)).unwrap_or("model".as_ref()).to_string_lossy().into_owned()
 }
@@ -187,6 +191,7 @@ mod tests {
         for (name, title, stem) in [
             ("models/cup.v2.glb", "cup.v2.glb", "cup.v2"),
             ("demo:plane", "plane", "plane"),
+            ("demo:welcome", "teapot", "teapot"),
             ("..", "model", "model"),
         ] {
             let name = OsStr::new(name);

@@ -16,6 +16,10 @@ const MOUSE: [(&str, &str); 8] = [
     ("double click", "turn about that point"),
 ];
 
+/// As wide as all of it is, in points; less takes two columns.
+const WIDE: f32 = 960.0;
+const NARROW: f32 = 860.0;
+
 /// Draws it.
 pub(crate) fn help(context: &Context, mode: Mode, keys: &Keys) {
     let theme = theme::of(context);
@@ -25,27 +29,44 @@ pub(crate) fn help(context: &Context, mode: Mode, keys: &Keys) {
     let said: Vec<_> = BINDINGS.iter().filter(|binding| !binding.about.is_empty()).collect();
     let rows: Vec<_> =
         said.iter().map(|binding| (keys.of(binding.action()), binding.about.to_owned())).collect();
-    let (first, second) = rows.split_at(rows.len().div_ceil(2));
+    let mouse: Vec<_> = MOUSE.map(|(keys, what)| (keys.to_owned(), what.to_owned())).into();
+    let modes: Vec<_> = MODES.map(|one| (keys.of(Action::Mode(one)), one.to_string())).into();
+    let modes_title = format!("Ways to navigate ({}: the next)", keys.of(Action::NextMode));
+    let motions = keys.motions(mode);
+    let held = |ui: &mut egui::Ui| {
+        ui.colored_label(theme.heading, format!("Held, in {mode}"));
+        pairs(ui, &motions);
+    };
+    let hand = |ui: &mut egui::Ui| {
+        table(ui, "Mouse", &mouse);
+        ui.add_space(12.0);
+        table(ui, &modes_title, &modes);
+    };
+    let room = context.content_rect().size() - vec2(80.0, 108.0);
     area.order(egui::Order::Foreground).show(context, |ui| {
         frame.show(ui, |ui| {
-            ui.set_width(960.0_f32.min(context.content_rect().width() - 80.0));
-            ui.columns(3, |columns| {
-                let [left, middle, right] = columns else { return };
-                let mouse: Vec<_> =
-                    MOUSE.map(|(keys, what)| (keys.to_owned(), what.to_owned())).into();
-                table(left, "Mouse", &mouse);
-                left.add_space(12.0);
-                let modes: Vec<_> =
-                    MODES.map(|one| (keys.of(Action::Mode(one)), one.to_string())).into();
-                let next = keys.of(Action::NextMode);
-                table(left, &format!("Ways to navigate ({next}: the next)"), &modes);
-                table(middle, "Keys", first);
-                table(right, " ", second);
-                right.add_space(12.0);
-                let motions: Vec<_> = keys.motions(mode);
-                let title = format!("Held, in {mode}");
-                right.colored_label(theme.heading, &title);
-                pairs(right, &motions);
+            ui.set_width(WIDE.min(room.x));
+            let scrolled = egui::ScrollArea::vertical().max_height(room.y);
+            scrolled.show(ui, |ui| {
+                if room.x < NARROW {
+                    ui.columns(2, |columns| {
+                        let [left, right] = columns else { return };
+                        hand(left);
+                        left.add_space(12.0);
+                        held(left);
+                        table(right, "Keys", &rows);
+                    });
+                    return;
+                }
+                let (first, second) = rows.split_at(rows.len().div_ceil(2));
+                ui.columns(3, |columns| {
+                    let [left, middle, right] = columns else { return };
+                    hand(left);
+                    table(middle, "Keys", first);
+                    table(right, " ", second);
+                    right.add_space(12.0);
+                    held(right);
+                });
             });
         });
     });

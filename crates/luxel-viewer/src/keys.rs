@@ -26,6 +26,8 @@ pub(crate) enum Action {
     Save,
     /// A point of the ruler, under the pointer.
     Measure,
+    /// A model, by its name.
+    Open,
     /// The next file, or the one before.
     Step(bool),
     /// What is selected into view; all that is shown, if nothing is.
@@ -128,6 +130,7 @@ pub(crate) static BINDINGS: &[Binding] = &[
     bind("normals", Action::Show(Shown::Normals), &["p"], "normals"),
     bind("split", Action::Split, &["v"], "compare two looks"),
     bind("difference", Action::Difference, &["Shift+v"], "their difference"),
+    bind("open", Action::Open, &["o", "Shift+o", "Ctrl+o"], "open a model"),
     bind("next-file", Action::Step(true), &["Right", "PageDown"], "next file"),
     bind("previous-file", Action::Step(false), &["Left", "PageUp"], "previous file"),
     bind("panels", Action::Panels, &["Tab"], "panels"),
@@ -163,7 +166,7 @@ pub(crate) fn next_mode(mode: Mode) -> Mode {
     MODES[(at + 1) % MODES.len()]
 }
 
-/// The motions of held keys: left hand on `w a s d e c`, right hand on `i j k l u o`.
+/// The motions of held keys: left hand on `w a s d e c`, right hand on `i j k l , .`.
 fn motions(mode: Mode) -> &'static [(&'static str, &'static str)] {
     match mode {
         Mode::Turntable | Mode::RollingBall => &[
@@ -177,8 +180,8 @@ fn motions(mode: Mode) -> &'static [(&'static str, &'static str)] {
             ("k", "orbit-down"),
             ("j", "orbit-left"),
             ("l", "orbit-right"),
-            ("u", "roll-left"),
-            ("o", "roll-right"),
+            (",", "roll-left"),
+            (".", "roll-right"),
         ],
         Mode::Absolute => &[
             ("a", "x-"),
@@ -191,8 +194,8 @@ fn motions(mode: Mode) -> &'static [(&'static str, &'static str)] {
             ("k", "turn-x+"),
             ("j", "turn-y-"),
             ("l", "turn-y+"),
-            ("u", "turn-z-"),
-            ("o", "turn-z+"),
+            (",", "turn-z-"),
+            (".", "turn-z+"),
         ],
         Mode::LookAt => &[
             ("a", "x-"),
@@ -203,8 +206,8 @@ fn motions(mode: Mode) -> &'static [(&'static str, &'static str)] {
             ("s", "z+"),
             ("j", "target-x-"),
             ("l", "target-x+"),
-            ("u", "target-y-"),
-            ("o", "target-y+"),
+            (",", "target-y-"),
+            (".", "target-y+"),
             ("i", "target-z-"),
             ("k", "target-z+"),
         ],
@@ -290,6 +293,11 @@ impl Keys {
             |bound: &Bound| matches!(bound, Bound::Action(at) if BINDINGS[*at].action == action);
         let keys = self.bound.iter().filter(|(_, bound)| is_it(bound));
         keys.map(|(key, _)| key.to_string()).collect::<Vec<_>>().join("  ")
+    }
+
+    /// The first of an action's keys, for a hint.
+    pub(crate) fn first_of(&self, action: Action) -> String {
+        self.of(action).split("  ").next().unwrap_or_default().to_owned()
     }
 
     /// The keys of the motions of a mode with what they do, in order.

@@ -83,6 +83,20 @@ impl Look {
         }
     }
 
+    /// Calls a light by another name, unless that is none or another light's. What shows it alone goes
+    /// on doing so.
+    pub(crate) fn rename(&mut self, at: usize, name: &str) {
+        let is_free = self.view.lights.iter().all(|light| light.name != name);
+        let is_name = !name.trim().is_empty() && !name.chars().any(char::is_control);
+        let Some(light) = self.view.lights.get_mut(at).filter(|_| is_free && is_name) else {
+            return;
+        };
+        if self.layer == Some(Layer::Light(light.name.clone())) {
+            self.layer = Some(Layer::Light(name.to_owned()));
+        }
+        name.clone_into(&mut light.name);
+    }
+
     /// One more light, on; its place.
     pub(crate) fn add(&mut self, light: SceneLight) -> usize {
         self.view.lights.push(light);
@@ -218,6 +232,24 @@ mod tests {
             look.step_edges();
         }
         assert_eq!(look, first);
+    }
+
+    #[test]
+    fn a_light_gets_a_name_that_is_free_and_is_shown_alone_as_before() {
+        let mut look = look();
+        let names = |look: &Look| {
+            let names = look.view().lights.iter().map(|light| light.name.clone());
+            names.collect::<Vec<_>>()
+        };
+        let before = names(&look);
+        look.layer = Some(Layer::Light(before[0].clone()));
+        for taken in [before[1].as_str(), "", "  ", "a\nb"] {
+            look.rename(0, taken);
+            assert_eq!(names(&look), before, "{taken:?}");
+        }
+        look.rename(0, "moon");
+        assert_eq!((&*names(&look)[0], &names(&look)[1..]), ("moon", &before[1..]));
+        assert_eq!(look.layer, Some(Layer::Light("moon".to_owned())));
     }
 
     #[test]

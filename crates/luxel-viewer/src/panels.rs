@@ -6,6 +6,7 @@ mod material;
 mod view;
 
 use crate::explain;
+use crate::icons::{self, Icon};
 use crate::marks::Choice;
 use crate::session::Session;
 use crate::theme;
@@ -22,15 +23,69 @@ pub(crate) enum Tab {
     View,
 }
 
+/// A panel, where there is room for one at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// The tree of objects.
+    Tree,
+    /// The tabs.
+    Settings,
+}
+
+/// The panels' widths, in points, and what of a narrow picture stays free.
+const TREE: f32 = 240.0;
+const SETTINGS: f32 = 288.0;
+const FREE: f32 = 64.0;
+
+/// A panel's width, where the window has that much.
+fn width(context: &Context, width: f32) -> f32 {
+    width.min((context.available_rect().width() - FREE).max(FREE))
+}
+
+/// The panels as icons, at the right end of a narrow window.
+pub(crate) fn folded(ui: &mut Ui, context: &Context) {
+    let frame = Frame::new().fill(theme::of(context).panel).inner_margin(Margin::same(4));
+    let panel = egui::SidePanel::right("folded").frame(frame).show_separator_line(false);
+    panel.resizable(false).exact_width(icons::SIDE + 8.0).show(context, |panel| {
+        panel.spacing_mut().item_spacing.y = 4.0;
+        let all = [
+            (Icon::Objects, "objects", None),
+            (Icon::Light, "light", Some(Tab::Light)),
+            (Icon::Explain, "explain", Some(Tab::Explain)),
+            (Icon::View, "view", Some(Tab::View)),
+        ];
+        for (icon, name, tab) in all {
+            let side = if tab.is_some() { Side::Settings } else { Side::Tree };
+            let is_on = ui.unfolded == Some(side) && tab.is_none_or(|tab| tab == ui.tab);
+            let button = icons::button(panel, icon, name, is_on);
+            if icon == Icon::Objects && ui.unfolded.is_none() && std::mem::take(&mut ui.wants_focus)
+            {
+                button.request_focus();
+            }
+            if button.clicked() {
+                ui.unfolded = (!is_on).then_some(side);
+                ui.tab = tab.unwrap_or(ui.tab);
+            }
+        }
+    });
+}
+
 fn frame(context: &Context) -> Frame {
     Frame::new().fill(theme::of(context).panel).inner_margin(Margin::same(12))
 }
 
+/// The tree's place: at the left, or beside the icons.
+fn side(ui: &Ui, name: &'static str) -> egui::SidePanel {
+    if ui.is_narrow { egui::SidePanel::right(name) } else { egui::SidePanel::left(name) }
+}
+
 /// What is in the scene, with names, counts and eyes: a click selects, a double click brings into view.
 pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &mut Session, wishes: &mut Vec<Wish>) {
-    let panel = egui::SidePanel::left("tree").frame(frame(context)).show_separator_line(false);
-    panel.resizable(false).exact_width(240.0).show(context, |panel| {
-        let field = egui::TextEdit::singleline(&mut ui.search).hint_text("search");
+    let panel = side(ui, "tree").frame(frame(context)).show_separator_line(false);
+    panel.resizable(false).exact_width(width(context, TREE)).show(context, |panel| {
+        let field = egui::TextEdit::singleline(&mut ui.search)
+            .hint_text("search")
+            .margin(Margin::symmetric(8, 5));
         let field = panel.add(field.desired_width(f32::INFINITY));
         if std::mem::take(&mut ui.wants_focus) {
             field.request_focus();
@@ -66,12 +121,26 @@ pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &mut Session, wishes
             }
         });
         let height = panel.spacing().interact_size.y;
-        let area = ScrollArea::vertical().auto_shrink([false, false]);
-        area.show_rows(panel, height, found.len(), |panel, rows| {
+        let step = height + panel.spacing().item_spacing.y;
+        let mut area = ScrollArea::vertical().auto_shrink([false, false]);
+        // What is selected in the picture comes into view.
+        let selected = session.marks.selected().first().copied();
+        let (last, seen) = &mut ui.found;
+        if *last != selected {
+            *last = selected;
+            let row = selected.and_then(|one| found.iter().position(|object| *object == one));
+            let top = row.map(|row| row as f32 * step);
+            if let Some(top) = top.filter(|top| *top < seen.start || top + height > seen.end) {
+                area = area.vertical_scroll_offset((top - 2.0 * step).max(0.0));
+            }
+        }
+        let output = area.show_rows(panel, height, found.len(), |panel, rows| {
             for object in &found[rows] {
                 one_object(panel, session, *object, wishes);
             }
         });
+        let top = output.state.offset.y;
+        *seen = top..top + output.inner_rect.height();
     });
 }
 
@@ -156,7 +225,7 @@ pub(crate) fn settings(
     wishes: &mut Vec<Wish>,
 ) {
     let panel = egui::SidePanel::right("settings").frame(frame(context)).show_separator_line(false);
-    panel.resizable(false).exact_width(272.0).show(context, |panel| {
+    panel.resizable(false).exact_width(width(context, SETTINGS)).show(context, |panel| {
         panel.horizontal(|panel| {
             let first = panel.selectable_value(&mut ui.tab, Tab::Light, "Light");
             if std::mem::take(&mut ui.wants_focus) {
@@ -170,9 +239,13 @@ pub(crate) fn settings(
         area.show(panel, |panel| match ui.tab {
             Tab::Light => {
                 light::lights(panel, session, &mut ui.chosen);
+                light::environment(panel, session);
                 material::materials(panel, session);
             }
-            Tab::Explain => explain::ledger(panel, session, ui.explanation.as_deref()),
+            Tab::Explain => {
+                let equation = ui.equation.as_deref();
+                explain::ledger(panel, session, ui.explanation.as_deref(), equation);
+            }
             Tab::View => view::view(panel, session, &ui.keys, wishes),
         });
     });

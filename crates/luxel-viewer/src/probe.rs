@@ -1,7 +1,10 @@
 //! What lies under one pixel: the picture of that pixel alone; and which objects a whole picture shows.
 
 use luxel::pick::VisibleIds;
-use luxel::render::{At, Explanation, Layer, LayerValues, Renderer, Unseen, View};
+use luxel::render::{
+    At, ExplainedSample, ExplainedSurface, Explanation, Layer, LayerValues, Renderer, Seen, Unseen,
+    View,
+};
 use luxel::scene::{Camera, DMat4, DVec3, Lens, Projection, Size};
 
 /// The camera whose only pixel is one of another camera's: no matter how large a window is, asking
@@ -86,6 +89,19 @@ pub(crate) struct Explained {
     pub(crate) explanation: Explanation,
     /// Its objects are those of the whole scene.
     pub(crate) unseen: Unseen,
+}
+
+impl Explained {
+    /// The sample that has most of the pixel, by its place.
+    pub(crate) fn heaviest(&self) -> Option<(usize, &ExplainedSample)> {
+        let samples = self.explanation.samples.iter().enumerate();
+        samples.max_by(|(_, a), (_, b)| a.weight.total_cmp(&b.weight))
+    }
+
+    /// The nearest surface of that sample.
+    pub(crate) fn surface(&self) -> Option<&ExplainedSurface> {
+        self.heaviest()?.1.seen.iter().find_map(Seen::surface)
+    }
 }
 
 /// Why a pixel has its colour; `None`, if it can't be told. `numbers` are those of the renderer's

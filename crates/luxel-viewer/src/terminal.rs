@@ -2,6 +2,7 @@
 //! whatever the terminal can show.
 
 mod graphics;
+mod query;
 mod screen;
 
 use crate::app::ViewerError;
@@ -211,8 +212,7 @@ impl View<'_> {
             Some((note, _)) => format!(" {name}   {note}"),
             None => {
                 let keys = &self.options.keys;
-                let first =
-                    |action| keys.of(action).split("  ").next().unwrap_or_default().to_owned();
+                let first = |action| keys.first_of(action);
                 format!(
                     " {name}   {} triangles   {}   {}   {} help   {} quit",
                     self.session.model.scene.triangle_count(),
@@ -263,7 +263,7 @@ impl View<'_> {
             Action::Screenshot => self.note = Some((self.screenshot(), Instant::now())),
             Action::Help => {
                 let keys = &self.options.keys;
-                let of = |action| keys.of(action).split("  ").next().unwrap_or_default().to_owned();
+                let of = |action| keys.first_of(action);
                 let motions: Vec<_> = keys.motions(mode).into_iter().map(|(key, _)| key).collect();
                 let note = format!(
                     "{} move   {} fit   {} mode   {} shading   {} layer   {} edges   {} grid   {} quit",

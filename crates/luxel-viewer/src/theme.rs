@@ -20,7 +20,7 @@ pub(crate) struct Theme {
     /// The accent where it is text.
     pub(crate) heading: Color32,
     /// Where something is typed or slid.
-    field: Color32,
+    pub(crate) field: Color32,
     button: Color32,
     /// Ambient, diffuse, specular, emission, environment.
     pub(crate) terms: [Color32; 5],

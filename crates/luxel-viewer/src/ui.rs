@@ -6,19 +6,24 @@ use crate::explain;
 use crate::handles::{self, Grab};
 use crate::help::help;
 use crate::keys::{Action, Keys};
+use crate::ledger::LedgerLine;
+use crate::opener::{self, Opener};
 use crate::paint::Painter;
 use crate::panels;
 use crate::probe::Explained;
 use crate::ruler;
 use crate::session::Session;
 use crate::theme::{self, AXES, Theme};
+pub(crate) use crate::wait::OnItsWay;
+use crate::wait::{bar, hint};
 use egui::{Align2, Color32, Context, FontId, Frame, Margin, RawInput, Rect, Sense, Stroke, vec2};
 use luxel::navigation::{Mode, StandardView, hit, knobs};
 use luxel::scene::{Bounds, DVec2, Size};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// What the user asks for in the panels.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Wish {
     /// A side to look from.
     View(StandardView),
@@ -32,6 +37,12 @@ pub(crate) enum Wish {
     Line,
     /// What is seen into a scene file.
     Save,
+    /// The dialog that opens a model.
+    Ask,
+    /// A model.
+    Open(PathBuf),
+    /// What is being read is not wanted any more.
+    StopReading,
 }
 
 /// What the line below the picture tells.
@@ -43,7 +54,9 @@ pub(crate) struct Status {
     pub(crate) drawn: Option<(f64, f64)>,
     pub(crate) note: Option<String>,
     /// The file that is being read.
-    pub(crate) reading: Option<String>,
+    pub(crate) reading: Option<OnItsWay>,
+    /// Whether what is seen is the user's, and not what is shown first.
+    pub(crate) is_chosen: bool,
     /// How many the file is of how many.
     pub(crate) place: Option<[usize; 2]>,
 }
@@ -55,7 +68,15 @@ pub(crate) struct Ui {
     pub(crate) shows_panels: bool,
     pub(crate) shows_help: bool,
     pub(crate) search: String,
+    /// The tree's selected object that was last scrolled to, and which part of the tree is seen.
+    pub(crate) found: (Option<usize>, std::ops::Range<f32>),
     pub(crate) tab: panels::Tab,
+    /// Which panel is unfolded, where there is room for one at most.
+    pub(crate) unfolded: Option<panels::Side>,
+    /// Whether that is so.
+    pub(crate) is_narrow: bool,
+    /// The dialog in which a model is named, while it is there.
+    pub(crate) opener: Option<Opener>,
     /// The light that is looked at.
     pub(crate) chosen: Option<usize>,
     /// Whether the first control of the panels is to have the keyboard.
@@ -68,6 +89,8 @@ pub(crate) struct Ui {
     pub(crate) apart: Option<Apart>,
     /// Why the pixel under the pointer has its colour.
     pub(crate) explanation: Option<Box<Explained>>,
+    /// The same as the lighting equation with its numbers.
+    pub(crate) equation: Option<Vec<LedgerLine>>,
     /// Two corners of the rubber band, while it is drawn.
     pub(crate) band: Option<[egui::Pos2; 2]>,
     context: Context,
@@ -75,9 +98,11 @@ pub(crate) struct Ui {
     begun: Instant,
 }
 
-/// Narrower than this, in points, there is no room for both panels beside the picture, then for none.
-const ROOM_FOR_BOTH: f32 = 880.0;
-const ROOM_FOR_ONE: f32 = 560.0;
+/// What is shown of the panels: whether any, which tab, which side where there is room for one.
+pub(crate) type Panels = (bool, panels::Tab, Option<panels::Side>);
+
+/// Narrower than this, in points, panels are folded to icons, and one is unfolded at a time.
+const ROOM_FOR_BOTH: f32 = 900.0;
 /// The axes in the corner: their length, their knobs' radius, and their square's side.
 const AXIS: f32 = 34.0;
 const KNOB: f32 = 9.0;
@@ -95,7 +120,11 @@ impl Ui {
             shows_panels: false,
             shows_help: false,
             search: String::new(),
+            found: (None, 0.0..f32::MAX),
             tab: panels::Tab::default(),
+            unfolded: None,
+            is_narrow: false,
+            opener: None,
             chosen: Some(0),
             wants_focus: false,
             grab: None,
@@ -103,6 +132,7 @@ impl Ui {
             keys,
             apart: None,
             explanation: None,
+            equation: None,
             band: None,
             context,
             painter: Painter::default(),
@@ -110,16 +140,28 @@ impl Ui {
         }
     }
 
+    /// What is shown of the panels.
+    pub(crate) fn panels(&self) -> Panels {
+        (self.shows_panels, self.tab, self.unfolded)
+    }
+
+    /// Shows of the panels what was shown before.
+    pub(crate) fn show_panels_as(&mut self, panels: Panels) {
+        (self.shows_panels, self.tab, self.unfolded) = panels;
+    }
+
     /// Shows the ledger of the pixel under the pointer, or the panels no more.
     pub(crate) fn toggle_ledger(&mut self) {
         self.shows_panels = !self.explains();
         self.tab = panels::Tab::Explain;
+        self.unfolded = self.shows_panels.then_some(panels::Side::Settings);
     }
 
     /// Shows the panels, and puts the keyboard into their first field.
     pub(crate) fn enter_panels(&mut self) {
         self.shows_panels = true;
         self.wants_focus = true;
+        self.unfolded.get_or_insert(panels::Side::Settings);
     }
 
     /// Another theme from now on.
@@ -130,17 +172,25 @@ impl Ui {
 
     /// Whether the ledger is to be seen.
     pub(crate) fn explains(&self) -> bool {
-        self.shows_panels && self.tab == panels::Tab::Explain
+        self.shows_settings() && self.tab == panels::Tab::Explain
+    }
+
+    /// Whether light, the ledger or the view can be set.
+    fn shows_settings(&self) -> bool {
+        let is_unfolded = !self.is_narrow || self.unfolded == Some(panels::Side::Settings);
+        self.shows_panels && is_unfolded
     }
 
     /// Whether the pointer is the panels' and not the picture's.
     pub(crate) fn has_pointer(&self) -> bool {
-        self.context.wants_pointer_input() || self.context.is_pointer_over_area()
+        self.opener.is_some()
+            || self.context.wants_pointer_input()
+            || self.context.is_pointer_over_area()
     }
 
     /// Whether keys are typed into a field.
     pub(crate) fn has_keyboard(&self) -> bool {
-        self.context.wants_keyboard_input()
+        self.opener.is_some() || self.context.wants_keyboard_input()
     }
 
     /// Lays everything out and paints it over the window's pixels; what is asked for, and when it
@@ -182,18 +232,24 @@ impl Ui {
         wishes: &mut Vec<Wish>,
     ) {
         status_line(context, status, session.as_deref(), &self.keys);
+        self.wait(context, status, session.is_some(), wishes);
         let Some(session) = session else { return };
-        let width = context.content_rect().width();
-        if self.shows_panels && width >= ROOM_FOR_ONE {
+        self.is_narrow = context.content_rect().width() < ROOM_FOR_BOTH;
+        if self.shows_panels {
+            if self.is_narrow {
+                panels::folded(self, context);
+            }
             // The tree's objects are in the picture, too.
-            if width >= ROOM_FOR_BOTH {
+            if !self.is_narrow || self.unfolded == Some(panels::Side::Tree) {
                 panels::tree(self, context, session, wishes);
             }
-            panels::settings(self, context, session, wishes);
+            if self.shows_settings() {
+                panels::settings(self, context, session, wishes);
+            }
             if let (true, Some(explanation)) = (self.explains(), &self.explanation) {
                 explain::vectors(context, session, &explanation.explanation);
             }
-            if self.tab == panels::Tab::Light {
+            if self.shows_settings() && self.tab == panels::Tab::Light {
                 handles::draw(context, session, &mut self.chosen, &mut self.grab);
             }
         }
@@ -209,6 +265,37 @@ impl Ui {
         }
         if self.shows_help {
             help(context, session.state.mode(), &self.keys);
+        }
+    }
+}
+
+impl Ui {
+    /// What there is to wait for, or to be opened.
+    fn wait(
+        &mut self,
+        context: &Context,
+        status: &Status,
+        has_model: bool,
+        wishes: &mut Vec<Wish>,
+    ) {
+        if let Some(coming) = &status.reading {
+            bar(context, coming, wishes);
+        } else if self.opener.is_none() && (!status.is_chosen || !has_model) {
+            hint(context, &self.keys);
+        }
+        let answer = self.opener.as_mut().and_then(|opener| opener::dialog(context, opener));
+        if let Some(answer) = answer {
+            self.opener = None;
+            // Keys are for the picture again.
+            context.memory_mut(|memory| {
+                if let Some(field) = memory.focused() {
+                    memory.surrender_focus(field);
+                }
+            });
+            if let opener::Answer::Open(path) = answer {
+                wishes.push(Wish::Open(path));
+            }
+            context.request_repaint();
         }
     }
 }
@@ -248,16 +335,17 @@ fn status_line(context: &Context, status: &Status, session: Option<&Session>, ke
                     parts.push(session.state.mode().to_string());
                 }
                 (None, _) => {
-                    let other = status.reading.as_ref().filter(|name| **name != status.name);
+                    let coming = status.reading.as_ref().map(|coming| &coming.name);
+                    let other = coming.filter(|name| **name != status.name);
                     let other = other.map(|name| format!("{name} ")).unwrap_or_default();
-                    parts.push(format!("{other}is being read"));
+                    if coming.is_some() {
+                        parts.push(format!("{other}is being read"));
+                    }
                 }
             }
             ui.weak(parts.join("   "));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let first =
-                    |action| keys.of(action).split("  ").next().unwrap_or_default().to_owned();
-                let (panels, help) = (first(Action::Panels), first(Action::Help));
+                let (panels, help) = (keys.first_of(Action::Panels), keys.first_of(Action::Help));
                 ui.weak(format!("{panels} panels    {help} help"));
             });
         });

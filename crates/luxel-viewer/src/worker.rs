@@ -1,5 +1,6 @@
-//! The thread that loads and draws, so that the window answers all the while.
+//! The thread that draws, and those that read models, so that the window answers all the while.
 
+use crate::loading::Loading;
 use crate::model::Model;
 use crate::probe::{Explained, Under, depths, explained, seen, under};
 use crate::sheet::Sheet;
@@ -8,13 +9,20 @@ use luxel::render::{Execution, Prepared, Renderer, View};
 use luxel::scene::{Camera, Scene, SceneMaterial, Size};
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Instant;
 
-/// What the thread has to say.
+/// What the threads have to say, and about the how manieth of the models that were asked for.
+pub(crate) struct Said {
+    pub(crate) about: u64,
+    pub(crate) answer: Answer,
+}
+
+/// What there is to say.
 pub(crate) enum Answer {
     /// A model is there, or why it isn't.
-    Loaded(Result<Box<Model>, String>),
+    Loaded(Result<Box<Ready>, String>),
     /// A picture.
     Drawn(Box<Drawn>),
     /// Which objects the last sharp picture shows.
@@ -23,6 +31,12 @@ pub(crate) enum Answer {
     Explained(Option<Box<Explained>>),
     /// The scene can't be drawn, or a view.
     Failed(String),
+}
+
+/// A model with what drawing has made ready of it.
+pub(crate) struct Ready {
+    pub(crate) model: Model,
+    prepared: Prepared,
 }
 
 /// A picture of the scene.
@@ -72,10 +86,10 @@ pub(crate) struct Order {
     pub(crate) has_lines: bool,
 }
 
-/// What the thread is asked for.
+/// What the thread that draws is asked for.
 enum Request {
-    /// Another file instead.
-    Load(OsString),
+    /// Another scene instead, with its number.
+    Show(u64, Arc<Scene>, Box<Prepared>),
     Draw(Box<Order>),
     /// What is not as in the file from now on.
     Change(Box<Changes>),
@@ -83,43 +97,108 @@ enum Request {
     Probe(Box<View>, [u32; 2], Sender<Option<Under>>),
 }
 
-/// The thread's other end. It ends when this goes away.
+/// Starts a thread that reads a file, as the how manieth model.
+type Read = dyn Fn(u64, OsString, Loading) -> std::io::Result<()>;
+
+/// The threads' other end. They end when this goes away.
 pub(crate) struct Worker {
     requests: Sender<Request>,
+    read: Box<Read>,
+    /// How many models were asked for.
+    asked: u64,
+    /// The one that is being read, or was last.
+    loading: Loading,
 }
 
 impl Worker {
-    /// Loads the first file and then draws what it is asked for, one after the other. `answer` wakes the
-    /// window; once it says no, the thread ends.
+    /// Loads the first file, and draws what it is asked for, one after the other. `say` wakes the
+    /// window; once it says no, the threads end.
     ///
     /// # Errors
     /// The system's, if it gives no thread.
     pub(crate) fn start(
-        load: impl Fn(&OsStr) -> Result<Model, String> + Send + 'static,
+        load: impl Fn(&OsStr, &Loading) -> Result<Model, String> + Send + Sync + 'static,
         first: OsString,
         execution: Execution,
-        answer: impl Fn(Answer) -> bool + Send + 'static,
+        say: impl Fn(Said) -> bool + Clone + Send + 'static,
     ) -> std::io::Result<Self> {
         let (requests, received) = channel();
+        let load = Arc::new(load);
+        let drawing = say.clone();
         std::thread::Builder::new().name("luxel-draw".to_owned()).spawn(move || {
-            let mut next = Some(load(&first));
-            while let Some(Ok(model)) = next {
-                let scene = model.scene.clone();
-                if !answer(Answer::Loaded(Ok(Box::new(model)))) {
-                    return;
-                }
-                next = work_on(&scene, &execution, &received, &answer, &load).map(Ok);
-            }
-            if let Some(Err(what)) = next {
-                answer(Answer::Loaded(Err(what)));
+            let mut next = None;
+            loop {
+                next = match next {
+                    None => match received.recv() {
+                        Ok(Request::Show(number, scene, prepared)) => {
+                            Some(Shown { number, scene, prepared })
+                        }
+                        // There is nothing yet to be drawn.
+                        Ok(_) => None,
+                        Err(_) => return,
+                    },
+                    Some(shown) => match work_on(shown, &received, &drawing) {
+                        None => return,
+                        shown => shown,
+                    },
+                };
             }
         })?;
-        Ok(Self { requests })
+        let read = move |about, file: OsString, loading: Loading| {
+            let (load, say) = (Arc::clone(&load), say.clone());
+            let reading = std::thread::Builder::new().name("luxel-read".to_owned());
+            let spawned = reading.spawn(move || {
+                let loaded = load(&file, &loading).and_then(|model| {
+                    loading.is_whole();
+                    let renderer = Renderer::new(&model.scene, &execution);
+                    let prepared = renderer.map_err(|error| error.to_string())?.into_prepared();
+                    Ok(Box::new(Ready { model, prepared }))
+                });
+                if !loading.is_stopped() {
+                    say(Said { about, answer: Answer::Loaded(loaded) });
+                }
+            });
+            spawned.map(|_| ())
+        };
+        let read = Box::new(read);
+        let mut worker = Self { requests, read, asked: 0, loading: Loading::default() };
+        worker.load(first)?;
+        Ok(worker)
     }
 
-    /// Asks for another file. If it can't be read, everything stays as it is.
-    pub(crate) fn load(&self, file: OsString) {
-        let _ = self.requests.send(Request::Load(file));
+    /// Reads another file; what was being read is not wanted any more. If it can't be read, everything
+    /// stays as it is.
+    ///
+    /// # Errors
+    /// The system's, if it gives no thread.
+    pub(crate) fn load(&mut self, file: OsString) -> std::io::Result<()> {
+        self.stop();
+        self.loading = Loading::default();
+        (self.read)(self.asked, file, self.loading.clone())
+    }
+
+    /// What is being read is not wanted any more.
+    pub(crate) fn stop(&mut self) {
+        self.loading.stop();
+        self.asked += 1;
+    }
+
+    /// The number of what is being read, or was last.
+    pub(crate) fn asked(&self) -> u64 {
+        self.asked
+    }
+
+    /// How far that has come.
+    pub(crate) fn loading(&self) -> &Loading {
+        &self.loading
+    }
+
+    /// From now on, this is drawn.
+    pub(crate) fn show(&self, ready: Ready) -> Model {
+        let Ready { model, prepared } = ready;
+        let scene = Arc::clone(&model.scene);
+        let _ = self.requests.send(Request::Show(self.asked, scene, Box::new(prepared)));
+        model
     }
 
     /// Asks for a picture. One at a time: the window asks for the next when this one has come.
@@ -146,69 +225,60 @@ impl Worker {
     }
 }
 
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.loading.stop();
+    }
+}
+
+/// A scene that is drawn, and what is ready of it.
+struct Shown {
+    number: u64,
+    scene: Arc<Scene>,
+    prepared: Box<Prepared>,
+}
+
 /// Why drawing comes to an end.
 enum End {
     /// The scene is to be drawn with other changes.
     Change(Box<Changes>),
-    /// A file is to be looked at.
-    Load(OsString),
+    /// Another scene is to be drawn.
+    Show(Shown),
     /// The window is gone.
     Gone,
 }
 
-/// Works on the scene as long as it is asked to, whatever is changed of it; the model to go on with, if
+/// Works on the scene as long as it is asked to, whatever is changed of it; the scene to go on with, if
 /// there is one.
 fn work_on(
-    scene: &Scene,
-    execution: &Execution,
+    shown: Shown,
     requests: &Receiver<Request>,
-    answer: &impl Fn(Answer) -> bool,
-    load: &impl Fn(&OsStr) -> Result<Model, String>,
-) -> Option<Model> {
+    say: &impl Fn(Said) -> bool,
+) -> Option<Shown> {
+    let Shown { number: about, scene, prepared } = shown;
+    let answer = |answer| say(Said { about, answer });
+    let scene: &Scene = &scene;
     let mut changes = Changes::default();
     // What is changed is changed in a copy, which is made when it is first needed.
     let mut copy: Option<Scene> = None;
     // What the last renderer has made ready of the meshes, which stay the same.
-    let mut prepared: Option<Prepared> = None;
+    let mut prepared: Prepared = *prepared;
     loop {
         if changes == Changes::default() {
             copy = None;
         } else {
             apply(scene, &changes, copy.get_or_insert_with(|| scene.clone()));
         }
-        let drawn = copy.as_ref().unwrap_or(scene);
-        let renderer = match prepared.take() {
-            Some(prepared) => Ok(Renderer::again(drawn, prepared)),
-            None => Renderer::new(drawn, execution),
-        };
-        let renderer = match renderer {
-            Ok(renderer) => renderer,
-            Err(error) => {
-                answer(Answer::Failed(error.to_string()));
-                return None;
-            }
-        };
+        let renderer = Renderer::again(copy.as_ref().unwrap_or(scene), prepared);
         let count = renderer.objects().len() + changes.hidden.len();
         let numbers: Vec<_> =
             (0..count).filter(|number| !changes.hidden.contains(number)).collect();
-        loop {
-            match work(&renderer, &numbers, requests, answer) {
-                End::Change(others) => {
-                    changes = *others;
-                    break;
-                }
-                End::Load(file) => match load(&file) {
-                    Ok(model) => return Some(model),
-                    Err(what) => {
-                        if !answer(Answer::Loaded(Err(what))) {
-                            return None;
-                        }
-                    }
-                },
-                End::Gone => return None,
-            }
+        match work(&renderer, &numbers, requests, &answer) {
+            End::Change(others) => changes = *others,
+            End::Show(shown) => return Some(shown),
+            End::Gone => return None,
         }
-        prepared = Some(renderer.into_prepared());
+        prepared = renderer.into_prepared();
     }
 }
 
@@ -231,7 +301,9 @@ fn work(
 ) -> End {
     while let Ok(request) = requests.recv() {
         let is_heard = match request {
-            Request::Load(file) => return End::Load(file),
+            Request::Show(number, scene, prepared) => {
+                return End::Show(Shown { number, scene, prepared });
+            }
             Request::Change(changes) => return End::Change(changes),
             Request::Draw(order) => draw(renderer, numbers, &order, answer),
             Request::Explain(view, pixel) => {
@@ -299,16 +371,15 @@ mod tests {
         }
         drop(to);
         let answers = std::cell::RefCell::new(Vec::new());
-        work_on(
-            scene,
-            &Execution::default(),
-            &received,
-            &|answer| {
-                answers.borrow_mut().push(answer);
-                true
-            },
-            &|file| Err(format!("{}: no such file", file.display())),
-        );
+        let renderer = Renderer::new(scene, &Execution::default()).unwrap();
+        let prepared = Box::new(renderer.into_prepared());
+        let shown = Shown { number: 7, scene: Arc::new(scene.clone()), prepared };
+        let next = work_on(shown, &received, &|said| {
+            assert_eq!(said.about, 7);
+            answers.borrow_mut().push(said.answer);
+            true
+        });
+        assert!(next.is_none());
         answers.into_inner()
     }
 
@@ -372,18 +443,47 @@ mod tests {
         assert_eq!(drawn(again).pictures, drawn(plain).pictures);
     }
 
-    #[test]
-    fn a_file_that_cannot_be_read_leaves_the_last_one_there() {
-        let scene = demos::demo("plane").unwrap();
+    fn model(name: &OsStr) -> Result<Model, String> {
+        let name = name.to_string_lossy();
+        let scene = demos::demo(&name).ok_or_else(|| format!("{name}: no such file"))?;
         let view = luxel::default_view(&scene, SIZE);
-        let draw = || order(&view, Purpose::Moving, false);
-        let asked = [draw(), Request::Load("gone.obj".into()), draw()];
-        let answers = answers(&scene, asked);
-        let [before, Answer::Loaded(Err(what)), after] = answers.as_slice() else {
-            panic!("other answers")
+        let (up, pivot) = (scene.up, luxel::scene::DVec3::ZERO);
+        Ok(Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] })
+    }
+
+    #[test]
+    fn what_is_read_instead_is_shown_and_what_was_stopped_is_never_heard_of() {
+        // A file that takes as long as somebody waits for it.
+        let load = |file: &OsStr, loading: &Loading| {
+            while file == "endless" && !loading.is_stopped() {
+                std::thread::yield_now();
+            }
+            model(file)
         };
-        assert_eq!(what, "gone.obj: no such file");
-        assert_eq!(drawn(before).pictures, drawn(after).pictures);
+        let (to, said) = channel();
+        let say = move |one| to.send(one).is_ok();
+        let execution = Execution::default();
+        let mut worker = Worker::start(load, "endless".into(), execution, say).unwrap();
+        worker.load("gone".into()).unwrap();
+        let Said { about, answer: Answer::Loaded(Err(what)) } = said.recv().unwrap() else {
+            panic!("another answer")
+        };
+        assert_eq!((about, what.as_str()), (worker.asked(), "gone: no such file"));
+        worker.load("endless".into()).unwrap();
+        worker.stop();
+        worker.load("plane".into()).unwrap();
+        let Said { about, answer: Answer::Loaded(Ok(ready)) } = said.recv().unwrap() else {
+            panic!("another answer")
+        };
+        assert_eq!(about, worker.asked());
+        let view = worker.show(*ready).view;
+        let sheets = vec![Sheet { view, layer: None }];
+        let purpose = Purpose::Moving;
+        worker.draw(Order { sheets, purpose, is_marked: false, has_lines: false });
+        let Said { about: of, answer: Answer::Drawn(drawn) } = said.recv().unwrap() else {
+            panic!("another answer")
+        };
+        assert_eq!((of, drawn.size), (about, SIZE));
     }
 
     #[test]

@@ -4,9 +4,14 @@ mod equation;
 mod html;
 mod json;
 mod latex;
+#[cfg(feature = "viewer")]
+mod lines;
 mod rows;
 mod text;
 mod words;
+
+#[cfg(feature = "viewer")]
+pub(crate) use lines::lines;
 
 use crate::camera;
 use crate::console::Console;

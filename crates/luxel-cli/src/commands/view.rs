@@ -108,25 +108,42 @@ mod window {
     use super::line::line;
     use super::saved;
     use super::{GraphicsName, ThemeName, ViewCommand};
-    use crate::cli::with_command;
+    use crate::cli::{Cli, with_command};
+    use crate::commands::explain;
     use crate::console::Console;
     use crate::failure::Failure;
     use crate::options::InputOptions;
     use crate::{model, navigation, output, surface, view};
+    use clap::parser::ValueSource;
+    use clap::{ArgMatches, CommandFactory};
     use luxel_viewer::{
-        Graphics, GraphicsChoice, Model, Options, Outcome, TerminalOptions, ThemeChoice,
+        Graphics, GraphicsChoice, Loading, Model, Options, Outcome, TerminalOptions, ThemeChoice,
         ViewerError, view_in_terminal,
     };
-    use std::ffi::OsStr;
+    use std::ffi::{OsStr, OsString};
     use std::path::{Path, PathBuf};
     use std::sync::{Arc, Mutex, PoisonError};
+
+    /// What is shown where no model is named: the teapot, on the coloured ground.
+    const WELCOME: &str = "demo:welcome";
+
+    /// Whether the words of the command line name a model.
+    fn names_model(words: Vec<OsString>) -> bool {
+        let matches = Cli::command().try_get_matches_from(words).ok();
+        let matches = matches.as_ref().and_then(ArgMatches::subcommand);
+        let source = matches.and_then(|(_, view)| view.value_source("model"));
+        source.is_none_or(|source| source == ValueSource::CommandLine)
+    }
 
     fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
         output::write_file(path, bytes).map_err(|failure| failure.lines().join("; "))
     }
 
     impl ViewCommand {
-        pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+        pub(crate) fn run(mut self, console: Console) -> Result<(), Failure> {
+            if !names_model(with_command(std::env::args_os())) {
+                self.input.model = WELCOME.into();
+            }
             if self.input.model == "-" && self.replay.as_deref() == Some("-".as_ref()) {
                 let message = "model and log can't both come from the standard input: use a file";
                 return Err(Failure::Usage(message.to_owned()));
@@ -161,6 +178,7 @@ mod window {
                     // Who reads it may be gone; the window is still there.
                     let _ = output::print(&format!("{}\n", line(&words, file, view)));
                 }),
+                equation: Box::new(explain::lines),
                 save: Box::new(move |file, showing| {
                     let (path, text) = saved::saved(file, showing, restyle.clone(), &shading)?;
                     output::write_file(&path, text.as_bytes())
@@ -173,8 +191,8 @@ mod window {
             // What went wrong on the thread that loads.
             let failure = Arc::new(Mutex::new(None));
             let kept = Arc::clone(&failure);
-            let load = move |file: &OsStr| {
-                self.load(file, console).map_err(|failure| {
+            let load = move |file: &OsStr, loading: &Loading| {
+                self.load(file, console, loading).map_err(|failure| {
                     let what = failure.lines().join("; ");
                     *kept.lock().unwrap_or_else(PoisonError::into_inner) = Some(failure);
                     what
@@ -213,7 +231,7 @@ mod window {
                 GraphicsName::Blocks => GraphicsChoice::Only(Graphics::Blocks),
             };
             let file = &self.input.model;
-            let model = self.load(file, console)?;
+            let model = self.load(file, console, &Loading::default())?;
             let options = TerminalOptions {
                 file: file.clone(),
                 mode: self.mode,
@@ -246,9 +264,16 @@ mod window {
             InputOptions { model: model.to_owned(), format: self.input.format }
         }
 
-        fn load(&self, file: &OsStr, console: Console) -> Result<Model, Failure> {
+        fn load(
+            &self,
+            file: &OsStr,
+            console: Console,
+            loading: &Loading,
+        ) -> Result<Model, Failure> {
             let input = self.input(file);
-            let mut model = model::load(&input, &self.execution, console)?;
+            let watch = Some(loading.progress.clone());
+            let mut model = model::load_watched(&input, &self.execution, console, watch)?;
+            loading.is_understood();
             if model.scene.bounds().is_empty() {
                 return Err(model::nothing_to_draw(&input.name()));
             }

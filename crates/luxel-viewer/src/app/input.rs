@@ -2,16 +2,19 @@
 
 use super::App;
 use crate::keys::{Action, Chord, KeyName, next_mode};
+use crate::opener::Opener;
 use crate::ui::Wish;
 use luxel::navigation::{Event, Gesture, Mode};
 use luxel::scene::DVec2;
 use std::time::{Duration, Instant};
 use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta};
 use winit::event_loop::ActiveEventLoop;
-use winit::keyboard::{Key, ModifiersState};
+use winit::keyboard::{Key, ModifiersState, NamedKey};
 
 /// Two clicks within this time, and this many pixels, are a double click.
 const DOUBLE_CLICK: (Duration, f64) = (Duration::from_millis(350), 5.0);
+/// A key that is down for longer is held.
+const PEEK: Duration = Duration::from_millis(350);
 /// Pixels of smooth scrolling that are a notch of a wheel.
 const PIXELS_A_NOTCH: f64 = 50.0;
 
@@ -20,10 +23,17 @@ impl App {
         let Some(chord) = chord(&key, self.modifiers) else { return };
         let mode = self.session.as_ref().map_or_else(Mode::default, |one| one.state.mode());
         let Some(action) = self.ui.keys.action(&chord, mode) else { return };
-        if self.session.is_none() && action != Action::Quit {
+        // Of a picture that is there, what is being read is no part yet.
+        let escapes = key == Key::Named(NamedKey::Escape) && self.session.is_some();
+        if escapes && action == Action::Quit && self.reading.is_some() {
+            self.stop_reading();
+            return;
+        }
+        if self.session.is_none() && !matches!(action, Action::Quit | Action::Open) {
             return;
         }
         match action {
+            Action::Open => self.ask_for_file(),
             Action::Quit => event_loop.exit(),
             Action::Screenshot => self.wants_screenshot = true,
             Action::View(view) => self.happen(Event::View(view)),
@@ -75,7 +85,9 @@ impl App {
                 self.redraw();
             }
             Action::Explain => {
+                let before = self.ui.panels();
                 self.ui.toggle_ledger();
+                self.peeking = self.ui.explains().then(|| (key, Instant::now(), before));
                 self.redraw();
             }
             Action::Panels => {
@@ -98,6 +110,13 @@ impl App {
 
     /// A key has come up: whatever it was when it went down.
     pub(super) fn lift(&mut self, key: &Key) {
+        // Held for a while, it shows the ledger no longer than that.
+        if let Some((_, since, before)) = self.peeking.take_if(|(down, ..)| down == key)
+            && since.elapsed() > PEEK
+        {
+            self.ui.show_panels_as(before);
+            self.redraw();
+        }
         let lower = |key: &Key| match key {
             Key::Character(text) => Key::Character(text.to_lowercase().into()),
             other => other.clone(),
@@ -179,6 +198,9 @@ impl App {
             Wish::Mode(mode) => self.happen(Event::Mode(mode)),
             Wish::Line => self.print_line(),
             Wish::Save => self.save(),
+            Wish::Ask => self.ask_for_file(),
+            Wish::Open(path) => self.open(path),
+            Wish::StopReading => self.stop_reading(),
             Wish::Fit(Some(bounds)) => self.happen(Event::Fit(Some(bounds))),
             Wish::Fit(None) | Wish::Lens if self.playing.is_some() => {}
             Wish::Fit(None) | Wish::Lens => {
@@ -190,6 +212,15 @@ impl App {
                     }
                 }
             }
+        }
+    }
+
+    /// Opens the dialog in the folder of the file that is seen.
+    fn ask_for_file(&mut self) {
+        if self.playing.is_none() {
+            self.lift_all();
+            self.ui.opener = Some(Opener::beside(self.files.seen()));
+            self.redraw();
         }
     }
 

@@ -1,11 +1,13 @@
 //! Which file the window shows: the first, another one, the same again when it has changed.
 
 use super::App;
-use crate::files::{Files, Watch};
-use crate::model::Model;
+use crate::app::ViewerError;
+use crate::files::{Files, WELCOME, Watch};
+use crate::keys::Action;
 use crate::screen::Screen;
 use crate::session::Session;
-use crate::worker::Changes;
+use crate::ui::OnItsWay;
+use crate::worker::{Changes, Ready};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -26,36 +28,57 @@ pub(super) enum Reading {
 impl App {
     /// Asks for the next file, or the one before.
     pub(super) fn step(&mut self, is_forward: bool) {
-        if self.reading.is_some() || self.playing.is_some() {
+        if self.playing.is_some() {
             return;
         }
         if self.files.step(is_forward) {
             self.read(Reading::Other);
         } else {
-            self.note("there is no other file: drop one here, or name several".to_owned());
+            let open = self.ui.keys.first_of(Action::Open);
+            self.note(format!("there is no other file: drop one here, or press {open}"));
         }
     }
 
-    /// A file was dropped onto the window.
-    pub(super) fn drop_file(&mut self, path: PathBuf) {
+    /// A file was dropped onto the window, or named in it.
+    pub(super) fn open(&mut self, path: PathBuf) {
         if self.playing.is_some() {
             return;
         }
         self.files.add(path.into());
-        if self.reading.is_none() {
-            self.read(Reading::Other);
-        }
+        self.read(Reading::Other);
     }
 
     fn read(&mut self, reading: Reading) {
-        self.reading = Some(reading);
         let name = self.files.asked().to_owned();
         // As it is before it is read: whatever changes meanwhile is seen afterwards.
         self.coming = Watch::of(&name);
-        self.status.reading = Some(Files::title(&name));
         self.requested = name.clone();
-        self.worker.load(name);
+        if let Err(error) = self.worker.load(name.clone()) {
+            self.reading = None;
+            self.status.reading = None;
+            self.note(ViewerError::from(error).to_string());
+            return;
+        }
+        self.reading = Some(reading);
+        let loading = self.worker.loading().clone();
+        self.status.reading = Some(OnItsWay::new(Files::title(&name), loading));
         self.redraw();
+    }
+
+    /// What is being read is not wanted any more; what was seen stays.
+    pub(super) fn stop_reading(&mut self) {
+        let Some(reading) = self.reading.take() else { return };
+        self.worker.stop();
+        self.status.reading = None;
+        let name = Files::title(&self.requested);
+        if reading == Reading::Again {
+            // Until it changes again.
+            self.watched = std::mem::take(&mut self.coming);
+        }
+        if self.session.is_some() {
+            self.files.again();
+        }
+        self.note(format!("{name} is not read any further"));
     }
 
     /// Looks whether the file has changed, now and then; when to do so again.
@@ -76,7 +99,9 @@ impl App {
     }
 
     /// A file has been read.
-    pub(super) fn loaded(&mut self, model: Model) {
+    pub(super) fn loaded(&mut self, ready: Ready) {
+        self.number = self.worker.asked();
+        let model = self.worker.show(ready);
         let reading = self.reading.take().unwrap_or(Reading::Other);
         self.status.reading = None;
         self.status.triangles = model.scene.triangle_count();
@@ -98,13 +123,11 @@ impl App {
         if reading == Reading::First {
             self.playing = self.options.replay.as_ref().map(|_| (0, self.now));
         }
-        let wanted = self.files.asked() != self.requested;
-        if !wanted {
-            self.files.arrived();
-        }
+        self.files.arrived();
         self.watched = std::mem::take(&mut self.coming);
         self.next_look = Instant::now() + LOOKS;
         self.status.name = Files::title(&self.requested);
+        self.status.is_chosen = self.requested != WELCOME.0;
         self.status.place = self.files.place();
         self.stem = Files::stem(&self.requested);
         if let Some(screen) = &self.screen {
@@ -113,15 +136,11 @@ impl App {
         // What was known of the last scene.
         self.changes = Changes::default();
         (self.asked, self.under, self.explained) = (None, None, None);
-        self.ui.explanation = None;
+        (self.ui.explanation, self.ui.equation) = (None, None);
         if let Some(shown) = &mut self.shown {
             shown.seen = None;
         }
         self.redraw();
-        // Something else was dropped meanwhile.
-        if wanted {
-            self.read(Reading::Other);
-        }
     }
 
     /// A file can't be read; whether there is still something to look at.
@@ -136,9 +155,6 @@ impl App {
             self.watched = std::mem::take(&mut self.coming);
         }
         self.note(what);
-        if self.files.asked() != self.requested {
-            self.read(Reading::Other);
-        }
         true
     }
 }

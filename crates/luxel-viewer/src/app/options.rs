@@ -1,11 +1,12 @@
 //! What a window is opened with, and how it ends.
 
 use crate::keys::Keys;
+use crate::ledger::LedgerLine;
 use crate::theme::ThemeChoice;
 use luxel::formats::SurfaceChange;
 use luxel::navigation::{Log, Mode};
-use luxel::render::{Execution, View};
-use luxel::scene::{Scene, SceneMaterial, Size};
+use luxel::render::{Execution, ExplainedSurface, View};
+use luxel::scene::{Scene, Size};
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
@@ -33,6 +34,8 @@ pub struct Options {
     pub print: Print,
     /// Saves what is shown of a file as a scene file; answers with its name, or with what went wrong.
     pub save: Save,
+    /// The lighting equation of a place with its numbers filled in.
+    pub equation: Equation,
     /// Says something that is worth knowing.
     pub tell: Box<dyn Fn(&str)>,
     /// Says how long things take, to those who have asked for it.
@@ -45,6 +48,9 @@ pub type Print = Box<dyn Fn(&OsStr, &View)>;
 /// Saves what is shown of a file as a scene file; answers with its name, or with what went wrong.
 pub type Save = Box<dyn Fn(&OsStr, &Showing<'_>) -> Result<String, String>>;
 
+/// Tells the lighting equation of a place, line by line.
+pub type Equation = Box<dyn Fn(&ExplainedSurface) -> Vec<LedgerLine>>;
+
 /// What a window shows, to be saved.
 pub struct Showing<'a> {
     /// The scene as it was read.
@@ -55,8 +61,6 @@ pub struct Showing<'a> {
     pub planes: [Option<f64>; 2],
     /// What was changed of the surfaces.
     pub changes: Vec<SurfaceChange>,
-    /// All materials as they are now.
-    pub materials: &'a [SceneMaterial],
 }
 
 /// Writes a file; answers with what went wrong.

@@ -7,6 +7,7 @@ use crate::guides::Guides;
 use crate::lines::{Depths, Line, draw};
 use crate::marks::Marks;
 use crate::outline::outline;
+use crate::probe::Explained;
 use crate::session::Session;
 use crate::snapshot::{keep, rgba_of};
 use crate::theme::Theme;
@@ -66,7 +67,6 @@ const NOTED: Duration = Duration::from_secs(4);
 
 impl App {
     pub(super) fn drawn(&mut self, drawn: Box<Drawn>) {
-        self.is_drawing = false;
         match drawn.purpose {
             Purpose::File => {
                 let note = self.keep(&drawn).unwrap_or_else(|what| what);
@@ -92,6 +92,14 @@ impl App {
         }
         self.shown = Some(drawn);
         self.is_below_stale = true;
+        self.redraw();
+    }
+
+    /// Why the pixel under the pointer has its colour is known.
+    pub(super) fn explained_by(&mut self, explained: Option<Box<Explained>>) {
+        let equation = explained.as_ref().and_then(|one| one.surface());
+        self.ui.equation = equation.map(|surface| (self.options.equation)(surface));
+        self.ui.explanation = explained;
         self.redraw();
     }
 
@@ -129,15 +137,9 @@ impl App {
         let Some(session) = &self.session else { return };
         let scene = &session.model.scene;
         let saved = session.wardrobe().said(scene, &session.objects).and_then(|changes| {
-            let worn = session.wardrobe().all(scene);
             let view = session.view();
-            let showing = Showing {
-                scene,
-                view: &view,
-                planes: session.model.planes,
-                changes,
-                materials: worn.as_deref().unwrap_or(&scene.materials),
-            };
+            let planes = session.model.planes;
+            let showing = Showing { scene, view: &view, planes, changes };
             (self.options.save)(self.files.seen(), &showing)
         });
         let is_all = session.marks.hidden().is_empty();

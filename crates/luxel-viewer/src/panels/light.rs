@@ -6,7 +6,8 @@ use crate::session::Session;
 use crate::theme;
 use egui::{RichText, Ui};
 use luxel::formats::values::{cos_cutoff, cutoff_degrees};
-use luxel::lighting::{Cone, LightKind};
+use luxel::lighting::{Cone, Environment, LightKind};
+use luxel::render::EnvironmentChoice;
 use luxel::scene::{Placement, SceneLight};
 
 /// All lights; the chosen one with all that is set of it.
@@ -48,6 +49,75 @@ pub(super) fn lights(ui: &mut Ui, session: &mut Session, chosen: &mut Option<usi
     if intensity(ui, "scene I_a", &mut ambient) {
         session.change_look(|look| look.view_mut().ambient = ambient);
     }
+}
+
+/// What mirrors and metals see.
+pub(super) fn environment(ui: &mut Ui, session: &mut Session) {
+    heading(ui, "Environment");
+    let up = session.model.scene.up.as_vec3().to_array();
+    let before = session.look().view().environment;
+    let mut kind = match before {
+        EnvironmentChoice::Always(Environment::None) => Mirrored::Nothing,
+        EnvironmentChoice::Always(Environment::Studio { .. }) => Mirrored::Studio,
+        EnvironmentChoice::StudioForMicrofacets => Mirrored::StudioByMetals,
+        EnvironmentChoice::Always(Environment::Constant(_)) => Mirrored::Color,
+    };
+    let mut choice = before;
+    let kinds = [
+        (Mirrored::Nothing, "none"),
+        (Mirrored::Studio, "studio"),
+        (Mirrored::StudioByMetals, "microfacet"),
+        (Mirrored::Color, "colour"),
+    ];
+    if ui.horizontal(|ui| one_of(ui, &mut kind, &kinds)).inner {
+        choice = match kind {
+            Mirrored::Nothing => EnvironmentChoice::Always(Environment::None),
+            Mirrored::Studio => EnvironmentChoice::Always(Environment::Studio { up }),
+            Mirrored::StudioByMetals => EnvironmentChoice::StudioForMicrofacets,
+            Mirrored::Color => EnvironmentChoice::Always(Environment::Constant([0.5; 3])),
+        };
+    }
+    if let EnvironmentChoice::Always(Environment::Constant(color)) = &mut choice {
+        intensity(ui, "all around", color);
+    }
+    let about = match kind {
+        Mirrored::Nothing => "Mirrors and metals see nothing.",
+        Mirrored::Studio => "Bright above, a soft horizon, dark below.",
+        Mirrored::StudioByMetals => "The studio, for microfacet materials alone.",
+        Mirrored::Color => "The same light from everywhere.",
+    };
+    ui.label(RichText::new(about).small().weak());
+    session.change_look(|look| look.view_mut().environment = choice);
+}
+
+/// What there is to be mirrored.
+#[derive(Clone, Copy, PartialEq)]
+enum Mirrored {
+    Nothing,
+    Studio,
+    StudioByMetals,
+    Color,
+}
+
+/// The name of a light, to be typed; it is another one as soon as no other light has it.
+fn name(ui: &mut Ui, session: &mut Session, at: usize) {
+    let Some((light, _)) = session.look().light(at) else { return };
+    let name = light.name.clone();
+    let id = ui.id().with("name");
+    let mut typed = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| name.clone());
+    let field = row(ui, "name", |ui| {
+        ui.add(egui::TextEdit::singleline(&mut typed).desired_width(f32::INFINITY))
+    });
+    if field.changed() && typed != name {
+        session.change_look(|look| look.rename(at, &typed));
+    }
+    // What can't be taken stays as long as it is being typed.
+    let is_typed = field.has_focus();
+    ui.data_mut(
+        |data| {
+            if is_typed { data.insert_temp(id, typed) } else { data.remove::<String>(id) }
+        },
+    );
 }
 
 /// A light's line; whether it is to be taken away.
@@ -103,6 +173,7 @@ fn kind_of(light: &SceneLight) -> &'static str {
 }
 
 fn settings(ui: &mut Ui, session: &mut Session, at: usize) {
+    name(ui, session, at);
     let Some((light, _)) = session.look().light(at) else { return };
     let mut light = light.clone();
     let mut changed = false;

@@ -52,6 +52,14 @@ fn compared(ui: &mut Ui, session: &mut Session, keys: &Keys) {
                 session.set_side(side);
             }
         });
+        if let Some((split, _)) = session.divider().filter(|(split, _)| !split.is_difference) {
+            row(ui, "line at, %", |ui| {
+                let mut percent = f64::from(split.at) * 100.0;
+                if slider(ui, &mut percent, 5.0..=95.0, 0) {
+                    split.at = (percent.clamp(5.0, 95.0) / 100.0) as f32;
+                }
+            });
+        }
     }
 }
 
@@ -158,7 +166,7 @@ fn shown(ui: &mut Ui, session: &mut Session, keys: &Keys) {
 }
 
 fn camera(ui: &mut Ui, session: &Session, wishes: &mut Vec<Wish>) {
-    heading(ui, "Camera");
+    heading(ui, "Camera and files");
     ui.horizontal(|ui| {
         let mut is_parallel = matches!(session.settings.lens, Lens::Orthographic { .. });
         if one_of(ui, &mut is_parallel, &[(false, "perspective"), (true, "parallel")]) {
@@ -168,8 +176,12 @@ fn camera(ui: &mut Ui, session: &Session, wishes: &mut Vec<Wish>) {
             wishes.push(Wish::Fit(None));
         }
     });
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
+        let open = ui.button("open");
+        if open.on_hover_text("a model, by its name").clicked() {
+            wishes.push(Wish::Ask);
+        }
         let line = ui.button("print its line");
         if line.on_hover_text("`luxel render ...`, in the terminal").clicked() {
             wishes.push(Wish::Line);

@@ -25,7 +25,7 @@ pub enum Graphics {
 /// By what pictures are to be shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum GraphicsChoice {
-    /// By the best that the terminal is known to have, by what it says of itself in the environment.
+    /// By the best that the terminal has, as it says of itself in the environment, or when it is asked.
     #[default]
     Auto,
     /// By this.
@@ -33,8 +33,13 @@ pub enum GraphicsChoice {
 }
 
 impl GraphicsChoice {
-    /// What is shown by, where `variable` gives the environment's.
-    pub(super) fn graphics(self, variable: impl Fn(&str) -> Option<String>) -> Graphics {
+    /// What is shown by, where `variable` gives the environment's, and `ask` what the terminal says of
+    /// itself.
+    pub(super) fn graphics(
+        self,
+        variable: impl Fn(&str) -> Option<String>,
+        ask: impl FnOnce() -> Option<Graphics>,
+    ) -> Graphics {
         if let Self::Only(graphics) = self {
             return graphics;
         }
@@ -59,7 +64,7 @@ impl GraphicsChoice {
         {
             Graphics::Sixel
         } else {
-            Graphics::Blocks
+            ask().unwrap_or(Graphics::Blocks)
         }
     }
 }
@@ -315,7 +320,7 @@ mod tests {
             let find = |name: &str| {
                 variables.iter().find(|(one, _)| *one == name).map(|(_, value)| (*value).to_owned())
             };
-            GraphicsChoice::Auto.graphics(find)
+            GraphicsChoice::Auto.graphics(find, || None)
         };
         assert_eq!(of(&[("TERM", "xterm-kitty")]), Graphics::Kitty);
         assert_eq!(
@@ -327,6 +332,14 @@ mod tests {
         assert_eq!(of(&[("TERM", "tmux-256color"), ("KITTY_WINDOW_ID", "1")]), Graphics::Blocks);
         assert_eq!(of(&[]), Graphics::Blocks);
         let only = GraphicsChoice::Only(Graphics::Sixel);
-        assert_eq!(only.graphics(|_| None), Graphics::Sixel);
+        assert_eq!(only.graphics(|_| None, || Some(Graphics::Kitty)), Graphics::Sixel);
+        // Who is known isn't asked, nor is who stands between.
+        let sixel = || Some(Graphics::Sixel);
+        let named = |value: &'static str| {
+            GraphicsChoice::Auto.graphics(|name| (name == "TERM").then(|| value.to_owned()), sixel)
+        };
+        assert_eq!(named("xterm-kitty"), Graphics::Kitty);
+        assert_eq!(named("xterm-256color"), Graphics::Sixel);
+        assert_eq!(named("tmux-256color"), Graphics::Blocks);
     }
 }

@@ -1,6 +1,7 @@
 //! The terminal as something to draw on: its size, its modes, the line at its bottom.
 
 use super::graphics::{Graphics, GraphicsChoice};
+use super::query::ask;
 use crossterm::cursor::{Hide, MoveTo, Show};
 use crossterm::event::{DisableMouseCapture, EnableMouseCapture};
 use crossterm::style::{Attribute, Print, SetAttribute};
@@ -35,19 +36,12 @@ impl Screen {
         }
         enable_raw_mode()?;
         let size = Size { width: 1, height: 1 };
-        let mut screen = Self {
-            out,
-            graphics: choice.graphics(|name| std::env::var(name).ok()),
-            cells: [1; 2],
-            size,
-        };
-        execute!(
-            screen.out,
-            EnterAlternateScreen,
-            Hide,
-            EnableMouseCapture,
-            Clear(ClearType::All)
-        )?;
+        let mut screen = Self { out, graphics: Graphics::Blocks, cells: [1; 2], size };
+        execute!(screen.out, EnterAlternateScreen, Hide)?;
+        // Before the mouse, so that its movements are not among the answers.
+        let variable = |name: &str| std::env::var(name).ok();
+        screen.graphics = choice.graphics(variable, || ask(&mut screen.out));
+        execute!(screen.out, EnableMouseCapture, Clear(ClearType::All))?;
         screen.resized();
         Ok(screen)
     }

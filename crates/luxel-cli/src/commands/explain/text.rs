@@ -284,7 +284,7 @@ impl Page {
 }
 
 /// How light comes from the places where it was computed.
-fn mixture_text(parts: &[(f32, [f32; 3])], texture: Option<[f32; 3]>) -> String {
+pub(super) fn mixture_text(parts: &[(f32, [f32; 3])], texture: Option<[f32; 3]>) -> String {
     let parts: Vec<_> = parts
         .iter()
         .map(|(weight, light)| format!("{} x {}", number(*weight), color(*light)))
@@ -295,7 +295,7 @@ fn mixture_text(parts: &[(f32, [f32; 3])], texture: Option<[f32; 3]>) -> String 
     }
 }
 
-fn symbol_text(factor: &Factor) -> String {
+pub(super) fn symbol_text(factor: &Factor) -> String {
     let text = factor.symbol().text;
     match factor {
         Factor::Cosine(..) => format!("max({text}, 0)"),
@@ -304,7 +304,7 @@ fn symbol_text(factor: &Factor) -> String {
     }
 }
 
-fn factor_text(factor: &Factor) -> String {
+pub(super) fn factor_text(factor: &Factor) -> String {
     match factor {
         Factor::Number(_, value) => number(*value),
         Factor::Color(_, value) => color(*value),
