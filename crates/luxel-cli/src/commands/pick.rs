@@ -2,7 +2,6 @@
 
 mod at;
 mod region;
-mod tell;
 
 use crate::camera;
 use crate::console::Console;

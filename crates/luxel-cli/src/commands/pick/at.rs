@@ -1,6 +1,5 @@
 //! Places of the window: one from the line, or as many as the standard input gives.
 
-use super::tell::{self, Answer};
 use super::{AskedOptions, SNAP_WITHIN, SnapChoice};
 use crate::camera;
 use crate::failure::Failure;
@@ -8,6 +7,7 @@ use crate::output;
 use crate::values::at as position;
 use luxel::pick::{PickHit, PickView, SnapTo};
 use luxel::render::At;
+use luxel_answers::{Answer, append_json, document, text};
 use serde_json::Value;
 use std::io::{self, BufRead, Write};
 
@@ -21,11 +21,11 @@ impl AskedOptions {
     pub(super) fn one(&self, view: &PickView<'_>, at: At) -> Result<(), Failure> {
         let answer = self.answer(view, at);
         if !self.json {
-            return output::print(&tell::text(view, &answer));
+            return output::print(&text(view, &answer));
         }
-        let mut document = tell::document(view, &answer);
-        document.insert("camera".to_owned(), camera::to_json(view.camera(), view.size()));
-        output::print_json(&Value::Object(document))
+        let mut entries = document(view, &answer);
+        entries.insert("camera".to_owned(), camera::to_json(view.camera(), view.size()));
+        output::print_json(&Value::Object(entries))
     }
 
     /// Answers for each line of the standard input, as soon as it can be read, in order.
@@ -82,14 +82,14 @@ impl AskedOptions {
     ) -> (Vec<u8>, Option<Failure>) {
         let mut places = Vec::new();
         let mut failure = None;
-        for text in lines.split_inclusive(|&byte| byte == b'\n') {
+        for own in lines.split_inclusive(|&byte| byte == b'\n') {
             *line += 1;
-            let text = String::from_utf8_lossy(text);
-            let text = text.trim();
-            if text.is_empty() {
+            let own = String::from_utf8_lossy(own);
+            let own = own.trim();
+            if own.is_empty() {
                 continue;
             }
-            match position(text) {
+            match position(own) {
                 Ok(at) => places.push(at),
                 Err(message) => {
                     failure = Some(unreadable(*line, &message));
@@ -103,14 +103,9 @@ impl AskedOptions {
             for &at in &places[run] {
                 let answer = self.answer(view, at);
                 if self.json {
-                    let document = Value::Object(tell::document(view, &answer)).to_string();
-                    // After the opening brace; there is always a hit list to follow.
-                    let rest = document.get(1..).unwrap_or_default();
-                    for part in ["{\"camera\":", &camera, ",", rest, "\n"] {
-                        bytes.extend_from_slice(part.as_bytes());
-                    }
+                    append_json(view, &answer, &camera, bytes);
                 } else {
-                    bytes.extend_from_slice(tell::text(view, &answer).as_bytes());
+                    bytes.extend_from_slice(text(view, &answer).as_bytes());
                 }
             }
         });

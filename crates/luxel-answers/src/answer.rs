@@ -1,19 +1,24 @@
 //! What is told of hits, as JSON and as text.
 
-use luxel::pick::{Element, NearEdge, NearVertex, PickHit, PickView, Snapped, SnappedTo};
+use crate::printable;
+use luxel_pick::{Element, NearEdge, NearVertex, PickHit, PickView, Snapped, SnappedTo};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
 /// What was found at a place.
-pub(super) struct Answer {
-    pub(super) at: [f64; 2],
-    pub(super) hits: Vec<PickHit>,
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The place, in pixels.
+    pub at: [f64; 2],
+    /// What is there, nearest first.
+    pub hits: Vec<PickHit>,
     /// Where it snaps to, if that was asked.
-    pub(super) snapped: Option<Option<Snapped>>,
+    pub snapped: Option<Option<Snapped>>,
 }
 
 /// The answer as a JSON document.
-pub(super) fn document(view: &PickView<'_>, answer: &Answer) -> Map<String, Value> {
+#[must_use]
+pub fn document(view: &PickView<'_>, answer: &Answer) -> Map<String, Value> {
     let mut document = Map::new();
     let hits = answer.hits.iter().map(|hit| hit_to_json(view, hit));
     document.insert("hits".into(), hits.collect::<Value>());
@@ -96,13 +101,24 @@ fn snapped_to_json(view: &PickView<'_>, snapped: &Snapped) -> Value {
     entry
 }
 
+/// Appends the answer as a line of JSON; `camera` is that of the view as JSON, written once for all.
+pub fn append_json(view: &PickView<'_>, answer: &Answer, camera: &str, bytes: &mut Vec<u8>) {
+    let document = Value::Object(document(view, answer)).to_string();
+    // After the opening brace; there is always a hit list to follow.
+    let rest = document.get(1..).unwrap_or_default();
+    for part in ["{\"camera\":", camera, ",", rest, "\n"] {
+        bytes.extend_from_slice(part.as_bytes());
+    }
+}
+
 /// The answer for people: a line a hit.
-pub(super) fn text(view: &PickView<'_>, answer: &Answer) -> String {
+#[must_use]
+pub fn text(view: &PickView<'_>, answer: &Answer) -> String {
     let picker = view.picker();
     let mut text = String::new();
     for hit in &answer.hits {
         let path = picker.scene().path(picker.objects()[hit.object].node).join("/");
-        let path = crate::console::printable(&path);
+        let path = printable(&path);
         let (kind, number) = match hit.element {
             Element::Triangle(number) => ("triangle", number),
             Element::Point(number) => ("point", number),
