@@ -3,6 +3,7 @@
 //! The curve of sRGB (IEC 61966-2-1:1999): encode(v) = 12.92 v up to 0.0031308, else
 //! 1.055 v^(1/2.4) - 0.055.
 
+use luxel_math::{LANES, Number, Simd, Wide, f32x16, i32x16, prelude::*, u32x16};
 use std::sync::LazyLock;
 
 /// How a picture stores light.
@@ -27,19 +28,17 @@ impl PictureEncoding {
         }
     }
 
-    /// The bytes of a run of values, one for each that both slices have.
-    pub fn bytes(self, linear: &[f32], bytes: &mut [u8]) {
+    /// [`Self::byte`] of sixteen values.
+    #[inline(always)]
+    #[must_use]
+    pub fn bytes_of_lanes<S: Simd>(self, linear: f32x16<S>) -> u32x16<S> {
         match self {
-            Self::Srgb => {
-                let table = &*SRGB;
-                for (byte, &value) in bytes.iter_mut().zip(linear) {
-                    *byte = table.byte(value);
-                }
-            }
+            Self::Srgb => SRGB.bytes_of_lanes(linear),
             Self::None => {
-                for (byte, &value) in bytes.iter_mut().zip(linear) {
-                    *byte = unit_to_byte(value);
-                }
+                let exact = linear.limited(0.0, 1.0).widened();
+                let whole = exact.constant(WHOLE);
+                let rounded = exact * exact.constant(255.0) + whole - whole;
+                i32x16::truncate_from(rounded.narrow()).bitcast()
             }
         }
     }
@@ -85,11 +84,12 @@ static DECODED: LazyLock<[f32; 256]> =
 #[inline]
 #[must_use]
 pub fn unit_to_byte(linear: f32) -> u8 {
-    // In f64 the product is exact; adding what leaves no digits behind the point rounds it, without
-    // a call where processors have no instruction for that.
-    const WHOLE: f64 = 6_755_399_441_055_744.0;
     (f64::from(unit(linear)) * 255.0 + WHOLE - WHOLE) as u8
 }
+
+/// What leaves no digits behind the point of an `f64`: added, it rounds, without a call where
+/// processors have no instruction for that. In f64 the product with 255 is exact.
+const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// round(255 encode(clamp(v, 0, 1))), ties to even; 0 for NaN.
 ///
@@ -104,8 +104,8 @@ pub fn srgb_to_byte(linear: f32) -> u8 {
 
 /// Light below this is byte 0: 2^-13 is less than half a step, 1 / 6589.2.
 const LEAST_BITS: u32 = (127 - 13) << 23;
-/// 1
-const ONE_BITS: u32 = 127 << 23;
+/// Light from 1 on has the byte of this.
+const BELOW_ONE: f32 = 1.0_f32.next_down();
 /// Cells to each doubling, as a power of 2: 128, so that no cell holds two thresholds (the curve has
 /// 84 steps in an octave at most, at its lower end, if the octave went on as it begins).
 const CELL_BITS: u32 = 7;
@@ -113,43 +113,66 @@ const CELL_SHIFT: u32 = 23 - CELL_BITS;
 /// More than the 13 octaves take: a power of 2.
 const CELLS: usize = 16 << CELL_BITS;
 
-/// The thresholds, and where to find them by the top bits of a float.
+/// The bits of a float below its cell's.
+const WITHIN_CELL: u32 = (1 << CELL_SHIFT) - 1;
+
+/// The bytes by the top bits of a float.
 struct SrgbTable {
-    /// `thresholds[k]` is the smallest `f32` whose byte is k + 1 or more; the last is never reached.
-    thresholds: [f32; 256],
-    /// The byte of the least value of each cell.
-    bytes: [u8; CELLS],
+    /// For each cell the byte of its least value, times 2^16, plus what a float's lower bits lack at
+    /// least to carry over where they reach the cell's threshold; 0 where it has none.
+    cells: [u32; CELLS],
 }
 
 static SRGB: LazyLock<SrgbTable> = LazyLock::new(SrgbTable::new);
 
 impl SrgbTable {
-    fn new() -> Self {
-        let thresholds = std::array::from_fn(|k| {
-            if k == 255 {
-                return f32::INFINITY;
-            }
+    /// The smallest `f32` whose byte is `k` + 1 or more, for each k below 255.
+    fn thresholds() -> [f32; 255] {
+        std::array::from_fn(|k| {
             let exact = decode_srgb((k as f64 + 0.5) / 255.0);
             let nearest = exact as f32;
             if f64::from(nearest) < exact { nearest.next_up() } else { nearest }
+        })
+    }
+
+    fn new() -> Self {
+        let thresholds = Self::thresholds().map(f32::to_bits);
+        let cells = std::array::from_fn(|cell| {
+            let least = LEAST_BITS + ((cell as u32) << CELL_SHIFT);
+            // The bits of positive floats are in the floats' order.
+            let byte = thresholds.partition_point(|&threshold| threshold <= least);
+            let inside = |&threshold: &u32| threshold <= least + WITHIN_CELL;
+            let carries = thresholds
+                .get(byte)
+                .copied()
+                .filter(inside)
+                .map_or(0, |threshold| WITHIN_CELL + 1 - (threshold - least));
+            ((byte as u32) << CELL_SHIFT) + carries
         });
-        let bytes = std::array::from_fn(|cell| {
-            let least = f32::from_bits(LEAST_BITS + ((cell as u32) << CELL_SHIFT));
-            thresholds.partition_point(|&threshold| threshold <= least) as u8
-        });
-        Self { thresholds, bytes }
+        Self { cells }
     }
 
     #[inline]
     fn byte(&self, linear: f32) -> u8 {
         // Comparisons with NaN are false. What is brought to an end of the range has its byte.
         let least = f32::from_bits(LEAST_BITS);
-        let most = f32::from_bits(ONE_BITS - 1);
         let inside = if linear > least { linear } else { least };
-        let inside = if inside < most { inside } else { most };
-        let cell = (inside.to_bits() - LEAST_BITS) >> CELL_SHIFT;
-        let byte = self.bytes[cell as usize & (CELLS - 1)];
-        byte + u8::from(inside >= self.thresholds[usize::from(byte)])
+        let bits = if inside < BELOW_ONE { inside } else { BELOW_ONE }.to_bits();
+        let cell = (bits - LEAST_BITS) >> CELL_SHIFT;
+        ((self.cells[cell as usize & (CELLS - 1)] + (bits & WITHIN_CELL)) >> CELL_SHIFT) as u8
+    }
+
+    #[inline(always)]
+    fn bytes_of_lanes<S: Simd>(&self, linear: f32x16<S>) -> u32x16<S> {
+        let least = linear.constant(f32::from_bits(LEAST_BITS));
+        let inside = linear.maximum(least).minimum(linear.constant(BELOW_ONE));
+        let bits: u32x16<S> = inside.bitcast();
+        let mut entries = [0; LANES];
+        ((bits - LEAST_BITS) >> CELL_SHIFT).store_slice(&mut entries);
+        for entry in &mut entries {
+            *entry = self.cells[*entry as usize & (CELLS - 1)];
+        }
+        (u32x16::simd_from(linear.simd, entries) + (bits & WITHIN_CELL)) >> CELL_SHIFT
     }
 }
 
@@ -170,7 +193,7 @@ mod tests {
 
     #[test]
     fn each_threshold_is_exact_on_both_sides() {
-        for (k, &threshold) in SRGB.thresholds[..255].iter().enumerate() {
+        for (k, &threshold) in SrgbTable::thresholds().iter().enumerate() {
             let byte = k as u8;
             assert_eq!(srgb_to_byte(threshold), byte + 1);
             assert_eq!(srgb_to_byte(threshold.next_down()), byte);
@@ -187,7 +210,7 @@ mod tests {
 
     #[test]
     fn no_cell_holds_two_thresholds() {
-        let cells: Vec<_> = SRGB.thresholds[..255]
+        let cells: Vec<_> = SrgbTable::thresholds()
             .iter()
             .map(|threshold| (threshold.to_bits() - LEAST_BITS) >> CELL_SHIFT)
             .collect();

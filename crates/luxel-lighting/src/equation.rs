@@ -1,10 +1,10 @@
 //! The lighting equation.
 
 use crate::light::bounded;
-use crate::reflection::{Incidence, Surface, own_light};
+use crate::reflection::{Incidence, Surface};
 use crate::{
-    Environment, Fog, LightKind, LightTerms, Material, PlacedLight, Reflectance, Reflection,
-    SurfacePoint, Terms, Witness,
+    Coefficients, Environment, Fog, LightKind, LightTerms, Material, PlacedLight, Reflectance,
+    Reflection, SurfacePoint, Terms, Witness,
 };
 use luxel_math::{Number, Rgb};
 
@@ -45,7 +45,20 @@ pub fn lit<N: Number, W: Witness<N>>(
     surroundings: &Surroundings<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
-    let sum = reflected(point, reflectance, material, surroundings, witness);
+    let coefficients = Coefficients::new(reflectance, material);
+    lit_by(point, &coefficients, &material.reflection, surroundings, witness)
+}
+
+/// [`lit`], for a surface whose coefficients are known.
+#[inline(always)]
+pub fn lit_by<N: Number, W: Witness<N>>(
+    point: &SurfacePoint<N>,
+    coefficients: &Coefficients<N>,
+    reflection: &Reflection,
+    surroundings: &Surroundings<'_>,
+    witness: &mut W,
+) -> Rgb<N> {
+    let sum = reflected(point, coefficients, reflection, surroundings, witness);
     let color = match surroundings.fog {
         Some(fog) => fog.veiled(sum, point.depth, witness),
         None => sum,
@@ -54,20 +67,19 @@ pub fn lit<N: Number, W: Witness<N>>(
     color
 }
 
-/// The light that leaves a surface point towards the eye, before any fog: [`lit`] without its last
-/// line.
+/// The light that leaves a surface point towards the eye, before any fog: [`lit_by`] without its
+/// last line.
 #[inline(always)]
 pub fn reflected<N: Number, W: Witness<N>>(
     point: &SurfacePoint<N>,
-    reflectance: &Reflectance<N>,
-    material: &Material,
+    coefficients: &Coefficients<N>,
+    reflection: &Reflection,
     surroundings: &Surroundings<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
     let like = point.depth;
-    let reflection = &material.reflection;
-    let surface = Surface::new(point, reflectance, material);
-    let emission = own_light(&surface, reflectance, reflection);
+    let surface = Surface::new(point, coefficients);
+    let emission = coefficients.own;
     let ambient_share = surface.ambient(reflection, &surroundings.environment);
     let scene_ambient = ambient_share * Rgb::splat(like, bounded(surroundings.scene_ambient));
 
@@ -83,10 +95,14 @@ pub fn reflected<N: Number, W: Witness<N>>(
         let part = surface.reflected(reflection, &incidence, witness);
         let factor = arrival.attenuation * arrival.spot;
 
-        let ambient = ambient_share * Rgb::splat(like, light.ambient) * factor;
+        // Of most lights there is none, and 0 changes no sum.
+        let mut ambient = Rgb::black(like);
+        if light.ambient != [0.0; 3] {
+            ambient = ambient_share * Rgb::splat(like, light.ambient) * factor;
+            sum = sum + ambient;
+        }
         let diffuse = part.diffuse * Rgb::splat(like, light.diffuse) * factor;
         let specular = part.specular * Rgb::splat(like, light.specular) * factor;
-        sum = sum + ambient;
         sum = sum + diffuse;
         sum = sum + specular;
         witness.light(

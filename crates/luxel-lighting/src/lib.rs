@@ -11,13 +11,14 @@
 //! | subject | here |
 //! | --- | --- |
 //! | what shines | [`Light`], [`PlacedLight`], [`Environment`] |
-//! | what is shone upon | [`Material`], [`Reflectance`], [`SurfacePoint`] |
-//! | what the eye gets | [`lit`], [`reflected`], [`Fog`] |
+//! | what is shone upon | [`Material`], [`Reflectance`], [`Coefficients`], [`SurfacePoint`] |
+//! | what the eye gets | [`lit`], [`lit_by`], [`reflected`], [`Fog`] |
 //! | who hears the terms | [`Witness`], [`Silent`], [`Ledger`] |
 //! | how it is stored | [`PictureEncoding`], [`srgb_to_byte`] |
 
 #![forbid(unsafe_code)]
 
+mod coefficients;
 mod encode;
 mod environment;
 mod equation;
@@ -29,11 +30,12 @@ mod reflection;
 mod surface;
 mod witness;
 
+pub use coefficients::Coefficients;
 pub use encode::{
     PictureEncoding, byte_to_linear, decode_srgb, encode_srgb, srgb_to_byte, unit_to_byte,
 };
 pub use environment::Environment;
-pub use equation::{Surroundings, lit, reflected};
+pub use equation::{Surroundings, lit, lit_by, reflected};
 pub use fog::{Fog, FogLaw};
 pub use light::{Attenuation, Cone, Light, LightKind};
 pub use material::{Material, Reflection};

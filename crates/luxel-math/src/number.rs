@@ -9,7 +9,7 @@
 
 use crate::LANES;
 use crate::wide::{Wide, Wide16};
-use fearless_simd::{ExtractToken, Simd, f32x16, i32x16, mask32x16, prelude::*};
+use fearless_simd::{ExtractToken, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// One truth value, or one for each lane.
@@ -78,9 +78,18 @@ pub trait Number:
     fn with_lane(self, lane: usize, value: f32) -> Self;
     /// The mask whose lane i is bit i; `self` tells only the kind of number.
     fn mask_of(self, bits: u32) -> Self::Mask;
+    /// The lanes of `values` that are `value`, as bits; `self` tells only the kind of number, of
+    /// which an `f32` looks at the first lane alone.
+    fn lanes_equal(self, values: &[u32; LANES], value: u32) -> u32;
     /// Runs work with the instruction set of this kind of number. The closure is to be marked
     /// `#[inline(always)]`; around it a function may then stay out of its callers.
     fn vectorized<R>(self, work: impl FnOnce() -> R) -> R;
+
+    /// A bit for each lane.
+    #[inline(always)]
+    fn all_lanes(self) -> u32 {
+        self.zero().equal(self.zero()).bits()
+    }
 
     /// 0 in every lane.
     #[inline(always)]
@@ -252,6 +261,10 @@ impl Number for f32 {
         bits & 1 == 1
     }
     #[inline(always)]
+    fn lanes_equal(self, values: &[u32; LANES], value: u32) -> u32 {
+        u32::from(values[0] == value)
+    }
+    #[inline(always)]
     fn vectorized<R>(self, work: impl FnOnce() -> R) -> R {
         work()
     }
@@ -342,6 +355,11 @@ impl<S: Simd> Number for f32x16<S> {
     #[inline(always)]
     fn mask_of(self, bits: u32) -> mask32x16<S> {
         mask32x16::from_bitmask(self.simd, u64::from(bits))
+    }
+    #[inline(always)]
+    fn lanes_equal(self, values: &[u32; LANES], value: u32) -> u32 {
+        let values = u32x16::simd_from(self.simd, *values);
+        values.simd_eq(u32x16::splat(self.simd, value)).to_bitmask() as u32
     }
     #[inline(always)]
     fn vectorized<R>(self, work: impl FnOnce() -> R) -> R {

@@ -83,10 +83,8 @@ impl<S: Simd> Wide for Wide16<S> {
     fn is_positive(self) -> mask32x16<S> {
         let simd = self.low.simd;
         let zero = f64x8::splat(simd, 0.0);
-        let [low, high] = [self.low, self.high].map(
-            #[inline(always)]
-            |eight| eight.simd_gt(zero).to_bitmask(),
-        );
+        let low = self.low.simd_gt(zero).to_bitmask();
+        let high = self.high.simd_gt(zero).to_bitmask();
         mask32x16::from_bitmask(simd, low | high << 8)
     }
     #[inline(always)]

@@ -2,10 +2,9 @@
 
 use crate::place::Covers;
 use crate::renderer::{Picture, RenderError, Renderer};
-use crate::resolve::empty_block;
 use crate::tiles::TilePixels;
 use crate::view::View;
-use crate::worker::{Worker, bytes_of_block};
+use crate::worker::{Bytes, Worker};
 use luxel_scene::Size;
 use luxel_visibility::TILE;
 
@@ -34,9 +33,8 @@ impl Renderer<'_> {
         let mut pixels = vec![[0; 4]; part.width as usize * part.height as usize];
         self.with_scene(view, Covers::DRAWN, None, |scene, holes| {
             let mut worker = Worker::new(scene.frame.samples());
-            let finish = |block: &_| bytes_of_block(block, view.encoding);
-            let [background, ..] = finish(&empty_block(scene));
-            let mut drawn: Box<TilePixels<_>> = Box::new([background; (TILE * TILE) as usize]);
+            let finish = Bytes(view.encoding);
+            let mut drawn: Box<TilePixels<_>> = Box::new([[0; 4]; (TILE * TILE) as usize]);
             let tile = TILE as usize;
             let [across, _] = scene.frame.tiles();
             let [left, top] = corner.map(|side| side as usize);
@@ -46,8 +44,8 @@ impl Renderer<'_> {
             }
             for row in top / tile..=(top + high - 1) / tile {
                 for column in left / tile..=(left + wide - 1) / tile {
-                    self.draw_tile(scene, holes, row * across + column, &mut worker);
-                    worker.finish(finish, background, &mut drawn);
+                    let number = row * across + column;
+                    self.draw_tile(scene, holes, number, &mut worker, &finish, &mut drawn);
                     // The columns and rows of the picture that the tile and the part share.
                     let columns = left.max(column * tile)..(left + wide).min((column + 1) * tile);
                     for y in top.max(row * tile)..(top + high).min((row + 1) * tile) {

@@ -4,13 +4,10 @@
 use crate::shade::{Batch, Scene16, put_lane};
 use crate::surface::Interpolated;
 use crate::triangles::Attributes;
-use crate::varying::{lanes_of, merge, mixed_lanes};
+use crate::varying::{AtCorners, GatheredExtras, Weights, lanes_of, merge};
 use luxel_math::{LANES, Mask, Number, Vec3};
 use luxel_scene::Mesh;
 use luxel_visibility::{Forms, InstanceSpace, TriangleId, TriangleOf};
-
-/// A value of so many components at three corners, for each lane's triangle.
-type AtCorners<const C: usize> = [[[f32; LANES]; C]; 3];
 
 /// What is read of the triangles, lane by lane.
 pub(crate) struct Gathered {
@@ -19,10 +16,7 @@ pub(crate) struct Gathered {
     positions: AtCorners<3>,
     /// In the mesh's space.
     normals: AtCorners<3>,
-    /// In world space.
-    tangents: AtCorners<4>,
-    uvs: [AtCorners<2>; 2],
-    colors: AtCorners<4>,
+    extras: GatheredExtras,
 }
 
 impl Gathered {
@@ -31,9 +25,11 @@ impl Gathered {
             of: [TriangleOf { instance: 0, triangle: 0, part: 0 }; LANES],
             positions: [[[0.0; LANES]; 3]; 3],
             normals: [[[0.0; LANES]; 3]; 3],
-            tangents: [[[0.0; LANES]; 4]; 3],
-            uvs: [[[[0.0; LANES]; 2]; 3]; 2],
-            colors: [[[0.0; LANES]; 4]; 3],
+            extras: GatheredExtras {
+                tangents: [[[0.0; LANES]; 4]; 3],
+                uvs: [[[[0.0; LANES]; 2]; 3]; 2],
+                colors: [[[0.0; LANES]; 4]; 3],
+            },
         }
     }
 
@@ -111,14 +107,14 @@ impl Gathered {
         for (corner, attribute) in attributes.into_iter().enumerate() {
             for set in 0..2 {
                 if let Some(&uv) = mesh.uvs[set].get(attribute) {
-                    put(&mut self.uvs[set][corner], lane, uv);
+                    put(&mut self.extras.uvs[set][corner], lane, uv);
                 }
             }
             if !mesh.tangents.is_empty() {
-                put(&mut self.tangents[corner], lane, space.tangent(mesh, attribute));
+                put(&mut self.extras.tangents[corner], lane, space.tangent(mesh, attribute));
             }
             if let Some(&color) = mesh.colors.get(attribute) {
-                put(&mut self.colors[corner], lane, color);
+                put(&mut self.extras.colors[corner], lane, color);
             }
         }
     }
@@ -160,25 +156,13 @@ impl Gathered {
         let (a, b, c) = (space.about_eye(a), space.about_eye(b), space.about_eye(c));
         let position = a * weights[0] + b * weights[1] + c * weights[2];
         let varying = &mut interpolated.varying;
-        varying.normal = normal.select(mask, varying.normal);
-        varying.position = position.select(mask, varying.position);
-
+        varying.take_places(position, normal, mask);
         let has = Attributes::of_mesh(mesh);
-        varying.has.join(has);
-        if has.uvs[0] | has.uvs[1] {
-            let [right, below] = forms.beside(x, y);
-            for set in (0..2).filter(|&set| has.uvs[set]) {
-                let [at, at_right, at_below] = &mut varying.uv[set];
-                merge(at, mixed_lanes(&self.uvs[set], &weights), mask);
-                merge(at_right, mixed_lanes(&self.uvs[set], &right), mask);
-                merge(at_below, mixed_lanes(&self.uvs[set], &below), mask);
-            }
-        }
-        if has.tangents {
-            merge(&mut varying.tangent, mixed_lanes(&self.tangents, &weights), mask);
-        }
-        if has.colors {
-            merge(&mut varying.color, mixed_lanes(&self.colors, &weights), mask);
+        if has != Attributes::default() {
+            let has_uvs = has.uvs[0] | has.uvs[1];
+            let [right, below] = if has_uvs { forms.beside(x, y) } else { [weights; 2] };
+            let weights = Weights { here: weights, right, below };
+            varying.take_gathered(&self.extras, &weights, has, mask);
         }
     }
 }

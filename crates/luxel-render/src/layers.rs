@@ -3,7 +3,7 @@
 
 use crate::explain::Lit;
 use crate::shade::{Batch, Kept, Scene16, interpolate};
-use crate::surface;
+use crate::surface::{self, Interpolated};
 use crate::tiles::TilePixels;
 use crate::worker::{ALL_BLOCKS, place_in_tile};
 use luxel_lighting::LightTerms;
@@ -208,14 +208,15 @@ fn layers_of_block<S: Simd>(
 ) -> [LayerPixel; LANES] {
     let ids = tile.planes()[0].ids[block];
     let batch = Batch::new(tile, block, ids, &[0; LANES], scene.frame.samples());
-    let interpolated = interpolate(f32x16::splat(simd, 0.0), scene, &batch, kept);
+    let mut interpolated = Interpolated::nothing(f32x16::splat(simd, 0.0));
+    interpolate(scene, &batch, kept, &mut interpolated);
     let point = surface::point(scene, &interpolated.varying);
     let z = point.depth;
     let normals = match layer {
         Layer::Normal => surface::shading_normals(scene, &interpolated, &point),
         _ => point.normal,
     };
-    let [[uv, ..], _] = interpolated.varying.uv;
+    let [uv, ..] = interpolated.varying.uv(0);
     let mut values = [[0; CHANNELS]; LANES];
     if layer.is_lit() {
         for (lane, value) in values.iter_mut().enumerate() {

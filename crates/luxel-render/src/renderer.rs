@@ -8,13 +8,14 @@ use crate::holes::Holes;
 use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, tile_layer};
 use crate::place::{self, Covers};
 use crate::polygons::Polygons;
-use crate::resolve::{BlockPixels, empty_block};
+use crate::resolve::empty_pixel;
 use crate::shade::{Kept, Scene16};
-use crate::tiles::draw_tiles;
+use crate::surface::plain;
+use crate::tiles::{TilePixels, draw_tiles};
 use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
-use crate::worker::{Worker, add_layer, bytes_of_block, linear_pixels, tile_pixels};
+use crate::worker::{Bytes, Finish, Linear, Worker, add_layer, tile_pixels};
 use luxel_lighting::{Environment, Reflection};
-use luxel_math::{LANES, Level, UnavailableSimdLevel, dispatch_long};
+use luxel_math::{Level, UnavailableSimdLevel, dispatch_long};
 use luxel_scene::{Object, Scene, Size};
 use luxel_visibility::{Clusters, Frame, InstanceSpace, Samples, Tile, TooManyTriangles, strokes};
 use rayon::prelude::*;
@@ -182,7 +183,7 @@ impl<'s> Renderer<'s> {
     /// [`RenderError`] if the view asks for something impossible.
     pub fn linear(&self, view: &View) -> Result<Picture<[f32; 4]>, RenderError> {
         let mut picture = Picture::default();
-        self.draw(view, linear_pixels, &mut picture)?;
+        self.draw(view, &Linear, &mut picture)?;
         Ok(picture)
     }
 
@@ -206,7 +207,7 @@ impl<'s> Renderer<'s> {
         picture: &mut Picture<[u8; 4]>,
     ) -> Result<(), RenderError> {
         let encoding = view.encoding;
-        self.draw(view, move |block| bytes_of_block(block, encoding), picture)
+        self.draw(view, &Bytes(encoding), picture)
     }
 
     /// Layers of a view, in the order in which they are asked for.
@@ -256,18 +257,17 @@ impl<'s> Renderer<'s> {
         })
     }
 
-    /// Draws a view, each block turned into what is kept of its pixels while it is in the cache.
-    fn draw<T: Copy + Default + Send + Sync>(
+    /// Draws a view, each block turned into what is kept of its pixels while it is in registers.
+    fn draw<F: Finish>(
         &self,
         view: &View,
-        finish: impl Fn(&BlockPixels) -> [T; LANES] + Sync,
-        picture: &mut Picture<T>,
+        finish: &F,
+        picture: &mut Picture<F::Pixel>,
     ) -> Result<(), RenderError> {
         let start = (self.clock)();
         self.with_scene(view, Covers::DRAWN, None, |scene, holes| {
             let binned = (self.clock)();
-            // Most pixels of many pictures are background: finished once.
-            let [background, ..] = finish(&empty_block(scene));
+            let background = finish.pixel(empty_pixel(scene));
             let sums = Mutex::new(Stages::default());
             draw_tiles(
                 scene.frame,
@@ -279,8 +279,7 @@ impl<'s> Renderer<'s> {
                         return;
                     }
                     let begin = (self.clock)();
-                    let visible = self.draw_tile(scene, holes, number, worker);
-                    worker.finish(&finish, background, pixels);
+                    let visible = self.draw_tile(scene, holes, number, worker, finish, pixels);
                     let end = (self.clock)();
                     if let Ok(mut sums) = sums.lock() {
                         sums.visibility += visible - begin;
@@ -309,19 +308,21 @@ impl<'s> Renderer<'s> {
         })
     }
 
-    /// Draws one tile into `worker.blocks`; the time at which it was known what is seen.
-    pub(crate) fn draw_tile(
+    /// Draws one tile; the time at which it was known what is seen.
+    pub(crate) fn draw_tile<F: Finish>(
         &self,
         scene: &Scene16<'_>,
         holes: &Holes<'_>,
         number: usize,
         worker: &mut Worker,
+        finish: &F,
+        pixels: &mut TilePixels<F::Pixel>,
     ) -> Duration {
         let hole = |id, position| holes.hole(scene.frame, id, position);
         scene.frame.draw_opaque(self.level, number, &hole, &mut worker.opaque);
         let layered = self.peel(scene, number, &hole, worker, &mut |_| {});
         let visible = (self.clock)();
-        dispatch_long!(self.level, simd => tile_pixels(simd, scene, worker, layered));
+        dispatch_long!(self.level, simd => tile_pixels(simd, scene, worker, layered, finish, pixels));
         visible
     }
 
@@ -424,6 +425,7 @@ impl<'s> Renderer<'s> {
                 *flags = flags_of_meshes.get(object.mesh.index());
             }
             let environments = self.environments(view);
+            let plain = plain(&self.scene.materials);
             let polygons = self.polygons(view, objects.len());
             let subdivided = Mutex::default();
             let scene = Scene16 {
@@ -434,6 +436,7 @@ impl<'s> Renderer<'s> {
                 ambient: place::ambient(view),
                 environments: &environments,
                 fog: view.fog.as_ref(),
+                plain: &plain,
                 direction: view.camera.direction(),
                 background: view.background,
                 edges: view.edges.filter(|edges| !edges.wireframe),

@@ -3,11 +3,8 @@
 
 use crate::shade::{Batch, Kept, Scene16, shade};
 use luxel_lighting::Silent;
-use luxel_math::{LANES, Simd, f32x16, prelude::*};
+use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
 use luxel_visibility::{MAX_SAMPLES, Samples, Tile, TriangleId};
-
-/// Colour and alpha of sixteen pixels, linear; colour is straight, not multiplied by alpha.
-pub(crate) type BlockPixels = [[f32; LANES]; 4];
 
 /// The distinct triangles of each pixel of a block, in the order of their first samples: the first
 /// ones of all pixels, then the second ones, and so on.
@@ -65,9 +62,19 @@ fn is_even(tile: &Tile, block: usize) -> bool {
 }
 
 /// Whether nothing is seen in a block.
-#[inline(always)]
 pub(crate) fn is_empty(tile: &Tile, block: usize) -> bool {
     tile.planes().iter().all(|plane| plane.ids[block] == [TriangleId::NONE.0; LANES])
+}
+
+/// [`is_empty`] by lanes.
+#[inline(always)]
+pub(crate) fn sees_nothing<S: Simd>(simd: S, tile: &Tile, block: usize) -> bool {
+    // Nothing is the highest of all ids.
+    let mut all = u32x16::splat(simd, TriangleId::NONE.0);
+    for plane in tile.planes() {
+        all = all & u32x16::simd_from(simd, plane.ids[block]);
+    }
+    all.simd_eq(TriangleId::NONE.0).all_true()
 }
 
 /// A pixel of a block where nothing is seen.
@@ -77,11 +84,14 @@ pub(crate) fn empty_pixel(scene: &Scene16<'_>) -> [f32; 4] {
 }
 
 /// The pixels of a block where nothing is seen.
-pub(crate) fn empty_block(scene: &Scene16<'_>) -> BlockPixels {
-    empty_pixel(scene).map(|channel| [channel; LANES])
+#[inline(always)]
+pub(crate) fn empty_block<S: Simd>(simd: S, scene: &Scene16<'_>) -> [f32x16<S>; 4] {
+    let [r, g, b, alpha] = empty_pixel(scene);
+    let like = f32x16::splat(simd, r);
+    [like, like.constant(g), like.constant(b), like.constant(alpha)]
 }
 
-/// The pixels of a block without transparent surfaces.
+/// The pixels of a block without transparent surfaces: linear colour, straight, and alpha.
 #[inline(always)]
 pub(crate) fn resolve_block<S: Simd>(
     simd: S,
@@ -89,11 +99,8 @@ pub(crate) fn resolve_block<S: Simd>(
     tile: &Tile,
     block: usize,
     kept: &mut Kept,
-) -> BlockPixels {
+) -> [f32x16<S>; 4] {
     let samples = scene.frame.samples();
-    if is_empty(tile, block) {
-        return empty_block(scene);
-    }
     let mut sum = [f32x16::splat(simd, 0.0); 4];
     if is_even(tile, block) {
         // All samples of each pixel see the same.
@@ -101,7 +108,7 @@ pub(crate) fn resolve_block<S: Simd>(
         let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
         let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
         add_share(&mut sum, lit, f32x16::splat(simd, 1.0));
-        return stored(straight(sum));
+        return straight(sum);
     }
     let ranks = Ranks::of(tile, block, samples);
     let share_of_one = 1.0 / samples.count() as f32;
@@ -111,7 +118,7 @@ pub(crate) fn resolve_block<S: Simd>(
         let shares = rank.shares.map(f32::from);
         add_share(&mut sum, lit, f32x16::simd_from(simd, shares) * share_of_one);
     }
-    stored(straight(sum))
+    straight(sum)
 }
 
 /// Adds what a part of the samples sees: colour times alpha, and alpha.
@@ -127,15 +134,6 @@ pub(crate) fn straight<N: Number>([r, g, b, alpha]: [N; 4]) -> [N; 4] {
     let seen = alpha.zero().less(alpha);
     let divisor = alpha.select(seen, alpha.one());
     [r / divisor, g / divisor, b / divisor, alpha]
-}
-
-#[inline(always)]
-fn stored<S: Simd>(pixels: [f32x16<S>; 4]) -> BlockPixels {
-    pixels.map(|lanes| {
-        let mut out = [0.0; LANES];
-        lanes.store_slice(&mut out);
-        out
-    })
 }
 
 /// Puts a colour behind the light gathered so far, of which `through` comes through.
@@ -215,8 +213,8 @@ impl Layered {
         self.gather(simd, scene, tile, block, kept, &layered)
     }
 
-    /// Adds what is opaque, or the background, behind all layers of a block, and resolves those of
-    /// its pixels that have layers.
+    /// Adds what is opaque, or the background, behind all layers of a block; `pixels`, but resolved
+    /// where they have layers.
     #[inline(always)]
     pub(crate) fn finish_block<S: Simd>(
         &mut self,
@@ -225,8 +223,8 @@ impl Layered {
         opaque: &Tile,
         block: usize,
         kept: &mut Kept,
-        pixels: &mut BlockPixels,
-    ) {
+        pixels: [f32x16<S>; 4],
+    ) -> [f32x16<S>; 4] {
         let touched = self.touched[block];
         self.gather(simd, scene, opaque, block, kept, &[touched; MAX_SAMPLES]);
         let mut sum = [f32x16::splat(simd, 0.0); 4];
@@ -240,14 +238,12 @@ impl Layered {
             let through = f32x16::simd_from(simd, self.through[at]);
             Self::add_sample(&mut sum, light, through, f32x16::splat(simd, share));
         }
-        let resolved = stored(straight(sum));
-        for (channel, values) in pixels.iter_mut().enumerate() {
-            for (lane, value) in values.iter_mut().enumerate() {
-                if touched >> lane & 1 == 1 {
-                    *value = resolved[channel][lane];
-                }
-            }
+        let mut resolved = straight(sum);
+        let mask = pixels[0].mask_of(touched.into());
+        for (resolved, unlayered) in resolved.iter_mut().zip(pixels) {
+            *resolved = Number::select(*resolved, mask, unlayered);
         }
+        resolved
     }
 
     /// Adds the light that a sample gathered, and how much it covers.

@@ -5,10 +5,10 @@ use crate::gathered::Gathered;
 use crate::pieces::PieceCount;
 use crate::polygons::Polygons;
 use crate::surface::{self, Interpolated, SurfaceWitness};
-use crate::triangles::{SeenTriangle, SeenTriangles, distinct};
+use crate::triangles::{SeenTriangle, SeenTriangles};
 use crate::varying::{Varying, Weights, lanes_of, merge};
 use crate::view::{Edges, Interpolation, Shading, ShadingMode};
-use luxel_lighting::{Environment, Fog, PictureEncoding, PlacedLight, Surroundings};
+use luxel_lighting::{Coefficients, Environment, Fog, PictureEncoding, PlacedLight, Surroundings};
 use luxel_math::{LANES, Mask, Number, SUBPIXELS, Wide};
 use luxel_scene::{DVec3, Scene};
 use luxel_visibility::{BLOCK, BLOCKS, Frame, InstanceSpace, Samples, Tile, TriangleId};
@@ -25,6 +25,8 @@ pub(crate) struct Scene16<'a> {
     /// What each material's mirror term sees.
     pub(crate) environments: &'a [Environment],
     pub(crate) fog: Option<&'a Fog>,
+    /// What each material reflects, where that is the same at all its points.
+    pub(crate) plain: &'a [Option<Coefficients<f32>>],
     /// The viewing direction in world space.
     pub(crate) direction: DVec3,
     pub(crate) background: [f32; 4],
@@ -168,62 +170,62 @@ fn block_origin(tile: &Tile, block: usize) -> [i32; 2] {
 /// sixteen at once.
 const FEW: usize = 4;
 
-/// Interpolates the surfaces that the samples see. Compiled once a kind of number, not into its
-/// callers.
+/// Interpolates the surfaces that the samples see, into what was [`Interpolated::nothing`]: it is
+/// too large to be handed over by value. Compiled once a kind of number, not into its callers.
 #[inline(never)]
 pub(crate) fn interpolate<N: Number>(
-    like: N,
     scene: &Scene16<'_>,
     batch: &Batch,
     kept: &mut Kept,
-) -> Interpolated<N> {
-    like.vectorized(
+    interpolated: &mut Interpolated<N>,
+) {
+    interpolated.edge_distance.vectorized(
         #[inline(always)]
-        || interpolate_lanes(like, scene, batch, kept),
-    )
+        || interpolate_lanes(scene, batch, kept, interpolated),
+    );
 }
 
 #[inline(always)]
 fn interpolate_lanes<N: Number>(
-    like: N,
     scene: &Scene16<'_>,
     batch: &Batch,
     kept: &mut Kept,
-) -> Interpolated<N> {
+    interpolated: &mut Interpolated<N>,
+) {
     let Kept { seen, gathered } = kept;
+    let like = interpolated.edge_distance;
     let [x, y] = batch.places(like);
-    let mut interpolated = Interpolated {
-        weights: [like.zero(); 3],
-        varying: Varying::nothing(like),
-        edge_distance: like.constant(f32::MAX),
-        materials: [u32::MAX; LANES],
-        seen: 0,
-    };
+    let all = like.all_lanes() & !like.lanes_equal(&batch.ids, TriangleId::NONE.0);
     let perspective = scene.shading.interpolation == Interpolation::Perspective;
     let at_pixels = scene.shading.mode == ShadingMode::Phong && perspective;
-    if at_pixels && scene.edges.is_none() && distinct(&batch.ids).nth(FEW).is_some() {
-        gathered.interpolate(scene, batch, [x, y], &mut interpolated);
-        return interpolated;
+    if at_pixels && scene.edges.is_none() && has_many(like, &batch.ids, all) {
+        gathered.interpolate(scene, batch, [x, y], interpolated);
+        return;
     }
-    for (id, lanes) in distinct(&batch.ids) {
-        let Some(triangle) = seen.get(scene, id) else { continue };
+    let mut left = all;
+    while left != 0 {
+        let id = batch.ids[left.trailing_zeros() as usize & (LANES - 1)];
+        let lanes = like.lanes_equal(&batch.ids, id);
+        left &= !lanes;
+        let Some(triangle) = seen.get(scene, TriangleId(id)) else { continue };
         let forms = triangle.forms.in_lanes(x);
-        let mask = like.mask_of(lanes);
+        // What the first triangle gives to lanes of others is overwritten, and nobody asks for the
+        // rest.
+        let or_more = if interpolated.seen == 0 { like.all_lanes() } else { lanes };
         let (mut here, outside) = forms.told(x, y);
         for lane in lanes_of(outside.bits() & lanes) {
             let [x, y] = batch.position(lane);
             put_lane(&mut here, lane, triangle.forms.nearest_on_edges(scene.frame.rays(), x, y));
         }
-        merge(&mut interpolated.weights, here, mask);
+        merge(&mut interpolated.weights, here, like.mask_of(or_more));
         if scene.edges.is_some()
             && let Some(flags) = scene.edge_flags[triangle.of.instance]
         {
             let distance = edge_distance(&triangle.forms, flags.of(triangle.of.triangle), x, y);
+            let mask = like.mask_of(lanes);
             interpolated.edge_distance = distance.select(mask, interpolated.edge_distance);
         }
-        for lane in lanes_of(lanes) {
-            interpolated.materials[lane] = triangle.material;
-        }
+        interpolated.put_material(lanes, triangle.material);
         interpolated.seen |= lanes;
         let varying = &mut interpolated.varying;
         if perspective {
@@ -231,7 +233,7 @@ fn interpolate_lanes<N: Number>(
             let [right, below] = if has_uvs { forms.beside(x, y) } else { [here; 2] };
             let weights = Weights { here, right, below };
             let lights = scene.shading.mode == ShadingMode::Gouraud;
-            varying.take(&triangle.corners, &weights, triangle.has, lights, mask);
+            varying.take(&triangle.corners, &weights, triangle.has, lights, [lanes, or_more]);
         } else {
             slide(scene, batch, triangle, here, lanes, varying);
         }
@@ -241,7 +243,19 @@ fn interpolate_lanes<N: Number>(
             }
         }
     }
-    interpolated
+}
+
+/// Whether these lanes see more than [`FEW`] triangles.
+#[inline(always)]
+fn has_many<N: Number>(like: N, ids: &[u32; LANES], mut lanes: u32) -> bool {
+    for _ in 0..FEW {
+        if lanes == 0 {
+            return false;
+        }
+        let id = ids[lanes.trailing_zeros() as usize & (LANES - 1)];
+        lanes &= !like.lanes_equal(ids, id);
+    }
+    lanes != 0
 }
 
 /// Interpolates in the window, without perspective: sample by sample, as it is there to be studied.
@@ -258,7 +272,7 @@ fn slide<N: Number>(
     for lane in lanes_of(lanes) {
         let (corners, weights) = triangle.in_window(batch.position(lane), lane_of(&here, lane));
         let mut one = Varying::nothing(0.0_f32);
-        one.take(&corners, &weights, triangle.has, lights, true);
+        one.take(&corners, &weights, triangle.has, lights, [1; 2]);
         varying.take_lane(lane, &one);
     }
 }
@@ -303,18 +317,13 @@ fn shade_lanes<N: Number, W: SurfaceWitness<N>>(
 ) -> [N; 4] {
     let [r, g, b, alpha] = scene.background;
     let mut result = [like.constant(r), like.constant(g), like.constant(b), like.constant(alpha)];
-    if batch.ids.iter().all(|id| *id == TriangleId::NONE.0) {
-        return result;
-    }
-    let interpolated = interpolate(like, scene, batch, kept);
+    let mut interpolated = Interpolated::nothing(like);
+    interpolate(scene, batch, kept, &mut interpolated);
     let point = surface::point(scene, &interpolated.varying);
     let mut left = interpolated.seen;
     while left != 0 {
         let material = interpolated.materials[left.trailing_zeros() as usize];
-        let mut lanes = 0;
-        for (lane, other) in interpolated.materials.iter().enumerate() {
-            lanes |= u32::from(*other == material) << lane;
-        }
+        let lanes = like.lanes_equal(&interpolated.materials, material) & interpolated.seen;
         let mask = like.mask_of(lanes);
         let number = material as usize;
         let varying = &interpolated.varying;

@@ -3,12 +3,16 @@
 use crate::shade::Scene16;
 use crate::varying::Varying;
 use crate::view::NormalLength;
-use luxel_lighting::{Reflectance, Silent, SurfacePoint, Witness};
+use luxel_lighting::{Coefficients, Reflectance, Silent, SurfacePoint, Witness};
 use luxel_math::{LANES, Number, Rgb, Vec3};
 use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
 
 /// Hears what is seen, and the terms of its light.
 pub(crate) trait SurfaceWitness<N>: Witness<N> {
+    /// Whether it hears what surfaces reflect; otherwise that needn't be worked out anew where it is
+    /// known.
+    const HEARS_SURFACES: bool = true;
+
     /// The point that is lit, what its surface reflects there, and its alpha.
     #[inline(always)]
     fn surface(&mut self, point: &SurfacePoint<N>, reflectance: &Reflectance<N>, alpha: N) {
@@ -23,7 +27,9 @@ pub(crate) trait SurfaceWitness<N>: Witness<N> {
     }
 }
 
-impl<N> SurfaceWitness<N> for Silent {}
+impl<N> SurfaceWitness<N> for Silent {
+    const HEARS_SURFACES: bool = false;
+}
 
 /// What sixteen samples see.
 pub(crate) struct Interpolated<N> {
@@ -37,6 +43,34 @@ pub(crate) struct Interpolated<N> {
     pub(crate) materials: [u32; LANES],
     /// The lanes that see a triangle.
     pub(crate) seen: u32,
+}
+
+impl<N: Number> Interpolated<N> {
+    /// Where nothing is seen; `like` tells only the kind of number.
+    #[inline(always)]
+    pub(crate) fn nothing(like: N) -> Self {
+        Self {
+            weights: [like.zero(); 3],
+            varying: Varying::nothing(like),
+            edge_distance: like.constant(f32::MAX),
+            materials: [u32::MAX; LANES],
+            seen: 0,
+        }
+    }
+
+    /// Takes the material of some lanes, before they count as seen.
+    #[inline(always)]
+    pub(crate) fn put_material(&mut self, lanes: u32, material: u32) {
+        if self.seen == 0 {
+            self.materials = [material; LANES];
+            return;
+        }
+        for (lane, of) in self.materials.iter_mut().enumerate() {
+            if lanes >> lane & 1 == 1 {
+                *of = material;
+            }
+        }
+    }
 }
 
 /// Place, normal and direction to the eye of sixteen samples.
@@ -78,7 +112,7 @@ fn sample_lanes<N: Number>(
     varying: &Varying<N>,
     lanes: u32,
 ) -> [N; 4] {
-    let [[u, v], [right_u, right_v], [below_u, below_v]] = varying.uv[usize::from(used.uv_set & 1)];
+    let [[u, v], [right_u, right_v], [below_u, below_v]] = varying.uv(usize::from(used.uv_set & 1));
     let texture = &scene.scene.textures[used.texture.index()];
     let mut texels = [[0.0; LANES]; 4];
     for lane in (0..LANES).filter(|lane| lanes >> lane & 1 == 1) {
@@ -128,7 +162,7 @@ fn mapped_normal<N: Number>(
     lanes: u32,
 ) -> Vec3<N> {
     let [r, g, b, _] = sample(scene, used, varying, lanes);
-    let [x, y, z, sign] = varying.tangent;
+    let [x, y, z, sign] = varying.tangent();
     luxel_scene::mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
 }
 
@@ -145,7 +179,8 @@ pub(crate) fn shading_normals<N: Number>(
         let Some(used) = material.normal.filter(|_| varying.has.tangents) else { continue };
         let mut lanes = 0;
         for (lane, other) in interpolated.materials.iter().enumerate() {
-            lanes |= u32::from(*other as usize == number) << lane;
+            let seen = interpolated.seen >> lane & 1 == 1;
+            lanes |= u32::from(seen && *other as usize == number) << lane;
         }
         if lanes != 0 {
             let mapped = mapped_normal(scene, &used, varying, point.normal, lanes);
@@ -172,7 +207,7 @@ fn base<N: Number>(
         alpha = alpha * texel_alpha;
     }
     if varying.has.colors && material.vertex_colors {
-        let [.., color_alpha] = varying.color;
+        let [.., color_alpha] = varying.color();
         alpha = alpha * color_alpha;
     }
     if let Some([r, ..]) = texel(scene, material.opacity_map, varying, lanes) {
@@ -201,7 +236,7 @@ pub(crate) fn reflectance<N: Number>(
     let mut reflectance = Reflectance::of(like, constants);
     let mut base_tint = tint;
     if varying.has.colors && material.vertex_colors {
-        let [r, g, b, _] = varying.color;
+        let [r, g, b, _] = varying.color();
         base_tint = base_tint * Rgb::new(r, g, b);
     }
     reflectance.diffuse = reflectance.diffuse * base_tint;
@@ -228,6 +263,20 @@ pub(crate) fn reflectance<N: Number>(
     reflectance
 }
 
+/// What each material reflects that is the same at all its points, but for vertex colours; `None`
+/// where textures change it.
+pub(crate) fn plain(materials: &[SceneMaterial]) -> Vec<Option<Coefficients<f32>>> {
+    let of = |material: &SceneMaterial| {
+        let SceneMaterial { base_color, ambient, specular, emission, .. } = material;
+        let SceneMaterial { metallic_roughness, occlusion, constants, .. } = material;
+        let textures = [base_color, ambient, specular, emission, metallic_roughness, occlusion];
+        let reflectance = Reflectance::of(0.0, constants);
+        let is_plain = textures.into_iter().all(Option::is_none);
+        is_plain.then(|| Coefficients::new(&reflectance, constants))
+    };
+    materials.iter().map(of).collect()
+}
+
 /// Colour and alpha of the lanes that see one material, lit at the pixel.
 #[inline(always)]
 pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
@@ -240,15 +289,23 @@ pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
 ) -> [N; 4] {
     let material: &SceneMaterial = &scene.scene.materials[number];
     let (tint, alpha) = base(scene, varying, number, lanes);
-    let reflectance = reflectance(scene, varying, number, lanes, tint);
     let mut point = *point;
     if let Some(used) = material.normal.filter(|_| varying.has.tangents) {
         point.normal = mapped_normal(scene, &used, varying, point.normal, lanes);
     }
-    witness.surface(&point, &reflectance, alpha);
-    let surroundings = scene.surroundings(number);
     let constants = &material.constants;
-    let color = luxel_lighting::lit(&point, &reflectance, constants, &surroundings, witness);
+    let colored = varying.has.colors && material.vertex_colors;
+    let coefficients = match &scene.plain[number] {
+        Some(plain) if !W::HEARS_SURFACES && !colored => plain.in_lanes(point.depth),
+        _ => {
+            let reflectance = reflectance(scene, varying, number, lanes, tint);
+            witness.surface(&point, &reflectance, alpha);
+            Coefficients::new(&reflectance, constants)
+        }
+    };
+    let surroundings = scene.surroundings(number);
+    let reflection = &constants.reflection;
+    let color = luxel_lighting::lit_by(&point, &coefficients, reflection, &surroundings, witness);
     [color.r, color.g, color.b, alpha]
 }
 
@@ -264,7 +321,7 @@ pub(crate) fn lit_elsewhere<N: Number, W: SurfaceWitness<N>>(
     witness: &mut W,
 ) -> [N; 4] {
     let (tint, alpha) = base(scene, varying, number, lanes);
-    let sum = varying.light * tint;
+    let sum = varying.light() * tint;
     witness.elsewhere(point, tint, sum);
     let color = match scene.fog {
         Some(fog) => fog.veiled(sum, point.depth, witness),
@@ -286,6 +343,8 @@ pub(crate) fn lit_at_corner<W: SurfaceWitness<f32>>(
     let reflectance = reflectance(scene, place, number, 1, white);
     witness.surface(&point, &reflectance, 1.0);
     let constants = &scene.scene.materials[number].constants;
+    let coefficients = Coefficients::new(&reflectance, constants);
     let surroundings = scene.surroundings(number);
-    luxel_lighting::reflected(&point, &reflectance, constants, &surroundings, witness).lane(0)
+    let reflection = &constants.reflection;
+    luxel_lighting::reflected(&point, &coefficients, reflection, &surroundings, witness).lane(0)
 }

@@ -10,7 +10,7 @@ use crate::vertex::light_at;
 use crate::view::{Interpolation, ShadingMode};
 use glam::DVec3;
 use luxel_lighting::Silent;
-use luxel_math::{LANES, Vec3};
+use luxel_math::Vec3;
 use luxel_scene::{Mesh, Size};
 use luxel_visibility::{Forms, InstanceSpace, TriangleId, TriangleOf};
 
@@ -390,25 +390,4 @@ fn corner(
 /// A place within a triangle, by its barycentrics.
 fn within([a, b, c]: &[Corner; 3], [u, v, w]: [f32; 3]) -> Corner {
     a.scaled(u).plus(&b.scaled(v)).plus(&c.scaled(w))
-}
-
-/// The distinct triangles that the lanes see, each with its lanes; those that see nothing left out.
-#[inline(always)]
-pub(crate) fn distinct(ids: &[u32; LANES]) -> impl Iterator<Item = (TriangleId, u32)> + '_ {
-    let mut left: u32 = 0;
-    for (lane, &id) in ids.iter().enumerate() {
-        left |= u32::from(id != TriangleId::NONE.0) << lane;
-    }
-    std::iter::from_fn(move || {
-        if left == 0 {
-            return None;
-        }
-        let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
-        let mut lanes = 0;
-        for (lane, &other) in ids.iter().enumerate() {
-            lanes |= u32::from(other == id) << lane;
-        }
-        left &= !lanes;
-        Some((TriangleId(id), lanes))
-    })
 }

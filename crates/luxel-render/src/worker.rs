@@ -1,33 +1,80 @@
 //! What one thread does to a tile: its blocks lit, and turned into the pixels that are kept.
 
-use crate::resolve::{BlockPixels, Layered, is_empty, resolve_block};
+use crate::resolve::{Layered, empty_block, empty_pixel, resolve_block, sees_nothing};
 use crate::shade::{Kept, Scene16};
 use crate::tiles::TilePixels;
 use luxel_lighting::PictureEncoding;
-use luxel_math::{LANES, Simd};
+use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
 use luxel_visibility::{BLOCK, BLOCKS, Samples, TILE, Tile};
 
-/// A block's pixels as they are.
-pub(crate) fn linear_pixels([r, g, b, alpha]: &BlockPixels) -> [[f32; 4]; LANES] {
-    std::array::from_fn(|lane| [r[lane], g[lane], b[lane], alpha[lane]])
+/// What is kept of pixels: straight colour and alpha, finished.
+pub(crate) trait Finish: Sync {
+    /// What is kept of one.
+    type Pixel: Copy + Default + Send + Sync;
+
+    /// Of one pixel.
+    fn pixel(&self, color: [f32; 4]) -> Self::Pixel;
+
+    /// Of a block's pixels.
+    fn block<S: Simd>(&self, simd: S, color: [f32x16<S>; 4]) -> [Self::Pixel; LANES];
 }
 
-/// The bytes of a block's pixels.
-pub(crate) fn bytes_of_block(
-    [r, g, b, alpha]: &BlockPixels,
-    encoding: PictureEncoding,
-) -> [[u8; 4]; LANES] {
-    let mut bytes = [[0; LANES]; 4];
-    let [red, green, blue, opacity] = &mut bytes;
-    encoding.bytes(r, red);
-    encoding.bytes(g, green);
-    encoding.bytes(b, blue);
-    if *alpha == [1.0; LANES] {
-        *opacity = [u8::MAX; LANES];
-    } else {
-        PictureEncoding::None.bytes(alpha, opacity);
+/// Pixels as they are.
+pub(crate) struct Linear;
+
+impl Finish for Linear {
+    type Pixel = [f32; 4];
+
+    fn pixel(&self, color: [f32; 4]) -> [f32; 4] {
+        color
     }
-    std::array::from_fn(|lane| [red[lane], green[lane], blue[lane], opacity[lane]])
+
+    #[inline(always)]
+    fn block<S: Simd>(&self, _: S, color: [f32x16<S>; 4]) -> [[f32; 4]; LANES] {
+        let mut channels = [[0.0; LANES]; 4];
+        for (stored, lanes) in channels.iter_mut().zip(color) {
+            lanes.store_slice(stored);
+        }
+        let [r, g, b, alpha] = channels;
+        let mut pixels = [[0.0; 4]; LANES];
+        for lane in 0..LANES {
+            pixels[lane] = [r[lane], g[lane], b[lane], alpha[lane]];
+        }
+        pixels
+    }
+}
+
+/// Bytes of red, green, blue and alpha. Alpha is never encoded.
+pub(crate) struct Bytes(pub(crate) PictureEncoding);
+
+impl Finish for Bytes {
+    type Pixel = [u8; 4];
+
+    fn pixel(&self, color: [f32; 4]) -> [u8; 4] {
+        bytes_of(color, self.0)
+    }
+
+    #[inline(always)]
+    fn block<S: Simd>(&self, simd: S, [r, g, b, alpha]: [f32x16<S>; 4]) -> [[u8; 4]; LANES] {
+        let opaque = alpha.equal(alpha.one()).all();
+        let alpha = if opaque {
+            u32x16::splat(simd, 255)
+        } else {
+            PictureEncoding::None.bytes_of_lanes(alpha)
+        };
+        let Self(encoding) = self;
+        let words = encoding.bytes_of_lanes(r)
+            | encoding.bytes_of_lanes(g) << 8
+            | encoding.bytes_of_lanes(b) << 16
+            | alpha << 24;
+        let mut stored = [0; LANES];
+        words.store_slice(&mut stored);
+        let mut pixels = [[0; 4]; LANES];
+        for (pixel, word) in pixels.iter_mut().zip(stored) {
+            *pixel = word.to_le_bytes();
+        }
+        pixels
+    }
 }
 
 /// Writes a block's pixels among the rows of its tile.
@@ -53,8 +100,6 @@ pub(crate) struct Worker {
     pub(crate) layers: [Tile; 2],
     pub(crate) layered: Layered,
     pub(crate) kept: Kept,
-    /// The light of each block; `None` where nothing is seen.
-    pub(crate) blocks: Vec<Option<BlockPixels>>,
 }
 
 impl Worker {
@@ -65,23 +110,6 @@ impl Worker {
             layers: [Tile::new(count), Tile::new(count)],
             layered: Layered::new(count),
             kept: Kept::new(),
-            blocks: vec![None; ALL_BLOCKS],
-        }
-    }
-
-    /// What is kept of the pixels of the tile drawn last.
-    pub(crate) fn finish<T: Copy>(
-        &self,
-        finish: impl Fn(&BlockPixels) -> [T; LANES],
-        background: T,
-        pixels: &mut TilePixels<T>,
-    ) {
-        for (block, colors) in self.blocks.iter().enumerate() {
-            let finished = match colors {
-                Some(colors) => finish(colors),
-                None => [background; LANES],
-            };
-            put_block(pixels, block, &finished);
         }
     }
 }
@@ -106,26 +134,34 @@ pub(crate) fn add_layer<S: Simd>(
     deeper
 }
 
-/// Lights all blocks of a tile, into `worker.blocks`.
+/// Lights all blocks of a tile, and finishes their pixels.
 #[inline(always)]
-pub(crate) fn tile_pixels<S: Simd>(
+pub(crate) fn tile_pixels<S: Simd, F: Finish>(
     simd: S,
     scene: &Scene16<'_>,
     worker: &mut Worker,
     has_layers: bool,
+    finish: &F,
+    pixels: &mut TilePixels<F::Pixel>,
 ) {
-    let Worker { opaque, layered, kept, blocks, .. } = worker;
-    for (block, pixels) in blocks.iter_mut().enumerate() {
+    let Worker { opaque, layered, kept, .. } = worker;
+    let background = [finish.pixel(empty_pixel(scene)); LANES];
+    for block in 0..ALL_BLOCKS {
         let is_layered = has_layers && layered.is_touched(block);
-        if is_empty(opaque, block) && !is_layered {
-            *pixels = None;
+        let is_empty = sees_nothing(simd, opaque, block);
+        if is_empty && !is_layered {
+            put_block(pixels, block, &background);
             continue;
         }
-        let mut colors = resolve_block(simd, scene, opaque, block, kept);
+        let mut color = if is_empty {
+            empty_block(simd, scene)
+        } else {
+            resolve_block(simd, scene, opaque, block, kept)
+        };
         if is_layered {
-            layered.finish_block(simd, scene, opaque, block, kept, &mut colors);
+            color = layered.finish_block(simd, scene, opaque, block, kept, color);
         }
-        *pixels = Some(colors);
+        put_block(pixels, block, &finish.block(simd, color));
     }
 }
 

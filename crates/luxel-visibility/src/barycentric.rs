@@ -186,18 +186,17 @@ impl<D: Wide> Forms<D> {
     #[must_use]
     pub fn beside(&self, x: D, y: D) -> [[D::Narrow; 3]; 2] {
         let [w0, w1, w2] = self.weights(x, y);
-        let beside = [
-            [w0 + self.a[0], w1 + self.a[1], w2 + self.a[2]],
-            [w0 + self.b[0], w1 + self.b[1], w2 + self.b[2]],
-        ];
-        beside.map(
-            #[inline(always)]
-            |[w0, w1, w2]| {
-                let scale = x.constant(1.0) / (w0 + w1 + w2);
-                [(w0 * scale).narrow(), (w1 * scale).narrow(), (w2 * scale).narrow()]
-            },
-        )
+        let [a0, a1, a2] = self.a;
+        let [b0, b1, b2] = self.b;
+        [by_their_sum([w0 + a0, w1 + a1, w2 + a2]), by_their_sum([w0 + b0, w1 + b1, w2 + b2])]
     }
+}
+
+/// Weights divided by their sum.
+#[inline(always)]
+fn by_their_sum<D: Wide>([w0, w1, w2]: [D; 3]) -> [D::Narrow; 3] {
+    let scale = w0.constant(1.0) / (w0 + w1 + w2);
+    [(w0 * scale).narrow(), (w1 * scale).narrow(), (w2 * scale).narrow()]
 }
 
 /// One triangle alone.

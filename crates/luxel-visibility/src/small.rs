@@ -110,7 +110,7 @@ impl<S: Simd> Edges<S> {
     fn new([px, py]: [i32x16<S>; 2], [qx, qy]: [i32x16<S>; 2]) -> Self {
         let (dx, dy) = (qx - px, qy - py);
         let left_or_top = dy.simd_lt(0) | (dy.simd_eq(0) & dx.simd_gt(0));
-        let [zero, one] = [0, 1].map(|value| i32x16::splat(px.simd, value));
+        let (zero, one) = (i32x16::splat(px.simd, 0), i32x16::splat(px.simd, 1));
         Self { x: px, y: py, dx, dy, bias: left_or_top.select(zero, one) }
     }
 
@@ -121,11 +121,20 @@ impl<S: Simd> Edges<S> {
     }
 }
 
+/// Values of three corners, lane by lane. (Closures would stay calls.)
+#[inline(always)]
+fn three<S: Simd, T: Copy, V: SimdFrom<[T; LANES], S>>(
+    simd: S,
+    [a, b, c]: &[[T; LANES]; 3],
+) -> [V; 3] {
+    [V::simd_from(simd, *a), V::simd_from(simd, *b), V::simd_from(simd, *c)]
+}
+
 #[inline(always)]
 fn draw_lanes<S: Simd>(simd: S, queue: &Queue, rules: &Rules<'_>, tile: &mut Tile) {
-    let [ax, bx, cx] = queue.x.map(|corners| i32x16::simd_from(simd, corners));
-    let [ay, by, cy] = queue.y.map(|corners| i32x16::simd_from(simd, corners));
-    let [az, bz, cz] = queue.z.map(|corners| f32x16::simd_from(simd, corners));
+    let [ax, bx, cx]: [i32x16<S>; 3] = three(simd, &queue.x);
+    let [ay, by, cy]: [i32x16<S>; 3] = three(simd, &queue.y);
+    let [az, bz, cz]: [f32x16<S>; 3] = three(simd, &queue.z);
     let used = mask32x16::from_bitmask(simd, (1 << queue.count) - 1);
 
     // The depth plane, as in `Triangle::new`.

@@ -7,5 +7,5 @@ use luxel_math::{Number, Rgb};
 /// more it slants, and the surface sends what it gets equally into all directions.
 #[inline(always)]
 pub(crate) fn diffuse<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> Rgb<N> {
-    surface.diffuse * incidence.n_dot_l.positive_part()
+    surface.of.diffuse * incidence.n_dot_l.positive_part()
 }

@@ -42,7 +42,8 @@ pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N
     let n_dot_l = incidence.n_dot_l.limited(0.0, 1.0);
     let n_dot_v = surface.n_dot_v.limited(SMALLEST_N_DOT_V, 1.0);
     let v_dot_h = surface.view.dot(half).limited(0.0, 1.0);
-    let alpha = (surface.roughness * surface.roughness).maximum(like.constant(SMALLEST_ALPHA));
+    let alpha =
+        (surface.of.roughness * surface.of.roughness).maximum(like.constant(SMALLEST_ALPHA));
     let alpha2 = alpha * alpha;
 
     // (N.H)^2 (alpha^2 - 1) + 1 without the cancellation: 1 - (N.H)^2 = |N x H|^2.
@@ -65,8 +66,10 @@ pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N
     let fresnel = f0 + (white - f0) * (away2 * away2 * away);
 
     Reflected {
-        diffuse: surface.diffuse * (white - fresnel) * ((like.one() - surface.metallic) * n_dot_l),
-        specular: surface.specular * fresnel * (pi_d * visibility * n_dot_l),
+        diffuse: surface.of.diffuse
+            * (white - fresnel)
+            * ((like.one() - surface.of.metallic) * n_dot_l),
+        specular: surface.of.specular * fresnel * (pi_d * visibility * n_dot_l),
         specular_cosine: Some(n_dot_h),
         lobe: Lobe::Facets { pi_d, visibility, fresnel },
     }
@@ -75,7 +78,7 @@ pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N
 /// F0: 0.04 for dielectrics, O_d for metals.
 #[inline(always)]
 pub(crate) fn facing_reflectance<N: Number>(surface: &Surface<N>) -> Rgb<N> {
-    let like = surface.metallic;
-    Rgb::splat(like, [DIELECTRIC; 3]) * (like.one() - surface.metallic)
-        + surface.base * surface.metallic
+    let like = surface.of.metallic;
+    Rgb::splat(like, [DIELECTRIC; 3]) * (like.one() - surface.of.metallic)
+        + surface.of.base * surface.of.metallic
 }

@@ -11,11 +11,8 @@ mod phong;
 
 use crate::environment::split_sum;
 use crate::witness::{Lobe, MirrorTerms, PartTerms};
-use crate::{Environment, Material, Reflectance, Reflection, SurfacePoint, Witness};
+use crate::{Coefficients, Environment, Reflection, SurfacePoint, Witness};
 use luxel_math::{Mask, Number, Rgb, Vec3};
-
-/// Coefficients of reflection beyond this are taken as this, so that no product overflows.
-const COEFFICIENT_LIMIT: f32 = 1e8;
 
 /// What a surface reflects at one point, prepared once for all lights.
 #[derive(Clone, Copy, Debug)]
@@ -26,22 +23,8 @@ pub(crate) struct Surface<N> {
     pub(crate) view: Vec3<N>,
     /// N.V as it is.
     pub(crate) n_dot_v: N,
-    /// k_a O_a, occluded.
-    pub(crate) ambient: Rgb<N>,
-    /// k_d O_d
-    pub(crate) diffuse: Rgb<N>,
-    /// k_s O_s
-    pub(crate) specular: Rgb<N>,
-    /// O_d of a microfacet surface, within 0 and 1.
-    pub(crate) base: Rgb<N>,
-    /// n
-    pub(crate) shininess: N,
-    /// Within 0 and 1.
-    pub(crate) metallic: N,
-    /// Within 0 and 1.
-    pub(crate) roughness: N,
-    /// Within 0 and 1.
-    pub(crate) occlusion: N,
+    /// What it reflects, whatever N and V.
+    pub(crate) of: Coefficients<N>,
 }
 
 /// Which part of a light's intensity goes to the eye.
@@ -69,24 +52,12 @@ pub(crate) struct Incidence<N> {
 impl<N: Number> Surface<N> {
     /// The surface at a point.
     #[inline(always)]
-    pub(crate) fn new(
-        point: &SurfacePoint<N>,
-        reflectance: &Reflectance<N>,
-        material: &Material,
-    ) -> Self {
-        let occlusion = reflectance.occlusion.limited(0.0, 1.0);
+    pub(crate) fn new(point: &SurfacePoint<N>, coefficients: &Coefficients<N>) -> Self {
         Self {
             normal: point.normal,
             view: point.view,
             n_dot_v: point.normal.dot(point.view),
-            ambient: coefficient(reflectance.ambient, material.k_a) * occlusion,
-            diffuse: coefficient(reflectance.diffuse, material.k_d),
-            specular: coefficient(reflectance.specular, material.k_s),
-            base: limited(reflectance.diffuse, 1.0),
-            shininess: reflectance.shininess.limited(0.0, 1e9),
-            metallic: reflectance.metallic.limited(0.0, 1.0),
-            roughness: reflectance.roughness.limited(0.0, 1.0),
-            occlusion,
+            of: *coefficients,
         }
     }
 
@@ -180,9 +151,9 @@ impl<N: Number> Surface<N> {
                     radiance
                 }
                 Reflection::Microfacet => {
-                    let (a, b) = split_sum(self.n_dot_v.limited(0.0, 1.0), self.roughness);
+                    let (a, b) = split_sum(self.n_dot_v.limited(0.0, 1.0), self.of.roughness);
                     let share = microfacet::facing_reflectance(self) * a + Rgb::new(b, b, b);
-                    let radiance = environment.radiance(direction, self.roughness);
+                    let radiance = environment.radiance(direction, self.of.roughness);
                     witness.mirror(index, &MirrorTerms { weight, share, radiance });
                     radiance * share
                 }
@@ -190,7 +161,7 @@ impl<N: Number> Surface<N> {
             };
             mirrored = mirrored + part * like.constant(weight);
         }
-        mirrored * self.specular * self.occlusion
+        mirrored * self.of.specular * self.of.occlusion
     }
 
     /// The part of ambient light that goes to the eye: k_a O_a.
@@ -204,44 +175,10 @@ impl<N: Number> Surface<N> {
         match reflection {
             Reflection::Unlit => Rgb::black(like),
             Reflection::Microfacet if !environment.is_none() => {
-                self.ambient * (like.one() - self.metallic)
+                self.of.ambient * (like.one() - self.of.metallic)
             }
-            _ => self.ambient,
+            _ => self.of.ambient,
         }
-    }
-}
-
-/// k O, not negative, not huge, not NaN.
-#[inline(always)]
-fn coefficient<N: Number>(color: Rgb<N>, k: f32) -> Rgb<N> {
-    limited(color * color.r.constant(k), COEFFICIENT_LIMIT)
-}
-
-/// A colour within 0 and `high`; 0 for NaN.
-#[inline(always)]
-pub(crate) fn limited<N: Number>(color: Rgb<N>, high: f32) -> Rgb<N> {
-    Rgb::new(color.r.limited(0.0, high), color.g.limited(0.0, high), color.b.limited(0.0, high))
-}
-
-/// What the surface sends of its own: O_e. If it isn't lit, k_d O_d instead; in a mix, both.
-#[inline(always)]
-pub(crate) fn own_light<N: Number>(
-    surface: &Surface<N>,
-    reflectance: &Reflectance<N>,
-    reflection: &Reflection,
-) -> Rgb<N> {
-    match reflection {
-        Reflection::Unlit => surface.diffuse,
-        Reflection::Mixed(_) => {
-            let mut own = limited(reflectance.emission, COEFFICIENT_LIMIT);
-            for index in 0..reflection.part_count() {
-                if let (Reflection::Unlit, weight) = reflection.part(index) {
-                    own = own + surface.diffuse * surface.n_dot_v.constant(weight);
-                }
-            }
-            own
-        }
-        _ => limited(reflectance.emission, COEFFICIENT_LIMIT),
     }
 }
 

@@ -15,7 +15,7 @@ use luxel_math::{Number, Rgb};
 #[inline(always)]
 pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> Reflected<N> {
     let like = surface.n_dot_v;
-    let variance = surface.roughness * surface.roughness;
+    let variance = surface.of.roughness * surface.of.roughness;
     let a = like.one() - variance * like.constant(0.5) / (variance + like.constant(0.33));
     let b = variance * like.constant(0.45) / (variance + like.constant(0.09));
     let n_dot_l = incidence.n_dot_l.positive_part();
@@ -25,7 +25,7 @@ pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N
     let slant = q.positive_part() / n_dot_l.maximum(n_dot_v).maximum(like.constant(1e-6));
     let rough = a + b * slant;
     Reflected {
-        diffuse: surface.diffuse * (n_dot_l * rough),
+        diffuse: surface.of.diffuse * (n_dot_l * rough),
         specular: Rgb::black(like),
         specular_cosine: None,
         lobe: Lobe::Rough(rough),

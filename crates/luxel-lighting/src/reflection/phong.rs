@@ -28,12 +28,12 @@ pub(crate) fn with_lobe<N: Number>(
     cosine: N,
 ) -> Reflected<N> {
     let lobe = if any_lit(incidence) {
-        elementary::power(cosine.limited(0.0, 1.0), surface.shininess)
+        elementary::power(cosine.limited(0.0, 1.0), surface.of.shininess)
             .only_where(cosine.zero().less(incidence.n_dot_l))
     } else {
         cosine.zero()
     };
-    let specular: Rgb<N> = surface.specular * lobe;
+    let specular: Rgb<N> = surface.of.specular * lobe;
     Reflected {
         diffuse: lambert::diffuse(surface, incidence),
         specular,
