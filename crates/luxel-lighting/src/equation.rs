@@ -122,6 +122,7 @@ pub fn reflected<N: Number, W: Witness<N>>(
     }
     let environment = match reflection {
         Reflection::Unlit => Rgb::black(like),
+        _ if surroundings.environment.is_none() => Rgb::black(like),
         _ => surface.mirrored(reflection, &surroundings.environment, witness),
     };
     let sum = finite(sum + environment);

@@ -7,7 +7,7 @@ use crate::triangles::Attributes;
 use crate::varying::{AtCorners, GatheredExtras, Weights, lanes_of, merge};
 use luxel_math::{LANES, Mask, Number, Vec3};
 use luxel_scene::Mesh;
-use luxel_visibility::{Forms, InstanceSpace, TriangleId, TriangleOf};
+use luxel_visibility::{Forms, InstanceSpace, SeenCluster, TriangleId, TriangleOf};
 
 /// What is read of the triangles, lane by lane.
 pub(crate) struct Gathered {
@@ -43,28 +43,39 @@ impl Gathered {
         interpolated: &mut Interpolated<N>,
     ) {
         let mut left = 0;
-        for (lane, &id) in batch.ids.iter().enumerate() {
-            if let Some(of) = scene.frame.triangle(TriangleId(id)) {
-                self.of[lane] = of;
-                left |= 1 << lane;
+        // Neighbours are often of one cluster.
+        let mut open: Option<SeenCluster<'_>> = None;
+        for (lane, id) in batch.ids.map(TriangleId).into_iter().enumerate() {
+            if id == TriangleId::NONE {
+                continue;
             }
+            let cluster = match open.take() {
+                Some(cluster) if cluster.holds(id) => cluster,
+                _ => scene.frame.cluster(id),
+            };
+            self.of[lane] = cluster.triangle(id);
+            let [a, b, c] = cluster.positions(id);
+            put(&mut self.positions[0], lane, a);
+            put(&mut self.positions[1], lane, b);
+            put(&mut self.positions[2], lane, c);
+            left |= 1 << lane;
+            open = Some(cluster);
         }
         interpolated.seen = left;
         // Nearly always one instance.
         while left != 0 {
             let instance = self.of[left.trailing_zeros() as usize & (LANES - 1)].instance;
-            let lanes = self.gather(scene, batch, instance, left, &mut interpolated.materials);
+            let lanes = self.gather(scene, instance, left, &mut interpolated.materials);
             self.interpolate_instance(scene, batch, places, instance, lanes, interpolated);
             left &= !lanes;
         }
     }
 
-    /// Reads the triangles of one instance; which lanes see it.
+    /// Reads what the triangles of one instance have beside positions; which lanes see it.
     #[inline(always)]
     fn gather(
         &mut self,
         scene: &Scene16<'_>,
-        batch: &Batch,
         instance: usize,
         of_lanes: u32,
         materials: &mut [u32; LANES],
@@ -82,10 +93,8 @@ impl Gathered {
             }
             lanes |= 1 << lane;
             materials[lane] = mesh.parts[of.part].material.0;
-            let positions = scene.frame.positions(TriangleId(batch.ids[lane]), instance);
             let attributes = attribute_corners[of.triangle as usize].map(|corner| corner as usize);
             for corner in 0..3 {
-                put(&mut self.positions[corner], lane, positions[corner]);
                 if let Some(&normal) = mesh.normals.get(attributes[corner]) {
                     put(&mut self.normals[corner], lane, normal);
                 }

@@ -107,6 +107,11 @@ pub(crate) fn resolve_block<S: Simd>(
         let ids = tile.planes()[0].ids[block];
         let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
         let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
+        let [r, g, b, alpha] = lit;
+        if alpha.equal(alpha.one()).all() {
+            // All that is left of the sum below: -0 becomes 0.
+            return [r + alpha.zero(), g + alpha.zero(), b + alpha.zero(), alpha];
+        }
         add_share(&mut sum, lit, f32x16::splat(simd, 1.0));
         return straight(sum);
     }

@@ -62,6 +62,23 @@ pub(crate) struct Block<'a> {
     pub(crate) triangles: &'a [u32],
 }
 
+impl Block<'_> {
+    /// The positions of a triangle's corners.
+    #[inline(always)]
+    pub(crate) fn positions(&self, slot: usize) -> [[f32; 3]; 3] {
+        let word = self.triangles[slot];
+        [self.position(word & 255), self.position(word >> 8 & 255), self.position(word >> 16 & 255)]
+    }
+
+    #[inline(always)]
+    fn position(&self, corner: u32) -> [f32; 3] {
+        let corner = corner as usize;
+        let group = &self.vertices[corner / LANES * GROUP_WORDS..][..GROUP_WORDS];
+        let place = corner % LANES;
+        [group[place], group[LANES + place], group[2 * LANES + place]].map(f32::from_bits)
+    }
+}
+
 impl Clusters {
     /// Cuts a mesh into compact runs of triangles.
     #[must_use]
@@ -101,6 +118,12 @@ impl Clusters {
         self.originals[self.headers[cluster].first_original as usize + slot]
     }
 
+    /// The submitted numbers of a cluster's triangles.
+    pub(crate) fn originals(&self, cluster: usize) -> &[u32] {
+        let Header { first_original, triangles, .. } = self.headers[cluster];
+        &self.originals[first_original as usize..][..usize::from(triangles)]
+    }
+
     /// The block of a cluster.
     pub(crate) fn block(&self, cluster: usize) -> Block<'_> {
         let header = &self.headers[cluster];
@@ -108,18 +131,6 @@ impl Clusters {
         let triangles = vertices + usize::from(header.groups) * GROUP_WORDS;
         let end = triangles + usize::from(header.triangles);
         Block { vertices: &self.words[vertices..triangles], triangles: &self.words[triangles..end] }
-    }
-
-    /// The positions of a triangle's corners.
-    #[inline]
-    pub(crate) fn positions(&self, cluster: usize, slot: usize) -> [[f32; 3]; 3] {
-        let block = self.block(cluster);
-        let word = block.triangles[slot];
-        [0, 8, 16].map(|shift| {
-            let number = (word >> shift & 255) as usize;
-            let first = number / LANES * GROUP_WORDS + number % LANES;
-            [0, 1, 2].map(|axis| f32::from_bits(block.vertices[first + axis * LANES]))
-        })
     }
 
     fn append(&mut self, other: Self) {

@@ -3,7 +3,7 @@
 use crate::barycentric::{Forms, WindowRays};
 use crate::bin::Bins;
 use crate::buffer::{Plane, TILE, Tile, TriangleId};
-use crate::cluster::{Clusters, SLOT_BITS};
+use crate::cluster::{Block, Clusters, SLOT_BITS};
 use crate::cull::{MAX_SIDE, VisibleCluster, cull_group};
 use crate::samples::Samples;
 use crate::setup::CullFaces;
@@ -295,13 +295,24 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// The positions of a triangle's corners, about its mesh's origin: from its cluster, which was in
-    /// the cache when the triangle was drawn.
+    /// The cluster of a triangle that is seen, opened to be asked for several of its triangles.
+    ///
+    /// # Panics
+    /// If the frame has no such triangle.
     #[must_use]
     #[inline]
-    pub fn positions(&self, id: TriangleId, instance: usize) -> [[f32; 3]; 3] {
-        let cluster = self.within_instance(instance, id.cluster());
-        self.instances[instance].clusters.positions(cluster, id.slot())
+    pub fn cluster(&self, id: TriangleId) -> SeenCluster<'_> {
+        let number = id.cluster();
+        let instance = self.instance_of(number);
+        let within = self.within_instance(instance, number);
+        let clusters = self.instances[instance].clusters;
+        SeenCluster {
+            number,
+            instance,
+            part: clusters.headers[within].part as usize,
+            originals: clusters.originals(within),
+            block: clusters.block(within),
+        }
     }
 
     /// The place of a triangle in the order in which triangles were submitted.
@@ -362,6 +373,46 @@ impl<'a> Frame<'a> {
         let within = self.within_instance(instance, cluster);
         let Instance { clusters, parts, .. } = &self.instances[instance];
         parts[clusters.headers[within].part as usize]
+    }
+}
+
+/// A cluster of a frame, of which something is seen.
+pub struct SeenCluster<'f> {
+    number: u32,
+    instance: usize,
+    part: usize,
+    originals: &'f [u32],
+    block: Block<'f>,
+}
+
+impl SeenCluster<'_> {
+    /// Whether a triangle belongs to it.
+    #[must_use]
+    #[inline(always)]
+    pub fn holds(&self, id: TriangleId) -> bool {
+        id.cluster() == self.number
+    }
+
+    /// What a scene calls a triangle that it [`holds`](Self::holds).
+    ///
+    /// # Panics
+    /// If it has no such triangle.
+    #[must_use]
+    #[inline(always)]
+    pub fn triangle(&self, id: TriangleId) -> TriangleOf {
+        let triangle = self.originals[id.slot()];
+        TriangleOf { instance: self.instance, triangle, part: self.part }
+    }
+
+    /// The positions of a triangle's corners, about its mesh's origin: from the cluster, which was
+    /// in the cache when the triangle was drawn.
+    ///
+    /// # Panics
+    /// If it has no such triangle.
+    #[must_use]
+    #[inline(always)]
+    pub fn positions(&self, id: TriangleId) -> [[f32; 3]; 3] {
+        self.block.positions(id.slot())
     }
 }
 

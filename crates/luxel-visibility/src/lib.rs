@@ -38,7 +38,9 @@ pub use barycentric::{Forms, WindowRays};
 pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
 pub use cluster::{CLUSTER_TRIANGLES, Clusters};
 pub use cull::MAX_SIDE;
-pub use frame::{Coverage, Frame, Hole, Instance, PartUse, TooManyTriangles, TriangleOf};
+pub use frame::{
+    Coverage, Frame, Hole, Instance, PartUse, SeenCluster, TooManyTriangles, TriangleOf,
+};
 pub use probe::{Probe, Reach};
 pub use samples::{MAX_SAMPLES, Samples};
 pub use setup::{Cull, CullFaces};

@@ -86,21 +86,27 @@ fn cover_samples<S: Simd>(
         let low = f32x16::splat(simd, plane.low);
         let high = f32x16::splat(simd, plane.high);
         let mut touched = false;
+        // Whole numbers: steps added one by one give what a multiplication would.
+        let [e0, e1, e2] = edges;
+        let mut row_starts = [e0.start, e1.start, e2.start];
         for row in 0..=bottom - top {
             let dy = f32x16::float_from(lane_dy + row * (BLOCK * SUBPIXELS));
             let row_z = dy * plane.dz_dy;
+            let mut row_e0 = inside_block[0] + row_starts[0];
+            let mut row_e1 = inside_block[1] + row_starts[1];
+            let mut row_e2 = inside_block[2] + row_starts[2];
+            row_starts[0] += e0.step_y * BLOCK;
+            row_starts[1] += e1.step_y * BLOCK;
+            row_starts[2] += e2.step_y * BLOCK;
             for column in 0..=right - left {
-                let (x, y) = (column * BLOCK, row * BLOCK);
-                let e0 =
-                    inside_block[0] + (edges[0].start + edges[0].step_x * x + edges[0].step_y * y);
-                let e1 =
-                    inside_block[1] + (edges[1].start + edges[1].step_x * x + edges[1].step_y * y);
-                let e2 =
-                    inside_block[2] + (edges[2].start + edges[2].step_x * x + edges[2].step_y * y);
-                let covered = (e0 | e1 | e2).simd_ge(0);
+                let covered = (row_e0 | row_e1 | row_e2).simd_ge(0);
+                row_e0 += e0.step_x * BLOCK;
+                row_e1 += e1.step_x * BLOCK;
+                row_e2 += e2.step_x * BLOCK;
                 if !covered.any_true() {
                     continue;
                 }
+                let x = column * BLOCK;
                 let dx = f32x16::float_from(lane_dx + x * SUBPIXELS);
                 let z = (dx * plane.dz_dx + plane.z + row_z).maximum(low).minimum(high);
                 let block = ((top + row) * BLOCKS + left + column) as usize;

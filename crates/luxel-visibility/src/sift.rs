@@ -4,10 +4,13 @@ use crate::setup::{CullFaces, Region};
 use crate::small::SIZES;
 use luxel_math::{LANES, SUBPIXELS, Simd, i32x16, mask32x16, prelude::*};
 
-/// The corners of sixteen triangles, in steps of 1/256 pixel: first corners, second, third.
+/// First corners of sixteen triangles, second ones and third ones: x and y, in steps of 1/256 pixel,
+/// side by side, so that they are moved at once.
+pub(crate) type Corners = [[[i32; 2]; LANES]; 3];
+
+/// Sixteen triangles to be sifted.
 pub(crate) struct Sixteen {
-    pub(crate) x: [[i32; LANES]; 3],
-    pub(crate) y: [[i32; LANES]; 3],
+    pub(crate) corners: Corners,
 }
 
 /// What came through the sieve, a bit for each triangle.
@@ -26,7 +29,7 @@ struct Extent<S: Simd> {
 
 impl Sixteen {
     pub(crate) fn new() -> Self {
-        Self { x: [[0; LANES]; 3], y: [[0; LANES]; 3] }
+        Self { corners: [[[0; 2]; LANES]; 3] }
     }
 
     /// The triangles whose box holds one of the samples at `offsets` of some pixel of the region;
@@ -39,8 +42,7 @@ impl Sixteen {
         offsets: &[[i32; 2]],
         cull: CullFaces,
     ) -> Sifted {
-        let [ax, bx, cx] = self.x.map(|corners| i32x16::simd_from(simd, corners));
-        let [ay, by, cy] = self.y.map(|corners| i32x16::simd_from(simd, corners));
+        let [(ax, ay), (bx, by), (cx, cy)] = in_lanes(simd, &self.corners);
         let across = Extent::of(ax, bx, cx);
         let down = Extent::of(ay, by, cy);
         let mut held = mask32x16::splat(simd, false);
@@ -62,9 +64,25 @@ impl Sixteen {
         let extent = (across.high - across.low).max(down.high - down.low);
         Sifted {
             held: held.to_bitmask() as u32,
-            within: SIZES.map(|size| extent.simd_lt(size).to_bitmask() as u32),
+            within: [
+                extent.simd_lt(SIZES[0]).to_bitmask() as u32,
+                extent.simd_lt(SIZES[1]).to_bitmask() as u32,
+                extent.simd_lt(SIZES[2]).to_bitmask() as u32,
+            ],
         }
     }
+}
+
+/// x and y of each corner.
+#[inline(always)]
+pub(crate) fn in_lanes<S: Simd>(simd: S, [a, b, c]: &Corners) -> [(i32x16<S>, i32x16<S>); 3] {
+    [apart(simd, a), apart(simd, b), apart(simd, c)]
+}
+
+#[inline(always)]
+fn apart<S: Simd>(simd: S, corners: &[[i32; 2]; LANES]) -> (i32x16<S>, i32x16<S>) {
+    let (first, second) = corners.as_flattened().split_at(LANES);
+    simd.deinterleave_i32x16(i32x16::from_slice(simd, first), i32x16::from_slice(simd, second))
 }
 
 /// The difference of two products of numbers below this fits i32.

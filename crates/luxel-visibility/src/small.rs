@@ -7,6 +7,7 @@
 
 use crate::buffer::{BLOCK, BLOCKS, Tile, TriangleId};
 use crate::raster::{Rules, lanes_of, wins};
+use crate::sift::{Corners, in_lanes};
 use crate::transform::ClusterVertices;
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*};
 
@@ -19,9 +20,8 @@ pub(crate) struct Queues([Queue; SIZES.len()]);
 /// Up to sixteen triangles, each a lane.
 struct Queue {
     count: usize,
-    /// Corners in the window, in steps of 1/256 pixel: first corners, second, third.
-    x: [[i32; LANES]; 3],
-    y: [[i32; LANES]; 3],
+    /// Corners in the window, in steps of 1/256 pixel.
+    corners: Corners,
     /// Reversed depths of the corners.
     z: [[f32; LANES]; 3],
     ids: [TriangleId; LANES],
@@ -31,8 +31,7 @@ impl Queues {
     pub(crate) fn new() -> Self {
         let queue = || Queue {
             count: 0,
-            x: [[0; LANES]; 3],
-            y: [[0; LANES]; 3],
+            corners: [[[0; 2]; LANES]; 3],
             z: [[0.0; LANES]; 3],
             ids: [TriangleId::NONE; LANES],
         };
@@ -52,8 +51,7 @@ impl Queues {
         let queue = &mut self.0[size];
         let lane = queue.count & (LANES - 1);
         for (place, corner) in corners.into_iter().enumerate() {
-            queue.x[place][lane] = vertices.x[corner];
-            queue.y[place][lane] = vertices.y[corner];
+            queue.corners[place][lane] = vertices.xy[corner];
             queue.z[place][lane] = vertices.z[corner];
         }
         queue.ids[lane] = id;
@@ -121,20 +119,13 @@ impl<S: Simd> Edges<S> {
     }
 }
 
-/// Values of three corners, lane by lane. (Closures would stay calls.)
-#[inline(always)]
-fn three<S: Simd, T: Copy, V: SimdFrom<[T; LANES], S>>(
-    simd: S,
-    [a, b, c]: &[[T; LANES]; 3],
-) -> [V; 3] {
-    [V::simd_from(simd, *a), V::simd_from(simd, *b), V::simd_from(simd, *c)]
-}
-
 #[inline(always)]
 fn draw_lanes<S: Simd>(simd: S, queue: &Queue, rules: &Rules<'_>, tile: &mut Tile) {
-    let [ax, bx, cx]: [i32x16<S>; 3] = three(simd, &queue.x);
-    let [ay, by, cy]: [i32x16<S>; 3] = three(simd, &queue.y);
-    let [az, bz, cz]: [f32x16<S>; 3] = three(simd, &queue.z);
+    let [(ax, ay), (bx, by), (cx, cy)] = in_lanes(simd, &queue.corners);
+    let [az, bz, cz] = &queue.z;
+    let az = f32x16::simd_from(simd, *az);
+    let bz = f32x16::simd_from(simd, *bz);
+    let cz = f32x16::simd_from(simd, *cz);
     let used = mask32x16::from_bitmask(simd, (1 << queue.count) - 1);
 
     // The depth plane, as in `Triangle::new`.

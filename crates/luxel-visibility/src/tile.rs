@@ -72,7 +72,7 @@ pub(crate) fn draw<'f, S: Simd>(
 /// The three corner numbers of a triangle's word.
 #[inline(always)]
 fn corners_of(word: u32) -> [usize; 3] {
-    [word & 255, word >> 8 & 255, word >> 16 & 255].map(|corner| corner as usize)
+    [(word & 255) as usize, (word >> 8 & 255) as usize, (word >> 16 & 255) as usize]
 }
 
 /// Draws a cluster that needs no clipping.
@@ -91,10 +91,10 @@ fn draw_cluster<S: Simd>(
     let mut group = Sixteen::new();
     for (number, words) in block.triangles.chunks(LANES).enumerate() {
         for (lane, &word) in words.iter().enumerate() {
-            for (place, corner) in corners_of(word).into_iter().enumerate() {
-                group.x[place][lane] = vertices.x[corner];
-                group.y[place][lane] = vertices.y[corner];
-            }
+            let [a, b, c] = corners_of(word);
+            group.corners[0][lane] = vertices.xy[a];
+            group.corners[1][lane] = vertices.xy[b];
+            group.corners[2][lane] = vertices.xy[c];
         }
         let Sifted { held, within } =
             group.may_hold_samples(simd, tile.region, rules.offsets, cull);
@@ -109,10 +109,9 @@ fn draw_cluster<S: Simd>(
             left &= !within;
         }
         for lane in lanes_of(left) {
-            let corners = corners_of(words[lane]).map(|corner| WindowVertex {
-                x: vertices.x[corner],
-                y: vertices.y[corner],
-                z: vertices.z[corner],
+            let corners = corners_of(words[lane]).map(|corner| {
+                let [x, y] = vertices.xy[corner];
+                WindowVertex { x, y, z: vertices.z[corner] }
             });
             if let Some(triangle) = Triangle::new(corners, cull) {
                 let id = TriangleId::new(cluster, number * LANES + lane);

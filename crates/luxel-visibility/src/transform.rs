@@ -41,14 +41,13 @@ pub(crate) struct WindowTransform {
 
 /// The transformed vertices of one cluster.
 pub(crate) struct ClusterVertices {
-    pub(crate) x: [i32; CLUSTER_VERTICES],
-    pub(crate) y: [i32; CLUSTER_VERTICES],
+    pub(crate) xy: [[i32; 2]; CLUSTER_VERTICES],
     pub(crate) z: [f32; CLUSTER_VERTICES],
 }
 
 impl ClusterVertices {
     pub(crate) fn new() -> Self {
-        Self { x: [0; CLUSTER_VERTICES], y: [0; CLUSTER_VERTICES], z: [0.0; CLUSTER_VERTICES] }
+        Self { xy: [[0; 2]; CLUSTER_VERTICES], z: [0.0; CLUSTER_VERTICES] }
     }
 }
 
@@ -136,10 +135,9 @@ fn transform_groups<S: Simd>(
     out: &mut ClusterVertices,
 ) {
     let groups = vertices.chunks_exact(GROUP_WORDS);
-    let out_x = out.x.as_chunks_mut::<LANES>().0;
-    let out_y = out.y.as_chunks_mut::<LANES>().0;
+    let out_xy = out.xy.as_chunks_mut::<LANES>().0;
     let out_z = out.z.as_chunks_mut::<LANES>().0;
-    for (((group, out_x), out_y), out_z) in groups.zip(out_x).zip(out_y).zip(out_z) {
+    for ((group, out_xy), out_z) in groups.zip(out_xy).zip(out_z) {
         let x: f32x16<S> = u32x16::from_slice(simd, &group[..LANES]).bitcast();
         let y: f32x16<S> = u32x16::from_slice(simd, &group[LANES..2 * LANES]).bitcast();
         let z: f32x16<S> = u32x16::from_slice(simd, &group[2 * LANES..]).bitcast();
@@ -149,8 +147,12 @@ fn transform_groups<S: Simd>(
         let clip_w = row_times(&transform.rows[3], x, y, z);
         let window_x = SimdFloat::round_ties_even(clip_x / clip_w + transform.centre[0]);
         let window_y = SimdFloat::round_ties_even(clip_y / clip_w + transform.centre[1]);
-        i32x16::truncate_from(window_x).store_slice(out_x);
-        i32x16::truncate_from(window_y).store_slice(out_y);
+        let window_x = i32x16::truncate_from(window_x);
+        let window_y = i32x16::truncate_from(window_y);
+        let (first, second) = out_xy.as_flattened_mut().split_at_mut(LANES);
+        let (low, high) = simd.interleave_i32x16(window_x, window_y);
+        low.store_slice(first);
+        high.store_slice(second);
         (clip_z / clip_w).store_slice(out_z);
     }
 }

@@ -26,8 +26,22 @@ const SMALLEST_N_DOT_V: f32 = 1e-4;
 ///   4 (N.L) (N.V);
 /// - F = F0 + (1 - F0) (1 - V.H)^5, Fresnel's reflectance (Schlick 1994), F0 between 0.04 and O_d by
 ///   metallic.
+///
+/// Compiled once a kind of number: within the loop over lights the compiler would work out what is
+/// the same for all of them beforehand, for the other models, too.
+#[inline(never)]
+pub(crate) fn reflected<N: Number>(
+    surface: &Surface<'_, N>,
+    incidence: &Incidence<N>,
+) -> Reflected<N> {
+    surface.n_dot_v.vectorized(
+        #[inline(always)]
+        || by_facets(surface, incidence),
+    )
+}
+
 #[inline(always)]
-pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> Reflected<N> {
+fn by_facets<N: Number>(surface: &Surface<'_, N>, incidence: &Incidence<N>) -> Reflected<N> {
     let like = surface.n_dot_v;
     let half = (incidence.to_light + surface.view).normalized_or_zero();
     let n_dot_h = surface.normal.dot(half);
@@ -77,7 +91,7 @@ pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N
 
 /// F0: 0.04 for dielectrics, O_d for metals.
 #[inline(always)]
-pub(crate) fn facing_reflectance<N: Number>(surface: &Surface<N>) -> Rgb<N> {
+pub(crate) fn facing_reflectance<N: Number>(surface: &Surface<'_, N>) -> Rgb<N> {
     let like = surface.of.metallic;
     Rgb::splat(like, [DIELECTRIC; 3]) * (like.one() - surface.of.metallic)
         + surface.of.base * surface.of.metallic

@@ -16,7 +16,7 @@ use luxel_math::{Mask, Number, Rgb, Vec3};
 
 /// What a surface reflects at one point, prepared once for all lights.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Surface<N> {
+pub(crate) struct Surface<'a, N> {
     /// N
     pub(crate) normal: Vec3<N>,
     /// V
@@ -24,7 +24,7 @@ pub(crate) struct Surface<N> {
     /// N.V as it is.
     pub(crate) n_dot_v: N,
     /// What it reflects, whatever N and V.
-    pub(crate) of: Coefficients<N>,
+    pub(crate) of: &'a Coefficients<N>,
 }
 
 /// Which part of a light's intensity goes to the eye.
@@ -49,15 +49,15 @@ pub(crate) struct Incidence<N> {
     pub(crate) n_dot_l: N,
 }
 
-impl<N: Number> Surface<N> {
+impl<'a, N: Number> Surface<'a, N> {
     /// The surface at a point.
     #[inline(always)]
-    pub(crate) fn new(point: &SurfacePoint<N>, coefficients: &Coefficients<N>) -> Self {
+    pub(crate) fn new(point: &SurfacePoint<N>, coefficients: &'a Coefficients<N>) -> Self {
         Self {
             normal: point.normal,
             view: point.view,
             n_dot_v: point.normal.dot(point.view),
-            of: *coefficients,
+            of: coefficients,
         }
     }
 
@@ -128,8 +128,21 @@ impl<N: Number> Surface<N> {
     ///
     /// An ideal mirror: k_s O_s E(R), R = 2 N (N.V) - V. A microfacet surface: k_s O_s (F0 A + B)
     /// E(R) with E blurred by its roughness (see [`split_sum`]). All of it occluded.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn mirrored<W: Witness<N>>(
+        &self,
+        reflection: &Reflection,
+        environment: &Environment,
+        witness: &mut W,
+    ) -> Rgb<N> {
+        self.n_dot_v.vectorized(
+            #[inline(always)]
+            || self.mirrored_of(reflection, environment, witness),
+        )
+    }
+
+    #[inline(always)]
+    fn mirrored_of<W: Witness<N>>(
         &self,
         reflection: &Reflection,
         environment: &Environment,
@@ -137,9 +150,6 @@ impl<N: Number> Surface<N> {
     ) -> Rgb<N> {
         let like = self.n_dot_v;
         let mut mirrored = Rgb::black(like);
-        if environment.is_none() {
-            return mirrored;
-        }
         let direction = self.normal * (self.n_dot_v + self.n_dot_v) - self.view;
         for index in 0..reflection.part_count() {
             let (kind, weight) = reflection.part(index);

@@ -12,8 +12,21 @@ use luxel_math::{Number, Rgb};
 ///
 /// With q = L.V - (N.L)(N.V) = cos(phi_r - phi_i) sin(theta_r) sin(theta_i), the product of the
 /// last three factors is max(q, 0) / max(N.L, N.V).
+///
+/// Compiled once a kind of number, as [`microfacet::reflected`](super::microfacet::reflected) is.
+#[inline(never)]
+pub(crate) fn reflected<N: Number>(
+    surface: &Surface<'_, N>,
+    incidence: &Incidence<N>,
+) -> Reflected<N> {
+    surface.n_dot_v.vectorized(
+        #[inline(always)]
+        || roughly(surface, incidence),
+    )
+}
+
 #[inline(always)]
-pub(crate) fn reflected<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> Reflected<N> {
+fn roughly<N: Number>(surface: &Surface<'_, N>, incidence: &Incidence<N>) -> Reflected<N> {
     let like = surface.n_dot_v;
     let variance = surface.of.roughness * surface.of.roughness;
     let a = like.one() - variance * like.constant(0.5) / (variance + like.constant(0.33));

@@ -7,7 +7,7 @@ use luxel_math::{Number, Rgb, elementary};
 /// R.V with R = 2 N (N.L) - L, the direction of mirroring (Phong, *Illumination for Computer
 /// Generated Pictures*, 1975), which is 2 (N.L) (N.V) - L.V.
 #[inline(always)]
-pub(crate) fn r_dot_v<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> N {
+pub(crate) fn r_dot_v<N: Number>(surface: &Surface<'_, N>, incidence: &Incidence<N>) -> N {
     let n_dot_l = incidence.n_dot_l;
     (n_dot_l + n_dot_l) * surface.n_dot_v - incidence.to_light.dot(surface.view)
 }
@@ -15,7 +15,7 @@ pub(crate) fn r_dot_v<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>)
 /// N.H with H = (L + V) / |L + V|, the normal that would mirror the light into the eye (Blinn,
 /// *Models of Light Reflection for Computer Synthesized Pictures*, 1977).
 #[inline(always)]
-pub(crate) fn n_dot_h<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>) -> N {
+pub(crate) fn n_dot_h<N: Number>(surface: &Surface<'_, N>, incidence: &Incidence<N>) -> N {
     surface.normal.dot((incidence.to_light + surface.view).normalized_or_zero())
 }
 
@@ -23,7 +23,7 @@ pub(crate) fn n_dot_h<N: Number>(surface: &Surface<N>, incidence: &Incidence<N>)
 /// N.L > 0.
 #[inline(always)]
 pub(crate) fn with_lobe<N: Number>(
-    surface: &Surface<N>,
+    surface: &Surface<'_, N>,
     incidence: &Incidence<N>,
     cosine: N,
 ) -> Reflected<N> {
