@@ -72,7 +72,7 @@ pub(crate) fn sees_nothing<S: Simd>(simd: S, tile: &Tile, block: usize) -> bool 
     // Nothing is the highest of all ids.
     let mut all = u32x16::splat(simd, TriangleId::NONE.0);
     for plane in tile.planes() {
-        all = all & u32x16::simd_from(simd, plane.ids[block]);
+        all &= u32x16::simd_from(simd, plane.ids[block]);
     }
     all.simd_eq(TriangleId::NONE.0).all_true()
 }
