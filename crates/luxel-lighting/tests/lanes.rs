@@ -4,7 +4,7 @@ mod naive;
 
 use luxel_lighting::*;
 use luxel_math::prelude::*;
-use luxel_math::{Rgb, SimdLevel, Vec3, dispatch, f32x16};
+use luxel_math::{LANES, Rgb, SimdLevel, Vec3, dispatch, f32x16};
 use naive::models;
 
 /// Sixteen different points.
@@ -80,6 +80,40 @@ fn every_simd_level_gives_the_bits_of_one_value() {
                     single[lane].map(f32::to_bits),
                     "{level:?} {:?} lane {lane}",
                     material.reflection
+                );
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn bytes_in_lanes<S: Simd>(
+    simd: S,
+    values: &[f32; LANES],
+    encoding: PictureEncoding,
+) -> [u32; LANES] {
+    let mut bytes = [0; LANES];
+    encoding.bytes_of_lanes(f32x16::simd_from(simd, *values)).store_slice(&mut bytes);
+    bytes
+}
+
+#[test]
+fn sixteen_bytes_at_once_are_those_of_each_value() {
+    let odd = [-1.0, -0.0, f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.5, 1.0];
+    let most = 1.2_f32.to_bits();
+    let floats = (0..=most).step_by(9973).map(f32::from_bits).chain(odd);
+    let floats: Vec<f32> = floats.collect();
+    for level in SimdLevel::available() {
+        let level = level.resolve().expect("it is available");
+        for sixteen in floats.chunks(LANES) {
+            let mut values = [0.25; LANES];
+            values[..sixteen.len()].copy_from_slice(sixteen);
+            for encoding in [PictureEncoding::Srgb, PictureEncoding::None] {
+                let bytes = dispatch!(level, simd => bytes_in_lanes(simd, &values, encoding));
+                assert_eq!(
+                    bytes,
+                    values.map(|value| u32::from(encoding.byte(value))),
+                    "{values:?}"
                 );
             }
         }
