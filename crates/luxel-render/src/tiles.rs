@@ -2,7 +2,6 @@
 
 use luxel_scene::Size;
 use luxel_visibility::{Frame, TILE};
-use rayon::prelude::*;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -45,11 +44,6 @@ pub(crate) fn draw_tiles<T: Copy + Default + Send, W>(
             }
         }
     };
-    on_threads(order.len(), &work);
-}
-
-/// Runs the same work on every thread, but on no more than there is work for.
-fn on_threads(most: usize, work: &(dyn Fn() + Sync)) {
-    let workers = rayon::current_num_threads().min(most);
-    (0..workers).into_par_iter().with_max_len(1).for_each(|_| work());
+    // Each takes tiles until none is left.
+    luxel_parallel::tasks(luxel_parallel::threads().min(order.len()), &|_| work());
 }
