@@ -6,6 +6,7 @@ mod options;
 mod pointing;
 mod present;
 
+use crate::clipboard::Clipboard;
 use crate::files::{Files, WELCOME, Watch};
 use crate::loading::Loading;
 use crate::marks::Marks;
@@ -20,7 +21,7 @@ use luxel::navigation::{Command, Entry, Event};
 use luxel::render::View;
 use luxel::scene::{Camera, DVec2, DVec3, Size};
 use opening::Reading;
-pub use options::{Equation, Options, Outcome, Print, Save, Showing, ViewerError, Write};
+pub use options::{Equation, Options, Outcome, Print, Save, Seen, Showing, ViewerError, Write};
 use present::GuideLines;
 use std::ffi::{OsStr, OsString};
 use std::time::{Duration, Instant};
@@ -112,6 +113,7 @@ struct App {
     explained: Option<(Asked, [u32; 2])>,
     is_explaining: bool,
     wants_screenshot: bool,
+    clipboard: Clipboard,
     /// When the camera last changed.
     changed: Instant,
     /// Up to when time has passed for navigation.
@@ -176,6 +178,7 @@ impl App {
             explained: None,
             is_explaining: false,
             wants_screenshot: false,
+            clipboard: Clipboard::default(),
             changed: now,
             now,
             playing: None,
@@ -426,8 +429,12 @@ impl ApplicationHandler<Said> for App {
                     self.lift(&event.logical_key);
                 }
                 let is_typed = self.is_typed(&event);
-                if !is_typed && !event.repeat && event.state == ElementState::Pressed {
-                    self.press(event_loop, event.logical_key);
+                if !is_typed && event.state == ElementState::Pressed {
+                    if !event.repeat {
+                        self.press(event_loop, event.logical_key);
+                    } else if self.ui.shows_help {
+                        self.is_for_help(&event.logical_key);
+                    }
                 }
             }
             WindowEvent::CursorMoved { position: PhysicalPosition { x, y }, .. } => {

@@ -1,12 +1,15 @@
 //! The line between two looks that are compared, to be dragged; or the scale of their difference.
 
 use crate::compare::{Apart, SCALE, Split};
+use crate::focus;
 use crate::look::Look;
 use crate::theme;
 use egui::{Align2, Area, Color32, Context, FontId, Id, Order, Rect, Sense, Stroke, pos2, vec2};
 
 /// Half the width that the hand can take hold of, in points.
 const HALF: f32 = 6.0;
+/// How far an arrow key moves it.
+const STEP: f32 = 16.0;
 
 /// Draws the line and what is on its sides; dragged, it moves.
 pub(crate) fn line(context: &Context, split: &mut Split, look: &Look) {
@@ -17,16 +20,21 @@ pub(crate) fn line(context: &Context, split: &mut Split, look: &Look) {
     let size = vec2(2.0 * HALF, free.height());
     let response = area
         .order(Order::Middle)
+        .sense(Sense::hover())
         .constrain(false)
         .show(context, |ui| ui.allocate_exact_size(size, Sense::drag()).1)
         .inner
         .on_hover_cursor(egui::CursorIcon::ResizeHorizontal);
-    if response.dragged() && response.drag_delta().x != 0.0 {
-        let to = (x + response.drag_delta().x).clamp(free.left() + HALF, free.right() - HALF);
+    let has_keyboard = response.has_focus();
+    let by_keys = if has_keyboard { focus::arrows(context, response.id).x * STEP } else { 0.0 };
+    let by_hand = if response.dragged() { response.drag_delta().x } else { 0.0 };
+    if by_keys + by_hand != 0.0 {
+        let to = (x + by_keys + by_hand).clamp(free.left() + HALF, free.right() - HALF);
         split.at = (to - all.left()) / all.width().max(1.0);
     }
     let painter = context.layer_painter(egui::LayerId::background());
-    let ink = if response.hovered() || response.dragged() { theme.accent } else { theme.text };
+    let is_lit = response.hovered() || response.dragged() || has_keyboard;
+    let ink = if is_lit { theme.accent } else { theme.text };
     let ends = [pos2(x, free.top()), pos2(x, free.bottom())];
     painter.line_segment(ends, Stroke::new(3.5, theme.halo));
     painter.line_segment(ends, Stroke::new(1.5, ink));

@@ -1,6 +1,7 @@
 //! Handles of lights in the picture: a point where a light stands, to be dragged there, and the
 //! direction of its light, as a place on a ball about the middle of the picture.
 
+use crate::focus;
 use crate::places::{place_of, point_at};
 use crate::session::Session;
 use crate::theme::{self, Theme};
@@ -14,6 +15,8 @@ use luxel::scene::{Camera, DVec2, DVec3, SceneLight, Size};
 const HALF: f32 = 9.0;
 /// The ball's radius, as a part of the free picture's shorter side.
 const BALL: f32 = 0.3;
+/// How far an arrow key moves one, in points.
+const STEP: f32 = 8.0;
 /// How much farther a light goes with Shift, for each point upwards, as an exponent of e.
 const DEEPER: f64 = 0.006;
 
@@ -64,28 +67,47 @@ pub(crate) fn draw(
                 continue;
             }
             let id = Id::new(("handle", at, is_aim));
-            let area = Area::new(id).fixed_pos(place - vec2(HALF, HALF)).order(Order::Middle);
+            let area = Area::new(id)
+                .fixed_pos(place - vec2(HALF, HALF))
+                .order(Order::Middle)
+                .sense(Sense::hover());
             let response = area
                 .constrain(false)
                 .show(context, |ui| ui.allocate_exact_size(vec2(2.0, 2.0) * HALF, Sense::drag()).1)
                 .inner
                 .on_hover_cursor(egui::CursorIcon::Grab);
             let is_held = grab.is_some_and(|grab| (grab.light, grab.is_aim) == (at, is_aim));
-            let is_lit = response.hovered() || is_held || *chosen == Some(at);
+            let has_keyboard = response.has_focus();
+            let is_lit = response.hovered() || is_held || has_keyboard || *chosen == Some(at);
             show(context, &painter, (light, is_lit), &handle, &ball, place, stand);
+            if has_keyboard {
+                painter.circle_stroke(
+                    place,
+                    HALF + 4.0,
+                    Stroke::new(1.0, theme::of(context).accent),
+                );
+            }
+            let offset = ball.offset(place);
+            let is_near = matches!(handle, Handle::Ball(towards) if towards.z >= 0.0);
+            let taken = Grab { light: at, is_aim, on_ball: (offset, is_near) };
+            let is_deeper = context.input(|input| input.modifiers.shift);
+            let mut move_by = |grab: &mut Grab, delta: egui::Vec2| {
+                let view = (&camera, size, scale);
+                let to = drag(&handle, grab, delta, is_deeper, &ball, view);
+                let to = to.filter(|_| delta != egui::Vec2::ZERO);
+                moved = to.map(|to| after(&handle, to, position, direction, &camera)).or(moved);
+            };
+            if has_keyboard {
+                *chosen = Some(at);
+                let delta = focus::arrows(context, response.id) * STEP;
+                move_by(&mut { taken }, delta);
+            }
             if response.drag_started() {
                 *chosen = Some(at);
-                let offset = ball.offset(place);
-                let is_near = matches!(handle, Handle::Ball(towards) if towards.z >= 0.0);
-                *grab = Some(Grab { light: at, is_aim, on_ball: (offset, is_near) });
+                *grab = Some(taken);
             }
             if let Some(grab) = grab.as_mut().filter(|_| is_held || response.drag_started()) {
-                let delta = response.drag_delta();
-                let is_deeper = context.input(|input| input.modifiers.shift);
-                moved = drag(&handle, grab, delta, is_deeper, &ball, (&camera, size, scale))
-                    .map(|to| after(&handle, to, position, direction, &camera))
-                    .filter(|_| delta != egui::Vec2::ZERO)
-                    .or(moved);
+                move_by(grab, response.drag_delta());
             }
             if response.drag_stopped() {
                 *grab = None;

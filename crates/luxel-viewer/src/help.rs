@@ -1,9 +1,11 @@
 //! What mouse and keys do, over the picture.
 
+use crate::focus;
 use crate::keys::{Action, BINDINGS, Keys, MODES};
 use crate::theme;
 use egui::{Align2, Context, Frame, Margin, Stroke, vec2};
 use luxel::navigation::Mode;
+use winit::keyboard::NamedKey;
 
 const MOUSE: [(&str, &str); 8] = [
     ("click", "select"),
@@ -20,12 +22,30 @@ const MOUSE: [(&str, &str); 8] = [
 const WIDE: f32 = 960.0;
 const NARROW: f32 = 860.0;
 
-/// Draws it.
-pub(crate) fn help(context: &Context, mode: Mode, keys: &Keys) {
+/// How far a key scrolls it, in points: a line, a page, all of it.
+pub(crate) fn scrolled_by(key: NamedKey) -> Option<f32> {
+    const LINE: f32 = 20.0;
+    const PAGE: f32 = 240.0;
+    const ALL: f32 = 1e5;
+    Some(match key {
+        NamedKey::ArrowDown => LINE,
+        NamedKey::ArrowUp => -LINE,
+        NamedKey::PageDown | NamedKey::Space => PAGE,
+        NamedKey::PageUp => -PAGE,
+        NamedKey::End => ALL,
+        NamedKey::Home => -ALL,
+        _ => return None,
+    })
+}
+
+/// Draws it, scrolled on by so many points.
+pub(crate) fn help(context: &Context, mode: Mode, keys: &Keys, by: f32) {
     let theme = theme::of(context);
     let frame = Frame::new().fill(theme.panel).corner_radius(4).inner_margin(Margin::same(20));
     let frame = frame.stroke(Stroke::new(1.0, theme.line));
-    let area = egui::Area::new("help".into()).anchor(Align2::CENTER_CENTER, vec2(0.0, -14.0));
+    let area = egui::Area::new("help".into())
+        .sense(egui::Sense::hover())
+        .anchor(Align2::CENTER_CENTER, vec2(0.0, -14.0));
     let said: Vec<_> = BINDINGS.iter().filter(|binding| !binding.about.is_empty()).collect();
     let rows: Vec<_> =
         said.iter().map(|binding| (keys.of(binding.action()), binding.about.to_owned())).collect();
@@ -46,8 +66,13 @@ pub(crate) fn help(context: &Context, mode: Mode, keys: &Keys) {
     area.order(egui::Order::Foreground).show(context, |ui| {
         frame.show(ui, |ui| {
             ui.set_width(WIDE.min(room.x));
-            let scrolled = egui::ScrollArea::vertical().max_height(room.y);
+            // However large it was when it was last shown.
+            ui.set_max_height(room.y);
+            let scrolled = focus::scrolled(ui).max_height(room.y);
             scrolled.show(ui, |ui| {
+                if by != 0.0 {
+                    ui.scroll_with_delta(vec2(0.0, -by));
+                }
                 if room.x < NARROW {
                     ui.columns(2, |columns| {
                         let [left, right] = columns else { return };

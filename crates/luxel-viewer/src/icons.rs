@@ -1,5 +1,6 @@
 //! Small drawings for buttons without words: objects, light, the ledger, how it is looked at.
 
+use crate::focus;
 use crate::theme;
 use egui::{Color32, Painter, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
 
@@ -31,10 +32,7 @@ pub(crate) fn button(ui: &mut Ui, icon: Icon, name: &str, is_on: bool) -> Respon
     } else if response.hovered() {
         ui.painter().rect_filled(rect, 4, theme.line);
     }
-    if response.has_focus() {
-        let line = Stroke::new(1.0, theme.accent);
-        ui.painter().rect_stroke(rect, 4, line, egui::StrokeKind::Inside);
-    }
+    focus::ring(ui, &response, rect);
     draw(ui.painter(), icon, rect.shrink(8.0), theme.text);
     response.on_hover_text(name)
 }

@@ -137,7 +137,7 @@ pub(crate) static BINDINGS: &[Binding] = &[
     bind("into-panels", Action::IntoPanels, &["Shift+Tab"], "the keyboard into them"),
     bind("explain", Action::Explain, &["Space"], "explain the pixel"),
     bind("screenshot", Action::Screenshot, &["F12"], "picture into a file"),
-    bind("line", Action::Line, &["Ctrl+c"], "print its `luxel render`"),
+    bind("line", Action::Line, &["Ctrl+c"], "copy its `luxel render`"),
     bind("save", Action::Save, &["Ctrl+s"], "save as a scene file"),
     bind("help", Action::Help, &["h", "?", "F1"], "this help"),
     bind("quit", Action::Quit, &["q", "Escape"], "quit"),

@@ -7,11 +7,13 @@
 #![forbid(unsafe_code)]
 
 mod app;
+mod clipboard;
 mod compare;
 mod compose;
 mod divider;
 mod explain;
 mod files;
+mod focus;
 mod guides;
 mod handles;
 mod help;
@@ -44,7 +46,7 @@ mod wait;
 mod wardrobe;
 mod worker;
 
-pub use app::{Equation, Options, Outcome, Print, Save, Showing, ViewerError, Write, run};
+pub use app::{Equation, Options, Outcome, Print, Save, Seen, Showing, ViewerError, Write, run};
 pub use keys::{Keys, KeysError, KeysErrorKind};
 pub use ledger::{LedgerLine, TermKind};
 pub use loading::Loading;

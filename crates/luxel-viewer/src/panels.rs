@@ -6,12 +6,13 @@ mod material;
 mod view;
 
 use crate::explain;
+use crate::focus;
 use crate::icons::{self, Icon};
 use crate::marks::Choice;
 use crate::session::Session;
 use crate::theme;
 use crate::ui::{Ui, Wish};
-use egui::{Context, Frame, Margin, RichText, ScrollArea};
+use egui::{Context, Frame, Margin, RichText};
 use luxel::scene::Object;
 
 /// What the panel at the right shows.
@@ -84,7 +85,7 @@ pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &mut Session, wishes
     let panel = side(ui, "tree").frame(frame(context)).show_separator_line(false);
     panel.resizable(false).exact_width(width(context, TREE)).show(context, |panel| {
         let field = egui::TextEdit::singleline(&mut ui.search)
-            .hint_text("search")
+            .hint_text(RichText::new("search").color(theme::of(context).quiet))
             .margin(Margin::symmetric(8, 5));
         let field = panel.add(field.desired_width(f32::INFINITY));
         if std::mem::take(&mut ui.wants_focus) {
@@ -122,7 +123,7 @@ pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &mut Session, wishes
         });
         let height = panel.spacing().interact_size.y;
         let step = height + panel.spacing().item_spacing.y;
-        let mut area = ScrollArea::vertical().auto_shrink([false, false]);
+        let mut area = focus::scrolled(panel).auto_shrink([false, false]);
         // What is selected in the picture comes into view.
         let selected = session.marks.selected().first().copied();
         let (last, seen) = &mut ui.found;
@@ -134,10 +135,21 @@ pub(crate) fn tree(ui: &mut Ui, context: &Context, session: &mut Session, wishes
                 area = area.vertical_scroll_offset((top - 2.0 * step).max(0.0));
             }
         }
-        let output = area.show_rows(panel, height, found.len(), |panel, rows| {
-            for object in &found[rows] {
-                one_object(panel, session, *object, wishes);
-            }
+        let output = area.show_viewport(panel, |panel, viewport| {
+            panel.set_height((step * found.len() as f32 - panel.spacing().item_spacing.y).max(0.0));
+            // One row more at each end: the keyboard goes on to it, and it comes into view.
+            let first = ((viewport.min.y / step).floor() as usize).saturating_sub(1);
+            let rows =
+                first.min(found.len())..found.len().min((viewport.max.y / step) as usize + 2);
+            let all = panel.max_rect();
+            let [top, bottom] = [rows.start, rows.end].map(|row| all.top() + row as f32 * step);
+            let rect = egui::Rect::from_x_y_ranges(all.x_range(), top..=bottom);
+            panel.scope_builder(egui::UiBuilder::new().max_rect(rect), |panel| {
+                for object in &found[rows] {
+                    one_object(panel, session, *object, wishes);
+                }
+            });
+            focus::follow(panel);
         });
         let top = output.state.offset.y;
         *seen = top..top + output.inner_rect.height();
@@ -159,7 +171,9 @@ fn one_object(ui: &mut egui::Ui, session: &mut Session, object: usize, wishes: &
         theme.text
     };
     let name = RichText::new(name).color(color);
-    ui.push_id(object, |ui| {
+    // The same wherever it has been scrolled to.
+    let id = egui::Id::new(("object", object));
+    ui.scope_builder(egui::UiBuilder::new().id(id), |ui| {
         let row = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
         let from_right = egui::Layout::right_to_left(egui::Align::Center);
         ui.allocate_ui_with_layout(row, from_right, |ui| {
@@ -199,6 +213,7 @@ fn eye(ui: &mut egui::Ui, is_shut: bool) -> egui::Response {
     } else {
         theme.text
     };
+    focus::ring(ui, &response, rect);
     let (centre, stroke) = (rect.center(), egui::Stroke::new(1.25, color));
     // A lid from the left corner to the right one, so many points high.
     let lid = |height: f32| {
@@ -235,18 +250,21 @@ pub(crate) fn settings(
             panel.selectable_value(&mut ui.tab, Tab::View, "View");
         });
         panel.add_space(8.0);
-        let area = ScrollArea::vertical().auto_shrink([false, false]);
-        area.show(panel, |panel| match ui.tab {
-            Tab::Light => {
-                light::lights(panel, session, &mut ui.chosen);
-                light::environment(panel, session);
-                material::materials(panel, session);
+        let area = focus::scrolled(panel).auto_shrink([false, false]);
+        area.show(panel, |panel| {
+            match ui.tab {
+                Tab::Light => {
+                    light::lights(panel, session, &mut ui.chosen);
+                    light::environment(panel, session);
+                    material::materials(panel, session);
+                }
+                Tab::Explain => {
+                    let equation = ui.equation.as_deref();
+                    explain::ledger(panel, session, ui.explanation.as_deref(), equation);
+                }
+                Tab::View => view::view(panel, session, &ui.keys, wishes),
             }
-            Tab::Explain => {
-                let equation = ui.equation.as_deref();
-                explain::ledger(panel, session, ui.explanation.as_deref(), equation);
-            }
-            Tab::View => view::view(panel, session, &ui.keys, wishes),
+            focus::follow(panel);
         });
     });
 }

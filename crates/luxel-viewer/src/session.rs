@@ -18,7 +18,8 @@ use luxel::navigation::{
 };
 use luxel::render::View;
 use luxel::scene::{
-    Bounds, Camera, DMat4, DVec3, Lens, Object, Projection, SceneLight, Size, fit_along, fit_planes,
+    Bounds, Camera, DMat4, DVec3, Lens, Object, Placement, Projection, SceneLight, Size, fit_along,
+    fit_planes,
 };
 
 /// How long the way to another view takes, in seconds.
@@ -139,15 +140,30 @@ impl Session {
         self.revision += 1;
     }
 
-    /// Whether something was changed in the window beside the camera, its samples and its edges.
-    pub(crate) fn is_edited(&self) -> bool {
-        let camera = self.model.view.camera;
-        let samples_and_edges = (self.model.view.samples, self.model.view.edges);
-        let mut view = self.look.drawn(camera, self.model.view.size);
-        (view.samples, view.edges) = samples_and_edges;
-        view != self.model.view
-            || self.wardrobe != Wardrobe::default()
-            || !self.marks.hidden().is_empty()
+    /// The lights that are on, in coordinates of the world or the camera, if they or the scene's ambient
+    /// light are not as they were read.
+    pub(crate) fn changed_lights(&self) -> Option<Vec<SceneLight>> {
+        let view = self.view();
+        if (&view.lights, view.ambient) == (&self.read.0, self.read.1) {
+            return None;
+        }
+        let mut lights = view.lights;
+        for light in &mut lights {
+            if let Placement::Node(_) = light.placement {
+                self.places().replace(light, Placement::World);
+            }
+        }
+        Some(lights)
+    }
+
+    /// Whether what mirrors and metals see is not as it was read.
+    pub(crate) fn is_environment_changed(&self) -> bool {
+        self.look.view().environment != self.model.view.environment
+    }
+
+    /// Whether surfaces are not as they were read.
+    pub(crate) fn is_redressed(&self) -> bool {
+        self.wardrobe != Wardrobe::default() || !self.marks.hidden().is_empty()
     }
 
     /// Some seconds have passed, then something has happened.

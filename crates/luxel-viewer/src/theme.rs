@@ -119,6 +119,9 @@ impl Theme {
         style.spacing.button_padding = egui::vec2(8.0, 4.0);
         style.spacing.interact_size.y = 24.0;
         style.animation_time = 0.0;
+        style.scroll_animation = egui::style::ScrollAnimation::none();
+        // What is said is no control.
+        style.interaction.selectable_labels = false;
         style.visuals = self.visuals();
         style
     }

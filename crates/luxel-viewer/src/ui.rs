@@ -1,5 +1,7 @@
 //! Everything over the picture: the line below it, the axes, the panels, the help.
 
+mod axes;
+
 use crate::compare::Apart;
 use crate::divider;
 use crate::explain;
@@ -13,12 +15,12 @@ use crate::panels;
 use crate::probe::Explained;
 use crate::ruler;
 use crate::session::Session;
-use crate::theme::{self, AXES, Theme};
+use crate::theme::{self, Theme};
 pub(crate) use crate::wait::OnItsWay;
 use crate::wait::{bar, hint};
-use egui::{Align2, Color32, Context, FontId, Frame, Margin, RawInput, Rect, Sense, Stroke, vec2};
-use luxel::navigation::{Mode, StandardView, hit, knobs};
-use luxel::scene::{Bounds, DVec2, Size};
+use egui::{Context, Frame, Margin, RawInput, Rect, Stroke, vec2};
+use luxel::navigation::{Mode, StandardView};
+use luxel::scene::{Bounds, Size};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -43,6 +45,8 @@ pub(crate) enum Wish {
     Open(PathBuf),
     /// What is being read is not wanted any more.
     StopReading,
+    /// A text into the clipboard.
+    Copy(String),
 }
 
 /// What the line below the picture tells.
@@ -67,6 +71,8 @@ pub(crate) struct Ui {
     pub(crate) modifiers: egui::Modifiers,
     pub(crate) shows_panels: bool,
     pub(crate) shows_help: bool,
+    /// How far the help is to be scrolled down, in points.
+    pub(crate) help_by: f32,
     pub(crate) search: String,
     /// The tree's selected object that was last scrolled to, and which part of the tree is seen.
     pub(crate) found: (Option<usize>, std::ops::Range<f32>),
@@ -103,10 +109,6 @@ pub(crate) type Panels = (bool, panels::Tab, Option<panels::Side>);
 
 /// Narrower than this, in points, panels are folded to icons, and one is unfolded at a time.
 const ROOM_FOR_BOTH: f32 = 900.0;
-/// The axes in the corner: their length, their knobs' radius, and their square's side.
-const AXIS: f32 = 34.0;
-const KNOB: f32 = 9.0;
-const CORNER: f32 = 96.0;
 /// Letters of an object's name in the line below the picture.
 const LONGEST_NAME: usize = 28;
 
@@ -119,6 +121,7 @@ impl Ui {
             modifiers: egui::Modifiers::NONE,
             shows_panels: false,
             shows_help: false,
+            help_by: 0.0,
             search: String::new(),
             found: (None, 0.0..f32::MAX),
             tab: panels::Tab::default(),
@@ -216,6 +219,11 @@ impl Ui {
         let output = context.run(input, |context| {
             self.lay_out(context, session.as_deref_mut(), status, &mut wishes);
         });
+        for command in output.platform_output.commands {
+            if let egui::OutputCommand::CopyText(text) = command {
+                wishes.push(Wish::Copy(text));
+            }
+        }
         self.painter.take(&output.textures_delta);
         let primitives = context.tessellate(output.shapes, pixels_per_point);
         self.painter.paint(&primitives, pixels_per_point, size, pixels);
@@ -259,12 +267,13 @@ impl Ui {
             divider::line(context, split, look);
         }
         ruler::draw(context, session);
-        axes(context, session, wishes);
+        axes::axes(context, session, wishes);
         if let Some([from, to]) = self.band {
             rubber_band(context, Rect::from_two_pos(from, to));
         }
         if self.shows_help {
-            help(context, session.state.mode(), &self.keys);
+            let by = std::mem::take(&mut self.help_by);
+            help(context, session.state.mode(), &self.keys, by);
         }
     }
 }
@@ -386,63 +395,5 @@ fn grouped(number: u64) -> String {
     text
 }
 
-/// The axes of the world, to see and to click.
-fn axes(context: &Context, session: &Session, wishes: &mut Vec<Wish>) {
-    let area = egui::Area::new("axes".into());
-    let free = context.available_rect();
-    let area = area.fixed_pos(free.right_top() + vec2(-CORNER - 8.0, 8.0));
-    area.show(context, |ui| {
-        let (rect, response) = ui.allocate_exact_size(vec2(CORNER, CORNER), Sense::click());
-        let centre = rect.center();
-        let view = session.state.view_from_world();
-        let knobs = knobs(
-            &view,
-            session.settings.up,
-            DVec2::new(f64::from(centre.x), f64::from(centre.y)),
-            f64::from(AXIS),
-        );
-        let under = |place: egui::Pos2| {
-            hit(&knobs, DVec2::new(f64::from(place.x), f64::from(place.y)), f64::from(KNOB))
-        };
-        let hovered = response.hover_pos().and_then(under);
-        let (painter, theme) = (ui.painter(), theme::of(ui.ctx()));
-        for knob in &knobs {
-            let at = egui::pos2(knob.at.x as f32, knob.at.y as f32);
-            let along = knob.axis.abs();
-            let axis = [along.x, along.y, along.z];
-            let Some(axis) = axis.iter().position(|&part| part > 0.5) else { continue };
-            let is_positive = knob.axis.max_element() > 0.5;
-            let faded = 0.55 + 0.45 * (knob.towards as f32 * 0.5 + 0.5);
-            let color = AXES[axis].gamma_multiply(faded);
-            if is_positive {
-                painter.line_segment([centre, at], Stroke::new(2.0, color));
-                painter.circle_filled(at, KNOB, color);
-                let name = ["x", "y", "z"][axis];
-                let font = FontId::proportional(11.0);
-                painter.text(at, Align2::CENTER_CENTER, name, font, Color32::BLACK);
-            } else {
-                painter.circle(at, KNOB - 2.0, theme.panel, Stroke::new(1.5, color));
-            }
-            if hovered.is_some_and(|one| one.axis == knob.axis) {
-                painter.circle_stroke(at, KNOB + 2.0, Stroke::new(1.5, theme.accent));
-            }
-        }
-        if response.clicked()
-            && let Some(knob) = response.interact_pointer_pos().and_then(under)
-        {
-            wishes.push(Wish::View(knob.view));
-        }
-    });
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn thousands_are_told_apart() {
-        assert_eq!(grouped(7), "7");
-        assert_eq!(grouped(6320), "6 320");
-        assert_eq!(grouped(1_234_567), "1 234 567");
-    }
-}
+mod tests;

@@ -40,7 +40,9 @@ pub(crate) fn bar(context: &Context, coming: &OnItsWay, wishes: &mut Vec<Wish>) 
     let theme = theme::of(context);
     let frame = Frame::new().fill(theme.panel).corner_radius(4).inner_margin(Margin::same(12));
     let frame = frame.stroke(Stroke::new(1.0, theme.line));
-    let area = egui::Area::new(Id::new("on its way")).anchor(Align2::CENTER_BOTTOM, ABOVE);
+    let area = egui::Area::new(Id::new("on its way"))
+        .sense(egui::Sense::hover())
+        .anchor(Align2::CENTER_BOTTOM, ABOVE);
     area.order(egui::Order::Foreground).show(context, |ui| {
         frame.show(ui, |ui| {
             ui.set_width(360.0_f32.min(context.content_rect().width() - 48.0));

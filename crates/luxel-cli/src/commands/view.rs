@@ -173,10 +173,11 @@ mod window {
                 keys: keys::keys(self.keys.as_deref())?,
                 execution: view::execution(&self.execution),
                 write: Box::new(write),
-                print: Box::new(|file, view| {
-                    let words = with_command(std::env::args_os());
+                print: Box::new(|file, seen| {
+                    let line = line(&with_command(std::env::args_os()), file, seen);
                     // Who reads it may be gone; the window is still there.
-                    let _ = output::print(&format!("{}\n", line(&words, file, view)));
+                    let _ = output::print(&format!("{line}\n"));
+                    line
                 }),
                 equation: Box::new(explain::lines),
                 save: Box::new(move |file, showing| {

@@ -86,6 +86,72 @@ pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldEr
     }
 }
 
+/// A light as [`light`] reads it; `None`, if it is placed by a node. What a name can't have there is left
+/// out of it.
+#[must_use]
+pub fn light_text(light: &SceneLight) -> Option<String> {
+    let SceneLight { name, light, placement, position, direction } = light;
+    let list = |numbers: &[f32]| numbers.iter().map(f32::to_string).collect::<Vec<_>>().join(",");
+    let vector = |v: &DVec3| format!("{},{},{}", v.x, v.y, v.z);
+    let (kind, cone) = match light.kind {
+        LightKind::Ambient => ("ambient", None),
+        LightKind::Directional => ("directional", None),
+        LightKind::Point => ("point", None),
+        LightKind::Spot(cone) => ("spot", Some(cone)),
+    };
+    let mut text = kind.to_owned();
+    let mut field = |key: &str, value: &str| text.extend([":", key, "=", value]);
+    if light.kind == LightKind::Ambient {
+        field("color", &list(&light.ambient));
+    } else {
+        if light.kind != LightKind::Directional {
+            field("pos", &vector(position));
+        }
+        if light.kind != LightKind::Point {
+            field("dir", &vector(direction));
+        }
+        match cone {
+            Some(Cone::Exponent { cos_cutoff, exponent }) => {
+                field("cutoff", &cutoff_degrees(cos_cutoff).to_string());
+                field("exponent", &exponent.to_string());
+            }
+            Some(Cone::Smooth { cos_inner, cos_outer }) => {
+                field("cutoff", &cutoff_degrees(cos_outer).to_string());
+                field("inner", &cutoff_degrees(cos_inner).to_string());
+            }
+            None => {}
+        }
+        if light.ambient != [0.0; 3] {
+            field("ambient", &list(&light.ambient));
+        }
+        field("diffuse", &list(&light.diffuse));
+        if light.specular != light.diffuse {
+            field("specular", &list(&light.specular));
+        }
+        let Attenuation { coefficients, limit, range } = light.attenuation;
+        let none = Attenuation::NONE;
+        if coefficients != none.coefficients {
+            field("attenuation", &list(&coefficients));
+        }
+        if limit < Attenuation::NO_LIMIT {
+            field("limit", &limit.to_string());
+        }
+        if let Some(range) = range {
+            field("range", &range.to_string());
+        }
+    }
+    match placement {
+        Placement::World => {}
+        Placement::Camera => field("in", "camera"),
+        Placement::Node(_) => return None,
+    }
+    let name: String = name.chars().filter(|letter| *letter != ':').collect();
+    if !name.is_empty() {
+        field("name", &name);
+    }
+    Some(text)
+}
+
 fn light_name(text: &str) -> Result<String, String> {
     if text.is_empty() { Err("a name has at least one letter".to_owned()) } else { Ok(text.into()) }
 }
@@ -258,6 +324,24 @@ mod tests {
             assert_eq!(cos_cutoff(cutoff_degrees(cosine)), Some(cosine), "{cosine}");
         }
         assert_eq!(cutoff_degrees(-1.0), 180.0);
+    }
+
+    #[test]
+    fn what_is_written_of_a_light_is_read_as_the_same_one() {
+        for text in [
+            "ambient:color=0.1,0.2,0.3:name=sky",
+            "directional:dir=0,-1,0:diffuse=1,0.5,0.25:in=camera:name=sun",
+            "point:pos=1,-2,3.5:ambient=0.1,0,0:diffuse=1,1,1:specular=0,0,0:attenuation=1,0,0.25:name=a",
+            "spot:pos=0,0,1:dir=0,0,-1:cutoff=60:exponent=12:diffuse=2,2,2:limit=1:range=8:name=b c",
+            "spot:pos=0,0,1:dir=1,0,0:cutoff=40:inner=30:diffuse=1,1,1:name=c",
+        ] {
+            let light = parsed(text);
+            let written = light_text(&light).unwrap();
+            assert_eq!(written, text);
+            assert_eq!(parsed(&written), light);
+        }
+        let odd = SceneLight { name: "a:b".to_owned(), ..parsed("point:pos=0,0,0") };
+        assert_eq!(parsed(&light_text(&odd).unwrap()).name, "ab");
     }
 
     #[test]

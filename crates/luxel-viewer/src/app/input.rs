@@ -1,6 +1,7 @@
 //! What mouse and keys do: for the panels where they are theirs, for the camera elsewhere.
 
 use super::App;
+use crate::help::scrolled_by;
 use crate::keys::{Action, Chord, KeyName, next_mode};
 use crate::opener::Opener;
 use crate::ui::Wish;
@@ -20,6 +21,9 @@ const PIXELS_A_NOTCH: f64 = 50.0;
 
 impl App {
     pub(super) fn press(&mut self, event_loop: &ActiveEventLoop, key: Key) {
+        if self.ui.shows_help && self.is_for_help(&key) {
+            return;
+        }
         let Some(chord) = chord(&key, self.modifiers) else { return };
         let mode = self.session.as_ref().map_or_else(Mode::default, |one| one.state.mode());
         let Some(action) = self.ui.keys.action(&chord, mode) else { return };
@@ -62,7 +66,7 @@ impl App {
             | Action::Split
             | Action::Difference => self.look_otherwise(action),
             Action::Measure => self.measure(),
-            Action::Line => self.print_line(),
+            Action::Line => self.copy_line(),
             Action::Save => self.save(),
             Action::Step(is_forward) => self.step(is_forward),
             Action::Hide | Action::Isolate | Action::ShowAll => {
@@ -95,6 +99,20 @@ impl App {
                 self.redraw();
             }
         }
+    }
+
+    /// While the help is there, Esc puts it away, and the keys that scroll pages scroll it.
+    pub(super) fn is_for_help(&mut self, key: &Key) -> bool {
+        let Key::Named(key) = key else { return false };
+        if *key == NamedKey::Escape {
+            self.ui.shows_help = false;
+        } else if let Some(by) = scrolled_by(*key) {
+            self.ui.help_by += by;
+        } else {
+            return false;
+        }
+        self.redraw();
+        true
     }
 
     /// Changes how the scene is looked at.
@@ -196,11 +214,16 @@ impl App {
         match wish {
             Wish::View(view) => self.happen(Event::View(view)),
             Wish::Mode(mode) => self.happen(Event::Mode(mode)),
-            Wish::Line => self.print_line(),
+            Wish::Line => self.copy_line(),
             Wish::Save => self.save(),
             Wish::Ask => self.ask_for_file(),
             Wish::Open(path) => self.open(path),
             Wish::StopReading => self.stop_reading(),
+            Wish::Copy(text) => {
+                if let Err(what) = self.clipboard.put(&text) {
+                    self.note(format!("there is no clipboard: {what}"));
+                }
+            }
             Wish::Fit(Some(bounds)) => self.happen(Event::Fit(Some(bounds))),
             Wish::Fit(None) | Wish::Lens if self.playing.is_some() => {}
             Wish::Fit(None) | Wish::Lens => {
@@ -254,6 +277,10 @@ impl App {
             return false;
         }
         let pressed = event.state == ElementState::Pressed;
+        if pressed && self.modifiers.control_key() && self.is_about_clipboard(&event.logical_key) {
+            self.redraw();
+            return true;
+        }
         if let (true, Some(text)) = (pressed, &event.text)
             && !text.chars().any(char::is_control)
         {
@@ -274,6 +301,23 @@ impl App {
             });
         }
         self.redraw();
+        true
+    }
+
+    /// Ctrl and a letter, in a field: what is marked into the clipboard, or its text into the field.
+    fn is_about_clipboard(&mut self, key: &Key) -> bool {
+        let Key::Character(letter) = key else { return false };
+        let event = match letter.to_lowercase().as_str() {
+            "c" => Some(egui::Event::Copy),
+            "x" => Some(egui::Event::Cut),
+            // Fields have one line.
+            "v" => self.clipboard.text().map(|text| {
+                let line = text.lines().next().unwrap_or_default();
+                egui::Event::Paste(line.to_owned())
+            }),
+            _ => return false,
+        };
+        self.ui.events.extend(event);
         true
     }
 

@@ -6,7 +6,7 @@ use crate::theme::ThemeChoice;
 use luxel::formats::SurfaceChange;
 use luxel::navigation::{Log, Mode};
 use luxel::render::{Execution, ExplainedSurface, View};
-use luxel::scene::{Scene, Size};
+use luxel::scene::{Scene, SceneLight, Size};
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
@@ -30,7 +30,7 @@ pub struct Options {
     pub execution: Execution,
     /// Writes a file, whole or not at all; answers with what went wrong, for the user.
     pub write: Write,
-    /// Prints the line of a terminal that draws a view of a file.
+    /// Prints the line of a terminal that draws what is seen of a file, and answers with it.
     pub print: Print,
     /// Saves what is shown of a file as a scene file; answers with its name, or with what went wrong.
     pub save: Save,
@@ -42,8 +42,19 @@ pub struct Options {
     pub detail: Box<dyn Fn(&str)>,
 }
 
-/// Prints the line of a terminal that draws a view of a file.
-pub type Print = Box<dyn Fn(&OsStr, &View)>;
+/// Prints the line of a terminal that draws what is seen of a file, and answers with it.
+pub type Print = Box<dyn Fn(&OsStr, &Seen<'_>) -> String>;
+
+/// What is seen of a file, to be drawn again.
+pub struct Seen<'a> {
+    /// The view.
+    pub view: &'a View,
+    /// Its lights in coordinates of the world or the camera, if they or the scene's ambient light are not
+    /// those that the file or the line has.
+    pub lights: Option<Vec<SceneLight>>,
+    /// Whether what mirrors and metals see is not what the file or the line has.
+    pub is_environment_changed: bool,
+}
 
 /// Saves what is shown of a file as a scene file; answers with its name, or with what went wrong.
 pub type Save = Box<dyn Fn(&OsStr, &Showing<'_>) -> Result<String, String>>;

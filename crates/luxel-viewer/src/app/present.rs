@@ -1,6 +1,6 @@
 //! What the window shows, and what of it is kept in files.
 
-use super::{App, Showing, ViewerError, shrunk};
+use super::{App, Seen, Showing, ViewerError, shrunk};
 use crate::compare::{Apart, Split, heat, join};
 use crate::compose::{compose, empty};
 use crate::guides::Guides;
@@ -120,16 +120,25 @@ impl App {
         keep(&self.stem, &rgba_of(&pixels), size, encoding, &self.options.write)
     }
 
-    /// Prints the line of a terminal that draws what is seen.
-    pub(super) fn print_line(&mut self) {
+    /// Prints the line of a terminal that draws what is seen, and puts it into the clipboard.
+    pub(super) fn copy_line(&mut self) {
         let Some(session) = &self.session else { return };
-        (self.options.print)(self.files.seen(), &session.view());
-        let note = if session.is_edited() {
-            "its line is in the terminal, but for lights changed here and what is hidden"
-        } else {
-            "its line is in the terminal"
+        let seen = Seen {
+            view: &session.view(),
+            lights: session.changed_lights(),
+            is_environment_changed: session.is_environment_changed(),
         };
-        self.note(note.to_owned());
+        let line = (self.options.print)(self.files.seen(), &seen);
+        let but = match (session.is_redressed(), session.look().layer.is_some()) {
+            (true, _) => ", but for materials changed here and what is hidden",
+            (_, true) => ", of the picture and not of the layer",
+            _ => "",
+        };
+        let note = match self.clipboard.put(&line) {
+            Ok(()) => format!("its line is in the clipboard and in the terminal{but}"),
+            Err(_) => format!("there is no clipboard: its line is in the terminal{but}"),
+        };
+        self.note(note);
     }
 
     /// Saves what is seen as a scene file.

@@ -1,10 +1,11 @@
 //! The dialog in which a model is named: a path, and the entries that it may become.
 
 use super::{Opener, Taken};
+use crate::focus;
 use crate::theme;
 use egui::{
     Align, Align2, Button, Context, Frame, Id, Key, Layout, Margin, Modifiers, Order, RichText,
-    ScrollArea, Stroke, TextEdit, Ui, vec2,
+    Stroke, TextEdit, Ui, vec2,
 };
 use std::path::PathBuf;
 
@@ -27,7 +28,8 @@ pub(crate) fn dialog(context: &Context, opener: &mut Opener) -> Option<Answer> {
     let room = context.content_rect().size() - vec2(48.0, 220.0);
     let frame = Frame::new().fill(theme.panel).corner_radius(4).inner_margin(Margin::same(16));
     let frame = frame.stroke(Stroke::new(1.0, theme.line));
-    let area = egui::Area::new(Id::new("open")).order(Order::Foreground);
+    let area =
+        egui::Area::new(Id::new("open")).sense(egui::Sense::hover()).order(Order::Foreground);
     let area = area.anchor(Align2::CENTER_CENTER, vec2(0.0, -14.0));
     let shown = area.show(context, |ui| {
         frame
@@ -83,7 +85,9 @@ fn answer_of(taken: Taken) -> Option<Answer> {
 fn field(ui: &mut Ui, opener: &mut Opener) {
     let before = opener.text.clone();
     // Tab completes here.
-    let field = TextEdit::singleline(&mut opener.text).lock_focus(true).hint_text("a path");
+    let field = TextEdit::singleline(&mut opener.text)
+        .lock_focus(true)
+        .hint_text(RichText::new("a path").color(theme::of(ui.ctx()).quiet));
     let field = field.margin(Margin::symmetric(8, 6)).desired_width(f32::INFINITY);
     let mut output = field.id_salt("path").show(ui);
     output.response.request_focus();
@@ -108,7 +112,7 @@ fn list(ui: &mut Ui, opener: &mut Opener, height: f32) -> Option<Answer> {
     Frame::new().fill(theme.field).corner_radius(4).inner_margin(Margin::same(4)).show(ui, |ui| {
         ui.set_min_size(vec2(ui.available_width(), height));
         ui.spacing_mut().item_spacing.y = 0.0;
-        let area = ScrollArea::vertical().max_height(height).auto_shrink([false, false]);
+        let area = focus::scrolled(ui).max_height(height).auto_shrink([false, false]);
         area.show(ui, |ui| {
             if let Some(trouble) = &opener.trouble {
                 ui.label(RichText::new(trouble).color(theme.heading));

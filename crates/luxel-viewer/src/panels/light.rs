@@ -1,6 +1,7 @@
 //! The lights of the scene: each on or off, what it is, where it stands; one more, one less.
 
 use super::controls::{heading, intensity, one_of, row, slider, slider_f32, vector};
+use crate::focus;
 use crate::lamps::NewLight;
 use crate::session::Session;
 use crate::theme;
@@ -126,7 +127,12 @@ fn line(ui: &mut Ui, session: &mut Session, at: usize, chosen: &mut Option<usize
     let (name, kind) = (light.name.clone(), kind_of(light));
     let mut is_gone = false;
     ui.horizontal(|ui| {
-        if ui.checkbox(&mut is_on, "").on_hover_text("on or off").changed() {
+        // Off, nothing but its outline is seen of the box.
+        let outline = egui::Stroke::new(1.0, theme::of(ui.ctx()).quiet);
+        let before = std::mem::replace(&mut ui.visuals_mut().widgets.inactive.bg_stroke, outline);
+        let switch = ui.checkbox(&mut is_on, "").on_hover_text("on or off");
+        ui.visuals_mut().widgets.inactive.bg_stroke = before;
+        if switch.changed() {
             session.change_look(|look| look.switch(at, is_on));
         }
         let rest = egui::Layout::right_to_left(egui::Align::Center);
@@ -156,6 +162,7 @@ fn cross(ui: &mut Ui) -> egui::Response {
     let theme = theme::of(ui.ctx());
     let is_lit = response.hovered() || response.has_focus();
     let color = if is_lit { theme.accent } else { theme.quiet };
+    focus::ring(ui, &response, rect);
     for way in [egui::vec2(3.5, 3.5), egui::vec2(3.5, -3.5)] {
         let line = [rect.center() - way, rect.center() + way];
         ui.painter().line_segment(line, egui::Stroke::new(1.25, color));

@@ -80,7 +80,9 @@ fn constants(ui: &mut Ui, worn: &SceneMaterial, change: &mut Restyle) {
     row(ui, "reflection", |ui| {
         let name = reflection_name(&constants.reflection);
         let width = ui.available_width();
-        ComboBox::from_id_salt("reflection").selected_text(name).width(width).show_ui(ui, |ui| {
+        let list = ComboBox::from_id_salt("reflection").selected_text(name);
+        // All of them at once.
+        list.width(width).height(280.0).show_ui(ui, |ui| {
             for model in MODELS {
                 if ui.selectable_label(name == model, model).clicked() && name != model {
                     change.reflection = reflection(model).ok();

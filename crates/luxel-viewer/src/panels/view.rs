@@ -182,8 +182,8 @@ fn camera(ui: &mut Ui, session: &Session, wishes: &mut Vec<Wish>) {
         if open.on_hover_text("a model, by its name").clicked() {
             wishes.push(Wish::Ask);
         }
-        let line = ui.button("print its line");
-        if line.on_hover_text("`luxel render ...`, in the terminal").clicked() {
+        let line = ui.button("copy its line");
+        if line.on_hover_text("`luxel render ...`, into the clipboard").clicked() {
             wishes.push(Wish::Line);
         }
         let save = ui.button("save as a scene file");

@@ -109,10 +109,26 @@ fn a_model_that_has_changed_keeps_camera_and_edited_lights_but_not_marks_of_othe
 fn lights_that_are_off_are_not_drawn() {
     let mut session = session(false);
     let all = session.view().lights;
-    assert!(!session.is_edited());
+    assert_eq!(session.changed_lights(), None);
     session.change_look(|look| look.switch(0, false));
     assert_eq!(session.view().lights, all[1..]);
-    assert!(session.is_edited());
+    assert_eq!(session.changed_lights().as_deref(), Some(&all[1..]));
+}
+
+#[test]
+fn what_was_changed_of_light_is_told_in_coordinates_that_need_no_scene() {
+    let mut session = session(false);
+    let node = luxel::scene::NodeId(0);
+    let places = session.places().placed(&session.view().lights[0]);
+    session.change_look(|look| look.view_mut().lights[0].placement = Placement::Node(node));
+    session.put_light(0, places.0, places.1);
+    session.change_look(|look| look.view_mut().lights[0].light.scale(2.0));
+    let told = session.changed_lights().unwrap();
+    assert_eq!(told[0].placement, Placement::World);
+    assert!(session.places().placed(&told[0]).1.abs_diff_eq(places.1, 1e-12));
+    assert!(!session.is_environment_changed() && !session.is_redressed());
+    session.change_wardrobe(|wardrobe| wardrobe.change(0).k_d = Some(0.25));
+    assert!(session.is_redressed());
 }
 
 #[test]

@@ -4,7 +4,7 @@ use crate::options::{NormalsChoice, ShadingOptions};
 use clap::ValueEnum;
 use luxel::formats::{SceneModels, SceneText, SettingValue, SurfaceChange};
 use luxel::lighting::{Light, PictureEncoding};
-use luxel::render::{Clamp, Cull, Interpolation, NormalLength, ShadingMode, View};
+use luxel::render::{Clamp, Cull, Interpolation, NormalLength, Shading, ShadingMode, View};
 use luxel::scene::{DVec3, Placement, Restyle, SceneCamera, SceneLight};
 use luxel_viewer::Showing;
 use std::ffi::OsStr;
@@ -99,7 +99,7 @@ fn text<'a>(
 }
 
 /// A light that adds nothing.
-fn dark() -> SceneLight {
+pub(super) fn dark() -> SceneLight {
     SceneLight {
         name: "none".to_owned(),
         light: Light::ambient([0.0; 3]),
@@ -107,6 +107,40 @@ fn dark() -> SceneLight {
         position: DVec3::ZERO,
         direction: DVec3::NEG_Z,
     }
+}
+
+/// The flags that say where light is computed, and how it gets to the pixels between: those that are not
+/// as by default, or all.
+pub(super) fn shading_flags(view: &View, is_all: bool) -> Vec<(&'static str, String)> {
+    let Shading { mode, interpolation, clamp, normal_length } = view.shading;
+    let mode_name = match mode {
+        ShadingMode::Phong => "phong",
+        ShadingMode::Flat => "flat",
+        ShadingMode::Gouraud => "gouraud",
+        ShadingMode::Subdivided { .. } => "subdivided",
+    };
+    let interpolation_name = match interpolation {
+        Interpolation::Perspective => "perspective",
+        Interpolation::Screen => "screen",
+        Interpolation::Scanline => "scanline",
+    };
+    let by_default = Shading::default();
+    let is_at_end = clamp == Clamp::End;
+    let is_interpolated = normal_length == NormalLength::Interpolated;
+    let mut flags = Vec::new();
+    let mut flag = |is_given: bool, name, value: &str| {
+        if is_given || is_all {
+            flags.push((name, value.to_owned()));
+        }
+    };
+    flag(mode != by_default.mode, "shading", mode_name);
+    flag(interpolation != by_default.interpolation, "interpolation", interpolation_name);
+    flag(is_at_end, "clamp", if is_at_end { "end" } else { "vertex" });
+    flag(is_interpolated, "normal-length", if is_interpolated { "interpolated" } else { "unit" });
+    if let ShadingMode::Subdivided { tolerance } = mode {
+        flags.push(("tolerance", tolerance.to_string()));
+    }
+    flags
 }
 
 /// The flags of `luxel render`, as far as they are not those by default.
@@ -126,26 +160,8 @@ fn settings(
         Cull::None => settings.push(("cull", word("none"))),
         Cull::Back => settings.push(("cull", word("back"))),
     }
-    match view.shading.mode {
-        ShadingMode::Phong => {}
-        ShadingMode::Flat => settings.push(("shading", word("flat"))),
-        ShadingMode::Gouraud => settings.push(("shading", word("gouraud"))),
-        ShadingMode::Subdivided { tolerance } => {
-            settings.push(("shading", word("subdivided")));
-            settings.push(("tolerance", one(tolerance.to_string())));
-        }
-    }
-    match view.shading.interpolation {
-        Interpolation::Perspective => {}
-        Interpolation::Screen => settings.push(("interpolation", word("screen"))),
-        Interpolation::Scanline => settings.push(("interpolation", word("scanline"))),
-    }
-    if view.shading.clamp == Clamp::End {
-        settings.push(("clamp", word("end")));
-    }
-    if view.shading.normal_length == NormalLength::Interpolated {
-        settings.push(("normal-length", word("interpolated")));
-    }
+    let shaded = shading_flags(view, false).into_iter();
+    settings.extend(shaded.map(|(name, value)| (name, SettingValue::One(value))));
     if view.encoding == PictureEncoding::None {
         settings.push(("encoding", word("none")));
     }
