@@ -171,6 +171,27 @@ terminal = Terminal()
 terminal.first()
 terminal.leave("\x03")
 
+# Ended from outside, it leaves the terminal as it was, too.
+terminal = Terminal()
+terminal.first()
+os.kill(terminal.pid, signal.SIGTERM)
+terminal.read()
+if os.waitpid(terminal.pid, 0)[1] == 0:
+    fail("ended from outside, it tells of no failure")
+for mode in (b"\x1b[?1049l", b"\x1b[?25h", b"\x1b[?1000l"):
+    if mode not in terminal.out:
+        fail(f"{mode!r} is not said when it is ended from outside")
+if termios.tcgetattr(terminal.fd)[3] != terminal.before[3]:
+    fail("the terminal's modes are not as they were when it is ended from outside")
+
+# The smallest terminals.
+for columns, rows in [(20, 5), (1, 1)]:
+    terminal = Terminal()
+    terminal.resize(columns, rows)
+    terminal.first()
+    terminal.type("hd")
+    terminal.leave()
+
 # The protocols for pictures.
 width, height = COLUMNS * 10, (ROWS - 1) * 20
 terminal = Terminal("--graphics", "kitty")

@@ -27,6 +27,8 @@ pub(crate) fn print_json(document: &serde_json::Value) -> Result<(), Failure> {
 
 /// The file being written, which an interrupt has to remove.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
+/// What is to be done when the program is interrupted.
+static LAST: Mutex<Option<fn()>> = Mutex::new(None);
 static INTERRUPTS: Once = Once::new();
 
 /// What a program that was interrupted ends with, as shells report it: 128 and the number of the
@@ -92,12 +94,27 @@ fn unfinished_name(path: &Path) -> PathBuf {
 
 fn remove_when_interrupted(unfinished: &Path) {
     *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = Some(unfinished.to_owned());
+    hear_interrupts();
+}
+
+/// Does something at last, if the program is interrupted from now on.
+#[cfg(feature = "viewer")]
+pub(crate) fn when_interrupted(last: fn()) {
+    *LAST.lock().unwrap_or_else(PoisonError::into_inner) = Some(last);
+    hear_interrupts();
+}
+
+fn hear_interrupts() {
     INTERRUPTS.call_once(|| {
-        // Without a handler the system ends the program, which is right but for the unfinished file.
+        // Without a handler the system ends the program, which is right but for the unfinished file
+        // and for terminals that are in use.
         #[cfg(not(target_family = "wasm"))]
         let _ = ctrlc::set_handler(|| {
             if let Some(path) = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).take() {
                 let _ = fs::remove_file(path);
+            }
+            if let Some(last) = LAST.lock().unwrap_or_else(PoisonError::into_inner).take() {
+                last();
             }
             #[expect(clippy::exit, reason = "an interrupt ends the program")]
             std::process::exit(INTERRUPTED);

@@ -14,7 +14,9 @@ const STEP: f32 = 16.0;
 /// Draws the line and what is on its sides; dragged, it moves.
 pub(crate) fn line(context: &Context, split: &mut Split, look: &Look) {
     let (all, free) = (context.content_rect(), context.available_rect());
-    let x = (all.left() + split.at * all.width()).clamp(free.left() + HALF, free.right() - HALF);
+    // A window may be too narrow for it.
+    let within = |x: f32| x.min(free.right() - HALF).max(free.left() + HALF);
+    let x = within(all.left() + split.at * all.width());
     let theme = theme::of(context);
     let area = Area::new(Id::new("divider")).fixed_pos(pos2(x - HALF, free.top()));
     let size = vec2(2.0 * HALF, free.height());
@@ -29,7 +31,7 @@ pub(crate) fn line(context: &Context, split: &mut Split, look: &Look) {
     let by_keys = if has_keyboard { focus::arrows(context, response.id).x * STEP } else { 0.0 };
     let by_hand = if response.dragged() { response.drag_delta().x } else { 0.0 };
     if by_keys + by_hand != 0.0 {
-        let to = (x + by_keys + by_hand).clamp(free.left() + HALF, free.right() - HALF);
+        let to = within(x + by_keys + by_hand);
         split.at = (to - all.left()) / all.width().max(1.0);
     }
     let painter = context.layer_painter(egui::LayerId::background());

@@ -62,7 +62,7 @@ pub(crate) fn help(context: &Context, mode: Mode, keys: &Keys, by: f32) {
         ui.add_space(12.0);
         table(ui, &modes_title, &modes);
     };
-    let room = context.content_rect().size() - vec2(80.0, 108.0);
+    let room = (context.content_rect().size() - vec2(80.0, 108.0)).max(vec2(160.0, 48.0));
     area.order(egui::Order::Foreground).show(context, |ui| {
         frame.show(ui, |ui| {
             ui.set_width(WIDE.min(room.x));

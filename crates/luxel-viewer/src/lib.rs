@@ -51,5 +51,5 @@ pub use keys::{Keys, KeysError, KeysErrorKind};
 pub use ledger::{LedgerLine, TermKind};
 pub use loading::Loading;
 pub use model::Model;
-pub use terminal::{Graphics, GraphicsChoice, TerminalOptions, view_in_terminal};
+pub use terminal::{Graphics, GraphicsChoice, TerminalOptions, leave_terminal, view_in_terminal};
 pub use theme::ThemeChoice;

@@ -15,10 +15,11 @@ pub struct Loading {
 }
 
 /// What is done with a model, one after the other.
-pub(crate) const STEPS: [&str; 4] = [
+pub(crate) const STEPS: [&str; 5] = [
     "reading the file",
     "making its meshes",
-    "arranging normals and camera",
+    "making its normals",
+    "fitting it into view",
     "making it ready to be drawn",
 ];
 
@@ -28,9 +29,14 @@ impl Loading {
         self.step.store(2, Ordering::Relaxed);
     }
 
+    /// Its surfaces are ready.
+    pub fn is_smooth(&self) {
+        self.step.store(3, Ordering::Relaxed);
+    }
+
     /// The model is whole.
     pub(crate) fn is_whole(&self) {
-        self.step.store(3, Ordering::Relaxed);
+        self.step.store(4, Ordering::Relaxed);
     }
 
     /// Which of the steps it is at.
@@ -64,7 +70,9 @@ impl Loading {
         self.progress.stop();
     }
 
-    pub(crate) fn is_stopped(&self) -> bool {
+    /// Whether the model is not wanted any more: whoever makes it may give up.
+    #[must_use]
+    pub fn is_stopped(&self) -> bool {
         self.progress.is_stopped()
     }
 }
@@ -86,6 +94,8 @@ mod tests {
         assert_eq!(loading.progress.bytes(), (length, length));
         let mut parts = vec![0.0, loading.part()];
         loading.is_understood();
+        parts.push(loading.part());
+        loading.is_smooth();
         parts.push(loading.part());
         loading.is_whole();
         parts.push(loading.part());

@@ -26,6 +26,7 @@ use luxel::navigation::{Event, Gesture, Mode};
 use luxel::render::{Execution, Renderer};
 use luxel::scene::{DVec2, DVec3, Size};
 use screen::Screen;
+pub use screen::leave_terminal;
 use std::ffi::OsStr;
 use std::time::{Duration, Instant};
 

@@ -109,6 +109,8 @@ pub(crate) type Panels = (bool, panels::Tab, Option<panels::Side>);
 
 /// Narrower than this, in points, panels are folded to icons, and one is unfolded at a time.
 const ROOM_FOR_BOTH: f32 = 900.0;
+/// What a file's name may take of the line below the picture.
+const NAME_SHARE: f32 = 0.4;
 /// Letters of an object's name in the line below the picture.
 const LONGEST_NAME: usize = 28;
 
@@ -314,8 +316,10 @@ fn status_line(context: &Context, status: &Status, session: Option<&Session>, ke
     let frame = Frame::new().fill(theme::of(context).panel).inner_margin(Margin::symmetric(12, 4));
     let panel = egui::TopBottomPanel::bottom("status").frame(frame).show_separator_line(false);
     panel.exact_height(28.0).show(context, |ui| {
-        ui.horizontal_centered(|ui| {
-            ui.label(&status.name);
+        let from_right = egui::Layout::right_to_left(egui::Align::Center);
+        ui.with_layout(from_right, |ui| {
+            let (panels, help) = (keys.first_of(Action::Panels), keys.first_of(Action::Help));
+            ui.weak(format!("{panels} panels    {help} help"));
             let mut parts = Vec::new();
             if let Some([place, count]) = status.place {
                 parts.push(format!("{place} of {count}"));
@@ -352,10 +356,16 @@ fn status_line(context: &Context, status: &Status, session: Option<&Session>, ke
                     }
                 }
             }
-            ui.weak(parts.join("   "));
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let (panels, help) = (keys.first_of(Action::Panels), keys.first_of(Action::Help));
-                ui.weak(format!("{panels} panels    {help} help"));
+            // What is left of the line is theirs, and no more of it.
+            let rest = ui.available_size();
+            let from_left = egui::Layout::left_to_right(egui::Align::Center);
+            ui.allocate_ui_with_layout(rest, from_left, |ui| {
+                ui.scope(|ui| {
+                    ui.set_max_width(rest.x * NAME_SHARE);
+                    ui.add(egui::Label::new(&status.name).truncate());
+                });
+                let told = egui::RichText::new(parts.join("   ")).weak();
+                ui.add(egui::Label::new(told).truncate());
             });
         });
     });

@@ -45,7 +45,7 @@ pub(crate) fn bar(context: &Context, coming: &OnItsWay, wishes: &mut Vec<Wish>) 
         .anchor(Align2::CENTER_BOTTOM, ABOVE);
     area.order(egui::Order::Foreground).show(context, |ui| {
         frame.show(ui, |ui| {
-            ui.set_width(360.0_f32.min(context.content_rect().width() - 48.0));
+            ui.set_width((context.content_rect().width() - 48.0).clamp(0.0, 360.0));
             ui.horizontal(|ui| {
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     if ui.button("stop").on_hover_text("Esc").clicked() {

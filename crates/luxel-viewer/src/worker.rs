@@ -149,6 +149,9 @@ impl Worker {
             let reading = std::thread::Builder::new().name("luxel-read".to_owned());
             let spawned = reading.spawn(move || {
                 let loaded = load(&file, &loading).and_then(|model| {
+                    if loading.is_stopped() {
+                        return Err("it is not wanted any more".to_owned());
+                    }
                     loading.is_whole();
                     let renderer = Renderer::new(&model.scene, &execution);
                     let prepared = renderer.map_err(|error| error.to_string())?.into_prepared();

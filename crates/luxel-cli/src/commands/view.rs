@@ -118,7 +118,7 @@ mod window {
     use clap::{ArgMatches, CommandFactory};
     use luxel_viewer::{
         Graphics, GraphicsChoice, Loading, Model, Options, Outcome, TerminalOptions, ThemeChoice,
-        ViewerError, view_in_terminal,
+        ViewerError, leave_terminal, view_in_terminal,
     };
     use std::ffi::{OsStr, OsString};
     use std::path::{Path, PathBuf};
@@ -133,6 +133,11 @@ mod window {
         let matches = matches.as_ref().and_then(ArgMatches::subcommand);
         let source = matches.and_then(|(_, view)| view.value_source("model"));
         source.is_none_or(|source| source == ValueSource::CommandLine)
+    }
+
+    /// Gives up what is not wanted any more; nobody hears of it.
+    fn stopped(loading: &Loading) -> Result<(), Failure> {
+        if loading.is_stopped() { Err(Failure::work("it was stopped", "")) } else { Ok(()) }
     }
 
     fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
@@ -242,6 +247,7 @@ mod window {
                 execution: view::execution(&self.execution),
                 write: Box::new(write),
             };
+            output::when_interrupted(leave_terminal);
             view_in_terminal(model, &options).map_err(|error| match error {
                 ViewerError::NoTerminal(_) => Failure::work(
                     error.to_string(),
@@ -275,11 +281,14 @@ mod window {
             let watch = Some(loading.progress.clone());
             let mut model = model::load_watched(&input, &self.execution, console, watch)?;
             loading.is_understood();
+            stopped(loading)?;
             if model.scene.bounds().is_empty() {
                 return Err(model::nothing_to_draw(&input.name()));
             }
             surface::apply_material(&self.material, &mut model.scene);
             surface::apply_normals(&self.shading, &mut model.scene);
+            loading.is_smooth();
+            stopped(loading)?;
             let scene = model.scene;
             let (state, settings, camera) = navigation::start(&self.frame, &scene, self.mode)?;
             let view = view::view(

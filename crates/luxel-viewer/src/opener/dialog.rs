@@ -25,7 +25,7 @@ pub(crate) enum Answer {
 /// Shows the dialog; what comes of it, if it has come to an end.
 pub(crate) fn dialog(context: &Context, opener: &mut Opener) -> Option<Answer> {
     let theme = theme::of(context);
-    let room = context.content_rect().size() - vec2(48.0, 220.0);
+    let room = (context.content_rect().size() - vec2(48.0, 220.0)).max(vec2(0.0, 0.0));
     let frame = Frame::new().fill(theme.panel).corner_radius(4).inner_margin(Margin::same(16));
     let frame = frame.stroke(Stroke::new(1.0, theme.line));
     let area =

@@ -12,6 +12,7 @@ use crossterm::terminal::{
 use crossterm::{execute, queue};
 use luxel::scene::{DVec2, Size};
 use std::io::{IsTerminal, Stdout, Write, stdout};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A cell in pixels, where the terminal does not tell.
 const CELL: [u32; 2] = [8, 16];
@@ -35,6 +36,7 @@ impl Screen {
             return Err(std::io::Error::other("this is no terminal"));
         }
         enable_raw_mode()?;
+        IS_OPEN.store(true, Ordering::SeqCst);
         let size = Size { width: 1, height: 1 };
         let mut screen = Self { out, graphics: Graphics::Blocks, cells: [1; 2], size };
         execute!(screen.out, EnterAlternateScreen, Hide)?;
@@ -102,8 +104,19 @@ impl Drop for Screen {
     fn drop(&mut self) {
         // Whoever has gone hears nothing of it.
         let _ = self.out.write_all(self.graphics.farewell().as_bytes());
+        leave_terminal();
+    }
+}
+
+/// Whether a terminal is not as it was.
+static IS_OPEN: AtomicBool = AtomicBool::new(false);
+
+/// Leaves the terminal as it was before [`view_in_terminal`](crate::view_in_terminal), for whoever ends
+/// the program in the middle of that; without it, nothing.
+pub fn leave_terminal() {
+    if IS_OPEN.swap(false, Ordering::SeqCst) {
         let _ = execute!(
-            self.out,
+            stdout(),
             SetAttribute(Attribute::Reset),
             DisableMouseCapture,
             Show,

@@ -248,3 +248,24 @@ fn the_tree_is_searched_by_typing_and_all_of_its_rows_are_come_to() {
     let left = stage.walk("what was found").len();
     assert_eq!(all - left, 2 * (count - matching), "{wanted}");
 }
+
+#[test]
+fn windows_of_any_size_are_laid_out() {
+    for size in [(1, 1), (1, 900), (3000, 20), (80, 60), (899, 30)] {
+        let mut stage = Stage::new("plane", size);
+        stage.session.toggle_split();
+        stage.session.add_light(NewLight::Spot);
+        for tab in [Tab::Light, Tab::Explain, Tab::View] {
+            stage.ui.tab = tab;
+            for unfolded in [None, Some(Side::Tree), Some(Side::Settings)] {
+                (stage.ui.unfolded, stage.ui.shows_help) = (unfolded, unfolded.is_none());
+                stage.pass(Vec::new());
+                stage.pass(Vec::new());
+            }
+        }
+        stage.session.toggle_difference();
+        stage.ui.opener = Some(Opener::beside("demo:plane".as_ref()));
+        stage.pass(Vec::new());
+        stage.pass(Vec::new());
+    }
+}
