@@ -1,6 +1,6 @@
 //! How the scene is looked at: what is drawn of it, two looks compared, camera, ways to navigate.
 
-use super::controls::{heading, one_of, row, slider};
+use super::controls::{one_of, row, slider};
 use crate::keys::{Action, Keys, MODES, Shown};
 use crate::look::{SHADINGS, is_of_light, layer_name, shading_name};
 use crate::session::Session;
@@ -16,7 +16,7 @@ pub(super) fn view(ui: &mut Ui, session: &mut Session, keys: &Keys, wishes: &mut
     shading(ui, session, keys);
     layers(ui, session, keys);
     shown(ui, session, keys);
-    camera(ui, session, wishes);
+    camera(ui, session, keys, wishes);
     navigation(ui, session, keys, wishes);
 }
 
@@ -165,8 +165,8 @@ fn shown(ui: &mut Ui, session: &mut Session, keys: &Keys) {
     });
 }
 
-fn camera(ui: &mut Ui, session: &Session, wishes: &mut Vec<Wish>) {
-    heading(ui, "Camera and files");
+fn camera(ui: &mut Ui, session: &Session, keys: &Keys, wishes: &mut Vec<Wish>) {
+    heading_with(ui, "Camera and files", keys.first_of(Action::Open));
     ui.horizontal(|ui| {
         let mut is_parallel = matches!(session.settings.lens, Lens::Orthographic { .. });
         if one_of(ui, &mut is_parallel, &[(false, "perspective"), (true, "parallel")]) {
