@@ -4,7 +4,7 @@ use crate::ledger::{self, LedgerLine, TermKind, value_row};
 use crate::probe::Explained;
 use crate::ruler::number;
 use crate::session::Session;
-use crate::theme;
+use crate::theme::{self, Theme};
 use egui::{Color32, Context, FontId, RichText, Stroke, pos2, vec2};
 use luxel::render::{
     Cull, ExplainedLight, ExplainedSurface, Explanation, Hidden, NEAREST_WITHIN, Seen,
@@ -193,8 +193,8 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
     let [x, y] = explanation.pixel.map(|side| (f64::from(side) + 0.5) / scale);
     let from = pos2(x as f32, y as f32);
     let rotation = session.state.view_from_world();
-    // Where names stand already.
-    let mut taken: Vec<egui::Rect> = Vec::new();
+    // Names come at last, so that no line runs over them.
+    let mut tips: Vec<(String, Color32, egui::Pos2)> = Vec::new();
     let mut arrow = |name: &str, color: Color32, [x, y, z]: [f32; 3]| {
         let vector = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
         let in_view = rotation.transform_vector3(vector) * LENGTH;
@@ -204,19 +204,7 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
         painter.line_segment([from, to], halo);
         painter.line_segment([from, to], Stroke::new(2.0, color));
         painter.circle_filled(to, 3.0, color);
-        let text = painter.layout_no_wrap(name.to_owned(), FontId::proportional(13.0), color);
-        let way = (to - from).normalized();
-        // Beyond its tip, or above or below that, where no other name is.
-        let places = [0.0, 18.0, -18.0, 36.0, -36.0].map(|aside| {
-            let away = vec2(way.x * (8.0 + text.size().x / 2.0), way.y * 14.0);
-            egui::Rect::from_center_size(to + away + vec2(0.0, aside), text.size())
-                .expand2(vec2(4.0, 1.0))
-        });
-        let is_free = |place: &&egui::Rect| taken.iter().all(|other| !other.intersects(**place));
-        let place = *places.iter().find(is_free).unwrap_or(&places[0]);
-        painter.rect_filled(place, 4, theme.panel.gamma_multiply(0.85));
-        painter.galley(place.shrink2(vec2(4.0, 1.0)).min, text, color);
-        taken.push(place);
+        tips.push((name.to_owned(), color, to));
     };
     let angle = |cosine: f32| libm::acos(f64::from(cosine.clamp(-1.0, 1.0))).to_degrees();
     let dot = |a: [f32; 3], b: [f32; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
@@ -239,4 +227,29 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
     }
     arrow("N", theme.vectors[0], surface.normal);
     painter.circle(from, 4.0, theme.halo, Stroke::new(1.5, theme.accent));
+    names(&painter, theme, from, tips);
+}
+
+/// The names of vectors from a point, each beyond its tip, or above or below that, where no other name is.
+fn names(
+    painter: &egui::Painter,
+    theme: &Theme,
+    from: egui::Pos2,
+    tips: Vec<(String, Color32, egui::Pos2)>,
+) {
+    let mut taken: Vec<egui::Rect> = Vec::new();
+    for (name, color, to) in tips {
+        let text = painter.layout_no_wrap(name, FontId::proportional(13.0), color);
+        let way = (to - from).normalized();
+        let places = [0.0, 18.0, -18.0, 36.0, -36.0].map(|aside| {
+            let away = vec2(way.x * (8.0 + text.size().x / 2.0), way.y * 14.0);
+            egui::Rect::from_center_size(to + away + vec2(0.0, aside), text.size())
+                .expand2(vec2(4.0, 1.0))
+        });
+        let is_free = |place: &&egui::Rect| taken.iter().all(|other| !other.intersects(**place));
+        let place = *places.iter().find(is_free).unwrap_or(&places[0]);
+        painter.rect_filled(place, 4, theme.panel.gamma_multiply(0.85));
+        painter.galley(place.shrink2(vec2(4.0, 1.0)).min, text, color);
+        taken.push(place);
+    }
 }

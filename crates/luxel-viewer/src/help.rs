@@ -18,9 +18,10 @@ const MOUSE: [(&str, &str); 8] = [
     ("double click", "turn about that point"),
 ];
 
-/// As wide as all of it is, in points; less takes two columns.
+/// As wide as all of it is, in points; less takes two columns, or one.
 const WIDE: f32 = 960.0;
 const NARROW: f32 = 860.0;
+const NARROWEST: f32 = 620.0;
 
 /// How far a key scrolls it, in points: a line, a page, all of it.
 pub(crate) fn scrolled_by(key: NamedKey) -> Option<f32> {
@@ -72,6 +73,14 @@ pub(crate) fn help(context: &Context, mode: Mode, keys: &Keys, by: f32) {
             scrolled.show(ui, |ui| {
                 if by != 0.0 {
                     ui.scroll_with_delta(vec2(0.0, -by));
+                }
+                if room.x < NARROWEST {
+                    hand(ui);
+                    ui.add_space(12.0);
+                    table(ui, "Keys", &rows);
+                    ui.add_space(12.0);
+                    held(ui);
+                    return;
                 }
                 if room.x < NARROW {
                     ui.columns(2, |columns| {
