@@ -1,4 +1,8 @@
 //! What the equation takes of a material: each k O, brought within bounds once.
+//!
+//! Where textures change it, it comes in lanes; else it is one value for all points of the material
+//! and is spread over the lanes at the very place where it is used. Sixteen values of everything
+//! would be more than there are registers.
 
 use crate::{Material, Reflectance, Reflection};
 use luxel_math::{Number, Rgb};
@@ -9,27 +13,27 @@ const COEFFICIENT_LIMIT: f32 = 1e8;
 /// What a surface reflects and sends, whatever its normal and whoever looks: each coefficient times
 /// its colour, not negative, not huge, not NaN.
 ///
-/// Of a material without textures it is the same at all its points.
+/// Of a material without textures it is the same at all its points: `Coefficients<Uniform>`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Coefficients<N> {
+pub struct Coefficients<K> {
     /// O_e; k_d O_d of a surface that isn't lit; in a mix, both.
-    pub(crate) own: Rgb<N>,
+    pub(crate) own: Rgb<K>,
     /// k_a O_a, occluded.
-    pub(crate) ambient: Rgb<N>,
+    pub(crate) ambient: Rgb<K>,
     /// k_d O_d
-    pub(crate) diffuse: Rgb<N>,
+    pub(crate) diffuse: Rgb<K>,
     /// k_s O_s
-    pub(crate) specular: Rgb<N>,
+    pub(crate) specular: Rgb<K>,
     /// O_d of a microfacet surface, within 0 and 1.
-    pub(crate) base: Rgb<N>,
+    pub(crate) base: Rgb<K>,
     /// n
-    pub(crate) shininess: N,
+    pub(crate) shininess: K,
     /// Within 0 and 1.
-    pub(crate) metallic: N,
+    pub(crate) metallic: K,
     /// Within 0 and 1.
-    pub(crate) roughness: N,
+    pub(crate) roughness: K,
     /// Within 0 and 1.
-    pub(crate) occlusion: N,
+    pub(crate) occlusion: K,
 }
 
 impl<N: Number> Coefficients<N> {
@@ -52,23 +56,54 @@ impl<N: Number> Coefficients<N> {
     }
 }
 
-impl Coefficients<f32> {
-    /// The same in every lane; `like` tells only the kind of number.
-    #[inline(always)]
+impl Coefficients<Uniform> {
+    /// Of what a material reflects that has no textures.
     #[must_use]
-    pub fn in_lanes<N: Number>(&self, like: N) -> Coefficients<N> {
-        Coefficients {
-            own: Rgb::splat(like, self.own.lane(0)),
-            ambient: Rgb::splat(like, self.ambient.lane(0)),
-            diffuse: Rgb::splat(like, self.diffuse.lane(0)),
-            specular: Rgb::splat(like, self.specular.lane(0)),
-            base: Rgb::splat(like, self.base.lane(0)),
-            shininess: like.constant(self.shininess),
-            metallic: like.constant(self.metallic),
-            roughness: like.constant(self.roughness),
-            occlusion: like.constant(self.occlusion),
+    pub fn uniform(material: &Material) -> Self {
+        let of = Coefficients::new(&Reflectance::of(0.0, material), material);
+        let rgb = |Rgb { r, g, b }| Rgb::new(Uniform(r), Uniform(g), Uniform(b));
+        Self {
+            own: rgb(of.own),
+            ambient: rgb(of.ambient),
+            diffuse: rgb(of.diffuse),
+            specular: rgb(of.specular),
+            base: rgb(of.base),
+            shininess: Uniform(of.shininess),
+            metallic: Uniform(of.metallic),
+            roughness: Uniform(of.roughness),
+            occlusion: Uniform(of.occlusion),
         }
     }
+}
+
+/// What can be had in every lane: a value for each, or [one for all](Uniform).
+pub trait Spread<N: Number>: Copy {
+    /// It in every lane; `like` tells only the kind of number.
+    fn spread(self, like: N) -> N;
+}
+
+/// One value for all lanes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Uniform(pub f32);
+
+impl<N: Number> Spread<N> for Uniform {
+    #[inline(always)]
+    fn spread(self, like: N) -> N {
+        like.constant(self.0)
+    }
+}
+
+impl<N: Number> Spread<N> for N {
+    #[inline(always)]
+    fn spread(self, _: N) -> N {
+        self
+    }
+}
+
+/// A colour in every lane.
+#[inline(always)]
+pub(crate) fn spread<N: Number, K: Spread<N>>(color: Rgb<K>, like: N) -> Rgb<N> {
+    Rgb::new(color.r.spread(like), color.g.spread(like), color.b.spread(like))
 }
 
 /// k O, not negative, not huge, not NaN.

@@ -35,10 +35,19 @@ impl PictureEncoding {
         match self {
             Self::Srgb => SRGB.bytes_of_lanes(linear),
             Self::None => {
-                let exact = linear.limited(0.0, 1.0).widened();
-                let whole = exact.constant(WHOLE);
-                let rounded = exact * exact.constant(255.0) + whole - whole;
-                i32x16::truncate_from(rounded.narrow()).bitcast()
+                let unit = linear.limited(0.0, 1.0);
+                // Rounded to f32 the product may become a tie that it was not; nothing else can
+                // change its byte.
+                let scaled = unit * linear.constant(255.0);
+                let shifted = scaled + linear.constant(FRACTIONLESS);
+                let rest = scaled - (shifted - linear.constant(FRACTIONLESS));
+                if Number::abs(rest).equal(linear.constant(0.5)).any() {
+                    let exact = unit.widened();
+                    let whole = exact.constant(WHOLE);
+                    let rounded = exact * exact.constant(255.0) + whole - whole;
+                    return i32x16::truncate_from(rounded.narrow()).bitcast();
+                }
+                shifted.bitcast::<u32x16<S>>() & 255
             }
         }
     }
@@ -90,6 +99,9 @@ pub fn unit_to_byte(linear: f32) -> u8 {
 /// What leaves no digits behind the point of an `f64`: added, it rounds, without a call where
 /// processors have no instruction for that. In f64 the product with 255 is exact.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
+
+/// The same for an `f32`, 2^23: the sum's lowest bits are the whole number.
+const FRACTIONLESS: f32 = 8_388_608.0;
 
 /// round(255 encode(clamp(v, 0, 1))), ties to even; 0 for NaN.
 ///

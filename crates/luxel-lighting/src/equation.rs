@@ -1,10 +1,11 @@
 //! The lighting equation.
 
+use crate::coefficients::spread;
 use crate::light::bounded;
 use crate::reflection::{Incidence, Surface};
 use crate::{
     Coefficients, Environment, Fog, LightKind, LightTerms, Material, PlacedLight, Reflectance,
-    Reflection, SurfacePoint, Terms, Witness,
+    Reflection, Spread, SurfacePoint, Terms, Witness,
 };
 use luxel_math::{Number, Rgb};
 
@@ -51,9 +52,9 @@ pub fn lit<N: Number, W: Witness<N>>(
 
 /// [`lit`], for a surface whose coefficients are known.
 #[inline(always)]
-pub fn lit_by<N: Number, W: Witness<N>>(
+pub fn lit_by<N: Number, K: Spread<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
-    coefficients: &Coefficients<N>,
+    coefficients: &Coefficients<K>,
     reflection: &Reflection,
     surroundings: &Surroundings<'_>,
     witness: &mut W,
@@ -70,16 +71,16 @@ pub fn lit_by<N: Number, W: Witness<N>>(
 /// The light that leaves a surface point towards the eye, before any fog: [`lit_by`] without its
 /// last line.
 #[inline(always)]
-pub fn reflected<N: Number, W: Witness<N>>(
+pub fn reflected<N: Number, K: Spread<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
-    coefficients: &Coefficients<N>,
+    coefficients: &Coefficients<K>,
     reflection: &Reflection,
     surroundings: &Surroundings<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
     let like = point.depth;
     let surface = Surface::new(point, coefficients);
-    let emission = coefficients.own;
+    let emission = spread(coefficients.own, like);
     let ambient_share = surface.ambient(reflection, &surroundings.environment);
     let scene_ambient = ambient_share * Rgb::splat(like, bounded(surroundings.scene_ambient));
 
@@ -93,16 +94,15 @@ pub fn reflected<N: Number, W: Witness<N>>(
         let n_dot_l = point.normal.dot(arrival.to_light);
         let incidence = Incidence { to_light: arrival.to_light, n_dot_l };
         let part = surface.reflected(reflection, &incidence, witness);
-        let factor = arrival.attenuation * arrival.spot;
 
         // Of most lights there is none, and 0 changes no sum.
         let mut ambient = Rgb::black(like);
         if light.ambient != [0.0; 3] {
-            ambient = ambient_share * Rgb::splat(like, light.ambient) * factor;
+            ambient = arrival.faded(ambient_share * Rgb::splat(like, light.ambient));
             sum = sum + ambient;
         }
-        let diffuse = part.diffuse * Rgb::splat(like, light.diffuse) * factor;
-        let specular = part.specular * Rgb::splat(like, light.specular) * factor;
+        let diffuse = arrival.faded(part.diffuse * Rgb::splat(like, light.diffuse));
+        let specular = arrival.faded(part.specular * Rgb::splat(like, light.specular));
         sum = sum + diffuse;
         sum = sum + specular;
         witness.light(
@@ -123,7 +123,12 @@ pub fn reflected<N: Number, W: Witness<N>>(
     let environment = match reflection {
         Reflection::Unlit => Rgb::black(like),
         _ if surroundings.environment.is_none() => Rgb::black(like),
-        _ => surface.mirrored(reflection, &surroundings.environment, witness),
+        // Made anew, as what others get to see has to be written to memory: only here.
+        _ => Surface::new(point, coefficients).mirrored(
+            reflection,
+            &surroundings.environment,
+            witness,
+        ),
     };
     let sum = finite(sum + environment);
     witness.terms(&Terms { emission, scene_ambient, environment, sum });

@@ -30,7 +30,7 @@ mod reflection;
 mod surface;
 mod witness;
 
-pub use coefficients::Coefficients;
+pub use coefficients::{Coefficients, Spread, Uniform};
 pub use encode::{
     PictureEncoding, byte_to_linear, decode_srgb, encode_srgb, srgb_to_byte, unit_to_byte,
 };

@@ -2,7 +2,7 @@
 
 use crate::light::bounded;
 use crate::{Attenuation, Cone, Light, LightKind};
-use luxel_math::{Mask, Number, Vec3, elementary};
+use luxel_math::{Mask, Number, Rgb, Vec3, elementary};
 
 /// A light in its place: world directions, with the eye as the origin.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +23,18 @@ pub(crate) struct Arrival<N> {
     pub(crate) attenuation: N,
     /// How much of the cone's light goes this way.
     pub(crate) spot: N,
+}
+
+impl<N: Number> Arrival<N> {
+    /// What is left of an intensity on the way: f I with f = attenuation x spot, which is 1 for
+    /// lights without a place.
+    #[inline(always)]
+    pub(crate) fn faded(&self, intensity: Rgb<N>) -> Rgb<N> {
+        match self.distance {
+            Some(_) => intensity * (self.attenuation * self.spot),
+            None => intensity,
+        }
+    }
 }
 
 impl PlacedLight {

@@ -101,7 +101,12 @@ fn bytes_in_lanes<S: Simd>(
 fn sixteen_bytes_at_once_are_those_of_each_value() {
     let odd = [-1.0, -0.0, f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.5, 1.0];
     let most = 1.2_f32.to_bits();
-    let floats = (0..=most).step_by(9973).map(f32::from_bits).chain(odd);
+    // Where a byte begins, and beside it: there roundings meet.
+    let ties = (0..255_u32).flat_map(|byte| {
+        let tie = ((f64::from(byte) + 0.5) / 255.0) as f32;
+        (0..5).map(move |step| f32::from_bits(tie.to_bits() - 2 + step))
+    });
+    let floats = (0..=most).step_by(9973).map(f32::from_bits).chain(ties).chain(odd);
     let floats: Vec<f32> = floats.collect();
     for level in SimdLevel::available() {
         let level = level.resolve().expect("it is available");

@@ -37,9 +37,9 @@ pub use fearless_simd::dispatch;
 pub use fearless_simd::{Level, Simd, f32x8, f32x16, i32x16, mask32x16, u32x16};
 pub use fixed::{SUBPIXELS, SubPixel};
 pub use lanes::{LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel};
-pub use number::{Mask, Number};
+pub use number::{Mask, Number, Piecewise};
 pub use vector::{Rgb, Vec3};
-pub use wide::{Wide, Wide16};
+pub use wide::{Wide, Wide8, Wide16};
 
 /// What code over sixteen lanes wants in scope.
 pub mod prelude {

@@ -8,8 +8,11 @@
 //! into the dispatched kernel loses its instruction set and passes vectors through memory.
 
 use crate::LANES;
-use crate::wide::{Wide, Wide16};
-use fearless_simd::{ExtractToken, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+use crate::wide::{Wide, Wide8, Wide16};
+use fearless_simd::{
+    ExtractToken, Level, Simd, f32x8, f32x16, i32x8, i32x16, mask32x8, mask32x16, prelude::*,
+    u32x8, u32x16,
+};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// One truth value, or one for each lane.
@@ -24,7 +27,13 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
     fn bits(self) -> u32;
 }
 
-/// One `f32`, or one for each of sixteen lanes.
+/// Work that can be done on any part of sixteen lanes: see [`Number::piecewise`].
+pub trait Piecewise {
+    /// Does it from lane `first` on, for as many lanes as a `N` has; `like` tells only the kind.
+    fn piece<N: Number>(&mut self, like: N, first: usize);
+}
+
+/// One `f32`, or one for each of sixteen lanes (or, for [a part](Number::piecewise) of them, eight).
 ///
 /// `min`, `max` and `select` are defined by comparison (`a < b ? a : b`), so that a NaN has the
 /// same effect everywhere: where it is the first operand, the second is the result.
@@ -70,20 +79,23 @@ pub trait Number:
     fn lane(self, lane: usize) -> f32;
     /// A number whose lane i has the value `of(i)`; only lane 0 is asked for an `f32`.
     fn each_lane(self, of: impl FnMut(usize) -> f32) -> Self;
-    /// A number with these lanes, of which an `f32` takes the first; `self` tells only the kind.
-    fn of_lanes(self, values: &[f32; LANES]) -> Self;
-    /// The values of all lanes, of which an `f32` fills the first.
-    fn to_lanes(self, values: &mut [f32; LANES]);
+    /// A number of values from the `first` on; `self` tells only the kind.
+    fn load(self, values: &[f32; LANES], first: usize) -> Self;
+    /// Writes the values of all lanes, from the `first` on.
+    fn store(self, values: &mut [f32; LANES], first: usize);
     /// The number with another value in one lane; an `f32` has only lane 0.
     fn with_lane(self, lane: usize, value: f32) -> Self;
     /// The mask whose lane i is bit i; `self` tells only the kind of number.
     fn mask_of(self, bits: u32) -> Self::Mask;
-    /// The lanes of `values` that are `value`, as bits; `self` tells only the kind of number, of
-    /// which an `f32` looks at the first lane alone.
+    /// The lanes of `values` that are `value`, as bits; `self` tells only the kind of number:
+    /// fewer lanes than all look at the first ones.
     fn lanes_equal(self, values: &[u32; LANES], value: u32) -> u32;
     /// Runs work with the instruction set of this kind of number. The closure is to be marked
     /// `#[inline(always)]`; around it a function may then stay out of its callers.
     fn vectorized<R>(self, work: impl FnOnce() -> R) -> R;
+
+    /// Does work on all lanes that takes more values at once than there are registers: in pieces.
+    fn piecewise(self, work: &mut impl Piecewise);
 
     /// A bit for each lane.
     #[inline(always)]
@@ -150,25 +162,6 @@ impl Mask for bool {
     #[inline(always)]
     fn bits(self) -> u32 {
         u32::from(self)
-    }
-}
-
-impl<S: Simd> Mask for mask32x16<S> {
-    #[inline(always)]
-    fn any(self) -> bool {
-        self.any_true()
-    }
-    #[inline(always)]
-    fn all(self) -> bool {
-        self.all_true()
-    }
-    #[inline(always)]
-    fn splat_like(self, value: bool) -> Self {
-        Self::splat(self.token(), value)
-    }
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        self.to_bitmask() as u32
     }
 }
 
@@ -245,12 +238,12 @@ impl Number for f32 {
         of(0)
     }
     #[inline(always)]
-    fn of_lanes(self, values: &[Self; LANES]) -> Self {
-        values[0]
+    fn load(self, values: &[Self; LANES], first: usize) -> Self {
+        values[first]
     }
     #[inline(always)]
-    fn to_lanes(self, values: &mut [Self; LANES]) {
-        values[0] = self;
+    fn store(self, values: &mut [Self; LANES], first: usize) {
+        values[first] = self;
     }
     #[inline(always)]
     fn with_lane(self, lane: usize, value: Self) -> Self {
@@ -268,101 +261,246 @@ impl Number for f32 {
     fn vectorized<R>(self, work: impl FnOnce() -> R) -> R {
         work()
     }
+    #[inline(always)]
+    fn piecewise(self, work: &mut impl Piecewise) {
+        work.piece(self, 0);
+    }
 }
 
-impl<S: Simd> Number for f32x16<S> {
-    type Mask = mask32x16<S>;
-    type Wide = Wide16<S>;
+/// Whether the instruction set's own minimum and maximum are `a < b ? a : b` and `a > b ? a : b`, bit
+/// for bit, with NaN and both zeros: x86's are, others treat NaN in ways of their own.
+#[inline(always)]
+fn compares_in_min_and_max<S: Simd>(simd: S) -> bool {
+    match simd.level() {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Sse2(_) | Level::Sse4_2(_) | Level::Avx2(_) | Level::Avx512(_) => true,
+        _ => false,
+    }
+}
 
-    #[inline(always)]
-    fn widened(self) -> Wide16<S> {
-        Wide16::of(self)
+/// Whether sixteen lanes of a few `f64` fill all registers.
+#[inline(always)]
+fn has_few_registers<S: Simd>(simd: S) -> bool {
+    match simd.level() {
+        // Thirty-two registers, of which two hold sixteen lanes.
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Avx512(_) => false,
+        _ => true,
     }
+}
 
-    #[inline(always)]
-    fn constant(self, value: f32) -> Self {
-        Self::splat(self.simd, value)
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        SimdFloat::sqrt(self)
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        SimdBase::abs(self)
-    }
-    #[inline(always)]
-    fn floor(self) -> Self {
-        SimdFloat::floor(self)
-    }
-    #[inline(always)]
-    fn round_ties_even(self) -> Self {
-        SimdFloat::round_ties_even(self)
-    }
-    #[inline(always)]
-    fn less(self, other: Self) -> mask32x16<S> {
-        self.simd_lt(other)
-    }
-    #[inline(always)]
-    fn less_or_equal(self, other: Self) -> mask32x16<S> {
-        self.simd_le(other)
-    }
-    #[inline(always)]
-    fn equal(self, other: Self) -> mask32x16<S> {
-        self.simd_eq(other)
-    }
-    #[inline(always)]
-    fn select(self, mask: mask32x16<S>, other: Self) -> Self {
-        mask.select(self, other)
-    }
-    #[inline(always)]
-    fn mantissa_and_exponent(self) -> (Self, Self) {
-        let bits: i32x16<S> = self.bitcast();
-        let exponent = (bits - SQRT_HALF_BITS) >> MANTISSA_BITS;
-        let mantissa: Self = (bits - (exponent << MANTISSA_BITS)).bitcast();
-        (mantissa, Self::float_from(exponent))
-    }
-    #[inline(always)]
-    fn scale_by_exponent(self, exponent: Self) -> Self {
-        let bits = (i32x16::truncate_from(exponent) + EXPONENT_BIAS) << MANTISSA_BITS;
-        self * bits.bitcast::<Self>()
-    }
-    #[inline(always)]
-    fn lane(self, lane: usize) -> f32 {
-        self[lane]
-    }
-    #[inline(always)]
-    fn each_lane(self, mut of: impl FnMut(usize) -> f32) -> Self {
-        let mut lanes = [0.0; 16];
-        for (lane, value) in lanes.iter_mut().enumerate() {
-            *value = of(lane);
+/// Lanes as a kind of number.
+macro_rules! number_of_lanes {
+    ($count:literal, $Lanes:ident, $Mask:ident, $Ints:ident, $Words:ident, $Wide:ident) => {
+        impl<S: Simd> Mask for $Mask<S> {
+            #[inline(always)]
+            fn any(self) -> bool {
+                self.any_true()
+            }
+            #[inline(always)]
+            fn all(self) -> bool {
+                self.all_true()
+            }
+            #[inline(always)]
+            fn splat_like(self, value: bool) -> Self {
+                Self::splat(self.token(), value)
+            }
+            #[inline(always)]
+            fn bits(self) -> u32 {
+                self.to_bitmask() as u32
+            }
         }
-        Self::simd_from(self.simd, lanes)
+
+        impl<S: Simd> Number for $Lanes<S> {
+            type Mask = $Mask<S>;
+            type Wide = $Wide<S>;
+
+            #[inline(always)]
+            fn widened(self) -> $Wide<S> {
+                $Wide::of(self)
+            }
+
+            #[inline(always)]
+            fn constant(self, value: f32) -> Self {
+                Self::splat(self.simd, value)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                SimdFloat::sqrt(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                SimdBase::abs(self)
+            }
+            #[inline(always)]
+            fn floor(self) -> Self {
+                SimdFloat::floor(self)
+            }
+            #[inline(always)]
+            fn round_ties_even(self) -> Self {
+                SimdFloat::round_ties_even(self)
+            }
+            #[inline(always)]
+            fn less(self, other: Self) -> $Mask<S> {
+                self.simd_lt(other)
+            }
+            #[inline(always)]
+            fn less_or_equal(self, other: Self) -> $Mask<S> {
+                self.simd_le(other)
+            }
+            #[inline(always)]
+            fn equal(self, other: Self) -> $Mask<S> {
+                self.simd_eq(other)
+            }
+            #[inline(always)]
+            fn select(self, mask: $Mask<S>, other: Self) -> Self {
+                mask.select(self, other)
+            }
+            #[inline(always)]
+            fn minimum(self, other: Self) -> Self {
+                if compares_in_min_and_max(self.simd) {
+                    self.min(other)
+                } else {
+                    self.select(self.less(other), other)
+                }
+            }
+            #[inline(always)]
+            fn maximum(self, other: Self) -> Self {
+                if compares_in_min_and_max(self.simd) {
+                    self.max(other)
+                } else {
+                    self.select(other.less(self), other)
+                }
+            }
+            #[inline(always)]
+            fn mantissa_and_exponent(self) -> (Self, Self) {
+                let bits: $Ints<S> = self.bitcast();
+                let exponent = (bits - SQRT_HALF_BITS) >> MANTISSA_BITS;
+                let mantissa: Self = (bits - (exponent << MANTISSA_BITS)).bitcast();
+                (mantissa, Self::float_from(exponent))
+            }
+            #[inline(always)]
+            fn scale_by_exponent(self, exponent: Self) -> Self {
+                let bits = ($Ints::truncate_from(exponent) + EXPONENT_BIAS) << MANTISSA_BITS;
+                self * bits.bitcast::<Self>()
+            }
+            #[inline(always)]
+            fn lane(self, lane: usize) -> f32 {
+                self[lane]
+            }
+            #[inline(always)]
+            fn each_lane(self, mut of: impl FnMut(usize) -> f32) -> Self {
+                let mut lanes = [0.0; $count];
+                for (lane, value) in lanes.iter_mut().enumerate() {
+                    *value = of(lane);
+                }
+                Self::simd_from(self.simd, lanes)
+            }
+            #[inline(always)]
+            fn load(self, values: &[f32; LANES], first: usize) -> Self {
+                Self::from_slice(self.simd, &values[first..first + $count])
+            }
+            #[inline(always)]
+            fn store(self, values: &mut [f32; LANES], first: usize) {
+                self.store_slice(&mut values[first..first + $count]);
+            }
+            #[inline(always)]
+            fn with_lane(mut self, lane: usize, value: f32) -> Self {
+                self[lane] = value;
+                self
+            }
+            #[inline(always)]
+            fn mask_of(self, bits: u32) -> $Mask<S> {
+                $Mask::from_bitmask(self.simd, u64::from(bits))
+            }
+            #[inline(always)]
+            fn lanes_equal(self, values: &[u32; LANES], value: u32) -> u32 {
+                let values = $Words::from_slice(self.simd, &values[..$count]);
+                values.simd_eq($Words::splat(self.simd, value)).to_bitmask() as u32
+            }
+            #[inline(always)]
+            fn vectorized<R>(self, work: impl FnOnce() -> R) -> R {
+                self.simd.vectorize(work)
+            }
+            #[inline(always)]
+            fn piecewise(self, work: &mut impl Piecewise) {
+                if $count == LANES && has_few_registers(self.simd) {
+                    let eight = f32x8::splat(self.simd, 0.0);
+                    for first in [0, LANES / 2] {
+                        work.piece(eight, first);
+                    }
+                } else {
+                    work.piece(self, 0);
+                }
+            }
+        }
+    };
+}
+
+number_of_lanes!(16, f32x16, mask32x16, i32x16, u32x16, Wide16);
+number_of_lanes!(8, f32x8, mask32x8, i32x8, u32x8, Wide8);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SimdLevel;
+    use fearless_simd::dispatch;
+
+    /// What comparisons take apart: both zeros, infinities, NaN.
+    const VALUES: [f32; 8] =
+        [0.0, -0.0, 1.0, -1.5, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, f32::MIN_POSITIVE];
+
+    /// The smaller and the larger of two, lane by lane, in pieces.
+    struct Extremes {
+        pairs: [[f32; LANES]; 2],
+        found: [[f32; LANES]; 2],
+        times: [u32; LANES],
     }
-    #[inline(always)]
-    fn of_lanes(self, values: &[f32; LANES]) -> Self {
-        Self::simd_from(self.simd, *values)
+
+    impl Piecewise for Extremes {
+        #[inline(always)]
+        fn piece<N: Number>(&mut self, like: N, first: usize) {
+            let [a, b] = self.pairs.map(|values| like.load(&values, first));
+            a.minimum(b).store(&mut self.found[0], first);
+            a.maximum(b).store(&mut self.found[1], first);
+            let mut lanes = like.all_lanes();
+            while lanes != 0 {
+                self.times[first + lanes.trailing_zeros() as usize] += 1;
+                lanes &= lanes - 1;
+            }
+        }
     }
+
     #[inline(always)]
-    fn to_lanes(self, values: &mut [f32; LANES]) {
-        self.store_slice(values);
+    fn extremes<S: Simd>(simd: S, pairs: [[f32; LANES]; 2], whole: bool) -> Extremes {
+        let mut work = Extremes { pairs, found: [[0.0; LANES]; 2], times: [0; LANES] };
+        let like = f32x16::splat(simd, 0.0);
+        if whole {
+            work.piece(like, 0);
+        } else {
+            like.piecewise(&mut work);
+        }
+        work
     }
-    #[inline(always)]
-    fn with_lane(mut self, lane: usize, value: f32) -> Self {
-        self[lane] = value;
-        self
-    }
-    #[inline(always)]
-    fn mask_of(self, bits: u32) -> mask32x16<S> {
-        mask32x16::from_bitmask(self.simd, u64::from(bits))
-    }
-    #[inline(always)]
-    fn lanes_equal(self, values: &[u32; LANES], value: u32) -> u32 {
-        let values = u32x16::simd_from(self.simd, *values);
-        values.simd_eq(u32x16::splat(self.simd, value)).to_bitmask() as u32
-    }
-    #[inline(always)]
-    fn vectorized<R>(self, work: impl FnOnce() -> R) -> R {
-        self.simd.vectorize(work)
+
+    #[test]
+    fn the_smaller_and_the_larger_of_two_have_the_same_bits_at_every_level_and_in_pieces() {
+        for level in SimdLevel::available() {
+            let level = level.resolve().unwrap();
+            for turn in 0..VALUES.len() {
+                let a = std::array::from_fn(|lane| VALUES[lane % 8]);
+                let b = std::array::from_fn(|lane| VALUES[(lane + turn) % 8]);
+                for whole in [false, true] {
+                    let work = dispatch!(level, simd => extremes(simd, [a, b], whole));
+                    assert_eq!(work.times, [1; LANES], "{level:?}");
+                    for lane in 0..LANES {
+                        let bits = work.found.map(|values| values[lane].to_bits());
+                        let (a, b) = (a[lane], b[lane]);
+                        let one = [Number::minimum(a, b), Number::maximum(a, b)].map(f32::to_bits);
+                        assert_eq!(bits, one, "{a} and {b} at {level:?}");
+                    }
+                }
+            }
+        }
     }
 }

@@ -5,10 +5,10 @@
 //! and for sixteen lanes, and give the same bits in both.
 
 use crate::Number;
-use fearless_simd::{Simd, f32x16, f64x8, mask32x16, prelude::*};
+use fearless_simd::{Simd, f32x8, f32x16, f64x4, f64x8, mask32x8, mask32x16, prelude::*};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// One `f64`, or one for each of sixteen lanes.
+/// One `f64`, or one for each lane.
 pub trait Wide:
     Copy
     + Add<Output = Self>
@@ -51,87 +51,98 @@ impl Wide for f64 {
     }
 }
 
-/// Sixteen `f64`: the wide side of [`f32x16`].
-#[derive(Clone, Copy, Debug)]
-pub struct Wide16<S: Simd> {
-    low: f64x8<S>,
-    high: f64x8<S>,
+/// Lanes with the digits of an `f64`, in two halves.
+macro_rules! wide_lanes {
+    (
+        $Wide:ident, $Lanes:ident, $Mask:ident, $half:literal, $Half:ident,
+        $widen:ident, $narrow:ident
+    ) => {
+        #[doc = concat!("The wide side of [`", stringify!($Lanes), "`]: as many `f64`.")]
+        #[derive(Clone, Copy, Debug)]
+        pub struct $Wide<S: Simd> {
+            low: $Half<S>,
+            high: $Half<S>,
+        }
+
+        impl<S: Simd> $Wide<S> {
+            /// The exact values of so many `f32`.
+            #[inline(always)]
+            pub(crate) fn of(narrow: $Lanes<S>) -> Self {
+                let (low, high) = narrow.simd.$widen(narrow);
+                Self { low, high }
+            }
+        }
+
+        impl<S: Simd> Wide for $Wide<S> {
+            type Narrow = $Lanes<S>;
+
+            #[inline(always)]
+            fn constant(self, value: f64) -> Self {
+                let half = $Half::splat(self.low.simd, value);
+                Self { low: half, high: half }
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                Self { low: self.low.abs(), high: self.high.abs() }
+            }
+            #[inline(always)]
+            fn is_positive(self) -> $Mask<S> {
+                let simd = self.low.simd;
+                let zero = $Half::splat(simd, 0.0);
+                let low = self.low.simd_gt(zero).to_bitmask();
+                let high = self.high.simd_gt(zero).to_bitmask();
+                $Mask::from_bitmask(simd, low | high << $half)
+            }
+            #[inline(always)]
+            fn narrow(self) -> $Lanes<S> {
+                self.low.simd.$narrow(self.low, self.high)
+            }
+        }
+
+        impl<S: Simd> Add for $Wide<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                Self { low: self.low + other.low, high: self.high + other.high }
+            }
+        }
+
+        impl<S: Simd> Sub for $Wide<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                Self { low: self.low - other.low, high: self.high - other.high }
+            }
+        }
+
+        impl<S: Simd> Mul for $Wide<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(self, other: Self) -> Self {
+                Self { low: self.low * other.low, high: self.high * other.high }
+            }
+        }
+
+        impl<S: Simd> Div for $Wide<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn div(self, other: Self) -> Self {
+                Self { low: self.low / other.low, high: self.high / other.high }
+            }
+        }
+
+        impl<S: Simd> Neg for $Wide<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self { low: -self.low, high: -self.high }
+            }
+        }
+    };
 }
 
-impl<S: Simd> Wide16<S> {
-    /// The exact values of sixteen `f32`.
-    #[inline(always)]
-    pub(crate) fn of(narrow: f32x16<S>) -> Self {
-        let (low, high) = narrow.simd.widen_f32x16(narrow);
-        Self { low, high }
-    }
-}
-
-impl<S: Simd> Wide for Wide16<S> {
-    type Narrow = f32x16<S>;
-
-    #[inline(always)]
-    fn constant(self, value: f64) -> Self {
-        let eight = f64x8::splat(self.low.simd, value);
-        Self { low: eight, high: eight }
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self { low: self.low.abs(), high: self.high.abs() }
-    }
-    #[inline(always)]
-    fn is_positive(self) -> mask32x16<S> {
-        let simd = self.low.simd;
-        let zero = f64x8::splat(simd, 0.0);
-        let low = self.low.simd_gt(zero).to_bitmask();
-        let high = self.high.simd_gt(zero).to_bitmask();
-        mask32x16::from_bitmask(simd, low | high << 8)
-    }
-    #[inline(always)]
-    fn narrow(self) -> f32x16<S> {
-        self.low.simd.narrow_f64x8(self.low, self.high)
-    }
-}
-
-impl<S: Simd> Add for Wide16<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self { low: self.low + other.low, high: self.high + other.high }
-    }
-}
-
-impl<S: Simd> Sub for Wide16<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { low: self.low - other.low, high: self.high - other.high }
-    }
-}
-
-impl<S: Simd> Mul for Wide16<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        Self { low: self.low * other.low, high: self.high * other.high }
-    }
-}
-
-impl<S: Simd> Div for Wide16<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        Self { low: self.low / other.low, high: self.high / other.high }
-    }
-}
-
-impl<S: Simd> Neg for Wide16<S> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self { low: -self.low, high: -self.high }
-    }
-}
+wide_lanes!(Wide16, f32x16, mask32x16, 8, f64x8, widen_f32x16, narrow_f64x8);
+wide_lanes!(Wide8, f32x8, mask32x8, 4, f64x4, widen_f32x8, narrow_f64x4);
 
 #[cfg(test)]
 mod tests {

@@ -155,11 +155,11 @@ impl Bundle {
                 let sign = if self.turned[axis] != 0 { -1.0 } else { 1.0 };
                 let sign = f32x8::splat(simd, sign);
                 let largest = f32x8::splat(simd, rays.largest()[axis]);
-                let pad = padding(origin.abs(), largest, f32x8::splat(simd, PADDING));
+                let pad = padding(SimdBase::abs(origin), largest, f32x8::splat(simd, PADDING));
                 let [near, far] = moved(origin, sign * pad);
                 near.store_slice(&mut eight.near_origin[axis]);
                 far.store_slice(&mut eight.far_origin[axis]);
-                let length = along[axis].abs().max(f32x8::splat(simd, ALMOST_ZERO));
+                let length = SimdBase::abs(along[axis]).max(f32x8::splat(simd, ALMOST_ZERO));
                 (sign * (one / length)).store_slice(&mut eight.inverse[axis]);
                 origins[axis].include(origin);
             }

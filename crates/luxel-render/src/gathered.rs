@@ -2,118 +2,152 @@
 //! one, as on fine meshes.
 
 use crate::shade::{Batch, Scene16, put_lane};
-use crate::surface::Interpolated;
 use crate::triangles::Attributes;
-use crate::varying::{AtCorners, GatheredExtras, Weights, lanes_of, merge};
-use luxel_math::{LANES, Mask, Number, Vec3};
+use crate::varying::{AtCorners, GatheredExtras, Weights, lanes_of};
+use luxel_math::{LANES, Mask, Number, Piecewise, Vec3};
 use luxel_scene::Mesh;
-use luxel_visibility::{Forms, InstanceSpace, SeenCluster, TriangleId, TriangleOf};
+use luxel_visibility::{Forms, InstanceSpace, TriangleId};
 
-/// What is read of the triangles, lane by lane.
+/// Up to so many triangles a block are made ready one by one, and kept for the next block; with more,
+/// sixteen at once.
+const FEW: usize = 4;
+
+/// Whether these lanes see more than [`FEW`] triangles.
+#[inline(always)]
+pub(crate) fn has_many<N: Number>(like: N, ids: &[u32; LANES], mut lanes: u32) -> bool {
+    for _ in 0..FEW {
+        if lanes == 0 {
+            return false;
+        }
+        let id = ids[lanes.trailing_zeros() as usize & (LANES - 1)];
+        lanes &= !like.lanes_equal(ids, id);
+    }
+    lanes != 0
+}
+
+/// What is read of the triangles, lane by lane, and what comes of it.
 pub(crate) struct Gathered {
-    of: [TriangleOf; LANES],
     /// About the mesh's origin.
     positions: AtCorners<3>,
     /// In the mesh's space.
     normals: AtCorners<3>,
-    extras: GatheredExtras,
+    pub(crate) extras: GatheredExtras,
+    /// Each lane's material, by number.
+    pub(crate) materials: [u32; LANES],
+    pub(crate) met: Met,
+}
+
+/// Where the samples' rays meet their triangles, lane by lane.
+pub(crate) struct Met {
+    pub(crate) weights: Weights<[f32; LANES]>,
+    /// About the eye, along the world's axes.
+    pub(crate) position: [[f32; LANES]; 3],
+    /// In world space, turned to the side that is seen; not of unit length.
+    pub(crate) normal: [[f32; LANES]; 3],
+}
+
+/// The lanes that see one instance.
+#[derive(Clone, Copy)]
+pub(crate) struct OfInstance {
+    pub(crate) lanes: u32,
+    instance: usize,
+    pub(crate) has: Attributes,
 }
 
 impl Gathered {
     pub(crate) fn new() -> Self {
+        let nothing = [[0.0; LANES]; 3];
         Self {
-            of: [TriangleOf { instance: 0, triangle: 0, part: 0 }; LANES],
-            positions: [[[0.0; LANES]; 3]; 3],
-            normals: [[[0.0; LANES]; 3]; 3],
+            positions: [nothing; 3],
+            normals: [nothing; 3],
             extras: GatheredExtras {
                 tangents: [[[0.0; LANES]; 4]; 3],
                 uvs: [[[[0.0; LANES]; 2]; 3]; 2],
                 colors: [[[0.0; LANES]; 4]; 3],
             },
+            materials: [0; LANES],
+            met: Met {
+                weights: Weights { here: nothing, right: nothing, below: nothing },
+                position: nothing,
+                normal: nothing,
+            },
         }
     }
 
-    /// Interpolates at the places of a batch's samples.
+    /// Finds what the lowest of these lanes sees, and all others that see the same instance: places
+    /// and normals, and, if they are asked for, the extras.
     #[inline(always)]
-    pub(crate) fn interpolate<N: Number>(
+    pub(crate) fn meet<N: Number>(
+        &mut self,
+        like: N,
+        scene: &Scene16<'_>,
+        batch: &Batch,
+        of_lanes: u32,
+        extras: bool,
+    ) -> OfInstance {
+        let of = self.read(scene, batch, of_lanes, extras);
+        let Self { positions, normals, met, .. } = self;
+        like.piecewise(&mut Meeting { scene, batch, of, positions, normals, met });
+        of
+    }
+
+    /// Reads the triangles of one instance.
+    #[inline(always)]
+    fn read(
         &mut self,
         scene: &Scene16<'_>,
         batch: &Batch,
-        places: [N::Wide; 2],
-        interpolated: &mut Interpolated<N>,
-    ) {
-        let mut left = 0;
-        // Neighbours are often of one cluster.
-        let mut open: Option<SeenCluster<'_>> = None;
-        for (lane, id) in batch.ids.map(TriangleId).into_iter().enumerate() {
-            if id == TriangleId::NONE {
-                continue;
+        of_lanes: u32,
+        extras: bool,
+    ) -> OfInstance {
+        let id = |lane: usize| TriangleId(batch.ids[lane & (LANES - 1)]);
+        let mut cluster = scene.frame.cluster(id(of_lanes.trailing_zeros() as usize));
+        let instance = cluster.instance();
+        let mesh = scene.frame.instances()[instance].mesh;
+        let attribute_corners = mesh.attribute_corners();
+        let has = if extras { Attributes::of_mesh(mesh) } else { Attributes::default() };
+        let has_more = has != Attributes::default();
+        let mut material = mesh.parts[cluster.part()].material.0;
+        let mut lanes = 0;
+        for lane in lanes_of(of_lanes) {
+            let id = id(lane);
+            // Neighbours are often of one cluster.
+            if !cluster.holds(id) {
+                let other = scene.frame.cluster(id);
+                if other.instance() != instance {
+                    continue;
+                }
+                cluster = other;
+                material = mesh.parts[cluster.part()].material.0;
             }
-            let cluster = match open.take() {
-                Some(cluster) if cluster.holds(id) => cluster,
-                _ => scene.frame.cluster(id),
-            };
-            self.of[lane] = cluster.triangle(id);
-            let [a, b, c] = cluster.positions(id);
+            lanes |= 1 << lane;
+            self.materials[lane & (LANES - 1)] = material;
+            let (triangle, [a, b, c]) = cluster.look_up(id);
             put(&mut self.positions[0], lane, a);
             put(&mut self.positions[1], lane, b);
             put(&mut self.positions[2], lane, c);
-            left |= 1 << lane;
-            open = Some(cluster);
-        }
-        interpolated.seen = left;
-        // Nearly always one instance.
-        while left != 0 {
-            let instance = self.of[left.trailing_zeros() as usize & (LANES - 1)].instance;
-            let lanes = self.gather(scene, instance, left, &mut interpolated.materials);
-            self.interpolate_instance(scene, batch, places, instance, lanes, interpolated);
-            left &= !lanes;
-        }
-    }
-
-    /// Reads what the triangles of one instance have beside positions; which lanes see it.
-    #[inline(always)]
-    fn gather(
-        &mut self,
-        scene: &Scene16<'_>,
-        instance: usize,
-        of_lanes: u32,
-        materials: &mut [u32; LANES],
-    ) -> u32 {
-        let mesh = scene.frame.instances()[instance].mesh;
-        let attribute_corners = mesh.attribute_corners();
-        let has = Attributes::of_mesh(mesh);
-        let has_more = has != Attributes::default();
-        let mut lanes = 0;
-        for lane in lanes_of(of_lanes) {
-            let lane = lane & (LANES - 1);
-            let of = self.of[lane];
-            if of.instance != instance {
-                continue;
-            }
-            lanes |= 1 << lane;
-            materials[lane] = mesh.parts[of.part].material.0;
-            let attributes = attribute_corners[of.triangle as usize].map(|corner| corner as usize);
-            for corner in 0..3 {
-                if let Some(&normal) = mesh.normals.get(attributes[corner]) {
-                    put(&mut self.normals[corner], lane, normal);
+            let attributes = attribute_corners[triangle as usize];
+            for (normals, attribute) in self.normals.iter_mut().zip(attributes) {
+                if let Some(&normal) = mesh.normals.get(attribute as usize) {
+                    put(normals, lane, normal);
                 }
             }
             if has_more {
-                self.gather_attributes(mesh, &scene.spaces[instance], lane, attributes);
+                self.read_extras(mesh, &scene.spaces[instance], lane, attributes);
             }
         }
-        lanes
+        OfInstance { lanes, instance, has }
     }
 
-    fn gather_attributes(
+    fn read_extras(
         &mut self,
         mesh: &Mesh,
         space: &InstanceSpace,
         lane: usize,
-        attributes: [usize; 3],
+        attributes: [u32; 3],
     ) {
         for (corner, attribute) in attributes.into_iter().enumerate() {
+            let attribute = attribute as usize;
             for set in 0..2 {
                 if let Some(&uv) = mesh.uvs[set].get(attribute) {
                     put(&mut self.extras.uvs[set][corner], lane, uv);
@@ -127,36 +161,41 @@ impl Gathered {
             }
         }
     }
+}
 
+/// Rays and triangles on their way to [`Met`]. Corners are f64, of which sixteen lanes fill more
+/// registers than there are: done piece by piece.
+struct Meeting<'a> {
+    scene: &'a Scene16<'a>,
+    batch: &'a Batch,
+    of: OfInstance,
+    positions: &'a AtCorners<3>,
+    normals: &'a AtCorners<3>,
+    met: &'a mut Met,
+}
+
+impl Piecewise for Meeting<'_> {
     #[inline(always)]
-    fn interpolate_instance<N: Number>(
-        &self,
-        scene: &Scene16<'_>,
-        batch: &Batch,
-        [x, y]: [N::Wide; 2],
-        instance: usize,
-        lanes: u32,
-        interpolated: &mut Interpolated<N>,
-    ) {
-        let like = interpolated.edge_distance;
-        let mask = like.mask_of(lanes);
-        let space = &scene.spaces[instance];
-        let mesh = scene.frame.instances()[instance].mesh;
+    fn piece<N: Number>(&mut self, like: N, first: usize) {
+        let Self { scene, batch, of, .. } = *self;
+        let lanes = of.lanes >> first;
+        let space = &scene.spaces[of.instance];
         let rays = scene.frame.rays();
-        let in_view = space.view_from_local.corners(load(like, &self.positions));
+        let [x, y] = batch.places_from(like, first);
+        let in_view = space.view_from_local.corners(load(like, self.positions, first));
         let forms = Forms::new(rays, in_view);
         let (mut weights, outside) = forms.told(x, y);
         for lane in lanes_of(outside.bits() & lanes) {
-            let [x, y] = batch.position(lane);
-            let forms = scene.frame.forms(self.of[lane & (LANES - 1)]);
-            put_lane(&mut weights, lane, forms.nearest_on_edges(rays, x, y));
+            let id = TriangleId(batch.ids[(first + lane) & (LANES - 1)]);
+            let Some(triangle) = scene.frame.triangle(id) else { continue };
+            let [x, y] = batch.position(first + lane);
+            let nearest = scene.frame.forms(triangle).nearest_on_edges(rays, x, y);
+            put_lane(&mut weights, lane, nearest);
         }
-        merge(&mut interpolated.weights, weights, mask);
-
-        let in_mesh = if mesh.normals.is_empty() {
+        let in_mesh = if scene.frame.instances()[of.instance].mesh.normals.is_empty() {
             None
         } else {
-            let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = load(like, &self.normals);
+            let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = load(like, self.normals, first);
             Some([Vec3::new(ax, ay, az), Vec3::new(bx, by, bz), Vec3::new(cx, cy, cz)])
         };
         let [a, b, c] = space.facing_normals(&in_view, forms.towards_eye(), in_mesh);
@@ -164,15 +203,25 @@ impl Gathered {
         let [a, b, c] = in_view;
         let (a, b, c) = (space.about_eye(a), space.about_eye(b), space.about_eye(c));
         let position = a * weights[0] + b * weights[1] + c * weights[2];
-        let varying = &mut interpolated.varying;
-        varying.take_places(position, normal, mask);
-        let has = Attributes::of_mesh(mesh);
-        if has != Attributes::default() {
-            let has_uvs = has.uvs[0] | has.uvs[1];
-            let [right, below] = if has_uvs { forms.beside(x, y) } else { [weights; 2] };
-            let weights = Weights { here: weights, right, below };
-            varying.take_gathered(&self.extras, &weights, has, mask);
+
+        let mask = like.mask_of(lanes);
+        let met = &mut *self.met;
+        store(&mut met.weights.here, weights, mask, first);
+        store(&mut met.position, [position.x, position.y, position.z], mask, first);
+        store(&mut met.normal, [normal.x, normal.y, normal.z], mask, first);
+        if of.has.uvs[0] | of.has.uvs[1] {
+            let [right, below] = forms.beside(x, y);
+            store(&mut met.weights.right, right, mask, first);
+            store(&mut met.weights.below, below, mask, first);
         }
+    }
+}
+
+/// Writes values where the mask is true.
+#[inline(always)]
+fn store<N: Number>(into: &mut [[f32; LANES]; 3], new: [N; 3], mask: N::Mask, first: usize) {
+    for (into, new) in into.iter_mut().zip(new) {
+        new.select(mask, new.load(into, first)).store(into, first);
     }
 }
 
@@ -185,10 +234,12 @@ fn put<const C: usize>(values: &mut [[f32; LANES]; C], lane: usize, new: [f32; C
 }
 
 #[inline(always)]
-fn load<N: Number>(like: N, [a, b, c]: &AtCorners<3>) -> [[N; 3]; 3] {
-    [
-        [like.of_lanes(&a[0]), like.of_lanes(&a[1]), like.of_lanes(&a[2])],
-        [like.of_lanes(&b[0]), like.of_lanes(&b[1]), like.of_lanes(&b[2])],
-        [like.of_lanes(&c[0]), like.of_lanes(&c[1]), like.of_lanes(&c[2])],
-    ]
+fn load<N: Number>(like: N, [a, b, c]: &AtCorners<3>, first: usize) -> [[N; 3]; 3] {
+    [loaded(like, a, first), loaded(like, b, first), loaded(like, c, first)]
+}
+
+/// Three components from lane `first` on.
+#[inline(always)]
+pub(crate) fn loaded<N: Number>(like: N, [x, y, z]: &[[f32; LANES]; 3], first: usize) -> [N; 3] {
+    [like.load(x, first), like.load(y, first), like.load(z, first)]
 }

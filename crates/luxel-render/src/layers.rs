@@ -210,7 +210,7 @@ fn layers_of_block<S: Simd>(
     let batch = Batch::new(tile, block, ids, &[0; LANES], scene.frame.samples());
     let mut interpolated = Interpolated::nothing(f32x16::splat(simd, 0.0));
     interpolate(scene, &batch, kept, &mut interpolated);
-    let point = surface::point(scene, &interpolated.varying);
+    let point = surface::point(scene, interpolated.varying.position, interpolated.varying.normal);
     let z = point.depth;
     let normals = match layer {
         Layer::Normal => surface::shading_normals(scene, &interpolated, &point),

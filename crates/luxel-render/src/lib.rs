@@ -21,6 +21,7 @@ mod outline;
 mod picture;
 mod pieces;
 mod place;
+mod plain;
 mod polygons;
 mod primitives;
 mod renderer;

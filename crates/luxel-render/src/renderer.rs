@@ -7,10 +7,10 @@ use crate::explain::lights_with_terms;
 use crate::holes::Holes;
 use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, tile_layer};
 use crate::place::{self, Covers};
+use crate::plain::{is_plain, uniform};
 use crate::polygons::Polygons;
 use crate::resolve::empty_pixel;
 use crate::shade::{Kept, Scene16};
-use crate::surface::plain;
 use crate::tiles::{TilePixels, draw_tiles};
 use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
 use crate::worker::{Bytes, Finish, Linear, Worker, add_layer, tile_pixels};
@@ -425,7 +425,7 @@ impl<'s> Renderer<'s> {
                 *flags = flags_of_meshes.get(object.mesh.index());
             }
             let environments = self.environments(view);
-            let plain = plain(&self.scene.materials);
+            let uniform = uniform(&self.scene.materials);
             let polygons = self.polygons(view, objects.len());
             let subdivided = Mutex::default();
             let scene = Scene16 {
@@ -436,7 +436,8 @@ impl<'s> Renderer<'s> {
                 ambient: place::ambient(view),
                 environments: &environments,
                 fog: view.fog.as_ref(),
-                plain: &plain,
+                uniform: &uniform,
+                is_plain: is_plain(self.scene, &uniform, view.shading) && view.edges.is_none(),
                 direction: view.camera.direction(),
                 background: view.background,
                 edges: view.edges.filter(|edges| !edges.wireframe),

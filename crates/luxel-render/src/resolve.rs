@@ -1,6 +1,7 @@
 //! Samples of a block become pixels: each distinct triangle of a pixel is lit once, at its covered
 //! sample nearest the centre, and weighs its share of the samples.
 
+use crate::plain::shade_plain;
 use crate::shade::{Batch, Kept, Scene16, shade};
 use luxel_lighting::Silent;
 use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
@@ -106,7 +107,7 @@ pub(crate) fn resolve_block<S: Simd>(
         // All samples of each pixel see the same.
         let ids = tile.planes()[0].ids[block];
         let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
-        let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
+        let lit = lit_batch(simd, scene, &batch, kept);
         let [r, g, b, alpha] = lit;
         if alpha.equal(alpha.one()).all() {
             // All that is left of the sum below: -0 becomes 0.
@@ -119,11 +120,27 @@ pub(crate) fn resolve_block<S: Simd>(
     let share_of_one = 1.0 / samples.count() as f32;
     for rank in &ranks.list {
         let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);
-        let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
+        let lit = lit_batch(simd, scene, &batch, kept);
         let shares = rank.shares.map(f32::from);
         add_share(&mut sum, lit, f32x16::simd_from(simd, shares) * share_of_one);
     }
     straight(sum)
+}
+
+/// Colour (straight) and alpha of sixteen samples.
+#[inline(always)]
+fn lit_batch<S: Simd>(
+    simd: S,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    kept: &mut Kept,
+) -> [f32x16<S>; 4] {
+    let like = f32x16::splat(simd, 0.0);
+    if scene.is_plain {
+        shade_plain(like, scene, batch, kept)
+    } else {
+        shade(like, scene, batch, kept, &mut Silent)
+    }
 }
 
 /// Adds what a part of the samples sees: colour times alpha, and alpha.

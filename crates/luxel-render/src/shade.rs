@@ -1,14 +1,16 @@
 //! Sixteen samples of a block into light.
 
 use crate::edges::{EdgeFlags, edge_distance};
-use crate::gathered::Gathered;
+use crate::gathered::{Gathered, has_many};
 use crate::pieces::PieceCount;
 use crate::polygons::Polygons;
 use crate::surface::{self, Interpolated, SurfaceWitness};
 use crate::triangles::{SeenTriangle, SeenTriangles};
 use crate::varying::{Varying, Weights, lanes_of, merge};
 use crate::view::{Edges, Interpolation, Shading, ShadingMode};
-use luxel_lighting::{Coefficients, Environment, Fog, PictureEncoding, PlacedLight, Surroundings};
+use luxel_lighting::{
+    Coefficients, Environment, Fog, PictureEncoding, PlacedLight, Surroundings, Uniform,
+};
 use luxel_math::{LANES, Mask, Number, SUBPIXELS, Wide};
 use luxel_scene::{DVec3, Scene};
 use luxel_visibility::{BLOCK, BLOCKS, Frame, InstanceSpace, Samples, Tile, TriangleId};
@@ -26,7 +28,9 @@ pub(crate) struct Scene16<'a> {
     pub(crate) environments: &'a [Environment],
     pub(crate) fog: Option<&'a Fog>,
     /// What each material reflects, where that is the same at all its points.
-    pub(crate) plain: &'a [Option<Coefficients<f32>>],
+    pub(crate) uniform: &'a [Option<Coefficients<Uniform>>],
+    /// Whether all blocks are plain.
+    pub(crate) is_plain: bool,
     /// The viewing direction in world space.
     pub(crate) direction: DVec3,
     pub(crate) background: [f32; 4],
@@ -62,7 +66,7 @@ impl Scene16<'_> {
 /// What a thread keeps from block to block.
 pub(crate) struct Kept {
     pub(crate) seen: SeenTriangles,
-    gathered: Gathered,
+    pub(crate) gathered: Gathered,
 }
 
 impl Kept {
@@ -139,9 +143,15 @@ impl Batch {
 
     /// The positions of all samples in the window, in pixels.
     #[inline(always)]
-    fn places<N: Number>(&self, like: N) -> [N::Wide; 2] {
-        let x = like.of_lanes(&self.x).widened();
-        let y = like.of_lanes(&self.y).widened();
+    pub(crate) fn places<N: Number>(&self, like: N) -> [N::Wide; 2] {
+        self.places_from(like, 0)
+    }
+
+    /// Those from lane `first` on.
+    #[inline(always)]
+    pub(crate) fn places_from<N: Number>(&self, like: N, first: usize) -> [N::Wide; 2] {
+        let x = like.load(&self.x, first).widened();
+        let y = like.load(&self.y, first).widened();
         [x + x.constant(self.origin[0].into()), y + y.constant(self.origin[1].into())]
     }
 
@@ -165,10 +175,6 @@ fn block_origin(tile: &Tile, block: usize) -> [i32; 2] {
     let block = block as i32;
     [tile_x + block % BLOCKS * BLOCK, tile_y + block / BLOCKS * BLOCK]
 }
-
-/// Up to so many triangles a block are made ready one by one, and kept for the next block; with more,
-/// sixteen at once.
-const FEW: usize = 4;
 
 /// Interpolates the surfaces that the samples see, into what was [`Interpolated::nothing`]: it is
 /// too large to be handed over by value. Compiled once a kind of number, not into its callers.
@@ -199,7 +205,13 @@ fn interpolate_lanes<N: Number>(
     let perspective = scene.shading.interpolation == Interpolation::Perspective;
     let at_pixels = scene.shading.mode == ShadingMode::Phong && perspective;
     if at_pixels && scene.edges.is_none() && has_many(like, &batch.ids, all) {
-        gathered.interpolate(scene, batch, [x, y], interpolated);
+        let mut left = all;
+        while left != 0 {
+            // Nearly always all.
+            let of = gathered.meet(like, scene, batch, left, true);
+            interpolated.take(gathered, of);
+            left &= !of.lanes;
+        }
         return;
     }
     let mut left = all;
@@ -243,19 +255,6 @@ fn interpolate_lanes<N: Number>(
             }
         }
     }
-}
-
-/// Whether these lanes see more than [`FEW`] triangles.
-#[inline(always)]
-fn has_many<N: Number>(like: N, ids: &[u32; LANES], mut lanes: u32) -> bool {
-    for _ in 0..FEW {
-        if lanes == 0 {
-            return false;
-        }
-        let id = ids[lanes.trailing_zeros() as usize & (LANES - 1)];
-        lanes &= !like.lanes_equal(ids, id);
-    }
-    lanes != 0
 }
 
 /// Interpolates in the window, without perspective: sample by sample, as it is there to be studied.
@@ -319,7 +318,7 @@ fn shade_lanes<N: Number, W: SurfaceWitness<N>>(
     let mut result = [like.constant(r), like.constant(g), like.constant(b), like.constant(alpha)];
     let mut interpolated = Interpolated::nothing(like);
     interpolate(scene, batch, kept, &mut interpolated);
-    let point = surface::point(scene, &interpolated.varying);
+    let point = surface::point(scene, interpolated.varying.position, interpolated.varying.normal);
     let mut left = interpolated.seen;
     while left != 0 {
         let material = interpolated.materials[left.trailing_zeros() as usize];

@@ -1,9 +1,11 @@
 //! The surface at sixteen samples: interpolated, textured, and handed to the lighting equation.
 
+use crate::gathered::{Gathered, Met, OfInstance, loaded};
 use crate::shade::Scene16;
-use crate::varying::Varying;
+use crate::triangles::Attributes;
+use crate::varying::{Varying, Weights, lanes_of, merge};
 use crate::view::NormalLength;
-use luxel_lighting::{Coefficients, Reflectance, Silent, SurfacePoint, Witness};
+use luxel_lighting::{Coefficients, Reflectance, Silent, SurfacePoint, Witness, lit_by};
 use luxel_math::{LANES, Number, Rgb, Vec3};
 use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
 
@@ -58,6 +60,28 @@ impl<N: Number> Interpolated<N> {
         }
     }
 
+    /// Takes what was gathered of the triangles of one instance.
+    #[inline(always)]
+    pub(crate) fn take(&mut self, gathered: &Gathered, of: OfInstance) {
+        let like = self.edge_distance;
+        let mask = like.mask_of(of.lanes);
+        for lane in lanes_of(of.lanes) {
+            self.materials[lane & (LANES - 1)] = gathered.materials[lane & (LANES - 1)];
+        }
+        self.seen |= of.lanes;
+        let Met { weights, position, normal } = &gathered.met;
+        let here = loaded(like, &weights.here, 0);
+        merge(&mut self.weights, here, mask);
+        let [x, y, z] = loaded(like, position, 0);
+        let [across, up, towards] = loaded(like, normal, 0);
+        self.varying.take_places(Vec3::new(x, y, z), Vec3::new(across, up, towards), mask);
+        if of.has != Attributes::default() {
+            let (right, below) = (loaded(like, &weights.right, 0), loaded(like, &weights.below, 0));
+            let weights = Weights { here, right, below };
+            self.varying.take_gathered(&gathered.extras, &weights, of.has, mask);
+        }
+    }
+
     /// Takes the material of some lanes, before they count as seen.
     #[inline(always)]
     pub(crate) fn put_material(&mut self, lanes: u32, material: u32) {
@@ -75,11 +99,14 @@ impl<N: Number> Interpolated<N> {
 
 /// Place, normal and direction to the eye of sixteen samples.
 #[inline(always)]
-pub(crate) fn point<N: Number>(scene: &Scene16<'_>, varying: &Varying<N>) -> SurfacePoint<N> {
-    let position = varying.position;
+pub(crate) fn point<N: Number>(
+    scene: &Scene16<'_>,
+    position: Vec3<N>,
+    normal: Vec3<N>,
+) -> SurfacePoint<N> {
     let normal = match scene.shading.normal_length {
-        NormalLength::Unit => varying.normal.normalized_or_zero(),
-        NormalLength::Interpolated => varying.normal,
+        NormalLength::Unit => normal.normalized_or_zero(),
+        NormalLength::Interpolated => normal,
     };
     let view = match scene.spaces.first() {
         Some(space) if space.parallel => {
@@ -126,7 +153,7 @@ fn sample_lanes<N: Number>(
             channel[lane] = value;
         }
     }
-    [u.of_lanes(&texels[0]), u.of_lanes(&texels[1]), u.of_lanes(&texels[2]), u.of_lanes(&texels[3])]
+    [u.load(&texels[0], 0), u.load(&texels[1], 0), u.load(&texels[2], 0), u.load(&texels[3], 0)]
 }
 
 /// Samples a texture that a material may lack.
@@ -263,20 +290,6 @@ pub(crate) fn reflectance<N: Number>(
     reflectance
 }
 
-/// What each material reflects that is the same at all its points, but for vertex colours; `None`
-/// where textures change it.
-pub(crate) fn plain(materials: &[SceneMaterial]) -> Vec<Option<Coefficients<f32>>> {
-    let of = |material: &SceneMaterial| {
-        let SceneMaterial { base_color, ambient, specular, emission, .. } = material;
-        let SceneMaterial { metallic_roughness, occlusion, constants, .. } = material;
-        let textures = [base_color, ambient, specular, emission, metallic_roughness, occlusion];
-        let reflectance = Reflectance::of(0.0, constants);
-        let is_plain = textures.into_iter().all(Option::is_none);
-        is_plain.then(|| Coefficients::new(&reflectance, constants))
-    };
-    materials.iter().map(of).collect()
-}
-
 /// Colour and alpha of the lanes that see one material, lit at the pixel.
 #[inline(always)]
 pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
@@ -295,17 +308,19 @@ pub(crate) fn lit<N: Number, W: SurfaceWitness<N>>(
     }
     let constants = &material.constants;
     let colored = varying.has.colors && material.vertex_colors;
-    let coefficients = match &scene.plain[number] {
-        Some(plain) if !W::HEARS_SURFACES && !colored => plain.in_lanes(point.depth),
+    let surroundings = scene.surroundings(number);
+    let reflection = &constants.reflection;
+    let color = match &scene.uniform[number] {
+        Some(uniform) if !W::HEARS_SURFACES && !colored => {
+            lit_by(&point, uniform, reflection, &surroundings, witness)
+        }
         _ => {
             let reflectance = reflectance(scene, varying, number, lanes, tint);
             witness.surface(&point, &reflectance, alpha);
-            Coefficients::new(&reflectance, constants)
+            let coefficients = Coefficients::new(&reflectance, constants);
+            lit_by(&point, &coefficients, reflection, &surroundings, witness)
         }
     };
-    let surroundings = scene.surroundings(number);
-    let reflection = &constants.reflection;
-    let color = luxel_lighting::lit_by(&point, &coefficients, reflection, &surroundings, witness);
     [color.r, color.g, color.b, alpha]
 }
 
@@ -338,7 +353,7 @@ pub(crate) fn lit_at_corner<W: SurfaceWitness<f32>>(
     number: usize,
     witness: &mut W,
 ) -> [f32; 3] {
-    let point = point(scene, place);
+    let point = point(scene, place.position, place.normal);
     let white = Rgb::splat(0.0, [1.0; 3]);
     let reflectance = reflectance(scene, place, number, 1, white);
     witness.surface(&point, &reflectance, 1.0);

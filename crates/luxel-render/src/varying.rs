@@ -130,11 +130,8 @@ impl<N: Number> Varying<N> {
         [lanes, or_more]: [u32; 2],
     ) {
         let mask = self.position.x.mask_of(or_more);
-        let [a, b, c] = corners;
-        let here = &weights.here;
-        let [x, y, z] = mixed([&a.position, &b.position, &c.position], here);
-        let [across, up, towards] = mixed([&a.normal, &b.normal, &c.normal], here);
-        self.take_places(Vec3::new(x, y, z), Vec3::new(across, up, towards), mask);
+        let (position, normal) = places_at(corners, &weights.here);
+        self.take_places(position, normal, mask);
         if lights || has != Attributes::default() {
             self.take_extras(corners, weights, has, lights, self.position.x.mask_of(lanes));
         }
@@ -268,6 +265,17 @@ pub(crate) struct GatheredExtras {
     pub(crate) colors: AtCorners<4>,
 }
 
+/// Place and normal between a triangle's corners.
+#[inline(always)]
+pub(crate) fn places_at<N: Number>(
+    [a, b, c]: &[Corner; 3],
+    weights: &[N; 3],
+) -> (Vec3<N>, Vec3<N>) {
+    let [x, y, z] = mixed([&a.position, &b.position, &c.position], weights);
+    let [across, up, towards] = mixed([&a.normal, &b.normal, &c.normal], weights);
+    (Vec3::new(x, y, z), Vec3::new(across, up, towards))
+}
+
 /// Values of three corners, mixed by weights: one triangle for all lanes.
 #[inline(always)]
 fn mixed<const C: usize, N: Number>([a, b, c]: [&[f32; C]; 3], [u, v, w]: &[N; 3]) -> [N; C] {
@@ -285,9 +293,9 @@ fn mixed<const C: usize, N: Number>([a, b, c]: [&[f32; C]; 3], [u, v, w]: &[N; 3
 fn mixed_lanes<const C: usize, N: Number>([a, b, c]: &AtCorners<C>, [u, v, w]: &[N; 3]) -> [N; C] {
     let mut mixed = [*u; C];
     for component in 0..C {
-        mixed[component] = u.of_lanes(&a[component]) * *u
-            + u.of_lanes(&b[component]) * *v
-            + u.of_lanes(&c[component]) * *w;
+        mixed[component] = u.load(&a[component], 0) * *u
+            + u.load(&b[component], 0) * *v
+            + u.load(&c[component], 0) * *w;
     }
     mixed
 }

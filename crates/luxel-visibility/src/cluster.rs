@@ -56,8 +56,8 @@ pub(crate) struct Header {
 /// A cluster's block, ready to be read.
 #[derive(Clone, Copy)]
 pub(crate) struct Block<'a> {
-    /// Groups of [`GROUP_WORDS`] f32 bits.
-    pub(crate) vertices: &'a [u32],
+    /// Groups of f32 bits: x16 y16 z16.
+    pub(crate) vertices: &'a [[u32; GROUP_WORDS]],
     /// Corner numbers: eight bits each, the first corner lowest.
     pub(crate) triangles: &'a [u32],
 }
@@ -70,10 +70,11 @@ impl Block<'_> {
         [self.position(word & 255), self.position(word >> 8 & 255), self.position(word >> 16 & 255)]
     }
 
+    /// The position of a vertex, by its number in the cluster.
     #[inline(always)]
-    fn position(&self, corner: u32) -> [f32; 3] {
+    pub(crate) fn position(&self, corner: u32) -> [f32; 3] {
         let corner = corner as usize;
-        let group = &self.vertices[corner / LANES * GROUP_WORDS..][..GROUP_WORDS];
+        let group = &self.vertices[corner / LANES];
         let place = corner % LANES;
         [group[place], group[LANES + place], group[2 * LANES + place]].map(f32::from_bits)
     }
@@ -130,7 +131,8 @@ impl Clusters {
         let vertices = header.first_word;
         let triangles = vertices + usize::from(header.groups) * GROUP_WORDS;
         let end = triangles + usize::from(header.triangles);
-        Block { vertices: &self.words[vertices..triangles], triangles: &self.words[triangles..end] }
+        let (vertices, _) = self.words[vertices..triangles].as_chunks();
+        Block { vertices, triangles: &self.words[triangles..end] }
     }
 
     fn append(&mut self, other: Self) {
@@ -190,7 +192,7 @@ impl Clusters {
 fn bounds(block: &Block<'_>) -> [f32; 6] {
     let mut bounds = [f32::INFINITY, f32::INFINITY, f32::INFINITY, 0.0, 0.0, 0.0];
     bounds[3..].fill(f32::NEG_INFINITY);
-    for group in block.vertices.chunks_exact(GROUP_WORDS) {
+    for group in block.vertices {
         for (axis, values) in group.chunks_exact(LANES).enumerate() {
             for value in values.iter().map(|&bits| f32::from_bits(bits)) {
                 if value.is_nan() {
@@ -298,7 +300,7 @@ mod tests {
         for cluster in 0..clusters.count() {
             let block = clusters.block(cluster);
             let part = mesh.parts[clusters.headers[cluster].part as usize];
-            assert!(block.vertices.len() <= CLUSTER_VERTICES * 3);
+            assert!(block.vertices.len() * LANES <= CLUSTER_VERTICES);
             for (slot, word) in block.triangles.iter().enumerate() {
                 let original = clusters.original(cluster, slot);
                 assert!((part.first..part.first + part.count).contains(&original));
@@ -307,8 +309,8 @@ mod tests {
                     let number = (word >> (8 * corner) & 255) as usize;
                     let vertex = mesh.triangles[original as usize][corner];
                     for axis in 0..3 {
-                        let word = number / LANES * GROUP_WORDS + axis * LANES + number % LANES;
-                        let value = f32::from_bits(block.vertices[word]);
+                        let word = axis * LANES + number % LANES;
+                        let value = f32::from_bits(block.vertices[number / LANES][word]);
                         assert_eq!(value, mesh.positions[vertex as usize][axis]);
                     }
                 }

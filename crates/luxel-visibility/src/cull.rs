@@ -214,7 +214,6 @@ pub(crate) fn cull_group<S: Simd>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cluster::GROUP_WORDS;
     use glam::{DMat4, DVec3};
     use luxel_math::{SimdLevel, dispatch};
     use luxel_scene::{Camera, Lens, MaterialId, Mesh, Part, Projection};
@@ -262,7 +261,7 @@ mod tests {
             for cluster in 0..clusters.count() {
                 let seen = visible.iter().find(|visible| visible.cluster == cluster as u32);
                 let mut inside = false;
-                for group in clusters.block(cluster).vertices.chunks_exact(GROUP_WORDS) {
+                for group in clusters.block(cluster).vertices {
                     for lane in 0..LANES {
                         let position = [0, 1, 2].map(|axis| f32::from_bits(group[axis * LANES + lane]));
                         let vertex = transform.clip(position);

@@ -393,26 +393,30 @@ impl SeenCluster<'_> {
         id.cluster() == self.number
     }
 
-    /// What a scene calls a triangle that it [`holds`](Self::holds).
-    ///
-    /// # Panics
-    /// If it has no such triangle.
+    /// The instance that it is part of, by its place in the list.
     #[must_use]
     #[inline(always)]
-    pub fn triangle(&self, id: TriangleId) -> TriangleOf {
-        let triangle = self.originals[id.slot()];
-        TriangleOf { instance: self.instance, triangle, part: self.part }
+    pub fn instance(&self) -> usize {
+        self.instance
     }
 
-    /// The positions of a triangle's corners, about its mesh's origin: from the cluster, which was
-    /// in the cache when the triangle was drawn.
+    /// The part of the mesh.
+    #[must_use]
+    #[inline(always)]
+    pub fn part(&self) -> usize {
+        self.part
+    }
+
+    /// A triangle that it [`holds`](Self::holds): its place in the mesh, and the positions of its
+    /// corners about the mesh's origin, from the cluster, which was in the cache when the triangle
+    /// was drawn.
     ///
     /// # Panics
     /// If it has no such triangle.
     #[must_use]
     #[inline(always)]
-    pub fn positions(&self, id: TriangleId) -> [[f32; 3]; 3] {
-        self.block.positions(id.slot())
+    pub fn look_up(&self, id: TriangleId) -> (u32, [[f32; 3]; 3]) {
+        (self.originals[id.slot()], self.block.positions(id.slot()))
     }
 }
 

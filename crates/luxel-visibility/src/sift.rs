@@ -68,6 +68,7 @@ impl Sixteen {
                 extent.simd_lt(SIZES[0]).to_bitmask() as u32,
                 extent.simd_lt(SIZES[1]).to_bitmask() as u32,
                 extent.simd_lt(SIZES[2]).to_bitmask() as u32,
+                extent.simd_lt(SIZES[3]).to_bitmask() as u32,
             ],
         }
     }

@@ -11,8 +11,8 @@ use crate::sift::{Corners, in_lanes};
 use crate::transform::ClusterVertices;
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*};
 
-/// Queues: for triangles less than 1, 2 and 4 pixels wide and high.
-pub(crate) const SIZES: [i32; 3] = [SUBPIXELS, 2 * SUBPIXELS, 4 * SUBPIXELS];
+/// Queues: for triangles less than 1, 2, 4 and 8 pixels wide and high.
+pub(crate) const SIZES: [i32; 4] = [SUBPIXELS, 2 * SUBPIXELS, 4 * SUBPIXELS, 8 * SUBPIXELS];
 
 /// Triangles that wait to be drawn together.
 pub(crate) struct Queues([Queue; SIZES.len()]);
@@ -35,7 +35,7 @@ impl Queues {
             z: [[0.0; LANES]; 3],
             ids: [TriangleId::NONE; LANES],
         };
-        Self([queue(), queue(), queue()])
+        Self([queue(), queue(), queue(), queue()])
     }
 
     /// Takes a triangle with area, on a side that is drawn, into the queue of its size; whether that
@@ -112,7 +112,8 @@ impl<S: Simd> Edges<S> {
         Self { x: px, y: py, dx, dy, bias: left_or_top.select(zero, one) }
     }
 
-    /// E at a sample, below 0 outside.
+    /// E at a sample, below 0 outside. A pixel to the right it is 256 dy less, a pixel below 256 dx
+    /// more.
     #[inline(always)]
     fn at(&self, x: i32x16<S>, y: i32x16<S>) -> i32x16<S> {
         self.dx * (y - self.y) - self.dy * (x - self.x) - self.bias
@@ -145,6 +146,9 @@ fn draw_lanes<S: Simd>(simd: S, queue: &Queue, rules: &Rules<'_>, tile: &mut Til
     let edges =
         [Edges::new([ax, ay], second), Edges::new(second, third), Edges::new(third, [ax, ay])];
 
+    let steps_x = [edges[0].dy * SUBPIXELS, edges[1].dy * SUBPIXELS, edges[2].dy * SUBPIXELS];
+    let steps_y = [edges[0].dx * SUBPIXELS, edges[1].dx * SUBPIXELS, edges[2].dx * SUBPIXELS];
+
     let (left, right) = (ax.min(bx).min(cx), ax.max(bx).max(cx));
     let (top, bottom) = (ay.min(by).min(cy), ay.max(by).max(cy));
     let region = tile.region;
@@ -156,29 +160,38 @@ fn draw_lanes<S: Simd>(simd: S, queue: &Queue, rules: &Rules<'_>, tile: &mut Til
         let last_x = ((right - offset_x) >> shift).min(region.x + region.width - 1);
         let last_y = ((bottom - offset_y) >> shift).min(region.y + region.height - 1);
         let boxed = used & first_x.simd_le(last_x) & first_y.simd_le(last_y);
+        let [first_sample_x, first_sample_y] =
+            [first_x * SUBPIXELS + offset_x, first_y * SUBPIXELS + offset_y];
+        // Whole numbers: steps added one by one give what a multiplication would.
+        let [mut row_e0, mut row_e1, mut row_e2] = [
+            edges[0].at(first_sample_x, first_sample_y),
+            edges[1].at(first_sample_x, first_sample_y),
+            edges[2].at(first_sample_x, first_sample_y),
+        ];
         let mut y = first_y;
         let mut rows = boxed;
         while rows.any_true() {
-            let sample_y = y * SUBPIXELS + offset_y;
-            let row_z = f32x16::float_from(sample_y - ay) * dz_dy;
+            let (mut e0, mut e1, mut e2) = (row_e0, row_e1, row_e2);
             let mut x = first_x;
             let mut inside = rows;
             while inside.any_true() {
-                let sample_x = x * SUBPIXELS + offset_x;
-                let [e0, e1, e2] = [
-                    edges[0].at(sample_x, sample_y),
-                    edges[1].at(sample_x, sample_y),
-                    edges[2].at(sample_x, sample_y),
-                ];
                 let covered = (inside & (e0 | e1 | e2).simd_ge(0)).to_bitmask() as u32;
                 if covered != 0 {
-                    let z = f32x16::float_from(sample_x - ax) * dz_dx + az + row_z;
+                    let row_z = f32x16::float_from(y * SUBPIXELS + offset_y - ay) * dz_dy;
+                    let dx = f32x16::float_from(x * SUBPIXELS + offset_x - ax);
+                    let z = dx * dz_dx + az + row_z;
                     let z = z.maximum(low_z).minimum(high_z);
                     put(queue, covered, [x, y], z, rules, tile, sample);
                 }
                 x += 1;
+                e0 -= steps_x[0];
+                e1 -= steps_x[1];
+                e2 -= steps_x[2];
                 inside &= x.simd_le(last_x);
             }
+            row_e0 += steps_y[0];
+            row_e1 += steps_y[1];
+            row_e2 += steps_y[2];
             y += 1;
             rows &= y.simd_le(last_y);
         }

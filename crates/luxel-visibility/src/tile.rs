@@ -2,7 +2,7 @@
 
 use crate::buffer::{Plane, TILE, Tile, TriangleId};
 use crate::clip::clip;
-use crate::cluster::{Block, GROUP_WORDS};
+use crate::cluster::Block;
 use crate::cull::VisibleCluster;
 use crate::frame::{Coverage, Frame, Hole};
 use crate::raster::{Rules, draw_triangle, lanes_of};
@@ -151,7 +151,5 @@ fn draw_clipped<S: Simd>(
 
 /// A cluster's vertex in clip coordinates.
 fn clip_vertex(transform: &WindowTransform, block: &Block<'_>, corner: usize) -> ClipVertex {
-    let first = corner / LANES * GROUP_WORDS + corner % LANES;
-    let position = [0, LANES, 2 * LANES].map(|axis| f32::from_bits(block.vertices[first + axis]));
-    transform.clip(position)
+    transform.clip(block.position(corner as u32))
 }

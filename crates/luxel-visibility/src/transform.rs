@@ -118,12 +118,12 @@ pub(crate) fn row_times<S: Simd>(
 pub(crate) fn transform_cluster<S: Simd>(
     simd: S,
     transform: &WindowTransform,
-    vertices: &[u32],
+    groups: &[[u32; GROUP_WORDS]],
     out: &mut ClusterVertices,
 ) {
     simd.vectorize(
         #[inline(always)]
-        || transform_groups(simd, transform, vertices, out),
+        || transform_groups(simd, transform, groups, out),
     );
 }
 
@@ -131,13 +131,12 @@ pub(crate) fn transform_cluster<S: Simd>(
 fn transform_groups<S: Simd>(
     simd: S,
     transform: &WindowTransform,
-    vertices: &[u32],
+    groups: &[[u32; GROUP_WORDS]],
     out: &mut ClusterVertices,
 ) {
-    let groups = vertices.chunks_exact(GROUP_WORDS);
     let out_xy = out.xy.as_chunks_mut::<LANES>().0;
     let out_z = out.z.as_chunks_mut::<LANES>().0;
-    for ((group, out_xy), out_z) in groups.zip(out_xy).zip(out_z) {
+    for ((group, out_xy), out_z) in groups.iter().zip(out_xy).zip(out_z) {
         let x: f32x16<S> = u32x16::from_slice(simd, &group[..LANES]).bitcast();
         let y: f32x16<S> = u32x16::from_slice(simd, &group[LANES..2 * LANES]).bitcast();
         let z: f32x16<S> = u32x16::from_slice(simd, &group[2 * LANES..]).bitcast();

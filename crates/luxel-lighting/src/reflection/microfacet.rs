@@ -1,6 +1,8 @@
 //! Torrance-Sparrow reflection with GGX facets: glTF's metallic-roughness material.
 
 use super::{Incidence, Reflected, Surface, any_lit};
+use crate::Spread;
+use crate::coefficients::spread;
 use crate::witness::Lobe;
 use luxel_math::{Number, Rgb};
 
@@ -30,19 +32,22 @@ const SMALLEST_N_DOT_V: f32 = 1e-4;
 /// Compiled once a kind of number: within the loop over lights the compiler would work out what is
 /// the same for all of them beforehand, for the other models, too.
 #[inline(never)]
-pub(crate) fn reflected<N: Number>(
-    surface: &Surface<'_, N>,
+pub(crate) fn reflected<N: Number, K: Spread<N>>(
+    surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {
-    surface.n_dot_v.vectorized(
+    surface.like().vectorized(
         #[inline(always)]
         || by_facets(surface, incidence),
     )
 }
 
 #[inline(always)]
-fn by_facets<N: Number>(surface: &Surface<'_, N>, incidence: &Incidence<N>) -> Reflected<N> {
-    let like = surface.n_dot_v;
+fn by_facets<N: Number, K: Spread<N>>(
+    surface: &Surface<'_, N, K>,
+    incidence: &Incidence<N>,
+) -> Reflected<N> {
+    let like = surface.like();
     let half = (incidence.to_light + surface.view).normalized_or_zero();
     let n_dot_h = surface.normal.dot(half);
     if !any_lit(incidence) {
@@ -54,10 +59,9 @@ fn by_facets<N: Number>(surface: &Surface<'_, N>, incidence: &Incidence<N>) -> R
         };
     }
     let n_dot_l = incidence.n_dot_l.limited(0.0, 1.0);
-    let n_dot_v = surface.n_dot_v.limited(SMALLEST_N_DOT_V, 1.0);
+    let n_dot_v = surface.n_dot_v().limited(SMALLEST_N_DOT_V, 1.0);
     let v_dot_h = surface.view.dot(half).limited(0.0, 1.0);
-    let alpha =
-        (surface.of.roughness * surface.of.roughness).maximum(like.constant(SMALLEST_ALPHA));
+    let alpha = (surface.roughness() * surface.roughness()).maximum(like.constant(SMALLEST_ALPHA));
     let alpha2 = alpha * alpha;
 
     // (N.H)^2 (alpha^2 - 1) + 1 without the cancellation: 1 - (N.H)^2 = |N x H|^2.
@@ -80,10 +84,10 @@ fn by_facets<N: Number>(surface: &Surface<'_, N>, incidence: &Incidence<N>) -> R
     let fresnel = f0 + (white - f0) * (away2 * away2 * away);
 
     Reflected {
-        diffuse: surface.of.diffuse
+        diffuse: surface.diffuse()
             * (white - fresnel)
-            * ((like.one() - surface.of.metallic) * n_dot_l),
-        specular: surface.of.specular * fresnel * (pi_d * visibility * n_dot_l),
+            * ((like.one() - surface.metallic()) * n_dot_l),
+        specular: surface.specular() * fresnel * (pi_d * visibility * n_dot_l),
         specular_cosine: Some(n_dot_h),
         lobe: Lobe::Facets { pi_d, visibility, fresnel },
     }
@@ -91,8 +95,8 @@ fn by_facets<N: Number>(surface: &Surface<'_, N>, incidence: &Incidence<N>) -> R
 
 /// F0: 0.04 for dielectrics, O_d for metals.
 #[inline(always)]
-pub(crate) fn facing_reflectance<N: Number>(surface: &Surface<'_, N>) -> Rgb<N> {
-    let like = surface.of.metallic;
-    Rgb::splat(like, [DIELECTRIC; 3]) * (like.one() - surface.of.metallic)
-        + surface.of.base * surface.of.metallic
+pub(crate) fn facing_reflectance<N: Number, K: Spread<N>>(surface: &Surface<'_, N, K>) -> Rgb<N> {
+    let like = surface.like();
+    Rgb::splat(like, [DIELECTRIC; 3]) * (like.one() - surface.metallic())
+        + spread(surface.of.base, like) * surface.metallic()
 }

@@ -9,22 +9,21 @@ mod microfacet;
 mod oren_nayar;
 mod phong;
 
+use crate::coefficients::spread;
 use crate::environment::split_sum;
 use crate::witness::{Lobe, MirrorTerms, PartTerms};
-use crate::{Coefficients, Environment, Reflection, SurfacePoint, Witness};
+use crate::{Coefficients, Environment, Reflection, Spread, SurfacePoint, Witness};
 use luxel_math::{Mask, Number, Rgb, Vec3};
 
 /// What a surface reflects at one point, prepared once for all lights.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Surface<'a, N> {
+pub(crate) struct Surface<'a, N, K> {
     /// N
     pub(crate) normal: Vec3<N>,
     /// V
     pub(crate) view: Vec3<N>,
-    /// N.V as it is.
-    pub(crate) n_dot_v: N,
     /// What it reflects, whatever N and V.
-    pub(crate) of: &'a Coefficients<N>,
+    pub(crate) of: &'a Coefficients<K>,
 }
 
 /// Which part of a light's intensity goes to the eye.
@@ -40,6 +39,15 @@ pub(crate) struct Reflected<N> {
     pub(crate) lobe: Lobe<N>,
 }
 
+impl<N: Number> Reflected<N> {
+    /// Nothing of any light; `like` tells only the kind of number.
+    #[inline(always)]
+    pub(crate) fn nothing(like: N) -> Self {
+        let (diffuse, specular) = (Rgb::black(like), Rgb::black(like));
+        Self { diffuse, specular, specular_cosine: None, lobe: Lobe::Plain }
+    }
+}
+
 /// A light as one surface point meets it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Incidence<N> {
@@ -49,16 +57,47 @@ pub(crate) struct Incidence<N> {
     pub(crate) n_dot_l: N,
 }
 
-impl<'a, N: Number> Surface<'a, N> {
+impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
     /// The surface at a point.
     #[inline(always)]
-    pub(crate) fn new(point: &SurfacePoint<N>, coefficients: &'a Coefficients<N>) -> Self {
-        Self {
-            normal: point.normal,
-            view: point.view,
-            n_dot_v: point.normal.dot(point.view),
-            of: coefficients,
-        }
+    pub(crate) fn new(point: &SurfacePoint<N>, coefficients: &'a Coefficients<K>) -> Self {
+        Self { normal: point.normal, view: point.view, of: coefficients }
+    }
+
+    /// N.V as it is.
+    #[inline(always)]
+    pub(crate) fn n_dot_v(&self) -> N {
+        self.normal.dot(self.view)
+    }
+
+    /// Tells only the kind of number.
+    #[inline(always)]
+    pub(crate) fn like(&self) -> N {
+        self.normal.x
+    }
+
+    /// k_d O_d
+    #[inline(always)]
+    pub(crate) fn diffuse(&self) -> Rgb<N> {
+        spread(self.of.diffuse, self.like())
+    }
+
+    /// k_s O_s
+    #[inline(always)]
+    pub(crate) fn specular(&self) -> Rgb<N> {
+        spread(self.of.specular, self.like())
+    }
+
+    /// Perceptual roughness, within 0 and 1.
+    #[inline(always)]
+    pub(crate) fn roughness(&self) -> N {
+        self.of.roughness.spread(self.like())
+    }
+
+    /// Within 0 and 1.
+    #[inline(always)]
+    pub(crate) fn metallic(&self) -> N {
+        self.of.metallic.spread(self.like())
     }
 
     /// What goes to the eye of a light.
@@ -69,57 +108,77 @@ impl<'a, N: Number> Surface<'a, N> {
         incidence: &Incidence<N>,
         witness: &mut W,
     ) -> Reflected<N> {
-        let like = self.n_dot_v;
-        let mut whole = Reflected {
-            diffuse: Rgb::black(like),
-            specular: Rgb::black(like),
-            specular_cosine: None,
-            lobe: Lobe::Plain,
-        };
-        for index in 0..reflection.part_count() {
-            let (kind, weight) = reflection.part(index);
-            let part = self.part_reflected(kind, incidence);
-            let Reflected { diffuse, specular, specular_cosine, lobe } = part;
-            witness.part(index, &PartTerms { weight, diffuse, specular, specular_cosine, lobe });
-            let weight = like.constant(weight);
-            whole.diffuse = whole.diffuse + part.diffuse * weight;
-            whole.specular = whole.specular + part.specular * weight;
-            whole.specular_cosine = part.specular_cosine;
+        if let Some(whole) = self.by_cosines(reflection, incidence) {
+            let Reflected { diffuse, specular, specular_cosine, lobe } = whole;
+            let terms = PartTerms { weight: 1.0, diffuse, specular, specular_cosine, lobe };
+            witness.part(0, &terms);
+            return whole;
         }
-        if reflection.part_count() > 1 {
-            whole.specular_cosine = None;
-        }
+        // Copies: what others get to see has to be written to memory, and only here.
+        let (surface, incidence) = (*self, *incidence);
+        let mut whole = Reflected::nothing(self.like());
+        surface.sum_parts(reflection, &incidence, witness, &mut whole);
         whole
+    }
+
+    /// Models that are a cosine, or a power of one; `None` for all others.
+    #[inline(always)]
+    fn by_cosines(&self, kind: &Reflection, incidence: &Incidence<N>) -> Option<Reflected<N>> {
+        let cosine = match kind {
+            Reflection::Lambert => {
+                let diffuse = lambert::diffuse(self, incidence);
+                return Some(Reflected { diffuse, ..Reflected::nothing(self.like()) });
+            }
+            // One power for the three: code of lanes is long, and the compiler's time dear.
+            Reflection::Phong => phong::r_dot_v(self, incidence),
+            Reflection::BlinnPhong => phong::n_dot_h(self, incidence),
+            Reflection::Retro => self.view.dot(incidence.to_light),
+            _ => return None,
+        };
+        Some(phong::with_lobe(self, incidence, cosine))
+    }
+
+    /// Adds what the parts of a model reflect. Much code: compiled once, not into its callers, where
+    /// it would take the registers of simpler models.
+    #[inline(never)]
+    fn sum_parts<W: Witness<N>>(
+        &self,
+        reflection: &Reflection,
+        incidence: &Incidence<N>,
+        witness: &mut W,
+        whole: &mut Reflected<N>,
+    ) {
+        self.like().vectorized(
+            #[inline(always)]
+            || {
+                for index in 0..reflection.part_count() {
+                    let (kind, weight) = reflection.part(index);
+                    let part = self.part_reflected(kind, incidence);
+                    let Reflected { diffuse, specular, specular_cosine, lobe } = part;
+                    let terms = PartTerms { weight, diffuse, specular, specular_cosine, lobe };
+                    witness.part(index, &terms);
+                    let weight = self.like().constant(weight);
+                    whole.diffuse = whole.diffuse + diffuse * weight;
+                    whole.specular = whole.specular + specular * weight;
+                    whole.specular_cosine = specular_cosine;
+                }
+                if reflection.part_count() > 1 {
+                    whole.specular_cosine = None;
+                }
+            },
+        );
     }
 
     #[inline(always)]
     fn part_reflected(&self, kind: &Reflection, incidence: &Incidence<N>) -> Reflected<N> {
-        let like = self.n_dot_v;
         match kind {
-            Reflection::Lambert => Reflected {
-                diffuse: lambert::diffuse(self, incidence),
-                specular: Rgb::black(like),
-                specular_cosine: None,
-                lobe: Lobe::Plain,
-            },
             Reflection::OrenNayar => oren_nayar::reflected(self, incidence),
-            // One power for the three: code of lanes is long, and the compiler's time dear.
-            Reflection::Phong | Reflection::BlinnPhong | Reflection::Retro => {
-                let cosine = match kind {
-                    Reflection::Phong => phong::r_dot_v(self, incidence),
-                    Reflection::BlinnPhong => phong::n_dot_h(self, incidence),
-                    _ => self.view.dot(incidence.to_light),
-                };
-                phong::with_lobe(self, incidence, cosine)
-            }
             Reflection::Microfacet => microfacet::reflected(self, incidence),
             // A mirror sends a light to the eye from single points only, of no extent. A mix within
             // a mix has no meaning here: `Reflection::mixed` dissolves it.
-            Reflection::Unlit | Reflection::Mirror | Reflection::Mixed(_) => Reflected {
-                diffuse: Rgb::black(like),
-                specular: Rgb::black(like),
-                specular_cosine: None,
-                lobe: Lobe::Plain,
+            _ => match self.by_cosines(kind, incidence) {
+                Some(part) => part,
+                None => Reflected::nothing(self.like()),
             },
         }
     }
@@ -135,7 +194,7 @@ impl<'a, N: Number> Surface<'a, N> {
         environment: &Environment,
         witness: &mut W,
     ) -> Rgb<N> {
-        self.n_dot_v.vectorized(
+        self.like().vectorized(
             #[inline(always)]
             || self.mirrored_of(reflection, environment, witness),
         )
@@ -148,9 +207,10 @@ impl<'a, N: Number> Surface<'a, N> {
         environment: &Environment,
         witness: &mut W,
     ) -> Rgb<N> {
-        let like = self.n_dot_v;
+        let like = self.like();
         let mut mirrored = Rgb::black(like);
-        let direction = self.normal * (self.n_dot_v + self.n_dot_v) - self.view;
+        let n_dot_v = self.n_dot_v();
+        let direction = self.normal * (n_dot_v + n_dot_v) - self.view;
         for index in 0..reflection.part_count() {
             let (kind, weight) = reflection.part(index);
             let part = match kind {
@@ -161,9 +221,9 @@ impl<'a, N: Number> Surface<'a, N> {
                     radiance
                 }
                 Reflection::Microfacet => {
-                    let (a, b) = split_sum(self.n_dot_v.limited(0.0, 1.0), self.of.roughness);
+                    let (a, b) = split_sum(n_dot_v.limited(0.0, 1.0), self.roughness());
                     let share = microfacet::facing_reflectance(self) * a + Rgb::new(b, b, b);
-                    let radiance = environment.radiance(direction, self.of.roughness);
+                    let radiance = environment.radiance(direction, self.roughness());
                     witness.mirror(index, &MirrorTerms { weight, share, radiance });
                     radiance * share
                 }
@@ -171,7 +231,7 @@ impl<'a, N: Number> Surface<'a, N> {
             };
             mirrored = mirrored + part * like.constant(weight);
         }
-        mirrored * self.of.specular * self.of.occlusion
+        mirrored * self.specular() * self.of.occlusion.spread(like)
     }
 
     /// The part of ambient light that goes to the eye: k_a O_a.
@@ -181,13 +241,13 @@ impl<'a, N: Number> Surface<'a, N> {
     /// is these surroundings. Without one, the ambient light is all that a metal has of them.
     #[inline(always)]
     pub(crate) fn ambient(&self, reflection: &Reflection, environment: &Environment) -> Rgb<N> {
-        let like = self.n_dot_v;
+        let like = self.like();
         match reflection {
             Reflection::Unlit => Rgb::black(like),
             Reflection::Microfacet if !environment.is_none() => {
-                self.of.ambient * (like.one() - self.of.metallic)
+                spread(self.of.ambient, like) * (like.one() - self.metallic())
             }
-            _ => self.of.ambient,
+            _ => spread(self.of.ambient, like),
         }
     }
 }

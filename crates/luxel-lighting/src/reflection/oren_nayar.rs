@@ -1,6 +1,7 @@
 //! Diffuse reflection of rough surfaces.
 
 use super::{Incidence, Reflected, Surface};
+use crate::Spread;
 use crate::witness::Lobe;
 use luxel_math::{Number, Rgb};
 
@@ -15,30 +16,33 @@ use luxel_math::{Number, Rgb};
 ///
 /// Compiled once a kind of number, as [`microfacet::reflected`](super::microfacet::reflected) is.
 #[inline(never)]
-pub(crate) fn reflected<N: Number>(
-    surface: &Surface<'_, N>,
+pub(crate) fn reflected<N: Number, K: Spread<N>>(
+    surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {
-    surface.n_dot_v.vectorized(
+    surface.like().vectorized(
         #[inline(always)]
         || roughly(surface, incidence),
     )
 }
 
 #[inline(always)]
-fn roughly<N: Number>(surface: &Surface<'_, N>, incidence: &Incidence<N>) -> Reflected<N> {
-    let like = surface.n_dot_v;
-    let variance = surface.of.roughness * surface.of.roughness;
+fn roughly<N: Number, K: Spread<N>>(
+    surface: &Surface<'_, N, K>,
+    incidence: &Incidence<N>,
+) -> Reflected<N> {
+    let like = surface.like();
+    let variance = surface.roughness() * surface.roughness();
     let a = like.one() - variance * like.constant(0.5) / (variance + like.constant(0.33));
     let b = variance * like.constant(0.45) / (variance + like.constant(0.09));
     let n_dot_l = incidence.n_dot_l.positive_part();
-    let n_dot_v = surface.n_dot_v.positive_part();
+    let n_dot_v = surface.n_dot_v().positive_part();
     let q = incidence.to_light.dot(surface.view) - n_dot_l * n_dot_v;
     // Where both cosines vanish, so does the whole; 1e-6 keeps the quotient finite.
     let slant = q.positive_part() / n_dot_l.maximum(n_dot_v).maximum(like.constant(1e-6));
     let rough = a + b * slant;
     Reflected {
-        diffuse: surface.of.diffuse * (n_dot_l * rough),
+        diffuse: surface.diffuse() * (n_dot_l * rough),
         specular: Rgb::black(like),
         specular_cosine: None,
         lobe: Lobe::Rough(rough),

@@ -1,0 +1,184 @@
+//! Blocks of the plainest kind, which most pictures are made of: surfaces that have places and normals
+//! and nothing else, of materials without textures, lit at their pixels. The same formulas as for any
+//! block ([`shade`]), without room for what isn't there.
+
+use crate::gathered::{has_many, loaded};
+use crate::shade::{Batch, Kept, Scene16, put_lane, shade};
+use crate::surface;
+use crate::triangles::SeenTriangle;
+use crate::varying::{lanes_of, places_at};
+use crate::view::{Interpolation, Shading, ShadingMode};
+use luxel_lighting::{Coefficients, Silent, Uniform};
+use luxel_math::{LANES, Mask, Number, Vec3};
+use luxel_scene::{AlphaMode, Scene, SceneMaterial};
+use luxel_visibility::{TriangleId, WindowRays};
+
+/// What each material reflects that is the same at all its points, but for vertex colours; `None`
+/// where textures change it.
+pub(crate) fn uniform(materials: &[SceneMaterial]) -> Vec<Option<Coefficients<Uniform>>> {
+    let of = |material: &SceneMaterial| {
+        let SceneMaterial { base_color, ambient, specular, emission, .. } = material;
+        let SceneMaterial { metallic_roughness, occlusion, .. } = material;
+        let textures = [base_color, ambient, specular, emission, metallic_roughness, occlusion];
+        let has_none = textures.into_iter().all(Option::is_none);
+        has_none.then(|| Coefficients::uniform(&material.constants))
+    };
+    materials.iter().map(of).collect()
+}
+
+/// Whether all blocks of a picture are plain.
+pub(crate) fn is_plain(
+    scene: &Scene,
+    uniform: &[Option<Coefficients<Uniform>>],
+    shading: Shading,
+) -> bool {
+    let has_colors = scene.meshes.iter().any(|mesh| !mesh.colors.is_empty());
+    let materials = scene.materials.iter().zip(uniform);
+    shading.mode == ShadingMode::Phong
+        && shading.interpolation == Interpolation::Perspective
+        && materials.into_iter().all(|(material, uniform)| {
+            uniform.is_some()
+                && material.normal.is_none()
+                && material.opacity_map.is_none()
+                && material.alpha_mode != AlphaMode::Blend
+                && !(material.vertex_colors && has_colors)
+        })
+}
+
+/// What sixteen samples see, if all of it is of one material.
+#[derive(Clone, Copy)]
+struct Seen<N> {
+    /// About the eye, along the world's axes.
+    position: Vec3<N>,
+    /// In world space, turned to the side that is seen; not of unit length.
+    normal: Vec3<N>,
+    /// The lanes that see a triangle.
+    lanes: u32,
+    material: u32,
+}
+
+/// The colour (straight) and alpha of the samples; the background's where nothing is seen.
+///
+/// What [`shade`] gives, for scenes that [are plain](is_plain). Compiled once a kind of number, not
+/// into its callers.
+#[inline(never)]
+pub(crate) fn shade_plain<N: Number>(
+    like: N,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    kept: &mut Kept,
+) -> [N; 4] {
+    like.vectorized(
+        #[inline(always)]
+        || {
+            let all = like.all_lanes() & !like.lanes_equal(&batch.ids, TriangleId::NONE.0);
+            let seen = if has_many(like, &batch.ids, all) {
+                many(like, scene, batch, kept, all)
+            } else {
+                few(like, scene, batch, kept, all)
+            };
+            match seen {
+                Some(seen) => lit(scene, &seen),
+                None => shade(like, scene, batch, kept, &mut Silent),
+            }
+        },
+    )
+}
+
+/// Looks at triangles one by one.
+#[inline(always)]
+fn few<N: Number>(
+    like: N,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    kept: &mut Kept,
+    all: u32,
+) -> Option<Seen<N>> {
+    let rays = scene.frame.rays();
+    let places = batch.places(like);
+    let id = batch.ids[all.trailing_zeros() as usize & (LANES - 1)];
+    let lanes = like.lanes_equal(&batch.ids, id);
+    let first = kept.seen.get(scene, TriangleId(id))?;
+    let material = first.material;
+    // What the first triangle gives to lanes of others is overwritten, and nobody asks for the rest.
+    let (mut position, mut normal) = met(first, rays, batch, places, lanes);
+    let mut left = all & !lanes;
+    while left != 0 {
+        let id = batch.ids[left.trailing_zeros() as usize & (LANES - 1)];
+        let lanes = like.lanes_equal(&batch.ids, id);
+        left &= !lanes;
+        let next = kept.seen.get(scene, TriangleId(id))?;
+        if next.material != material {
+            return None;
+        }
+        let (next_position, next_normal) = met(next, rays, batch, places, lanes);
+        let mask = like.mask_of(lanes);
+        position = next_position.select(mask, position);
+        normal = next_normal.select(mask, normal);
+    }
+    Some(Seen { position, normal, lanes: all, material })
+}
+
+/// Where the samples' rays meet one triangle, and its normals there.
+#[inline(always)]
+fn met<N: Number>(
+    triangle: &SeenTriangle,
+    rays: &WindowRays,
+    batch: &Batch,
+    [x, y]: [N::Wide; 2],
+    lanes: u32,
+) -> (Vec3<N>, Vec3<N>) {
+    let (mut weights, outside) = triangle.forms.in_lanes(x).told(x, y);
+    for lane in lanes_of(outside.bits() & lanes) {
+        let [x, y] = batch.position(lane);
+        put_lane(&mut weights, lane, triangle.forms.nearest_on_edges(rays, x, y));
+    }
+    places_at(&triangle.corners, &weights)
+}
+
+/// Looks at sixteen triangles at once.
+#[inline(always)]
+fn many<N: Number>(
+    like: N,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    kept: &mut Kept,
+    lanes: u32,
+) -> Option<Seen<N>> {
+    let gathered = &mut kept.gathered;
+    let mut left = lanes;
+    while left != 0 {
+        // Nearly always all.
+        left &= !gathered.meet(like, scene, batch, left, false).lanes;
+    }
+    let material = gathered.materials[lanes.trailing_zeros() as usize & (LANES - 1)];
+    if like.lanes_equal(&gathered.materials, material) & lanes != lanes {
+        return None;
+    }
+    let [x, y, z] = loaded(like, &gathered.met.position, 0);
+    let [across, up, towards] = loaded(like, &gathered.met.normal, 0);
+    let (position, normal) = (Vec3::new(x, y, z), Vec3::new(across, up, towards));
+    Some(Seen { position, normal, lanes, material })
+}
+
+#[inline(always)]
+fn lit<N: Number>(scene: &Scene16<'_>, seen: &Seen<N>) -> [N; 4] {
+    let like = seen.position.x;
+    let number = seen.material as usize;
+    let point = surface::point(scene, seen.position, seen.normal);
+    let reflection = &scene.scene.materials[number].constants.reflection;
+    let Some(coefficients) = &scene.uniform[number] else { return [like.zero(); 4] };
+    let surroundings = scene.surroundings(number);
+    let color =
+        luxel_lighting::lit_by(&point, coefficients, reflection, &surroundings, &mut Silent);
+    let lit = [color.r, color.g, color.b, like.one()];
+    if seen.lanes == like.all_lanes() {
+        return lit;
+    }
+    let mask = like.mask_of(seen.lanes);
+    let mut result = lit;
+    for (channel, background) in result.iter_mut().zip(scene.background) {
+        *channel = channel.select(mask, like.constant(background));
+    }
+    result
+}
