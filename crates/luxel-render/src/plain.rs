@@ -85,7 +85,8 @@ pub(crate) fn shade_plain<N: Number>(
     )
 }
 
-/// Looks at triangles one by one.
+/// Looks at triangles one by one: each at all lanes, which keeps the processor busier than at those
+/// that see it.
 #[inline(always)]
 fn few<N: Number>(
     like: N,
@@ -94,6 +95,9 @@ fn few<N: Number>(
     kept: &mut Kept,
     all: u32,
 ) -> Option<Seen<N>> {
+    if all == 0 {
+        return None;
+    }
     let rays = scene.frame.rays();
     let places = batch.places(like);
     let id = batch.ids[all.trailing_zeros() as usize & (LANES - 1)];

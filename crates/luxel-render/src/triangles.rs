@@ -147,24 +147,26 @@ impl SeenTriangle {
         let frame = scene.frame;
         let space = &scene.spaces[of.instance];
         let mesh = frame.instances()[of.instance].mesh;
-        let corners = mesh.triangles[of.triangle as usize];
-        let positions = corners.map(|corner| mesh.positions[corner as usize]);
-        let attributes =
-            mesh.attribute_corners()[of.triangle as usize].map(|corner| corner as usize);
+        let [a, b, c] = mesh.triangles[of.triangle as usize];
+        let position = |corner: u32| mesh.positions[corner as usize];
+        let positions = [position(a), position(b), position(c)];
+        let [a, b, c] = mesh.attribute_corners()[of.triangle as usize];
+        let attributes = [a as usize, b as usize, c as usize];
         let corners_in_view = space.view_from_local.corners(positions);
         let forms = Forms::new(frame.rays(), corners_in_view);
         let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
         let normals = space.facing_normals(&corners_in_view, forms.towards_eye(), in_mesh);
+        let corner = |place: usize| {
+            let about_eye = space.about_eye(corners_in_view[place]);
+            corner(mesh, space, attributes[place], about_eye, normals[place])
+        };
         Self {
             id,
             of,
             forms,
             material: mesh.parts[of.part].material.0,
             has: Attributes::of_mesh(mesh),
-            corners: std::array::from_fn(|place| {
-                let about_eye = space.about_eye(corners_in_view[place]);
-                corner(mesh, space, attributes[place], about_eye, normals[place])
-            }),
+            corners: [corner(0), corner(1), corner(2)],
             own_light: OwnLight::None,
             outline: None,
         }

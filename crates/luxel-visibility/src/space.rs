@@ -111,12 +111,15 @@ impl InstanceSpace {
     /// If the mesh has normals, but not for these attribute vertices.
     #[must_use]
     pub fn normals_in_mesh(mesh: &Mesh, attributes: [usize; 3]) -> Option<[Vec3<f32>; 3]> {
-        (!mesh.normals.is_empty()).then(|| {
-            attributes.map(|attribute| {
-                let [x, y, z] = mesh.normals[attribute];
-                Vec3::new(x, y, z)
-            })
-        })
+        if mesh.normals.is_empty() {
+            return None;
+        }
+        let [a, b, c] = attributes;
+        let normal = |attribute: usize| {
+            let [x, y, z] = mesh.normals[attribute];
+            Vec3::new(x, y, z)
+        };
+        Some([normal(a), normal(b), normal(c)])
     }
 
     /// A vertex normal in world space, of unit length.
