@@ -86,30 +86,37 @@ fn cover_samples<S: Simd>(
         let low = f32x16::splat(simd, plane.low);
         let high = f32x16::splat(simd, plane.high);
         let mut touched = false;
-        // Whole numbers: steps added one by one give what a multiplication would.
         let [e0, e1, e2] = edges;
         let mut row_starts = [e0.start, e1.start, e2.start];
+        // The largest values of edge functions in sixteen blocks side by side, as many as a tile has.
+        let lane = lane_x + lane_y * BLOCK;
+        let highest = [
+            lane * (e0.step_x * BLOCK) + e0.rise_in_block(),
+            lane * (e1.step_x * BLOCK) + e1.rise_in_block(),
+            lane * (e2.step_x * BLOCK) + e2.rise_in_block(),
+        ];
+        let columns = (2_u32 << (right - left)) - 1;
         for row in 0..=bottom - top {
-            let dy = f32x16::float_from(lane_dy + row * (BLOCK * SUBPIXELS));
-            let row_z = dy * plane.dz_dy;
-            let mut row_e0 = inside_block[0] + row_starts[0];
-            let mut row_e1 = inside_block[1] + row_starts[1];
-            let mut row_e2 = inside_block[2] + row_starts[2];
+            let [start0, start1, start2] = row_starts;
             row_starts[0] += e0.step_y * BLOCK;
             row_starts[1] += e1.step_y * BLOCK;
             row_starts[2] += e2.step_y * BLOCK;
-            for column in 0..=right - left {
-                let covered = (row_e0 | row_e1 | row_e2).simd_ge(0);
-                row_e0 += e0.step_x * BLOCK;
-                row_e1 += e1.step_x * BLOCK;
-                row_e2 += e2.step_x * BLOCK;
-                if !covered.any_true() {
-                    continue;
-                }
-                let x = column * BLOCK;
+            let reached = (highest[0] + start0) | (highest[1] + start1) | (highest[2] + start2);
+            let reached = reached.simd_ge(0).to_bitmask() as u32 & columns;
+            if reached == 0 {
+                continue;
+            }
+            let dy = f32x16::float_from(lane_dy + row * (BLOCK * SUBPIXELS));
+            let row_z = dy * plane.dz_dy;
+            for column in lanes_of(reached) {
+                let x = column as i32 * BLOCK;
+                let covered = ((inside_block[0] + (start0 + e0.step_x * x))
+                    | (inside_block[1] + (start1 + e1.step_x * x))
+                    | (inside_block[2] + (start2 + e2.step_x * x)))
+                    .simd_ge(0);
                 let dx = f32x16::float_from(lane_dx + x * SUBPIXELS);
                 let z = (dx * plane.dz_dx + plane.z + row_z).maximum(low).minimum(high);
-                let block = ((top + row) * BLOCKS + left + column) as usize;
+                let block = ((top + row) * BLOCKS + left) as usize + column;
                 touched |= draw_block(simd, covered, z, id, rules, tile, sample, block);
             }
         }
@@ -202,6 +209,16 @@ fn draw_block<S: Simd>(
     let depth = f32x16::from_slice(simd, &plane.depth[block]);
     let nearer = covered & depth.simd_lt(z);
     let equal = covered & z.simd_eq(depth);
+    let ids = u32x16::from_slice(simd, &plane.ids[block]);
+    if rules.behind.is_none() && rules.hole.is_none() && !equal.any_true() {
+        // Nearly always.
+        if !nearer.any_true() {
+            return false;
+        }
+        nearer.select(z, depth).store_slice(&mut plane.depth[block]);
+        nearer.select(u32x16::splat(simd, id.0), ids).store_slice(&mut plane.ids[block]);
+        return true;
+    }
     let mut wins = nearer.to_bitmask() as u32;
     for lane in lanes_of(equal.to_bitmask() as u32) {
         let first = comes_first(id, TriangleId(plane.ids[block][lane]), rules);
@@ -226,7 +243,6 @@ fn draw_block<S: Simd>(
         return false;
     }
     let mask = mask32x16::from_bitmask(simd, u64::from(wins));
-    let ids = u32x16::from_slice(simd, &plane.ids[block]);
     mask.select(z, depth).store_slice(&mut plane.depth[block]);
     mask.select(u32x16::splat(simd, id.0), ids).store_slice(&mut plane.ids[block]);
     true

@@ -9,6 +9,7 @@
 //!
 //! A sample on an edge belongs to the triangle if the edge is a left or a top one.
 
+use crate::buffer::BLOCK;
 use crate::transform::WindowVertex;
 use luxel_math::{Number, SUBPIXELS};
 use luxel_scene::Sides;
@@ -94,6 +95,12 @@ pub(crate) struct Edge {
 }
 
 impl Edge {
+    /// How much more than at a block's first pixel the value is at another one of it, at most.
+    #[inline(always)]
+    pub(crate) fn rise_in_block(&self) -> i32 {
+        (BLOCK - 1) * (self.step_x.max(0) + self.step_y.max(0))
+    }
+
     /// The value at a pixel of the region.
     #[inline(always)]
     pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
