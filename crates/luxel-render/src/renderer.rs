@@ -485,7 +485,9 @@ impl<'s> Renderer<'s> {
         self.scene.materials.iter().map(|material| of(&material.constants.reflection)).collect()
     }
 
-    fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+    /// Does work on one of the renderer's threads. Many frames in a row are drawn faster from there:
+    /// none of them has to be handed over to these threads, and its end waited for.
+    pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.pool {
             Some(pool) => pool.install(work),
             None => work(),

@@ -70,6 +70,9 @@ impl Plane {
 
     /// Keeps everything out of the pixels from column `width` and from row `height` on.
     fn close(&mut self, width: i32, height: i32) {
+        if [width, height] == [TILE; 2] {
+            return;
+        }
         for y in 0..TILE {
             for x in if y < height { width } else { 0 }..TILE {
                 let (block, lane) = Tile::place(x, y);
@@ -186,15 +189,16 @@ impl Tile {
     }
 
     fn farthest_of(&self, row: i32, column: i32) -> f32 {
-        let mut farthest = f32::INFINITY;
+        // Depths are 0 and more, and so in the order of their bits: a minimum that takes many at once.
+        let mut farthest = f32::INFINITY.to_bits() as i32;
         for plane in &self.planes {
             for block_row in row * CELL_BLOCKS..(row + 1) * CELL_BLOCKS {
                 let first = (block_row * BLOCKS + column * CELL_BLOCKS) as usize;
                 for value in plane.depth[first..first + CELL_BLOCKS as usize].as_flattened() {
-                    farthest = farthest.min(*value);
+                    farthest = farthest.min(value.to_bits() as i32);
                 }
             }
         }
-        farthest
+        f32::from_bits(farthest as u32)
     }
 }

@@ -15,7 +15,7 @@ use crate::view;
 use clap::Args;
 use luxel::math::SimdLevel;
 use luxel::pick::{PhysicalPosition, PickError, PickView, Picker, Quality};
-use luxel::render::{Picture, Renderer};
+use luxel::render::{Picture, RenderError, Renderer, View};
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -84,20 +84,9 @@ impl BenchCommand {
             })
             .collect::<Result<Vec<_>, _>>()?;
 
-        let mut picture = Picture::default();
-        let mut timings = Timings::new();
-        let warm_up = self.frames.get().div_ceil(10);
-        for number in 0..warm_up + self.frames.get() {
-            let view = &views[number as usize % views.len()];
-            let start = Instant::now();
-            renderer
-                .rgba8_into(view, &mut picture)
-                .map_err(|error| Failure::work(error.to_string(), ""))?;
-            let elapsed = start.elapsed();
-            if number >= warm_up {
-                timings.add(elapsed, &picture.stages);
-            }
-        }
+        let timings = renderer
+            .install(|| self.time_frames(&renderer, &views))
+            .map_err(|error| Failure::work(error.to_string(), ""))?;
 
         let picks = self.picks(scene, views[0].camera)?;
         let simd = SimdLevel::name_of(renderer.level());
@@ -123,6 +112,23 @@ impl BenchCommand {
         // Writing to a string can't fail.
         let _ = writeln!(text, "pick        {:9.3} us median, one at a time", picks.median);
         output::print(&text)
+    }
+
+    /// Draws the views in turns.
+    fn time_frames(&self, renderer: &Renderer<'_>, views: &[View]) -> Result<Timings, RenderError> {
+        let mut picture = Picture::default();
+        let mut timings = Timings::new();
+        let warm_up = self.frames.get().div_ceil(10);
+        for number in 0..warm_up + self.frames.get() {
+            let view = &views[number as usize % views.len()];
+            let start = Instant::now();
+            renderer.rgba8_into(view, &mut picture)?;
+            let elapsed = start.elapsed();
+            if number >= warm_up {
+                timings.add(elapsed, &picture.stages);
+            }
+        }
+        Ok(timings)
     }
 
     /// Microseconds that a pick takes, everything told, where there is something.
