@@ -156,11 +156,14 @@ impl Mesh {
     /// line.
     pub(crate) fn drawn_positions(&self) -> Vec<bool> {
         let mut drawn = vec![false; self.positions.len()];
-        let points = self.points.iter().flat_map(|points| &points.indices);
-        let lines = self.lines.iter().flat_map(|lines| lines.segments.as_flattened());
-        for &index in self.triangles.as_flattened().iter().chain(points).chain(lines) {
-            drawn[index as usize] = true;
-        }
+        let mut draw = |indices: &[u32]| {
+            for &index in indices {
+                drawn[index as usize] = true;
+            }
+        };
+        draw(self.triangles.as_flattened());
+        self.points.iter().for_each(|points| draw(&points.indices));
+        self.lines.iter().for_each(|lines| draw(lines.segments.as_flattened()));
         drawn
     }
 }

@@ -40,9 +40,10 @@ pub(super) fn bytes_each(element: &Element) -> u64 {
 
 /// Checks the number of a vertex.
 pub(super) fn vertex_index(value: f64, vertex_count: u64) -> Result<u32, ErrorKind> {
-    // A comparison with what is no number is false.
-    if value >= 0.0 && value < vertex_count as f64 && value.fract() == 0.0 {
-        return Ok(value as u32);
+    // What isn't whole, or no number, changes on the way to an integer and back.
+    let index = value as u32;
+    if f64::from(index) == value && u64::from(index) < vertex_count {
+        return Ok(index);
     }
     Err(ErrorKind::OutOfRange { what: "vertex", index: value as i64, count: vertex_count })
 }
@@ -165,8 +166,9 @@ impl Faces {
         let corner_at = |corner: usize| records.first_item + corner * records.item.size();
         let index = |row: &[u8], corner| table.value(row, corner_at(corner), records.item);
         let checked = |value: f64| vertex_index(value, self.vertex_count).unwrap_or(u32::MAX);
-        self.triangles =
-            table.read([0; 3], |row| [0, 1, 2].map(|corner| checked(index(row, corner))));
+        self.triangles = table.read([0; 3], |row| {
+            [checked(index(row, 0)), checked(index(row, 1)), checked(index(row, 2))]
+        });
         // No vertex has the last number, since there are fewer.
         let wrong = |corners: &[u32; 3]| corners.contains(&u32::MAX);
         let wrong_of_run = |run: Range<usize>| {
