@@ -21,7 +21,7 @@ use luxel_lighting::{
     Ledger, LedgerLight, LightKind, LightTerms, MirrorTerms, PartTerms, Reflectance, SurfacePoint,
     Terms, Witness,
 };
-use luxel_math::{LANES, Rgb, SUBPIXELS};
+use luxel_math::{LANES, Level, Rgb, SUBPIXELS, dispatch_long};
 use luxel_scene::{SceneLight, Size};
 use luxel_visibility::{BLOCK, Samples, TILE, Tile, TriangleId};
 
@@ -129,13 +129,13 @@ impl Renderer<'_> {
 struct SeenBySample(Vec<(TriangleId, u8)>);
 
 impl SeenBySample {
-    fn of(tile: &Tile, (block, lane): (usize, usize), samples: Samples) -> Self {
-        let ranks = Ranks::of(tile, block, samples);
+    fn of(level: Level, tile: &Tile, (block, lane): (usize, usize), samples: Samples) -> Self {
+        let ranks = dispatch_long!(level, simd => Ranks::of(simd, tile, block, samples));
         let seen = tile.planes().iter().map(|plane| {
             let id = plane.ids[block][lane];
             let stands_for =
                 ranks.list.iter().find(|rank| rank.ids[lane] == id && rank.shares[lane] > 0);
-            (TriangleId(id), stands_for.map_or(0, |rank| rank.sample[lane]))
+            (TriangleId(id), stands_for.map_or(0, |rank| rank.sample[lane] as u8))
         });
         Self(seen.collect())
     }
@@ -160,10 +160,12 @@ impl PixelScene<'_> {
         kept: &mut Kept,
     ) -> Explanation {
         let (block, _) = self.place;
-        let samples = self.scene.frame.samples();
-        let layers: Vec<_> =
-            layers.iter().map(|layer| SeenBySample::of(layer, self.place, samples)).collect();
-        let behind = SeenBySample::of(opaque, self.place, samples);
+        let (level, samples) = (self.renderer.level(), self.scene.frame.samples());
+        let layers: Vec<_> = layers
+            .iter()
+            .map(|layer| SeenBySample::of(level, layer, self.place, samples))
+            .collect();
+        let behind = SeenBySample::of(level, opaque, self.place, samples);
         // What each sample sees, nearest first; what doesn't cover it shows what lies behind all.
         let stacks: Vec<Vec<(TriangleId, u8)>> = (0..samples.count())
             .map(|sample| {
@@ -219,7 +221,8 @@ impl PixelScene<'_> {
         let scene = self.scene;
         let (block, lane) = self.place;
         let samples = scene.frame.samples();
-        let batch = Batch::new(tile, block, [id.0; LANES], &[sample; LANES], samples).only(lane);
+        let batch =
+            Batch::new(tile, block, [id.0; LANES], &[sample.into(); LANES], samples).only(lane);
         let eye = self.view.camera.eye().to_array();
         let lit = Lit::of(scene, eye, &lights_with_terms(self.view), &batch, kept);
         let (Some(of), Some(lit)) = (scene.frame.triangle(id), lit) else {

@@ -4,7 +4,7 @@
 use crate::plain::shade_plain;
 use crate::shade::{Batch, Kept, Scene16, shade};
 use luxel_lighting::Silent;
-use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
+use luxel_math::{LANES, Simd, f32x16, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{MAX_SAMPLES, Samples, Tile, TriangleId};
 
 /// The distinct triangles of each pixel of a block, in the order of their first samples: the first
@@ -18,39 +18,64 @@ pub(crate) struct Ranks {
 pub(crate) struct Rank {
     pub(crate) ids: [u32; LANES],
     /// Samples that see the triangle; 0 where a pixel has no more triangles.
-    pub(crate) shares: [u8; LANES],
+    pub(crate) shares: [u32; LANES],
     /// The sample that stands for them: the one nearest the pixel's centre.
-    pub(crate) sample: [u8; LANES],
+    pub(crate) sample: [u32; LANES],
+}
+
+impl Rank {
+    const NOTHING: Self =
+        Self { ids: [TriangleId::NONE.0; LANES], shares: [0; LANES], sample: [0; LANES] };
 }
 
 impl Ranks {
     /// Of any block.
-    pub(crate) fn of(tile: &Tile, block: usize, samples: Samples) -> Self {
+    #[inline(always)]
+    pub(crate) fn of<S: Simd>(simd: S, tile: &Tile, block: usize, samples: Samples) -> Self {
         let planes = tile.planes();
-        let nothing =
-            Rank { ids: [TriangleId::NONE.0; LANES], shares: [0; LANES], sample: [0; LANES] };
+        let ids_of = |sample: usize| u32x16::simd_from(simd, planes[sample].ids[block]);
         let mut list: Vec<Rank> = Vec::with_capacity(planes.len());
-        for lane in 0..LANES {
-            let mut used = 0;
-            for plane in planes {
-                let id = plane.ids[block][lane];
-                let known = (0..used).find(|&rank: &usize| list[rank].ids[lane] == id);
-                let rank = known.unwrap_or(used);
-                if rank == used {
-                    used += 1;
-                    if list.len() < used {
-                        list.push(nothing);
-                    }
-                    let sees = |&&sample: &&u8| planes[usize::from(sample)].ids[block][lane] == id;
-                    let nearest = samples.nearest_first().iter().find(sees);
-                    list[rank].ids[lane] = id;
-                    list[rank].sample[lane] = nearest.copied().unwrap_or(0);
+        // How many ranks each pixel has so far.
+        let mut used = u32x16::splat(simd, 0);
+        for sample in 0..planes.len() {
+            let id = ids_of(sample);
+            let mut open = mask32x16::splat(simd, true);
+            for rank in 0..planes.len() {
+                if list.len() == rank {
+                    list.push(Rank::NOTHING);
                 }
-                list[rank].shares[lane] += 1;
+                let own = &mut list[rank];
+                // The rank that sees the same triangle, or else the next one.
+                let ids = u32x16::simd_from(simd, own.ids);
+                let is_new = open & used.simd_eq(rank as u32);
+                let takes = is_new | open & ids.simd_eq(id);
+                takes.select(id, ids).store_slice(&mut own.ids);
+                add_one(simd, takes, &mut own.shares);
+                used = is_new.select(used + 1, used);
+                open &= !takes;
+                if !open.any_true() {
+                    break;
+                }
             }
+        }
+        for rank in &mut list {
+            let ids = u32x16::simd_from(simd, rank.ids);
+            let mut nearest = u32x16::splat(simd, 0);
+            for &sample in samples.nearest_first().iter().rev() {
+                let sees = ids_of(usize::from(sample)).simd_eq(ids);
+                nearest = sees.select(u32x16::splat(simd, sample.into()), nearest);
+            }
+            nearest.store_slice(&mut rank.sample);
         }
         Self { list }
     }
+}
+
+/// Adds 1 where the mask is true.
+#[inline(always)]
+fn add_one<S: Simd>(simd: S, mask: mask32x16<S>, counts: &mut [u32; LANES]) {
+    let sum = u32x16::simd_from(simd, *counts);
+    mask.select(sum + 1, sum).store_slice(counts);
 }
 
 /// Whether all samples of each pixel of a block see the same.
@@ -116,13 +141,13 @@ pub(crate) fn resolve_block<S: Simd>(
         add_share(&mut sum, lit, f32x16::splat(simd, 1.0));
         return straight(sum);
     }
-    let ranks = Ranks::of(tile, block, samples);
+    let ranks = Ranks::of(simd, tile, block, samples);
     let share_of_one = 1.0 / samples.count() as f32;
     for rank in &ranks.list {
         let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);
         let lit = lit_batch(simd, scene, &batch, kept);
-        let shares = rank.shares.map(f32::from);
-        add_share(&mut sum, lit, f32x16::simd_from(simd, shares) * share_of_one);
+        let shares = f32x16::float_from(u32x16::simd_from(simd, rank.shares));
+        add_share(&mut sum, lit, shares * share_of_one);
     }
     straight(sum)
 }
@@ -289,7 +314,7 @@ impl Layered {
         chosen: &[u16; MAX_SAMPLES],
     ) -> bool {
         let samples = scene.frame.samples();
-        let ranks = Ranks::of(tile, block, samples);
+        let ranks = Ranks::of(simd, tile, block, samples);
         let mut seen_through = false;
         for rank in &ranks.list {
             let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);

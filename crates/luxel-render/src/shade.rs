@@ -93,14 +93,14 @@ impl Batch {
         tile: &Tile,
         block: usize,
         ids: [u32; LANES],
-        sample: &[u8; LANES],
+        sample: &[u32; LANES],
         samples: Samples,
     ) -> Self {
         let mut batch =
             Self { origin: block_origin(tile, block), ids, x: [0.0; LANES], y: [0.0; LANES] };
         let positions = samples.positions();
         for lane in 0..LANES {
-            let position = positions[usize::from(sample[lane]) & (positions.len() - 1)];
+            let position = positions[sample[lane] as usize & (positions.len() - 1)];
             batch.put(lane, position);
         }
         batch
