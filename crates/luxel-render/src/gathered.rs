@@ -4,6 +4,7 @@
 use crate::shade::{Batch, Scene16, put_lane};
 use crate::triangles::Attributes;
 use crate::varying::{AtCorners, GatheredExtras, Weights, lanes_of};
+use crate::vertex::plain_light_at;
 use luxel_math::{LANES, Mask, Number, Piecewise, Vec3};
 use luxel_scene::Mesh;
 use luxel_visibility::{Forms, InstanceSpace, TriangleId};
@@ -44,6 +45,19 @@ pub(crate) struct Met {
     pub(crate) position: [[f32; LANES]; 3],
     /// In world space, turned to the side that is seen; not of unit length.
     pub(crate) normal: [[f32; LANES]; 3],
+    /// Mixed from that of the corners.
+    pub(crate) light: [[f32; LANES]; 3],
+}
+
+/// What is asked of triangles, beside the places where rays meet them.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Asked {
+    /// Normals, and whatever else they have.
+    Everything,
+    /// Normals.
+    Normals,
+    /// The light that was computed at their corners, of plain triangles of one material.
+    Lights,
 }
 
 /// The lanes that see one instance.
@@ -70,12 +84,13 @@ impl Gathered {
                 weights: Weights { here: nothing, right: nothing, below: nothing },
                 position: nothing,
                 normal: nothing,
+                light: nothing,
             },
         }
     }
 
-    /// Finds what the lowest of these lanes sees, and all others that see the same instance: places
-    /// and normals, and, if they are asked for, the extras.
+    /// Finds what the lowest of these lanes sees, and all others that see the same instance; `None`
+    /// if light is asked for and there are several materials.
     #[inline(always)]
     pub(crate) fn meet<N: Number>(
         &mut self,
@@ -83,12 +98,20 @@ impl Gathered {
         scene: &Scene16<'_>,
         batch: &Batch,
         of_lanes: u32,
-        extras: bool,
-    ) -> OfInstance {
-        let of = self.read(scene, batch, of_lanes, extras);
-        let Self { positions, normals, met, .. } = self;
-        like.piecewise(&mut Meeting { scene, batch, of, positions, normals, met });
-        of
+        asked: Asked,
+    ) -> Option<OfInstance> {
+        let of = self.read(scene, batch, of_lanes, asked == Asked::Everything);
+        let Self { positions, normals, materials, met, .. } = self;
+        let mut lit_as = None;
+        if asked == Asked::Lights {
+            let material = materials[of.lanes.trailing_zeros() as usize & (LANES - 1)];
+            if like.lanes_equal(materials, material) & of.lanes != of.lanes {
+                return None;
+            }
+            lit_as = Some(material as usize);
+        }
+        like.piecewise(&mut Meeting { scene, batch, of, positions, normals, lit_as, met });
+        Some(of)
     }
 
     /// Reads the triangles of one instance.
@@ -171,6 +194,8 @@ struct Meeting<'a> {
     of: OfInstance,
     positions: &'a AtCorners<3>,
     normals: &'a AtCorners<3>,
+    /// The material by which corners are lit, if they are.
+    lit_as: Option<usize>,
     met: &'a mut Met,
 }
 
@@ -198,8 +223,7 @@ impl Piecewise for Meeting<'_> {
             let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = load(like, self.normals, first);
             Some([Vec3::new(ax, ay, az), Vec3::new(bx, by, bz), Vec3::new(cx, cy, cz)])
         };
-        let [a, b, c] = space.facing_normals(&in_view, forms.towards_eye(), in_mesh);
-        let normal = a * weights[0] + b * weights[1] + c * weights[2];
+        let [na, nb, nc] = space.facing_normals(&in_view, forms.towards_eye(), in_mesh);
         let [a, b, c] = in_view;
         let (a, b, c) = (space.about_eye(a), space.about_eye(b), space.about_eye(c));
         let position = a * weights[0] + b * weights[1] + c * weights[2];
@@ -208,6 +232,14 @@ impl Piecewise for Meeting<'_> {
         let met = &mut *self.met;
         store(&mut met.weights.here, weights, mask, first);
         store(&mut met.position, [position.x, position.y, position.z], mask, first);
+        if let Some(material) = self.lit_as {
+            let light = plain_light_at(scene, &a, &na, material) * weights[0]
+                + plain_light_at(scene, &b, &nb, material) * weights[1]
+                + plain_light_at(scene, &c, &nc, material) * weights[2];
+            store(&mut met.light, [light.r, light.g, light.b], mask, first);
+            return;
+        }
+        let normal = na * weights[0] + nb * weights[1] + nc * weights[2];
         store(&mut met.normal, [normal.x, normal.y, normal.z], mask, first);
         if of.has.uvs[0] | of.has.uvs[1] {
             let [right, below] = forms.beside(x, y);

@@ -1,17 +1,17 @@
 //! Blocks of the plainest kind, which most pictures are made of: surfaces that have places and normals
-//! and nothing else, of materials without textures, lit at their pixels. The same formulas as for any
-//! block ([`shade`]), without room for what isn't there.
+//! and nothing else, of materials without textures, lit at their pixels or at their corners. The same
+//! formulas as for any block ([`shade`]), without room for what isn't there.
 
-use crate::gathered::{has_many, loaded};
+use crate::gathered::{Asked, has_many, loaded};
 use crate::shade::{Batch, Kept, Scene16, put_lane, shade};
 use crate::surface;
 use crate::triangles::SeenTriangle;
-use crate::varying::{lanes_of, places_at};
+use crate::varying::{lanes_of, light_between, places_at};
 use crate::view::{Interpolation, Shading, ShadingMode};
 use luxel_lighting::{Coefficients, Silent, Uniform};
-use luxel_math::{LANES, Mask, Number, Vec3};
+use luxel_math::{LANES, Mask, Number, Rgb, Vec3};
 use luxel_scene::{AlphaMode, Scene, SceneMaterial};
-use luxel_visibility::{TriangleId, WindowRays};
+use luxel_visibility::TriangleId;
 
 /// What each material reflects that is the same at all its points, but for vertex colours; `None`
 /// where textures change it.
@@ -34,7 +34,7 @@ pub(crate) fn is_plain(
 ) -> bool {
     let has_colors = scene.meshes.iter().any(|mesh| !mesh.colors.is_empty());
     let materials = scene.materials.iter().zip(uniform);
-    shading.mode == ShadingMode::Phong
+    matches!(shading.mode, ShadingMode::Phong | ShadingMode::Gouraud)
         && shading.interpolation == Interpolation::Perspective
         && materials.into_iter().all(|(material, uniform)| {
             uniform.is_some()
@@ -50,8 +50,9 @@ pub(crate) fn is_plain(
 struct Seen<N> {
     /// About the eye, along the world's axes.
     position: Vec3<N>,
-    /// In world space, turned to the side that is seen; not of unit length.
-    normal: Vec3<N>,
+    /// What came from the corners: the normal in world space, turned to the side that is seen, not
+    /// of unit length; or red, green and blue of the light, where that is computed at corners.
+    carried: Vec3<N>,
     /// The lanes that see a triangle.
     lanes: u32,
     material: u32,
@@ -98,14 +99,13 @@ fn few<N: Number>(
     if all == 0 {
         return None;
     }
-    let rays = scene.frame.rays();
     let places = batch.places(like);
     let id = batch.ids[all.trailing_zeros() as usize & (LANES - 1)];
     let lanes = like.lanes_equal(&batch.ids, id);
     let first = kept.seen.get(scene, TriangleId(id))?;
     let material = first.material;
     // What the first triangle gives to lanes of others is overwritten, and nobody asks for the rest.
-    let (mut position, mut normal) = met(first, rays, batch, places, lanes);
+    let (mut position, mut carried) = met(first, scene, batch, places, lanes);
     let mut left = all & !lanes;
     while left != 0 {
         let id = batch.ids[left.trailing_zeros() as usize & (LANES - 1)];
@@ -115,19 +115,19 @@ fn few<N: Number>(
         if next.material != material {
             return None;
         }
-        let (next_position, next_normal) = met(next, rays, batch, places, lanes);
+        let (next_position, next_carried) = met(next, scene, batch, places, lanes);
         let mask = like.mask_of(lanes);
         position = next_position.select(mask, position);
-        normal = next_normal.select(mask, normal);
+        carried = next_carried.select(mask, carried);
     }
-    Some(Seen { position, normal, lanes: all, material })
+    Some(Seen { position, carried, lanes: all, material })
 }
 
-/// Where the samples' rays meet one triangle, and its normals there.
+/// Where the samples' rays meet one triangle, and what its corners carry there.
 #[inline(always)]
 fn met<N: Number>(
     triangle: &SeenTriangle,
-    rays: &WindowRays,
+    scene: &Scene16<'_>,
     batch: &Batch,
     [x, y]: [N::Wide; 2],
     lanes: u32,
@@ -135,9 +135,13 @@ fn met<N: Number>(
     let (mut weights, outside) = triangle.forms.in_lanes(x).told(x, y);
     for lane in lanes_of(outside.bits() & lanes) {
         let [x, y] = batch.position(lane);
-        put_lane(&mut weights, lane, triangle.forms.nearest_on_edges(rays, x, y));
+        put_lane(&mut weights, lane, triangle.forms.nearest_on_edges(scene.frame.rays(), x, y));
     }
-    places_at(&triangle.corners, &weights)
+    let (position, normal) = places_at(&triangle.corners, &weights);
+    match scene.shading.mode {
+        ShadingMode::Gouraud => (position, light_between(&triangle.corners, &weights)),
+        _ => (position, normal),
+    }
 }
 
 /// Looks at sixteen triangles at once.
@@ -150,31 +154,40 @@ fn many<N: Number>(
     lanes: u32,
 ) -> Option<Seen<N>> {
     let gathered = &mut kept.gathered;
+    let asked = match scene.shading.mode {
+        ShadingMode::Gouraud => Asked::Lights,
+        _ => Asked::Normals,
+    };
     let mut left = lanes;
     while left != 0 {
         // Nearly always all.
-        left &= !gathered.meet(like, scene, batch, left, false).lanes;
+        left &= !gathered.meet(like, scene, batch, left, asked)?.lanes;
     }
     let material = gathered.materials[lanes.trailing_zeros() as usize & (LANES - 1)];
     if like.lanes_equal(&gathered.materials, material) & lanes != lanes {
         return None;
     }
     let [x, y, z] = loaded(like, &gathered.met.position, 0);
-    let [across, up, towards] = loaded(like, &gathered.met.normal, 0);
-    let (position, normal) = (Vec3::new(x, y, z), Vec3::new(across, up, towards));
-    Some(Seen { position, normal, lanes, material })
+    let carried = if asked == Asked::Lights { &gathered.met.light } else { &gathered.met.normal };
+    let [first, second, third] = loaded(like, carried, 0);
+    let (position, carried) = (Vec3::new(x, y, z), Vec3::new(first, second, third));
+    Some(Seen { position, carried, lanes, material })
 }
 
 #[inline(always)]
 fn lit<N: Number>(scene: &Scene16<'_>, seen: &Seen<N>) -> [N; 4] {
     let like = seen.position.x;
-    let number = seen.material as usize;
-    let point = surface::point(scene, seen.position, seen.normal);
-    let reflection = &scene.scene.materials[number].constants.reflection;
-    let Some(coefficients) = &scene.uniform[number] else { return [like.zero(); 4] };
-    let surroundings = scene.surroundings(number);
-    let color =
-        luxel_lighting::lit_by(&point, coefficients, reflection, &surroundings, &mut Silent);
+    let color = match scene.shading.mode {
+        ShadingMode::Gouraud => {
+            let Vec3 { x: r, y: g, z: b } = seen.carried;
+            let light = Rgb::new(r, g, b);
+            match scene.fog {
+                Some(fog) => fog.veiled(light, surface::depth(scene, seen.position), &mut Silent),
+                None => light,
+            }
+        }
+        _ => lit_at_pixels(scene, seen),
+    };
     let lit = [color.r, color.g, color.b, like.one()];
     if seen.lanes == like.all_lanes() {
         return lit;
@@ -185,4 +198,14 @@ fn lit<N: Number>(scene: &Scene16<'_>, seen: &Seen<N>) -> [N; 4] {
         *channel = channel.select(mask, like.constant(background));
     }
     result
+}
+
+#[inline(always)]
+fn lit_at_pixels<N: Number>(scene: &Scene16<'_>, seen: &Seen<N>) -> Rgb<N> {
+    let number = seen.material as usize;
+    let point = surface::point(scene, seen.position, seen.carried);
+    let reflection = &scene.scene.materials[number].constants.reflection;
+    let Some(coefficients) = &scene.uniform[number] else { return Rgb::black(seen.position.x) };
+    let surroundings = scene.surroundings(number);
+    luxel_lighting::lit_by(&point, coefficients, reflection, &surroundings, &mut Silent)
 }

@@ -1,7 +1,7 @@
 //! Sixteen samples of a block into light.
 
 use crate::edges::{EdgeFlags, edge_distance};
-use crate::gathered::{Gathered, has_many};
+use crate::gathered::{Asked, Gathered, has_many};
 use crate::pieces::PieceCount;
 use crate::polygons::Polygons;
 use crate::surface::{self, Interpolated, SurfaceWitness};
@@ -208,7 +208,9 @@ fn interpolate_lanes<N: Number>(
         let mut left = all;
         while left != 0 {
             // Nearly always all.
-            let of = gathered.meet(like, scene, batch, left, true);
+            let Some(of) = gathered.meet(like, scene, batch, left, Asked::Everything) else {
+                break;
+            };
             interpolated.take(gathered, of);
             left &= !of.lanes;
         }

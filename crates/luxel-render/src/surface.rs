@@ -69,7 +69,7 @@ impl<N: Number> Interpolated<N> {
             self.materials[lane & (LANES - 1)] = gathered.materials[lane & (LANES - 1)];
         }
         self.seen |= of.lanes;
-        let Met { weights, position, normal } = &gathered.met;
+        let Met { weights, position, normal, .. } = &gathered.met;
         let here = loaded(like, &weights.here, 0);
         merge(&mut self.weights, here, mask);
         let [x, y, z] = loaded(like, position, 0);
@@ -114,8 +114,13 @@ pub(crate) fn point<N: Number>(
         }
         _ => (-position).normalized_or_zero(),
     };
-    let along = Vec3::splat(position.x, scene.direction.as_vec3().to_array());
-    SurfacePoint { position, normal, view, depth: position.dot(along) }
+    SurfacePoint { position, normal, view, depth: depth(scene, position) }
+}
+
+/// The distance from the eye along the viewing axis.
+#[inline(always)]
+pub(crate) fn depth<N: Number>(scene: &Scene16<'_>, position: Vec3<N>) -> N {
+    position.dot(Vec3::splat(position.x, scene.direction.as_vec3().to_array()))
 }
 
 /// Samples a texture at the lanes whose bit is set. Compiled once a level, not into its callers.
