@@ -20,6 +20,9 @@ pub(crate) enum Failure {
     Findings,
     /// Whoever reads the standard output has heard enough: no error at all.
     Unheard,
+    /// A signal has ended the program, which has left everything in order: status 130.
+    #[cfg(feature = "viewer")]
+    Interrupted,
 }
 
 impl Failure {
@@ -28,11 +31,11 @@ impl Failure {
         Self::Work { what: what.into(), remedy: remedy.into() }
     }
 
-    /// A file that could not be written.
-    pub(crate) fn writing(path: &Path, error: &std::io::Error) -> Self {
+    /// A file that a flag names, and that could not be written.
+    pub(crate) fn writing(path: &Path, error: &std::io::Error, flag: &str) -> Self {
         Self::work(
             format!("{}: can't be written: {error}", path.display()),
-            "choose another place with -o, or free the one chosen",
+            format!("choose another place with {flag}, or free the one chosen"),
         )
     }
 
@@ -52,6 +55,8 @@ impl Failure {
             Self::Work { .. } => ExitCode::FAILURE,
             Self::Findings => ExitCode::from(3),
             Self::Unheard => ExitCode::SUCCESS,
+            #[cfg(feature = "viewer")]
+            Self::Interrupted => ExitCode::from(crate::output::INTERRUPTED),
         }
     }
 
@@ -62,6 +67,8 @@ impl Failure {
             Self::Work { what, remedy } if remedy.is_empty() => vec![what],
             Self::Work { what, remedy } => vec![what, remedy],
             Self::Findings | Self::Unheard => Vec::new(),
+            #[cfg(feature = "viewer")]
+            Self::Interrupted => Vec::new(),
         }
     }
 }
@@ -71,6 +78,9 @@ impl From<Error> for Failure {
         let remedy = match &error.kind {
             ErrorKind::Io(io) if io.kind() == std::io::ErrorKind::NotFound => {
                 "check the name; `luxel demos` lists the scenes that need no file"
+            }
+            ErrorKind::Io(io) if io.kind() == std::io::ErrorKind::IsADirectory => {
+                "choose a model file in it"
             }
             ErrorKind::Io(_) => "check that it is a file that you may read",
             ErrorKind::Malformed(_) if matches!(error.place, Place::LineColumn(..)) => {

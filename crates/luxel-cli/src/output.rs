@@ -27,19 +27,20 @@ pub(crate) fn print_json(document: &serde_json::Value) -> Result<(), Failure> {
 
 /// The file being written, which an interrupt has to remove.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
-/// What is to be done when the program is interrupted.
-static LAST: Mutex<Option<fn()>> = Mutex::new(None);
+/// What is to be done when the program is interrupted; whether the program comes to its end by itself
+/// then.
+type Last = Box<dyn FnOnce() -> bool + Send>;
+static LAST: Mutex<Option<Last>> = Mutex::new(None);
 static INTERRUPTS: Once = Once::new();
 
 /// What a program that was interrupted ends with, as shells report it: 128 and the number of the
 /// signal.
-#[cfg(not(target_family = "wasm"))]
-const INTERRUPTED: i32 = 130;
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Writes a file: under another name first, then renamed, so that it is there whole or not at all.
 /// What is there already and no regular file (a pipe, a device) is written to as it is.
 pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let failure = |error: io::Error| Failure::writing(path, &error);
+    let failure = |error: io::Error| Failure::writing(path, &error, "-o");
     match fs::metadata(path) {
         Ok(there) if !there.is_file() => {
             let mut file = OpenOptions::new().write(true).open(path).map_err(failure)?;
@@ -64,10 +65,10 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     written.map_err(failure)
 }
 
-/// Says before any work is done that a file can't be written there.
-pub(crate) fn check_folder(path: &Path) -> Result<(), Failure> {
+/// Says before any work is done that there is no folder for a file that a flag names.
+pub(crate) fn check_folder(path: &Path, flag: &str) -> Result<(), Failure> {
     if path.is_dir() {
-        let remedy = "name a file in it, as picture.png";
+        let remedy = format!("name a file in it with {flag}");
         return Err(Failure::work(format!("{}: is a folder", path.display()), remedy));
     }
     let folder = match path.parent() {
@@ -78,8 +79,28 @@ pub(crate) fn check_folder(path: &Path) -> Result<(), Failure> {
         Ok(())
     } else {
         let what = format!("{}: there is no folder {}", path.display(), folder.display());
-        Err(Failure::work(what, "make it first, or choose another place with -o"))
+        Err(Failure::work(what, format!("make it first, or choose another place with {flag}")))
     }
+}
+
+/// Says before any work is done that a file that a flag names can't be written, and leaves all as it is.
+#[cfg(feature = "viewer")]
+pub(crate) fn check_writable(path: &Path, flag: &str) -> Result<(), Failure> {
+    check_folder(path, flag)?;
+    if fs::metadata(path).is_ok_and(|there| !there.is_file()) {
+        // To open a pipe would be to wait for its reader.
+        return Ok(());
+    }
+    let unfinished = unfinished_name(&fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()));
+    OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(&unfinished)
+        .and_then(|file| {
+            drop(file);
+            fs::remove_file(&unfinished)
+        })
+        .map_err(|error| Failure::writing(path, &error, flag))
 }
 
 /// A name beside the file's, so that renaming stays within one file system.
@@ -97,9 +118,10 @@ fn remove_when_interrupted(unfinished: &Path) {
     hear_interrupts();
 }
 
-/// Does something at last, if the program is interrupted from now on.
+/// Does something at last, if the program is interrupted from now on. If that says that the program comes
+/// to its end by itself, it is left alone, unless it is interrupted once more.
 #[cfg(feature = "viewer")]
-pub(crate) fn when_interrupted(last: fn()) {
+pub(crate) fn when_interrupted(last: Last) {
     *LAST.lock().unwrap_or_else(PoisonError::into_inner) = Some(last);
     hear_interrupts();
 }
@@ -110,14 +132,15 @@ fn hear_interrupts() {
         // and for terminals that are in use.
         #[cfg(not(target_family = "wasm"))]
         let _ = ctrlc::set_handler(|| {
+            let last = LAST.lock().unwrap_or_else(PoisonError::into_inner).take();
+            if last.is_some_and(|last| last()) {
+                return;
+            }
             if let Some(path) = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).take() {
                 let _ = fs::remove_file(path);
             }
-            if let Some(last) = LAST.lock().unwrap_or_else(PoisonError::into_inner).take() {
-                last();
-            }
             #[expect(clippy::exit, reason = "an interrupt ends the program")]
-            std::process::exit(INTERRUPTED);
+            std::process::exit(INTERRUPTED.into());
         });
     });
 }

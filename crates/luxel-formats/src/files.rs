@@ -1,6 +1,6 @@
 //! Files in: whole, in parallel blocks, and never more than the limits allow.
 
-use crate::{Error, ErrorKind, Limits, Place, Progress};
+use crate::{Error, Limits, Place, Progress};
 use luxel_parallel::each;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
@@ -14,8 +14,8 @@ pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> 
     let in_file = |kind| Error::at(Place::File, kind).in_file(path);
     let metadata = std::fs::metadata(path).map_err(|error| in_file(error.into()))?;
     if metadata.is_dir() {
-        let message = "this is a folder: name a model file in it".to_owned();
-        return Err(in_file(ErrorKind::Unsupported(message)));
+        let folder = std::io::Error::new(std::io::ErrorKind::IsADirectory, "this is a folder");
+        return Err(in_file(folder.into()));
     }
     let in_file = |error: Error| error.in_file(path);
     limits.check("the file", metadata.len(), 1, Place::File).map_err(in_file)?;

@@ -21,7 +21,9 @@ use luxel::navigation::{Command, Entry, Event};
 use luxel::render::View;
 use luxel::scene::{Camera, DVec2, DVec3, Size};
 use opening::Reading;
-pub use options::{Equation, Options, Outcome, Print, Save, Seen, Showing, ViewerError, Write};
+pub use options::{
+    Equation, Options, Outcome, Print, Save, Seen, Showing, ViewerError, WhenInterrupted, Write,
+};
 use present::GuideLines;
 use std::ffi::{OsStr, OsString};
 use std::time::{Duration, Instant};
@@ -47,14 +49,23 @@ pub fn run(
         let text = text.split_once(": ").map_or(text.as_str(), |(_, what)| what).to_owned();
         ViewerError::NoDisplay(text)
     };
-    let event_loop = EventLoop::<Said>::with_user_event().build().map_err(no_display)?;
-    let proxy: EventLoopProxy<Said> = event_loop.create_proxy();
-    let say = move |said| proxy.send_event(said).is_ok();
+    let event_loop = EventLoop::<Call>::with_user_event().build().map_err(no_display)?;
+    let proxy: EventLoopProxy<Call> = event_loop.create_proxy();
+    let interrupt = proxy.clone();
+    (options.when_interrupted)(Box::new(move || interrupt.send_event(Call::Leave).is_ok()));
+    let say = move |said| proxy.send_event(Call::Said(said)).is_ok();
     let first = options.files.first().cloned().unwrap_or_default();
     let worker = Worker::start(load, first, options.execution, say)?;
     let mut app = App::new(options, worker);
     event_loop.run_app(&mut app).map_err(no_display)?;
     app.finish()
+}
+
+/// What wakes the window, beside its own events.
+enum Call {
+    Said(Said),
+    /// A signal asks the program to end.
+    Leave,
 }
 
 /// How long nothing may change until the picture sharpens.
@@ -200,7 +211,7 @@ impl App {
     fn finish(self) -> Result<Outcome, ViewerError> {
         let log = self.session.as_ref().and_then(Session::log);
         if let (Some(path), Some(log)) = (&self.options.record, log) {
-            (self.options.write)(path, log.as_bytes()).map_err(ViewerError::Write)?;
+            (self.options.write)(path, log.as_bytes()).map_err(ViewerError::Record)?;
         }
         self.end.unwrap_or(Ok(Outcome::Closed))
     }
@@ -331,7 +342,7 @@ impl App {
     }
 }
 
-impl ApplicationHandler<Said> for App {
+impl ApplicationHandler<Call> for App {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         if self.screen.is_some() {
             return;
@@ -354,8 +365,10 @@ impl ApplicationHandler<Said> for App {
         }
     }
 
-    fn user_event(&mut self, event_loop: &ActiveEventLoop, said: Said) {
-        let Said { about, answer } = said;
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, call: Call) {
+        let Call::Said(Said { about, answer }) = call else {
+            return self.end(event_loop, Ok(Outcome::Interrupted));
+        };
         let is_about_shown = about == self.number;
         match answer {
             // Something else is wanted by now, or nothing.

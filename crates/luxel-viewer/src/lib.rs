@@ -46,7 +46,10 @@ mod wait;
 mod wardrobe;
 mod worker;
 
-pub use app::{Equation, Options, Outcome, Print, Save, Seen, Showing, ViewerError, Write, run};
+pub use app::{
+    Equation, Options, Outcome, Print, Save, Seen, Showing, ViewerError, WhenInterrupted, Write,
+    run,
+};
 pub use keys::{Keys, KeysError, KeysErrorKind};
 pub use ledger::{LedgerLine, TermKind};
 pub use loading::Loading;

@@ -92,7 +92,7 @@ impl CheckCommand {
         path: &Path,
         format: PictureFormat,
     ) -> Result<(), Failure> {
-        output::check_folder(path)?;
+        output::check_folder(path, "-o")?;
         let failure = |error: String| Failure::work(error, "");
         let mut marked = match &*self.layers {
             [] => report.marked(scene),

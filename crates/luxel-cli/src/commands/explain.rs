@@ -96,7 +96,7 @@ impl ExplainCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
         let file = self.asked.output.as_deref().filter(|name| *name != "-").map(Path::new);
         if let Some(path) = file {
-            output::check_folder(path)?;
+            output::check_folder(path, "-o")?;
         }
         let mut model = model::load(&self.input, &self.execution, console)?;
         if model.scene.bounds().is_empty() {

@@ -140,8 +140,10 @@ mod window {
         if loading.is_stopped() { Err(Failure::work("it was stopped", "")) } else { Ok(()) }
     }
 
+    /// Writes a file; says what is wrong, and nothing of flags, which named no such file.
     fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
-        output::write_file(path, bytes).map_err(|failure| failure.lines().join("; "))
+        output::write_file(path, bytes)
+            .map_err(|failure| failure.lines().first().copied().unwrap_or_default().to_owned())
     }
 
     impl ViewCommand {
@@ -163,7 +165,7 @@ mod window {
             let files = files.into_iter().cloned().collect();
             let record = self.record.as_ref().map(PathBuf::from);
             if let Some(path) = &record {
-                output::check_folder(path)?;
+                output::check_writable(path, "--record")?;
             }
             let most = self.execution.max_memory;
             let replay = self.replay.as_ref().map(|path| navigation::read_log(path, most));
@@ -187,10 +189,10 @@ mod window {
                 equation: Box::new(explain::lines),
                 save: Box::new(move |file, showing| {
                     let (path, text) = saved::saved(file, showing, restyle.clone(), &shading)?;
-                    output::write_file(&path, text.as_bytes())
-                        .map_err(|failure| failure.lines().join("; "))?;
+                    write(&path, text.as_bytes())?;
                     Ok(path.display().to_string())
                 }),
+                when_interrupted: Box::new(output::when_interrupted),
                 tell: Box::new(move |what| console.tell(what)),
                 detail: Box::new(move |what| console.detail(what)),
             };
@@ -209,6 +211,10 @@ mod window {
                 Ok(Outcome::NotLoaded) => {
                     let failure = failure.lock().unwrap_or_else(PoisonError::into_inner).take();
                     failure.map_or(Ok(()), Err)
+                }
+                Ok(Outcome::Interrupted) => Err(Failure::Interrupted),
+                Err(error @ ViewerError::Record(_)) => {
+                    Err(Failure::work(error.to_string(), "choose another place with --record"))
                 }
                 Err(error @ ViewerError::NoDisplay(_)) => Err(Failure::work(
                     error.to_string(),
@@ -247,7 +253,10 @@ mod window {
                 execution: view::execution(&self.execution),
                 write: Box::new(write),
             };
-            output::when_interrupted(leave_terminal);
+            output::when_interrupted(Box::new(|| {
+                leave_terminal();
+                false
+            }));
             view_in_terminal(model, &options).map_err(|error| match error {
                 ViewerError::NoTerminal(_) => Failure::work(
                     error.to_string(),
@@ -257,10 +266,10 @@ mod window {
             })
         }
 
-        /// Says before any window opens that there is no such file.
+        /// Says before any window opens that there is no such file, or that it is a folder.
         fn check_model(&self, model: &OsStr, console: Console) -> Result<(), Failure> {
             let is_file = model != "-" && !model.to_string_lossy().starts_with("demo:");
-            if is_file && std::fs::metadata(model).is_err() {
+            if is_file && !std::fs::metadata(model).is_ok_and(|there| !there.is_dir()) {
                 return model::load(&self.input(model), &self.execution, console).map(|_| ());
             }
             Ok(())

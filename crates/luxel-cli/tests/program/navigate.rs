@@ -88,7 +88,12 @@ fn what_is_wrong_with_a_log_is_told_with_its_line() {
     folder
         .run(["navigate", "demo:plane", "--replay", "hand.log"])
         .failed(1, "hand.log: line 3: there is no event `jump`");
-    folder.run(["navigate", "--replay", "none.log"]).failed(1, "none.log");
+    folder.run(["navigate", "--replay", "gone.log"]).failed(1, "gone.log");
+    folder.write("none.log", "luxel-navigation 1\nplace 1 0 0 0 0 1 0 0 0 0 1 0 0 nan -5 1\n");
+    for line in ["navigate demo:plane --replay", "render demo:plane -o {n}.png --path"] {
+        let line = line.split(' ').chain(["none.log"]);
+        folder.run(line).failed(1, "none.log: line 2: `nan` is no finite number");
+    }
     let program = env!("CARGO_BIN_EXE_luxel");
     folder.run(["navigate", "--replay", program]).failed(1, "UTF-8");
     folder

@@ -15,14 +15,24 @@ fn a_model_that_is_not_there_is_told_first() {
     luxel("view nosuch.glb").failed(1, "nosuch.glb");
     luxel("nosuch").failed(1, "nosuch");
     luxel("view demo:plane nosuch.obj").failed(1, "nosuch.obj");
+    luxel("view demo:plane /").failed(1, "/: this is a folder");
+    luxel("info /").failed(1, "choose a model file in it");
 }
 
 #[test]
 fn flags_of_the_window_are_checked() {
     luxel("view --mode walking").failed(2, "no mode `walking`");
     luxel("view demo:plane --replay none.log").failed(1, "none.log");
-    luxel("view demo:plane --record no/such/folder.log").failed(1, "no/such");
+    luxel("view demo:plane --record no/such/folder.log").failed(1, "another place with --record");
     let folder = Folder::new();
+    folder
+        .run(["view", "demo:plane", "--record", "."])
+        .failed(1, "name a file in it with --record");
+    // Here, where nothing can be written, whoever tries.
+    #[cfg(target_os = "linux")]
+    luxel("view demo:plane --record /proc/a.log").failed(1, "another place with --record");
+    folder.run(["view", "demo:plane", "--record", "new.log"]).failed(1, "no window");
+    assert!(folder.files().is_empty(), "{:?}", folder.files());
     folder.write("a.log", "luxel-navigation 1\njump\n");
     folder.run(["view", "demo:plane", "--replay", "a.log"]).failed(1, "line 2");
 }

@@ -1,6 +1,6 @@
 //! Logs as text.
 
-use crate::stage::{LENS, settings};
+use crate::stage::{LENS, MODES, deviation, settings, somewhere};
 use glam::{DMat4, DVec2, DVec3};
 use luxel_navigation::{
     Change, Entry, Event, Gesture, Log, LogErrorKind, Mode, Number, StandardView,
@@ -92,6 +92,19 @@ proptest! {
     }
 
     #[test]
+    fn numbers_of_any_size_leave_a_rotation_at_a_place(
+        entries in prop::collection::vec(entries(), 0..30),
+        mode in prop::sample::select(MODES.to_vec()),
+    ) {
+        let start = (somewhere(mode), settings(LENS));
+        let end = entries.iter().fold(start, |(state, settings), entry| entry.play(&state, &settings));
+        let view = end.0.view_from_world();
+        prop_assert!(view.is_finite(), "{view}");
+        prop_assert!(end.0.pivot().is_finite(), "{}", end.0.pivot());
+        prop_assert!(deviation(&end.0) < 1e-12, "{view}");
+    }
+
+    #[test]
     fn any_text_is_a_log_or_an_error(text in "(luxel-navigation 1\n)?([+ a-z0-9.#-]{0,20}\n){0,5}") {
         let _ = text.parse::<Log>();
     }
@@ -151,6 +164,49 @@ fn errors_name_their_line() {
         assert!(found.to_string().contains(expected), "{text}: {found}");
     }
     assert_eq!(error("x").kind, LogErrorKind::NoLog);
+}
+
+#[test]
+fn a_number_that_is_none_is_refused_wherever_it_stands() {
+    let lines = [
+        "set size 1280 720",
+        "set up 0 0 1",
+        "set bounds -1 -1 -1 1 1 1",
+        "set lens perspective 0.8",
+        "set lens orthographic 2",
+        "set lens intrinsics 700 700 320 240",
+        "set wheel-factor 1.1",
+        "+0.5 wait",
+        "grab turn 640 360",
+        "grab pan 640 360 on 1 2 3",
+        "drag 652.5 360",
+        "wheel -1 3 4 on 0.5 -0 1e-7",
+        "tap x+ 2",
+        "pivot 1 2 3",
+        "fit -1 -1 -1 1 1 1",
+        "place 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1",
+        "go 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 0 0 0 1",
+    ];
+    for line in lines {
+        let sound = format!("luxel-navigation 1\nwait\n{line}\n");
+        assert!(sound.parse::<Log>().is_ok(), "{line}");
+        let words: Vec<_> = line.split(' ').collect();
+        let is_number = |word: &&str| word.parse::<f64>().is_ok();
+        let numbers = (0..words.len()).filter(|at| is_number(&words[*at])).count();
+        assert!(numbers > 0, "{line}");
+        for at in (0..words.len()).filter(|at| is_number(&words[*at])) {
+            for none in ["nan", "-NaN", "inf", "-inf", "infinity", "1e999", "+nan"] {
+                // What begins with a plus is a time.
+                let sign = if words[at].starts_with('+') { "+" } else { "" };
+                let mut words: Vec<_> = words.iter().map(ToString::to_string).collect();
+                words[at] = format!("{sign}{none}");
+                let text = format!("luxel-navigation 1\nwait\n{}\n", words.join(" "));
+                let error = text.parse::<Log>().unwrap_err();
+                assert_eq!(error.line, 3, "{text}");
+                assert!(error.to_string().contains(none), "{text}: {error}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -36,11 +36,17 @@ pub struct Options {
     pub save: Save,
     /// The lighting equation of a place with its numbers filled in.
     pub equation: Equation,
+    /// Takes what is to be done when the program is interrupted.
+    pub when_interrupted: WhenInterrupted,
     /// Says something that is worth knowing.
     pub tell: Box<dyn Fn(&str)>,
     /// Says how long things take, to those who have asked for it.
     pub detail: Box<dyn Fn(&str)>,
 }
+
+/// Takes what is to be done when the program is interrupted: it closes the window, or says that there is
+/// none any more.
+pub type WhenInterrupted = Box<dyn Fn(Box<dyn FnOnce() -> bool + Send>)>;
 
 /// Prints the line of a terminal that draws what is seen of a file, and answers with it.
 pub type Print = Box<dyn Fn(&OsStr, &Seen<'_>) -> String>;
@@ -82,6 +88,8 @@ pub type Write = Box<dyn Fn(&Path, &[u8]) -> Result<(), String>>;
 pub enum Outcome {
     /// The user has closed it.
     Closed,
+    /// A signal has closed it.
+    Interrupted,
     /// The first file was not loaded; whoever has tried knows why.
     NotLoaded,
 }
@@ -99,9 +107,9 @@ pub enum ViewerError {
     /// The scene can't be drawn.
     #[error("{0}")]
     Draw(String),
-    /// A file could not be written.
+    /// The log of what was done could not be written.
     #[error("{0}")]
-    Write(String),
+    Record(String),
     /// The system gives no thread.
     #[error("can't start a thread: {0}")]
     Thread(#[from] std::io::Error),

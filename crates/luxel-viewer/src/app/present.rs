@@ -130,9 +130,10 @@ impl App {
         };
         let line = (self.options.print)(self.files.seen(), &seen);
         let but = match (session.is_redressed(), session.look().layer.is_some()) {
-            (true, _) => ", but for materials changed here and what is hidden",
-            (_, true) => ", of the picture and not of the layer",
-            _ => "",
+            (true, false) => ", but for materials changed here and what is hidden",
+            (false, true) => ", of the picture and not of the layer",
+            (true, true) => ", but for materials changed here, what is hidden, and the layer",
+            (false, false) => "",
         };
         let note = match self.clipboard.put(&line) {
             Ok(()) => format!("its line is in the clipboard and in the terminal{but}"),

@@ -7,7 +7,7 @@ use crate::panels::{Side, Tab};
 use crate::theme::DARK;
 use egui::{Event, Id, Key, Modifiers};
 use luxel::lighting::LightKind;
-use luxel::scene::demos;
+use luxel::scene::{Restyle, demos};
 use std::sync::Arc;
 
 /// The panels without a window.
@@ -218,6 +218,67 @@ fn keys_press_the_axes_and_move_handles_of_lights_and_the_line_between_looks() {
     stage.focus(Some(line));
     stage.press(Key::ArrowLeft);
     assert!(stage.session.split().unwrap().at < before - 0.01);
+}
+
+#[test]
+fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
+    for (model, heeded) in [
+        ("unlit", &["k_d", "opacity"][..]),
+        ("lambert", &["k_a", "k_d", "opacity"]),
+        ("oren-nayar", &["k_a", "k_d", "roughness", "opacity"]),
+        ("phong", &["k_a", "k_d", "k_s", "n", "opacity"]),
+        ("blinn-phong", &["k_a", "k_d", "k_s", "n", "opacity"]),
+        ("microfacet", &["k_a", "k_d", "roughness", "metallic", "opacity"]),
+        ("mirror", &["k_d", "k_s", "roughness", "opacity"]),
+        ("retro", &["k_a", "k_d", "k_s", "n", "opacity"]),
+    ] {
+        // Room for all of the panel.
+        let mut stage = Stage::new("teapot", (920, 2000));
+        let at = stage.session.uses.iter().position(|uses| *uses > 0).unwrap();
+        let reflection = luxel::formats::values::reflection(model).unwrap();
+        let half = Restyle {
+            reflection: Some(reflection),
+            k_a: Some(0.5),
+            k_d: Some(0.5),
+            k_s: Some(0.5),
+            shininess: Some(9.0),
+            roughness: Some(0.5),
+            metallic: Some(0.5),
+            opacity: Some(0.5),
+            ..Restyle::default()
+        };
+        stage.session.change_wardrobe(|wardrobe| *wardrobe.change(at) = half);
+        let values = |stage: &Stage| {
+            let worn = stage.session.wardrobe().worn(&stage.session.model.scene, at);
+            let of = worn.constants;
+            [
+                ("k_a", of.k_a),
+                ("k_d", of.k_d),
+                ("k_s", of.k_s),
+                ("n", of.shininess),
+                ("roughness", of.roughness),
+                ("metallic", of.metallic),
+                ("opacity", worn.opacity),
+            ]
+        };
+        stage.pass(Vec::new());
+        stage.pass(Vec::new());
+        let mut changed = Vec::new();
+        for (id, _) in stage.controls() {
+            stage.focus(Some(id));
+            let before = values(&stage);
+            stage.press(Key::ArrowRight);
+            let after = values(&stage);
+            let others = before.into_iter().zip(after).filter(|(before, after)| before != after);
+            let others: Vec<_> =
+                others.map(|((name, before), (_, after))| (name, after > before)).collect();
+            assert!(others.len() < 2, "{model}: one slider changes {others:?}");
+            changed.extend(others);
+        }
+        changed.dedup();
+        let wanted: Vec<_> = heeded.iter().map(|name| (*name, true)).collect();
+        assert_eq!(changed, wanted, "{model}");
+    }
 }
 
 #[test]

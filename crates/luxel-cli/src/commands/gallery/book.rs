@@ -26,7 +26,7 @@ impl GalleryCommand {
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         bar.finish();
         if !folder.is_dir() {
-            fs::create_dir(folder).map_err(|error| Failure::writing(folder, &error))?;
+            fs::create_dir(folder).map_err(|error| Failure::writing(folder, &error, "-o"))?;
         }
         // The page last: whoever sees it finds all that it shows.
         for file in gallery.files.iter().rev() {
@@ -49,8 +49,8 @@ fn check(folder: &Path) -> Result<(), Failure> {
             let what = format!("{}: is no folder", folder.display());
             Err(Failure::work(what, "choose another place with -o"))
         }
-        Err(error) if error.kind() == io::ErrorKind::NotFound => output::check_folder(folder),
-        Err(error) => Err(Failure::writing(folder, &error)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => output::check_folder(folder, "-o"),
+        Err(error) => Err(Failure::writing(folder, &error, "-o")),
     }
 }
 

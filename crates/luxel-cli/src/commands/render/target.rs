@@ -86,13 +86,13 @@ impl Target {
                     Numbering::parse(&options.output.to_string_lossy()).map_err(|message| {
                         Failure::Usage(format!("invalid value for '--output': {message}"))
                     })?;
-                output::check_folder(&numbering.name(0))?;
+                output::check_folder(&numbering.name(0), "-o")?;
                 Place::Files(numbering)
             }
             false if to_standard_output => Place::StandardOutput,
             false => {
                 let path = PathBuf::from(&options.output);
-                output::check_folder(&path)?;
+                output::check_folder(&path, "-o")?;
                 Place::File(path)
             }
         };
