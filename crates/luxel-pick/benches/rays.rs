@@ -2,11 +2,12 @@
 //! triangles.
 //!
 //! `cargo bench -p luxel-pick --bench rays [-- FILTER]`; a filter is part of a row's name. Prints the
-//! median and the least of some rounds, and for rays a checksum of triangles and distances, which
+//! median and the least of some rounds (one ray at a time at every SIMD level), and for rays a checksum of triangles and distances, which
 //! only a change of the outcome may change.
 
 #![allow(clippy::unwrap_used, reason = "a benchmark")]
 
+use luxel_math::SimdLevel;
 use luxel_pick::{Bvh, MeshRays, PickView, Picker, Quality, Ray, RayHit, Region};
 use luxel_scene::{
     Camera, DVec3, Lens, MaterialId, Mesh, MeshId, Node, Part, Projection, Scene, SceneMaterial,
@@ -130,6 +131,24 @@ fn main() {
             bvh.memory() as f64 / mesh.triangles.len() as f64,
             bvh.depth()
         );
+        for (kind, aimed) in [("camera", camera_rays()), ("random", random_rays(500_000))] {
+            let mut seen = Vec::new();
+            for level in SimdLevel::available() {
+                let level = level.resolve().unwrap();
+                // What a name stands for may be another level.
+                let simd = SimdLevel::name_of(level);
+                let name = format!("{triangles} rays {kind} at {simd}");
+                if seen.contains(&simd) || !wanted(&name) {
+                    continue;
+                }
+                seen.push(simd);
+                let rays = MeshRays::with_level(&bvh, &mesh.positions, level);
+                let mut hits = Vec::new();
+                let (median, least) =
+                    time(|| hits = aimed.iter().map(|ray| rays.closest(ray)).collect());
+                told(&name, aimed.len(), median, least, checksum(&hits));
+            }
+        }
         let rays = MeshRays::new(&bvh, &mesh.positions);
         for (kind, aimed) in [("camera", camera_rays()), ("random", random_rays(500_000))] {
             let name = format!("{triangles} rays {kind} one at a time");

@@ -1,0 +1,100 @@
+//! Times frames on one thread, by stage: a bumpy ball of 100 000 triangles, by the ways to shade, with one
+//! light and with five, with one sample a pixel and with four, at every SIMD level.
+//!
+//! `cargo bench -p luxel --bench frames [-- FILTER]`; a filter is part of a row's name. Prints medians of
+//! some frames, in milliseconds, and a hash of the pixels, which is the same at all levels.
+
+#![allow(clippy::unwrap_used, reason = "a benchmark")]
+
+use luxel::default_view;
+use luxel::math::SimdLevel;
+use luxel::render::{Execution, Picture, Renderer, ShadingMode, View};
+use luxel::scene::{MaterialId, MeshId, Node, Part, Scene, SceneMaterial, Size, primitives};
+use std::sync::LazyLock;
+use std::time::{Duration, Instant};
+
+const FRAMES: usize = 15;
+
+static BEGUN: LazyLock<Instant> = LazyLock::new(Instant::now);
+
+fn bumpy_ball() -> Scene {
+    let mut mesh = primitives::icosphere(1.0, 71);
+    for position in &mut mesh.positions {
+        let [x, y, z] = position.map(f64::from);
+        let bumps = libm::sin(9.0 * x) * libm::sin(7.0 * y + 1.0) * libm::sin(8.0 * z);
+        *position = position.map(|value| value * (1.0 + 0.15 * bumps) as f32);
+    }
+    let count = mesh.triangles.len() as u32;
+    mesh.parts = vec![Part { first: 0, count, material: MaterialId(0) }];
+    Scene {
+        meshes: vec![mesh],
+        materials: vec![SceneMaterial::default()],
+        nodes: vec![Node::root("ball", Some(MeshId(0)))],
+        ..Scene::default()
+    }
+}
+
+/// Medians of the frame and its stages, and a hash (FNV-1a) of the pixels.
+fn time(scene: &Scene, view: &View, simd: SimdLevel) -> ([f64; 4], u64) {
+    let execution = Execution { threads: 1, simd, clock: || BEGUN.elapsed() };
+    let renderer = Renderer::new(scene, &execution).unwrap();
+    let mut picture = Picture::default();
+    let mut times = [const { Vec::new() }; 4];
+    for _ in 0..FRAMES {
+        renderer.rgba8_into(view, &mut picture).unwrap();
+        let stages = &picture.stages;
+        let all = [stages.frame, stages.bin, stages.visibility, stages.shade];
+        for (list, time) in times.iter_mut().zip(all) {
+            list.push(time);
+        }
+    }
+    let median = |mut times: Vec<Duration>| {
+        times.sort();
+        times[FRAMES / 2].as_secs_f64() * 1e3
+    };
+    let bytes = picture.pixels.iter().flatten();
+    let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    });
+    (times.map(median), hash)
+}
+
+fn main() {
+    let filter: Option<String> =
+        std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
+    let scene = bumpy_ball();
+    let mut levels: Vec<SimdLevel> = Vec::new();
+    for level in SimdLevel::available() {
+        // What a name stands for may be another level.
+        let told = |level: SimdLevel| level.resolve().map(SimdLevel::name_of).ok();
+        if !levels.iter().any(|one| told(*one) == told(level)) {
+            levels.push(level);
+        }
+    }
+    for (shading, mode) in [
+        ("flat", ShadingMode::Flat),
+        ("gouraud", ShadingMode::Gouraud),
+        ("phong", ShadingMode::Phong),
+    ] {
+        for count in [1, 5] {
+            for samples in [1, 4] {
+                for &level in &levels {
+                    let simd = SimdLevel::name_of(level.resolve().unwrap());
+                    let name = format!("{shading} lights {count} x{samples} {simd}");
+                    if filter.as_ref().is_some_and(|filter| !name.contains(filter.as_str())) {
+                        continue;
+                    }
+                    let mut view = default_view(&scene, Size { width: 1280, height: 720 });
+                    view.shading.mode = mode;
+                    view.samples = samples;
+                    view.lights = view.lights.iter().cycle().take(count).cloned().collect();
+                    let ([frame, bin, visibility, shade], hash) = time(&scene, &view, level);
+                    println!(
+                        "{name:32} frame {frame:8.2}  bin {bin:6.2}  visibility {visibility:7.2}  \
+                         shade {shade:7.2}  {hash:016x}"
+                    );
+                }
+            }
+        }
+    }
+}
