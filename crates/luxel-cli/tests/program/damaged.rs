@@ -26,8 +26,8 @@ fn what_is_not_there_is_named() {
     luxel("render nosuch.ply -o a.png").failed(1, "nosuch.ply");
     let folder = Folder::new();
     std::fs::create_dir(folder.path("folder.obj")).unwrap();
-    folder.run(["info", "folder.obj"]).failed(1, "folder.obj");
-    folder.run(["info", "."]).failed(1, "glb, gltf, obj, stl or ply");
+    folder.run(["info", "folder.obj"]).failed(1, "folder.obj: this is a folder");
+    folder.run(["info", "."]).failed(1, "this is a folder");
     folder.write("model.xyz", "1 2 3");
     folder.run(["info", "model.xyz"]).failed(1, "glb, gltf, obj, stl or ply");
 }
