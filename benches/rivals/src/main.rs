@@ -1,6 +1,6 @@
 //! Closest hits beside obvhs, on the same mesh and the same rays, in one run.
 //!
-//!     cargo run --release -- MESH.bin [THREADS]
+//!     cargo run --release -- MESH.bin [THREADS] [FILTER]
 //!
 //! The mesh: "CHM1", u32 vertices, u32 triangles, f32x3 positions, f32x3 normals, u32x3 indices,
 //! little endian, within the unit ball. Rays: those of the 1280x720 pixels of a camera at (0, 0, 3),
@@ -15,9 +15,13 @@ use obvhs::cwbvh::builder::build_cwbvh_from_tris;
 use obvhs::ray::RayHit;
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
-const ROUNDS: usize = 5;
+/// Rounds that count, after one that warms up; `RIVALS_ROUNDS` in the environment says another number.
+fn rounds() -> usize {
+    std::env::var("RIVALS_ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(5).max(1)
+}
 
 /// One row: what is measured, and what a round of it gives to count.
 struct Row<'a> {
@@ -37,10 +41,12 @@ fn row<'a>(
 }
 
 /// Runs all rows in turns.
-fn measure(rows: &[Row<'_>]) {
+fn measure(mut rows: Vec<Row<'_>>, filter: &str) {
+    rows.retain(|row| row.name.contains(filter));
     let mut times = vec![Vec::new(); rows.len()];
     let mut hits = vec![0; rows.len()];
-    for round in 0..=ROUNDS {
+    let rounds = rounds();
+    for round in 0..=rounds {
         for (at, row) in rows.iter().enumerate() {
             let start = Instant::now();
             hits[at] = (row.work)();
@@ -51,7 +57,7 @@ fn measure(rows: &[Row<'_>]) {
     }
     for ((row, mut times), hits) in rows.iter().zip(times).zip(hits) {
         times.sort();
-        let (median, least): (Duration, Duration) = (times[ROUNDS / 2], times[0]);
+        let (median, least): (Duration, Duration) = (times[rounds / 2], times[0]);
         let rate = |time: Duration| row.count as f64 / time.as_secs_f64() * 1e-6;
         println!(
             "{:36} {:9.2} ms, {:8.2} {} (best {:.2}), {hits} hits",
@@ -66,8 +72,9 @@ fn measure(rows: &[Row<'_>]) {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let path = arguments.first().ok_or("usage: luxel-rivals MESH.bin [THREADS]")?;
+    let path = arguments.first().ok_or("usage: luxel-rivals MESH.bin [THREADS] [FILTER]")?;
     let threads = arguments.get(1).map_or(Ok(1), |threads| threads.parse())?;
+    let filter = arguments.get(2).map_or("", String::as_str);
     rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?;
     let mesh = read(path)?;
     let count = mesh.triangles.len();
@@ -80,12 +87,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         bvh.memory() as f64 / count as f64
     );
     let rays = MeshRays::new(&bvh, &mesh.positions);
-    let bvh2 = build_bvh2_from_tris(&triangles, params(), &mut Duration::default());
-    let cwbvh = build_cwbvh_from_tris(&triangles, params(), &mut Duration::default());
     let sorted = |order: &[u32]| -> Vec<Triangle> {
         order.iter().map(|&at| triangles[at as usize]).collect()
     };
-    let (of_bvh2, of_cwbvh) = (sorted(&bvh2.primitive_indices), sorted(&cwbvh.primitive_indices));
+    // Only what is asked for is built.
+    let bvh2 = LazyLock::new(|| {
+        let tree = build_bvh2_from_tris(&triangles, params(), &mut Duration::default());
+        let triangles = sorted(&tree.primitive_indices);
+        (tree, triangles)
+    });
+    let cwbvh = LazyLock::new(|| {
+        let tree = build_cwbvh_from_tris(&triangles, params(), &mut Duration::default());
+        let triangles = sorted(&tree.primitive_indices);
+        (tree, triangles)
+    });
     let camera = camera_rays(1280, 720);
     let random = chords(camera.len());
     let mut rows = vec![
@@ -133,7 +148,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             aimed.par_chunks(16384).map(|run| run.iter().filter(|ray| hits(ray)).count()).sum()
         };
         let (rays, bvh2, cwbvh) = (&rays, &bvh2, &cwbvh);
-        let (of_bvh2, of_cwbvh) = (&of_bvh2, &of_cwbvh);
         rows.push(row(
             &format!("{kind} luxel, one at a time"),
             aimed.len(),
@@ -151,10 +165,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             aimed.len(),
             "Mrays/s",
             Box::new(move || {
+                let (tree, triangles) = &**bvh2;
                 each(&|ray| {
                     let mut hit = RayHit::none();
-                    bvh2.ray_traverse(rival_ray(ray), &mut hit, |ray, at| {
-                        of_bvh2[at].intersect(ray)
+                    tree.ray_traverse(rival_ray(ray), &mut hit, |ray, at| {
+                        triangles[at].intersect(ray)
                     })
                 })
             }),
@@ -164,15 +179,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             aimed.len(),
             "Mrays/s",
             Box::new(move || {
+                let (tree, triangles) = &**cwbvh;
                 each(&|ray| {
                     let mut hit = RayHit::none();
-                    cwbvh.ray_traverse(rival_ray(ray), &mut hit, |ray, at| {
-                        of_cwbvh[at].intersect(ray)
+                    tree.ray_traverse(rival_ray(ray), &mut hit, |ray, at| {
+                        triangles[at].intersect(ray)
                     })
                 })
             }),
         ));
     }
-    measure(&rows);
+    measure(rows, filter);
     Ok(())
 }

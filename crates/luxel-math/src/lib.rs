@@ -34,7 +34,9 @@ pub use fearless_simd::dispatch as dispatch_long;
     feature = "scalar"
 ))]
 pub use fearless_simd::dispatch;
-pub use fearless_simd::{Level, Simd, f32x8, f32x16, i32x16, mask32x16, u32x16};
+pub use fearless_simd::{
+    Level, Simd, f32x4, f32x8, f32x16, i32x4, i32x8, i32x16, mask32x4, mask32x8, mask32x16, u32x16,
+};
 pub use fixed::{SUBPIXELS, SubPixel};
 pub use lanes::{LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel};
 pub use number::{Mask, Number, Piecewise};

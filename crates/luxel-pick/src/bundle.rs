@@ -10,10 +10,11 @@
 
 use crate::bvh::{ALMOST_ZERO, Node, PADDING, Stack, WIDTH, higher, lower, moved, padding};
 use crate::intersect::{
-    Nearest, Ray, Sheared, axes, gather, longest_axis, meet_gathered, meet_rays, shear,
+    Nearest, Ray, Sheared, USUAL_LENGTHS, axes, gather, longest_axis, meet_gathered, meet_rays,
+    transposed,
 };
-use crate::rays::MeshRays;
-use luxel_math::{Simd, f32x8, prelude::*};
+use crate::rays::{MeshRays, RayHit};
+use luxel_math::{Simd, f32x4, f32x8, i32x8, prelude::*};
 
 /// Most rays of a bundle: a miss of a node's box then costs a 64th of a test.
 pub(crate) const BUNDLE: usize = EIGHTS * WIDTH;
@@ -37,6 +38,8 @@ struct Eight {
     nearest: [f32; WIDTH],
     triangle: [u32; WIDTH],
     record: [u32; WIDTH],
+    /// Which of the eights that the bundle was made of.
+    number: usize,
 }
 
 /// What triangles are asked with.
@@ -59,12 +62,19 @@ struct Interval {
 
 /// Rays of one kind, side by side.
 pub(crate) struct Bundle {
+    /// As they came: of each eight the origins and directions, axis by axis, and ranges.
+    rows: [[[f32; WIDTH]; ROWS]; EIGHTS],
+    /// Those of which any meets the box around all.
     eights: [Eight; EIGHTS],
-    /// How many eights have rays.
+    /// How many eights have such rays.
     count: usize,
+    longest: usize,
     axes: [usize; 3],
     turned: [usize; 3],
 }
+
+/// Numbers of a ray.
+const ROWS: usize = 8;
 
 /// What the rays of a bundle have in common: the signs of their directions, a bit each, and the
 /// longest axis.
@@ -87,16 +97,15 @@ impl Kind {
             return Self::NONE;
         }
         let turned = |axis: usize| u8::from(ray.direction[axis].is_sign_negative()) << axis;
-        Self(turned(0) | turned(1) | turned(2) | (longest_axis(ray.direction) as u8) << 3)
+        Self(turned(0) | turned(1) | turned(2) | (longest_axis(&ray.direction) as u8) << 3)
     }
 
     fn turned(self) -> [usize; 3] {
         [0, 1, 2].map(|axis| usize::from(self.0 >> axis & 1))
     }
 
-    fn axes(self) -> [usize; 3] {
-        let longest = usize::from(self.0 >> 3).min(2);
-        axes(longest, self.turned()[longest] != 0)
+    fn longest(self) -> usize {
+        usize::from(self.0 >> 3).min(2)
     }
 }
 
@@ -109,80 +118,139 @@ const NO_RAYS: Eight = Eight {
     nearest: [0.0; WIDTH],
     triangle: [0; WIDTH],
     record: [0; WIDTH],
+    number: 0,
 };
 
 impl Bundle {
     pub(crate) fn new() -> Self {
-        Self { eights: [NO_RAYS; EIGHTS], count: 0, axes: [0; 3], turned: [0; 3] }
+        Self {
+            rows: [[[0.0; WIDTH]; ROWS]; EIGHTS],
+            eights: [NO_RAYS; EIGHTS],
+            count: 0,
+            longest: 0,
+            axes: [0; 3],
+            turned: [0; 3],
+        }
     }
 
-    /// Takes up to 64 rays of one kind, by their places among others; whether they run close enough
-    /// together.
+    /// Takes up to 64 rays as they come; their kind, if they are of one.
     #[inline(always)]
-    pub(crate) fn fill<S: Simd>(
+    pub(crate) fn take<S: Simd>(&mut self, simd: S, followed: &[Ray]) -> Option<Kind> {
+        let first = followed.first()?;
+        let mut common = Common::default();
+        for (eight, rows) in followed.chunks(WIDTH).zip(&mut self.rows) {
+            if let Some(eight) = eight.first_chunk::<WIDTH>() {
+                let [a, b, c, d, e, f, g, h] = eight;
+                common.include(take_eight(simd, [a, b, c, d, e, f, g, h], rows));
+            } else {
+                let ray = |lane: usize| eight.get(lane).unwrap_or(first);
+                let eight_rays = [ray(0), ray(1), ray(2), ray(3), ray(4), ray(5), ray(6), ray(7)];
+                common.include(take_eight(simd, eight_rays, rows));
+                end_before(rows, eight.len());
+            }
+        }
+        common.kind()
+    }
+
+    /// Takes rays by their places among others.
+    #[inline(always)]
+    pub(crate) fn take_places<S: Simd>(&mut self, simd: S, followed: &[Ray], places: &[u8]) {
+        let Some(&first) = places.first() else { return };
+        for (eight, rows) in places.chunks(WIDTH).zip(&mut self.rows) {
+            let ray = |lane: usize| &followed[usize::from(*eight.get(lane).unwrap_or(&first))];
+            let eight_rays = [ray(0), ray(1), ray(2), ray(3), ray(4), ray(5), ray(6), ray(7)];
+            take_eight(simd, eight_rays, rows);
+            end_before(rows, eight.len());
+        }
+    }
+
+    /// Makes what was taken ready, `count` rays of one kind; whether they run close enough together.
+    #[inline(always)]
+    pub(crate) fn ready<S: Simd>(
         &mut self,
         simd: S,
         rays: &MeshRays<'_>,
         kind: Kind,
-        followed: &[Ray],
-        places: &[u8],
+        count: usize,
     ) -> bool {
-        let Some(&first) = places.first() else { return false };
         self.turned = kind.turned();
-        self.axes = kind.axes();
-        self.count = places.len().div_ceil(WIDTH).min(EIGHTS);
+        self.longest = kind.longest();
+        self.axes = axes(self.longest);
+        self.count = 0;
         let mut slopes = [Range::none(simd); 2];
         let mut origins = [Range::none(simd); 3];
-        for (number, eight) in self.eights[..self.count].iter_mut().enumerate() {
-            let (mut origin, mut direction) = ([[0.0; WIDTH]; 3], [[0.0; WIDTH]; 3]);
-            for lane in 0..WIDTH {
-                // What is left of the last eight repeats the first ray, and ends before it begins.
-                let place = places.get(number * WIDTH + lane);
-                let ray = &followed[usize::from(*place.unwrap_or(&first))];
-                for axis in 0..3 {
-                    origin[axis][lane] = ray.origin[axis];
-                    direction[axis][lane] = ray.direction[axis];
-                }
-                eight.start[lane] = ray.range[0];
-                eight.nearest[lane] = if place.is_some() { ray.range[1] } else { -1.0 };
-            }
-            (eight.triangle, eight.record) = ([u32::MAX; WIDTH], [u32::MAX; WIDTH]);
-            let mut along = [f32x8::splat(simd, 0.0); 3];
+        for (number, rows) in self.rows[..count.div_ceil(WIDTH).min(EIGHTS)].iter().enumerate() {
+            let eight = &mut self.eights[self.count & (EIGHTS - 1)];
+            let start = f32x8::simd_from(simd, rows[6]);
+            let end = f32x8::simd_from(simd, rows[7]);
             let one = f32x8::splat(simd, 1.0);
+            let (mut near, mut far) = (start, end);
             for axis in 0..3 {
-                let origin = f32x8::simd_from(simd, origin[axis]);
-                along[axis] = f32x8::simd_from(simd, direction[axis]);
-                let sign = if self.turned[axis] != 0 { -1.0 } else { 1.0 };
-                let sign = f32x8::splat(simd, sign);
-                let largest = f32x8::splat(simd, rays.largest()[axis]);
+                let origin = f32x8::simd_from(simd, rows[axis]);
+                let along = f32x8::simd_from(simd, rows[3 + axis]);
+                let turned = self.turned[axis] & 1;
+                let sign = f32x8::splat(simd, if turned != 0 { -1.0 } else { 1.0 });
+                let largest = f32x8::splat(simd, rays.largest[axis]);
                 let pad = padding(SimdBase::abs(origin), largest, f32x8::splat(simd, PADDING));
-                let [near, far] = moved(origin, sign * pad);
-                near.store_slice(&mut eight.near_origin[axis]);
-                far.store_slice(&mut eight.far_origin[axis]);
-                let length = SimdBase::abs(along[axis]).max(f32x8::splat(simd, ALMOST_ZERO));
-                (sign * (one / length)).store_slice(&mut eight.inverse[axis]);
-                origins[axis].include(origin);
+                let [near_origin, far_origin] = moved(origin, sign * pad);
+                let length = SimdBase::abs(along).max(f32x8::splat(simd, ALMOST_ZERO));
+                let inverse = sign * (one / length);
+                let near_plane = f32x8::splat(simd, rays.bounds[turned][axis]);
+                let far_plane = f32x8::splat(simd, rays.bounds[turned ^ 1][axis]);
+                near = ((near_plane - near_origin) * inverse).max(near);
+                far = ((far_plane - far_origin) * inverse).min(far);
+                near_origin.store_slice(&mut eight.near_origin[axis]);
+                far_origin.store_slice(&mut eight.far_origin[axis]);
+                inverse.store_slice(&mut eight.inverse[axis]);
             }
+            let meets = near.simd_le(far);
+            if !meets.any_true() {
+                continue;
+            }
+            start.store_slice(&mut eight.start);
+            // What misses the box around all ends before it begins.
+            meets.select(end, f32x8::splat(simd, -1.0)).store_slice(&mut eight.nearest);
+            (eight.triangle, eight.record) = ([u32::MAX; WIDTH], [u32::MAX; WIDTH]);
+            eight.number = number;
             let [kx, ky, kz] = self.axes.map(|axis| axis.min(2));
-            eight.sheared.origin = [origin[kx], origin[ky], origin[kz]];
-            let sheared = shear([along[kx], along[ky], along[kz]], one);
-            for place in 0..3 {
-                sheared[place].store_slice(&mut eight.sheared.shear[place]);
+            eight.sheared.origin = [rows[kx], rows[ky], rows[kz]];
+            let inverse = f32x8::simd_from(simd, eight.inverse[kz]);
+            let first = f32x8::simd_from(simd, rows[3 + kx]) * inverse;
+            let second = f32x8::simd_from(simd, rows[3 + ky]) * inverse;
+            first.store_slice(&mut eight.sheared.shear[0]);
+            second.store_slice(&mut eight.sheared.shear[1]);
+            inverse.store_slice(&mut eight.sheared.shear[2]);
+            slopes[0].include(first);
+            slopes[1].include(second);
+            for axis in 0..3 {
+                origins[axis].include(f32x8::simd_from(simd, rows[axis]));
             }
-            slopes[0].include(sheared[0]);
-            slopes[1].include(sheared[1]);
+            self.count += 1;
         }
-        slopes.iter().all(|range| range.width() <= SPREAD)
-            && origins.iter().all(|range| range.width() <= SPREAD * rays.extent())
+        self.count == 0
+            || slopes.iter().all(|range| range.width() <= SPREAD)
+                && origins.iter().all(|range| range.width() <= SPREAD * rays.extent())
     }
 
-    /// The nearest hit of a ray, by its place.
-    pub(crate) fn nearest(&self, place: usize) -> Nearest {
-        let (eight, lane) = (&self.eights[place / WIDTH], place % WIDTH);
-        Nearest {
-            t: eight.nearest[lane],
-            triangle: eight.triangle[lane],
-            record: eight.record[lane],
+    /// Writes the hits to their rays' places.
+    #[inline(always)]
+    pub(crate) fn tell(
+        &self,
+        rays: &MeshRays<'_>,
+        hits: &mut [Option<RayHit>],
+        place: impl Fn(usize) -> usize,
+    ) {
+        let is_negative = self.turned[self.longest] != 0;
+        for eight in &self.eights[..self.count] {
+            for lane in 0..WIDTH {
+                let (t, triangle, record) =
+                    (eight.nearest[lane], eight.triangle[lane], eight.record[lane]);
+                if triangle != u32::MAX {
+                    let sheared = eight.sheared(lane, self.longest, is_negative);
+                    let nearest = Nearest { t, triangle, record };
+                    hits[place(eight.number * WIDTH + lane)] = rays.told(&sheared, nearest);
+                }
+            }
         }
     }
 
@@ -225,6 +293,119 @@ impl Bundle {
             farthest = farthest.max(f32x8::simd_from(simd, eight.nearest));
         }
         greatest(farthest)
+    }
+}
+
+/// What eight rays have in common: those that can be bundled, the signs of their directions, and their
+/// longest axes, a bit each.
+#[derive(Clone, Copy)]
+struct Signs {
+    usual: u32,
+    turned: [u32; 3],
+    longest: [u32; 2],
+}
+
+/// What all rays have in common.
+struct Common {
+    all: u32,
+    any: u32,
+}
+
+impl Default for Common {
+    fn default() -> Self {
+        Self { all: u32::MAX, any: 0 }
+    }
+}
+
+impl Common {
+    #[inline(always)]
+    fn include(&mut self, signs: Signs) {
+        let Signs { usual, turned, longest } = signs;
+        for (place, bits) in
+            (0..).zip([usual, turned[0], turned[1], turned[2], longest[0], longest[1]])
+        {
+            if bits != u32::from(u8::MAX) {
+                self.all &= !(1 << place);
+            }
+            if bits != 0 {
+                self.any |= 1 << place;
+            }
+        }
+    }
+
+    /// The kind that all are of.
+    fn kind(&self) -> Option<Kind> {
+        let all = self.all & 0b11_1111;
+        if all != self.any || all & 1 == 0 {
+            return None;
+        }
+        let bit = |place: u32| (all >> place & 1) as u8;
+        let longest = if bit(4) != 0 { 0 } else { 2 - bit(5) };
+        Some(Kind(bit(1) | bit(2) << 1 | bit(3) << 2 | longest << 3))
+    }
+}
+
+/// Eight rays, row by row.
+#[inline(always)]
+fn take_eight<S: Simd>(
+    simd: S,
+    [a, b, c, d, e, f, g, h]: [&Ray; WIDTH],
+    rows: &mut [[f32; WIDTH]; ROWS],
+) -> Signs {
+    let ([oxl, oyl, ozl, dxl], [dyl, dzl, nl, fl]) = take_four(simd, [a, b, c, d]);
+    let ([oxh, oyh, ozh, dxh], [dyh, dzh, nh, fh]) = take_four(simd, [e, f, g, h]);
+    let (ox, oy, oz) = (oxl.combine(oxh), oyl.combine(oyh), ozl.combine(ozh));
+    let (dx, dy, dz) = (dxl.combine(dxh), dyl.combine(dyh), dzl.combine(dzh));
+    let (nearest, farthest) = (nl.combine(nh), fl.combine(fh));
+    let [row_ox, row_oy, row_oz, row_dx, row_dy, row_dz, row_nearest, row_farthest] = rows;
+    ox.store_slice(row_ox);
+    oy.store_slice(row_oy);
+    oz.store_slice(row_oz);
+    dx.store_slice(row_dx);
+    dy.store_slice(row_dy);
+    dz.store_slice(row_dz);
+    nearest.store_slice(row_nearest);
+    farthest.store_slice(row_farthest);
+    let (x, y, z) = (SimdBase::abs(dx), SimdBase::abs(dy), SimdBase::abs(dz));
+    let bounded = SimdBase::abs(ox).simd_lt(f32::INFINITY)
+        & SimdBase::abs(oy).simd_lt(f32::INFINITY)
+        & SimdBase::abs(oz).simd_lt(f32::INFINITY);
+    let (least, most) = (USUAL_LENGTHS.start, USUAL_LENGTHS.end);
+    let short = x.simd_lt(most) & y.simd_lt(most) & z.simd_lt(most);
+    let long = x.simd_ge(least) | y.simd_ge(least) | z.simd_ge(least);
+    let ranges = nearest.simd_ge(0.0) & farthest.simd_ge(nearest);
+    let is_x = x.simd_gt(y) & x.simd_gt(z);
+    Signs {
+        usual: (bounded & short & long & ranges).to_bitmask() as u32,
+        turned: [signs(dx), signs(dy), signs(dz)],
+        longest: [is_x.to_bitmask() as u32, (!is_x & y.simd_gt(z)).to_bitmask() as u32],
+    }
+}
+
+/// A bit for each that has a minus.
+#[inline(always)]
+fn signs<S: Simd>(values: f32x8<S>) -> u32 {
+    values.bitcast::<i32x8<S>>().simd_lt(0).to_bitmask() as u32
+}
+
+/// Four rays, row by row.
+#[inline(always)]
+fn take_four<S: Simd>(simd: S, [a, b, c, d]: [&Ray; 4]) -> ([f32x4<S>; 4], [f32x4<S>; 4]) {
+    let (a, b, c, d) = (halves(simd, a), halves(simd, b), halves(simd, c), halves(simd, d));
+    (transposed(a.0, b.0, c.0, d.0), transposed(a.1, b.1, c.1, d.1))
+}
+
+/// A ray's numbers.
+#[inline(always)]
+fn halves<S: Simd>(simd: S, ray: &Ray) -> (f32x4<S>, f32x4<S>) {
+    let ([ox, oy, oz], [dx, dy, dz], [nearest, farthest]) = (ray.origin, ray.direction, ray.range);
+    (f32x4::simd_from(simd, [ox, oy, oz, dx]), f32x4::simd_from(simd, [dy, dz, nearest, farthest]))
+}
+
+/// Ends the rays from a lane on before they begin.
+fn end_before(rows: &mut [[f32; WIDTH]; ROWS], lane: usize) {
+    for end in &mut rows[ROWS - 1][lane.min(WIDTH)..] {
+        *end = -1.0;
     }
 }
 
@@ -282,11 +463,11 @@ impl Interval {
         let mut near = f32x8::splat(simd, self.start);
         let mut far = f32x8::splat(simd, farthest);
         for axis in 0..3 {
-            let row = 2 * axis;
             let turned = turned[axis] & 1;
-            let near_way = f32x8::simd_from(simd, node.rows[row + turned]) - self.near_origin[axis];
+            let near_way =
+                f32x8::simd_from(simd, node.planes[axis][turned]) - self.near_origin[axis];
             let far_way =
-                f32x8::simd_from(simd, node.rows[row + (turned ^ 1)]) - self.far_origin[axis];
+                f32x8::simd_from(simd, node.planes[axis][turned ^ 1]) - self.far_origin[axis];
             let [least, greatest] = self.inverse[axis];
             near = (near_way * least).min(near_way * greatest).max(near);
             far = (far_way * least).max(far_way * greatest).min(far);
@@ -307,7 +488,7 @@ pub(crate) fn closest_of_bundle<S: Simd>(
 ) {
     let nodes: &[Node] = &rays.tree().nodes;
     stack.clear();
-    if nodes.is_empty() {
+    if bundle.count == 0 {
         return;
     }
     let interval = bundle.interval(simd);
@@ -353,8 +534,8 @@ fn meet_leaf<S: Simd>(
         let mut far = f32x8::simd_from(simd, eight.nearest);
         for axis in 0..3 {
             let turned = bundle.turned[axis] & 1;
-            let near_plane = f32x8::splat(simd, node.rows[2 * axis + turned][slot]);
-            let far_plane = f32x8::splat(simd, node.rows[2 * axis + (turned ^ 1)][slot]);
+            let near_plane = f32x8::splat(simd, node.planes[axis][turned][slot]);
+            let far_plane = f32x8::splat(simd, node.planes[axis][turned ^ 1][slot]);
             let inverse = f32x8::simd_from(simd, eight.inverse[axis]);
             near = ((near_plane - f32x8::simd_from(simd, eight.near_origin[axis])) * inverse)
                 .max(near);
@@ -368,16 +549,19 @@ fn meet_leaf<S: Simd>(
         return false;
     }
     let mut any = false;
-    let gathered = gather(&records[..count.min(WIDTH)], rays.positions());
+    let gathered = gather(simd, records, count, rays.positions());
+    let is_negative = bundle.turned[bundle.longest] != 0;
     if eights * count as u32 <= singles {
         for lane in 0..count.min(WIDTH) {
-            let corners = gathered.map(|corner| bundle.axes.map(|axis| corner[axis.min(2)][lane]));
+            let corners = [0, 1, 2]
+                .map(|corner: usize| bundle.axes.map(|axis| gathered[axis & 3][corner][lane]));
             for (&active, eight) in active.iter().zip(&mut bundle.eights) {
                 if active == 0 {
                     continue;
                 }
                 let range = [eight.start, eight.nearest];
-                let (distances, hits) = meet_rays(simd, corners, &eight.sheared, range, active);
+                let (distances, hits) =
+                    meet_rays(simd, corners, &eight.sheared, is_negative, range, active);
                 any |= eight.keep(&distances, hits, records[lane][3], (start + lane) as u32);
             }
         }
@@ -388,12 +572,7 @@ fn meet_leaf<S: Simd>(
         while active != 0 {
             let lane = active.trailing_zeros() as usize & (WIDTH - 1);
             active &= active - 1;
-            let of_lane = |rows: &[[f32; WIDTH]; 3]| rows.map(|row| row[lane]);
-            let sheared = Sheared::from_axes(
-                bundle.axes,
-                of_lane(&eight.sheared.origin),
-                of_lane(&eight.sheared.shear),
-            );
+            let sheared = eight.sheared(lane, bundle.longest, is_negative);
             let range = [eight.start[lane], eight.nearest[lane]];
             let (distances, mut hits) = meet_gathered(simd, &gathered, count, &sheared, range);
             while hits != 0 {
@@ -407,6 +586,14 @@ fn meet_leaf<S: Simd>(
 }
 
 impl Eight {
+    /// One of the rays.
+    #[inline(always)]
+    fn sheared(&self, lane: usize, last: usize, is_negative: bool) -> Sheared {
+        let ShearedEight { origin: [x, y, z], shear: [sx, sy, sz] } = &self.sheared;
+        let (origin, shear) = ([x[lane], y[lane], z[lane]], [sx[lane], sy[lane], sz[lane]]);
+        Sheared { last, is_negative, origin, shear }
+    }
+
     /// Takes over hits of one triangle where they are nearer, a bit a ray.
     #[inline(always)]
     fn keep(

@@ -72,7 +72,7 @@ impl Frustum {
     fn meets(&self, node: &Node) -> u32 {
         let mut outside = [false; WIDTH];
         for [x, y, z, w] in self.planes {
-            let row = |axis: usize, along: f32| &node.rows[2 * axis + usize::from(along >= 0.0)];
+            let row = |axis: usize, along: f32| &node.planes[axis][usize::from(along >= 0.0)];
             let (rx, ry, rz) = (row(0, x), row(1, y), row(2, z));
             for slot in 0..WIDTH {
                 let farthest = rx[slot] * x + ry[slot] * y + rz[slot] * z + w;
@@ -81,7 +81,7 @@ impl Frustum {
         }
         // Empty places have no box.
         (0..WIDTH).fold(0, |bits, slot| {
-            let there = node.rows[0][slot] <= node.rows[1][slot];
+            let there = node.planes[0][0][slot] <= node.planes[0][1][slot];
             bits | u32::from(there && !outside[slot]) << slot
         })
     }

@@ -13,11 +13,12 @@
 
 use crate::bundle::ShearedEight;
 use crate::bvh::{Record, WIDTH};
-use luxel_math::{Simd, f32x8, prelude::*};
+use luxel_math::{Simd, f32x4, f32x8, mask32x8, prelude::*};
 use std::ops::{Div, Mul};
 
 /// A ray: every place `origin + t direction` with t from `range`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Ray {
     /// Where t is 0.
     pub origin: [f32; 3],
@@ -39,17 +40,22 @@ impl Ray {
     #[inline]
     pub fn is_sound(&self) -> bool {
         let finite = |values: &[f32; 3]| values.iter().all(|value| value.is_finite());
-        let [nearest, farthest] = self.range;
         finite(&self.origin)
             && finite(&self.direction)
             && self.direction != [0.0; 3]
-            && nearest >= 0.0
-            && farthest >= nearest
+            && self.has_range()
+    }
+
+    /// Whether its range is one, above 0.
+    #[inline(always)]
+    pub(crate) fn has_range(&self) -> bool {
+        let [nearest, farthest] = self.range;
+        nearest >= 0.0 && farthest >= nearest
     }
 }
 
 /// Directions between these lengths are used as they are.
-const USUAL_LENGTHS: std::ops::Range<f32> = 1e-9..1e9;
+pub(crate) const USUAL_LENGTHS: std::ops::Range<f32> = 1e-9..1e9;
 
 impl Ray {
     /// Whether its direction has a length to be used as it is.
@@ -93,11 +99,12 @@ impl Ray {
 /// A ray turned and sheared for triangles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sheared {
-    origin: [f32; 3],
-    /// The axis of the largest component of the direction comes last; the others keep or change
-    /// their order so that winding stays.
-    axes: [usize; 3],
-    shear: [f32; 3],
+    /// The axis of the largest component of the direction, and that component's sign.
+    pub(crate) last: usize,
+    pub(crate) is_negative: bool,
+    /// In the order of [`axes`], as is the shear.
+    pub(crate) origin: [f32; 3],
+    pub(crate) shear: [f32; 3],
 }
 
 /// The nearest hit so far.
@@ -118,16 +125,19 @@ impl Nearest {
 
 /// The axis of the largest component.
 #[inline(always)]
-pub(crate) fn longest_axis(direction: [f32; 3]) -> usize {
-    let [x, y, z] = direction.map(f32::abs);
+pub(crate) fn longest_axis(direction: &[f32; 3]) -> usize {
+    let [x, y, z] = [direction[0].abs(), direction[1].abs(), direction[2].abs()];
     if x > y && x > z { 0 } else { 1 + usize::from(z >= y) }
 }
 
-/// The order of axes with the longest last, so that winding stays.
+/// The order of axes with the longest last, so that the handedness stays.
 #[inline(always)]
-pub(crate) fn axes(longest: usize, is_negative: bool) -> [usize; 3] {
-    let (first, second) = ((longest + 1) % 3, (longest + 2) % 3);
-    if is_negative { [second, first, longest] } else { [first, second, longest] }
+pub(crate) fn axes(longest: usize) -> [usize; 3] {
+    match longest {
+        0 => [1, 2, 0],
+        1 => [2, 0, 1],
+        _ => [0, 1, 2],
+    }
 }
 
 /// What a direction, in the order of its axes, is sheared by; of one ray or several side by side.
@@ -143,35 +153,48 @@ pub(crate) fn shear<T: Copy + Mul<Output = T> + Div<Output = T>>(
 impl Sheared {
     #[inline(always)]
     pub(crate) fn new(origin: [f32; 3], direction: [f32; 3]) -> Self {
-        let last = longest_axis(direction);
-        let axes = axes(last, direction[last] < 0.0);
-        let shear = shear(axes.map(|axis| direction[axis]), 1.0);
-        Self { origin, axes, shear }
+        let last = longest_axis(&direction);
+        let [x, y, z] = axes(last);
+        let shear = shear([direction[x], direction[y], direction[z]], 1.0);
+        let is_negative = direction[z] < 0.0;
+        Self { last, is_negative, origin: [origin[x], origin[y], origin[z]], shear }
     }
 
-    /// From origin and shear in the order of the axes.
+    /// The same, with one over each component of the direction at hand.
     #[inline(always)]
-    pub(crate) fn from_axes(axes: [usize; 3], along_axes: [f32; 3], shear: [f32; 3]) -> Self {
-        let mut origin = [0.0; 3];
-        for (axis, value) in axes.into_iter().zip(along_axes) {
-            origin[axis.min(2)] = value;
+    pub(crate) fn with_inverse(
+        origin: &[f32; 3],
+        direction: &[f32; 3],
+        inverse: &[f32; 3],
+    ) -> Self {
+        let last = longest_axis(direction);
+        let [x, y, z] = axes(last);
+        let inverse = inverse[z];
+        Self {
+            last,
+            is_negative: inverse < 0.0,
+            origin: [origin[x], origin[y], origin[z]],
+            shear: [direction[x] * inverse, direction[y] * inverse, inverse],
         }
-        Self { origin, axes, shear }
     }
 
     /// Three corners as the ray sees them.
-    fn corners(&self, corners: [[f32; 3]; 3]) -> [[f32; 3]; 3] {
-        let [kx, ky, kz] = self.axes;
+    #[inline(always)]
+    fn corners(&self, corners: [&[f32; 3]; 3]) -> [[f32; 3]; 3] {
+        let [kx, ky, kz] = axes(self.last);
+        let [ox, oy, oz] = self.origin;
         let [sx, sy, sz] = self.shear;
-        corners.map(|corner| {
-            let about = |axis: usize| corner[axis] - self.origin[axis];
-            let z = about(kz);
-            [about(kx) - sx * z, about(ky) - sy * z, sz * z]
-        })
+        let mut seen = [[0.0; 3]; 3];
+        for (seen, corner) in seen.iter_mut().zip(corners) {
+            let along = corner[kz] - oz;
+            *seen = [corner[kx] - ox - sx * along, corner[ky] - oy - sy * along, sz * along];
+        }
+        seen
     }
 
     /// The weights of a triangle's corners where a ray meets it, in `f64`.
-    pub(crate) fn barycentric(&self, corners: [[f32; 3]; 3]) -> [f32; 3] {
+    #[inline(always)]
+    pub(crate) fn barycentric(&self, corners: [&[f32; 3]; 3]) -> [f32; 3] {
         let weights = edges(&self.corners(corners));
         let sum = weights[0] + weights[1] + weights[2];
         weights.map(|weight| (weight / sum) as f32)
@@ -179,6 +202,7 @@ impl Sheared {
 }
 
 /// The three edge functions, signs exact.
+#[inline(always)]
 fn edges(corners: &[[f32; 3]; 3]) -> [f64; 3] {
     let [a, b, c] = corners.map(|[x, y, _]| [f64::from(x), f64::from(y)]);
     [c[0] * b[1] - c[1] * b[0], a[0] * c[1] - a[1] * c[0], b[0] * a[1] - b[1] * a[0]]
@@ -219,7 +243,7 @@ fn on_edge(corners: [[f32; 3]; 3]) -> Option<f32> {
 #[cold]
 #[inline(never)]
 fn on_edges(
-    corners: &Gathered,
+    corners: &[[[f32; WIDTH]; 3]; 3],
     range: &[[f32; WIDTH]; 2],
     mut asked: u32,
     distances: &mut [f32; WIDTH],
@@ -240,21 +264,88 @@ fn on_edges(
     hits
 }
 
-/// The vertices of up to eight triangles, x, y and z of each corner side by side.
-pub(crate) type Gathered = [[[f32; WIDTH]; 3]; 3];
+/// The vertices of up to eight triangles: x of the three corners, side by side, then y and z; and a
+/// fourth, so that a number of two bits is always one of them.
+pub(crate) type Gathered = [[[f32; WIDTH]; 3]; 4];
 
+/// Gathers the vertices of the first `count` of eight triangles; of the others, anything.
 #[inline(always)]
-pub(crate) fn gather(records: &[Record], positions: &[[f32; 3]]) -> Gathered {
-    let mut gathered = [[[0.0; WIDTH]; 3]; 3];
-    for (lane, record) in records.iter().enumerate().take(WIDTH) {
-        for corner in 0..3 {
-            let position = positions[record[corner] as usize];
-            for axis in 0..3 {
-                gathered[corner][axis][lane] = position[axis];
-            }
+pub(crate) fn gather<S: Simd>(
+    simd: S,
+    records: &[Record; WIDTH],
+    count: usize,
+    positions: &[[f32; 3]],
+) -> Gathered {
+    let mut gathered = [[[0.0; WIDTH]; 3]; 4];
+    for corner in 0..3 {
+        let rows = if count <= WIDTH / 2 {
+            eight::<S, false>(simd, records, corner, positions)
+        } else {
+            eight::<S, true>(simd, records, corner, positions)
+        };
+        for axis in 0..3 {
+            rows[axis].store_slice(&mut gathered[axis][corner]);
         }
     }
     gathered
+}
+
+/// A corner of eight triangles side by side, axis by axis; of the last four only if `ALL`.
+#[inline(always)]
+fn eight<S: Simd, const ALL: bool>(
+    simd: S,
+    [a, b, c, d, e, f, g, h]: &[Record; WIDTH],
+    corner: usize,
+    positions: &[[f32; 3]],
+) -> [f32x8<S>; 3] {
+    let [x, y, z] = four(simd, [a, b, c, d], corner, positions);
+    if ALL {
+        let [more_x, more_y, more_z] = four(simd, [e, f, g, h], corner, positions);
+        [x.combine(more_x), y.combine(more_y), z.combine(more_z)]
+    } else {
+        [x.combine(x), y.combine(y), z.combine(z)]
+    }
+}
+
+/// A corner of four triangles side by side, axis by axis.
+#[inline(always)]
+fn four<S: Simd>(
+    simd: S,
+    [a, b, c, d]: [&Record; 4],
+    corner: usize,
+    positions: &[[f32; 3]],
+) -> [f32x4<S>; 3] {
+    let a = place(simd, a[corner], positions);
+    let b = place(simd, b[corner], positions);
+    let c = place(simd, c[corner], positions);
+    let d = place(simd, d[corner], positions);
+    let [x, y, z, _] = transposed(a, b, c, d);
+    [x, y, z]
+}
+
+/// Rows as columns.
+#[inline(always)]
+pub(crate) fn transposed<S: Simd>(
+    a: f32x4<S>,
+    b: f32x4<S>,
+    c: f32x4<S>,
+    d: f32x4<S>,
+) -> [f32x4<S>; 4] {
+    let (even, odd) = (a.zip_low(c), b.zip_low(d));
+    let (more_even, more_odd) = (a.zip_high(c), b.zip_high(d));
+    [
+        even.zip_low(odd),
+        even.zip_high(odd),
+        more_even.zip_low(more_odd),
+        more_even.zip_high(more_odd),
+    ]
+}
+
+/// Where a vertex lies: x, y, z and 0.
+#[inline(always)]
+fn place<S: Simd>(simd: S, vertex: u32, positions: &[[f32; 3]]) -> f32x4<S> {
+    let [x, y, z] = positions[vertex as usize];
+    f32x4::simd_from(simd, [x, y, z, 0.0])
 }
 
 /// Eight pairs of a ray and a triangle: x, y and z of each corner as the ray sees it.
@@ -271,7 +362,65 @@ pub(crate) fn meet_triangles<S: Simd>(
     ray: &Sheared,
     range: [f32; 2],
 ) -> ([f32; WIDTH], u32) {
-    meet_gathered(simd, &gather(&records[..count.min(WIDTH)], positions), count, ray, range)
+    // Most leaves have no more than half.
+    if count <= WIDTH / 2 {
+        meet_some::<S, false>(simd, records, count, positions, ray, range)
+    } else {
+        meet_some::<S, true>(simd, records, count, positions, ray, range)
+    }
+}
+
+#[inline(always)]
+fn meet_some<S: Simd, const ALL: bool>(
+    simd: S,
+    records: &[Record; WIDTH],
+    count: usize,
+    positions: &[[f32; 3]],
+    ray: &Sheared,
+    range: [f32; 2],
+) -> ([f32; WIDTH], u32) {
+    let is_x = mask32x8::splat(simd, ray.last == 0);
+    let is_y = mask32x8::splat(simd, ray.last == 1);
+    let [a, b, c] = [
+        see::<S, ALL>(simd, records, 0, positions, ray, [is_x, is_y]),
+        see::<S, ALL>(simd, records, 1, positions, ray, [is_x, is_y]),
+        see::<S, ALL>(simd, records, 2, positions, ray, [is_x, is_y]),
+    ];
+    let seen = [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]];
+    let range = range.map(|t| f32x8::splat(simd, t));
+    meet_seen(simd, &seen, ray.is_negative, range, (1 << count) - 1)
+}
+
+/// A corner of eight triangles as a ray sees it.
+#[inline(always)]
+fn see<S: Simd, const ALL: bool>(
+    simd: S,
+    records: &[Record; WIDTH],
+    corner: usize,
+    positions: &[[f32; 3]],
+    ray: &Sheared,
+    [is_x, is_y]: [mask32x8<S>; 2],
+) -> [f32x8<S>; 3] {
+    let [x, y, z] = eight::<S, ALL>(simd, records, corner, positions);
+    let first = is_x.select(y, is_y.select(z, x));
+    let second = is_x.select(z, is_y.select(x, y));
+    let last = is_x.select(x, is_y.select(y, z));
+    seen(first, second, last, ray)
+}
+
+#[inline(always)]
+fn seen<S: Simd>(
+    first: f32x8<S>,
+    second: f32x8<S>,
+    last: f32x8<S>,
+    ray: &Sheared,
+) -> [f32x8<S>; 3] {
+    let along = last - ray.origin[2];
+    [
+        first - ray.origin[0] - along * ray.shear[0],
+        second - ray.origin[1] - along * ray.shear[1],
+        along * ray.shear[2],
+    ]
 }
 
 /// The same for triangles whose vertices are there already.
@@ -283,20 +432,16 @@ pub(crate) fn meet_gathered<S: Simd>(
     ray: &Sheared,
     range: [f32; 2],
 ) -> ([f32; WIDTH], u32) {
-    let axes = ray.axes.map(|axis| if axis < 3 { axis } else { 0 });
-    let [sx, sy, sz] = ray.shear;
-    let mut seen: Seen<S> = [[f32x8::splat(simd, 0.0); 3]; 3];
+    let [kx, ky, kz] = axes(ray.last);
+    let [x, y, z] = [&gathered[kx & 3], &gathered[ky & 3], &gathered[kz & 3]];
+    let mut corners: Seen<S> = [[f32x8::splat(simd, 0.0); 3]; 3];
     for corner in 0..3 {
-        let [kx, ky, kz] = axes;
-        let along = f32x8::simd_from(simd, gathered[corner][kz]) - ray.origin[kz];
-        seen[0][corner] =
-            f32x8::simd_from(simd, gathered[corner][kx]) - ray.origin[kx] - along * sx;
-        seen[1][corner] =
-            f32x8::simd_from(simd, gathered[corner][ky]) - ray.origin[ky] - along * sy;
-        seen[2][corner] = along * sz;
+        let row = |rows: &[[f32; WIDTH]; 3]| f32x8::simd_from(simd, rows[corner]);
+        let [x, y, z] = seen(row(x), row(y), row(z), ray);
+        (corners[0][corner], corners[1][corner], corners[2][corner]) = (x, y, z);
     }
     let range = range.map(|t| f32x8::splat(simd, t));
-    meet_seen(simd, &seen, range, (1 << count) - 1)
+    meet_seen(simd, &corners, ray.is_negative, range, (1 << count) - 1)
 }
 
 /// The distances at which eight rays meet a triangle, and a bit for each of the `asked` that meets it
@@ -306,6 +451,7 @@ pub(crate) fn meet_rays<S: Simd>(
     simd: S,
     corners: [[f32; 3]; 3],
     rays: &ShearedEight,
+    is_negative: bool,
     range: [[f32; WIDTH]; 2],
     asked: u32,
 ) -> ([f32; WIDTH], u32) {
@@ -322,7 +468,7 @@ pub(crate) fn meet_rays<S: Simd>(
         seen[2][corner] = along * f32x8::simd_from(simd, rays.shear[2]);
     }
     let range = range.map(|t| f32x8::simd_from(simd, t));
-    meet_seen(simd, &seen, range, asked)
+    meet_seen(simd, &seen, is_negative, range, asked)
 }
 
 /// Where the origins lie within the triangles, and how far along.
@@ -330,6 +476,7 @@ pub(crate) fn meet_rays<S: Simd>(
 fn meet_seen<S: Simd>(
     simd: S,
     [x, y, z]: &Seen<S>,
+    is_negative: bool,
     range: [f32x8<S>; 2],
     counted: u32,
 ) -> ([f32; WIDTH], u32) {
@@ -339,27 +486,32 @@ fn meet_seen<S: Simd>(
     let zero = f32x8::splat(simd, 0.0);
     let negative = u.simd_lt(zero) | v.simd_lt(zero) | w.simd_lt(zero);
     let positive = u.simd_gt(zero) | v.simd_gt(zero) | w.simd_gt(zero);
-    let unknown = u.simd_eq(zero) | v.simd_eq(zero) | w.simd_eq(zero);
     let candidates = !(negative & positive);
+    let counted = candidates.to_bitmask() as u32 & counted;
+    let mut distances = [0.0; WIDTH];
+    if counted == 0 {
+        return (distances, 0);
+    }
+    let unknown = u.simd_eq(zero) | v.simd_eq(zero) | w.simd_eq(zero);
     let sum = u + v + w;
     let t = (u * z[0] + v * z[1] + w * z[2]) / sum;
     let within = t.simd_ge(range[0]) & t.simd_le(range[1]);
-    let mut distances = [0.0; WIDTH];
     t.store_slice(&mut distances);
-    let mut hits = (candidates & within & !unknown).to_bitmask() as u32 & counted;
-    let asked = (candidates & unknown).to_bitmask() as u32 & counted;
-    if asked != 0 {
+    let unknown = unknown.to_bitmask() as u32 & counted;
+    let mut hits = within.to_bitmask() as u32 & counted & !unknown;
+    if unknown != 0 {
         // Stored here alone: all else stays in registers.
         let mut corners = [[[0.0; WIDTH]; 3]; 3];
         let mut ends = [[0.0; WIDTH]; 2];
         for corner in 0..3 {
-            x[corner].store_slice(&mut corners[corner][0]);
-            y[corner].store_slice(&mut corners[corner][1]);
+            // In this order ends of edges are compared: that of one winding, as the ray sees it.
+            x[corner].store_slice(&mut corners[corner][usize::from(is_negative)]);
+            y[corner].store_slice(&mut corners[corner][usize::from(!is_negative)]);
             z[corner].store_slice(&mut corners[corner][2]);
         }
         range[0].store_slice(&mut ends[0]);
         range[1].store_slice(&mut ends[1]);
-        hits = on_edges(&corners, &ends, asked, &mut distances, hits);
+        hits = on_edges(&corners, &ends, unknown, &mut distances, hits);
     }
     (distances, hits)
 }

@@ -71,6 +71,7 @@
 
 #![forbid(unsafe_code)]
 
+mod alone;
 mod bundle;
 mod bvh;
 mod cover;

@@ -1,7 +1,8 @@
 //! Rays through one mesh: the nearest triangle, any, all, and millions of rays on all cores.
 
+use crate::alone::{Places, any, closest, nearest_alone};
 use crate::bundle::{BUNDLE, Bundle, Kind, LEAST, closest_of_bundle};
-use crate::bvh::{Bvh, Child, Node, Record, Slabs, Stack, Tree, WIDTH, Walk, meet, step};
+use crate::bvh::{Box3, Bvh, Record, Slabs, Stack, Tree, WIDTH, Walk, step};
 use crate::intersect::{Nearest, Ray, Sheared, meet_triangles};
 use luxel_math::{Level, Simd, SimdLevel, dispatch_long};
 use luxel_parallel::fill;
@@ -26,7 +27,11 @@ pub struct RayHit {
 pub struct MeshRays<'m> {
     bvh: &'m Bvh,
     positions: &'m [[f32; 3]],
-    largest: [f32; 3],
+    /// The box around all, its lowest corner and its highest; the fourth lane has no bounds. Upside
+    /// down where there is nothing.
+    pub(crate) bounds: [[f32; 4]; 2],
+    /// The largest coordinates of the box, without signs, and 0.
+    pub(crate) largest: [f32; 4],
     /// Of the tree's box, along its longest side.
     extent: f32,
     level: Level,
@@ -37,6 +42,7 @@ const CHUNK: usize = 1024;
 
 thread_local! {
     static STACK: RefCell<Stack> = RefCell::new(Stack::new());
+    static PLACES: Places = const { Places::new() };
     static BUNDLES: RefCell<Box<Bundle>> = RefCell::new(Box::new(Bundle::new()));
 }
 
@@ -58,20 +64,20 @@ impl<'m> MeshRays<'m> {
     #[must_use]
     pub fn with_level(bvh: &'m Bvh, positions: &'m [[f32; 3]], level: Level) -> Self {
         assert!(positions.len() >= bvh.vertices(), "positions are missing");
-        let largest = bvh.tree().bounds.map_or([0.0; 3], |bounds| bounds.largest());
-        let extent = bvh.tree().bounds.map_or(0.0, |bounds| bounds.longest());
-        Self { bvh, positions, largest, extent, level }
+        let within = bvh.tree().bounds;
+        let [x, y, z] = within.map_or([0.0; 3], |bounds| bounds.largest());
+        let largest = [x, y, z, 0.0];
+        let extent = within.map_or(0.0, |bounds| bounds.longest());
+        let Box3 { low, high } = within.unwrap_or(Box3::EMPTY);
+        let corner = |[x, y, z]: [f32; 3], end| [x, y, z, end];
+        let bounds = [corner(low, f32::NEG_INFINITY), corner(high, f32::INFINITY)];
+        Self { bvh, positions, bounds, largest, extent, level }
     }
 
     /// The nearest triangle that a ray meets; `None` also for a ray that isn't sound.
     #[must_use]
     pub fn closest(&self, ray: &Ray) -> Option<RayHit> {
-        let mut nearest = [Nearest::before(0.0)];
-        STACK.with_borrow_mut(|stack| {
-            let rays = std::slice::from_ref(ray);
-            dispatch_long!(self.level, simd => closest(simd, self, rays, &mut nearest, stack));
-        });
-        self.told(ray, nearest[0])
+        PLACES.with(|places| dispatch_long!(self.level, simd => closest(simd, self, ray, places)))
     }
 
     /// The nearest triangle for each of many rays, on all threads of the current pool.
@@ -80,11 +86,13 @@ impl<'m> MeshRays<'m> {
         let mut hits = vec![None; rays.len()];
         fill(&mut hits, CHUNK, &|start, hits| {
             let rays = &rays[start..start + hits.len()];
-            let mut nearest = [Nearest::before(0.0); CHUNK];
-            self.follow(rays, &mut nearest[..rays.len()]);
-            for ((hit, ray), nearest) in hits.iter_mut().zip(rays).zip(nearest) {
-                *hit = self.told(ray, nearest);
-            }
+            STACK.with_borrow_mut(|stack| {
+                BUNDLES.with_borrow_mut(|bundle| {
+                    PLACES.with(|places| {
+                        dispatch_long!(self.level, simd => closest_of_many(simd, self, rays, hits, (bundle, stack), places));
+                    });
+                });
+            });
         });
         hits
     }
@@ -92,10 +100,7 @@ impl<'m> MeshRays<'m> {
     /// Whether a ray meets anything: quicker than asking what.
     #[must_use]
     pub fn any(&self, ray: &Ray) -> bool {
-        ray.is_sound()
-            && STACK.with_borrow_mut(
-                |stack| dispatch_long!(self.level, simd => any(simd, self, ray, stack)),
-            )
+        PLACES.with(|places| dispatch_long!(self.level, simd => any(simd, self, ray, places)))
     }
 
     /// Every triangle that a ray meets, nearest first, of equally near ones the lowest number first.
@@ -116,22 +121,13 @@ impl<'m> MeshRays<'m> {
                 let lane = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
                 let [a, b, c, triangle] = self.bvh.records()[start + lane];
-                let corners = [a, b, c].map(|vertex| self.positions[vertex as usize]);
+                let corners = [a, b, c].map(|vertex| &self.positions[vertex as usize]);
                 let barycentric = sheared.barycentric(corners);
                 hits.push(RayHit { t: distances[lane] * scale, triangle, barycentric });
             }
         }
         hits.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.triangle.cmp(&b.triangle)));
         hits
-    }
-
-    /// The nearest triangles, in bundles where rays that follow one another run close together.
-    fn follow(&self, rays: &[Ray], nearest: &mut [Nearest]) {
-        STACK.with_borrow_mut(|stack| {
-            BUNDLES.with_borrow_mut(|bundle| {
-                dispatch_long!(self.level, simd => closest_of_many(simd, self, rays, nearest, bundle, stack));
-            });
-        });
     }
 
     pub(crate) fn tree(&self) -> &'m Tree {
@@ -148,13 +144,14 @@ impl<'m> MeshRays<'m> {
 
     #[inline(always)]
     fn prepared(&self, ray: &Ray) -> (Slabs, Sheared) {
-        let slabs = Slabs::new(ray.origin, ray.direction, ray.range[0], self.largest);
+        let slabs = Slabs::new(ray.origin, ray.direction, ray.range[0], self.largest());
         (slabs, Sheared::new(ray.origin, ray.direction))
     }
 
     /// The largest coordinates of the tree's box, without signs.
     pub(crate) fn largest(&self) -> [f32; 3] {
-        self.largest
+        let [x, y, z, _] = self.largest;
+        [x, y, z]
     }
 
     /// The longest side of the tree's box.
@@ -162,15 +159,41 @@ impl<'m> MeshRays<'m> {
         self.extent
     }
 
-    fn told(&self, ray: &Ray, nearest: Nearest) -> Option<RayHit> {
+    /// The nearest triangle for a ray of an unusual length, and nothing for one that isn't sound.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn nearest_unusual(&self, ray: &Ray) -> Nearest {
+        let mut nearest = Nearest::before(0.0);
+        if ray.is_sound() && !ray.is_usual() {
+            let (scaled, scale) = ray.scaled();
+            if scaled.is_usual() {
+                nearest = PLACES.with(
+                    |places| dispatch_long!(self.level, simd => nearest_alone(simd, self, &scaled, places)),
+                );
+                nearest.t *= scale;
+            }
+        }
+        nearest
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn closest_unusual(&self, ray: &Ray) -> Option<RayHit> {
+        let nearest = self.nearest_unusual(ray);
+        let (scaled, _) = ray.scaled();
+        self.told(&Sheared::new(scaled.origin, scaled.direction), nearest)
+    }
+
+    /// Where on its triangle a hit is.
+    #[inline(always)]
+    pub(crate) fn told(&self, sheared: &Sheared, nearest: Nearest) -> Option<RayHit> {
         if nearest.triangle == u32::MAX {
             return None;
         }
         let [a, b, c, triangle] = self.bvh.records()[nearest.record as usize];
-        let corners = [a, b, c].map(|vertex| self.positions[vertex as usize]);
-        let (scaled, _) = ray.scaled();
-        let barycentric = Sheared::new(scaled.origin, scaled.direction).barycentric(corners);
-        Some(RayHit { t: nearest.t, triangle, barycentric })
+        let positions = self.positions;
+        let corners = [&positions[a as usize], &positions[b as usize], &positions[c as usize]];
+        Some(RayHit { t: nearest.t, triangle, barycentric: sheared.barycentric(corners) })
     }
 }
 
@@ -195,11 +218,24 @@ fn closest_of_many<S: Simd>(
     simd: S,
     rays: &MeshRays<'_>,
     followed: &[Ray],
-    nearest: &mut [Nearest],
-    bundle: &mut Bundle,
-    stack: &mut Stack,
+    hits: &mut [Option<RayHit>],
+    (bundle, stack): (&mut Bundle, &mut Stack),
+    cells: &Places,
 ) {
-    for (followed, nearest) in followed.chunks(BUNDLE).zip(nearest.chunks_mut(BUNDLE)) {
+    for (followed, hits) in followed.chunks(BUNDLE).zip(hits.chunks_mut(BUNDLE)) {
+        if let Some(kind) = bundle.take(simd, followed)
+            && followed.len() >= LEAST
+        {
+            if bundle.ready(simd, rays, kind, followed.len()) {
+                closest_of_bundle(simd, rays, bundle, stack);
+                bundle.tell(rays, hits, |place| place);
+            } else {
+                for (hit, ray) in hits.iter_mut().zip(followed) {
+                    *hit = closest(simd, rays, ray, cells);
+                }
+            }
+            continue;
+        }
         let mut kinds = [Kind::NONE; BUNDLE];
         for (kind, ray) in kinds.iter_mut().zip(followed) {
             *kind = Kind::of(ray);
@@ -223,109 +259,20 @@ fn closest_of_many<S: Simd>(
                 *other = if *other == kind { Kind::NONE } else { *other };
             }
             let places = &places[..count];
-            if !bundle.fill(simd, rays, kind, followed, places) {
+            bundle.take_places(simd, followed, places);
+            if !bundle.ready(simd, rays, kind, count) {
                 continue;
             }
             closest_of_bundle(simd, rays, bundle, stack);
-            for (number, &place) in places.iter().enumerate() {
-                nearest[usize::from(place)] = bundle.nearest(number);
+            bundle.tell(rays, hits, |number| usize::from(places[number]));
+            for &place in places {
                 alone[usize::from(place)] = false;
             }
         }
-        for ((ray, nearest), _) in
-            followed.iter().zip(nearest).zip(alone).filter(|(_, alone)| *alone)
-        {
-            closest(simd, rays, std::slice::from_ref(ray), std::slice::from_mut(nearest), stack);
-        }
-    }
-}
-
-/// Follows rays one by one.
-#[inline(always)]
-fn closest<S: Simd>(
-    simd: S,
-    rays: &MeshRays<'_>,
-    followed: &[Ray],
-    nearest: &mut [Nearest],
-    stack: &mut Stack,
-) {
-    for (ray, nearest) in followed.iter().zip(nearest) {
-        *nearest = Nearest::before(0.0);
-        if ray.is_sound() {
-            let (ray, scale) = ray.scaled();
-            nearest.t = ray.range[1];
-            closest_of(simd, rays, &ray, nearest, stack);
-            nearest.t *= scale;
-        }
-    }
-}
-
-#[inline(always)]
-fn closest_of<S: Simd>(
-    simd: S,
-    rays: &MeshRays<'_>,
-    ray: &Ray,
-    nearest: &mut Nearest,
-    stack: &mut Stack,
-) {
-    let (slabs, sheared) = rays.prepared(ray);
-    let nodes: &[Node] = &rays.bvh.tree().nodes;
-    stack.clear();
-    if nodes.is_empty() {
-        return;
-    }
-    let mut child = Child::inner(0);
-    loop {
-        if let Some((start, count)) = child.as_leaf() {
-            let range = [ray.range[0], nearest.t];
-            let (distances, mut bits) = leaf(simd, rays, (start, count), &sheared, range);
-            while bits != 0 {
-                let lane = bits.trailing_zeros() as usize & (WIDTH - 1);
-                bits &= bits - 1;
-                let (t, triangle) = (distances[lane], rays.bvh.records()[start + lane][3]);
-                if t < nearest.t || t == nearest.t && triangle < nearest.triangle {
-                    *nearest = Nearest { t, triangle, record: (start + lane) as u32 };
-                }
+        for ((hit, ray), alone) in hits.iter_mut().zip(followed).zip(alone) {
+            if alone {
+                *hit = closest(simd, rays, ray, cells);
             }
-        } else {
-            let node = &nodes[child.0 as usize];
-            let (distances, bits) = meet(simd, node, &slabs, nearest.t);
-            if bits != 0 && bits & (bits - 1) == 0 {
-                child = node.children[bits.trailing_zeros() as usize & (WIDTH - 1)];
-                continue;
-            }
-            stack.push(node, &distances, bits);
-        }
-        match stack.pop(nearest.t) {
-            Some(next) => child = next,
-            None => return,
-        }
-    }
-}
-
-#[inline(always)]
-fn any<S: Simd>(simd: S, rays: &MeshRays<'_>, ray: &Ray, stack: &mut Stack) -> bool {
-    let (ray, _) = &ray.scaled();
-    let (slabs, sheared) = rays.prepared(ray);
-    let nodes: &[Node] = &rays.bvh.tree().nodes;
-    stack.clear();
-    if nodes.is_empty() {
-        return false;
-    }
-    let mut child = Child::inner(0);
-    loop {
-        if let Some(of) = child.as_leaf() {
-            if leaf(simd, rays, of, &sheared, ray.range).1 != 0 {
-                return true;
-            }
-        } else {
-            let node = &nodes[child.0 as usize];
-            let (distances, bits) = meet(simd, node, &slabs, ray.range[1]);
-            stack.push(node, &distances, bits);
-        }
-        match stack.pop(ray.range[1]) {
-            Some(next) => child = next,
-            None => return false,
         }
     }
 }

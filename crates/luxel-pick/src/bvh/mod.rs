@@ -34,8 +34,8 @@ const RUN: usize = 1 << 13;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub(crate) struct Node {
-    /// Low x, high x, low y, high y, low z, high z; an empty place has low = inf, high = -inf.
-    pub(crate) rows: [[f32; WIDTH]; 6],
+    /// Axis by axis the low planes, then the high ones; an empty place has low = inf, high = -inf.
+    pub(crate) planes: [[[f32; WIDTH]; 2]; 3],
     pub(crate) children: [Child; WIDTH],
 }
 
@@ -148,25 +148,22 @@ impl Tree {
 
 impl Node {
     pub(crate) const EMPTY: Self = Self {
-        rows: {
-            let (low, high) = ([f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]);
-            [low, high, low, high, low, high]
-        },
+        planes: [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3],
         children: [Child::NONE; WIDTH],
     };
 
     pub(crate) fn set(&mut self, slot: usize, bounds: &Box3, child: Child) {
         for axis in 0..3 {
-            self.rows[2 * axis][slot] = bounds.low[axis];
-            self.rows[2 * axis + 1][slot] = bounds.high[axis];
+            self.planes[axis][0][slot] = bounds.low[axis];
+            self.planes[axis][1][slot] = bounds.high[axis];
         }
         self.children[slot] = child;
     }
 
     pub(crate) fn bounds(&self, slot: usize) -> Box3 {
         Box3 {
-            low: [0, 2, 4].map(|row| self.rows[row][slot]),
-            high: [1, 3, 5].map(|row| self.rows[row][slot]),
+            low: [0, 1, 2].map(|axis: usize| self.planes[axis][0][slot]),
+            high: [0, 1, 2].map(|axis: usize| self.planes[axis][1][slot]),
         }
     }
 

@@ -117,10 +117,9 @@ pub(crate) fn meet<S: Simd>(
     let mut near = f32x8::splat(simd, slabs.nearest);
     let mut far = f32x8::splat(simd, farthest);
     for axis in 0..3 {
-        let row = 2 * axis;
         let turned = slabs.turned[axis] & 1;
-        let near_plane = f32x8::simd_from(simd, node.rows[row + turned]);
-        let far_plane = f32x8::simd_from(simd, node.rows[row + (turned ^ 1)]);
+        let near_plane = f32x8::simd_from(simd, node.planes[axis][turned]);
+        let far_plane = f32x8::simd_from(simd, node.planes[axis][turned ^ 1]);
         let [near_origin, far_origin] = slabs.origin[axis];
         let [near_inverse, far_inverse] = slabs.inverse[axis];
         near = ((near_plane - near_origin) * near_inverse).max(near);

@@ -1,0 +1,286 @@
+//! One ray through the tree of a mesh, as fast as it goes.
+//!
+//! Most rays of a picture miss the mesh or meet a few nodes, so what happens before the first node
+//! counts as much as what happens at each: a ray is made ready with vectors of its three axes, one
+//! division for all. Of a node's children that are met, the nearest stays at hand and only the
+//! others go onto the stack.
+
+use crate::bvh::{ALMOST_ZERO, Child, Node, PADDING, WIDTH, moved, padding};
+use crate::intersect::{Nearest, Ray, Sheared, USUAL_LENGTHS, meet_triangles};
+use crate::rays::{MeshRays, RayHit};
+use luxel_math::{Simd, f32x4, f32x8, i32x4, mask32x4, prelude::*};
+use std::cell::Cell;
+
+/// Places in the tree that a ray has still to visit, each as its distance and its child's word in
+/// one number, so that sorting is comparing integers. Depths are bounded (see `bvh::split`): up to 67
+/// levels with seven left at each.
+pub(crate) struct Places([Cell<u64>; Self::SIZE]);
+
+impl Places {
+    const SIZE: usize = 512;
+
+    pub(crate) const fn new() -> Self {
+        Self([const { Cell::new(0) }; Self::SIZE])
+    }
+
+    #[inline(always)]
+    fn get(&self, place: usize) -> u64 {
+        self.0[place & (Self::SIZE - 1)].get()
+    }
+
+    #[inline(always)]
+    fn set(&self, place: usize, key: u64) {
+        self.0[place & (Self::SIZE - 1)].set(key);
+    }
+
+    /// The nearest child whose box begins no farther than `farthest`, from the top down.
+    #[inline(always)]
+    fn pop(&self, top: &mut usize, farthest: f32) -> Option<u32> {
+        while *top > 0 {
+            *top -= 1;
+            let key = self.get(*top);
+            if f32::from_bits((key >> 32) as u32) <= farthest {
+                return Some(key as u32);
+            }
+        }
+        None
+    }
+
+    /// Puts the children of a node whose bit is set on top, the nearest topmost; all but that one,
+    /// which is the result. For at least two.
+    #[inline(always)]
+    fn push(&self, top: &mut usize, node: &Node, distances: &[f32; WIDTH], mut bits: u32) -> u32 {
+        let mut take = || {
+            let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+            bits &= bits - 1;
+            // Distances are not negative, but for the sign of a zero.
+            let distance = u64::from(distances[slot].to_bits() & !(1 << 31));
+            (distance << 32 | u64::from(node.children[slot].0), bits != 0)
+        };
+        let bottom = *top;
+        let (mut nearest, _) = take();
+        loop {
+            let (key, more) = take();
+            let farther = nearest.max(key);
+            nearest = nearest.min(key);
+            let mut place = *top;
+            while place > bottom && self.get(place - 1) < farther {
+                self.set(place, self.get(place - 1));
+                place -= 1;
+            }
+            self.set(place, farther);
+            *top += 1;
+            if !more {
+                return nearest as u32;
+            }
+        }
+    }
+}
+
+/// A ray as boxes want it, axis by axis; the fourth lane is the same for all rays.
+struct Lean<S: Simd> {
+    /// Where near planes are looked at from, and far ones.
+    near_origin: f32x4<S>,
+    far_origin: f32x4<S>,
+    /// One over the direction.
+    inverse: f32x4<S>,
+    /// Whether the near plane is the high one.
+    turned: mask32x4<S>,
+}
+
+impl<S: Simd> Lean<S> {
+    /// `None` for what isn't finite, has no direction or one of an unusual length.
+    #[inline(always)]
+    fn new(simd: S, rays: &MeshRays<'_>, ray: &Ray) -> Option<Self> {
+        let [ox, oy, oz] = ray.origin;
+        let [dx, dy, dz] = ray.direction;
+        let origin = f32x4::simd_from(simd, [ox, oy, oz, 0.0]);
+        let direction = f32x4::simd_from(simd, [dx, dy, dz, 0.0]);
+        let (size, length) = (SimdBase::abs(origin), SimdBase::abs(direction));
+        let bounded = size.simd_lt(f32::INFINITY) & length.simd_lt(USUAL_LENGTHS.end);
+        let long = length.simd_ge(USUAL_LENGTHS.start);
+        if bounded.to_bitmask() != 0b1111 || long.to_bitmask() == 0 {
+            return None;
+        }
+        let largest = f32x4::simd_from(simd, rays.largest);
+        let pad = padding(size, largest, f32x4::splat(simd, PADDING));
+        let one = f32x4::splat(simd, 1.0);
+        let inverse = (one / length.max(f32x4::splat(simd, ALMOST_ZERO))).copysign(direction);
+        let [near_origin, far_origin] = moved(origin, pad.copysign(direction));
+        let turned = direction.bitcast::<i32x4<S>>().simd_lt(0);
+        Some(Self { near_origin, far_origin, inverse, turned })
+    }
+
+    /// Whether the ray meets the box around all within its range. What misses it misses the boxes
+    /// inside, as rounding is monotone.
+    #[inline(always)]
+    fn meets(&self, simd: S, rays: &MeshRays<'_>, [nearest, farthest]: [f32; 2]) -> bool {
+        let low = f32x4::simd_from(simd, rays.bounds[0]);
+        let high = f32x4::simd_from(simd, rays.bounds[1]);
+        let (first, last) = (self.turned.select(high, low), self.turned.select(low, high));
+        let near = (first - self.near_origin) * self.inverse;
+        let far = (last - self.far_origin) * self.inverse;
+        let near = near.max(near.slide::<2>(near));
+        let far = far.min(far.slide::<2>(far));
+        let near = near.max(near.slide::<1>(near)).max(nearest);
+        let far = far.min(far.slide::<1>(far)).min(farthest);
+        near.simd_le(far).to_bitmask() & 1 != 0
+    }
+}
+
+/// An axis of a ray as the boxes of eight children want it.
+#[derive(Clone, Copy)]
+struct Axis<S: Simd> {
+    near_origin: f32x8<S>,
+    far_origin: f32x8<S>,
+    inverse: f32x8<S>,
+    /// 0 where the near plane is the low one, else 1.
+    turned: usize,
+}
+
+impl<S: Simd> Axis<S> {
+    #[inline(always)]
+    fn new(simd: S, near_origin: f32, far_origin: f32, inverse: f32, turned: u64) -> Self {
+        Self {
+            near_origin: f32x8::splat(simd, near_origin),
+            far_origin: f32x8::splat(simd, far_origin),
+            inverse: f32x8::splat(simd, inverse),
+            turned: turned as usize & 1,
+        }
+    }
+
+    /// The part of a way that lies between two planes, of each of eight boxes.
+    #[inline(always)]
+    fn cut(
+        &self,
+        simd: S,
+        planes: &[[f32; WIDTH]; 2],
+        [near, far]: [f32x8<S>; 2],
+    ) -> [f32x8<S>; 2] {
+        let near_plane = f32x8::simd_from(simd, planes[self.turned & 1]);
+        let far_plane = f32x8::simd_from(simd, planes[(self.turned ^ 1) & 1]);
+        [
+            ((near_plane - self.near_origin) * self.inverse).max(near),
+            ((far_plane - self.far_origin) * self.inverse).min(far),
+        ]
+    }
+}
+
+/// What three axes have.
+#[inline(always)]
+fn axes<S: Simd>(values: f32x4<S>) -> [f32; 3] {
+    let mut row = [0.0; 4];
+    values.store_slice(&mut row);
+    [row[0], row[1], row[2]]
+}
+
+/// The nearest triangle that a ray meets.
+#[inline(always)]
+pub(crate) fn closest<S: Simd>(
+    simd: S,
+    rays: &MeshRays<'_>,
+    ray: &Ray,
+    places: &Places,
+) -> Option<RayHit> {
+    let Some(lean) = Lean::new(simd, rays, ray) else { return rays.closest_unusual(ray) };
+    if !lean.meets(simd, rays, ray.range) || !ray.has_range() {
+        return None;
+    }
+    let (nearest, sheared) = follow::<S, false>(simd, rays, lean, ray, places);
+    rays.told(&sheared, nearest)
+}
+
+/// The same, without where on the triangle.
+#[inline(always)]
+pub(crate) fn nearest_alone<S: Simd>(
+    simd: S,
+    rays: &MeshRays<'_>,
+    ray: &Ray,
+    places: &Places,
+) -> Nearest {
+    const NONE: Nearest = Nearest::before(0.0);
+    let Some(lean) = Lean::new(simd, rays, ray) else { return rays.nearest_unusual(ray) };
+    if !lean.meets(simd, rays, ray.range) || !ray.has_range() {
+        return NONE;
+    }
+    follow::<S, false>(simd, rays, lean, ray, places).0
+}
+
+/// Whether a ray meets anything.
+#[inline(always)]
+pub(crate) fn any<S: Simd>(simd: S, rays: &MeshRays<'_>, ray: &Ray, places: &Places) -> bool {
+    let Some(lean) = Lean::new(simd, rays, ray) else {
+        return rays.nearest_unusual(ray).triangle != u32::MAX;
+    };
+    if !lean.meets(simd, rays, ray.range) || !ray.has_range() {
+        return false;
+    }
+    follow::<S, true>(simd, rays, lean, ray, places).0.triangle != u32::MAX
+}
+
+/// Follows a ray to the nearest triangle, or to any; and the ray as triangles want it.
+#[inline(always)]
+fn follow<S: Simd, const ANY: bool>(
+    simd: S,
+    rays: &MeshRays<'_>,
+    lean: Lean<S>,
+    ray: &Ray,
+    places: &Places,
+) -> (Nearest, Sheared) {
+    let [near, far, inverse] = [axes(lean.near_origin), axes(lean.far_origin), axes(lean.inverse)];
+    let turned = lean.turned.to_bitmask();
+    let x = Axis::new(simd, near[0], far[0], inverse[0], turned);
+    let y = Axis::new(simd, near[1], far[1], inverse[1], turned >> 1);
+    let z = Axis::new(simd, near[2], far[2], inverse[2], turned >> 2);
+    let sheared = Sheared::with_inverse(&ray.origin, &ray.direction, &inverse);
+    let nodes: &[Node] = &rays.tree().nodes;
+    let records = rays.records();
+    let start = f32x8::splat(simd, ray.range[0]);
+    let mut nearest = Nearest::before(ray.range[1]);
+    let mut farthest = f32x8::splat(simd, ray.range[1]);
+    let mut top = 0;
+    let mut child = Child::inner(0);
+    loop {
+        if let Some((start, count)) = child.as_leaf() {
+            let Some(records) = records[start..].first_chunk::<WIDTH>() else { break };
+            let range = [ray.range[0], nearest.t];
+            let (distances, mut bits) =
+                meet_triangles(simd, records, count, rays.positions(), &sheared, range);
+            while bits != 0 {
+                let lane = bits.trailing_zeros() as usize & (WIDTH - 1);
+                bits &= bits - 1;
+                let (t, triangle) = (distances[lane], records[lane][3]);
+                if t < nearest.t || t == nearest.t && triangle < nearest.triangle {
+                    nearest = Nearest { t, triangle, record: (start + lane) as u32 };
+                }
+            }
+            if ANY && nearest.triangle != u32::MAX {
+                break;
+            }
+            farthest = f32x8::splat(simd, nearest.t);
+        } else {
+            let node = &nodes[child.0 as usize];
+            let [of_x, of_y, of_z] = &node.planes;
+            let way = x.cut(simd, of_x, [start, farthest]);
+            let way = y.cut(simd, of_y, way);
+            let [near, far] = z.cut(simd, of_z, way);
+            let bits = near.simd_le(far).to_bitmask() as u32;
+            if bits != 0 {
+                let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+                if bits & (bits - 1) == 0 {
+                    child = node.children[slot];
+                } else {
+                    let mut distances = [0.0; WIDTH];
+                    near.store_slice(&mut distances);
+                    child = Child(places.push(&mut top, node, &distances, bits));
+                }
+                continue;
+            }
+        }
+        match places.pop(&mut top, nearest.t) {
+            Some(next) => child = Child(next),
+            None => break,
+        }
+    }
+    (nearest, sheared)
+}
