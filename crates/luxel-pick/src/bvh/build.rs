@@ -1,8 +1,9 @@
 //! From boxes to a tree: large runs are cut in two by all threads, then each piece becomes wide
 //! nodes of its own, and all are joined in order.
 
-use super::split::{Ref, bounds_of, split};
+use super::split::{Care, Lanes, Ref, Side, side_of, split, split_many};
 use super::{Box3, Child, Node, Quality, RUN, Tree, WIDTH};
+use luxel_math::{Level, SimdLevel};
 use luxel_parallel::{any, each, fill, gather, join};
 use std::ops::Range;
 
@@ -23,13 +24,14 @@ struct Run<'r> {
     /// The first one's place in the order of all.
     start: usize,
     bounds: Box3,
+    /// The box of its boxes' middles.
+    middles: Lanes,
     depth: u32,
+    /// Whether `refs` is part of what is scratch for others.
+    swapped: bool,
     /// Whether cutting it has been found not to pay.
     whole: bool,
 }
-
-/// The number of what is left out.
-const LEFT_OUT: u32 = u32::MAX;
 
 /// Things that have a box. The provided methods go through many at a time.
 pub(crate) trait Boxes: Sync {
@@ -42,10 +44,7 @@ pub(crate) trait Boxes: Sync {
     /// The boxes of those from `start` on.
     fn refs(&self, start: usize, refs: &mut [Ref]) {
         for (number, of) in (start..).zip(refs) {
-            let bounds = self.bounds(number);
-            let id = if bounds.is_some() { number as u32 } else { LEFT_OUT };
-            let Box3 { low, high } = bounds.unwrap_or(Box3::EMPTY);
-            *of = Ref { low, id, high, spare: 0 };
+            *of = Ref::new(number as u32, self.bounds(number));
         }
     }
 
@@ -75,30 +74,39 @@ pub(crate) fn build(things: &dyn Boxes, quality: Quality) -> Tree {
     if quality == Quality::InOrder {
         return in_order(things);
     }
-    let nothing = Ref { low: [0.0; 3], id: 0, high: [0.0; 3], spare: 0 };
-    let mut refs = vec![nothing; things.count()];
+    let level = SimdLevel::Auto.resolve().unwrap_or_else(|_| Level::baseline());
+    let care = Care { quality, level };
+    let mut refs = vec![Ref::NOTHING; things.count()];
     fill(&mut refs, RUN, &|start, run| things.refs(start, run));
-    if any(refs.len(), RUN, &|run| refs[run].iter().any(|of| of.id == LEFT_OUT)) {
-        refs.retain(|of| of.id != LEFT_OUT);
+    if any(refs.len(), RUN, &|run| refs[run].iter().any(Ref::is_left_out)) {
+        refs.retain(|of| !of.is_left_out());
     }
     if refs.is_empty() {
         return Tree::default();
     }
-    let mut scratch = vec![nothing; refs.len()];
-    let bounds = bounds_of(&refs);
-    let run =
-        Run { refs: &mut refs, scratch: &mut scratch, start: 0, bounds, depth: 0, whole: false };
+    let mut scratch = vec![Ref::NOTHING; refs.len()];
+    let Side { bounds, middles } = side_of(&refs, level);
+    let run = Run {
+        refs: &mut refs,
+        scratch: &mut scratch,
+        start: 0,
+        bounds,
+        middles,
+        depth: 0,
+        swapped: false,
+        whole: false,
+    };
     let nodes = if run.refs.len() <= WIDTH {
         let mut root = Node::EMPTY;
         root.set(0, &bounds, Child::leaf(0, run.refs.len()));
         vec![root]
     } else {
-        nodes(cut_in_tasks(run, quality), quality)
+        nodes(cut_in_tasks(run, care), care)
     };
     let mut items = vec![0; refs.len()];
     fill(&mut items, RUN, &|start, run| {
         for (item, of) in run.iter_mut().zip(&refs[start..]) {
-            *item = of.id;
+            *item = of.number();
         }
     });
     Tree { nodes, items, bounds: Some(bounds) }
@@ -166,41 +174,61 @@ fn in_order(things: &dyn Boxes) -> Tree {
 }
 
 impl<'r> Run<'r> {
-    fn cut(self, quality: Quality) -> [Self; 2] {
-        let split = split(self.refs, self.scratch, self.depth, quality);
-        let (left, right) = self.refs.split_at_mut(split.at);
-        let (left_scratch, right_scratch) = self.scratch.split_at_mut(split.at);
-        let depth = self.depth + 1;
-        let start = self.start + split.at;
+    /// Both parts.
+    fn cut(self, care: Care) -> [Self; 2] {
+        let split = split(self.refs, self.scratch, &self.middles, self.depth, care);
+        self.parts(split.at, split.sides)
+    }
+
+    /// The same by all threads, for more than a task's.
+    fn cut_many(mut self, care: Care) -> [Self; 2] {
+        let (split, moved) = split_many(self.refs, self.scratch, &self.middles, self.depth, care);
+        if moved {
+            std::mem::swap(&mut self.refs, &mut self.scratch);
+            self.swapped = !self.swapped;
+        }
+        self.parts(split.at, split.sides)
+    }
+
+    fn parts(self, at: usize, [left, right]: [Side; 2]) -> [Self; 2] {
+        let (left_refs, right_refs) = self.refs.split_at_mut(at);
+        let (left_scratch, right_scratch) = self.scratch.split_at_mut(at);
+        let (depth, swapped, whole) = (self.depth + 1, self.swapped, false);
+        let part = |refs, scratch, start, Side { bounds, middles }| Run {
+            refs,
+            scratch,
+            start,
+            bounds,
+            middles,
+            depth,
+            swapped,
+            whole,
+        };
         [
-            Run {
-                refs: left,
-                scratch: left_scratch,
-                start: self.start,
-                bounds: split.left,
-                depth,
-                whole: false,
-            },
-            Run {
-                refs: right,
-                scratch: right_scratch,
-                start,
-                bounds: split.right,
-                depth,
-                whole: false,
-            },
+            part(left_refs, left_scratch, self.start, left),
+            part(right_refs, right_scratch, self.start + at, right),
         ]
+    }
+
+    /// Back to where all belong.
+    fn settled(mut self) -> Self {
+        if self.swapped {
+            self.scratch.copy_from_slice(self.refs);
+            std::mem::swap(&mut self.refs, &mut self.scratch);
+            self.swapped = false;
+        }
+        self
     }
 }
 
 /// Cuts a run until none of its parts is larger than a task.
-fn cut_in_tasks(run: Run<'_>, quality: Quality) -> Part<'_> {
+fn cut_in_tasks(run: Run<'_>, care: Care) -> Part<'_> {
     if run.refs.len() <= TASK {
-        return Part::Run(run);
+        return Part::Run(run.settled());
     }
     let (bounds, count) = (run.bounds, run.refs.len());
-    let [left, right] = run.cut(quality);
-    let (left, right) = join(|| cut_in_tasks(left, quality), || cut_in_tasks(right, quality));
+    let [left, right] = run.cut_many(care);
+    let (left, right) = join(|| cut_in_tasks(left, care), || cut_in_tasks(right, care));
     Part::Cut { bounds, count, parts: Box::new([left, right]) }
 }
 
@@ -219,9 +247,9 @@ impl<'r> Part<'r> {
         }
     }
 
-    fn cut(self, quality: Quality) -> [Self; 2] {
+    fn cut(self, care: Care) -> [Self; 2] {
         match self {
-            Self::Run(run) => run.cut(quality).map(Part::Run),
+            Self::Run(run) => run.cut(care).map(Part::Run),
             Self::Cut { parts, .. } => *parts,
         }
     }
@@ -229,9 +257,9 @@ impl<'r> Part<'r> {
 
 /// The children of a node: the part with the largest surface is opened until there are eight, then
 /// small leaves are cut while there is room.
-fn children(part: Part<'_>, quality: Quality) -> Vec<Part<'_>> {
+fn children(part: Part<'_>, care: Care) -> Vec<Part<'_>> {
     let mut parts = Vec::with_capacity(WIDTH);
-    parts.extend(part.cut(quality));
+    parts.extend(part.cut(care));
     while parts.len() < WIDTH {
         let mut largest: Option<(usize, f32)> = None;
         for (place, part) in parts.iter().enumerate().filter(|(_, part)| part.count() > WIDTH) {
@@ -241,10 +269,10 @@ fn children(part: Part<'_>, quality: Quality) -> Vec<Part<'_>> {
             }
         }
         let Some((place, _)) = largest else { break };
-        let [left, right] = parts.swap_remove(place).cut(quality);
+        let [left, right] = parts.swap_remove(place).cut(care);
         parts.extend([left, right]);
     }
-    while quality == Quality::Thorough && parts.len() < WIDTH {
+    while care.quality == Quality::Thorough && parts.len() < WIDTH {
         let worth = |part: &Part<'_>| match part {
             Part::Run(run) => (SMALL_LEAF + 1..=WIDTH).contains(&run.refs.len()) && !run.whole,
             Part::Cut { .. } => false,
@@ -252,17 +280,9 @@ fn children(part: Part<'_>, quality: Quality) -> Vec<Part<'_>> {
         let Some(place) = parts.iter().position(worth) else { break };
         let Part::Run(run) = parts.swap_remove(place) else { break };
         let (count, area) = (run.refs.len(), run.bounds.half_area());
-        let halves = split(run.refs, run.scratch, run.depth, quality);
+        let halves = split(run.refs, run.scratch, &run.middles, run.depth, care);
         if halves.cost < area * count as f32 {
-            let (left, right) = run.refs.split_at_mut(halves.at);
-            let (left_scratch, right_scratch) = run.scratch.split_at_mut(halves.at);
-            let depth = run.depth + 1;
-            let start = run.start;
-            let of = |refs, scratch, start, bounds| {
-                Part::Run(Run { refs, scratch, start, bounds, depth, whole: false })
-            };
-            parts.push(of(left, left_scratch, start, halves.left));
-            parts.push(of(right, right_scratch, start + halves.at, halves.right));
+            parts.extend(run.parts(halves.at, halves.sides).map(Part::Run));
         } else {
             parts.push(Part::Run(Run { whole: true, ..run }));
         }
@@ -271,20 +291,20 @@ fn children(part: Part<'_>, quality: Quality) -> Vec<Part<'_>> {
 }
 
 /// The nodes of a part of more than a leaf, its own first.
-fn nodes(part: Part<'_>, quality: Quality) -> Vec<Node> {
+fn nodes(part: Part<'_>, care: Care) -> Vec<Node> {
     let mut all = Vec::new();
     if let Part::Run(run) = part {
-        append(run, quality, &mut all);
+        append(run, care, &mut all);
         return all;
     }
-    let parts = children(part, quality);
+    let parts = children(part, care);
     let mut below: Vec<(Box3, usize, usize, Vec<Node>)> = Vec::new();
     below.resize_with(parts.len(), Default::default);
     each(parts.into_iter().zip(&mut below), &|(part, below)| {
         let (bounds, count) = (*part.bounds(), part.count());
         *below = match part {
             Part::Run(run) if count <= WIDTH => (bounds, count, run.start, Vec::new()),
-            part => (bounds, count, 0, nodes(part, quality)),
+            part => (bounds, count, 0, nodes(part, care)),
         };
     });
     all.push(Node::EMPTY);
@@ -303,16 +323,16 @@ fn nodes(part: Part<'_>, quality: Quality) -> Vec<Node> {
 }
 
 /// Appends the nodes of a run of more than a leaf; the number of its own.
-fn append(run: Run<'_>, quality: Quality, all: &mut Vec<Node>) -> u32 {
+fn append(run: Run<'_>, care: Care, all: &mut Vec<Node>) -> u32 {
     let number = all.len();
     all.push(Node::EMPTY);
-    for (slot, part) in children(Part::Run(run), quality).into_iter().enumerate() {
+    for (slot, part) in children(Part::Run(run), care).into_iter().enumerate() {
         let Part::Run(run) = part else { continue };
         let bounds = run.bounds;
         let child = if run.refs.len() <= WIDTH {
             Child::leaf(run.start, run.refs.len())
         } else {
-            Child::inner(append(run, quality, all))
+            Child::inner(append(run, care, all))
         };
         all[number].set(slot, &bounds, child);
     }
