@@ -75,7 +75,7 @@ fn environment(options: &LightOptions, scene: &Scene) -> EnvironmentChoice {
 
 /// How the work is done.
 pub(crate) fn execution(options: &ExecutionOptions) -> Execution {
-    Execution { threads: options.threads.unwrap_or(0), simd: options.simd, clock }
+    Execution { threads: options.threads.unwrap_or(0), simd: options.simd, clock, one_frame: false }
 }
 
 fn clock() -> Duration {

@@ -69,11 +69,19 @@ impl FromStr for Format {
 /// # Errors
 /// [`Error`] with file and place, if the file can't be read, is damaged or asks for too much.
 pub fn open(path: &Path, limits: &Limits) -> Result<Loaded, Error> {
-    let bytes = files::read_file(path, limits)?;
     let extension = path.extension().unwrap_or_default().to_string_lossy();
-    let unknown = |message| Error::at(Place::File, ErrorKind::Unsupported(message)).in_file(path);
-    let format = extension.parse().map_err(unknown)?;
+    let format = extension.parse();
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    if format == Ok(Format::Ply)
+        && let Some(file) = files::Stored::open(path, limits)?
+        && let Some(loaded) =
+            ply::stream(&file, &stem, limits).map_err(|error| error.in_file(path))?
+    {
+        return Ok(loaded);
+    }
+    let bytes = files::read_file(path, limits)?;
+    let unknown = |message| Error::at(Place::File, ErrorKind::Unsupported(message)).in_file(path);
+    let format = format.map_err(unknown)?;
     read(&bytes, format, &stem, path.parent(), limits).map_err(|error| error.in_file(path))
 }
 

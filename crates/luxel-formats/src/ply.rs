@@ -12,10 +12,11 @@ mod header;
 mod source;
 mod vertices;
 
+use crate::files::Stored;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
 use faces::Faces;
-use header::{Element, Header};
+use header::{Element, Encoding, Header};
 use source::Source;
 use vertices::Vertices;
 
@@ -27,6 +28,41 @@ pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, 
     let content = read_body(&header, source, limits)?;
     let scene = build::scene(content, name, &mut warnings)?;
     Ok(Loaded { scene, format: Format::Ply, warnings: warnings.finish() })
+}
+
+/// Bytes of a file that hold its header, or it isn't one that [`stream`] reads.
+const HEAD: usize = 1 << 16;
+
+/// Reads a long binary file without holding it in memory: one of vertices and triangles alone.
+/// `None` for others.
+pub(crate) fn stream(
+    file: &Stored<'_>,
+    name: &str,
+    limits: &Limits,
+) -> Result<Option<Loaded>, Error> {
+    let head = file.with(0, HEAD, |head| Header::read(head));
+    file.sound()?;
+    let Ok(header) = head else { return Ok(None) };
+    let is_table = |element: &Element| match element.name.as_str() {
+        "edge" | "tristrips" => false,
+        "face" => true,
+        _ => element.stride().is_some(),
+    };
+    if header.encoding == Encoding::Text || !header.elements.iter().all(is_table) {
+        return Ok(None);
+    }
+    file.expect();
+    let source = Source::stored(file, header.body, header.encoding);
+    let content = read_body(&header, source, limits);
+    file.reached(file.length());
+    file.sound()?;
+    let content = content?;
+    if content.faces.need_whole_file {
+        return Ok(None);
+    }
+    let mut warnings = Warnings::default();
+    let scene = build::scene(content, name, &mut warnings)?;
+    Ok(Some(Loaded { scene, format: Format::Ply, warnings: warnings.finish() }))
 }
 
 /// What a body holds.
@@ -54,7 +90,12 @@ fn read_body(header: &Header, mut source: Source<'_>, limits: &Limits) -> Result
             "vertex" if vertex.is_some_and(|vertex| std::ptr::eq(vertex, element)) => {
                 content.vertices.read(element, &mut source)?;
             }
-            "face" => content.faces.read_polygons(element, &mut source)?,
+            "face" => {
+                content.faces.read_polygons(element, &mut source)?;
+                if content.faces.need_whole_file {
+                    break;
+                }
+            }
             "tristrips" => content.faces.read_strips(element, &mut source)?,
             "edge" => read_edges(element, &mut source, vertex_count, &mut content.edges)?,
             _ => skip(element, &mut source)?,
@@ -66,7 +107,7 @@ fn read_body(header: &Header, mut source: Source<'_>, limits: &Limits) -> Result
 /// Checks a count against what follows and against the limits, before anything is allocated.
 fn check(element: &Element, source: &Source<'_>, limits: &Limits) -> Result<(), Error> {
     let place = || Place::Line(element.line);
-    let left = source.bytes_left() as u64;
+    let left = source.bytes_left();
     if element.count.saturating_mul(source.least_bytes(element)) > left {
         let what = format!(
             "element `{}`: the header says it has {} rows, but only {left} bytes follow",

@@ -17,7 +17,9 @@ use crate::worker::{Bytes, Finish, Linear, Worker, add_layer, tile_pixels};
 use luxel_lighting::{Environment, Reflection};
 use luxel_math::{Level, UnavailableSimdLevel, dispatch_long};
 use luxel_scene::{Object, Scene, Size};
-use luxel_visibility::{Clusters, Frame, InstanceSpace, Samples, Tile, TooManyTriangles, strokes};
+use luxel_visibility::{
+    ClusterOrder, Clusters, Frame, InstanceSpace, Samples, Tile, TooManyTriangles, strokes,
+};
 use rayon::prelude::*;
 use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
@@ -145,6 +147,7 @@ impl<'s> Renderer<'s> {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(execution.threads).build();
             Some(pool.map_err(|error| RenderError::Threads(error.to_string()))?)
         };
+        let order = if execution.one_frame { ClusterOrder::File } else { ClusterOrder::Curve };
         let objects = scene.objects();
         let mut renderer = Self {
             scene,
@@ -155,7 +158,7 @@ impl<'s> Renderer<'s> {
             pool,
             clock: execution.clock,
         };
-        renderer.clusters = renderer.install(|| prepared::clusters(scene));
+        renderer.clusters = renderer.install(|| prepared::clusters(scene, order));
         Ok(renderer)
     }
 

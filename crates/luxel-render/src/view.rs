@@ -139,10 +139,13 @@ pub struct Execution {
     /// The time since some fixed moment, for the figures of stages. The default doesn't look at any
     /// clock, as not every machine has one.
     pub clock: fn() -> Duration,
+    /// Whether a single frame is all that is asked for: meshes are made ready in half the time, and
+    /// a frame takes somewhat longer. Pictures are the same.
+    pub one_frame: bool,
 }
 
 impl Default for Execution {
     fn default() -> Self {
-        Self { threads: 0, simd: SimdLevel::Auto, clock: || Duration::ZERO }
+        Self { threads: 0, simd: SimdLevel::Auto, clock: || Duration::ZERO, one_frame: false }
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::{Bounds, Camera, Lens, Object, Projection, Scene, Size};
 use glam::{DMat4, DQuat, DVec3};
-use luxel_parallel::fill;
+use luxel_parallel::{gather, map};
+use std::ops::Range;
 
 /// How much of the window the silhouette may take, across and down.
 const FILLED: f64 = 0.8;
@@ -19,8 +20,11 @@ const PLANE_MARGIN: f64 = 1e-3;
 /// solid things are several times as far; this is for lines seen end on.
 const LEAST_DISTANCE: f64 = 0.1;
 
-/// How many points one thread takes at a time.
-const RUN: usize = 1 << 12;
+/// How many positions have a box of their own.
+const RUN: usize = 1 << 6;
+/// How many positions, and how many boxes, one thread takes at a time.
+const POSITIONS: usize = 1 << 12;
+const RUNS: usize = 1 << 8;
 
 /// How often the view is centred again at most; each round about squares what is off.
 const ROUNDS_OF_CENTRING: usize = 8;
@@ -89,7 +93,11 @@ pub fn fit_view(scene: &Scene, viewpoint: &Viewpoint, lens: Lens, size: Size) ->
 pub fn fit_along(scene: &Scene, axes: [DVec3; 3], lens: Lens, size: Size) -> Camera {
     let picture_from_world = picture_from_world(axes);
     let points = Points::of(scene, &picture_from_world);
-    fit(&points, &scene.bounds(), &picture_from_world, lens, size)
+    let in_world = points.objects.iter().zip(scene.objects());
+    let bounds = in_world.fold(Bounds::EMPTY, |bounds, ((mesh, _, drawn), object)| {
+        bounds.union(&mesh.bounds_of(drawn, &object.world_from_mesh))
+    });
+    fit(&points, &bounds, &picture_from_world, lens, size)
 }
 
 /// As [`fit_along`], for the corners of a box.
@@ -98,7 +106,7 @@ pub fn fit_box(bounds: &Bounds, axes: [DVec3; 3], lens: Lens, size: Size) -> Cam
     let picture_from_world = picture_from_world(axes);
     let corners = if bounds.is_empty() { Vec::new() } else { Vec::from(bounds.corners()) };
     let corners = corners.into_iter().map(|corner| picture_from_world.transform_point3(corner));
-    let points = Points { objects: Vec::new(), single: corners.collect() };
+    let points = Points { objects: Vec::new(), runs: Vec::new(), single: corners.collect() };
     fit(&points, bounds, &picture_from_world, lens, size)
 }
 
@@ -220,7 +228,9 @@ fn fitted_eye(points: &Points, bounds: &Bounds, slopes: &Slopes) -> DVec3 {
             along(1, slopes.high[1]),
             -along(1, slopes.low[1]),
         ]
+        .map(|along| (along, 0.0))
     });
+    let support = support.map(|(along, _)| along);
     let mut height = bounds.max.z + LEAST_DISTANCE * size_of_a_point(bounds);
     let mut eye = [0.0; 2];
     for axis in 0..2 {
@@ -254,7 +264,7 @@ fn fitted_eye(points: &Points, bounds: &Bounds, slopes: &Slopes) -> DVec3 {
 /// to lie symmetrically: (x_1 - e) / d_1 + (x_2 - e) / d_2 = l + r, solved for e.
 fn centred(points: &Points, slopes: &Slopes, eye: DVec3) -> [f64; 2] {
     // Each slope with the distance of the point it belongs to; of equal ones, the farthest.
-    let outermost = points.highest_pairs(|point| {
+    let outermost = points.highest(|point| {
         let distance = eye.z - point.z;
         let by_distance = 1.0 / distance;
         let (x, y) = ((point.x - eye.x) * by_distance, (point.y - eye.y) * by_distance);
@@ -271,8 +281,18 @@ fn centred(points: &Points, slopes: &Slopes, eye: DVec3) -> [f64; 2] {
 /// Everything that is drawn, as points in the picture's axes.
 struct Points<'a> {
     objects: Vec<(&'a crate::Mesh, DMat4, Vec<bool>)>,
+    /// The objects' positions, some at a time.
+    runs: Vec<Run>,
     /// Points of no mesh, in the picture's axes already.
     single: Vec<DVec3>,
+}
+
+/// Some positions of an object, and the box of those that are drawn, in the picture's axes.
+#[derive(Clone)]
+struct Run {
+    object: usize,
+    positions: Range<usize>,
+    bounds: Bounds,
 }
 
 impl<'a> Points<'a> {
@@ -281,48 +301,74 @@ impl<'a> Points<'a> {
             let mesh = &scene.meshes[object.mesh.index()];
             (mesh, *picture_from_world * object.world_from_mesh, mesh.drawn_positions())
         };
-        Self { objects: scene.objects().into_iter().map(object).collect(), single: Vec::new() }
-    }
-
-    /// The result of joining what `of` says about every point, in whatever order.
-    fn joined<T: Copy + Send + Sync>(
-        &self,
-        nothing: T,
-        of: impl Fn(DVec3) -> T + Sync,
-        join: impl Fn(T, T) -> T + Sync,
-    ) -> T {
-        let single = self.single.iter().fold(nothing, |all, &point| join(all, of(point)));
-        self.objects.iter().fold(single, |all, (mesh, picture_from_mesh, drawn)| {
-            let picture_from_mesh = *picture_from_mesh;
-            let mut of_runs = vec![nothing; drawn.len().div_ceil(RUN)];
-            fill(&mut of_runs, 1, &|run, joined| {
-                let positions = mesh.positions.iter().zip(drawn).skip(run * RUN).take(RUN);
-                for (&[x, y, z], _) in positions.filter(|(_, drawn)| **drawn) {
-                    let point = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-                    let point = picture_from_mesh.transform_point3(mesh.origin + point);
-                    joined[0] = join(joined[0], of(point));
+        let objects: Vec<_> = scene.objects().into_iter().map(object).collect();
+        let mut runs = Vec::new();
+        for (object, (mesh, picture_from_mesh, drawn)) in objects.iter().enumerate() {
+            runs.extend(gather(drawn.len(), POSITIONS, &|task, runs| {
+                for start in task.clone().step_by(RUN) {
+                    let positions = start..task.end.min(start + RUN);
+                    let bounds = mesh.bounds_of_run(positions.clone(), drawn, picture_from_mesh);
+                    if !bounds.is_empty() {
+                        runs.push(Run { object, positions, bounds });
+                    }
                 }
-            });
-            of_runs.into_iter().fold(all, &join)
-        })
+            }));
+        }
+        Self { objects, runs, single: Vec::new() }
     }
 
     fn bounds(&self) -> Bounds {
-        self.joined(Bounds::EMPTY, |point| Bounds { min: point, max: point }, |a, b| a.union(&b))
+        let single = self.single.iter().map(|&point| Bounds { min: point, max: point });
+        let runs = self.runs.iter().map(|run| run.bounds);
+        runs.chain(single).fold(Bounds::EMPTY, |all, bounds| all.union(&bounds))
     }
 
-    fn highest<const N: usize>(&self, of: impl Fn(DVec3) -> [f64; N] + Sync) -> [f64; N] {
-        self.joined([f64::NEG_INFINITY; N], of, |a, b| std::array::from_fn(|at| a[at].max(b[at])))
-    }
-
-    /// The highest pairs, by the first number, then by the second.
-    fn highest_pairs<const N: usize>(
+    /// The highest of the values that `of` gives each point: of pairs, by the first number, then by
+    /// the second.
+    ///
+    /// In each coordinate a first number must rise or fall all over a box, also as it is rounded.
+    /// Then it is nowhere higher than at one of the corners, and most boxes needn't be opened.
+    fn highest<const N: usize>(
         &self,
         of: impl Fn(DVec3) -> [(f64, f64); N] + Sync,
     ) -> [(f64, f64); N] {
-        self.joined([(f64::NEG_INFINITY, 0.0); N], of, |a, b| {
+        let nothing = [(f64::NEG_INFINITY, 0.0); N];
+        let higher = |a: [(f64, f64); N], b: [(f64, f64); N]| {
             std::array::from_fn(|at| if a[at] < b[at] { b[at] } else { a[at] })
-        })
+        };
+        let of_run = |run: &Run| {
+            let mut highest = nothing;
+            let (mesh, picture_from_mesh, drawn) = &self.objects[run.object];
+            mesh.each_drawn(run.positions.clone(), drawn, picture_from_mesh, |point| {
+                highest = higher(highest, of(point));
+            });
+            highest
+        };
+        let at_corners = gather(self.runs.len(), RUNS, &|task, limits| {
+            limits.extend(self.runs[task].iter().map(|run| {
+                let corners = run.bounds.corners().map(&of);
+                corners.into_iter().fold(nothing, higher).map(|(limit, _)| limit)
+            }));
+        });
+        let mut highest = self.single.iter().map(|&point| of(point)).fold(nothing, higher);
+        for at in 0..N {
+            let promising = (0..self.runs.len())
+                .max_by(|&a, &b| at_corners[a][at].total_cmp(&at_corners[b][at]));
+            if let Some(promising) = promising {
+                highest = higher(highest, of_run(&self.runs[promising]));
+            }
+        }
+        let left: Vec<&Run> = self
+            .runs
+            .iter()
+            .zip(&at_corners)
+            .filter(|(_, limits)| (0..N).any(|at| limits[at] >= highest[at].0))
+            .map(|(run, _)| run)
+            .collect();
+        let of_tasks = map(left.len(), RUNS, &|task| {
+            Some(left[task].iter().map(|run| of_run(run)).fold(nothing, higher))
+        });
+        of_tasks.into_iter().flatten().fold(highest, higher)
     }
 }
 

@@ -2,7 +2,9 @@
 
 use crate::MaterialId;
 use glam::{DMat4, DVec3};
-use luxel_parallel::map;
+use luxel_parallel::{each, map};
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Triangles in the file's order, with points and lines beside them.
 ///
@@ -136,37 +138,75 @@ impl Mesh {
     /// The bounds of everything drawn: triangles, points and lines; empty if there is nothing.
     #[must_use]
     pub fn bounds(&self, world_from_mesh: &DMat4) -> Bounds {
-        /// How many positions one thread takes at a time.
-        const RUN: usize = 1 << 12;
-        let drawn = self.drawn_positions();
-        let world_from_mesh = *world_from_mesh;
-        let of_runs = map(drawn.len(), RUN, &|run| {
-            let mut bounds = Bounds::EMPTY;
-            let positions = self.positions[run.clone()].iter().zip(&drawn[run]);
-            for (&[x, y, z], _) in positions.filter(|(_, drawn)| **drawn) {
-                let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-                bounds.include(world_from_mesh.transform_point3(self.origin + position));
-            }
-            Some(bounds)
+        self.bounds_of(&self.drawn_positions(), world_from_mesh)
+    }
+
+    /// The bounds of the positions that are [drawn](Self::drawn_positions).
+    pub(crate) fn bounds_of(&self, drawn: &[bool], world_from_mesh: &DMat4) -> Bounds {
+        let of_runs = map(drawn.len(), POSITIONS, &|run| {
+            Some(self.bounds_of_run(run, drawn, world_from_mesh))
         });
         of_runs.iter().flatten().fold(Bounds::EMPTY, |all, bounds| all.union(bounds))
+    }
+
+    /// The same, of a range of positions.
+    pub(crate) fn bounds_of_run(
+        &self,
+        run: Range<usize>,
+        drawn: &[bool],
+        world_from_mesh: &DMat4,
+    ) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        self.each_drawn(run, drawn, world_from_mesh, |place| bounds.include(place));
+        bounds
+    }
+
+    /// Visits the drawn ones of a range of positions, in another space.
+    #[inline]
+    pub(crate) fn each_drawn(
+        &self,
+        run: Range<usize>,
+        drawn: &[bool],
+        world_from_mesh: &DMat4,
+        mut visit: impl FnMut(DVec3),
+    ) {
+        let positions = self.positions[run.clone()].iter().zip(&drawn[run]);
+        for (&[x, y, z], _) in positions.filter(|(_, drawn)| **drawn) {
+            let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
+            visit(world_from_mesh.transform_point3(self.origin + position));
+        }
+    }
+
+    /// Whether there is anything to draw.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.triangles.is_empty()
+            && self.points.iter().all(|points| points.indices.is_empty())
+            && self.lines.iter().all(|lines| lines.segments.is_empty())
     }
 
     /// Whether each position is drawn: as the corner of a triangle, as a point, or as the end of a
     /// line.
     pub(crate) fn drawn_positions(&self) -> Vec<bool> {
-        let mut drawn = vec![false; self.positions.len()];
-        let mut draw = |indices: &[u32]| {
+        let mut drawn = Vec::new();
+        drawn.resize_with(self.positions.len(), || AtomicBool::new(false));
+        let draw = |indices: &[u32]| {
             for &index in indices {
-                drawn[index as usize] = true;
+                drawn[index as usize].store(true, Ordering::Relaxed);
             }
         };
-        draw(self.triangles.as_flattened());
+        let corners = self.triangles.as_flattened();
+        each(corners.chunks(CORNERS), &draw);
         self.points.iter().for_each(|points| draw(&points.indices));
         self.lines.iter().for_each(|lines| draw(lines.segments.as_flattened()));
-        drawn
+        drawn.into_iter().map(AtomicBool::into_inner).collect()
     }
 }
+
+/// How many positions one thread takes at a time.
+const POSITIONS: usize = 1 << 12;
+/// How many corners.
+const CORNERS: usize = 1 << 15;
 
 /// A box along the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -37,6 +37,11 @@ mod faces;
 
 use crate::{Mesh, Scene, Topology};
 use faces::Faces;
+use luxel_parallel::fill;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// How many normals one thread takes at a time.
+const RUN: usize = 1 << 12;
 
 /// Below this angle between two faces the edge that they share is smooth, unless asked otherwise;
 /// the module's page says how it was found.
@@ -113,14 +118,16 @@ impl Mesh {
 
     /// Brings normals to unit length and replaces those that have no direction.
     fn mend_normals(&mut self) {
-        let mut broken = false;
-        for normal in &mut self.normals {
-            *normal = unit(normal.map(f64::from)).unwrap_or_else(|| {
-                broken = true;
-                [0.0; 3]
-            });
-        }
-        if !broken {
+        let is_broken = AtomicBool::new(false);
+        fill(&mut self.normals, RUN, &|_, run| {
+            for normal in run {
+                *normal = unit(normal.map(f64::from)).unwrap_or_else(|| {
+                    is_broken.store(true, Ordering::Relaxed);
+                    [0.0; 3]
+                });
+            }
+        });
+        if !is_broken.into_inner() {
             return;
         }
         let faces = Faces::of(self, NormalSource::AreaAngle);

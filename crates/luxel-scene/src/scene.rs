@@ -135,6 +135,12 @@ impl Scene {
         })
     }
 
+    /// Whether there is nothing to draw.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.objects().iter().all(|object| self.meshes[object.mesh.index()].is_empty())
+    }
+
     /// The triangles of all objects, a mesh counted as often as it is shown.
     #[must_use]
     pub fn triangle_count(&self) -> u64 {

@@ -6,12 +6,14 @@
 //! meshes.
 //!
 //! Clusters follow a curve through space (see `order`), so that each is compact: small in the window,
-//! in few tiles, and hidden as a whole by what lies before it. A file's own order may be anything.
+//! in few tiles, and hidden as a whole by what lies before it. A file's own order may be anything; for
+//! a single frame it is good enough where it keeps neighbours together.
 
-use crate::order::along_curve;
+use crate::order::{along_curve, is_local};
 use luxel_math::LANES;
-use luxel_parallel::{fill, map};
+use luxel_parallel::map;
 use luxel_scene::Mesh;
+use std::ops::Range;
 
 /// Most triangles of a cluster: slot numbers take seven bits.
 pub const CLUSTER_TRIANGLES: usize = 1 << SLOT_BITS;
@@ -26,14 +28,31 @@ pub(crate) const BOUNDS_WORDS: usize = 6 * LANES;
 /// Triangles that one task cuts. Fixed, so that clusters don't depend on the number of threads.
 const TASK_TRIANGLES: usize = 128 * CLUSTER_TRIANGLES;
 
+/// In which order triangles become clusters. What is seen doesn't depend on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ClusterOrder {
+    /// Along a curve through space: compact clusters, for many frames.
+    #[default]
+    Curve,
+    /// As the file has them, if that keeps neighbours together, else along the curve: ready in half
+    /// the time, for a single frame.
+    File,
+}
+
 /// The clusters of one mesh.
 #[derive(Clone, Debug, Default)]
 pub struct Clusters {
-    /// The blocks, one after the other: vertex groups, then triangles.
-    words: Vec<u32>,
+    pieces: Vec<Piece>,
     pub(crate) headers: Vec<Header>,
     /// Boxes of sixteen clusters at a time, see [`BOUNDS_WORDS`].
     pub(crate) bounds: Vec<f32>,
+}
+
+/// What one task has cut.
+#[derive(Clone, Debug, Default)]
+struct Piece {
+    /// The blocks, one after the other: vertex groups, then triangles.
+    words: Vec<u32>,
     /// The submitted number of the triangle in each slot, cluster after cluster.
     originals: Vec<u32>,
 }
@@ -41,15 +60,16 @@ pub struct Clusters {
 /// What a cluster's block holds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Header {
-    /// The first word of the block.
-    first_word: usize,
+    /// The piece, and the first word of the block in it.
+    piece: u32,
+    first_word: u32,
     /// Groups of sixteen vertices.
     groups: u16,
     /// Triangles.
     pub(crate) triangles: u16,
     /// The mesh's part, whose material all triangles have.
     pub(crate) part: u32,
-    /// Where `originals` begin.
+    /// Where `originals` begin in the piece.
     first_original: u32,
 }
 
@@ -83,27 +103,45 @@ impl Block<'_> {
 impl Clusters {
     /// Cuts a mesh into compact runs of triangles.
     #[must_use]
-    pub fn new(mesh: &Mesh) -> Self {
-        let orders: Vec<(u32, Vec<u32>)> = (0..)
-            .zip(&mesh.parts)
-            .map(|(number, part)| {
-                let range = part.first as usize..(part.first + part.count) as usize;
-                (number, along_curve(mesh, range))
+    pub fn new(mesh: &Mesh, order: ClusterOrder) -> Self {
+        let ranges = mesh.parts.iter().map(|part| {
+            let first = part.first as usize;
+            first..first + part.count as usize
+        });
+        let orders: Vec<(u32, Range<usize>, Option<Vec<u32>>)> = (0..)
+            .zip(ranges)
+            .map(|(number, range)| {
+                let as_it_is = order == ClusterOrder::File && is_local(mesh, range.clone());
+                let curve = (!as_it_is).then(|| along_curve(mesh, range.clone()));
+                (number, range, curve)
             })
             .collect();
-        let tasks: Vec<(u32, &[u32])> = orders
-            .iter()
-            .flat_map(|(part, order)| order.chunks(TASK_TRIANGLES).map(|task| (*part, task)))
-            .collect();
-        let mut pieces: Vec<Self> = map(tasks.len(), 1, &|task| {
-            let (part, order) = tasks[task.start];
-            cut(mesh, part, order)
-        });
-        let mut all = if pieces.len() == 1 { pieces.remove(0) } else { Self::default() };
-        for piece in pieces {
-            all.append(piece);
+        let mut tasks = Vec::new();
+        for (part, range, curve) in &orders {
+            for start in range.clone().step_by(TASK_TRIANGLES) {
+                let end = range.end.min(start + TASK_TRIANGLES);
+                let curve =
+                    curve.as_ref().map(|curve| &curve[start - range.start..end - range.start]);
+                tasks.push((*part, start..end, curve));
+            }
         }
-        all.bounds = all.bounds_by_sixteen();
+        let cut = map(tasks.len(), 1, &|task| {
+            let (part, range, curve) = &tasks[task.start];
+            let mut cut = Cut::new(mesh, *part, task.start as u32);
+            match curve {
+                Some(curve) => cut.add(curve.iter().copied()),
+                None => cut.add(range.start as u32..range.end as u32),
+            }
+            cut.finish()
+        });
+        let mut all = Self::default();
+        let mut boxes = Vec::new();
+        for (piece, headers, of_piece) in cut {
+            all.pieces.push(piece);
+            all.headers.extend(headers);
+            boxes.extend(of_piece);
+        }
+        all.bounds = by_sixteen(&boxes);
         all
     }
 
@@ -116,100 +154,63 @@ impl Clusters {
     /// The submitted number of a triangle: its place in the mesh's list.
     #[must_use]
     pub fn original(&self, cluster: usize, slot: usize) -> u32 {
-        self.originals[self.headers[cluster].first_original as usize + slot]
+        self.originals(cluster)[slot]
     }
 
     /// The submitted numbers of a cluster's triangles.
     pub(crate) fn originals(&self, cluster: usize) -> &[u32] {
-        let Header { first_original, triangles, .. } = self.headers[cluster];
-        &self.originals[first_original as usize..][..usize::from(triangles)]
+        let Header { piece, first_original, triangles, .. } = self.headers[cluster];
+        &self.pieces[piece as usize].originals[first_original as usize..][..usize::from(triangles)]
     }
 
     /// The block of a cluster.
     pub(crate) fn block(&self, cluster: usize) -> Block<'_> {
         let header = &self.headers[cluster];
-        let vertices = header.first_word;
-        let triangles = vertices + usize::from(header.groups) * GROUP_WORDS;
-        let end = triangles + usize::from(header.triangles);
-        let (vertices, _) = self.words[vertices..triangles].as_chunks();
-        Block { vertices, triangles: &self.words[triangles..end] }
-    }
-
-    fn append(&mut self, other: Self) {
-        let (words, originals) = (self.words.len(), self.originals.len() as u32);
-        self.words.extend_from_slice(&other.words);
-        self.originals.extend_from_slice(&other.originals);
-        self.headers.extend(other.headers.into_iter().map(|header| Header {
-            first_word: header.first_word + words,
-            first_original: header.first_original + originals,
-            ..header
-        }));
-    }
-
-    /// Closes a cluster: writes its block.
-    fn push(&mut self, part: u32, positions: &[[f32; 3]], corners: &[u32]) {
-        let groups = positions.len().div_ceil(LANES);
-        self.headers.push(Header {
-            first_word: self.words.len(),
-            groups: groups as u16,
-            triangles: corners.len() as u16,
-            part,
-            first_original: (self.originals.len() - corners.len()) as u32,
-        });
-        for group in positions.chunks(LANES) {
-            for axis in 0..3 {
-                // Short groups repeat their last vertex, so that bounds stay those of the cluster.
-                let last = group[group.len() - 1];
-                let padded = group.iter().chain(std::iter::repeat(&last)).take(LANES);
-                self.words.extend(padded.map(|position| position[axis].to_bits()));
-            }
-        }
-        self.words.extend_from_slice(corners);
-    }
-
-    /// The boxes of all clusters, transposed for the lanes; the last group repeats its last box.
-    fn bounds_by_sixteen(&self) -> Vec<f32> {
-        let mut boxes = vec![[0.0; 6]; self.count()];
-        fill(&mut boxes, 1 << 7, &|start, run| {
-            for (cluster, own) in (start..).zip(run) {
-                *own = bounds(&self.block(cluster));
-            }
-        });
-        let mut bounds = Vec::with_capacity(boxes.len().next_multiple_of(LANES) * 6);
-        for group in boxes.chunks(LANES) {
-            for side in 0..6 {
-                let last = group[group.len() - 1];
-                let padded = group.iter().chain(std::iter::repeat(&last)).take(LANES);
-                bounds.extend(padded.map(|bounds| bounds[side]));
-            }
-        }
-        bounds
+        let words = &self.pieces[header.piece as usize].words[header.first_word as usize..];
+        let (vertices, words) = words.split_at(usize::from(header.groups) * GROUP_WORDS);
+        let (vertices, _) = vertices.as_chunks();
+        Block { vertices, triangles: &words[..usize::from(header.triangles)] }
     }
 }
 
-/// The box of a cluster: low x y z, high x y z; not a number if a coordinate is none, so that no
-/// bound is taken from it.
-fn bounds(block: &Block<'_>) -> [f32; 6] {
-    let mut bounds = [f32::INFINITY, f32::INFINITY, f32::INFINITY, 0.0, 0.0, 0.0];
-    bounds[3..].fill(f32::NEG_INFINITY);
-    for group in block.vertices {
-        for (axis, values) in group.chunks_exact(LANES).enumerate() {
-            for value in values.iter().map(|&bits| f32::from_bits(bits)) {
-                if value.is_nan() {
-                    return [f32::NAN; 6];
-                }
-                bounds[axis] = bounds[axis].min(value);
-                bounds[3 + axis] = bounds[3 + axis].max(value);
-            }
+/// The boxes of all clusters, transposed for the lanes; the last group repeats its last box.
+fn by_sixteen(boxes: &[[f32; 6]]) -> Vec<f32> {
+    let mut bounds = Vec::with_capacity(boxes.len().next_multiple_of(LANES) * 6);
+    for group in boxes.chunks(LANES) {
+        for side in 0..6 {
+            let last = group[group.len() - 1];
+            let padded = group.iter().chain(std::iter::repeat(&last)).take(LANES);
+            bounds.extend(padded.map(|bounds| bounds[side]));
         }
     }
     bounds
 }
 
+/// The box of a cluster: low x y z, high x y z; not a number if a coordinate is none, so that no
+/// bound is taken from it.
+fn bounds(groups: &[[u32; GROUP_WORDS]]) -> [f32; 6] {
+    let mut bounds = [0.0; 6];
+    let mut is_sound = true;
+    for axis in 0..3 {
+        let (mut low, mut high) = ([f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]);
+        for group in groups {
+            for lane in 0..LANES {
+                let value = f32::from_bits(group[axis * LANES + lane]);
+                is_sound &= !value.is_nan();
+                low[lane] = if value < low[lane] { value } else { low[lane] };
+                high[lane] = if value > high[lane] { value } else { high[lane] };
+            }
+        }
+        bounds[axis] = low.into_iter().fold(f32::INFINITY, f32::min);
+        bounds[3 + axis] = high.into_iter().fold(f32::NEG_INFINITY, f32::max);
+    }
+    if is_sound { bounds } else { [f32::NAN; 6] }
+}
+
 /// Numbers a cluster's vertices: a small hash table that forgets all at once.
 struct VertexNumbers {
-    /// (round, vertex, number): an entry of an earlier round is empty.
-    slots: Box<[(u32, u32, u8); Self::SIZE]>,
+    /// Round and number above (24 and 8 bits), vertex below: an entry of an earlier round is empty.
+    slots: Box<[u64; Self::SIZE]>,
     round: u32,
 }
 
@@ -218,57 +219,138 @@ impl VertexNumbers {
     const SIZE: usize = 4 * CLUSTER_VERTICES;
 
     fn new() -> Self {
-        Self { slots: Box::new([(0, 0, 0); Self::SIZE]), round: 1 }
+        Self { slots: Box::new([0; Self::SIZE]), round: 1 }
+    }
+
+    /// Begins with no vertices.
+    fn forget(&mut self) {
+        self.round += 1;
+        if self.round >> 24 != 0 {
+            *self = Self::new();
+        }
     }
 
     /// The number that `vertex` has, or `next`, which it takes.
+    #[inline(always)]
     fn number(&mut self, vertex: u32, next: usize) -> usize {
+        let vertex_of_round = u64::from(self.round) << 40 | u64::from(vertex);
         // Multiplicative hashing (Knuth, volume 3, section 6.4) with the golden ratio.
         let hash = vertex.wrapping_mul(0x9e37_79b9) >> (32 - Self::SIZE.ilog2());
         let mut slot = hash as usize;
         loop {
             let entry = &mut self.slots[slot & (Self::SIZE - 1)];
-            if entry.0 != self.round {
-                *entry = (self.round, vertex, next as u8);
-                return next;
+            if *entry & !(0xff << 32) == vertex_of_round {
+                return (*entry >> 32 & 0xff) as usize;
             }
-            if entry.1 == vertex {
-                return usize::from(entry.2);
+            if *entry >> 40 != u64::from(self.round) {
+                *entry = vertex_of_round | (next as u64) << 32;
+                return next;
             }
             slot += 1;
         }
     }
 }
 
-/// Cuts triangles into clusters of one part.
-fn cut(mesh: &Mesh, part: u32, order: &[u32]) -> Clusters {
-    let mut clusters = Clusters::default();
-    let mut numbers = VertexNumbers::new();
-    let mut positions: Vec<[f32; 3]> = Vec::with_capacity(CLUSTER_VERTICES);
-    let mut corners: Vec<u32> = Vec::with_capacity(CLUSTER_TRIANGLES);
-    for &original in order {
-        let full = corners.len() == CLUSTER_TRIANGLES || positions.len() + 3 > CLUSTER_VERTICES;
-        if full {
-            clusters.push(part, &positions, &corners);
-            positions.clear();
-            corners.clear();
-            numbers.round += 1;
+/// Triangles on their way into clusters of one part.
+struct Cut<'a> {
+    mesh: &'a Mesh,
+    part: u32,
+    number: u32,
+    piece: Piece,
+    headers: Vec<Header>,
+    boxes: Vec<[f32; 6]>,
+    /// The vertices of the cluster that is open.
+    numbers: VertexNumbers,
+    groups: Box<[[u32; GROUP_WORDS]; CLUSTER_VERTICES / LANES]>,
+    vertices: usize,
+    /// Its triangles.
+    corners: Vec<u32>,
+}
+
+impl<'a> Cut<'a> {
+    fn new(mesh: &'a Mesh, part: u32, number: u32) -> Self {
+        Self {
+            mesh,
+            part,
+            number,
+            piece: Piece::default(),
+            headers: Vec::new(),
+            boxes: Vec::new(),
+            numbers: VertexNumbers::new(),
+            groups: Box::new([[0; GROUP_WORDS]; CLUSTER_VERTICES / LANES]),
+            vertices: 0,
+            corners: Vec::with_capacity(CLUSTER_TRIANGLES),
         }
-        let mut word = 0;
-        for (corner, &vertex) in mesh.triangles[original as usize].iter().enumerate() {
-            let number = numbers.number(vertex, positions.len());
-            if number == positions.len() {
-                positions.push(mesh.positions[vertex as usize]);
+    }
+
+    /// Adds triangles, one after the other.
+    fn add(&mut self, triangles: impl ExactSizeIterator<Item = u32>) {
+        let count = triangles.len();
+        self.piece.originals.reserve_exact(count);
+        // What even meshes take: a word a triangle, and three for two thirds of a vertex.
+        self.piece.words.reserve(count * 3 + GROUP_WORDS);
+        for original in triangles {
+            if self.corners.len() == CLUSTER_TRIANGLES || self.vertices + 3 > CLUSTER_VERTICES {
+                self.close();
             }
-            word |= (number as u32) << (8 * corner);
+            let mut word = 0;
+            for (corner, vertex) in self.mesh.triangles[original as usize].into_iter().enumerate() {
+                word |= (self.number_of(vertex) as u32) << (8 * corner);
+            }
+            self.corners.push(word);
+            self.piece.originals.push(original);
         }
-        corners.push(word);
-        clusters.originals.push(original);
     }
-    if !corners.is_empty() {
-        clusters.push(part, &positions, &corners);
+
+    /// A vertex's number in the cluster that is open.
+    #[inline(always)]
+    fn number_of(&mut self, vertex: u32) -> usize {
+        let number = self.numbers.number(vertex, self.vertices);
+        if number == self.vertices {
+            let position = self.mesh.positions[vertex as usize];
+            let group = &mut self.groups[number / LANES % (CLUSTER_VERTICES / LANES)];
+            for axis in 0..3 {
+                group[axis * LANES + number % LANES] = position[axis].to_bits();
+            }
+            self.vertices += 1;
+        }
+        number
     }
-    clusters
+
+    /// Closes a cluster: writes its block.
+    fn close(&mut self) {
+        let Self { piece, groups, vertices, corners, .. } = self;
+        let groups = &mut groups[..vertices.div_ceil(LANES)];
+        // The last group repeats its last vertex, so that bounds stay those of the cluster.
+        if let (Some(group), used @ 1..) = (groups.last_mut(), *vertices % LANES) {
+            for axis in group.as_chunks_mut::<LANES>().0 {
+                let last = axis[used - 1];
+                axis[used..].fill(last);
+            }
+        }
+        self.headers.push(Header {
+            piece: self.number,
+            first_word: piece.words.len() as u32,
+            groups: groups.len() as u16,
+            triangles: corners.len() as u16,
+            part: self.part,
+            first_original: (piece.originals.len() - corners.len()) as u32,
+        });
+        self.boxes.push(bounds(groups));
+        piece.words.extend_from_slice(groups.as_flattened());
+        piece.words.extend_from_slice(corners);
+        self.vertices = 0;
+        corners.clear();
+        self.numbers.forget();
+    }
+
+    /// The piece, its clusters, and their boxes.
+    fn finish(mut self) -> (Piece, Vec<Header>, Vec<[f32; 6]>) {
+        if !self.corners.is_empty() {
+            self.close();
+        }
+        (self.piece, self.headers, self.boxes)
+    }
 }
 
 #[cfg(test)]
@@ -294,8 +376,13 @@ mod tests {
 
     #[test]
     fn every_triangle_is_in_exactly_one_slot_with_its_own_corners() {
-        let mesh = mesh();
-        let clusters = Clusters::new(&mesh);
+        for order in [ClusterOrder::Curve, ClusterOrder::File] {
+            slots_are_sound(&mesh(), order);
+        }
+    }
+
+    fn slots_are_sound(mesh: &Mesh, order: ClusterOrder) {
+        let clusters = Clusters::new(mesh, order);
         let mut seen = Vec::new();
         for cluster in 0..clusters.count() {
             let block = clusters.block(cluster);

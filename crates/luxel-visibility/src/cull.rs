@@ -214,6 +214,7 @@ pub(crate) fn cull_group<S: Simd>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cluster::ClusterOrder;
     use glam::{DMat4, DVec3};
     use luxel_math::{SimdLevel, dispatch};
     use luxel_scene::{Camera, Lens, MaterialId, Mesh, Part, Projection};
@@ -244,7 +245,7 @@ mod tests {
             height in prop::option::of(0.5..20.0),
         ) {
             let mesh = mesh(&places, spread);
-            let clusters = Clusters::new(&mesh);
+            let clusters = Clusters::new(&mesh, ClusterOrder::Curve);
             let lens = match height {
                 Some(height) => Lens::Orthographic { height },
                 None => Lens::Perspective { fov_y_radians: 1.2 },

@@ -36,7 +36,8 @@ fn bumpy_ball() -> Scene {
 
 /// Medians of the frame and its stages, and a hash (FNV-1a) of the pixels.
 fn time(scene: &Scene, view: &View, simd: SimdLevel) -> ([f64; 4], u64) {
-    let execution = Execution { threads: 1, simd, clock: || BEGUN.elapsed() };
+    let execution =
+        Execution { threads: 1, simd, clock: || BEGUN.elapsed(), ..Execution::default() };
     let renderer = Renderer::new(scene, &execution).unwrap();
     let mut picture = Picture::default();
     let mut times = [const { Vec::new() }; 4];

@@ -26,7 +26,7 @@ use crate::surface;
 use crate::values::at;
 use crate::view;
 use clap::Args;
-use luxel::render::{At, Explanation, RenderError, Renderer, Unseen, View};
+use luxel::render::{At, Execution, Explanation, RenderError, Renderer, Unseen, View};
 use luxel::scene::Scene;
 use std::ffi::OsString;
 use std::io::IsTerminal;
@@ -99,7 +99,7 @@ impl ExplainCommand {
             output::check_folder(path, "-o")?;
         }
         let mut model = model::load(&self.input, &self.execution, console)?;
-        if model.scene.bounds().is_empty() {
+        if model.scene.is_empty() {
             return Err(model::nothing_to_draw(&self.input.name()));
         }
         surface::apply_material(&self.material, &mut model.scene);
@@ -108,7 +108,8 @@ impl ExplainCommand {
         let camera = camera::choose(&self.frame, scene)?;
         let view =
             view::view(&self.frame, &self.light, &self.mode, &self.picture, None, camera, scene)?;
-        let renderer = Renderer::new(scene, &view::execution(&self.execution))
+        let execution = Execution { one_frame: true, ..view::execution(&self.execution) };
+        let renderer = Renderer::new(scene, &execution)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         let explanation = renderer.explain(&view, self.asked.at).map_err(|error| match error {
             RenderError::Outside(_) => Failure::Usage(format!("--at: {error}")),

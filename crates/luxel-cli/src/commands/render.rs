@@ -18,8 +18,8 @@ use crate::surface;
 use crate::view;
 use clap::Args;
 use luxel::render::{
-    Edges, Layer, LayerImage, Legend, PictureError, RenderError, Renderer, Subdivision, SvgOptions,
-    View, write_layers, write_linear, write_rgba8,
+    Edges, Execution, Layer, LayerImage, Legend, PictureError, RenderError, Renderer, Subdivision,
+    SvgOptions, View, write_layers, write_linear, write_rgba8,
 };
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Map, Value, json};
@@ -135,7 +135,7 @@ impl RenderCommand {
 
         let mut model = model::load(&self.input, &self.execution, console)?;
         watch.lap("read");
-        if model.scene.bounds().is_empty() {
+        if model.scene.is_empty() {
             return Err(model::nothing_to_draw(&self.input.name()));
         }
         surface::apply_material(&self.material, &mut model.scene);
@@ -150,7 +150,9 @@ impl RenderCommand {
             }
         };
         watch.lap("camera");
-        let renderer = Renderer::new(scene, &view::execution(&self.execution))
+        let one_frame = cameras.len() == 1;
+        let execution = Execution { one_frame, ..view::execution(&self.execution) };
+        let renderer = Renderer::new(scene, &execution)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         watch.lap("prepare");
 

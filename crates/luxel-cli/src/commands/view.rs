@@ -291,7 +291,7 @@ mod window {
             let mut model = model::load_watched(&input, &self.execution, console, watch)?;
             loading.is_understood();
             stopped(loading)?;
-            if model.scene.bounds().is_empty() {
+            if model.scene.is_empty() {
                 return Err(model::nothing_to_draw(&input.name()));
             }
             surface::apply_material(&self.material, &mut model.scene);

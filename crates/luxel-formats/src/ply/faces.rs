@@ -1,11 +1,12 @@
 //! Faces: polygons, and triangle strips.
 
 use super::header::{Element, Kind, Scalar};
-use super::source::{RUN, Source, Table, each_row};
+use super::source::{RUN, Source, Table, each_row, word};
 use super::vertices::{ColorColumns, Column};
 use crate::{Error, ErrorKind, Limits, Place};
 use luxel_parallel::first;
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What a corner of a polygon takes: its number, its share of a triangle, and of the list's end.
 const BYTES_PER_CORNER: u64 = 4 + 12 + 4;
@@ -22,6 +23,8 @@ pub(super) struct Faces {
     vertex_count: u64,
     corners_left: u64,
     max_memory: u64,
+    /// Whether faces can't be read as a table, and so not out of a file that isn't in memory.
+    pub(super) need_whole_file: bool,
 }
 
 /// Polygons of any number of corners.
@@ -78,10 +81,15 @@ impl Faces {
         };
         let color = ColorColumns::of(element);
         let is_first = self.triangles.is_empty() && self.polygons.is_none();
-        if let Some(records) =
-            Records::of(element, list, [count, item], source).filter(|_| is_first)
+        let records = Records::of(element, list, [count, item], source).filter(|_| is_first);
+        if let Some(records) = records
+            && self.read_records(&records, color, source)?
         {
-            return self.read_records(&records, color, source);
+            return Ok(());
+        }
+        if source.is_stored() {
+            self.need_whole_file = true;
+            return Ok(());
         }
         self.triangles.reserve_exact(element.count as usize);
         let mut corners = Vec::new();
@@ -155,20 +163,48 @@ impl Faces {
         Ok(())
     }
 
-    /// Reads triangles at fixed distances, several at a time.
+    /// Reads triangles at fixed distances, several at a time; `false` if a face is no triangle.
     fn read_records(
         &mut self,
         records: &Records<'_>,
         color: Option<ColorColumns>,
         source: &mut Source<'_>,
-    ) -> Result<(), Error> {
+    ) -> Result<bool, Error> {
         let table = &records.table;
+        if !table.with_row(0, |row| records.is_triangle(row)) {
+            return Ok(false);
+        }
+        let all_triangles = AtomicBool::new(true);
+        let count = |row: &[u8]| {
+            if !records.is_triangle(row) {
+                all_triangles.store(false, Ordering::Relaxed);
+            }
+        };
         let corner_at = |corner: usize| records.first_item + corner * records.item.size();
         let index = |row: &[u8], corner| table.value(row, corner_at(corner), records.item);
         let checked = |value: f64| vertex_index(value, self.vertex_count).unwrap_or(u32::MAX);
-        self.triangles = table.read([0; 3], |row| {
-            [checked(index(row, 0)), checked(index(row, 1)), checked(index(row, 2))]
-        });
+        // As unsigned ones, negative numbers are larger than all others.
+        let words = [(Scalar::I32, 1 << 31), (Scalar::U32, u32::MAX)];
+        let words =
+            words.into_iter().find(|&(scalar, _)| table.has_words_of(scalar, &[records.item]));
+        self.triangles = if let Some((_, most)) = words {
+            let most = u32::try_from(self.vertex_count).map_or(most, |count| count.min(most));
+            let places = [0, 1, 2].map(corner_at);
+            table.read([0; 3], |row| {
+                count(row);
+                let corner = |at: usize| u32::from_le_bytes(word(row, at));
+                places.map(corner).map(|index| if index < most { index } else { u32::MAX })
+            })
+        } else {
+            table.read([0; 3], |row| {
+                count(row);
+                [0, 1, 2].map(|corner| checked(index(row, corner)))
+            })
+        };
+        if !all_triangles.into_inner() {
+            self.triangles = Vec::new();
+            return Ok(false);
+        }
         // No vertex has the last number, since there are fewer.
         let wrong = |corners: &[u32; 3]| corners.contains(&u32::MAX);
         let wrong_of_run = |run: Range<usize>| {
@@ -177,10 +213,11 @@ impl Faces {
         if let Some(face) = first(self.triangles.len(), RUN, &wrong_of_run) {
             let corner = self.triangles[face].iter().position(|&index| index == u32::MAX);
             let corner = corner.unwrap_or(0);
-            let kind = vertex_index(index(table.row(face), corner), self.vertex_count).err();
-            let Place::Byte(start) = source.place() else { return Ok(()) };
+            let value = table.with_row(face, |row| index(row, corner));
+            let kind = vertex_index(value, self.vertex_count).err();
+            let Place::Byte(start) = source.place() else { return Ok(true) };
             let byte = start + (table.row_at(face) + corner_at(corner)) as u64;
-            return kind.map_or(Ok(()), |kind| Err(Error::at(Place::Byte(byte), kind)));
+            return kind.map_or(Ok(true), |kind| Err(Error::at(Place::Byte(byte), kind)));
         }
         if let Some(color) = color {
             let value = |row: &[u8], column: Column| {
@@ -191,7 +228,7 @@ impl Faces {
             self.colors = table.read([0.0; 4], |row| color.decode(|column| value(row, column)));
         }
         source.skip(table);
-        Ok(())
+        Ok(true)
     }
 }
 
@@ -208,6 +245,8 @@ struct Records<'a> {
     list: usize,
     /// Bytes of the count and the three items.
     list_size: usize,
+    /// The type of the count.
+    count: Scalar,
     /// The type of the items, and where the first is in a row.
     item: Scalar,
     first_item: usize,
@@ -215,7 +254,7 @@ struct Records<'a> {
 }
 
 impl<'a> Records<'a> {
-    /// If the source is binary and all rows are triangles.
+    /// If the source is binary and has room for as many triangles; whether they are, their rows tell.
     fn of(
         element: &Element,
         list: usize,
@@ -235,9 +274,17 @@ impl<'a> Records<'a> {
                 Kind::List { .. } => return None,
             }
         }
-        let table = source.table(element.count, stride)?;
-        let count_at = first_item - count.size();
-        let all_triangles = table.all(|row| table.value(row, count_at, count) == 3.0);
-        all_triangles.then_some(Self { list, list_size, item, first_item, table })
+        let table = source.table(element.count, stride).filter(|_| element.count > 0)?;
+        Some(Self { list, list_size, count, item, first_item, table })
+    }
+
+    /// Whether a row's list has three items.
+    #[inline]
+    fn is_triangle(&self, row: &[u8]) -> bool {
+        let at = self.first_item - self.count.size();
+        match self.count {
+            Scalar::U8 => row.get(at) == Some(&3),
+            _ => self.table.value(row, at, self.count) == 3.0,
+        }
     }
 }

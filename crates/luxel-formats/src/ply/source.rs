@@ -1,13 +1,18 @@
 //! The body: values one after the other, from text or bytes.
 
 use super::header::{Element, Encoding, Kind, Scalar};
+use super::vertices::Column;
+use crate::files::Stored;
 use crate::text::{integer, is_blank, line_of, number, shown, single};
 use crate::{Error, ErrorKind, Place};
-use luxel_parallel::{any, fill};
+use luxel_parallel::{each, fill};
 
 /// Where values come from.
 pub(super) struct Source<'a> {
+    /// The whole file, or its beginning.
     file: &'a [u8],
+    /// Where the rest lies, if that is only the beginning; then there are tables alone.
+    stored: Option<&'a Stored<'a>>,
     at: usize,
     encoding: Encoding,
 }
@@ -104,7 +109,16 @@ fn explain(fault: Fault, element: &Element, row: u64, source: &Source<'_>) -> Er
 impl<'a> Source<'a> {
     /// `body` is where in the file the values begin.
     pub(super) const fn new(file: &'a [u8], body: usize, encoding: Encoding) -> Self {
-        Self { file, at: body, encoding }
+        Self { file, stored: None, at: body, encoding }
+    }
+
+    /// Of a file that isn't in memory: tables are read where they lie.
+    pub(super) const fn stored(stored: &'a Stored<'a>, body: usize, encoding: Encoding) -> Self {
+        Self { file: &[], stored: Some(stored), at: body, encoding }
+    }
+
+    pub(super) const fn is_stored(&self) -> bool {
+        self.stored.is_some()
     }
 
     /// The next value. All types fit into f64.
@@ -141,13 +155,13 @@ impl<'a> Source<'a> {
     }
 
     /// How many bytes haven't been read.
-    pub(super) fn bytes_left(&self) -> usize {
-        self.file.len() - self.at
+    pub(super) fn bytes_left(&self) -> u64 {
+        self.length().saturating_sub(self.at as u64)
     }
 
     /// How many bytes the whole file has.
     pub(super) fn length(&self) -> u64 {
-        self.file.len() as u64
+        self.stored.map_or(self.file.len() as u64, Stored::length)
     }
 
     /// Where the last value was.
@@ -172,15 +186,24 @@ impl<'a> Source<'a> {
 
     /// The next `count` rows of `stride` bytes each; text has none, nor has a file that ends before.
     pub(super) fn table(&self, count: u64, stride: usize) -> Option<Table<'a>> {
-        let size = stride.checked_mul(usize::try_from(count).ok()?)?;
-        let bytes = self.file[self.at..].get(..size);
-        let bytes = bytes.filter(|_| self.encoding != Encoding::Text && stride > 0)?;
-        Some(Table { bytes, stride, order: self.encoding })
+        let count = usize::try_from(count).ok()?;
+        let size = stride.checked_mul(count)?;
+        if self.encoding == Encoding::Text || stride == 0 || size as u64 > self.bytes_left() {
+            return None;
+        }
+        let bytes = match self.stored {
+            Some(stored) => Bytes::Stored(stored, self.at as u64),
+            None => Bytes::Here(self.file.get(self.at..self.at + size)?),
+        };
+        Some(Table { bytes, count, stride, order: self.encoding })
     }
 
     /// Goes on behind a table.
     pub(super) fn skip(&mut self, table: &Table<'_>) {
-        self.at += table.bytes.len();
+        self.at += table.count * table.stride;
+        if let Some(stored) = self.stored {
+            stored.reached(self.at as u64);
+        }
     }
 }
 
@@ -189,38 +212,92 @@ pub(super) const RUN: usize = 1 << 12;
 
 /// Binary rows that all take the same number of bytes.
 pub(super) struct Table<'a> {
-    bytes: &'a [u8],
+    bytes: Bytes<'a>,
+    count: usize,
     stride: usize,
     order: Encoding,
 }
 
-impl<'a> Table<'a> {
+/// Bytes in memory, or those of a file from some place on.
+enum Bytes<'a> {
+    Here(&'a [u8]),
+    Stored(&'a Stored<'a>, u64),
+}
+
+impl Table<'_> {
     /// What each row's bytes say, by all threads.
     pub(super) fn read<T: Clone + Send>(
         &self,
         nothing: T,
         of_row: impl Fn(&[u8]) -> T + Sync,
     ) -> Vec<T> {
-        let mut values = vec![nothing; self.count()];
+        let mut values = vec![nothing; self.count];
         fill(&mut values, RUN, &|start, run| {
-            for (value, row) in run.iter_mut().zip(self.row(start).chunks_exact(self.stride)) {
-                *value = of_row(row);
-            }
+            self.with_rows(start, run.len(), |rows| {
+                for (value, row) in run.iter_mut().zip(rows.chunks_exact(self.stride)) {
+                    *value = of_row(row);
+                }
+            });
         });
         values
     }
 
-    /// Whether something holds for every row's bytes.
-    pub(super) fn all(&self, holds: impl Fn(&[u8]) -> bool + Sync) -> bool {
-        !any(self.count(), RUN, &|run| {
-            let rows = self.row(run.start).chunks_exact(self.stride);
-            !rows.take(run.len()).all(&holds)
+    /// As [`Table::read`], two lists at once.
+    pub(super) fn read_two<A: Clone + Send, B: Clone + Send>(
+        &self,
+        (nothing, none): (A, B),
+        of_row: impl Fn(&[u8]) -> (A, B) + Sync,
+    ) -> (Vec<A>, Vec<B>) {
+        let (mut first, mut second) = (vec![nothing; self.count], vec![none; self.count]);
+        let runs = first.chunks_mut(RUN).zip(second.chunks_mut(RUN)).enumerate();
+        each(runs, &|(run, (first, second))| {
+            self.with_rows(run * RUN, first.len(), |rows| {
+                let values = first.iter_mut().zip(second);
+                for ((first, second), row) in values.zip(rows.chunks_exact(self.stride)) {
+                    (*first, *second) = of_row(row);
+                }
+            });
+        });
+        (first, second)
+    }
+
+    /// Looks at the bytes of some rows; at none if they can't be read.
+    fn with_rows<R>(&self, start: usize, count: usize, look: impl FnOnce(&[u8]) -> R) -> R {
+        let (at, size) = (self.row_at(start), count * self.stride);
+        match self.bytes {
+            Bytes::Here(bytes) => look(&bytes[at..at + size]),
+            Bytes::Stored(stored, first) => stored.with(first + at as u64, size, look),
+        }
+    }
+
+    /// Some columns of each row, in single precision.
+    pub(super) fn singles<const N: usize>(&self, columns: [Column; N]) -> Vec<[f32; N]> {
+        if self.has_words_of(Scalar::F32, &columns.map(|column| column.scalar)) {
+            return self.read([0.0; N], |row| singles_of(row, columns));
+        }
+        self.read([0.0; N], |row| {
+            let value = |column: Column| self.value(row, column.offset, column.scalar);
+            columns.map(|column| value(column) as f32)
         })
     }
 
-    /// How many rows there are.
-    const fn count(&self) -> usize {
-        self.bytes.len() / self.stride
+    /// The same for two sets of columns, in one go where they are stored in single precision.
+    pub(super) fn singles_of_two(
+        &self,
+        columns: [[Column; 3]; 2],
+    ) -> (Vec<[f32; 3]>, Vec<[f32; 3]>) {
+        let [first, second] = columns;
+        let scalars = columns.as_flattened().iter().map(|column| column.scalar);
+        if self.has_words_of(Scalar::F32, &scalars.collect::<Vec<_>>()) {
+            let of_row = |row: &[u8]| (singles_of(row, first), singles_of(row, second));
+            return self.read_two(([0.0; 3], [0.0; 3]), of_row);
+        }
+        (self.singles(first), self.singles(second))
+    }
+
+    /// Whether these values can be taken out of rows as they stand.
+    pub(super) fn has_words_of(&self, scalar: Scalar, scalars: &[Scalar]) -> bool {
+        self.order == Encoding::Little && scalars.iter().all(|&other| other == scalar)
     }
 
     /// Where a row begins, from the beginning of the table.
@@ -228,15 +305,27 @@ impl<'a> Table<'a> {
         row * self.stride
     }
 
-    /// The bytes of one row, and of those behind it.
-    pub(super) fn row(&self, row: usize) -> &'a [u8] {
-        &self.bytes[self.row_at(row)..]
+    /// Looks at the bytes of one row.
+    pub(super) fn with_row<R>(&self, row: usize, look: impl FnOnce(&[u8]) -> R) -> R {
+        self.with_rows(row, 1, look)
     }
 
     /// The value at a place in a row.
     pub(super) fn value(&self, row: &[u8], offset: usize, scalar: Scalar) -> f64 {
-        decode(&row[offset..], scalar, self.order)
+        decode(row.get(offset..).unwrap_or_default(), scalar, self.order)
     }
+}
+
+/// Columns of a row that are stored in single precision, the lowest byte first.
+#[inline]
+fn singles_of<const N: usize>(row: &[u8], columns: [Column; N]) -> [f32; N] {
+    columns.map(|column| f32::from_le_bytes(word(row, column.offset)))
+}
+
+/// Four bytes of a row.
+#[inline]
+pub(super) fn word(row: &[u8], at: usize) -> [u8; 4] {
+    row.get(at..).and_then(<[u8]>::first_chunk).copied().unwrap_or_default()
 }
 
 /// `bytes` has the scalar's size at least; otherwise the value is 0.

@@ -136,23 +136,24 @@ impl Vertices {
 
     fn read_table(&mut self, columns: &Columns, table: &Table<'_>, count: usize) {
         let value = |row: &[u8], column: Column| table.value(row, column.offset, column.scalar);
-        let single = |row: &[u8], column: Column| value(row, column) as f32;
-        match columns.position {
-            Some(position) if columns.single() => {
-                self.singles =
-                    table.read([0.0; 3], |row| position.map(|column| single(row, column)));
+        match (columns.position, columns.normal) {
+            (Some(position), Some(normal)) if columns.single() => {
+                (self.singles, self.normals) = table.singles_of_two([position, normal]);
             }
-            Some(position) => {
-                self.doubles =
-                    table.read([0.0; 3], |row| position.map(|column| value(row, column)));
+            (position, normal) => {
+                match position {
+                    Some(position) if columns.single() => self.singles = table.singles(position),
+                    Some(position) => {
+                        self.doubles =
+                            table.read([0.0; 3], |row| position.map(|column| value(row, column)));
+                    }
+                    None => self.singles = vec![[0.0; 3]; count],
+                }
+                self.normals = normal.map_or_else(Vec::new, |normal| table.singles(normal));
             }
-            None => self.singles = vec![[0.0; 3]; count],
-        }
-        if let Some(normal) = columns.normal {
-            self.normals = table.read([0.0; 3], |row| normal.map(|column| single(row, column)));
         }
         if let Some(uv) = columns.uv {
-            self.uvs = table.read([0.0; 2], |row| uv.map(|column| single(row, column)));
+            self.uvs = table.singles(uv);
         }
         if let Some(color) = columns.color {
             self.colors = table.read([0.0; 4], |row| color.decode(|column| value(row, column)));
