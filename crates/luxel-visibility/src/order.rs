@@ -208,6 +208,20 @@ mod tests {
     }
 
     #[test]
+    fn long_rows_keep_neighbours_together_and_a_shuffled_file_does_not() {
+        let mut mesh = primitives::plane(glam::DVec2::new(6.0, 2.0), 1000, 50);
+        let count = mesh.triangles.len();
+        assert!(is_local(&mesh, 0..count));
+        // A stride that shares no factor with the count.
+        let shuffled = (0..count).map(|at| mesh.triangles[at * 7919 % count]).collect();
+        mesh.triangles = shuffled;
+        assert!(!is_local(&mesh, 0..count));
+        mesh.positions[5] = [f32::NAN; 3];
+        mesh.positions[9] = [f32::INFINITY; 3];
+        assert!(!is_local(&mesh, 0..count));
+    }
+
+    #[test]
     fn what_is_no_number_is_ordered_all_the_same() {
         let mut mesh = primitives::icosphere(1.0, 4);
         mesh.positions[3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];

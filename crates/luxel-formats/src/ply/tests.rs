@@ -269,8 +269,8 @@ fn a_file_read_piece_by_piece_gives_what_its_bytes_give() {
             }
             (stored, held) => {
                 let stored = stored.unwrap_err().to_string();
-                let held = held.unwrap_err().to_string();
-                assert!(stored.ends_with(&held), "{what}: `{stored}`, but `{held}`");
+                let held = held.unwrap_err().in_file(&path).to_string();
+                assert!(stored == held, "{what}: `{stored}`, but `{held}`");
             }
         }
     }

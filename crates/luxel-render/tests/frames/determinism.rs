@@ -1,9 +1,11 @@
 //! The same bytes from every number of threads and every instruction set.
 
-use crate::scenes::{execution, glass, view};
+use crate::scenes::{execution, glass, matte, scene, view};
 use luxel_math::SimdLevel;
-use luxel_render::{Edges, Interpolation, Layer, Renderer, Shading, ShadingMode, View};
-use luxel_scene::{Camera, DVec3, Lens, Projection, Scene, Size, demos};
+use luxel_render::{Edges, Execution, Interpolation, Layer, Renderer, Shading, ShadingMode, View};
+use luxel_scene::{
+    Camera, DVec2, DVec3, Lens, NormalOptions, Projection, Scene, Size, demos, primitives,
+};
 
 fn perspective(scene: &Scene, size: Size) -> View {
     let bounds = scene.bounds();
@@ -69,4 +71,23 @@ fn glass_and_wires_have_the_same_bytes_however_they_are_run() {
     check("edges", &scene, &view);
     view.edges = Some(Edges::WIREFRAME);
     check("wires", &scene, &view);
+}
+
+#[test]
+fn the_order_in_which_triangles_are_cut_is_not_seen() {
+    // Waves that hide one another; rows are long enough for the file's order to be kept.
+    let mut mesh = primitives::plane(DVec2::new(6.0, 2.0), 600, 50);
+    for [x, y, z] in &mut mesh.positions {
+        let height = (9.0 * *x).sin() * (11.0 * (*y + *z)).cos() * 0.4;
+        (*x, *y, *z) = (*x, *y + height, *z + 0.7 * height);
+    }
+    mesh.compute_normals(&NormalOptions::default());
+    let scene = scene(vec![(mesh, matte([0.7, 0.6, 0.5]))]);
+    let view = perspective(&scene, Size { width: 250, height: 90 });
+    let of = |one_frame| {
+        let execution = Execution { one_frame, ..execution(2, SimdLevel::Auto) };
+        let renderer = Renderer::new(&scene, &execution).unwrap();
+        (renderer.rgba8(&view).unwrap().pixels, renderer.layers(&view, &Layer::ALL).unwrap())
+    };
+    assert!(of(true) == of(false));
 }
