@@ -81,6 +81,9 @@ pub trait Number:
     fn each_lane(self, of: impl FnMut(usize) -> f32) -> Self;
     /// A number of values from the `first` on; `self` tells only the kind.
     fn load(self, values: &[f32; LANES], first: usize) -> Self;
+    /// Rows as columns, from row `first` on: lane i of number c is component c of the i-th row;
+    /// `self` tells only the kind.
+    fn columns(self, rows: &[[f32; 8]; LANES], first: usize) -> [Self; 8];
     /// Writes the values of all lanes, from the `first` on.
     fn store(self, values: &mut [f32; LANES], first: usize);
     /// The number with another value in one lane; an `f32` has only lane 0.
@@ -242,6 +245,10 @@ impl Number for f32 {
         values[first]
     }
     #[inline(always)]
+    fn columns(self, rows: &[[Self; 8]; LANES], first: usize) -> [Self; 8] {
+        rows[first]
+    }
+    #[inline(always)]
     fn store(self, values: &mut [Self; LANES], first: usize) {
         values[first] = self;
     }
@@ -287,6 +294,23 @@ fn has_few_registers<S: Simd>(simd: S) -> bool {
         Level::Avx512(_) => false,
         _ => true,
     }
+}
+
+/// Eight rows as eight columns: an index of three bits for the row and three for the column, whose
+/// six bits each perfect shuffle turns by one (Stone 1971).
+#[inline(always)]
+fn transposed<S: Simd>(simd: S, rows: &[[f32; 8]]) -> [f32x8<S>; 8] {
+    let mut lines = [f32x8::splat(simd, 0.0); 8];
+    for (line, row) in lines.iter_mut().zip(rows) {
+        *line = f32x8::simd_from(simd, *row);
+    }
+    for _ in 0..3 {
+        let before = lines;
+        for at in 0..4 {
+            (lines[2 * at], lines[2 * at + 1]) = before[at].interleave(before[at + 4]);
+        }
+    }
+    lines
 }
 
 /// Lanes as a kind of number.
@@ -401,6 +425,21 @@ macro_rules! number_of_lanes {
                 Self::from_slice(self.simd, &values[first..first + $count])
             }
             #[inline(always)]
+            fn columns(self, rows: &[[f32; 8]; LANES], first: usize) -> [Self; 8] {
+                let mut columns = [[0.0; $count]; 8];
+                for eight in (0..$count).step_by(8) {
+                    let transposed = transposed(self.simd, &rows[first + eight..][..8]);
+                    for (column, lanes) in columns.iter_mut().zip(transposed) {
+                        lanes.store_slice(&mut column[eight..eight + 8]);
+                    }
+                }
+                let mut numbers = [self; 8];
+                for (number, column) in numbers.iter_mut().zip(columns) {
+                    *number = Self::simd_from(self.simd, column);
+                }
+                numbers
+            }
+            #[inline(always)]
             fn store(self, values: &mut [f32; LANES], first: usize) {
                 self.store_slice(&mut values[first..first + $count]);
             }
@@ -481,6 +520,33 @@ mod tests {
             like.piecewise(&mut work);
         }
         work
+    }
+
+    #[inline(always)]
+    fn columns<N: Number>(like: N, rows: &[[f32; 8]; LANES], first: usize) -> [[f32; LANES]; 8] {
+        let mut stored = [[0.0; LANES]; 8];
+        for (stored, column) in stored.iter_mut().zip(like.columns(rows, first)) {
+            column.store(stored, first);
+        }
+        stored
+    }
+
+    #[test]
+    fn a_lane_of_a_column_is_a_component_of_its_row() {
+        let rows = std::array::from_fn(|row| std::array::from_fn(|at| (row * 8 + at) as f32));
+        for level in SimdLevel::available() {
+            let level = level.resolve().unwrap();
+            let sixteen = dispatch!(level, simd => columns(f32x16::splat(simd, 0.0), &rows, 0));
+            let eight = dispatch!(level, simd => columns(f32x8::splat(simd, 0.0), &rows, 8));
+            for row in 0..LANES {
+                for at in 0..8 {
+                    assert_eq!(sixteen[at][row], rows[row][at], "{level:?}");
+                    let expected = if row < 8 { 0.0 } else { rows[row][at] };
+                    assert_eq!(eight[at][row], expected, "{level:?}");
+                }
+            }
+            assert_eq!(columns(0.0_f32, &rows, 5)[3][5], rows[5][3]);
+        }
     }
 
     #[test]

@@ -3,11 +3,11 @@
 
 use crate::shade::{Batch, Scene16, put_lane};
 use crate::triangles::Attributes;
-use crate::varying::{AtCorners, GatheredExtras, Weights, lanes_of};
+use crate::varying::{GatheredExtras, Weights, lanes_of};
 use crate::vertex::plain_light_at;
 use luxel_math::{LANES, Mask, Number, Piecewise, Vec3};
 use luxel_scene::Mesh;
-use luxel_visibility::{Forms, InstanceSpace, TriangleId};
+use luxel_visibility::{Carried, Forms, InstanceSpace, TriangleId};
 
 /// Up to so many triangles a block are made ready one by one, and kept for the next block; with more,
 /// sixteen at once.
@@ -28,10 +28,8 @@ pub(crate) fn has_many<N: Number>(like: N, ids: &[u32; LANES], mut lanes: u32) -
 
 /// What is read of the triangles, lane by lane, and what comes of it.
 pub(crate) struct Gathered {
-    /// About the mesh's origin.
-    positions: AtCorners<3>,
-    /// In the mesh's space.
-    normals: AtCorners<3>,
+    /// What each corner carries.
+    corners: [[Carried; LANES]; 3],
     pub(crate) extras: GatheredExtras,
     /// Each lane's material, by number.
     pub(crate) materials: [u32; LANES],
@@ -72,8 +70,7 @@ impl Gathered {
     pub(crate) fn new() -> Self {
         let nothing = [[0.0; LANES]; 3];
         Self {
-            positions: [nothing; 3],
-            normals: [nothing; 3],
+            corners: [[[0.0; 8]; LANES]; 3],
             extras: GatheredExtras {
                 tangents: [[[0.0; LANES]; 4]; 3],
                 uvs: [[[[0.0; LANES]; 2]; 3]; 2],
@@ -101,7 +98,7 @@ impl Gathered {
         asked: Asked,
     ) -> Option<OfInstance> {
         let of = self.read(scene, batch, of_lanes, asked == Asked::Everything);
-        let Self { positions, normals, materials, met, .. } = self;
+        let Self { corners, materials, met, .. } = self;
         let mut lit_as = None;
         if asked == Asked::Lights {
             let material = materials[of.lanes.trailing_zeros() as usize & (LANES - 1)];
@@ -110,7 +107,7 @@ impl Gathered {
             }
             lit_as = Some(material as usize);
         }
-        like.piecewise(&mut Meeting { scene, batch, of, positions, normals, lit_as, met });
+        like.piecewise(&mut Meeting { scene, batch, of, corners, lit_as, met });
         Some(of)
     }
 
@@ -145,21 +142,39 @@ impl Gathered {
             }
             lanes |= 1 << lane;
             self.materials[lane & (LANES - 1)] = material;
-            let (triangle, [a, b, c]) = cluster.look_up(id);
-            put(&mut self.positions[0], lane, a);
-            put(&mut self.positions[1], lane, b);
-            put(&mut self.positions[2], lane, c);
-            let attributes = attribute_corners[triangle as usize];
-            for (normals, attribute) in self.normals.iter_mut().zip(attributes) {
-                if let Some(&normal) = mesh.normals.get(attribute as usize) {
-                    put(normals, lane, normal);
-                }
+            let carried = cluster.carried(id);
+            if let Some([a, b, c]) = carried {
+                self.corners[0][lane & (LANES - 1)] = *a;
+                self.corners[1][lane & (LANES - 1)] = *b;
+                self.corners[2][lane & (LANES - 1)] = *c;
             }
-            if has_more {
-                self.read_extras(mesh, &scene.spaces[instance], lane, attributes);
+            if has_more || carried.is_none() {
+                let attributes = attribute_corners[cluster.triangle(id) as usize];
+                if carried.is_none() {
+                    self.read_corners(mesh, lane, cluster.positions(id), attributes);
+                }
+                if has_more {
+                    self.read_extras(mesh, &scene.spaces[instance], lane, attributes);
+                }
             }
         }
         OfInstance { lanes, instance, has }
+    }
+
+    #[inline(always)]
+    fn read_corners(
+        &mut self,
+        mesh: &Mesh,
+        lane: usize,
+        positions: [[f32; 3]; 3],
+        attributes: [u32; 3],
+    ) {
+        for corner in 0..3 {
+            let [x, y, z] = positions[corner];
+            let normal = mesh.normals.get(attributes[corner] as usize);
+            let [nx, ny, nz] = normal.copied().unwrap_or_default();
+            self.corners[corner][lane & (LANES - 1)] = [x, y, z, nx, ny, nz, 0.0, 0.0];
+        }
     }
 
     fn read_extras(
@@ -192,8 +207,7 @@ struct Meeting<'a> {
     scene: &'a Scene16<'a>,
     batch: &'a Batch,
     of: OfInstance,
-    positions: &'a AtCorners<3>,
-    normals: &'a AtCorners<3>,
+    corners: &'a [[Carried; LANES]; 3],
     /// The material by which corners are lit, if they are.
     lit_as: Option<usize>,
     met: &'a mut Met,
@@ -207,7 +221,10 @@ impl Piecewise for Meeting<'_> {
         let space = &scene.spaces[of.instance];
         let rays = scene.frame.rays();
         let [x, y] = batch.places_from(like, first);
-        let in_view = space.view_from_local.corners(load(like, self.positions, first));
+        let [ax, ay, az, anx, any, anz, ..] = like.columns(&self.corners[0], first);
+        let [bx, by, bz, bnx, bny, bnz, ..] = like.columns(&self.corners[1], first);
+        let [cx, cy, cz, cnx, cny, cnz, ..] = like.columns(&self.corners[2], first);
+        let in_view = space.view_from_local.corners([[ax, ay, az], [bx, by, bz], [cx, cy, cz]]);
         let forms = Forms::new(rays, in_view);
         let (mut weights, outside) = forms.told(x, y);
         for lane in lanes_of(outside.bits() & lanes) {
@@ -220,8 +237,7 @@ impl Piecewise for Meeting<'_> {
         let in_mesh = if scene.frame.instances()[of.instance].mesh.normals.is_empty() {
             None
         } else {
-            let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = load(like, self.normals, first);
-            Some([Vec3::new(ax, ay, az), Vec3::new(bx, by, bz), Vec3::new(cx, cy, cz)])
+            Some([Vec3::new(anx, any, anz), Vec3::new(bnx, bny, bnz), Vec3::new(cnx, cny, cnz)])
         };
         let [na, nb, nc] = space.facing_normals(&in_view, forms.towards_eye(), in_mesh);
         let [a, b, c] = in_view;
@@ -263,11 +279,6 @@ fn put<const C: usize>(values: &mut [[f32; LANES]; C], lane: usize, new: [f32; C
     for component in 0..C {
         values[component][lane & (LANES - 1)] = new[component];
     }
-}
-
-#[inline(always)]
-fn load<N: Number>(like: N, [a, b, c]: &AtCorners<3>, first: usize) -> [[N; 3]; 3] {
-    [loaded(like, a, first), loaded(like, b, first), loaded(like, c, first)]
 }
 
 /// Three components from lane `first` on.

@@ -55,7 +55,13 @@ struct Piece {
     words: Vec<u32>,
     /// The submitted number of the triangle in each slot, cluster after cluster.
     originals: Vec<u32>,
+    /// What vertices carry, cluster after cluster; empty where that isn't kept.
+    carried: Vec<Carried>,
 }
+
+/// A vertex as shading looks it up, in half a line of the cache: x, y and z of its position about the
+/// mesh's origin, then of its normal in the mesh's space, then nothing.
+pub type Carried = [f32; 8];
 
 /// What a cluster's block holds.
 #[derive(Clone, Copy, Debug)]
@@ -69,8 +75,9 @@ pub(crate) struct Header {
     pub(crate) triangles: u16,
     /// The mesh's part, whose material all triangles have.
     pub(crate) part: u32,
-    /// Where `originals` begin in the piece.
+    /// Where `originals` begin in the piece, and what vertices carry.
     first_original: u32,
+    first_carried: u32,
 }
 
 /// A cluster's block, ready to be read.
@@ -80,6 +87,8 @@ pub(crate) struct Block<'a> {
     pub(crate) vertices: &'a [[u32; GROUP_WORDS]],
     /// Corner numbers: eight bits each, the first corner lowest.
     pub(crate) triangles: &'a [u32],
+    /// What vertices carry, if that is kept.
+    pub(crate) carried: &'a [Carried],
 }
 
 impl Block<'_> {
@@ -88,6 +97,14 @@ impl Block<'_> {
     pub(crate) fn positions(&self, slot: usize) -> [[f32; 3]; 3] {
         let word = self.triangles[slot];
         [self.position(word & 255), self.position(word >> 8 & 255), self.position(word >> 16 & 255)]
+    }
+
+    /// What a triangle's corners carry.
+    #[inline(always)]
+    pub(crate) fn carried(&self, slot: usize) -> Option<[&Carried; 3]> {
+        let word = self.triangles[slot];
+        let of = |corner: u32| self.carried.get((corner & 255) as usize);
+        Some([of(word)?, of(word >> 8)?, of(word >> 16)?])
     }
 
     /// The position of a vertex, by its number in the cluster.
@@ -128,6 +145,11 @@ impl Clusters {
         let cut = map(tasks.len(), 1, &|task| {
             let (part, range, curve) = &tasks[task.start];
             let mut cut = Cut::new(mesh, *part, task.start as u32);
+            // A single frame looks up few of them. Where attributes are numbered apart, positions
+            // alone don't tell them.
+            cut.is_carrying = order == ClusterOrder::Curve
+                && !mesh.normals.is_empty()
+                && mesh.attribute_corners.is_none();
             match curve {
                 Some(curve) => cut.add(curve.iter().copied()),
                 None => cut.add(range.start as u32..range.end as u32),
@@ -169,7 +191,10 @@ impl Clusters {
         let words = &self.pieces[header.piece as usize].words[header.first_word as usize..];
         let (vertices, words) = words.split_at(usize::from(header.groups) * GROUP_WORDS);
         let (vertices, _) = vertices.as_chunks();
-        Block { vertices, triangles: &words[..usize::from(header.triangles)] }
+        let triangles = &words[..usize::from(header.triangles)];
+        let carried = &self.pieces[header.piece as usize].carried;
+        let carried = carried.get(header.first_carried as usize..).unwrap_or_default();
+        Block { vertices, triangles, carried }
     }
 }
 
@@ -256,6 +281,8 @@ struct Cut<'a> {
     mesh: &'a Mesh,
     part: u32,
     number: u32,
+    /// Whether it is kept what vertices carry.
+    is_carrying: bool,
     piece: Piece,
     headers: Vec<Header>,
     boxes: Vec<[f32; 6]>,
@@ -273,6 +300,7 @@ impl<'a> Cut<'a> {
             mesh,
             part,
             number,
+            is_carrying: false,
             piece: Piece::default(),
             headers: Vec::new(),
             boxes: Vec::new(),
@@ -313,6 +341,10 @@ impl<'a> Cut<'a> {
                 group[axis * LANES + number % LANES] = position[axis].to_bits();
             }
             self.vertices += 1;
+            if self.is_carrying {
+                let ([x, y, z], [nx, ny, nz]) = (position, self.mesh.normals[vertex as usize]);
+                self.piece.carried.push([x, y, z, nx, ny, nz, 0.0, 0.0]);
+            }
         }
         number
     }
@@ -335,6 +367,7 @@ impl<'a> Cut<'a> {
             triangles: corners.len() as u16,
             part: self.part,
             first_original: (piece.originals.len() - corners.len()) as u32,
+            first_carried: piece.carried.len().saturating_sub(*vertices) as u32,
         });
         self.boxes.push(bounds(groups));
         piece.words.extend_from_slice(groups.as_flattened());

@@ -3,7 +3,7 @@
 use crate::barycentric::{Forms, WindowRays};
 use crate::bin::Bins;
 use crate::buffer::{Plane, TILE, Tile, TriangleId};
-use crate::cluster::{Block, Clusters, SLOT_BITS};
+use crate::cluster::{Block, Carried, Clusters, SLOT_BITS};
 use crate::cull::{MAX_SIDE, VisibleCluster, cull_group};
 use crate::samples::Samples;
 use crate::setup::CullFaces;
@@ -407,16 +407,35 @@ impl SeenCluster<'_> {
         self.part
     }
 
-    /// A triangle that it [`holds`](Self::holds): its place in the mesh, and the positions of its
-    /// corners about the mesh's origin, from the cluster, which was in the cache when the triangle
-    /// was drawn.
+    /// The place in the mesh of a triangle that it [`holds`](Self::holds).
     ///
     /// # Panics
     /// If it has no such triangle.
     #[must_use]
     #[inline(always)]
-    pub fn look_up(&self, id: TriangleId) -> (u32, [[f32; 3]; 3]) {
-        (self.originals[id.slot()], self.block.positions(id.slot()))
+    pub fn triangle(&self, id: TriangleId) -> u32 {
+        self.originals[id.slot()]
+    }
+
+    /// The positions of the corners of a triangle that it [`holds`](Self::holds), about the mesh's
+    /// origin: from the cluster, which was in the cache when the triangle was drawn.
+    ///
+    /// # Panics
+    /// If it has no such triangle.
+    #[must_use]
+    #[inline(always)]
+    pub fn positions(&self, id: TriangleId) -> [[f32; 3]; 3] {
+        self.block.positions(id.slot())
+    }
+
+    /// What the corners of a triangle that it [`holds`](Self::holds) carry, if that is kept.
+    ///
+    /// # Panics
+    /// If it has no such triangle.
+    #[must_use]
+    #[inline(always)]
+    pub fn carried(&self, id: TriangleId) -> Option<[&Carried; 3]> {
+        self.block.carried(id.slot())
     }
 }
 

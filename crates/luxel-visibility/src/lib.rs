@@ -36,7 +36,7 @@ mod transform;
 
 pub use barycentric::{Forms, WindowRays};
 pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
-pub use cluster::{CLUSTER_TRIANGLES, ClusterOrder, Clusters};
+pub use cluster::{CLUSTER_TRIANGLES, Carried, ClusterOrder, Clusters};
 pub use cull::MAX_SIDE;
 pub use frame::{
     Coverage, Frame, Hole, Instance, PartUse, SeenCluster, TooManyTriangles, TriangleOf,
