@@ -26,6 +26,9 @@ pub(crate) fn has_many<N: Number>(like: N, ids: &[u32; LANES], mut lanes: u32) -
     lanes != 0
 }
 
+/// What lanes carry that are not looked at.
+const NOTHING: Carried = [0.0; 8];
+
 /// What is read of the triangles, lane by lane, and what comes of it.
 pub(crate) struct Gathered {
     /// What each corner carries.
@@ -128,6 +131,8 @@ impl Gathered {
         let has = if extras { Attributes::of_mesh(mesh) } else { Attributes::default() };
         let has_more = has != Attributes::default();
         let mut material = mesh.parts[cluster.part()].material.0;
+        let mut carried: [[&Carried; 3]; LANES] = [[&NOTHING; 3]; LANES];
+        let mut is_carried = true;
         let mut lanes = 0;
         for lane in lanes_of(of_lanes) {
             let id = id(lane);
@@ -142,19 +147,27 @@ impl Gathered {
             }
             lanes |= 1 << lane;
             self.materials[lane & (LANES - 1)] = material;
-            let carried = cluster.carried(id);
-            if let Some([a, b, c]) = carried {
-                self.corners[0][lane & (LANES - 1)] = *a;
-                self.corners[1][lane & (LANES - 1)] = *b;
-                self.corners[2][lane & (LANES - 1)] = *c;
+            if let Some(of_corners) = cluster.carried(id) {
+                carried[lane & (LANES - 1)] = of_corners;
+            } else {
+                // The same for all triangles of a mesh.
+                is_carried = false;
             }
-            if has_more || carried.is_none() {
+            if has_more || !is_carried {
                 let attributes = attribute_corners[cluster.triangle(id) as usize];
-                if carried.is_none() {
+                if !is_carried {
                     self.read_corners(mesh, lane, cluster.positions(id), attributes);
                 }
                 if has_more {
                     self.read_extras(mesh, &scene.spaces[instance], lane, attributes);
+                }
+            }
+        }
+        if is_carried {
+            // All in one go, so that none waits while another is on its way from memory.
+            for lane in 0..LANES {
+                for corner in 0..3 {
+                    self.corners[corner][lane] = *carried[lane][corner];
                 }
             }
         }

@@ -91,7 +91,7 @@ pub(crate) struct Block<'a> {
     pub(crate) carried: &'a [Carried],
 }
 
-impl Block<'_> {
+impl<'a> Block<'a> {
     /// The positions of a triangle's corners.
     #[inline(always)]
     pub(crate) fn positions(&self, slot: usize) -> [[f32; 3]; 3] {
@@ -101,7 +101,7 @@ impl Block<'_> {
 
     /// What a triangle's corners carry.
     #[inline(always)]
-    pub(crate) fn carried(&self, slot: usize) -> Option<[&Carried; 3]> {
+    pub(crate) fn carried(&self, slot: usize) -> Option<[&'a Carried; 3]> {
         let word = self.triangles[slot];
         let of = |corner: u32| self.carried.get((corner & 255) as usize);
         Some([of(word)?, of(word >> 8)?, of(word >> 16)?])

@@ -385,7 +385,7 @@ pub struct SeenCluster<'f> {
     block: Block<'f>,
 }
 
-impl SeenCluster<'_> {
+impl<'f> SeenCluster<'f> {
     /// Whether a triangle belongs to it.
     #[must_use]
     #[inline(always)]
@@ -434,7 +434,7 @@ impl SeenCluster<'_> {
     /// If it has no such triangle.
     #[must_use]
     #[inline(always)]
-    pub fn carried(&self, id: TriangleId) -> Option<[&Carried; 3]> {
+    pub fn carried(&self, id: TriangleId) -> Option<[&'f Carried; 3]> {
         self.block.carried(id.slot())
     }
 }
