@@ -40,7 +40,7 @@ pub(crate) fn stream(
     name: &str,
     limits: &Limits,
 ) -> Result<Option<Loaded>, Error> {
-    let head = file.with(0, HEAD, |head| Header::read(head));
+    let head = file.with(0, HEAD, Header::read);
     file.sound()?;
     let Ok(header) = head else { return Ok(None) };
     let is_table = |element: &Element| match element.name.as_str() {

@@ -56,7 +56,8 @@ pub(crate) fn is_local(mesh: &Mesh, range: Range<usize>) -> bool {
         count += 1.0;
     }
     // Comparisons with what is no number are false.
-    sum <= LOCAL * count * longest_side(all)
+    let whole = longest_side(all);
+    whole < f32::INFINITY && sum <= LOCAL * count * whole
 }
 
 fn longest_side((low, high): Bounds) -> f32 {

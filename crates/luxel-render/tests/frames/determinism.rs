@@ -78,7 +78,7 @@ fn the_order_in_which_triangles_are_cut_is_not_seen() {
     // Waves that hide one another; rows are long enough for the file's order to be kept.
     let mut mesh = primitives::plane(DVec2::new(6.0, 2.0), 600, 50);
     for [x, y, z] in &mut mesh.positions {
-        let height = (9.0 * *x).sin() * (11.0 * (*y + *z)).cos() * 0.4;
+        let height = libm::sinf(9.0 * *x) * libm::cosf(11.0 * (*y + *z)) * 0.4;
         (*x, *y, *z) = (*x, *y + height, *z + 0.7 * height);
     }
     mesh.compute_normals(&NormalOptions::default());
