@@ -186,7 +186,7 @@ pub(crate) fn closest<S: Simd>(
     if !lean.meets(simd, rays, ray.range) || !ray.has_range() {
         return None;
     }
-    let (nearest, sheared) = follow::<S, false>(simd, rays, lean, ray, places);
+    let (nearest, sheared) = follow::<S, false>(simd, rays, &lean, ray, places);
     rays.told(&sheared, nearest)
 }
 
@@ -203,7 +203,7 @@ pub(crate) fn nearest_alone<S: Simd>(
     if !lean.meets(simd, rays, ray.range) || !ray.has_range() {
         return NONE;
     }
-    follow::<S, false>(simd, rays, lean, ray, places).0
+    follow::<S, false>(simd, rays, &lean, ray, places).0
 }
 
 /// Whether a ray meets anything.
@@ -215,7 +215,100 @@ pub(crate) fn any<S: Simd>(simd: S, rays: &MeshRays<'_>, ray: &Ray, places: &Pla
     if !lean.meets(simd, rays, ray.range) || !ray.has_range() {
         return false;
     }
-    follow::<S, true>(simd, rays, lean, ray, places).0.triangle != u32::MAX
+    follow::<S, true>(simd, rays, &lean, ray, places).0.triangle != u32::MAX
+}
+
+/// A ray on its way through the tree.
+struct Followed<S: Simd> {
+    x: Axis<S>,
+    y: Axis<S>,
+    z: Axis<S>,
+    /// Where it begins, and where what counts ends.
+    start: f32x8<S>,
+    farthest: f32x8<S>,
+    range_start: f32,
+    sheared: Sheared,
+    nearest: Nearest,
+    /// What is visited next, and how many places are to be visited after it.
+    child: Child,
+    top: usize,
+}
+
+impl<S: Simd> Followed<S> {
+    #[inline(always)]
+    fn new(simd: S, lean: &Lean<S>, ray: &Ray) -> Self {
+        let [near, far, inverse] =
+            [axes(lean.near_origin), axes(lean.far_origin), axes(lean.inverse)];
+        let turned = lean.turned.to_bitmask();
+        Self {
+            x: Axis::new(simd, near[0], far[0], inverse[0], turned),
+            y: Axis::new(simd, near[1], far[1], inverse[1], turned >> 1),
+            z: Axis::new(simd, near[2], far[2], inverse[2], turned >> 2),
+            start: f32x8::splat(simd, ray.range[0]),
+            farthest: f32x8::splat(simd, ray.range[1]),
+            range_start: ray.range[0],
+            sheared: Sheared::with_inverse(&ray.origin, &ray.direction, &inverse),
+            nearest: Nearest::before(ray.range[1]),
+            child: Child::inner(0),
+            top: 0,
+        }
+    }
+
+    /// Goes on by one node or leaf; whether there is more.
+    #[inline(always)]
+    fn advance<const ANY: bool>(
+        &mut self,
+        simd: S,
+        rays: &MeshRays<'_>,
+        places: &Places,
+    ) -> bool {
+        if let Some((start, count)) = self.child.as_leaf() {
+            let Some(records) = rays.records()[start..].first_chunk::<WIDTH>() else {
+                return false;
+            };
+            let range = [self.range_start, self.nearest.t];
+            let (distances, mut bits) =
+                meet_triangles(simd, records, count, rays.positions(), &self.sheared, range);
+            while bits != 0 {
+                let lane = bits.trailing_zeros() as usize & (WIDTH - 1);
+                bits &= bits - 1;
+                let (t, triangle) = (distances[lane], records[lane][3]);
+                let nearest = &self.nearest;
+                if t < nearest.t || t == nearest.t && triangle < nearest.triangle {
+                    self.nearest = Nearest { t, triangle, record: (start + lane) as u32 };
+                }
+            }
+            if ANY && self.nearest.triangle != u32::MAX {
+                return false;
+            }
+            self.farthest = f32x8::splat(simd, self.nearest.t);
+        } else {
+            let node = &rays.tree().nodes[self.child.0 as usize];
+            let [of_x, of_y, of_z] = &node.planes;
+            let way = self.x.cut(simd, of_x, [self.start, self.farthest]);
+            let way = self.y.cut(simd, of_y, way);
+            let [near, far] = self.z.cut(simd, of_z, way);
+            let bits = near.simd_le(far).to_bitmask() as u32;
+            if bits != 0 {
+                let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+                if bits & (bits - 1) == 0 {
+                    self.child = node.children[slot];
+                } else {
+                    let mut distances = [0.0; WIDTH];
+                    near.store_slice(&mut distances);
+                    self.child = Child(places.push(&mut self.top, node, &distances, bits));
+                }
+                return true;
+            }
+        }
+        match places.pop(&mut self.top, self.nearest.t) {
+            Some(next) => {
+                self.child = Child(next);
+                true
+            }
+            None => false,
+        }
+    }
 }
 
 /// Follows a ray to the nearest triangle, or to any; and the ray as triangles want it.
@@ -223,64 +316,63 @@ pub(crate) fn any<S: Simd>(simd: S, rays: &MeshRays<'_>, ray: &Ray, places: &Pla
 fn follow<S: Simd, const ANY: bool>(
     simd: S,
     rays: &MeshRays<'_>,
-    lean: Lean<S>,
+    lean: &Lean<S>,
     ray: &Ray,
     places: &Places,
 ) -> (Nearest, Sheared) {
-    let [near, far, inverse] = [axes(lean.near_origin), axes(lean.far_origin), axes(lean.inverse)];
-    let turned = lean.turned.to_bitmask();
-    let x = Axis::new(simd, near[0], far[0], inverse[0], turned);
-    let y = Axis::new(simd, near[1], far[1], inverse[1], turned >> 1);
-    let z = Axis::new(simd, near[2], far[2], inverse[2], turned >> 2);
-    let sheared = Sheared::with_inverse(&ray.origin, &ray.direction, &inverse);
-    let nodes: &[Node] = &rays.tree().nodes;
-    let records = rays.records();
-    let start = f32x8::splat(simd, ray.range[0]);
-    let mut nearest = Nearest::before(ray.range[1]);
-    let mut farthest = f32x8::splat(simd, ray.range[1]);
-    let mut top = 0;
-    let mut child = Child::inner(0);
+    let mut followed = Followed::new(simd, lean, ray);
+    while followed.advance::<ANY>(simd, rays, places) {}
+    (followed.nearest, followed.sheared)
+}
+
+/// Rays that go on in turns: while one waits for memory, the others compute.
+pub(crate) const TURNS: usize = 4;
+
+/// The nearest triangle of each ray whose place is told, of rays that share little: they take turns,
+/// a node or leaf each.
+#[inline(always)]
+pub(crate) fn closest_in_turns<S: Simd>(
+    simd: S,
+    rays: &MeshRays<'_>,
+    all: &[Ray],
+    mut asked: impl Iterator<Item = usize>,
+    hits: &mut [Option<RayHit>],
+    places: &[Places; TURNS],
+) {
+    let mut turns: [Option<(Followed<S>, usize)>; TURNS] = [const { None }; TURNS];
+    let mut more = true;
     loop {
-        if let Some((start, count)) = child.as_leaf() {
-            let Some(records) = records[start..].first_chunk::<WIDTH>() else { break };
-            let range = [ray.range[0], nearest.t];
-            let (distances, mut bits) =
-                meet_triangles(simd, records, count, rays.positions(), &sheared, range);
-            while bits != 0 {
-                let lane = bits.trailing_zeros() as usize & (WIDTH - 1);
-                bits &= bits - 1;
-                let (t, triangle) = (distances[lane], records[lane][3]);
-                if t < nearest.t || t == nearest.t && triangle < nearest.triangle {
-                    nearest = Nearest { t, triangle, record: (start + lane) as u32 };
+        let mut busy = false;
+        for (turn, places) in turns.iter_mut().zip(places) {
+            if let Some((followed, place)) = turn {
+                busy = true;
+                if followed.advance::<false>(simd, rays, places) {
+                    continue;
                 }
+                hits[*place] = rays.told(&followed.sheared, followed.nearest);
+                *turn = None;
             }
-            if ANY && nearest.triangle != u32::MAX {
-                break;
-            }
-            farthest = f32x8::splat(simd, nearest.t);
-        } else {
-            let node = &nodes[child.0 as usize];
-            let [of_x, of_y, of_z] = &node.planes;
-            let way = x.cut(simd, of_x, [start, farthest]);
-            let way = y.cut(simd, of_y, way);
-            let [near, far] = z.cut(simd, of_z, way);
-            let bits = near.simd_le(far).to_bitmask() as u32;
-            if bits != 0 {
-                let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
-                if bits & (bits - 1) == 0 {
-                    child = node.children[slot];
-                } else {
-                    let mut distances = [0.0; WIDTH];
-                    near.store_slice(&mut distances);
-                    child = Child(places.push(&mut top, node, &distances, bits));
+            // The next ray that meets the box around all.
+            while more {
+                let Some(place) = asked.next() else {
+                    more = false;
+                    break;
+                };
+                let ray = &all[place];
+                match Lean::new(simd, rays, ray) {
+                    None => hits[place] = rays.closest_unusual(ray),
+                    Some(lean) => {
+                        if lean.meets(simd, rays, ray.range) && ray.has_range() {
+                            *turn = Some((Followed::new(simd, &lean, ray), place));
+                            busy = true;
+                            break;
+                        }
+                    }
                 }
-                continue;
             }
         }
-        match places.pop(&mut top, nearest.t) {
-            Some(next) => child = Child(next),
-            None => break,
+        if !busy {
+            return;
         }
     }
-    (nearest, sheared)
 }

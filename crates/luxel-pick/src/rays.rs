@@ -1,6 +1,6 @@
 //! Rays through one mesh: the nearest triangle, any, all, and millions of rays on all cores.
 
-use crate::alone::{Places, any, closest, nearest_alone};
+use crate::alone::{Places, TURNS, any, closest, closest_in_turns, nearest_alone};
 use crate::bundle::{BUNDLE, Bundle, Kind, LEAST, closest_of_bundle};
 use crate::bvh::{Box3, Bvh, Record, Slabs, Stack, Tree, WIDTH, Walk, step};
 use crate::intersect::{Nearest, Ray, Sheared, meet_triangles};
@@ -37,12 +37,15 @@ pub struct MeshRays<'m> {
     level: Level,
 }
 
+/// Trees of more bytes are far from the processor: rays wait for memory.
+const FAR: usize = 1 << 24;
+
 /// Rays that one task follows.
 const CHUNK: usize = 1024;
 
 thread_local! {
     static STACK: RefCell<Stack> = RefCell::new(Stack::new());
-    static PLACES: Places = const { Places::new() };
+    static PLACES: [Places; TURNS] = const { [const { Places::new() }; TURNS] };
     static BUNDLES: RefCell<Box<Bundle>> = RefCell::new(Box::new(Bundle::new()));
 }
 
@@ -77,7 +80,7 @@ impl<'m> MeshRays<'m> {
     /// The nearest triangle that a ray meets; `None` also for a ray that isn't sound.
     #[must_use]
     pub fn closest(&self, ray: &Ray) -> Option<RayHit> {
-        PLACES.with(|places| dispatch_long!(self.level, simd => closest(simd, self, ray, places)))
+        PLACES.with(|places| dispatch_long!(self.level, simd => closest(simd, self, ray, &places[0])))
     }
 
     /// The nearest triangle for each of many rays, on all threads of the current pool.
@@ -100,7 +103,7 @@ impl<'m> MeshRays<'m> {
     /// Whether a ray meets anything: quicker than asking what.
     #[must_use]
     pub fn any(&self, ray: &Ray) -> bool {
-        PLACES.with(|places| dispatch_long!(self.level, simd => any(simd, self, ray, places)))
+        PLACES.with(|places| dispatch_long!(self.level, simd => any(simd, self, ray, &places[0])))
     }
 
     /// Every triangle that a ray meets, nearest first, of equally near ones the lowest number first.
@@ -168,7 +171,7 @@ impl<'m> MeshRays<'m> {
             let (scaled, scale) = ray.scaled();
             if scaled.is_usual() {
                 nearest = PLACES.with(
-                    |places| dispatch_long!(self.level, simd => nearest_alone(simd, self, &scaled, places)),
+                    |places| dispatch_long!(self.level, simd => nearest_alone(simd, self, &scaled, &places[0])),
                 );
                 nearest.t *= scale;
             }
@@ -220,7 +223,7 @@ fn closest_of_many<S: Simd>(
     followed: &[Ray],
     hits: &mut [Option<RayHit>],
     (bundle, stack): (&mut Bundle, &mut Stack),
-    cells: &Places,
+    cells: &[Places; TURNS],
 ) {
     for (followed, hits) in followed.chunks(BUNDLE).zip(hits.chunks_mut(BUNDLE)) {
         if let Some(kind) = bundle.take(simd, followed)
@@ -230,9 +233,7 @@ fn closest_of_many<S: Simd>(
                 closest_of_bundle(simd, rays, bundle, stack);
                 bundle.tell(rays, hits, |place| place);
             } else {
-                for (hit, ray) in hits.iter_mut().zip(followed) {
-                    *hit = closest(simd, rays, ray, cells);
-                }
+                closest_of_rest(simd, rays, followed, 0..followed.len(), hits, cells);
             }
             continue;
         }
@@ -269,10 +270,27 @@ fn closest_of_many<S: Simd>(
                 alone[usize::from(place)] = false;
             }
         }
-        for ((hit, ray), alone) in hits.iter_mut().zip(followed).zip(alone) {
-            if alone {
-                *hit = closest(simd, rays, ray, cells);
-            }
+        let rest = (0..followed.len()).filter(|place| alone[*place]);
+        closest_of_rest(simd, rays, followed, rest, hits, cells);
+    }
+}
+
+/// Those that run along no others: in turns where the tree is larger than what memory is near, else
+/// one by one.
+#[inline(always)]
+fn closest_of_rest<S: Simd>(
+    simd: S,
+    rays: &MeshRays<'_>,
+    followed: &[Ray],
+    rest: impl Iterator<Item = usize>,
+    hits: &mut [Option<RayHit>],
+    cells: &[Places; TURNS],
+) {
+    if rays.bvh.memory() >= FAR {
+        closest_in_turns(simd, rays, followed, rest, hits, cells);
+    } else {
+        for place in rest {
+            hits[place] = closest(simd, rays, &followed[place], &cells[0]);
         }
     }
 }
