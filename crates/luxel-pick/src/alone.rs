@@ -256,12 +256,7 @@ impl<S: Simd> Followed<S> {
 
     /// Goes on by one node or leaf; whether there is more.
     #[inline(always)]
-    fn advance<const ANY: bool>(
-        &mut self,
-        simd: S,
-        rays: &MeshRays<'_>,
-        places: &Places,
-    ) -> bool {
+    fn advance<const ANY: bool>(&mut self, simd: S, rays: &MeshRays<'_>, places: &Places) -> bool {
         if let Some((start, count)) = self.child.as_leaf() {
             let Some(records) = rays.records()[start..].first_chunk::<WIDTH>() else {
                 return false;

@@ -1,9 +1,10 @@
 //! Rays through one mesh: the nearest triangle, any, all, and millions of rays on all cores.
 
 use crate::alone::{Places, TURNS, any, closest, closest_in_turns, nearest_alone};
-use crate::bundle::{BUNDLE, Bundle, Kind, LEAST, closest_of_bundle};
+use crate::bundle::{BUNDLE, Bundle, LEAST, closest_of_bundle};
 use crate::bvh::{Box3, Bvh, Record, Slabs, Stack, Tree, WIDTH, Walk, step};
 use crate::intersect::{Nearest, Ray, Sheared, meet_triangles};
+use crate::kind::Kind;
 use luxel_math::{Level, Simd, SimdLevel, dispatch_long};
 use luxel_parallel::fill;
 use std::cell::RefCell;
@@ -80,7 +81,9 @@ impl<'m> MeshRays<'m> {
     /// The nearest triangle that a ray meets; `None` also for a ray that isn't sound.
     #[must_use]
     pub fn closest(&self, ray: &Ray) -> Option<RayHit> {
-        PLACES.with(|places| dispatch_long!(self.level, simd => closest(simd, self, ray, &places[0])))
+        PLACES.with(
+            |[places, ..]| dispatch_long!(self.level, simd => closest(simd, self, ray, places)),
+        )
     }
 
     /// The nearest triangle for each of many rays, on all threads of the current pool.

@@ -181,7 +181,7 @@ pub enum Quality {
     /// Trees for many rays.
     #[default]
     Thorough,
-    /// A third less time, for a mesh that is being edited.
+    /// A little less time and a little slower rays, for a mesh that is being edited.
     Fast,
     /// Triangles as they stand in the file, without sorting: a tenth of the time, for a few
     /// questions. Neighbours in the file are mostly neighbours in space; where they aren't, each
