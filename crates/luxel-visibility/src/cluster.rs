@@ -9,6 +9,7 @@
 //! in few tiles, and hidden as a whole by what lies before it. A file's own order may be anything; for
 //! a single frame it is good enough where it keeps neighbours together.
 
+use crate::facing::Cone;
 use crate::order::{along_curve, is_local};
 use luxel_math::LANES;
 use luxel_parallel::map;
@@ -46,6 +47,10 @@ pub struct Clusters {
     pub(crate) headers: Vec<Header>,
     /// Boxes of sixteen clusters at a time, see [`BOUNDS_WORDS`].
     pub(crate) bounds: Vec<f32>,
+    /// Cones of sixteen clusters at a time, see [`CONE_WORDS`]; empty where they aren't known.
+    ///
+    /// [`CONE_WORDS`]: crate::facing::CONE_WORDS
+    pub(crate) cones: Vec<f32>,
 }
 
 /// What one task has cut.
@@ -145,25 +150,30 @@ impl Clusters {
         let cut = map(tasks.len(), 1, &|task| {
             let (part, range, curve) = &tasks[task.start];
             let mut cut = Cut::new(mesh, *part, task.start as u32);
-            // A single frame looks up few of them. Where attributes are numbered apart, positions
-            // alone don't tell them.
-            cut.is_carrying = order == ClusterOrder::Curve
-                && !mesh.normals.is_empty()
-                && mesh.attribute_corners.is_none();
+            // For a single frame neither pays. Where attributes are numbered apart, positions alone
+            // don't tell them.
+            cut.for_many = order == ClusterOrder::Curve;
+            cut.is_carrying =
+                cut.for_many && !mesh.normals.is_empty() && mesh.attribute_corners.is_none();
             match curve {
                 Some(curve) => cut.add(curve.iter().copied()),
                 None => cut.add(range.start as u32..range.end as u32),
             }
-            cut.finish()
+            cut.close();
+            Some(cut)
         });
         let mut all = Self::default();
-        let mut boxes = Vec::new();
-        for (piece, headers, of_piece) in cut {
+        let (mut boxes, mut cones) = (Vec::new(), Vec::new());
+        for Cut { piece, headers, boxes: of_piece, cones: cones_of_piece, .. } in
+            cut.into_iter().flatten()
+        {
             all.pieces.push(piece);
             all.headers.extend(headers);
             boxes.extend(of_piece);
+            cones.extend(cones_of_piece);
         }
         all.bounds = by_sixteen(&boxes);
+        all.cones = Cone::by_sixteen(&cones);
         all
     }
 
@@ -281,11 +291,14 @@ struct Cut<'a> {
     mesh: &'a Mesh,
     part: u32,
     number: u32,
+    /// Whether many frames are to be drawn.
+    for_many: bool,
     /// Whether it is kept what vertices carry.
     is_carrying: bool,
     piece: Piece,
     headers: Vec<Header>,
     boxes: Vec<[f32; 6]>,
+    cones: Vec<Cone>,
     /// The vertices of the cluster that is open.
     numbers: VertexNumbers,
     groups: Box<[[u32; GROUP_WORDS]; CLUSTER_VERTICES / LANES]>,
@@ -300,10 +313,12 @@ impl<'a> Cut<'a> {
             mesh,
             part,
             number,
+            for_many: false,
             is_carrying: false,
             piece: Piece::default(),
             headers: Vec::new(),
             boxes: Vec::new(),
+            cones: Vec::new(),
             numbers: VertexNumbers::new(),
             groups: Box::new([[0; GROUP_WORDS]; CLUSTER_VERTICES / LANES]),
             vertices: 0,
@@ -349,9 +364,12 @@ impl<'a> Cut<'a> {
         number
     }
 
-    /// Closes a cluster: writes its block.
+    /// Closes a cluster, if one is open: writes its block.
     fn close(&mut self) {
         let Self { piece, groups, vertices, corners, .. } = self;
+        if corners.is_empty() {
+            return;
+        }
         let groups = &mut groups[..vertices.div_ceil(LANES)];
         // The last group repeats its last vertex, so that bounds stay those of the cluster.
         if let (Some(group), used @ 1..) = (groups.last_mut(), *vertices % LANES) {
@@ -370,19 +388,15 @@ impl<'a> Cut<'a> {
             first_carried: piece.carried.len().saturating_sub(*vertices) as u32,
         });
         self.boxes.push(bounds(groups));
+        if self.for_many {
+            let block = Block { vertices: groups, triangles: corners, carried: &[] };
+            self.cones.push(Cone::of((0..corners.len()).map(|slot| block.positions(slot))));
+        }
         piece.words.extend_from_slice(groups.as_flattened());
         piece.words.extend_from_slice(corners);
         self.vertices = 0;
         corners.clear();
         self.numbers.forget();
-    }
-
-    /// The piece, its clusters, and their boxes.
-    fn finish(mut self) -> (Piece, Vec<Header>, Vec<[f32; 6]>) {
-        if !self.corners.is_empty() {
-            self.close();
-        }
-        (self.piece, self.headers, self.boxes)
     }
 }
 

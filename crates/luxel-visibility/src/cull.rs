@@ -5,6 +5,8 @@
 //! vertex: bounds are exact, and nothing is ever culled that would have been drawn.
 
 use crate::cluster::{BOUNDS_WORDS, Clusters};
+use crate::facing::{CONE_WORDS, Onlooker};
+use crate::frame::PartUse;
 use crate::transform::WindowTransform;
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*};
 use luxel_scene::Size;
@@ -32,6 +34,21 @@ pub(crate) struct VisibleCluster {
     pub(crate) nearest: f32,
     /// Whether its triangles need clipping.
     pub(crate) clipped: bool,
+}
+
+/// How faces that are turned away are told, and where they are left out.
+#[derive(Clone, Copy)]
+pub(crate) struct BackFaces<'a> {
+    pub(crate) onlooker: &'a Onlooker,
+    /// How each part of the mesh is drawn.
+    pub(crate) parts: &'a [PartUse],
+}
+
+impl BackFaces<'_> {
+    fn are_left_out(&self, clusters: &Clusters, cluster: usize) -> bool {
+        let part = clusters.headers[cluster].part as usize;
+        self.parts[part].cull == self.onlooker.away()
+    }
 }
 
 /// An interval in every lane.
@@ -129,6 +146,7 @@ const SUBPIXEL_BITS: u32 = SUBPIXELS.ilog2();
 
 /// Appends the clusters of one group of sixteen that may be seen.
 #[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "the state of a loop, which has one caller")]
 pub(crate) fn cull_group<S: Simd>(
     simd: S,
     transform: &WindowTransform,
@@ -136,6 +154,7 @@ pub(crate) fn cull_group<S: Simd>(
     clusters: &Clusters,
     group: usize,
     first_cluster: u32,
+    back_faces: Option<BackFaces<'_>>,
     out: &mut Vec<VisibleCluster>,
 ) {
     let bounds = &clusters.bounds[group * BOUNDS_WORDS..(group + 1) * BOUNDS_WORDS];
@@ -186,12 +205,22 @@ pub(crate) fn cull_group<S: Simd>(
 
     let seen = !outside & (!known | (inside_x & inside_y));
     let (seen, whole, known) = (seen.to_bitmask(), whole.to_bitmask(), known.to_bitmask());
+    let cones = clusters.cones.get(group * CONE_WORDS..(group + 1) * CONE_WORDS);
+    let backs = back_faces.zip(cones).map_or(0, |(faces, cones)| {
+        faces.onlooker.sees_only_backs(simd, transform, bounds, cones, [w.low, w.high])
+    });
     let first = group * LANES;
     for lane in 0..LANES.min(clusters.count() - first) {
         if seen >> lane & 1 == 0 {
             continue;
         }
         let is_whole = whole >> lane & 1 == 1;
+        if is_whole
+            && backs >> lane & 1 == 1
+            && back_faces.is_some_and(|faces| faces.are_left_out(clusters, first + lane))
+        {
+            continue;
+        }
         let mut visible = VisibleCluster {
             cluster: first_cluster + (first + lane) as u32,
             left: 0,
@@ -215,6 +244,7 @@ pub(crate) fn cull_group<S: Simd>(
 mod tests {
     use super::*;
     use crate::cluster::ClusterOrder;
+    use crate::setup::CullFaces;
     use glam::{DMat4, DVec3};
     use luxel_math::{SimdLevel, dispatch};
     use luxel_scene::{Camera, Lens, MaterialId, Mesh, Part, Projection};
@@ -257,7 +287,7 @@ mod tests {
             let mut visible = Vec::new();
             for group in 0..clusters.count().div_ceil(LANES) {
                 dispatch!(level, simd =>
-                    cull_group(simd, &transform, SIZE, &clusters, group, 0, &mut visible));
+                    cull_group(simd, &transform, SIZE, &clusters, group, 0, None, &mut visible));
             }
             for cluster in 0..clusters.count() {
                 let seen = visible.iter().find(|visible| visible.cluster == cluster as u32);
@@ -289,5 +319,52 @@ mod tests {
                 prop_assert!(seen.is_some() || !inside, "cluster {} is seen", cluster);
             }
         }
+    }
+
+    #[test]
+    fn clusters_that_turn_their_back_are_dropped_where_back_faces_are_left_out() {
+        let mut mesh = luxel_scene::primitives::icosphere(1.0, 40);
+        let count = mesh.triangles.len() as u32;
+        mesh.parts = vec![Part { first: 0, count, material: MaterialId(0) }];
+        let clusters = Clusters::new(&mesh, ClusterOrder::Curve);
+        let lens = Lens::Perspective { fov_y_radians: 0.8 };
+        let projection = Projection { lens, near: 0.1, far: 10.0 };
+        let size = Size { width: 640, height: 480 };
+        let eye = DVec3::new(1.0, 2.0, 2.0);
+        let view_from_mesh = Camera::look_at(eye, DVec3::ZERO, DVec3::Y);
+        let transform = WindowTransform::new(&projection, size, &view_from_mesh);
+        let onlooker = Onlooker::new(&projection, size, &view_from_mesh).unwrap();
+        let seen_with = |cull| {
+            let parts = [PartUse { cull, ..PartUse::default() }];
+            let faces = Some(BackFaces { onlooker: &onlooker, parts: &parts });
+            let level = SimdLevel::Auto.resolve().unwrap();
+            let mut visible = Vec::new();
+            for group in 0..clusters.count().div_ceil(LANES) {
+                dispatch!(level, simd => {
+                    cull_group(simd, &transform, size, &clusters, group, 0, faces, &mut visible);
+                });
+            }
+            let seen: Vec<_> = visible.iter().map(|visible| visible.cluster as usize).collect();
+            seen
+        };
+        assert_eq!(seen_with(CullFaces::None).len(), clusters.count());
+        assert_eq!(seen_with(CullFaces::CounterClockwise).len(), clusters.count());
+        let seen = seen_with(CullFaces::Clockwise);
+        let is_behind = |cluster: usize| {
+            let block = clusters.block(cluster);
+            (0..block.triangles.len()).all(|slot| {
+                let [a, b, c] =
+                    block.positions(slot).map(|corner| DVec3::from(corner.map(f64::from)));
+                (b - a).cross(c - a).dot(a - eye) > 0.0
+            })
+        };
+        for cluster in 0..clusters.count() {
+            assert!(seen.contains(&cluster) || is_behind(cluster), "cluster {cluster} has faces");
+        }
+        // From three radii away two thirds of a sphere turn their back, less a rim as wide as a
+        // cluster; what is dropped is less by what isn't known of normals between.
+        let behind = (0..clusters.count()).filter(|&cluster| is_behind(cluster)).count();
+        let dropped = clusters.count() - seen.len();
+        assert!(dropped * 4 > behind * 3, "{dropped} of {behind} are dropped");
     }
 }

@@ -4,7 +4,8 @@ use crate::barycentric::{Forms, WindowRays};
 use crate::bin::Bins;
 use crate::buffer::{Plane, TILE, Tile, TriangleId};
 use crate::cluster::{Block, Carried, Clusters, SLOT_BITS};
-use crate::cull::{MAX_SIDE, VisibleCluster, cull_group};
+use crate::cull::{BackFaces, MAX_SIDE, VisibleCluster, cull_group};
+use crate::facing::Onlooker;
 use crate::samples::Samples;
 use crate::setup::CullFaces;
 use crate::space::ViewFromLocal;
@@ -119,14 +120,15 @@ impl<'a> Frame<'a> {
         if clusters > limit {
             return Err(TooManyTriangles { clusters, limit });
         }
-        let transforms: Vec<_> = instances
+        let (transforms, onlookers): (Vec<_>, Vec<_>) = instances
             .iter()
             .map(|instance| {
                 let view_from_local =
                     instance.view_from_mesh * DMat4::from_translation(instance.mesh.origin);
-                WindowTransform::new(projection, size, &view_from_local)
+                let onlooker = Onlooker::new(projection, size, &view_from_local);
+                (WindowTransform::new(projection, size, &view_from_local), onlooker)
             })
-            .collect();
+            .unzip();
 
         // Groups of sixteen clusters, in runs that are cut by number.
         const RUN: usize = 64;
@@ -143,7 +145,10 @@ impl<'a> Frame<'a> {
             .map(|(number, groups)| {
                 let (transform, clusters) = (&transforms[number], instances[number].clusters);
                 let first = first_clusters[number];
-                dispatch!(level, simd => cull_run(simd, transform, size, clusters, groups.clone(), first))
+                let parts = &instances[number].parts;
+                let onlooker = onlookers[number].as_ref();
+                let faces = onlooker.map(|onlooker| BackFaces { onlooker, parts });
+                dispatch!(level, simd => cull_run(simd, transform, size, clusters, groups.clone(), first, faces))
             })
             .collect();
         let places = instances
@@ -448,10 +453,11 @@ fn cull_run<S: Simd>(
     clusters: &Clusters,
     groups: std::ops::Range<usize>,
     first_cluster: u32,
+    back_faces: Option<BackFaces<'_>>,
 ) -> Vec<VisibleCluster> {
     let mut visible = Vec::new();
     for group in groups {
-        cull_group(simd, transform, size, clusters, group, first_cluster, &mut visible);
+        cull_group(simd, transform, size, clusters, group, first_cluster, back_faces, &mut visible);
     }
     visible
 }

@@ -21,6 +21,7 @@ mod buffer;
 mod clip;
 mod cluster;
 mod cull;
+mod facing;
 mod frame;
 mod order;
 mod probe;

@@ -3,10 +3,10 @@
 use crate::random::{cases, scene};
 use crate::scene::{Picture, Scene, best, no_holes};
 use crate::solid::{View, bumpy, direction};
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 use luxel_math::SimdLevel;
-use luxel_scene::{Lens, Mesh, Part};
-use luxel_visibility::Coverage;
+use luxel_scene::{Lens, MaterialId, Mesh, Part};
+use luxel_visibility::{Coverage, CullFaces, PartUse};
 use proptest::prelude::*;
 
 const ALL: &[Coverage] = &[Coverage::Opaque, Coverage::Cutout, Coverage::Blended];
@@ -54,8 +54,72 @@ fn with_walls(mut mesh: Mesh) -> Mesh {
     mesh
 }
 
+/// Solids whose back faces are left out, some flattened to slivers, from near and far.
+fn one_sided() -> impl Strategy<Value = View> {
+    let flat = prop::sample::select(vec![1.0_f32, 0.01, 1e-4]);
+    let cull = prop::sample::select(vec![CullFaces::Clockwise, CullFaces::CounterClockwise]);
+    let mirrored = prop::sample::select(vec![1.0, -1.0]);
+    let samples = prop::sample::select(vec![1, 4]);
+    let lens = prop_oneof![
+        (0.3..2.0).prop_map(|fov_y_radians| Lens::Perspective { fov_y_radians }),
+        (1.0..8.0).prop_map(|height| Lens::Orthographic { height }),
+    ];
+    let camera = (direction(), 1.1..6.0, lens, samples);
+    (camera, 3..16_u32, flat, cull, mirrored, 0.5..3.0).prop_map(
+        |((place, reach, lens, samples), frequency, flat, cull, mirrored, scale)| {
+            let mut mesh = bumpy(frequency);
+            for [_, y, _] in &mut mesh.positions {
+                *y *= flat;
+            }
+            let eye = place * reach * scale;
+            let view = View::look(mesh, eye, DVec3::new(0.1, 0.2, 0.0), lens, [0.05, 50.0]);
+            let scale = DVec3::new(scale * mirrored, scale, scale);
+            let view_from_mesh = view.view_from_mesh * DMat4::from_scale(scale);
+            View { view_from_mesh, samples, part: PartUse { cull, ..view.part }, ..view }
+        },
+    )
+}
+
+/// A sheet of triangles longer than the window and narrower than a step of its grid, seen from behind:
+/// snapping turns many of them over.
+fn strips() -> impl Strategy<Value = View> {
+    let lens = prop_oneof![
+        Just(Lens::Perspective { fov_y_radians: 0.9 }),
+        Just(Lens::Orthographic { height: 2.0 }),
+    ];
+    (lens, 0.03..1.0, 0.0..6.3, -4.0..-1.0, prop::sample::select(vec![1, 4])).prop_map(
+        |(lens, cosine, roll, narrow, samples)| {
+            let mut mesh = Mesh::default();
+            for number in 0..100_u32 {
+                let (y, height) = (f64::from(number) * 0.01 - 0.5, libm::exp10(narrow));
+                for [x, y] in [[-2.0, y], [2.0, y], [0.1, y + height]] {
+                    mesh.positions.push([x as f32, y as f32, 0.0]);
+                }
+                mesh.triangles.push([0, 1, 2].map(|corner| 3 * number + corner));
+            }
+            mesh.parts = vec![Part { first: 0, count: 100, material: MaterialId(0) }];
+            // The front is +Z: turned about the long sides until the back is seen.
+            let behind = DMat4::from_rotation_x(std::f64::consts::FRAC_PI_2 + libm::asin(cosine));
+            let turned = DMat4::from_rotation_z(roll) * behind;
+            let view = View::look(mesh, DVec3::Z * 2.0, DVec3::ZERO, lens, [0.1, 10.0]);
+            let part = PartUse { cull: CullFaces::Clockwise, ..view.part };
+            View { view_from_mesh: view.view_from_mesh * turned, samples, part, ..view }
+        },
+    )
+}
+
 proptest! {
     #![proptest_config(cases(60))]
+
+    #[test]
+    fn no_cluster_is_left_out_of_which_snapping_turns_a_face_over(view in strips()) {
+        prop_assert_eq!(bits(&view.draw_one_by_one()), bits(&view.draw(best())));
+    }
+
+    #[test]
+    fn no_cluster_is_left_out_of_which_a_face_would_be_seen(view in one_sided()) {
+        prop_assert_eq!(bits(&view.draw_one_by_one()), bits(&view.draw(best())));
+    }
 
     #[test]
     fn every_level_draws_the_same_bits(scene in scene(ALL, 60)) {

@@ -60,7 +60,7 @@ impl View {
                     parts: vec![Part { first: 0, count: 1, material: MaterialId(0) }],
                     ..Mesh::default()
                 };
-                let clusters = Clusters::new(&mesh, ClusterOrder::Curve);
+                let clusters = Clusters::new(&mesh, ClusterOrder::File);
                 (mesh, clusters)
             })
             .collect();
