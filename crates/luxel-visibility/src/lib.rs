@@ -4,7 +4,8 @@
 //! for one view; its tiles are then drawn independently, each into a [`Tile`] of depths and
 //! triangle ids. That visibility buffer is what drawing lights, picking reads and layers show.
 //!
-//! 1. `cull`: clusters outside of the window are dropped, the others get a box and a depth.
+//! 1. `cull`: clusters outside of the window are dropped, and those that turn their back where back
+//!    faces are left out (`facing`); the others get a box and a depth.
 //! 2. `bin`: tiles of 64x64 pixels list the clusters that reach them, near ones first.
 //! 3. `tile`: a cluster is transformed (`transform`), its triangles clipped where they must be
 //!    (`clip`), left out where they hold no sample (`sift`), set up in exact integers (`setup`) and drawn 4x4 pixels at a time (`raster`).
