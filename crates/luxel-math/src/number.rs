@@ -9,9 +9,11 @@
 
 use crate::LANES;
 use crate::wide::{Wide, Wide8, Wide16};
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::Level;
 use fearless_simd::{
-    ExtractToken, Level, Simd, f32x8, f32x16, i32x8, i32x16, mask32x8, mask32x16, prelude::*,
-    u32x8, u32x16,
+    ExtractToken, Simd, f32x8, f32x16, i32x8, i32x16, mask32x8, mask32x16, prelude::*, u32x8,
+    u32x16,
 };
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
