@@ -153,8 +153,8 @@ impl Clusters {
             // For a single frame neither pays. Where attributes are numbered apart, positions alone
             // don't tell them.
             cut.for_many = order == ClusterOrder::Curve;
-            cut.is_carrying =
-                cut.for_many && !mesh.normals.is_empty() && mesh.attribute_corners.is_none();
+            let has_normals = mesh.normals.len() >= mesh.positions.len();
+            cut.is_carrying = cut.for_many && has_normals && mesh.attribute_corners.is_none();
             match curve {
                 Some(curve) => cut.add(curve.iter().copied()),
                 None => cut.add(range.start as u32..range.end as u32),
