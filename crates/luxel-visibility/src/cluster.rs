@@ -149,12 +149,8 @@ impl Clusters {
         }
         let cut = map(tasks.len(), 1, &|task| {
             let (part, range, curve) = &tasks[task.start];
-            let mut cut = Cut::new(mesh, *part, task.start as u32);
-            // For a single frame neither pays. Where attributes are numbered apart, positions alone
-            // don't tell them.
-            cut.for_many = order == ClusterOrder::Curve;
-            let has_normals = mesh.normals.len() >= mesh.positions.len();
-            cut.is_carrying = cut.for_many && has_normals && mesh.attribute_corners.is_none();
+            let for_many = order == ClusterOrder::Curve;
+            let mut cut = Cut::new(mesh, *part, task.start as u32, for_many);
             match curve {
                 Some(curve) => cut.add(curve.iter().copied()),
                 None => cut.add(range.start as u32..range.end as u32),
@@ -291,7 +287,7 @@ struct Cut<'a> {
     mesh: &'a Mesh,
     part: u32,
     number: u32,
-    /// Whether many frames are to be drawn.
+    /// Whether many frames are to be drawn: for a single one neither cones nor what vertices carry pay.
     for_many: bool,
     /// Whether it is kept what vertices carry.
     is_carrying: bool,
@@ -308,13 +304,15 @@ struct Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
-    fn new(mesh: &'a Mesh, part: u32, number: u32) -> Self {
+    fn new(mesh: &'a Mesh, part: u32, number: u32, for_many: bool) -> Self {
+        let has_normals = mesh.normals.len() >= mesh.positions.len();
         Self {
             mesh,
             part,
             number,
-            for_many: false,
-            is_carrying: false,
+            for_many,
+            // Where attributes are numbered apart, positions alone don't tell them.
+            is_carrying: for_many && has_normals && mesh.attribute_corners.is_none(),
             piece: Piece::default(),
             headers: Vec::new(),
             boxes: Vec::new(),
