@@ -49,8 +49,8 @@ fn checked(path: &Path, limits: &Limits) -> Result<Metadata, Error> {
     Ok(metadata)
 }
 
-/// A long file, read where and when its bytes are wanted, into memory that is used again: half the
-/// memory, and a third of the time that reading it whole takes.
+/// A long file, read where and when its bytes are wanted, into memory that is used again: it needs no
+/// room of its own, and the system no time to make that.
 pub(crate) struct Stored<'a> {
     path: &'a Path,
     length: u64,
@@ -66,13 +66,13 @@ thread_local! {
 }
 
 impl<'a> Stored<'a> {
-    /// `None` for short files, and for what isn't a file at all.
+    /// `None` for short files, and for pipes.
     pub(crate) fn open(path: &'a Path, limits: &'a Limits) -> Result<Option<Self>, Error> {
-        let is_long = |metadata: &Metadata| metadata.is_file() && metadata.len() >= LONG;
-        if !std::fs::metadata(path).as_ref().is_ok_and(is_long) {
+        let metadata = checked(path, limits)?;
+        let length = metadata.len();
+        if !metadata.is_file() || length < LONG {
             return Ok(None);
         }
-        let length = checked(path, limits)?.len();
         let watch = limits.watch.as_ref();
         Ok(Some(Self {
             path,

@@ -177,7 +177,7 @@ impl Mesh {
         }
     }
 
-    /// Whether there is anything to draw.
+    /// Whether there is nothing to draw.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.triangles.is_empty()

@@ -5,7 +5,7 @@ use super::vertices::Column;
 use crate::files::Stored;
 use crate::text::{integer, is_blank, line_of, number, shown, single};
 use crate::{Error, ErrorKind, Place};
-use luxel_parallel::{each, fill};
+use luxel_parallel::each;
 
 /// Where values come from.
 pub(super) struct Source<'a> {
@@ -231,15 +231,7 @@ impl Table<'_> {
         nothing: T,
         of_row: impl Fn(&[u8]) -> T + Sync,
     ) -> Vec<T> {
-        let mut values = vec![nothing; self.count];
-        fill(&mut values, RUN, &|start, run| {
-            self.with_rows(start, run.len(), |rows| {
-                for (value, row) in run.iter_mut().zip(rows.chunks_exact(self.stride)) {
-                    *value = of_row(row);
-                }
-            });
-        });
-        values
+        self.read_two((nothing, ()), |row| (of_row(row), ())).0
     }
 
     /// As [`Table::read`], two lists at once.
