@@ -14,6 +14,7 @@
 //! | [`Wide`] | the `f64` beside a number, for places that are far apart |
 //! | [`elementary`] | `log2`, `exp2`, powers, made of those operations |
 //! | [`Vec3`], [`Rgb`] | three numbers in space, three numbers of light |
+//! | [`permuted`] | eight lanes in an order known only at run time |
 //! | [`SubPixel`] | window positions in steps of 1/256 pixel |
 //! | [`SimdLevel`] | which instruction set runs the lanes |
 
@@ -23,6 +24,7 @@ pub mod elementary;
 mod fixed;
 mod lanes;
 mod number;
+mod permute;
 mod vector;
 mod wide;
 
@@ -35,11 +37,13 @@ pub use fearless_simd::dispatch as dispatch_long;
 ))]
 pub use fearless_simd::dispatch;
 pub use fearless_simd::{
-    Level, Simd, f32x4, f32x8, f32x16, i32x4, i32x8, i32x16, mask32x4, mask32x8, mask32x16, u32x16,
+    Level, Simd, f32x4, f32x8, f32x16, i32x4, i32x8, i32x16, mask32x4, mask32x8, mask32x16, u32x8,
+    u32x16,
 };
 pub use fixed::{SUBPIXELS, SubPixel};
 pub use lanes::{LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel};
 pub use number::{Mask, Number, Piecewise};
+pub use permute::permuted;
 pub use vector::{Rgb, Vec3};
 pub use wide::{Wide, Wide8, Wide16};
 
