@@ -5,8 +5,8 @@
 //! division for all. Of a node's children that are met, the nearest stays at hand and only the
 //! others go onto the stack.
 
-use crate::bvh::{ALMOST_ZERO, Child, Node, PADDING, WIDTH, moved, padding};
-use crate::intersect::{Nearest, Ray, Sheared, USUAL_LENGTHS, meet_triangles};
+use crate::bvh::{ALMOST_ZERO, Child, Head, Node, PADDING, WIDTH, block, moved, number, padding};
+use crate::intersect::{Nearest, Ray, Sheared, USUAL_LENGTHS, meet_block};
 use crate::rays::{MeshRays, RayHit};
 use luxel_math::{Simd, f32x4, f32x8, i32x4, mask32x4, prelude::*};
 use std::cell::Cell;
@@ -257,28 +257,32 @@ impl<S: Simd> Followed<S> {
     /// Goes on by one node or leaf; whether there is more.
     #[inline(always)]
     fn advance<const ANY: bool>(&mut self, simd: S, rays: &MeshRays<'_>, places: &Places) -> bool {
-        if let Some((start, count)) = self.child.as_leaf() {
-            let Some(records) = rays.records()[start..].first_chunk::<WIDTH>() else {
-                return false;
-            };
+        if let Some(start) = self.child.as_block() {
+            let Some(block) = block(rays.words, start) else { return false };
             let range = [self.range_start, self.nearest.t];
             let (distances, mut bits) =
-                meet_triangles(simd, records, count, rays.positions(), &self.sheared, range);
+                meet_block(simd, block, rays.positions, &self.sheared, range);
             while bits != 0 {
                 let lane = bits.trailing_zeros() as usize & (WIDTH - 1);
                 bits &= bits - 1;
-                let (t, triangle) = (distances[lane], records[lane][3]);
+                let (t, triangle) = (distances[lane], number(block, lane));
                 let nearest = &self.nearest;
                 if t < nearest.t || t == nearest.t && triangle < nearest.triangle {
-                    self.nearest = Nearest { t, triangle, record: (start + lane) as u32 };
+                    let (block, lane) = (start as u32, lane as u32);
+                    self.nearest = Nearest { t, triangle, block, lane };
                 }
             }
             if ANY && self.nearest.triangle != u32::MAX {
                 return false;
             }
             self.farthest = f32x8::splat(simd, self.nearest.t);
+            let head = Head::of(block);
+            if head.goes_on() {
+                self.child = Child::block(start + head.len());
+                return true;
+            }
         } else {
-            let node = &rays.tree().nodes[self.child.0 as usize];
+            let node = &rays.nodes[self.child.0 as usize];
             let [of_x, of_y, of_z] = &node.planes;
             let way = self.x.cut(simd, of_x, [self.start, self.farthest]);
             let way = self.y.cut(simd, of_y, way);

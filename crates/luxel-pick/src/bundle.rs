@@ -8,7 +8,10 @@
 //! intervals hold what each ray would compute, and a ray gets the same triangle and the same bits of
 //! the distance as alone.
 
-use crate::bvh::{ALMOST_ZERO, Node, PADDING, Stack, WIDTH, higher, lower, moved, padding};
+use crate::bvh::{
+    ALMOST_ZERO, Block, Head, Node, PADDING, Stack, WIDTH, block, higher, lower, moved, number,
+    padding,
+};
 use crate::gather::gather;
 use crate::intersect::{Nearest, Ray, Sheared, axes, meet_gathered, meet_rays};
 use crate::kind::{Common, Kind, ROWS, end_before, take_eight};
@@ -36,7 +39,8 @@ struct Eight {
     sheared: ShearedEight,
     nearest: [f32; WIDTH],
     triangle: [u32; WIDTH],
-    record: [u32; WIDTH],
+    block: [u32; WIDTH],
+    lane: [u32; WIDTH],
     /// Which of the eights that the bundle was made of.
     number: usize,
 }
@@ -80,7 +84,8 @@ const NO_RAYS: Eight = Eight {
     sheared: ShearedEight { origin: [[0.0; WIDTH]; 3], shear: [[0.0; WIDTH]; 3] },
     nearest: [0.0; WIDTH],
     triangle: [0; WIDTH],
-    record: [0; WIDTH],
+    block: [0; WIDTH],
+    lane: [0; WIDTH],
     number: 0,
 };
 
@@ -173,7 +178,7 @@ impl Bundle {
             start.store_slice(&mut eight.start);
             // What misses the box around all ends before it begins.
             meets.select(end, f32x8::splat(simd, -1.0)).store_slice(&mut eight.nearest);
-            (eight.triangle, eight.record) = ([u32::MAX; WIDTH], [u32::MAX; WIDTH]);
+            eight.triangle = [u32::MAX; WIDTH];
             eight.number = number;
             let [kx, ky, kz] = self.axes.map(|axis| axis.min(2));
             eight.sheared.origin = [rows[kx], rows[ky], rows[kz]];
@@ -206,11 +211,11 @@ impl Bundle {
         let is_negative = self.turned[self.longest] != 0;
         for eight in &self.eights[..self.count] {
             for lane in 0..WIDTH {
-                let (t, triangle, record) =
-                    (eight.nearest[lane], eight.triangle[lane], eight.record[lane]);
+                let (t, triangle) = (eight.nearest[lane], eight.triangle[lane]);
                 if triangle != u32::MAX {
                     let sheared = eight.sheared(lane, self.longest, is_negative);
-                    let nearest = Nearest { t, triangle, record };
+                    let (block, of) = (eight.block[lane], eight.lane[lane]);
+                    let nearest = Nearest { t, triangle, block, lane: of };
                     hits[place(eight.number * WIDTH + lane)] = rays.told(&sheared, nearest);
                 }
             }
@@ -336,7 +341,7 @@ pub(crate) fn closest_of_bundle<S: Simd>(
     bundle: &mut Bundle,
     stack: &mut Stack,
 ) {
-    let nodes: &[Node] = &rays.tree().nodes;
+    let nodes: &[Node] = rays.nodes;
     stack.clear();
     if bundle.count == 0 {
         return;
@@ -350,9 +355,9 @@ pub(crate) fn closest_of_bundle<S: Simd>(
         loop {
             let Some(place) = stack.pop_place(farthest) else { return };
             let (node, slot) = (&nodes[place / WIDTH], place % WIDTH);
-            match node.children[slot].as_leaf() {
-                Some(leaf) => {
-                    if meet_leaf(simd, rays, bundle, node, slot, leaf) {
+            match node.children[slot].as_block() {
+                Some(start) => {
+                    if meet_leaf(simd, rays, bundle, node, slot, start) {
                         farthest = bundle.farthest(simd);
                     }
                 }
@@ -373,9 +378,8 @@ fn meet_leaf<S: Simd>(
     bundle: &mut Bundle,
     node: &Node,
     slot: usize,
-    (start, count): (usize, usize),
+    mut start: usize,
 ) -> bool {
-    let Some(records) = rays.records()[start..].first_chunk::<WIDTH>() else { return false };
     let slot = slot & (WIDTH - 1);
     let mut active = [0_u32; EIGHTS];
     let (mut eights, mut singles) = (0, 0);
@@ -399,20 +403,50 @@ fn meet_leaf<S: Simd>(
         return false;
     }
     let mut any = false;
-    let gathered = gather(simd, records, count, rays.positions());
+    while let Some(block) = block(rays.words, start) {
+        let singly = eights * Head::of(block).count() as u32 > singles;
+        any |= meet_rays_of_block(simd, rays, bundle, &active, (block, start as u32), singly);
+        let head = Head::of(block);
+        if !head.goes_on() {
+            break;
+        }
+        start += head.len();
+    }
+    any
+}
+
+/// Asks a block's triangles for the rays whose bit is set, eight at a time or one by one; whether any
+/// was hit.
+#[inline(always)]
+fn meet_rays_of_block<S: Simd>(
+    simd: S,
+    rays: &MeshRays<'_>,
+    bundle: &mut Bundle,
+    active: &[u32; EIGHTS],
+    (block, start): (&Block, u32),
+    singly: bool,
+) -> bool {
+    let count = Head::of(block).count();
+    let gathered = gather(simd, block, rays.positions);
     let is_negative = bundle.turned[bundle.longest] != 0;
-    if eights * count as u32 <= singles {
-        for lane in 0..count.min(WIDTH) {
+    let mut any = false;
+    if !singly {
+        for of in 0..count {
             let corners = [0, 1, 2]
-                .map(|corner: usize| bundle.axes.map(|axis| gathered[axis & 3][corner][lane]));
+                .map(|corner: usize| bundle.axes.map(|axis| gathered[axis & 3][corner][of]));
+            let triangle = number(block, of);
             for (&active, eight) in active.iter().zip(&mut bundle.eights) {
                 if active == 0 {
                     continue;
                 }
                 let range = [eight.start, eight.nearest];
-                let (distances, hits) =
+                let (distances, mut hits) =
                     meet_rays(simd, corners, &eight.sheared, is_negative, range, active);
-                any |= eight.keep(&distances, hits, records[lane][3], (start + lane) as u32);
+                while hits != 0 {
+                    let lane = hits.trailing_zeros() as usize & (WIDTH - 1);
+                    hits &= hits - 1;
+                    any |= eight.keep(lane, distances[lane], triangle, [start, of as u32]);
+                }
             }
         }
         return any;
@@ -428,7 +462,7 @@ fn meet_leaf<S: Simd>(
             while hits != 0 {
                 let of = hits.trailing_zeros() as usize & (WIDTH - 1);
                 hits &= hits - 1;
-                any |= eight.keep_one(lane, distances[of], records[of][3], (start + of) as u32);
+                any |= eight.keep(lane, distances[of], number(block, of), [start, of as u32]);
             }
         }
     }
@@ -444,32 +478,15 @@ impl Eight {
         Sheared { last, is_negative, origin, shear }
     }
 
-    /// Takes over hits of one triangle where they are nearer, a bit a ray.
+    /// Takes over a ray's hit if it is nearer; whether it is.
     #[inline(always)]
-    fn keep(
-        &mut self,
-        distances: &[f32; WIDTH],
-        mut hits: u32,
-        triangle: u32,
-        record: u32,
-    ) -> bool {
-        let mut any = false;
-        while hits != 0 {
-            let lane = hits.trailing_zeros() as usize & (WIDTH - 1);
-            hits &= hits - 1;
-            any |= self.keep_one(lane, distances[lane], triangle, record);
-        }
-        any
-    }
-
-    #[inline(always)]
-    fn keep_one(&mut self, lane: usize, t: f32, triangle: u32, record: u32) -> bool {
+    fn keep(&mut self, lane: usize, t: f32, triangle: u32, [block, of]: [u32; 2]) -> bool {
         let is_nearer =
             t < self.nearest[lane] || t == self.nearest[lane] && triangle < self.triangle[lane];
         if is_nearer {
             self.nearest[lane] = t;
             self.triangle[lane] = triangle;
-            self.record[lane] = record;
+            (self.block[lane], self.lane[lane]) = (block, of);
         }
         is_nearer
     }

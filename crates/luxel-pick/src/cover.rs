@@ -173,7 +173,7 @@ fn descend<S: Simd>(
     waiting: &mut Waiting,
     found: &mut dyn FnMut(u32) -> Option<f32>,
 ) {
-    let nodes: &[Node] = &geometry.bvh.tree().nodes;
+    let nodes: &[Node] = geometry.bvh.nodes();
     waiting.clear();
     if !nodes.is_empty() {
         waiting.push((f32::INFINITY, Child::inner(0)));
@@ -182,10 +182,10 @@ fn descend<S: Simd>(
         if nearest < least {
             continue;
         }
-        if let Some((start, count)) = child.as_leaf() {
-            for record in &geometry.bvh.records()[start..start + count] {
-                least = found(record[3]).unwrap_or(least);
-            }
+        if let Some(start) = child.as_block() {
+            geometry.bvh.leaves().each_number(start, &mut |number| {
+                least = found(number).unwrap_or(least);
+            });
             continue;
         }
         let node = &nodes[child.0 as usize];

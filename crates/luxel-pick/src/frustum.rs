@@ -1,7 +1,7 @@
 //! What of a tree may reach into a part of the window: boxes against the planes through its sides
 //! and the near and far planes.
 
-use crate::bvh::{Bvh, Node, WIDTH, Walk};
+use crate::bvh::{Bvh, Head, Node, WIDTH, Walk, number};
 use crate::region::Piece;
 use glam::{DMat4, DVec4};
 
@@ -57,14 +57,16 @@ impl Frustum {
 
     /// Visits the triangles of the leaves that may reach inside.
     pub(crate) fn each_leaf(&self, bvh: &Bvh, mut visit: impl FnMut(&[u32])) {
-        let mut walk = Walk::new(bvh.tree());
-        let mut triangles = [0; WIDTH];
-        while let Some((start, count)) = walk.next(|node| self.meets(node)) {
-            let records = &bvh.records()[start..start + count];
-            for (triangle, record) in triangles.iter_mut().zip(records) {
-                *triangle = record[3];
-            }
-            visit(&triangles[..count]);
+        let mut walk = Walk::new(bvh.nodes());
+        while let Some(start) = walk.next(|node| self.meets(node)) {
+            bvh.leaves().each_block(start, &mut |block| {
+                let mut triangles = [0; WIDTH];
+                let count = Head::of(block).count();
+                for (lane, triangle) in triangles[..count].iter_mut().enumerate() {
+                    *triangle = number(block, lane);
+                }
+                visit(&triangles[..count]);
+            });
         }
     }
 

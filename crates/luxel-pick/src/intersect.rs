@@ -12,9 +12,9 @@
 //! triangle of the lowest number wins.
 
 use crate::bundle::ShearedEight;
-use crate::bvh::{Record, WIDTH};
-use crate::gather::{Gathered, eight};
-use luxel_math::{Simd, f32x8, mask32x8, prelude::*};
+use crate::bvh::{Block, Head, Rows, WIDTH, triangle_words};
+use crate::gather::{Gathered, eight, places};
+use luxel_math::{Simd, f32x8, mask32x8, permuted, prelude::*};
 
 /// A ray: every place `origin + t direction` with t from `range`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,13 +113,14 @@ pub(crate) struct Nearest {
     pub(crate) t: f32,
     /// The triangle's number; the highest of all where nothing was hit.
     pub(crate) triangle: u32,
-    /// Its place among the records.
-    pub(crate) record: u32,
+    /// Where its block begins, and its place there.
+    pub(crate) block: u32,
+    pub(crate) lane: u32,
 }
 
 impl Nearest {
     pub(crate) const fn before(t: f32) -> Self {
-        Self { t, triangle: u32::MAX, record: u32::MAX }
+        Self { t, triangle: u32::MAX, block: 0, lane: 0 }
     }
 }
 
@@ -163,23 +164,23 @@ impl Sheared {
         }
     }
 
-    /// Three corners as the ray sees them.
+    /// Three corners, in the order of its axes, as the ray sees them.
     #[inline(always)]
-    fn corners(&self, corners: [&[f32; 3]; 3]) -> [[f32; 3]; 3] {
-        let [kx, ky, kz] = axes(self.last);
+    fn corners(&self, corners: [[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let [ox, oy, oz] = self.origin;
         let [sx, sy, sz] = self.shear;
         let mut seen = [[0.0; 3]; 3];
-        for (seen, corner) in seen.iter_mut().zip(corners) {
-            let along = corner[kz] - oz;
-            *seen = [corner[kx] - ox - sx * along, corner[ky] - oy - sy * along, sz * along];
+        for (seen, [x, y, z]) in seen.iter_mut().zip(corners) {
+            let along = z - oz;
+            *seen = [x - ox - sx * along, y - oy - sy * along, sz * along];
         }
         seen
     }
 
-    /// The weights of a triangle's corners where a ray meets it, in `f64`.
+    /// The weights of a triangle's corners, in the order of the ray's axes, where the ray meets it, in
+    /// `f64`.
     #[inline(always)]
-    pub(crate) fn barycentric(&self, corners: [&[f32; 3]; 3]) -> [f32; 3] {
+    pub(crate) fn barycentric(&self, corners: [[f32; 3]; 3]) -> [f32; 3] {
         let weights = edges(&self.corners(corners));
         let sum = weights[0] + weights[1] + weights[2];
         weights.map(|weight| (weight / sum) as f32)
@@ -252,57 +253,73 @@ fn on_edges(
 /// Eight pairs of a ray and a triangle: x, y and z of each corner as the ray sees it.
 type Seen<S> = [[f32x8<S>; 3]; 3];
 
-/// The distances at which a ray meets the first `count` of eight triangles, and a bit for each that
-/// it meets from `range[0]` to `range[1]`.
+/// The distances at which a ray meets a block's triangles, and a bit for each that it meets from
+/// `range[0]` to `range[1]`.
 #[inline(always)]
-pub(crate) fn meet_triangles<S: Simd>(
+pub(crate) fn meet_block<S: Simd>(
     simd: S,
-    records: &[Record; WIDTH],
-    count: usize,
+    block: &Block,
     positions: &[[f32; 3]],
     ray: &Sheared,
     range: [f32; 2],
 ) -> ([f32; WIDTH], u32) {
-    // Most leaves have no more than half.
-    if count <= WIDTH / 2 {
-        meet_some::<S, false>(simd, records, count, positions, ray, range)
-    } else {
-        meet_some::<S, true>(simd, records, count, positions, ray, range)
+    let head = Head::of(block);
+    let [kx, ky, kz] = axes(ray.last);
+    let zero = f32x8::splat(simd, 0.0);
+    let mut corners: Seen<S> = [[zero; 3]; 3];
+    match head.rows() {
+        Rows::Shared => {
+            // Each vertex once, however many triangles it has.
+            let [x, y, z] = seen_rows(simd, block, [kx, ky, kz], ray);
+            let words = triangle_words(simd, block);
+            for (corner, at) in [words, words >> 3, words >> 6].into_iter().enumerate() {
+                corners[0][corner] = permuted(simd, x, at);
+                corners[1][corner] = permuted(simd, y, at);
+                corners[2][corner] = permuted(simd, z, at);
+            }
+        }
+        Rows::Apart => {
+            for corner in 0..3 {
+                let rows = [3 * corner + kx, 3 * corner + ky, 3 * corner + kz];
+                let [x, y, z] = seen_rows(simd, block, rows, ray);
+                (corners[0][corner], corners[1][corner], corners[2][corner]) = (x, y, z);
+            }
+        }
+        Rows::Numbers => {
+            let is_x = mask32x8::splat(simd, ray.last == 0);
+            let chosen = [is_x, mask32x8::splat(simd, ray.last == 1)];
+            for corner in 0..3 {
+                let [x, y, z] = see(simd, block, corner, positions, ray, chosen);
+                (corners[0][corner], corners[1][corner], corners[2][corner]) = (x, y, z);
+            }
+        }
     }
-}
-
-#[inline(always)]
-fn meet_some<S: Simd, const ALL: bool>(
-    simd: S,
-    records: &[Record; WIDTH],
-    count: usize,
-    positions: &[[f32; 3]],
-    ray: &Sheared,
-    range: [f32; 2],
-) -> ([f32; WIDTH], u32) {
-    let is_x = mask32x8::splat(simd, ray.last == 0);
-    let is_y = mask32x8::splat(simd, ray.last == 1);
-    let [a, b, c] = [
-        see::<S, ALL>(simd, records, 0, positions, ray, [is_x, is_y]),
-        see::<S, ALL>(simd, records, 1, positions, ray, [is_x, is_y]),
-        see::<S, ALL>(simd, records, 2, positions, ray, [is_x, is_y]),
-    ];
-    let seen = [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]];
     let range = range.map(|t| f32x8::splat(simd, t));
-    meet_seen(simd, &seen, ray.is_negative, range, (1 << count) - 1)
+    meet_seen(simd, &corners, ray.is_negative, range, (1 << head.count()) - 1)
 }
 
-/// A corner of eight triangles as a ray sees it.
+/// Rows of a block as a ray sees them, in the order of its axes.
 #[inline(always)]
-fn see<S: Simd, const ALL: bool>(
+fn seen_rows<S: Simd>(
     simd: S,
-    records: &[Record; WIDTH],
+    block: &Block,
+    [x, y, z]: [usize; 3],
+    ray: &Sheared,
+) -> [f32x8<S>; 3] {
+    seen(places(simd, block, x), places(simd, block, y), places(simd, block, z), ray)
+}
+
+/// A corner of a block's triangles as a ray sees it, where the block has vertices' numbers.
+#[inline(always)]
+fn see<S: Simd>(
+    simd: S,
+    block: &Block,
     corner: usize,
     positions: &[[f32; 3]],
     ray: &Sheared,
     [is_x, is_y]: [mask32x8<S>; 2],
 ) -> [f32x8<S>; 3] {
-    let [x, y, z] = eight::<S, ALL>(simd, records, corner, positions);
+    let [x, y, z] = eight(simd, block, corner, positions);
     let first = is_x.select(y, is_y.select(z, x));
     let second = is_x.select(z, is_y.select(x, y));
     let last = is_x.select(x, is_y.select(y, z));

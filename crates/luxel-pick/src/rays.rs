@@ -2,8 +2,8 @@
 
 use crate::alone::{Places, TURNS, any, closest, closest_in_turns, nearest_alone};
 use crate::bundle::{BUNDLE, Bundle, LEAST, closest_of_bundle};
-use crate::bvh::{Box3, Bvh, Record, Slabs, Stack, Tree, WIDTH, Walk, step};
-use crate::intersect::{Nearest, Ray, Sheared, meet_triangles};
+use crate::bvh::{Block, Box3, Bvh, Node, Slabs, Stack, Walk, block, corners, number, step};
+use crate::intersect::{Nearest, Ray, Sheared, axes, meet_block};
 use crate::kind::Kind;
 use luxel_math::{Level, Simd, SimdLevel, dispatch_long};
 use luxel_parallel::fill;
@@ -20,14 +20,17 @@ pub struct RayHit {
     pub barycentric: [f32; 3],
 }
 
-/// A tree with the positions that it was built over, ready for rays.
+/// A tree with the positions that it was built over, or last fitted to, ready for rays.
 ///
 /// Of triangles that a ray meets at the same distance, as at a shared edge, the one with the lowest
 /// number counts. Both sides of triangles are hit.
 #[derive(Clone, Copy)]
 pub struct MeshRays<'m> {
     bvh: &'m Bvh,
-    positions: &'m [[f32; 3]],
+    pub(crate) nodes: &'m [Node],
+    /// Those of the leaves.
+    pub(crate) words: &'m [u32],
+    pub(crate) positions: &'m [[f32; 3]],
     /// The box around all, its lowest corner and its highest; the fourth lane has no bounds. Upside
     /// down where there is nothing.
     pub(crate) bounds: [[f32; 4]; 2],
@@ -68,14 +71,15 @@ impl<'m> MeshRays<'m> {
     #[must_use]
     pub fn with_level(bvh: &'m Bvh, positions: &'m [[f32; 3]], level: Level) -> Self {
         assert!(positions.len() >= bvh.vertices(), "positions are missing");
-        let within = bvh.tree().bounds;
+        let within = bvh.box_of_all();
         let [x, y, z] = within.map_or([0.0; 3], |bounds| bounds.largest());
         let largest = [x, y, z, 0.0];
         let extent = within.map_or(0.0, |bounds| bounds.longest());
         let Box3 { low, high } = within.unwrap_or(Box3::EMPTY);
         let corner = |[x, y, z]: [f32; 3], end| [x, y, z, end];
         let bounds = [corner(low, f32::NEG_INFINITY), corner(high, f32::INFINITY)];
-        Self { bvh, positions, bounds, largest, extent, level }
+        let (nodes, words) = (bvh.nodes(), bvh.leaves().words());
+        Self { bvh, nodes, words, positions, bounds, largest, extent, level }
     }
 
     /// The nearest triangle that a ray meets; `None` also for a ray that isn't sound.
@@ -118,34 +122,21 @@ impl<'m> MeshRays<'m> {
         }
         let (ray, scale) = &ray.scaled();
         let (slabs, sheared) = self.prepared(ray);
-        let mut walk = Walk::new(self.bvh.tree());
-        while let Some((start, count)) =
-            walk.next(|node| step(self.level, node, &slabs, ray.range[1]).1)
-        {
-            let (distances, mut bits) = dispatch_long!(self.level, simd => leaf(simd, self, (start, count), &sheared, ray.range));
-            while bits != 0 {
-                let lane = bits.trailing_zeros() as usize;
-                bits &= bits - 1;
-                let [a, b, c, triangle] = self.bvh.records()[start + lane];
-                let corners = [a, b, c].map(|vertex| &self.positions[vertex as usize]);
-                let barycentric = sheared.barycentric(corners);
-                hits.push(RayHit { t: distances[lane] * scale, triangle, barycentric });
-            }
+        let mut walk = Walk::new(self.nodes);
+        while let Some(start) = walk.next(|node| step(self.level, node, &slabs, ray.range[1]).1) {
+            self.bvh.leaves().each_block(start, &mut |block| {
+                let (distances, mut bits) = dispatch_long!(self.level, simd => meet_block(simd, block, self.positions, &sheared, ray.range));
+                while bits != 0 {
+                    let lane = bits.trailing_zeros() as usize;
+                    bits &= bits - 1;
+                    let nearest =
+                        Nearest { t: distances[lane] * scale, triangle: number(block, lane), block: 0, lane: lane as u32 };
+                    hits.push(self.told_of(&sheared, nearest, block));
+                }
+            });
         }
         hits.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.triangle.cmp(&b.triangle)));
         hits
-    }
-
-    pub(crate) fn tree(&self) -> &'m Tree {
-        self.bvh.tree()
-    }
-
-    pub(crate) fn records(&self) -> &'m [Record] {
-        self.bvh.records()
-    }
-
-    pub(crate) fn positions(&self) -> &'m [[f32; 3]] {
-        self.positions
     }
 
     #[inline(always)]
@@ -196,25 +187,15 @@ impl<'m> MeshRays<'m> {
         if nearest.triangle == u32::MAX {
             return None;
         }
-        let [a, b, c, triangle] = self.bvh.records()[nearest.record as usize];
-        let positions = self.positions;
-        let corners = [&positions[a as usize], &positions[b as usize], &positions[c as usize]];
-        Some(RayHit { t: nearest.t, triangle, barycentric: sheared.barycentric(corners) })
+        let block = block(self.words, nearest.block as usize)?;
+        Some(self.told_of(sheared, nearest, block))
     }
-}
 
-/// A leaf's triangles.
-#[inline(always)]
-fn leaf<S: Simd>(
-    simd: S,
-    rays: &MeshRays<'_>,
-    (start, count): (usize, usize),
-    ray: &Sheared,
-    range: [f32; 2],
-) -> ([f32; WIDTH], u32) {
-    match rays.bvh.records()[start..].first_chunk::<WIDTH>() {
-        Some(records) => meet_triangles(simd, records, count, rays.positions, ray, range),
-        None => ([0.0; WIDTH], 0),
+    #[inline(always)]
+    fn told_of(&self, sheared: &Sheared, nearest: Nearest, block: &Block) -> RayHit {
+        let Nearest { t, triangle, lane, .. } = nearest;
+        let corners = corners(block, lane as usize, self.positions, axes(sheared.last));
+        RayHit { t, triangle, barycentric: sheared.barycentric(corners) }
     }
 }
 

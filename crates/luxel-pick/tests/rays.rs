@@ -401,7 +401,7 @@ fn a_refitted_tree_answers_for_the_moved_mesh() {
         *position = [position[0] * 1.5 + position[1] * 0.3, position[1] - 0.7, position[2] * 0.8];
     }
     for bvh in &mut trees {
-        bvh.refit(&mesh.positions);
+        bvh.refit(&mesh.positions, &mesh.triangles);
         let rays = MeshRays::new(bvh, &mesh.positions);
         let mut random = Random(29);
         for _ in 0..500 {

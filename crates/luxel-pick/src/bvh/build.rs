@@ -4,13 +4,20 @@
 use super::split::{Care, Lanes, Ref, Side, side_of, split, split_many};
 use super::{Box3, Child, Node, Quality, RUN, Tree, WIDTH};
 use luxel_math::{Level, SimdLevel};
+use luxel_pages::Pages;
 use luxel_parallel::{any, each, fill, gather, join};
 use std::ops::Range;
 
 /// Runs up to this size are one task's. Fixed, so that trees don't depend on threads.
 const TASK: usize = 1 << 13;
-/// Leaves of more than this are cut again while their node has places left.
-const SMALL_LEAF: usize = 4;
+/// Leaves of more than this are cut again while their node has places left: what they share then
+/// mostly fits into one block.
+const SMALL_LEAF: usize = 6;
+/// Runs up to this size are one node with leaves only. They aren't opened for the node above, which
+/// would have more children and those fewer of their own: nodes that are half empty take memory.
+const FULL: usize = 6 * WIDTH;
+/// Unless there is a place for each so many of them.
+const EACH: usize = 5;
 
 /// A run of boxes that is still to be cut, or two parts of one.
 enum Part<'r> {
@@ -76,18 +83,25 @@ pub(crate) fn build(things: &dyn Boxes, quality: Quality) -> Tree {
     }
     let level = SimdLevel::Auto.resolve().unwrap_or_else(|_| Level::baseline());
     let care = Care { quality, level };
-    let mut refs = vec![Ref::NOTHING; things.count()];
-    fill(&mut refs, RUN, &|start, run| things.refs(start, run));
+    let mut refs = Pages::<Ref>::zeroed(things.count());
+    let refs = &mut refs[..];
+    fill(refs, RUN, &|start, run| things.refs(start, run));
+    let mut count = refs.len();
     if any(refs.len(), RUN, &|run| refs[run].iter().any(Ref::is_left_out)) {
-        refs.retain(|of| !of.is_left_out());
+        count = 0;
+        for place in 0..refs.len() {
+            refs[count] = refs[place];
+            count += usize::from(!refs[place].is_left_out());
+        }
     }
+    let refs = &mut refs[..count];
     if refs.is_empty() {
         return Tree::default();
     }
-    let mut scratch = vec![Ref::NOTHING; refs.len()];
-    let Side { bounds, middles } = side_of(&refs, level);
+    let mut scratch = Pages::<Ref>::zeroed(refs.len());
+    let Side { bounds, middles } = side_of(refs, level);
     let run = Run {
-        refs: &mut refs,
+        refs: &mut *refs,
         scratch: &mut scratch,
         start: 0,
         bounds,
@@ -255,20 +269,33 @@ impl<'r> Part<'r> {
     }
 }
 
-/// The children of a node: the part with the largest surface is opened until there are eight, then
-/// small leaves are cut while there is room.
+/// Which of a node's parts is opened: of those too large for a node the one with the largest surface,
+/// then that of the most triangles whose leaves find room here.
+fn to_open(parts: &[Part<'_>]) -> Option<usize> {
+    let room = EACH * (WIDTH + 1 - parts.len());
+    let mut best: Option<(usize, bool, f32)> = None;
+    for (place, part) in parts.iter().enumerate() {
+        let count = part.count();
+        let is_large = count > FULL;
+        if !is_large && (count <= WIDTH || count > room) {
+            continue;
+        }
+        let size = if is_large { part.bounds().half_area() } else { count as f32 };
+        if best.is_none_or(|(_, large, most)| is_large & !large || is_large == large && size > most)
+        {
+            best = Some((place, is_large, size));
+        }
+    }
+    best.map(|(place, ..)| place)
+}
+
+/// The children of a node: parts are opened until there are eight, then small leaves are cut while
+/// there is room.
 fn children(part: Part<'_>, care: Care) -> Vec<Part<'_>> {
     let mut parts = Vec::with_capacity(WIDTH);
     parts.extend(part.cut(care));
     while parts.len() < WIDTH {
-        let mut largest: Option<(usize, f32)> = None;
-        for (place, part) in parts.iter().enumerate().filter(|(_, part)| part.count() > WIDTH) {
-            let area = part.bounds().half_area();
-            if largest.is_none_or(|(_, most)| area > most) {
-                largest = Some((place, area));
-            }
-        }
-        let Some((place, _)) = largest else { break };
+        let Some(place) = to_open(&parts) else { break };
         let [left, right] = parts.swap_remove(place).cut(care);
         parts.extend([left, right]);
     }

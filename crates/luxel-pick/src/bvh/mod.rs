@@ -1,19 +1,24 @@
 //! A tree of boxes over the triangles of a mesh: a bounding volume hierarchy.
 //!
 //! Nodes have eight children, whose boxes lie side by side for the vector unit (Wald, Benthin and
-//! Boulos 2008): six rows of eight numbers and eight words, 256 bytes. A leaf is a run of up to
-//! eight records of 16 bytes, three vertex numbers and the triangle's. That is about 30 bytes a
-//! triangle beside the mesh. The tree is built by the surface area heuristic over bins (Wald 2007)
-//! and depends on nothing but the boxes, so it is the same for any number of threads.
+//! Boulos 2008): six rows of eight numbers and eight words, 224 bytes. Leaves hold their triangles'
+//! vertices, as far as that and the nodes take 32 bytes a triangle. The tree is built by the surface
+//! area heuristic over bins (Wald 2007) and depends on nothing but the boxes, so it is the same for
+//! any number of threads.
 
 mod build;
+mod leaves;
+mod make;
 mod split;
 mod traverse;
 
 pub(crate) use build::{Boxes, build};
+pub(crate) use leaves::{Block, Head, Leaves, Rows, block, corners, number, row, triangle_words};
 pub(crate) use traverse::{ALMOST_ZERO, PADDING, Slabs, Stack, Walk, meet, moved, padding, step};
 
-use luxel_parallel::fill;
+use bytemuck::{Pod, Zeroable};
+use leaves::Mesh;
+use luxel_pages::Pages;
 
 /// Children of a node, and most triangles of a leaf: lanes of a vector.
 pub(crate) const WIDTH: usize = 8;
@@ -31,18 +36,19 @@ pub struct TooManyForTree(pub usize);
 const RUN: usize = 1 << 13;
 
 /// The boxes of up to eight children, and what they are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(align(64))]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(32))]
 pub(crate) struct Node {
     /// Axis by axis the low planes, then the high ones; an empty place has low = inf, high = -inf.
     pub(crate) planes: [[[f32; WIDTH]; 2]; 3],
     pub(crate) children: [Child; WIDTH],
 }
 
-const _: () = assert!(size_of::<Node>() == 256, "four cache lines");
+const _: () = assert!(size_of::<Node>() == 224, "in four cache lines, wherever one begins");
 
 /// An inner node by number, or a leaf: one bit, four of the count, 27 of the start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(transparent)]
 pub(crate) struct Child(pub(crate) u32);
 
 impl Child {
@@ -54,6 +60,17 @@ impl Child {
 
     pub(crate) const fn leaf(start: usize, count: usize) -> Self {
         Self(LEAF | (count as u32) << START_BITS | start as u32)
+    }
+
+    /// A leaf of a tree over triangles, by its first block.
+    pub(crate) const fn block(start: usize) -> Self {
+        Self(LEAF | start as u32)
+    }
+
+    /// Where a leaf's first block begins, in a tree over triangles.
+    #[inline(always)]
+    pub(crate) const fn as_block(self) -> Option<usize> {
+        if self.0 & LEAF == 0 { None } else { Some((self.0 & !LEAF) as usize) }
     }
 
     /// Start and count of a leaf.
@@ -138,14 +155,6 @@ pub(crate) struct Tree {
     pub(crate) bounds: Option<Box3>,
 }
 
-impl Tree {
-    /// Where a walk begins; `None` for a tree over nothing.
-    #[inline(always)]
-    pub(crate) fn root(&self) -> Option<&Node> {
-        self.nodes.first()
-    }
-}
-
 impl Node {
     pub(crate) const EMPTY: Self = Self {
         planes: [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3],
@@ -172,9 +181,6 @@ impl Node {
     }
 }
 
-/// A triangle in a leaf: its vertices, and its number.
-pub(crate) type Record = [u32; 4];
-
 /// How much care goes into a tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Quality {
@@ -194,23 +200,25 @@ impl Quality {
     #[must_use]
     pub const fn bytes_a_triangle(self) -> usize {
         match self {
-            // Two lists of boxes beside the tree: 64 bytes; nodes are half full at worst.
-            Self::Thorough | Self::Fast => 64 + 4 + 16 + 64,
-            Self::InOrder => 4 + 16 + 12,
+            // Two lists of boxes and one of numbers, and nodes, half full at worst; leaves follow
+            // when the boxes are gone.
+            Self::Thorough | Self::Fast => 64 + 4 + 80,
+            // The same without boxes; nodes and leaves are there twice for a moment.
+            Self::InOrder => 4 + 2 * (4 + 17),
         }
     }
 }
 
-/// A tree over the triangles of one mesh. It doesn't hold the positions; a
+/// A tree over the triangles of one mesh, with copies of most of its positions; a
 /// [`MeshRays`](crate::MeshRays) brings both together.
 ///
 /// Triangles with a coordinate that isn't finite are left out; those without area are kept.
 #[derive(Clone, Debug, Default)]
 pub struct Bvh {
-    tree: Tree,
-    /// Padded by a leaf's worth, so that eight can be read wherever a leaf begins.
-    records: Vec<Record>,
-    /// One more than the highest vertex number.
+    nodes: Pages<Node>,
+    leaves: Leaves,
+    bounds: Option<Box3>,
+    /// How many positions it was built over.
     vertices: usize,
 }
 
@@ -260,75 +268,60 @@ impl Bvh {
         if triangles.len() > MAX_TRIANGLES {
             return Err(TooManyForTree(triangles.len()));
         }
-        let tree = build(&Triangles { positions, triangles }, quality);
-        let mut records = vec![[0; 4]; tree.items.len() + WIDTH];
-        fill(&mut records[..tree.items.len()], RUN, &|start, run| {
-            for (record, &item) in run.iter_mut().zip(&tree.items[start..]) {
-                let [a, b, c] = triangles[item as usize];
-                *record = [a, b, c, item];
-            }
-        });
-        let highest = |record: &Record| record[0].max(record[1]).max(record[2]) as usize;
-        let vertices = if tree.items.is_empty() {
-            0
-        } else {
-            records.iter().map(highest).max().unwrap_or(0) + 1
-        };
-        // The records hold the numbers, too.
-        let tree = Tree { items: Vec::new(), ..tree };
-        Ok(Self { tree, records, vertices })
+        let Tree { mut nodes, items, bounds } = build(&Triangles { positions, triangles }, quality);
+        let mesh = Mesh { positions, triangles };
+        let copies = quality != Quality::InOrder;
+        let leaves = Leaves::new(&mut nodes, &items, &mesh, copies);
+        let vertices = positions.len();
+        Ok(Self { nodes: Pages::copied(&nodes), leaves, bounds, vertices })
     }
 
-    /// Fits the boxes to positions that have moved, without changing the tree's shape: quicker than
-    /// building, and good as long as neighbours stay neighbours.
+    /// Fits boxes and copies to positions that have moved, without changing the tree's shape: quicker
+    /// than building, and good as long as neighbours stay neighbours. `triangles` are those that it
+    /// was built over.
     ///
     /// # Panics
-    /// If there are fewer positions than the tree was built over. Positions must be finite, or their
-    /// triangles are missed.
-    pub fn refit(&mut self, positions: &[[f32; 3]]) {
+    /// If there are fewer positions or triangles than the tree was built over. Positions must be
+    /// finite, or their triangles are missed.
+    pub fn refit(&mut self, positions: &[[f32; 3]], triangles: &[[u32; 3]]) {
         assert!(positions.len() >= self.vertices, "positions are missing");
+        let mesh = Mesh { positions, triangles };
         // Children have higher numbers than their parents.
-        for number in (0..self.tree.nodes.len()).rev() {
+        for number in (0..self.nodes.len()).rev() {
             for slot in 0..WIDTH {
-                let child = self.tree.nodes[number].children[slot];
-                let bounds = match child.as_leaf() {
-                    Some((_, 0)) => continue,
-                    Some((start, count)) => {
-                        let records = &self.records[start..start + count];
-                        records.iter().fold(Box3::EMPTY, |bounds, &[a, b, c, _]| {
-                            let corners = [a, b, c].map(|vertex| positions[vertex as usize]);
-                            bounds.union(&Box3::around(corners))
-                        })
-                    }
-                    None => self.tree.nodes[child.0 as usize].all_bounds(),
+                let child = self.nodes[number].children[slot];
+                let bounds = match child.as_block() {
+                    _ if child == Child::NONE => continue,
+                    Some(start) => self.leaves.refit(start, &mesh),
+                    None => self.nodes[child.0 as usize].all_bounds(),
                 };
-                self.tree.nodes[number].set(slot, &bounds, child);
+                self.nodes[number].set(slot, &bounds, child);
             }
         }
-        self.tree.bounds = self.tree.root().map(Node::all_bounds);
+        self.bounds = self.nodes.first().map(Node::all_bounds);
     }
 
     /// How many triangles are in it.
     #[must_use]
     pub fn triangles(&self) -> usize {
-        self.records.len().saturating_sub(WIDTH)
+        self.leaves.count
     }
 
     /// What it takes, beside the mesh, in bytes.
     #[must_use]
     pub fn memory(&self) -> usize {
-        size_of_val(&self.tree.nodes[..]) + size_of_val(&self.records[..])
+        size_of_val(&self.nodes[..]) + self.leaves.memory()
     }
 
     /// Levels of nodes from the root down.
     #[must_use]
     pub fn depth(&self) -> usize {
-        let mut depths = vec![0; self.tree.nodes.len()];
+        let mut depths = vec![0; self.nodes.len()];
         let mut deepest = 0;
-        for (number, node) in self.tree.nodes.iter().enumerate() {
+        for (number, node) in self.nodes.iter().enumerate() {
             let depth = depths[number] + 1;
             deepest = deepest.max(depth);
-            for child in node.children.iter().filter(|child| child.as_leaf().is_none()) {
+            for child in node.children.iter().filter(|child| child.as_block().is_none()) {
                 depths[child.0 as usize] = depth;
             }
         }
@@ -338,15 +331,21 @@ impl Bvh {
     /// Lowest and highest coordinates; `None` for a tree over nothing.
     #[must_use]
     pub fn bounds(&self) -> Option<[[f32; 3]; 2]> {
-        self.tree.bounds.map(|bounds| [bounds.low, bounds.high])
+        self.bounds.map(|bounds| [bounds.low, bounds.high])
     }
 
-    pub(crate) fn tree(&self) -> &Tree {
-        &self.tree
+    pub(crate) fn box_of_all(&self) -> Option<Box3> {
+        self.bounds
     }
 
-    pub(crate) fn records(&self) -> &[Record] {
-        &self.records
+    #[inline]
+    pub(crate) fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    #[inline(always)]
+    pub(crate) fn leaves(&self) -> &Leaves {
+        &self.leaves
     }
 
     pub(crate) fn vertices(&self) -> usize {

@@ -6,7 +6,7 @@
 //! of the largest coordinate. Rays may also widen with distance, as far as the samples of a pixel's
 //! grid reach; then the two origins' directions differ, too.
 
-use super::{Child, Node, Tree, WIDTH};
+use super::{Child, Node, WIDTH};
 use luxel_math::{Level, Simd, dispatch_long, f32x8, prelude::*};
 use std::ops::{Add, Mul, Sub};
 
@@ -217,23 +217,23 @@ impl Stack {
 
 /// A walk through all leaves whose boxes pass a test, in no particular order.
 pub(crate) struct Walk<'t> {
-    tree: &'t Tree,
+    nodes: &'t [Node],
     stack: Vec<Child>,
 }
 
 impl<'t> Walk<'t> {
-    pub(crate) fn new(tree: &'t Tree) -> Self {
-        let root = tree.root().map(|_| Child::inner(0));
-        Self { tree, stack: root.into_iter().collect() }
+    pub(crate) fn new(nodes: &'t [Node]) -> Self {
+        let root = nodes.first().map(|_| Child::inner(0));
+        Self { nodes, stack: root.into_iter().collect() }
     }
 
-    /// Start and count of the next leaf; `test` gives a bit for each child of a node to visit.
-    pub(crate) fn next(&mut self, test: impl Fn(&Node) -> u32) -> Option<(usize, usize)> {
+    /// Where the next leaf's blocks begin, in a tree over triangles; `test` gives a bit for each child of a node to visit.
+    pub(crate) fn next(&mut self, test: impl Fn(&Node) -> u32) -> Option<usize> {
         while let Some(child) = self.stack.pop() {
-            if let Some(leaf) = child.as_leaf() {
-                return Some(leaf);
+            if let Some(block) = child.as_block() {
+                return Some(block);
             }
-            let node = &self.tree.nodes[child.0 as usize];
+            let node = &self.nodes[child.0 as usize];
             let mut bits = test(node);
             while bits != 0 {
                 let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
