@@ -5,77 +5,10 @@
 //! division for all. Of a node's children that are met, the nearest stays at hand and only the
 //! others go onto the stack.
 
-use crate::bvh::{ALMOST_ZERO, Child, Head, Node, PADDING, WIDTH, block, moved, number, padding};
+use crate::bvh::{ALMOST_ZERO, Child, Head, PADDING, Places, WIDTH, block, moved, number, padding};
 use crate::intersect::{Nearest, Ray, Sheared, USUAL_LENGTHS, meet_block};
 use crate::rays::{MeshRays, RayHit};
 use luxel_math::{Simd, f32x4, f32x8, i32x4, mask32x4, prelude::*};
-use std::cell::Cell;
-
-/// Places in the tree that a ray has still to visit, each as its distance and its child's word in
-/// one number, so that sorting is comparing integers. Depths are bounded (see `bvh::split`): up to 67
-/// levels with seven left at each.
-pub(crate) struct Places([Cell<u64>; Self::SIZE]);
-
-impl Places {
-    const SIZE: usize = 512;
-
-    pub(crate) const fn new() -> Self {
-        Self([const { Cell::new(0) }; Self::SIZE])
-    }
-
-    #[inline(always)]
-    fn get(&self, place: usize) -> u64 {
-        self.0[place & (Self::SIZE - 1)].get()
-    }
-
-    #[inline(always)]
-    fn set(&self, place: usize, key: u64) {
-        self.0[place & (Self::SIZE - 1)].set(key);
-    }
-
-    /// The nearest child whose box begins no farther than `farthest`, from the top down.
-    #[inline(always)]
-    fn pop(&self, top: &mut usize, farthest: f32) -> Option<u32> {
-        while *top > 0 {
-            *top -= 1;
-            let key = self.get(*top);
-            if f32::from_bits((key >> 32) as u32) <= farthest {
-                return Some(key as u32);
-            }
-        }
-        None
-    }
-
-    /// Puts the children of a node whose bit is set on top, the nearest topmost; all but that one,
-    /// which is the result. For at least two.
-    #[inline(always)]
-    fn push(&self, top: &mut usize, node: &Node, distances: &[f32; WIDTH], mut bits: u32) -> u32 {
-        let mut take = || {
-            let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
-            bits &= bits - 1;
-            // Distances are not negative, but for the sign of a zero.
-            let distance = u64::from(distances[slot].to_bits() & !(1 << 31));
-            (distance << 32 | u64::from(node.children[slot].0), bits != 0)
-        };
-        let bottom = *top;
-        let (mut nearest, _) = take();
-        loop {
-            let (key, more) = take();
-            let farther = nearest.max(key);
-            nearest = nearest.min(key);
-            let mut place = *top;
-            while place > bottom && self.get(place - 1) < farther {
-                self.set(place, self.get(place - 1));
-                place -= 1;
-            }
-            self.set(place, farther);
-            *top += 1;
-            if !more {
-                return nearest as u32;
-            }
-        }
-    }
-}
 
 /// A ray as boxes want it, axis by axis; the fourth lane is the same for all rays.
 struct Lean<S: Simd> {
@@ -295,7 +228,8 @@ impl<S: Simd> Followed<S> {
                 } else {
                     let mut distances = [0.0; WIDTH];
                     near.store_slice(&mut distances);
-                    self.child = Child(places.push(&mut self.top, node, &distances, bits));
+                    self.child =
+                        Child(places.push_farther(&mut self.top, node.words(), &distances, bits));
                 }
                 return true;
             }

@@ -9,7 +9,7 @@
 //! the distance as alone.
 
 use crate::bvh::{
-    ALMOST_ZERO, Block, Head, Node, PADDING, Stack, WIDTH, block, higher, lower, moved, number,
+    ALMOST_ZERO, Block, Head, Node, PADDING, Places, WIDTH, block, higher, lower, moved, number,
     padding,
 };
 use crate::gather::gather;
@@ -339,10 +339,10 @@ pub(crate) fn closest_of_bundle<S: Simd>(
     simd: S,
     rays: &MeshRays<'_>,
     bundle: &mut Bundle,
-    stack: &mut Stack,
+    places: &Places,
 ) {
     let nodes: &[Node] = rays.nodes;
-    stack.clear();
+    let mut top = 0;
     if bundle.count == 0 {
         return;
     }
@@ -351,9 +351,15 @@ pub(crate) fn closest_of_bundle<S: Simd>(
     let mut number = 0;
     loop {
         let (distances, bits) = interval.meet(simd, &nodes[number], bundle.turned, farthest);
-        stack.push_places(number, &distances, bits);
+        // The node's number times eight, and the slot.
+        let mut words = [0; WIDTH];
+        for slot in 0..WIDTH {
+            words[slot] = (number * WIDTH + slot) as u32;
+        }
+        places.push(&mut top, &words, &distances, bits);
         loop {
-            let Some(place) = stack.pop_place(farthest) else { return };
+            let Some(place) = places.pop(&mut top, farthest) else { return };
+            let place = place as usize;
             let (node, slot) = (&nodes[place / WIDTH], place % WIDTH);
             match node.children[slot].as_block() {
                 Some(start) => {

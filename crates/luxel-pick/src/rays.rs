@@ -1,8 +1,8 @@
 //! Rays through one mesh: the nearest triangle, any, all, and millions of rays on all cores.
 
-use crate::alone::{Places, TURNS, any, closest, closest_in_turns, nearest_alone};
+use crate::alone::{TURNS, any, closest, closest_in_turns, nearest_alone};
 use crate::bundle::{BUNDLE, Bundle, LEAST, closest_of_bundle};
-use crate::bvh::{Block, Box3, Bvh, Node, Slabs, Stack, Walk, block, corners, number, step};
+use crate::bvh::{Block, Box3, Bvh, Node, Places, Slabs, Walk, block, corners, number, step};
 use crate::intersect::{Nearest, Ray, Sheared, axes, meet_block};
 use crate::kind::Kind;
 use luxel_math::{Level, Simd, SimdLevel, dispatch_long};
@@ -48,7 +48,6 @@ const FAR: usize = 1 << 24;
 const CHUNK: usize = 1024;
 
 thread_local! {
-    static STACK: RefCell<Stack> = RefCell::new(Stack::new());
     static PLACES: [Places; TURNS] = const { [const { Places::new() }; TURNS] };
     static BUNDLES: RefCell<Box<Bundle>> = RefCell::new(Box::new(Bundle::new()));
 }
@@ -96,11 +95,9 @@ impl<'m> MeshRays<'m> {
         let mut hits = vec![None; rays.len()];
         fill(&mut hits, CHUNK, &|start, hits| {
             let rays = &rays[start..start + hits.len()];
-            STACK.with_borrow_mut(|stack| {
-                BUNDLES.with_borrow_mut(|bundle| {
-                    PLACES.with(|places| {
-                        dispatch_long!(self.level, simd => closest_of_many(simd, self, rays, hits, (bundle, stack), places));
-                    });
+            BUNDLES.with_borrow_mut(|bundle| {
+                PLACES.with(|places| {
+                    dispatch_long!(self.level, simd => closest_of_many(simd, self, rays, hits, bundle, places));
                 });
             });
         });
@@ -206,7 +203,7 @@ fn closest_of_many<S: Simd>(
     rays: &MeshRays<'_>,
     followed: &[Ray],
     hits: &mut [Option<RayHit>],
-    (bundle, stack): (&mut Bundle, &mut Stack),
+    bundle: &mut Bundle,
     cells: &[Places; TURNS],
 ) {
     for (followed, hits) in followed.chunks(BUNDLE).zip(hits.chunks_mut(BUNDLE)) {
@@ -214,7 +211,7 @@ fn closest_of_many<S: Simd>(
             && followed.len() >= LEAST
         {
             if bundle.ready(simd, rays, kind, followed.len()) {
-                closest_of_bundle(simd, rays, bundle, stack);
+                closest_of_bundle(simd, rays, bundle, &cells[0]);
                 bundle.tell(rays, hits, |place| place);
             } else {
                 closest_of_rest(simd, rays, followed, 0..followed.len(), hits, cells);
@@ -248,7 +245,7 @@ fn closest_of_many<S: Simd>(
             if !bundle.ready(simd, rays, kind, count) {
                 continue;
             }
-            closest_of_bundle(simd, rays, bundle, stack);
+            closest_of_bundle(simd, rays, bundle, &cells[0]);
             bundle.tell(rays, hits, |number| usize::from(places[number]));
             for &place in places {
                 alone[usize::from(place)] = false;

@@ -1,6 +1,6 @@
 //! Rays through the world: two levels, the objects' boxes and the trees of their meshes.
 
-use crate::bvh::{Child, Slabs, Stack, step};
+use crate::bvh::{Child, Places, Slabs, step};
 use crate::intersect::Ray;
 use crate::picker::Picker;
 use crate::rays::RayHit;
@@ -177,7 +177,7 @@ impl Picker<'_> {
         let within = |t: f64| ((t - near.start) / near.scale * (1.0 + 1e-5)) as f32;
         let mut farthest = ray.range[1];
         let mut limit = near.ray.range[1];
-        let mut stack = Stack::new();
+        let (places, mut top) = (Places::new(), 0);
         let mut next = Some(Child::inner(0));
         while let Some(child) = next {
             if let Some((start, count)) = child.as_leaf() {
@@ -188,9 +188,9 @@ impl Picker<'_> {
             } else {
                 let node = &self.top.nodes[child.0 as usize];
                 let (distances, bits) = step(self.level, node, &slabs, limit);
-                stack.push(node, &distances, bits);
+                places.push(&mut top, node.words(), &distances, bits);
             }
-            next = stack.pop(limit);
+            next = places.pop(&mut top, limit).map(Child);
         }
     }
 

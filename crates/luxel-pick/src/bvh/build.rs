@@ -4,7 +4,6 @@
 use super::split::{Care, Lanes, Ref, Side, side_of, split, split_many};
 use super::{Box3, Child, Node, Quality, RUN, Tree, WIDTH};
 use luxel_math::{Level, SimdLevel};
-use luxel_pages::Pages;
 use luxel_parallel::{any, each, fill, gather, join};
 use std::ops::Range;
 
@@ -83,25 +82,18 @@ pub(crate) fn build(things: &dyn Boxes, quality: Quality) -> Tree {
     }
     let level = SimdLevel::Auto.resolve().unwrap_or_else(|_| Level::baseline());
     let care = Care { quality, level };
-    let mut refs = Pages::<Ref>::zeroed(things.count());
-    let refs = &mut refs[..];
-    fill(refs, RUN, &|start, run| things.refs(start, run));
-    let mut count = refs.len();
+    let mut refs = vec![Ref::NOTHING; things.count()];
+    fill(&mut refs, RUN, &|start, run| things.refs(start, run));
     if any(refs.len(), RUN, &|run| refs[run].iter().any(Ref::is_left_out)) {
-        count = 0;
-        for place in 0..refs.len() {
-            refs[count] = refs[place];
-            count += usize::from(!refs[place].is_left_out());
-        }
+        refs.retain(|of| !of.is_left_out());
     }
-    let refs = &mut refs[..count];
     if refs.is_empty() {
         return Tree::default();
     }
-    let mut scratch = Pages::<Ref>::zeroed(refs.len());
-    let Side { bounds, middles } = side_of(refs, level);
+    let mut scratch = vec![Ref::NOTHING; refs.len()];
+    let Side { bounds, middles } = side_of(&refs, level);
     let run = Run {
-        refs: &mut *refs,
+        refs: &mut refs,
         scratch: &mut scratch,
         start: 0,
         bounds,

@@ -14,7 +14,7 @@ mod traverse;
 
 pub(crate) use build::{Boxes, build};
 pub(crate) use leaves::{Block, Head, Leaves, Rows, block, corners, number, row, triangle_words};
-pub(crate) use traverse::{ALMOST_ZERO, PADDING, Slabs, Stack, Walk, meet, moved, padding, step};
+pub(crate) use traverse::{ALMOST_ZERO, PADDING, Places, Slabs, Walk, meet, moved, padding, step};
 
 use bytemuck::{Pod, Zeroable};
 use leaves::Mesh;
@@ -174,6 +174,12 @@ impl Node {
             low: [0, 1, 2].map(|axis: usize| self.planes[axis][0][slot]),
             high: [0, 1, 2].map(|axis: usize| self.planes[axis][1][slot]),
         }
+    }
+
+    /// The children's words.
+    #[inline(always)]
+    pub(crate) fn words(&self) -> &[u32; WIDTH] {
+        bytemuck::cast_ref(&self.children)
     }
 
     fn all_bounds(&self) -> Box3 {

@@ -8,6 +8,7 @@
 
 use super::{Child, Node, WIDTH};
 use luxel_math::{Level, Simd, dispatch_long, f32x8, prelude::*};
+use std::cell::Cell;
 use std::ops::{Add, Mul, Sub};
 
 /// A line as the test of boxes wants it.
@@ -135,84 +136,98 @@ pub(crate) fn step(level: Level, node: &Node, slabs: &Slabs, farthest: f32) -> (
     dispatch_long!(level, simd => meet(simd, node, slabs, farthest))
 }
 
-/// Places still to be visited: distance and child in one number, so that sorting is comparing
-/// integers. Depths are bounded (see `split`): up to 67 levels with seven left at each.
-pub(crate) struct Stack {
-    entries: Box<[u64; Self::SIZE]>,
-    top: usize,
-}
+/// Places in a tree that are still to be visited, each as its distance and its word in one number, so
+/// that sorting is comparing integers. Depths are bounded (see `split`): up to 67 levels with seven
+/// left at each. How many there are, the `top`, is for who visits to keep, at hand.
+pub(crate) struct Places([Cell<u64>; Self::SIZE]);
 
-impl Stack {
+impl Places {
     const SIZE: usize = 512;
 
-    pub(crate) fn new() -> Self {
-        Self { entries: Box::new([0; Self::SIZE]), top: 0 }
+    pub(crate) const fn new() -> Self {
+        Self([const { Cell::new(0) }; Self::SIZE])
     }
 
     #[inline(always)]
-    pub(crate) fn clear(&mut self) {
-        self.top = 0;
-    }
-
-    /// Puts the children whose bit is set on top, the nearest topmost.
-    #[inline(always)]
-    pub(crate) fn push(&mut self, node: &Node, distances: &[f32; WIDTH], mut bits: u32) {
-        let bottom = self.top;
-        while bits != 0 {
-            let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
-            bits &= bits - 1;
-            self.insert(bottom, distances[slot], node.children[slot].0);
-        }
-    }
-
-    /// The same, with the children's places instead: the node's number times eight, and the slot.
-    #[inline(always)]
-    pub(crate) fn push_places(&mut self, node: usize, distances: &[f32; WIDTH], mut bits: u32) {
-        let bottom = self.top;
-        while bits != 0 {
-            let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
-            bits &= bits - 1;
-            self.insert(bottom, distances[slot], (node * WIDTH + slot) as u32);
-        }
+    fn get(&self, place: usize) -> u64 {
+        self.0[place & (Self::SIZE - 1)].get()
     }
 
     #[inline(always)]
-    fn insert(&mut self, bottom: usize, distance: f32, word: u32) {
-        // Distances are not negative, but for the sign of a zero.
-        let distance = u64::from(distance.to_bits() & !(1 << 31));
-        let key = distance << 32 | u64::from(word);
-        let mut place = self.top;
-        while place > bottom && self.entries[(place - 1) & (Self::SIZE - 1)] < key {
-            self.entries[place & (Self::SIZE - 1)] = self.entries[(place - 1) & (Self::SIZE - 1)];
-            place -= 1;
-        }
-        self.entries[place & (Self::SIZE - 1)] = key;
-        self.top += 1;
+    fn set(&self, place: usize, key: u64) {
+        self.0[place & (Self::SIZE - 1)].set(key);
     }
 
-    /// The nearest child whose box begins no farther than `farthest`.
+    /// The word of the nearest place whose box begins no farther than `farthest`, from the top down.
     #[inline(always)]
-    pub(crate) fn pop(&mut self, farthest: f32) -> Option<Child> {
-        self.pop_word(farthest).map(Child)
-    }
-
-    /// The same for children that were pushed by their places.
-    #[inline(always)]
-    pub(crate) fn pop_place(&mut self, farthest: f32) -> Option<usize> {
-        self.pop_word(farthest).map(|word| word as usize)
-    }
-
-    #[inline(always)]
-    fn pop_word(&mut self, farthest: f32) -> Option<u32> {
-        while self.top > 0 {
-            self.top -= 1;
-            let key = self.entries[self.top & (Self::SIZE - 1)];
+    pub(crate) fn pop(&self, top: &mut usize, farthest: f32) -> Option<u32> {
+        while *top > 0 {
+            *top -= 1;
+            let key = self.get(*top);
             if f32::from_bits((key >> 32) as u32) <= farthest {
                 return Some(key as u32);
             }
         }
         None
     }
+
+    /// Puts those of a node's children whose bit is set on top, the nearest topmost; `words` stand for
+    /// them.
+    #[inline(always)]
+    pub(crate) fn push(
+        &self,
+        top: &mut usize,
+        words: &[u32; WIDTH],
+        distances: &[f32; WIDTH],
+        mut bits: u32,
+    ) {
+        let bottom = *top;
+        while bits != 0 {
+            self.insert(bottom, top, take(words, distances, &mut bits));
+        }
+    }
+
+    /// The same for at least two, all but the nearest, whose word is the result.
+    #[inline(always)]
+    pub(crate) fn push_farther(
+        &self,
+        top: &mut usize,
+        words: &[u32; WIDTH],
+        distances: &[f32; WIDTH],
+        mut bits: u32,
+    ) -> u32 {
+        let bottom = *top;
+        let mut nearest = take(words, distances, &mut bits);
+        loop {
+            let key = take(words, distances, &mut bits);
+            self.insert(bottom, top, nearest.max(key));
+            nearest = nearest.min(key);
+            if bits == 0 {
+                return nearest as u32;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn insert(&self, bottom: usize, top: &mut usize, key: u64) {
+        let mut place = *top;
+        while place > bottom && self.get(place - 1) < key {
+            self.set(place, self.get(place - 1));
+            place -= 1;
+        }
+        self.set(place, key);
+        *top += 1;
+    }
+}
+
+/// The key of the child of the lowest bit, which is cleared.
+#[inline(always)]
+fn take(words: &[u32; WIDTH], distances: &[f32; WIDTH], bits: &mut u32) -> u64 {
+    let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+    *bits &= *bits - 1;
+    // Distances are not negative, but for the sign of a zero.
+    let distance = u64::from(distances[slot].to_bits() & !(1 << 31));
+    distance << 32 | u64::from(words[slot])
 }
 
 /// A walk through all leaves whose boxes pass a test, in no particular order.
