@@ -83,9 +83,12 @@ pub trait Number:
     fn each_lane(self, of: impl FnMut(usize) -> f32) -> Self;
     /// A number of values from the `first` on; `self` tells only the kind.
     fn load(self, values: &[f32; LANES], first: usize) -> Self;
-    /// Rows as columns, from row `first` on: lane i of number c is component c of the i-th row;
-    /// `self` tells only the kind.
-    fn columns(self, rows: &[[f32; 8]; LANES], first: usize) -> [Self; 8];
+    /// Rows as columns: lane i of number c is component c of `row(i)`; `self` tells only the kind.
+    /// The closure is to be marked `#[inline(always)]`.
+    fn columns<'r>(self, row: impl Fn(usize) -> &'r [f32; 8]) -> [Self; 8];
+    /// Columns as rows: `put(i, row)` is called for each lane i, with its components in order. The
+    /// closure is to be marked `#[inline(always)]`.
+    fn rows(columns: [Self; 8], put: impl FnMut(usize, [f32; 8]));
     /// Writes the values of all lanes, from the `first` on.
     fn store(self, values: &mut [f32; LANES], first: usize);
     /// The number with another value in one lane; an `f32` has only lane 0.
@@ -95,6 +98,10 @@ pub trait Number:
     /// The lanes of `values` that are `value`, as bits; `self` tells only the kind of number:
     /// fewer lanes than all look at the first ones.
     fn lanes_equal(self, values: &[u32; LANES], value: u32) -> u32;
+    /// Lanes of `values`, four rows of four, that neither the lane before them nor the one above has the
+    /// value of, as bits: each value that occurs is in at least one of them. `self` tells only the
+    /// kind of number: fewer lanes than all look at the first ones.
+    fn lanes_that_begin(self, values: &[u32; LANES]) -> u32;
     /// Runs work with the instruction set of this kind of number. The closure is to be marked
     /// `#[inline(always)]`; around it a function may then stay out of its callers.
     fn vectorized<R>(self, work: impl FnOnce() -> R) -> R;
@@ -247,8 +254,12 @@ impl Number for f32 {
         values[first]
     }
     #[inline(always)]
-    fn columns(self, rows: &[[Self; 8]; LANES], first: usize) -> [Self; 8] {
-        rows[first]
+    fn columns<'r>(self, row: impl Fn(usize) -> &'r [Self; 8]) -> [Self; 8] {
+        *row(0)
+    }
+    #[inline(always)]
+    fn rows(columns: [Self; 8], mut put: impl FnMut(usize, [Self; 8])) {
+        put(0, columns);
     }
     #[inline(always)]
     fn store(self, values: &mut [Self; LANES], first: usize) {
@@ -265,6 +276,10 @@ impl Number for f32 {
     #[inline(always)]
     fn lanes_equal(self, values: &[u32; LANES], value: u32) -> u32 {
         u32::from(values[0] == value)
+    }
+    #[inline(always)]
+    fn lanes_that_begin(self, _values: &[u32; LANES]) -> u32 {
+        1
     }
     #[inline(always)]
     fn vectorized<R>(self, work: impl FnOnce() -> R) -> R {
@@ -301,11 +316,7 @@ fn has_few_registers<S: Simd>(simd: S) -> bool {
 /// Eight rows as eight columns: an index of three bits for the row and three for the column, whose
 /// six bits each perfect shuffle turns by one (Stone 1971).
 #[inline(always)]
-fn transposed<S: Simd>(simd: S, rows: &[[f32; 8]]) -> [f32x8<S>; 8] {
-    let mut lines = [f32x8::splat(simd, 0.0); 8];
-    for (line, row) in lines.iter_mut().zip(rows) {
-        *line = f32x8::simd_from(simd, *row);
-    }
+fn transposed<S: Simd>(mut lines: [f32x8<S>; 8]) -> [f32x8<S>; 8] {
     for _ in 0..3 {
         let before = lines;
         for at in 0..4 {
@@ -427,11 +438,14 @@ macro_rules! number_of_lanes {
                 Self::from_slice(self.simd, &values[first..first + $count])
             }
             #[inline(always)]
-            fn columns(self, rows: &[[f32; 8]; LANES], first: usize) -> [Self; 8] {
+            fn columns<'r>(self, row: impl Fn(usize) -> &'r [f32; 8]) -> [Self; 8] {
                 let mut columns = [[0.0; $count]; 8];
                 for eight in (0..$count).step_by(8) {
-                    let transposed = transposed(self.simd, &rows[first + eight..][..8]);
-                    for (column, lanes) in columns.iter_mut().zip(transposed) {
+                    let mut lines = [f32x8::splat(self.simd, 0.0); 8];
+                    for (at, line) in lines.iter_mut().enumerate() {
+                        *line = f32x8::simd_from(self.simd, *row(eight + at));
+                    }
+                    for (column, lanes) in columns.iter_mut().zip(transposed(lines)) {
                         lanes.store_slice(&mut column[eight..eight + 8]);
                     }
                 }
@@ -440,6 +454,23 @@ macro_rules! number_of_lanes {
                     *number = Self::simd_from(self.simd, column);
                 }
                 numbers
+            }
+            #[inline(always)]
+            fn rows(columns: [Self; 8], mut put: impl FnMut(usize, [f32; 8])) {
+                let simd = columns[0].simd;
+                let mut stored = [[0.0; $count]; 8];
+                for (stored, column) in stored.iter_mut().zip(columns) {
+                    column.store_slice(stored);
+                }
+                for eight in (0..$count).step_by(8) {
+                    let mut lines = [f32x8::splat(simd, 0.0); 8];
+                    for (line, stored) in lines.iter_mut().zip(&stored) {
+                        *line = f32x8::from_slice(simd, &stored[eight..eight + 8]);
+                    }
+                    for (at, line) in transposed(lines).into_iter().enumerate() {
+                        put(eight + at, line.into());
+                    }
+                }
             }
             #[inline(always)]
             fn store(self, values: &mut [f32; LANES], first: usize) {
@@ -458,6 +489,18 @@ macro_rules! number_of_lanes {
             fn lanes_equal(self, values: &[u32; LANES], value: u32) -> u32 {
                 let values = $Words::from_slice(self.simd, &values[..$count]);
                 values.simd_eq($Words::splat(self.simd, value)).to_bitmask() as u32
+            }
+            #[inline(always)]
+            fn lanes_that_begin(self, values: &[u32; LANES]) -> u32 {
+                // All lanes but the first of each row, and all rows but the first.
+                const HAVE_LEFT: u32 = 0xeeee;
+                const HAVE_ABOVE: u32 = 0xfff0;
+                let values = $Words::from_slice(self.simd, &values[..$count]);
+                let left = values.slide_within_blocks::<3>(values);
+                let above = values.slide::<{ $count - 4 }>(values);
+                let as_left = values.simd_eq(left).to_bitmask() as u32 & HAVE_LEFT;
+                let as_above = values.simd_eq(above).to_bitmask() as u32 & HAVE_ABOVE;
+                !(as_left | as_above) & ((1 << $count) - 1)
             }
             #[inline(always)]
             fn vectorized<R>(self, work: impl FnOnce() -> R) -> R {
@@ -527,14 +570,55 @@ mod tests {
     #[inline(always)]
     fn columns<N: Number>(like: N, rows: &[[f32; 8]; LANES], first: usize) -> [[f32; LANES]; 8] {
         let mut stored = [[0.0; LANES]; 8];
-        for (stored, column) in stored.iter_mut().zip(like.columns(rows, first)) {
+        let columns = like.columns(
+            #[inline(always)]
+            |lane| &rows[first + lane],
+        );
+        for (stored, column) in stored.iter_mut().zip(columns) {
             column.store(stored, first);
         }
+        let mut back = [[0.0; 8]; LANES];
+        N::rows(
+            columns,
+            #[inline(always)]
+            |lane, row| back[first + lane] = row,
+        );
+        for (lane, back) in back.iter().enumerate().skip(first) {
+            assert!(*back == rows[lane] || *back == [0.0; 8], "row {lane}");
+        }
+        assert_eq!(back[first], rows[first]);
         stored
     }
 
     #[test]
-    fn a_lane_of_a_column_is_a_component_of_its_row() {
+    fn lanes_that_begin_differ_from_those_beside_and_above() {
+        let begin = |values: &[u32; LANES]| {
+            let differs = |lane: usize, by: usize| values[lane] != values[lane - by];
+            let begins =
+                |lane| (lane % 4 == 0 || differs(lane, 1)) && (lane < 4 || differs(lane, 4));
+            (0..LANES).fold(0, |bits, lane| bits | u32::from(begins(lane)) << lane)
+        };
+        let mut state = 1_u32;
+        for round in 0..200 {
+            let values: [u32; LANES] = std::array::from_fn(|_| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                (state >> 16) % (1 + round % 7)
+            });
+            for level in SimdLevel::available() {
+                let level = level.resolve().unwrap();
+                let sixteen =
+                    dispatch!(level, simd => f32x16::splat(simd, 0.0).lanes_that_begin(&values));
+                let eight =
+                    dispatch!(level, simd => f32x8::splat(simd, 0.0).lanes_that_begin(&values));
+                assert_eq!(sixteen, begin(&values), "{values:?} at {level:?}");
+                assert_eq!(eight, begin(&values) & 0xff, "{values:?} at {level:?}");
+            }
+            assert_eq!(0.0_f32.lanes_that_begin(&values), begin(&values) & 1);
+        }
+    }
+
+    #[test]
+    fn a_lane_of_a_column_is_a_component_of_its_row_and_the_way_back_finds_it() {
         let rows = std::array::from_fn(|row| std::array::from_fn(|at| (row * 8 + at) as f32));
         for level in SimdLevel::available() {
             let level = level.resolve().unwrap();

@@ -28,6 +28,12 @@ pub trait Wide:
     fn is_positive(self) -> <Self::Narrow as Number>::Mask;
     /// Rounded to `f32`, ties to even.
     fn narrow(self) -> Self::Narrow;
+    /// Rows as columns: lane i of number c is component c of `row(i)`; `self` tells only the kind.
+    /// The closure is to be marked `#[inline(always)]`.
+    fn columns<'r>(self, row: impl Fn(usize) -> &'r [f64; 4]) -> [Self; 4];
+    /// Columns as rows: `put(i, row)` is called for each lane i, with its components in order. The
+    /// closure is to be marked `#[inline(always)]`.
+    fn rows(columns: [Self; 4], put: impl FnMut(usize, [f64; 4]));
 }
 
 impl Wide for f64 {
@@ -49,6 +55,26 @@ impl Wide for f64 {
     fn narrow(self) -> f32 {
         self as f32
     }
+    #[inline(always)]
+    fn columns<'r>(self, row: impl Fn(usize) -> &'r [Self; 4]) -> [Self; 4] {
+        *row(0)
+    }
+    #[inline(always)]
+    fn rows(columns: [Self; 4], mut put: impl FnMut(usize, [Self; 4])) {
+        put(0, columns);
+    }
+}
+
+/// Four rows as four columns, by perfect shuffles.
+#[inline(always)]
+fn transposed<S: Simd>(mut lines: [f64x4<S>; 4]) -> [f64x4<S>; 4] {
+    for _ in 0..2 {
+        let before = lines;
+        for at in 0..2 {
+            (lines[2 * at], lines[2 * at + 1]) = before[at].interleave(before[at + 2]);
+        }
+    }
+    lines
 }
 
 /// Lanes with the digits of an `f64`, in two halves.
@@ -96,6 +122,44 @@ macro_rules! wide_lanes {
             #[inline(always)]
             fn narrow(self) -> $Lanes<S> {
                 self.low.simd.$narrow(self.low, self.high)
+            }
+            #[inline(always)]
+            fn columns<'r>(self, row: impl Fn(usize) -> &'r [f64; 4]) -> [Self; 4] {
+                let simd = self.low.simd;
+                let mut columns = [[0.0; 2 * $half]; 4];
+                for four in (0..2 * $half).step_by(4) {
+                    let mut lines = [f64x4::splat(simd, 0.0); 4];
+                    for (at, line) in lines.iter_mut().enumerate() {
+                        *line = f64x4::simd_from(simd, *row(four + at));
+                    }
+                    for (column, lanes) in columns.iter_mut().zip(transposed(lines)) {
+                        lanes.store_slice(&mut column[four..four + 4]);
+                    }
+                }
+                let mut numbers = [self; 4];
+                for (number, column) in numbers.iter_mut().zip(columns) {
+                    number.low = $Half::from_slice(simd, &column[..$half]);
+                    number.high = $Half::from_slice(simd, &column[$half..]);
+                }
+                numbers
+            }
+            #[inline(always)]
+            fn rows(columns: [Self; 4], mut put: impl FnMut(usize, [f64; 4])) {
+                let simd = columns[0].low.simd;
+                let mut stored = [[0.0; 2 * $half]; 4];
+                for (stored, column) in stored.iter_mut().zip(columns) {
+                    column.low.store_slice(&mut stored[..$half]);
+                    column.high.store_slice(&mut stored[$half..]);
+                }
+                for four in (0..2 * $half).step_by(4) {
+                    let mut lines = [f64x4::splat(simd, 0.0); 4];
+                    for (line, stored) in lines.iter_mut().zip(&stored) {
+                        *line = f64x4::from_slice(simd, &stored[four..four + 4]);
+                    }
+                    for (at, line) in transposed(lines).into_iter().enumerate() {
+                        put(four + at, line.into());
+                    }
+                }
             }
         }
 
@@ -188,6 +252,47 @@ mod tests {
                         assert_eq!(lanes[lane].to_bits(), one.to_bits());
                     }
                     assert_eq!(positive >> lane & 1 == 1, a[lane] > 0.0);
+                }
+            }
+        }
+    }
+
+    /// Rows through columns and back, and the sum of columns 1 and 2 weighted to tell them apart.
+    #[inline(always)]
+    fn through_columns<N: Number>(like: N, rows: &[[f64; 4]; LANES]) -> [([f64; 4], f32); LANES] {
+        let columns = like.widened().columns(
+            #[inline(always)]
+            |lane| &rows[lane],
+        );
+        let mut back = [([0.0; 4], 0.0); LANES];
+        Wide::rows(
+            columns,
+            #[inline(always)]
+            |lane, row| back[lane].0 = row,
+        );
+        let told = (columns[1] + columns[2] * columns[2].constant(1000.0)).narrow();
+        for (lane, (_, value)) in back.iter_mut().enumerate() {
+            if like.all_lanes() >> lane & 1 == 1 {
+                *value = told.lane(lane);
+            }
+        }
+        back
+    }
+
+    #[test]
+    fn a_lane_of_a_column_is_a_component_of_its_row_and_the_way_back_finds_it() {
+        let rows = std::array::from_fn(|row| std::array::from_fn(|at| (row * 4 + at) as f64));
+        for level in SimdLevel::available() {
+            let level = level.resolve().unwrap();
+            let found = [
+                (LANES, dispatch!(level, simd => through_columns(f32x16::splat(simd, 0.0), &rows))),
+                (8, dispatch!(level, simd => through_columns(f32x8::splat(simd, 0.0), &rows))),
+                (1, through_columns(0.0_f32, &rows)),
+            ];
+            for (lanes, found) in found {
+                for lane in 0..lanes {
+                    let told = (rows[lane][1] + rows[lane][2] * 1000.0) as f32;
+                    assert_eq!(found[lane], (rows[lane], told), "{lanes} lanes at {level:?}");
                 }
             }
         }

@@ -100,30 +100,30 @@ impl Gathered {
         of_lanes: u32,
         asked: Asked,
     ) -> Option<OfInstance> {
-        let of = self.read(scene, batch, of_lanes, asked == Asked::Everything);
-        let Self { corners, materials, met, .. } = self;
+        let of = self.read(scene, &batch.ids, of_lanes, asked == Asked::Everything);
         let mut lit_as = None;
         if asked == Asked::Lights {
+            let materials = &self.materials;
             let material = materials[of.lanes.trailing_zeros() as usize & (LANES - 1)];
             if like.lanes_equal(materials, material) & of.lanes != of.lanes {
                 return None;
             }
             lit_as = Some(material as usize);
         }
-        like.piecewise(&mut Meeting { scene, batch, of, corners, lit_as, met });
+        like.piecewise(&mut Meeting { scene, batch, of, lit_as, gathered: self });
         Some(of)
     }
 
     /// Reads the triangles of one instance.
     #[inline(always)]
-    fn read(
+    pub(crate) fn read(
         &mut self,
         scene: &Scene16<'_>,
-        batch: &Batch,
+        ids: &[u32; LANES],
         of_lanes: u32,
         extras: bool,
     ) -> OfInstance {
-        let id = |lane: usize| TriangleId(batch.ids[lane & (LANES - 1)]);
+        let id = |lane: usize| TriangleId(ids[lane & (LANES - 1)]);
         let mut cluster = scene.frame.cluster(id(of_lanes.trailing_zeros() as usize));
         let instance = cluster.instance();
         let mesh = scene.frame.instances()[instance].mesh;
@@ -174,6 +174,42 @@ impl Gathered {
         OfInstance { lanes, instance, has }
     }
 
+    /// Brings the triangles of one instance, from lane `first` on, before the eye.
+    #[inline(always)]
+    pub(crate) fn placed<N: Number>(
+        &self,
+        like: N,
+        scene: &Scene16<'_>,
+        of: &OfInstance,
+        first: usize,
+    ) -> Placed<N> {
+        let space = &scene.spaces[of.instance];
+        let [a, b, c] = &self.corners;
+        let [ax, ay, az, anx, any, anz, ..] = like.columns(
+            #[inline(always)]
+            |lane| &a[(first + lane) & (LANES - 1)],
+        );
+        let [bx, by, bz, bnx, bny, bnz, ..] = like.columns(
+            #[inline(always)]
+            |lane| &b[(first + lane) & (LANES - 1)],
+        );
+        let [cx, cy, cz, cnx, cny, cnz, ..] = like.columns(
+            #[inline(always)]
+            |lane| &c[(first + lane) & (LANES - 1)],
+        );
+        let in_view = space.view_from_local.corners([[ax, ay, az], [bx, by, bz], [cx, cy, cz]]);
+        let forms = Forms::new(scene.frame.rays(), in_view);
+        let in_mesh = if scene.frame.instances()[of.instance].mesh.normals.is_empty() {
+            None
+        } else {
+            Some([Vec3::new(anx, any, anz), Vec3::new(bnx, bny, bnz), Vec3::new(cnx, cny, cnz)])
+        };
+        let normals = space.facing_normals(&in_view, forms.towards_eye(), in_mesh);
+        let [a, b, c] = in_view;
+        let about_eye = [space.about_eye(a), space.about_eye(b), space.about_eye(c)];
+        Placed { forms, about_eye, normals }
+    }
+
     #[inline(always)]
     fn read_corners(
         &mut self,
@@ -214,16 +250,24 @@ impl Gathered {
     }
 }
 
+/// A triangle for each lane, before the eye.
+pub(crate) struct Placed<N: Number> {
+    pub(crate) forms: Forms<N::Wide>,
+    /// Corners about the eye, along the world's axes.
+    pub(crate) about_eye: [Vec3<N>; 3],
+    /// The corners' unit normals in world space, turned to the side that is seen.
+    pub(crate) normals: [Vec3<N>; 3],
+}
+
 /// Rays and triangles on their way to [`Met`]. Corners are f64, of which sixteen lanes fill more
 /// registers than there are: done piece by piece.
 struct Meeting<'a> {
     scene: &'a Scene16<'a>,
     batch: &'a Batch,
     of: OfInstance,
-    corners: &'a [[Carried; LANES]; 3],
     /// The material by which corners are lit, if they are.
     lit_as: Option<usize>,
-    met: &'a mut Met,
+    gathered: &'a mut Gathered,
 }
 
 impl Piecewise for Meeting<'_> {
@@ -231,14 +275,9 @@ impl Piecewise for Meeting<'_> {
     fn piece<N: Number>(&mut self, like: N, first: usize) {
         let Self { scene, batch, of, .. } = *self;
         let lanes = of.lanes >> first;
-        let space = &scene.spaces[of.instance];
         let rays = scene.frame.rays();
         let [x, y] = batch.places_from(like, first);
-        let [ax, ay, az, anx, any, anz, ..] = like.columns(&self.corners[0], first);
-        let [bx, by, bz, bnx, bny, bnz, ..] = like.columns(&self.corners[1], first);
-        let [cx, cy, cz, cnx, cny, cnz, ..] = like.columns(&self.corners[2], first);
-        let in_view = space.view_from_local.corners([[ax, ay, az], [bx, by, bz], [cx, cy, cz]]);
-        let forms = Forms::new(rays, in_view);
+        let Placed { forms, about_eye, normals } = self.gathered.placed(like, scene, &of, first);
         let (mut weights, outside) = forms.told(x, y);
         for lane in lanes_of(outside.bits() & lanes) {
             let id = TriangleId(batch.ids[(first + lane) & (LANES - 1)]);
@@ -247,18 +286,12 @@ impl Piecewise for Meeting<'_> {
             let nearest = scene.frame.forms(triangle).nearest_on_edges(rays, x, y);
             put_lane(&mut weights, lane, nearest);
         }
-        let in_mesh = if scene.frame.instances()[of.instance].mesh.normals.is_empty() {
-            None
-        } else {
-            Some([Vec3::new(anx, any, anz), Vec3::new(bnx, bny, bnz), Vec3::new(cnx, cny, cnz)])
-        };
-        let [na, nb, nc] = space.facing_normals(&in_view, forms.towards_eye(), in_mesh);
-        let [a, b, c] = in_view;
-        let (a, b, c) = (space.about_eye(a), space.about_eye(b), space.about_eye(c));
+        let [a, b, c] = about_eye;
+        let [na, nb, nc] = normals;
         let position = a * weights[0] + b * weights[1] + c * weights[2];
 
         let mask = like.mask_of(lanes);
-        let met = &mut *self.met;
+        let met = &mut self.gathered.met;
         store(&mut met.weights.here, weights, mask, first);
         store(&mut met.position, [position.x, position.y, position.z], mask, first);
         if let Some(material) = self.lit_as {

@@ -24,6 +24,7 @@ mod place;
 mod plain;
 mod polygons;
 mod primitives;
+mod ready;
 mod renderer;
 mod resolve;
 mod shade;

@@ -2,16 +2,16 @@
 //! and nothing else, of materials without textures, lit at their pixels or at their corners. The same
 //! formulas as for any block ([`shade`]), without room for what isn't there.
 
-use crate::gathered::{Asked, has_many, loaded};
+use crate::gathered::{Asked, loaded};
+use crate::ready::ReadyTriangle;
 use crate::shade::{Batch, Kept, Scene16, put_lane, shade};
 use crate::surface;
-use crate::triangles::SeenTriangle;
-use crate::varying::{lanes_of, light_between, places_at};
+use crate::varying::lanes_of;
 use crate::view::{Interpolation, Shading, ShadingMode};
 use luxel_lighting::{Coefficients, Silent, Uniform};
-use luxel_math::{LANES, Mask, Number, Rgb, Vec3};
+use luxel_math::{LANES, Mask, Number, Piecewise, Rgb, Vec3};
 use luxel_scene::{AlphaMode, Scene, SceneMaterial};
-use luxel_visibility::TriangleId;
+use luxel_visibility::{LinearForms, TriangleId};
 
 /// What each material reflects that is the same at all its points, but for vertex colours; `None`
 /// where textures change it.
@@ -58,6 +58,13 @@ struct Seen<N> {
     material: u32,
 }
 
+impl<N: Number> Seen<N> {
+    #[inline(always)]
+    fn of_components([x, y, z, u, v, w]: [N; 6], lanes: u32, material: u32) -> Self {
+        Self { position: Vec3::new(x, y, z), carried: Vec3::new(u, v, w), lanes, material }
+    }
+}
+
 /// The colour (straight) and alpha of the samples; the background's where nothing is seen.
 ///
 /// What [`shade`] gives, for scenes that [are plain](is_plain). Compiled once a kind of number, not
@@ -73,11 +80,13 @@ pub(crate) fn shade_plain<N: Number>(
         #[inline(always)]
         || {
             let all = like.all_lanes() & !like.lanes_equal(&batch.ids, TriangleId::NONE.0);
-            let seen = if has_many(like, &batch.ids, all) {
-                many(like, scene, batch, kept, all)
-            } else {
-                few(like, scene, batch, kept, all)
-            };
+            let mut seen = None;
+            if all != 0 {
+                seen = few(like, scene, batch, kept, all);
+                if seen.is_none() {
+                    seen = many(like, scene, batch, kept, all);
+                }
+            }
             match seen {
                 Some(seen) => lit(scene, &seen),
                 None => shade(like, scene, batch, kept, &mut Silent),
@@ -86,8 +95,8 @@ pub(crate) fn shade_plain<N: Number>(
     )
 }
 
-/// Looks at triangles one by one: each at all lanes, which keeps the processor busier than at those
-/// that see it.
+/// Looks at triangles that are ready, or are made so; `None` if the block sees too many for that, or
+/// several materials.
 #[inline(always)]
 fn few<N: Number>(
     like: N,
@@ -96,51 +105,137 @@ fn few<N: Number>(
     kept: &mut Kept,
     all: u32,
 ) -> Option<Seen<N>> {
-    if all == 0 {
-        return None;
+    let Kept { ready, gathered, .. } = kept;
+    if (like.lanes_that_begin(&batch.ids) & all).count_ones() <= FEW {
+        return one_by_one(like, scene, batch, kept, all);
     }
-    let places = batch.places(like);
+    let rows = ready.rows(like, scene, gathered, &batch.ids, all)?;
+    let material = rows.material?;
+    let mut meeting =
+        Meeting { scene, batch, rows: &rows.triangles, lanes: all, met: [[0.0; LANES]; 6] };
+    like.piecewise(&mut meeting);
+    let mut met = [like; 6];
+    for (number, met) in met.iter_mut().zip(&meeting.met) {
+        *number = like.load(met, 0);
+    }
+    Some(Seen::of_components(met, all, material))
+}
+
+/// Up to so many triangles a block are met one by one, each at all lanes: with more it takes less to
+/// give each lane its own.
+const FEW: u32 = 3;
+
+#[inline(always)]
+fn one_by_one<N: Number>(
+    like: N,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    kept: &mut Kept,
+    all: u32,
+) -> Option<Seen<N>> {
+    let Kept { ready, gathered, .. } = kept;
+    let samples = batch.places(like);
     let id = batch.ids[all.trailing_zeros() as usize & (LANES - 1)];
     let lanes = like.lanes_equal(&batch.ids, id);
-    let first = kept.seen.get(scene, TriangleId(id))?;
-    let material = first.material;
+    let (triangle, material) = ready.one(like, scene, gathered, id)?;
     // What the first triangle gives to lanes of others is overwritten, and nobody asks for the rest.
-    let (mut position, mut carried) = met(first, scene, batch, places, lanes);
+    let mut met = met(like, triangle, scene, batch, samples, lanes);
     let mut left = all & !lanes;
     while left != 0 {
         let id = batch.ids[left.trailing_zeros() as usize & (LANES - 1)];
         let lanes = like.lanes_equal(&batch.ids, id);
         left &= !lanes;
-        let next = kept.seen.get(scene, TriangleId(id))?;
-        if next.material != material {
+        let (triangle, other) = ready.one(like, scene, gathered, id)?;
+        if other != material {
             return None;
         }
-        let (next_position, next_carried) = met(next, scene, batch, places, lanes);
         let mask = like.mask_of(lanes);
-        position = next_position.select(mask, position);
-        carried = next_carried.select(mask, carried);
+        let next = self::met(like, triangle, scene, batch, samples, lanes);
+        for (met, next) in met.iter_mut().zip(next) {
+            *met = next.select(mask, *met);
+        }
     }
-    Some(Seen { position, carried, lanes: all, material })
+    Some(Seen::of_components(met, all, material))
 }
 
 /// Where the samples' rays meet one triangle, and what its corners carry there.
 #[inline(always)]
 fn met<N: Number>(
-    triangle: &SeenTriangle,
+    like: N,
+    triangle: &ReadyTriangle,
+    scene: &Scene16<'_>,
+    batch: &Batch,
+    samples: [N::Wide; 2],
+    lanes: u32,
+) -> [N; 6] {
+    let forms = LinearForms::everywhere(samples[0], &triangle.forms);
+    let [u, v, w] = told(&forms, scene, batch, samples, 0, lanes);
+    let [a, b, c] = &triangle.corners;
+    let mut met = [like; 6];
+    for component in 0..6 {
+        met[component] = like.constant(a[component]) * u
+            + like.constant(b[component]) * v
+            + like.constant(c[component]) * w;
+    }
+    met
+}
+
+/// The barycentrics of samples from lane `first` on.
+#[inline(always)]
+fn told<N: Number>(
+    forms: &LinearForms<N::Wide>,
     scene: &Scene16<'_>,
     batch: &Batch,
     [x, y]: [N::Wide; 2],
+    first: usize,
     lanes: u32,
-) -> (Vec3<N>, Vec3<N>) {
-    let (mut weights, outside) = triangle.forms.in_lanes(x).told(x, y);
+) -> [N; 3] {
+    let (mut weights, outside) = forms.told(x, y);
     for lane in lanes_of(outside.bits() & lanes) {
-        let [x, y] = batch.position(lane);
-        put_lane(&mut weights, lane, triangle.forms.nearest_on_edges(scene.frame.rays(), x, y));
+        let id = TriangleId(batch.ids[(first + lane) & (LANES - 1)]);
+        let Some(triangle) = scene.frame.triangle(id) else { continue };
+        let [x, y] = batch.position(first + lane);
+        let forms = scene.frame.forms(triangle);
+        put_lane(&mut weights, lane, forms.nearest_on_edges(scene.frame.rays(), x, y));
     }
-    let (position, normal) = places_at(&triangle.corners, &weights);
-    match scene.shading.mode {
-        ShadingMode::Gouraud => (position, light_between(&triangle.corners, &weights)),
-        _ => (position, normal),
+    weights
+}
+
+/// Rays on their way to triangles that are ready, one for each lane.
+struct Meeting<'a> {
+    scene: &'a Scene16<'a>,
+    batch: &'a Batch,
+    rows: &'a [&'a ReadyTriangle; LANES],
+    lanes: u32,
+    /// Position, and what corners carry beside it.
+    met: [[f32; LANES]; 6],
+}
+
+impl Piecewise for Meeting<'_> {
+    #[inline(always)]
+    fn piece<N: Number>(&mut self, like: N, first: usize) {
+        let Self { scene, batch, rows, .. } = *self;
+        let samples = batch.places_from(like, first);
+        let forms = LinearForms::unpacked(
+            samples[0],
+            #[inline(always)]
+            |lane| &rows[(first + lane) & (LANES - 1)].forms,
+        );
+        let weights: [N; 3] = told(&forms, scene, batch, samples, first, self.lanes >> first);
+        let mut sum = [like.zero(); 6];
+        for corner in 0..3 {
+            let columns = like.columns(
+                #[inline(always)]
+                |lane| &rows[(first + lane) & (LANES - 1)].corners[corner],
+            );
+            for component in 0..6 {
+                let part = columns[component] * weights[corner];
+                sum[component] = if corner == 0 { part } else { sum[component] + part };
+            }
+        }
+        for (met, sum) in self.met.iter_mut().zip(sum) {
+            sum.store(met, first);
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use crate::edges::{EdgeFlags, edge_distance};
 use crate::gathered::{Asked, Gathered, has_many};
 use crate::pieces::PieceCount;
 use crate::polygons::Polygons;
+use crate::ready::Ready;
 use crate::surface::{self, Interpolated, SurfaceWitness};
 use crate::triangles::{SeenTriangle, SeenTriangles};
 use crate::varying::{Varying, Weights, lanes_of, merge};
@@ -67,11 +68,12 @@ impl Scene16<'_> {
 pub(crate) struct Kept {
     pub(crate) seen: SeenTriangles,
     pub(crate) gathered: Gathered,
+    pub(crate) ready: Ready,
 }
 
 impl Kept {
     pub(crate) fn new() -> Self {
-        Self { seen: SeenTriangles::new(), gathered: Gathered::new() }
+        Self { seen: SeenTriangles::new(), gathered: Gathered::new(), ready: Ready::new() }
     }
 }
 
@@ -198,7 +200,7 @@ fn interpolate_lanes<N: Number>(
     kept: &mut Kept,
     interpolated: &mut Interpolated<N>,
 ) {
-    let Kept { seen, gathered } = kept;
+    let Kept { seen, gathered, .. } = kept;
     let like = interpolated.edge_distance;
     let [x, y] = batch.places(like);
     let all = like.all_lanes() & !like.lanes_equal(&batch.ids, TriangleId::NONE.0);

@@ -276,13 +276,6 @@ pub(crate) fn places_at<N: Number>(
     (Vec3::new(x, y, z), Vec3::new(across, up, towards))
 }
 
-/// Light between a triangle's corners.
-#[inline(always)]
-pub(crate) fn light_between<N: Number>([a, b, c]: &[Corner; 3], weights: &[N; 3]) -> Vec3<N> {
-    let [r, g, b] = mixed([&a.light, &b.light, &c.light], weights);
-    Vec3::new(r, g, b)
-}
-
 /// Values of three corners, mixed by weights: one triangle for all lanes.
 #[inline(always)]
 fn mixed<const C: usize, N: Number>([a, b, c]: [&[f32; C]; 3], [u, v, w]: &[N; 3]) -> [N; C] {

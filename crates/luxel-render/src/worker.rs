@@ -134,6 +134,35 @@ pub(crate) fn add_layer<S: Simd>(
     deeper
 }
 
+/// Blocks that are looked at together before they are lit: two rows.
+const AHEAD: usize = 2 * BLOCKS as usize;
+
+/// Makes triangles ready that the next blocks see; which of these see nothing, as bits.
+#[inline(always)]
+fn look_ahead<S: Simd>(
+    simd: S,
+    scene: &Scene16<'_>,
+    tile: &Tile,
+    first: usize,
+    kept: &mut Kept,
+) -> u32 {
+    let Kept { ready, gathered, .. } = kept;
+    let like = f32x16::splat(simd, 0.0);
+    let mut empty = 0;
+    for number in 0..AHEAD {
+        let block = first + number;
+        if sees_nothing(simd, tile, block) {
+            empty |= 1 << number;
+        } else if scene.is_plain {
+            for plane in tile.planes() {
+                ready.look_ahead(like, scene, gathered, &plane.ids[block]);
+            }
+        }
+    }
+    ready.make(like, scene, gathered);
+    empty
+}
+
 /// Lights all blocks of a tile, and finishes their pixels.
 #[inline(always)]
 pub(crate) fn tile_pixels<S: Simd, F: Finish>(
@@ -146,9 +175,13 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
 ) {
     let Worker { opaque, layered, kept, .. } = worker;
     let background = [finish.pixel(empty_pixel(scene)); LANES];
+    let mut empty = 0;
     for block in 0..ALL_BLOCKS {
+        if block % AHEAD == 0 {
+            empty = look_ahead(simd, scene, opaque, block, kept);
+        }
         let is_layered = has_layers && layered.is_touched(block);
-        let is_empty = sees_nothing(simd, opaque, block);
+        let is_empty = empty >> (block % AHEAD) & 1 == 1;
         if is_empty && !is_layered {
             put_block(pixels, block, &background);
             continue;

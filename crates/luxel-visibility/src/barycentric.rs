@@ -84,21 +84,30 @@ impl WindowRays {
     }
 }
 
-/// The weights of a triangle's corners as linear forms over the window: w_i = a_i X + b_i Y + c_i.
+/// A triangle in view space, and the weights of its corners as linear forms over the window.
 ///
 /// Of one triangle, or of sixteen (`D` = [`Wide16`](luxel_math::Wide16)).
 #[derive(Clone, Copy, Debug)]
 pub struct Forms<D = f64> {
     /// In view space.
     corners: [[D; 3]; 3],
+    linear: LinearForms<D>,
+    /// Positive where the corners run counterclockwise as seen from the eye.
+    towards_eye: D,
+}
+
+/// The weights of a triangle's corners as linear forms over the window: w_i = a_i X + b_i Y + c_i.
+#[derive(Clone, Copy, Debug)]
+pub struct LinearForms<D = f64> {
     a: [D; 3],
     b: [D; 3],
     c: [D; 3],
     /// Below this sum of weights, rounding would tell more than the triangle.
     least_sum: D,
-    /// Positive where the corners run counterclockwise as seen from the eye.
-    towards_eye: D,
 }
+
+/// The forms of one triangle as rows, of which four fill a register: a, b, c and what else there is.
+pub type PackedForms = [[f64; 4]; 3];
 
 /// What the sum of weights must be, in parts of the largest terms that it may be made of.
 const TOLD: f64 = 1e-9;
@@ -138,7 +147,15 @@ impl<D: Wide> Forms<D> {
                 towards_eye = -(x * n[0] + y * n[1] + z * n[2]);
             }
         }
-        Self { corners, a, b, c, least_sum: terms * like.constant(TOLD), towards_eye }
+        let linear = LinearForms { a, b, c, least_sum: terms * like.constant(TOLD) };
+        Self { corners, linear, towards_eye }
+    }
+
+    /// The weights alone.
+    #[inline(always)]
+    #[must_use]
+    pub fn linear(&self) -> &LinearForms<D> {
+        &self.linear
     }
 
     /// Positive where the corners run counterclockwise as seen from the eye, negative where they run
@@ -149,6 +166,29 @@ impl<D: Wide> Forms<D> {
         self.towards_eye
     }
 
+    /// The weights at window position (x, y) in pixels: see [`LinearForms::weights`].
+    #[inline(always)]
+    #[must_use]
+    pub fn weights(&self, x: D, y: D) -> [D; 3] {
+        self.linear.weights(x, y)
+    }
+
+    /// The barycentrics at window position (x, y) in pixels: see [`LinearForms::told`].
+    #[inline(always)]
+    #[must_use]
+    pub fn told(&self, x: D, y: D) -> ([D::Narrow; 3], <D::Narrow as Number>::Mask) {
+        self.linear.told(x, y)
+    }
+
+    /// The barycentrics one pixel to the right and one below: see [`LinearForms::beside`].
+    #[inline(always)]
+    #[must_use]
+    pub fn beside(&self, x: D, y: D) -> [[D::Narrow; 3]; 2] {
+        self.linear.beside(x, y)
+    }
+}
+
+impl<D: Wide> LinearForms<D> {
     /// The weights at window position (x, y) in pixels; divided by their sum they are barycentrics,
     /// also outside of the triangle.
     #[inline(always)]
@@ -190,6 +230,58 @@ impl<D: Wide> Forms<D> {
         let [b0, b1, b2] = self.b;
         [by_their_sum([w0 + a0, w1 + a1, w2 + a2]), by_their_sum([w0 + b0, w1 + b1, w2 + b2])]
     }
+
+    /// Each lane's own forms, from `packed(lane)`; `like` tells only the kind of number. The closure
+    /// is to be marked `#[inline(always)]`.
+    #[inline(always)]
+    #[must_use]
+    pub fn unpacked<'p>(like: D, packed: impl Fn(usize) -> &'p PackedForms) -> Self {
+        let [a0, a1, a2, least_sum] = like.columns(
+            #[inline(always)]
+            |lane| &packed(lane)[0],
+        );
+        let [b0, b1, b2, _] = like.columns(
+            #[inline(always)]
+            |lane| &packed(lane)[1],
+        );
+        let [c0, c1, c2, _] = like.columns(
+            #[inline(always)]
+            |lane| &packed(lane)[2],
+        );
+        Self { a: [a0, a1, a2], b: [b0, b1, b2], c: [c0, c1, c2], least_sum }
+    }
+
+    /// The way back: `put(lane, row, values)` for each lane and each row of [`PackedForms`]. The
+    /// closure is to be marked `#[inline(always)]`.
+    #[inline(always)]
+    pub fn pack(&self, mut put: impl FnMut(usize, usize, [f64; 4])) {
+        let zero = self.least_sum.constant(0.0);
+        let rest = [self.least_sum, zero, zero];
+        for (row, ([first, second, third], rest)) in
+            [self.a, self.b, self.c].into_iter().zip(rest).enumerate()
+        {
+            D::rows(
+                [first, second, third, rest],
+                #[inline(always)]
+                |lane, values| put(lane, row, values),
+            );
+        }
+    }
+
+    /// One triangle's forms in every lane; `like` tells only the kind of number.
+    #[inline(always)]
+    #[must_use]
+    pub fn everywhere(like: D, [a, b, c]: &PackedForms) -> Self {
+        let [a0, a1, a2, least_sum] = a;
+        let [b0, b1, b2, _] = b;
+        let [c0, c1, c2, _] = c;
+        Self {
+            a: in_lanes(like, &[*a0, *a1, *a2]),
+            b: in_lanes(like, &[*b0, *b1, *b2]),
+            c: in_lanes(like, &[*c0, *c1, *c2]),
+            least_sum: like.constant(*least_sum),
+        }
+    }
 }
 
 /// Weights divided by their sum.
@@ -208,10 +300,12 @@ impl Forms {
         let [p, q, r] = &self.corners;
         Forms {
             corners: [in_lanes(like, p), in_lanes(like, q), in_lanes(like, r)],
-            a: in_lanes(like, &self.a),
-            b: in_lanes(like, &self.b),
-            c: in_lanes(like, &self.c),
-            least_sum: like.constant(self.least_sum),
+            linear: LinearForms {
+                a: in_lanes(like, &self.linear.a),
+                b: in_lanes(like, &self.linear.b),
+                c: in_lanes(like, &self.linear.c),
+                least_sum: like.constant(self.linear.least_sum),
+            },
             towards_eye: like.constant(self.towards_eye),
         }
     }
@@ -225,7 +319,8 @@ impl Forms {
     /// How much a corner's weight grows a pixel: 0 for a triangle seen edge-on.
     #[must_use]
     pub fn steepness(&self, corner: usize) -> f64 {
-        (self.a[corner] * self.a[corner] + self.b[corner] * self.b[corner]).sqrt()
+        let LinearForms { a, b, .. } = &self.linear;
+        (a[corner] * a[corner] + b[corner] * b[corner]).sqrt()
     }
 
     /// The barycentrics of the place on the triangle's edges that lies nearest, in the window, to

@@ -36,7 +36,7 @@ mod strokes;
 mod tile;
 mod transform;
 
-pub use barycentric::{Forms, WindowRays};
+pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
 pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
 pub use cluster::{CLUSTER_TRIANGLES, Carried, ClusterOrder, Clusters};
 pub use cull::MAX_SIDE;
