@@ -2,7 +2,7 @@
 
 use crate::cluster::SLOT_BITS;
 use crate::setup::Region;
-use luxel_math::LANES;
+use luxel_math::{LANES, Simd, f32x16, i32x16, prelude::*};
 use luxel_scene::Size;
 
 /// Pixels of a tile's side. 64 gives a worker a piece that fits the cache (32 KiB a sample plane)
@@ -12,14 +12,11 @@ pub const TILE: i32 = 64;
 pub const BLOCK: i32 = 4;
 /// Blocks of a tile's side.
 pub const BLOCKS: i32 = TILE / BLOCK;
+/// Columns and rows of a block's lanes.
+pub(crate) const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
+pub(crate) const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
 const BLOCKS_OF_TILE: usize = (BLOCKS * BLOCKS) as usize;
 const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
-
-/// Blocks of a side of a cell, the grain of hidden clusters: 16 pixels.
-const CELL_BLOCKS: i32 = 4;
-/// Cells of a tile's side.
-pub(crate) const CELLS: i32 = BLOCKS / CELL_BLOCKS;
-const _: () = assert!(CELLS * CELLS <= u16::BITS as i32, "a bit a cell");
 
 /// The triangle that a sample sees.
 ///
@@ -88,9 +85,6 @@ pub struct Tile {
     /// The tile's pixels that lie in the window.
     pub(crate) region: Region,
     pub(crate) planes: Vec<Plane>,
-    /// The farthest depth in each cell, over all samples; a bound while its bit in `stale` is set.
-    farthest: [f32; (CELLS * CELLS) as usize],
-    stale: u16,
 }
 
 impl Tile {
@@ -98,8 +92,7 @@ impl Tile {
     #[must_use]
     pub fn new(samples: usize) -> Self {
         let region = Region { x: 0, y: 0, width: TILE, height: TILE };
-        let farthest = [0.0; (CELLS * CELLS) as usize];
-        Self { region, planes: vec![Plane::new(); samples], farthest, stale: 0 }
+        Self { region, planes: vec![Plane::new(); samples] }
     }
 
     /// The first pixel: column and row.
@@ -138,8 +131,6 @@ impl Tile {
             plane.clear();
             plane.close(width, height);
         }
-        self.farthest = [0.0; (CELLS * CELLS) as usize];
-        self.stale = 0;
     }
 
     /// Takes over another tile's content.
@@ -149,56 +140,34 @@ impl Tile {
             plane.depth.copy_from_slice(source.depth.as_slice());
             plane.ids.copy_from_slice(source.ids.as_slice());
         }
-        self.farthest = other.farthest;
-        self.stale = other.stale;
-    }
-
-    /// Notes that blocks of `region`, in blocks of the tile, may have become nearer.
-    pub(crate) fn touch(&mut self, left: i32, top: i32, right: i32, bottom: i32) {
-        for row in top / CELL_BLOCKS..=bottom / CELL_BLOCKS {
-            for column in left / CELL_BLOCKS..=right / CELL_BLOCKS {
-                self.stale |= 1 << (row * CELLS + column);
-            }
-        }
-    }
-
-    /// Notes that a block may have become nearer.
-    #[inline(always)]
-    pub(crate) fn touch_block(&mut self, block: i32) {
-        let (row, column) = (block / BLOCKS / CELL_BLOCKS, block % BLOCKS / CELL_BLOCKS);
-        self.stale |= 1 << (row * CELLS + column);
     }
 
     /// Whether everything drawn so far in the pixels left..=right, top..=bottom of the tile is
     /// nearer than `nearest`.
-    pub(crate) fn hides(&mut self, [left, top, right, bottom]: [i32; 4], nearest: f32) -> bool {
-        let cell = CELL_BLOCKS * BLOCK;
-        for row in top / cell..=bottom / cell {
-            for column in left / cell..=right / cell {
-                let number = row * CELLS + column;
-                if self.stale >> number & 1 == 1 {
-                    self.farthest[number as usize] = self.farthest_of(row, column);
-                    self.stale &= !(1 << number);
-                }
-                if self.farthest[number as usize] <= nearest {
-                    return false;
+    #[inline(always)]
+    pub(crate) fn hides<S: Simd>(
+        &self,
+        simd: S,
+        [left, top, right, bottom]: [i32; 4],
+        nearest: f32,
+    ) -> bool {
+        let lane_x = i32x16::simd_from(simd, LANE_X);
+        let lane_y = i32x16::simd_from(simd, LANE_Y);
+        for row in top / BLOCK..=bottom / BLOCK {
+            let y = lane_y + row * BLOCK;
+            let above_or_below = y.simd_lt(top) | y.simd_gt(bottom);
+            for column in left / BLOCK..=right / BLOCK {
+                let x = lane_x + column * BLOCK;
+                let outside = above_or_below | x.simd_lt(left) | x.simd_gt(right);
+                let block = (row * BLOCKS + column) as usize & (BLOCKS_OF_TILE - 1);
+                for plane in &self.planes {
+                    let depth = f32x16::from_slice(simd, &plane.depth[block]);
+                    if !(outside | depth.simd_gt(nearest)).all_true() {
+                        return false;
+                    }
                 }
             }
         }
         true
-    }
-
-    fn farthest_of(&self, row: i32, column: i32) -> f32 {
-        // Depths are 0 and more, and so in the order of their bits: a minimum that takes many at once.
-        let mut farthest = f32::INFINITY.to_bits() as i32;
-        for plane in &self.planes {
-            for block_row in row * CELL_BLOCKS..(row + 1) * CELL_BLOCKS {
-                let first = (block_row * BLOCKS + column * CELL_BLOCKS) as usize;
-                for value in plane.depth[first..first + CELL_BLOCKS as usize].as_flattened() {
-                    farthest = farthest.min(value.to_bits() as i32);
-                }
-            }
-        }
-        f32::from_bits(farthest as u32)
     }
 }

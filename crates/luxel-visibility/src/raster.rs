@@ -4,7 +4,7 @@
 //! was submitted first. This is a total order, so the outcome depends neither on the order of
 //! drawing nor on what was culled on the way.
 
-use crate::buffer::{BLOCK, BLOCKS, Plane, Tile, TriangleId};
+use crate::buffer::{BLOCK, BLOCKS, LANE_X, LANE_Y, Plane, Tile, TriangleId};
 use crate::setup::{Region, Triangle};
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
 
@@ -19,10 +19,6 @@ pub(crate) struct Rules<'a> {
     /// Only what lies behind these samples counts: the last layer peeled off.
     pub(crate) behind: Option<&'a [Plane]>,
 }
-
-/// Pixel numbers within a block: columns and rows of the lanes.
-const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
-const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
 
 /// So many pixels are faster asked one by one than sixteen at a time.
 const FEW_PIXELS: i32 = 4;
@@ -85,7 +81,6 @@ fn cover_samples<S: Simd>(
         let lane_dy = lane_y * SUBPIXELS + (region.y * SUBPIXELS + offset[1] - plane.y);
         let low = f32x16::splat(simd, plane.low);
         let high = f32x16::splat(simd, plane.high);
-        let mut touched = false;
         let [e0, e1, e2] = edges;
         let mut row_starts = [e0.start, e1.start, e2.start];
         // The largest values of edge functions in sixteen blocks side by side, as many as a tile has.
@@ -117,11 +112,8 @@ fn cover_samples<S: Simd>(
                 let dx = f32x16::float_from(lane_dx + x * SUBPIXELS);
                 let z = (dx * plane.dz_dx + plane.z + row_z).maximum(low).minimum(high);
                 let block = ((top + row) * BLOCKS + left) as usize + column;
-                touched |= draw_block(simd, covered, z, id, rules, tile, sample, block);
+                draw_block(simd, covered, z, id, rules, tile, sample, block);
             }
-        }
-        if touched {
-            tile.touch(left, top, right, bottom);
         }
     }
 }
@@ -148,23 +140,21 @@ fn cover_few(
             let z = triangle.depth.at(position);
             let (column, row) = (pixels.x + x - tile.region.x, pixels.y + y - tile.region.y);
             let (block, lane) = Tile::place(column, row);
-            if wins(id, z, (block, lane), rules, tile, sample) {
-                tile.touch_block(block as i32);
-            }
+            put(id, z, (block, lane), rules, tile, sample);
         }
     }
 }
 
 /// Puts one sample of a triangle into its block and lane, if it wins there.
 #[inline(always)]
-pub(crate) fn wins(
+pub(crate) fn put(
     id: TriangleId,
     z: f32,
     (block, lane): (usize, usize),
     rules: &Rules<'_>,
     tile: &mut Tile,
     sample: usize,
-) -> bool {
+) {
     let [tile_x, tile_y] = tile.origin();
     let target = &mut tile.planes[sample];
     let (block, lane) = (block & (BLOCKS * BLOCKS - 1) as usize, lane & (LANES - 1));
@@ -172,27 +162,26 @@ pub(crate) fn wins(
     let nearer =
         depth < z || depth == z && comes_first(id, TriangleId(target.ids[block][lane]), rules);
     if !nearer {
-        return false;
+        return;
     }
     if let Some(behind) = rules.behind
         && !passed(&behind[sample], block, lane, id, z, rules)
     {
-        return false;
+        return;
     }
     if let Some(hole) = rules.hole {
         let offset = rules.offsets[sample];
         let x = tile_x + block as i32 % BLOCKS * BLOCK + LANE_X[lane];
         let y = tile_y + block as i32 / BLOCKS * BLOCK + LANE_Y[lane];
         if hole(id, [x * SUBPIXELS + offset[0], y * SUBPIXELS + offset[1]]) {
-            return false;
+            return;
         }
     }
     target.depth[block][lane] = z;
     target.ids[block][lane] = id.0;
-    true
 }
 
-/// Puts a triangle into one block of a plane, where it wins; whether it did anywhere.
+/// Puts a triangle into one block of a plane, where it wins.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "the inner loop's state, kept in registers")]
 fn draw_block<S: Simd>(
@@ -204,7 +193,7 @@ fn draw_block<S: Simd>(
     tile: &mut Tile,
     sample: usize,
     block: usize,
-) -> bool {
+) {
     let plane = &mut tile.planes[sample];
     let depth = f32x16::from_slice(simd, &plane.depth[block]);
     let nearer = covered & depth.simd_lt(z);
@@ -213,11 +202,11 @@ fn draw_block<S: Simd>(
     if rules.behind.is_none() && rules.hole.is_none() && !equal.any_true() {
         // Nearly always.
         if !nearer.any_true() {
-            return false;
+            return;
         }
         nearer.select(z, depth).store_slice(&mut plane.depth[block]);
         nearer.select(u32x16::splat(simd, id.0), ids).store_slice(&mut plane.ids[block]);
-        return true;
+        return;
     }
     let mut wins = nearer.to_bitmask() as u32;
     for lane in lanes_of(equal.to_bitmask() as u32) {
@@ -240,12 +229,11 @@ fn draw_block<S: Simd>(
         }
     }
     if wins == 0 {
-        return false;
+        return;
     }
     let mask = mask32x16::from_bitmask(simd, u64::from(wins));
     mask.select(z, depth).store_slice(&mut plane.depth[block]);
     mask.select(u32x16::splat(simd, id.0), ids).store_slice(&mut plane.ids[block]);
-    true
 }
 
 /// Whether a triangle wins over an equally near one.

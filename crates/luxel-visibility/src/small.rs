@@ -6,7 +6,7 @@
 //! small enough for i32 without a shift, and the depth plane has its one formula.
 
 use crate::buffer::{BLOCK, BLOCKS, Tile, TriangleId};
-use crate::raster::{Rules, lanes_of, wins};
+use crate::raster::{self, Rules, lanes_of};
 use crate::sift::{Corners, in_lanes};
 use crate::transform::ClusterVertices;
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*};
@@ -221,8 +221,6 @@ fn put<S: Simd>(
     z.store_slice(&mut depths);
     for number in lanes_of(covered) {
         let place = (blocks[number] as usize, lanes[number] as usize);
-        if wins(queue.ids[number], depths[number], place, rules, tile, sample) {
-            tile.touch_block(blocks[number]);
-        }
+        raster::put(queue.ids[number], depths[number], place, rules, tile, sample);
     }
 }

@@ -44,7 +44,7 @@ pub(crate) fn draw<'f, S: Simd>(
         };
         let [left, right] = within(visible.left, visible.right, x);
         let [top, bottom] = within(visible.top, visible.bottom, y);
-        if tile.hides([left, top, right, bottom], visible.nearest) {
+        if tile.hides(simd, [left, top, right, bottom], visible.nearest) {
             continue;
         }
         let number = frame.instance_of(visible.cluster);
