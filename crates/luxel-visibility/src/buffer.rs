@@ -142,8 +142,8 @@ impl Tile {
         }
     }
 
-    /// Whether everything drawn so far in the pixels left..=right, top..=bottom of the tile is
-    /// nearer than `nearest`.
+    /// Whether everything drawn so far in the pixels left..=right, top..=bottom of the window is
+    /// nearer than `nearest`, as far as they are the tile's.
     #[inline(always)]
     pub(crate) fn hides<S: Simd>(
         &self,
@@ -151,6 +151,9 @@ impl Tile {
         [left, top, right, bottom]: [i32; 4],
         nearest: f32,
     ) -> bool {
+        let Region { x, y, .. } = self.region;
+        let (left, right) = ((left - x).max(0), (right - x).min(TILE - 1));
+        let (top, bottom) = ((top - y).max(0), (bottom - y).min(TILE - 1));
         let lane_x = i32x16::simd_from(simd, LANE_X);
         let lane_y = i32x16::simd_from(simd, LANE_Y);
         for row in top / BLOCK..=bottom / BLOCK {

@@ -1,6 +1,6 @@
 //! A list of clusters into one tile. Knows no frame beyond it: what comes out is depth and ids.
 
-use crate::buffer::{Plane, TILE, Tile, TriangleId};
+use crate::buffer::{Plane, Tile, TriangleId};
 use crate::clip::clip;
 use crate::cluster::Block;
 use crate::cull::VisibleCluster;
@@ -38,13 +38,8 @@ pub(crate) fn draw<'f, S: Simd>(
     let mut queues = Queues::new();
     let mut rules = rules_for(false);
     for visible in clusters {
-        let [x, y] = tile.origin();
-        let within = |first: u16, last: u16, origin: i32| {
-            [(i32::from(first) - origin).max(0), (i32::from(last) - origin).min(TILE - 1)]
-        };
-        let [left, right] = within(visible.left, visible.right, x);
-        let [top, bottom] = within(visible.top, visible.bottom, y);
-        if tile.hides(simd, [left, top, right, bottom], visible.nearest) {
+        let pixels = [visible.left, visible.top, visible.right, visible.bottom].map(i32::from);
+        if tile.hides(simd, pixels, visible.nearest) {
             continue;
         }
         let number = frame.instance_of(visible.cluster);
@@ -61,7 +56,11 @@ pub(crate) fn draw<'f, S: Simd>(
         if visible.clipped {
             draw_clipped(simd, transform, &block, visible.cluster, part.cull, &rules, tile);
         } else {
-            transform_cluster(simd, transform, block.vertices, &mut vertices);
+            let bounds = transform_cluster(simd, transform, block.vertices, &mut vertices);
+            // Bounds of the vertices themselves are tighter than those of the cluster's box.
+            if tile.hides(simd, bounds.pixels, bounds.nearest) {
+                continue;
+            }
             let id = visible.cluster;
             draw_cluster(simd, &vertices, &block, id, part.cull, &rules, &mut queues, tile);
         }
@@ -89,7 +88,13 @@ fn draw_cluster<S: Simd>(
     tile: &mut Tile,
 ) {
     let mut group = Sixteen::new();
-    for (number, words) in block.triangles.chunks(LANES).enumerate() {
+    for (number, chunk) in block.triangles.chunks(LANES).enumerate() {
+        // A loop of known length; lanes beyond the chunk are not looked at.
+        let mut rest = [0; LANES];
+        let words = chunk.first_chunk().unwrap_or_else(|| {
+            rest[..chunk.len()].copy_from_slice(chunk);
+            &rest
+        });
         for (lane, &word) in words.iter().enumerate() {
             let [a, b, c] = corners_of(word);
             group.corners[0][lane] = vertices.xy[a];
@@ -98,7 +103,7 @@ fn draw_cluster<S: Simd>(
         }
         let Sifted { held, within } =
             group.may_hold_samples(simd, tile.region, rules.offsets, cull);
-        let mut left = held & ((1 << words.len()) - 1);
+        let mut left = held & ((1 << chunk.len()) - 1);
         for (size, within) in within.into_iter().enumerate() {
             for lane in lanes_of(left & within) {
                 let id = TriangleId::new(cluster, number * LANES + lane);

@@ -45,6 +45,15 @@ pub(crate) struct ClusterVertices {
     pub(crate) z: [f32; CLUSTER_VERTICES],
 }
 
+/// What transformed vertices lie within.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounds {
+    /// Pixels: left, top, right, bottom.
+    pub(crate) pixels: [i32; 4],
+    /// The nearest depth.
+    pub(crate) nearest: f32,
+}
+
 impl ClusterVertices {
     pub(crate) fn new() -> Self {
         Self { xy: [[0; 2]; CLUSTER_VERTICES], z: [0.0; CLUSTER_VERTICES] }
@@ -120,11 +129,11 @@ pub(crate) fn transform_cluster<S: Simd>(
     transform: &WindowTransform,
     groups: &[[u32; GROUP_WORDS]],
     out: &mut ClusterVertices,
-) {
+) -> Bounds {
     simd.vectorize(
         #[inline(always)]
         || transform_groups(simd, transform, groups, out),
-    );
+    )
 }
 
 #[inline(always)]
@@ -133,7 +142,10 @@ fn transform_groups<S: Simd>(
     transform: &WindowTransform,
     groups: &[[u32; GROUP_WORDS]],
     out: &mut ClusterVertices,
-) {
+) -> Bounds {
+    let [mut left, mut top] = [i32x16::splat(simd, i32::MAX); 2];
+    let [mut right, mut bottom] = [i32x16::splat(simd, i32::MIN); 2];
+    let mut nearest = f32x16::splat(simd, 0.0);
     let out_xy = out.xy.as_chunks_mut::<LANES>().0;
     let out_z = out.z.as_chunks_mut::<LANES>().0;
     for ((group, out_xy), out_z) in groups.iter().zip(out_xy).zip(out_z) {
@@ -152,6 +164,18 @@ fn transform_groups<S: Simd>(
         let (low, high) = simd.interleave_i32x16(window_x, window_y);
         low.store_slice(first);
         high.store_slice(second);
-        (clip_z / clip_w).store_slice(out_z);
+        let z = clip_z / clip_w;
+        z.store_slice(out_z);
+        (left, right) = (left.min(window_x), right.max(window_x));
+        (top, bottom) = (top.min(window_y), bottom.max(window_y));
+        nearest = nearest.maximum(z);
+    }
+    let pixel = |steps: i32| steps >> SUBPIXELS.ilog2();
+    let least = |lanes: i32x16<S>| pixel(lanes.as_slice().iter().copied().fold(i32::MAX, i32::min));
+    let greatest =
+        |lanes: i32x16<S>| pixel(lanes.as_slice().iter().copied().fold(i32::MIN, i32::max));
+    Bounds {
+        pixels: [least(left), least(top), greatest(right), greatest(bottom)],
+        nearest: nearest.as_slice().iter().copied().fold(0.0, f32::max),
     }
 }
