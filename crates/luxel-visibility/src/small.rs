@@ -5,7 +5,7 @@
 //! [`Triangle`](crate::setup::Triangle), number by number: edge functions are exact integers, here
 //! small enough for i32 without a shift, and the depth plane has its one formula.
 
-use crate::buffer::{BLOCK, BLOCKS, Tile, TriangleId};
+use crate::buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
 use crate::raster::{self, Rules, lanes_of};
 use crate::sift::{Corners, in_lanes};
 use crate::transform::ClusterVertices;
@@ -213,14 +213,31 @@ fn put<S: Simd>(
     const SHIFT: u32 = BLOCK.ilog2();
     let block = (row >> SHIFT) * BLOCKS + (column >> SHIFT);
     let within = (row & (BLOCK - 1)) * BLOCK + (column & (BLOCK - 1));
-    let mut blocks = [0; LANES];
-    let mut lanes = [0; LANES];
+    let mut places = [0; LANES];
     let mut depths = [0.0; LANES];
-    block.store_slice(&mut blocks);
-    within.store_slice(&mut lanes);
+    (block * LANES as i32 + within).store_slice(&mut places);
     z.store_slice(&mut depths);
-    for number in lanes_of(covered) {
-        let place = (blocks[number] as usize, lanes[number] as usize);
+    let mut left = covered;
+    if rules.behind.is_none() && rules.hole.is_none() {
+        // Nearly always. Only of equally near ones more is asked.
+        left = 0;
+        let Plane { depth, ids } = &mut tile.planes[sample];
+        let (depth, ids) = (depth.as_flattened_mut(), ids.as_flattened_mut());
+        for number in lanes_of(covered) {
+            let place = places[number] as usize & (SAMPLES - 1);
+            let (z, before) = (depths[number], depth[place]);
+            let nearer = before < z;
+            depth[place] = if nearer { z } else { before };
+            ids[place] = if nearer { queue.ids[number].0 } else { ids[place] };
+            left |= u32::from(before == z) << number;
+        }
+    }
+    for number in lanes_of(left) {
+        let place = places[number] as usize;
+        let place = (place / LANES, place % LANES);
         raster::put(queue.ids[number], depths[number], place, rules, tile, sample);
     }
 }
+
+/// Samples of a plane.
+const SAMPLES: usize = (TILE * TILE) as usize;
