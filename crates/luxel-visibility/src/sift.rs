@@ -17,8 +17,9 @@ pub(crate) struct Sixteen {
 pub(crate) struct Sifted {
     /// Those that may hold a sample.
     pub(crate) held: u32,
-    /// Those that are less wide and high than each of [`SIZES`], whether they hold one or not.
-    pub(crate) within: [u32; SIZES.len()],
+    /// The first of [`SIZES`] that each is less wide and high than, whether it holds one or not; as
+    /// many as there are if none.
+    pub(crate) sizes: [i32; LANES],
 }
 
 /// The extent of triangles in one direction.
@@ -62,15 +63,14 @@ impl Sixteen {
         };
         let held = held & !(small & culled);
         let extent = (across.high - across.low).max(down.high - down.low);
-        Sifted {
-            held: held.to_bitmask() as u32,
-            within: [
-                extent.simd_lt(SIZES[0]).to_bitmask() as u32,
-                extent.simd_lt(SIZES[1]).to_bitmask() as u32,
-                extent.simd_lt(SIZES[2]).to_bitmask() as u32,
-                extent.simd_lt(SIZES[3]).to_bitmask() as u32,
-            ],
+        let (zero, one) = (i32x16::splat(simd, 0), i32x16::splat(simd, 1));
+        let mut size = zero;
+        for limit in SIZES {
+            size += extent.simd_lt(limit).select(zero, one);
         }
+        let mut sizes = [0; LANES];
+        size.store_slice(&mut sizes);
+        Sifted { held: held.to_bitmask() as u32, sizes }
     }
 }
 

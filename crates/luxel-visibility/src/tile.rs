@@ -8,7 +8,7 @@ use crate::frame::{Coverage, Frame, Hole};
 use crate::raster::{Rules, draw_triangle, lanes_of};
 use crate::setup::{CullFaces, Triangle};
 use crate::sift::{Sifted, Sixteen};
-use crate::small::Queues;
+use crate::small::{Queues, SIZES};
 use crate::transform::{
     ClipVertex, ClusterVertices, WindowTransform, WindowVertex, transform_cluster,
 };
@@ -101,25 +101,22 @@ fn draw_cluster<S: Simd>(
             group.corners[1][lane] = vertices.xy[b];
             group.corners[2][lane] = vertices.xy[c];
         }
-        let Sifted { held, within } =
-            group.may_hold_samples(simd, tile.region, rules.offsets, cull);
-        let mut left = held & ((1 << chunk.len()) - 1);
-        for (size, within) in within.into_iter().enumerate() {
-            for lane in lanes_of(left & within) {
-                let id = TriangleId::new(cluster, number * LANES + lane);
-                if queues.push(size, vertices, corners_of(words[lane]), id) {
+        let Sifted { held, sizes } = group.may_hold_samples(simd, tile.region, rules.offsets, cull);
+        for lane in lanes_of(held & ((1 << chunk.len()) - 1)) {
+            let id = TriangleId::new(cluster, number * LANES + lane);
+            let corners = corners_of(words[lane]);
+            let size = sizes[lane] as usize;
+            if size < SIZES.len() {
+                if queues.push(size, vertices, corners, id) {
                     queues.draw(simd, size, rules, tile);
                 }
+                continue;
             }
-            left &= !within;
-        }
-        for lane in lanes_of(left) {
-            let corners = corners_of(words[lane]).map(|corner| {
+            let corners = corners.map(|corner| {
                 let [x, y] = vertices.xy[corner];
                 WindowVertex { x, y, z: vertices.z[corner] }
             });
             if let Some(triangle) = Triangle::new(corners, cull) {
-                let id = TriangleId::new(cluster, number * LANES + lane);
                 draw_triangle(simd, &triangle, id, rules, tile);
             }
         }
