@@ -34,7 +34,8 @@ impl Made {
         let (some, all) =
             leaves(nodes).fold((0, 0), |(some, all), run| (some + 1, all + run.len()));
         made.starts.reserve(some);
-        made.words.reserve(some + if copies { 5 } else { 4 } * all);
+        // Four triangles have about six vertices.
+        made.words.reserve(some + if copies { 6 } else { 4 } * all);
         for run in leaves(nodes) {
             let count = run.len();
             let at = made.words.len();
@@ -174,6 +175,7 @@ impl Filled {
         Self { first: 0, triangles: [0; WIDTH], count: 0, vertices: [u32::MAX; WIDTH], used: 0 };
 
     /// Takes a triangle, if it fits.
+    #[inline(always)]
     fn take(&mut self, number: u32, corners: [u32; 3]) -> bool {
         let first = if self.count == 0 { number & !7 } else { self.first };
         let (mut used, mut word) = (self.used, 0);
@@ -210,14 +212,15 @@ impl Filled {
             (self.count - 1) as u32 | (self.used as u32 - 1) << 3 | self.first >> 3 << FIRST_AT,
         );
         words.extend_from_slice(&self.triangles[..self.count]);
-        let rows = words.len();
-        words.resize(rows + 3 * self.used, 0);
-        let rows = &mut words[rows..];
+        let mut rows = [[0; WIDTH]; 3];
         for (place, &vertex) in self.vertices[..self.used].iter().enumerate() {
             let position = positions[vertex as usize];
             for axis in 0..3 {
-                rows[axis * self.used + place] = position[axis].to_bits();
+                rows[axis][place % WIDTH] = position[axis].to_bits();
             }
+        }
+        for row in rows {
+            words.extend_from_slice(&row[..self.used]);
         }
         at
     }
