@@ -1,13 +1,13 @@
 //! The ledger against the frame: what is explained is what was drawn.
 
-use crate::scenes::{execution, fitted, glass};
+use crate::scenes::{execution, fitted, glass, matte, scene};
 use luxel_lighting::{Attenuation, Cone, Fog, FogLaw, Light, LightKind, Reflection};
 use luxel_math::SimdLevel;
 use luxel_render::{
     At, Clamp, Interpolation, Layer, LayerValues, NormalLength, RenderError, Renderer, Shading,
     ShadingMode, View,
 };
-use luxel_scene::{DVec3, Placement, Scene, SceneLight, Size, default_lights, demos};
+use luxel_scene::{DVec3, Placement, Scene, SceneLight, Size, default_lights, demos, primitives};
 
 /// Numbers without a pattern: a multiplier and an increment of Knuth's MMIX.
 pub(crate) struct Random(pub(crate) u64);
@@ -150,6 +150,34 @@ fn ten_thousand_explained_pixels_are_the_pictures() {
         }
     }
     assert!(compared >= 10_000, "{compared}");
+}
+
+#[test]
+fn triangles_kept_from_block_to_block_are_lit_as_each_is_explained() {
+    // From triangles of many blocks to many triangles a block, of two objects through one another.
+    for columns in [8, 30, 60, 110, 200, 400] {
+        let ball = (primitives::sphere(1.0, columns, columns / 2), matte([0.9, 0.5, 0.3]));
+        let ring = (primitives::torus(0.9, 0.3, columns, columns / 3), matte([0.2, 0.5, 0.8]));
+        let scene = scene(vec![ball, ring]);
+        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let size = Size { width: 150, height: 120 };
+        for (mode, samples) in
+            [(ShadingMode::Phong, 1), (ShadingMode::Gouraud, 1), (ShadingMode::Phong, 4)]
+        {
+            let shading = shading(mode, Interpolation::Perspective, Clamp::Vertex);
+            let view = View { samples, shading, ..fitted(&scene, size) };
+            let picture = renderer.rgba8(&view).unwrap();
+            let mut pixels: Vec<_> =
+                (0..150 * 120).step_by(29).map(|number| [number % 150, number / 150]).collect();
+            pixels.sort_by_key(|pixel| pixel.map(|side| side / 64));
+            for explained in renderer.explain_pixels(&view, &pixels).unwrap() {
+                let [x, y] = explained.pixel;
+                let drawn = picture.pixels[(y * 150 + x) as usize];
+                let place = format!("{columns} columns, {mode:?}, {samples} samples: {x}, {y}");
+                assert_eq!(explained.rgba8, drawn, "{place}");
+            }
+        }
+    }
 }
 
 /// A view with another mixture of lights, fog and background each round.
