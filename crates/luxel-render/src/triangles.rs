@@ -118,6 +118,7 @@ pub(crate) struct SeenTriangle {
 
 /// The triangles that a thread has seen last, by the low bits of their ids.
 pub(crate) struct SeenTriangles {
+    /// None before the first is seen: plain pictures see none.
     entries: Vec<Option<SeenTriangle>>,
 }
 
@@ -126,11 +127,14 @@ const ENTRIES: usize = 256;
 
 impl SeenTriangles {
     pub(crate) fn new() -> Self {
-        Self { entries: vec![None; ENTRIES] }
+        Self { entries: Vec::new() }
     }
 
     /// The triangle of an id; `None` for [`TriangleId::NONE`].
     pub(crate) fn get(&mut self, scene: &Scene16<'_>, id: TriangleId) -> Option<&SeenTriangle> {
+        if self.entries.is_empty() {
+            self.entries.resize(ENTRIES, None);
+        }
         let entry = &mut self.entries[id.0 as usize % ENTRIES];
         if entry.as_ref().is_none_or(|seen| seen.id != id) {
             let of = scene.frame.triangle(id)?;

@@ -170,12 +170,20 @@ fn transform_groups<S: Simd>(
         (top, bottom) = (top.min(window_y), bottom.max(window_y));
         nearest = nearest.maximum(z);
     }
-    let pixel = |steps: i32| steps >> SUBPIXELS.ilog2();
-    let least = |lanes: i32x16<S>| pixel(lanes.as_slice().iter().copied().fold(i32::MAX, i32::min));
-    let greatest =
-        |lanes: i32x16<S>| pixel(lanes.as_slice().iter().copied().fold(i32::MIN, i32::max));
     Bounds {
         pixels: [least(left), least(top), greatest(right), greatest(bottom)],
         nearest: nearest.as_slice().iter().copied().fold(0.0, f32::max),
     }
+}
+
+/// The pixel of the least of lanes in steps of 1/256 pixel.
+#[inline(always)]
+fn least<S: Simd>(lanes: i32x16<S>) -> i32 {
+    lanes.as_slice().iter().copied().fold(i32::MAX, i32::min) >> SUBPIXELS.ilog2()
+}
+
+/// The pixel of the greatest.
+#[inline(always)]
+fn greatest<S: Simd>(lanes: i32x16<S>) -> i32 {
+    lanes.as_slice().iter().copied().fold(i32::MIN, i32::max) >> SUBPIXELS.ilog2()
 }
