@@ -126,9 +126,7 @@ impl<'m> MeshRays<'m> {
                 while bits != 0 {
                     let lane = bits.trailing_zeros() as usize;
                     bits &= bits - 1;
-                    let nearest =
-                        Nearest { t: distances[lane] * scale, triangle: number(block, lane), block: 0, lane: lane as u32 };
-                    hits.push(self.told_of(&sheared, nearest, block));
+                    hits.push(self.told_of(&sheared, block, lane, distances[lane] * scale));
                 }
             });
         }
@@ -185,13 +183,14 @@ impl<'m> MeshRays<'m> {
             return None;
         }
         let block = block(self.words, nearest.block as usize)?;
-        Some(self.told_of(sheared, nearest, block))
+        Some(self.told_of(sheared, block, nearest.lane as usize, nearest.t))
     }
 
+    /// What is told of a block's triangle that is met at t.
     #[inline(always)]
-    fn told_of(&self, sheared: &Sheared, nearest: Nearest, block: &Block) -> RayHit {
-        let Nearest { t, triangle, lane, .. } = nearest;
-        let corners = corners(block, lane as usize, self.positions, axes(sheared.last));
+    fn told_of(&self, sheared: &Sheared, block: &Block, lane: usize, t: f32) -> RayHit {
+        let triangle = number(block, lane);
+        let corners = corners(block, lane, self.positions, axes(sheared.last));
         RayHit { t, triangle, barycentric: sheared.barycentric(corners) }
     }
 }

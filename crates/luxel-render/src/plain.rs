@@ -106,10 +106,11 @@ fn few<N: Number>(
     all: u32,
 ) -> Option<Seen<N>> {
     let Kept { ready, gathered, .. } = kept;
-    if (like.lanes_that_begin(&batch.ids) & all).count_ones() <= FEW {
+    let begins = like.lanes_that_begin(&batch.ids) & all;
+    if begins.count_ones() <= FEW {
         return one_by_one(like, scene, batch, kept, all);
     }
-    let rows = ready.rows(like, scene, gathered, &batch.ids, all)?;
+    let rows = ready.rows(like, scene, gathered, &batch.ids, [all, begins])?;
     let material = rows.material?;
     let mut meeting =
         Meeting { scene, batch, rows: &rows.triangles, lanes: all, met: [[0.0; LANES]; 6] };

@@ -95,7 +95,8 @@ impl Ready {
     }
 
     /// The triangles of these lanes, made ready if they have to be; `None` if there are too many for
-    /// that. Other lanes get one that is seen.
+    /// that. Other lanes get one that is seen. `begins` are those lanes of which each triangle has at
+    /// least one, see [`Number::lanes_that_begin`].
     #[inline(always)]
     pub(crate) fn rows<N: Number>(
         &mut self,
@@ -103,9 +104,8 @@ impl Ready {
         scene: &Scene16<'_>,
         gathered: &mut Gathered,
         ids: &[u32; LANES],
-        lanes: u32,
+        [lanes, begins]: [u32; 2],
     ) -> Option<Rows<'_>> {
-        let begins = like.lanes_that_begin(ids) & lanes;
         if begins.count_ones() > FEW {
             return None;
         }

@@ -1,0 +1,129 @@
+//! One number and lanes of them, at every level.
+
+use super::*;
+use crate::SimdLevel;
+use fearless_simd::dispatch;
+
+/// What comparisons take apart: both zeros, infinities, NaN.
+const VALUES: [f32; 8] =
+    [0.0, -0.0, 1.0, -1.5, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, f32::MIN_POSITIVE];
+
+/// The smaller and the larger of two, lane by lane, in pieces.
+struct Extremes {
+    pairs: [[f32; LANES]; 2],
+    found: [[f32; LANES]; 2],
+    times: [u32; LANES],
+}
+
+impl Piecewise for Extremes {
+    #[inline(always)]
+    fn piece<N: Number>(&mut self, like: N, first: usize) {
+        let [a, b] = self.pairs.map(|values| like.load(&values, first));
+        a.minimum(b).store(&mut self.found[0], first);
+        a.maximum(b).store(&mut self.found[1], first);
+        let mut lanes = like.all_lanes();
+        while lanes != 0 {
+            self.times[first + lanes.trailing_zeros() as usize] += 1;
+            lanes &= lanes - 1;
+        }
+    }
+}
+
+#[inline(always)]
+fn extremes<S: Simd>(simd: S, pairs: [[f32; LANES]; 2], whole: bool) -> Extremes {
+    let mut work = Extremes { pairs, found: [[0.0; LANES]; 2], times: [0; LANES] };
+    let like = f32x16::splat(simd, 0.0);
+    if whole {
+        work.piece(like, 0);
+    } else {
+        like.piecewise(&mut work);
+    }
+    work
+}
+
+#[inline(always)]
+fn columns<N: Number>(like: N, rows: &[[f32; 8]; LANES], first: usize) -> [[f32; LANES]; 8] {
+    let mut stored = [[0.0; LANES]; 8];
+    let columns = like.columns(
+        #[inline(always)]
+        |lane| &rows[first + lane],
+    );
+    for (stored, column) in stored.iter_mut().zip(columns) {
+        column.store(stored, first);
+    }
+    let mut back = [[0.0; 8]; LANES];
+    N::rows(
+        columns,
+        #[inline(always)]
+        |lane, row| back[first + lane] = row,
+    );
+    for (lane, back) in back.iter().enumerate().skip(first) {
+        assert!(*back == rows[lane] || *back == [0.0; 8], "row {lane}");
+    }
+    assert_eq!(back[first], rows[first]);
+    stored
+}
+
+#[test]
+fn lanes_that_begin_differ_from_those_beside_and_above() {
+    let begin = |values: &[u32; LANES]| {
+        let differs = |lane: usize, by: usize| values[lane] != values[lane - by];
+        let begins = |lane| (lane % 4 == 0 || differs(lane, 1)) && (lane < 4 || differs(lane, 4));
+        (0..LANES).fold(0, |bits, lane| bits | u32::from(begins(lane)) << lane)
+    };
+    let mut state = 1_u32;
+    for round in 0..200 {
+        let values: [u32; LANES] = std::array::from_fn(|_| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 16) % (1 + round % 7)
+        });
+        for level in SimdLevel::available() {
+            let level = level.resolve().unwrap();
+            let sixteen =
+                dispatch!(level, simd => f32x16::splat(simd, 0.0).lanes_that_begin(&values));
+            let eight = dispatch!(level, simd => f32x8::splat(simd, 0.0).lanes_that_begin(&values));
+            assert_eq!(sixteen, begin(&values), "{values:?} at {level:?}");
+            assert_eq!(eight, begin(&values) & 0xff, "{values:?} at {level:?}");
+        }
+        assert_eq!(0.0_f32.lanes_that_begin(&values), begin(&values) & 1);
+    }
+}
+
+#[test]
+fn a_lane_of_a_column_is_a_component_of_its_row_and_the_way_back_finds_it() {
+    let rows = std::array::from_fn(|row| std::array::from_fn(|at| (row * 8 + at) as f32));
+    for level in SimdLevel::available() {
+        let level = level.resolve().unwrap();
+        let sixteen = dispatch!(level, simd => columns(f32x16::splat(simd, 0.0), &rows, 0));
+        let eight = dispatch!(level, simd => columns(f32x8::splat(simd, 0.0), &rows, 8));
+        for row in 0..LANES {
+            for at in 0..8 {
+                assert_eq!(sixteen[at][row], rows[row][at], "{level:?}");
+                let expected = if row < 8 { 0.0 } else { rows[row][at] };
+                assert_eq!(eight[at][row], expected, "{level:?}");
+            }
+        }
+        assert_eq!(columns(0.0_f32, &rows, 5)[3][5], rows[5][3]);
+    }
+}
+
+#[test]
+fn the_smaller_and_the_larger_of_two_have_the_same_bits_at_every_level_and_in_pieces() {
+    for level in SimdLevel::available() {
+        let level = level.resolve().unwrap();
+        for turn in 0..VALUES.len() {
+            let a = std::array::from_fn(|lane| VALUES[lane % 8]);
+            let b = std::array::from_fn(|lane| VALUES[(lane + turn) % 8]);
+            for whole in [false, true] {
+                let work = dispatch!(level, simd => extremes(simd, [a, b], whole));
+                assert_eq!(work.times, [1; LANES], "{level:?}");
+                for lane in 0..LANES {
+                    let bits = work.found.map(|values| values[lane].to_bits());
+                    let (a, b) = (a[lane], b[lane]);
+                    let one = [Number::minimum(a, b), Number::maximum(a, b)].map(f32::to_bits);
+                    assert_eq!(bits, one, "{a} and {b} at {level:?}");
+                }
+            }
+        }
+    }
+}
