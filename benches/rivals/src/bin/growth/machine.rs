@@ -27,7 +27,7 @@ fn sum<S: Simd>(simd: S, floats: &[f32]) -> f32 {
     let mut sums = [f32x16::splat(simd, 0.0); 4];
     for chunk in floats.chunks_exact(64) {
         for (sum, part) in sums.iter_mut().zip(chunk.chunks_exact(16)) {
-            *sum = *sum + f32x16::from_slice(simd, part);
+            *sum += f32x16::from_slice(simd, part);
         }
     }
     let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
