@@ -135,7 +135,8 @@ fn windows(criterion: &mut Criterion, mesh: luxel_scene::Mesh) {
 
 fn all(criterion: &mut Criterion) {
     let ball = ball();
-    let mesh = Mesh { positions: ball.positions.clone(), triangles: ball.triangles.clone() };
+    let (positions, triangles) = (ball.positions.clone(), ball.triangles.clone());
+    let mesh = Mesh { positions, normals: Vec::new(), triangles };
     let triangles = rival_triangles(&mesh);
     build(criterion, &mesh, &triangles);
     rays(criterion, &mesh, &triangles);

@@ -5,9 +5,10 @@ use luxel_pick::Ray;
 use obvhs::ray::Ray as RivalRay;
 use obvhs::triangle::Triangle;
 
-/// Triangles, by positions.
+/// Triangles, by positions and normals.
 pub struct Mesh {
     pub positions: Vec<[f32; 3]>,
+    pub normals: Vec<[f32; 3]>,
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -23,12 +24,15 @@ pub fn read(path: &str) -> Result<Mesh, Box<dyn std::error::Error>> {
     let count = |at| word(at).map(|count| count as usize).ok_or("too short");
     let (vertices, triangles) = (count(4)?, count(8)?);
     let triple = |at: usize| Some([word(at)?, word(at + 4)?, word(at + 8)?]);
-    let places =
-        (0..vertices).map(|at| triple(12 + 12 * at).map(|place| place.map(f32::from_bits)));
+    let vectors = |from: usize| {
+        let at = (0..vertices).map(|at| triple(from + 12 * at));
+        at.map(|vector| vector.map(|words| words.map(f32::from_bits))).collect::<Option<_>>()
+    };
     let corners = (0..triangles).map(|at| triple(12 + 24 * vertices + 12 * at));
-    let positions = places.collect::<Option<_>>().ok_or("too short")?;
+    let positions = vectors(12).ok_or("too short")?;
+    let normals = vectors(12 + 12 * vertices).ok_or("too short")?;
     let triangles = corners.collect::<Option<_>>().ok_or("too short")?;
-    Ok(Mesh { positions, triangles })
+    Ok(Mesh { positions, normals, triangles })
 }
 
 /// Rays through the pixels of a camera at (0, 0, 3), 45 degrees high, in tiles of 8x8.
