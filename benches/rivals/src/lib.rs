@@ -1,39 +1,14 @@
 //! What is compared: meshes and rays, the same for luxel and its rivals.
 
+pub mod ball;
+mod mesh;
+
+pub use mesh::{Mesh, read, write_bin, write_ply};
+
 use glam::Vec3A;
 use luxel_pick::Ray;
 use obvhs::ray::Ray as RivalRay;
 use obvhs::triangle::Triangle;
-
-/// Triangles, by positions and normals.
-pub struct Mesh {
-    pub positions: Vec<[f32; 3]>,
-    pub normals: Vec<[f32; 3]>,
-    pub triangles: Vec<[u32; 3]>,
-}
-
-/// Reads a CHM1 file.
-pub fn read(path: &str) -> Result<Mesh, Box<dyn std::error::Error>> {
-    let bytes = std::fs::read(path)?;
-    if !bytes.starts_with(b"CHM1") {
-        return Err("no CHM1 mesh".into());
-    }
-    let word = |at: usize| {
-        bytes.get(at..at + 4).and_then(|word| word.try_into().ok()).map(u32::from_le_bytes)
-    };
-    let count = |at| word(at).map(|count| count as usize).ok_or("too short");
-    let (vertices, triangles) = (count(4)?, count(8)?);
-    let triple = |at: usize| Some([word(at)?, word(at + 4)?, word(at + 8)?]);
-    let vectors = |from: usize| {
-        let at = (0..vertices).map(|at| triple(from + 12 * at));
-        at.map(|vector| vector.map(|words| words.map(f32::from_bits))).collect::<Option<_>>()
-    };
-    let corners = (0..triangles).map(|at| triple(12 + 24 * vertices + 12 * at));
-    let positions = vectors(12).ok_or("too short")?;
-    let normals = vectors(12 + 12 * vertices).ok_or("too short")?;
-    let triangles = corners.collect::<Option<_>>().ok_or("too short")?;
-    Ok(Mesh { positions, normals, triangles })
-}
 
 /// Rays through the pixels of a camera at (0, 0, 3), 45 degrees high, in tiles of 8x8.
 pub fn camera_rays(width: u32, height: u32) -> Vec<Ray> {

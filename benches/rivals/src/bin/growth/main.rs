@@ -1,7 +1,6 @@
 //! Measures how the cost of luxel's frames grows, and what the machine can do, and draws plots of it. See
 //! the script `growth` beside the crate.
 
-mod ball;
 mod machine;
 mod plot;
 mod timing;

@@ -1,13 +1,10 @@
 //! What frames cost, asked of the program.
 
-use crate::ball;
+use luxel_rivals::ball::{BALLS, ball};
+use luxel_rivals::write_ply;
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::Command;
-
-/// Balls by name: rings and segments; of 1 020, 9 940, 99 904, 1 001 112 and 5 002 284 triangles.
-const BALLS: [(&str, u32, u32); 5] =
-    [("1k", 16, 34), ("10k", 71, 71), ("100k", 224, 224), ("1m", 708, 708), ("5m", 1582, 1582)];
 
 /// A frame to be timed.
 #[derive(Clone)]
@@ -58,8 +55,9 @@ impl Bench {
         let (frames, rounds) = (number("FRAMES", 15), number("ROUNDS", 3));
         let mut bench = Self { luxel: luxel.into(), folder, frames, rounds, meshes: Vec::new() };
         for (name, rings, segments) in BALLS {
-            let count = ball::write(&bench.folder.join(format!("{name}.ply")), rings, segments)?;
-            bench.meshes.push((name.to_owned(), f64::from(count)));
+            let mesh = ball(rings, segments);
+            write_ply(&mesh, &bench.folder.join(format!("{name}.ply")))?;
+            bench.meshes.push((name.to_owned(), mesh.triangles.len() as f64));
         }
         Ok(bench)
     }
