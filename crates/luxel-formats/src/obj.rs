@@ -9,6 +9,8 @@
 
 mod build;
 mod document;
+mod join;
+mod lines;
 mod materials;
 mod mtl;
 mod parse;
@@ -27,7 +29,7 @@ pub(crate) fn read(
     limits: &Limits,
 ) -> Result<Loaded, Error> {
     let mut warnings = Warnings::default();
-    let document = parse::parse(bytes, limits, &mut warnings)?;
+    let document = join::document(bytes, limits, &mut warnings)?;
     let mut materials =
         Materials::read(&document.libraries, &document.materials, folder, limits, &mut warnings);
     let mut scene = Scene::default();

@@ -47,6 +47,11 @@ impl Welder {
         (index, true)
     }
 
+    /// The keys, by number, alone.
+    pub(crate) fn into_keys(self) -> Vec<[u32; 3]> {
+        self.keys
+    }
+
     /// The keys, by number.
     pub(crate) fn keys(&self) -> &[[u32; 3]] {
         &self.keys

@@ -229,35 +229,50 @@ fn set_attributes(
         }
         return;
     }
-    let mut welder = Welder::with_room_for(object.used.len());
     let unless = |kept: bool, index: u32| if kept { index } else { NONE };
-    let positions = mesh.triangles.as_flattened();
-    let attributes: Vec<_> = positions
-        .iter()
-        .zip(corners)
-        .map(|(&position, corner)| {
-            welder.insert([position, unless(has_uvs, corner[1]), unless(has_normals, corner[2])]).0
-        })
-        .collect();
-    // Positions that only lines and points use come after, so that one numbering may serve both.
-    let (attributes, _) = attributes.as_chunks::<3>();
-    let one_numbering = attributes == mesh.triangles && welder.keys().len() == object.used.len();
+    let key = |(&position, corner): (&u32, &[u32; 3])| {
+        [position, unless(has_uvs, corner[1]), unless(has_normals, corner[2])]
+    };
+    let keys = || mesh.triangles.as_flattened().iter().zip(corners).map(key);
+    let (keys, attributes) = match one_for_each_position(keys(), object.used.len()) {
+        Some(keys) => (keys, None),
+        None => {
+            let mut welder = Welder::with_room_for(object.used.len());
+            let attributes: Vec<_> = keys().map(|key| welder.insert(key).0).collect();
+            (welder.into_keys(), Some(attributes.as_chunks().0.to_vec()))
+        }
+    };
     if has_uvs {
         let uv = |key: &[u32; 3]| document.uvs.get(key[1] as usize).copied().unwrap_or_default();
-        mesh.uvs[0] = welder.keys().iter().map(uv).collect();
+        mesh.uvs[0] = keys.iter().map(uv).collect();
     }
     if has_normals {
         let normal = |key: &[u32; 3]| document.normals[key[2] as usize];
-        mesh.normals = welder.keys().iter().map(normal).collect();
+        mesh.normals = keys.iter().map(normal).collect();
     }
     if has_colors {
         let of_positions: Vec<_> = colors().collect();
         let color = |key: &[u32; 3]| of_positions[key[0] as usize];
-        mesh.colors = welder.keys().iter().map(color).collect();
+        mesh.colors = keys.iter().map(color).collect();
     }
-    if !one_numbering {
-        mesh.attribute_corners = Some(attributes.to_vec());
+    mesh.attribute_corners = attributes;
+}
+
+/// The keys by their positions, if each of `count` positions has one and they come first in the order
+/// of their numbers: then one numbering serves positions and attributes.
+fn one_for_each_position(
+    keys: impl Iterator<Item = [u32; 3]>,
+    count: usize,
+) -> Option<Vec<[u32; 3]>> {
+    let mut found: Vec<[u32; 3]> = Vec::with_capacity(count);
+    for key in keys {
+        match found.get(key[0] as usize) {
+            Some(known) if *known == key => {}
+            None if key[0] as usize == found.len() => found.push(key),
+            _ => return None,
+        }
     }
+    (found.len() == count).then_some(found)
 }
 
 fn set_materials(

@@ -6,7 +6,7 @@ use luxel_scene::NormalFault;
 pub(super) const NONE: u32 = u32::MAX;
 
 /// The statements of a file, in its order.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(super) struct Document<'a> {
     pub(super) positions: Vec<[f64; 3]>,
     /// Linear colours of the positions, NaN for those without; empty if none has one.
@@ -60,6 +60,11 @@ impl Document<'_> {
     /// Bytes that a corner takes in what follows: itself, its share of triangles, and an
     /// attribute vertex.
     const BYTES_PER_CORNER: u64 = 12 + 12 + 8 + crate::weld::BYTES_PER_KEY + 36;
+
+    /// How many vertices, texture coordinates and normals there are.
+    pub(super) const fn counts(&self) -> [usize; 3] {
+        [self.positions.len(), self.uvs.len(), self.normals.len()]
+    }
 
     /// About how much memory the document and the meshes made of it take.
     pub(super) fn bytes(&self) -> u64 {

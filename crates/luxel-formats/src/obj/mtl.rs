@@ -1,6 +1,6 @@
 //! MTL: what the materials of an OBJ file reflect (Wavefront, "MTL material format", 1995).
 
-use super::parse::Lines;
+use super::lines::Lines;
 use crate::text::{Words, integer, shown, single};
 use crate::warnings::Warnings;
 

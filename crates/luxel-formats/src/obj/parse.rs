@@ -1,9 +1,10 @@
-//! From lines to statements.
+//! From lines to statements, block by block: what a block says hangs on those before it only by what
+//! they leave, the count of vertices above all, which is put in when blocks are [joined](super::join).
 
 use super::document::{Beginning, Document, Element, Kind, NONE};
+use super::lines::Lines;
 use crate::direction::unit;
 use crate::text::{Words, integer, number, shown, single};
-use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place, color};
 use luxel_scene::NormalFault;
 use std::borrow::Cow;
@@ -33,109 +34,153 @@ const SILENT: [&[u8]; 11] = [
     b"usemap",
 ];
 
-/// Reads a file's statements.
+/// What the lines of a block say.
+pub(super) struct Block<'a> {
+    /// Numbers of corners, materials and elements begin anew with the block; so do lines.
+    pub(super) document: Document<'a>,
+    /// Up to which element the material, and the smoothing group, is the one that the blocks before
+    /// leave; all, if the block doesn't name one.
+    pub(super) inherits: [Option<usize>; 2],
+    /// The material and the smoothing group at the end, if the block names any.
+    pub(super) leaves: [u32; 2],
+    /// The highest number that a corner has for each kind, counted from 1, with its line.
+    pub(super) highest: [(i64, u64); 3],
+    pub(super) understood: u64,
+    /// The first statement that isn't known, and the first one that isn't drawn.
+    pub(super) unknown: Option<(u64, String)>,
+    pub(super) free_form: Option<u64>,
+    pub(super) lines: u64,
+}
+
+/// How the reading of a block ended.
+pub(super) struct Parsed<'a> {
+    pub(super) block: Result<Block<'a>, Error>,
+    /// How many vertices, texture coordinates and normals there are.
+    pub(super) counts: [usize; 3],
+    /// Whether it can't be told without the counts of the blocks before.
+    pub(super) asks_before: bool,
+}
+
+/// Reads a block's statements. `before` is how many vertices, texture coordinates and normals come
+/// before it, where that is known.
 pub(super) fn parse<'a>(
-    bytes: &'a [u8],
+    mut lines: Lines<'a>,
     limits: &Limits,
-    warnings: &mut Warnings,
-) -> Result<Document<'a>, Error> {
+    before: Option<[usize; 3]>,
+) -> Parsed<'a> {
     let mut parser = Parser {
-        document: Document::default(),
+        block: Block {
+            document: Document::default(),
+            inherits: [None; 2],
+            leaves: [NONE, 0],
+            highest: [(0, 0); 3],
+            understood: 0,
+            unknown: None,
+            free_form: None,
+            lines: 0,
+        },
         material_numbers: HashMap::new(),
-        material: NONE,
-        smoothing: 0,
-        highest: [(0, 0); 3],
-        understood: 0,
-        unknown: None,
-        free_form: None,
+        before,
+        asks_before: false,
         line: 0,
     };
-    let mut lines = Lines::new(bytes);
-    while let Some(line) = lines.next() {
-        parser.line = lines.number;
-        match line {
-            Cow::Borrowed(line) => parser.statement(line, Some(line))?,
-            Cow::Owned(line) => parser.statement(&line, None)?,
-        }
-        if lines.number.is_multiple_of(LINES_BETWEEN_CHECKS) {
-            limits.check("the model", parser.document.bytes(), 1, Place::Line(lines.number))?;
-        }
-    }
-    parser.finish(limits, warnings)
+    let done = parser.statements(&mut lines, limits);
+    let Parser { mut block, asks_before, .. } = parser;
+    block.lines = lines.given();
+    let counts = block.document.counts();
+    Parsed { block: done.map(|()| block), counts, asks_before }
 }
 
 struct Parser<'a> {
-    document: Document<'a>,
+    block: Block<'a>,
     material_numbers: HashMap<&'a [u8], u32>,
-    material: u32,
-    smoothing: u32,
-    /// The highest index that refers to something further down, for each kind, with its line.
-    highest: [(i64, u64); 3],
-    understood: u64,
-    /// The first statement that isn't known, and the first one that isn't drawn.
-    unknown: Option<(u64, String)>,
-    free_form: Option<u64>,
+    before: Option<[usize; 3]>,
+    asks_before: bool,
     line: u64,
 }
 
 const WHATS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
 impl<'a> Parser<'a> {
+    fn statements(&mut self, lines: &mut Lines<'a>, limits: &Limits) -> Result<(), Error> {
+        while let Some(line) = lines.next() {
+            self.line = lines.number;
+            match line {
+                Cow::Borrowed(line) => self.statement(line, Some(line))?,
+                Cow::Owned(line) => self.statement(&line, None)?,
+            }
+            if lines.number.is_multiple_of(LINES_BETWEEN_CHECKS) {
+                let bytes = self.block.document.bytes();
+                limits.check("the model", bytes, 1, Place::Line(lines.number))?;
+            }
+        }
+        Ok(())
+    }
+
     /// `lasting` is the line if it lies in the file as it is: names are taken from there.
     fn statement(&mut self, line: &[u8], lasting: Option<&'a [u8]>) -> Result<(), Error> {
         let mut words = Words::new(line);
         let Some(keyword) = words.next() else { return Ok(()) };
         let name =
             || lasting.map_or(&[][..], |line| line[line.len() - words.unread()..].trim_ascii());
+        let document = &mut self.block.document;
         match keyword {
             b"v" => self.position(words)?,
             b"vt" => {
                 let [u, v] = self.values(&mut words, 1)?;
-                self.document.uvs.push([finite(u), 1.0 - finite(v)]);
+                self.block.document.uvs.push([finite(u), 1.0 - finite(v)]);
             }
             b"vn" => {
                 let normal = self.values(&mut words, 3)?;
-                let number = self.document.normals.len() as u32;
-                self.document.normal_faults.extend(NormalFault::of(number, normal));
-                self.document.normals.push(unit(normal));
+                let document = &mut self.block.document;
+                let number = document.normals.len() as u32;
+                document.normal_faults.extend(NormalFault::of(number, normal));
+                document.normals.push(unit(normal));
             }
             b"f" | b"fo" => self.element(Kind::Face, words)?,
             b"l" => self.element(Kind::Line, words)?,
             b"p" => self.element(Kind::Points, words)?,
             b"o" | b"g" => {
-                let element = self.document.elements.len() as u32;
+                let element = document.elements.len() as u32;
                 let is_object = keyword == b"o";
                 let name = name();
-                self.document.beginnings.push(Beginning { is_object, name, element });
+                document.beginnings.push(Beginning { is_object, name, element });
             }
             b"s" => {
-                self.document.has_smoothing = true;
-                self.smoothing = match words.next() {
+                document.has_smoothing = true;
+                let elements = document.elements.len();
+                let [_, smoothing] = &mut self.block.inherits;
+                smoothing.get_or_insert(elements);
+                self.block.leaves[1] = match words.next() {
                     Some(b"on") => 1,
                     Some(word) => integer(word).and_then(|n| u32::try_from(n).ok()).unwrap_or(0),
                     None => 0,
                 };
             }
             b"usemtl" => {
-                let next = self.document.materials.len() as u32;
+                let elements = document.elements.len();
+                let [material, _] = &mut self.block.inherits;
+                material.get_or_insert(elements);
+                let next = document.materials.len() as u32;
                 let name = name();
-                self.material = *self.material_numbers.entry(name).or_insert(next);
-                if self.material == next {
-                    self.document.materials.push(name);
+                let number = *self.material_numbers.entry(name).or_insert(next);
+                self.block.leaves[0] = number;
+                if number == next {
+                    document.materials.push(name);
                 }
             }
-            b"mtllib" => self.document.libraries.push(name()),
+            b"mtllib" => document.libraries.push(name()),
             [b'#', ..] => return Ok(()),
             _ if SILENT.contains(&keyword) => {}
             _ if LEFT_OUT.contains(&keyword) => {
-                self.free_form.get_or_insert(self.line);
+                self.block.free_form.get_or_insert(self.line);
             }
             _ => {
-                self.unknown.get_or_insert_with(|| (self.line, shown(keyword)));
+                self.block.unknown.get_or_insert_with(|| (self.line, shown(keyword)));
                 return Ok(());
             }
         }
-        self.understood += 1;
+        self.block.understood += 1;
         Ok(())
     }
 
@@ -168,7 +213,7 @@ impl<'a> Parser<'a> {
         if count < 3 {
             return Err(self.too_few(3));
         }
-        let document = &mut self.document;
+        let document = &mut self.block.document;
         if count >= 6 {
             document.colors.resize(document.positions.len(), [f32::NAN; 3]);
             let rgb = [values[count - 3], values[count - 2], values[count - 1]];
@@ -183,21 +228,19 @@ impl<'a> Parser<'a> {
     fn element(&mut self, kind: Kind, words: Words<'_>) -> Result<(), Error> {
         for word in words {
             let corner = self.corner(word)?;
-            self.document.corners.push(corner);
+            self.block.document.corners.push(corner);
         }
-        let Ok(end) = u32::try_from(self.document.corners.len()) else {
-            let message = "more corners than 32 bits can number".to_owned();
-            return Err(Error::at(Place::Line(self.line), ErrorKind::Unsupported(message)));
+        let document = &mut self.block.document;
+        let Ok(end) = u32::try_from(document.corners.len()) else {
+            return Err(too_many_corners(self.line));
         };
-        let element = Element { kind, end, material: self.material, smoothing: self.smoothing };
-        self.document.elements.push(element);
+        let [material, smoothing] = self.block.leaves;
+        document.elements.push(Element { kind, end, material, smoothing });
         Ok(())
     }
 
     /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     fn corner(&mut self, word: &[u8]) -> Result<[u32; 3], Error> {
-        let counts =
-            [self.document.positions.len(), self.document.uvs.len(), self.document.normals.len()];
         let mut corner = [NONE; 3];
         let mut parts = word.split(|&byte| byte == b'/');
         for (kind, index) in corner.iter_mut().enumerate() {
@@ -206,7 +249,7 @@ impl<'a> Parser<'a> {
                 Some([]) if kind > 0 => {}
                 Some(part) => {
                     let number = integer(part).ok_or_else(|| self.no_index(word))?;
-                    *index = self.resolve(kind, number, counts[kind])?;
+                    *index = self.resolve(kind, number)?;
                 }
             }
         }
@@ -214,40 +257,22 @@ impl<'a> Parser<'a> {
     }
 
     /// From an index as the file counts, from 1, or from the last one backwards, to one from 0.
-    fn resolve(&mut self, kind: usize, number: i64, count: usize) -> Result<u32, Error> {
-        let count = count as i64;
-        let index = if number < 0 { count + number } else { number - 1 };
-        if index < 0 || index >= i64::from(NONE) {
-            return Err(out_of_range(kind, number, count as u64, self.line));
-        }
-        if index >= count && index >= self.highest[kind].0 {
-            self.highest[kind] = (index + 1, self.line);
-        }
-        Ok(index as u32)
-    }
-
-    fn finish(self, limits: &Limits, warnings: &mut Warnings) -> Result<Document<'a>, Error> {
-        let document = self.document;
-        let counts = [document.positions.len(), document.uvs.len(), document.normals.len()];
-        for (kind, (&count, (number, line))) in counts.iter().zip(self.highest).enumerate() {
-            if number > count as i64 {
-                return Err(out_of_range(kind, number, count as u64, line));
+    fn resolve(&mut self, kind: usize, number: i64) -> Result<u32, Error> {
+        if number > 0 && number <= i64::from(NONE) {
+            if number > self.block.highest[kind].0 {
+                self.block.highest[kind] = (number, self.line);
             }
+            return Ok((number - 1) as u32);
         }
-        if let Some((line, word)) = self.unknown {
-            if self.understood == 0 {
-                let message = format!("`{word}` is no statement of OBJ, nor is any other line");
-                return Err(Error::at(Place::Line(line), ErrorKind::Malformed(message)));
-            }
-            warnings
-                .push(format!("line {line}: `{word}` is no statement of OBJ: such are ignored"));
+        let Some(before) = self.before else {
+            self.asks_before = true;
+            return Ok(NONE);
+        };
+        let count = (before[kind] + self.block.document.counts()[kind]) as i64;
+        match u32::try_from(count + number) {
+            Ok(index) if number < 0 && index < NONE => Ok(index),
+            _ => Err(out_of_range(kind, number, count as u64, self.line)),
         }
-        if let Some(line) = self.free_form {
-            let what = "free-form curves and surfaces are left out: convert them to polygons";
-            warnings.push(format!("line {line}: {what}"));
-        }
-        limits.check("the model", document.bytes(), 1, Place::File)?;
-        Ok(document)
     }
 
     #[cold]
@@ -275,49 +300,12 @@ fn finite(value: f32) -> f32 {
 }
 
 #[cold]
-fn out_of_range(kind: usize, index: i64, count: u64, line: u64) -> Error {
+pub(super) fn too_many_corners(line: u64) -> Error {
+    let message = "more corners than 32 bits can number".to_owned();
+    Error::at(Place::Line(line), ErrorKind::Unsupported(message))
+}
+
+#[cold]
+pub(super) fn out_of_range(kind: usize, index: i64, count: u64, line: u64) -> Error {
     Error::at(Place::Line(line), ErrorKind::OutOfRange { what: WHATS[kind], index, count })
-}
-
-/// Lines, those that end in a backslash joined with what follows.
-pub(super) struct Lines<'a> {
-    rest: &'a [u8],
-    /// What ends a line: LF, perhaps after CR; in very old files CR alone.
-    end: u8,
-    /// The number of the last line given, its first if it was joined.
-    pub(super) number: u64,
-    next_number: u64,
-}
-
-impl<'a> Lines<'a> {
-    pub(super) fn new(bytes: &'a [u8]) -> Self {
-        let rest = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let end = if rest.contains(&b'\n') { b'\n' } else { b'\r' };
-        Self { rest, end, number: 0, next_number: 1 }
-    }
-
-    pub(super) fn next(&mut self) -> Option<Cow<'a, [u8]>> {
-        self.number = self.next_number;
-        let line = self.physical()?;
-        if line.last() != Some(&b'\\') || line.first() == Some(&b'#') {
-            return Some(Cow::Borrowed(line));
-        }
-        let mut joined = line.to_vec();
-        while joined.pop_if(|byte| *byte == b'\\').is_some() {
-            joined.push(b' ');
-            joined.extend(self.physical().unwrap_or_default());
-        }
-        Some(Cow::Owned(joined))
-    }
-
-    fn physical(&mut self) -> Option<&'a [u8]> {
-        if self.rest.is_empty() {
-            return None;
-        }
-        let end = self.rest.iter().position(|&byte| byte == self.end);
-        let (line, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
-        self.rest = rest.get(1..).unwrap_or_default();
-        self.next_number += 1;
-        Some(line.strip_suffix(b"\r").unwrap_or(line))
-    }
 }
