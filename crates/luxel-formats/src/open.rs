@@ -72,12 +72,16 @@ pub fn open(path: &Path, limits: &Limits) -> Result<Loaded, Error> {
     let extension = path.extension().unwrap_or_default().to_string_lossy();
     let format = extension.parse();
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    if format == Ok(Format::Ply)
+    if matches!(format, Ok(Format::Ply | Format::Stl))
         && let Some(file) = files::Stored::open(path, limits)?
-        && let Some(loaded) =
-            ply::stream(&file, &stem, limits).map_err(|error| error.in_file(path))?
     {
-        return Ok(loaded);
+        let streamed = match format {
+            Ok(Format::Ply) => ply::stream(&file, &stem, limits),
+            _ => stl::stream(&file, &stem, limits),
+        };
+        if let Some(loaded) = streamed.map_err(|error| error.in_file(path))? {
+            return Ok(loaded);
+        }
     }
     let bytes = files::read_file(path, limits)?;
     let unknown = |message| Error::at(Place::File, ErrorKind::Unsupported(message)).in_file(path);

@@ -9,6 +9,7 @@
 mod ascii;
 mod binary;
 
+use crate::files::Stored;
 use crate::warnings::Warnings;
 use crate::weld::{BYTES_PER_KEY, Welder};
 use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
@@ -25,6 +26,20 @@ pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, 
     } else {
         vec![(name.to_owned(), binary::read(bytes, limits, &mut warnings)?)]
     };
+    Ok(loaded(solids, warnings))
+}
+
+/// Reads a long binary file without holding it in memory; `None` for others.
+pub(crate) fn stream(
+    file: &Stored<'_>,
+    name: &str,
+    limits: &Limits,
+) -> Result<Option<Loaded>, Error> {
+    let facets = binary::stream(file, limits)?;
+    Ok(facets.map(|facets| loaded(vec![(name.to_owned(), facets)], Warnings::default())))
+}
+
+fn loaded(solids: Vec<(String, Facets)>, mut warnings: Warnings) -> Loaded {
     let left_out = solids.iter().map(|(_, facets)| facets.left_out).sum();
     warn_of_faces_left_out(left_out, &mut warnings);
     let mut scene = Scene { up: DVec3::Z, ..Scene::default() };
@@ -36,7 +51,7 @@ pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, 
         }
     }
     scene.materials.push(SceneMaterial::default());
-    Ok(Loaded { scene, format: Format::Stl, warnings: warnings.finish() })
+    Loaded { scene, format: Format::Stl, warnings: warnings.finish() }
 }
 
 /// One warning for all faces that can't be drawn.

@@ -1,6 +1,7 @@
 //! Binary STL: 80 bytes of anything, a count, and 50 bytes for each triangle, all little-endian.
 
 use super::{Facets, check_count};
+use crate::files::Stored;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place};
 
@@ -42,10 +43,52 @@ pub(super) fn read(
     }
     let mut facets = Facets::with_room_for(count);
     for record in records.as_chunks::<RECORD>().0.iter().take(count) {
-        let (corners, _) = record[12..48].as_chunks::<4>();
-        let value = |index: usize| f32::from_le_bytes(corners[index]);
-        let corner = |index: usize| [value(3 * index), value(3 * index + 1), value(3 * index + 2)];
-        facets.push([corner(0), corner(1), corner(2)]);
+        facets.push(corners(record));
     }
     Ok(facets)
+}
+
+/// Triangles of a long file that are read at a time.
+const TOGETHER: u64 = 1 << 15;
+
+/// Reads a long file without holding it in memory: the next triangles while the last ones are welded.
+/// `None` if the file isn't binary, or longer or shorter than it says.
+pub(super) fn stream(file: &Stored<'_>, limits: &Limits) -> Result<Option<Facets>, Error> {
+    let size = file.with(0, PREFACE, size_said);
+    file.sound()?;
+    if size != Some(file.length()) {
+        return Ok(None);
+    }
+    let count = (file.length() - PREFACE as u64) / RECORD as u64;
+    check_count(count, limits, Place::Byte(80))?;
+    file.expect();
+    let start_of = |triangle: u64| PREFACE as u64 + triangle * RECORD as u64;
+    let read = |first: u64| {
+        let length = count.saturating_sub(first).min(TOGETHER) as usize * RECORD;
+        file.with(start_of(first), length, |bytes| {
+            bytes.as_chunks().0.iter().map(corners).collect::<Vec<_>>()
+        })
+    };
+    let mut facets = Facets::with_room_for(count as usize);
+    let mut next = read(0);
+    let mut first = 0;
+    while first < count {
+        file.sound()?;
+        file.reached(start_of(first));
+        first += TOGETHER;
+        let last = std::mem::take(&mut next);
+        let weld = || last.into_iter().for_each(|corners| facets.push(corners));
+        (next, ()) = luxel_parallel::join(|| read(first), weld);
+    }
+    file.reached(file.length());
+    file.sound()?;
+    Ok(Some(facets))
+}
+
+/// The corners of a triangle.
+fn corners(record: &[u8; RECORD]) -> [[f32; 3]; 3] {
+    let (corners, _) = record[12..48].as_chunks::<4>();
+    let value = |index: usize| f32::from_le_bytes(corners[index]);
+    let corner = |index: usize| [value(3 * index), value(3 * index + 1), value(3 * index + 2)];
+    [corner(0), corner(1), corner(2)]
 }
