@@ -95,13 +95,29 @@ impl Facets {
 
     #[inline]
     fn push(&mut self, corners: [[f32; 3]; 3]) {
-        if corners.as_flattened().iter().all(|value| value.is_finite()) {
-            // Adding 0 turns -0 into 0 and changes nothing else.
-            let key = |corner: [f32; 3]| corner.map(|value| (value + 0.0).to_bits());
-            self.triangles.push(corners.map(|corner| self.welder.insert(key(corner)).0));
+        if is_finite(&corners) {
+            self.triangles.push(self.welder.insert_all(corners.map(key)));
         } else {
             self.left_out += 1;
         }
+    }
+
+    /// Welds several triangles.
+    fn push_all(&mut self, triangles: &[[[f32; 3]; 3]]) {
+        let (eights, rest) = triangles.as_chunks::<8>();
+        for eight in eights {
+            if eight.iter().all(is_finite) {
+                let mut keys = [[0; 3]; 24];
+                for (key, &corner) in keys.iter_mut().zip(eight.as_flattened()) {
+                    *key = self::key(corner);
+                }
+                let numbers = self.welder.insert_all(keys);
+                self.triangles.extend_from_slice(numbers.as_chunks().0);
+            } else {
+                eight.iter().for_each(|&corners| self.push(corners));
+            }
+        }
+        rest.iter().for_each(|&corners| self.push(corners));
     }
 
     const fn is_empty(&self) -> bool {
@@ -117,6 +133,15 @@ impl Facets {
             ..Mesh::default()
         }
     }
+}
+
+fn is_finite(corners: &[[f32; 3]; 3]) -> bool {
+    corners.as_flattened().iter().all(|value| value.is_finite())
+}
+
+/// What tells corners apart. Adding 0 turns -0 into 0 and changes nothing else.
+fn key(corner: [f32; 3]) -> [u32; 3] {
+    corner.map(|value| (value + 0.0).to_bits())
 }
 
 /// Checks that so many triangles can be numbered and held.

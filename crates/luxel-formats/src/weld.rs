@@ -24,10 +24,29 @@ impl Welder {
     /// The number of a key, and whether it is new.
     #[inline]
     pub(crate) fn insert(&mut self, key: [u32; 3]) -> (u32, bool) {
+        self.insert_hashed(key, hash(key))
+    }
+
+    /// The numbers of several keys. Slots of tables of millions are far from the processor: all of
+    /// them are sent for before the first is waited for.
+    #[inline]
+    pub(crate) fn insert_all<const N: usize>(&mut self, keys: [[u32; 3]; N]) -> [u32; N] {
+        let hashes = keys.map(hash);
+        let mask = self.slots.len().wrapping_sub(1);
+        let slots = hashes.map(|hash| self.slots.get(hash as usize & mask).copied());
+        std::hint::black_box(&slots);
+        let mut numbers = [0; N];
+        for ((number, key), hash) in numbers.iter_mut().zip(keys).zip(hashes) {
+            *number = self.insert_hashed(key, hash).0;
+        }
+        numbers
+    }
+
+    #[inline]
+    fn insert_hashed(&mut self, key: [u32; 3], hash: u64) -> (u32, bool) {
         if (self.keys.len() + 1) * 4 > self.slots.len() * 3 {
             self.grow();
         }
-        let hash = hash(key);
         let mask = self.slots.len() - 1;
         let mut place = hash as usize & mask;
         loop {
@@ -103,6 +122,18 @@ mod tests {
                 prop_assert_eq!(welder.insert(key), (expected, expected == next));
                 prop_assert_eq!(welder.keys()[expected as usize], key);
             }
+        }
+
+        #[test]
+        fn keys_are_numbered_alike_one_by_one_and_several_together(
+            keys in prop::collection::vec([[0_u32..9, 0_u32..9, 0_u32..9], [0_u32..9, 0_u32..9, 0_u32..9]], 0..999)
+        ) {
+            let (mut alone, mut together) = (Welder::with_room_for(0), Welder::with_room_for(0));
+            for keys in keys {
+                let expected = keys.map(|key| alone.insert(key).0);
+                prop_assert_eq!(together.insert_all(keys), expected);
+            }
+            prop_assert_eq!(together.keys(), alone.keys());
         }
     }
 }

@@ -77,7 +77,7 @@ pub(super) fn stream(file: &Stored<'_>, limits: &Limits) -> Result<Option<Facets
         file.reached(start_of(first));
         first += TOGETHER;
         let last = std::mem::take(&mut next);
-        let weld = || last.into_iter().for_each(|corners| facets.push(corners));
+        let weld = || facets.push_all(&last);
         (next, ()) = luxel_parallel::join(|| read(first), weld);
     }
     file.reached(file.length());
