@@ -6,12 +6,13 @@
 //! around two is one least of eight lanes.
 
 use super::{Box3, Quality};
+use bytemuck::{Pod, Zeroable};
 use luxel_math::{Level, Simd, dispatch_long, f32x8, prelude::*};
 use luxel_parallel::{each, map};
 
 /// A box with its thing's number: low x, y, z, the number's bits, and the high corner's -x, -y, -z.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(32))]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C, align(32))]
 pub(crate) struct Ref([f32; LANES]);
 
 const LANES: usize = 8;
@@ -89,8 +90,6 @@ struct Border {
 }
 
 impl Ref {
-    pub(super) const NOTHING: Self = Self([0.0; LANES]);
-
     /// `None` marks what is to be left out.
     pub(super) fn new(number: u32, bounds: Option<Box3>) -> Self {
         let Box3 { low: [a, b, c], high: [x, y, z] } = bounds.unwrap_or(Box3::EMPTY);
