@@ -15,8 +15,9 @@ const RUN: usize = 1 << 8;
 
 /// Bytes for a triangle that a whole tree takes at most, where copies are left out if need be.
 const MOST_BYTES: usize = 32;
-/// Classes of leaves by what they take for a triangle, in quarters of a word.
-const CLASSES: usize = 48;
+/// Classes of leaves by what copies in them are worth, two for each power of two.
+const CLASSES: usize = 1 << (32 - CLASS_AT);
+const CLASS_AT: u32 = 22;
 
 /// Leaves of a run of nodes.
 #[derive(Clone)]
@@ -24,12 +25,12 @@ struct Made {
     words: Vec<u32>,
     /// Where each begins.
     starts: Vec<usize>,
-    /// What leaves of each class take beyond what they would without copies.
-    beyond: [usize; CLASSES],
+    /// What copies in leaves of each class take, if there are any, in words.
+    copies: Vec<u32>,
 }
 
 impl Made {
-    const NOTHING: Self = Self { words: Vec::new(), starts: Vec::new(), beyond: [0; CLASSES] };
+    const NOTHING: Self = Self { words: Vec::new(), starts: Vec::new(), copies: Vec::new() };
 
     #[inline(always)]
     fn new<S: Simd>(
@@ -45,13 +46,14 @@ impl Made {
         made.starts.reserve(some);
         // Four triangles have about six vertices.
         let mut blocks = Blocks::with_room(some + if copies { 6 } else { 4 } * all);
-        for run in leaves(nodes) {
+        made.copies.resize(if copies { CLASSES } else { 0 }, 0);
+        for (run, area) in leaves(nodes).zip(areas(nodes)) {
             let (at, count) = (blocks.end, run.len());
             made.starts.push(at);
             if copies {
                 blocks.append(simd, &numbers[run], mesh);
-                made.beyond[class(blocks.end - at, count)] +=
-                    (blocks.end - at).saturating_sub(1 + 4 * count);
+                let copied = of_copies(blocks.end - at, count);
+                made.copies[class(area, copied)] += copied;
             } else {
                 blocks.append_apart(simd, &numbers[run], mesh, Rows::Numbers);
             }
@@ -60,7 +62,7 @@ impl Made {
         made
     }
 
-    /// Takes back the copies of leaves from a class on.
+    /// Takes back the copies of leaves below a class, and of those in it until so many words are saved.
     #[inline(always)]
     fn without<S: Simd>(
         &self,
@@ -68,19 +70,23 @@ impl Made {
         nodes: &[Node],
         numbers: &[u32],
         mesh: &Mesh<'_>,
-        end: usize,
+        (end, mut words): (usize, usize),
     ) -> Self {
         let mut made = Self::NOTHING;
         made.starts.reserve(self.starts.len());
         let mut blocks = Blocks::with_room(self.words.len());
         let length = self.words.len();
         let ends = self.starts.iter().skip(1).chain([&length]);
-        for ((run, &start), &stop) in leaves(nodes).zip(&self.starts).zip(ends) {
+        let starts = self.starts.iter().zip(ends);
+        for ((run, area), (&start, &stop)) in leaves(nodes).zip(areas(nodes)).zip(starts) {
             made.starts.push(blocks.end);
-            if class(stop - start, run.len()) < end {
+            let copied = of_copies(stop - start, run.len());
+            let class = class(area, copied);
+            if class > end || class == end && words == 0 {
                 blocks.copy(&self.words[start..stop]);
             } else {
                 blocks.append_apart(simd, &numbers[run], mesh, Rows::Numbers);
+                words -= if class == end { words.min(copied as usize) } else { 0 };
             }
         }
         made.words = blocks.into_words();
@@ -88,9 +94,23 @@ impl Made {
     }
 }
 
-/// The class of a leaf of so many words and triangles.
-fn class(length: usize, count: usize) -> usize {
-    (length * 4 / count).min(CLASSES - 1)
+/// What copies take in a leaf of so many words and triangles, in words.
+fn of_copies(length: usize, count: usize) -> u32 {
+    length.saturating_sub(1 + 4 * count) as u32
+}
+
+/// The class of a leaf whose box has this surface, halved: rays meet it in proportion to that.
+fn class(area: f32, copied: u32) -> usize {
+    // Not below 0, so that the bits are in the order of the numbers; finite or not, all have a class.
+    ((area / copied as f32).abs().to_bits() >> CLASS_AT) as usize
+}
+
+/// The surfaces of leaves' boxes, halved, in the order of [`leaves`].
+fn areas(nodes: &[Node]) -> impl Iterator<Item = f32> + Clone {
+    nodes.iter().flat_map(|node| {
+        let is_leaf = |slot: &usize| node.children[*slot].as_leaf().is_some_and(|(_, n)| n > 0);
+        (0..WIDTH).filter(is_leaf).map(|slot| node.bounds(slot).half_area())
+    })
 }
 
 /// Which numbers are in the leaves of a run of nodes.
@@ -115,18 +135,19 @@ impl Leaves {
         let most = (MOST_BYTES * numbers.len()).saturating_sub(size_of_val(nodes)) / 4;
         let mut too_many = length(&made).saturating_sub(most);
         if copies && too_many > 0 {
-            // Leaves that take the most for a triangle do without, as many as need be.
-            let mut ends = vec![CLASSES; made.len()];
-            for class in (0..CLASSES).rev() {
+            // Leaves that rays meet the least, for what copies in them take, do without, as many as
+            // need be.
+            let mut ends = vec![(0, 0); made.len()];
+            for class in 0..CLASSES {
                 for (made, end) in made.iter().zip(&mut ends) {
                     if too_many > 0 {
-                        *end = class;
-                        too_many = too_many.saturating_sub(made.beyond[class]);
+                        *end = (class, too_many);
+                        too_many = too_many.saturating_sub(made.copies[class] as usize);
                     }
                 }
             }
             each(nodes.chunks(RUN).zip(&mut made).zip(ends), &|((nodes, made), end)| {
-                if made.beyond[end..].iter().any(|beyond| *beyond > 0) {
+                if made.copies[..=end.0].iter().any(|copied| *copied > 0) {
                     *made = dispatch_long!(level, simd => made.without(simd, nodes, numbers, mesh, end));
                 }
             });
