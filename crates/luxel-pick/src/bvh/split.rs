@@ -29,6 +29,8 @@ const BINS: usize = 16;
 /// So many for few boxes.
 const FEW_BINS: usize = 8;
 const FEW: usize = 16;
+/// From this on, bins are filled two at a time.
+const MANY: usize = 96;
 /// Above this, all three axes are tried; below, only the one along which middles spread the most.
 const ALL_AXES: usize = 1 << 14;
 /// Runs that one thread takes at a time where several work on one cut.
@@ -223,11 +225,9 @@ pub(super) fn split_many(
     let of_runs = map(refs.len(), CHUNK, &|run| {
         let refs = &refs[run.clone()];
         if scale.all {
-            let mut bins = vec![NO_BINS; 3];
-            if let [x, y, z] = &mut bins[..] {
-                dispatch_long!(care.level, simd => fill_all(simd, refs, &scale, [x, y, z]));
-            }
-            bins
+            let mut bins = [NO_BINS; 3];
+            dispatch_long!(care.level, simd => fill_all(simd, refs, &scale, &mut bins));
+            bins.to_vec()
         } else {
             let mut bins = vec![NO_BINS];
             dispatch_long!(care.level, simd => fill(simd, refs, &scale, &mut bins[0]));
@@ -298,21 +298,56 @@ fn split_few<S: Simd>(
 /// Fills the bins along the longest axis. Counts and bounds don't depend on who counted first.
 #[inline(always)]
 fn fill<S: Simd>(simd: S, refs: &[Ref], scale: &Scale, bins: &mut Bins) {
-    for of in refs {
+    if refs.len() < MANY {
+        for of in refs {
+            let of = f32x8::simd_from(simd, of.0);
+            bins.add(simd, scale.bins(simd, middles_of(of))[scale.longest & 3], of);
+        }
+        return;
+    }
+    // Neighbours often fall into one bin and would wait for one another: every other one has bins of
+    // its own.
+    let mut others = NO_BINS;
+    let (pairs, rest) = refs.as_chunks::<2>();
+    for [one, other] in pairs {
+        let one = f32x8::simd_from(simd, one.0);
+        let other = f32x8::simd_from(simd, other.0);
+        let place = scale.bins(simd, middles_of(one))[scale.longest & 3];
+        let other_place = scale.bins(simd, middles_of(other))[scale.longest & 3];
+        bins.add(simd, place, one);
+        others.add(simd, other_place, other);
+    }
+    for of in rest {
         let of = f32x8::simd_from(simd, of.0);
         bins.add(simd, scale.bins(simd, middles_of(of))[scale.longest & 3], of);
     }
+    bins.include(simd, &others);
 }
 
-/// The same along all axes.
+/// The same along all axes, for many.
 #[inline(always)]
-fn fill_all<S: Simd>(simd: S, refs: &[Ref], scale: &Scale, [x, y, z]: [&mut Bins; 3]) {
-    for of in refs {
+fn fill_all<S: Simd>(simd: S, refs: &[Ref], scale: &Scale, bins: &mut [Bins; 3]) {
+    let mut others = [NO_BINS; 3];
+    let (pairs, rest) = refs.as_chunks::<2>();
+    for [one, other] in pairs {
+        let one = f32x8::simd_from(simd, one.0);
+        let other = f32x8::simd_from(simd, other.0);
+        let places = scale.bins(simd, middles_of(one));
+        let other_places = scale.bins(simd, middles_of(other));
+        for axis in 0..3 {
+            bins[axis].add(simd, places[axis], one);
+            others[axis].add(simd, other_places[axis], other);
+        }
+    }
+    for of in rest {
         let of = f32x8::simd_from(simd, of.0);
         let places = scale.bins(simd, middles_of(of));
-        x.add(simd, places[0], of);
-        y.add(simd, places[1], of);
-        z.add(simd, places[2], of);
+        for axis in 0..3 {
+            bins[axis].add(simd, places[axis], of);
+        }
+    }
+    for (bins, others) in bins.iter_mut().zip(&others) {
+        bins.include(simd, others);
     }
 }
 
