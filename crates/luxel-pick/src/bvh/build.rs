@@ -1,7 +1,8 @@
 //! From boxes to a tree: large runs are cut in two by all threads, then each piece becomes wide
 //! nodes of its own, and all are joined in order.
 
-use super::split::{Care, Lanes, Ref, Side, side_of, split, split_many};
+use super::bins::{Lanes, Ref, Side};
+use super::split::{Care, side_of, split, split_many};
 use super::{Box3, Child, Node, Quality, RUN, Tree, WIDTH};
 use luxel_math::{Level, SimdLevel};
 use luxel_pages::Pages;

@@ -6,6 +6,7 @@
 //! area heuristic over bins (Wald 2007) and depends on nothing but the boxes, so it is the same for
 //! any number of threads.
 
+mod bins;
 mod build;
 mod leaves;
 mod make;
