@@ -3,8 +3,8 @@
 //! Sixty-four rays, as those of a tile of 8x8 pixels, mostly meet the same nodes. So a node is asked
 //! once, with intervals that hold the origins and directions of all (Reshetov, Soupikov and Hurley
 //! 2005; Wald, Benthin and Boulos 2008): what no ray of the interval meets, none of the bundle does.
-//! Where a leaf is reached, its box is asked for each ray, eight side by side, by the same operations
-//! as for a ray alone; and triangles by those rays that meet the box. Rounding is monotone, so the
+//! Where a leaf is reached, its box is asked for each ray, eight or sixteen side by side, by the same
+//! operations as for a ray alone; and triangles by those rays that meet the box. Rounding is monotone, so the
 //! intervals hold what each ray would compute, and a ray gets the same triangle and the same bits of
 //! the distance as alone.
 
