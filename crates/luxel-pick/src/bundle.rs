@@ -3,54 +3,27 @@
 //! Sixty-four rays, as those of a tile of 8x8 pixels, mostly meet the same nodes. So a node is asked
 //! once, with intervals that hold the origins and directions of all (Reshetov, Soupikov and Hurley
 //! 2005; Wald, Benthin and Boulos 2008): what no ray of the interval meets, none of the bundle does.
-//! Where a leaf is reached, its box is asked for each ray, eight side by side, by the same operations
-//! as for a ray alone; and triangles by those rays that meet the box. Rounding is monotone, so the
+//! Where a leaf is reached, its box is asked for each ray, eight or sixteen side by side, by the same
+//! operations as for a ray alone; and triangles by those rays that meet the box. Rounding is monotone, so the
 //! intervals hold what each ray would compute, and a ray gets the same triangle and the same bits of
 //! the distance as alone.
 
-use crate::bvh::{
-    ALMOST_ZERO, Block, Head, Node, PADDING, Places, WIDTH, block, higher, lower, moved, number,
-    padding,
-};
-use crate::gather::gather;
-use crate::intersect::{Nearest, Ray, Sheared, axes, meet_gathered, meet_rays};
-use crate::kind::{Common, Kind, ROWS, end_before, take_eight};
+use crate::bvh::{ALMOST_ZERO, Node, PADDING, Places, WIDTH, moved, padding};
+use crate::intersect::{Nearest, Ray, axes};
+use crate::kind::{Common, Kind, ROWS, Signs, take_eight};
+use crate::leaf::meet_leaf;
 use crate::rays::{MeshRays, RayHit};
-use luxel_math::{Simd, f32x8, prelude::*};
+use crate::row::{BUNDLE, NO_ROW, Range, Row, ShearedRows, greatest, load, one, store, width};
+use luxel_math::{LANES, Simd, f32x8, prelude::*};
 
-/// Most rays of a bundle: a miss of a node's box then costs a 64th of a test.
-pub(crate) const BUNDLE: usize = EIGHTS * WIDTH;
-const EIGHTS: usize = 8;
 /// Fewer are followed one by one.
 pub(crate) const LEAST: usize = 8;
+/// Most groups of a bundle.
+pub(crate) const GROUPS: usize = BUNDLE / WIDTH;
 
 /// How far directions may spread, as differences of slopes along the longest axis, and origins, in
 /// extents of the scene: beyond it, the interval meets too much.
 const SPREAD: f32 = 0.25;
-
-/// Eight rays side by side; axes x, y and z but where said.
-#[derive(Clone, Copy)]
-struct Eight {
-    near_origin: [[f32; WIDTH]; 3],
-    far_origin: [[f32; WIDTH]; 3],
-    inverse: [[f32; WIDTH]; 3],
-    start: [f32; WIDTH],
-    /// Origins and shears in the order of the bundle's axes.
-    sheared: ShearedEight,
-    nearest: [f32; WIDTH],
-    triangle: [u32; WIDTH],
-    block: [u32; WIDTH],
-    lane: [u32; WIDTH],
-    /// Which of the eights that the bundle was made of.
-    number: usize,
-}
-
-/// What triangles are asked with.
-#[derive(Clone, Copy)]
-pub(crate) struct ShearedEight {
-    pub(crate) origin: [[f32; WIDTH]; 3],
-    pub(crate) shear: [[f32; WIDTH]; 3],
-}
 
 /// Bounds of all rays of a bundle.
 #[derive(Clone, Copy)]
@@ -63,37 +36,45 @@ struct Interval {
     start: f32,
 }
 
-/// Rays of one kind, side by side.
+/// Rays of one kind, side by side; axes x, y and z but where said. Rows come first, so that each of
+/// their sixteens is a cache line.
+#[repr(C, align(64))]
 pub(crate) struct Bundle {
-    /// As they came: of each eight the origins and directions, axis by axis, and ranges.
-    rows: [[[f32; WIDTH]; ROWS]; EIGHTS],
-    /// Those of which any meets the box around all.
-    eights: [Eight; EIGHTS],
-    /// How many eights have such rays.
-    count: usize,
-    longest: usize,
-    axes: [usize; 3],
-    turned: [usize; 3],
+    /// As they came: origins and directions, axis by axis, and ranges.
+    rows: [Row; ROWS],
+    /// Of those groups of which any ray meets the box around all, and which groups these are.
+    pub(crate) near_origin: [Row; 3],
+    pub(crate) far_origin: [Row; 3],
+    pub(crate) inverse: [Row; 3],
+    pub(crate) start: Row,
+    /// Origins and shears in the order of the bundle's axes.
+    pub(crate) sheared: ShearedRows,
+    pub(crate) nearest: Row,
+    pub(crate) triangle: [u32; BUNDLE],
+    pub(crate) block: [u32; BUNDLE],
+    pub(crate) lane: [u32; BUNDLE],
+    numbers: [usize; GROUPS],
+    /// How many groups there are.
+    pub(crate) count: usize,
+    pub(crate) longest: usize,
+    pub(crate) axes: [usize; 3],
+    pub(crate) turned: [usize; 3],
 }
-
-const NO_RAYS: Eight = Eight {
-    near_origin: [[0.0; WIDTH]; 3],
-    far_origin: [[0.0; WIDTH]; 3],
-    inverse: [[0.0; WIDTH]; 3],
-    start: [0.0; WIDTH],
-    sheared: ShearedEight { origin: [[0.0; WIDTH]; 3], shear: [[0.0; WIDTH]; 3] },
-    nearest: [0.0; WIDTH],
-    triangle: [0; WIDTH],
-    block: [0; WIDTH],
-    lane: [0; WIDTH],
-    number: 0,
-};
 
 impl Bundle {
     pub(crate) fn new() -> Self {
         Self {
-            rows: [[[0.0; WIDTH]; ROWS]; EIGHTS],
-            eights: [NO_RAYS; EIGHTS],
+            rows: [NO_ROW; ROWS],
+            near_origin: [NO_ROW; 3],
+            far_origin: [NO_ROW; 3],
+            inverse: [NO_ROW; 3],
+            start: NO_ROW,
+            sheared: ShearedRows { origin: [NO_ROW; 3], shear: [NO_ROW; 3] },
+            nearest: NO_ROW,
+            triangle: [0; BUNDLE],
+            block: [0; BUNDLE],
+            lane: [0; BUNDLE],
+            numbers: [0; GROUPS],
             count: 0,
             longest: 0,
             axes: [0; 3],
@@ -106,16 +87,13 @@ impl Bundle {
     pub(crate) fn take<S: Simd>(&mut self, simd: S, followed: &[Ray]) -> Option<Kind> {
         let first = followed.first()?;
         let mut common = Common::default();
-        for (eight, rows) in followed.chunks(WIDTH).zip(&mut self.rows) {
-            if let Some(eight) = eight.first_chunk::<WIDTH>() {
-                let [a, b, c, d, e, f, g, h] = eight;
-                common.include(take_eight(simd, [a, b, c, d, e, f, g, h], rows));
-            } else {
-                let ray = |lane: usize| eight.get(lane).unwrap_or(first);
-                let eight_rays = [ray(0), ray(1), ray(2), ray(3), ray(4), ray(5), ray(6), ray(7)];
-                common.include(take_eight(simd, eight_rays, rows));
-                end_before(rows, eight.len());
-            }
+        for (number, sixteen) in followed.chunks(LANES).enumerate() {
+            let (low, high) = sixteen.split_at(WIDTH.min(sixteen.len()));
+            let (low, signs) = take_up_to_eight(simd, low, first);
+            common.include(signs);
+            let (high, signs) = take_up_to_eight(simd, high, first);
+            common.include(signs);
+            self.put(number, sixteen.len(), low, high);
         }
         common.kind()
     }
@@ -124,19 +102,38 @@ impl Bundle {
     #[inline(always)]
     pub(crate) fn take_places<S: Simd>(&mut self, simd: S, followed: &[Ray], places: &[u8]) {
         let Some(&first) = places.first() else { return };
-        for (eight, rows) in places.chunks(WIDTH).zip(&mut self.rows) {
-            let ray = |lane: usize| &followed[usize::from(*eight.get(lane).unwrap_or(&first))];
-            let eight_rays = [ray(0), ray(1), ray(2), ray(3), ray(4), ray(5), ray(6), ray(7)];
-            take_eight(simd, eight_rays, rows);
-            end_before(rows, eight.len());
+        for (number, sixteen) in places.chunks(LANES).enumerate() {
+            let ray = |lane: usize| &followed[usize::from(*sixteen.get(lane).unwrap_or(&first))];
+            let low = [ray(0), ray(1), ray(2), ray(3), ray(4), ray(5), ray(6), ray(7)];
+            let high = [ray(8), ray(9), ray(10), ray(11), ray(12), ray(13), ray(14), ray(15)];
+            let ((low, _), (high, _)) = (take_eight(simd, low), take_eight(simd, high));
+            self.put(number, sixteen.len(), low, high);
+        }
+    }
+
+    /// Keeps sixteen rays, of which the first `count` are some.
+    #[inline(always)]
+    fn put<S: Simd>(
+        &mut self,
+        number: usize,
+        count: usize,
+        low: [f32x8<S>; ROWS],
+        high: [f32x8<S>; ROWS],
+    ) {
+        for (row, (low, high)) in self.rows.iter_mut().zip(low.into_iter().zip(high)) {
+            low.combine(high).store_slice(&mut row[number % (BUNDLE / LANES)]);
+        }
+        // What is no ray ends before it begins.
+        for end in &mut self.rows[ROWS - 1][number % (BUNDLE / LANES)][count.min(LANES)..] {
+            *end = -1.0;
         }
     }
 
     /// Makes what was taken ready, `count` rays of one kind; whether they run close enough together.
     #[inline(always)]
-    pub(crate) fn ready<S: Simd>(
+    pub(crate) fn ready<N: Number>(
         &mut self,
-        simd: S,
+        like: N,
         rays: &MeshRays<'_>,
         kind: Kind,
         count: usize,
@@ -145,163 +142,139 @@ impl Bundle {
         self.longest = kind.longest();
         self.axes = axes(self.longest);
         self.count = 0;
-        let mut slopes = [Range::none(simd); 2];
-        let mut origins = [Range::none(simd); 3];
-        for (number, rows) in self.rows[..count.div_ceil(WIDTH).min(EIGHTS)].iter().enumerate() {
-            let eight = &mut self.eights[self.count & (EIGHTS - 1)];
-            let start = f32x8::simd_from(simd, rows[6]);
-            let end = f32x8::simd_from(simd, rows[7]);
-            let one = f32x8::splat(simd, 1.0);
+        let mut slopes = [Range::none(like); 2];
+        let mut origins = [Range::none(like); 3];
+        for number in 0..count.div_ceil(width::<N>()).min(BUNDLE / width::<N>()) {
+            let group = self.count;
+            let start = load(like, &self.rows[6], number);
+            let end = load(like, &self.rows[7], number);
             let (mut near, mut far) = (start, end);
             for axis in 0..3 {
-                let origin = f32x8::simd_from(simd, rows[axis]);
-                let along = f32x8::simd_from(simd, rows[3 + axis]);
+                let origin = load(like, &self.rows[axis], number);
+                let along = load(like, &self.rows[3 + axis], number);
                 let turned = self.turned[axis] & 1;
-                let sign = f32x8::splat(simd, if turned != 0 { -1.0 } else { 1.0 });
-                let largest = f32x8::splat(simd, rays.largest[axis]);
-                let pad = padding(SimdBase::abs(origin), largest, f32x8::splat(simd, PADDING));
+                let sign = like.constant(if turned != 0 { -1.0 } else { 1.0 });
+                let largest = like.constant(rays.largest[axis]);
+                let pad = padding(origin.abs(), largest, like.constant(PADDING));
                 let [near_origin, far_origin] = moved(origin, sign * pad);
-                let length = SimdBase::abs(along).max(f32x8::splat(simd, ALMOST_ZERO));
-                let inverse = sign * (one / length);
-                let near_plane = f32x8::splat(simd, rays.bounds[turned][axis]);
-                let far_plane = f32x8::splat(simd, rays.bounds[turned ^ 1][axis]);
-                near = ((near_plane - near_origin) * inverse).max(near);
-                far = ((far_plane - far_origin) * inverse).min(far);
-                near_origin.store_slice(&mut eight.near_origin[axis]);
-                far_origin.store_slice(&mut eight.far_origin[axis]);
-                inverse.store_slice(&mut eight.inverse[axis]);
+                let length = along.abs().maximum(like.constant(ALMOST_ZERO));
+                let inverse = sign * (like.one() / length);
+                let near_plane = like.constant(rays.bounds[turned][axis]);
+                let far_plane = like.constant(rays.bounds[turned ^ 1][axis]);
+                near = ((near_plane - near_origin) * inverse).maximum(near);
+                far = ((far_plane - far_origin) * inverse).minimum(far);
+                store(near_origin, &mut self.near_origin[axis], group);
+                store(far_origin, &mut self.far_origin[axis], group);
+                store(inverse, &mut self.inverse[axis], group);
             }
-            let meets = near.simd_le(far);
-            if !meets.any_true() {
+            let meets = near.less_or_equal(far);
+            if !meets.any() {
                 continue;
             }
-            start.store_slice(&mut eight.start);
+            store(start, &mut self.start, group);
             // What misses the box around all ends before it begins.
-            meets.select(end, f32x8::splat(simd, -1.0)).store_slice(&mut eight.nearest);
-            eight.triangle = [u32::MAX; WIDTH];
-            eight.number = number;
+            store(end.select(meets, like.constant(-1.0)), &mut self.nearest, group);
+            self.numbers[group % GROUPS] = number;
             let [kx, ky, kz] = self.axes.map(|axis| axis.min(2));
-            eight.sheared.origin = [rows[kx], rows[ky], rows[kz]];
-            let inverse = f32x8::simd_from(simd, eight.inverse[kz]);
-            let first = f32x8::simd_from(simd, rows[3 + kx]) * inverse;
-            let second = f32x8::simd_from(simd, rows[3 + ky]) * inverse;
-            first.store_slice(&mut eight.sheared.shear[0]);
-            second.store_slice(&mut eight.sheared.shear[1]);
-            inverse.store_slice(&mut eight.sheared.shear[2]);
+            for (to, axis) in [kx, ky, kz].into_iter().enumerate() {
+                let origin = load(like, &self.rows[axis], number);
+                store(origin, &mut self.sheared.origin[to], group);
+            }
+            let inverse = load(like, &self.inverse[kz], group);
+            let first = load(like, &self.rows[3 + kx], number) * inverse;
+            let second = load(like, &self.rows[3 + ky], number) * inverse;
+            store(first, &mut self.sheared.shear[0], group);
+            store(second, &mut self.sheared.shear[1], group);
+            store(inverse, &mut self.sheared.shear[2], group);
             slopes[0].include(first);
             slopes[1].include(second);
             for axis in 0..3 {
-                origins[axis].include(f32x8::simd_from(simd, rows[axis]));
+                origins[axis].include(load(like, &self.rows[axis], number));
             }
             self.count += 1;
         }
-        self.count == 0
-            || slopes.iter().all(|range| range.width() <= SPREAD)
-                && origins.iter().all(|range| range.width() <= SPREAD * rays.extent())
+        if self.count == 0 {
+            return true;
+        }
+        self.triangle = [u32::MAX; BUNDLE];
+        slopes.iter().all(|range| range.width() <= SPREAD)
+            && origins.iter().all(|range| range.width() <= SPREAD * rays.extent())
     }
 
     /// Writes the hits to their rays' places.
     #[inline(always)]
-    pub(crate) fn tell(
+    pub(crate) fn tell<N: Number>(
         &self,
+        _like: N,
         rays: &MeshRays<'_>,
         hits: &mut [Option<RayHit>],
         place: impl Fn(usize) -> usize,
     ) {
-        let is_negative = self.turned[self.longest] != 0;
-        for eight in &self.eights[..self.count] {
-            for lane in 0..WIDTH {
-                let (t, triangle) = (eight.nearest[lane], eight.triangle[lane]);
+        let width = width::<N>();
+        for group in 0..self.count.min(BUNDLE / width) {
+            for lane in 0..width {
+                let ray = group * width + lane;
+                let triangle = self.triangle[ray % BUNDLE];
                 if triangle != u32::MAX {
-                    let sheared = eight.sheared(lane, self.longest, is_negative);
-                    let (block, of) = (eight.block[lane], eight.lane[lane]);
-                    let nearest = Nearest { t, triangle, block, lane: of };
-                    hits[place(eight.number * WIDTH + lane)] = rays.told(&sheared, nearest);
+                    let sheared = self.ray(ray);
+                    let (block, of) = (self.block[ray % BUNDLE], self.lane[ray % BUNDLE]);
+                    let nearest = Nearest { t: one(&self.nearest, ray), triangle, block, lane: of };
+                    hits[place(self.numbers[group] * width + lane)] = rays.told(&sheared, nearest);
                 }
             }
         }
     }
 
     #[inline(always)]
-    fn interval<S: Simd>(&self, simd: S) -> Interval {
-        let eights = &self.eights[..self.count];
+    fn interval<N: Number>(&self, like: N) -> Interval {
         let mut interval = Interval {
             near_origin: [0.0; 3],
             far_origin: [0.0; 3],
             inverse: [[0.0; 2]; 3],
             start: 0.0,
         };
-        let mut starts = Range::none(simd);
-        for eight in eights {
-            starts.include(f32x8::simd_from(simd, eight.start));
-        }
-        [interval.start, _] = starts.ends();
+        [interval.start, _] = self.range(like, &self.start);
         for axis in 0..3 {
-            let mut ranges = [Range::none(simd); 3];
-            for eight in eights {
-                ranges[0].include(f32x8::simd_from(simd, eight.near_origin[axis]));
-                ranges[1].include(f32x8::simd_from(simd, eight.far_origin[axis]));
-                ranges[2].include(f32x8::simd_from(simd, eight.inverse[axis]));
-            }
-            let [near, far, inverse] = [ranges[0].ends(), ranges[1].ends(), ranges[2].ends()];
+            let near = self.range(like, &self.near_origin[axis]);
+            let far = self.range(like, &self.far_origin[axis]);
             // (plane - origin) * inverse is least from the origin that lies farthest ahead.
             let ahead = usize::from(self.turned[axis] == 0);
             interval.near_origin[axis] = near[ahead];
             interval.far_origin[axis] = far[1 - ahead];
-            interval.inverse[axis] = inverse;
+            interval.inverse[axis] = self.range(like, &self.inverse[axis]);
         }
         interval
     }
 
+    /// The least and the greatest of a row.
+    #[inline(always)]
+    fn range<N: Number>(&self, like: N, row: &Row) -> [f32; 2] {
+        let mut range = Range::none(like);
+        for group in 0..self.count {
+            range.include(load(like, row, group));
+        }
+        range.ends()
+    }
+
     /// The greatest distance that any ray still looks at.
     #[inline(always)]
-    fn farthest<S: Simd>(&self, simd: S) -> f32 {
-        let mut farthest = f32x8::splat(simd, -1.0);
-        for eight in &self.eights[..self.count] {
-            farthest = farthest.max(f32x8::simd_from(simd, eight.nearest));
+    fn farthest<N: Number>(&self, like: N) -> f32 {
+        let mut farthest = like.constant(-1.0);
+        for group in 0..self.count {
+            farthest = farthest.maximum(load(like, &self.nearest, group));
         }
         greatest(farthest)
     }
 }
 
-/// The least and the greatest of several eights, lane by lane.
-#[derive(Clone, Copy)]
-struct Range<S: Simd> {
-    least: f32x8<S>,
-    greatest: f32x8<S>,
-}
-
-impl<S: Simd> Range<S> {
-    #[inline(always)]
-    fn none(simd: S) -> Self {
-        let (least, greatest) = (f32::INFINITY, f32::NEG_INFINITY);
-        Self { least: f32x8::splat(simd, least), greatest: f32x8::splat(simd, greatest) }
-    }
-
-    #[inline(always)]
-    fn include(&mut self, values: f32x8<S>) {
-        self.least = self.least.min(values);
-        self.greatest = self.greatest.max(values);
-    }
-
-    /// The least and the greatest of all.
-    #[inline(always)]
-    fn ends(&self) -> [f32; 2] {
-        let least = (1..WIDTH).fold(self.least[0], |end, lane| lower(self.least[lane], end));
-        [least, greatest(self.greatest)]
-    }
-
-    #[inline(always)]
-    fn width(&self) -> f32 {
-        let [least, greatest] = self.ends();
-        greatest - least
-    }
-}
-
-/// The greatest of eight.
+/// Up to eight rays, and `first` in place of those that are missing.
 #[inline(always)]
-fn greatest<S: Simd>(values: f32x8<S>) -> f32 {
-    (1..WIDTH).fold(values[0], |end, lane| higher(values[lane], end))
+fn take_up_to_eight<S: Simd>(simd: S, rays: &[Ray], first: &Ray) -> ([f32x8<S>; ROWS], Signs) {
+    if let Some([a, b, c, d, e, f, g, h]) = rays.first_chunk::<WIDTH>() {
+        return take_eight(simd, [a, b, c, d, e, f, g, h]);
+    }
+    let ray = |lane: usize| rays.get(lane).unwrap_or(first);
+    take_eight(simd, [ray(0), ray(1), ray(2), ray(3), ray(4), ray(5), ray(6), ray(7)])
 }
 
 impl Interval {
@@ -335,8 +308,9 @@ impl Interval {
 
 /// The nearest triangle for each ray of a bundle.
 #[inline(always)]
-pub(crate) fn closest_of_bundle<S: Simd>(
+pub(crate) fn closest_of_bundle<S: Simd, N: Number>(
     simd: S,
+    like: N,
     rays: &MeshRays<'_>,
     bundle: &mut Bundle,
     places: &Places,
@@ -346,8 +320,8 @@ pub(crate) fn closest_of_bundle<S: Simd>(
     if bundle.count == 0 {
         return;
     }
-    let interval = bundle.interval(simd);
-    let mut farthest = bundle.farthest(simd);
+    let interval = bundle.interval(like);
+    let mut farthest = bundle.farthest(like);
     let mut number = 0;
     loop {
         let (distances, bits) = interval.meet(simd, &nodes[number], bundle.turned, farthest);
@@ -363,8 +337,8 @@ pub(crate) fn closest_of_bundle<S: Simd>(
             let (node, slot) = (&nodes[place / WIDTH], place % WIDTH);
             match node.children[slot].as_block() {
                 Some(start) => {
-                    if meet_leaf(simd, rays, bundle, node, slot, start) {
-                        farthest = bundle.farthest(simd);
+                    if meet_leaf(simd, like, rays, bundle, node, slot, start) {
+                        farthest = bundle.farthest(like);
                     }
                 }
                 None => {
@@ -373,127 +347,5 @@ pub(crate) fn closest_of_bundle<S: Simd>(
                 }
             }
         }
-    }
-}
-
-/// Asks a leaf's triangles for the rays that meet its box; whether any was hit.
-#[inline(always)]
-fn meet_leaf<S: Simd>(
-    simd: S,
-    rays: &MeshRays<'_>,
-    bundle: &mut Bundle,
-    node: &Node,
-    slot: usize,
-    mut start: usize,
-) -> bool {
-    let slot = slot & (WIDTH - 1);
-    let mut active = [0_u32; EIGHTS];
-    let (mut eights, mut singles) = (0, 0);
-    for (active, eight) in active.iter_mut().zip(&bundle.eights[..bundle.count]) {
-        let mut near = f32x8::simd_from(simd, eight.start);
-        let mut far = f32x8::simd_from(simd, eight.nearest);
-        for axis in 0..3 {
-            let turned = bundle.turned[axis] & 1;
-            let near_plane = f32x8::splat(simd, node.planes[axis][turned][slot]);
-            let far_plane = f32x8::splat(simd, node.planes[axis][turned ^ 1][slot]);
-            let inverse = f32x8::simd_from(simd, eight.inverse[axis]);
-            near = ((near_plane - f32x8::simd_from(simd, eight.near_origin[axis])) * inverse)
-                .max(near);
-            far = ((far_plane - f32x8::simd_from(simd, eight.far_origin[axis])) * inverse).min(far);
-        }
-        *active = near.simd_le(far).to_bitmask() as u32;
-        eights += u32::from(*active != 0);
-        singles += active.count_ones();
-    }
-    if singles == 0 {
-        return false;
-    }
-    let mut any = false;
-    while let Some(block) = block(rays.words, start) {
-        let singly = eights * Head::of(block).count() as u32 > singles;
-        any |= meet_rays_of_block(simd, rays, bundle, &active, (block, start as u32), singly);
-        let head = Head::of(block);
-        if !head.goes_on() {
-            break;
-        }
-        start += head.len();
-    }
-    any
-}
-
-/// Asks a block's triangles for the rays whose bit is set, eight at a time or one by one; whether any
-/// was hit.
-#[inline(always)]
-fn meet_rays_of_block<S: Simd>(
-    simd: S,
-    rays: &MeshRays<'_>,
-    bundle: &mut Bundle,
-    active: &[u32; EIGHTS],
-    (block, start): (&Block, u32),
-    singly: bool,
-) -> bool {
-    let count = Head::of(block).count();
-    let gathered = gather(simd, block, rays.positions);
-    let is_negative = bundle.turned[bundle.longest] != 0;
-    let mut any = false;
-    if !singly {
-        for of in 0..count {
-            let corners = [0, 1, 2]
-                .map(|corner: usize| bundle.axes.map(|axis| gathered[axis & 3][corner][of]));
-            let triangle = number(block, of);
-            for (&active, eight) in active.iter().zip(&mut bundle.eights) {
-                if active == 0 {
-                    continue;
-                }
-                let range = [eight.start, eight.nearest];
-                let (distances, mut hits) =
-                    meet_rays(simd, corners, &eight.sheared, is_negative, range, active);
-                while hits != 0 {
-                    let lane = hits.trailing_zeros() as usize & (WIDTH - 1);
-                    hits &= hits - 1;
-                    any |= eight.keep(lane, distances[lane], triangle, [start, of as u32]);
-                }
-            }
-        }
-        return any;
-    }
-    for (&active, eight) in active.iter().zip(&mut bundle.eights) {
-        let mut active = active;
-        while active != 0 {
-            let lane = active.trailing_zeros() as usize & (WIDTH - 1);
-            active &= active - 1;
-            let sheared = eight.sheared(lane, bundle.longest, is_negative);
-            let range = [eight.start[lane], eight.nearest[lane]];
-            let (distances, mut hits) = meet_gathered(simd, &gathered, count, &sheared, range);
-            while hits != 0 {
-                let of = hits.trailing_zeros() as usize & (WIDTH - 1);
-                hits &= hits - 1;
-                any |= eight.keep(lane, distances[of], number(block, of), [start, of as u32]);
-            }
-        }
-    }
-    any
-}
-
-impl Eight {
-    /// One of the rays.
-    #[inline(always)]
-    fn sheared(&self, lane: usize, last: usize, is_negative: bool) -> Sheared {
-        let ShearedEight { origin: [x, y, z], shear: [sx, sy, sz] } = &self.sheared;
-        let (origin, shear) = ([x[lane], y[lane], z[lane]], [sx[lane], sy[lane], sz[lane]]);
-        Sheared { last, is_negative, origin, shear }
-    }
-
-    /// Takes over a ray's hit if it is nearer; whether it is.
-    #[inline(always)]
-    fn keep(&mut self, lane: usize, t: f32, triangle: u32, [block, of]: [u32; 2]) -> bool {
-        let is_nearer =
-            t < self.nearest[lane] || t == self.nearest[lane] && triangle < self.triangle[lane];
-        if is_nearer {
-            self.nearest[lane] = t;
-            self.triangle[lane] = triangle;
-            (self.block[lane], self.lane[lane]) = (block, of);
-        }
-        is_nearer
     }
 }

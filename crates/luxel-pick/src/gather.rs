@@ -56,10 +56,20 @@ pub(crate) fn eight<S: Simd>(
     corner: usize,
     positions: &[[f32; 3]],
 ) -> [f32x8<S>; 3] {
-    let [a, b, c, d, e, f, g, h] = row(block, corner);
+    vertices_in_rows(simd, row(block, corner), Head::of(block).count(), positions)
+}
+
+/// The places of some of eight vertices side by side, axis by axis; anything in the other lanes.
+#[inline(always)]
+pub(crate) fn vertices_in_rows<S: Simd>(
+    simd: S,
+    [a, b, c, d, e, f, g, h]: [u32; WIDTH],
+    count: usize,
+    positions: &[[f32; 3]],
+) -> [f32x8<S>; 3] {
     let [x, y, z] = four(simd, [a, b, c, d], positions);
     // Most leaves have no more than half.
-    if Head::of(block).count() <= WIDTH / 2 {
+    if count <= WIDTH / 2 {
         return [x.combine(x), y.combine(y), z.combine(z)];
     }
     let [more_x, more_y, more_z] = four(simd, [e, f, g, h], positions);

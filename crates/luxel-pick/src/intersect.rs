@@ -11,10 +11,10 @@
 //! from the edge alone, whichever triangle it belongs to, so that all have the same one, and the
 //! triangle of the lowest number wins.
 
-use crate::bundle::ShearedEight;
 use crate::bvh::{Block, Head, Rows, WIDTH, triangle_words};
 use crate::gather::{Gathered, eight, places};
-use luxel_math::{Simd, f32x8, mask32x8, permuted, prelude::*};
+use crate::row::{Row, ShearedRows, load};
+use luxel_math::{LANES, Simd, f32x8, mask32x8, permuted, prelude::*};
 
 /// A ray: every place `origin + t direction` with t from `range`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -225,18 +225,18 @@ fn on_edge(corners: [[f32; 3]; 3]) -> Option<f32> {
     Some(t as f32)
 }
 
-/// [`on_edge`] for those of eight pairs whose bit is set in `asked`; all hits.
+/// [`on_edge`] for those of several pairs whose bit is set in `asked`; all hits.
 #[cold]
 #[inline(never)]
 fn on_edges(
-    corners: &[[[f32; WIDTH]; 3]; 3],
-    range: &[[f32; WIDTH]; 2],
+    corners: &[[[f32; LANES]; 3]; 3],
+    range: &[[f32; LANES]; 2],
     mut asked: u32,
-    distances: &mut [f32; WIDTH],
+    distances: &mut [f32; LANES],
     mut hits: u32,
 ) -> u32 {
     while asked != 0 {
-        let lane = asked.trailing_zeros() as usize & (WIDTH - 1);
+        let lane = asked.trailing_zeros() as usize & (LANES - 1);
         asked &= asked - 1;
         hits &= !(1 << lane);
         if let Some(t) = on_edge(corners.map(|corner| corner.map(|row| row[lane])))
@@ -250,8 +250,8 @@ fn on_edges(
     hits
 }
 
-/// Eight pairs of a ray and a triangle: x, y and z of each corner as the ray sees it.
-type Seen<S> = [[f32x8<S>; 3]; 3];
+/// Pairs of a ray and a triangle, lane by lane: x, y and z of each corner as the ray sees it.
+type Seen<N> = [[N; 3]; 3];
 
 /// The distances at which a ray meets a block's triangles, and a bit for each that it meets from
 /// `range[0]` to `range[1]`.
@@ -266,7 +266,7 @@ pub(crate) fn meet_block<S: Simd>(
     let head = Head::of(block);
     let [kx, ky, kz] = axes(ray.last);
     let zero = f32x8::splat(simd, 0.0);
-    let mut corners: Seen<S> = [[zero; 3]; 3];
+    let mut corners: Seen<f32x8<S>> = [[zero; 3]; 3];
     match head.rows() {
         Rows::Shared => {
             // Each vertex once, however many triangles it has.
@@ -295,7 +295,10 @@ pub(crate) fn meet_block<S: Simd>(
         }
     }
     let range = range.map(|t| f32x8::splat(simd, t));
-    meet_seen(simd, &corners, ray.is_negative, range, (1 << head.count()) - 1)
+    let mut distances = [0.0; WIDTH];
+    let (t, hits) = meet_seen(&corners, ray.is_negative, range, (1 << head.count()) - 1);
+    t.store_slice(&mut distances);
+    (distances, hits)
 }
 
 /// Rows of a block as a ray sees them, in the order of its axes.
@@ -352,84 +355,83 @@ pub(crate) fn meet_gathered<S: Simd>(
 ) -> ([f32; WIDTH], u32) {
     let [kx, ky, kz] = axes(ray.last);
     let [x, y, z] = [&gathered[kx & 3], &gathered[ky & 3], &gathered[kz & 3]];
-    let mut corners: Seen<S> = [[f32x8::splat(simd, 0.0); 3]; 3];
+    let mut corners: Seen<f32x8<S>> = [[f32x8::splat(simd, 0.0); 3]; 3];
     for corner in 0..3 {
         let row = |rows: &[[f32; WIDTH]; 3]| f32x8::simd_from(simd, rows[corner]);
         let [x, y, z] = seen(row(x), row(y), row(z), ray);
         (corners[0][corner], corners[1][corner], corners[2][corner]) = (x, y, z);
     }
     let range = range.map(|t| f32x8::splat(simd, t));
-    meet_seen(simd, &corners, ray.is_negative, range, (1 << count) - 1)
+    let mut distances = [0.0; WIDTH];
+    let (t, hits) = meet_seen(&corners, ray.is_negative, range, (1 << count) - 1);
+    t.store_slice(&mut distances);
+    (distances, hits)
 }
 
-/// The distances at which eight rays meet a triangle, and a bit for each of the `asked` that meets it
-/// within its range. Corners and rays are in the order of the rays' axes.
+/// The distances at which a group of rays meets a triangle, and a bit for each of the `asked` that
+/// meets it within its range. Corners and rays are in the order of the rays' axes.
 #[inline(always)]
-pub(crate) fn meet_rays<S: Simd>(
-    simd: S,
+pub(crate) fn meet_rays<N: Number>(
+    like: N,
     corners: [[f32; 3]; 3],
-    rays: &ShearedEight,
+    (rays, group): (&ShearedRows, usize),
     is_negative: bool,
-    range: [[f32; WIDTH]; 2],
+    range: [&Row; 2],
     asked: u32,
-) -> ([f32; WIDTH], u32) {
-    let mut seen: Seen<S> = [[f32x8::splat(simd, 0.0); 3]; 3];
+) -> (N, u32) {
+    let [x, y, z] = [0, 1, 2].map(|axis: usize| load(like, &rays.origin[axis], group));
+    let shear = [0, 1, 2].map(|axis: usize| load(like, &rays.shear[axis], group));
+    let mut seen: Seen<N> = [[like; 3]; 3];
     for corner in 0..3 {
-        let [x, y, z] = corners[corner];
-        let along = f32x8::splat(simd, z) - f32x8::simd_from(simd, rays.origin[2]);
-        seen[0][corner] = f32x8::splat(simd, x)
-            - f32x8::simd_from(simd, rays.origin[0])
-            - along * f32x8::simd_from(simd, rays.shear[0]);
-        seen[1][corner] = f32x8::splat(simd, y)
-            - f32x8::simd_from(simd, rays.origin[1])
-            - along * f32x8::simd_from(simd, rays.shear[1]);
-        seen[2][corner] = along * f32x8::simd_from(simd, rays.shear[2]);
+        let at = corners[corner].map(|place| like.constant(place));
+        let along = at[2] - z;
+        seen[0][corner] = at[0] - x - along * shear[0];
+        seen[1][corner] = at[1] - y - along * shear[1];
+        seen[2][corner] = along * shear[2];
     }
-    let range = range.map(|t| f32x8::simd_from(simd, t));
-    meet_seen(simd, &seen, is_negative, range, asked)
+    meet_seen(&seen, is_negative, range.map(|row| load(like, row, group)), asked)
 }
 
 /// Where the origins lie within the triangles, and how far along.
 #[inline(always)]
-fn meet_seen<S: Simd>(
-    simd: S,
-    [x, y, z]: &Seen<S>,
+fn meet_seen<N: Number>(
+    [x, y, z]: &Seen<N>,
     is_negative: bool,
-    range: [f32x8<S>; 2],
+    range: [N; 2],
     counted: u32,
-) -> ([f32; WIDTH], u32) {
+) -> (N, u32) {
     let u = x[2] * y[1] - y[2] * x[1];
     let v = x[0] * y[2] - y[0] * x[2];
     let w = x[1] * y[0] - y[1] * x[0];
-    let zero = f32x8::splat(simd, 0.0);
-    let negative = u.simd_lt(zero) | v.simd_lt(zero) | w.simd_lt(zero);
-    let positive = u.simd_gt(zero) | v.simd_gt(zero) | w.simd_gt(zero);
+    let zero = u.zero();
+    let negative = u.less(zero) | v.less(zero) | w.less(zero);
+    let positive = zero.less(u) | zero.less(v) | zero.less(w);
     let candidates = !(negative & positive);
-    let counted = candidates.to_bitmask() as u32 & counted;
-    let mut distances = [0.0; WIDTH];
+    let counted = candidates.bits() & counted;
     if counted == 0 {
-        return (distances, 0);
+        return (zero, 0);
     }
-    let unknown = u.simd_eq(zero) | v.simd_eq(zero) | w.simd_eq(zero);
+    let unknown = u.equal(zero) | v.equal(zero) | w.equal(zero);
     let sum = u + v + w;
-    let t = (u * z[0] + v * z[1] + w * z[2]) / sum;
-    let within = t.simd_ge(range[0]) & t.simd_le(range[1]);
-    t.store_slice(&mut distances);
-    let unknown = unknown.to_bitmask() as u32 & counted;
-    let mut hits = within.to_bitmask() as u32 & counted & !unknown;
+    let mut t = (u * z[0] + v * z[1] + w * z[2]) / sum;
+    let within = range[0].less_or_equal(t) & t.less_or_equal(range[1]);
+    let unknown = unknown.bits() & counted;
+    let mut hits = within.bits() & counted & !unknown;
     if unknown != 0 {
         // Stored here alone: all else stays in registers.
-        let mut corners = [[[0.0; WIDTH]; 3]; 3];
-        let mut ends = [[0.0; WIDTH]; 2];
+        let mut corners = [[[0.0; LANES]; 3]; 3];
+        let (mut ends, mut distances) = ([[0.0; LANES]; 2], [0.0; LANES]);
         for corner in 0..3 {
             // In this order ends of edges are compared: that of one winding, as the ray sees it.
-            x[corner].store_slice(&mut corners[corner][usize::from(is_negative)]);
-            y[corner].store_slice(&mut corners[corner][usize::from(!is_negative)]);
-            z[corner].store_slice(&mut corners[corner][2]);
+            x[corner].store(&mut corners[corner][usize::from(is_negative)], 0);
+            y[corner].store(&mut corners[corner][usize::from(!is_negative)], 0);
+            z[corner].store(&mut corners[corner][2], 0);
         }
-        range[0].store_slice(&mut ends[0]);
-        range[1].store_slice(&mut ends[1]);
+        range[0].store(&mut ends[0], 0);
+        range[1].store(&mut ends[1], 0);
+        t.store(&mut distances, 0);
         hits = on_edges(&corners, &ends, unknown, &mut distances, hits);
+        t = t.load(&distances, 0);
     }
-    (distances, hits)
+    (t, hits)
 }

@@ -95,22 +95,12 @@ impl Common {
 pub(crate) fn take_eight<S: Simd>(
     simd: S,
     [a, b, c, d, e, f, g, h]: [&Ray; WIDTH],
-    rows: &mut [[f32; WIDTH]; ROWS],
-) -> Signs {
+) -> ([f32x8<S>; ROWS], Signs) {
     let ([oxl, oyl, ozl, dxl], [dyl, dzl, nl, fl]) = take_four(simd, [a, b, c, d]);
     let ([oxh, oyh, ozh, dxh], [dyh, dzh, nh, fh]) = take_four(simd, [e, f, g, h]);
     let (ox, oy, oz) = (oxl.combine(oxh), oyl.combine(oyh), ozl.combine(ozh));
     let (dx, dy, dz) = (dxl.combine(dxh), dyl.combine(dyh), dzl.combine(dzh));
     let (nearest, farthest) = (nl.combine(nh), fl.combine(fh));
-    let [row_ox, row_oy, row_oz, row_dx, row_dy, row_dz, row_nearest, row_farthest] = rows;
-    ox.store_slice(row_ox);
-    oy.store_slice(row_oy);
-    oz.store_slice(row_oz);
-    dx.store_slice(row_dx);
-    dy.store_slice(row_dy);
-    dz.store_slice(row_dz);
-    nearest.store_slice(row_nearest);
-    farthest.store_slice(row_farthest);
     let (x, y, z) = (SimdBase::abs(dx), SimdBase::abs(dy), SimdBase::abs(dz));
     let bounded = SimdBase::abs(ox).simd_lt(f32::INFINITY)
         & SimdBase::abs(oy).simd_lt(f32::INFINITY)
@@ -120,11 +110,12 @@ pub(crate) fn take_eight<S: Simd>(
     let long = x.simd_ge(least) | y.simd_ge(least) | z.simd_ge(least);
     let ranges = nearest.simd_ge(0.0) & farthest.simd_ge(nearest);
     let is_x = x.simd_gt(y) & x.simd_gt(z);
-    Signs {
+    let signs = Signs {
         usual: (bounded & short & long & ranges).to_bitmask() as u32,
         turned: [signs(dx), signs(dy), signs(dz)],
         longest: [is_x.to_bitmask() as u32, (!is_x & y.simd_gt(z)).to_bitmask() as u32],
-    }
+    };
+    ([ox, oy, oz, dx, dy, dz, nearest, farthest], signs)
 }
 
 /// A bit for each that has a minus.
@@ -145,11 +136,4 @@ fn take_four<S: Simd>(simd: S, [a, b, c, d]: [&Ray; 4]) -> ([f32x4<S>; 4], [f32x
 fn halves<S: Simd>(simd: S, ray: &Ray) -> (f32x4<S>, f32x4<S>) {
     let ([ox, oy, oz], [dx, dy, dz], [nearest, farthest]) = (ray.origin, ray.direction, ray.range);
     (f32x4::simd_from(simd, [ox, oy, oz, dx]), f32x4::simd_from(simd, [dy, dz, nearest, farthest]))
-}
-
-/// Ends the rays from a lane on before they begin.
-pub(crate) fn end_before(rows: &mut [[f32; WIDTH]; ROWS], lane: usize) {
-    for end in &mut rows[ROWS - 1][lane.min(WIDTH)..] {
-        *end = -1.0;
-    }
 }

@@ -1,11 +1,12 @@
 //! Rays through one mesh: the nearest triangle, any, all, and millions of rays on all cores.
 
 use crate::alone::{TURNS, any, closest, closest_in_turns, nearest_alone};
-use crate::bundle::{BUNDLE, Bundle, LEAST, closest_of_bundle};
+use crate::bundle::{Bundle, LEAST, closest_of_bundle};
 use crate::bvh::{Block, Box3, Bvh, Node, Places, Slabs, Walk, block, corners, number, step};
 use crate::intersect::{Nearest, Ray, Sheared, axes, meet_block};
 use crate::kind::Kind;
-use luxel_math::{Level, Simd, SimdLevel, dispatch_long};
+use crate::row::{BUNDLE, takes_sixteen};
+use luxel_math::{Level, Simd, SimdLevel, dispatch_long, f32x8, f32x16, prelude::*};
 use luxel_parallel::fill;
 use std::cell::RefCell;
 
@@ -205,13 +206,33 @@ fn closest_of_many<S: Simd>(
     bundle: &mut Bundle,
     cells: &[Places; TURNS],
 ) {
+    if takes_sixteen(simd) {
+        let like = f32x16::splat(simd, 0.0);
+        closest_in_bundles(simd, like, rays, followed, hits, bundle, cells);
+    } else {
+        let like = f32x8::splat(simd, 0.0);
+        closest_in_bundles(simd, like, rays, followed, hits, bundle, cells);
+    }
+}
+
+/// The same with groups of rays as wide as `like`.
+#[inline(always)]
+fn closest_in_bundles<S: Simd, N: Number>(
+    simd: S,
+    like: N,
+    rays: &MeshRays<'_>,
+    followed: &[Ray],
+    hits: &mut [Option<RayHit>],
+    bundle: &mut Bundle,
+    cells: &[Places; TURNS],
+) {
     for (followed, hits) in followed.chunks(BUNDLE).zip(hits.chunks_mut(BUNDLE)) {
         if let Some(kind) = bundle.take(simd, followed)
             && followed.len() >= LEAST
         {
-            if bundle.ready(simd, rays, kind, followed.len()) {
-                closest_of_bundle(simd, rays, bundle, &cells[0]);
-                bundle.tell(rays, hits, |place| place);
+            if bundle.ready(like, rays, kind, followed.len()) {
+                closest_of_bundle(simd, like, rays, bundle, &cells[0]);
+                bundle.tell(like, rays, hits, |place| place);
             } else {
                 closest_of_rest(simd, rays, followed, 0..followed.len(), hits, cells);
             }
@@ -241,11 +262,11 @@ fn closest_of_many<S: Simd>(
             }
             let places = &places[..count];
             bundle.take_places(simd, followed, places);
-            if !bundle.ready(simd, rays, kind, count) {
+            if !bundle.ready(like, rays, kind, count) {
                 continue;
             }
-            closest_of_bundle(simd, rays, bundle, &cells[0]);
-            bundle.tell(rays, hits, |number| usize::from(places[number]));
+            closest_of_bundle(simd, like, rays, bundle, &cells[0]);
+            bundle.tell(like, rays, hits, |number| usize::from(places[number]));
             for &place in places {
                 alone[usize::from(place)] = false;
             }

@@ -1,9 +1,11 @@
 //! From boxes to a tree: large runs are cut in two by all threads, then each piece becomes wide
 //! nodes of its own, and all are joined in order.
 
-use super::split::{Care, Lanes, Ref, Side, side_of, split, split_many};
+use super::bins::{Lanes, Ref, Side};
+use super::split::{Care, side_of, split, split_many};
 use super::{Box3, Child, Node, Quality, RUN, Tree, WIDTH};
 use luxel_math::{Level, SimdLevel};
+use luxel_pages::Pages;
 use luxel_parallel::{any, each, fill, gather, join};
 use std::ops::Range;
 
@@ -82,18 +84,21 @@ pub(crate) fn build(things: &dyn Boxes, quality: Quality) -> Tree {
     }
     let level = SimdLevel::Auto.resolve().unwrap_or_else(|_| Level::baseline());
     let care = Care { quality, level };
-    let mut refs = vec![Ref::NOTHING; things.count()];
+    // Memory that isn't touched before all threads do: who comes first waits for the system.
+    let mut refs = Pages::zeroed(things.count());
     fill(&mut refs, RUN, &|start, run| things.refs(start, run));
-    if any(refs.len(), RUN, &|run| refs[run].iter().any(Ref::is_left_out)) {
-        refs.retain(|of| !of.is_left_out());
+    let mut count = refs.len();
+    if any(count, RUN, &|run| refs[run].iter().any(Ref::is_left_out)) {
+        count = keep(&mut refs);
     }
+    let refs = &mut refs[..count];
     if refs.is_empty() {
         return Tree::default();
     }
-    let mut scratch = vec![Ref::NOTHING; refs.len()];
-    let Side { bounds, middles } = side_of(&refs, level);
+    let mut scratch = Pages::zeroed(count);
+    let Side { bounds, middles } = side_of(refs, level);
     let run = Run {
-        refs: &mut refs,
+        refs: &mut *refs,
         scratch: &mut scratch,
         start: 0,
         bounds,
@@ -105,7 +110,7 @@ pub(crate) fn build(things: &dyn Boxes, quality: Quality) -> Tree {
     let nodes = if run.refs.len() <= WIDTH {
         let mut root = Node::EMPTY;
         root.set(0, &bounds, Child::leaf(0, run.refs.len()));
-        vec![root]
+        Pages::copied(&[root])
     } else {
         nodes(cut_in_tasks(run, care), care)
     };
@@ -116,6 +121,18 @@ pub(crate) fn build(things: &dyn Boxes, quality: Quality) -> Tree {
         }
     });
     Tree { nodes, items, bounds: Some(bounds) }
+}
+
+/// Moves what isn't left out to the front; how many there are.
+fn keep(refs: &mut [Ref]) -> usize {
+    let mut kept = 0;
+    for place in 0..refs.len() {
+        if !refs[place].is_left_out() {
+            refs[kept] = refs[place];
+            kept += 1;
+        }
+    }
+    kept
 }
 
 /// A tree over things as they stand: each eight that follow one another are a leaf, each eight leaves
@@ -176,7 +193,7 @@ fn in_order(things: &dyn Boxes) -> Tree {
         }
         nodes.append(&mut level);
     }
-    Tree { nodes, items, bounds: Some(boxes[0]) }
+    Tree { nodes: Pages::copied(&nodes), items, bounds: Some(boxes[0]) }
 }
 
 impl<'r> Run<'r> {
@@ -309,36 +326,91 @@ fn children(part: Part<'_>, care: Care) -> Vec<Part<'_>> {
     parts
 }
 
-/// The nodes of a part of more than a leaf, its own first.
-fn nodes(part: Part<'_>, care: Care) -> Vec<Node> {
-    let mut all = Vec::new();
-    if let Part::Run(run) = part {
-        append(run, care, &mut all);
-        return all;
-    }
-    let parts = children(part, care);
-    let mut below: Vec<(Box3, usize, usize, Vec<Node>)> = Vec::new();
-    below.resize_with(parts.len(), Default::default);
-    each(parts.into_iter().zip(&mut below), &|(part, below)| {
-        let (bounds, count) = (*part.bounds(), part.count());
-        *below = match part {
-            Part::Run(run) if count <= WIDTH => (bounds, count, run.start, Vec::new()),
-            part => (bounds, count, 0, nodes(part, care)),
+/// What is below one of a node's places.
+enum Below {
+    /// Things from here on.
+    Leaf(usize),
+    /// The nodes of a task, its own first.
+    Task(Vec<Node>),
+    /// A node's children, each with its box and how many things it has; and how many nodes that is.
+    Node(Vec<(Box3, usize, Self)>, usize),
+}
+
+impl Below {
+    fn of(part: Part<'_>, care: Care) -> Self {
+        let part = match part {
+            Part::Run(run) if run.refs.len() <= WIDTH => return Self::Leaf(run.start),
+            Part::Run(run) => {
+                let mut nodes = Vec::new();
+                append(run, care, &mut nodes);
+                return Self::Task(nodes);
+            }
+            part @ Part::Cut { .. } => part,
         };
-    });
-    all.push(Node::EMPTY);
-    for (slot, (bounds, count, start, mut nodes)) in below.into_iter().enumerate() {
-        let first = all.len() as u32;
-        let child = if nodes.is_empty() { Child::leaf(start, count) } else { Child::inner(first) };
-        all[0].set(slot, &bounds, child);
-        for child in nodes.iter_mut().flat_map(|node| &mut node.children) {
-            if child.as_leaf().is_none() {
-                child.0 += first;
+        let parts = children(part, care);
+        let mut below: Vec<_> =
+            parts.iter().map(|part| (*part.bounds(), part.count(), Self::Leaf(0))).collect();
+        each(parts.into_iter().zip(&mut below), &|(part, (.., below))| {
+            *below = Self::of(part, care);
+        });
+        let count = 1 + below.iter().map(|(.., below)| below.count()).sum::<usize>();
+        Self::Node(below, count)
+    }
+
+    /// How many nodes there are.
+    fn count(&self) -> usize {
+        match self {
+            Self::Leaf(_) => 0,
+            Self::Task(nodes) => nodes.len(),
+            Self::Node(_, count) => *count,
+        }
+    }
+
+    /// Writes what is above all tasks to `nodes`, the first of which is the tree's node `first`, and
+    /// leaves the tasks' nodes to `tasks`.
+    fn lay<'n>(
+        &'n self,
+        first: usize,
+        nodes: &'n mut [Node],
+        tasks: &mut Vec<(usize, &'n [Node], &'n mut [Node])>,
+    ) {
+        match self {
+            Self::Leaf(_) => {}
+            Self::Task(own) => tasks.push((first, own, nodes)),
+            Self::Node(below, _) => {
+                let Some((top, mut rest)) = nodes.split_first_mut() else { return };
+                *top = Node::EMPTY;
+                let mut at = first + 1;
+                for (slot, (bounds, count, below)) in below.iter().enumerate() {
+                    let child = match below {
+                        Self::Leaf(start) => Child::leaf(*start, *count),
+                        _ => Child::inner(at as u32),
+                    };
+                    top.set(slot, bounds, child);
+                    let (own, more) = rest.split_at_mut(below.count());
+                    below.lay(at, own, tasks);
+                    (at, rest) = (at + below.count(), more);
+                }
             }
         }
-        all.append(&mut nodes);
     }
-    all
+}
+
+/// The nodes of a part of more than a leaf, its own first.
+fn nodes(part: Part<'_>, care: Care) -> Pages<Node> {
+    let below = Below::of(part, care);
+    let mut nodes = Pages::zeroed(below.count());
+    let mut tasks = Vec::new();
+    below.lay(0, &mut nodes, &mut tasks);
+    each(tasks.into_iter(), &|(first, own, nodes)| {
+        nodes.copy_from_slice(own);
+        for child in nodes.iter_mut().flat_map(|node| &mut node.children) {
+            if child.as_leaf().is_none() {
+                child.0 += first as u32;
+            }
+        }
+    });
+    nodes
 }
 
 /// Appends the nodes of a run of more than a leaf; the number of its own.

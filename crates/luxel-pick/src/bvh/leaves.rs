@@ -13,7 +13,7 @@
 //! Eight vertices are the lanes of a vector: what a ray asks of them is computed once for each, and
 //! comes to the corners of triangles by permuting lanes. Triangles that share too little have rows of
 //! corners instead, x, y and z of the first ones, the second ones, the third ones. Where copies would
-//! take more memory than a tree may, leaves that need most for a triangle have only the numbers of
+//! take more memory than a tree may, leaves where rays come the least have only the numbers of
 //! their vertices, a row for each corner. A leaf that doesn't fit into one block goes on in the next.
 
 use super::{Box3, MAX_TRIANGLES, WIDTH};

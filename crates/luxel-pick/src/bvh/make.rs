@@ -4,17 +4,20 @@ use super::leaves::{
     BLOCK, FIRST_AT, GOES_ON, HAS_NUMBERS, HAS_OWN_ROWS, Leaves, Mesh, NUMBER_AT, Rows, SPAN,
 };
 use super::{Child, Node, WIDTH};
+use crate::gather::vertices_in_rows;
+use luxel_math::{Level, Simd, SimdLevel, dispatch_long, prelude::*, u32x8};
 use luxel_pages::Pages;
 use luxel_parallel::each;
 use std::ops::Range;
 
 /// Nodes whose leaves are made by one task.
-const RUN: usize = 1 << 10;
+const RUN: usize = 1 << 8;
 
 /// Bytes for a triangle that a whole tree takes at most, where copies are left out if need be.
 const MOST_BYTES: usize = 32;
-/// Classes of leaves by what they take for a triangle, in quarters of a word.
-const CLASSES: usize = 48;
+/// Classes of leaves by what copies in them are worth, two for each power of two.
+const CLASSES: usize = 1 << (32 - CLASS_AT);
+const CLASS_AT: u32 = 22;
 
 /// Leaves of a run of nodes.
 #[derive(Clone)]
@@ -22,57 +25,92 @@ struct Made {
     words: Vec<u32>,
     /// Where each begins.
     starts: Vec<usize>,
-    /// What leaves of each class take beyond what they would without copies.
-    beyond: [usize; CLASSES],
+    /// What copies in leaves of each class take, if there are any, in words.
+    copies: Vec<u32>,
 }
 
 impl Made {
-    const NOTHING: Self = Self { words: Vec::new(), starts: Vec::new(), beyond: [0; CLASSES] };
+    const NOTHING: Self = Self { words: Vec::new(), starts: Vec::new(), copies: Vec::new() };
 
-    fn new(nodes: &[Node], numbers: &[u32], mesh: &Mesh<'_>, copies: bool) -> Self {
+    #[inline(always)]
+    fn new<S: Simd>(
+        simd: S,
+        nodes: &[Node],
+        numbers: &[u32],
+        mesh: &Mesh<'_>,
+        copies: bool,
+    ) -> Self {
         let mut made = Self::NOTHING;
         let (some, all) =
             leaves(nodes).fold((0, 0), |(some, all), run| (some + 1, all + run.len()));
         made.starts.reserve(some);
         // Four triangles have about six vertices.
-        made.words.reserve(some + if copies { 6 } else { 4 } * all);
-        for run in leaves(nodes) {
-            let count = run.len();
-            let at = made.words.len();
+        let mut blocks = Blocks::with_room(some + if copies { 6 } else { 4 } * all);
+        made.copies.resize(if copies { CLASSES } else { 0 }, 0);
+        for (run, area) in leaves(nodes).zip(areas(nodes)) {
+            let (at, count) = (blocks.end, run.len());
             made.starts.push(at);
             if copies {
-                append(&mut made.words, &numbers[run], mesh);
-                let length = made.words.len() - at;
-                made.beyond[class(length, count)] += length.saturating_sub(1 + 4 * count);
+                blocks.append(simd, &numbers[run], mesh);
+                let copied = of_copies(blocks.end - at, count);
+                made.copies[class(area, copied)] += copied;
             } else {
-                append_apart(&mut made.words, &numbers[run], mesh, Rows::Numbers);
+                blocks.append_apart(simd, &numbers[run], mesh, Rows::Numbers);
             }
         }
+        made.words = blocks.into_words();
         made
     }
 
-    /// Takes back the copies of leaves from a class on.
-    fn without(&self, nodes: &[Node], numbers: &[u32], mesh: &Mesh<'_>, end: usize) -> Self {
+    /// Takes back the copies of leaves below a class, and of those in it until so many words are saved.
+    #[inline(always)]
+    fn without<S: Simd>(
+        &self,
+        simd: S,
+        nodes: &[Node],
+        numbers: &[u32],
+        mesh: &Mesh<'_>,
+        (end, mut words): (usize, usize),
+    ) -> Self {
         let mut made = Self::NOTHING;
         made.starts.reserve(self.starts.len());
-        made.words.reserve(self.words.len());
+        let mut blocks = Blocks::with_room(self.words.len());
         let length = self.words.len();
         let ends = self.starts.iter().skip(1).chain([&length]);
-        for ((run, &start), &stop) in leaves(nodes).zip(&self.starts).zip(ends) {
-            made.starts.push(made.words.len());
-            if class(stop - start, run.len()) < end {
-                made.words.extend_from_slice(&self.words[start..stop]);
+        let starts = self.starts.iter().zip(ends);
+        for ((run, area), (&start, &stop)) in leaves(nodes).zip(areas(nodes)).zip(starts) {
+            made.starts.push(blocks.end);
+            let copied = of_copies(stop - start, run.len());
+            let class = class(area, copied);
+            if class > end || class == end && words == 0 {
+                blocks.copy(&self.words[start..stop]);
             } else {
-                append_apart(&mut made.words, &numbers[run], mesh, Rows::Numbers);
+                blocks.append_apart(simd, &numbers[run], mesh, Rows::Numbers);
+                words -= if class == end { words.min(copied as usize) } else { 0 };
             }
         }
+        made.words = blocks.into_words();
         made
     }
 }
 
-/// The class of a leaf of so many words and triangles.
-fn class(length: usize, count: usize) -> usize {
-    (length * 4 / count).min(CLASSES - 1)
+/// What copies take in a leaf of so many words and triangles, in words.
+fn of_copies(length: usize, count: usize) -> u32 {
+    length.saturating_sub(1 + 4 * count) as u32
+}
+
+/// The class of a leaf whose box has this surface, halved: rays meet it in proportion to that.
+fn class(area: f32, copied: u32) -> usize {
+    // Not below 0, so that the bits are in the order of the numbers; finite or not, all have a class.
+    ((area / copied as f32).abs().to_bits() >> CLASS_AT) as usize
+}
+
+/// The surfaces of leaves' boxes, halved, in the order of [`leaves`].
+fn areas(nodes: &[Node]) -> impl Iterator<Item = f32> + Clone {
+    nodes.iter().flat_map(|node| {
+        let is_leaf = |slot: &usize| node.children[*slot].as_leaf().is_some_and(|(_, n)| n > 0);
+        (0..WIDTH).filter(is_leaf).map(|slot| node.bounds(slot).half_area())
+    })
 }
 
 /// Which numbers are in the leaves of a run of nodes.
@@ -88,27 +126,29 @@ impl Leaves {
         if !copies && leaves(nodes).all(|run| block_of(&numbers[run.clone()]).0 == run.len()) {
             return Self::of_numbers(nodes, numbers, mesh);
         }
+        let level = SimdLevel::Auto.resolve().unwrap_or_else(|_| Level::baseline());
         let mut made = vec![Made::NOTHING; nodes.len().div_ceil(RUN)];
         each(nodes.chunks(RUN).zip(&mut made), &|(nodes, made)| {
-            *made = Made::new(nodes, numbers, mesh, copies);
+            *made = dispatch_long!(level, simd => Made::new(simd, nodes, numbers, mesh, copies));
         });
         let length = |made: &[Made]| made.iter().map(|made| made.words.len()).sum::<usize>();
         let most = (MOST_BYTES * numbers.len()).saturating_sub(size_of_val(nodes)) / 4;
         let mut too_many = length(&made).saturating_sub(most);
         if copies && too_many > 0 {
-            // Leaves that take the most for a triangle do without, as many as need be.
-            let mut ends = vec![CLASSES; made.len()];
-            for class in (0..CLASSES).rev() {
+            // Leaves that rays meet the least, for what copies in them take, do without, as many as
+            // need be.
+            let mut ends = vec![(0, 0); made.len()];
+            for class in 0..CLASSES {
                 for (made, end) in made.iter().zip(&mut ends) {
                     if too_many > 0 {
-                        *end = class;
-                        too_many = too_many.saturating_sub(made.beyond[class]);
+                        *end = (class, too_many);
+                        too_many = too_many.saturating_sub(made.copies[class] as usize);
                     }
                 }
             }
             each(nodes.chunks(RUN).zip(&mut made).zip(ends), &|((nodes, made), end)| {
-                if made.beyond[end..].iter().any(|beyond| *beyond > 0) {
-                    *made = made.without(nodes, numbers, mesh, end);
+                if made.copies[..=end.0].iter().any(|copied| *copied > 0) {
+                    *made = dispatch_long!(level, simd => made.without(simd, nodes, numbers, mesh, end));
                 }
             });
         }
@@ -150,7 +190,7 @@ impl Leaves {
             for child in nodes.iter_mut().flat_map(|node| &mut node.children) {
                 if let Some((start, count)) = child.as_leaf().filter(|&(_, count)| count > 0) {
                     *child = Child::block(first + at);
-                    write(&mut piece[at..], &numbers[start..start + count], mesh, Rows::Numbers);
+                    write_numbers(&mut piece[at..], &numbers[start..start + count], mesh);
                     at += 1 + 4 * count;
                 }
             }
@@ -159,106 +199,148 @@ impl Leaves {
     }
 }
 
-/// The block that is being filled.
-struct Filled {
+/// The vertices of the block that is being filled, in lanes: who stored one and then looked at all
+/// would wait for what was just stored.
+#[derive(Clone, Copy)]
+struct Filled<S: Simd> {
     first: u32,
-    /// Words of triangles.
-    triangles: [u32; WIDTH],
+    /// How many triangles there are.
     count: usize,
     /// The vertices' numbers.
-    vertices: [u32; WIDTH],
+    vertices: u32x8<S>,
     used: usize,
 }
 
-impl Filled {
-    const NONE: Self =
-        Self { first: 0, triangles: [0; WIDTH], count: 0, vertices: [u32::MAX; WIDTH], used: 0 };
-
-    /// Takes a triangle, if it fits.
+impl<S: Simd> Filled<S> {
     #[inline(always)]
-    fn take(&mut self, number: u32, corners: [u32; 3]) -> bool {
+    fn none(simd: S) -> Self {
+        Self { first: 0, count: 0, vertices: u32x8::splat(simd, u32::MAX), used: 0 }
+    }
+
+    /// Takes a triangle, if it fits; its word.
+    #[inline(always)]
+    fn take(&mut self, simd: S, number: u32, corners: [u32; 3]) -> Option<u32> {
+        const LANES: [u32; WIDTH] = [0, 1, 2, 3, 4, 5, 6, 7];
+        let lanes = u32x8::simd_from(simd, LANES);
         let first = if self.count == 0 { number & !7 } else { self.first };
-        let (mut used, mut word) = (self.used, 0);
         if self.count == WIDTH || number < first || number - first >= SPAN {
-            return false;
+            return None;
         }
-        for (corner, vertex) in corners.into_iter().enumerate() {
-            let mut found = 0;
-            for place in 0..WIDTH {
-                found |= u32::from(self.vertices[place] == vertex) << place;
-            }
-            // What a triangle that didn't fit has left behind is beyond those in use.
-            let mut place = found.trailing_zeros() as usize;
-            if place >= used {
-                if used == WIDTH {
-                    return false;
+        let (mut vertices, mut used, mut word) = (self.vertices, self.used, 0);
+        for corner in 0..3 {
+            let vertex = u32x8::splat(simd, corners[corner]);
+            let found = vertices.simd_eq(vertex).to_bitmask() as u32;
+            // The next one, if it isn't among those in use.
+            let place = (found | 1 << used).trailing_zeros();
+            vertices = lanes.simd_eq(place).select(vertex, vertices);
+            used += usize::from(place as usize == used);
+            word |= place << (3 * corner);
+        }
+        if used > WIDTH {
+            return None;
+        }
+        *self = Self { first, count: self.count + 1, vertices, used };
+        Some(word | (number - first) << NUMBER_AT)
+    }
+}
+
+/// Blocks one after another.
+struct Blocks {
+    /// With room for a leaf beyond the end.
+    words: Vec<u32>,
+    end: usize,
+}
+
+/// What the blocks of a leaf take at most, and what is written beyond the last of them.
+const ROOM: usize = 11 * WIDTH + BLOCK;
+
+impl Blocks {
+    /// With room for so many words.
+    fn with_room(words: usize) -> Self {
+        Self { words: vec![0; words + ROOM], end: 0 }
+    }
+
+    fn into_words(mut self) -> Vec<u32> {
+        self.words.truncate(self.end);
+        self.words
+    }
+
+    fn copy(&mut self, words: &[u32]) {
+        self.make_room(words.len());
+        self.words[self.end..self.end + words.len()].copy_from_slice(words);
+        self.end += words.len();
+    }
+
+    #[inline(always)]
+    fn make_room(&mut self, words: usize) {
+        if self.words.len() < self.end + words {
+            self.words.resize(2 * (self.end + words), 0);
+        }
+    }
+
+    /// Appends the blocks of a leaf with copies of its vertices.
+    #[inline(always)]
+    fn append<S: Simd>(&mut self, simd: S, numbers: &[u32], mesh: &Mesh<'_>) {
+        // What numbers too far apart begin new blocks for takes no more than rows for each triangle.
+        self.make_room(11 * numbers.len() + BLOCK);
+        let start = self.end;
+        let mut filled = Filled::none(simd);
+        for &number in numbers {
+            let corners = mesh.triangles[number as usize];
+            let mut word = filled.take(simd, number, corners);
+            if word.is_none() {
+                if filled.used >= 3 * filled.count && self.end == start && numbers.len() > 3 {
+                    // Nothing is shared here.
+                    self.append_apart(simd, numbers, mesh, Rows::Apart);
+                    return;
                 }
-                self.vertices[used] = vertex;
-                place = used;
-                used += 1;
+                self.finish(simd, &filled, mesh, GOES_ON);
+                filled = Filled::none(simd);
+                word = filled.take(simd, number, corners);
             }
-            word |= (place as u32) << (3 * corner);
+            self.words[self.end + filled.count] = word.unwrap_or_default();
         }
-        self.triangles[self.count] = word | (number - first) << NUMBER_AT;
-        (self.first, self.used) = (first, used);
-        self.count += 1;
-        true
+        self.finish(simd, &filled, mesh, 0);
+        if self.end - start > 1 + 10 * numbers.len() {
+            self.end = start;
+            self.append_apart(simd, numbers, mesh, Rows::Apart);
+        }
     }
 
-    /// Appends it as a block; where its head is.
-    fn append(&self, words: &mut Vec<u32>, positions: &[[f32; 3]]) -> usize {
-        let at = words.len();
-        words.push(
-            (self.count - 1) as u32 | (self.used as u32 - 1) << 3 | self.first >> 3 << FIRST_AT,
-        );
-        words.extend_from_slice(&self.triangles[..self.count]);
-        let mut rows = [[0; WIDTH]; 3];
-        for (place, &vertex) in self.vertices[..self.used].iter().enumerate() {
-            let position = positions[vertex as usize];
-            for axis in 0..3 {
-                rows[axis][place % WIDTH] = position[axis].to_bits();
-            }
+    /// Ends a block whose triangles' words are there.
+    #[inline(always)]
+    fn finish<S: Simd>(&mut self, simd: S, filled: &Filled<S>, mesh: &Mesh<'_>, more: u32) {
+        let (count, used) = (filled.count, filled.used);
+        let head = (count as u32).wrapping_sub(1) | (used as u32).wrapping_sub(1) << 3;
+        self.words[self.end] = head | more | filled.first >> 3 << FIRST_AT;
+        let at = self.end + 1 + count;
+        let mut vertices = [0; WIDTH];
+        filled.vertices.store_slice(&mut vertices);
+        // Each row's end is written over by the next one.
+        let rows = vertices_in_rows(simd, vertices, used, mesh.positions);
+        for (row, values) in rows.into_iter().enumerate() {
+            let at = at + row * used;
+            values.bitcast::<u32x8<S>>().store_slice(&mut self.words[at..at + WIDTH]);
         }
-        for row in rows {
-            words.extend_from_slice(&row[..self.used]);
-        }
-        at
+        self.end = at + 3 * used;
     }
-}
 
-/// Appends the blocks of a leaf with copies of its vertices.
-fn append(words: &mut Vec<u32>, numbers: &[u32], mesh: &Mesh<'_>) {
-    let start = words.len();
-    let mut filled = Filled::NONE;
-    for &number in numbers {
-        let corners = mesh.triangles[number as usize];
-        if !filled.take(number, corners) {
-            if filled.used >= 3 * filled.count && words.len() == start && numbers.len() > 3 {
-                // Nothing is shared here.
-                append_apart(words, numbers, mesh, Rows::Apart);
-                return;
+    /// The same with rows for each triangle.
+    #[inline(always)]
+    fn append_apart<S: Simd>(&mut self, simd: S, mut numbers: &[u32], mesh: &Mesh<'_>, rows: Rows) {
+        self.make_room(11 * numbers.len() + BLOCK);
+        while !numbers.is_empty() {
+            let (count, _) = block_of(numbers);
+            let words = &mut self.words[self.end..];
+            if rows == Rows::Apart {
+                write_apart(simd, words, numbers, mesh);
+                self.end += 1 + 10 * count;
+            } else {
+                write_numbers(words, numbers, mesh);
+                self.end += 1 + 4 * count;
             }
-            let at = filled.append(words, mesh.positions);
-            words[at] |= GOES_ON;
-            filled = Filled::NONE;
-            filled.take(number, corners);
+            numbers = &numbers[count..];
         }
-    }
-    filled.append(words, mesh.positions);
-    if words.len() - start > 1 + 10 * numbers.len() {
-        words.truncate(start);
-        append_apart(words, numbers, mesh, Rows::Apart);
-    }
-}
-
-/// The same with rows for each triangle.
-fn append_apart(words: &mut Vec<u32>, mut numbers: &[u32], mesh: &Mesh<'_>, rows: Rows) {
-    while !numbers.is_empty() {
-        let (count, _) = block_of(numbers);
-        let at = words.len();
-        words.resize(at + 1 + if rows == Rows::Apart { 10 } else { 4 } * count, 0);
-        write(&mut words[at..], numbers, mesh, rows);
-        numbers = &numbers[count..];
     }
 }
 
@@ -270,24 +352,44 @@ fn block_of(numbers: &[u32]) -> (usize, u32) {
     (numbers.iter().take(WIDTH).take_while(fits).count(), first)
 }
 
-/// Writes a block with rows for each triangle.
-fn write(words: &mut [u32], numbers: &[u32], mesh: &Mesh<'_>, rows: Rows) {
+/// Writes the head of a block with rows for each triangle, and its triangles' words; how many there
+/// are.
+#[inline(always)]
+fn write_head(words: &mut [u32], numbers: &[u32], kind: u32) -> usize {
     let (count, first) = block_of(numbers);
     let more = if count < numbers.len() { GOES_ON } else { 0 };
-    let kind = if rows == Rows::Numbers { HAS_NUMBERS } else { 0 };
     words[0] = (count as u32 - 1) | kind | more | HAS_OWN_ROWS | first >> 3 << FIRST_AT;
+    for (word, &number) in words[1..=count].iter_mut().zip(numbers) {
+        *word = (number - first) << NUMBER_AT;
+    }
+    count
+}
+
+/// Writes a block with rows of vertices' numbers.
+fn write_numbers(words: &mut [u32], numbers: &[u32], mesh: &Mesh<'_>) {
+    let count = write_head(words, numbers, HAS_NUMBERS);
     for (lane, &number) in numbers[..count].iter().enumerate() {
-        words[1 + lane] = (number - first) << NUMBER_AT;
         for (corner, vertex) in mesh.triangles[number as usize].into_iter().enumerate() {
-            let place = 1 + count + lane;
-            if rows == Rows::Numbers {
-                words[place + corner * count] = vertex;
-                continue;
-            }
-            let position = mesh.positions[vertex as usize];
-            for axis in 0..3 {
-                words[place + (3 * corner + axis) * count] = position[axis].to_bits();
-            }
+            words[1 + count + lane + corner * count] = vertex;
+        }
+    }
+}
+
+/// Writes a block with rows of corners, and anything beyond it.
+#[inline(always)]
+fn write_apart<S: Simd>(simd: S, words: &mut [u32], numbers: &[u32], mesh: &Mesh<'_>) {
+    let count = write_head(words, numbers, 0);
+    let mut vertices = [[0; WIDTH]; 3];
+    for (lane, &number) in numbers[..count].iter().enumerate() {
+        for (corner, vertex) in mesh.triangles[number as usize].into_iter().enumerate() {
+            vertices[corner][lane % WIDTH] = vertex;
+        }
+    }
+    for (corner, vertices) in vertices.into_iter().enumerate() {
+        let rows = vertices_in_rows(simd, vertices, count, mesh.positions);
+        for (axis, values) in rows.into_iter().enumerate() {
+            let at = 1 + count + (3 * corner + axis) * count;
+            values.bitcast::<u32x8<S>>().store_slice(&mut words[at..at + WIDTH]);
         }
     }
 }
@@ -351,17 +453,29 @@ mod tests {
 
     #[test]
     fn a_block_takes_what_it_can_tell_and_no_more() {
-        let mut filled = Filled::NONE;
-        assert!(filled.take(17, [3, 4, 5]));
-        assert!(filled.take(18, [5, 4, 6]) && filled.used == 4);
-        assert!(!filled.take(15, [3, 4, 5]), "below the lowest");
-        assert!(filled.take(16, [3, 4, 5]), "rounded down");
-        assert!(!filled.take(16 + SPAN, [3, 4, 5]), "too far above");
-        assert!(filled.take(15 + SPAN, [7, 8, 9]) && filled.used == 7);
-        assert!(!filled.take(20, [10, 11, 3]), "one vertex too many");
-        assert!(filled.take(20, [10, 10, 3]) && filled.used == 8);
-        let mut words = Vec::new();
-        filled.append(&mut words, &[[1.0; 3]; 11]);
+        let words = dispatch_long!(Level::baseline(), simd => {
+            let mut filled = Filled::none(simd);
+            let mut blocks = Blocks::with_room(0);
+            let mut takes = |number, corners| {
+                let word = filled.take(simd, number, corners);
+                if let Some(word) = word {
+                    blocks.words[filled.count] = word;
+                }
+                word.is_some().then_some(filled.used)
+            };
+            assert_eq!(takes(17, [3, 4, 5]), Some(3));
+            assert_eq!(takes(18, [5, 4, 6]), Some(4));
+            assert_eq!(takes(15, [3, 4, 5]), None, "below the lowest");
+            assert_eq!(takes(16, [3, 4, 5]), Some(4), "rounded down");
+            assert_eq!(takes(16 + SPAN, [3, 4, 5]), None, "too far above");
+            assert_eq!(takes(15 + SPAN, [7, 8, 9]), Some(7));
+            assert_eq!(takes(20, [10, 11, 3]), None, "one vertex too many");
+            assert_eq!(takes(20, [10, 10, 3]), Some(8));
+            let mesh = Mesh { positions: &[[1.0; 3]; 11], triangles: &[] };
+            blocks.finish(simd, &filled, &mesh, 0);
+            blocks.into_words()
+        });
+        let mut words = words;
         words.resize(BLOCK, 0);
         let block = block(&words, 0).unwrap();
         assert_eq!(Head::of(block).len(), 1 + 5 + 3 * 8);

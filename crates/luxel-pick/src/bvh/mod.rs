@@ -6,6 +6,7 @@
 //! area heuristic over bins (Wald 2007) and depends on nothing but the boxes, so it is the same for
 //! any number of threads.
 
+mod bins;
 mod build;
 mod leaves;
 mod make;
@@ -150,7 +151,7 @@ pub(crate) fn higher(a: f32, b: f32) -> f32 {
 /// A tree over anything that has a box: nodes, and the things' numbers in the order of the leaves.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tree {
-    pub(crate) nodes: Vec<Node>,
+    pub(crate) nodes: Pages<Node>,
     pub(crate) items: Vec<u32>,
     pub(crate) bounds: Option<Box3>,
 }
@@ -279,7 +280,7 @@ impl Bvh {
         let copies = quality != Quality::InOrder;
         let leaves = Leaves::new(&mut nodes, &items, &mesh, copies);
         let vertices = positions.len();
-        Ok(Self { nodes: Pages::copied(&nodes), leaves, bounds, vertices })
+        Ok(Self { nodes, leaves, bounds, vertices })
     }
 
     /// Fits boxes and copies to positions that have moved, without changing the tree's shape: quicker

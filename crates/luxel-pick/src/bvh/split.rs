@@ -1,41 +1,19 @@
 //! Cutting a run of boxes in two, where the surface area heuristic says (MacDonald and Booth 1990):
 //! a ray that meets the whole meets a part in proportion to the part's surface. Candidates are the
 //! borders of equal bins along an axis (Wald 2007).
-//!
-//! A box is eight numbers, its low corner and its high one with the other sign, so that the box
-//! around two is one least of eight lanes.
 
-use super::{Box3, Quality};
+use super::Quality;
+use super::bins::{
+    Bins, Border, EMPTY, Lanes, NO_BINS, Ref, Scale, Side, box_of, fill, fill_all, lanes, longest,
+    middles_of,
+};
 use luxel_math::{Level, Simd, dispatch_long, f32x8, prelude::*};
 use luxel_parallel::{each, map};
 
-/// A box with its thing's number: low x, y, z, the number's bits, and the high corner's -x, -y, -z.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(32))]
-pub(crate) struct Ref([f32; LANES]);
-
-const LANES: usize = 8;
-/// Makes a number's bits those of a number from 2 on, which vectors take in their stride.
-const NUMBER: u32 = 1 << 30;
-
-/// A box, or the box of middles, as lanes of a [`Ref`].
-pub(super) type Lanes = [f32; LANES];
-
-const EMPTY: Lanes = [f32::INFINITY; LANES];
-
-/// Bins along an axis; 32 were no better, 8 a little worse.
-const BINS: usize = 16;
-/// So many for few boxes.
-const FEW_BINS: usize = 8;
-const FEW: usize = 16;
-/// Above this, all three axes are tried; below, only the one along which middles spread the most.
-const ALL_AXES: usize = 1 << 14;
 /// Runs that one thread takes at a time where several work on one cut.
 const CHUNK: usize = 1 << 14;
 /// From this depth on, runs are halved: no mesh makes a tree deeper than that and 27 levels.
 const HALVED_FROM: u32 = 40;
-/// Added to a number of up to 22 bits, leaves it rounded in the lowest bits.
-const ROUNDING: f32 = 12_582_912.0;
 
 /// How a tree is built.
 #[derive(Clone, Copy)]
@@ -50,82 +28,6 @@ pub(super) struct Split {
     pub(super) sides: [Side; 2],
     /// The heuristic's cost: surfaces times counts.
     pub(super) cost: f32,
-}
-
-/// The box of a run, and the box of its boxes' middles.
-#[derive(Clone, Copy)]
-pub(super) struct Side {
-    pub(super) bounds: Box3,
-    pub(super) middles: Lanes,
-}
-
-/// The boxes of the bins along an axis, and how many are in each.
-#[derive(Clone, Copy)]
-struct Bins {
-    boxes: [Lanes; BINS],
-    counts: [u32; BINS],
-}
-
-const NO_BINS: Bins = Bins { boxes: [EMPTY; BINS], counts: [0; BINS] };
-
-/// How middles become bins: along each axis (middle - low) * scale, rounded.
-#[derive(Clone, Copy)]
-struct Scale {
-    low: Lanes,
-    scale: Lanes,
-    /// The axis along which middles spread the most.
-    longest: usize,
-    /// Whether all axes are tried.
-    all: bool,
-    bins: usize,
-}
-
-/// The best border: before which bin of which axis.
-#[derive(Clone, Copy)]
-struct Border {
-    axis: usize,
-    bin: usize,
-    cost: f32,
-}
-
-impl Ref {
-    pub(super) const NOTHING: Self = Self([0.0; LANES]);
-
-    /// `None` marks what is to be left out.
-    pub(super) fn new(number: u32, bounds: Option<Box3>) -> Self {
-        let Box3 { low: [a, b, c], high: [x, y, z] } = bounds.unwrap_or(Box3::EMPTY);
-        Self([a, b, c, f32::from_bits(number | NUMBER), -x, -y, -z, 0.0])
-    }
-
-    pub(super) fn is_left_out(&self) -> bool {
-        self.0[0] > -self.0[4]
-    }
-
-    pub(super) fn number(&self) -> u32 {
-        self.0[3].to_bits() & !NUMBER
-    }
-
-    fn middle(&self, axis: usize) -> f32 {
-        self.0[axis] * 0.5 - self.0[4 + axis] * 0.5
-    }
-}
-
-fn box_of([a, b, c, _, x, y, z, _]: Lanes) -> Box3 {
-    Box3 { low: [a, b, c], high: [-x, -y, -z] }
-}
-
-/// Middles of a box, and the same with the other sign.
-#[inline(always)]
-fn middles_of<S: Simd>(of: f32x8<S>) -> f32x8<S> {
-    let half = of * 0.5;
-    half - half.slide::<4>(half)
-}
-
-#[inline(always)]
-fn lanes<S: Simd>(values: f32x8<S>) -> Lanes {
-    let mut row = [0.0; LANES];
-    values.store_slice(&mut row);
-    row
 }
 
 /// The box around a run, and that of its middles.
@@ -152,42 +54,6 @@ fn lanes_around<S: Simd>(simd: S, refs: &[Ref]) -> [Lanes; 2] {
         middles = middles.min(middles_of(of));
     }
     [lanes(bounds), lanes(middles)]
-}
-
-impl Scale {
-    fn new(middles: &Lanes, count: usize, quality: Quality) -> Self {
-        let low = [middles[0], middles[1], middles[2]];
-        let extent: [f32; 3] = std::array::from_fn(|axis| -middles[4 + axis] - low[axis]);
-        let longest = longest(&extent);
-        let all = count > ALL_AXES && quality == Quality::Thorough;
-        let bins = if count <= FEW { FEW_BINS } else { BINS };
-        let mut scale = Self { low: [0.0; LANES], scale: [0.0; LANES], longest, all, bins };
-        for axis in 0..3 {
-            // A little less than half a bin before the first, so that rounding gives the bins' numbers.
-            let a_bin = extent[axis] / (bins as f32 - 0.02);
-            scale.low[axis] = low[axis] + a_bin * 0.49;
-            scale.scale[axis] = if extent[axis] > 0.0 { 1.0 / a_bin } else { 0.0 };
-        }
-        scale
-    }
-
-    /// The bins of a box's middle.
-    #[inline(always)]
-    fn bins<S: Simd>(&self, simd: S, middles: f32x8<S>) -> [usize; LANES] {
-        let low = f32x8::simd_from(simd, self.low);
-        let scale = f32x8::simd_from(simd, self.scale);
-        let row = lanes((middles - low) * scale + ROUNDING);
-        let mut bins = [0; LANES];
-        for axis in 0..3 {
-            // Whatever comes out, as from numbers too large, is a bin.
-            bins[axis] = row[axis].to_bits() as usize & (self.bins - 1) & (BINS - 1);
-        }
-        bins
-    }
-}
-
-fn longest(extent: &[f32; 3]) -> usize {
-    (1..3).fold(0, |best, axis| if extent[axis] > extent[best] { axis } else { best })
 }
 
 /// Cuts a run of at least two in two, both of at least one, keeping the order within both.
@@ -224,11 +90,9 @@ pub(super) fn split_many(
     let of_runs = map(refs.len(), CHUNK, &|run| {
         let refs = &refs[run.clone()];
         if scale.all {
-            let mut bins = vec![NO_BINS; 3];
-            if let [x, y, z] = &mut bins[..] {
-                dispatch_long!(care.level, simd => fill_all(simd, refs, &scale, [x, y, z]));
-            }
-            bins
+            let mut bins = [NO_BINS; 3];
+            dispatch_long!(care.level, simd => fill_all(simd, refs, &scale, &mut bins));
+            bins.to_vec()
         } else {
             let mut bins = vec![NO_BINS];
             dispatch_long!(care.level, simd => fill(simd, refs, &scale, &mut bins[0]));
@@ -294,102 +158,6 @@ fn split_few<S: Simd>(
     let border = bins.border(simd, scale.longest, scale.bins)?;
     let (at, middles) = partition(simd, refs, scratch, scale, border);
     Some(Split { at, sides: bins.sides(simd, border, middles), cost: border.cost })
-}
-
-/// Fills the bins along the longest axis. Counts and bounds don't depend on who counted first.
-#[inline(always)]
-fn fill<S: Simd>(simd: S, refs: &[Ref], scale: &Scale, bins: &mut Bins) {
-    for of in refs {
-        let of = f32x8::simd_from(simd, of.0);
-        bins.add(simd, scale.bins(simd, middles_of(of))[scale.longest & 3], of);
-    }
-}
-
-/// The same along all axes.
-#[inline(always)]
-fn fill_all<S: Simd>(simd: S, refs: &[Ref], scale: &Scale, [x, y, z]: [&mut Bins; 3]) {
-    for of in refs {
-        let of = f32x8::simd_from(simd, of.0);
-        let places = scale.bins(simd, middles_of(of));
-        x.add(simd, places[0], of);
-        y.add(simd, places[1], of);
-        z.add(simd, places[2], of);
-    }
-}
-
-impl Bins {
-    #[inline(always)]
-    fn add<S: Simd>(&mut self, simd: S, place: usize, of: f32x8<S>) {
-        let place = place & (BINS - 1);
-        let bounds = &mut self.boxes[place];
-        f32x8::simd_from(simd, *bounds).min(of).store_slice(bounds);
-        self.counts[place] += 1;
-    }
-
-    #[inline(always)]
-    fn include<S: Simd>(&mut self, simd: S, other: &Self) {
-        for (bounds, other) in self.boxes.iter_mut().zip(&other.boxes) {
-            let other = f32x8::simd_from(simd, *other);
-            f32x8::simd_from(simd, *bounds).min(other).store_slice(bounds);
-        }
-        for (count, other) in self.counts.iter_mut().zip(&other.counts) {
-            *count += other;
-        }
-    }
-
-    /// The border of the least cost; none if all are in one bin.
-    #[inline(always)]
-    fn border<S: Simd>(&self, simd: S, axis: usize, bins: usize) -> Option<Border> {
-        let bins = bins.min(BINS);
-        let empty = f32x8::simd_from(simd, EMPTY);
-        let mut right = [(0.0, 0); BINS];
-        let (mut bounds, mut count) = (empty, 0);
-        for bin in (1..bins).rev() {
-            bounds = bounds.min(f32x8::simd_from(simd, self.boxes[bin]));
-            count += self.counts[bin];
-            right[bin] = (half_area(bounds) * count as f32, count);
-        }
-        let mut best: Option<Border> = None;
-        let (mut bounds, mut count) = (empty, 0);
-        for bin in 1..bins {
-            bounds = bounds.min(f32x8::simd_from(simd, self.boxes[bin - 1]));
-            count += self.counts[bin - 1];
-            let (right_cost, right_count) = right[bin];
-            let cost = half_area(bounds) * count as f32 + right_cost;
-            if count != 0 && right_count != 0 && best.is_none_or(|best| cost < best.cost) {
-                best = Some(Border { axis, bin, cost });
-            }
-        }
-        best
-    }
-
-    /// What is on both sides of a border.
-    #[inline(always)]
-    fn sides<S: Simd>(&self, simd: S, border: Border, middles: [Lanes; 2]) -> [Side; 2] {
-        let (left, right) = self.boxes.split_at(border.bin.min(BINS));
-        [
-            Side { bounds: box_of(around(simd, left)), middles: middles[0] },
-            Side { bounds: box_of(around(simd, right)), middles: middles[1] },
-        ]
-    }
-}
-
-#[inline(always)]
-fn around<S: Simd>(simd: S, boxes: &[Lanes]) -> Lanes {
-    let mut all = f32x8::simd_from(simd, EMPTY);
-    for bounds in boxes {
-        all = all.min(f32x8::simd_from(simd, *bounds));
-    }
-    lanes(all)
-}
-
-/// Half a box's surface.
-#[inline(always)]
-fn half_area<S: Simd>(bounds: f32x8<S>) -> f32 {
-    // Extents with the other sign: products of two have none.
-    let extent = bounds + bounds.slide::<4>(bounds);
-    let [x, y, z] = [extent[0], extent[1], extent[2]];
-    x * (y + z) + y * z
 }
 
 /// Of both sides of a border the boxes of middles.
