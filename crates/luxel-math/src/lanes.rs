@@ -4,7 +4,7 @@
 //! exactly sixteen lanes: a block of 4x4 pixels, sixteen vertices, sixteen triangles. Narrower
 //! hardware splits them; the grouping, and so every result, stays the same.
 
-use fearless_simd::Level;
+use fearless_simd::{Level, Simd};
 use std::fmt;
 use std::str::FromStr;
 
@@ -118,6 +118,17 @@ impl SimdLevel {
             _ => Self::Scalar,
         };
         level.name()
+    }
+}
+
+/// Whether one register holds sixteen lanes, and there are thirty-two of them: with AVX-512. Elsewhere
+/// sixteen lanes of a few numbers fill all registers.
+#[inline(always)]
+pub fn has_wide_registers<S: Simd>(simd: S) -> bool {
+    match simd.level() {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Avx512(_) => true,
+        _ => false,
     }
 }
 

@@ -7,7 +7,7 @@
 //! Functions over `Number` are `#[inline(always)]` and never closures: a call that isn't inlined
 //! into the dispatched kernel loses its instruction set and passes vectors through memory.
 
-use crate::LANES;
+use crate::lanes::{LANES, has_wide_registers};
 use crate::wide::{Wide, Wide8, Wide16};
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use fearless_simd::Level;
@@ -302,17 +302,6 @@ fn compares_in_min_and_max<S: Simd>(simd: S) -> bool {
     }
 }
 
-/// Whether sixteen lanes of a few `f64` fill all registers.
-#[inline(always)]
-fn has_few_registers<S: Simd>(simd: S) -> bool {
-    match simd.level() {
-        // Thirty-two registers, of which two hold sixteen lanes.
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx512(_) => false,
-        _ => true,
-    }
-}
-
 /// Eight rows as eight columns: an index of three bits for the row and three for the column, whose
 /// six bits each perfect shuffle turns by one (Stone 1971).
 #[inline(always)]
@@ -508,7 +497,7 @@ macro_rules! number_of_lanes {
             }
             #[inline(always)]
             fn piecewise(self, work: &mut impl Piecewise) {
-                if $count == LANES && has_few_registers(self.simd) {
+                if $count == LANES && !has_wide_registers(self.simd) {
                     let eight = f32x8::splat(self.simd, 0.0);
                     for first in [0, LANES / 2] {
                         work.piece(eight, first);

@@ -5,8 +5,10 @@ use crate::bundle::{Bundle, LEAST, closest_of_bundle};
 use crate::bvh::{Block, Box3, Bvh, Node, Places, Slabs, Walk, block, corners, number, step};
 use crate::intersect::{Nearest, Ray, Sheared, axes, meet_block};
 use crate::kind::Kind;
-use crate::row::{BUNDLE, takes_sixteen};
-use luxel_math::{Level, Simd, SimdLevel, dispatch_long, f32x8, f32x16, prelude::*};
+use crate::row::BUNDLE;
+use luxel_math::{
+    Level, Simd, SimdLevel, dispatch_long, f32x8, f32x16, has_wide_registers, prelude::*,
+};
 use luxel_parallel::fill;
 use std::cell::RefCell;
 
@@ -206,7 +208,7 @@ fn closest_of_many<S: Simd>(
     bundle: &mut Bundle,
     cells: &[Places; TURNS],
 ) {
-    if takes_sixteen(simd) {
+    if has_wide_registers(simd) {
         let like = f32x16::splat(simd, 0.0);
         closest_in_bundles(simd, like, rays, followed, hits, bundle, cells);
     } else {

@@ -1,9 +1,7 @@
 //! Numbers of many rays side by side, asked in groups: as many at a time as vectors are wide.
 
 use crate::bvh::{higher, lower};
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-use luxel_math::Level;
-use luxel_math::{LANES, Number, Simd};
+use luxel_math::{LANES, Number};
 
 /// Most rays of a bundle: a miss of a node's box then costs a 64th of a test.
 pub(crate) const BUNDLE: usize = 64;
@@ -18,16 +16,6 @@ pub(crate) const NO_ROW: Row = [[0.0; LANES]; BUNDLE / LANES];
 pub(crate) struct ShearedRows {
     pub(crate) origin: [Row; 3],
     pub(crate) shear: [Row; 3],
-}
-
-/// Whether groups of sixteen rays are asked, each of whose numbers is in one register.
-#[inline(always)]
-pub(crate) fn takes_sixteen<S: Simd>(simd: S) -> bool {
-    match simd.level() {
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx512(_) => true,
-        _ => false,
-    }
 }
 
 /// Rays of a group.
