@@ -95,8 +95,17 @@ impl<'m> MeshRays<'m> {
     /// The nearest triangle for each of many rays, on all threads of the current pool.
     #[must_use]
     pub fn closest_of_each(&self, rays: &[Ray]) -> Vec<Option<RayHit>> {
-        let mut hits = vec![None; rays.len()];
-        fill(&mut hits, CHUNK, &|start, hits| {
+        let mut hits = Vec::new();
+        self.closest_of_each_into(rays, &mut hits);
+        hits
+    }
+
+    /// [`Self::closest_of_each`] in place of what `hits` held, whose memory is used again.
+    pub fn closest_of_each_into(&self, rays: &[Ray], hits: &mut Vec<Option<RayHit>>) {
+        hits.resize(rays.len(), None);
+        fill(hits, CHUNK, &|start, hits| {
+            // Here, where it stays in the cache.
+            hits.fill(None);
             let rays = &rays[start..start + hits.len()];
             BUNDLES.with_borrow_mut(|bundle| {
                 PLACES.with(|places| {
@@ -104,7 +113,6 @@ impl<'m> MeshRays<'m> {
                 });
             });
         });
-        hits
     }
 
     /// Whether a ray meets anything: quicker than asking what.

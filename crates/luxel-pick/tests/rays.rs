@@ -334,6 +334,10 @@ fn rays_in_bundles_get_the_bits_that_they_get_alone() {
         for level in SimdLevel::available() {
             let rays = MeshRays::with_level(&bvh, &mesh.positions, level.resolve().unwrap());
             let together = rays.closest_of_each(&aimed);
+            // What a list held before is gone.
+            let mut again = vec![together.iter().flatten().next().copied(); aimed.len() / 2];
+            rays.closest_of_each_into(&aimed, &mut again);
+            assert_eq!(again, together, "{level}");
             assert!(together.iter().flatten().count() > 1000);
             for (ray, hit) in aimed.iter().zip(together) {
                 assert_eq!(hit, rays.closest(ray), "{level} {ray:?}");

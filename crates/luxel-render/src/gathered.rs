@@ -52,7 +52,7 @@ pub(crate) struct Met {
 
 /// What is asked of triangles, beside the places where rays meet them.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Asked {
+pub(crate) enum Wanted {
     /// Normals, and whatever else they have.
     Everything,
     /// Normals.
@@ -98,11 +98,11 @@ impl Gathered {
         scene: &Scene16<'_>,
         batch: &Batch,
         of_lanes: u32,
-        asked: Asked,
+        wanted: Wanted,
     ) -> Option<OfInstance> {
-        let of = self.read(scene, &batch.ids, of_lanes, asked == Asked::Everything);
+        let of = self.read(scene, &batch.ids, of_lanes, wanted == Wanted::Everything);
         let mut lit_as = None;
-        if asked == Asked::Lights {
+        if wanted == Wanted::Lights {
             let materials = &self.materials;
             let material = materials[of.lanes.trailing_zeros() as usize & (LANES - 1)];
             if like.lanes_equal(materials, material) & of.lanes != of.lanes {

@@ -2,7 +2,7 @@
 //! and nothing else, of materials without textures, lit at their pixels or at their corners. The same
 //! formulas as for any block ([`shade`]), without room for what isn't there.
 
-use crate::gathered::{Asked, loaded};
+use crate::gathered::{Wanted, loaded};
 use crate::ready::ReadyTriangle;
 use crate::shade::{Batch, Kept, Scene16, put_lane, shade};
 use crate::surface;
@@ -250,21 +250,21 @@ fn many<N: Number>(
     lanes: u32,
 ) -> Option<Seen<N>> {
     let gathered = &mut kept.gathered;
-    let asked = match scene.shading.mode {
-        ShadingMode::Gouraud => Asked::Lights,
-        _ => Asked::Normals,
+    let wanted = match scene.shading.mode {
+        ShadingMode::Gouraud => Wanted::Lights,
+        _ => Wanted::Normals,
     };
     let mut left = lanes;
     while left != 0 {
         // Nearly always all.
-        left &= !gathered.meet(like, scene, batch, left, asked)?.lanes;
+        left &= !gathered.meet(like, scene, batch, left, wanted)?.lanes;
     }
     let material = gathered.materials[lanes.trailing_zeros() as usize & (LANES - 1)];
     if like.lanes_equal(&gathered.materials, material) & lanes != lanes {
         return None;
     }
     let [x, y, z] = loaded(like, &gathered.met.position, 0);
-    let carried = if asked == Asked::Lights { &gathered.met.light } else { &gathered.met.normal };
+    let carried = if wanted == Wanted::Lights { &gathered.met.light } else { &gathered.met.normal };
     let [first, second, third] = loaded(like, carried, 0);
     let (position, carried) = (Vec3::new(x, y, z), Vec3::new(first, second, third));
     Some(Seen { position, carried, lanes, material })

@@ -36,7 +36,7 @@ const SPARE: usize = KEPT;
 /// Places of the table from ids to triangles: enough that two of these seldom want the same.
 const TABLE: usize = 2048;
 /// How many can be asked for before they have to be made ready.
-const ASKED: usize = 4 * LANES;
+const PENDING: usize = 4 * LANES;
 
 /// The triangles that a thread has made ready last.
 pub(crate) struct Ready {
@@ -47,13 +47,13 @@ pub(crate) struct Ready {
     materials: [u32; KEPT],
     /// The one that is overwritten next.
     next: usize,
-    asked: Asked,
+    pending: Pending,
 }
 
 /// Triangles that have a place, and are to be made ready for it.
-struct Asked {
-    ids: [u32; ASKED],
-    places: [usize; ASKED],
+struct Pending {
+    ids: [u32; PENDING],
+    places: [usize; PENDING],
     count: usize,
 }
 
@@ -73,7 +73,7 @@ impl Ready {
             ids: [TriangleId::NONE.0; KEPT],
             materials: [0; KEPT],
             next: 0,
-            asked: Asked { ids: [TriangleId::NONE.0; ASKED], places: [0; ASKED], count: 0 },
+            pending: Pending { ids: [TriangleId::NONE.0; PENDING], places: [0; PENDING], count: 0 },
         }
     }
 
@@ -162,7 +162,7 @@ impl Ready {
             return;
         }
         self.ask_all(ids, begins);
-        if self.asked.count > ASKED - FEW as usize {
+        if self.pending.count > PENDING - FEW as usize {
             self.make(like, scene, gathered);
         }
     }
@@ -185,9 +185,9 @@ impl Ready {
         self.next = (place + 1) % KEPT;
         self.ids[place] = id;
         self.table[id as usize % TABLE] = place as u16;
-        let Asked { ids, places, count } = &mut self.asked;
-        ids[*count % ASKED] = id;
-        places[*count % ASKED] = place;
+        let Pending { ids, places, count } = &mut self.pending;
+        ids[*count % PENDING] = id;
+        places[*count % PENDING] = place;
         *count += 1;
     }
 
@@ -199,7 +199,7 @@ impl Ready {
         scene: &Scene16<'_>,
         gathered: &mut Gathered,
     ) {
-        if self.asked.count > 0 {
+        if self.pending.count > 0 {
             self.make_now(like, scene, gathered);
         }
     }
@@ -218,14 +218,14 @@ impl Ready {
         if self.triangles.is_empty() {
             self.triangles.resize(KEPT + 1, ReadyTriangle::NOTHING);
         }
-        let Self { asked, triangles, materials, .. } = self;
+        let Self { pending, triangles, materials, .. } = self;
         let Ok(triangles) = <&mut [_; KEPT + 1]>::try_from(triangles.as_mut_slice()) else {
             return;
         };
-        let places = asked.places.as_chunks::<LANES>().0;
-        let sixteens = asked.ids.as_chunks::<LANES>().0.iter().zip(places);
-        for (first, (ids, places)) in (0..asked.count).step_by(LANES).zip(sixteens) {
-            let mut left = u32::MAX >> (32 - LANES.min(asked.count - first));
+        let places = pending.places.as_chunks::<LANES>().0;
+        let sixteens = pending.ids.as_chunks::<LANES>().0.iter().zip(places);
+        for (first, (ids, places)) in (0..pending.count).step_by(LANES).zip(sixteens) {
+            let mut left = u32::MAX >> (32 - LANES.min(pending.count - first));
             while left != 0 {
                 let mut of = gathered.read(scene, ids, left, false);
                 let mut lit_as = None;
@@ -247,7 +247,7 @@ impl Ready {
                 like.piecewise(&mut Making { scene, of, gathered, lit_as, into, triangles });
             }
         }
-        asked.count = 0;
+        pending.count = 0;
     }
 }
 

@@ -1,7 +1,7 @@
 //! Sixteen samples of a block into light.
 
 use crate::edges::{EdgeFlags, edge_distance};
-use crate::gathered::{Asked, Gathered, has_many};
+use crate::gathered::{Gathered, Wanted, has_many};
 use crate::pieces::PieceCount;
 use crate::polygons::Polygons;
 use crate::ready::Ready;
@@ -210,7 +210,7 @@ fn interpolate_lanes<N: Number>(
         let mut left = all;
         while left != 0 {
             // Nearly always all.
-            let Some(of) = gathered.meet(like, scene, batch, left, Asked::Everything) else {
+            let Some(of) = gathered.meet(like, scene, batch, left, Wanted::Everything) else {
                 break;
             };
             interpolated.take(gathered, of);
