@@ -53,7 +53,9 @@ fn parse_all<'a>(blocks: &[Lines<'a>], before: [usize; 3], limits: &Limits) -> V
     let mut starts = Vec::with_capacity(blocks.len());
     for parsed in parsed.iter().flatten() {
         starts.push(counts);
-        for (count, more) in counts.iter_mut().zip(parsed.counts) {
+        // What comes after a block with an error doesn't matter.
+        let Ok(block) = &parsed.block else { continue };
+        for (count, more) in counts.iter_mut().zip(block.document.counts()) {
             *count += more;
         }
     }

@@ -55,8 +55,6 @@ pub(super) struct Block<'a> {
 /// How the reading of a block ended.
 pub(super) struct Parsed<'a> {
     pub(super) block: Result<Block<'a>, Error>,
-    /// How many vertices, texture coordinates and normals there are.
-    pub(super) counts: [usize; 3],
     /// Whether it can't be told without the counts of the blocks before.
     pub(super) asks_before: bool,
 }
@@ -87,8 +85,7 @@ pub(super) fn parse<'a>(
     let done = parser.statements(&mut lines, limits);
     let Parser { mut block, asks_before, .. } = parser;
     block.lines = lines.given();
-    let counts = block.document.counts();
-    Parsed { block: done.map(|()| block), counts, asks_before }
+    Parsed { block: done.map(|()| block), asks_before }
 }
 
 struct Parser<'a> {
