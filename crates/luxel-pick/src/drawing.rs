@@ -9,8 +9,8 @@ use luxel_math::SUBPIXELS;
 use luxel_parallel::{each, gather, sort_u32};
 use luxel_scene::{Mesh, Part};
 use luxel_visibility::{
-    ClusterOrder, Clusters, Frame, Instance as FrameInstance, Samples, TILE, Tile,
-    TooManyTriangles, TriangleId,
+    Clusters, Frame, Frames, Instance as FrameInstance, Samples, TILE, Tile, TooManyTriangles,
+    TriangleId,
 };
 use std::borrow::Cow;
 use std::ops::Range;
@@ -135,7 +135,7 @@ impl PickView<'_> {
         }
         // Copying less than half of a mesh pays.
         if triangles.len() > mesh.triangles.len() / 2 {
-            let clusters = Clusters::new(mesh, ClusterOrder::File);
+            let clusters = Clusters::new(mesh, Frames::One);
             return Some(Drawn {
                 instance: number,
                 mesh: Cow::Borrowed(mesh),
@@ -146,7 +146,7 @@ impl PickView<'_> {
         // At equal depth the first in the file is seen.
         sort_u32(&mut triangles);
         let mesh = only(mesh, &triangles);
-        let clusters = Clusters::new(&mesh, ClusterOrder::File);
+        let clusters = Clusters::new(&mesh, Frames::One);
         let (mesh, triangles) = (Cow::Owned(mesh), Some(triangles));
         Some(Drawn { instance: number, mesh, triangles, clusters })
     }

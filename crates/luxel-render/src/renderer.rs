@@ -18,7 +18,7 @@ use luxel_lighting::{Environment, Reflection};
 use luxel_math::{Level, UnavailableSimdLevel, dispatch_long};
 use luxel_scene::{Object, Scene, Size};
 use luxel_visibility::{
-    ClusterOrder, Clusters, Frame, InstanceSpace, Samples, Tile, TooManyTriangles, strokes,
+    Clusters, Frame, Frames, InstanceSpace, Samples, Tile, TooManyTriangles, strokes,
 };
 use rayon::prelude::*;
 use std::sync::{Mutex, OnceLock};
@@ -147,7 +147,7 @@ impl<'s> Renderer<'s> {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(execution.threads).build();
             Some(pool.map_err(|error| RenderError::Threads(error.to_string()))?)
         };
-        let order = if execution.one_frame { ClusterOrder::File } else { ClusterOrder::Curve };
+        let frames = if execution.one_frame { Frames::One } else { Frames::Many };
         let objects = scene.objects();
         let mut renderer = Self {
             scene,
@@ -158,7 +158,7 @@ impl<'s> Renderer<'s> {
             pool,
             clock: execution.clock,
         };
-        renderer.clusters = renderer.install(|| prepared::clusters(scene, order));
+        renderer.clusters = renderer.install(|| prepared::clusters(scene, frames));
         Ok(renderer)
     }
 

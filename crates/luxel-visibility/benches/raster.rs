@@ -10,9 +10,7 @@
 use glam::DVec3;
 use luxel_math::SimdLevel;
 use luxel_scene::{Camera, Lens, Mesh, Projection, Size, primitives};
-use luxel_visibility::{
-    ClusterOrder, Clusters, CullFaces, Frame, Instance, PartUse, Samples, Tile,
-};
+use luxel_visibility::{Clusters, CullFaces, Frame, Frames, Instance, PartUse, Samples, Tile};
 use std::time::Instant;
 
 const FRAMES: usize = 15;
@@ -51,7 +49,7 @@ fn main() {
     }
     for (triangles, frequency) in [("100k", 71), ("1M", 224)] {
         let mesh = bumpy_sphere(frequency);
-        let clusters = Clusters::new(&mesh, ClusterOrder::Curve);
+        let clusters = Clusters::new(&mesh, Frames::Many);
         for (width, height) in [(640, 480), (1920, 1080)] {
             for (sides, cull) in [("both", CullFaces::None), ("front", CullFaces::Clockwise)] {
                 for samples in [1, 4] {

@@ -1,20 +1,22 @@
-//! Clusters: a mesh cut into runs of at most 128 triangles, each one contiguous block of memory.
+//! Clusters: a mesh cut into runs of at most 128 triangles.
 //!
 //! Clusters are what is culled, binned to tiles and ordered; a triangle is never binned or stored
-//! for a frame. A block holds its vertices in groups of sixteen (x16 y16 z16), ready for the lanes,
-//! and one word a triangle with three corner numbers of eight bits: 13 bytes a triangle on even
-//! meshes.
+//! for a frame. A cluster is drawn from its block, one contiguous piece of memory: vertices in
+//! groups of sixteen (x16 y16 z16), ready for the lanes, and one word a triangle with three corner
+//! numbers of eight bits, 13 bytes a triangle on even meshes. For many frames blocks are kept (see
+//! `cut`); for a single one each is made where it is drawn (see `open`).
 //!
 //! Clusters follow a curve through space (see `order`), so that each is compact: small in the window,
 //! in few tiles, and hidden as a whole by what lies before it. A file's own order may be anything; for
 //! a single frame it is good enough where it keeps neighbours together.
 
+use crate::cut::Cut;
 use crate::facing::Cone;
+use crate::open::{OPENED_TRIANGLES, Opened, box_of};
 use crate::order::{along_curve, is_local};
 use luxel_math::LANES;
-use luxel_parallel::map;
-use luxel_scene::Mesh;
-use std::ops::Range;
+use luxel_parallel::{fill, map};
+use luxel_scene::{Mesh, Part};
 
 /// Most triangles of a cluster: slot numbers take seven bits.
 pub const CLUSTER_TRIANGLES: usize = 1 << SLOT_BITS;
@@ -29,20 +31,23 @@ pub(crate) const BOUNDS_WORDS: usize = 6 * LANES;
 /// Triangles that one task cuts. Fixed, so that clusters don't depend on the number of threads.
 const TASK_TRIANGLES: usize = 128 * CLUSTER_TRIANGLES;
 
-/// In which order triangles become clusters. What is seen doesn't depend on it.
+/// How many frames clusters are for. What is seen doesn't depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ClusterOrder {
-    /// Along a curve through space: compact clusters, for many frames.
+pub enum Frames {
+    /// Many: compact clusters along a curve through space, kept as they are drawn.
     #[default]
-    Curve,
-    /// As the file has them, if that keeps neighbours together, else along the curve: ready in half
-    /// the time, for a single frame.
-    File,
+    Many,
+    /// One: triangles as the file has them, if that keeps neighbours together, else along the curve;
+    /// ready in a fraction of the time and of the memory.
+    One,
 }
 
 /// The clusters of one mesh.
 #[derive(Clone, Debug, Default)]
 pub struct Clusters {
+    /// The order of each part's triangles.
+    orders: Vec<Order>,
+    /// What is kept for many frames.
     pieces: Vec<Piece>,
     pub(crate) headers: Vec<Header>,
     /// Boxes of sixteen clusters at a time, see [`BOUNDS_WORDS`].
@@ -53,36 +58,60 @@ pub struct Clusters {
     pub(crate) cones: Vec<f32>,
 }
 
-/// What one task has cut.
+/// Blocks that are kept, one after the other.
 #[derive(Clone, Debug, Default)]
-struct Piece {
-    /// The blocks, one after the other: vertex groups, then triangles.
-    words: Vec<u32>,
-    /// The submitted number of the triangle in each slot, cluster after cluster.
-    originals: Vec<u32>,
-    /// What vertices carry, cluster after cluster; empty where that isn't kept.
-    carried: Vec<Carried>,
+pub(crate) struct Piece {
+    /// Of each the vertex groups, then the triangles.
+    pub(crate) words: Vec<u32>,
+    /// What vertices carry; empty where that isn't kept.
+    pub(crate) carried: Vec<Carried>,
+}
+
+/// The order of a part's triangles, by their submitted numbers: places in the mesh's list.
+#[derive(Clone, Debug)]
+enum Order {
+    /// From this one on, one after the other.
+    File(u32),
+    Curve(Vec<u32>),
+}
+
+/// The submitted numbers of a cluster's triangles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Numbers<'a> {
+    From(u32),
+    Listed(&'a [u32]),
+}
+
+impl Numbers<'_> {
+    /// The number of the triangle in a slot.
+    #[inline(always)]
+    pub(crate) fn of(self, slot: usize) -> u32 {
+        match self {
+            Self::From(first) => first + slot as u32,
+            Self::Listed(numbers) => numbers[slot],
+        }
+    }
 }
 
 /// A vertex as shading looks it up, in half a line of the cache: x, y and z of its position about the
 /// mesh's origin, then of its normal in the mesh's space, then nothing.
 pub type Carried = [f32; 8];
 
-/// What a cluster's block holds.
-#[derive(Clone, Copy, Debug)]
+/// What a cluster holds.
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Header {
-    /// The piece, and the first word of the block in it.
-    piece: u32,
-    first_word: u32,
-    /// Groups of sixteen vertices.
-    groups: u16,
-    /// Triangles.
-    pub(crate) triangles: u16,
     /// The mesh's part, whose material all triangles have.
     pub(crate) part: u32,
-    /// Where `originals` begin in the piece, and what vertices carry.
-    first_original: u32,
-    first_carried: u32,
+    /// Where its triangles begin in the part's order.
+    pub(crate) first_number: u32,
+    /// Triangles.
+    pub(crate) triangles: u16,
+    /// Groups of sixteen vertices of the block that is kept; 0 if none is.
+    pub(crate) groups: u16,
+    /// The piece that it is in, where it begins there, and what its vertices carry.
+    pub(crate) piece: u32,
+    pub(crate) first_word: u32,
+    pub(crate) first_carried: u32,
 }
 
 /// A cluster's block, ready to be read.
@@ -123,54 +152,69 @@ impl<'a> Block<'a> {
 }
 
 impl Clusters {
-    /// Cuts a mesh into compact runs of triangles.
+    /// Cuts a mesh into runs of triangles.
     #[must_use]
-    pub fn new(mesh: &Mesh, order: ClusterOrder) -> Self {
-        let ranges = mesh.parts.iter().map(|part| {
-            let first = part.first as usize;
-            first..first + part.count as usize
-        });
-        let orders: Vec<(u32, Range<usize>, Option<Vec<u32>>)> = (0..)
-            .zip(ranges)
-            .map(|(number, range)| {
-                let as_it_is = order == ClusterOrder::File && is_local(mesh, range.clone());
-                let curve = (!as_it_is).then(|| along_curve(mesh, range.clone()));
-                (number, range, curve)
-            })
-            .collect();
-        let mut tasks = Vec::new();
-        for (part, range, curve) in &orders {
-            for start in range.clone().step_by(TASK_TRIANGLES) {
-                let end = range.end.min(start + TASK_TRIANGLES);
-                let curve =
-                    curve.as_ref().map(|curve| &curve[start - range.start..end - range.start]);
-                tasks.push((*part, start..end, curve));
-            }
+    pub fn new(mesh: &Mesh, frames: Frames) -> Self {
+        let mut all = Self::default();
+        match frames {
+            Frames::Many => all.cut(mesh),
+            Frames::One => all.divide(mesh),
         }
-        let cut = map(tasks.len(), 1, &|task| {
-            let (part, range, curve) = &tasks[task.start];
-            let for_many = order == ClusterOrder::Curve;
-            let mut cut = Cut::new(mesh, *part, task.start as u32, for_many);
-            match curve {
-                Some(curve) => cut.add(curve.iter().copied()),
-                None => cut.add(range.start as u32..range.end as u32),
-            }
+        all
+    }
+
+    /// Cuts it into blocks along the curve.
+    fn cut(&mut self, mesh: &Mesh) {
+        let orders: Vec<_> = mesh.parts.iter().map(|part| along_curve(mesh, range(part))).collect();
+        let mut tasks = Vec::new();
+        for (part, order) in (0..).zip(&orders) {
+            let first_numbers = (0..).step_by(TASK_TRIANGLES);
+            tasks.extend(first_numbers.zip(order.chunks(TASK_TRIANGLES)).map(|task| (part, task)));
+        }
+        let cuts = map(tasks.len(), 1, &|task| {
+            let piece = task.start;
+            let (part, (first_number, triangles)) = tasks[piece];
+            let mut cut = Cut::new(mesh, piece as u32, part, first_number);
+            cut.add(triangles);
             cut.close();
             Some(cut)
         });
-        let mut all = Self::default();
         let (mut boxes, mut cones) = (Vec::new(), Vec::new());
-        for Cut { piece, headers, boxes: of_piece, cones: cones_of_piece, .. } in
-            cut.into_iter().flatten()
-        {
-            all.pieces.push(piece);
-            all.headers.extend(headers);
-            boxes.extend(of_piece);
-            cones.extend(cones_of_piece);
+        for cut in cuts.into_iter().flatten() {
+            self.pieces.push(cut.piece);
+            self.headers.extend(cut.headers);
+            boxes.extend(cut.boxes);
+            cones.extend(cut.cones);
         }
-        all.bounds = by_sixteen(&boxes);
-        all.cones = Cone::by_sixteen(&cones);
-        all
+        self.orders.extend(orders.into_iter().map(Order::Curve));
+        self.bounds = by_sixteen(&boxes);
+        self.cones = Cone::by_sixteen(&cones);
+    }
+
+    /// Divides it into runs, of which only the boxes are kept.
+    fn divide(&mut self, mesh: &Mesh) {
+        for (number, part) in (0..).zip(&mesh.parts) {
+            self.orders.push(if is_local(mesh, range(part)) {
+                Order::File(part.first)
+            } else {
+                Order::Curve(along_curve(mesh, range(part)))
+            });
+            let first_numbers = (0..part.count).step_by(OPENED_TRIANGLES);
+            self.headers.extend(first_numbers.map(|first_number| Header {
+                part: number,
+                first_number,
+                triangles: (part.count - first_number).min(OPENED_TRIANGLES as u32) as u16,
+                ..Header::default()
+            }));
+        }
+        let mut boxes = vec![[0.0; 6]; self.headers.len()];
+        fill(&mut boxes, TASK_TRIANGLES / OPENED_TRIANGLES, &|first, boxes| {
+            for (cluster, bounds) in (first..).zip(boxes) {
+                let count = usize::from(self.headers[cluster].triangles);
+                *bounds = box_of(mesh, self.numbers(cluster), count);
+            }
+        });
+        self.bounds = by_sixteen(&boxes);
     }
 
     /// How many clusters there are.
@@ -182,26 +226,56 @@ impl Clusters {
     /// The submitted number of a triangle: its place in the mesh's list.
     #[must_use]
     pub fn original(&self, cluster: usize, slot: usize) -> u32 {
-        self.originals(cluster)[slot]
+        self.numbers(cluster).of(slot)
     }
 
     /// The submitted numbers of a cluster's triangles.
-    pub(crate) fn originals(&self, cluster: usize) -> &[u32] {
-        let Header { piece, first_original, triangles, .. } = self.headers[cluster];
-        &self.pieces[piece as usize].originals[first_original as usize..][..usize::from(triangles)]
+    #[inline(always)]
+    pub(crate) fn numbers(&self, cluster: usize) -> Numbers<'_> {
+        let Header { part, first_number, triangles, .. } = self.headers[cluster];
+        match &self.orders[part as usize] {
+            Order::File(first) => Numbers::From(first + first_number),
+            Order::Curve(all) => {
+                Numbers::Listed(&all[first_number as usize..][..usize::from(triangles)])
+            }
+        }
     }
 
-    /// The block of a cluster.
-    pub(crate) fn block(&self, cluster: usize) -> Block<'_> {
+    /// The block of a cluster, if it is kept.
+    #[inline(always)]
+    pub(crate) fn kept(&self, cluster: usize) -> Option<Block<'_>> {
         let header = &self.headers[cluster];
-        let words = &self.pieces[header.piece as usize].words[header.first_word as usize..];
+        if header.groups == 0 {
+            return None;
+        }
+        let Piece { words, carried, .. } = &self.pieces[header.piece as usize];
+        let words = &words[header.first_word as usize..];
         let (vertices, words) = words.split_at(usize::from(header.groups) * GROUP_WORDS);
         let (vertices, _) = vertices.as_chunks();
         let triangles = &words[..usize::from(header.triangles)];
-        let carried = &self.pieces[header.piece as usize].carried;
         let carried = carried.get(header.first_carried as usize..).unwrap_or_default();
-        Block { vertices, triangles, carried }
+        Some(Block { vertices, triangles, carried })
     }
+
+    /// The block of a cluster of `mesh`, made in `opened` if it isn't kept.
+    #[inline(always)]
+    pub(crate) fn block<'a>(
+        &'a self,
+        mesh: &Mesh,
+        cluster: usize,
+        opened: &'a mut Opened,
+    ) -> Block<'a> {
+        let count = usize::from(self.headers[cluster].triangles);
+        match self.kept(cluster) {
+            Some(block) => block,
+            None => opened.open(mesh, self.numbers(cluster), count),
+        }
+    }
+}
+
+/// The triangles of a part.
+fn range(part: &Part) -> std::ops::Range<usize> {
+    part.first as usize..part.first as usize + part.count as usize
 }
 
 /// The boxes of all clusters, transposed for the lanes; the last group repeats its last box.
@@ -215,187 +289,6 @@ fn by_sixteen(boxes: &[[f32; 6]]) -> Vec<f32> {
         }
     }
     bounds
-}
-
-/// The box of a cluster: low x y z, high x y z; not a number if a coordinate is none, so that no
-/// bound is taken from it.
-fn bounds(groups: &[[u32; GROUP_WORDS]]) -> [f32; 6] {
-    let mut bounds = [0.0; 6];
-    let mut is_sound = true;
-    for axis in 0..3 {
-        let (mut low, mut high) = ([f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]);
-        for group in groups {
-            for lane in 0..LANES {
-                let value = f32::from_bits(group[axis * LANES + lane]);
-                is_sound &= !value.is_nan();
-                low[lane] = if value < low[lane] { value } else { low[lane] };
-                high[lane] = if value > high[lane] { value } else { high[lane] };
-            }
-        }
-        bounds[axis] = low.into_iter().fold(f32::INFINITY, f32::min);
-        bounds[3 + axis] = high.into_iter().fold(f32::NEG_INFINITY, f32::max);
-    }
-    if is_sound { bounds } else { [f32::NAN; 6] }
-}
-
-/// Numbers a cluster's vertices: a small hash table that forgets all at once.
-struct VertexNumbers {
-    /// Round and number above (24 and 8 bits), vertex below: an entry of an earlier round is empty.
-    slots: Box<[u64; Self::SIZE]>,
-    round: u32,
-}
-
-impl VertexNumbers {
-    /// Four times the vertices of a cluster.
-    const SIZE: usize = 4 * CLUSTER_VERTICES;
-
-    fn new() -> Self {
-        Self { slots: Box::new([0; Self::SIZE]), round: 1 }
-    }
-
-    /// Begins with no vertices.
-    fn forget(&mut self) {
-        self.round += 1;
-        if self.round >> 24 != 0 {
-            *self = Self::new();
-        }
-    }
-
-    /// The number that `vertex` has, or `next`, which it takes.
-    #[inline(always)]
-    fn number(&mut self, vertex: u32, next: usize) -> usize {
-        let vertex_of_round = u64::from(self.round) << 40 | u64::from(vertex);
-        // Multiplicative hashing (Knuth, volume 3, section 6.4) with the golden ratio.
-        let hash = vertex.wrapping_mul(0x9e37_79b9) >> (32 - Self::SIZE.ilog2());
-        let mut slot = hash as usize;
-        loop {
-            let entry = &mut self.slots[slot & (Self::SIZE - 1)];
-            if *entry & !(0xff << 32) == vertex_of_round {
-                return (*entry >> 32 & 0xff) as usize;
-            }
-            if *entry >> 40 != u64::from(self.round) {
-                *entry = vertex_of_round | (next as u64) << 32;
-                return next;
-            }
-            slot += 1;
-        }
-    }
-}
-
-/// Triangles on their way into clusters of one part.
-struct Cut<'a> {
-    mesh: &'a Mesh,
-    part: u32,
-    number: u32,
-    /// Whether many frames are to be drawn: for a single one neither cones nor what vertices carry pay.
-    for_many: bool,
-    /// Whether it is kept what vertices carry.
-    is_carrying: bool,
-    piece: Piece,
-    headers: Vec<Header>,
-    boxes: Vec<[f32; 6]>,
-    cones: Vec<Cone>,
-    /// The vertices of the cluster that is open.
-    numbers: VertexNumbers,
-    groups: Box<[[u32; GROUP_WORDS]; CLUSTER_VERTICES / LANES]>,
-    vertices: usize,
-    /// Its triangles.
-    corners: Vec<u32>,
-}
-
-impl<'a> Cut<'a> {
-    fn new(mesh: &'a Mesh, part: u32, number: u32, for_many: bool) -> Self {
-        let has_normals = mesh.normals.len() >= mesh.positions.len();
-        Self {
-            mesh,
-            part,
-            number,
-            for_many,
-            // Where attributes are numbered apart, positions alone don't tell them.
-            is_carrying: for_many && has_normals && mesh.attribute_corners.is_none(),
-            piece: Piece::default(),
-            headers: Vec::new(),
-            boxes: Vec::new(),
-            cones: Vec::new(),
-            numbers: VertexNumbers::new(),
-            groups: Box::new([[0; GROUP_WORDS]; CLUSTER_VERTICES / LANES]),
-            vertices: 0,
-            corners: Vec::with_capacity(CLUSTER_TRIANGLES),
-        }
-    }
-
-    /// Adds triangles, one after the other.
-    fn add(&mut self, triangles: impl ExactSizeIterator<Item = u32>) {
-        let count = triangles.len();
-        self.piece.originals.reserve_exact(count);
-        // What even meshes take: a word a triangle, and three for two thirds of a vertex.
-        self.piece.words.reserve(count * 3 + GROUP_WORDS);
-        for original in triangles {
-            if self.corners.len() == CLUSTER_TRIANGLES || self.vertices + 3 > CLUSTER_VERTICES {
-                self.close();
-            }
-            let mut word = 0;
-            for (corner, vertex) in self.mesh.triangles[original as usize].into_iter().enumerate() {
-                word |= (self.number_of(vertex) as u32) << (8 * corner);
-            }
-            self.corners.push(word);
-            self.piece.originals.push(original);
-        }
-    }
-
-    /// A vertex's number in the cluster that is open.
-    #[inline(always)]
-    fn number_of(&mut self, vertex: u32) -> usize {
-        let number = self.numbers.number(vertex, self.vertices);
-        if number == self.vertices {
-            let position = self.mesh.positions[vertex as usize];
-            let group = &mut self.groups[number / LANES % (CLUSTER_VERTICES / LANES)];
-            for axis in 0..3 {
-                group[axis * LANES + number % LANES] = position[axis].to_bits();
-            }
-            self.vertices += 1;
-            if self.is_carrying {
-                let ([x, y, z], [nx, ny, nz]) = (position, self.mesh.normals[vertex as usize]);
-                self.piece.carried.push([x, y, z, nx, ny, nz, 0.0, 0.0]);
-            }
-        }
-        number
-    }
-
-    /// Closes a cluster, if one is open: writes its block.
-    fn close(&mut self) {
-        let Self { piece, groups, vertices, corners, .. } = self;
-        if corners.is_empty() {
-            return;
-        }
-        let groups = &mut groups[..vertices.div_ceil(LANES)];
-        // The last group repeats its last vertex, so that bounds stay those of the cluster.
-        if let (Some(group), used @ 1..) = (groups.last_mut(), *vertices % LANES) {
-            for axis in group.as_chunks_mut::<LANES>().0 {
-                let last = axis[used - 1];
-                axis[used..].fill(last);
-            }
-        }
-        self.headers.push(Header {
-            piece: self.number,
-            first_word: piece.words.len() as u32,
-            groups: groups.len() as u16,
-            triangles: corners.len() as u16,
-            part: self.part,
-            first_original: (piece.originals.len() - corners.len()) as u32,
-            first_carried: piece.carried.len().saturating_sub(*vertices) as u32,
-        });
-        self.boxes.push(bounds(groups));
-        if self.for_many {
-            let block = Block { vertices: groups, triangles: corners, carried: &[] };
-            self.cones.push(Cone::of((0..corners.len()).map(|slot| block.positions(slot))));
-        }
-        piece.words.extend_from_slice(groups.as_flattened());
-        piece.words.extend_from_slice(corners);
-        self.vertices = 0;
-        corners.clear();
-        self.numbers.forget();
-    }
 }
 
 #[cfg(test)]
@@ -421,16 +314,17 @@ mod tests {
 
     #[test]
     fn every_triangle_is_in_exactly_one_slot_with_its_own_corners() {
-        for order in [ClusterOrder::Curve, ClusterOrder::File] {
-            slots_are_sound(&mesh(), order);
+        for frames in [Frames::Many, Frames::One] {
+            slots_are_sound(&mesh(), frames);
         }
     }
 
-    fn slots_are_sound(mesh: &Mesh, order: ClusterOrder) {
-        let clusters = Clusters::new(mesh, order);
+    fn slots_are_sound(mesh: &Mesh, frames: Frames) {
+        let clusters = Clusters::new(mesh, frames);
         let mut seen = Vec::new();
         for cluster in 0..clusters.count() {
-            let block = clusters.block(cluster);
+            let mut opened = Opened::new();
+            let block = clusters.block(mesh, cluster, &mut opened);
             let part = mesh.parts[clusters.headers[cluster].part as usize];
             assert!(block.vertices.len() * LANES <= CLUSTER_VERTICES);
             for (slot, word) in block.triangles.iter().enumerate() {

@@ -243,7 +243,8 @@ pub(crate) fn cull_group<S: Simd>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cluster::ClusterOrder;
+    use crate::cluster::Frames;
+    use crate::open::Opened;
     use crate::setup::CullFaces;
     use glam::{DMat4, DVec3};
     use luxel_math::{SimdLevel, dispatch};
@@ -273,9 +274,11 @@ mod tests {
             eye in [-4.0..4.0, -4.0..4.0, -4.0..4.0],
             near in prop::sample::select(vec![1e-4, 0.1, 1.0]),
             height in prop::option::of(0.5..20.0),
+            frames in prop::sample::select(vec![Frames::Many, Frames::One]),
         ) {
             let mesh = mesh(&places, spread);
-            let clusters = Clusters::new(&mesh, ClusterOrder::Curve);
+            let clusters = Clusters::new(&mesh, frames);
+            let mut opened = Opened::new();
             let lens = match height {
                 Some(height) => Lens::Orthographic { height },
                 None => Lens::Perspective { fov_y_radians: 1.2 },
@@ -292,7 +295,7 @@ mod tests {
             for cluster in 0..clusters.count() {
                 let seen = visible.iter().find(|visible| visible.cluster == cluster as u32);
                 let mut inside = false;
-                for group in clusters.block(cluster).vertices {
+                for group in clusters.block(&mesh, cluster, &mut opened).vertices {
                     for lane in 0..LANES {
                         let position = [0, 1, 2].map(|axis| f32::from_bits(group[axis * LANES + lane]));
                         let vertex = transform.clip(position);
@@ -326,7 +329,7 @@ mod tests {
         let mut mesh = luxel_scene::primitives::icosphere(1.0, 40);
         let count = mesh.triangles.len() as u32;
         mesh.parts = vec![Part { first: 0, count, material: MaterialId(0) }];
-        let clusters = Clusters::new(&mesh, ClusterOrder::Curve);
+        let clusters = Clusters::new(&mesh, Frames::Many);
         let lens = Lens::Perspective { fov_y_radians: 0.8 };
         let projection = Projection { lens, near: 0.1, far: 10.0 };
         let size = Size { width: 640, height: 480 };
@@ -351,7 +354,7 @@ mod tests {
         assert_eq!(seen_with(CullFaces::CounterClockwise).len(), clusters.count());
         let seen = seen_with(CullFaces::Clockwise);
         let is_behind = |cluster: usize| {
-            let block = clusters.block(cluster);
+            let block = clusters.kept(cluster).unwrap();
             (0..block.triangles.len()).all(|slot| {
                 let [a, b, c] =
                     block.positions(slot).map(|corner| DVec3::from(corner.map(f64::from)));

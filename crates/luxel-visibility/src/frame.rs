@@ -3,9 +3,10 @@
 use crate::barycentric::{Forms, WindowRays};
 use crate::bin::Bins;
 use crate::buffer::{Plane, TILE, Tile, TriangleId};
-use crate::cluster::{Block, Carried, Clusters, SLOT_BITS};
+use crate::cluster::{Block, Carried, Clusters, Numbers, SLOT_BITS};
 use crate::cull::{BackFaces, MAX_SIDE, VisibleCluster, cull_group};
 use crate::facing::Onlooker;
+use crate::open::corners;
 use crate::samples::Samples;
 use crate::setup::CullFaces;
 use crate::space::ViewFromLocal;
@@ -92,7 +93,7 @@ impl<'a> Frame<'a> {
     /// Culls and bins the clusters of all instances.
     ///
     /// # Errors
-    /// [`TooManyTriangles`] beyond about four billion.
+    /// [`TooManyTriangles`] beyond some billions.
     ///
     /// # Panics
     /// If a side of the window is 0 or more than [`MAX_SIDE`] pixels.
@@ -310,13 +311,14 @@ impl<'a> Frame<'a> {
         let number = id.cluster();
         let instance = self.instance_of(number);
         let within = self.within_instance(instance, number);
-        let clusters = self.instances[instance].clusters;
+        let Instance { mesh, clusters, .. } = self.instances[instance];
         SeenCluster {
             number,
             instance,
             part: clusters.headers[within].part as usize,
-            originals: clusters.originals(within),
-            block: clusters.block(within),
+            numbers: clusters.numbers(within),
+            mesh,
+            block: clusters.kept(within),
         }
     }
 
@@ -386,8 +388,10 @@ pub struct SeenCluster<'f> {
     number: u32,
     instance: usize,
     part: usize,
-    originals: &'f [u32],
-    block: Block<'f>,
+    numbers: Numbers<'f>,
+    mesh: &'f Mesh,
+    /// Where it is drawn from, if that is kept.
+    block: Option<Block<'f>>,
 }
 
 impl<'f> SeenCluster<'f> {
@@ -419,18 +423,21 @@ impl<'f> SeenCluster<'f> {
     #[must_use]
     #[inline(always)]
     pub fn triangle(&self, id: TriangleId) -> u32 {
-        self.originals[id.slot()]
+        self.numbers.of(id.slot())
     }
 
     /// The positions of the corners of a triangle that it [`holds`](Self::holds), about the mesh's
-    /// origin: from the cluster, which was in the cache when the triangle was drawn.
+    /// origin: from what it was drawn from, which was in the cache then.
     ///
     /// # Panics
     /// If it has no such triangle.
     #[must_use]
     #[inline(always)]
     pub fn positions(&self, id: TriangleId) -> [[f32; 3]; 3] {
-        self.block.positions(id.slot())
+        match &self.block {
+            Some(block) => block.positions(id.slot()),
+            None => corners(self.mesh, self.triangle(id)),
+        }
     }
 
     /// What the corners of a triangle that it [`holds`](Self::holds) carry, if that is kept.
@@ -440,7 +447,7 @@ impl<'f> SeenCluster<'f> {
     #[must_use]
     #[inline(always)]
     pub fn carried(&self, id: TriangleId) -> Option<[&'f Carried; 3]> {
-        self.block.carried(id.slot())
+        self.block?.carried(id.slot())
     }
 }
 

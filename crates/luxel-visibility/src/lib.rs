@@ -22,8 +22,10 @@ mod buffer;
 mod clip;
 mod cluster;
 mod cull;
+mod cut;
 mod facing;
 mod frame;
+mod open;
 mod order;
 mod probe;
 mod raster;
@@ -38,7 +40,7 @@ mod transform;
 
 pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
 pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
-pub use cluster::{CLUSTER_TRIANGLES, Carried, ClusterOrder, Clusters};
+pub use cluster::{CLUSTER_TRIANGLES, Carried, Clusters, Frames};
 pub use cull::MAX_SIDE;
 pub use frame::{
     Coverage, Frame, Hole, Instance, PartUse, SeenCluster, TooManyTriangles, TriangleOf,

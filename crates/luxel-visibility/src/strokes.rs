@@ -3,7 +3,7 @@
 //!
 //! They are made anew for every view, in view space, and go the way of all triangles from there.
 
-use crate::cluster::{ClusterOrder, Clusters};
+use crate::cluster::{Clusters, Frames};
 use glam::{DVec2, DVec3};
 use luxel_scene::{Camera, MaterialId, Mesh, Object, Part, Scene, Size};
 
@@ -64,7 +64,7 @@ pub fn strokes(scene: &Scene, objects: &[Object], camera: &Camera, size: Size) -
             builder.part(first, lines.material);
         }
         let Builder { mesh, elements, .. } = builder;
-        let clusters = Clusters::new(&mesh, ClusterOrder::File);
+        let clusters = Clusters::new(&mesh, Frames::One);
         all.push(Strokes { object: number, mesh, clusters, elements });
     }
     all

@@ -5,6 +5,7 @@ use crate::clip::clip;
 use crate::cluster::Block;
 use crate::cull::VisibleCluster;
 use crate::frame::{Coverage, Frame, Hole};
+use crate::open::Opened;
 use crate::raster::{Rules, draw_triangle, lanes_of};
 use crate::setup::{CullFaces, Triangle};
 use crate::sift::{Sifted, Sixteen};
@@ -33,6 +34,7 @@ pub(crate) fn draw<'f, S: Simd>(
         hole: if has_holes { Some(&hole) } else { None },
         behind,
     };
+    let mut opened = Opened::new();
     let mut vertices = ClusterVertices::new();
     // Small triangles wait here across clusters, as long as the same rules hold for them.
     let mut queues = Queues::new();
@@ -45,7 +47,7 @@ pub(crate) fn draw<'f, S: Simd>(
         let number = frame.instance_of(visible.cluster);
         let instance = &frame.instances()[number];
         let cluster = frame.within_instance(number, visible.cluster);
-        let block = instance.clusters.block(cluster);
+        let block = instance.clusters.block(instance.mesh, cluster, &mut opened);
         let part = instance.parts[instance.clusters.headers[cluster].part as usize];
         let has_holes = part.coverage != Coverage::Opaque;
         if has_holes != rules.hole.is_some() {

@@ -4,7 +4,7 @@ use super::Renderer;
 use crate::polygons::Polygons;
 use luxel_math::Level;
 use luxel_scene::Scene;
-use luxel_visibility::{ClusterOrder, Clusters};
+use luxel_visibility::{Clusters, Frames};
 use std::sync::OnceLock;
 use std::time::Duration;
 
@@ -56,14 +56,14 @@ impl<'s> Renderer<'s> {
             }
         } else {
             renderer.polygons_of_meshes = scene.meshes.iter().map(|_| OnceLock::new()).collect();
-            renderer.clusters = renderer.install(|| clusters(scene, ClusterOrder::Curve));
+            renderer.clusters = renderer.install(|| clusters(scene, Frames::Many));
         }
         renderer
     }
 }
 
 /// The clusters of each mesh, by all threads.
-pub(super) fn clusters(scene: &Scene, order: ClusterOrder) -> Vec<Clusters> {
+pub(super) fn clusters(scene: &Scene, frames: Frames) -> Vec<Clusters> {
     let meshes = &scene.meshes;
-    luxel_parallel::map(meshes.len(), 1, &|run| Clusters::new(&meshes[run.start], order))
+    luxel_parallel::map(meshes.len(), 1, &|run| Clusters::new(&meshes[run.start], frames))
 }

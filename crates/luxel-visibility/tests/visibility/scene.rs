@@ -5,7 +5,7 @@ use glam::{DMat4, DVec3};
 use luxel_math::{Level, SimdLevel};
 use luxel_scene::{Lens, MaterialId, Mesh, Part, Projection, Size};
 use luxel_visibility::{
-    ClusterOrder, Clusters, Frame, Hole, Instance, PartUse, Samples, TILE, Tile, TriangleId,
+    Clusters, Frame, Frames, Hole, Instance, PartUse, Samples, TILE, Tile, TriangleId,
 };
 use std::collections::HashMap;
 
@@ -107,7 +107,7 @@ impl Scene {
             DVec3::new(-0.5 * f64::from(self.size.width), 0.5 * f64::from(self.size.height), 0.0);
         let turned = DVec3::new(1.0, -f64::from(up), 1.0);
         let view_from_mesh = DMat4::from_translation(centre) * DMat4::from_scale(turned);
-        let clusters = Clusters::new(&mesh, ClusterOrder::Curve);
+        let clusters = Clusters::new(&mesh, Frames::Many);
         (mesh, clusters, view_from_mesh, uses)
     }
 

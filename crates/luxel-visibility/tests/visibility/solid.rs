@@ -4,7 +4,7 @@ use crate::scene::{Picture, best};
 use glam::{DMat4, DVec3};
 use luxel_math::Level;
 use luxel_scene::{Camera, Lens, MaterialId, Mesh, Part, Projection, Size};
-use luxel_visibility::{ClusterOrder, Clusters, Frame, Instance, PartUse, Samples};
+use luxel_visibility::{Clusters, Frame, Frames, Instance, PartUse, Samples};
 use proptest::prelude::*;
 
 /// A mesh and a camera.
@@ -42,7 +42,7 @@ impl View {
     }
 
     pub(crate) fn with_frame<R>(&self, level: Level, ask: impl FnOnce(&Frame<'_>) -> R) -> R {
-        let clusters = Clusters::new(&self.mesh, ClusterOrder::Curve);
+        let clusters = Clusters::new(&self.mesh, Frames::Many);
         ask(&self.frame(vec![self.instance(&self.mesh, &clusters)], level))
     }
 
@@ -60,7 +60,7 @@ impl View {
                     parts: vec![Part { first: 0, count: 1, material: MaterialId(0) }],
                     ..Mesh::default()
                 };
-                let clusters = Clusters::new(&mesh, ClusterOrder::File);
+                let clusters = Clusters::new(&mesh, Frames::One);
                 (mesh, clusters)
             })
             .collect();

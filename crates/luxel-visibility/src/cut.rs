@@ -1,0 +1,184 @@
+//! Cutting a mesh into clusters whose blocks are kept, for many frames.
+
+use crate::cluster::{Block, CLUSTER_TRIANGLES, CLUSTER_VERTICES, GROUP_WORDS, Header, Piece};
+use crate::facing::Cone;
+use luxel_math::LANES;
+use luxel_scene::Mesh;
+
+/// Numbers a cluster's vertices: a small hash table that forgets all at once.
+struct VertexNumbers {
+    /// Round and number above (24 and 8 bits), vertex below: an entry of an earlier round is empty.
+    slots: Box<[u64; Self::SIZE]>,
+    round: u32,
+}
+
+impl VertexNumbers {
+    /// Four times the vertices of a cluster.
+    const SIZE: usize = 4 * CLUSTER_VERTICES;
+
+    fn new() -> Self {
+        Self { slots: Box::new([0; Self::SIZE]), round: 1 }
+    }
+
+    /// Begins with no vertices.
+    fn forget(&mut self) {
+        self.round += 1;
+        if self.round >> 24 != 0 {
+            *self = Self::new();
+        }
+    }
+
+    /// The number that `vertex` has, or `next`, which it takes.
+    #[inline(always)]
+    fn number(&mut self, vertex: u32, next: usize) -> usize {
+        let vertex_of_round = u64::from(self.round) << 40 | u64::from(vertex);
+        // Multiplicative hashing (Knuth, volume 3, section 6.4) with the golden ratio.
+        let hash = vertex.wrapping_mul(0x9e37_79b9) >> (32 - Self::SIZE.ilog2());
+        let mut slot = hash as usize;
+        loop {
+            let entry = &mut self.slots[slot & (Self::SIZE - 1)];
+            if *entry & !(0xff << 32) == vertex_of_round {
+                return (*entry >> 32 & 0xff) as usize;
+            }
+            if *entry >> 40 != u64::from(self.round) {
+                *entry = vertex_of_round | (next as u64) << 32;
+                return next;
+            }
+            slot += 1;
+        }
+    }
+}
+
+/// Triangles on their way into clusters of one part.
+pub(crate) struct Cut<'a> {
+    mesh: &'a Mesh,
+    part: u32,
+    number: u32,
+    /// Whether it is kept what vertices carry.
+    is_carrying: bool,
+    /// How many triangles of the part lie in clusters before the one that is open.
+    first_number: u32,
+    pub(crate) piece: Piece,
+    pub(crate) headers: Vec<Header>,
+    pub(crate) boxes: Vec<[f32; 6]>,
+    pub(crate) cones: Vec<Cone>,
+    /// The vertices of the cluster that is open.
+    numbers: VertexNumbers,
+    groups: Box<[[u32; GROUP_WORDS]; CLUSTER_VERTICES / LANES]>,
+    vertices: usize,
+    /// Its triangles.
+    corners: Vec<u32>,
+}
+
+impl<'a> Cut<'a> {
+    /// For the piece of that number, which begins with that place in the order of a part of the mesh.
+    pub(crate) fn new(mesh: &'a Mesh, number: u32, part: u32, first: u32) -> Self {
+        let has_normals = mesh.normals.len() >= mesh.positions.len();
+        Self {
+            mesh,
+            part,
+            number,
+            // Where attributes are numbered apart, positions alone don't tell them.
+            is_carrying: has_normals && mesh.attribute_corners.is_none(),
+            piece: Piece::default(),
+            first_number: first,
+            headers: Vec::new(),
+            boxes: Vec::new(),
+            cones: Vec::new(),
+            numbers: VertexNumbers::new(),
+            groups: Box::new([[0; GROUP_WORDS]; CLUSTER_VERTICES / LANES]),
+            vertices: 0,
+            corners: Vec::with_capacity(CLUSTER_TRIANGLES),
+        }
+    }
+
+    /// Adds triangles, one after the other.
+    pub(crate) fn add(&mut self, triangles: &[u32]) {
+        // What even meshes take: a word a triangle, and three for two thirds of a vertex.
+        self.piece.words.reserve(triangles.len() * 3 + GROUP_WORDS);
+        for &original in triangles {
+            if self.corners.len() == CLUSTER_TRIANGLES || self.vertices + 3 > CLUSTER_VERTICES {
+                self.close();
+            }
+            let mut word = 0;
+            for (corner, vertex) in self.mesh.triangles[original as usize].into_iter().enumerate() {
+                word |= (self.number_of(vertex) as u32) << (8 * corner);
+            }
+            self.corners.push(word);
+        }
+    }
+
+    /// A vertex's number in the cluster that is open.
+    #[inline(always)]
+    fn number_of(&mut self, vertex: u32) -> usize {
+        let number = self.numbers.number(vertex, self.vertices);
+        if number == self.vertices {
+            let position = self.mesh.positions[vertex as usize];
+            let group = &mut self.groups[number / LANES % (CLUSTER_VERTICES / LANES)];
+            for axis in 0..3 {
+                group[axis * LANES + number % LANES] = position[axis].to_bits();
+            }
+            self.vertices += 1;
+            if self.is_carrying {
+                let ([x, y, z], [nx, ny, nz]) = (position, self.mesh.normals[vertex as usize]);
+                self.piece.carried.push([x, y, z, nx, ny, nz, 0.0, 0.0]);
+            }
+        }
+        number
+    }
+
+    /// Closes a cluster, if one is open: writes its block.
+    pub(crate) fn close(&mut self) {
+        let Self { piece, groups, vertices, corners, .. } = self;
+        if corners.is_empty() {
+            return;
+        }
+        let groups = &mut groups[..vertices.div_ceil(LANES)];
+        // The last group repeats its last vertex, so that bounds stay those of the cluster.
+        if let (Some(group), used @ 1..) = (groups.last_mut(), *vertices % LANES) {
+            for axis in group.as_chunks_mut::<LANES>().0 {
+                let last = axis[used - 1];
+                axis[used..].fill(last);
+            }
+        }
+        self.headers.push(Header {
+            piece: self.number,
+            first_word: piece.words.len() as u32,
+            groups: groups.len() as u16,
+            triangles: corners.len() as u16,
+            part: self.part,
+            first_number: self.first_number,
+            first_carried: piece.carried.len().saturating_sub(*vertices) as u32,
+        });
+        self.boxes.push(bounds(groups));
+        let block = Block { vertices: groups, triangles: corners, carried: &[] };
+        self.cones.push(Cone::of((0..corners.len()).map(|slot| block.positions(slot))));
+        piece.words.extend_from_slice(groups.as_flattened());
+        piece.words.extend_from_slice(corners);
+        self.first_number += corners.len() as u32;
+        self.vertices = 0;
+        corners.clear();
+        self.numbers.forget();
+    }
+}
+
+/// The box of a cluster: low x y z, high x y z; not a number if a coordinate is none, so that no
+/// bound is taken from it.
+fn bounds(groups: &[[u32; GROUP_WORDS]]) -> [f32; 6] {
+    let mut bounds = [0.0; 6];
+    let mut is_sound = true;
+    for axis in 0..3 {
+        let (mut low, mut high) = ([f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]);
+        for group in groups {
+            for lane in 0..LANES {
+                let value = f32::from_bits(group[axis * LANES + lane]);
+                is_sound &= !value.is_nan();
+                low[lane] = if value < low[lane] { value } else { low[lane] };
+                high[lane] = if value > high[lane] { value } else { high[lane] };
+            }
+        }
+        bounds[axis] = low.into_iter().fold(f32::INFINITY, f32::min);
+        bounds[3 + axis] = high.into_iter().fold(f32::NEG_INFINITY, f32::max);
+    }
+    if is_sound { bounds } else { [f32::NAN; 6] }
+}
