@@ -240,6 +240,7 @@ impl<'s> Renderer<'s> {
                     draw_tiles(
                         scene.frame,
                         &mut pixels,
+                        None,
                         || (Tile::new(1), Kept::new()),
                         |(tile, kept), number, pixels| {
                             let hole = |id, position| holes.hole(scene.frame, id, position);
@@ -270,17 +271,13 @@ impl<'s> Renderer<'s> {
         let start = (self.clock)();
         self.with_scene(view, Covers::DRAWN, None, |scene, holes| {
             let binned = (self.clock)();
-            let background = finish.pixel(empty_pixel(scene));
             let sums = Mutex::new(Stages::default());
             draw_tiles(
                 scene.frame,
                 &mut picture.pixels,
+                Some(finish.pixel(empty_pixel(scene))),
                 || Worker::new(scene.frame.samples()),
                 |worker, number, pixels| {
-                    if scene.frame.is_tile_empty(number) {
-                        pixels.fill(background);
-                        return;
-                    }
                     let begin = (self.clock)();
                     let visible = self.draw_tile(scene, holes, number, worker, finish, pixels);
                     let end = (self.clock)();

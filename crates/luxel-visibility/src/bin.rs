@@ -21,7 +21,12 @@ pub(crate) struct Bins {
 const MAX_ENTRIES: u64 = 1 << 26;
 
 impl Bins {
-    pub(crate) fn new(mut clusters: Vec<VisibleCluster>, size: Size) -> Self {
+    pub(crate) fn new(clusters: Vec<VisibleCluster>, size: Size) -> Self {
+        Self::with_entries(clusters, size, MAX_ENTRIES)
+    }
+
+    /// With `most` entries.
+    fn with_entries(mut clusters: Vec<VisibleCluster>, size: Size, most: u64) -> Self {
         // Sixteen classes an octave of depth: near ones hide far ones well enough, and within a
         // class memory is read in order.
         const CLASS_SHIFT: u32 = 23 - 4;
@@ -35,7 +40,7 @@ impl Bins {
         let tiles_down = (size.height as usize).div_ceil(TILE as usize);
         let mut bins = Self { clusters, starts: Vec::new(), entries: Vec::new(), tiles_across };
         let entries: u64 = bins.clusters.iter().map(|cluster| tiles_of(cluster).count()).sum();
-        if entries > MAX_ENTRIES {
+        if entries > most {
             return bins;
         }
         let mut starts = vec![0_u32; tiles_across * tiles_down + 1];
@@ -68,9 +73,10 @@ impl Bins {
         listed.iter().map(|&number| &self.clusters[number as usize]).chain(reaching)
     }
 
-    /// How many clusters a tile has to look at: what its work is estimated by.
+    /// How many clusters a tile has to look at: what its work is estimated by. 0 if none reaches it.
     pub(crate) fn load(&self, tile: usize) -> u32 {
-        self.starts.get(tile..tile + 2).map_or(0, |ends| ends[1] - ends[0])
+        let all = self.clusters.len() as u32;
+        self.starts.get(tile..tile + 2).map_or(all, |ends| ends[1] - ends[0])
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -111,5 +117,33 @@ impl Tiles {
                 visit(y * tiles_across + x);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clusters_reach_the_same_tiles_where_entries_would_be_too_many() {
+        let size = Size { width: 300, height: 200 };
+        let cluster = |cluster: u32| {
+            let left = (cluster * 37 % 280) as u16;
+            let top = (cluster * 23 % 60) as u16;
+            let (right, bottom) = (left + (cluster % 20) as u16, top + 40);
+            let nearest = 1.0 / (1.0 + cluster as f32);
+            VisibleCluster { cluster, left, top, right, bottom, nearest, clipped: false }
+        };
+        let clusters: Vec<_> = (0..20).map(cluster).collect();
+        let listed = Bins::new(clusters.clone(), size);
+        let looked_through = Bins::with_entries(clusters, size, 3);
+        assert!(looked_through.starts.is_empty());
+        for tile in 0..5 * 4 {
+            let reaching = |bins: &Bins| bins.of_tile(tile).copied().collect::<Vec<_>>();
+            assert_eq!(reaching(&listed), reaching(&looked_through));
+            assert_eq!(listed.load(tile) == 0, reaching(&listed).is_empty());
+            assert!(looked_through.load(tile) > 0, "tile {tile} would be left out");
+        }
+        assert_eq!(Bins::default().load(0), 0);
     }
 }

@@ -218,15 +218,19 @@ impl<'a> Frame<'a> {
     pub fn tiles_by_load(&self) -> Vec<u32> {
         let [across, down] = self.tiles();
         let mut tiles: Vec<u32> = (0..(across * down) as u32).collect();
-        let load = |tile: usize| self.opaque.load(tile) + self.blended.load(tile);
-        tiles.sort_by_key(|&tile| std::cmp::Reverse(load(tile as usize)));
+        tiles.sort_by_key(|&tile| std::cmp::Reverse(self.load(tile as usize)));
         tiles
+    }
+
+    /// What a tile's work is estimated by: how many clusters it has to look at.
+    fn load(&self, tile: usize) -> u32 {
+        self.opaque.load(tile).saturating_add(self.blended.load(tile))
     }
 
     /// Whether nothing can be seen in a tile.
     #[must_use]
     pub fn is_tile_empty(&self, tile: usize) -> bool {
-        self.opaque.load(tile) + self.blended.load(tile) == 0
+        self.load(tile) == 0
     }
 
     /// Whether anything blended may be seen anywhere.
