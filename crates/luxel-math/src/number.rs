@@ -91,6 +91,11 @@ pub trait Number:
     fn rows(columns: [Self; 8], put: impl FnMut(usize, [f32; 8]));
     /// Writes the values of all lanes, from the `first` on.
     fn store(self, values: &mut [f32; LANES], first: usize);
+    /// Writes whole numbers from 0 to 2^24 as integers, from the `first` on.
+    fn store_whole(self, values: &mut [u32; LANES], first: usize);
+    /// Calls `work` with each lane whose bit is set; an `f32` has only lane 0. `self` tells only the
+    /// kind. The closure is to be marked `#[inline(always)]`.
+    fn visit(self, lanes: u32, work: impl FnMut(usize));
     /// The number with another value in one lane; an `f32` has only lane 0.
     fn with_lane(self, lane: usize, value: f32) -> Self;
     /// The mask whose lane i is bit i; `self` tells only the kind of number.
@@ -264,6 +269,16 @@ impl Number for f32 {
     #[inline(always)]
     fn store(self, values: &mut [Self; LANES], first: usize) {
         values[first] = self;
+    }
+    #[inline(always)]
+    fn store_whole(self, values: &mut [u32; LANES], first: usize) {
+        values[first] = self as u32;
+    }
+    #[inline(always)]
+    fn visit(self, lanes: u32, mut work: impl FnMut(usize)) {
+        if lanes & 1 == 1 {
+            work(0);
+        }
     }
     #[inline(always)]
     fn with_lane(self, lane: usize, value: Self) -> Self {
@@ -464,6 +479,19 @@ macro_rules! number_of_lanes {
             #[inline(always)]
             fn store(self, values: &mut [f32; LANES], first: usize) {
                 self.store_slice(&mut values[first..first + $count]);
+            }
+            #[inline(always)]
+            fn store_whole(self, values: &mut [u32; LANES], first: usize) {
+                let whole: $Words<S> = $Ints::truncate_from(self).bitcast();
+                whole.store_slice(&mut values[first..first + $count]);
+            }
+            #[inline(always)]
+            fn visit(self, lanes: u32, mut work: impl FnMut(usize)) {
+                let mut left = lanes;
+                while left != 0 {
+                    work(left.trailing_zeros() as usize & ($count - 1));
+                    left &= left - 1;
+                }
             }
             #[inline(always)]
             fn with_lane(mut self, lane: usize, value: f32) -> Self {

@@ -215,7 +215,7 @@ impl PickView<'_> {
             .map(|weights| used.transformed(uv(mesh, set, attributes, weights)));
         let along = |to: [f32; 2]| [to[0] - here[0], to[1] - here[1]];
         let texture = &self.picker.scene.textures[used.texture.index()];
-        texture.sample(here[0], here[1], along(right), along(below))
+        texture.sample(here, along(right), along(below), 1)
     }
 }
 

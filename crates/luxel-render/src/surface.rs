@@ -123,14 +123,15 @@ pub(crate) fn depth<N: Number>(scene: &Scene16<'_>, position: Vec3<N>) -> N {
     position.dot(Vec3::splat(position.x, scene.direction.as_vec3().to_array()))
 }
 
-/// Samples a texture at the lanes whose bit is set. Compiled once a level, not into its callers.
+/// Samples the first `C` channels of a texture at the lanes whose bit is set. Compiled once a level, not
+/// into its callers.
 #[inline(never)]
-fn sample<N: Number>(
+fn sample<N: Number, const C: usize>(
     scene: &Scene16<'_>,
     used: &TextureUse,
     varying: &Varying<N>,
     lanes: u32,
-) -> [N; 4] {
+) -> [N; C] {
     varying.position.x.vectorized(
         #[inline(always)]
         || sample_lanes(scene, used, varying, lanes),
@@ -138,37 +139,29 @@ fn sample<N: Number>(
 }
 
 #[inline(always)]
-fn sample_lanes<N: Number>(
+fn sample_lanes<N: Number, const C: usize>(
     scene: &Scene16<'_>,
     used: &TextureUse,
     varying: &Varying<N>,
     lanes: u32,
-) -> [N; 4] {
-    let [[u, v], [right_u, right_v], [below_u, below_v]] = varying.uv(usize::from(used.uv_set & 1));
+) -> [N; C] {
+    let [here, right, below] = varying.uv(usize::from(used.uv_set & 1));
     let texture = &scene.scene.textures[used.texture.index()];
-    let mut texels = [[0.0; LANES]; 4];
-    for lane in (0..LANES).filter(|lane| lanes >> lane & 1 == 1) {
-        let here = used.transformed([u.lane(lane), v.lane(lane)]);
-        let right = used.transformed([right_u.lane(lane), right_v.lane(lane)]);
-        let below = used.transformed([below_u.lane(lane), below_v.lane(lane)]);
-        let along_x = [right[0] - here[0], right[1] - here[1]];
-        let along_y = [below[0] - here[0], below[1] - here[1]];
-        let texel = texture.sample(here[0], here[1], along_x, along_y);
-        for (channel, value) in texels.iter_mut().zip(texel) {
-            channel[lane] = value;
-        }
-    }
-    [u.load(&texels[0], 0), u.load(&texels[1], 0), u.load(&texels[2], 0), u.load(&texels[3], 0)]
+    let [here, right, below] =
+        [used.transformed(here), used.transformed(right), used.transformed(below)];
+    let along_x = [right[0] - here[0], right[1] - here[1]];
+    let along_y = [below[0] - here[0], below[1] - here[1]];
+    texture.sample(here, along_x, along_y, lanes)
 }
 
 /// Samples a texture that a material may lack.
 #[inline(always)]
-fn texel<N: Number>(
+fn texel<N: Number, const C: usize>(
     scene: &Scene16<'_>,
     used: Option<TextureUse>,
     varying: &Varying<N>,
     lanes: u32,
-) -> Option<[N; 4]> {
+) -> Option<[N; C]> {
     match used {
         Some(used) => Some(sample(scene, &used, varying, lanes)),
         None => None,
@@ -177,9 +170,9 @@ fn texel<N: Number>(
 
 /// Multiplies a colour by a texture's, if there is one.
 #[inline(always)]
-fn tinted<N: Number>(color: Rgb<N>, texel: Option<[N; 4]>) -> Rgb<N> {
+fn tinted<N: Number>(color: Rgb<N>, texel: Option<[N; 3]>) -> Rgb<N> {
     match texel {
-        Some([r, g, b, _]) => color * Rgb::new(r, g, b),
+        Some([r, g, b]) => color * Rgb::new(r, g, b),
         None => color,
     }
 }
@@ -193,7 +186,7 @@ fn mapped_normal<N: Number>(
     normal: Vec3<N>,
     lanes: u32,
 ) -> Vec3<N> {
-    let [r, g, b, _] = sample(scene, used, varying, lanes);
+    let [r, g, b] = sample(scene, used, varying, lanes);
     let [x, y, z, sign] = varying.tangent();
     luxel_scene::mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
 }
@@ -232,24 +225,25 @@ fn base<N: Number>(
 ) -> (Rgb<N>, N) {
     let material: &SceneMaterial = &scene.scene.materials[number];
     let like = varying.position.x;
+    let white = Rgb::splat(like, [1.0; 3]);
+    if material.alpha_mode != AlphaMode::Blend {
+        let base = texel(scene, material.base_color, varying, lanes);
+        return (tinted(white, base), like.one());
+    }
     let mut alpha = like.constant(material.opacity);
-    let base = texel(scene, material.base_color, varying, lanes);
-    let tint = tinted(Rgb::splat(like, [1.0; 3]), base);
-    if let Some([.., texel_alpha]) = base {
+    let mut tint = white;
+    if let Some([r, g, b, texel_alpha]) = texel(scene, material.base_color, varying, lanes) {
+        tint = tint * Rgb::new(r, g, b);
         alpha = alpha * texel_alpha;
     }
     if varying.has.colors && material.vertex_colors {
         let [.., color_alpha] = varying.color();
         alpha = alpha * color_alpha;
     }
-    if let Some([r, ..]) = texel(scene, material.opacity_map, varying, lanes) {
+    if let Some([r]) = texel(scene, material.opacity_map, varying, lanes) {
         alpha = alpha * r;
     }
-    let alpha = match material.alpha_mode {
-        AlphaMode::Blend => alpha.limited(0.0, 1.0),
-        AlphaMode::Opaque | AlphaMode::Mask { .. } => like.one(),
-    };
-    (tint, alpha)
+    (tint, alpha.limited(0.0, 1.0))
 }
 
 /// What the surface reflects at the lanes that see one material, its base colour times `tint` and
@@ -283,12 +277,12 @@ pub(crate) fn reflectance<N: Number>(
         tinted(reflectance.specular, texel(scene, material.specular, varying, lanes));
     reflectance.emission =
         tinted(reflectance.emission, texel(scene, material.emission, varying, lanes));
-    if let Some([_, g, b, _]) = texel(scene, material.metallic_roughness, varying, lanes) {
+    if let Some([_, g, b]) = texel(scene, material.metallic_roughness, varying, lanes) {
         reflectance.roughness = reflectance.roughness * g;
         reflectance.metallic = reflectance.metallic * b;
     }
     if let Some(used) = material.occlusion {
-        let [r, ..] = sample(scene, &used, varying, lanes);
+        let [r] = sample(scene, &used, varying, lanes);
         let strength = like.constant(used.strength);
         reflectance.occlusion = like.one() + strength * (r - like.one());
     }

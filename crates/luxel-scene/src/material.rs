@@ -2,6 +2,7 @@
 
 use crate::TextureId;
 use luxel_lighting::Material;
+use luxel_math::Number;
 
 /// A material: what the equation multiplies, and the textures that it multiplies with.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,9 +59,13 @@ impl TextureUse {
 
     /// Texture coordinates after the use's own transform.
     #[must_use]
-    pub fn transformed(&self, [u, v]: [f32; 2]) -> [f32; 2] {
-        let m = &self.transform;
-        [m[0] * u + m[1] * v + m[2], m[3] * u + m[4] * v + m[5]]
+    #[inline(always)]
+    pub fn transformed<N: Number>(&self, [u, v]: [N; 2]) -> [N; 2] {
+        let [a, b, c, d, e, f] = self.transform;
+        [
+            u.constant(a) * u + u.constant(b) * v + u.constant(c),
+            u.constant(d) * u + u.constant(e) * v + u.constant(f),
+        ]
     }
 }
 

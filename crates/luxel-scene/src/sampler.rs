@@ -8,6 +8,7 @@
 use crate::encoding::BYTE_TO_UNIT;
 use crate::texture::{MipLevel, Texture};
 use luxel_math::elementary::log2;
+use luxel_math::{LANES, Mask, Number};
 
 /// How many probes a footprint gets at most.
 const MOST_PROBES: f32 = 8.0;
@@ -68,9 +69,10 @@ impl Sampler {
 }
 
 impl Texture {
-    /// Linear red, green, blue and alpha at (u, v), (0, 0) being the image's upper left, seen
+    /// The first `C` of linear red, green, blue and alpha at (u, v), (0, 0) being the image's upper left, seen
     /// through a pixel over which the coordinates change by `per_pixel_x` = (du/dx, dv/dx) from
-    /// left to right and by `per_pixel_y` from top to bottom.
+    /// left to right and by `per_pixel_y` from top to bottom; in the lanes whose bit is set, others
+    /// get anything.
     ///
     /// With P_x, P_y the lengths of the two in texels of level 0, P_max and P_min the longer and
     /// the shorter, there are N = ceil(P_max / max(P_min, 1)) probes (at most 8) along the longer
@@ -78,48 +80,70 @@ impl Texture {
     /// no levels get one probe. Coordinates that aren't finite, or so large that no fraction is
     /// left, count as 0.
     #[must_use]
-    #[inline]
-    pub fn sample(&self, u: f32, v: f32, per_pixel_x: [f32; 2], per_pixel_y: [f32; 2]) -> [f32; 4] {
-        let Some(base) = self.image.levels.first() else { return [0.0; 4] };
-        let (width, height) = (base.width as f32, base.height as f32);
-        let squared_length = |[du, dv]: [f32; 2]| {
-            let (across, down) = (du * width, dv * height);
-            // Not a number counts as 0, beyond all measure as far out.
-            let squared = across * across + down * down;
-            if squared > 0.0 { squared.min(1e30) } else { 0.0 }
-        };
-        let (squared_x, squared_y) = (squared_length(per_pixel_x), squared_length(per_pixel_y));
-        let x_is_longer = squared_x >= squared_y;
-        let (longer, shorter) =
-            if x_is_longer { (squared_x, squared_y) } else { (squared_y, squared_x) };
-        if longer <= 1.0 {
-            return self.filtered(base, u, v, self.sampler.magnify);
-        }
+    #[inline(always)]
+    pub fn sample<N: Number, const C: usize>(
+        &self,
+        [u, v]: [N; 2],
+        per_pixel_x: [N; 2],
+        per_pixel_y: [N; 2],
+        lanes: u32,
+    ) -> [N; C] {
+        let Some(base) = self.image.levels.first() else { return [u.zero(); C] };
+        let size = [u.constant(base.width as f32), u.constant(base.height as f32)];
+        let squared_x = squared_length(per_pixel_x, size);
+        let squared_y = squared_length(per_pixel_y, size);
+        let x_is_longer = squared_y.less_or_equal(squared_x);
+        let longer = squared_x.select(x_is_longer, squared_y);
+        let shorter = squared_y.select(x_is_longer, squared_x);
+        let one = u.one();
+        let is_magnified = longer.less_or_equal(one);
         let Some(between) = self.sampler.mipmap else {
-            return self.filtered(base, u, v, self.sampler.minify);
+            let [near, far] = [self.sampler.magnify, self.sampler.minify];
+            let far = Levels::all(0, far);
+            let magnified = is_magnified.bits();
+            let levels = far.or_where(u, magnified & lanes, 0, near);
+            return self.of_levels(&levels, u, v, lanes);
         };
-        if self.sampler.minify == Filter::Nearest {
-            return self.of_level(u, v, 0.5 * log2(longer), between);
+
+        let stretch = (longer / shorter.maximum(one)).sqrt() - u.constant(STRETCH_TOLERATED);
+        let has_one = if self.sampler.minify == Filter::Nearest {
+            is_magnified.splat_like(true)
+        } else {
+            is_magnified | stretch.less_or_equal(one)
+        };
+        let most = ceil(stretch.minimum(u.constant(MOST_PROBES)));
+        let probes = one.select(has_one, most);
+        let level = u.constant(0.5) * log2(longer / (probes * probes));
+        let level = u.constant(-1.0).select(is_magnified, level);
+        let detail = self.detail(level, between, lanes);
+        if has_one.bits() & lanes == lanes {
+            return self.of_detail(&detail, u, v, lanes);
         }
-        let stretch = (longer / shorter.max(1.0)).sqrt() - STRETCH_TOLERATED;
-        if stretch <= 1.0 {
-            return self.of_level(u, v, 0.5 * log2(longer), between);
-        }
-        let probes = ceil(stretch.min(MOST_PROBES));
-        let level = 0.5 * log2(longer / (probes * probes));
-        let [du, dv] = if x_is_longer { per_pixel_x } else { per_pixel_y };
-        let mut sum = [0.0; 4];
+        let du = per_pixel_x[0].select(x_is_longer, per_pixel_y[0]);
+        let dv = per_pixel_x[1].select(x_is_longer, per_pixel_y[1]);
+        let mut sum = [u.zero(); C];
         let mut probe = 1.0;
-        while probe <= probes {
+        loop {
+            let here = u.constant(probe);
+            let reached = here.less_or_equal(probes);
+            let left = reached.bits() & lanes;
+            if left == 0 {
+                break;
+            }
             // From just after -1/2 to just before 1/2 of a pixel.
-            let along = probe / (probes + 1.0) - 0.5;
-            let value = self.of_level(u + du * along, v + dv * along, level, between);
+            let along = here / (probes + one) - u.constant(0.5);
+            let u_here = u.select(has_one, u + du * along);
+            let v_here = v.select(has_one, v + dv * along);
+            let value: [N; C] = self.of_detail(&detail, u_here, v_here, left);
             for (sum, value) in sum.iter_mut().zip(value) {
-                *sum += value;
+                *sum = (*sum + value).select(reached, *sum);
             }
             probe += 1.0;
         }
-        sum.map(|sum| sum / probes)
+        for sum in &mut sum {
+            *sum = *sum / probes;
+        }
+        sum
     }
 
     /// The value of level 0 at (u, v), for questions that must not depend on the pixel, such as
@@ -128,120 +152,274 @@ impl Texture {
     #[inline]
     pub fn sample_base(&self, u: f32, v: f32) -> [f32; 4] {
         match self.image.levels.first() {
-            Some(base) => self.filtered(base, u, v, self.sampler.magnify),
+            Some(base) => self.filtered(base, u, v, self.sampler.magnify, 1),
             None => [0.0; 4],
         }
     }
 
-    /// The value at a level of detail, which may lie between two levels.
-    #[inline]
-    fn of_level(&self, u: f32, v: f32, level: f32, between: Filter) -> [f32; 4] {
-        let levels = &self.image.levels;
+    /// What to look at for a level of detail, which may lie between two levels.
+    #[inline(always)]
+    fn detail<N: Number>(&self, level: N, between: Filter, lanes: u32) -> Detail<N> {
         let Sampler { magnify, minify, .. } = self.sampler;
         // Where magnified texels are smooth and minified ones aren't, the change comes half a
         // level later, or pictures would be sharper from afar (OpenGL 4.6, 8.15).
         let threshold =
             if magnify == Filter::Linear && minify == Filter::Nearest { 0.5 } else { 0.0 };
-        if level <= threshold {
-            return self.filtered(&levels[0], u, v, magnify);
-        }
-        let last = levels.len() - 1;
-        match between {
-            Filter::Nearest => {
-                // ceil(level + 1/2) - 1: halves go to the larger picture.
-                let nearest = (ceil(level + 0.5) as usize).saturating_sub(1).min(last);
-                self.filtered(&levels[nearest], u, v, minify)
-            }
-            Filter::Linear => {
-                let larger = level as usize;
-                if larger >= last {
-                    return self.filtered(&levels[last], u, v, minify);
-                }
-                let a = self.filtered(&levels[larger], u, v, minify);
-                let b = self.filtered(&levels[larger + 1], u, v, minify);
-                mix(a, b, level - larger as f32)
-            }
-        }
+        let magnified = level.less_or_equal(level.constant(threshold)).bits() & lanes;
+        let last = (self.image.levels.len() - 1) as f32;
+        let positive = level.positive_part();
+        let larger = match between {
+            // ceil(level + 1/2) - 1: halves go to the larger picture.
+            Filter::Nearest => ceil(positive + level.constant(0.5)) - level.one(),
+            Filter::Linear => positive.floor(),
+        };
+        let is_last = level.constant(last).less_or_equal(larger);
+        let larger = larger.minimum(level.constant(last));
+        let first = Levels::of(larger, minify).or_where(level, magnified, 0, magnify);
+        let two = match between {
+            Filter::Nearest => 0,
+            Filter::Linear => lanes & !magnified & !is_last.bits(),
+        };
+        let second = Levels::of(larger + level.one(), minify);
+        Detail { first, second, two, fraction: positive - larger }
     }
 
-    /// The value within one level.
-    #[inline]
-    fn filtered(&self, level: &MipLevel, u: f32, v: f32, filter: Filter) -> [f32; 4] {
+    #[inline(always)]
+    fn of_detail<N: Number, const C: usize>(
+        &self,
+        detail: &Detail<N>,
+        u: N,
+        v: N,
+        lanes: u32,
+    ) -> [N; C] {
+        let near: [N; C] = self.of_levels(&detail.first, u, v, lanes);
+        let two = detail.two & lanes;
+        if two == 0 {
+            return near;
+        }
+        let far = self.of_levels(&detail.second, u, v, two);
+        let mixed = mix(near, far, detail.fraction);
+        let mask = u.mask_of(two);
+        let mut value = near;
+        for (value, mixed) in value.iter_mut().zip(mixed) {
+            *value = mixed.select(mask, *value);
+        }
+        value
+    }
+
+    /// The values within the level of each lane.
+    #[inline(always)]
+    fn of_levels<N: Number, const C: usize>(
+        &self,
+        levels: &Levels,
+        u: N,
+        v: N,
+        lanes: u32,
+    ) -> [N; C] {
+        let mut value = [u.zero(); C];
+        let mut left = lanes;
+        while left != 0 {
+            let key = levels.0[left.trailing_zeros() as usize & (LANES - 1)];
+            let here = u.lanes_equal(&levels.0, key) & left;
+            left &= !here;
+            let filter = if key & 1 == 0 { Filter::Nearest } else { Filter::Linear };
+            let Some(level) = self.image.levels.get((key >> 1) as usize) else { continue };
+            let filtered: [N; C] = self.filtered(level, u, v, filter, here);
+            let mask = u.mask_of(here);
+            for (value, filtered) in value.iter_mut().zip(filtered) {
+                *value = filtered.select(mask, *value);
+            }
+        }
+        value
+    }
+
+    /// The values within one level.
+    #[inline(always)]
+    fn filtered<N: Number, const C: usize>(
+        &self,
+        level: &MipLevel,
+        u: N,
+        v: N,
+        filter: Filter,
+        lanes: u32,
+    ) -> [N; C] {
+        let (width, height) = (u.constant(level.width as f32), u.constant(level.height as f32));
+        let across = folded(u, self.sampler.wrap_u) * width;
+        let down = folded(v, self.sampler.wrap_v) * height;
         let table = self.image.encoding.table();
-        let fetch = |x: u32, y: u32| {
-            let [r, g, b, a] = level.texels[y as usize * level.width as usize + x as usize];
-            [table[r as usize], table[g as usize], table[b as usize], BYTE_TO_UNIT[a as usize]]
-        };
-        let across = folded(u, self.sampler.wrap_u) * level.width as f32;
-        let down = folded(v, self.sampler.wrap_v) * level.height as f32;
+        let [mut left, mut right, mut upper, mut lower] = [[0; LANES]; 4];
         match filter {
             Filter::Nearest => {
-                fetch((across as u32).min(level.width - 1), (down as u32).min(level.height - 1))
+                across.floor().minimum(width - u.one()).store_whole(&mut left, 0);
+                down.floor().minimum(height - u.one()).store_whole(&mut upper, 0);
+                let mut texels = Texels::new();
+                u.visit(
+                    lanes,
+                    #[inline(always)]
+                    |lane| texels.put(lane, level.texel(left[lane], upper[lane]), table),
+                );
+                texels.loaded(u)
             }
             Filter::Linear => {
-                let (left, right, x) = neighbours(across, level.width, self.sampler.wrap_u);
-                let (upper, lower, y) = neighbours(down, level.height, self.sampler.wrap_v);
-                let above = mix(fetch(left, upper), fetch(right, upper), x);
-                let below = mix(fetch(left, lower), fetch(right, lower), x);
+                let x = neighbours(across, width, self.sampler.wrap_u, [&mut left, &mut right]);
+                let y = neighbours(down, height, self.sampler.wrap_v, [&mut upper, &mut lower]);
+                let mut texels = [const { Texels::new() }; 4];
+                u.visit(
+                    lanes,
+                    #[inline(always)]
+                    |lane| {
+                        texels[0].put(lane, level.texel(left[lane], upper[lane]), table);
+                        texels[1].put(lane, level.texel(right[lane], upper[lane]), table);
+                        texels[2].put(lane, level.texel(left[lane], lower[lane]), table);
+                        texels[3].put(lane, level.texel(right[lane], lower[lane]), table);
+                    },
+                );
+                let above = mix(texels[0].loaded(u), texels[1].loaded(u), x);
+                let below = mix(texels[2].loaded(u), texels[3].loaded(u), x);
                 mix(above, below, y)
             }
         }
     }
 }
 
+impl MipLevel {
+    #[inline(always)]
+    fn texel(&self, x: u32, y: u32) -> [u8; 4] {
+        self.texels[y as usize * self.width as usize + x as usize]
+    }
+}
+
+/// A texel for each lane, by channel.
+struct Texels<const C: usize>([[f32; LANES]; C]);
+
+impl<const C: usize> Texels<C> {
+    const fn new() -> Self {
+        Self([[0.0; LANES]; C])
+    }
+
+    /// `colors` are the linear values of the bytes of red, green and blue.
+    #[inline(always)]
+    fn put(&mut self, lane: usize, texel: [u8; 4], colors: &[f32; 256]) {
+        for (number, (channel, byte)) in self.0.iter_mut().zip(texel).enumerate() {
+            let table = if number < 3 { colors } else { &BYTE_TO_UNIT };
+            channel[lane] = table[usize::from(byte)];
+        }
+    }
+
+    #[inline(always)]
+    fn loaded<N: Number>(&self, like: N) -> [N; C] {
+        let mut channels = [like; C];
+        for (channel, values) in channels.iter_mut().zip(&self.0) {
+            *channel = like.load(values, 0);
+        }
+        channels
+    }
+}
+
+/// The level that each lane looks at and its filter, in the lowest bit: 1 for a linear one.
+struct Levels([u32; LANES]);
+
+impl Levels {
+    #[inline(always)]
+    fn all(level: u32, filter: Filter) -> Self {
+        Self([key(level, filter); LANES])
+    }
+
+    /// Levels by number, with one filter.
+    #[inline(always)]
+    fn of<N: Number>(levels: N, filter: Filter) -> Self {
+        let mut keys = [0; LANES];
+        let bit = levels.constant(key(0, filter) as f32);
+        (levels + levels + bit).store_whole(&mut keys, 0);
+        Self(keys)
+    }
+
+    /// With another level and filter in some lanes.
+    #[inline(always)]
+    fn or_where<N: Number>(mut self, like: N, lanes: u32, level: u32, filter: Filter) -> Self {
+        like.visit(
+            lanes,
+            #[inline(always)]
+            |lane| self.0[lane] = key(level, filter),
+        );
+        self
+    }
+}
+
+fn key(level: u32, filter: Filter) -> u32 {
+    level << 1 | u32::from(filter == Filter::Linear)
+}
+
+/// What each lane looks at: one level, or two and how far it is from the first to the second.
+struct Detail<N> {
+    first: Levels,
+    second: Levels,
+    /// The lanes that look at two.
+    two: u32,
+    fraction: N,
+}
+
+/// The squared length, in texels, of what coordinates change by.
+#[inline(always)]
+fn squared_length<N: Number>([du, dv]: [N; 2], [width, height]: [N; 2]) -> N {
+    let (across, down) = (du * width, dv * height);
+    // Not a number counts as 0, beyond all measure as far out.
+    let squared = across * across + down * down;
+    squared.minimum(du.constant(1e30)).only_where(du.zero().less(squared))
+}
+
 /// The coordinate brought to 0..=1 by the rule for what lies outside.
-#[inline]
-fn folded(coordinate: f32, wrap: Wrap) -> f32 {
+#[inline(always)]
+fn folded<N: Number>(coordinate: N, wrap: Wrap) -> N {
     /// From here on, coordinates are whole numbers.
     const NO_FRACTION: f32 = 8_388_608.0;
     // False for what isn't a number, too.
-    let coordinate = if coordinate.abs() < NO_FRACTION { coordinate } else { 0.0 };
+    let has_fraction = coordinate.abs().less(coordinate.constant(NO_FRACTION));
+    let coordinate = coordinate.only_where(has_fraction);
     match wrap {
-        Wrap::Repeat => coordinate - floor(coordinate),
+        Wrap::Repeat => coordinate - coordinate.floor(),
         Wrap::MirroredRepeat => {
-            let within_two = coordinate - 2.0 * floor(coordinate * 0.5);
-            within_two.min(2.0 - within_two)
+            let two = coordinate.constant(2.0);
+            let within_two = coordinate - two * (coordinate * coordinate.constant(0.5)).floor();
+            within_two.minimum(two - within_two)
         }
-        Wrap::ClampToEdge => coordinate.clamp(0.0, 1.0),
+        Wrap::ClampToEdge => coordinate.limited(0.0, 1.0),
     }
 }
 
 /// The two texels between whose centres a place lies, and how far it is from the first to the
-/// second. The place is in texels, from 0 to `size`.
-#[inline]
-fn neighbours(place: f32, size: u32, wrap: Wrap) -> (u32, u32, f32) {
-    // Shifted by a whole texel, so that it is positive and cut off rather than rounded down.
-    let shifted = place + 0.5;
-    let second = (shifted as u32).min(size);
-    let fraction = shifted - second as f32;
-    let last = size - 1;
-    let (before, after) = if wrap == Wrap::Repeat { (last, 0) } else { (0, last) };
-    let first = if second == 0 { before } else { second - 1 };
-    (first, if second > last { after } else { second }, fraction)
+/// second, which is the result. The place is in texels, from 0 to `size`.
+#[inline(always)]
+fn neighbours<N: Number>(
+    place: N,
+    size: N,
+    wrap: Wrap,
+    [first, second]: [&mut [u32; LANES]; 2],
+) -> N {
+    let one = place.one();
+    // Shifted by a whole texel, so that it is not negative.
+    let shifted = place + place.constant(0.5);
+    let after = shifted.floor().minimum(size);
+    let last = size - one;
+    let repeats = wrap == Wrap::Repeat;
+    let (before_first, after_last) = if repeats { (last, one - one) } else { (one - one, last) };
+    before_first.select(after.less(one), after - one).store_whole(first, 0);
+    after_last.select(last.less(after), after).store_whole(second, 0);
+    shifted - after
 }
 
-#[inline]
-fn mix(a: [f32; 4], b: [f32; 4], fraction: f32) -> [f32; 4] {
-    [
-        a[0] + (b[0] - a[0]) * fraction,
-        a[1] + (b[1] - a[1]) * fraction,
-        a[2] + (b[2] - a[2]) * fraction,
-        a[3] + (b[3] - a[3]) * fraction,
-    ]
-}
-
-/// The whole number below, for numbers that fit into an `i32`. The standard library's is a call on
-/// machines without an instruction for it.
-#[inline]
-fn floor(x: f32) -> f32 {
-    let toward_zero = x as i32 as f32;
-    if toward_zero > x { toward_zero - 1.0 } else { toward_zero }
+#[inline(always)]
+fn mix<N: Number, const C: usize>(mut a: [N; C], b: [N; C], fraction: N) -> [N; C] {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a = *a + (b - *a) * fraction;
+    }
+    a
 }
 
 /// The whole number above.
-#[inline]
-fn ceil(x: f32) -> f32 {
-    -floor(-x)
+#[inline(always)]
+fn ceil<N: Number>(x: N) -> N {
+    -(-x).floor()
 }
 
 #[cfg(test)]
