@@ -24,8 +24,8 @@ pub(crate) struct Varying<N> {
     pub(crate) normal: Vec3<N>,
     /// What any of them has beside these.
     pub(crate) has: Attributes,
-    /// That; `None` where none has anything, as on most meshes: it takes a kilobyte and more.
-    extras: Option<Extras<N>>,
+    /// That.
+    extras: Extras<N>,
 }
 
 /// What only some surfaces have.
@@ -62,53 +62,32 @@ impl<N: Number> Varying<N> {
             position: Vec3::splat(like, [0.0; 3]),
             normal: Vec3::splat(like, [0.0; 3]),
             has: Attributes::default(),
-            extras: None,
+            extras: Extras::nothing(like),
         }
     }
 
     /// In world space, with the bitangent's sign; 0 where there is none.
     #[inline(always)]
     pub(crate) fn tangent(&self) -> [N; 4] {
-        match &self.extras {
-            Some(extras) => extras.tangent,
-            None => [self.position.x.zero(); 4],
-        }
+        self.extras.tangent
     }
 
     /// Texture coordinates of a set; 0 where there are none.
     #[inline(always)]
     pub(crate) fn uv(&self, set: usize) -> Footprint<N> {
-        match &self.extras {
-            Some(extras) => extras.uv[set],
-            None => [[self.position.x.zero(); 2]; 3],
-        }
+        self.extras.uv[set]
     }
 
     /// With alpha; white where there is none.
     #[inline(always)]
     pub(crate) fn color(&self) -> [N; 4] {
-        match &self.extras {
-            Some(extras) => extras.color,
-            None => [self.position.x.one(); 4],
-        }
+        self.extras.color
     }
 
     /// What was computed elsewhere.
     #[inline(always)]
     pub(crate) fn light(&self) -> Rgb<N> {
-        match &self.extras {
-            Some(extras) => extras.light,
-            None => Rgb::black(self.position.x),
-        }
-    }
-
-    #[inline(always)]
-    fn extras(&mut self) -> &mut Extras<N> {
-        let like = self.position.x;
-        self.extras.get_or_insert_with(
-            #[inline(always)]
-            || Extras::nothing(like),
-        )
+        self.extras.light
     }
 
     /// Takes places and normals where the mask is true.
@@ -148,7 +127,7 @@ impl<N: Number> Varying<N> {
     ) {
         let here = &weights.here;
         self.has.join(has);
-        let extras = self.extras();
+        let extras = &mut self.extras;
         for set in (0..2).filter(|&set| has.uvs[set]) {
             let corners = [&a.uv[set], &b.uv[set], &c.uv[set]];
             let [here, right, below] = &mut extras.uv[set];
@@ -180,7 +159,7 @@ impl<N: Number> Varying<N> {
         mask: N::Mask,
     ) {
         self.has.join(has);
-        let extras = self.extras();
+        let extras = &mut self.extras;
         for set in (0..2).filter(|&set| has.uvs[set]) {
             let [at, at_right, at_below] = &mut extras.uv[set];
             merge(at, mixed_lanes(&corners.uvs[set], &weights.here), mask);
@@ -205,8 +184,8 @@ impl<N: Number> Varying<N> {
         put(&mut self.normal.y, one.normal.y);
         put(&mut self.normal.z, one.normal.z);
         self.has.join(one.has);
-        let Some(Extras { tangent, uv, color, light }) = one.extras else { return };
-        let extras = self.extras();
+        let Extras { tangent, uv, color, light } = one.extras;
+        let extras = &mut self.extras;
         put(&mut extras.light.r, light.r);
         put(&mut extras.light.g, light.g);
         put(&mut extras.light.b, light.b);
@@ -226,7 +205,7 @@ impl<N: Number> Varying<N> {
     /// Takes the light of one lane.
     #[inline(always)]
     pub(crate) fn take_light(&mut self, lane: usize, [r, g, b]: [f32; 3]) {
-        let light = &mut self.extras().light;
+        let light = &mut self.extras.light;
         light.r = light.r.with_lane(lane, r);
         light.g = light.g.with_lane(lane, g);
         light.b = light.b.with_lane(lane, b);
@@ -243,13 +222,13 @@ impl Varying<f32> {
             position: Vec3::new(x, y, z),
             normal: Vec3::new(normal_x, normal_y, normal_z),
             has,
-            extras: Some(Extras {
+            extras: Extras {
                 tangent: corner.tangent,
                 // Textures by their finest level.
                 uv: corner.uv.map(|uv| [uv; 3]),
                 color: corner.color,
                 light: Rgb::new(r, g, b),
-            }),
+            },
         }
     }
 }

@@ -401,8 +401,9 @@ fn neighbours<N: Number>(
     let shifted = place + place.constant(0.5);
     let after = shifted.floor().minimum(size);
     let last = size - one;
+    let zero = place.zero();
     let repeats = wrap == Wrap::Repeat;
-    let (before_first, after_last) = if repeats { (last, one - one) } else { (one - one, last) };
+    let (before_first, after_last) = if repeats { (last, zero) } else { (zero, last) };
     before_first.select(after.less(one), after - one).store_whole(first, 0);
     after_last.select(last.less(after), after).store_whole(second, 0);
     shifted - after
