@@ -98,11 +98,9 @@ impl Mesh {
     /// texture coordinates, colours and tangents are copied. A vertex without any sound face gets
     /// +Z. The result depends on nothing but the mesh and the options.
     pub fn compute_normals(&mut self, options: &NormalOptions) {
-        let needed = self.attribute_corners().as_flattened().iter().max();
-        let needed = needed.map_or(0, |&highest| highest as usize + 1);
         if options.source == NormalSource::File
             && !self.normals.is_empty()
-            && self.normals.len() >= needed
+            && self.has_normals_at_all_corners()
         {
             self.mend_normals();
         } else if self.triangles.is_empty() {
@@ -114,6 +112,15 @@ impl Mesh {
             self.normals.clear();
             self.normals = fans.assign(self, &topology, NO_DIRECTION);
         }
+    }
+
+    fn has_normals_at_all_corners(&self) -> bool {
+        if self.attribute_corners.is_none() && self.normals.len() >= self.positions.len() {
+            // Corners are positions.
+            return true;
+        }
+        let highest = self.attribute_corners().as_flattened().iter().max();
+        highest.is_none_or(|&highest| (highest as usize) < self.normals.len())
     }
 
     /// Brings normals to unit length and replaces those that have no direction.

@@ -8,11 +8,12 @@ use crate::direction::unit;
 use crate::stl::warn_of_faces_left_out;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
-use luxel_parallel::{any, fill, gather};
+use luxel_parallel::{any, fill};
 use luxel_scene::{
     AlphaMode, Lines, MaterialId, Mesh, MeshId, Node, NormalFault, Part, Points, Scene,
     SceneMaterial, triangulate,
 };
+use std::sync::{Mutex, PoisonError};
 
 pub(super) fn scene(content: Content, name: &str, warnings: &mut Warnings) -> Result<Scene, Error> {
     let mut scene = Scene::default();
@@ -148,17 +149,13 @@ fn set_attributes(
     warnings: &mut Warnings,
 ) {
     mesh.normals = vertices.normals;
-    mesh.normal_faults = faults_of(mesh);
-    let used_wrong = !mesh.normals.is_empty() && {
-        fill(&mut mesh.normals, RUN, &|_, run| {
-            for normal in run {
-                *normal = unit(*normal);
-            }
-        });
-        let wrong = |corner: &u32| mesh.normals[*corner as usize] == [0.0; 3];
-        any(mesh.triangles.len(), RUN, &|run| mesh.triangles[run].as_flattened().iter().any(wrong))
-    };
-    if used_wrong {
+    mesh.normal_faults = bring_to_unit_length(&mut mesh.normals);
+    if !mesh.normal_faults.is_empty() {
+        let mut is_used = vec![false; mesh.positions.len()];
+        mesh.triangles.as_flattened().iter().for_each(|&corner| is_used[corner as usize] = true);
+        mesh.normal_faults.retain(|fault| is_used[fault.position as usize]);
+    }
+    if mesh.normal_faults.iter().any(|fault| fault.undefined) {
         warnings.push(
             "normals without a direction are in use, so normals are computed instead".to_owned(),
         );
@@ -182,18 +179,21 @@ fn set_attributes(
     }
 }
 
-/// What is wrong with the normals that are in use.
-fn faults_of(mesh: &Mesh) -> Vec<NormalFault> {
-    let mut faults = gather(mesh.normals.len(), RUN, &|run, faults| {
-        for vertex in run {
-            faults.extend(NormalFault::of(vertex as u32, mesh.normals[vertex]));
+/// Brings normals to unit length, 0 where they have no direction; what was wrong with them, in order.
+fn bring_to_unit_length(normals: &mut [[f32; 3]]) -> Vec<NormalFault> {
+    let faults = Mutex::new(Vec::new());
+    fill(normals, RUN, &|start, run| {
+        let mut found = Vec::new();
+        for (vertex, normal) in (start as u32..).zip(run) {
+            found.extend(NormalFault::of(vertex, *normal));
+            *normal = unit(*normal);
+        }
+        if !found.is_empty() {
+            faults.lock().unwrap_or_else(PoisonError::into_inner).append(&mut found);
         }
     });
-    if !faults.is_empty() {
-        let mut is_used = vec![false; mesh.positions.len()];
-        mesh.triangles.as_flattened().iter().for_each(|&corner| is_used[corner as usize] = true);
-        faults.retain(|fault| is_used[fault.position as usize]);
-    }
+    let mut faults = faults.into_inner().unwrap_or_else(PoisonError::into_inner);
+    faults.sort_unstable();
     faults
 }
 
