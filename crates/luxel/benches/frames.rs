@@ -1,5 +1,5 @@
-//! Times frames on one thread, by stage: a bumpy ball of 100 000 triangles, by the ways to shade, with one
-//! light and with five, with one sample a pixel and with four, at every SIMD level.
+//! Times frames on one thread, by stage: a bumpy ball of 100 000 triangles, by the ways to shade, and with a
+//! texture, with one light and with five, with one sample a pixel and with four, at every SIMD level.
 //!
 //! `cargo bench -p luxel --bench frames [-- FILTER]`; a filter is part of a row's name. Prints medians of
 //! some frames, in milliseconds, and a hash of the pixels, which is the same at all levels.
@@ -9,8 +9,11 @@
 use luxel::default_view;
 use luxel::math::SimdLevel;
 use luxel::render::{Execution, Picture, Renderer, ShadingMode, View};
-use luxel::scene::{MaterialId, MeshId, Node, Part, Scene, SceneMaterial, Size, primitives};
-use std::sync::LazyLock;
+use luxel::scene::{
+    Encoding, Image, MaterialId, MeshId, Node, Part, Sampler, Scene, SceneMaterial, Size, Texture,
+    TextureId, TextureUse, primitives,
+};
+use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
 
 const FRAMES: usize = 15;
@@ -32,6 +35,27 @@ fn bumpy_ball() -> Scene {
         nodes: vec![Node::root("ball", Some(MeshId(0)))],
         ..Scene::default()
     }
+}
+
+/// The same scene, noise spread over its meshes: along the axis that it is spread by, footprints are
+/// as long as they get.
+fn textured(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    const SIDE: u32 = 512;
+    let mut state = 1_u32;
+    let texels = (0..SIDE * SIDE).map(|_| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        state.to_be_bytes()
+    });
+    let image = Image::new("noise", Encoding::Srgb, SIDE, SIDE, texels.collect());
+    scene.textures = vec![Texture { image: Arc::new(image), sampler: Sampler::trilinear() }];
+    for mesh in &mut scene.meshes {
+        mesh.uvs[0] = mesh.positions.iter().map(|[x, y, _]| [2.0 * x, 2.0 * y]).collect();
+    }
+    for material in &mut scene.materials {
+        material.base_color = Some(TextureUse::new(TextureId(0)));
+    }
+    scene
 }
 
 /// Medians of the frame and its stages, and a hash (FNV-1a) of the pixels.
@@ -63,7 +87,8 @@ fn time(scene: &Scene, view: &View, simd: SimdLevel) -> ([f64; 4], u64) {
 fn main() {
     let filter: Option<String> =
         std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
-    let scene = bumpy_ball();
+    let plain = bumpy_ball();
+    let textured = textured(&plain);
     let mut levels: Vec<SimdLevel> = Vec::new();
     for level in SimdLevel::available() {
         // What a name stands for may be another level.
@@ -72,10 +97,11 @@ fn main() {
             levels.push(level);
         }
     }
-    for (shading, mode) in [
-        ("flat", ShadingMode::Flat),
-        ("gouraud", ShadingMode::Gouraud),
-        ("phong", ShadingMode::Phong),
+    for (shading, mode, scene) in [
+        ("flat", ShadingMode::Flat, &plain),
+        ("gouraud", ShadingMode::Gouraud, &plain),
+        ("phong", ShadingMode::Phong, &plain),
+        ("textured", ShadingMode::Phong, &textured),
     ] {
         for count in [1, 5] {
             for samples in [1, 4] {
@@ -85,11 +111,11 @@ fn main() {
                     if filter.as_ref().is_some_and(|filter| !name.contains(filter.as_str())) {
                         continue;
                     }
-                    let mut view = default_view(&scene, Size { width: 1280, height: 720 });
+                    let mut view = default_view(scene, Size { width: 1280, height: 720 });
                     view.shading.mode = mode;
                     view.samples = samples;
                     view.lights = view.lights.iter().cycle().take(count).cloned().collect();
-                    let ([frame, bin, visibility, shade], hash) = time(&scene, &view, level);
+                    let ([frame, bin, visibility, shade], hash) = time(scene, &view, level);
                     println!(
                         "{name:32} frame {frame:8.2}  bin {bin:6.2}  visibility {visibility:7.2}  \
                          shade {shade:7.2}  {hash:016x}"
