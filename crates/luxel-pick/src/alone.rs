@@ -3,9 +3,12 @@
 //! Most rays of a picture miss the mesh or meet a few nodes, so what happens before the first node
 //! counts as much as what happens at each: a ray is made ready with vectors of its three axes, one
 //! division for all. Of a node's children that are met, the nearest stays at hand and only the
-//! others go onto the stack.
+//! others go onto the stack. All that are met are read at once, before it is known in which order they
+//! are visited: a ray in a large tree mostly waits for memory, and so it waits for several together.
 
-use crate::bvh::{ALMOST_ZERO, Child, Head, PADDING, Places, WIDTH, block, moved, number, padding};
+use crate::bvh::{
+    ALMOST_ZERO, Ahead, Child, Head, PADDING, Places, WIDTH, block, moved, number, padding,
+};
 use crate::intersect::{Nearest, Ray, Sheared, USUAL_LENGTHS, meet_block};
 use crate::rays::{MeshRays, RayHit};
 use luxel_math::{Simd, f32x4, f32x8, i32x4, mask32x4, prelude::*};
@@ -187,11 +190,17 @@ impl<S: Simd> Followed<S> {
         }
     }
 
-    /// Goes on by one node or leaf; whether there is more.
+    /// Goes on by one node or leaf, before others have their turn or not; whether there is more.
     #[inline(always)]
-    fn advance<const ANY: bool>(&mut self, simd: S, rays: &MeshRays<'_>, places: &Places) -> bool {
+    fn advance<const ANY: bool, const IN_TURNS: bool>(
+        &mut self,
+        simd: S,
+        rays: &MeshRays<'_>,
+        places: &Places,
+    ) -> bool {
         if let Some(start) = self.child.as_block() {
             let Some(block) = block(rays.words, start) else { return false };
+            Ahead::read_block(block);
             let range = [self.range_start, self.nearest.t];
             let (distances, mut bits) =
                 meet_block(simd, block, rays.positions, &self.sheared, range);
@@ -223,13 +232,18 @@ impl<S: Simd> Followed<S> {
             let bits = near.simd_le(far).to_bitmask() as u32;
             if bits != 0 {
                 let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+                let ahead = Ahead { nodes: rays.nodes, words: rays.words };
                 if bits & (bits - 1) == 0 {
                     self.child = node.children[slot];
+                    if IN_TURNS {
+                        ahead.read(self.child);
+                    }
                 } else {
                     let mut distances = [0.0; WIDTH];
                     near.store_slice(&mut distances);
-                    self.child =
-                        Child(places.push_farther(&mut self.top, node.words(), &distances, bits));
+                    let words = node.words();
+                    let top = &mut self.top;
+                    self.child = Child(places.push_farther(top, words, &distances, bits, ahead));
                 }
                 return true;
             }
@@ -254,7 +268,7 @@ fn follow<S: Simd, const ANY: bool>(
     places: &Places,
 ) -> (Nearest, Sheared) {
     let mut followed = Followed::new(simd, lean, ray);
-    while followed.advance::<ANY>(simd, rays, places) {}
+    while followed.advance::<ANY, false>(simd, rays, places) {}
     (followed.nearest, followed.sheared)
 }
 
@@ -279,7 +293,7 @@ pub(crate) fn closest_in_turns<S: Simd>(
         for (turn, places) in turns.iter_mut().zip(places) {
             if let Some((followed, place)) = turn {
                 busy = true;
-                if followed.advance::<false>(simd, rays, places) {
+                if followed.advance::<false, true>(simd, rays, places) {
                     continue;
                 }
                 hits[*place] = rays.told(&followed.sheared, followed.nearest);
