@@ -258,6 +258,16 @@ impl Ahead<'_> {
         }
     }
 
+    /// Begins to read those of a node's children whose bit is set.
+    #[inline(always)]
+    pub(crate) fn read_children(&self, node: &Node, mut bits: u32) {
+        while bits != 0 {
+            let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+            bits &= bits - 1;
+            self.read(node.children[slot]);
+        }
+    }
+
     /// Begins to read the lines that a block of no more than 48 words may have: where its rows are is
     /// known only when the first line is there.
     #[inline(always)]
