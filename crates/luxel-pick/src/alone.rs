@@ -3,62 +3,77 @@
 //! Most rays of a picture miss the mesh or meet a few nodes, so what happens before the first node
 //! counts as much as what happens at each: a ray is made ready with vectors of its three axes, one
 //! division for all. Of a node's children that are met, the nearest stays at hand and only the
-//! others go onto the stack.
+//! others go onto the stack. All that are met are read at once, before it is known in which order they
+//! are visited: a ray in a large tree mostly waits for memory, and so it waits for several together.
 
-use crate::bvh::{ALMOST_ZERO, Child, Head, PADDING, Places, WIDTH, block, moved, number, padding};
+use crate::bvh::{
+    ALMOST_ZERO, Ahead, Child, Head, PADDING, Places, WIDTH, block, moved, number, padding,
+};
 use crate::intersect::{Nearest, Ray, Sheared, USUAL_LENGTHS, meet_block};
 use crate::rays::{MeshRays, RayHit};
-use luxel_math::{Simd, f32x4, f32x8, i32x4, mask32x4, prelude::*};
+use luxel_math::{Simd, f32x4, f32x8, i32x4, prelude::*};
 
-/// A ray as boxes want it, axis by axis; the fourth lane is the same for all rays.
-struct Lean<S: Simd> {
+/// A ray as boxes want it, axis by axis; the fourth place is the same for all rays. In memory, from
+/// where a number comes to all lanes of a vector at once.
+#[derive(Clone, Copy)]
+pub(crate) struct Lean {
     /// Where near planes are looked at from, and far ones.
-    near_origin: f32x4<S>,
-    far_origin: f32x4<S>,
+    near_origin: [f32; 4],
+    far_origin: [f32; 4],
     /// One over the direction.
-    inverse: f32x4<S>,
-    /// Whether the near plane is the high one.
-    turned: mask32x4<S>,
+    inverse: [f32; 4],
+    /// A bit for each axis where the near plane is the high one.
+    turned: u32,
 }
 
-impl<S: Simd> Lean<S> {
-    /// `None` for what isn't finite, has no direction or one of an unusual length.
-    #[inline(always)]
-    fn new(simd: S, rays: &MeshRays<'_>, ray: &Ray) -> Option<Self> {
-        let [ox, oy, oz] = ray.origin;
-        let [dx, dy, dz] = ray.direction;
-        let origin = f32x4::simd_from(simd, [ox, oy, oz, 0.0]);
-        let direction = f32x4::simd_from(simd, [dx, dy, dz, 0.0]);
-        let (size, length) = (SimdBase::abs(origin), SimdBase::abs(direction));
-        let bounded = size.simd_lt(f32::INFINITY) & length.simd_lt(USUAL_LENGTHS.end);
-        let long = length.simd_ge(USUAL_LENGTHS.start);
-        if bounded.to_bitmask() != 0b1111 || long.to_bitmask() == 0 {
-            return None;
-        }
-        let largest = f32x4::simd_from(simd, rays.largest);
-        let pad = padding(size, largest, f32x4::splat(simd, PADDING));
-        let one = f32x4::splat(simd, 1.0);
-        let inverse = (one / length.max(f32x4::splat(simd, ALMOST_ZERO))).copysign(direction);
-        let [near_origin, far_origin] = moved(origin, pad.copysign(direction));
-        let turned = direction.bitcast::<i32x4<S>>().simd_lt(0);
-        Some(Self { near_origin, far_origin, inverse, turned })
-    }
+/// What is known of a ray before the first node.
+pub(crate) enum Begun {
+    /// It isn't finite, has no direction or one of an unusual length.
+    Unusual,
+    /// It meets nothing.
+    Misses,
+    /// It meets the box around all.
+    Meets(Lean),
+}
 
-    /// Whether the ray meets the box around all within its range. What misses it misses the boxes
-    /// inside, as rounding is monotone.
-    #[inline(always)]
-    fn meets(&self, simd: S, rays: &MeshRays<'_>, [nearest, farthest]: [f32; 2]) -> bool {
-        let low = f32x4::simd_from(simd, rays.bounds[0]);
-        let high = f32x4::simd_from(simd, rays.bounds[1]);
-        let (first, last) = (self.turned.select(high, low), self.turned.select(low, high));
-        let near = (first - self.near_origin) * self.inverse;
-        let far = (last - self.far_origin) * self.inverse;
-        let near = near.max(near.slide::<2>(near));
-        let far = far.min(far.slide::<2>(far));
-        let near = near.max(near.slide::<1>(near)).max(nearest);
-        let far = far.min(far.slide::<1>(far)).min(farthest);
-        near.simd_le(far).to_bitmask() & 1 != 0
+/// Makes a ray ready and asks the box around all. What misses it misses the boxes inside, as rounding
+/// is monotone.
+#[inline(always)]
+pub(crate) fn begin<S: Simd>(simd: S, rays: &MeshRays<'_>, ray: &Ray) -> Begun {
+    let [ox, oy, oz] = ray.origin;
+    let [dx, dy, dz] = ray.direction;
+    let origin = f32x4::simd_from(simd, [ox, oy, oz, 0.0]);
+    let direction = f32x4::simd_from(simd, [dx, dy, dz, 0.0]);
+    let (size, length) = (SimdBase::abs(origin), SimdBase::abs(direction));
+    let bounded = size.simd_lt(f32::INFINITY) & length.simd_lt(USUAL_LENGTHS.end);
+    let long = length.simd_ge(USUAL_LENGTHS.start);
+    if bounded.to_bitmask() != 0b1111 || long.to_bitmask() == 0 {
+        return Begun::Unusual;
     }
+    let largest = f32x4::simd_from(simd, rays.largest);
+    let pad = padding(size, largest, f32x4::splat(simd, PADDING));
+    let one = f32x4::splat(simd, 1.0);
+    let inverse = (one / length.max(f32x4::splat(simd, ALMOST_ZERO))).copysign(direction);
+    let [near_origin, far_origin] = moved(origin, pad.copysign(direction));
+    let turned = direction.bitcast::<i32x4<S>>().simd_lt(0);
+    let low = f32x4::simd_from(simd, rays.bounds[0]);
+    let high = f32x4::simd_from(simd, rays.bounds[1]);
+    let (first, last) = (turned.select(high, low), turned.select(low, high));
+    let near = (first - near_origin) * inverse;
+    let far = (last - far_origin) * inverse;
+    let near = near.max(near.slide::<2>(near));
+    let far = far.min(far.slide::<2>(far));
+    let near = near.max(near.slide::<1>(near)).max(ray.range[0]);
+    let far = far.min(far.slide::<1>(far)).min(ray.range[1]);
+    if near.simd_le(far).to_bitmask() & 1 == 0 || !ray.has_range() {
+        return Begun::Misses;
+    }
+    Begun::Meets(Lean {
+        near_origin: near_origin.into(),
+        far_origin: far_origin.into(),
+        inverse: inverse.into(),
+        turned: turned.to_bitmask() as u32,
+    })
 }
 
 /// An axis of a ray as the boxes of eight children want it.
@@ -73,12 +88,12 @@ struct Axis<S: Simd> {
 
 impl<S: Simd> Axis<S> {
     #[inline(always)]
-    fn new(simd: S, near_origin: f32, far_origin: f32, inverse: f32, turned: u64) -> Self {
+    fn new(simd: S, lean: &Lean, axis: usize) -> Self {
         Self {
-            near_origin: f32x8::splat(simd, near_origin),
-            far_origin: f32x8::splat(simd, far_origin),
-            inverse: f32x8::splat(simd, inverse),
-            turned: turned as usize & 1,
+            near_origin: f32x8::splat(simd, lean.near_origin[axis]),
+            far_origin: f32x8::splat(simd, lean.far_origin[axis]),
+            inverse: f32x8::splat(simd, lean.inverse[axis]),
+            turned: (lean.turned >> axis) as usize & 1,
         }
     }
 
@@ -99,27 +114,16 @@ impl<S: Simd> Axis<S> {
     }
 }
 
-/// What three axes have.
-#[inline(always)]
-fn axes<S: Simd>(values: f32x4<S>) -> [f32; 3] {
-    let mut row = [0.0; 4];
-    values.store_slice(&mut row);
-    [row[0], row[1], row[2]]
-}
-
-/// The nearest triangle that a ray meets.
+/// The nearest triangle that a ray meets, of which so much is known.
 #[inline(always)]
 pub(crate) fn closest<S: Simd>(
     simd: S,
     rays: &MeshRays<'_>,
     ray: &Ray,
+    lean: &Lean,
     places: &Places,
 ) -> Option<RayHit> {
-    let Some(lean) = Lean::new(simd, rays, ray) else { return rays.closest_unusual(ray) };
-    if !lean.meets(simd, rays, ray.range) || !ray.has_range() {
-        return None;
-    }
-    let (nearest, sheared) = follow::<S, false>(simd, rays, &lean, ray, places);
+    let (nearest, sheared) = follow::<S, false>(simd, rays, lean, ray, places);
     rays.told(&sheared, nearest)
 }
 
@@ -129,26 +133,22 @@ pub(crate) fn nearest_alone<S: Simd>(
     simd: S,
     rays: &MeshRays<'_>,
     ray: &Ray,
+    lean: &Lean,
     places: &Places,
 ) -> Nearest {
-    const NONE: Nearest = Nearest::before(0.0);
-    let Some(lean) = Lean::new(simd, rays, ray) else { return rays.nearest_unusual(ray) };
-    if !lean.meets(simd, rays, ray.range) || !ray.has_range() {
-        return NONE;
-    }
-    follow::<S, false>(simd, rays, &lean, ray, places).0
+    follow::<S, false>(simd, rays, lean, ray, places).0
 }
 
 /// Whether a ray meets anything.
 #[inline(always)]
-pub(crate) fn any<S: Simd>(simd: S, rays: &MeshRays<'_>, ray: &Ray, places: &Places) -> bool {
-    let Some(lean) = Lean::new(simd, rays, ray) else {
-        return rays.nearest_unusual(ray).triangle != u32::MAX;
-    };
-    if !lean.meets(simd, rays, ray.range) || !ray.has_range() {
-        return false;
-    }
-    follow::<S, true>(simd, rays, &lean, ray, places).0.triangle != u32::MAX
+pub(crate) fn any<S: Simd>(
+    simd: S,
+    rays: &MeshRays<'_>,
+    ray: &Ray,
+    lean: &Lean,
+    places: &Places,
+) -> bool {
+    follow::<S, true>(simd, rays, lean, ray, places).0.triangle != u32::MAX
 }
 
 /// A ray on its way through the tree.
@@ -169,29 +169,32 @@ struct Followed<S: Simd> {
 
 impl<S: Simd> Followed<S> {
     #[inline(always)]
-    fn new(simd: S, lean: &Lean<S>, ray: &Ray) -> Self {
-        let [near, far, inverse] =
-            [axes(lean.near_origin), axes(lean.far_origin), axes(lean.inverse)];
-        let turned = lean.turned.to_bitmask();
+    fn new(simd: S, lean: &Lean, ray: &Ray) -> Self {
         Self {
-            x: Axis::new(simd, near[0], far[0], inverse[0], turned),
-            y: Axis::new(simd, near[1], far[1], inverse[1], turned >> 1),
-            z: Axis::new(simd, near[2], far[2], inverse[2], turned >> 2),
+            x: Axis::new(simd, lean, 0),
+            y: Axis::new(simd, lean, 1),
+            z: Axis::new(simd, lean, 2),
             start: f32x8::splat(simd, ray.range[0]),
             farthest: f32x8::splat(simd, ray.range[1]),
             range_start: ray.range[0],
-            sheared: Sheared::with_inverse(&ray.origin, &ray.direction, &inverse),
+            sheared: Sheared::with_inverse(&ray.origin, &ray.direction, &lean.inverse),
             nearest: Nearest::before(ray.range[1]),
             child: Child::inner(0),
             top: 0,
         }
     }
 
-    /// Goes on by one node or leaf; whether there is more.
+    /// Goes on by one node or leaf, before others have their turn or not; whether there is more.
     #[inline(always)]
-    fn advance<const ANY: bool>(&mut self, simd: S, rays: &MeshRays<'_>, places: &Places) -> bool {
+    fn advance<const ANY: bool, const IN_TURNS: bool>(
+        &mut self,
+        simd: S,
+        rays: &MeshRays<'_>,
+        places: &Places,
+    ) -> bool {
         if let Some(start) = self.child.as_block() {
             let Some(block) = block(rays.words, start) else { return false };
+            Ahead::read_block(block);
             let range = [self.range_start, self.nearest.t];
             let (distances, mut bits) =
                 meet_block(simd, block, rays.positions, &self.sheared, range);
@@ -223,13 +226,18 @@ impl<S: Simd> Followed<S> {
             let bits = near.simd_le(far).to_bitmask() as u32;
             if bits != 0 {
                 let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+                let ahead = Ahead { nodes: rays.nodes, words: rays.words };
                 if bits & (bits - 1) == 0 {
                     self.child = node.children[slot];
+                    if IN_TURNS {
+                        ahead.read(self.child);
+                    }
                 } else {
                     let mut distances = [0.0; WIDTH];
                     near.store_slice(&mut distances);
-                    self.child =
-                        Child(places.push_farther(&mut self.top, node.words(), &distances, bits));
+                    let words = node.words();
+                    let top = &mut self.top;
+                    self.child = Child(places.push_farther(top, words, &distances, bits, ahead));
                 }
                 return true;
             }
@@ -249,12 +257,12 @@ impl<S: Simd> Followed<S> {
 fn follow<S: Simd, const ANY: bool>(
     simd: S,
     rays: &MeshRays<'_>,
-    lean: &Lean<S>,
+    lean: &Lean,
     ray: &Ray,
     places: &Places,
 ) -> (Nearest, Sheared) {
     let mut followed = Followed::new(simd, lean, ray);
-    while followed.advance::<ANY>(simd, rays, places) {}
+    while followed.advance::<ANY, false>(simd, rays, places) {}
     (followed.nearest, followed.sheared)
 }
 
@@ -279,7 +287,7 @@ pub(crate) fn closest_in_turns<S: Simd>(
         for (turn, places) in turns.iter_mut().zip(places) {
             if let Some((followed, place)) = turn {
                 busy = true;
-                if followed.advance::<false>(simd, rays, places) {
+                if followed.advance::<false, true>(simd, rays, places) {
                     continue;
                 }
                 hits[*place] = rays.told(&followed.sheared, followed.nearest);
@@ -292,14 +300,13 @@ pub(crate) fn closest_in_turns<S: Simd>(
                     break;
                 };
                 let ray = &all[place];
-                match Lean::new(simd, rays, ray) {
-                    None => hits[place] = rays.closest_unusual(ray),
-                    Some(lean) => {
-                        if lean.meets(simd, rays, ray.range) && ray.has_range() {
-                            *turn = Some((Followed::new(simd, &lean, ray), place));
-                            busy = true;
-                            break;
-                        }
+                match begin(simd, rays, ray) {
+                    Begun::Unusual => hits[place] = rays.closest_unusual(ray),
+                    Begun::Misses => {}
+                    Begun::Meets(lean) => {
+                        *turn = Some((Followed::new(simd, &lean, ray), place));
+                        busy = true;
+                        break;
                     }
                 }
             }

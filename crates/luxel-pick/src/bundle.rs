@@ -8,7 +8,7 @@
 //! intervals hold what each ray would compute, and a ray gets the same triangle and the same bits of
 //! the distance as alone.
 
-use crate::bvh::{ALMOST_ZERO, Node, PADDING, Places, WIDTH, moved, padding};
+use crate::bvh::{ALMOST_ZERO, Ahead, Node, PADDING, Places, WIDTH, moved, padding};
 use crate::intersect::{Nearest, Ray, axes};
 use crate::kind::{Common, Kind, ROWS, Signs, take_eight};
 use crate::leaf::meet_leaf;
@@ -316,6 +316,7 @@ pub(crate) fn closest_of_bundle<S: Simd, N: Number>(
     places: &Places,
 ) {
     let nodes: &[Node] = rays.nodes;
+    let ahead = Ahead { nodes, words: rays.words };
     let mut top = 0;
     if bundle.count == 0 {
         return;
@@ -330,6 +331,7 @@ pub(crate) fn closest_of_bundle<S: Simd, N: Number>(
         for slot in 0..WIDTH {
             words[slot] = (number * WIDTH + slot) as u32;
         }
+        ahead.read_children(&nodes[number], bits);
         places.push(&mut top, &words, &distances, bits);
         loop {
             let Some(place) = places.pop(&mut top, farthest) else { return };

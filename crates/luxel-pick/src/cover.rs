@@ -4,7 +4,7 @@
 //! what boxes it meets hold all triangles that can cover the sample. Boxes also bound the depth of
 //! what is in them, by the frame's own arithmetic, so that near ones hide far ones.
 
-use crate::bvh::{Child, Node, Slabs, WIDTH, meet};
+use crate::bvh::{Ahead, Block, Child, Head, Node, Slabs, WIDTH, corners, meet, number};
 use crate::view::{Geometry, Instance, PickView, Thickness};
 use crate::world_rays::NearRay;
 use glam::DVec3;
@@ -85,25 +85,32 @@ impl PickView<'_> {
         all
     }
 
-    /// Visits the triangles of an instance that cover a sample; `visit` gives the depth below which
-    /// nothing counts any more.
+    /// Visits the triangles that cover a sample, of the instance at a place of the view; `visit` gives
+    /// the depth below which nothing counts any more.
     fn each_covering(
         &self,
-        number: usize,
+        place: usize,
         position: [i32; 2],
         visit: &mut dyn FnMut(Covering) -> f32,
         least: f32,
     ) {
-        let instance = &self.instances[number];
+        let instance = &self.instances[place];
         let geometry = self.geometry(instance);
         let Some(beam) = self.beam(instance, position) else { return };
-        let mut found = |triangle: u32| {
+        let positions = &geometry.mesh.positions[..];
+        let mut found = |block: &Block, lane: usize| {
+            let triangle = number(block, lane);
             let part = part_of(&geometry, triangle);
-            let corners = geometry.mesh.triangles[triangle as usize]
-                .map(|vertex| geometry.mesh.positions[vertex as usize]);
+            let corners = if instance.bounds_tell_depth {
+                // The same are in the leaf, at hand.
+                corners(block, lane, positions, [0, 1, 2])
+            } else {
+                let vertices = geometry.mesh.triangles[triangle as usize];
+                vertices.map(|vertex| positions[vertex as usize])
+            };
             let cull = instance.parts[part].cull;
             let depth = instance.probe.covers(corners, cull, position)?;
-            Some(visit(Covering { instance: number, triangle, depth }))
+            Some(visit(Covering { instance: place, triangle, depth }))
         };
         WAITING.with_borrow_mut(|waiting| {
             dispatch!(self.picker.level, simd =>
@@ -162,7 +169,8 @@ pub(crate) fn part_of(geometry: &Geometry<'_>, triangle: u32) -> usize {
     parts.partition_point(|part| part.first <= triangle).saturating_sub(1)
 }
 
-/// Visits the triangles in the leaves that a line of sight meets, what may be nearest first.
+/// Visits the triangles in the leaves that a line of sight meets, by block and place there, what may
+/// be nearest first.
 #[inline(always)]
 fn descend<S: Simd>(
     simd: S,
@@ -171,9 +179,10 @@ fn descend<S: Simd>(
     beam: &Beam,
     mut least: f32,
     waiting: &mut Waiting,
-    found: &mut dyn FnMut(u32) -> Option<f32>,
+    found: &mut dyn FnMut(&Block, usize) -> Option<f32>,
 ) {
     let nodes: &[Node] = geometry.bvh.nodes();
+    let ahead = Ahead { nodes, words: geometry.bvh.leaves().words() };
     waiting.clear();
     if !nodes.is_empty() {
         waiting.push((f32::INFINITY, Child::inner(0)));
@@ -183,13 +192,16 @@ fn descend<S: Simd>(
             continue;
         }
         if let Some(start) = child.as_block() {
-            geometry.bvh.leaves().each_number(start, &mut |number| {
-                least = found(number).unwrap_or(least);
+            geometry.bvh.leaves().each_block(start, &mut |block| {
+                for lane in 0..Head::of(block).count() {
+                    least = found(block, lane).unwrap_or(least);
+                }
             });
             continue;
         }
         let node = &nodes[child.0 as usize];
         let (_, mut bits) = meet(simd, node, &beam.slabs, beam.farthest);
+        ahead.read_children(node, bits);
         let bottom = waiting.len();
         while bits != 0 {
             let slot = bits.trailing_zeros() as usize & (WIDTH - 1);

@@ -143,7 +143,8 @@ pub(crate) fn axes(longest: usize) -> [usize; 3] {
 
 impl Sheared {
     pub(crate) fn new(origin: [f32; 3], direction: [f32; 3]) -> Self {
-        Self::with_inverse(&origin, &direction, &direction.map(|along| 1.0 / along))
+        let [x, y, z] = direction.map(|along| 1.0 / along);
+        Self::with_inverse(&origin, &direction, &[x, y, z, 0.0])
     }
 
     /// The same, with one over each component of the direction at hand.
@@ -151,7 +152,7 @@ impl Sheared {
     pub(crate) fn with_inverse(
         origin: &[f32; 3],
         direction: &[f32; 3],
-        inverse: &[f32; 3],
+        inverse: &[f32; 4],
     ) -> Self {
         let last = longest_axis(direction);
         let [x, y, z] = axes(last);

@@ -1,6 +1,6 @@
 //! Rays through one mesh: the nearest triangle, any, all, and millions of rays on all cores.
 
-use crate::alone::{TURNS, any, closest, closest_in_turns, nearest_alone};
+use crate::alone::{Begun, Lean, TURNS, any, begin, closest, closest_in_turns, nearest_alone};
 use crate::bundle::{Bundle, LEAST, closest_of_bundle};
 use crate::bvh::{Block, Box3, Bvh, Node, Places, Slabs, Walk, block, corners, number, step};
 use crate::intersect::{Nearest, Ray, Sheared, axes, meet_block};
@@ -86,10 +86,31 @@ impl<'m> MeshRays<'m> {
 
     /// The nearest triangle that a ray meets; `None` also for a ray that isn't sound.
     #[must_use]
+    #[inline]
     pub fn closest(&self, ray: &Ray) -> Option<RayHit> {
-        PLACES.with(
-            |[places, ..]| dispatch_long!(self.level, simd => closest(simd, self, ray, places)),
-        )
+        let mut hit = None;
+        match self.begin(ray) {
+            Begun::Unusual => hit = self.closest_unusual(ray),
+            Begun::Misses => {}
+            Begun::Meets(lean) => self.closest_within(ray, &lean, &mut hit),
+        }
+        hit
+    }
+
+    /// Most rays of a picture end here: in the function that asks, without what a large one begins and
+    /// ends with. Every level has vectors of four.
+    #[inline(always)]
+    fn begin(&self, ray: &Ray) -> Begun {
+        dispatch_long!(Level::baseline(), simd => begin(simd, self, ray))
+    }
+
+    /// The nearest triangle for a ray that meets the box around all, written where it is wanted: a copy
+    /// would wait for parts that were just stored.
+    #[inline(never)]
+    fn closest_within(&self, ray: &Ray, lean: &Lean, hit: &mut Option<RayHit>) {
+        PLACES.with(|[places, ..]| {
+            dispatch_long!(self.level, simd => *hit = closest(simd, self, ray, lean, places));
+        });
     }
 
     /// The nearest triangle for each of many rays, on all threads of the current pool.
@@ -118,7 +139,13 @@ impl<'m> MeshRays<'m> {
     /// Whether a ray meets anything: quicker than asking what.
     #[must_use]
     pub fn any(&self, ray: &Ray) -> bool {
-        PLACES.with(|places| dispatch_long!(self.level, simd => any(simd, self, ray, &places[0])))
+        match self.begin(ray) {
+            Begun::Unusual => self.nearest_unusual(ray).triangle != u32::MAX,
+            Begun::Misses => false,
+            Begun::Meets(lean) => PLACES.with(
+                |[places, ..]| dispatch_long!(self.level, simd => any(simd, self, ray, &lean, places)),
+            ),
+        }
     }
 
     /// Every triangle that a ray meets, nearest first, of equally near ones the lowest number first.
@@ -169,9 +196,9 @@ impl<'m> MeshRays<'m> {
         let mut nearest = Nearest::before(0.0);
         if ray.is_sound() && !ray.is_usual() {
             let (scaled, scale) = ray.scaled();
-            if scaled.is_usual() {
+            if let Begun::Meets(lean) = self.begin(&scaled) {
                 nearest = PLACES.with(
-                    |places| dispatch_long!(self.level, simd => nearest_alone(simd, self, &scaled, &places[0])),
+                    |[places, ..]| dispatch_long!(self.level, simd => nearest_alone(simd, self, &scaled, &lean, places)),
                 );
                 nearest.t *= scale;
             }
@@ -301,7 +328,12 @@ fn closest_of_rest<S: Simd>(
         closest_in_turns(simd, rays, followed, rest, hits, cells);
     } else {
         for place in rest {
-            hits[place] = closest(simd, rays, &followed[place], &cells[0]);
+            let ray = &followed[place];
+            hits[place] = match begin(simd, rays, ray) {
+                Begun::Unusual => rays.closest_unusual(ray),
+                Begun::Misses => None,
+                Begun::Meets(lean) => closest(simd, rays, ray, &lean, &cells[0]),
+            };
         }
     }
 }

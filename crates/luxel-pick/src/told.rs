@@ -8,6 +8,7 @@ use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
 use luxel_visibility::{Forms, InstanceSpace};
+use std::hint::black_box;
 
 /// What lies under a place of the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -129,16 +130,18 @@ impl PickView<'_> {
         let space = &instance.space;
         let geometry = self.geometry(instance);
         let mesh = geometry.mesh;
+        let attributes = mesh.attribute_corners()[triangle as usize].map(|at| at as usize);
+        let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
+        // Now, not when they are wanted: positions and normals both come from far, and so together.
+        black_box(&in_mesh);
         let forms = self.forms(instance, triangle);
         let in_view = forms.corners();
         let weights = forms.barycentric(&self.rays, position);
-        let attributes = mesh.attribute_corners()[triangle as usize].map(|at| at as usize);
 
         let about_eye = mix3(in_view.map(|corner| space.about_eye(corner.to_array())), weights);
         let along = self.camera.direction().as_vec3().to_array();
         let z = Vec3::new(about_eye.x, about_eye.y, about_eye.z)
             .dot(Vec3::new(along[0], along[1], along[2]));
-        let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
         let corners = in_view.map(|corner| corner.to_array());
         let normals = space.facing_normals(&corners, forms.towards_eye(), in_mesh);
         let normal = mix3(normals, weights).normalized_or_zero();

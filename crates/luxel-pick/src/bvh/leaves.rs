@@ -218,15 +218,6 @@ impl Leaves {
         }
     }
 
-    /// Visits the numbers of a leaf's triangles.
-    pub(crate) fn each_number(&self, start: usize, visit: &mut dyn FnMut(u32)) {
-        self.each_block(start, &mut |block| {
-            for lane in 0..Head::of(block).count() {
-                visit(number(block, lane));
-            }
-        });
-    }
-
     /// What they take, in bytes.
     pub(crate) fn memory(&self) -> usize {
         size_of_val(&self.words[..])

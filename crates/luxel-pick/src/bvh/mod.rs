@@ -15,7 +15,9 @@ mod traverse;
 
 pub(crate) use build::{Boxes, build};
 pub(crate) use leaves::{Block, Head, Leaves, Rows, block, corners, number, row, triangle_words};
-pub(crate) use traverse::{ALMOST_ZERO, PADDING, Places, Slabs, Walk, meet, moved, padding, step};
+pub(crate) use traverse::{
+    ALMOST_ZERO, Ahead, PADDING, Places, Slabs, Walk, meet, moved, padding, step,
+};
 
 use bytemuck::{Pod, Zeroable};
 use leaves::Mesh;

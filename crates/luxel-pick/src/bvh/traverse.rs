@@ -6,9 +6,10 @@
 //! of the largest coordinate. Rays may also widen with distance, as far as the samples of a pixel's
 //! grid reach; then the two origins' directions differ, too.
 
-use super::{Child, Node, WIDTH};
+use super::{Block, Child, Node, WIDTH};
 use luxel_math::{Level, Simd, dispatch_long, f32x8, prelude::*};
 use std::cell::Cell;
+use std::hint::black_box;
 use std::ops::{Add, Mul, Sub};
 
 /// A line as the test of boxes wants it.
@@ -187,7 +188,7 @@ impl Places {
         }
     }
 
-    /// The same for at least two, all but the nearest, whose word is the result.
+    /// The same for at least two, all but the nearest, whose word is the result; all are read ahead.
     #[inline(always)]
     pub(crate) fn push_farther(
         &self,
@@ -195,11 +196,14 @@ impl Places {
         words: &[u32; WIDTH],
         distances: &[f32; WIDTH],
         mut bits: u32,
+        ahead: Ahead<'_>,
     ) -> u32 {
         let bottom = *top;
         let mut nearest = take(words, distances, &mut bits);
+        ahead.read(Child(nearest as u32));
         loop {
             let key = take(words, distances, &mut bits);
+            ahead.read(Child(key as u32));
             self.insert(bottom, top, nearest.max(key));
             nearest = nearest.min(key);
             if bits == 0 {
@@ -228,6 +232,49 @@ fn take(words: &[u32; WIDTH], distances: &[f32; WIDTH], bits: &mut u32) -> u64 {
     // Distances are not negative, but for the sign of a zero.
     let distance = u64::from(distances[slot].to_bits() & !(1 << 31));
     distance << 32 | u64::from(words[slot])
+}
+
+/// What is visited soon, brought near: it is read without asking what it is, so that no one waits.
+#[derive(Clone, Copy)]
+pub(crate) struct Ahead<'t> {
+    pub(crate) nodes: &'t [Node],
+    /// Of the leaves.
+    pub(crate) words: &'t [u32],
+}
+
+impl Ahead<'_> {
+    /// Begins to read a node, each of its cache lines, or a leaf's first one.
+    #[inline(always)]
+    pub(crate) fn read(&self, child: Child) {
+        if let Some(start) = child.as_block() {
+            black_box(self.words[start]);
+        } else {
+            let node = &self.nodes[child.0 as usize];
+            let [[[x, ..], _], [[y, ..], _], [[z, ..], _]] = node.planes;
+            black_box(x);
+            black_box(y);
+            black_box(z);
+            black_box(node.children[0]);
+        }
+    }
+
+    /// Begins to read those of a node's children whose bit is set.
+    #[inline(always)]
+    pub(crate) fn read_children(&self, node: &Node, mut bits: u32) {
+        while bits != 0 {
+            let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+            bits &= bits - 1;
+            self.read(node.children[slot]);
+        }
+    }
+
+    /// Begins to read the lines that a block of no more than 48 words may have: where its rows are is
+    /// known only when the first line is there.
+    #[inline(always)]
+    pub(crate) fn read_block(block: &Block) {
+        black_box(block[16]);
+        black_box(block[32]);
+    }
 }
 
 /// A walk through all leaves whose boxes pass a test, in no particular order.
