@@ -17,6 +17,10 @@ const MOST_PROBES: f32 = 8.0;
 /// footprints that are nearly square need no second probe.
 const STRETCH_TOLERATED: f32 = 0.125;
 
+/// Beyond so many texels across or down there are numbers between which an `f32` can't tell; the rest
+/// of so large an image isn't looked at.
+const MOST_TEXELS: u32 = 1 << 24;
+
 /// What happens outside 0..1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wrap {
@@ -69,10 +73,10 @@ impl Sampler {
 }
 
 impl Texture {
-    /// The first `C` of linear red, green, blue and alpha at (u, v), (0, 0) being the image's upper left, seen
-    /// through a pixel over which the coordinates change by `per_pixel_x` = (du/dx, dv/dx) from
-    /// left to right and by `per_pixel_y` from top to bottom; in the lanes whose bit is set, others
-    /// get anything.
+    /// The first `C` of linear red, green, blue and alpha at (u, v), (0, 0) being the image's upper
+    /// left, seen through a pixel over which the coordinates change by `per_pixel_x` = (du/dx, dv/dx)
+    /// from left to right and by `per_pixel_y` from top to bottom. That is for the lanes whose bit is
+    /// set; what the others get means nothing.
     ///
     /// With P_x, P_y the lengths of the two in texels of level 0, P_max and P_min the longer and
     /// the shorter, there are N = ceil(P_max / max(P_min, 1)) probes (at most 8) along the longer
@@ -243,7 +247,8 @@ impl Texture {
         filter: Filter,
         lanes: u32,
     ) -> [N; C] {
-        let (width, height) = (u.constant(level.width as f32), u.constant(level.height as f32));
+        let [width, height] =
+            [level.width, level.height].map(|texels| u.constant(texels.min(MOST_TEXELS) as f32));
         let across = folded(u, self.sampler.wrap_u) * width;
         let down = folded(v, self.sampler.wrap_v) * height;
         let table = self.image.encoding.table();

@@ -127,3 +127,47 @@ fn the_smaller_and_the_larger_of_two_have_the_same_bits_at_every_level_and_in_pi
         }
     }
 }
+
+/// Whole numbers as integers from lane `first` on, and the lanes that are visited.
+#[inline(always)]
+fn whole_and_visited<N: Number>(
+    like: N,
+    values: &[f32; LANES],
+    first: usize,
+    lanes: u32,
+) -> ([u32; LANES], Vec<usize>) {
+    let mut whole = [u32::MAX; LANES];
+    like.load(values, first).store_whole(&mut whole, first);
+    let mut visited = Vec::new();
+    like.visit(
+        lanes,
+        #[inline(always)]
+        |lane| visited.push(lane),
+    );
+    (whole, visited)
+}
+
+#[test]
+fn whole_numbers_are_stored_as_they_are_and_only_asked_lanes_visited() {
+    #[inline(always)]
+    fn check<S: Simd>(simd: S) {
+        let values: [f32; LANES] = std::array::from_fn(|lane| (lane * lane * 74_565) as f32);
+        let expected = |lane: usize| (lane * lane * 74_565) as u32;
+        for lanes in [0, 1, 0x8001, 0xffff, 0x0ff0, 0x5a] {
+            let of = |lanes: u32| (0..LANES).filter(move |lane| lanes >> lane & 1 == 1);
+            let (whole, visited) = whole_and_visited(f32x16::splat(simd, 0.0), &values, 0, lanes);
+            assert!((0..LANES).all(|lane| whole[lane] == expected(lane)));
+            assert!(visited.into_iter().eq(of(lanes)));
+            let (whole, visited) =
+                whole_and_visited(f32x8::splat(simd, 0.0), &values, 8, lanes & 0xff);
+            assert!((8..LANES).all(|lane| whole[lane] == expected(lane)));
+            assert!(visited.into_iter().eq(of(lanes & 0xff)));
+            let (whole, visited) = whole_and_visited(0.0_f32, &values, 5, lanes & 1);
+            assert_eq!(whole[5], expected(5));
+            assert!(visited.into_iter().eq(of(lanes & 1)));
+        }
+    }
+    for level in SimdLevel::available() {
+        dispatch!(level.resolve().unwrap(), simd => check(simd));
+    }
+}

@@ -1,6 +1,7 @@
 use super::*;
 use crate::Encoding;
 use crate::texture::Image;
+use luxel_math::{Simd, SimdLevel, dispatch, f32x16, prelude::*};
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -237,6 +238,52 @@ fn long_footprints_keep_detail_across() {
     assert_near(square, [128.0 / 255.0; 4], 1e-5);
     let across = texture.sample([0.4, v], [0.0, 8.0 / 64.0], [1.0 / 64.0, 0.0], 1);
     assert_near(across, [0.5; 4], 0.1);
+}
+
+/// Samples the first lanes, as many as are seen, and one after the other.
+#[inline(always)]
+fn sixteen<S: Simd>(simd: S, texture: &Texture, rows: &[[f32; LANES]; 6], lanes: u32) {
+    let [u, v, u_by_x, v_by_x, u_by_y, v_by_y] = rows.map(|row| f32x16::simd_from(simd, row));
+    let together: [f32x16<S>; 4] =
+        texture.sample([u, v], [u_by_x, v_by_x], [u_by_y, v_by_y], lanes);
+    let colors: [f32x16<S>; 3] = texture.sample([u, v], [u_by_x, v_by_x], [u_by_y, v_by_y], lanes);
+    for lane in (0..LANES).filter(|lane| lanes >> lane & 1 == 1) {
+        let [u, v, u_by_x, v_by_x, u_by_y, v_by_y] = rows.map(|row| row[lane]);
+        let alone: [f32; 4] = texture.sample([u, v], [u_by_x, v_by_x], [u_by_y, v_by_y], 1);
+        let bits = |color: [f32; 4]| color.map(f32::to_bits);
+        assert_eq!(bits(together.map(|channel| channel[lane])), bits(alone), "{u} {v}");
+        let [r, g, b] = colors.map(|channel| channel[lane]);
+        assert_eq!(bits([r, g, b, alone[3]]), bits(alone), "{u} {v}");
+    }
+}
+
+#[test]
+fn lanes_get_the_bits_that_one_alone_gets_at_every_level() {
+    let mut state = 7_u32;
+    let mut number = |scale: f32| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        scale * ((state >> 8) as f32 / 8_388_608.0 - 1.0)
+    };
+    for round in 0..400 {
+        let [wrap_u, wrap_v] = [WRAPS[round % 3], WRAPS[round / 3 % 3]];
+        let [magnify, minify, between] = [0, 1, 2]
+            .map(|bit| if round >> bit & 1 == 0 { Filter::Linear } else { Filter::Nearest });
+        let mipmap = (round % 5 != 0).then_some(between);
+        let sampler = Sampler { wrap_u, wrap_v, magnify, minify, mipmap };
+        let mut texture = texture(37, 20, noise(37, 20), sampler);
+        if round % 2 == 0 {
+            let image = Image::new("", Encoding::Srgb, 37, 20, noise(37, 20));
+            texture.image = Arc::new(image);
+        }
+        // From much less than a texel to all of them, square or long.
+        let widest = [0.001, 0.05, 0.3, 3.0][round / 7 % 4];
+        let scales = [2.0, 2.0, widest, widest, 0.2 * widest, 0.2 * widest];
+        let rows = scales.map(|scale| [(); LANES].map(|()| number(scale)));
+        let lanes = if round % 3 == 0 { 0xffff } else { number(32_000.0) as i32 as u32 & 0xffff };
+        for level in SimdLevel::available() {
+            dispatch!(level.resolve().unwrap(), simd => sixteen(simd, &texture, &rows, lanes));
+        }
+    }
 }
 
 proptest! {
