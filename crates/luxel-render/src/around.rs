@@ -31,7 +31,7 @@ impl Renderer<'_> {
             pixel[1].saturating_sub(part.height / 2).min(height - part.height),
         ];
         let mut pixels = vec![[0; 4]; part.width as usize * part.height as usize];
-        self.with_scene(view, Covers::DRAWN, None, |scene, holes| {
+        self.with_scene(view, Covers::DRAWN, None, |scene, cutouts| {
             let mut worker = Worker::new(scene.frame.samples());
             let finish = Bytes(view.encoding);
             let mut drawn: Box<TilePixels<_>> = Box::new([[0; 4]; (TILE * TILE) as usize]);
@@ -45,7 +45,7 @@ impl Renderer<'_> {
             for row in top / tile..=(top + high - 1) / tile {
                 for column in left / tile..=(left + wide - 1) / tile {
                     let number = row * across + column;
-                    self.draw_tile(scene, holes, number, &mut worker, &finish, &mut drawn);
+                    self.draw_tile(scene, cutouts, number, &mut worker, &finish, &mut drawn);
                     // The columns and rows of the picture that the tile and the part share.
                     let columns = left.max(column * tile)..(left + wide).min((column + 1) * tile);
                     for y in top.max(row * tile)..(top + high).min((row + 1) * tile) {

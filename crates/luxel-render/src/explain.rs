@@ -95,7 +95,7 @@ impl Renderer<'_> {
         only: Option<[i32; 2]>,
     ) -> Result<Vec<Explanation>, RenderError> {
         let view = View { edges: None, ..view.clone() };
-        self.with_scene(&view, Covers::DRAWN, only.map(Samples::one_at), |scene, holes| {
+        self.with_scene(&view, Covers::DRAWN, only.map(Samples::one_at), |scene, cutouts| {
             let mut worker = Worker::new(scene.frame.samples());
             let mut kept = Kept::new();
             let [across, _] = scene.frame.tiles();
@@ -104,11 +104,11 @@ impl Renderer<'_> {
             let mut explain = |&pixel: &[u32; 2]| {
                 let number = tile_of(pixel[1]) * across + tile_of(pixel[0]);
                 if drawn != Some(number) {
-                    let hole = |id, position| holes.hole(scene.frame, id, position);
-                    scene.frame.draw_opaque(self.level(), number, &hole, &mut worker.opaque);
+                    let holes = cutouts.finder(scene.frame, self.level());
+                    scene.frame.draw_opaque(self.level(), number, &holes, &mut worker.opaque);
                     layers.clear();
                     let mut keep = |layer: &Tile| layers.push(layer.clone());
-                    self.peel(scene, number, &hole, &mut worker, &mut keep);
+                    self.peel(scene, number, &holes, &mut worker, &mut keep);
                     drawn = Some(number);
                 }
                 let place = Tile::place(pixel[0] as i32 % TILE, pixel[1] as i32 % TILE);

@@ -4,7 +4,7 @@ mod prepared;
 
 use crate::edges::EdgeFlags;
 use crate::explain::lights_with_terms;
-use crate::holes::Holes;
+use crate::holes::Cutouts;
 use crate::layers::{Layer, LayerPixel, LayerValues, LayerView, tile_layer};
 use crate::place::{self, Covers};
 use crate::plain::{is_plain, uniform};
@@ -18,7 +18,7 @@ use luxel_lighting::{Environment, Reflection};
 use luxel_math::{Level, UnavailableSimdLevel, dispatch_long};
 use luxel_scene::{Object, Scene, Size};
 use luxel_visibility::{
-    Clusters, Frame, Frames, InstanceSpace, Samples, Tile, TooManyTriangles, strokes,
+    Clusters, Frame, Frames, Holes, InstanceSpace, Samples, Tile, TooManyTriangles, strokes,
 };
 use rayon::prelude::*;
 use std::sync::{Mutex, OnceLock};
@@ -227,7 +227,7 @@ impl<'s> Renderer<'s> {
         }
         // Where nothing is let through but what is wholly transparent, the nearest surface counts.
         let view = View { samples: 1, edges: None, ..view.clone() };
-        self.with_scene(&view, Covers::NEAREST, None, |scene, holes| {
+        self.with_scene(&view, Covers::NEAREST, None, |scene, cutouts| {
             let layer_view = LayerView {
                 lights: lights_with_terms(&view),
                 projection: view.camera.projection,
@@ -243,8 +243,8 @@ impl<'s> Renderer<'s> {
                         None,
                         || (Tile::new(1), Kept::new()),
                         |(tile, kept), number, pixels| {
-                            let hole = |id, position| holes.hole(scene.frame, id, position);
-                            scene.frame.draw_opaque(self.level, number, &hole, tile);
+                            let holes = cutouts.finder(scene.frame, self.level());
+                            scene.frame.draw_opaque(self.level, number, &holes, tile);
                             dispatch_long!(self.level, simd => {
                                 tile_layer(simd, scene, &layer_view, layer, tile, kept, pixels);
                             });
@@ -269,7 +269,7 @@ impl<'s> Renderer<'s> {
         picture: &mut Picture<F::Pixel>,
     ) -> Result<(), RenderError> {
         let start = (self.clock)();
-        self.with_scene(view, Covers::DRAWN, None, |scene, holes| {
+        self.with_scene(view, Covers::DRAWN, None, |scene, cutouts| {
             let binned = (self.clock)();
             let sums = Mutex::new(Stages::default());
             draw_tiles(
@@ -279,7 +279,7 @@ impl<'s> Renderer<'s> {
                 || Worker::new(scene.frame.samples()),
                 |worker, number, pixels| {
                     let begin = (self.clock)();
-                    let visible = self.draw_tile(scene, holes, number, worker, finish, pixels);
+                    let visible = self.draw_tile(scene, cutouts, number, worker, finish, pixels);
                     let end = (self.clock)();
                     if let Ok(mut sums) = sums.lock() {
                         sums.visibility += visible - begin;
@@ -312,15 +312,15 @@ impl<'s> Renderer<'s> {
     pub(crate) fn draw_tile<F: Finish>(
         &self,
         scene: &Scene16<'_>,
-        holes: &Holes<'_>,
+        cutouts: &Cutouts<'_>,
         number: usize,
         worker: &mut Worker,
         finish: &F,
         pixels: &mut TilePixels<F::Pixel>,
     ) -> Duration {
-        let hole = |id, position| holes.hole(scene.frame, id, position);
-        scene.frame.draw_opaque(self.level, number, &hole, &mut worker.opaque);
-        let layered = self.peel(scene, number, &hole, worker, &mut |_| {});
+        let holes = cutouts.finder(scene.frame, self.level());
+        scene.frame.draw_opaque(self.level, number, &holes, &mut worker.opaque);
+        let layered = self.peel(scene, number, &holes, worker, &mut |_| {});
         let visible = (self.clock)();
         dispatch_long!(self.level, simd => tile_pixels(simd, scene, worker, layered, finish, pixels));
         visible
@@ -333,7 +333,7 @@ impl<'s> Renderer<'s> {
         &self,
         scene: &Scene16<'_>,
         number: usize,
-        hole: &luxel_visibility::Hole<'_>,
+        holes: &dyn Holes,
         worker: &mut Worker,
         listen: &mut dyn FnMut(&Tile),
     ) -> bool {
@@ -343,7 +343,7 @@ impl<'s> Renderer<'s> {
         let Worker { opaque, layers: [here, last], layered, kept, .. } = worker;
         for depth in 0..MAX_LAYERS {
             let behind = (depth > 0).then_some(&*last);
-            if !scene.frame.draw_layer(self.level, number, hole, opaque, behind, here) {
+            if !scene.frame.draw_layer(self.level, number, holes, opaque, behind, here) {
                 return depth > 0;
             }
             listen(here);
@@ -367,12 +367,12 @@ impl<'s> Renderer<'s> {
         view: &View,
         covers: Covers,
         samples: Option<Samples>,
-        work: impl FnOnce(&Scene16<'_>, &Holes<'_>) -> R + Send,
+        work: impl FnOnce(&Scene16<'_>, &Cutouts<'_>) -> R + Send,
     ) -> Result<R, RenderError> {
         let mut work = Some(work);
         let mut result = None;
-        self.put_in_place(view, covers, samples, &mut |scene, holes| {
-            result = work.take().map(|work| work(scene, holes));
+        self.put_in_place(view, covers, samples, &mut |scene, cutouts| {
+            result = work.take().map(|work| work(scene, cutouts));
         })?;
         Ok(result.unwrap_or_else(|| unreachable!("the work is done once")))
     }
@@ -383,7 +383,7 @@ impl<'s> Renderer<'s> {
         view: &View,
         covers: Covers,
         samples: Option<Samples>,
-        work: &mut (dyn FnMut(&Scene16<'_>, &Holes<'_>) + Send),
+        work: &mut (dyn FnMut(&Scene16<'_>, &Cutouts<'_>) + Send),
     ) -> Result<(), RenderError> {
         let Size { width, height } = view.size;
         if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
@@ -449,12 +449,12 @@ impl<'s> Renderer<'s> {
                 polygons: &polygons,
                 subdivided: &subdivided,
             };
-            let holes = Holes {
+            let cutouts = Cutouts {
                 scene: self.scene,
                 wires: view.edges.filter(|edges| edges.wireframe),
                 edge_flags: &edge_flags,
             };
-            work(&scene, &holes);
+            work(&scene, &cutouts);
             Ok(())
         })
     }

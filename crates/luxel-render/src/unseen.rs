@@ -78,19 +78,19 @@ impl Renderer<'_> {
         let sample = Samples::one_at(steps.map(|steps| steps % SUBPIXELS));
         let view = View { edges: None, ..view.clone() };
         let eye = view.camera.eye();
-        self.with_scene(&view, Covers::LAYERS, Some(sample), |scene, holes| {
+        self.with_scene(&view, Covers::LAYERS, Some(sample), |scene, cutouts| {
             let frame = scene.frame;
-            let hole = |id, position| holes.hole(frame, id, position);
+            let holes = cutouts.finder(frame, self.level());
             let [across, _] = frame.tiles();
             let number = (pixel[1] / TILE) as usize * across + (pixel[0] / TILE) as usize;
             let (block, lane) = Tile::place(pixel[0] % TILE, pixel[1] % TILE);
             let mut nothing = Tile::new(1);
-            frame.draw_opaque(self.level(), number, &hole, &mut nothing);
+            frame.draw_opaque(self.level(), number, &holes, &mut nothing);
             let (mut here, mut last) = (Tile::new(1), Tile::new(1));
             let mut found = Vec::new();
             while found.len() < MOST_BELOW {
                 let behind = (!found.is_empty()).then_some(&last);
-                frame.draw_layer(self.level(), number, &hole, &nothing, behind, &mut here);
+                frame.draw_layer(self.level(), number, &holes, &nothing, behind, &mut here);
                 let id = TriangleId(here.planes()[0].ids[block][lane]);
                 let Some(of) = frame.triangle(id) else { break };
                 let weights = frame.forms(of).barycentric(frame.rays(), steps);
@@ -129,9 +129,9 @@ impl Renderer<'_> {
             return Err(RenderError::Outside(view.size));
         }
         let view = View { edges: None, samples: 1, ..view.clone() };
-        self.with_scene(&view, Covers::NEAREST, None, |scene, holes| {
+        self.with_scene(&view, Covers::NEAREST, None, |scene, cutouts| {
             let frame = scene.frame;
-            let hole = |id, position| holes.hole(frame, id, position);
+            let holes = cutouts.finder(frame, self.level());
             let tile_side = TILE as u32;
             let [across, _] = frame.tiles();
             let mut tile = Tile::new(1);
@@ -144,7 +144,7 @@ impl Renderer<'_> {
             for row in first[1]..=last[1] {
                 for column in first[0]..=last[0] {
                     let number = row as usize * across + column as usize;
-                    frame.draw_opaque(self.level(), number, &hole, &mut tile);
+                    frame.draw_opaque(self.level(), number, &holes, &mut tile);
                     for (x, y) in (0..TILE).flat_map(|y| (0..TILE).map(move |x| (x, y))) {
                         let (block, lane) = Tile::place(x, y);
                         let id = TriangleId(tile.planes()[0].ids[block][lane]);

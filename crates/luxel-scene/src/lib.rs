@@ -38,6 +38,7 @@ pub use mesh::{Bounds, Lines, Mesh, NormalFault, Part, Points};
 pub use node::{CameraId, LightId, MaterialId, MeshId, Node, NodeId, TextureId};
 pub use normal_map::mapped_normal;
 pub use normals::{DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource};
+pub use opacity::{OpacityCorners, OpacityLanes};
 pub use restyle::Restyle;
 pub use sampler::{Filter, Sampler, Wrap};
 pub use scene::{EnvironmentChoice, Object, Scene};

@@ -1,10 +1,71 @@
 //! Where a surface isn't there: texels cut away, and what is wholly transparent.
 
 use crate::{AlphaMode, Mesh, Scene, SceneMaterial, TextureUse};
+use luxel_math::{Mask, Number};
+
+/// What a triangle's opacity is mixed from: its corners, as rows that lanes can be read from.
+///
+/// Three texture coordinates of the base colour's set and the opacities of two colours; three of the
+/// opacity map's set, that of the third colour, and 1 if there are colours.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct OpacityCorners([[f32; 8]; 2]);
+
+impl OpacityCorners {
+    /// The corners of a triangle of a mesh; what the mesh lacks is 0.
+    ///
+    /// # Panics
+    /// If the mesh has no such triangle.
+    #[must_use]
+    pub fn new(mesh: &Mesh, triangle: u32, material: &SceneMaterial) -> Self {
+        let corners = mesh.attribute_corners()[triangle as usize].map(|corner| corner as usize);
+        let uvs = |used: Option<TextureUse>| {
+            let set = used.map(|used| &mesh.uvs[usize::from(used.uv_set & 1)]);
+            corners.map(|corner| set.and_then(|set| set.get(corner)).copied().unwrap_or_default())
+        };
+        let [[u0, v0], [u1, v1], [u2, v2]] = uvs(material.base_color);
+        let [[s0, t0], [s1, t1], [s2, t2]] = uvs(material.opacity_map);
+        let colored = !mesh.colors.is_empty() && material.vertex_colors;
+        let [a, b, c] =
+            if colored { corners.map(|corner| mesh.colors[corner][3]) } else { [0.0; 3] };
+        let is_colored = if colored { 1.0 } else { 0.0 };
+        Self([[u0, v0, u1, v1, u2, v2, a, b], [s0, t0, s1, t1, s2, t2, c, is_colored]])
+    }
+
+    /// One triangle's corners in every lane; `like` tells only the kind of number.
+    #[inline(always)]
+    #[must_use]
+    pub fn everywhere<N: Number>(&self, like: N) -> OpacityLanes<N> {
+        let mut rows = [[like; 8]; 2];
+        for (lanes, row) in rows.as_flattened_mut().iter_mut().zip(self.0.as_flattened()) {
+            *lanes = like.constant(*row);
+        }
+        OpacityLanes(rows)
+    }
+
+    /// Each lane's own corners, from `of(lane)`; `like` tells only the kind of number. The closure is
+    /// to be marked `#[inline(always)]`.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_lanes<'c, N: Number>(like: N, of: impl Fn(usize) -> &'c Self) -> OpacityLanes<N> {
+        let first = like.columns(
+            #[inline(always)]
+            |lane| &of(lane).0[0],
+        );
+        let second = like.columns(
+            #[inline(always)]
+            |lane| &of(lane).0[1],
+        );
+        OpacityLanes([first, second])
+    }
+}
+
+/// [`OpacityCorners`] of a triangle for each lane.
+#[derive(Clone, Copy, Debug)]
+pub struct OpacityLanes<N>([[N; 8]; 2]);
 
 impl Scene {
-    /// Whether a triangle of a mesh has a hole at the place with these barycentrics: its alpha
-    /// there, by the textures' finest level, is below a mask's cutoff, or is 0 and blended.
+    /// Whether a triangle of a mesh has a hole at the place with these barycentrics: see
+    /// [`Scene::holes`].
     ///
     /// # Panics
     /// If the mesh has no such triangle.
@@ -16,42 +77,76 @@ impl Scene {
         barycentric: [f32; 3],
         material: &SceneMaterial,
     ) -> bool {
-        match material.alpha_mode {
-            AlphaMode::Opaque => false,
-            AlphaMode::Mask { cutoff } => {
-                self.alpha(mesh, triangle, barycentric, material) < cutoff
-            }
-            AlphaMode::Blend => self.alpha(mesh, triangle, barycentric, material) <= 0.0,
+        material.alpha_mode != AlphaMode::Opaque && {
+            let corners = OpacityCorners::new(mesh, triangle, material);
+            self.holes(material, &corners.everywhere(0.0_f32), barycentric, 1) != 0
         }
     }
 
-    /// The alpha of a surface at a place of a triangle.
-    fn alpha(
+    /// The lanes, of those whose bit is set, in which a triangle of this material has a hole at the
+    /// place with these barycentrics: its alpha there, by the textures' finest level, is below a
+    /// mask's cutoff, or is 0 and blended.
+    #[must_use]
+    #[inline(always)]
+    pub fn holes<N: Number>(
         &self,
-        mesh: &Mesh,
-        triangle: u32,
-        weights: [f32; 3],
         material: &SceneMaterial,
-    ) -> f32 {
-        let corners = mesh.attribute_corners()[triangle as usize].map(|corner| corner as usize);
-        let mix = |at: [f32; 3]| at[0] * weights[0] + at[1] * weights[1] + at[2] * weights[2];
-        let sample = |used: TextureUse| {
-            let uvs = &mesh.uvs[usize::from(used.uv_set & 1)];
-            let [u, v] = [0, 1]
-                .map(|axis| mix(corners.map(|corner| uvs.get(corner).map_or(0.0, |uv| uv[axis]))));
-            let [u, v] = used.transformed([u, v]);
-            self.textures[used.texture.index()].sample_base(u, v)
+        corners: &OpacityLanes<N>,
+        barycentric: [N; 3],
+        lanes: u32,
+    ) -> u32 {
+        let like = barycentric[0];
+        let holes = match material.alpha_mode {
+            AlphaMode::Opaque => return 0,
+            AlphaMode::Mask { cutoff } => {
+                self.alpha(material, corners, barycentric, lanes).less(like.constant(cutoff))
+            }
+            AlphaMode::Blend => {
+                self.alpha(material, corners, barycentric, lanes).less_or_equal(like.zero())
+            }
         };
-        let mut alpha = material.opacity;
-        if !mesh.colors.is_empty() && material.vertex_colors {
-            alpha *= mix(corners.map(|corner| mesh.colors[corner][3]));
+        holes.bits() & lanes
+    }
+
+    /// The alpha of a surface at places of triangles.
+    #[inline(always)]
+    fn alpha<N: Number>(
+        &self,
+        material: &SceneMaterial,
+        OpacityLanes([first, second]): &OpacityLanes<N>,
+        weights: [N; 3],
+        lanes: u32,
+    ) -> N {
+        let one = weights[0].one();
+        let mut alpha = one.constant(material.opacity);
+        let colored = one.equal(second[7]);
+        if colored.any() {
+            let opacity = mix([first[6], first[7], second[6]], weights);
+            alpha = (alpha * opacity).select(colored, alpha);
         }
-        if let Some(used) = material.base_color {
-            alpha *= sample(used)[3];
+        if let Some(used) = &material.base_color {
+            let [u, v] = used.transformed(uv(first, weights));
+            let texture = &self.textures[used.texture.index()];
+            let [opacity] = texture.sample_base::<N, 3, 1>(u, v, lanes);
+            alpha = alpha * opacity;
         }
-        if let Some(used) = material.opacity_map {
-            alpha *= sample(used)[0];
+        if let Some(used) = &material.opacity_map {
+            let [u, v] = used.transformed(uv(second, weights));
+            let texture = &self.textures[used.texture.index()];
+            let [opacity] = texture.sample_base::<N, 0, 1>(u, v, lanes);
+            alpha = alpha * opacity;
         }
         alpha
     }
+}
+
+/// Texture coordinates between three corners.
+#[inline(always)]
+fn uv<N: Number>([u0, v0, u1, v1, u2, v2, ..]: &[N; 8], weights: [N; 3]) -> [N; 2] {
+    [mix([*u0, *u1, *u2], weights), mix([*v0, *v1, *v2], weights)]
+}
+
+#[inline(always)]
+fn mix<N: Number>(at: [N; 3], weights: [N; 3]) -> N {
+    at[0] * weights[0] + at[1] * weights[1] + at[2] * weights[2]
 }

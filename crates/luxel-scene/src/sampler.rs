@@ -150,14 +150,20 @@ impl Texture {
         sum
     }
 
-    /// The value of level 0 at (u, v), for questions that must not depend on the pixel, such as
-    /// alpha masks: filtered as where a texel covers more than a pixel.
+    /// `C` channels from the `FIRST` on of level 0 at (u, v), for questions that must not depend on
+    /// the pixel, such as alpha masks: filtered as where a texel covers more than a pixel. That is for
+    /// the lanes whose bit is set; what the others get means nothing.
     #[must_use]
-    #[inline]
-    pub fn sample_base(&self, u: f32, v: f32) -> [f32; 4] {
+    #[inline(always)]
+    pub fn sample_base<N: Number, const FIRST: usize, const C: usize>(
+        &self,
+        u: N,
+        v: N,
+        lanes: u32,
+    ) -> [N; C] {
         match self.image.levels.first() {
-            Some(base) => self.filtered(base, u, v, self.sampler.magnify, 1),
-            None => [0.0; 4],
+            Some(base) => self.filtered::<N, FIRST, C>(base, u, v, self.sampler.magnify, lanes),
+            None => [u.zero(); C],
         }
     }
 
@@ -228,7 +234,7 @@ impl Texture {
             left &= !here;
             let filter = if key & 1 == 0 { Filter::Nearest } else { Filter::Linear };
             let Some(level) = self.image.levels.get((key >> 1) as usize) else { continue };
-            let filtered: [N; C] = self.filtered(level, u, v, filter, here);
+            let filtered = self.filtered::<N, 0, C>(level, u, v, filter, here);
             let mask = u.mask_of(here);
             for (value, filtered) in value.iter_mut().zip(filtered) {
                 *value = filtered.select(mask, *value);
@@ -237,9 +243,9 @@ impl Texture {
         value
     }
 
-    /// The values within one level.
+    /// The values within one level: `C` channels from the `FIRST` on.
     #[inline(always)]
-    fn filtered<N: Number, const C: usize>(
+    fn filtered<N: Number, const FIRST: usize, const C: usize>(
         &self,
         level: &MipLevel,
         u: N,
@@ -257,7 +263,7 @@ impl Texture {
             Filter::Nearest => {
                 across.floor().minimum(width - u.one()).store_whole(&mut left, 0);
                 down.floor().minimum(height - u.one()).store_whole(&mut upper, 0);
-                let mut texels = Texels::new();
+                let mut texels = Texels::<FIRST, C>::new();
                 u.visit(
                     lanes,
                     #[inline(always)]
@@ -268,7 +274,7 @@ impl Texture {
             Filter::Linear => {
                 let x = neighbours(across, width, self.sampler.wrap_u, [&mut left, &mut right]);
                 let y = neighbours(down, height, self.sampler.wrap_v, [&mut upper, &mut lower]);
-                let mut texels = [const { Texels::new() }; 4];
+                let mut texels = [const { Texels::<FIRST, C>::new() }; 4];
                 u.visit(
                     lanes,
                     #[inline(always)]
@@ -294,10 +300,10 @@ impl MipLevel {
     }
 }
 
-/// A texel for each lane, by channel.
-struct Texels<const C: usize>([[f32; LANES]; C]);
+/// A texel for each lane: `C` channels from the `FIRST` on.
+struct Texels<const FIRST: usize, const C: usize>([[f32; LANES]; C]);
 
-impl<const C: usize> Texels<C> {
+impl<const FIRST: usize, const C: usize> Texels<FIRST, C> {
     const fn new() -> Self {
         Self([[0.0; LANES]; C])
     }
@@ -305,9 +311,9 @@ impl<const C: usize> Texels<C> {
     /// `colors` are the linear values of the bytes of red, green and blue.
     #[inline(always)]
     fn put(&mut self, lane: usize, texel: [u8; 4], colors: &[f32; 256]) {
-        for (number, (channel, byte)) in self.0.iter_mut().zip(texel).enumerate() {
+        for (number, channel) in (FIRST..).zip(&mut self.0) {
             let table = if number < 3 { colors } else { &BYTE_TO_UNIT };
-            channel[lane] = table[usize::from(byte)];
+            channel[lane] = table[usize::from(texel[number])];
         }
     }
 

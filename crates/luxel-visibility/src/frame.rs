@@ -6,6 +6,7 @@ use crate::buffer::{Plane, TILE, Tile, TriangleId};
 use crate::cluster::{Block, Carried, Clusters, Numbers, SLOT_BITS};
 use crate::cull::{BackFaces, MAX_SIDE, VisibleCluster, cull_group};
 use crate::facing::Onlooker;
+use crate::holes::Holes;
 use crate::open::corners;
 use crate::samples::Samples;
 use crate::setup::CullFaces;
@@ -50,9 +51,6 @@ pub enum Coverage {
     /// Lets it through: drawn in layers.
     Blended,
 }
-
-/// Holes in triangles, asked for one sample at a time: position in steps of 1/256 pixel.
-pub type Hole<'a> = dyn Fn(TriangleId, [i32; 2]) -> bool + Sync + 'a;
 
 /// A triangle by what a scene calls it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -240,10 +238,10 @@ impl<'a> Frame<'a> {
     }
 
     /// Draws what is opaque in a tile, from nothing.
-    pub fn draw_opaque(&self, level: Level, number: usize, hole: &Hole<'_>, tile: &mut Tile) {
+    pub fn draw_opaque(&self, level: Level, number: usize, holes: &dyn Holes, tile: &mut Tile) {
         let [x, y] = self.tile_origin(number);
         tile.clear(x, y, self.size);
-        self.draw(level, &self.opaque, number, hole, None, tile);
+        self.draw(level, &self.opaque, number, holes, None, tile);
     }
 
     /// Draws the nearest blended layer of a tile: before `opaque`, and behind the layers that were
@@ -254,7 +252,7 @@ impl<'a> Frame<'a> {
         &self,
         level: Level,
         number: usize,
-        hole: &Hole<'_>,
+        holes: &dyn Holes,
         opaque: &Tile,
         behind: Option<&Tile>,
         tile: &mut Tile,
@@ -264,7 +262,7 @@ impl<'a> Frame<'a> {
             return false;
         }
         let behind = behind.map(Tile::planes);
-        self.draw(level, &self.blended, number, hole, behind, tile);
+        self.draw(level, &self.blended, number, holes, behind, tile);
         let changed = |(layer, opaque): (&Plane, &Plane)| layer.ids != opaque.ids;
         tile.planes().iter().zip(opaque.planes()).any(changed)
     }
@@ -275,11 +273,11 @@ impl<'a> Frame<'a> {
         level: Level,
         bins: &Bins,
         number: usize,
-        hole: &Hole<'_>,
+        holes: &dyn Holes,
         behind: Option<&[Plane]>,
         tile: &mut Tile,
     ) {
-        dispatch!(level, simd => tile::draw(simd, self, bins.of_tile(number), hole, behind, tile));
+        dispatch!(level, simd => tile::draw(simd, self, bins.of_tile(number), holes, behind, tile));
     }
 
     /// What a scene calls the triangle of an id; `None` for [`TriangleId::NONE`].

@@ -25,6 +25,7 @@ mod cull;
 mod cut;
 mod facing;
 mod frame;
+mod holes;
 mod open;
 mod order;
 mod probe;
@@ -42,9 +43,8 @@ pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
 pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
 pub use cluster::{CLUSTER_TRIANGLES, Carried, Clusters, Frames};
 pub use cull::MAX_SIDE;
-pub use frame::{
-    Coverage, Frame, Hole, Instance, PartUse, SeenCluster, TooManyTriangles, TriangleOf,
-};
+pub use frame::{Coverage, Frame, Instance, PartUse, SeenCluster, TooManyTriangles, TriangleOf};
+pub use holes::{Asked, Holes};
 pub use probe::{Probe, Reach};
 pub use samples::{MAX_SAMPLES, Samples};
 pub use setup::{Cull, CullFaces};

@@ -5,6 +5,7 @@
 //! drawing nor on what was culled on the way.
 
 use crate::buffer::{BLOCK, BLOCKS, LANE_X, LANE_Y, Plane, Tile, TriangleId};
+use crate::holes::{Asked, Holes};
 use crate::setup::{Region, Triangle};
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
 
@@ -14,8 +15,8 @@ pub(crate) struct Rules<'a> {
     pub(crate) offsets: &'a [[i32; 2]],
     /// The order in which triangles were submitted.
     pub(crate) submitted: &'a dyn Fn(TriangleId) -> u64,
-    /// Holes in triangles.
-    pub(crate) hole: Option<&'a dyn Fn(TriangleId, [i32; 2]) -> bool>,
+    /// Holes in triangles, if there are any.
+    pub(crate) holes: Option<&'a dyn Holes>,
     /// Only what lies behind these samples counts: the last layer peeled off.
     pub(crate) behind: Option<&'a [Plane]>,
 }
@@ -139,46 +140,49 @@ fn cover_few(
                 [(pixels.x + x) * SUBPIXELS + offset[0], (pixels.y + y) * SUBPIXELS + offset[1]];
             let z = triangle.depth.at(position);
             let (column, row) = (pixels.x + x - tile.region.x, pixels.y + y - tile.region.y);
-            let (block, lane) = Tile::place(column, row);
-            put(id, z, (block, lane), rules, tile, sample);
+            let place = Tile::place(column, row);
+            if !wins(id, z, place, rules, tile, sample) {
+                continue;
+            }
+            if rules.holes.is_some_and(|holes| holes.holes(&Asked::one(id, position)) != 0) {
+                continue;
+            }
+            put(id, z, place, tile, sample);
         }
     }
 }
 
-/// Puts one sample of a triangle into its block and lane, if it wins there.
+/// Whether one sample of a triangle wins in its block and lane, but for holes.
 #[inline(always)]
-pub(crate) fn put(
+pub(crate) fn wins(
     id: TriangleId,
     z: f32,
-    (block, lane): (usize, usize),
+    place: (usize, usize),
     rules: &Rules<'_>,
-    tile: &mut Tile,
+    tile: &Tile,
     sample: usize,
-) {
-    let [tile_x, tile_y] = tile.origin();
-    let target = &mut tile.planes[sample];
-    let (block, lane) = (block & (BLOCKS * BLOCKS - 1) as usize, lane & (LANES - 1));
+) -> bool {
+    let (block, lane) = within_plane(place);
+    let target = &tile.planes[sample];
     let depth = target.depth[block][lane];
     let nearer =
         depth < z || depth == z && comes_first(id, TriangleId(target.ids[block][lane]), rules);
-    if !nearer {
-        return;
-    }
-    if let Some(behind) = rules.behind
-        && !passed(&behind[sample], block, lane, id, z, rules)
-    {
-        return;
-    }
-    if let Some(hole) = rules.hole {
-        let offset = rules.offsets[sample];
-        let x = tile_x + block as i32 % BLOCKS * BLOCK + LANE_X[lane];
-        let y = tile_y + block as i32 / BLOCKS * BLOCK + LANE_Y[lane];
-        if hole(id, [x * SUBPIXELS + offset[0], y * SUBPIXELS + offset[1]]) {
-            return;
-        }
-    }
+    nearer && rules.behind.is_none_or(|behind| passed(&behind[sample], block, lane, id, z, rules))
+}
+
+/// Puts one sample of a triangle into its block and lane.
+#[inline(always)]
+pub(crate) fn put(id: TriangleId, z: f32, place: (usize, usize), tile: &mut Tile, sample: usize) {
+    let (block, lane) = within_plane(place);
+    let target = &mut tile.planes[sample];
     target.depth[block][lane] = z;
     target.ids[block][lane] = id.0;
+}
+
+/// Block and lane, as the compiler can see them to be within a plane.
+#[inline(always)]
+fn within_plane((block, lane): (usize, usize)) -> (usize, usize) {
+    (block & (BLOCKS * BLOCKS - 1) as usize, lane & (LANES - 1))
 }
 
 /// Puts a triangle into one block of a plane, where it wins.
@@ -199,7 +203,7 @@ fn draw_block<S: Simd>(
     let nearer = covered & depth.simd_lt(z);
     let equal = covered & z.simd_eq(depth);
     let ids = u32x16::from_slice(simd, &plane.ids[block]);
-    if rules.behind.is_none() && rules.hole.is_none() && !equal.any_true() {
+    if rules.behind.is_none() && rules.holes.is_none() && !equal.any_true() {
         // Nearly always.
         if !nearer.any_true() {
             return;
@@ -218,22 +222,39 @@ fn draw_block<S: Simd>(
             wins &= !(u32::from(!passed(&behind[sample], block, lane, id, z[lane], rules)) << lane);
         }
     }
-    if let Some(hole) = rules.hole {
+    if wins == 0 {
+        return;
+    }
+    if let Some(holes) = rules.holes {
         let block_x = tile.region.x + block as i32 % BLOCKS * BLOCK;
         let block_y = tile.region.y + block as i32 / BLOCKS * BLOCK;
         let offset = rules.offsets[sample];
-        for lane in lanes_of(wins) {
-            let x = (block_x + LANE_X[lane]) * SUBPIXELS + offset[0];
-            let y = (block_y + LANE_Y[lane]) * SUBPIXELS + offset[1];
-            wins &= !(u32::from(hole(id, [x, y])) << lane);
+        let x = (i32x16::simd_from(simd, LANE_X) + block_x) * SUBPIXELS + offset[0];
+        let y = (i32x16::simd_from(simd, LANE_Y) + block_y) * SUBPIXELS + offset[1];
+        wins &= !ask(holes, [id; LANES], [x, y], wins);
+        if wins == 0 {
+            return;
         }
-    }
-    if wins == 0 {
-        return;
     }
     let mask = mask32x16::from_bitmask(simd, u64::from(wins));
     mask.select(z, depth).store_slice(&mut plane.depth[block]);
     mask.select(u32x16::splat(simd, id.0), ids).store_slice(&mut plane.ids[block]);
+}
+
+/// Which of some samples, at positions in steps of 1/256 pixel, lie in holes of their triangles.
+#[inline(always)]
+pub(crate) fn ask<S: Simd>(
+    holes: &dyn Holes,
+    ids: [TriangleId; LANES],
+    position: [i32x16<S>; 2],
+    lanes: u32,
+) -> u32 {
+    let [mut x, mut y] = [[0.0; LANES]; 2];
+    let [across, down] = position;
+    let step = 1.0 / SUBPIXELS as f32;
+    (f32x16::float_from(across) * step).store_slice(&mut x);
+    (f32x16::float_from(down) * step).store_slice(&mut y);
+    holes.holes(&Asked { ids, x, y, lanes })
 }
 
 /// Whether a triangle wins over an equally near one.

@@ -218,7 +218,7 @@ fn put<S: Simd>(
     (block * LANES as i32 + within).store_slice(&mut places);
     z.store_slice(&mut depths);
     let mut left = covered;
-    if rules.behind.is_none() && rules.hole.is_none() {
+    if rules.behind.is_none() && rules.holes.is_none() {
         // Nearly always. Only of equally near ones more is asked.
         left = 0;
         let Plane { depth, ids } = &mut tile.planes[sample];
@@ -232,10 +232,28 @@ fn put<S: Simd>(
             left |= u32::from(before == z) << number;
         }
     }
-    for number in lanes_of(left) {
+    let place = |number: usize| {
         let place = places[number] as usize;
-        let place = (place / LANES, place % LANES);
-        raster::put(queue.ids[number], depths[number], place, rules, tile, sample);
+        (place / LANES, place % LANES)
+    };
+    if let Some(holes) = rules.holes {
+        for number in lanes_of(left) {
+            let id = queue.ids[number];
+            let wins = raster::wins(id, depths[number], place(number), rules, tile, sample);
+            left &= !(u32::from(!wins) << number);
+        }
+        if left != 0 {
+            let [offset_x, offset_y] = rules.offsets[sample];
+            let position = [x * SUBPIXELS + offset_x, y * SUBPIXELS + offset_y];
+            left &= !raster::ask(holes, queue.ids, position, left);
+        }
+    }
+    // Two of them may want the same sample.
+    for number in lanes_of(left) {
+        let (id, z) = (queue.ids[number], depths[number]);
+        if raster::wins(id, z, place(number), rules, tile, sample) {
+            raster::put(id, z, place(number), tile, sample);
+        }
     }
 }
 

@@ -4,7 +4,8 @@ use crate::buffer::{Plane, Tile, TriangleId};
 use crate::clip::clip;
 use crate::cluster::Block;
 use crate::cull::VisibleCluster;
-use crate::frame::{Coverage, Frame, Hole};
+use crate::frame::{Coverage, Frame};
+use crate::holes::Holes;
 use crate::open::Opened;
 use crate::raster::{Rules, draw_triangle, lanes_of};
 use crate::setup::{CullFaces, Triangle};
@@ -21,17 +22,16 @@ pub(crate) fn draw<'f, S: Simd>(
     simd: S,
     frame: &'f Frame<'_>,
     clusters: impl Iterator<Item = &'f VisibleCluster>,
-    hole: &Hole<'_>,
+    holes: &dyn Holes,
     behind: Option<&[Plane]>,
     tile: &mut Tile,
 ) {
     let submitted = |id: TriangleId| frame.submitted(id);
-    let hole = |id: TriangleId, position: [i32; 2]| hole(id, position);
     let samples = frame.samples();
     let rules_for = |has_holes: bool| Rules {
         offsets: samples.positions(),
         submitted: &submitted,
-        hole: if has_holes { Some(&hole) } else { None },
+        holes: has_holes.then_some(holes),
         behind,
     };
     let mut opened = Opened::new();
@@ -50,7 +50,7 @@ pub(crate) fn draw<'f, S: Simd>(
         let block = instance.clusters.block(instance.mesh, cluster, &mut opened);
         let part = instance.parts[instance.clusters.headers[cluster].part as usize];
         let has_holes = part.coverage != Coverage::Opaque;
-        if has_holes != rules.hole.is_some() {
+        if has_holes != rules.holes.is_some() {
             queues.finish(simd, &rules, tile);
             rules = rules_for(has_holes);
         }

@@ -1,5 +1,6 @@
-//! Times frames on one thread, by stage: a bumpy ball of 100 000 triangles, by the ways to shade, and with a
-//! texture, with one light and with five, with one sample a pixel and with four, at every SIMD level.
+//! Times frames on one thread, by stage: a bumpy ball of 100 000 triangles, by the ways to shade, with a
+//! texture, and with holes cut by it, with one light and with five, with one sample a pixel and with four,
+//! at every SIMD level.
 //!
 //! `cargo bench -p luxel --bench frames [-- FILTER]`; a filter is part of a row's name. Prints medians of
 //! some frames, in milliseconds, and a hash of the pixels, which is the same at all levels.
@@ -10,8 +11,8 @@ use luxel::default_view;
 use luxel::math::SimdLevel;
 use luxel::render::{Execution, Picture, Renderer, ShadingMode, View};
 use luxel::scene::{
-    Encoding, Image, MaterialId, MeshId, Node, Part, Sampler, Scene, SceneMaterial, Size, Texture,
-    TextureId, TextureUse, primitives,
+    AlphaMode, Encoding, Image, MaterialId, MeshId, Node, Part, Sampler, Scene, SceneMaterial,
+    Size, Texture, TextureId, TextureUse, primitives,
 };
 use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
@@ -58,6 +59,15 @@ fn textured(scene: &Scene) -> Scene {
     scene
 }
 
+/// The same scene, half of its texels cut away.
+fn masked(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    for material in &mut scene.materials {
+        material.alpha_mode = AlphaMode::Mask { cutoff: 0.5 };
+    }
+    scene
+}
+
 /// Medians of the frame and its stages, and a hash (FNV-1a) of the pixels.
 fn time(scene: &Scene, view: &View, simd: SimdLevel) -> ([f64; 4], u64) {
     let execution =
@@ -89,6 +99,7 @@ fn main() {
         std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
     let plain = bumpy_ball();
     let textured = textured(&plain);
+    let masked = masked(&textured);
     let mut levels: Vec<SimdLevel> = Vec::new();
     for level in SimdLevel::available() {
         // What a name stands for may be another level.
@@ -102,6 +113,7 @@ fn main() {
         ("gouraud", ShadingMode::Gouraud, &plain),
         ("phong", ShadingMode::Phong, &plain),
         ("textured", ShadingMode::Phong, &textured),
+        ("masked", ShadingMode::Phong, &masked),
     ] {
         for count in [1, 5] {
             for samples in [1, 4] {

@@ -17,6 +17,7 @@ mod paint;
 mod path;
 mod web;
 
+use crate::holes::Cutouts;
 use crate::place::Covers;
 use crate::primitives::{Clipper, InWindow, is_culled};
 use crate::renderer::{RenderError, Renderer};
@@ -78,9 +79,8 @@ impl Renderer<'_> {
         let shading = Shading { mode, ..view.shading };
         let view = View { shading, edges: None, ..view.clone() };
         let samples = Samples::new(16);
-        self.with_scene(&view, Covers::DRAWN, samples, |scene, holes| {
-            let hole = |id, position| holes.hole(scene.frame, id, position);
-            let seen = seen(self, scene, &hole);
+        self.with_scene(&view, Covers::DRAWN, samples, |scene, cutouts| {
+            let seen = seen(self, scene, cutouts);
             draw(self, scene, &view, options, &seen)
         })?
     }
@@ -95,15 +95,12 @@ impl SeenBits {
     }
 }
 
-fn seen(
-    renderer: &Renderer<'_>,
-    scene: &Scene16<'_>,
-    hole: &luxel_visibility::Hole<'_>,
-) -> SeenBits {
+fn seen(renderer: &Renderer<'_>, scene: &Scene16<'_>, cutouts: &Cutouts<'_>) -> SeenBits {
     let numbers = scene.frame.tiles_by_load();
     let tiles: Vec<Vec<u32>> = luxel_parallel::map(numbers.len(), 1, &|run| {
         let mut tile = Tile::new(scene.frame.samples().count());
-        scene.frame.draw_opaque(renderer.level(), numbers[run.start] as usize, hole, &mut tile);
+        let holes = cutouts.finder(scene.frame, renderer.level());
+        scene.frame.draw_opaque(renderer.level(), numbers[run.start] as usize, &holes, &mut tile);
         let ids = tile.planes().iter().flat_map(|plane| plane.ids.as_flattened());
         let mut ids: Vec<u32> = ids.copied().filter(|&id| id != TriangleId::NONE.0).collect();
         ids.sort_unstable();

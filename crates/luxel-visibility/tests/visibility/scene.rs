@@ -5,7 +5,7 @@ use glam::{DMat4, DVec3};
 use luxel_math::{Level, SimdLevel};
 use luxel_scene::{Lens, MaterialId, Mesh, Part, Projection, Size};
 use luxel_visibility::{
-    Clusters, Frame, Frames, Hole, Instance, PartUse, Samples, TILE, Tile, TriangleId,
+    Clusters, Frame, Frames, Holes, Instance, PartUse, Samples, TILE, Tile, TriangleId,
 };
 use std::collections::HashMap;
 
@@ -165,7 +165,7 @@ impl Picture {
         Self::with_holes(frame, level, &no_holes)
     }
 
-    pub(crate) fn with_holes(frame: &Frame<'_>, level: Level, hole: &Hole<'_>) -> Self {
+    pub(crate) fn with_holes(frame: &Frame<'_>, level: Level, hole: &dyn Holes) -> Self {
         let mut picture = Self::new(frame);
         let mut tile = Tile::new(frame.samples().count());
         for number in 0..frame.tiles().iter().product() {
@@ -176,7 +176,7 @@ impl Picture {
     }
 
     /// The blended layers, nearest first, until there is nothing left.
-    pub(crate) fn layers(frame: &Frame<'_>, level: Level, hole: &Hole<'_>) -> Vec<Self> {
+    pub(crate) fn layers(frame: &Frame<'_>, level: Level, hole: &dyn Holes) -> Vec<Self> {
         let mut layers: Vec<Self> = Vec::new();
         let samples = frame.samples().count();
         let [mut opaque, mut behind, mut tile] = [(); 3].map(|()| Tile::new(samples));
