@@ -18,13 +18,14 @@ pub(crate) const SIZES: [i32; 4] = [SUBPIXELS, 2 * SUBPIXELS, 4 * SUBPIXELS, 8 *
 pub(crate) struct Queues([Queue; SIZES.len()]);
 
 /// Up to sixteen triangles, each a lane.
+#[repr(C, align(64))]
 struct Queue {
-    count: usize,
     /// Corners in the window, in steps of 1/256 pixel.
     corners: Corners,
     /// Reversed depths of the corners.
     z: [[f32; LANES]; 3],
     ids: [TriangleId; LANES],
+    count: usize,
 }
 
 impl Queues {
@@ -198,6 +199,11 @@ fn draw_lanes<S: Simd>(simd: S, queue: &Queue, rules: &Rules<'_>, tile: &mut Til
     }
 }
 
+/// Sixteen values in a line of the cache. What lies in one also makes the compiler lay what finds no
+/// register into such lines, not across two.
+#[repr(align(64))]
+struct Line<T>([T; LANES]);
+
 /// Puts one sample of each of some triangles where it wins.
 #[inline(always)]
 fn put<S: Simd>(
@@ -213,10 +219,10 @@ fn put<S: Simd>(
     const SHIFT: u32 = BLOCK.ilog2();
     let block = (row >> SHIFT) * BLOCKS + (column >> SHIFT);
     let within = (row & (BLOCK - 1)) * BLOCK + (column & (BLOCK - 1));
-    let mut places = [0; LANES];
-    let mut depths = [0.0; LANES];
-    (block * LANES as i32 + within).store_slice(&mut places);
-    z.store_slice(&mut depths);
+    let (mut places, mut depths) = (Line([0; LANES]), Line([0.0; LANES]));
+    (block * LANES as i32 + within).store_slice(&mut places.0);
+    z.store_slice(&mut depths.0);
+    let (Line(places), Line(depths)) = (&places, &depths);
     let mut left = covered;
     if rules.behind.is_none() && rules.holes.is_none() {
         // Nearly always. Only of equally near ones more is asked.
