@@ -12,7 +12,7 @@ use crate::ledger::{
 };
 use crate::place::Covers;
 use crate::renderer::{RenderError, Renderer};
-use crate::resolve::{self, Layered, Ranks};
+use crate::resolve::{self, Layered};
 use crate::shade::{Batch, Kept, Scene16, shade};
 use crate::surface::SurfaceWitness;
 use crate::view::{ShadingMode, View};
@@ -21,7 +21,7 @@ use luxel_lighting::{
     Ledger, LedgerLight, LightKind, LightTerms, MirrorTerms, PartTerms, Reflectance, SurfacePoint,
     Terms, Witness,
 };
-use luxel_math::{LANES, Level, Rgb, SUBPIXELS, dispatch_long};
+use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
 use luxel_visibility::{BLOCK, Samples, TILE, Tile, TriangleId};
 
@@ -129,13 +129,13 @@ impl Renderer<'_> {
 struct SeenBySample(Vec<(TriangleId, u8)>);
 
 impl SeenBySample {
-    fn of(level: Level, tile: &Tile, (block, lane): (usize, usize), samples: Samples) -> Self {
-        let ranks = dispatch_long!(level, simd => Ranks::of(simd, tile, block, samples));
+    fn of(tile: &Tile, (block, lane): (usize, usize), samples: Samples) -> Self {
+        let id = |sample: u8| tile.planes()[usize::from(sample)].ids[block][lane];
         let seen = tile.planes().iter().map(|plane| {
-            let id = plane.ids[block][lane];
-            let stands_for =
-                ranks.list.iter().find(|rank| rank.ids[lane] == id && rank.shares[lane] > 0);
-            (TriangleId(id), stands_for.map_or(0, |rank| rank.sample[lane] as u8))
+            let own = plane.ids[block][lane];
+            // The nearest to the centre of those that see the same.
+            let lit_at = samples.nearest_first().iter().find(|&&sample| id(sample) == own);
+            (TriangleId(own), lit_at.map_or(0, |&sample| sample))
         });
         Self(seen.collect())
     }
@@ -160,12 +160,10 @@ impl PixelScene<'_> {
         kept: &mut Kept,
     ) -> Explanation {
         let (block, _) = self.place;
-        let (level, samples) = (self.renderer.level(), self.scene.frame.samples());
-        let layers: Vec<_> = layers
-            .iter()
-            .map(|layer| SeenBySample::of(level, layer, self.place, samples))
-            .collect();
-        let behind = SeenBySample::of(level, opaque, self.place, samples);
+        let samples = self.scene.frame.samples();
+        let layers: Vec<_> =
+            layers.iter().map(|layer| SeenBySample::of(layer, self.place, samples)).collect();
+        let behind = SeenBySample::of(opaque, self.place, samples);
         // What each sample sees, nearest first; what doesn't cover it shows what lies behind all.
         let stacks: Vec<Vec<(TriangleId, u8)>> = (0..samples.count())
             .map(|sample| {

@@ -30,11 +30,11 @@ impl ReadyTriangle {
 const FEW: u32 = 8;
 /// How many are kept: 96 KiB, a part of a core's second-level cache. Enough for the blocks that are
 /// looked at together.
-const KEPT: usize = 512;
+const KEPT: usize = 1024;
 /// A place for what nobody asked for.
 const SPARE: usize = KEPT;
 /// Places of the table from ids to triangles: enough that two of these seldom want the same.
-const TABLE: usize = 2048;
+const TABLE: usize = 4096;
 /// How many can be asked for before they have to be made ready.
 const PENDING: usize = 4 * LANES;
 
@@ -106,10 +106,10 @@ impl Ready {
         ids: &[u32; LANES],
         [lanes, begins]: [u32; 2],
     ) -> Option<Rows<'_>> {
-        if begins.count_ones() > FEW {
-            return None;
-        }
         if !self.has_all(ids, begins) {
+            if begins.count_ones() > FEW {
+                return None;
+            }
             self.ask_all(ids, begins);
             self.make(like, scene, gathered);
             if !self.has_all(ids, begins) {
@@ -147,8 +147,8 @@ impl Ready {
         self.ids[self.place(id)] == id
     }
 
-    /// Makes ready what a block that comes next sees, if it sees few triangles, or asks for it until
-    /// [`Ready::make`] is called.
+    /// Makes ready what lanes of a block that comes next see, or asks for it until [`Ready::make`] is
+    /// called.
     #[inline(always)]
     pub(crate) fn look_ahead<N: Number>(
         &mut self,
@@ -156,13 +156,10 @@ impl Ready {
         scene: &Scene16<'_>,
         gathered: &mut Gathered,
         ids: &[u32; LANES],
+        lanes: u32,
     ) {
-        let begins = like.lanes_that_begin(ids);
-        if begins.count_ones() > FEW {
-            return;
-        }
-        self.ask_all(ids, begins);
-        if self.pending.count > PENDING - FEW as usize {
+        self.ask_all(ids, lanes);
+        if self.pending.count > PENDING - LANES {
             self.make(like, scene, gathered);
         }
     }

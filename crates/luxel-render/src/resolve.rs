@@ -1,91 +1,14 @@
 //! Samples of a block become pixels: each distinct triangle of a pixel is lit once, at its covered
 //! sample nearest the centre, and weighs its share of the samples.
 
+use crate::firsts::Firsts;
+use crate::packed::{Lit, Packed};
 use crate::plain::shade_plain;
 use crate::shade::{Batch, Kept, Scene16, shade};
+use crate::varying::lanes_of;
 use luxel_lighting::Silent;
-use luxel_math::{LANES, Simd, f32x16, mask32x16, prelude::*, u32x16};
-use luxel_visibility::{MAX_SAMPLES, Samples, Tile, TriangleId};
-
-/// The distinct triangles of each pixel of a block, in the order of their first samples: the first
-/// ones of all pixels, then the second ones, and so on.
-pub(crate) struct Ranks {
-    pub(crate) list: Vec<Rank>,
-}
-
-/// One triangle of each pixel of a block.
-#[derive(Clone, Copy)]
-pub(crate) struct Rank {
-    pub(crate) ids: [u32; LANES],
-    /// Samples that see the triangle; 0 where a pixel has no more triangles.
-    pub(crate) shares: [u32; LANES],
-    /// The sample that stands for them: the one nearest the pixel's centre.
-    pub(crate) sample: [u32; LANES],
-}
-
-impl Rank {
-    const NOTHING: Self =
-        Self { ids: [TriangleId::NONE.0; LANES], shares: [0; LANES], sample: [0; LANES] };
-}
-
-impl Ranks {
-    /// Of any block.
-    #[inline(always)]
-    pub(crate) fn of<S: Simd>(simd: S, tile: &Tile, block: usize, samples: Samples) -> Self {
-        let planes = tile.planes();
-        let ids_of = |sample: usize| u32x16::simd_from(simd, planes[sample].ids[block]);
-        let mut list: Vec<Rank> = Vec::with_capacity(planes.len());
-        // How many ranks each pixel has so far.
-        let mut used = u32x16::splat(simd, 0);
-        for sample in 0..planes.len() {
-            let id = ids_of(sample);
-            let mut open = mask32x16::splat(simd, true);
-            for rank in 0..planes.len() {
-                if list.len() == rank {
-                    list.push(Rank::NOTHING);
-                }
-                let own = &mut list[rank];
-                // The rank that sees the same triangle, or else the next one.
-                let ids = u32x16::simd_from(simd, own.ids);
-                let is_new = open & used.simd_eq(rank as u32);
-                let takes = is_new | open & ids.simd_eq(id);
-                takes.select(id, ids).store_slice(&mut own.ids);
-                add_one(simd, takes, &mut own.shares);
-                used = is_new.select(used + 1, used);
-                open &= !takes;
-                if !open.any_true() {
-                    break;
-                }
-            }
-        }
-        for rank in &mut list {
-            let ids = u32x16::simd_from(simd, rank.ids);
-            let mut nearest = u32x16::splat(simd, 0);
-            for &sample in samples.nearest_first().iter().rev() {
-                let sees = ids_of(usize::from(sample)).simd_eq(ids);
-                nearest = sees.select(u32x16::splat(simd, sample.into()), nearest);
-            }
-            nearest.store_slice(&mut rank.sample);
-        }
-        Self { list }
-    }
-}
-
-/// Adds 1 where the mask is true.
-#[inline(always)]
-fn add_one<S: Simd>(simd: S, mask: mask32x16<S>, counts: &mut [u32; LANES]) {
-    let sum = u32x16::simd_from(simd, *counts);
-    mask.select(sum + 1, sum).store_slice(counts);
-}
-
-/// Whether all samples of each pixel of a block see the same.
-#[inline(always)]
-fn is_even(tile: &Tile, block: usize) -> bool {
-    let (first, others) = tile.planes().split_first().unzip();
-    first.zip(others).is_none_or(|(first, others)| {
-        others.iter().all(|plane| plane.ids[block] == first.ids[block])
-    })
-}
+use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
+use luxel_visibility::{MAX_SAMPLES, Tile, TriangleId};
 
 /// Whether nothing is seen in a block.
 pub(crate) fn is_empty(tile: &Tile, block: usize) -> bool {
@@ -117,9 +40,9 @@ pub(crate) fn empty_block<S: Simd>(simd: S, scene: &Scene16<'_>) -> [f32x16<S>; 
     [like, like.constant(g), like.constant(b), like.constant(alpha)]
 }
 
-/// The pixels of a block without transparent surfaces: linear colour, straight, and alpha.
+/// The pixels of a block all samples of whose pixels see the same.
 #[inline(always)]
-pub(crate) fn resolve_block<S: Simd>(
+pub(crate) fn even_block<S: Simd>(
     simd: S,
     scene: &Scene16<'_>,
     tile: &Tile,
@@ -127,34 +50,39 @@ pub(crate) fn resolve_block<S: Simd>(
     kept: &mut Kept,
 ) -> [f32x16<S>; 4] {
     let samples = scene.frame.samples();
-    let mut sum = [f32x16::splat(simd, 0.0); 4];
-    if is_even(tile, block) {
-        // All samples of each pixel see the same.
-        let ids = tile.planes()[0].ids[block];
-        let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
-        let lit = lit_batch(simd, scene, &batch, kept);
-        let [r, g, b, alpha] = lit;
-        if alpha.equal(alpha.one()).all() {
-            // All that is left of the sum below: -0 becomes 0.
-            return [r + alpha.zero(), g + alpha.zero(), b + alpha.zero(), alpha];
-        }
-        add_share(&mut sum, lit, f32x16::splat(simd, 1.0));
-        return straight(sum);
+    let ids = tile.planes()[0].ids[block];
+    let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
+    let lit = lit_batch(simd, scene, &batch, kept);
+    let [r, g, b, alpha] = lit;
+    let zero = f32x16::splat(simd, 0.0);
+    if alpha.equal(alpha.one()).all() {
+        // All that is left of the sum below: -0 becomes 0.
+        return [r + zero, g + zero, b + zero, alpha];
     }
-    let ranks = Ranks::of(simd, tile, block, samples);
-    let share_of_one = 1.0 / samples.count() as f32;
-    for rank in &ranks.list {
-        let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);
-        let lit = lit_batch(simd, scene, &batch, kept);
-        let shares = f32x16::float_from(u32x16::simd_from(simd, rank.shares));
-        add_share(&mut sum, lit, shares * share_of_one);
+    let mut sum = [zero; 4];
+    add_share(&mut sum, lit, f32x16::splat(simd, 1.0));
+    straight(sum)
+}
+
+/// The pixels of a block whose samples see several triangles.
+#[inline(always)]
+pub(crate) fn uneven_block<S: Simd>(simd: S, scene: &Scene16<'_>, lit: &[Lit]) -> [f32x16<S>; 4] {
+    let share_of_one = 1.0 / scene.frame.samples().count() as f32;
+    let mut sum = [f32x16::splat(simd, 0.0); 4];
+    for Lit { shares, color, .. } in lit {
+        let shares = f32x16::float_from(u32x16::simd_from(simd, *shares));
+        let color = color.map(
+            #[inline(always)]
+            |channel| f32x16::simd_from(simd, channel),
+        );
+        add_share(&mut sum, color, shares * share_of_one);
     }
     straight(sum)
 }
 
 /// Colour (straight) and alpha of sixteen samples.
 #[inline(always)]
-fn lit_batch<S: Simd>(
+pub(crate) fn lit_batch<S: Simd>(
     simd: S,
     scene: &Scene16<'_>,
     batch: &Batch,
@@ -204,6 +132,7 @@ pub(crate) struct Layered {
     through: Vec<[f32; LANES]>,
     /// The pixels of each block that have a layer.
     touched: Vec<u16>,
+    packed: Packed,
 }
 
 /// Where less comes through than this, deeper layers can't be seen in 16 bits a channel.
@@ -211,7 +140,13 @@ const OPAQUE_ENOUGH: f32 = 1.0 / (1 << 20) as f32;
 
 impl Layered {
     pub(crate) fn new(samples: usize) -> Self {
-        Self { samples, light: Vec::new(), through: Vec::new(), touched: Vec::new() }
+        Self {
+            samples,
+            light: Vec::new(),
+            through: Vec::new(),
+            touched: Vec::new(),
+            packed: Packed::new(),
+        }
     }
 
     /// Forgets everything.
@@ -313,31 +248,31 @@ impl Layered {
         kept: &mut Kept,
         chosen: &[u16; MAX_SAMPLES],
     ) -> bool {
-        let samples = scene.frame.samples();
-        let ranks = Ranks::of(simd, tile, block, samples);
+        let firsts = Firsts::of(simd, tile, block);
+        let Self { samples, light, through, packed, .. } = self;
+        packed.add(simd, scene, tile, block, &firsts, kept);
         let mut seen_through = false;
-        for rank in &ranks.list {
-            let batch = Batch::new(tile, block, rank.ids, &rank.sample, samples);
-            let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, kept, &mut Silent);
-            for (sample, plane) in tile.planes().iter().enumerate() {
-                let at = block * self.samples + sample;
-                for lane in 0..LANES {
-                    let here = chosen[sample] >> lane & 1 == 1
-                        && rank.shares[lane] > 0
-                        && plane.ids[block][lane] == rank.ids[lane];
-                    if here {
-                        let color = [lit[0][lane], lit[1][lane], lit[2][lane]];
-                        let mut light = [0, 1, 2].map(|c| self.light[at * 3 + c][lane]);
-                        let through = &mut self.through[at][lane];
-                        put_behind(&mut light, through, color, lit[3][lane]);
+        let put = |_: usize, lit: &[Lit], _: &mut Kept| {
+            for Lit { sample: first, lanes, color, .. } in lit {
+                let ids = &tile.planes()[*first].ids[block];
+                for (sample, plane) in tile.planes().iter().enumerate() {
+                    let at = block * *samples + sample;
+                    let alike = |lane: usize| plane.ids[block][lane] == ids[lane];
+                    let here = lanes & u32::from(chosen[sample]);
+                    for lane in lanes_of(here).filter(|&lane| alike(lane)) {
+                        let own = [color[0][lane], color[1][lane], color[2][lane]];
+                        let mut sum = [0, 1, 2].map(|channel| light[at * 3 + channel][lane]);
+                        let through = &mut through[at][lane];
+                        put_behind(&mut sum, through, own, color[3][lane]);
                         seen_through |= *through > OPAQUE_ENOUGH;
-                        for (channel, light) in light.into_iter().enumerate() {
-                            self.light[at * 3 + channel][lane] = light;
+                        for (channel, sum) in sum.into_iter().enumerate() {
+                            light[at * 3 + channel][lane] = sum;
                         }
                     }
                 }
             }
-        }
+        };
+        packed.finish(simd, scene, kept, put);
         seen_through
     }
 }

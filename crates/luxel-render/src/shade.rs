@@ -77,13 +77,13 @@ impl Kept {
     }
 }
 
-/// Sixteen samples to be lit, one for each pixel of a block.
+/// Sixteen samples to be lit: mostly one for each pixel of a block.
 pub(crate) struct Batch {
-    /// The block's first pixel.
+    /// The first pixel of the block, or of the tile.
     pub(crate) origin: [i32; 2],
     /// What each sees.
     pub(crate) ids: [u32; LANES],
-    /// Where each lies, in pixels from the block's corner.
+    /// Where each lies, in pixels from the corner of that.
     pub(crate) x: [f32; LANES],
     pub(crate) y: [f32; LANES],
 }
@@ -124,6 +124,31 @@ impl Batch {
             batch.put(lane, position);
         }
         batch
+    }
+
+    /// Nothing in any lane.
+    pub(crate) fn nothing() -> Self {
+        let (ids, nowhere) = ([TriangleId::NONE.0; LANES], [0.0; LANES]);
+        Self { origin: [0; 2], ids, x: nowhere, y: nowhere }
+    }
+
+    /// Puts a sample of any pixel of a tile into a lane: where it lies in its block's lane, in steps of
+    /// 1/256 pixel, and what it sees. All of a batch are of one tile.
+    #[inline(always)]
+    pub(crate) fn put_sample(
+        &mut self,
+        lane: usize,
+        tile: &Tile,
+        (block, within): (usize, usize),
+        [x, y]: [i32; 2],
+        id: u32,
+    ) {
+        self.origin = tile.origin();
+        let [left, top] = block_corner(block);
+        let (column, row) = (within as i32 % BLOCK, within as i32 / BLOCK);
+        self.ids[lane] = id;
+        self.x[lane] = ((left + column) * SUBPIXELS + x) as f32 / SUBPIXELS as f32;
+        self.y[lane] = ((top + row) * SUBPIXELS + y) as f32 / SUBPIXELS as f32;
     }
 
     /// Puts a lane's sample at a place of its pixel, in steps of 1/256 pixel.
@@ -174,8 +199,15 @@ impl Batch {
 #[inline(always)]
 fn block_origin(tile: &Tile, block: usize) -> [i32; 2] {
     let [tile_x, tile_y] = tile.origin();
+    let [left, top] = block_corner(block);
+    [tile_x + left, tile_y + top]
+}
+
+/// The first pixel of a block, within its tile.
+#[inline(always)]
+fn block_corner(block: usize) -> [i32; 2] {
     let block = block as i32;
-    [tile_x + block % BLOCKS * BLOCK, tile_y + block / BLOCKS * BLOCK]
+    [block % BLOCKS * BLOCK, block / BLOCKS * BLOCK]
 }
 
 /// Interpolates the surfaces that the samples see, into what was [`Interpolated::nothing`]: it is

@@ -1,11 +1,13 @@
 //! What one thread does to a tile: its blocks lit, and turned into the pixels that are kept.
 
-use crate::resolve::{Layered, empty_block, empty_pixel, resolve_block, sees_nothing};
+use crate::firsts::Firsts;
+use crate::packed::Packed;
+use crate::resolve::{Layered, empty_block, empty_pixel, even_block, sees_nothing, uneven_block};
 use crate::shade::{Kept, Scene16};
 use crate::tiles::TilePixels;
 use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
-use luxel_visibility::{BLOCK, BLOCKS, Samples, TILE, Tile};
+use luxel_visibility::{BLOCK, BLOCKS, MAX_SAMPLES, Samples, TILE, Tile, TriangleId};
 
 /// What is kept of pixels: straight colour and alpha, finished.
 pub(crate) trait Finish: Sync {
@@ -99,6 +101,7 @@ pub(crate) struct Worker {
     pub(crate) opaque: Tile,
     pub(crate) layers: [Tile; 2],
     pub(crate) layered: Layered,
+    pub(crate) packed: Packed,
     pub(crate) kept: Kept,
 }
 
@@ -109,6 +112,7 @@ impl Worker {
             opaque: Tile::new(count),
             layers: [Tile::new(count), Tile::new(count)],
             layered: Layered::new(count),
+            packed: Packed::new(),
             kept: Kept::new(),
         }
     }
@@ -137,7 +141,18 @@ pub(crate) fn add_layer<S: Simd>(
 /// Blocks that are looked at together before they are lit: two rows.
 const AHEAD: usize = 2 * BLOCKS as usize;
 
-/// Makes triangles ready that the next blocks see; which of these see nothing, as bits.
+/// Triangles of a block are made ready where there are at most so many for sixteen places at which
+/// they are lit.
+const SHARED: u32 = 9;
+
+/// What is known of blocks before they are lit.
+struct Ahead {
+    /// Those in which nothing is seen, as bits.
+    empty: u32,
+    firsts: [Firsts; AHEAD],
+}
+
+/// Looks at the next blocks, and makes triangles ready that they see.
 #[inline(always)]
 fn look_ahead<S: Simd>(
     simd: S,
@@ -145,22 +160,37 @@ fn look_ahead<S: Simd>(
     tile: &Tile,
     first: usize,
     kept: &mut Kept,
-) -> u32 {
+) -> Ahead {
     let Kept { ready, gathered, .. } = kept;
     let like = f32x16::splat(simd, 0.0);
-    let mut empty = 0;
+    let mut ahead = Ahead { empty: 0, firsts: [Firsts::EVEN; AHEAD] };
     for number in 0..AHEAD {
         let block = first + number;
         if sees_nothing(simd, tile, block) {
-            empty |= 1 << number;
-        } else if scene.is_plain {
-            for plane in tile.planes() {
-                ready.look_ahead(like, scene, gathered, &plane.ids[block]);
+            ahead.empty |= 1 << number;
+            continue;
+        }
+        let firsts = Firsts::of(simd, tile, block);
+        if scene.is_plain {
+            let mut begins = [0; MAX_SAMPLES];
+            let (mut triangles, mut places) = (0, 0);
+            for (sample, plane) in tile.planes().iter().enumerate() {
+                let ids = &plane.ids[block];
+                let seen = firsts.lanes(sample) & !like.lanes_equal(ids, TriangleId::NONE.0);
+                begins[sample] = like.lanes_that_begin(ids) & seen;
+                triangles += begins[sample].count_ones();
+                places += seen.count_ones();
+            }
+            if triangles <= places * SHARED / 16 {
+                for (plane, begins) in tile.planes().iter().zip(begins) {
+                    ready.look_ahead(like, scene, gathered, &plane.ids[block], begins);
+                }
             }
         }
+        ahead.firsts[number] = firsts;
     }
     ready.make(like, scene, gathered);
-    empty
+    ahead
 }
 
 /// Lights all blocks of a tile, and finishes their pixels.
@@ -173,28 +203,46 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
     finish: &F,
     pixels: &mut TilePixels<F::Pixel>,
 ) {
-    let Worker { opaque, layered, kept, .. } = worker;
+    let Worker { opaque, layered, packed, kept, .. } = worker;
     let background = [finish.pixel(empty_pixel(scene)); LANES];
-    let mut empty = 0;
-    for block in 0..ALL_BLOCKS {
-        if block % AHEAD == 0 {
-            empty = look_ahead(simd, scene, opaque, block, kept);
+    for first in (0..ALL_BLOCKS).step_by(AHEAD) {
+        let Ahead { empty, firsts } = look_ahead(simd, scene, opaque, first, kept);
+        for number in 0..AHEAD {
+            let block = first + number;
+            let is_layered = has_layers && layered.is_touched(block);
+            let is_empty = empty >> number & 1 == 1;
+            if is_empty && !is_layered {
+                put_block(pixels, block, &background);
+                continue;
+            }
+            let mut color = if is_empty {
+                empty_block(simd, scene)
+            } else {
+                let firsts = &firsts[number];
+                if !firsts.are_even() {
+                    packed.add(simd, scene, opaque, block, firsts, kept);
+                    continue;
+                }
+                even_block(simd, scene, opaque, block, kept)
+            };
+            if is_layered {
+                color = layered.finish_block(simd, scene, opaque, block, kept, color);
+            }
+            put_block(pixels, block, &finish.block(simd, color));
         }
-        let is_layered = has_layers && layered.is_touched(block);
-        let is_empty = empty >> (block % AHEAD) & 1 == 1;
-        if is_empty && !is_layered {
-            put_block(pixels, block, &background);
-            continue;
-        }
-        let mut color = if is_empty {
-            empty_block(simd, scene)
-        } else {
-            resolve_block(simd, scene, opaque, block, kept)
-        };
-        if is_layered {
-            color = layered.finish_block(simd, scene, opaque, block, kept, color);
-        }
-        put_block(pixels, block, &finish.block(simd, color));
+        packed.finish(
+            simd,
+            scene,
+            kept,
+            #[inline(always)]
+            |block, lit, kept| {
+                let mut color = uneven_block(simd, scene, lit);
+                if has_layers && layered.is_touched(block) {
+                    color = layered.finish_block(simd, scene, opaque, block, kept, color);
+                }
+                put_block(pixels, block, &finish.block(simd, color));
+            },
+        );
     }
 }
 
