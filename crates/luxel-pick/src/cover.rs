@@ -4,11 +4,15 @@
 //! what boxes it meets hold all triangles that can cover the sample. Boxes also bound the depth of
 //! what is in them, by the frame's own arithmetic, so that near ones hide far ones.
 
-use crate::bvh::{Ahead, Block, Child, Head, Node, Slabs, WIDTH, corners, meet, number};
+use crate::bvh::{
+    Ahead, Block, Child, Head, Node, Rows, Slabs, WIDTH, block, corners, meet, number,
+    triangle_words,
+};
+use crate::gather::{eight, places};
 use crate::view::{Geometry, Instance, PickView, Thickness};
 use crate::world_rays::NearRay;
 use glam::DVec3;
-use luxel_math::{SUBPIXELS, Simd, dispatch};
+use luxel_math::{Mask, Number, SUBPIXELS, Simd, dispatch_long, f32x8, permuted, prelude::*};
 use luxel_visibility::Coverage;
 use std::cell::RefCell;
 
@@ -34,6 +38,8 @@ impl Covering {
 struct Beam {
     slabs: Slabs,
     farthest: f32,
+    /// The sample, in steps of 1/256 pixel.
+    sample: [f32; 2],
 }
 
 /// Children still to be visited, with the nearest depth of anything in them.
@@ -113,7 +119,7 @@ impl PickView<'_> {
             Some(visit(Covering { instance: place, triangle, depth }))
         };
         WAITING.with_borrow_mut(|waiting| {
-            dispatch!(self.picker.level, simd =>
+            dispatch_long!(self.picker.level, simd =>
                 descend(simd, instance, &geometry, &beam, least, waiting, &mut found));
         });
     }
@@ -142,7 +148,7 @@ impl PickView<'_> {
             f32s(snapped * start + rounded),
             f32s(snapped * grows),
         );
-        Some(Beam { slabs, farthest })
+        Some(Beam { slabs, farthest, sample: position.map(|steps| steps as f32) })
     }
 
     /// Whether the surface isn't there: cut away, or wholly transparent.
@@ -182,7 +188,8 @@ fn descend<S: Simd>(
     found: &mut dyn FnMut(&Block, usize) -> Option<f32>,
 ) {
     let nodes: &[Node] = geometry.bvh.nodes();
-    let ahead = Ahead { nodes, words: geometry.bvh.leaves().words() };
+    let words = geometry.bvh.leaves().words();
+    let ahead = Ahead { nodes, words };
     waiting.clear();
     if !nodes.is_empty() {
         waiting.push((f32::INFINITY, Child::inner(0)));
@@ -191,22 +198,34 @@ fn descend<S: Simd>(
         if nearest < least {
             continue;
         }
-        if let Some(start) = child.as_block() {
-            geometry.bvh.leaves().each_block(start, &mut |block| {
-                for lane in 0..Head::of(block).count() {
+        if let Some(mut start) = child.as_block() {
+            while let Some(block) = block(words, start) {
+                let head = Head::of(block);
+                let mut bits = (1 << head.count()) - 1;
+                if instance.bounds_tell_depth {
+                    bits &= around(simd, block, geometry, instance, beam.sample);
+                }
+                while bits != 0 {
+                    let lane = bits.trailing_zeros() as usize & (WIDTH - 1);
+                    bits &= bits - 1;
                     least = found(block, lane).unwrap_or(least);
                 }
-            });
+                if !head.goes_on() {
+                    break;
+                }
+                start += head.len();
+            }
             continue;
         }
         let node = &nodes[child.0 as usize];
         let (_, mut bits) = meet(simd, node, &beam.slabs, beam.farthest);
         ahead.read_children(node, bits);
         let bottom = waiting.len();
+        let depths = instance.nearest(simd, node);
         while bits != 0 {
             let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
             bits &= bits - 1;
-            let nearest = instance.nearest(node, slot);
+            let nearest = depths[slot];
             if nearest < least {
                 continue;
             }
@@ -220,13 +239,195 @@ fn descend<S: Simd>(
     }
 }
 
-impl Instance {
-    /// No sample of what is in a node's child has a larger depth.
-    fn nearest(&self, node: &Node, slot: usize) -> f32 {
-        if !self.bounds_tell_depth {
-            return f32::INFINITY;
+/// A bit for each of a block's triangles that may cover a sample, by where their corners are snapped
+/// to: not all to one side of it, or not known.
+#[inline(always)]
+fn around<S: Simd>(
+    simd: S,
+    block: &Block,
+    geometry: &Geometry<'_>,
+    instance: &Instance,
+    sample: [f32; 2],
+) -> u32 {
+    let probe = &instance.probe;
+    let mut corners = [[f32x8::splat(simd, 0.0); 2]; 3];
+    match Head::of(block).rows() {
+        Rows::Shared => {
+            let rows = [places(simd, block, 0), places(simd, block, 1), places(simd, block, 2)];
+            let [x, y] = probe.snapped(rows);
+            let words = triangle_words(simd, block);
+            for (corner, at) in [words, words >> 3, words >> 6].into_iter().enumerate() {
+                corners[corner] = [permuted(simd, x, at), permuted(simd, y, at)];
+            }
         }
-        let bounds = node.bounds(slot);
-        self.probe.nearest(bounds.low, bounds.high)
+        Rows::Apart => {
+            for (corner, snapped) in corners.iter_mut().enumerate() {
+                let row = 3 * corner;
+                *snapped = probe.snapped([
+                    places(simd, block, row),
+                    places(simd, block, row + 1),
+                    places(simd, block, row + 2),
+                ]);
+            }
+        }
+        Rows::Numbers => {
+            for (corner, snapped) in corners.iter_mut().enumerate() {
+                *snapped = probe.snapped(eight(simd, block, corner, &geometry.mesh.positions));
+            }
+        }
+    }
+    let mut aside = 0;
+    for axis in 0..2 {
+        let at = f32x8::splat(simd, sample[axis]);
+        let [a, b, c] = [corners[0][axis], corners[1][axis], corners[2][axis]];
+        let before = a.less(at) & b.less(at) & c.less(at);
+        let beyond = at.less(a) & at.less(b) & at.less(c);
+        aside |= (before | beyond).bits();
+    }
+    !aside
+}
+
+impl Instance {
+    /// No sample of what is in a node's children has a larger depth.
+    #[inline(always)]
+    fn nearest<S: Simd>(&self, simd: S, node: &Node) -> [f32; WIDTH] {
+        let mut depths = [f32::INFINITY; WIDTH];
+        if self.bounds_tell_depth {
+            let [x, y, z] = &node.planes;
+            let low = [planes(simd, x, 0), planes(simd, y, 0), planes(simd, z, 0)];
+            let high = [planes(simd, x, 1), planes(simd, y, 1), planes(simd, z, 1)];
+            self.probe.nearest(low, high).store_slice(&mut depths);
+        }
+        depths
+    }
+}
+
+#[inline(always)]
+fn planes<S: Simd>(simd: S, of: &[[f32; WIDTH]; 2], side: usize) -> f32x8<S> {
+    f32x8::simd_from(simd, of[side])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Picker, Quality};
+    use luxel_math::{Level, SimdLevel};
+    use luxel_scene::{
+        Camera, Lens, MaterialId, Mesh, MeshId, Node as SceneNode, Part, Projection, Scene,
+        SceneMaterial, Size,
+    };
+    use luxel_visibility::{Cull, CullFaces};
+
+    /// A bumpy sheet of two triangles a cell, which may or may not share their corners.
+    fn sheet(side: u32, shared: bool) -> Mesh {
+        let place = |at: u32| {
+            let height = (at as f32 * 0.7).fract() * 0.1;
+            [(at % side) as f32 / side as f32, (at / side) as f32 / side as f32, height]
+        };
+        let cells = (0..side * (side - 1)).filter(|at| at % side != side - 1);
+        let triangles =
+            cells.flat_map(|at| [[at, at + 1, at + side], [at + 1, at + side + 1, at + side]]);
+        let mut mesh = Mesh {
+            positions: (0..side * side).map(place).collect(),
+            triangles: triangles.collect(),
+            ..Mesh::default()
+        };
+        if !shared {
+            let corners = mesh.triangles.as_flattened().iter();
+            mesh.positions = corners.map(|&vertex| mesh.positions[vertex as usize]).collect();
+            let count = mesh.triangles.len() as u32;
+            mesh.triangles = (0..count).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect();
+        }
+        let count = mesh.triangles.len() as u32;
+        mesh.parts = vec![Part { first: 0, count, material: MaterialId(0) }];
+        mesh
+    }
+
+    /// Of all pairs of a triangle and one of many samples: how many there are, how many are asked,
+    /// and how many cover.
+    fn counted(shared: bool, quality: Quality, height: f64) -> [usize; 3] {
+        let scene = Scene {
+            meshes: vec![sheet(24, shared)],
+            materials: vec![SceneMaterial::default()],
+            nodes: vec![SceneNode::root("sheet", Some(MeshId(0)))],
+            ..Scene::default()
+        };
+        let picker = Picker::with(&scene, quality, SimdLevel::Auto).unwrap();
+        let eye = DVec3::new(0.5, 0.3, height);
+        let view_from_world = Camera::look_at(eye, DVec3::new(0.5, 1.0, 0.0), DVec3::Z);
+        let lens = Lens::Perspective { fov_y_radians: 1.2 };
+        let camera =
+            Camera { view_from_world, projection: Projection { lens, near: 0.01, far: 9.0 } };
+        let size = Size { width: 64, height: 48 };
+        let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
+        let instance = &view.instances[0];
+        let geometry = view.geometry(instance);
+        let positions = &geometry.mesh.positions[..];
+        let mut counts = [0; 3];
+        for child in geometry.bvh.nodes().iter().flat_map(|node| node.children) {
+            let Some(start) = child.as_block().filter(|_| child != Child::NONE) else { continue };
+            geometry.bvh.leaves().each_block(start, &mut |block| {
+                for sample in 0..200 {
+                    let position = [sample * 7919 % (64 * 256), sample * 104_729 % (48 * 256)];
+                    let at = position.map(|steps| steps as f32);
+                    let bits = |level: Level| dispatch_long!(level, simd => around(simd, block, &geometry, instance, at));
+                    let all = (1 << Head::of(block).count()) - 1;
+                    let own = bits(picker.level) & all;
+                    assert_eq!(own, bits(Level::baseline()) & all);
+                    for lane in 0..Head::of(block).count() {
+                        let corners = corners(block, lane, positions, [0, 1, 2]);
+                        let covers = instance.probe.covers(corners, CullFaces::None, position);
+                        let is_asked = own >> lane & 1 != 0;
+                        assert!(is_asked || covers.is_none(), "{position:?} {corners:?}");
+                        counts[0] += 1;
+                        counts[1] += usize::from(is_asked);
+                        counts[2] += usize::from(covers.is_some());
+                    }
+                }
+            });
+        }
+        counts
+    }
+
+    #[test]
+    fn what_covers_a_sample_is_asked_and_little_else() {
+        for (shared, quality) in
+            [(true, Quality::Thorough), (false, Quality::Thorough), (true, Quality::InOrder)]
+        {
+            let [all, asked, covers] = counted(shared, quality, 3.0);
+            assert!(covers > 10 && asked < 10 * covers, "{all} {asked} {covers}");
+            // Within the sheet, some of which is behind the eye.
+            let [all, asked, covers] = counted(shared, quality, 0.05);
+            assert!(covers > 50 && asked < all, "{all} {asked} {covers}");
+        }
+    }
+
+    #[test]
+    fn depths_of_boxes_are_the_same_for_eight_as_for_one() {
+        let scene = luxel_scene::demos::demo("teapot").unwrap();
+        let picker = Picker::new(&scene).unwrap();
+        let size = Size { width: 64, height: 48 };
+        let mut seen = [0; 2];
+        for eye in [DVec3::new(3.0, 4.0, 5.0), DVec3::new(0.3, 0.2, 0.1)] {
+            let view_from_world = Camera::look_at(eye, DVec3::ZERO, DVec3::Y);
+            let lens = Lens::Perspective { fov_y_radians: 0.8 };
+            let projection = Projection { lens, near: 0.01, far: 20.0 };
+            let camera = Camera { view_from_world, projection };
+            let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
+            for instance in &view.instances {
+                for node in view.geometry(instance).bvh.nodes() {
+                    let depths = dispatch_long!(picker.level, simd => instance.nearest(simd, node));
+                    for slot in 0..WIDTH {
+                        if node.children[slot] != Child::NONE {
+                            let bounds = node.bounds(slot);
+                            let one = instance.probe.nearest(bounds.low, bounds.high);
+                            assert_eq!(depths[slot].to_bits(), one.to_bits());
+                            seen[usize::from(one.is_finite())] += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
     }
 }

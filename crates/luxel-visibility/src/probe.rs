@@ -6,7 +6,7 @@ use crate::cull::GUARD_BAND;
 use crate::setup::{CullFaces, Region, Triangle};
 use crate::transform::WindowTransform;
 use glam::DMat4;
-use luxel_math::SUBPIXELS;
+use luxel_math::{Number, SUBPIXELS};
 use luxel_scene::{Mesh, Projection, Size};
 
 /// A mesh in its place before a camera, to be asked which of its triangles cover a sample.
@@ -55,25 +55,29 @@ impl Probe {
         nearest
     }
 
-    /// No sample of a triangle within a box about the mesh's origin has a larger reversed depth:
-    /// the bound by which [`Frame`](crate::Frame) hides clusters.
+    /// Where vertices, given by positions about the mesh's origin, are snapped to in the window, in
+    /// steps of 1/256 pixel; NaN for those whose triangles may have to be clipped.
+    ///
+    /// A triangle of others covers only samples that its snapped corners aren't all to one side of.
+    #[inline(always)]
     #[must_use]
-    pub fn nearest(&self, low: [f32; 3], high: [f32; 3]) -> f32 {
+    pub fn snapped<N: Number>(&self, position: [N; 3]) -> [N; 2] {
+        self.transform.snapped(position)
+    }
+
+    /// No sample of a triangle within a box about the mesh's origin, given by its low planes and its
+    /// high ones, has a larger reversed depth: the bound by which [`Frame`](crate::Frame) hides
+    /// clusters.
+    #[inline(always)]
+    #[must_use]
+    pub fn nearest<N: Number>(&self, low: [N; 3], high: [N; 3]) -> N {
         // The operations of vertices, in their order; rounding is monotone, so this is a bound.
         let [.., depth, w] = &self.transform.rows;
-        let extreme = |row: &[f32; 4], toward_high: bool| {
-            let term = |axis: usize| {
-                let at = if (row[axis] < 0.0) != toward_high { high[axis] } else { low[axis] };
-                row[axis] * at
-            };
-            term(0) + term(1) + term(2) + row[3]
-        };
-        let (z_high, w_low) = (extreme(depth, true), extreme(w, false));
-        if !(w_low > 0.0 && w_low - z_high >= 0.0) {
-            return f32::INFINITY;
-        }
-        let divisor = if z_high < 0.0 { extreme(w, true) } else { w_low };
-        z_high / divisor
+        let (z_high, w_low) = (extreme(depth, high, low), extreme(w, low, high));
+        let zero = z_high.zero();
+        let divisor = extreme(w, high, low).select(z_high.less(zero), w_low);
+        let is_before = zero.less(w_low) & zero.less_or_equal(w_low - z_high);
+        (z_high / divisor).select(is_before, zero.constant(f32::INFINITY))
     }
 
     /// How far from a triangle the ray of a sample may pass that it covers, across and down the
@@ -100,6 +104,19 @@ impl Probe {
             by_distance: [x, y].map(|row| rounding * magnitude(row) + of_w),
         }
     }
+}
+
+/// A row times the corner of a box that lies farthest along it towards `first`, as its planes stand:
+/// what the row turns round is taken from `second`.
+#[inline(always)]
+fn extreme<N: Number>(row: &[f32; 4], first: [N; 3], second: [N; 3]) -> N {
+    let mut terms = first;
+    for axis in 0..3 {
+        let plane = if row[axis] < 0.0 { second[axis] } else { first[axis] };
+        terms[axis] = plane * plane.constant(row[axis]);
+    }
+    let [x, y, z] = terms;
+    x + y + z + x.constant(row[3])
 }
 
 /// See [`Probe::reach`].

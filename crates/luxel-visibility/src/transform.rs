@@ -6,7 +6,7 @@
 //! over distance (Reed 2015).
 
 use glam::{DMat4, DVec4};
-use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, prelude::*, u32x16};
+use luxel_math::{LANES, Number, SUBPIXELS, Simd, f32x16, i32x16, prelude::*, u32x16};
 use luxel_scene::{Projection, Size};
 
 use crate::cluster::{CLUSTER_VERTICES, GROUP_WORDS};
@@ -107,18 +107,33 @@ impl WindowTransform {
             z: vertex.z / vertex.w,
         }
     }
+
+    /// Where vertices are snapped to, as [`Self::window`] has it; NaN for those that the transform
+    /// doesn't hold.
+    #[inline(always)]
+    pub(crate) fn snapped<N: Number>(&self, [x, y, z]: [N; 3]) -> [N; 2] {
+        let [across, down, depth, w] = &self.rows;
+        let (depth, w) = (row_times(depth, x, y, z), row_times(w, x, y, z));
+        let (zero, nan) = (w.zero(), w.constant(f32::NAN));
+        let mut holds = zero.less(w) & zero.less_or_equal(w - depth);
+        let mut snapped = [zero; 2];
+        for (axis, row) in [across, down].into_iter().enumerate() {
+            let centre = self.centre[axis];
+            let guard = GUARD_BAND as f32;
+            let at = (row_times(row, x, y, z) / w + w.constant(centre)).round_ties_even();
+            holds = holds
+                & w.constant(centre - guard).less_or_equal(at)
+                & at.less_or_equal(w.constant(centre + guard));
+            snapped[axis] = at;
+        }
+        [snapped[0].select(holds, nan), snapped[1].select(holds, nan)]
+    }
 }
 
-/// One row times the positions of sixteen vertices; the order of additions is that of
-/// [`WindowTransform::clip`].
+/// One row times positions; the order of additions is that of [`WindowTransform::clip`].
 #[inline(always)]
-pub(crate) fn row_times<S: Simd>(
-    row: &[f32; 4],
-    x: f32x16<S>,
-    y: f32x16<S>,
-    z: f32x16<S>,
-) -> f32x16<S> {
-    x * row[0] + y * row[1] + z * row[2] + row[3]
+pub(crate) fn row_times<N: Number>(row: &[f32; 4], x: N, y: N, z: N) -> N {
+    x * x.constant(row[0]) + y * x.constant(row[1]) + z * x.constant(row[2]) + x.constant(row[3])
 }
 
 /// Transforms all vertices of a cluster whose every vertex lies in front of the near plane and
