@@ -13,6 +13,7 @@ use crate::view::{Geometry, Instance, PickView, Thickness};
 use crate::world_rays::NearRay;
 use glam::DVec3;
 use luxel_math::{Mask, Number, SUBPIXELS, Simd, dispatch_long, f32x8, permuted, prelude::*};
+use luxel_scene::Mesh;
 use luxel_visibility::Coverage;
 use std::cell::RefCell;
 
@@ -22,6 +23,8 @@ pub(crate) struct Covering {
     /// The instance, by its place in the view.
     pub(crate) instance: usize,
     pub(crate) triangle: u32,
+    /// Its corners, about its mesh's origin.
+    pub(crate) corners: [[f32; 3]; 3],
     /// The reversed depth, 1 near and 0 far, by which frames decide.
     pub(crate) depth: f32,
 }
@@ -103,20 +106,19 @@ impl PickView<'_> {
         let instance = &self.instances[place];
         let geometry = self.geometry(instance);
         let Some(beam) = self.beam(instance, position) else { return };
-        let positions = &geometry.mesh.positions[..];
+        let mesh = geometry.mesh;
         let mut found = |block: &Block, lane: usize| {
             let triangle = number(block, lane);
             let part = part_of(&geometry, triangle);
             let corners = if instance.bounds_tell_depth {
                 // The same are in the leaf, at hand.
-                corners(block, lane, positions, [0, 1, 2])
+                corners(block, lane, &mesh.positions, [0, 1, 2])
             } else {
-                let vertices = geometry.mesh.triangles[triangle as usize];
-                vertices.map(|vertex| positions[vertex as usize])
+                positions(mesh, triangle)
             };
             let cull = instance.parts[part].cull;
             let depth = instance.probe.covers(corners, cull, position)?;
-            Some(visit(Covering { instance: place, triangle, depth }))
+            Some(visit(Covering { instance: place, triangle, corners, depth }))
         };
         WAITING.with_borrow_mut(|waiting| {
             dispatch_long!(self.picker.level, simd =>
@@ -159,11 +161,16 @@ impl PickView<'_> {
         if instance.parts[part].coverage == Coverage::Opaque {
             return false;
         }
-        let barycentric = self.forms(instance, covering.triangle).barycentric(&self.rays, position);
+        let barycentric = self.forms(instance, covering.corners).barycentric(&self.rays, position);
         let scene = self.picker.scene;
         let material = &scene.materials[geometry.mesh.parts[part].material.index()];
         scene.is_hole(geometry.mesh, covering.triangle, barycentric, material)
     }
+}
+
+/// The positions of a triangle's corners, about its mesh's origin.
+pub(crate) fn positions(mesh: &Mesh, triangle: u32) -> [[f32; 3]; 3] {
+    mesh.triangles[triangle as usize].map(|corner| mesh.positions[corner as usize])
 }
 
 /// The part of its mesh that a triangle belongs to.

@@ -1,7 +1,7 @@
 //! What a part of the window shows, drawn as frames are: the tree tells which triangles may reach
 //! there, and a frame of `luxel-visibility` over those alone finds out which pixel shows which.
 
-use crate::cover::Covering;
+use crate::cover::{Covering, positions};
 use crate::frustum::{Frustum, PLANES, planes};
 use crate::region::Region;
 use crate::view::{Geometry, Instance, PickView};
@@ -74,7 +74,9 @@ impl PickView<'_> {
         };
         let hole = |id: TriangleId, position: [i32; 2]| {
             shown(id).is_some_and(|(instance, triangle)| {
-                self.is_hole(&Covering { instance, triangle, depth: 0.0 }, position)
+                let mesh = self.geometry(&self.instances[instance]).mesh;
+                let corners = positions(mesh, triangle);
+                self.is_hole(&Covering { instance, triangle, corners, depth: 0.0 }, position)
             })
         };
         let [across, _] = frame.tiles();

@@ -8,7 +8,6 @@ use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
 use luxel_visibility::{Forms, InstanceSpace};
-use std::hint::black_box;
 
 /// What lies under a place of the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,10 +116,8 @@ impl PickView<'_> {
         if element < points { Element::Point(element) } else { Element::Line(element - points) }
     }
 
-    pub(crate) fn forms(&self, instance: &Instance, triangle: u32) -> Forms {
-        let mesh = self.geometry(instance).mesh;
-        let corners = instance.space.view_from_local.corners(positions(mesh, triangle));
-        Forms::new(&self.rays, corners)
+    pub(crate) fn forms(&self, instance: &Instance, corners: [[f32; 3]; 3]) -> Forms {
+        Forms::new(&self.rays, instance.space.view_from_local.corners(corners))
     }
 
     /// The surface of a triangle at a sample that it covers.
@@ -132,9 +129,7 @@ impl PickView<'_> {
         let mesh = geometry.mesh;
         let attributes = mesh.attribute_corners()[triangle as usize].map(|at| at as usize);
         let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
-        // Now, not when they are wanted: positions and normals both come from far, and so together.
-        black_box(&in_mesh);
-        let forms = self.forms(instance, triangle);
+        let forms = self.forms(instance, covering.corners);
         let in_view = forms.corners();
         let weights = forms.barycentric(&self.rays, position);
 
@@ -228,11 +223,6 @@ fn mix<const N: usize>([a, b, c]: [[f32; N]; 3], weights: [f32; 3]) -> [f32; N] 
 
 fn mix3([a, b, c]: [Vec3<f32>; 3], weights: [f32; 3]) -> Vec3<f32> {
     a * weights[0] + b * weights[1] + c * weights[2]
-}
-
-/// The positions of a triangle's corners, about its mesh's origin.
-fn positions(mesh: &Mesh, triangle: u32) -> [[f32; 3]; 3] {
-    mesh.triangles[triangle as usize].map(|corner| mesh.positions[corner as usize])
 }
 
 /// Texture coordinates; 0 where the mesh has none.
