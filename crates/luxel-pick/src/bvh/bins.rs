@@ -143,59 +143,42 @@ pub(super) fn longest(extent: &[f32; 3]) -> usize {
     (1..3).fold(0, |best, axis| if extent[axis] > extent[best] { axis } else { best })
 }
 
-/// Fills the bins along the longest axis. Counts and bounds don't depend on who counted first.
+/// Fills the bins along some axes. Counts and bounds don't depend on who counted first.
 #[inline(always)]
-pub(super) fn fill<S: Simd>(simd: S, refs: &[Ref], scale: &Scale, bins: &mut Bins) {
-    if refs.len() < MANY {
-        for of in refs {
-            let of = f32x8::simd_from(simd, of.0);
-            bins.add(simd, scale.bins(simd, middles_of(of))[scale.longest & 3], of);
+pub(super) fn fill<S: Simd, const AXES: usize>(
+    simd: S,
+    refs: &[Ref],
+    scale: &Scale,
+    axes: [usize; AXES],
+    bins: &mut [Bins; AXES],
+) {
+    let mut rest = refs;
+    if refs.len() >= MANY {
+        // Neighbours often fall into one bin and would wait for one another: every other one has bins
+        // of its own.
+        let mut others = [NO_BINS; AXES];
+        let pairs;
+        (pairs, rest) = refs.as_chunks::<2>();
+        for [one, other] in pairs {
+            let one = f32x8::simd_from(simd, one.0);
+            let other = f32x8::simd_from(simd, other.0);
+            let places = scale.bins(simd, middles_of(one));
+            let other_places = scale.bins(simd, middles_of(other));
+            for axis in 0..AXES {
+                bins[axis].add(simd, places[axes[axis] & 3], one);
+                others[axis].add(simd, other_places[axes[axis] & 3], other);
+            }
         }
-        return;
-    }
-    // Neighbours often fall into one bin and would wait for one another: every other one has bins of
-    // its own.
-    let mut others = NO_BINS;
-    let (pairs, rest) = refs.as_chunks::<2>();
-    for [one, other] in pairs {
-        let one = f32x8::simd_from(simd, one.0);
-        let other = f32x8::simd_from(simd, other.0);
-        let place = scale.bins(simd, middles_of(one))[scale.longest & 3];
-        let other_place = scale.bins(simd, middles_of(other))[scale.longest & 3];
-        bins.add(simd, place, one);
-        others.add(simd, other_place, other);
-    }
-    for of in rest {
-        let of = f32x8::simd_from(simd, of.0);
-        bins.add(simd, scale.bins(simd, middles_of(of))[scale.longest & 3], of);
-    }
-    bins.include(simd, &others);
-}
-
-/// The same along all axes, for many.
-#[inline(always)]
-pub(super) fn fill_all<S: Simd>(simd: S, refs: &[Ref], scale: &Scale, bins: &mut [Bins; 3]) {
-    let mut others = [NO_BINS; 3];
-    let (pairs, rest) = refs.as_chunks::<2>();
-    for [one, other] in pairs {
-        let one = f32x8::simd_from(simd, one.0);
-        let other = f32x8::simd_from(simd, other.0);
-        let places = scale.bins(simd, middles_of(one));
-        let other_places = scale.bins(simd, middles_of(other));
-        for axis in 0..3 {
-            bins[axis].add(simd, places[axis], one);
-            others[axis].add(simd, other_places[axis], other);
+        for (bins, others) in bins.iter_mut().zip(&others) {
+            bins.include(simd, others);
         }
     }
     for of in rest {
         let of = f32x8::simd_from(simd, of.0);
         let places = scale.bins(simd, middles_of(of));
-        for axis in 0..3 {
-            bins[axis].add(simd, places[axis], of);
+        for axis in 0..AXES {
+            bins[axis].add(simd, places[axes[axis] & 3], of);
         }
-    }
-    for (bins, others) in bins.iter_mut().zip(&others) {
-        bins.include(simd, others);
     }
 }
 

@@ -4,8 +4,7 @@
 
 use super::Quality;
 use super::bins::{
-    Bins, Border, EMPTY, Lanes, NO_BINS, Ref, Scale, Side, box_of, fill, fill_all, lanes, longest,
-    middles_of,
+    Bins, Border, EMPTY, Lanes, NO_BINS, Ref, Scale, Side, box_of, fill, lanes, longest, middles_of,
 };
 use luxel_math::{Level, Simd, dispatch_long, f32x8, prelude::*};
 use luxel_parallel::{each, map};
@@ -91,12 +90,12 @@ pub(super) fn split_many(
         let refs = &refs[run.clone()];
         if scale.all {
             let mut bins = [NO_BINS; 3];
-            dispatch_long!(care.level, simd => fill_all(simd, refs, &scale, &mut bins));
+            dispatch_long!(care.level, simd => fill(simd, refs, &scale, [0, 1, 2], &mut bins));
             bins.to_vec()
         } else {
-            let mut bins = vec![NO_BINS];
-            dispatch_long!(care.level, simd => fill(simd, refs, &scale, &mut bins[0]));
-            bins
+            let mut bins = [NO_BINS];
+            dispatch_long!(care.level, simd => fill(simd, refs, &scale, [scale.longest], &mut bins));
+            bins.to_vec()
         }
     });
     // What was filled along each axis.
@@ -153,8 +152,9 @@ fn split_few<S: Simd>(
     scratch: &mut [Ref],
     scale: &Scale,
 ) -> Option<Split> {
-    let mut bins = NO_BINS;
-    fill(simd, refs, scale, &mut bins);
+    let mut bins = [NO_BINS];
+    fill(simd, refs, scale, [scale.longest], &mut bins);
+    let [bins] = bins;
     let border = bins.border(simd, scale.longest, scale.bins)?;
     let (at, middles) = partition(simd, refs, scratch, scale, border);
     Some(Split { at, sides: bins.sides(simd, border, middles), cost: border.cost })
