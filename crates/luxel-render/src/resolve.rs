@@ -7,7 +7,7 @@ use crate::plain::shade_plain;
 use crate::shade::{Batch, Kept, Scene16, shade};
 use crate::varying::lanes_of;
 use luxel_lighting::Silent;
-use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
+use luxel_math::{LANES, Simd, f32x16, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{MAX_SAMPLES, Tile, TriangleId};
 
 /// Whether nothing is seen in a block.
@@ -15,15 +15,15 @@ pub(crate) fn is_empty(tile: &Tile, block: usize) -> bool {
     tile.planes().iter().all(|plane| plane.ids[block] == [TriangleId::NONE.0; LANES])
 }
 
-/// [`is_empty`] by lanes.
+/// What all samples of a block see, if it is the same.
 #[inline(always)]
-pub(crate) fn sees_nothing<S: Simd>(simd: S, tile: &Tile, block: usize) -> bool {
-    // Nothing is the highest of all ids.
-    let mut all = u32x16::splat(simd, TriangleId::NONE.0);
+pub(crate) fn sees_one<S: Simd>(simd: S, tile: &Tile, block: usize) -> Option<u32> {
+    let id = tile.planes()[0].ids[block][0];
+    let mut same = mask32x16::splat(simd, true);
     for plane in tile.planes() {
-        all &= u32x16::simd_from(simd, plane.ids[block]);
+        same &= u32x16::simd_from(simd, plane.ids[block]).simd_eq(id);
     }
-    all.simd_eq(TriangleId::NONE.0).all_true()
+    same.all_true().then_some(id)
 }
 
 /// A pixel of a block where nothing is seen.

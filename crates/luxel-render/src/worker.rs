@@ -2,7 +2,7 @@
 
 use crate::firsts::Firsts;
 use crate::packed::Packed;
-use crate::resolve::{Layered, empty_block, empty_pixel, even_block, sees_nothing, uneven_block};
+use crate::resolve::{Layered, empty_block, empty_pixel, even_block, sees_one, uneven_block};
 use crate::shade::{Kept, Scene16};
 use crate::tiles::TilePixels;
 use luxel_lighting::PictureEncoding;
@@ -166,8 +166,12 @@ fn look_ahead<S: Simd>(
     let mut ahead = Ahead { empty: 0, firsts: [Firsts::EVEN; AHEAD] };
     for number in 0..AHEAD {
         let block = first + number;
-        if sees_nothing(simd, tile, block) {
-            ahead.empty |= 1 << number;
+        if let Some(id) = sees_one(simd, tile, block) {
+            if id == TriangleId::NONE.0 {
+                ahead.empty |= 1 << number;
+            } else if scene.is_plain {
+                ready.look_ahead(like, scene, gathered, &tile.planes()[0].ids[block], 1);
+            }
             continue;
         }
         let firsts = Firsts::of(simd, tile, block);
