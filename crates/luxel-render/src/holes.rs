@@ -109,7 +109,7 @@ impl Finder<'_> {
             }
             let one = taken.is_power_of_two();
             let mut cut = Cut { finder: self, asked, lanes: now, rows, one, material, holes: 0 };
-            cut.find();
+            at_lanes(self.level, now, &mut cut);
             holes |= cut.holes;
         }
         holes
@@ -148,10 +148,27 @@ impl Finder<'_> {
             let forms = self.frame.forms(of);
             let flags = flags.of(of.triangle);
             let mut wires = Wires { forms, flags, asked, lanes: here, width, beside: 0 };
-            wires.find(self.level);
+            at_lanes(self.level, here, &mut wires);
             beside |= wires.beside;
         }
         beside
+    }
+
+    /// The barycentrics of the nearest place on a triangle's edges to a lane's sample.
+    #[cold]
+    fn nearest_on_edges(&self, asked: &Asked, lane: usize) -> [f32; 3] {
+        let Some(of) = self.frame.triangle(asked.ids[lane]) else { return [0.0; 3] };
+        let [x, y] = [asked.x[lane], asked.y[lane]].map(f64::from);
+        self.frame.forms(of).nearest_on_edges(self.frame.rays(), x, y)
+    }
+}
+
+/// Does work at these lanes: at one as one number, at several in lanes.
+fn at_lanes(level: Level, lanes: u32, work: &mut impl Piecewise) {
+    if lanes.is_power_of_two() {
+        work.piece(0.0_f32, lanes.trailing_zeros() as usize % LANES);
+    } else {
+        dispatch_long!(level, simd => f32x16::splat(simd, 0.0).piecewise(work));
     }
 }
 
@@ -165,17 +182,6 @@ struct Cut<'c> {
     one: bool,
     material: u32,
     holes: u32,
-}
-
-impl Cut<'_> {
-    fn find(&mut self) {
-        if self.lanes.is_power_of_two() {
-            self.piece(0.0_f32, self.lanes.trailing_zeros() as usize % LANES);
-            return;
-        }
-        let level = self.finder.level;
-        dispatch_long!(level, simd => f32x16::splat(simd, 0.0).piecewise(self));
-    }
 }
 
 impl Piecewise for Cut<'_> {
@@ -221,16 +227,6 @@ impl Piecewise for Cut<'_> {
     }
 }
 
-impl Finder<'_> {
-    /// The barycentrics of the nearest place on a triangle's edges to a lane's sample.
-    #[cold]
-    fn nearest_on_edges(&self, asked: &Asked, lane: usize) -> [f32; 3] {
-        let Some(of) = self.frame.triangle(asked.ids[lane]) else { return [0.0; 3] };
-        let [x, y] = [asked.x[lane], asked.y[lane]].map(f64::from);
-        self.frame.forms(of).nearest_on_edges(self.frame.rays(), x, y)
-    }
-}
-
 /// Samples of one triangle, and which of them lie between wires.
 struct Wires<'w> {
     forms: Forms,
@@ -239,16 +235,6 @@ struct Wires<'w> {
     lanes: u32,
     width: f32,
     beside: u32,
-}
-
-impl Wires<'_> {
-    fn find(&mut self, level: Level) {
-        if self.lanes.is_power_of_two() {
-            self.piece(0.0_f32, self.lanes.trailing_zeros() as usize % LANES);
-            return;
-        }
-        dispatch_long!(level, simd => f32x16::splat(simd, 0.0).piecewise(self));
-    }
 }
 
 impl Piecewise for Wires<'_> {
