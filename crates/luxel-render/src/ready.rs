@@ -25,10 +25,10 @@ impl ReadyTriangle {
     const NOTHING: Self = Self { forms: [[0.0; 4]; 3], corners: [[0.0; 8]; 3] };
 }
 
-/// Up to so many triangles a block are made ready to be kept; with more, few of them are seen by the
-/// next block, too.
+/// Up to so many triangles that sixteen samples see are made ready when they are lit, if they aren't; with
+/// more, few of them are seen by the next sixteen, too.
 const FEW: u32 = 8;
-/// How many are kept: 96 KiB, a part of a core's second-level cache. Enough for the blocks that are
+/// How many are kept: 192 KiB, a part of a core's second-level cache. Enough for the blocks that are
 /// looked at together.
 const KEPT: usize = 1024;
 /// A place for what nobody asked for.

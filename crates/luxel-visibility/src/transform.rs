@@ -79,33 +79,22 @@ impl WindowTransform {
 
     /// The clip coordinates of one position.
     pub(crate) fn clip(&self, [px, py, pz]: [f32; 3]) -> ClipVertex {
-        let dot = |row: &[f32; 4]| row[0] * px + row[1] * py + row[2] * pz + row[3];
-        let [x, y, z, w] = [0, 1, 2, 3].map(|row| dot(&self.rows[row]));
+        let [x, y, z, w] = self.rows.map(|row| row_times(&row, px, py, pz));
         ClipVertex { x, y, z, w }
     }
 
     /// Whether a vertex lies in front of the near plane and, snapped, within the guard band. A
     /// triangle of such vertices is never clipped, whatever cluster it is in.
     pub(crate) fn holds(&self, vertex: ClipVertex) -> bool {
-        let guard = GUARD_BAND as f32;
-        let within = |value: f32, centre: f32| {
-            let snapped = (value / vertex.w + centre).round_ties_even();
-            centre - guard <= snapped && snapped <= centre + guard
-        };
-        vertex.w > 0.0
-            && vertex.w - vertex.z >= 0.0
-            && within(vertex.x, self.centre[0])
-            && within(vertex.y, self.centre[1])
+        let ClipVertex { x, y, z, w } = vertex;
+        self.snapped_and_held([x, y, z, w]).1
     }
 
     /// The window coordinates of a vertex that the transform `holds`.
     pub(crate) fn window(&self, vertex: ClipVertex) -> WindowVertex {
-        let snap = |value: f32, centre: f32| (value / vertex.w + centre).round_ties_even() as i32;
-        WindowVertex {
-            x: snap(vertex.x, self.centre[0]),
-            y: snap(vertex.y, self.centre[1]),
-            z: vertex.z / vertex.w,
-        }
+        let ClipVertex { x, y, z, w } = vertex;
+        let [centre_x, centre_y] = self.centre;
+        WindowVertex { x: snap(x, w, centre_x) as i32, y: snap(y, w, centre_y) as i32, z: z / w }
     }
 
     /// Where vertices are snapped to, as [`Self::window`] has it; NaN for those that the transform
@@ -113,24 +102,40 @@ impl WindowTransform {
     #[inline(always)]
     pub(crate) fn snapped<N: Number>(&self, [x, y, z]: [N; 3]) -> [N; 2] {
         let [across, down, depth, w] = &self.rows;
-        let (depth, w) = (row_times(depth, x, y, z), row_times(w, x, y, z));
-        let (zero, nan) = (w.zero(), w.constant(f32::NAN));
-        let mut holds = zero.less(w) & zero.less_or_equal(w - depth);
-        let mut snapped = [zero; 2];
-        for (axis, row) in [across, down].into_iter().enumerate() {
-            let centre = self.centre[axis];
+        let ([across, down], held) = self.snapped_and_held([
+            row_times(across, x, y, z),
+            row_times(down, x, y, z),
+            row_times(depth, x, y, z),
+            row_times(w, x, y, z),
+        ]);
+        let nan = x.constant(f32::NAN);
+        [across.select(held, nan), down.select(held, nan)]
+    }
+
+    /// Where clip coordinates are snapped to, and whether that [holds](Self::holds).
+    #[inline(always)]
+    fn snapped_and_held<N: Number>(&self, [x, y, z, w]: [N; 4]) -> ([N; 2], N::Mask) {
+        let zero = w.zero();
+        let mut held = zero.less(w) & zero.less_or_equal(w - z);
+        let mut snapped = [x, y];
+        for (at, centre) in snapped.iter_mut().zip(self.centre) {
             let guard = GUARD_BAND as f32;
-            let at = (row_times(row, x, y, z) / w + w.constant(centre)).round_ties_even();
-            holds = holds
-                & w.constant(centre - guard).less_or_equal(at)
+            *at = snap(*at, w, centre);
+            held = held
+                & w.constant(centre - guard).less_or_equal(*at)
                 & at.less_or_equal(w.constant(centre + guard));
-            snapped[axis] = at;
         }
-        [snapped[0].select(holds, nan), snapped[1].select(holds, nan)]
+        (snapped, held)
     }
 }
 
-/// One row times positions; the order of additions is that of [`WindowTransform::clip`].
+/// A clip coordinate on the window's grid, in steps of 1/256 pixel.
+#[inline(always)]
+fn snap<N: Number>(value: N, w: N, centre: f32) -> N {
+    (value / w + w.constant(centre)).round_ties_even()
+}
+
+/// One row times positions: a clip coordinate.
 #[inline(always)]
 pub(crate) fn row_times<N: Number>(row: &[f32; 4], x: N, y: N, z: N) -> N {
     x * x.constant(row[0]) + y * x.constant(row[1]) + z * x.constant(row[2]) + x.constant(row[3])
@@ -171,10 +176,8 @@ fn transform_groups<S: Simd>(
         let clip_y = row_times(&transform.rows[1], x, y, z);
         let clip_z = row_times(&transform.rows[2], x, y, z);
         let clip_w = row_times(&transform.rows[3], x, y, z);
-        let window_x = SimdFloat::round_ties_even(clip_x / clip_w + transform.centre[0]);
-        let window_y = SimdFloat::round_ties_even(clip_y / clip_w + transform.centre[1]);
-        let window_x = i32x16::truncate_from(window_x);
-        let window_y = i32x16::truncate_from(window_y);
+        let window_x = i32x16::truncate_from(snap(clip_x, clip_w, transform.centre[0]));
+        let window_y = i32x16::truncate_from(snap(clip_y, clip_w, transform.centre[1]));
         let (first, second) = out_xy.as_flattened_mut().split_at_mut(LANES);
         let (low, high) = simd.interleave_i32x16(window_x, window_y);
         low.store_slice(first);
