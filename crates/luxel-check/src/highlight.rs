@@ -1,8 +1,8 @@
 //! Highlights that lie between the vertices, where shading per vertex doesn't see them.
 
 use luxel_lighting::{
-    Environment, Light, LightKind, PictureEncoding, PlacedLight, Reflectance, Silent, SurfacePoint,
-    Surroundings, lit,
+    Environment, Light, LightKind, LightingEnvironment, PictureEncoding, PlacedLight, Reflectance,
+    Silent, SurfacePoint, lit,
 };
 use luxel_math::Vec3;
 use luxel_scene::{DVec3, SceneMaterial};
@@ -28,12 +28,7 @@ pub(crate) fn loss(normals: &[DVec3; 3], material: &SceneMaterial) -> f32 {
     let towards = middle.as_vec3().to_array();
     let light = Light::new(LightKind::Directional, [1.0; 3]);
     let lights = [PlacedLight::new(light, [0.0; 3], towards.map(|component| -component))];
-    let surroundings = Surroundings {
-        lights: &lights,
-        scene_ambient: [0.0; 3],
-        environment: Environment::None,
-        fog: None,
-    };
+    let surroundings = LightingEnvironment::new(&lights, [0.0; 3], Environment::None, None);
     let constants = &material.constants;
     let reflectance = Reflectance::of(0.0_f32, constants);
     let vector = |[x, y, z]: [f32; 3]| Vec3::new(x, y, z);

@@ -8,8 +8,8 @@
 #![allow(clippy::unwrap_used, reason = "a benchmark")]
 
 use luxel_lighting::{
-    Environment, Light, LightKind, Material, PlacedLight, Reflectance, Reflection, Silent,
-    SurfacePoint, Surroundings, lit,
+    Environment, Light, LightKind, LightingEnvironment, Material, PlacedLight, Reflectance,
+    Reflection, Silent, SurfacePoint, lit,
 };
 use luxel_math::{LANES, Simd, SimdLevel, Vec3, dispatch_long, f32x16, prelude::*};
 use std::hint::black_box;
@@ -21,7 +21,11 @@ const BLOCKS: u32 = 4096;
 
 /// Lights blocks of points on a ball before the eye; the sum of the light.
 #[inline(always)]
-fn light_blocks<S: Simd>(simd: S, material: &Material, surroundings: &Surroundings<'_>) -> f32 {
+fn light_blocks<S: Simd>(
+    simd: S,
+    material: &Material,
+    surroundings: &LightingEnvironment<'_>,
+) -> f32 {
     let spread = |of: fn(u32) -> f32, block: u32| {
         let lanes: [f32; LANES] =
             std::array::from_fn(|lane| of(block * LANES as u32 + lane as u32));
@@ -76,12 +80,8 @@ fn main() {
                 if filter.as_ref().is_some_and(|filter| !name.contains(filter.as_str())) {
                     continue;
                 }
-                let surroundings = Surroundings {
-                    lights: &lights[..count],
-                    scene_ambient: [0.1; 3],
-                    environment: Environment::None,
-                    fog: None,
-                };
+                let surroundings =
+                    LightingEnvironment::new(&lights[..count], [0.1; 3], Environment::None, None);
                 let mut sum = 0.0;
                 let mut times: Vec<f64> = (0..ROUNDS)
                     .map(|_| {

@@ -26,8 +26,8 @@ pub struct Coefficients<K> {
     pub(crate) specular: Rgb<K>,
     /// O_d of a microfacet surface, within 0 and 1.
     pub(crate) base: Rgb<K>,
-    /// n
-    pub(crate) shininess: K,
+    /// n, the same at all points of a material.
+    pub(crate) shininess: f32,
     /// Within 0 and 1.
     pub(crate) metallic: K,
     /// Within 0 and 1.
@@ -48,7 +48,7 @@ impl<N: Number> Coefficients<N> {
             diffuse,
             specular: coefficient(reflectance.specular, material.k_s),
             base: limited(reflectance.diffuse, 1.0),
-            shininess: reflectance.shininess.limited(0.0, 1e9),
+            shininess: material.shininess.limited(0.0, 1e9),
             metallic: reflectance.metallic.limited(0.0, 1.0),
             roughness: reflectance.roughness.limited(0.0, 1.0),
             occlusion,
@@ -68,7 +68,7 @@ impl Coefficients<Uniform> {
             diffuse: rgb(of.diffuse),
             specular: rgb(of.specular),
             base: rgb(of.base),
-            shininess: Uniform(of.shininess),
+            shininess: of.shininess,
             metallic: Uniform(of.metallic),
             roughness: Uniform(of.roughness),
             occlusion: Uniform(of.occlusion),

@@ -9,18 +9,30 @@ use crate::{
 };
 use luxel_math::{Number, Rgb};
 
-/// What shines on a surface, and what lies between it and the eye: the same for a whole picture.
+/// What shines on a surface, and what lies between it and the eye: the same for all points of a material.
 #[derive(Clone, Copy, Debug)]
-pub struct Surroundings<'a> {
-    /// Directional, point and spot lights; ambient ones are passed over here: their sum is
-    /// `scene_ambient`.
-    pub lights: &'a [PlacedLight],
-    /// I_a of the scene, ambient lights included.
-    pub scene_ambient: [f32; 3],
-    /// What mirrors and metals see.
-    pub environment: Environment,
-    /// The fog, if any.
-    pub fog: Option<&'a Fog>,
+pub struct LightingEnvironment<'a> {
+    lights: &'a [PlacedLight],
+    /// I_a of the scene, within bounds.
+    scene_ambient: [f32; 3],
+    environment: Environment,
+    fog: Option<&'a Fog>,
+}
+
+impl<'a> LightingEnvironment<'a> {
+    /// Directional, point and spot lights (ambient ones are passed over: their sum is `scene_ambient`,
+    /// I_a), what mirrors and metals see, and the fog, if any.
+    ///
+    /// I_a is kept within 1e10, so that no later product overflows; 0 stands for NaN.
+    #[must_use]
+    pub fn new(
+        lights: &'a [PlacedLight],
+        scene_ambient: [f32; 3],
+        environment: Environment,
+        fog: Option<&'a Fog>,
+    ) -> Self {
+        Self { lights, scene_ambient: bounded(scene_ambient), environment, fog }
+    }
 }
 
 /// The light that a surface point sends to the eye, fog included, not clamped, always finite.
@@ -43,7 +55,7 @@ pub fn lit<N: Number, W: Witness<N>>(
     point: &SurfacePoint<N>,
     reflectance: &Reflectance<N>,
     material: &Material,
-    surroundings: &Surroundings<'_>,
+    surroundings: &LightingEnvironment<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
     let coefficients = Coefficients::new(reflectance, material);
@@ -56,7 +68,7 @@ pub fn lit_by<N: Number, K: Spread<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
     coefficients: &Coefficients<K>,
     reflection: &Reflection,
-    surroundings: &Surroundings<'_>,
+    surroundings: &LightingEnvironment<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
     let sum = reflected(point, coefficients, reflection, surroundings, witness);
@@ -75,14 +87,14 @@ pub fn reflected<N: Number, K: Spread<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
     coefficients: &Coefficients<K>,
     reflection: &Reflection,
-    surroundings: &Surroundings<'_>,
+    surroundings: &LightingEnvironment<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
     let like = point.depth;
     let surface = Surface::new(point, coefficients);
     let emission = spread(coefficients.own, like);
     let ambient_share = surface.ambient(reflection, &surroundings.environment);
-    let scene_ambient = ambient_share * Rgb::splat(like, bounded(surroundings.scene_ambient));
+    let scene_ambient = ambient_share * Rgb::splat(like, surroundings.scene_ambient);
 
     let mut sum = emission + scene_ambient;
     for (index, placed) in surroundings.lights.iter().enumerate() {

@@ -35,7 +35,7 @@ pub use encode::{
     PictureEncoding, byte_to_linear, decode_srgb, encode_srgb, srgb_to_byte, unit_to_byte,
 };
 pub use environment::Environment;
-pub use equation::{Surroundings, lit, lit_by, reflected};
+pub use equation::{LightingEnvironment, lit, lit_by, reflected};
 pub use fog::{Fog, FogLaw};
 pub use light::{Attenuation, Cone, Light, LightKind};
 pub use material::{Material, Reflection};

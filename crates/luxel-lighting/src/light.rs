@@ -32,6 +32,14 @@ pub enum LightKind {
     Spot(Cone),
 }
 
+impl LightKind {
+    /// Whether what arrives depends on the distance and direction of a place.
+    #[must_use]
+    pub const fn has_place(self) -> bool {
+        matches!(self, Self::Point | Self::Spot(_))
+    }
+}
+
 /// The cone of a spot light; angle t is between the light's direction and the way to the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cone {

@@ -141,8 +141,8 @@ impl Cone {
         match self {
             Self::Exponent { cos_cutoff, exponent } => {
                 // A negative exponent would make light grow without bound at the cone's edge.
-                let exponent = cosine.constant(exponent.max(0.0));
-                let brightness = elementary::power(cosine.limited(0.0, 1.0), exponent);
+                let base = cosine.limited(0.0, 1.0);
+                let brightness = elementary::power_of_one_exponent(base, exponent.max(0.0));
                 // Rounding may take a cosine below -1: without a cone everything is inside.
                 let everywhere = cosine.equal(cosine).splat_like(cos_cutoff <= -1.0);
                 brightness

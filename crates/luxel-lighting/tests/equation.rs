@@ -21,11 +21,15 @@ fn white(reflection: Reflection) -> Material {
     Material { reflection, diffuse: [1.0; 3], k_s: 0.0, roughness: 0.0, ..Material::default() }
 }
 
-fn surroundings(lights: &[PlacedLight]) -> Surroundings<'_> {
-    Surroundings { lights, scene_ambient: [0.0; 3], environment: Environment::None, fog: None }
+fn surroundings(lights: &[PlacedLight]) -> LightingEnvironment<'_> {
+    LightingEnvironment::new(lights, [0.0; 3], Environment::None, None)
 }
 
-fn shade(point: &SurfacePoint<f32>, material: &Material, around: &Surroundings<'_>) -> [f32; 3] {
+fn shade(
+    point: &SurfacePoint<f32>,
+    material: &Material,
+    around: &LightingEnvironment<'_>,
+) -> [f32; 3] {
     lit(point, &Reflectance::of(0.0, material), material, around, &mut Silent).lane(0)
 }
 
@@ -212,12 +216,12 @@ fn the_ledgers_terms_add_up_to_the_colour_bit_by_bit() {
     };
     let light = Light { ambient: [0.1, 0.2, 0.3], ..Light::new(LightKind::Point, [0.7; 3]) };
     let lights = [facing_light(), PlacedLight::new(light, [1.0, 2.0, -3.0], [0.0; 3])];
-    let around = Surroundings {
-        lights: &lights,
-        scene_ambient: [0.05, 0.06, 0.07],
-        environment: Environment::Studio { up: [0.0, 1.0, 0.0] },
-        fog: Some(&fog),
-    };
+    let around = LightingEnvironment::new(
+        &lights,
+        [0.05, 0.06, 0.07],
+        Environment::Studio { up: [0.0, 1.0, 0.0] },
+        Some(&fog),
+    );
     for reflection in models() {
         let material = Material {
             reflection,
@@ -352,9 +356,7 @@ proptest! {
             _ => FogLaw::ExponentialSquared { density },
         };
         let fog = Fog { color: [0.5; 3], law };
-        let around = Surroundings {
-            lights: &lights, scene_ambient, environment: Environment::None, fog: Some(&fog),
-        };
+        let around = LightingEnvironment::new(&lights, scene_ambient, Environment::None, Some(&fog));
         let mut ledger = Ledger::default();
         let color = lit(&point, &reflectance, &material, &around, &mut ledger);
         let exact = naive::equation(&point, &reflectance, &material, &around);
@@ -460,9 +462,7 @@ proptest! {
             1 => Environment::Constant(around.0),
             _ => Environment::Studio { up: [0.0, 1.0, 0.0] },
         };
-        let around = Surroundings {
-            lights: &lights, scene_ambient: around.0, environment, fog: Some(&fog),
-        };
+        let around = LightingEnvironment::new(&lights, around.0, environment, Some(&fog));
         let mut reflectance = Reflectance::of(0.0, &material);
         reflectance.occlusion = occlusion;
         let mut ledger = Ledger::default();

@@ -27,7 +27,7 @@ fn in_lanes<S: Simd>(
     simd: S,
     points: &[SurfacePoint<f32>; 16],
     material: &Material,
-    surroundings: &Surroundings<'_>,
+    surroundings: &LightingEnvironment<'_>,
 ) -> [[f32; 3]; 16] {
     let like = f32x16::splat(simd, 0.0);
     let vector = |of: fn(&SurfacePoint<f32>) -> Vec3<f32>| {
@@ -57,12 +57,12 @@ fn every_simd_level_gives_the_bits_of_one_value() {
         PlacedLight::new(Light::new(LightKind::Point, [0.9, 0.5, 0.2]), [2.0, 1.0, -1.0], [0.0; 3]),
         PlacedLight::new(Light::new(spot, [0.3, 2.0, 0.7]), [0.0, 3.0, 0.0], [0.0, -1.0, -1.0]),
     ];
-    let surroundings = Surroundings {
-        lights: &lights,
-        scene_ambient: [0.1, 0.11, 0.12],
-        environment: Environment::Studio { up: [0.0, 1.0, 0.0] },
-        fog: Some(&fog),
-    };
+    let surroundings = LightingEnvironment::new(
+        &lights,
+        [0.1, 0.11, 0.12],
+        Environment::Studio { up: [0.0, 1.0, 0.0] },
+        Some(&fog),
+    );
     let points = points();
     for reflection in models() {
         let material =

@@ -30,12 +30,7 @@ fn vec3([x, y, z]: [f32; 3]) -> Vec3<f32> {
 fn sent(material: &Material, to_light: [f32; 3], view: [f32; 3]) -> [f64; 2] {
     let light = Light::new(LightKind::Directional, [1.0; 3]);
     let lights = [PlacedLight::new(light, [0.0; 3], to_light.map(|c| -c))];
-    let surroundings = Surroundings {
-        lights: &lights,
-        scene_ambient: [0.0; 3],
-        environment: Environment::None,
-        fog: None,
-    };
+    let surroundings = LightingEnvironment::new(&lights, [0.0; 3], Environment::None, None);
     let mut ledger = Ledger::default();
     let _ =
         lit(&point(view), &Reflectance::of(0.0, material), material, &surroundings, &mut ledger);
@@ -131,12 +126,8 @@ fn no_surface_sends_more_than_it_gets() {
 
 /// What a surface mirrors of a white world.
 fn mirrored(material: &Material, n_dot_v: f64) -> f64 {
-    let surroundings = Surroundings {
-        lights: &[],
-        scene_ambient: [0.0; 3],
-        environment: Environment::Constant([1.0; 3]),
-        fog: None,
-    };
+    let surroundings =
+        LightingEnvironment::new(&[], [0.0; 3], Environment::Constant([1.0; 3]), None);
     let mut ledger = Ledger::default();
     let reflectance = Reflectance::of(0.0, material);
     let view = direction(n_dot_v, 0.0);
@@ -168,12 +159,8 @@ fn an_ideal_mirror_shows_the_environment_in_its_own_colour() {
         k_s: 0.8,
         ..Material::default()
     };
-    let surroundings = Surroundings {
-        lights: &[],
-        scene_ambient: [0.0; 3],
-        environment: Environment::Constant([0.5, 1.0, 2.0]),
-        fog: None,
-    };
+    let surroundings =
+        LightingEnvironment::new(&[], [0.0; 3], Environment::Constant([0.5, 1.0, 2.0]), None);
     let mut reflectance = Reflectance::of(0.0, &material);
     reflectance.occlusion = 0.5;
     let view = direction(0.6, 0.3);
@@ -185,8 +172,7 @@ fn an_ideal_mirror_shows_the_environment_in_its_own_colour() {
 fn an_environment_takes_the_place_of_ambient_light_on_metals_alone() {
     let ambient = |environment, metallic| {
         let material = material(Reflection::Microfacet, 0.5, metallic, 0.5);
-        let surroundings =
-            Surroundings { lights: &[], scene_ambient: [0.4; 3], environment, fog: None };
+        let surroundings = LightingEnvironment::new(&[], [0.4; 3], environment, None);
         let mut ledger = Ledger::default();
         let reflectance = Reflectance::of(0.0, &material);
         let view = direction(1.0, 0.0);

@@ -11,6 +11,16 @@ use std::str::FromStr;
 /// Lanes of every vector: a block of 4x4 pixels.
 pub const LANES: usize = 16;
 
+/// The lanes whose bits are set, lowest first.
+#[inline(always)]
+pub fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = bits.trailing_zeros() as usize;
+        bits &= bits.wrapping_sub(1);
+        (lane < LANES).then_some(lane)
+    })
+}
+
 /// An instruction set by name, as `--simd` takes it.
 ///
 /// The levels differ in speed only: pixels are the same at all of them.

@@ -41,7 +41,9 @@ pub use fearless_simd::{
     u32x16,
 };
 pub use fixed::{SUBPIXELS, SubPixel};
-pub use lanes::{LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel, has_wide_registers};
+pub use lanes::{
+    LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel, has_wide_registers, lanes_of,
+};
 pub use number::{Mask, Number, Piecewise};
 pub use permute::permuted;
 pub use vector::{Rgb, Vec3};

@@ -8,53 +8,35 @@
 
 #![forbid(unsafe_code)]
 
-mod around;
-mod edges;
-mod evaluated;
+mod context;
+mod coverage;
 mod explain;
-mod feedback;
-mod firsts;
-mod gathered;
-mod holes;
+mod frame;
+mod image;
+mod interpolate;
 mod layers;
-mod ledger;
-mod outline;
-mod packed;
-mod picture;
-mod pieces;
-mod place;
-mod plain;
+mod material;
 mod polygons;
-mod primitives;
-mod ready;
-mod renderer;
 mod resolve;
+mod setup;
 mod shade;
-mod surface;
-mod svg;
-mod tiles;
-mod triangles;
-mod unseen;
-mod varying;
-mod vertex;
+mod vector;
 mod view;
-mod worker;
 
-pub use explain::At;
-pub use feedback::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};
-pub use layers::{Layer, LayerValues, ParseLayerError};
-pub use ledger::{
-    EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation,
-    Seen, Unlit,
+pub use explain::{
+    At, EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface,
+    Explanation, Hidden, NEAREST_WITHIN, NearestObject, Seen, SurfaceBelow, Unlit, Unseen,
 };
-pub use luxel_visibility::Cull;
-pub use picture::{
+pub use frame::{MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision};
+pub use image::{
     LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color, layer_rgb8,
     write_layers, write_linear, write_rgba8,
 };
-pub use renderer::{MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision};
-pub use svg::{MAX_PIECES, Svg, SvgOptions};
-pub use unseen::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
+pub use layers::{Layer, LayerValues, ParseLayerError};
+pub use luxel_visibility::Cull;
+pub use vector::{
+    Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex, MAX_PIECES, Svg, SvgOptions,
+};
 pub use view::{
     Clamp, Edges, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading, ShadingMode,
     View,

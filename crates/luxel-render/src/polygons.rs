@@ -1,6 +1,5 @@
 //! The file's polygons, which shading modes of old took whole: their centroids, normals, outlines.
 
-use crate::triangles::Corner;
 use glam::DVec3;
 use luxel_scene::Mesh;
 use std::ops::Range;
@@ -126,14 +125,6 @@ fn outline(mesh: &Mesh, run: Range<usize>) -> Option<Vec<(u32, u32)>> {
     // Each corner once, and back at the first.
     let closed = edge.0 == first.0 && outer.len() == corners;
     closed.then_some(around)
-}
-
-/// The mean of corners.
-pub(crate) fn mean(corners: &[Corner]) -> Option<Corner> {
-    let share = 1.0 / corners.len() as f32;
-    let (first, rest) = corners.split_first()?;
-    let sum = rest.iter().fold(first.scaled(share), |sum, corner| sum.plus(&corner.scaled(share)));
-    Some(sum)
 }
 
 #[cfg(test)]

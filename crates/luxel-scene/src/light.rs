@@ -58,7 +58,8 @@ pub fn default_lights() -> Vec<SceneLight> {
 mod tests {
     use super::*;
     use luxel_lighting::{
-        Environment, Material, PlacedLight, Reflectance, Silent, SurfacePoint, Surroundings, lit,
+        Environment, LightingEnvironment, Material, PlacedLight, Reflectance, Silent, SurfacePoint,
+        lit,
     };
 
     /// A ball of the default material, seen from straight ahead and from far.
@@ -70,12 +71,8 @@ mod tests {
                 PlacedLight::new(light.light, [0.0; 3], light.direction.as_vec3().to_array())
             })
             .collect();
-        let surroundings = Surroundings {
-            lights: &lights,
-            scene_ambient: DEFAULT_AMBIENT,
-            environment: Environment::None,
-            fog: None,
-        };
+        let surroundings =
+            LightingEnvironment::new(&lights, DEFAULT_AMBIENT, Environment::None, None);
         let material = Material::default();
         let (mut least, mut largest) = (f32::INFINITY, 0.0_f32);
         for row in -50..=50_i16 {

@@ -60,6 +60,33 @@ impl WindowRays {
         }
     }
 
+    /// Where a point in view space lies in the window, in pixels, and its distance along the viewing
+    /// axis; the position means nothing where that isn't positive.
+    #[inline(always)]
+    pub(crate) fn window_lanes<D: Wide>(&self, [x, y, z]: [D; 3]) -> [D; 3] {
+        let one = x.constant(1.0);
+        let depth = if self.parallel { one } else { -z };
+        let scale = one / depth;
+        [
+            (x * scale - x.constant(self.x0)) * x.constant(1.0 / self.dx),
+            (y * scale - y.constant(self.y0)) * y.constant(1.0 / self.dy),
+            depth,
+        ]
+    }
+
+    /// [`Self::window_lanes`] to the digits of f32, for bounds.
+    #[inline(always)]
+    pub(crate) fn window_narrow<D: Wide>(&self, [x, y, z]: [D; 3]) -> [D::Narrow; 3] {
+        let (x, y, z) = (x.narrow(), y.narrow(), z.narrow());
+        let depth = if self.parallel { x.one() } else { -z };
+        let scale = x.one() / depth;
+        [
+            (x * scale - x.constant(self.x0 as f32)) * x.constant((1.0 / self.dx) as f32),
+            (y * scale - y.constant(self.y0 as f32)) * y.constant((1.0 / self.dy) as f32),
+            depth,
+        ]
+    }
+
     /// The part of an edge that lies before the eye, from 0 to 1 along it; `None` if none does.
     ///
     /// It ends a millionth of the front end's depth before the eye, far beyond any window's side.
@@ -151,6 +178,12 @@ impl<D: Wide> Forms<D> {
         Self { corners, linear, towards_eye }
     }
 
+    /// The corners in view space.
+    #[inline(always)]
+    pub(crate) fn corners_in_lanes(&self) -> [[D; 3]; 3] {
+        self.corners
+    }
+
     /// The weights alone.
     #[inline(always)]
     #[must_use]
@@ -164,6 +197,13 @@ impl<D: Wide> Forms<D> {
     #[must_use]
     pub fn towards_eye(&self) -> D {
         self.towards_eye
+    }
+
+    /// A number with the sign of the sum of weights before the eye: the sum is p_0 . (p_1 x p_2) over the
+    /// depth for perspectives, twice the area for parallel rays.
+    #[inline(always)]
+    pub(crate) fn sum_sign(&self, rays: &WindowRays) -> D {
+        if rays.parallel { self.towards_eye } else { -self.towards_eye }
     }
 
     /// The weights at window position (x, y) in pixels: see [`LinearForms::weights`].
@@ -195,6 +235,12 @@ impl<D: Wide> LinearForms<D> {
     #[must_use]
     pub fn weights(&self, x: D, y: D) -> [D; 3] {
         [self.weight(0, x, y), self.weight(1, x, y), self.weight(2, x, y)]
+    }
+
+    /// How the weights grow a pixel to the right, and a pixel down.
+    #[inline(always)]
+    pub(crate) fn slopes(&self) -> ([D; 3], [D; 3]) {
+        (self.a, self.b)
     }
 
     #[inline(always)]
@@ -362,13 +408,21 @@ impl Forms {
         best.1.map(|value| value as f32)
     }
 
-    /// The barycentrics of the sample at a position in steps of 1/256 pixel: where the ray meets the
-    /// triangle, or else [`Forms::nearest_on_edges`]. What a frame's lanes hold, bit for bit.
+    /// The barycentrics of the sample at a position in steps of 1/256 pixel, in f64: where the ray
+    /// meets the triangle, or else [`Forms::nearest_on_edges`].
     #[must_use]
-    pub fn barycentric(&self, rays: &WindowRays, [x, y]: [i32; 2]) -> [f32; 3] {
-        let [x, y] = [x, y].map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
+    pub fn exact_barycentric(&self, rays: &WindowRays, position: [i32; 2]) -> [f32; 3] {
+        let [x, y] = position.map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
         let (barycentric, outside) = self.told(x, y);
         if outside { self.nearest_on_edges(rays, x, y) } else { barycentric }
+    }
+
+    /// The barycentrics one pixel to the right of a position in steps of 1/256 pixel, and one below,
+    /// in f64.
+    #[must_use]
+    pub fn exact_neighbours(&self, position: [i32; 2]) -> [[f32; 3]; 2] {
+        let [x, y] = position.map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
+        self.beside(x, y)
     }
 }
 

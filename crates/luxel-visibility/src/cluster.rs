@@ -64,7 +64,7 @@ pub(crate) struct Piece {
     /// Of each the vertex groups, then the triangles.
     pub(crate) words: Vec<u32>,
     /// What vertices carry; empty where that isn't kept.
-    pub(crate) carried: Vec<Carried>,
+    pub(crate) shading_vertices: Vec<ShadingVertex>,
 }
 
 /// The order of a part's triangles, by their submitted numbers: places in the mesh's list.
@@ -95,7 +95,7 @@ impl Numbers<'_> {
 
 /// A vertex as shading looks it up, in half a line of the cache: x, y and z of its position about the
 /// mesh's origin, then of its normal in the mesh's space, then nothing.
-pub type Carried = [f32; 8];
+pub type ShadingVertex = [f32; 8];
 
 /// What a cluster holds.
 #[derive(Clone, Copy, Debug, Default)]
@@ -111,7 +111,7 @@ pub(crate) struct Header {
     /// The piece that it is in, where it begins there, and what its vertices carry.
     pub(crate) piece: u32,
     pub(crate) first_word: u32,
-    pub(crate) first_carried: u32,
+    pub(crate) first_shading_vertex: u32,
 }
 
 /// A cluster's block, ready to be read.
@@ -122,7 +122,7 @@ pub(crate) struct Block<'a> {
     /// Corner numbers: eight bits each, the first corner lowest.
     pub(crate) triangles: &'a [u32],
     /// What vertices carry, if that is kept.
-    pub(crate) carried: &'a [Carried],
+    pub(crate) shading_vertices: &'a [ShadingVertex],
 }
 
 impl<'a> Block<'a> {
@@ -135,9 +135,9 @@ impl<'a> Block<'a> {
 
     /// What a triangle's corners carry.
     #[inline(always)]
-    pub(crate) fn carried(&self, slot: usize) -> Option<[&'a Carried; 3]> {
+    pub(crate) fn shading_vertices(&self, slot: usize) -> Option<[&'a ShadingVertex; 3]> {
         let word = self.triangles[slot];
-        let of = |corner: u32| self.carried.get((corner & 255) as usize);
+        let of = |corner: u32| self.shading_vertices.get((corner & 255) as usize);
         Some([of(word)?, of(word >> 8)?, of(word >> 16)?])
     }
 
@@ -248,13 +248,14 @@ impl Clusters {
         if header.groups == 0 {
             return None;
         }
-        let Piece { words, carried, .. } = &self.pieces[header.piece as usize];
+        let Piece { words, shading_vertices, .. } = &self.pieces[header.piece as usize];
         let words = &words[header.first_word as usize..];
         let (vertices, words) = words.split_at(usize::from(header.groups) * GROUP_WORDS);
         let (vertices, _) = vertices.as_chunks();
         let triangles = &words[..usize::from(header.triangles)];
-        let carried = carried.get(header.first_carried as usize..).unwrap_or_default();
-        Some(Block { vertices, triangles, carried })
+        let shading_vertices =
+            shading_vertices.get(header.first_shading_vertex as usize..).unwrap_or_default();
+        Some(Block { vertices, triangles, shading_vertices })
     }
 
     /// The block of a cluster of `mesh`, made in `opened` if it isn't kept.

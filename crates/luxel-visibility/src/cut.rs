@@ -121,7 +121,7 @@ impl<'a> Cut<'a> {
             self.vertices += 1;
             if self.is_carrying {
                 let ([x, y, z], [nx, ny, nz]) = (position, self.mesh.normals[vertex as usize]);
-                self.piece.carried.push([x, y, z, nx, ny, nz, 0.0, 0.0]);
+                self.piece.shading_vertices.push([x, y, z, nx, ny, nz, 0.0, 0.0]);
             }
         }
         number
@@ -148,10 +148,10 @@ impl<'a> Cut<'a> {
             triangles: corners.len() as u16,
             part: self.part,
             first_number: self.first_number,
-            first_carried: piece.carried.len().saturating_sub(*vertices) as u32,
+            first_shading_vertex: piece.shading_vertices.len().saturating_sub(*vertices) as u32,
         });
         self.boxes.push(bounds(groups));
-        let block = Block { vertices: groups, triangles: corners, carried: &[] };
+        let block = Block { vertices: groups, triangles: corners, shading_vertices: &[] };
         self.cones.push(Cone::of((0..corners.len()).map(|slot| block.positions(slot))));
         piece.words.extend_from_slice(groups.as_flattened());
         piece.words.extend_from_slice(corners);

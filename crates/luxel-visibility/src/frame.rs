@@ -3,7 +3,7 @@
 use crate::barycentric::{Forms, WindowRays};
 use crate::bin::Bins;
 use crate::buffer::{Plane, TILE, Tile, TriangleId};
-use crate::cluster::{Block, Carried, Clusters, Numbers, SLOT_BITS};
+use crate::cluster::{Block, Clusters, Numbers, SLOT_BITS, ShadingVertex};
 use crate::cull::{BackFaces, MAX_SIDE, VisibleCluster, cull_group};
 use crate::facing::Onlooker;
 use crate::holes::Holes;
@@ -448,8 +448,8 @@ impl<'f> SeenCluster<'f> {
     /// If it has no such triangle.
     #[must_use]
     #[inline(always)]
-    pub fn carried(&self, id: TriangleId) -> Option<[&'f Carried; 3]> {
-        self.block?.carried(id.slot())
+    pub fn shading_vertices(&self, id: TriangleId) -> Option<[&'f ShadingVertex; 3]> {
+        self.block?.shading_vertices(id.slot())
     }
 }
 

@@ -37,11 +37,12 @@ mod small;
 mod space;
 mod strokes;
 mod tile;
+mod tile_forms;
 mod transform;
 
 pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
 pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
-pub use cluster::{CLUSTER_TRIANGLES, Carried, Clusters, Frames};
+pub use cluster::{CLUSTER_TRIANGLES, Clusters, Frames, ShadingVertex};
 pub use cull::MAX_SIDE;
 pub use frame::{Coverage, Frame, Instance, PartUse, SeenCluster, TooManyTriangles, TriangleOf};
 pub use holes::{Asked, Holes};
@@ -50,3 +51,4 @@ pub use samples::{MAX_SAMPLES, Samples};
 pub use setup::{Cull, CullFaces};
 pub use space::{InstanceSpace, ViewFromLocal};
 pub use strokes::{LINE_WIDTH, POINT_SIZE, Strokes, strokes};
+pub use tile_forms::{Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners};

@@ -49,7 +49,11 @@ impl Opened {
                 }
             }
         }
-        Block { vertices: chunks.as_flattened(), triangles: &TRIANGLES[..count], carried: &[] }
+        Block {
+            vertices: chunks.as_flattened(),
+            triangles: &TRIANGLES[..count],
+            shading_vertices: &[],
+        }
     }
 }
 

@@ -7,7 +7,7 @@
 use crate::buffer::{BLOCK, BLOCKS, LANE_X, LANE_Y, Plane, Tile, TriangleId};
 use crate::holes::{Asked, Holes};
 use crate::setup::{Region, Triangle};
-use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 
 /// What decides beyond geometry.
 pub(crate) struct Rules<'a> {
@@ -276,13 +276,4 @@ fn passed(
         || z == depth
             && other != TriangleId::NONE
             && (rules.submitted)(id) > (rules.submitted)(other)
-}
-
-/// The numbers of the bits set.
-pub(crate) fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lane = bits.trailing_zeros() as usize;
-        bits &= bits.wrapping_sub(1);
-        (lane < LANES).then_some(lane)
-    })
 }

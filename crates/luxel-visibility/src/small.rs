@@ -6,10 +6,10 @@
 //! small enough for i32 without a shift, and the depth plane has its one formula.
 
 use crate::buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
-use crate::raster::{self, Rules, lanes_of};
+use crate::raster::{self, Rules};
 use crate::sift::{Corners, in_lanes};
 use crate::transform::ClusterVertices;
-use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*};
+use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*};
 
 /// Queues: for triangles less than 1, 2, 4 and 8 pixels wide and high.
 pub(crate) const SIZES: [i32; 4] = [SUBPIXELS, 2 * SUBPIXELS, 4 * SUBPIXELS, 8 * SUBPIXELS];

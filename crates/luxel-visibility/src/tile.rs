@@ -7,14 +7,14 @@ use crate::cull::VisibleCluster;
 use crate::frame::{Coverage, Frame};
 use crate::holes::Holes;
 use crate::open::Opened;
-use crate::raster::{Rules, draw_triangle, lanes_of};
+use crate::raster::{Rules, draw_triangle};
 use crate::setup::{CullFaces, Triangle};
 use crate::sift::{Sifted, Sixteen};
 use crate::small::{Queues, SIZES};
 use crate::transform::{
     ClipVertex, ClusterVertices, WindowTransform, WindowVertex, transform_cluster,
 };
-use luxel_math::{LANES, Simd};
+use luxel_math::{LANES, Simd, lanes_of};
 
 /// Draws clusters, nearest first, into a tile.
 #[inline(always)]

@@ -1,8 +1,8 @@
 //! One surface point at the origin, facing up, and what it sends to the eye.
 
 use luxel::lighting::{
-    Attenuation, Environment, Fog, Ledger, Light, LightKind, Material, PlacedLight, Reflectance,
-    SurfacePoint, Surroundings, lit,
+    Attenuation, Environment, Fog, Ledger, Light, LightKind, LightingEnvironment, Material,
+    PlacedLight, Reflectance, SurfacePoint, lit,
 };
 use luxel::math::Vec3;
 
@@ -73,7 +73,7 @@ fn ledger(
         view: vector(view),
         depth,
     };
-    let surroundings = Surroundings { lights, scene_ambient: [0.0; 3], environment, fog };
+    let surroundings = LightingEnvironment::new(lights, [0.0; 3], environment, fog);
     let reflectance = Reflectance::of(0.0_f32, material);
     let mut ledger = Ledger::default();
     lit(&point, &reflectance, material, &surroundings, &mut ledger);

@@ -11,6 +11,7 @@ mod phong;
 
 use crate::coefficients::spread;
 use crate::environment::split_sum;
+use crate::reflection::phong::Highlight;
 use crate::witness::{Lobe, MirrorTerms, PartTerms};
 use crate::{Coefficients, Environment, Reflection, Spread, SurfacePoint, Witness};
 use luxel_math::{Mask, Number, Rgb, Vec3};
@@ -124,18 +125,22 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
     /// Models that are a cosine, or a power of one; `None` for all others.
     #[inline(always)]
     fn by_cosines(&self, kind: &Reflection, incidence: &Incidence<N>) -> Option<Reflected<N>> {
-        let cosine = match kind {
+        let of_cosine = |cosine: N| (cosine, Highlight::Cosine(cosine.limited(0.0, 1.0)));
+        let (cosine, highlight) = match kind {
             Reflection::Lambert => {
                 let diffuse = lambert::diffuse(self, incidence);
                 return Some(Reflected { diffuse, ..Reflected::nothing(self.like()) });
             }
             // One power for the three: code of lanes is long, and the compiler's time dear.
-            Reflection::Phong => phong::r_dot_v(self, incidence),
-            Reflection::BlinnPhong => phong::n_dot_h(self, incidence),
-            Reflection::Retro => self.view.dot(incidence.to_light),
+            Reflection::Phong => of_cosine(phong::r_dot_v(self, incidence)),
+            Reflection::BlinnPhong => {
+                let (cosine, square) = phong::n_dot_h(self, incidence);
+                (cosine, Highlight::Square(square))
+            }
+            Reflection::Retro => of_cosine(self.view.dot(incidence.to_light)),
             _ => return None,
         };
-        Some(phong::with_lobe(self, incidence, cosine))
+        Some(phong::with_lobe(self, incidence, cosine, highlight))
     }
 
     /// Adds what the parts of a model reflect. Much code: compiled once, not into its callers, where

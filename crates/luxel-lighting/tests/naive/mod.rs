@@ -3,8 +3,8 @@
 #![allow(dead_code, reason = "each test file uses what it needs")]
 
 use luxel_lighting::{
-    Attenuation, Cone, Fog, FogLaw, Light, LightKind, Material, PlacedLight, Reflectance,
-    Reflection, SurfacePoint, Surroundings,
+    Attenuation, Cone, Fog, FogLaw, Light, LightKind, LightingEnvironment, Material, PlacedLight,
+    Reflectance, Reflection, SurfacePoint,
 };
 
 pub(crate) type V = [f64; 3];
@@ -59,7 +59,7 @@ pub(crate) fn equation(
     point: &SurfacePoint<f32>,
     reflectance: &Reflectance<f32>,
     material: &Material,
-    surroundings: &Surroundings<'_>,
+    surroundings: &LightingEnvironment<'_>,
 ) -> Naive {
     let n = wide(point.normal.lane(0));
     let v = wide(point.view.lane(0));

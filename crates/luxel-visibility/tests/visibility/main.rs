@@ -12,3 +12,4 @@ mod same_bytes;
 mod scene;
 mod shared_edges;
 mod solid;
+mod tile_forms;

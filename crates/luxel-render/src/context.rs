@@ -1,0 +1,221 @@
+//! Read-only state of a frame that every stage of shading shares.
+
+use crate::coverage::EdgeFlags;
+use crate::polygons::Polygons;
+use crate::view::{Edges, NormalLength, Shading};
+use luxel_lighting::{
+    Coefficients, Fog, LightingEnvironment, PictureEncoding, PlacedLight,
+    SurfacePoint, Uniform,
+};
+use luxel_math::{Number, Vec3};
+use luxel_scene::{Camera, DVec3, Mesh, Scene, SceneMaterial};
+use luxel_visibility::{Frame, InstanceSpace, WindowRays};
+use std::collections::HashMap;
+use std::sync::Mutex;
+
+/// Read-only state shared by all shading of a frame.
+pub(crate) struct ShadingContext<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) frame: &'a Frame<'a>,
+    pub(crate) spaces: &'a [InstanceSpace],
+    pub(crate) lights: &'a [PlacedLight],
+    pub(crate) ambient: [f32; 3],
+    /// What shines on each material, and the fog.
+    pub(crate) lighting: &'a [LightingEnvironment<'a>],
+    pub(crate) fog: Option<&'a Fog>,
+    /// What each material reflects, where that is the same at all its points.
+    pub(crate) uniform: &'a [Option<Coefficients<Uniform>>],
+    /// The vertex attributes that each material reads.
+    pub(crate) attributes_of_materials: &'a [AttributeMask],
+    /// Whether a light has a place, or fog a distance: then surfaces need positions.
+    pub(crate) needs_positions: bool,
+    /// Whether any surface has textures or vertex colours that its material reads.
+    pub(crate) has_extras: bool,
+    /// V over the window.
+    pub(crate) view_rays: ViewRays,
+    /// The viewing direction in world space.
+    pub(crate) direction: [f32; 3],
+    pub(crate) background: [f32; 4],
+    /// Edges over the faces, with the polygons' edges of each instance.
+    pub(crate) edges: Option<Edges>,
+    pub(crate) edge_flags: &'a [Option<&'a EdgeFlags>],
+    /// The object that each instance shows.
+    pub(crate) objects: &'a [usize],
+    /// Where light is computed, and how it gets to the pixels between.
+    pub(crate) shading: Shading,
+    pub(crate) encoding: PictureEncoding,
+    /// The distance of the near plane.
+    pub(crate) near: f64,
+    /// The polygons of each instance's mesh, where shading takes them whole.
+    pub(crate) polygons: &'a [Option<&'a Polygons>],
+    /// What subdivision came to, by triangle.
+    pub(crate) subdivided: &'a Mutex<HashMap<u32, PieceCount>>,
+}
+
+impl ShadingContext<'_> {
+    /// The surface point of a sample at (x, y) in the window, in pixels: N and V at unit length.
+    ///
+    /// V comes from the sample's ray, not from the place: it is right to the last digits however far
+    /// the surface is, and surfaces without lights that have a place need no position at all.
+    #[inline(always)]
+    pub(crate) fn point_at_sample<N: Number>(
+        &self,
+        [x, y]: [N; 2],
+        position: Vec3<N>,
+        normal: Vec3<N>,
+    ) -> SurfacePoint<N> {
+        let view = self.view_rays.towards_eye(x, y);
+        let (unit, view) = normal.normalized_pair(view);
+        self.point(position, normal, unit, view)
+    }
+
+    /// The surface point of a vertex, which is seen along the way from the eye to its position.
+    #[inline(always)]
+    pub(crate) fn point_at_vertex<N: Number>(
+        &self,
+        position: Vec3<N>,
+        normal: Vec3<N>,
+    ) -> SurfacePoint<N> {
+        let view = match self.view_rays.parallel {
+            Some(towards_eye) => Vec3::splat(position.x, towards_eye),
+            None => (-position).normalized_or_zero(),
+        };
+        self.point(position, normal, normal.normalized_or_zero(), view)
+    }
+
+    #[inline(always)]
+    fn point<N: Number>(
+        &self,
+        position: Vec3<N>,
+        normal: Vec3<N>,
+        unit: Vec3<N>,
+        view: Vec3<N>,
+    ) -> SurfacePoint<N> {
+        let normal = match self.shading.normal_length {
+            NormalLength::Unit => unit,
+            NormalLength::Interpolated => normal,
+        };
+        SurfacePoint { position, normal, view, depth: self.depth(position) }
+    }
+
+    /// The distance from the eye along the viewing axis.
+    #[inline(always)]
+    fn depth<N: Number>(&self, position: Vec3<N>) -> N {
+        position.dot(Vec3::splat(position.x, self.direction))
+    }
+}
+
+/// The way from a sample to the eye as a linear form over the window, along the world's axes:
+/// V = origin + across X + down Y, X and Y in pixels, not of unit length (its component along the
+/// viewing axis is 1). In f32 its direction is right to 2e-7.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ViewRays {
+    origin: [f32; 3],
+    across: [f32; 3],
+    down: [f32; 3],
+    /// The one direction towards the eye, of unit length, for parallel projections.
+    parallel: Option<[f32; 3]>,
+}
+
+impl ViewRays {
+    /// The rays of a camera.
+    pub(crate) fn new(camera: &Camera, rays: &WindowRays) -> Self {
+        let world_from_view = glam::DMat3::from_mat4(camera.view_from_world).transpose();
+        let towards_eye = |x: f64, y: f64| -(world_from_view * rays.ray(x, y).1);
+        let f32s = |vector: DVec3| vector.as_vec3().to_array();
+        let origin = towards_eye(0.0, 0.0);
+        // Differences over a thousand pixels keep the digits that those over one lose.
+        let slope = |x: f64, y: f64| (towards_eye(1024.0 * x, 1024.0 * y) - origin) / 1024.0;
+        Self {
+            origin: f32s(origin),
+            across: f32s(slope(1.0, 0.0)),
+            down: f32s(slope(0.0, 1.0)),
+            parallel: camera.projection.is_orthographic().then(|| f32s(origin)),
+        }
+    }
+
+    /// V at (x, y) in pixels, not of unit length.
+    #[inline(always)]
+    fn towards_eye<N: Number>(&self, x: N, y: N) -> Vec3<N> {
+        let Self { origin, across, down, .. } = self;
+        Vec3::splat(x, *origin) + Vec3::splat(x, *across) * x + Vec3::splat(x, *down) * y
+    }
+}
+
+/// Vertex attributes beside positions and normals, as bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct AttributeMask(u8);
+
+impl AttributeMask {
+    pub(crate) const NONE: Self = Self(0);
+    pub(crate) const TANGENTS: Self = Self(1);
+    pub(crate) const COLORS: Self = Self(2);
+    /// The two sets of texture coordinates.
+    pub(crate) const UVS: [Self; 2] = [Self(4), Self(8)];
+    /// Textures: where a material has some, even if the mesh says nothing of where on them it lies.
+    pub(crate) const TEXTURES: Self = Self(16);
+
+    /// What a mesh has.
+    pub(crate) fn of_mesh(mesh: &Mesh) -> Self {
+        Self::TEXTURES
+            .or_if(!mesh.tangents.is_empty(), Self::TANGENTS)
+            .or_if(!mesh.uvs[0].is_empty(), Self::UVS[0])
+            .or_if(!mesh.uvs[1].is_empty(), Self::UVS[1])
+            .or_if(!mesh.colors.is_empty(), Self::COLORS)
+    }
+
+    /// What a material reads.
+    pub(crate) fn of_material(material: &SceneMaterial) -> Self {
+        let SceneMaterial { base_color, ambient, specular, emission, .. } = material;
+        let SceneMaterial { metallic_roughness, occlusion, normal, opacity_map, .. } = material;
+        let textures = [base_color, ambient, specular, emission, metallic_roughness, occlusion];
+        let textures = textures.into_iter().chain([normal, opacity_map]).flatten();
+        textures
+            .fold(Self::NONE, |mask, used| {
+                mask.or(Self::TEXTURES).or(Self::UVS[usize::from(used.uv_set & 1)])
+            })
+            .or_if(normal.is_some(), Self::TANGENTS)
+            .or_if(material.vertex_colors, Self::COLORS)
+    }
+
+    /// What both have.
+    #[inline(always)]
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// What either has.
+    #[inline(always)]
+    pub(crate) fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    fn or_if(self, condition: bool, other: Self) -> Self {
+        if condition { self.or(other) } else { self }
+    }
+
+    /// Whether any attribute of `other` is among these.
+    #[inline(always)]
+    pub(crate) fn has(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// Whether there is any.
+    #[inline(always)]
+    pub(crate) fn any(self) -> bool {
+        self.0 != 0
+    }
+}
+
+/// What the subdivision of one triangle came to.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct PieceCount {
+    /// The pieces.
+    pub(crate) pieces: u32,
+    /// The largest difference to lighting each place by itself, with the reserve, in steps of 8 bits.
+    pub(crate) error: f32,
+    /// Pieces that are beyond the tolerance and not divided further.
+    pub(crate) beyond: u32,
+    /// Their area in the window, in 1/65536 pixel.
+    pub(crate) beyond_area: u64,
+}

@@ -1,0 +1,229 @@
+//! What a picture doesn't show: the surfaces under a place of it, one behind the other, and what lies
+//! next to a pixel that nothing covers. Both by the frame's own fill rule, tile by tile.
+
+use super::ledger::{ExplainedSample, Explanation, Seen};
+use crate::context::AttributeMask;
+use crate::frame::{CoveragePolicy, RenderError, Renderer};
+use crate::view::View;
+use luxel_math::SUBPIXELS;
+use luxel_scene::{DVec3, Size};
+use luxel_visibility::{Cull, Samples, TILE, Tile, TriangleId};
+
+/// A surface under a place of the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceBelow {
+    /// The object, by its place among [`Renderer::objects`].
+    pub object: usize,
+    /// The triangle, by its number in the object; `None` for points and lines.
+    pub triangle: Option<u32>,
+    /// The place in world space.
+    pub position: [f64; 3],
+    /// The distance from the eye along the viewing axis.
+    pub z: f64,
+    /// Window depth, 0 near to 1 far.
+    pub depth: f64,
+}
+
+/// What lies nearest in the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearestObject {
+    /// The object, by its place among [`Renderer::objects`].
+    pub object: usize,
+    /// A pixel that shows it at its centre.
+    pub pixel: [u32; 2],
+    /// How far away that is, in pixels.
+    pub distance: f64,
+}
+
+/// What the samples of an entry don't show.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Hidden {
+    /// Back faces that would be seen if they were drawn, nearest first.
+    pub culled: Vec<SurfaceBelow>,
+    /// What lies behind all that is seen, nearest first.
+    pub behind: Vec<SurfaceBelow>,
+}
+
+/// What a pixel doesn't show.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Unseen {
+    /// For each entry of the explanation.
+    pub entries: Vec<Hidden>,
+    /// Where nothing covers the pixel, and something lies within [`NEAREST_WITHIN`].
+    pub nearest: Option<NearestObject>,
+}
+
+/// How far around a pixel without a surface something is looked for, in pixels.
+pub const NEAREST_WITHIN: u32 = 100;
+
+/// Most surfaces that are told of one place.
+const MOST_BELOW: usize = 256;
+
+impl Renderer<'_> {
+    /// The surfaces under a place of a view, in pixels from its upper left corner and rounded to
+    /// 1/256, nearest first, 256 at most: as if all of them were of glass. Back faces are among them
+    /// if the view draws them.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible, or the place lies outside of it.
+    pub fn below(&self, view: &View, place: [f64; 2]) -> Result<Vec<SurfaceBelow>, RenderError> {
+        let steps = place.map(|side| (side * f64::from(SUBPIXELS)).round());
+        let within =
+            |steps: f64, side: u32| (0.0..f64::from(side) * f64::from(SUBPIXELS)).contains(&steps);
+        if !within(steps[0], view.size.width) || !within(steps[1], view.size.height) {
+            return Err(RenderError::Outside(view.size));
+        }
+        let steps = steps.map(|steps| steps as i32);
+        let pixel = steps.map(|steps| steps / SUBPIXELS);
+        let sample = Samples::one_at(steps.map(|steps| steps % SUBPIXELS));
+        let view = View { edges: None, ..view.clone() };
+        let eye = view.camera.eye();
+        self.with_scene(
+            &view,
+            CoveragePolicy::LAYERS,
+            Some(sample),
+            AttributeMask::NONE,
+            |scene, cutouts| {
+                let frame = scene.frame;
+                let holes = cutouts.finder(frame, self.level());
+                let [across, _] = frame.tiles();
+                let number = (pixel[1] / TILE) as usize * across + (pixel[0] / TILE) as usize;
+                let (block, lane) = Tile::place(pixel[0] % TILE, pixel[1] % TILE);
+                let mut nothing = Tile::new(1);
+                frame.draw_opaque(self.level(), number, &holes, &mut nothing);
+                let (mut here, mut last) = (Tile::new(1), Tile::new(1));
+                let mut found = Vec::new();
+                while found.len() < MOST_BELOW {
+                    let behind = (!found.is_empty()).then_some(&last);
+                    frame.draw_layer(self.level(), number, &holes, &nothing, behind, &mut here);
+                    let id = TriangleId(here.planes()[0].ids[block][lane]);
+                    let Some(of) = frame.triangle(id) else { break };
+                    let weights = frame.forms(of).barycentric(frame.rays(), steps);
+                    let corners = frame.corners_in_view(of).into_iter().zip(weights);
+                    let in_view: DVec3 =
+                        corners.map(|(corner, part)| corner * f64::from(part)).sum();
+                    let z = -in_view.z;
+                    let object = scene.objects[of.instance];
+                    found.push(SurfaceBelow {
+                        object,
+                        // Points and lines come after the objects' own instances and have no triangles.
+                        triangle: (object == of.instance).then_some(of.triangle),
+                        position: (scene.spaces[of.instance].world_from_view * in_view + eye)
+                            .to_array(),
+                        z,
+                        depth: view.camera.projection.window_depth(z),
+                    });
+                    std::mem::swap(&mut here, &mut last);
+                }
+                found
+            },
+        )
+    }
+
+    /// The nearest pixel to one, at most `within` pixels away, whose centre shows something; `None`
+    /// where there is none.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible, or the pixel lies outside of it.
+    pub fn nearest_object(
+        &self,
+        view: &View,
+        pixel: [u32; 2],
+        within: u32,
+    ) -> Result<Option<NearestObject>, RenderError> {
+        let Size { width, height } = view.size;
+        if pixel[0] >= width || pixel[1] >= height {
+            return Err(RenderError::Outside(view.size));
+        }
+        let view = View { edges: None, samples: 1, ..view.clone() };
+        self.with_scene(
+            &view,
+            CoveragePolicy::NEAREST,
+            None,
+            AttributeMask::NONE,
+            |scene, cutouts| {
+                let frame = scene.frame;
+                let holes = cutouts.finder(frame, self.level());
+                let tile_side = TILE as u32;
+                let [across, _] = frame.tiles();
+                let mut tile = Tile::new(1);
+                let mut nearest: Option<(u64, NearestObject)> = None;
+                let first = pixel.map(|side| side.saturating_sub(within) / tile_side);
+                let last = [
+                    pixel[0].saturating_add(within).min(width - 1) / tile_side,
+                    pixel[1].saturating_add(within).min(height - 1) / tile_side,
+                ];
+                for row in first[1]..=last[1] {
+                    for column in first[0]..=last[0] {
+                        let number = row as usize * across + column as usize;
+                        frame.draw_opaque(self.level(), number, &holes, &mut tile);
+                        for (x, y) in (0..TILE).flat_map(|y| (0..TILE).map(move |x| (x, y))) {
+                            let (block, lane) = Tile::place(x, y);
+                            let id = TriangleId(tile.planes()[0].ids[block][lane]);
+                            let Some(of) = frame.triangle(id) else { continue };
+                            let at = [column * tile_side + x as u32, row * tile_side + y as u32];
+                            let away = [0, 1].map(|axis| u64::from(at[axis].abs_diff(pixel[axis])));
+                            let squared = away[0] * away[0] + away[1] * away[1];
+                            let known =
+                                nearest.map_or(u64::from(within).pow(2), |(known, _)| known);
+                            let better =
+                                if nearest.is_none() { squared <= known } else { squared < known };
+                            if better && at[0] < width && at[1] < height {
+                                let object = scene.objects[of.instance];
+                                let distance = (squared as f64).sqrt();
+                                nearest =
+                                    Some((squared, NearestObject { object, pixel: at, distance }));
+                            }
+                        }
+                    }
+                }
+                nearest.map(|(_, nearest)| nearest)
+            },
+        )
+    }
+}
+
+impl Unseen {
+    /// Asks for the places that an explanation is about.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible.
+    pub fn new(
+        renderer: &Renderer<'_>,
+        view: &View,
+        explanation: &Explanation,
+    ) -> Result<Self, RenderError> {
+        let with_backs = View { cull: Cull::None, ..view.clone() };
+        let hidden = |entry: &ExplainedSample| {
+            let drawn = renderer.below(view, entry.at)?;
+            Ok(hidden(entry, &drawn, &renderer.below(&with_backs, entry.at)?))
+        };
+        let entries = explanation.samples.iter().map(hidden).collect::<Result<_, RenderError>>()?;
+        let mut seen = explanation.samples.iter().flat_map(|entry| &entry.seen);
+        let nearest = if seen.any(|seen| seen.surface().is_some()) {
+            None
+        } else {
+            renderer.nearest_object(view, explanation.pixel, NEAREST_WITHIN)?
+        };
+        Ok(Self { entries, nearest })
+    }
+}
+
+fn hidden(entry: &ExplainedSample, drawn: &[SurfaceBelow], all: &[SurfaceBelow]) -> Hidden {
+    let is = |below: &SurfaceBelow, seen: &Seen| {
+        seen.surface().is_some_and(|surface| {
+            (surface.object, surface.triangle) == (below.object, below.triangle)
+        })
+    };
+    let is_seen = |below: &&SurfaceBelow| entry.seen.iter().any(|seen| is(below, seen));
+    let last = entry.seen.last();
+    let before_last = |below: &&SurfaceBelow| !last.is_some_and(|seen| is(below, seen));
+    let is_drawn = |below: &&SurfaceBelow| {
+        let same =
+            |other: &SurfaceBelow| (other.object, other.triangle) == (below.object, below.triangle);
+        drawn.iter().any(same)
+    };
+    let culled = all.iter().take_while(before_last).filter(|below| !is_drawn(below));
+    let behind = drawn.iter().filter(|below| !is_seen(below));
+    Hidden { culled: culled.cloned().collect(), behind: behind.cloned().collect() }
+}

@@ -1,0 +1,120 @@
+//! The ledger where light is computed elsewhere than at the pixel: the terms of each place, and what
+//! interpolation makes of them.
+
+use super::Written;
+use super::ledger::{EvaluatedAt, ExplainedLight};
+use crate::context::ShadingContext;
+use crate::material::{Corner, light_at};
+use crate::shade::LitTriangle;
+use luxel_lighting::{LightTerms, MirrorTerms, Reflectance};
+use luxel_math::{Rgb, Vec3};
+use luxel_scene::SceneLight;
+
+/// Lights a place again, with its terms written down.
+pub(crate) fn evaluated_at(
+    scene: &ShadingContext<'_>,
+    triangle: &LitTriangle,
+    (weight, corner): &(f32, Corner),
+    eye: [f64; 3],
+    lights: &[&SceneLight],
+) -> EvaluatedAt {
+    let mut written = Written::default();
+    let light = light_at(scene, corner, triangle.has, triangle.material, &mut written);
+    let point = written.point;
+    let ledger = &written.ledger;
+    let constants = &scene.scene.materials[triangle.material as usize].constants;
+    EvaluatedAt {
+        weight: *weight,
+        position: [0, 1, 2].map(|axis| eye[axis] + f64::from(corner.position[axis])),
+        normal: point.map(|point| point.normal.lane(0)).unwrap_or_default(),
+        view: point.map(|point| point.view.lane(0)).unwrap_or_default(),
+        reflectance: written.reflectance.unwrap_or_else(|| Reflectance::of(0.0, constants)),
+        lights: written.explained_lights(scene, eye, lights),
+        emission: ledger.emission,
+        scene_ambient: ledger.scene_ambient,
+        environment: ledger.environment,
+        mirrors: ledger.mirrors.clone(),
+        sum: ledger.sum,
+        light,
+    }
+}
+
+/// The terms that reach the pixel: each place's terms by its weight, as much of them as clamping
+/// leaves, times the texture.
+pub(crate) struct Interpolated {
+    pub(crate) emission: [f32; 3],
+    pub(crate) scene_ambient: [f32; 3],
+    pub(crate) environment: [f32; 3],
+    pub(crate) mirrors: Vec<(usize, MirrorTerms<f32>)>,
+    pub(crate) lights: Vec<ExplainedLight>,
+}
+
+impl Interpolated {
+    pub(crate) fn of(places: &[EvaluatedAt], texture: [f32; 3]) -> Self {
+        let color = |of: &dyn Fn(&EvaluatedAt) -> [f32; 3]| -> [f32; 3] {
+            std::array::from_fn(|channel| {
+                let part = |place: &EvaluatedAt| {
+                    place.weight * place.kept(channel) * of(place)[channel] * texture[channel]
+                };
+                places.iter().map(part).sum()
+            })
+        };
+        let count = places.first().map_or(0, |place| place.lights.len());
+        let light = |number: usize| {
+            let terms = |place: &EvaluatedAt| place.lights[number].terms;
+            let mean = |of: &dyn Fn(&LightTerms<f32>) -> f32| -> f32 {
+                places.iter().map(|place| place.weight * of(&terms(place))).sum()
+            };
+            let first = &places[0].lights[number];
+            let rgb = |[r, g, b]: [f32; 3]| Rgb::new(r, g, b);
+            let towards = Vec3::new(
+                mean(&|terms| terms.to_light.x),
+                mean(&|terms| terms.to_light.y),
+                mean(&|terms| terms.to_light.z),
+            );
+            ExplainedLight {
+                name: first.name.clone(),
+                light: first.light.clone(),
+                position: first.position,
+                direction: first.direction,
+                parts: Vec::new(),
+                terms: LightTerms {
+                    to_light: if places.len() == 1 {
+                        first.terms.to_light
+                    } else {
+                        towards.normalized_or_zero()
+                    },
+                    distance: first
+                        .terms
+                        .distance
+                        .map(|_| mean(&|terms| terms.distance.unwrap_or_default())),
+                    attenuation: mean(&|terms| terms.attenuation),
+                    spot: mean(&|terms| terms.spot),
+                    n_dot_l: mean(&|terms| terms.n_dot_l),
+                    specular_cosine: first
+                        .terms
+                        .specular_cosine
+                        .map(|_| mean(&|terms| terms.specular_cosine.unwrap_or_default())),
+                    ambient: rgb(color(&|place| terms(place).ambient.lane(0))),
+                    diffuse: rgb(color(&|place| terms(place).diffuse.lane(0))),
+                    specular: rgb(color(&|place| terms(place).specular.lane(0))),
+                },
+            }
+        };
+        Self {
+            emission: color(&|place| place.emission),
+            scene_ambient: color(&|place| place.scene_ambient),
+            environment: color(&|place| place.environment),
+            mirrors: Vec::new(),
+            lights: (0..count).map(light).collect(),
+        }
+    }
+}
+
+impl EvaluatedAt {
+    /// The part of a channel that clamping leaves.
+    fn kept(&self, channel: usize) -> f32 {
+        let (sum, light) = (self.sum[channel], self.light[channel]);
+        if sum == light { 1.0 } else { light / sum }
+    }
+}

@@ -1,0 +1,14 @@
+//! A view drawn: the scene before the camera, tiles and the threads that draw them.
+
+mod crop;
+mod frame_setup;
+mod renderer;
+mod tile_shading;
+mod tiles;
+
+pub use renderer::{MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision};
+
+pub(crate) use frame_setup::CoveragePolicy;
+pub(crate) use renderer::lights_with_terms;
+pub(crate) use tile_shading::{ALL_BLOCKS, Worker, place_in_tile, put_block};
+pub(crate) use tiles::{Bands, TilePixels, TileWork, for_all_tiles};

@@ -1,0 +1,521 @@
+//! The renderer: a scene made ready once, then drawn from any view.
+
+mod prepared;
+
+use super::frame_setup::{self, CoveragePolicy};
+use super::tile_shading::{Worker, add_layer, tile_pixels};
+use super::tiles::{Bands, TilePixels, TileWork, for_all_tiles};
+use crate::context::{AttributeMask, ShadingContext, ViewRays};
+use crate::coverage::{AlphaTest, EdgeFlags};
+use crate::polygons::Polygons;
+use crate::resolve::{Bytes, Finish, Linear, empty_pixel};
+use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
+use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
+use luxel_math::{Level, UnavailableSimdLevel, dispatch_long};
+use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene, SceneLight, Size};
+use luxel_visibility::{
+    Clusters, Frame, Frames, Holes, InstanceSpace, Samples, TILE, Tile, TooManyTriangles, strokes,
+};
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::{Mutex, OnceLock};
+use std::time::Duration;
+
+pub use prepared::Prepared;
+
+/// Why a view can't be drawn.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RenderError {
+    /// Not 1, 2, 4, 8 or 16 samples.
+    #[error("{0} samples a pixel aren't possible: use 1, 2, 4, 8 or 16")]
+    Samples(u32),
+    /// A side of 0 or beyond the limit.
+    #[error("a picture of {0}x{1} isn't possible: each side has 1 to {MAX_SIDE} pixels")]
+    Size(u32, u32),
+    /// A layer of a light that the view doesn't have.
+    #[error("there is no directional, point or spot light `{0}`")]
+    NoSuchLight(String),
+    /// A place outside of the picture.
+    #[error("it lies outside of the picture of {}x{} pixels", .0.width, .0.height)]
+    Outside(Size),
+    /// More triangles than can be numbered.
+    #[error(transparent)]
+    TooManyTriangles(#[from] TooManyTriangles),
+    /// More pieces of vectors than are allowed.
+    #[error("the picture has more than {0} pieces of one colour")]
+    TooManyPieces(usize),
+    /// The machine lacks the instruction set.
+    #[error("{0}")]
+    Simd(String),
+    /// The system gives no threads.
+    #[error("can't start threads: {0}")]
+    Threads(String),
+}
+
+impl From<UnavailableSimdLevel> for RenderError {
+    fn from(error: UnavailableSimdLevel) -> Self {
+        Self::Simd(error.to_string())
+    }
+}
+
+/// Most pixels of a picture's side: positions in 24.8 bits, with room for the guard band.
+pub const MAX_SIDE: u32 = 16384;
+
+/// Most transparent layers over one another. Deeper ones are left out, so that a file can't keep a
+/// machine busy for ever.
+const MAX_LAYERS: usize = 1024;
+
+/// A scene ready to be drawn.
+pub struct Renderer<'s> {
+    scene: &'s Scene,
+    objects: Vec<Object>,
+    /// The clusters of each mesh.
+    clusters: Vec<Clusters>,
+    /// The polygons of each mesh, once they are asked for.
+    polygons_of_meshes: Vec<OnceLock<Polygons>>,
+    level: Level,
+    /// `None` where the machine has no threads.
+    pool: Option<rayon::ThreadPool>,
+    clock: fn() -> Duration,
+}
+
+/// A picture with what making it took.
+#[derive(Clone, Debug)]
+pub struct Picture<T> {
+    /// Its size.
+    pub size: Size,
+    /// Pixels, row by row from the top.
+    pub pixels: Vec<T>,
+    /// Culling and binning; then, added up over threads, finding what is visible, and lighting it.
+    pub stages: Stages,
+    /// What was divided, if the shading mode divides.
+    pub subdivision: Option<Subdivision>,
+}
+
+/// What [`ShadingMode::Subdivided`] came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Subdivision {
+    /// The small triangles into which those that are seen were divided.
+    pub triangles: u64,
+    /// The largest difference between the interpolated light and that of [`ShadingMode::Phong`] in
+    /// steps of 8 bits: measured at places along the edges and inside of all pieces, so close
+    /// together that no pixel goes without (but no triangle has more than a million of them), and
+    /// three sevenths more for what lies between.
+    pub largest_error: f32,
+    /// The small triangles whose error is beyond the tolerance: where light jumps, as at the edge of
+    /// a cone, division ends at parts of a pixel.
+    pub beyond: u64,
+    /// Their area in the picture, in pixels.
+    pub beyond_pixels: f64,
+}
+
+impl<T> Default for Picture<T> {
+    /// No pixels.
+    fn default() -> Self {
+        let size = Size { width: 0, height: 0 };
+        Self { size, pixels: Vec::new(), stages: Stages::default(), subdivision: None }
+    }
+}
+
+/// What the stages of a frame took, by the clock of [`Execution`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Stages {
+    /// Culling clusters and binning them to tiles.
+    pub bin: Duration,
+    /// Finding what each sample sees, added up over threads.
+    pub visibility: Duration,
+    /// Lighting it, added up over threads.
+    pub shade: Duration,
+    /// All of it, from start to end.
+    pub frame: Duration,
+}
+
+impl<'s> Renderer<'s> {
+    /// Makes a scene ready: cuts its meshes into clusters.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the machine can't do what `execution` asks.
+    pub fn new(scene: &'s Scene, execution: &Execution) -> Result<Self, RenderError> {
+        let level = execution.simd.resolve()?;
+        let pool = if cfg!(target_family = "wasm") {
+            None
+        } else {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(execution.threads).build();
+            Some(pool.map_err(|error| RenderError::Threads(error.to_string()))?)
+        };
+        let frames = if execution.one_frame { Frames::One } else { Frames::Many };
+        let objects = scene.objects();
+        let mut renderer = Self {
+            scene,
+            objects,
+            clusters: Vec::new(),
+            polygons_of_meshes: scene.meshes.iter().map(|_| OnceLock::new()).collect(),
+            level,
+            pool,
+            clock: execution.clock,
+        };
+        renderer.clusters = renderer.install(|| prepared::clusters(scene, frames));
+        Ok(renderer)
+    }
+
+    /// The objects, by whose places layers and instances are numbered.
+    #[must_use]
+    pub fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    /// The threads that work.
+    #[must_use]
+    pub fn threads(&self) -> usize {
+        self.pool.as_ref().map_or(1, rayon::ThreadPool::current_num_threads)
+    }
+
+    /// The instruction set that runs.
+    #[must_use]
+    pub fn level(&self) -> Level {
+        self.level
+    }
+
+    /// The time, by the clock of [`Execution`].
+    pub(crate) fn now(&self) -> Duration {
+        (self.clock)()
+    }
+
+    /// Whether a material lets light through.
+    pub(crate) fn has_blended_materials(&self) -> bool {
+        self.scene.materials.iter().any(|material| material.alpha_mode == AlphaMode::Blend)
+    }
+
+    /// Draws a view into linear colours with straight alpha, before clamping and encoding.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible.
+    pub fn linear(&self, view: &View) -> Result<Picture<[f32; 4]>, RenderError> {
+        let mut picture = Picture::default();
+        self.draw(view, &Linear, &mut picture)?;
+        Ok(picture)
+    }
+
+    /// Draws a view into bytes: red, green, blue, alpha.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible.
+    pub fn rgba8(&self, view: &View) -> Result<Picture<[u8; 4]>, RenderError> {
+        let mut picture = Picture::default();
+        self.rgba8_into(view, &mut picture)?;
+        Ok(picture)
+    }
+
+    /// As [`Renderer::rgba8`], in the memory of an earlier picture.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible; the picture is then as before.
+    pub fn rgba8_into(
+        &self,
+        view: &View,
+        picture: &mut Picture<[u8; 4]>,
+    ) -> Result<(), RenderError> {
+        let encoding = view.encoding;
+        self.draw(view, &Bytes(encoding), picture)
+    }
+
+    /// Draws a view, each block turned into what is kept of its pixels while it is in registers.
+    fn draw<F: Finish>(
+        &self,
+        view: &View,
+        finish: &F,
+        picture: &mut Picture<F::Pixel>,
+    ) -> Result<(), RenderError> {
+        let start = (self.clock)();
+        self.with_scene(view, CoveragePolicy::DRAWN, None, AttributeMask::NONE, |scene, cutouts| {
+            let binned = (self.clock)();
+            let sums = Mutex::new(Stages::default());
+            let drawing = Drawing {
+                renderer: self,
+                scene,
+                alpha_test: cutouts,
+                finish,
+                background: finish.pixel(empty_pixel(scene)),
+                bands: Bands::new(&mut picture.pixels, view.size, 1),
+                sums: &sums,
+            };
+            let worker = || (Worker::new(scene.frame.samples()), new_tile());
+            for_all_tiles(scene.frame, worker, &drawing);
+            let sums = sums.into_inner().unwrap_or_default();
+            let stages = Stages { bin: binned - start, frame: (self.clock)() - start, ..sums };
+            picture.size = view.size;
+            picture.stages = stages;
+            let divides = matches!(scene.shading.mode, ShadingMode::Subdivided { .. });
+            picture.subdivision = scene.subdivided.lock().ok().filter(|_| divides).map(|counts| {
+                // Neither the sum nor the largest hangs on the order.
+                let areas = counts.values().map(|one| one.beyond_area);
+                let area = areas.fold(0, u64::saturating_add);
+                let none =
+                    Subdivision { beyond_pixels: area as f64 / 65_536.0, ..Default::default() };
+                counts.values().fold(none, |all, one| Subdivision {
+                    triangles: all.triangles + u64::from(one.pieces),
+                    largest_error: all.largest_error.max(one.error),
+                    beyond: all.beyond + u64::from(one.beyond),
+                    ..all
+                })
+            });
+        })
+    }
+
+    /// Draws one tile; the time at which it was known what is seen.
+    pub(crate) fn draw_tile<F: Finish>(
+        &self,
+        scene: &ShadingContext<'_>,
+        cutouts: &AlphaTest<'_>,
+        number: usize,
+        worker: &mut Worker,
+        finish: &F,
+        pixels: &mut TilePixels<F::Pixel>,
+    ) -> Duration {
+        let holes = cutouts.finder(scene.frame, self.level());
+        scene.frame.draw_opaque(self.level, number, &holes, &mut worker.opaque);
+        let layered = self.peel(scene, number, &holes, worker, &mut |_| {});
+        let visible = (self.clock)();
+        dispatch_long!(self.level, simd => tile_pixels(simd, scene, worker, layered, finish, pixels));
+        visible
+    }
+
+    /// Gathers the transparent layers of a tile, nearest first; whether there are any.
+    ///
+    /// `listen` gets each layer as it is found.
+    pub(crate) fn peel(
+        &self,
+        scene: &ShadingContext<'_>,
+        number: usize,
+        holes: &dyn Holes,
+        worker: &mut Worker,
+        listen: &mut dyn FnMut(&Tile),
+    ) -> bool {
+        if !scene.frame.has_blended() {
+            return false;
+        }
+        let Worker { opaque, layers: [here, last], layered, cache, .. } = worker;
+        for depth in 0..MAX_LAYERS {
+            let behind = (depth > 0).then_some(&*last);
+            if !scene.frame.draw_layer(self.level, number, holes, opaque, behind, here) {
+                return depth > 0;
+            }
+            listen(here);
+            if depth == 0 {
+                layered.clear();
+            }
+            let deeper = dispatch_long!(self.level, simd => add_layer(simd, scene, here, opaque, layered, cache));
+            if !deeper {
+                break;
+            }
+            std::mem::swap(here, last);
+        }
+        true
+    }
+
+    /// Culls, bins and transforms the scene for `view`.
+    ///
+    /// `samples` are the view's unless they are given; `also` are attributes that are read beside those
+    /// of materials.
+    pub(crate) fn with_scene<R: Send>(
+        &self,
+        view: &View,
+        covers: CoveragePolicy,
+        samples: Option<Samples>,
+        also: AttributeMask,
+        work: impl FnOnce(&ShadingContext<'_>, &AlphaTest<'_>) -> R + Send,
+    ) -> Result<R, RenderError> {
+        let mut work = Some(work);
+        let mut result = None;
+        self.prepare_frame(view, covers, samples, also, &mut |scene, cutouts| {
+            result = work.take().map(|work| work(scene, cutouts));
+        })?;
+        Ok(result.unwrap_or_else(|| unreachable!("the work is done once")))
+    }
+
+    /// [`Self::with_scene`], compiled once.
+    fn prepare_frame(
+        &self,
+        view: &View,
+        covers: CoveragePolicy,
+        samples: Option<Samples>,
+        also: AttributeMask,
+        work: &mut (dyn FnMut(&ShadingContext<'_>, &AlphaTest<'_>) + Send),
+    ) -> Result<(), RenderError> {
+        let Size { width, height } = view.size;
+        if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
+            return Err(RenderError::Size(width, height));
+        }
+        let samples = samples
+            .or_else(|| Samples::new(view.samples))
+            .ok_or(RenderError::Samples(view.samples))?;
+        self.install(|| {
+            let strokes = strokes(self.scene, &self.objects, &view.camera, view.size);
+            let instances = frame_setup::instances(
+                self.scene,
+                &self.objects,
+                &self.clusters,
+                &strokes,
+                view,
+                covers,
+            );
+            let own = 0..self.objects.len();
+            let objects: Vec<usize> =
+                own.chain(strokes.iter().map(|strokes| strokes.object)).collect();
+            let frame =
+                Frame::new(instances, &view.camera.projection, view.size, samples, self.level)?;
+            let spaces: Vec<InstanceSpace> = (0..)
+                .zip(&objects)
+                .map(|(instance, &at)| {
+                    let world_from_mesh = &self.objects[at].world_from_mesh;
+                    let view_from_local = frame.view_from_local(instance);
+                    InstanceSpace::new(world_from_mesh, view_from_local, &view.camera)
+                })
+                .collect();
+            let world_from_nodes = self.scene.world_from_nodes();
+            let lights: Vec<_> = view
+                .lights
+                .iter()
+                .filter_map(|light| frame_setup::light(light, &view.camera, &world_from_nodes))
+                .collect();
+            let flags_of_meshes: Vec<EdgeFlags> = if view.edges.is_some() {
+                self.scene.meshes.par_iter().map(EdgeFlags::new).collect()
+            } else {
+                Vec::new()
+            };
+            let mut edge_flags: Vec<Option<&EdgeFlags>> = vec![None; objects.len()];
+            for (flags, object) in edge_flags.iter_mut().zip(&self.objects) {
+                *flags = flags_of_meshes.get(object.mesh.index());
+            }
+            let ambient = frame_setup::ambient(view);
+            let fog = view.fog.as_ref();
+            let lighting: Vec<LightingEnvironment<'_>> = self
+                .environments(view)
+                .into_iter()
+                .map(|environment| LightingEnvironment::new(&lights, ambient, environment, fog))
+                .collect();
+            let uniform = frame_setup::uniform(&self.scene.materials);
+            let attributes_of_materials: Vec<AttributeMask> = self
+                .scene
+                .materials
+                .iter()
+                .map(|of| AttributeMask::of_material(of).or(also))
+                .collect();
+            let reads = |mesh: &Mesh, part: &Part| {
+                let of_material = attributes_of_materials[part.material.index()];
+                AttributeMask::of_mesh(mesh).and(of_material).any()
+            };
+            let has_extras = |mesh: &Mesh| mesh.parts.iter().any(|part| reads(mesh, part));
+            let polygons = self.polygons(view, objects.len());
+            let subdivided = Mutex::default();
+            let scene = ShadingContext {
+                scene: self.scene,
+                frame: &frame,
+                spaces: &spaces,
+                lights: &lights,
+                ambient,
+                lighting: &lighting,
+                fog,
+                uniform: &uniform,
+                attributes_of_materials: &attributes_of_materials,
+                needs_positions: view.fog.is_some()
+                    || lights.iter().any(|light| light.light().kind.has_place()),
+                has_extras: frame.instances().iter().any(|instance| has_extras(instance.mesh)),
+                view_rays: ViewRays::new(&view.camera, frame.rays()),
+                direction: view.camera.direction().as_vec3().to_array(),
+                background: view.background,
+                edges: view.edges.filter(|edges| !edges.wireframe),
+                edge_flags: &edge_flags,
+                objects: &objects,
+                shading: view.shading,
+                encoding: view.encoding,
+                near: view.camera.projection.near,
+                polygons: &polygons,
+                subdivided: &subdivided,
+            };
+            let cutouts = AlphaTest {
+                scene: self.scene,
+                wires: view.edges.filter(|edges| edges.wireframe),
+                edge_flags: &edge_flags,
+            };
+            work(&scene, &cutouts);
+            Ok(())
+        })
+    }
+
+    /// The polygons of each instance's mesh, if shading takes them whole.
+    fn polygons(&self, view: &View, instances: usize) -> Vec<Option<&Polygons>> {
+        let Shading { mode, interpolation, .. } = view.shading;
+        let whole = mode == ShadingMode::Flat || interpolation == Interpolation::Scanline;
+        let mut polygons = vec![None; instances];
+        for (place, object) in polygons.iter_mut().zip(&self.objects).filter(|_| whole) {
+            let mesh = object.mesh.index();
+            let made = || Polygons::new(&self.scene.meshes[mesh]);
+            *place = Some(self.polygons_of_meshes[mesh].get_or_init(made));
+        }
+        polygons
+    }
+
+    /// What the mirror term of each material sees.
+    fn environments(&self, view: &View) -> Vec<Environment> {
+        let up = self.scene.up.as_vec3().to_array();
+        let of = |reflection: &Reflection| match (view.environment, reflection) {
+            (EnvironmentChoice::Always(environment), _) => environment,
+            (EnvironmentChoice::StudioForMicrofacets, Reflection::Microfacet) => {
+                Environment::Studio { up }
+            }
+            (EnvironmentChoice::StudioForMicrofacets, _) => Environment::None,
+        };
+        self.scene.materials.iter().map(|material| of(&material.constants.reflection)).collect()
+    }
+
+    /// Does work on one of the renderer's threads. Many frames in a row are drawn faster from there:
+    /// none of them has to be handed over to these threads, and its end waited for.
+    pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+}
+
+/// A tile's pixels, yet to be drawn.
+fn new_tile<T: Copy + Default>() -> Box<TilePixels<T>> {
+    Box::new([T::default(); (TILE * TILE) as usize])
+}
+
+/// The drawing of a picture, tile by tile.
+struct Drawing<'d, F: Finish> {
+    renderer: &'d Renderer<'d>,
+    scene: &'d ShadingContext<'d>,
+    alpha_test: &'d AlphaTest<'d>,
+    finish: &'d F,
+    background: F::Pixel,
+    bands: Bands<'d, F::Pixel>,
+    sums: &'d Mutex<Stages>,
+}
+
+impl<F: Finish> TileWork<(Worker, Box<TilePixels<F::Pixel>>)> for Drawing<'_, F> {
+    fn draw(&self, (worker, pixels): &mut (Worker, Box<TilePixels<F::Pixel>>), tile: usize) {
+        let Self { renderer, scene, alpha_test, finish, .. } = *self;
+        let begin = (renderer.clock)();
+        let visible = renderer.draw_tile(scene, alpha_test, tile, worker, finish, pixels);
+        let end = (renderer.clock)();
+        if let Ok(mut sums) = self.sums.lock() {
+            sums.visibility += visible - begin;
+            sums.shade += end - visible;
+        }
+        self.bands.put(tile, pixels.as_slice());
+    }
+
+    fn fill(&self, band: usize, columns: &[Range<usize>]) {
+        self.bands.fill(band, columns, self.background);
+    }
+}
+
+/// The lights that have terms, in the order of the equation.
+pub(crate) fn lights_with_terms(view: &View) -> Vec<&SceneLight> {
+    let shines = |light: &&SceneLight| light.light.kind != LightKind::Ambient;
+    view.lights.iter().filter(shines).collect()
+}

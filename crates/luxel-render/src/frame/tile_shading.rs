@@ -1,0 +1,183 @@
+//! What one thread does to a tile: it shades the blocks, and writes their pixels.
+
+use super::tiles::TilePixels;
+use crate::context::ShadingContext;
+use crate::resolve::{
+    DistinctTriangles, Finish, LaneCompaction, Layered, empty_block, empty_pixel, even_block,
+    single_triangle, uneven_block,
+};
+use crate::shade::ThreadCache;
+use luxel_math::{LANES, Simd, f32x16, prelude::*};
+use luxel_visibility::{BLOCK, BLOCKS, MAX_SAMPLES, Samples, TILE, Tile, TriangleId};
+
+/// Writes a block's pixels among the rows of its tile.
+#[inline(always)]
+pub(crate) fn put_block<T: Copy>(pixels: &mut TilePixels<T>, block: usize, values: &[T; LANES]) {
+    const WIDTH: usize = BLOCK as usize;
+    let first = place_in_tile(block, 0);
+    for (row, values) in values.as_chunks::<WIDTH>().0.iter().enumerate() {
+        let start = first + row * TILE as usize;
+        pixels[start..start + WIDTH].copy_from_slice(values);
+    }
+}
+
+/// What one thread keeps from tile to tile.
+pub(crate) struct Worker {
+    pub(crate) opaque: Tile,
+    pub(crate) layers: [Tile; 2],
+    pub(crate) layered: Layered,
+    pub(crate) compaction: LaneCompaction,
+    pub(crate) cache: ThreadCache,
+}
+
+impl Worker {
+    pub(crate) fn new(samples: Samples) -> Self {
+        let count = samples.count();
+        Self {
+            opaque: Tile::new(count),
+            layers: [Tile::new(count), Tile::new(count)],
+            layered: Layered::new(count),
+            compaction: LaneCompaction::new(),
+            cache: ThreadCache::new(),
+        }
+    }
+}
+
+/// Blocks of a tile.
+pub(crate) const ALL_BLOCKS: usize = (BLOCKS * BLOCKS) as usize;
+
+/// Adds one transparent layer to all blocks of a tile; whether more can be seen through it.
+#[inline(always)]
+pub(crate) fn add_layer<S: Simd>(
+    simd: S,
+    scene: &ShadingContext<'_>,
+    layer: &Tile,
+    opaque: &Tile,
+    layered: &mut Layered,
+    cache: &mut ThreadCache,
+) -> bool {
+    let mut deeper = false;
+    for block in 0..ALL_BLOCKS {
+        deeper |= layered.add_layer(simd, scene, layer, opaque, block, cache);
+    }
+    deeper
+}
+
+/// Blocks that are looked at together before they are lit: two rows.
+const AHEAD: usize = 2 * BLOCKS as usize;
+
+/// Triangles of a block are made ready where there are at most so many for sixteen places at which
+/// they are lit.
+const SHARED: u32 = 9;
+
+/// What is known of blocks before they are lit.
+struct Ahead {
+    /// Those in which nothing is seen, as bits.
+    empty: u32,
+    distinct: [DistinctTriangles; AHEAD],
+}
+
+/// Looks at the next blocks, and prepares the triangles that they see.
+#[inline(always)]
+fn look_ahead<S: Simd>(
+    simd: S,
+    scene: &ShadingContext<'_>,
+    tile: &Tile,
+    first: usize,
+    cache: &mut ThreadCache,
+) -> Ahead {
+    let setup = &mut cache.setup;
+    setup.begin_tile(tile.origin());
+    let like = f32x16::splat(simd, 0.0);
+    let mut ahead = Ahead { empty: 0, distinct: [DistinctTriangles::EVEN; AHEAD] };
+    for number in 0..AHEAD {
+        let block = first + number;
+        if let Some(id) = single_triangle(simd, tile, block) {
+            if id == TriangleId::NONE.0 {
+                ahead.empty |= 1 << number;
+            } else {
+                setup.look_ahead(like, scene, &tile.planes()[0].ids[block], 1);
+            }
+            continue;
+        }
+        let distinct = DistinctTriangles::of(simd, tile, block);
+        let mut begins = [0; MAX_SAMPLES];
+        let (mut triangles, mut places) = (0, 0);
+        for (sample, plane) in tile.planes().iter().enumerate() {
+            let ids = &plane.ids[block];
+            let seen = distinct.lanes(sample) & !like.lanes_equal(ids, TriangleId::NONE.0);
+            begins[sample] = like.lanes_that_begin(ids) & seen;
+            triangles += begins[sample].count_ones();
+            places += seen.count_ones();
+        }
+        if triangles <= places * SHARED / 16 {
+            for (plane, begins) in tile.planes().iter().zip(begins) {
+                setup.look_ahead(like, scene, &plane.ids[block], begins);
+            }
+        }
+        ahead.distinct[number] = distinct;
+    }
+    setup.prepare(like, scene);
+    ahead
+}
+
+/// Lights all blocks of a tile, and finishes their pixels.
+#[inline(always)]
+pub(crate) fn tile_pixels<S: Simd, F: Finish>(
+    simd: S,
+    scene: &ShadingContext<'_>,
+    worker: &mut Worker,
+    has_layers: bool,
+    finish: &F,
+    pixels: &mut TilePixels<F::Pixel>,
+) {
+    let Worker { opaque, layered, compaction, cache, .. } = worker;
+    let background = [finish.pixel(empty_pixel(scene)); LANES];
+    for first in (0..ALL_BLOCKS).step_by(AHEAD) {
+        let Ahead { empty, distinct } = look_ahead(simd, scene, opaque, first, cache);
+        for number in 0..AHEAD {
+            let block = first + number;
+            let is_layered = has_layers && layered.is_touched(block);
+            let is_empty = empty >> number & 1 == 1;
+            if is_empty && !is_layered {
+                put_block(pixels, block, &background);
+                continue;
+            }
+            let mut color = if is_empty {
+                empty_block(simd, scene)
+            } else {
+                let distinct = &distinct[number];
+                if !distinct.are_even() {
+                    compaction.add(simd, scene, opaque, block, distinct, cache);
+                    continue;
+                }
+                even_block(simd, scene, opaque, block, cache)
+            };
+            if is_layered {
+                color = layered.finish_block(simd, scene, opaque, block, cache, color);
+            }
+            put_block(pixels, block, &finish.block(simd, color));
+        }
+        compaction.finish(
+            simd,
+            scene,
+            cache,
+            #[inline(always)]
+            |block, lit, cache| {
+                let mut color = uneven_block(simd, scene, lit);
+                if has_layers && layered.is_touched(block) {
+                    color = layered.finish_block(simd, scene, opaque, block, cache, color);
+                }
+                put_block(pixels, block, &finish.block(simd, color));
+            },
+        );
+    }
+}
+
+/// Where a block's lane lies among the rows of its tile.
+#[inline(always)]
+pub(crate) fn place_in_tile(block: usize, lane: usize) -> usize {
+    const SIDE: usize = BLOCK as usize;
+    let (row, column) = (block / BLOCKS as usize, block % BLOCKS as usize);
+    (row * SIDE + lane / SIDE) * TILE as usize + column * SIDE + lane % SIDE
+}

@@ -1,0 +1,381 @@
+//! Barycentrics and attributes of sixteen samples.
+//!
+//! Lanes meet triangles in two ways: one triangle in all lanes, its numbers broadcast from the record;
+//! or one a lane, the records' rows transposed in registers. Which one, the block decides by how many
+//! triangles it sees; what is computed is one function over either [`Source`], so that the way changes
+//! no bit.
+//!
+//! Why two and not one: a block of one triangle needs 22 broadcasts, which the processor reads for
+//! nothing beside the arithmetic; transposing sixteen records takes some 150 shuffles. A broadcast way
+//! through n triangles costs n times the arithmetic instead, so from [`FEW`] on rows are cheaper.
+
+use crate::context::{AttributeMask, ShadingContext};
+use crate::interpolate::Batch;
+use crate::material::{Attributes, Footprint};
+use crate::setup::{
+    COLOR, LIGHT, LIGHT_ROW, NORMAL, POSITION, POSITION_ROW, Prepared, SetupCache, TANGENT,
+    TriangleSetup, UVS, VectorAt, VertexExtras,
+};
+use luxel_math::{LANES, Mask, Number, Rgb, Vec3, lanes_of};
+use luxel_visibility::{TileForms, TriangleId, interpolate};
+
+/// Up to so many triangles a block are met one by one, each in all lanes; with more, one a lane.
+/// `cargo bench -p luxel --bench frames few` shows where the ways cross.
+const FEW: u32 = 3;
+
+/// Which attributes a pass needs beside those that materials read.
+#[derive(Clone, Copy)]
+pub(crate) struct Wanted {
+    pub(crate) position: bool,
+    pub(crate) normal: bool,
+    pub(crate) light: bool,
+}
+
+/// What sixteen samples see.
+#[derive(Clone, Copy)]
+pub(crate) struct Fragments<N> {
+    /// Barycentrics.
+    pub(crate) weights: [N; 3],
+    /// What the surface is there.
+    pub(crate) attributes: Attributes<N>,
+}
+
+/// Where the numbers of triangles come from.
+trait Source<N> {
+    /// A number of [`TriangleSetup`].
+    fn number(&self, index: usize) -> N;
+    /// A number of [`VertexExtras`].
+    fn extra(&self, index: usize) -> N;
+}
+
+/// One triangle in all lanes.
+struct Broadcast<'t, N> {
+    like: N,
+    setup: &'t TriangleSetup,
+    extras: &'t VertexExtras,
+}
+
+impl<N: Number> Source<N> for Broadcast<'_, N> {
+    #[inline(always)]
+    fn number(&self, index: usize) -> N {
+        self.like.constant(self.setup.rows[index / 8][index % 8])
+    }
+
+    #[inline(always)]
+    fn extra(&self, index: usize) -> N {
+        self.like.constant(self.extras.rows[index / 8][index % 8])
+    }
+}
+
+/// One triangle a lane.
+struct Transposed<N> {
+    numbers: [[N; 8]; 5],
+    extras: [[N; 8]; 5],
+}
+
+impl<N: Number> Transposed<N> {
+    /// The rows that lanes need. Written out row by row: an array that a loop fills would be memory.
+    #[inline(always)]
+    fn new<const EXTRAS: bool>(like: N, cache: &SetupCache, ids: &[u32; LANES], of: Of) -> Self {
+        let setups = cache.rows(ids, of.lanes);
+        let zeros = [like.zero(); 8];
+        let numbers = [
+            setup_row(like, &setups, 0),
+            setup_row(like, &setups, 1),
+            setup_row(like, &setups, 2),
+            if of.wanted.position { setup_row(like, &setups, POSITION_ROW) } else { zeros },
+            if of.wanted.light { setup_row(like, &setups, LIGHT_ROW) } else { zeros },
+        ];
+        if !EXTRAS || !of.has.any() {
+            return Self { numbers, extras: [zeros; 5] };
+        }
+        let first = ids[of.lanes.trailing_zeros() as usize & (LANES - 1)];
+        let mut rows = [cache.get(first).extras; LANES];
+        for lane in lanes_of(of.lanes) {
+            rows[lane] = cache.get(ids[lane]).extras;
+        }
+        let extras = [
+            extra_row(like, &rows, 0),
+            extra_row(like, &rows, 1),
+            extra_row(like, &rows, 2),
+            extra_row(like, &rows, 3),
+            extra_row(like, &rows, 4),
+        ];
+        Self { numbers, extras }
+    }
+}
+
+#[inline(always)]
+fn setup_row<N: Number>(like: N, setups: &[&TriangleSetup; LANES], row: usize) -> [N; 8] {
+    like.columns(
+        #[inline(always)]
+        |lane| &setups[lane & (LANES - 1)].rows[row],
+    )
+}
+
+#[inline(always)]
+fn extra_row<N: Number>(like: N, extras: &[&VertexExtras; LANES], row: usize) -> [N; 8] {
+    like.columns(
+        #[inline(always)]
+        |lane| &extras[lane & (LANES - 1)].rows[row],
+    )
+}
+
+impl<N: Number> Source<N> for Transposed<N> {
+    #[inline(always)]
+    fn number(&self, index: usize) -> N {
+        self.numbers[index / 8][index % 8]
+    }
+
+    #[inline(always)]
+    fn extra(&self, index: usize) -> N {
+        self.extras[index / 8][index % 8]
+    }
+}
+
+/// Interpolates what the samples of `seen` lanes see, whose triangles `cache` may lack yet. Other lanes
+/// hold anything finite. `materials` gets each sample's material, by number: apart from the fragments, as
+/// an index that is known only at run time would keep all of them in memory. `EXTRAS` says whether attributes beside positions, normals and light count.
+#[inline(always)]
+pub(crate) fn fragments<N: Number, const EXTRAS: bool>(
+    like: N,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    cache: &mut SetupCache,
+    seen: u32,
+    wanted: Wanted,
+    materials: &mut [u32; LANES],
+) -> Fragments<N> {
+    let ids = &batch.ids;
+    let place = [like.load(&batch.x, 0), like.load(&batch.y, 0)];
+    let mut found = Fragments::nothing(like);
+    let id = ids[seen.trailing_zeros() as usize & (LANES - 1)];
+    if like.lanes_equal(ids, id) & seen == seen {
+        // One triangle, the most frequent case, apart from the loop: what a loop carries from triangle to
+        // triangle is memory.
+        cache.require(like, scene, ids, seen & seen.wrapping_neg());
+        let Prepared { setup, extras } = cache.get(id);
+        let source = Broadcast { like, setup, extras };
+        let of = Of { lanes: seen, wanted, has: cache.reads(id) };
+        found.take::<EXTRAS, true>(&source, scene, batch, place, of);
+        *materials = [cache.material(id); LANES];
+        return found;
+    }
+    let begins = like.lanes_that_begin(ids) & seen;
+    let mut left = seen;
+    while left != 0 {
+        cache.require(like, scene, ids, begins & left);
+        if (begins & left).count_ones() <= FEW {
+            let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
+            let lanes = like.lanes_equal(ids, id) & left;
+            if !cache.has(id) {
+                cache.require(like, scene, ids, lanes & lanes.wrapping_neg());
+            }
+            let Prepared { setup, extras } = cache.get(id);
+            let source = Broadcast { like, setup, extras };
+            let of = Of { lanes, wanted, has: cache.reads(id) };
+            found.take::<EXTRAS, false>(&source, scene, batch, place, of);
+            put_material(materials, lanes, cache.material(id));
+            left &= !lanes;
+        } else {
+            let mut of = Of { lanes: 0, wanted, has: AttributeMask::NONE };
+            for lane in lanes_of(left) {
+                let id = ids[lane & (LANES - 1)];
+                if cache.has(id) {
+                    of.lanes |= 1 << lane;
+                    of.has = of.has.or(cache.reads(id));
+                    materials[lane & (LANES - 1)] = cache.material(id);
+                }
+            }
+            let source = Transposed::new::<EXTRAS>(like, cache, ids, of);
+            found.take::<EXTRAS, false>(&source, scene, batch, place, of);
+            left &= !of.lanes;
+        }
+    }
+    found
+}
+
+/// Lanes and what they take of their triangles.
+#[derive(Clone, Copy)]
+struct Of {
+    lanes: u32,
+    wanted: Wanted,
+    /// The attributes beside positions and normals.
+    has: AttributeMask,
+}
+
+impl<N: Number> Fragments<N> {
+    #[inline(always)]
+    fn nothing(like: N) -> Self {
+        Self { weights: [like.zero(); 3], attributes: Attributes::nothing(like) }
+    }
+
+    /// Takes what lanes see of the triangles of a source.
+    ///
+    /// Written field by field into what is there: handed over by value, all 52 vectors would be copied
+    /// through memory (measured: three times the time of a plain block).
+    #[inline(always)]
+    fn take<const EXTRAS: bool, const WHOLE: bool>(
+        &mut self,
+        source: &impl Source<N>,
+        scene: &ShadingContext<'_>,
+        batch: &Batch,
+        [x, y]: [N; 2],
+        of: Of,
+    ) {
+        let Of { lanes, wanted, has } = of;
+        let forms = TileForms::from_numbers(
+            #[inline(always)]
+            |index| source.number(index),
+        );
+        let at_sample = forms.at(x, y);
+        let mut weights = at_sample.weights;
+        let inexact = at_sample.inexact.bits() & lanes;
+        if inexact != 0 {
+            weights = exact_weights(scene, batch, inexact, weights);
+        }
+        let mask = x.mask_of(lanes);
+        merge::<3, WHOLE, N>(&mut self.weights, weights, mask);
+        let own = &mut self.attributes;
+        if wanted.normal {
+            let normal = vector(source, NORMAL, &weights);
+            own.normal = if WHOLE { normal } else { normal.select(mask, own.normal) };
+        }
+        if wanted.position {
+            let position = vector(source, POSITION, &weights);
+            own.position = if WHOLE { position } else { position.select(mask, own.position) };
+        }
+        if wanted.light {
+            let Vec3 { x: r, y: g, z: b } = vector(source, LIGHT, &weights);
+            let light = Rgb::new(r, g, b);
+            own.light = if WHOLE { light } else { light.select(mask, own.light) };
+        }
+        if !EXTRAS {
+            return;
+        }
+        own.has = own.has.or(has);
+        if has.has(AttributeMask::UVS[0].or(AttributeMask::UVS[1])) {
+            let [mut right, mut below] = forms.neighbours(x, y);
+            if inexact != 0 {
+                [right, below] = exact_neighbours(scene, batch, inexact, [right, below]);
+            }
+            for set in 0..2 {
+                let footprint: &mut Footprint<N> = &mut own.uv[set];
+                for (uv, weights) in footprint.iter_mut().zip([&weights, &right, &below]) {
+                    let [u, v] = [UVS[set], UVS[set] + 3];
+                    merge::<2, WHOLE, N>(
+                        uv,
+                        [extra(source, u, weights), extra(source, v, weights)],
+                        mask,
+                    );
+                }
+            }
+        }
+        if has.has(AttributeMask::TANGENTS) {
+            for component in 0..4 {
+                let value = extra(source, TANGENT + 3 * component, &weights);
+                own.tangent[component] =
+                    if WHOLE { value } else { value.select(mask, own.tangent[component]) };
+            }
+        }
+        if has.has(AttributeMask::COLORS) {
+            for component in 0..4 {
+                let value = extra(source, COLOR + 3 * component, &weights);
+                own.color[component] =
+                    if WHOLE { value } else { value.select(mask, own.color[component]) };
+            }
+        }
+    }
+}
+
+/// Writes the material of lanes.
+#[inline(always)]
+fn put_material(materials: &mut [u32; LANES], lanes: u32, material: u32) {
+    for (lane, own) in materials.iter_mut().enumerate() {
+        if lanes >> lane & 1 == 1 {
+            *own = material;
+        }
+    }
+}
+
+/// A vector between the corners.
+#[inline(always)]
+fn vector<N: Number>(source: &impl Source<N>, at: VectorAt, weights: &[N; 3]) -> Vec3<N> {
+    let [x0, y0, z0, x1, y1, z1, x2, y2, z2] = at;
+    Vec3::new(
+        component(source, [x0, x1, x2], weights),
+        component(source, [y0, y1, y2], weights),
+        component(source, [z0, z1, z2], weights),
+    )
+}
+
+#[inline(always)]
+fn component<N: Number>(
+    source: &impl Source<N>,
+    [first, second, third]: [usize; 3],
+    weights: &[N; 3],
+) -> N {
+    let differences = [source.number(second), source.number(third)];
+    interpolate(source.number(first), differences, weights)
+}
+
+/// A component of another attribute, between the corners.
+#[inline(always)]
+fn extra<N: Number>(source: &impl Source<N>, first: usize, weights: &[N; 3]) -> N {
+    let differences = [source.extra(first + 1), source.extra(first + 2)];
+    interpolate(source.extra(first), differences, weights)
+}
+
+/// The barycentrics of lanes whose triangles f32 can't tell.
+#[cold]
+#[inline(never)]
+fn exact_weights<N: Number>(
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    lanes: u32,
+    mut weights: [N; 3],
+) -> [N; 3] {
+    for lane in lanes_of(lanes) {
+        let Some(of) = scene.frame.triangle(TriangleId(batch.ids[lane])) else { continue };
+        let exact = scene.frame.forms(of).exact_barycentric(scene.frame.rays(), batch.steps(lane));
+        put_lane(&mut weights, lane, exact);
+    }
+    weights
+}
+
+/// The same one pixel to the right, and one below.
+#[cold]
+#[inline(never)]
+fn exact_neighbours<N: Number>(
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    lanes: u32,
+    [mut right, mut below]: [[N; 3]; 2],
+) -> [[N; 3]; 2] {
+    for lane in lanes_of(lanes) {
+        let Some(of) = scene.frame.triangle(TriangleId(batch.ids[lane])) else { continue };
+        let [own_right, own_below] = scene.frame.forms(of).exact_neighbours(batch.steps(lane));
+        put_lane(&mut right, lane, own_right);
+        put_lane(&mut below, lane, own_below);
+    }
+    [right, below]
+}
+
+fn put_lane<N: Number>(values: &mut [N; 3], lane: usize, new: [f32; 3]) {
+    for (value, new) in values.iter_mut().zip(new) {
+        *value = value.with_lane(lane, new);
+    }
+}
+
+/// Takes new values: in all lanes, or where the mask is true.
+#[inline(always)]
+fn merge<const C: usize, const WHOLE: bool, N: Number>(
+    values: &mut [N; C],
+    new: [N; C],
+    mask: N::Mask,
+) {
+    for component in 0..C {
+        let new = new[component];
+        values[component] = if WHOLE { new } else { new.select(mask, values[component]) };
+    }
+}

@@ -1,0 +1,7 @@
+//! From samples to the attributes of the surfaces that they see.
+
+mod batch;
+mod fragments;
+
+pub(crate) use batch::Batch;
+pub(crate) use fragments::{Fragments, Wanted, fragments};

@@ -1,0 +1,489 @@
+//! The one pass that fills all layers, and the picture where both see the same.
+
+use super::layer::{Layer, LayerValues};
+use super::witness::LayerWitness;
+use crate::context::{AttributeMask, ShadingContext};
+use crate::coverage::AlphaTest;
+use crate::explain::Lit;
+use crate::frame::{
+    ALL_BLOCKS, Bands, CoveragePolicy, Picture, RenderError, Renderer, TilePixels, TileWork,
+    for_all_tiles, lights_with_terms, place_in_tile, put_block,
+};
+use crate::interpolate::Batch;
+use crate::resolve::{Bytes, Finish, empty_pixel, single_triangle};
+use crate::shade::{BlockWitness, ThreadCache, point_of, shade, surface_fragments};
+use crate::view::{ShadingMode, View};
+use luxel_lighting::{LightTerms, PictureEncoding};
+use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
+use luxel_scene::{Projection, SceneLight};
+use luxel_visibility::{TILE, Tile, TriangleId};
+use std::ops::Range;
+
+impl Renderer<'_> {
+    /// Layers of a view, in the order in which they are asked for, all from one pass.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible.
+    pub fn layers(&self, view: &View, layers: &[Layer]) -> Result<Vec<LayerValues>, RenderError> {
+        let mut values = Vec::new();
+        self.layer_pass(view, layers, None, &mut values)?;
+        Ok(values)
+    }
+
+    /// The picture of [`Renderer::rgba8_into`] and layers of the same view. With one sample a pixel and
+    /// nothing that blends, both come from one visibility; else layers take a pass of their own.
+    /// `values` may hold layers of an earlier picture, whose memory is used again.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible.
+    pub fn rgba8_with_layers(
+        &self,
+        view: &View,
+        layers: &[Layer],
+        picture: &mut Picture<[u8; 4]>,
+        values: &mut Vec<LayerValues>,
+    ) -> Result<(), RenderError> {
+        let blends = self.has_blended_materials();
+        let start = self.now();
+        if view.samples == 1 && !blends && view.edges.is_none() {
+            self.layer_pass(view, layers, Some(picture), values)?;
+            picture.stages.frame = self.now() - start;
+            Ok(())
+        } else {
+            self.rgba8_into(view, picture)?;
+            self.layer_pass(view, layers, None, values)?;
+            picture.stages.frame = self.now() - start;
+            Ok(())
+        }
+    }
+
+    fn layer_pass(
+        &self,
+        view: &View,
+        layers: &[Layer],
+        picture: Option<&mut Picture<[u8; 4]>>,
+        values: &mut Vec<LayerValues>,
+    ) -> Result<(), RenderError> {
+        let lights = lights_with_terms(view);
+        for layer in layers {
+            if let Layer::Light(name) = layer
+                && !lights.iter().any(|light| light.name == *name)
+            {
+                return Err(RenderError::NoSuchLight(name.clone()));
+            }
+        }
+        // Where nothing is let through but what is wholly transparent, the nearest surface counts.
+        let view = View { samples: 1, edges: None, ..view.clone() };
+        self.with_scene(
+            &view,
+            CoveragePolicy::NEAREST,
+            None,
+            AttributeMask::UVS[0],
+            |scene, alpha_test| {
+                let mut picture = picture;
+                if let Some(picture) = &mut picture {
+                    picture.size = view.size;
+                    picture.subdivision = None;
+                }
+                let mut pixels = picture.map(|picture| &mut picture.pixels);
+                values.resize_with(layers.len(), || LayerValues::F32(Vec::new()));
+                values.truncate(layers.len());
+                let planes = layers.iter().zip(values).map(|(layer, values)| {
+                    let channels = layer.channels();
+                    let values = if layer.is_id() {
+                        let values = values.as_u32();
+                        PlaneValues::U32(Bands::new(values, view.size, channels))
+                    } else {
+                        PlaneValues::F32(Bands::new(values.as_f32(), view.size, channels))
+                    };
+                    Plane { layer, channels, values }
+                });
+                let with_terms = layers.iter().any(Layer::is_lit);
+                let at_pixels = scene.shading.mode == ShadingMode::Phong;
+                let pass = Pass {
+                    renderer: self,
+                    scene,
+                    alpha_test,
+                    planes: planes.collect(),
+                    pixels: pixels.as_mut().map(|pixels| Bands::new(pixels, view.size, 1)),
+                    lights,
+                    projection: view.camera.projection,
+                    eye: view.camera.eye().to_array(),
+                    maps_normals: layers.contains(&Layer::Normal),
+                    with_terms: with_terms && at_pixels,
+                    terms_one_by_one: with_terms && !at_pixels,
+                };
+                for_all_tiles(scene.frame, || pass.worker(), &pass);
+            },
+        )
+    }
+}
+
+/// A layer that is being filled.
+struct Plane<'p> {
+    layer: &'p Layer,
+    channels: usize,
+    values: PlaneValues<'p>,
+}
+
+enum PlaneValues<'p> {
+    F32(Bands<'p, f32>),
+    U32(Bands<'p, u32>),
+}
+
+/// What the pass reads beside the scene.
+struct Pass<'p> {
+    renderer: &'p Renderer<'p>,
+    scene: &'p ShadingContext<'p>,
+    alpha_test: &'p AlphaTest<'p>,
+    planes: Vec<Plane<'p>>,
+    /// The picture, if it comes from this pass.
+    pixels: Option<Bands<'p, [u8; 4]>>,
+    /// The lights that have terms.
+    lights: Vec<&'p SceneLight>,
+    projection: Projection,
+    /// The eye's place in the world, f64, which positions are about.
+    eye: [f64; 3],
+    maps_normals: bool,
+    /// Whether layers show terms of light that is computed at pixels.
+    with_terms: bool,
+    /// Whether layers show terms of light that is computed elsewhere.
+    terms_one_by_one: bool,
+}
+
+/// What one thread keeps from tile to tile.
+struct LayerWorker {
+    tile: Tile,
+    cache: ThreadCache,
+    pixels: Box<TilePixels<[u8; 4]>>,
+    /// A tile of each layer.
+    tiles: Vec<TileValues>,
+    of_lights: Vec<[[f32; LANES]; 3]>,
+}
+
+enum TileValues {
+    F32(Vec<f32>),
+    U32(Vec<u32>),
+}
+
+/// Three numbers for each pixel of a block, of which a layer shows as many as it has channels.
+type BlockValues = [[f32; LANES]; 3];
+
+impl TileWork<LayerWorker> for Pass<'_> {
+    fn draw(&self, worker: &mut LayerWorker, tile: usize) {
+        let level = self.renderer.level();
+        let frame = self.scene.frame;
+        let alpha_tester = self.alpha_test.finder(frame, level);
+        frame.draw_opaque(level, tile, &alpha_tester, &mut worker.tile);
+        dispatch_long!(level, simd => self.shade_tile(simd, worker));
+        if let Some(pixels) = &self.pixels {
+            pixels.put(tile, worker.pixels.as_slice());
+        }
+        for (plane, drawn) in self.planes.iter().zip(&worker.tiles) {
+            match (&plane.values, drawn) {
+                (PlaneValues::F32(bands), TileValues::F32(drawn)) => bands.put(tile, drawn),
+                (PlaneValues::U32(bands), TileValues::U32(drawn)) => bands.put(tile, drawn),
+                _ => {}
+            }
+        }
+    }
+
+    fn fill(&self, band: usize, columns: &[Range<usize>]) {
+        if let Some(pixels) = &self.pixels {
+            pixels.fill(band, columns, self.finish().pixel(empty_pixel(self.scene)));
+        }
+        for plane in &self.planes {
+            match &plane.values {
+                PlaneValues::F32(bands) => bands.fill(band, columns, background(plane.layer)),
+                PlaneValues::U32(bands) => bands.fill(band, columns, u32::MAX),
+            }
+        }
+    }
+}
+
+/// What a layer of numbers shows where nothing is.
+fn background(layer: &Layer) -> f32 {
+    match layer {
+        Layer::Depth => 1.0,
+        Layer::Z => f32::INFINITY,
+        _ => 0.0,
+    }
+}
+
+impl Pass<'_> {
+    fn worker(&self) -> LayerWorker {
+        let tile = |plane: &Plane<'_>| {
+            let count = (TILE * TILE) as usize * plane.channels;
+            match plane.values {
+                PlaneValues::F32(_) => TileValues::F32(vec![0.0; count]),
+                PlaneValues::U32(_) => TileValues::U32(vec![0; count]),
+            }
+        };
+        LayerWorker {
+            tile: Tile::new(1),
+            cache: ThreadCache::new(),
+            pixels: Box::new([[0; 4]; (TILE * TILE) as usize]),
+            tiles: self.planes.iter().map(tile).collect(),
+            of_lights: vec![[[0.0; LANES]; 3]; self.lights.len()],
+        }
+    }
+
+    fn finish(&self) -> Bytes {
+        let encoding: PictureEncoding = self.scene.encoding;
+        Bytes(encoding)
+    }
+
+    #[inline(always)]
+    fn shade_tile<S: Simd>(&self, simd: S, worker: &mut LayerWorker) {
+        for block in 0..ALL_BLOCKS {
+            self.shade_block(simd, worker, block);
+        }
+    }
+
+    #[inline(always)]
+    fn shade_block<S: Simd>(&self, simd: S, worker: &mut LayerWorker, block: usize) {
+        let Self { scene, .. } = *self;
+        let LayerWorker { tile, cache, pixels, tiles, of_lights } = worker;
+        let like = f32x16::splat(simd, 0.0);
+        if single_triangle(simd, tile, block) == Some(TriangleId::NONE.0) {
+            if self.pixels.is_some() {
+                put_block(pixels, block, &[self.finish().pixel(empty_pixel(scene)); LANES]);
+            }
+            for (plane, values) in self.planes.iter().zip(tiles) {
+                match values {
+                    TileValues::F32(values) => {
+                        let nothing = [[background(plane.layer); LANES]; 3];
+                        put_values(values, block, plane.channels, &nothing);
+                    }
+                    TileValues::U32(values) => {
+                        put_values(values, block, plane.channels, &[[u32::MAX; LANES]; 3]);
+                    }
+                }
+            }
+            return;
+        }
+        let samples = scene.frame.samples();
+        let ids = tile.planes()[0].ids[block];
+        let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
+        of_lights.fill([[0.0; LANES]; 3]);
+        let needs = [self.maps_normals, self.with_terms];
+        let mut witness = LayerWitness::new(like, needs, of_lights);
+        if self.pixels.is_some() || self.with_terms {
+            let [r, g, b, alpha] = shade(like, scene, &batch, cache, &mut witness);
+            if self.pixels.is_some() {
+                let color = [r + like, g + like, b + like, alpha];
+                put_block(pixels, block, &self.finish().block(simd, color));
+            }
+        } else {
+            let seen = !like.lanes_equal(&ids, TriangleId::NONE.0) & like.all_lanes();
+            hear(like, scene, &batch, cache, seen, &mut witness);
+        }
+        let of_triangles = Triangles::of(scene, &ids);
+        let seen = like.mask_of(of_triangles.seen);
+        for (plane, values) in self.planes.iter().zip(tiles) {
+            match values {
+                TileValues::U32(values) => {
+                    let ids = match plane.layer {
+                        Layer::Object => &of_triangles.objects,
+                        _ => &of_triangles.triangles,
+                    };
+                    put_values(values, block, plane.channels, &[*ids; 3]);
+                }
+                TileValues::F32(values) => {
+                    let found = if self.terms_one_by_one && plane.layer.is_lit() {
+                        self.terms_of_lanes(plane.layer, &batch, cache)
+                    } else {
+                        self.values(plane.layer, &witness, seen)
+                    };
+                    put_values(values, block, plane.channels, &found);
+                }
+            }
+        }
+    }
+
+    /// The values of a layer of numbers.
+    #[inline(always)]
+    fn values<N: Number>(
+        &self,
+        layer: &Layer,
+        witness: &LayerWitness<'_, N>,
+        seen: N::Mask,
+    ) -> BlockValues {
+        let like = witness.depth;
+        let zero = like.zero();
+        let vector = |Vec3 { x, y, z }: Vec3<N>| [x, y, z];
+        let light = |Rgb { r, g, b }: Rgb<N>| {
+            let s = witness.fog_factor;
+            [r * s, g * s, b * s]
+        };
+        let numbers = match layer {
+            Layer::Depth => {
+                let mut depths = stored([like; 3], seen, 0.0);
+                let bits = seen.bits();
+                for (lane, depth) in depths[0].iter_mut().enumerate() {
+                    let is_seen = bits >> lane & 1 == 1;
+                    let z = f64::from(*depth);
+                    let depth_there = || self.projection.window_depth(z) as f32;
+                    *depth = if is_seen { depth_there() } else { background(layer) };
+                }
+                return depths;
+            }
+            Layer::Z => [like; 3],
+            Layer::Normal => vector(witness.normal),
+            Layer::Position => return self.positions(witness.position, seen),
+            Layer::Barycentric => witness.weights,
+            Layer::Uv => [witness.uv[0], witness.uv[1], zero],
+            Layer::Ambient => light(witness.ambient),
+            Layer::Diffuse => light(witness.diffuse),
+            Layer::Specular => light(witness.specular),
+            Layer::Emission => light(witness.emission),
+            Layer::Environment => light(witness.environment),
+            Layer::Fog => {
+                let Rgb { r, g, b } = witness.fog;
+                [r, g, b]
+            }
+            Layer::NDotL => [witness.n_dot_l; 3],
+            Layer::Light(name) => {
+                let index = self.lights.iter().position(|light| light.name == *name);
+                let Some(sums) = index.and_then(|index| witness.of_lights.get(index)) else {
+                    return [[0.0; LANES]; 3];
+                };
+                light(Rgb::new(
+                    like.load(&sums[0], 0),
+                    like.load(&sums[1], 0),
+                    like.load(&sums[2], 0),
+                ))
+            }
+            Layer::Object | Layer::Triangle => [zero; 3],
+        };
+        stored(numbers, seen, background(layer))
+    }
+
+    /// Places in the world, which are summed in f64.
+    fn positions<N: Number>(&self, about_eye: Vec3<N>, seen: N::Mask) -> BlockValues {
+        let Vec3 { x, y, z } = about_eye;
+        let mut places = stored([x, y, z], seen, 0.0);
+        for (axis, places) in places.iter_mut().enumerate() {
+            for lane in lanes_of(seen.bits()) {
+                places[lane] = (self.eye[axis] + f64::from(places[lane])) as f32;
+            }
+        }
+        places
+    }
+
+    /// A term of light that is computed elsewhere than at the pixel, lane by lane.
+    #[cold]
+    fn terms_of_lanes(&self, layer: &Layer, batch: &Batch, cache: &mut ThreadCache) -> BlockValues {
+        let mut values = [[0.0; LANES]; 3];
+        for lane in 0..LANES {
+            let lit = Lit::of(self.scene, self.eye, &self.lights, &batch.only(lane), cache);
+            let Some(lit) = lit else { continue };
+            for (values, value) in values.iter_mut().zip(term(layer, &lit)) {
+                values[lane] = value;
+            }
+        }
+        values
+    }
+}
+
+/// Interpolates a block for its witness, without lighting it.
+#[inline(always)]
+fn hear<N: Number>(
+    like: N,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    cache: &mut ThreadCache,
+    seen: u32,
+    witness: &mut LayerWitness<'_, N>,
+) {
+    let mut materials = [0; LANES];
+    let found = surface_fragments::<N, true>(like, scene, batch, cache, seen, true, &mut materials);
+    let point = point_of(like, scene, batch, &found);
+    witness.fragments(scene, &found, &materials, &point, seen);
+}
+
+/// The numbers of what each lane sees.
+struct Triangles {
+    seen: u32,
+    objects: [u32; LANES],
+    triangles: [u32; LANES],
+}
+
+impl Triangles {
+    #[inline(always)]
+    fn of(scene: &ShadingContext<'_>, ids: &[u32; LANES]) -> Self {
+        let none = [u32::MAX; LANES];
+        let mut found = Self { seen: 0, objects: none, triangles: none };
+        let mut last: Option<(u32, u32, u32)> = None;
+        for (lane, &id) in ids.iter().enumerate() {
+            if id == TriangleId::NONE.0 {
+                continue;
+            }
+            // Neighbours mostly see the same.
+            let (object, triangle) = match last {
+                Some((of, object, triangle)) if of == id => (object, triangle),
+                _ => {
+                    let Some(of) = scene.frame.triangle(TriangleId(id)) else { continue };
+                    let object = scene.objects[of.instance];
+                    // Points and lines come after the objects' own instances and have no triangles.
+                    let has_triangles = object == of.instance;
+                    (object as u32, if has_triangles { of.triangle } else { u32::MAX })
+                }
+            };
+            last = Some((id, object, triangle));
+            found.seen |= 1 << lane;
+            found.objects[lane] = object;
+            found.triangles[lane] = triangle;
+        }
+        found
+    }
+}
+
+/// Numbers in memory, with the background where nothing is seen.
+#[inline(always)]
+fn stored<N: Number>(numbers: [N; 3], seen: N::Mask, background: f32) -> BlockValues {
+    let mut values = [[0.0; LANES]; 3];
+    for (values, number) in values.iter_mut().zip(numbers) {
+        number.select(seen, number.constant(background)).store(values, 0);
+    }
+    values
+}
+
+/// Writes a block's values among the rows of its tile.
+#[inline(always)]
+fn put_values<T: Copy>(into: &mut [T], block: usize, channels: usize, values: &[[T; LANES]; 3]) {
+    for lane in 0..LANES {
+        let at = place_in_tile(block, lane) * channels;
+        for (into, values) in into[at..at + channels].iter_mut().zip(values) {
+            *into = values[lane];
+        }
+    }
+}
+
+/// The value of a layer at one sample, of light that is computed elsewhere.
+fn term(layer: &Layer, lit: &Lit) -> [f32; 3] {
+    let plus = |a: [f32; 3], b: [f32; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+    let terms = &lit.terms;
+    let each = |of: fn(&LightTerms<f32>) -> [f32; 3], first: [f32; 3]| {
+        terms.lights.iter().fold(first, |sum, light| plus(sum, of(&light.terms)))
+    };
+    let (factor, fog) = lit.fog.unwrap_or((1.0, [0.0; 3]));
+    let term = match layer {
+        Layer::Ambient => each(|terms| terms.ambient.lane(0), terms.scene_ambient),
+        Layer::Diffuse => each(|terms| terms.diffuse.lane(0), [0.0; 3]),
+        Layer::Specular => each(|terms| terms.specular.lane(0), [0.0; 3]),
+        Layer::Emission => terms.emission,
+        Layer::Environment => terms.environment,
+        Layer::Fog => return fog.map(|channel| channel * (1.0 - factor)),
+        Layer::NDotL => return [terms.lights.first().map_or(0.0, |light| light.terms.n_dot_l); 3],
+        Layer::Light(name) => {
+            let light = terms.lights.iter().find(|light| light.name == *name);
+            light.map_or([0.0; 3], |light| {
+                let LightTerms { ambient, diffuse, specular, .. } = &light.terms;
+                plus(plus(ambient.lane(0), diffuse.lane(0)), specular.lane(0))
+            })
+        }
+        _ => [0.0; 3],
+    };
+    term.map(|channel| channel * factor)
+}

@@ -1,0 +1,158 @@
+//! The witness that keeps what layers show, for sixteen pixels.
+
+use crate::context::ShadingContext;
+use crate::interpolate::Fragments;
+use crate::material::{SurfaceWitness, shading_normal};
+use crate::shade::BlockWitness;
+use luxel_lighting::{LightTerms, SurfacePoint, Terms, Witness};
+use luxel_math::{LANES, Number, Rgb, Vec3};
+
+/// What was heard of a block.
+pub(crate) struct LayerWitness<'w, N: Number> {
+    like: N,
+    /// Whether the normals of normal maps are needed.
+    pub(crate) maps_normals: bool,
+    /// Whether terms of light are needed.
+    pub(crate) hears_terms: bool,
+    /// Barycentrics.
+    pub(crate) weights: [N; 3],
+    pub(crate) position: Vec3<N>,
+    /// Of unit length, with normal maps if they are needed.
+    pub(crate) normal: Vec3<N>,
+    pub(crate) uv: [N; 2],
+    /// Along the viewing axis.
+    pub(crate) depth: N,
+    /// Sums of the terms of all lights, 0 where nothing is seen.
+    pub(crate) ambient: Rgb<N>,
+    pub(crate) diffuse: Rgb<N>,
+    pub(crate) specular: Rgb<N>,
+    pub(crate) emission: Rgb<N>,
+    pub(crate) environment: Rgb<N>,
+    /// (1 - s) I_dc
+    pub(crate) fog: Rgb<N>,
+    /// s
+    pub(crate) fog_factor: N,
+    /// Of the first light.
+    pub(crate) n_dot_l: N,
+    /// The sum of each light's terms, by its place in the list.
+    pub(crate) of_lights: &'w mut [[[f32; LANES]; 3]],
+    /// The lanes of the material that is lit.
+    mask: N::Mask,
+    /// What its lights add, before they are known to be all.
+    sums: [Rgb<N>; 3],
+}
+
+impl<'w, N: Number> LayerWitness<'w, N> {
+    /// Nothing heard yet; `like` selects the lane type. `of_lights` is 0.
+    #[inline(always)]
+    pub(crate) fn new(
+        like: N,
+        [maps_normals, hears_terms]: [bool; 2],
+        of_lights: &'w mut [[[f32; LANES]; 3]],
+    ) -> Self {
+        let (zero, black) = (like.zero(), Rgb::black(like));
+        let nowhere = Vec3::splat(like, [0.0; 3]);
+        Self {
+            like,
+            maps_normals,
+            hears_terms,
+            weights: [zero; 3],
+            position: nowhere,
+            normal: nowhere,
+            uv: [zero; 2],
+            depth: zero,
+            ambient: black,
+            diffuse: black,
+            specular: black,
+            emission: black,
+            environment: black,
+            fog: black,
+            fog_factor: like.one(),
+            n_dot_l: zero,
+            of_lights,
+            mask: like.mask_of(0),
+            sums: [black; 3],
+        }
+    }
+}
+
+impl<N: Number> Witness<N> for LayerWitness<'_, N> {
+    #[inline(always)]
+    fn light(&mut self, index: usize, terms: &LightTerms<N>) {
+        if !self.hears_terms {
+            return;
+        }
+        let [ambient, diffuse, specular] = self.sums;
+        self.sums = [ambient + terms.ambient, diffuse + terms.diffuse, specular + terms.specular];
+        if index == 0 {
+            self.n_dot_l = terms.n_dot_l.select(self.mask, self.n_dot_l);
+        }
+        if let Some(kept) = self.of_lights.get_mut(index) {
+            let sum = terms.ambient + terms.diffuse + terms.specular;
+            for (kept, channel) in kept.iter_mut().zip([sum.r, sum.g, sum.b]) {
+                channel.select(self.mask, self.like.load(kept, 0)).store(kept, 0);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn terms(&mut self, terms: &Terms<N>) {
+        if !self.hears_terms {
+            return;
+        }
+        let (mask, [ambient, diffuse, specular]) = (self.mask, self.sums);
+        self.ambient = (terms.scene_ambient + ambient).select(mask, self.ambient);
+        self.diffuse = diffuse.select(mask, self.diffuse);
+        self.specular = specular.select(mask, self.specular);
+        self.emission = terms.emission.select(mask, self.emission);
+        self.environment = terms.environment.select(mask, self.environment);
+    }
+
+    #[inline(always)]
+    fn fog(&mut self, factor: N, color: Rgb<N>) {
+        let fog = color * (factor.one() - factor);
+        self.fog = fog.select(self.mask, self.fog);
+        self.fog_factor = factor.select(self.mask, self.fog_factor);
+    }
+}
+
+impl<N: Number> SurfaceWitness<N> for LayerWitness<'_, N> {
+    const HEARS_SURFACES: bool = false;
+}
+
+impl<N: Number> BlockWitness<N> for LayerWitness<'_, N> {
+    #[inline(always)]
+    fn lanes(&mut self, lanes: u32) {
+        self.mask = self.like.mask_of(lanes);
+        self.sums = [Rgb::black(self.like); 3];
+    }
+
+    #[inline(always)]
+    fn fragments(
+        &mut self,
+        scene: &ShadingContext<'_>,
+        found: &Fragments<N>,
+        materials: &[u32; LANES],
+        point: &SurfacePoint<N>,
+        seen: u32,
+    ) {
+        self.weights = found.weights;
+        self.position = point.position;
+        self.depth = point.depth;
+        self.normal = point.normal;
+        let [here, ..] = found.attributes.uv[0];
+        self.uv = here;
+        if self.maps_normals {
+            let mut left = seen;
+            while left != 0 {
+                let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
+                let lanes = self.like.lanes_equal(materials, number) & left;
+                left &= !lanes;
+                let attributes = &found.attributes;
+                let mapped =
+                    shading_normal(scene, attributes, point.normal, number as usize, lanes);
+                self.normal = mapped.select(self.like.mask_of(lanes), self.normal);
+            }
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! What a surface with given vertex attributes reflects and sends: textures, then the equation. Knows
+//! no triangle.
+
+mod attributes;
+mod surface;
+mod vertex;
+
+pub(crate) use attributes::{Attributes, Corner, Footprint};
+pub(crate) use surface::{SurfaceWitness, lit, lit_elsewhere, shading_normal};
+pub(crate) use vertex::{light_at, lights_at};

@@ -1,0 +1,251 @@
+//! Interpolated attributes become light: textures make a reflectance of the material, and the lighting
+//! equation does the rest.
+
+use super::attributes::Attributes;
+use crate::context::{AttributeMask, ShadingContext};
+use luxel_lighting::{Coefficients, Reflectance, Silent, SurfacePoint, Witness, lit_by};
+use luxel_math::{Number, Rgb, Vec3};
+use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
+
+/// Hears what is seen, and the terms of its light.
+pub(crate) trait SurfaceWitness<N>: Witness<N> {
+    /// Whether it hears what surfaces reflect; otherwise that needn't be worked out anew where it is
+    /// known.
+    const HEARS_SURFACES: bool = true;
+
+    /// The point that is lit, what its surface reflects there, and its alpha.
+    #[inline(always)]
+    fn surface(&mut self, point: &SurfacePoint<N>, reflectance: &Reflectance<N>, alpha: N) {
+        let _ = (point, reflectance, alpha);
+    }
+
+    /// The point that is seen, the texture of its base colour, and its light, where that was
+    /// computed elsewhere.
+    #[inline(always)]
+    fn elsewhere(&mut self, point: &SurfacePoint<N>, tint: Rgb<N>, sum: Rgb<N>) {
+        let _ = (point, tint, sum);
+    }
+}
+
+impl<N> SurfaceWitness<N> for Silent {
+    const HEARS_SURFACES: bool = false;
+}
+
+/// Samples the first `C` channels of a texture at the lanes whose bit is set. Compiled once a level, not
+/// into its callers.
+#[inline(never)]
+fn sample<N: Number, const C: usize>(
+    scene: &ShadingContext<'_>,
+    used: &TextureUse,
+    varying: &Attributes<N>,
+    lanes: u32,
+) -> [N; C] {
+    varying.position.x.vectorized(
+        #[inline(always)]
+        || sample_lanes(scene, used, varying, lanes),
+    )
+}
+
+#[inline(always)]
+fn sample_lanes<N: Number, const C: usize>(
+    scene: &ShadingContext<'_>,
+    used: &TextureUse,
+    varying: &Attributes<N>,
+    lanes: u32,
+) -> [N; C] {
+    let [here, right, below] = varying.uv[usize::from(used.uv_set & 1)];
+    let texture = &scene.scene.textures[used.texture.index()];
+    let [here, right, below] =
+        [used.transformed(here), used.transformed(right), used.transformed(below)];
+    let along_x = [right[0] - here[0], right[1] - here[1]];
+    let along_y = [below[0] - here[0], below[1] - here[1]];
+    texture.sample(here, along_x, along_y, lanes)
+}
+
+/// Samples a texture that a material may lack.
+#[inline(always)]
+fn texel<N: Number, const C: usize>(
+    scene: &ShadingContext<'_>,
+    used: Option<TextureUse>,
+    varying: &Attributes<N>,
+    lanes: u32,
+) -> Option<[N; C]> {
+    match used {
+        Some(used) => Some(sample(scene, &used, varying, lanes)),
+        None => None,
+    }
+}
+
+/// Multiplies a colour by a texture's, if there is one.
+#[inline(always)]
+fn tinted<N: Number>(color: Rgb<N>, texel: Option<[N; 3]>) -> Rgb<N> {
+    match texel {
+        Some([r, g, b]) => color * Rgb::new(r, g, b),
+        None => color,
+    }
+}
+
+/// The unit normal after a normal map: n = x T + y B + z N with B = sign (N x T).
+#[inline(always)]
+fn mapped_normal<N: Number>(
+    scene: &ShadingContext<'_>,
+    used: &TextureUse,
+    varying: &Attributes<N>,
+    normal: Vec3<N>,
+    lanes: u32,
+) -> Vec3<N> {
+    let [r, g, b] = sample(scene, used, varying, lanes);
+    let [x, y, z, sign] = varying.tangent;
+    luxel_scene::mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
+}
+
+/// The normal that shading uses at the lanes that see one material, normal map included.
+#[inline(always)]
+pub(crate) fn shading_normal<N: Number>(
+    scene: &ShadingContext<'_>,
+    varying: &Attributes<N>,
+    normal: Vec3<N>,
+    number: usize,
+    lanes: u32,
+) -> Vec3<N> {
+    match scene.scene.materials[number].normal.filter(|_| varying.has.has(AttributeMask::TANGENTS))
+    {
+        Some(used) => mapped_normal(scene, &used, varying, normal, lanes),
+        None => normal,
+    }
+}
+
+/// The texture of the base colour, and alpha, at the lanes that see one material.
+#[inline(always)]
+fn base<N: Number, const EXTRAS: bool>(
+    scene: &ShadingContext<'_>,
+    varying: &Attributes<N>,
+    number: usize,
+    lanes: u32,
+) -> (Rgb<N>, N) {
+    let material: &SceneMaterial = &scene.scene.materials[number];
+    let like = varying.position.x;
+    let white = Rgb::splat(like, [1.0; 3]);
+    if !EXTRAS {
+        let is_blended = material.alpha_mode == AlphaMode::Blend;
+        let alpha = if is_blended { material.opacity } else { 1.0 };
+        return (white, like.constant(alpha).limited(0.0, 1.0));
+    }
+    if material.alpha_mode != AlphaMode::Blend {
+        let base = texel(scene, material.base_color, varying, lanes);
+        return (tinted(white, base), like.one());
+    }
+    let mut alpha = like.constant(material.opacity);
+    let mut tint = white;
+    if let Some([r, g, b, texel_alpha]) = texel(scene, material.base_color, varying, lanes) {
+        tint = tint * Rgb::new(r, g, b);
+        alpha = alpha * texel_alpha;
+    }
+    if varying.has.has(AttributeMask::COLORS) && material.vertex_colors {
+        let [.., color_alpha] = varying.color;
+        alpha = alpha * color_alpha;
+    }
+    if let Some([r]) = texel(scene, material.opacity_map, varying, lanes) {
+        alpha = alpha * r;
+    }
+    (tint, alpha.limited(0.0, 1.0))
+}
+
+/// What the surface reflects at the lanes that see one material, its base colour times `tint` and
+/// the colours of the corners.
+#[inline(always)]
+pub(crate) fn reflectance<N: Number>(
+    scene: &ShadingContext<'_>,
+    varying: &Attributes<N>,
+    number: usize,
+    lanes: u32,
+    tint: Rgb<N>,
+) -> Reflectance<N> {
+    let material: &SceneMaterial = &scene.scene.materials[number];
+    let like = varying.position.x;
+    let constants = &material.constants;
+    let mut reflectance = Reflectance::of(like, constants);
+    let mut base_tint = tint;
+    if varying.has.has(AttributeMask::COLORS) && material.vertex_colors {
+        let [r, g, b, _] = varying.color;
+        base_tint = base_tint * Rgb::new(r, g, b);
+    }
+    reflectance.diffuse = reflectance.diffuse * base_tint;
+    reflectance.ambient = match (constants.ambient, material.ambient) {
+        (None, _) => reflectance.diffuse,
+        (Some(_), None) => reflectance.ambient * base_tint,
+        (Some(_), used @ Some(_)) => {
+            tinted(reflectance.ambient, texel(scene, used, varying, lanes))
+        }
+    };
+    reflectance.specular =
+        tinted(reflectance.specular, texel(scene, material.specular, varying, lanes));
+    reflectance.emission =
+        tinted(reflectance.emission, texel(scene, material.emission, varying, lanes));
+    if let Some([_, g, b]) = texel(scene, material.metallic_roughness, varying, lanes) {
+        reflectance.roughness = reflectance.roughness * g;
+        reflectance.metallic = reflectance.metallic * b;
+    }
+    if let Some(used) = material.occlusion {
+        let [r] = sample(scene, &used, varying, lanes);
+        let strength = like.constant(used.strength);
+        reflectance.occlusion = like.one() + strength * (r - like.one());
+    }
+    reflectance
+}
+
+/// Colour and alpha of the lanes that see one material, lit at the pixel.
+#[inline(always)]
+pub(crate) fn lit<N: Number, W: SurfaceWitness<N>, const EXTRAS: bool>(
+    scene: &ShadingContext<'_>,
+    varying: &Attributes<N>,
+    point: &SurfacePoint<N>,
+    number: usize,
+    lanes: u32,
+    witness: &mut W,
+) -> [N; 4] {
+    let material: &SceneMaterial = &scene.scene.materials[number];
+    let (tint, alpha) = base::<N, EXTRAS>(scene, varying, number, lanes);
+    let normal = shading_normal(scene, varying, point.normal, number, lanes);
+    let point = SurfacePoint { normal, ..*point };
+    let constants = &material.constants;
+    let colored = varying.has.has(AttributeMask::COLORS) && material.vertex_colors;
+    let lighting = &scene.lighting[number];
+    let reflection = &constants.reflection;
+    let color = match &scene.uniform[number] {
+        Some(uniform) if !EXTRAS || (!W::HEARS_SURFACES && !colored) => {
+            lit_by(&point, uniform, reflection, lighting, witness)
+        }
+        // Materials with textures always count as having extras.
+        None if !EXTRAS => Rgb::black(alpha),
+        _ => {
+            let reflectance = reflectance(scene, varying, number, lanes, tint);
+            witness.surface(&point, &reflectance, alpha);
+            let coefficients = Coefficients::new(&reflectance, constants);
+            lit_by(&point, &coefficients, reflection, lighting, witness)
+        }
+    };
+    [color.r, color.g, color.b, alpha]
+}
+
+/// Colour and alpha of the lanes that see one material, whose light was computed elsewhere: the
+/// texture of the base colour times the light, and fog.
+#[inline(always)]
+pub(crate) fn lit_elsewhere<N: Number, W: SurfaceWitness<N>, const EXTRAS: bool>(
+    scene: &ShadingContext<'_>,
+    varying: &Attributes<N>,
+    point: &SurfacePoint<N>,
+    number: usize,
+    lanes: u32,
+    witness: &mut W,
+) -> [N; 4] {
+    let (tint, alpha) = base::<N, EXTRAS>(scene, varying, number, lanes);
+    let sum = varying.light * tint;
+    witness.elsewhere(point, tint, sum);
+    let color = match scene.fog {
+        Some(fog) => fog.veiled(sum, point.depth, witness),
+        None => sum,
+    };
+    witness.color(color);
+    [color.r, color.g, color.b, alpha]
+}

@@ -1,0 +1,65 @@
+//! Light computed elsewhere than at pixels: at corners, at centroids, at the corners of pieces.
+
+use super::attributes::{Attributes, Corner};
+use super::surface::{SurfaceWitness, reflectance};
+use crate::context::{AttributeMask, ShadingContext};
+use crate::view::Clamp;
+use luxel_lighting::{Coefficients, Silent, reflected};
+use luxel_math::{Number, Rgb, Vec3};
+
+/// The light that leaves a place, without the texture of its base colour; clamped if the view says so.
+pub(crate) fn light_at<W: SurfaceWitness<f32>>(
+    scene: &ShadingContext<'_>,
+    corner: &Corner,
+    has: AttributeMask,
+    material: u32,
+    witness: &mut W,
+) -> [f32; 3] {
+    let place = Attributes::at(corner, has);
+    let number = material as usize;
+    let point = scene.point_at_vertex(place.position, place.normal);
+    let white = Rgb::splat(0.0, [1.0; 3]);
+    let reflectance = reflectance(scene, &place, number, 1, white);
+    witness.surface(&point, &reflectance, 1.0);
+    let constants = &scene.scene.materials[number].constants;
+    let coefficients = Coefficients::new(&reflectance, constants);
+    let lighting = &scene.lighting[number];
+    let reflection = &constants.reflection;
+    clamped(scene, reflected(&point, &coefficients, reflection, lighting, witness)).lane(0)
+}
+
+/// [`light_at`] at a corner of each lane's triangle, of a material without textures and vertex colours.
+/// Outlined: one copy per lane type.
+#[inline(never)]
+pub(crate) fn lights_at<N: Number>(
+    scene: &ShadingContext<'_>,
+    position: &Vec3<N>,
+    normal: &Vec3<N>,
+    material: usize,
+) -> Rgb<N> {
+    position.x.vectorized(
+        #[inline(always)]
+        || {
+            let point = scene.point_at_vertex(*position, *normal);
+            let Some(coefficients) = &scene.uniform[material] else {
+                return Rgb::black(position.x);
+            };
+            let reflection = &scene.scene.materials[material].constants.reflection;
+            let lighting = &scene.lighting[material];
+            clamped(scene, reflected(&point, coefficients, reflection, lighting, &mut Silent))
+        },
+    )
+}
+
+/// An intensity as it is interpolated.
+#[inline(always)]
+fn clamped<N: Number>(scene: &ShadingContext<'_>, light: Rgb<N>) -> Rgb<N> {
+    match scene.shading.clamp {
+        Clamp::Vertex => Rgb::new(
+            light.r.limited(0.0, 1.0),
+            light.g.limited(0.0, 1.0),
+            light.b.limited(0.0, 1.0),
+        ),
+        Clamp::End => light,
+    }
+}

@@ -1,0 +1,99 @@
+//! Samples of a block become pixels: each distinct triangle of a pixel is lit once, at its covered
+//! sample nearest the centre, and weighs its share of the samples.
+
+use super::lane_compaction::Lit;
+use crate::context::ShadingContext;
+use crate::interpolate::Batch;
+use crate::shade::{ThreadCache, shade};
+use luxel_lighting::Silent;
+use luxel_math::{LANES, Simd, f32x16, mask32x16, prelude::*, u32x16};
+use luxel_visibility::{Tile, TriangleId};
+
+/// Whether nothing is seen in a block.
+pub(crate) fn is_empty(tile: &Tile, block: usize) -> bool {
+    tile.planes().iter().all(|plane| plane.ids[block] == [TriangleId::NONE.0; LANES])
+}
+
+/// What all samples of a block see, if it is the same.
+#[inline(always)]
+pub(crate) fn single_triangle<S: Simd>(simd: S, tile: &Tile, block: usize) -> Option<u32> {
+    let id = tile.planes()[0].ids[block][0];
+    let mut same = mask32x16::splat(simd, true);
+    for plane in tile.planes() {
+        same &= u32x16::simd_from(simd, plane.ids[block]).simd_eq(id);
+    }
+    same.all_true().then_some(id)
+}
+
+/// A pixel of a block where nothing is seen.
+pub(crate) fn empty_pixel(scene: &ShadingContext<'_>) -> [f32; 4] {
+    let [.., alpha] = scene.background;
+    if alpha > 0.0 { scene.background } else { [0.0; 4] }
+}
+
+/// The pixels of a block where nothing is seen.
+#[inline(always)]
+pub(crate) fn empty_block<S: Simd>(simd: S, scene: &ShadingContext<'_>) -> [f32x16<S>; 4] {
+    let [r, g, b, alpha] = empty_pixel(scene);
+    let like = f32x16::splat(simd, r);
+    [like, like.constant(g), like.constant(b), like.constant(alpha)]
+}
+
+/// The pixels of a block all samples of whose pixels see the same.
+#[inline(always)]
+pub(crate) fn even_block<S: Simd>(
+    simd: S,
+    scene: &ShadingContext<'_>,
+    tile: &Tile,
+    block: usize,
+    cache: &mut ThreadCache,
+) -> [f32x16<S>; 4] {
+    let samples = scene.frame.samples();
+    let ids = tile.planes()[0].ids[block];
+    let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
+    let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, cache, &mut Silent);
+    let [r, g, b, alpha] = lit;
+    let zero = f32x16::splat(simd, 0.0);
+    if alpha.equal(alpha.one()).all() {
+        // All that is left of the sum below: -0 becomes 0.
+        return [r + zero, g + zero, b + zero, alpha];
+    }
+    let mut sum = [zero; 4];
+    add_share(&mut sum, lit, f32x16::splat(simd, 1.0));
+    straight(sum)
+}
+
+/// The pixels of a block whose samples see several triangles.
+#[inline(always)]
+pub(crate) fn uneven_block<S: Simd>(
+    simd: S,
+    scene: &ShadingContext<'_>,
+    lit: &[Lit],
+) -> [f32x16<S>; 4] {
+    let share_of_one = 1.0 / scene.frame.samples().count() as f32;
+    let mut sum = [f32x16::splat(simd, 0.0); 4];
+    for Lit { shares, color, .. } in lit {
+        let shares = f32x16::float_from(u32x16::simd_from(simd, *shares));
+        let color = color.map(
+            #[inline(always)]
+            |channel| f32x16::simd_from(simd, channel),
+        );
+        add_share(&mut sum, color, shares * share_of_one);
+    }
+    straight(sum)
+}
+
+/// Adds what a part of the samples sees: colour times alpha, and alpha.
+#[inline(always)]
+pub(crate) fn add_share<N: Number>(sum: &mut [N; 4], [r, g, b, alpha]: [N; 4], share: N) {
+    let weight = share * alpha;
+    *sum = [sum[0] + r * weight, sum[1] + g * weight, sum[2] + b * weight, sum[3] + weight];
+}
+
+/// Divides colours by alpha; black where alpha is 0.
+#[inline(always)]
+pub(crate) fn straight<N: Number>([r, g, b, alpha]: [N; 4]) -> [N; 4] {
+    let seen = alpha.zero().less(alpha);
+    let divisor = alpha.select(seen, alpha.one());
+    [r / divisor, g / divisor, b / divisor, alpha]
+}

@@ -1,0 +1,282 @@
+//! The prepared triangles of one tile: one cache a thread.
+
+use crate::context::{AttributeMask, ShadingContext};
+use crate::material::{Corner, light_at};
+use crate::setup::corners::CornerReader;
+use crate::setup::prepare::Preparation;
+use crate::setup::{COLOR, LIGHT, NORMAL, POSITION, TANGENT, UVS, VectorAt};
+use crate::setup::{TriangleSetup, VertexExtras};
+use crate::view::ShadingMode;
+use luxel_lighting::Silent;
+use luxel_math::{LANES, Number, lanes_of};
+use luxel_visibility::TriangleId;
+
+/// How many are kept: 160 KiB, a part of a core's second-level cache. Enough for the blocks that are
+/// looked at together.
+const KEPT: usize = 1024;
+/// A place for what nobody asked for.
+const SPARE: usize = KEPT;
+/// Places of the table from ids to triangles: enough that two of these seldom want the same.
+const TABLE: usize = 4096;
+/// How many can be requested before they have to be prepared.
+const PENDING: usize = 4 * LANES;
+
+/// The triangles that a thread has prepared last, all within one tile.
+pub(crate) struct SetupCache {
+    /// The first pixel of the tile.
+    tile: [i32; 2],
+    /// By the low bits of an id: which of the others it may be.
+    table: Box<[u16; TABLE]>,
+    ids: [u32; KEPT],
+    materials: [u32; KEPT],
+    reads: [AttributeMask; KEPT],
+    setups: Vec<TriangleSetup>,
+    /// Empty until the first triangle with other attributes is seen.
+    extras: Vec<VertexExtras>,
+    /// The place that is overwritten next.
+    next: usize,
+    pending: Pending,
+    reader: CornerReader,
+}
+
+/// Triangles that have a place, and are to be prepared for it.
+struct Pending {
+    ids: [u32; PENDING],
+    places: [usize; PENDING],
+    count: usize,
+}
+
+/// A prepared triangle.
+#[derive(Clone, Copy)]
+pub(crate) struct Prepared<'c> {
+    pub(crate) setup: &'c TriangleSetup,
+    pub(crate) extras: &'c VertexExtras,
+}
+
+impl SetupCache {
+    pub(crate) fn new() -> Self {
+        Self {
+            tile: [i32::MIN; 2],
+            table: Box::new([0; TABLE]),
+            ids: [TriangleId::NONE.0; KEPT],
+            materials: [0; KEPT],
+            reads: [AttributeMask::NONE; KEPT],
+            setups: Vec::new(),
+            extras: Vec::new(),
+            next: 0,
+            pending: Pending { ids: [TriangleId::NONE.0; PENDING], places: [0; PENDING], count: 0 },
+            reader: CornerReader::new(),
+        }
+    }
+
+    /// Forgets the triangles of another tile.
+    #[inline(always)]
+    pub(crate) fn begin_tile(&mut self, tile: [i32; 2]) {
+        if self.tile != tile {
+            self.tile = tile;
+            self.ids.fill(TriangleId::NONE.0);
+            self.pending.count = 0;
+        }
+    }
+
+    /// Prepares the triangles of these lanes, up to sixteen. One in a thousand times two of them want
+    /// the same place of the table: then at least one of them is there afterwards.
+    #[inline(always)]
+    pub(crate) fn require<N: Number>(
+        &mut self,
+        like: N,
+        scene: &ShadingContext<'_>,
+        ids: &[u32; LANES],
+        lanes: u32,
+    ) {
+        if !lanes_of(lanes).all(|lane| self.has(ids[lane & (LANES - 1)])) {
+            self.request(ids, lanes);
+            self.prepare(like, scene);
+        }
+    }
+
+    /// Requests what these lanes see and isn't there, to be prepared together with more.
+    #[inline(always)]
+    pub(crate) fn look_ahead<N: Number>(
+        &mut self,
+        like: N,
+        scene: &ShadingContext<'_>,
+        ids: &[u32; LANES],
+        lanes: u32,
+    ) {
+        self.request(ids, lanes);
+        if self.pending.count > PENDING - LANES {
+            self.prepare(like, scene);
+        }
+    }
+
+    /// Whether a triangle is prepared.
+    #[inline(always)]
+    pub(crate) fn has(&self, id: u32) -> bool {
+        self.ids[self.place(id)] == id
+    }
+
+    /// The number of the material of a prepared triangle.
+    #[inline(always)]
+    pub(crate) fn material(&self, id: u32) -> u32 {
+        self.materials[self.place(id)]
+    }
+
+    /// The attributes that shading reads of a prepared triangle.
+    #[inline(always)]
+    pub(crate) fn reads(&self, id: u32) -> AttributeMask {
+        self.reads[self.place(id)]
+    }
+
+    /// A prepared triangle.
+    #[inline(always)]
+    pub(crate) fn get(&self, id: u32) -> Prepared<'_> {
+        let place = self.place(id);
+        let setup = self.setups.get(place).unwrap_or(&TriangleSetup::NOTHING);
+        let extras = self.extras.get(place).unwrap_or(&VertexExtras::NOTHING);
+        Prepared { setup, extras }
+    }
+
+    /// The prepared triangles of these lanes; other lanes get one of them.
+    #[inline(always)]
+    pub(crate) fn rows(&self, ids: &[u32; LANES], lanes: u32) -> [&TriangleSetup; LANES] {
+        let Ok(setups) = <&[TriangleSetup; KEPT + 1]>::try_from(self.setups.as_slice()) else {
+            return [&TriangleSetup::NOTHING; LANES];
+        };
+        let first = ids[lanes.trailing_zeros() as usize & (LANES - 1)];
+        let mut rows = [&setups[0]; LANES];
+        for lane in 0..LANES {
+            let id = if lanes >> lane & 1 == 1 { ids[lane] } else { first };
+            rows[lane] = &setups[self.place(id)];
+        }
+        rows
+    }
+
+    #[inline(always)]
+    fn place(&self, id: u32) -> usize {
+        usize::from(self.table[id as usize % TABLE]) % KEPT
+    }
+
+    #[inline(always)]
+    fn request(&mut self, ids: &[u32; LANES], lanes: u32) {
+        for lane in lanes_of(lanes) {
+            let id = ids[lane & (LANES - 1)];
+            if !self.has(id) && id != TriangleId::NONE.0 {
+                let place = self.next;
+                self.next = (place + 1) % KEPT;
+                self.ids[place] = id;
+                self.table[id as usize % TABLE] = place as u16;
+                let Pending { ids, places, count } = &mut self.pending;
+                ids[*count % PENDING] = id;
+                places[*count % PENDING] = place;
+                *count += 1;
+            }
+        }
+    }
+
+    /// Prepares what was requested.
+    #[inline(always)]
+    pub(crate) fn prepare<N: Number>(&mut self, like: N, scene: &ShadingContext<'_>) {
+        if self.pending.count > 0 {
+            self.prepare_now(like, scene);
+        }
+    }
+
+    /// Outlined: one copy per lane type.
+    #[inline(never)]
+    fn prepare_now<N: Number>(&mut self, like: N, scene: &ShadingContext<'_>) {
+        like.vectorized(
+            #[inline(always)]
+            || self.prepare_lanes(like, scene),
+        );
+    }
+
+    #[inline(always)]
+    fn prepare_lanes<N: Number>(&mut self, like: N, scene: &ShadingContext<'_>) {
+        if self.setups.is_empty() {
+            self.setups.resize(KEPT + 1, TriangleSetup::NOTHING);
+        }
+        let Self { pending, setups, extras, materials, reads, reader, tile, .. } = self;
+        let sixteens = pending.ids.as_chunks::<LANES>().0.iter();
+        let sixteens = sixteens.zip(pending.places.as_chunks::<LANES>().0);
+        for (first, (ids, places)) in (0..pending.count).step_by(LANES).zip(sixteens) {
+            let mut left = u32::MAX >> (32 - LANES.min(pending.count - first));
+            while left != 0 {
+                let mut of = reader.read(scene, ids, left, |lane, space, mesh, corners, reads| {
+                    if extras.is_empty() {
+                        extras.resize(KEPT + 1, VertexExtras::NOTHING);
+                    }
+                    extras[places[lane]].read(space, mesh, corners, reads);
+                });
+                let mut lit_as = None;
+                if scene.shading.mode == ShadingMode::Gouraud {
+                    let lane = of.lanes.trailing_zeros() as usize & (LANES - 1);
+                    let material = reader.materials[lane];
+                    of.lanes &= like.lanes_equal(&reader.materials, material);
+                    lit_as = Some(material as usize);
+                }
+                left &= !of.lanes;
+                let mut into = [SPARE; LANES];
+                for lane in lanes_of(of.lanes) {
+                    let place = places[lane] % KEPT;
+                    into[lane] = place;
+                    materials[place] = reader.materials[lane];
+                    reads[place] = reader.reads[lane];
+                    if let Some(extras) = extras.get_mut(place).filter(|_| !reads[place].any()) {
+                        *extras = VertexExtras::NOTHING;
+                    }
+                }
+                let (reader, tile) = (&*reader, *tile);
+                let setups = setups.as_mut_slice();
+                like.piecewise(&mut Preparation { scene, tile, of, reader, lit_as, into, setups });
+                if lit_as.is_some() {
+                    for lane in lanes_of(of.lanes).filter(|&lane| reader.reads[lane].any()) {
+                        let place = places[lane] % KEPT;
+                        let corners = corners_of(&setups[place], &extras[place]);
+                        let material = reader.materials[lane];
+                        let light = corners.map(|corner| {
+                            light_at(scene, &corner, reader.reads[lane], material, &mut Silent)
+                        });
+                        put_vector(&mut setups[place], LIGHT, light);
+                    }
+                }
+            }
+        }
+        pending.count = 0;
+    }
+}
+
+/// The corners of a prepared triangle.
+fn corners_of(setup: &TriangleSetup, extras: &VertexExtras) -> [Corner; 3] {
+    let numbers = setup.rows.as_flattened();
+    let extras = extras.rows.as_flattened();
+    [0, 1, 2].map(|corner| {
+        let vector = |at: VectorAt| -> [f32; 3] {
+            std::array::from_fn(|axis| {
+                let first = numbers[at[axis]];
+                if corner == 0 { first } else { first + numbers[at[3 * corner + axis]] }
+            })
+        };
+        let extra = |first: usize| {
+            if corner == 0 { extras[first] } else { extras[first] + extras[first + corner] }
+        };
+        Corner {
+            position: vector(POSITION),
+            normal: vector(NORMAL),
+            tangent: std::array::from_fn(|at| extra(TANGENT + 3 * at)),
+            uv: UVS.map(|set| [extra(set), extra(set + 3)]),
+            color: std::array::from_fn(|at| extra(COLOR + 3 * at)),
+            light: [0.0; 3],
+        }
+    })
+}
+
+/// Writes a vector of three corners.
+fn put_vector(setup: &mut TriangleSetup, at: VectorAt, [a, b, c]: [[f32; 3]; 3]) {
+    let numbers = setup.rows.as_flattened_mut();
+    for axis in 0..3 {
+        numbers[at[axis]] = a[axis];
+        numbers[at[3 + axis]] = b[axis] - a[axis];
+        numbers[at[6 + axis]] = c[axis] - a[axis];
+    }
+}

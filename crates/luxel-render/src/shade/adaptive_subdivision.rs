@@ -1,0 +1,418 @@
+//! Recursive subdivision: a triangle into pieces so small that interpolating the light between
+//! their corners gives what lighting every pixel would give, to a tolerance.
+//!
+//! An edge is halved if the light at places along it differs from what its ends interpolate to, and
+//! the longest edge with any other, so that no slivers arise. Where the edges are fine and the inside
+//! is not, all three are halved. What seems fine so is tried once more, at places so close together
+//! that no pixel goes without, before it becomes a piece. The largest difference found there, with a
+//! reserve for what lies between, is the bound that is told. Neighbours may decide differently about an edge that is fine; the seam is then
+//! within the tolerance. Edges shorter than a small part of a pixel stay whole: there the light
+//! jumps, as at the edge of a cone, or as a highlight does where N.L becomes 0. How many pieces are
+//! beyond the tolerance for that, and how large they are, is told, too.
+
+use crate::context::PieceCount;
+use luxel_lighting::PictureEncoding;
+use luxel_math::elementary;
+use std::collections::HashMap;
+
+/// Pixels between the places where an edge or an inside is tried first.
+const STEP: f64 = 6.0;
+/// Pixels between the places where it is tried before it becomes a piece.
+const FINE_STEP: f64 = 1.0;
+/// What may be wrong where it is tried, as a part of the tolerance: in highlights of few pixels places
+/// between are a little worse. In the demos, with exponents up to 100, one pixel in thirty thousand
+/// was beyond the bound.
+const RESERVE: f32 = 0.7;
+/// Most of the fine places along a side.
+const MOST_FINE: usize = 256;
+/// Most places that are tried in one triangle; beyond, only the first steps are.
+const MOST_TRIES: usize = 1 << 20;
+/// Most places where an edge is tried: a highlight narrower than a part of a large triangle must
+/// not slip through.
+const MOST_TRIED: usize = 24;
+/// Most places along a side of the grid where an inside is tried.
+const MOST_INSIDE: usize = 12;
+/// Edges shorter than this, in pixels, stay whole: the samples of a pixel lie no closer together.
+const SHORTEST: f64 = 1.0 / 16.0;
+/// How often pieces are divided again at most. Halving its longest edge makes a piece half as large,
+/// so that two times make it half as long: enough from 256 pixels to the shortest.
+const DEEPEST: u32 = 24;
+/// Most places that are lit for one triangle.
+const MOST_LIT: usize = 1 << 18;
+
+/// How closely places are tried.
+#[derive(Clone, Copy)]
+struct Grid {
+    /// Pixels between them.
+    step: f64,
+    most_along: usize,
+    most_inside: usize,
+    /// Only those that lie in the window.
+    only_inside: bool,
+}
+
+const COARSE: Grid =
+    Grid { step: STEP, most_along: MOST_TRIED, most_inside: MOST_INSIDE, only_inside: false };
+const FINE: Grid =
+    Grid { step: FINE_STEP, most_along: MOST_FINE, most_inside: MOST_FINE, only_inside: true };
+
+/// A place by its barycentrics.
+type Place = [f32; 3];
+
+/// A triangle's pieces.
+#[derive(Clone, Debug)]
+pub(crate) struct Pieces {
+    places: Vec<(Place, [f32; 3])>,
+    nodes: Vec<Node>,
+    pub(crate) count: PieceCount,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    corners: [u32; 3],
+    /// The first of its parts, which follow one another; none in a piece.
+    first: u32,
+    parts: u32,
+}
+
+/// What subdividing asks for.
+pub(crate) struct Asked<'a> {
+    /// In steps of 8 bits.
+    pub(crate) tolerance: f32,
+    pub(crate) encoding: PictureEncoding,
+    /// The light at a place.
+    pub(crate) light: &'a mut dyn FnMut(Place) -> [f32; 3],
+    /// Where a place lies in the window, in pixels; `None` if it isn't before the eye.
+    pub(crate) window: &'a dyn Fn(Place) -> Option<[f64; 2]>,
+    /// The window's width and height: what lies outside needs no second try.
+    pub(crate) size: [f64; 2],
+}
+
+struct Builder<'a> {
+    asked: Asked<'a>,
+    pieces: Pieces,
+    /// Places that are lit already, by the bits of their first two barycentrics.
+    known: HashMap<[u32; 2], u32>,
+    /// How many places were tried.
+    tries: usize,
+}
+
+impl Pieces {
+    pub(crate) fn new(asked: Asked<'_>) -> Self {
+        let count = PieceCount { pieces: 0, error: 0.0, beyond: 0, beyond_area: 0 };
+        let pieces = Self { places: Vec::new(), nodes: Vec::new(), count };
+        let mut builder = Builder { asked, pieces, known: HashMap::new(), tries: 0 };
+        let corners =
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|place| builder.lit(place));
+        builder.pieces.nodes.push(Node { corners, first: 0, parts: 0 });
+        builder.divide(0, 0);
+        builder.pieces
+    }
+
+    /// The corners of the piece that holds a place, and the place's barycentrics in it.
+    pub(crate) fn piece(&self, place: Place) -> ([Place; 3], [f32; 3]) {
+        let (corners, weights) = self.find(place);
+        (corners.map(|corner| self.places[corner as usize].0), weights)
+    }
+
+    /// The interpolated light at a place.
+    pub(crate) fn light(&self, place: Place) -> [f32; 3] {
+        let (corners, weights) = self.find(place);
+        mixed(corners.map(|corner| self.places[corner as usize].1), weights)
+    }
+
+    fn find(&self, place: Place) -> ([u32; 3], [f32; 3]) {
+        let mut node = &self.nodes[0];
+        let mut inside = place.map(f64::from);
+        while node.parts > 0 {
+            let parts = &self.nodes[node.first as usize..(node.first + node.parts) as usize];
+            let mut best = f64::NEG_INFINITY;
+            for part in parts {
+                let local = self.local(part, place);
+                let least = local[0].min(local[1]).min(local[2]);
+                if least > best {
+                    (best, node, inside) = (least, part, local);
+                }
+            }
+            if best == f64::NEG_INFINITY {
+                break;
+            }
+        }
+        let inside = inside.map(|weight| weight.max(0.0));
+        let sum = inside[0] + inside[1] + inside[2];
+        (node.corners, inside.map(|weight| (weight / sum) as f32))
+    }
+
+    /// A place's barycentrics in a node.
+    fn local(&self, node: &Node, place: Place) -> [f64; 3] {
+        let [a, b, c] = node.corners.map(|corner| self.places[corner as usize].0.map(f64::from));
+        let at = place.map(f64::from);
+        let twice = |p: [f64; 3], q: [f64; 3], r: [f64; 3]| {
+            (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1])
+        };
+        let whole = twice(a, b, c);
+        [twice(at, b, c) / whole, twice(a, at, c) / whole, twice(a, b, at) / whole]
+    }
+}
+
+impl Builder<'_> {
+    /// The number of a place, lit once.
+    fn lit(&mut self, place: Place) -> u32 {
+        let key = [place[0].to_bits(), place[1].to_bits()];
+        if let Some(&known) = self.known.get(&key) {
+            return known;
+        }
+        let light = (self.asked.light)(place);
+        let number = self.pieces.places.len() as u32;
+        self.pieces.places.push((place, light));
+        self.known.insert(key, number);
+        number
+    }
+
+    fn place(&self, number: u32) -> Place {
+        self.pieces.places[number as usize].0
+    }
+
+    /// How far the light at a place is from what corners interpolate to, in steps of 8 bits.
+    fn error(&mut self, corners: [u32; 3], weights: [f32; 3], grid: Grid) -> f32 {
+        let place = mixed(corners.map(|corner| self.place(corner)), weights);
+        if grid.only_inside && !self.is_inside(place) {
+            return 0.0;
+        }
+        self.tries += 1;
+        let lit = (self.asked.light)(place);
+        let interpolated =
+            mixed(corners.map(|corner| self.pieces.places[corner as usize].1), weights);
+        let encoding = self.asked.encoding;
+        let steps = |light: f32| 255.0 * encoded(encoding, light);
+        let mut error = 0.0_f32;
+        for channel in 0..3 {
+            error = error.max((steps(lit[channel]) - steps(interpolated[channel])).abs());
+        }
+        error
+    }
+
+    /// Whether a place lies in the window, or within a pixel of it.
+    fn is_inside(&self, place: Place) -> bool {
+        let inside = |at: f64, side: f64| (-1.0..side + 1.0).contains(&at);
+        let [width, height] = self.asked.size;
+        (self.asked.window)(place).is_some_and(|[x, y]| inside(x, width) && inside(y, height))
+    }
+
+    /// An edge's length in the window; very long if an end isn't before the eye.
+    fn length(&self, from: u32, to: u32) -> f64 {
+        let window = self.asked.window;
+        let (Some(p), Some(q)) = (window(self.place(from)), window(self.place(to))) else {
+            return f64::from(u16::MAX);
+        };
+        let (x, y) = (q[0] - p[0], q[1] - p[1]);
+        (x * x + y * y).sqrt()
+    }
+
+    /// A triangle's area in the window, in pixels; `None` if a corner isn't before the eye.
+    fn area(&self, corners: [u32; 3]) -> Option<f64> {
+        let place = |corner: u32| (self.asked.window)(self.place(corner));
+        let (a, b, c) = (place(corners[0])?, place(corners[1])?, place(corners[2])?);
+        Some(((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).abs() / 2.0)
+    }
+
+    /// The largest error along an edge, tried at steps of so many pixels.
+    fn edge_error(&mut self, [from, to]: [u32; 2], length: f64, grid: Grid) -> f32 {
+        let tried = ((length / grid.step) as usize).clamp(1, grid.most_along);
+        // An odd number, so that the middle is among them.
+        let tried = tried | 1;
+        let mut error = 0.0_f32;
+        for at in 1..=tried {
+            let t = at as f32 / (tried + 1) as f32;
+            error = error.max(self.error([from, to, to], [1.0 - t, t, 0.0], grid));
+        }
+        error
+    }
+
+    /// The largest error inside of a triangle over its base, which ends at its first two corners:
+    /// tried along rows above the base, so that places are as dense in the window in every direction.
+    fn inside_error(&mut self, corners: [u32; 3], base: f64, grid: Grid) -> f32 {
+        let mut error = self.error(corners, [1.0 / 3.0; 3], grid);
+        let height = match self.area(corners) {
+            Some(area) if base > 0.0 => 2.0 * area / base,
+            _ => base,
+        };
+        let count = |length: f64| ((length / grid.step) as usize).min(grid.most_inside);
+        let rows = count(height);
+        for row in 1..rows {
+            let up = row as f32 / rows as f32;
+            let columns = count(base * f64::from(1.0 - up));
+            for column in 1..columns {
+                let along = column as f32 / columns as f32;
+                let weights = [(1.0 - up) * (1.0 - along), (1.0 - up) * along, up];
+                error = error.max(self.error(corners, weights, grid));
+            }
+        }
+        error
+    }
+
+    fn divide(&mut self, node: usize, depth: u32) {
+        let corners = self.pieces.nodes[node].corners;
+        let [a, b, c] = corners;
+        let tolerance = self.asked.tolerance * RESERVE;
+        let may = depth < DEEPEST && self.pieces.places.len() < MOST_LIT;
+        let edges = [[b, c], [c, a], [a, b]];
+        let lengths = edges.map(|[from, to]| self.length(from, to));
+        let longest = lengths[0].max(lengths[1]).max(lengths[2]);
+        let may = may && longest > SHORTEST;
+        let off: [f32; 3] =
+            std::array::from_fn(|at| self.edge_error(edges[at], lengths[at], COARSE));
+        let base = lengths.iter().position(|length| *length >= longest).unwrap_or_default();
+        let over_base = [edges[base][0], edges[base][1], corners[base]];
+        let mut inside = self.inside_error(over_base, longest, COARSE);
+        let mut off = off;
+        let fine = off.iter().all(|off| *off <= tolerance) && inside <= tolerance;
+        if fine && self.tries < MOST_TRIES {
+            for at in 0..3 {
+                off[at] = off[at].max(self.edge_error(edges[at], lengths[at], FINE));
+            }
+            inside = inside.max(self.inside_error(over_base, longest, FINE));
+        }
+        let rough = off.map(|off| off > tolerance && may);
+        let any = rough.contains(&true);
+        // The longest edge goes with the others, so that no slivers arise.
+        let halves = |at: usize| match any {
+            true => rough[at] || lengths[at] >= longest,
+            false => inside > tolerance && may,
+        };
+        let mut halved = [None; 3];
+        for at in 0..3 {
+            if halves(at) {
+                let ends = [self.place(edges[at][0]), self.place(edges[at][1]), [0.0; 3]];
+                halved[at] = Some(self.lit(mixed(ends, [0.5, 0.5, 0.0])));
+            }
+        }
+        let parts: Vec<[u32; 3]> = match halved {
+            [None, None, None] => Vec::new(),
+            [Some(x), None, None] => vec![[a, b, x], [a, x, c]],
+            [None, Some(y), None] => vec![[b, c, y], [b, y, a]],
+            [None, None, Some(z)] => vec![[c, a, z], [c, z, b]],
+            [Some(x), Some(y), None] => vec![[y, x, c], [a, b, x], [a, x, y]],
+            [None, Some(y), Some(z)] => vec![[z, y, a], [b, c, y], [b, y, z]],
+            [Some(x), None, Some(z)] => vec![[x, z, b], [c, a, z], [c, z, x]],
+            [Some(x), Some(y), Some(z)] => vec![[a, z, y], [z, b, x], [y, x, c], [x, y, z]],
+        };
+        if parts.is_empty() {
+            self.pieces.count.pieces += 1;
+            let error = off[0].max(off[1]).max(off[2]).max(inside);
+            self.pieces.count.error = self.pieces.count.error.max(error / RESERVE);
+            if error > tolerance {
+                self.pieces.count.beyond += 1;
+                let area = (self.area(corners).unwrap_or_default() * 65_536.0) as u64;
+                let all = self.pieces.count.beyond_area.saturating_add(area);
+                self.pieces.count.beyond_area = all;
+            }
+            return;
+        }
+        let first = self.pieces.nodes.len();
+        self.pieces.nodes[node].first = first as u32;
+        self.pieces.nodes[node].parts = parts.len() as u32;
+        let part = |corners| Node { corners, first: 0, parts: 0 };
+        self.pieces.nodes.extend(parts.iter().copied().map(part));
+        for number in 0..parts.len() {
+            self.divide(first + number, depth + 1);
+        }
+    }
+}
+
+/// The mean of three values by weight.
+pub(crate) fn mixed([a, b, c]: [[f32; 3]; 3], weights: [f32; 3]) -> [f32; 3] {
+    std::array::from_fn(|axis| a[axis] * weights[0] + b[axis] * weights[1] + c[axis] * weights[2])
+}
+
+/// encode(clamp(v, 0, 1)), to about a hundredth of a step of 8 bits.
+pub(crate) fn encoded(encoding: PictureEncoding, light: f32) -> f32 {
+    let unit = if light > 0.0 { light.min(1.0) } else { 0.0 };
+    match encoding {
+        PictureEncoding::None => unit,
+        PictureEncoding::Srgb if unit <= 0.003_130_8 => 12.92 * unit,
+        PictureEncoding::Srgb => 1.055 * elementary::power(unit, 1.0 / 2.4) - 0.055,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pieces(tolerance: f32, light: impl Fn(Place) -> [f32; 3]) -> Pieces {
+        Pieces::new(Asked {
+            tolerance,
+            encoding: PictureEncoding::None,
+            light: &mut |place| light(place),
+            window: &|[_, v, w]| Some([f64::from(v) * 300.0, f64::from(w) * 300.0]),
+            size: [300.0; 2],
+        })
+    }
+
+    /// A narrow highlight in the middle, which no corner and no edge sees.
+    fn highlight([_, v, w]: Place) -> [f32; 3] {
+        let (x, y) = (v - 0.3, w - 0.3);
+        [1.0 / (1.0 + 60.0 * (x * x + y * y)), 0.2, 0.0]
+    }
+
+    #[test]
+    fn even_light_needs_one_piece() {
+        let even = pieces(0.5, |[_, v, w]| [v, w, 0.5]);
+        assert_eq!(even.count.pieces, 1);
+        assert!(even.count.error < 1e-3);
+    }
+
+    #[test]
+    fn the_interpolated_light_is_within_the_tolerance_everywhere() {
+        for tolerance in [0.5, 2.0, 8.0] {
+            let pieces = pieces(tolerance, highlight);
+            assert!(pieces.count.pieces > 10 && pieces.count.error <= tolerance);
+            for row in 0..=97 {
+                for column in 0..=97 - row {
+                    let [v, w] = [row, column].map(|at| at as f32 / 97.0);
+                    let place = [1.0 - v - w, v, w];
+                    let (got, wanted) = (pieces.light(place), highlight(place));
+                    let off = 255.0 * (got[0] - wanted[0]).abs();
+                    // What was tried is within, and places between lie near such.
+                    assert!(off <= pieces.count.error + 0.05, "{place:?}: {off} of {tolerance}");
+                }
+            }
+        }
+    }
+
+    /// A highlight of four pixels, which the first tries pass by.
+    #[test]
+    fn a_highlight_of_a_few_pixels_is_not_missed() {
+        let narrow = |[_, v, w]: Place| {
+            let (x, y) = (v - 0.31, w - 0.287);
+            [1.0 / (1.0 + 30_000.0 * (x * x + y * y)), 0.0, 0.0]
+        };
+        let pieces = pieces(4.0, narrow);
+        let off = 255.0 * (pieces.light([0.403, 0.31, 0.287])[0] - 1.0).abs();
+        assert!(off < 8.0 && pieces.count.beyond == 0, "{off}, {:?}", pieces.count);
+    }
+
+    #[test]
+    fn where_light_jumps_the_pieces_beyond_are_told_and_tiny() {
+        let pieces = pieces(2.0, |[_, v, w]| [if v + 0.7 * w > 0.4 { 0.8 } else { 0.2 }, 0.0, 0.0]);
+        let count = pieces.count;
+        assert!(count.error > 100.0 && count.beyond > 0, "{count:?}");
+        // The jump is some 300 pixels long, and the pieces at it a small part of a pixel wide.
+        assert!(count.beyond_area < 65_536 * 300 / 4, "{count:?}");
+    }
+
+    #[test]
+    fn a_finer_tolerance_takes_more_pieces() {
+        let count = |tolerance| pieces(tolerance, highlight).count.pieces;
+        assert!(count(0.5) > 2 * count(4.0));
+    }
+
+    #[test]
+    fn a_piece_holds_its_place() {
+        let pieces = pieces(1.0, highlight);
+        let place = [0.41, 0.28, 0.31];
+        let (corners, weights) = pieces.piece(place);
+        let back = mixed(corners, weights);
+        assert!(back.iter().zip(place).all(|(a, b)| (a - b).abs() < 1e-5), "{back:?}");
+    }
+}

@@ -1,0 +1,259 @@
+//! Sixteen samples into light: the one way from what a batch sees to its colours.
+
+use crate::context::ShadingContext;
+use crate::coverage::edge_distance;
+use crate::interpolate::{Batch, Fragments, Wanted, fragments};
+use crate::material::{Attributes, lit, lit_elsewhere};
+use crate::setup::SetupCache;
+use crate::shade::lit_triangle::LitTriangles;
+use crate::shade::witness::BlockWitness;
+use crate::view::{Interpolation, ShadingMode};
+use luxel_lighting::SurfacePoint;
+use luxel_math::{LANES, Number, lanes_of};
+use luxel_visibility::TriangleId;
+
+/// What a thread keeps from block to block.
+pub(crate) struct ThreadCache {
+    pub(crate) setup: SetupCache,
+    /// Triangles whose light is computed elsewhere than at their pixels, or interpolated in the window.
+    pub(crate) lit: LitTriangles,
+}
+
+impl ThreadCache {
+    pub(crate) fn new() -> Self {
+        Self { setup: SetupCache::new(), lit: LitTriangles::new() }
+    }
+}
+
+/// The colour (straight) and alpha of the samples; the background's where nothing is seen.
+///
+/// Batches of one material that reads neither textures nor vertex colours are an instantiation of the same
+/// code without room for these: all attributes of sixteen samples are 40 vectors, which would be spilled.
+/// Outlined: one copy per lane type.
+#[inline(never)]
+pub(crate) fn shade<N: Number, W: BlockWitness<N>>(
+    like: N,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    cache: &mut ThreadCache,
+    witness: &mut W,
+) -> [N; 4] {
+    like.vectorized(
+        #[inline(always)]
+        || {
+            let seen = like.all_lanes() & !like.lanes_equal(&batch.ids, TriangleId::NONE.0);
+            if seen == 0 {
+                let [r, g, b, alpha] = scene.background;
+                return [
+                    like.constant(r),
+                    like.constant(g),
+                    like.constant(b),
+                    like.constant(alpha),
+                ];
+            }
+            if !W::HEARS_FRAGMENTS && is_plain(like, scene, batch, &mut cache.setup, seen) {
+                shade_seen::<N, W, false>(like, scene, batch, cache, witness, seen)
+            } else {
+                shade_textured(like, scene, batch, cache, witness, seen)
+            }
+        },
+    )
+}
+
+/// Whether a batch is of one material, and reads no attributes beside positions, normals and light.
+#[inline(always)]
+fn is_plain<N: Number>(
+    like: N,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    setup: &mut SetupCache,
+    seen: u32,
+) -> bool {
+    if is_studied(scene) {
+        return false;
+    }
+    if scene.scene.materials.len() == 1 && !scene.has_extras {
+        return true;
+    }
+    setup.begin_tile(batch.tile);
+    let begins = like.lanes_that_begin(&batch.ids) & seen;
+    setup.require(like, scene, &batch.ids, begins);
+    let first = batch.ids[seen.trailing_zeros() as usize & (LANES - 1)];
+    let material = setup.material(first);
+    lanes_of(begins).all(|lane| {
+        let id = batch.ids[lane & (LANES - 1)];
+        setup.has(id) && !setup.reads(id).any() && setup.material(id) == material
+    })
+}
+
+#[inline(never)]
+fn shade_textured<N: Number, W: BlockWitness<N>>(
+    like: N,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    cache: &mut ThreadCache,
+    witness: &mut W,
+    seen: u32,
+) -> [N; 4] {
+    like.vectorized(
+        #[inline(always)]
+        || shade_seen::<N, W, true>(like, scene, batch, cache, witness, seen),
+    )
+}
+
+#[inline(always)]
+fn shade_seen<N: Number, W: BlockWitness<N>, const EXTRAS: bool>(
+    like: N,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    cache: &mut ThreadCache,
+    witness: &mut W,
+    seen: u32,
+) -> [N; 4] {
+    let mut materials = [0; LANES];
+    let heard = W::HEARS_FRAGMENTS;
+    let found =
+        surface_fragments::<N, EXTRAS>(like, scene, batch, cache, seen, heard, &mut materials);
+    let point = point_of(like, scene, batch, &found);
+    witness.fragments(scene, &found, &materials, &point, seen);
+    let Fragments { attributes, .. } = &found;
+    let [r, g, b, alpha] = scene.background;
+    let mut result = [like.constant(r), like.constant(g), like.constant(b), like.constant(alpha)];
+    if !EXTRAS {
+        // Plain batches are of one material.
+        let number = materials[seen.trailing_zeros() as usize & (LANES - 1)] as usize;
+        let color = if scene.shading.mode == ShadingMode::Phong {
+            lit::<N, W, EXTRAS>(scene, attributes, &point, number, seen, witness)
+        } else {
+            lit_elsewhere::<N, W, EXTRAS>(scene, attributes, &point, number, seen, witness)
+        };
+        if seen == like.all_lanes() {
+            return color;
+        }
+        let mask = like.mask_of(seen);
+        for (result, channel) in result.iter_mut().zip(color) {
+            *result = channel.select(mask, *result);
+        }
+        return result;
+    }
+    let mut left = seen;
+    while left != 0 {
+        let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
+        let lanes = like.lanes_equal(&materials, number) & left;
+        let number = number as usize;
+        witness.lanes(lanes);
+        let color = if scene.shading.mode == ShadingMode::Phong {
+            lit::<N, W, EXTRAS>(scene, attributes, &point, number, lanes, witness)
+        } else {
+            lit_elsewhere::<N, W, EXTRAS>(scene, attributes, &point, number, lanes, witness)
+        };
+        let mask = like.mask_of(lanes);
+        for (result, channel) in result.iter_mut().zip(color) {
+            *result = channel.select(mask, *result);
+        }
+        left &= !lanes;
+    }
+    if scene.edges.is_some() {
+        return draw_edges(scene, batch, seen, result);
+    }
+    result
+}
+
+/// The surface points of a batch.
+#[inline(always)]
+pub(crate) fn point_of<N: Number>(
+    like: N,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    found: &Fragments<N>,
+) -> SurfacePoint<N> {
+    let Attributes { position, normal, .. } = found.attributes;
+    let [tile_x, tile_y] = batch.tile;
+    let x = like.load(&batch.x, 0) + like.constant(tile_x as f32);
+    let y = like.load(&batch.y, 0) + like.constant(tile_y as f32);
+    scene.point_at_sample([x, y], position, normal)
+}
+
+/// The fragments of a batch, as the view interpolates and lights them; all attributes where they are
+/// `heard` by a witness.
+#[inline(always)]
+pub(crate) fn surface_fragments<N: Number, const EXTRAS: bool>(
+    like: N,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    cache: &mut ThreadCache,
+    seen: u32,
+    heard: bool,
+    materials: &mut [u32; LANES],
+) -> Fragments<N> {
+    let mode = scene.shading.mode;
+    let wanted = Wanted {
+        position: scene.needs_positions || heard,
+        normal: mode == ShadingMode::Phong || heard,
+        light: mode == ShadingMode::Gouraud,
+    };
+    cache.setup.begin_tile(batch.tile);
+    let mut found =
+        fragments::<N, EXTRAS>(like, scene, batch, &mut cache.setup, seen, wanted, materials);
+    if EXTRAS && is_studied(scene) {
+        study(scene, batch, cache, seen, &mut found);
+    }
+    found
+}
+
+/// Whether light is computed elsewhere than at pixels and corners, or attributes are interpolated in the
+/// window.
+#[inline(always)]
+fn is_studied(scene: &ShadingContext<'_>) -> bool {
+    matches!(scene.shading.mode, ShadingMode::Flat | ShadingMode::Subdivided { .. })
+        || scene.shading.interpolation != Interpolation::Perspective
+}
+
+/// Interpolation in the window, and light of whole polygons and of pieces: sample by sample.
+#[cold]
+#[inline(never)]
+fn study<N: Number>(
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    cache: &mut ThreadCache,
+    seen: u32,
+    found: &mut Fragments<N>,
+) {
+    for lane in lanes_of(seen) {
+        let Some(triangle) = cache.lit.get(scene, TriangleId(batch.ids[lane])) else { continue };
+        let weights = found.weights.map(|weight| weight.lane(lane));
+        if scene.shading.interpolation != Interpolation::Perspective {
+            found.attributes.put_lane(lane, &triangle.in_window(batch.position(lane), weights));
+        }
+        if let Some(light) = triangle.own_light(weights) {
+            found.attributes.put_light(lane, light);
+        }
+    }
+}
+
+/// Draws edges of polygons over their faces: an edge covers the pixels within half its width, and fades
+/// over one pixel more.
+#[cold]
+#[inline(never)]
+fn draw_edges<N: Number>(
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    seen: u32,
+    mut colors: [N; 4],
+) -> [N; 4] {
+    let Some(edges) = scene.edges else { return colors };
+    let half = edges.width * 0.5 + 0.5;
+    for lane in lanes_of(seen) {
+        let Some(of) = scene.frame.triangle(TriangleId(batch.ids[lane])) else { continue };
+        let Some(flags) = scene.edge_flags[of.instance] else { continue };
+        let [x, y] = batch.position(lane);
+        let forms = scene.frame.forms(of);
+        let distance: f32 = edge_distance(&forms, flags.of(of.triangle), x, y);
+        let cover = (half - distance).limited(0.0, 1.0);
+        for (color, edge) in colors.iter_mut().zip(edges.color) {
+            let own = color.lane(lane);
+            *color = color.with_lane(lane, own + (edge - own) * cover);
+        }
+    }
+    colors
+}

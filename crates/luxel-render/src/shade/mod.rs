@@ -1,0 +1,13 @@
+//! Light that goes to the eye from what samples see. What light is computed elsewhere than at pixels,
+//! and what is interpolated in the window, is there to be studied: it is written for one sample at a time.
+
+mod adaptive_subdivision;
+mod block;
+mod lit_triangle;
+mod screen_interpolation;
+mod witness;
+
+pub(crate) use adaptive_subdivision::encoded;
+pub(crate) use block::{ThreadCache, point_of, shade, surface_fragments};
+pub(crate) use lit_triangle::LitTriangle;
+pub(crate) use witness::BlockWitness;

@@ -1,0 +1,8 @@
+//! Frames as primitives: feedback, and pictures made of vectors.
+
+mod feedback;
+mod primitives;
+mod svg;
+
+pub use feedback::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};
+pub use svg::{MAX_PIECES, Svg, SvgOptions};
