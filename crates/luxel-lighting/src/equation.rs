@@ -33,6 +33,30 @@ impl<'a> LightingEnvironment<'a> {
     ) -> Self {
         Self { lights, scene_ambient: bounded(scene_ambient), environment, fog }
     }
+
+    /// Its lights, as they were given.
+    #[must_use]
+    pub fn lights(&self) -> &'a [PlacedLight] {
+        self.lights
+    }
+
+    /// I_a of the scene, within bounds.
+    #[must_use]
+    pub fn scene_ambient(&self) -> [f32; 3] {
+        self.scene_ambient
+    }
+
+    /// What mirrors and metals see.
+    #[must_use]
+    pub fn environment(&self) -> Environment {
+        self.environment
+    }
+
+    /// The fog, if any.
+    #[must_use]
+    pub fn fog(&self) -> Option<&'a Fog> {
+        self.fog
+    }
 }
 
 /// The light that a surface point sends to the eye, fog included, not clamped, always finite.

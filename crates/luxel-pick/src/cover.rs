@@ -161,7 +161,8 @@ impl PickView<'_> {
         if instance.parts[part].coverage == Coverage::Opaque {
             return false;
         }
-        let barycentric = self.forms(instance, covering.corners).barycentric(&self.rays, position);
+        let forms = self.forms(instance, covering.corners);
+        let barycentric = forms.exact_barycentric(&self.rays, position);
         let scene = self.picker.scene;
         let material = &scene.materials[geometry.mesh.parts[part].material.index()];
         scene.is_hole(geometry.mesh, covering.triangle, barycentric, material)

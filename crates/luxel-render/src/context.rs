@@ -4,8 +4,7 @@ use crate::coverage::EdgeFlags;
 use crate::polygons::Polygons;
 use crate::view::{Edges, NormalLength, Shading};
 use luxel_lighting::{
-    Coefficients, Fog, LightingEnvironment, PictureEncoding, PlacedLight,
-    SurfacePoint, Uniform,
+    Coefficients, Fog, LightingEnvironment, PictureEncoding, PlacedLight, SurfacePoint, Uniform,
 };
 use luxel_math::{Number, Vec3};
 use luxel_scene::{Camera, DVec3, Mesh, Scene, SceneMaterial};

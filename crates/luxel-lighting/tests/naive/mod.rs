@@ -73,10 +73,10 @@ pub(crate) fn equation(
         wide(reflectance.emission.lane(0))
     };
     let dark = if unlit { 0.0 } else { 1.0 };
-    let scene_ambient = times(product(o_a, wide(surroundings.scene_ambient)), dark);
+    let scene_ambient = times(product(o_a, wide(surroundings.scene_ambient())), dark);
     let mut color = plus(emission, scene_ambient);
     let mut lights = Vec::new();
-    for placed in surroundings.lights {
+    for placed in surroundings.lights() {
         let light = placed.light();
         let axis = wide(placed.direction());
         let (to_light, attenuation) = if light.kind == LightKind::Directional {
@@ -106,7 +106,7 @@ pub(crate) fn equation(
         }
         lights.push(terms);
     }
-    if let Some(fog) = surroundings.fog {
+    if let Some(fog) = surroundings.fog() {
         let s = fog_factor(fog, f64::from(point.depth));
         color = plus(times(color, s), times(wide(fog.color), 1.0 - s));
     }

@@ -69,7 +69,7 @@ fn is_plain<N: Number>(
     setup: &mut SetupCache,
     seen: u32,
 ) -> bool {
-    if is_studied(scene) {
+    if is_studied(scene) || scene.edges.is_some() {
         return false;
     }
     if scene.scene.materials.len() == 1 && !scene.has_extras {

@@ -122,7 +122,7 @@ fn sixteen_samples_have_the_holes_that_each_has_alone() {
             for lane in lanes_of(asked.lanes) {
                 let of = frame.triangle(asked.ids[lane]).unwrap();
                 let mesh = &scene.meshes[0];
-                let at = frame.forms(of).barycentric(frame.rays(), asked.position(lane));
+                let at = frame.forms(of).exact_barycentric(frame.rays(), asked.position(lane));
                 let hole = scene.is_hole(mesh, of.triangle, at, &scene.materials[of.part]);
                 assert_eq!(holes >> lane & 1 == 1, hole, "{of:?} at {at:?}");
                 counts[usize::from(hole)] += 1;

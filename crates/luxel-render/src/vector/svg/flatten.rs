@@ -80,7 +80,7 @@ impl<'a> Sampler<'a> {
         let mesh = frame.instances()[of.instance].mesh;
         let material = &self.scene.scene.materials[mesh.parts[of.part].material.index()];
         let steps = place.map(|side| (side * f64::from(SUBPIXELS)).round() as i32);
-        let barycentric = frame.forms(of).barycentric(frame.rays(), steps);
+        let barycentric = frame.forms(of).exact_barycentric(frame.rays(), steps);
         self.scene.scene.is_hole(mesh, of.triangle, barycentric, material)
     }
 }
