@@ -7,7 +7,7 @@ use crate::window::PhysicalPosition;
 use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
-use luxel_visibility::{Forms, InstanceSpace};
+use luxel_visibility::{Forms, InstanceSpace, sides};
 
 /// What lies under a place of the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -138,7 +138,7 @@ impl PickView<'_> {
         let z = Vec3::new(about_eye.x, about_eye.y, about_eye.z)
             .dot(Vec3::new(along[0], along[1], along[2]));
         let corners = in_view.map(|corner| corner.to_array());
-        let normals = space.facing_normals(&corners, forms.towards_eye(), in_mesh);
+        let normals = space.facing_normals(sides(&corners), forms.towards_eye(), in_mesh);
         let normal = mix3(normals, weights).normalized_or_zero();
         let material = mesh.parts[part_of(&geometry, triangle)].material;
         let normal =

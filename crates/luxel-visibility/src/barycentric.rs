@@ -60,6 +60,32 @@ impl WindowRays {
         }
     }
 
+    /// Whether rays are parallel.
+    #[inline(always)]
+    pub(crate) fn is_parallel(&self) -> bool {
+        self.parallel
+    }
+
+    /// How a ray's direction, or its origin for parallel rays, changes a pixel to the right and a pixel down.
+    #[inline(always)]
+    pub(crate) fn steps(&self) -> [f32; 2] {
+        [self.dx as f32, self.dy as f32]
+    }
+
+    /// Positive where a triangle's corners, in view space, run counterclockwise as seen from the eye,
+    /// negative where they run clockwise: -p_0 . (p_1 x p_2), or twice the area for parallel rays.
+    #[inline(always)]
+    #[must_use]
+    pub fn towards_eye<D: Wide>(&self, [a, b, c]: &[[D; 3]; 3]) -> D {
+        if self.parallel {
+            return (b[0] * c[1] - b[1] * c[0])
+                + (c[0] * a[1] - c[1] * a[0])
+                + (a[0] * b[1] - a[1] * b[0]);
+        }
+        let n = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+        -(a[0] * n[0] + a[1] * n[1] + a[2] * n[2])
+    }
+
     /// Where a point in view space lies in the window, in pixels, and its distance along the viewing
     /// axis; the position means nothing where that isn't positive.
     #[inline(always)]
@@ -148,7 +174,6 @@ impl<D: Wide> Forms<D> {
         let zero = like.constant(0.0);
         let [mut a, mut b, mut c] = [[zero; 3]; 3];
         let mut terms = zero;
-        let mut towards_eye = zero;
         for i in 0..3 {
             let (p, q) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
             let area = p[0] * q[1] - p[1] * q[0];
@@ -166,16 +191,9 @@ impl<D: Wide> Forms<D> {
                 + a[i].abs() * like.constant(width)
                 + b[i].abs() * like.constant(height)
                 + c[i].abs();
-            if rays.parallel {
-                towards_eye = towards_eye + area;
-            } else if i == 0 {
-                // -p_0 . (p_1 x p_2): the plane's normal by the right-hand rule, on the way to the eye.
-                let [x, y, z] = corners[0];
-                towards_eye = -(x * n[0] + y * n[1] + z * n[2]);
-            }
         }
         let linear = LinearForms { a, b, c, least_sum: terms * like.constant(TOLD) };
-        Self { corners, linear, towards_eye }
+        Self { corners, linear, towards_eye: rays.towards_eye(&corners) }
     }
 
     /// The corners in view space.
@@ -197,13 +215,6 @@ impl<D: Wide> Forms<D> {
     #[must_use]
     pub fn towards_eye(&self) -> D {
         self.towards_eye
-    }
-
-    /// A number with the sign of the sum of weights before the eye: the sum is p_0 . (p_1 x p_2) over the
-    /// depth for perspectives, twice the area for parallel rays.
-    #[inline(always)]
-    pub(crate) fn sum_sign(&self, rays: &WindowRays) -> D {
-        if rays.parallel { self.towards_eye } else { -self.towards_eye }
     }
 
     /// The weights at window position (x, y) in pixels: see [`LinearForms::weights`].

@@ -49,6 +49,6 @@ pub use holes::{Asked, Holes};
 pub use probe::{Probe, Reach};
 pub use samples::{MAX_SAMPLES, Samples};
 pub use setup::{Cull, CullFaces};
-pub use space::{InstanceSpace, ViewFromLocal};
+pub use space::{InstanceSpace, ViewFromLocal, sides};
 pub use strokes::{LINE_WIDTH, POINT_SIZE, Strokes, strokes};
 pub use tile_forms::{Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners};

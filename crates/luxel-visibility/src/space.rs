@@ -98,6 +98,13 @@ impl InstanceSpace {
         }
     }
 
+    /// A vector in view space, along the world's axes.
+    #[inline(always)]
+    #[must_use]
+    pub fn along_world<N: Number>(&self, in_view: Vec3<N>) -> Vec3<N> {
+        transformed(&self.rotation, in_view)
+    }
+
     /// A place in view space, about the eye along the world's axes.
     #[inline(always)]
     #[must_use]
@@ -133,17 +140,18 @@ impl InstanceSpace {
     /// normals of the mesh (`None`) they are the face's own.
     ///
     /// Which side is seen, the face's plane decides, pointed along the sum of the vertex normals (by
-    /// winding where that is 0), so that a file with reversed winding is not black. `in_view` are
-    /// the corners; `towards_eye` is [`Forms::towards_eye`](crate::Forms::towards_eye).
+    /// winding where that is 0), so that a file with reversed winding is not black. `sides` lead from the
+    /// first corner to the others in view space; `towards_eye` is
+    /// [`WindowRays::towards_eye`](crate::WindowRays::towards_eye).
     #[inline(always)]
     #[must_use]
     pub fn facing_normals<D: Wide>(
         &self,
-        in_view: &[[D; 3]; 3],
+        sides: [Vec3<D::Narrow>; 2],
         towards_eye: D,
         in_mesh: Option<[Vec3<D::Narrow>; 3]>,
     ) -> [Vec3<D::Narrow>; 3] {
-        let by_winding = transformed(&self.rotation, face_normal(in_view));
+        let by_winding = transformed(&self.rotation, face_normal(sides));
         let by_winding = by_winding * by_winding.x.constant(self.handedness as f32);
         let [a, b, c] = match in_mesh {
             Some([a, b, c]) => [self.unit_normal(a), self.unit_normal(b), self.unit_normal(c)],
@@ -184,10 +192,22 @@ fn transformed<N: Number>([x, y, z]: &[[f32; 3]; 3], vector: Vec3<N>) -> Vec3<N>
     )
 }
 
+/// From the first corner of a triangle to the others: differences are taken in f64, so that small
+/// triangles far away keep their digits.
+#[inline(always)]
+#[must_use]
+pub fn sides<D: Wide>([a, b, c]: &[[D; 3]; 3]) -> [Vec3<D::Narrow>; 2] {
+    [side(a, b), side(a, c)]
+}
+
+#[inline(always)]
+fn side<D: Wide>(from: &[D; 3], to: &[D; 3]) -> Vec3<D::Narrow> {
+    Vec3::new((to[0] - from[0]).narrow(), (to[1] - from[1]).narrow(), (to[2] - from[2]).narrow())
+}
+
 /// A triangle's normal by the right-hand rule, of a length about 1 whatever the triangle's size.
 #[inline(always)]
-fn face_normal<D: Wide>([a, b, c]: &[[D; 3]; 3]) -> Vec3<D::Narrow> {
-    let (along, aside) = (side(a, b), side(a, c));
+fn face_normal<N: Number>([along, aside]: [Vec3<N>; 2]) -> Vec3<N> {
     let largest = along
         .x
         .constant(f32::MIN_POSITIVE)
@@ -199,9 +219,4 @@ fn face_normal<D: Wide>([a, b, c]: &[[D; 3]; 3]) -> Vec3<D::Narrow> {
         .maximum(aside.z.abs());
     let scale = largest.one() / largest;
     (along * scale).cross(aside * scale)
-}
-
-#[inline(always)]
-fn side<D: Wide>(from: &[D; 3], to: &[D; 3]) -> Vec3<D::Narrow> {
-    Vec3::new((to[0] - from[0]).narrow(), (to[1] - from[1]).narrow(), (to[2] - from[2]).narrow())
 }

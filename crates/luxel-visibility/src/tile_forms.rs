@@ -21,7 +21,8 @@
 
 use crate::barycentric::{Forms, WindowRays};
 use crate::buffer::TILE;
-use luxel_math::{Mask, Number, SUBPIXELS, Wide};
+use crate::space::sides;
+use luxel_math::{Mask, Number, SUBPIXELS, Vec3, Wide};
 
 /// How many numbers a [`TileForms`] is.
 pub const TILE_FORMS: usize = 13;
@@ -50,48 +51,164 @@ pub struct Barycentrics<N: Number> {
 }
 
 impl<N: Number> TileForms<N> {
-    /// The forms of a triangle within the tile whose first pixel is `tile`.
+    /// The forms of a triangle within the tile whose first pixel is `tile`; `corners` are in view space,
+    /// `sides` and `towards_eye` are [`sides`](crate::sides) and [`WindowRays::towards_eye`] of them.
     #[inline(always)]
     #[must_use]
-    pub fn new(forms: &Forms<N::Wide>, rays: &WindowRays, [tile_x, tile_y]: [i32; 2]) -> Self {
-        let corners = forms.corners_in_lanes();
+    pub fn new(
+        rays: &WindowRays,
+        corners: &[[N::Wide; 3]; 3],
+        sides: [Vec3<N>; 2],
+        towards_eye: N::Wide,
+        tile: [i32; 2],
+    ) -> Self {
+        let [tile_x, tile_y] = tile;
         let [x, y, depth] = rays.window_lanes(corners[0]);
-        let side = TILE as f32;
-        let in_front = depth.is_positive();
-        let like = x.narrow();
-        let (x, x_rest) = split(x - x.constant(tile_x.into()));
-        let (y, y_rest) = split(y - y.constant(tile_y.into()));
+        let (x, y) = (x - x.constant(tile_x.into()), y - y.constant(tile_y.into()));
+        let anchor: Anchor<N> = Anchor::new(x, y);
+        let like = anchor.x;
+        let (low, high) = (like.zero(), like.constant(TILE as f32));
+        let (x, y) = (x.narrow(), y.narrow());
+        let inside = low.less_or_equal(x)
+            & x.less_or_equal(high)
+            & low.less_or_equal(y)
+            & y.less_or_equal(high)
+            & depth.is_positive();
+        // Weights are positive inside, whichever side is seen.
+        let sign = like.one().select((-towards_eye).is_positive(), -like.one());
+        let near = Self::about_first_corner(rays, &corners[0], sides, depth.narrow(), anchor, sign);
+        if inside.all() {
+            return near;
+        }
+        let sign = if rays.is_parallel() { -sign } else { sign };
+        let far = Self::about_anchor(rays, corners, tile, anchor, depth.is_positive(), sign);
+        near.select(inside, &far)
+    }
+
+    /// The forms of a triangle whose first corner lies in the tile: there w_1 and w_2 are 0, so constants
+    /// can be made of f32 differences of the corners.
+    ///
+    /// With e_k = p_k - p_0, d = p_0 over its depth (d_z = -1), u_k = e_kx + e_kz d_x and v_k = e_ky +
+    /// e_kz d_y, the extents of the sides in the window times their depth: w_1 = depth d' . (e_2 x d), w_2 =
+    /// depth d' . (d x e_1) and w_0 + w_1 + w_2 = d' . (e_1 x e_2) for the ray d' of a sample. The same
+    /// error bound holds: each constant is rounded four times and not once, in units of the sides.
+    #[inline(always)]
+    fn about_first_corner(
+        rays: &WindowRays,
+        first: &[N::Wide; 3],
+        [e1, e2]: [Vec3<N>; 2],
+        depth: N,
+        anchor: Anchor<N>,
+        sign: N,
+    ) -> Self {
+        let (one, zero) = (depth.one(), depth.zero());
+        let inverse = one / depth;
+        let parallel = rays.is_parallel();
+        let (mut dx, mut dy) = (zero, zero);
+        if !parallel {
+            dx = first[0].narrow() * inverse;
+            dy = first[1].narrow() * inverse;
+        }
+        let (u1, v1) = (e1.x + e1.z * dx, e1.y + e1.z * dy);
+        let (u2, v2) = (e2.x + e2.z * dx, e2.y + e2.z * dy);
+        let [step_x, step_y] = rays.steps();
+        let (across, down) = (depth.constant(step_x), depth.constant(step_y));
+        let (across_depth, down_depth) = (across * depth, down * depth);
+        let (a1, b1) = (-(v2 * across_depth), u2 * down_depth);
+        let (a2, b2) = (v1 * across_depth, -(u1 * down_depth));
+        let (mut a0, mut b0) = (-(a1 + a2), -(b1 + b2));
+        if !parallel {
+            a0 = a0 + across * (e1.y * e2.z - e1.z * e2.y);
+            b0 = b0 + down * (e1.z * e2.x - e1.x * e2.z);
+        }
+        let c0 = u2 * v1 - u1 * v2;
+        // How far the corners lie from the anchor in the window.
+        let (mut depth_1, mut depth_2) = (one, one);
+        if !parallel {
+            depth_1 = depth - e1.z;
+            depth_2 = depth - e2.z;
+        }
+        let [reach_x1, reach_y1] = reach([u1, v1], depth_1, [step_x, step_y]);
+        let [reach_x2, reach_y2] = reach([u2, v2], depth_2, [step_x, step_y]);
+        let terms = (a0.abs() + a1.abs() + a2.abs()) * reach_x1.maximum(reach_x2)
+            + (b0.abs() + b1.abs() + b2.abs()) * reach_y1.maximum(reach_y2)
+            + c0.abs();
+        let scale = sign / terms;
+        Self {
+            anchor: [anchor.x, anchor.y],
+            rest: [anchor.rest_x, anchor.rest_y],
+            a: [a0 * scale, a1 * scale, a2 * scale],
+            b: [b0 * scale, b1 * scale, b2 * scale],
+            c: [c0 * scale, zero, zero],
+        }
+    }
+
+    /// The forms of any triangle, made in f64. Outlined: one copy per lane type.
+    #[inline(never)]
+    fn about_anchor(
+        rays: &WindowRays,
+        corners: &[[N::Wide; 3]; 3],
+        tile: [i32; 2],
+        anchor: Anchor<N>,
+        in_front: N::Mask,
+        sign: N,
+    ) -> Self {
+        anchor.x.vectorized(
+            #[inline(always)]
+            || Self::about_anchor_lanes(rays, corners, tile, anchor, in_front, sign),
+        )
+    }
+
+    #[inline(always)]
+    fn about_anchor_lanes(
+        rays: &WindowRays,
+        corners: &[[N::Wide; 3]; 3],
+        [tile_x, tile_y]: [i32; 2],
+        anchor: Anchor<N>,
+        in_front: N::Mask,
+        sign: N,
+    ) -> Self {
+        let forms = Forms::new(rays, *corners);
+        let Anchor { x, y, rest_x, rest_y } = anchor;
+        let far = x.constant(TILE as f32);
         // How far the rest of the triangle reaches from the anchor, within the tile.
-        let mut reach = [like.zero(), like.zero()];
+        let [mut reach_x, mut reach_y] = [x.zero(), x.zero()];
         for corner in [corners[1], corners[2]] {
             let [other_x, other_y, depth] = rays.window_narrow(corner);
-            let in_front = in_front & like.zero().less(depth);
-            let along_x = (other_x - like.constant(tile_x as f32)).limited(0.0, side) - x;
-            let along_y = (other_y - like.constant(tile_y as f32)).limited(0.0, side) - y;
-            let far = like.constant(side);
-            reach[0] = reach[0].maximum(along_x.abs().select(in_front, far));
-            reach[1] = reach[1].maximum(along_y.abs().select(in_front, far));
+            let in_front = in_front & x.zero().less(depth);
+            let along_x = (other_x - x.constant(tile_x as f32)).limited(0.0, TILE as f32) - x;
+            let along_y = (other_y - x.constant(tile_y as f32)).limited(0.0, TILE as f32) - y;
+            reach_x = reach_x.maximum(along_x.abs().select(in_front, far));
+            reach_y = reach_y.maximum(along_y.abs().select(in_front, far));
         }
-        let anchor_x = x.widened() + x_rest.widened();
-        let anchor_y = y.widened() + y_rest.widened();
+        let anchor_x = x.widened() + rest_x.widened();
+        let anchor_y = y.widened() + rest_y.widened();
         let (a, b) = forms.linear().slopes();
         let at_anchor = forms.weights(
             anchor_x + anchor_x.constant(tile_x.into()),
             anchor_y + anchor_y.constant(tile_y.into()),
         );
-        let [reach_x, reach_y] = [reach[0].widened(), reach[1].widened()];
+        let [wide_x, wide_y] = [reach_x.widened(), reach_y.widened()];
         let mut terms = anchor_x.constant(0.0);
         for corner in 0..3 {
             terms = terms
-                + a[corner].abs() * reach_x
-                + b[corner].abs() * reach_y
+                + a[corner].abs() * wide_x
+                + b[corner].abs() * wide_y
                 + at_anchor[corner].abs();
         }
-        // Weights are positive inside, whichever side is seen.
-        let sign = like.one().select(forms.sum_sign(rays).is_positive(), -like.one());
         let scale = sign.widened() / terms;
         let (a, b, c) = (scaled(a, scale), scaled(b, scale), scaled(at_anchor, scale));
-        Self { anchor: [x, y], rest: [x_rest, y_rest], a, b, c }
+        Self { anchor: [x, y], rest: [rest_x, rest_y], a, b, c }
+    }
+
+    /// These forms where the mask is true, `other` elsewhere.
+    #[inline(always)]
+    fn select(&self, mask: N::Mask, other: &Self) -> Self {
+        let (own, other) = (self.to_array(), other.to_array());
+        Self::from_numbers(
+            #[inline(always)]
+            |index| own[index].select(mask, other[index]),
+        )
     }
 
     /// The forms as numbers in a row.
@@ -154,15 +271,45 @@ impl<N: Number> TileForms<N> {
     }
 }
 
-/// A coordinate within the tile as a multiple of 1/256 pixel in 0..=64, and what is left of it; the
-/// coordinate itself may be anything.
+/// The place in the tile that forms are about: a multiple of 1/256 pixel, and what is left of it.
+#[derive(Clone, Copy)]
+struct Anchor<N> {
+    x: N,
+    y: N,
+    rest_x: N,
+    rest_y: N,
+}
+
+impl<N: Number> Anchor<N> {
+    /// The nearest to a place, in pixels from the tile's first corner, which may be anything.
+    #[inline(always)]
+    fn new(x: N::Wide, y: N::Wide) -> Self {
+        let ((x, rest_x), (y, rest_y)) = (split(x), split(y));
+        Self { x, y, rest_x, rest_y }
+    }
+}
+
+/// A coordinate within the tile as a multiple of 1/256 pixel in 0..=64, and what is left of it.
 #[inline(always)]
 fn split<D: Wide>(at: D) -> (D::Narrow, D::Narrow) {
     let steps = SUBPIXELS as f32;
     let near = at.narrow().limited(0.0, TILE as f32);
     let whole = (near * near.constant(steps)).round_ties_even() * near.constant(1.0 / steps);
-    let half = 0.5 / steps;
-    (whole, (at - whole.widened()).narrow().limited(-half, half))
+    // A little more than half a step: `near` is rounded before the step is chosen.
+    let most = 0.75 / steps;
+    (whole, (at - whole.widened()).narrow().limited(-most, most))
+}
+
+/// How far a corner lies from the first one in the window, in pixels: its extents times its depth are
+/// given. At most a tile; that, too, where the corner isn't before the eye.
+#[inline(always)]
+fn reach<N: Number>([u, v]: [N; 2], depth: N, [step_x, step_y]: [f32; 2]) -> [N; 2] {
+    let far = depth.constant(TILE as f32);
+    let inverse = depth.one() / depth;
+    let in_front = depth.zero().less(depth);
+    let x = (u * inverse * depth.constant(1.0 / step_x)).abs().minimum(far);
+    let y = (v * inverse * depth.constant(1.0 / step_y)).abs().minimum(far);
+    [x.select(in_front, far), y.select(in_front, far)]
 }
 
 #[inline(always)]
@@ -199,12 +346,19 @@ pub fn interpolate_corners<const C: usize>(
 
 /// One triangle alone.
 impl Forms {
+    /// The forms in f32 within the tile whose first pixel is `tile`.
+    #[must_use]
+    pub fn in_tile(&self, rays: &WindowRays, tile: [i32; 2]) -> TileForms<f32> {
+        let corners = self.corners_in_lanes();
+        TileForms::new(rays, &corners, sides(&corners), self.towards_eye(), tile)
+    }
+
     /// The barycentrics of the sample at a position in steps of 1/256 pixel, which is not negative.
     /// What a frame's lanes hold, bit for bit.
     #[must_use]
     pub fn barycentric(&self, rays: &WindowRays, position: [i32; 2]) -> [f32; 3] {
         let (tile, [x, y]) = within_tile(position);
-        let found = TileForms::new(self, rays, tile).at(x, y);
+        let found = self.in_tile(rays, tile).at(x, y);
         if found.inexact.any() { self.exact_barycentric(rays, position) } else { found.weights }
     }
 
@@ -213,7 +367,7 @@ impl Forms {
     #[must_use]
     pub fn neighbours(&self, rays: &WindowRays, position: [i32; 2]) -> [[f32; 3]; 2] {
         let (tile, [x, y]) = within_tile(position);
-        let forms = TileForms::new(self, rays, tile);
+        let forms = self.in_tile(rays, tile);
         if forms.at(x, y).inexact.any() {
             self.exact_neighbours(position)
         } else {

@@ -317,7 +317,7 @@ impl<'s> Renderer<'s> {
     /// Culls, bins and transforms the scene for `view`.
     ///
     /// `samples` are the view's unless they are given; `also` are attributes that are read beside those
-    /// of materials.
+    /// of materials, with positions.
     pub(crate) fn with_scene<R: Send>(
         &self,
         view: &View,
@@ -419,7 +419,8 @@ impl<'s> Renderer<'s> {
                 fog,
                 uniform: &uniform,
                 attributes_of_materials: &attributes_of_materials,
-                needs_positions: view.fog.is_some()
+                needs_positions: also != AttributeMask::NONE
+                    || view.fog.is_some()
                     || lights.iter().any(|light| light.light().kind.has_place()),
                 has_extras: frame.instances().iter().any(|instance| has_extras(instance.mesh)),
                 view_rays: ViewRays::new(&view.camera, frame.rays()),

@@ -4,18 +4,15 @@ use crate::context::{AttributeMask, ShadingContext};
 use crate::material::{Corner, light_at};
 use crate::setup::corners::CornerReader;
 use crate::setup::prepare::Preparation;
-use crate::setup::{COLOR, LIGHT, NORMAL, POSITION, TANGENT, UVS, VectorAt};
+use crate::setup::{COLOR, LIGHT, NORMAL, PLACES, POSITION, TANGENT, UVS, VectorAt};
 use crate::setup::{TriangleSetup, VertexExtras};
 use crate::view::ShadingMode;
 use luxel_lighting::Silent;
 use luxel_math::{LANES, Number, lanes_of};
 use luxel_visibility::TriangleId;
 
-/// How many are kept: 160 KiB, a part of a core's second-level cache. Enough for the blocks that are
-/// looked at together.
-const KEPT: usize = 1024;
-/// A place for what nobody asked for.
-const SPARE: usize = KEPT;
+/// A place for what nobody asked for: the last, which no triangle gets.
+const SPARE: usize = PLACES - 1;
 /// Places of the table from ids to triangles: enough that two of these seldom want the same.
 const TABLE: usize = 4096;
 /// How many can be requested before they have to be prepared.
@@ -27,9 +24,9 @@ pub(crate) struct SetupCache {
     tile: [i32; 2],
     /// By the low bits of an id: which of the others it may be.
     table: Box<[u16; TABLE]>,
-    ids: [u32; KEPT],
-    materials: [u32; KEPT],
-    reads: [AttributeMask; KEPT],
+    ids: [u32; PLACES],
+    materials: [u32; PLACES],
+    reads: [AttributeMask; PLACES],
     setups: Vec<TriangleSetup>,
     /// Empty until the first triangle with other attributes is seen.
     extras: Vec<VertexExtras>,
@@ -58,9 +55,9 @@ impl SetupCache {
         Self {
             tile: [i32::MIN; 2],
             table: Box::new([0; TABLE]),
-            ids: [TriangleId::NONE.0; KEPT],
-            materials: [0; KEPT],
-            reads: [AttributeMask::NONE; KEPT],
+            ids: [TriangleId::NONE.0; PLACES],
+            materials: [0; PLACES],
+            reads: [AttributeMask::NONE; PLACES],
             setups: Vec::new(),
             extras: Vec::new(),
             next: 0,
@@ -140,7 +137,7 @@ impl SetupCache {
     /// The prepared triangles of these lanes; other lanes get one of them.
     #[inline(always)]
     pub(crate) fn rows(&self, ids: &[u32; LANES], lanes: u32) -> [&TriangleSetup; LANES] {
-        let Ok(setups) = <&[TriangleSetup; KEPT + 1]>::try_from(self.setups.as_slice()) else {
+        let Ok(setups) = <&[TriangleSetup; PLACES]>::try_from(self.setups.as_slice()) else {
             return [&TriangleSetup::NOTHING; LANES];
         };
         let first = ids[lanes.trailing_zeros() as usize & (LANES - 1)];
@@ -154,7 +151,7 @@ impl SetupCache {
 
     #[inline(always)]
     fn place(&self, id: u32) -> usize {
-        usize::from(self.table[id as usize % TABLE]) % KEPT
+        usize::from(self.table[id as usize % TABLE]) % PLACES
     }
 
     #[inline(always)]
@@ -163,7 +160,7 @@ impl SetupCache {
             let id = ids[lane & (LANES - 1)];
             if !self.has(id) && id != TriangleId::NONE.0 {
                 let place = self.next;
-                self.next = (place + 1) % KEPT;
+                self.next = (place + 1) % SPARE;
                 self.ids[place] = id;
                 self.table[id as usize % TABLE] = place as u16;
                 let Pending { ids, places, count } = &mut self.pending;
@@ -194,9 +191,10 @@ impl SetupCache {
     #[inline(always)]
     fn prepare_lanes<N: Number>(&mut self, like: N, scene: &ShadingContext<'_>) {
         if self.setups.is_empty() {
-            self.setups.resize(KEPT + 1, TriangleSetup::NOTHING);
+            self.setups.resize(PLACES, TriangleSetup::NOTHING);
         }
         let Self { pending, setups, extras, materials, reads, reader, tile, .. } = self;
+        let Ok(setups) = <&mut [_; PLACES]>::try_from(setups.as_mut_slice()) else { return };
         let sixteens = pending.ids.as_chunks::<LANES>().0.iter();
         let sixteens = sixteens.zip(pending.places.as_chunks::<LANES>().0);
         for (first, (ids, places)) in (0..pending.count).step_by(LANES).zip(sixteens) {
@@ -204,7 +202,7 @@ impl SetupCache {
             while left != 0 {
                 let mut of = reader.read(scene, ids, left, |lane, space, mesh, corners, reads| {
                     if extras.is_empty() {
-                        extras.resize(KEPT + 1, VertexExtras::NOTHING);
+                        extras.resize(PLACES, VertexExtras::NOTHING);
                     }
                     extras[places[lane]].read(space, mesh, corners, reads);
                 });
@@ -218,7 +216,7 @@ impl SetupCache {
                 left &= !of.lanes;
                 let mut into = [SPARE; LANES];
                 for lane in lanes_of(of.lanes) {
-                    let place = places[lane] % KEPT;
+                    let place = places[lane] % PLACES;
                     into[lane] = place;
                     materials[place] = reader.materials[lane];
                     reads[place] = reader.reads[lane];
@@ -227,11 +225,11 @@ impl SetupCache {
                     }
                 }
                 let (reader, tile) = (&*reader, *tile);
-                let setups = setups.as_mut_slice();
+                let setups = &mut *setups;
                 like.piecewise(&mut Preparation { scene, tile, of, reader, lit_as, into, setups });
                 if lit_as.is_some() {
                     for lane in lanes_of(of.lanes).filter(|&lane| reader.reads[lane].any()) {
-                        let place = places[lane] % KEPT;
+                        let place = places[lane] % PLACES;
                         let corners = corners_of(&setups[place], &extras[place]);
                         let material = reader.materials[lane];
                         let light = corners.map(|corner| {

@@ -4,45 +4,50 @@ use crate::context::{AttributeMask, ShadingContext};
 use crate::setup::{COLOR, TANGENT, UVS, VertexExtras};
 use luxel_math::{LANES, Number, Vec3, lanes_of};
 use luxel_scene::Mesh;
-use luxel_visibility::{Forms, InstanceSpace, ShadingVertex, TriangleId, WindowRays};
+use luxel_visibility::{InstanceSpace, ShadingVertex, TriangleId, WindowRays, sides};
 
 /// Triangles of one instance before the eye, one or one a lane.
+#[derive(Clone, Copy)]
 pub(crate) struct PlacedCorners<N: Number> {
-    pub(crate) forms: Forms<N::Wide>,
-    /// The first corner about the eye, along the world's axes.
-    pub(crate) first: Vec3<N>,
-    /// From the first corner to the second, and to the third.
+    /// The corners in view space.
+    pub(crate) in_view: [[N::Wide; 3]; 3],
+    /// See [`sides`].
     pub(crate) sides: [Vec3<N>; 2],
-    /// The corners' unit normals in world space, turned to the side that is seen.
-    pub(crate) normals: [Vec3<N>; 3],
+    /// See [`WindowRays::towards_eye`].
+    pub(crate) towards_eye: N::Wide,
 }
 
 impl<N: Number> PlacedCorners<N> {
-    /// Of positions about the mesh's origin, and the normals that the mesh has.
+    /// Of positions about the mesh's origin.
     #[inline(always)]
-    pub(crate) fn new(
-        rays: &WindowRays,
-        space: &InstanceSpace,
-        positions: [[N; 3]; 3],
-        normals_in_mesh: Option<[Vec3<N>; 3]>,
-    ) -> Self {
+    pub(crate) fn new(rays: &WindowRays, space: &InstanceSpace, positions: [[N; 3]; 3]) -> Self {
         let in_view = space.view_from_local.corners(positions);
-        let forms = Forms::new(rays, in_view);
-        let normals = space.facing_normals(&in_view, forms.towards_eye(), normals_in_mesh);
-        let [a, b, c] = in_view;
-        // Differences are taken in f64: small triangles far away keep their digits.
-        let sides = [
-            space.about_eye([b[0] - a[0], b[1] - a[1], b[2] - a[2]]),
-            space.about_eye([c[0] - a[0], c[1] - a[1], c[2] - a[2]]),
-        ];
-        Self { forms, first: space.about_eye(a), sides, normals }
+        Self { in_view, sides: sides(&in_view), towards_eye: rays.towards_eye(&in_view) }
+    }
+
+    /// The corners' unit normals in world space, turned to the side that is seen.
+    #[inline(always)]
+    pub(crate) fn normals(
+        &self,
+        space: &InstanceSpace,
+        in_mesh: Option<[Vec3<N>; 3]>,
+    ) -> [Vec3<N>; 3] {
+        space.facing_normals(self.sides, self.towards_eye, in_mesh)
+    }
+
+    /// The first corner about the eye, along the world's axes, and from there to the others.
+    #[inline(always)]
+    pub(crate) fn first_and_sides(&self, space: &InstanceSpace) -> [Vec3<N>; 3] {
+        let [second, third] = self.sides;
+        let first = space.about_eye(self.in_view[0]);
+        [first, space.along_world(second), space.along_world(third)]
     }
 
     /// The corners' positions about the eye.
     #[inline(always)]
-    pub(crate) fn positions(&self) -> [Vec3<N>; 3] {
-        let [second, third] = self.sides;
-        [self.first, self.first + second, self.first + third]
+    pub(crate) fn positions(&self, space: &InstanceSpace) -> [Vec3<N>; 3] {
+        let [first, second, third] = self.first_and_sides(space);
+        [first, first + second, first + third]
     }
 }
 
@@ -162,25 +167,39 @@ impl CornerReader {
         of: &ReadLanes,
         first: usize,
     ) -> PlacedCorners<N> {
-        let [a, b, c] = &self.corners;
-        let [ax, ay, az, anx, any, anz, ..] = like.columns(
-            #[inline(always)]
-            |lane| &a[(first + lane) & (LANES - 1)],
-        );
-        let [bx, by, bz, bnx, bny, bnz, ..] = like.columns(
-            #[inline(always)]
-            |lane| &b[(first + lane) & (LANES - 1)],
-        );
-        let [cx, cy, cz, cnx, cny, cnz, ..] = like.columns(
-            #[inline(always)]
-            |lane| &c[(first + lane) & (LANES - 1)],
-        );
+        let [ax, ay, az, ..] = self.columns(like, 0, first);
+        let [bx, by, bz, ..] = self.columns(like, 1, first);
+        let [cx, cy, cz, ..] = self.columns(like, 2, first);
         let positions = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]];
-        let normals =
-            [Vec3::new(anx, any, anz), Vec3::new(bnx, bny, bnz), Vec3::new(cnx, cny, cnz)];
-        let has_normals = !scene.frame.instances()[of.instance].mesh.normals.is_empty();
-        let normals = has_normals.then_some(normals);
-        PlacedCorners::new(scene.frame.rays(), &scene.spaces[of.instance], positions, normals)
+        PlacedCorners::new(scene.frame.rays(), &scene.spaces[of.instance], positions)
+    }
+
+    /// The normals of the triangles' corners, from lane `first` on; `None` where the mesh has none.
+    #[inline(always)]
+    pub(crate) fn normals_in_mesh<N: Number>(
+        &self,
+        like: N,
+        scene: &ShadingContext<'_>,
+        of: &ReadLanes,
+        first: usize,
+    ) -> Option<[Vec3<N>; 3]> {
+        if scene.frame.instances()[of.instance].mesh.normals.is_empty() {
+            return None;
+        }
+        let [.., ax, ay, az, _, _] = self.columns(like, 0, first);
+        let [.., bx, by, bz, _, _] = self.columns(like, 1, first);
+        let [.., cx, cy, cz, _, _] = self.columns(like, 2, first);
+        Some([Vec3::new(ax, ay, az), Vec3::new(bx, by, bz), Vec3::new(cx, cy, cz)])
+    }
+
+    /// What a corner of each triangle carries, from lane `first` on.
+    #[inline(always)]
+    fn columns<N: Number>(&self, like: N, corner: usize, first: usize) -> [N; 8] {
+        let vertices = &self.corners[corner];
+        like.columns(
+            #[inline(always)]
+            |lane| &vertices[(first + lane) & (LANES - 1)],
+        )
     }
 }
 

@@ -18,6 +18,10 @@ use luxel_visibility::TILE_FORMS;
 /// Rows of eight numbers: what transposes in registers.
 const ROWS: usize = 5;
 
+/// How many triangles a thread keeps, a power of 2: 160 KiB, a part of a core's second-level cache.
+/// Enough for the blocks that are looked at together.
+const PLACES: usize = 1024;
+
 /// A triangle within one tile. Its numbers, in the order of [`TileForms::to_array`] and of the
 /// constants below.
 ///

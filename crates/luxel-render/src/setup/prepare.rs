@@ -5,8 +5,8 @@
 
 use crate::context::ShadingContext;
 use crate::material::lights_at;
-use crate::setup::TriangleSetup;
 use crate::setup::corners::{CornerReader, PlacedCorners, ReadLanes};
+use crate::setup::{PLACES, TriangleSetup};
 use luxel_math::{LANES, Number, Piecewise, Rgb, Vec3};
 use luxel_visibility::TileForms;
 
@@ -21,7 +21,7 @@ pub(crate) struct Preparation<'a> {
     pub(crate) lit_as: Option<usize>,
     /// Where each lane's is put.
     pub(crate) into: [usize; LANES],
-    pub(crate) setups: &'a mut [TriangleSetup],
+    pub(crate) setups: &'a mut [TriangleSetup; PLACES],
 }
 
 impl Piecewise for Preparation<'_> {
@@ -31,25 +31,35 @@ impl Piecewise for Preparation<'_> {
             return;
         }
         let Self { scene, tile, .. } = *self;
+        let space = &scene.spaces[self.of.instance];
         let placed = self.reader.placed(like, scene, &self.of, first);
-        let f = TileForms::new(&placed.forms, scene.frame.rays(), tile).to_array();
-        let PlacedCorners { first: p, sides: [ps, pt], normals: [n, nb, nc], .. } = placed;
-        let (ns, nt) = (nb - n, nc - n);
-        let zero = like.zero();
-        let (mut l, mut ls, mut lt) = (Vec3::new(zero, zero, zero), p, p);
-        if let Some(material) = self.lit_as {
-            l = vector(lights_at(scene, &p, &n, material));
-            ls = vector(lights_at(scene, &(p + ps), &nb, material)) - l;
-            lt = vector(lights_at(scene, &(p + pt), &nc, material)) - l;
-        }
-        // In the order of NORMAL, POSITION and LIGHT. Written out: a list that a loop fills is memory.
+        let PlacedCorners { in_view, sides, towards_eye } = &placed;
+        let forms = TileForms::new(scene.frame.rays(), in_view, *sides, *towards_eye, tile);
+        // In the order of NORMAL, POSITION and LIGHT. Written out: a list that a loop fills is memory; and
+        // one after the other, as all at once would be more than there are registers.
+        let f = forms.to_array();
         self.put_row(first, 0, [f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]]);
-        self.put_row(first, 1, [f[8], f[9], f[10], f[11], f[12], n.x, n.y, n.z]);
-        self.put_row(first, 2, [ns.x, ns.y, ns.z, nt.x, nt.y, nt.z, pt.z, lt.z]);
-        self.put_row(first, 3, [p.x, p.y, p.z, ps.x, ps.y, ps.z, pt.x, pt.y]);
-        if self.lit_as.is_some() {
-            self.put_row(first, 4, [l.x, l.y, l.z, ls.x, ls.y, ls.z, lt.x, lt.y]);
+        let zero = like.zero();
+        let mut third_side = zero;
+        if scene.needs_positions {
+            let [p, s, t] = placed.first_and_sides(space);
+            self.put_row(first, 3, [p.x, p.y, p.z, s.x, s.y, s.z, t.x, t.y]);
+            third_side = t.z;
         }
+        let in_mesh = self.reader.normals_in_mesh(like, scene, &self.of, first);
+        let [n, nb, nc] = placed.normals(space, in_mesh);
+        let (ns, nt) = (nb - n, nc - n);
+        let mut third_light = zero;
+        if let Some(material) = self.lit_as {
+            let [pa, pb, pc] = placed.positions(space);
+            let l = vector(lights_at(scene, &pa, &n, material));
+            let s = vector(lights_at(scene, &pb, &nb, material)) - l;
+            let t = vector(lights_at(scene, &pc, &nc, material)) - l;
+            self.put_row(first, 4, [l.x, l.y, l.z, s.x, s.y, s.z, t.x, t.y]);
+            third_light = t.z;
+        }
+        self.put_row(first, 1, [f[8], f[9], f[10], f[11], f[12], n.x, n.y, n.z]);
+        self.put_row(first, 2, [ns.x, ns.y, ns.z, nt.x, nt.y, nt.z, third_side, third_light]);
     }
 }
 
@@ -62,7 +72,7 @@ impl Preparation<'_> {
             columns,
             #[inline(always)]
             |lane, values| {
-                setups[into[(first + lane) & (LANES - 1)]].rows[row] = values;
+                setups[into[(first + lane) & (LANES - 1)] % PLACES].rows[row] = values;
             },
         );
     }

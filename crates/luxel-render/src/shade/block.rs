@@ -188,7 +188,7 @@ pub(crate) fn surface_fragments<N: Number, const EXTRAS: bool>(
 ) -> Fragments<N> {
     let mode = scene.shading.mode;
     let wanted = Wanted {
-        position: scene.needs_positions || heard,
+        position: scene.needs_positions,
         normal: mode == ShadingMode::Phong || heard,
         light: mode == ShadingMode::Gouraud,
     };

@@ -81,15 +81,15 @@ impl LitTriangle {
         let positions = mesh.triangles[of.triangle as usize].map(|at| mesh.positions[at as usize]);
         let attributes = mesh.attribute_corners()[of.triangle as usize].map(|at| at as usize);
         let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
-        let placed = PlacedCorners::new(frame.rays(), space, positions, in_mesh);
-        let about_eye = placed.positions();
-        let corner = |place: usize| {
-            corner(mesh, space, attributes[place], about_eye[place], placed.normals[place])
-        };
+        let placed = PlacedCorners::new(frame.rays(), space, positions);
+        let about_eye = placed.positions(space);
+        let normals = placed.normals(space, in_mesh);
+        let corner =
+            |place: usize| corner(mesh, space, attributes[place], about_eye[place], normals[place]);
         Self {
             id,
             of,
-            forms: placed.forms,
+            forms: Forms::new(frame.rays(), placed.in_view),
             material: mesh.parts[of.part].material.0,
             has: AttributeMask::of_mesh(mesh),
             corners: [corner(0), corner(1), corner(2)],

@@ -6,7 +6,7 @@ use crate::solid::{View, bumpy, direction};
 use glam::{DVec3, DVec4};
 use luxel_math::{Level, Simd, SimdLevel, dispatch, f32x16, prelude::*};
 use luxel_scene::{Lens, Mesh, Size};
-use luxel_visibility::{Forms, Frame, TileForms, TriangleOf};
+use luxel_visibility::{Forms, Frame, TileForms, TriangleOf, sides};
 use proptest::prelude::*;
 
 /// Where a ray meets the plane of a triangle: the barycentrics of Möller and Trumbore (1997).
@@ -185,7 +185,10 @@ fn of_block<S: Simd>(
         f32x16::simd_from(simd, lanes)
     };
     let (across, down) = (lane(|lane| lane % 4, x - tile[0]), lane(|lane| lane / 4, y - tile[1]));
-    let in_tile = TileForms::new(&forms.in_lanes(across.widened()), frame.rays(), tile);
+    let wide = across.widened();
+    let corners = forms.corners().map(|corner| corner.to_array().map(|side| wide.constant(side)));
+    let towards_eye = wide.constant(forms.towards_eye());
+    let in_tile = TileForms::new(frame.rays(), &corners, sides(&corners), towards_eye, tile);
     let found = in_tile.at(across, down);
     let ([a, b, c], inexact) = (found.weights, found.inexact.to_bitmask());
     std::array::from_fn(|lane| {

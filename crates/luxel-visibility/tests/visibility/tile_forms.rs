@@ -3,7 +3,7 @@
 use glam::DVec3;
 use luxel_math::SUBPIXELS;
 use luxel_scene::{Lens, Projection, Size};
-use luxel_visibility::{Forms, TileForms, WindowRays};
+use luxel_visibility::{Forms, WindowRays};
 
 const SIZE: Size = Size { width: 1920, height: 1080 };
 
@@ -81,7 +81,7 @@ fn worst(lens: Lens, pixels: f64, tilt: f64, distance: f64) -> (f64, f64) {
         let tile = steps.map(|steps| steps / SUBPIXELS / 64 * 64);
         let inside =
             [0, 1].map(|axis| (steps[axis] - tile[axis] * SUBPIXELS) as f32 / SUBPIXELS as f32);
-        let found = TileForms::new(&forms, &rays, tile).at(inside[0], inside[1]);
+        let found = forms.in_tile(&rays, tile).at(inside[0], inside[1]);
         count += 1.0;
         if found.inexact {
             exact += 1.0;
