@@ -7,7 +7,7 @@ use crate::resolve::{
     single_triangle, uneven_block,
 };
 use crate::shade::ThreadCache;
-use luxel_math::{LANES, Simd, f32x16, prelude::*};
+use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
 use luxel_visibility::{BLOCK, BLOCKS, MAX_SAMPLES, Samples, TILE, Tile, TriangleId};
 
 /// Writes a block's pixels among the rows of its tile.
@@ -121,6 +121,23 @@ fn look_ahead<S: Simd>(
     ahead
 }
 
+/// Whether nothing is seen in the blocks that are looked at together.
+#[inline(always)]
+fn are_empty<S: Simd>(simd: S, tile: &Tile, first: usize) -> bool {
+    let mut all = u32x16::splat(simd, TriangleId::NONE.0);
+    for plane in tile.planes() {
+        for row in plane.ids[first..first + AHEAD].chunks_exact(BLOCKS as usize / 2) {
+            for ids in row {
+                all &= u32x16::simd_from(simd, *ids);
+            }
+            if !all.simd_eq(TriangleId::NONE.0).all_true() {
+                return false;
+            }
+        }
+    }
+    true
+}
+
 /// Lights all blocks of a tile, and finishes their pixels.
 #[inline(always)]
 pub(crate) fn tile_pixels<S: Simd, F: Finish>(
@@ -134,6 +151,11 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
     let Worker { opaque, layered, compaction, cache, .. } = worker;
     let background = [finish.pixel(empty_pixel(scene)); LANES];
     for first in (0..ALL_BLOCKS).step_by(AHEAD) {
+        if !has_layers && are_empty(simd, opaque, first) {
+            // Rows of blocks are rows of pixels: sixteen to a block.
+            pixels[first * LANES..(first + AHEAD) * LANES].fill(background[0]);
+            continue;
+        }
         let Ahead { empty, distinct } = look_ahead(simd, scene, opaque, first, cache);
         for number in 0..AHEAD {
             let block = first + number;

@@ -13,8 +13,8 @@ use crate::context::{AttributeMask, ShadingContext};
 use crate::interpolate::Batch;
 use crate::material::{Attributes, Footprint};
 use crate::setup::{
-    COLOR, LIGHT, LIGHT_ROW, NORMAL, POSITION, POSITION_ROW, Prepared, SetupCache, TANGENT,
-    TriangleSetup, UVS, VectorAt, VertexExtras,
+    COLOR, LIGHT, LIGHT_ROW, NORMAL, POSITION, POSITION_ROW, Prepared, SetupCache, SetupColumns,
+    TANGENT, TriangleSetup, UVS, VectorAt, VertexExtras,
 };
 use luxel_math::{LANES, Mask, Number, Rgb, Vec3, lanes_of};
 use luxel_visibility::{TileForms, TriangleId, interpolate};
@@ -22,6 +22,10 @@ use luxel_visibility::{TileForms, TriangleId, interpolate};
 /// Up to so many triangles a block are met one by one, each in all lanes; with more, one a lane.
 /// `cargo bench -p luxel --bench frames few` shows where the ways cross.
 const FEW: u32 = 3;
+
+/// With more triangles a block than this, few of them are seen by the next block, too: they are prepared a
+/// lane each and not kept.
+const SHARED: u32 = 9;
 
 /// Which attributes a pass needs beside those that materials read.
 #[derive(Clone, Copy)]
@@ -67,7 +71,25 @@ impl<N: Number> Source<N> for Broadcast<'_, N> {
     }
 }
 
-/// One triangle a lane.
+/// One triangle a lane, prepared side by side.
+struct Columns<'t, N> {
+    like: N,
+    numbers: &'t SetupColumns,
+}
+
+impl<N: Number> Source<N> for Columns<'_, N> {
+    #[inline(always)]
+    fn number(&self, index: usize) -> N {
+        self.like.load(&self.numbers[index], 0)
+    }
+
+    #[inline(always)]
+    fn extra(&self, _: usize) -> N {
+        self.like.zero()
+    }
+}
+
+/// One triangle a lane, from records.
 struct Transposed<N> {
     numbers: [[N; 8]; 5],
     extras: [[N; 8]; 5],
@@ -163,6 +185,16 @@ pub(crate) fn fragments<N: Number, const EXTRAS: bool>(
     }
     let begins = like.lanes_that_begin(ids) & seen;
     let mut left = seen;
+    if !EXTRAS && begins.count_ones() > SHARED && !cache.has_all(ids, begins) {
+        while left != 0
+            && let Some((lanes, columns)) = cache.prepare_columns(like, scene, ids, left, materials)
+        {
+            let source = Columns { like, numbers: columns };
+            let of = Of { lanes, wanted, has: AttributeMask::NONE };
+            found.take::<EXTRAS, false>(&source, scene, batch, place, of);
+            left &= !lanes;
+        }
+    }
     while left != 0 {
         cache.require(like, scene, ids, begins & left);
         if (begins & left).count_ones() <= FEW {

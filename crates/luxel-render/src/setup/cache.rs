@@ -3,8 +3,8 @@
 use crate::context::{AttributeMask, ShadingContext};
 use crate::material::{Corner, light_at};
 use crate::setup::corners::CornerReader;
-use crate::setup::prepare::Preparation;
-use crate::setup::{COLOR, LIGHT, NORMAL, PLACES, POSITION, TANGENT, UVS, VectorAt};
+use crate::setup::prepare::{Preparation, SetupColumns, Target};
+use crate::setup::{COLOR, LIGHT, NORMAL, PLACES, POSITION, ROWS, TANGENT, UVS, VectorAt};
 use crate::setup::{TriangleSetup, VertexExtras};
 use crate::view::ShadingMode;
 use luxel_lighting::Silent;
@@ -34,6 +34,8 @@ pub(crate) struct SetupCache {
     next: usize,
     pending: Pending,
     reader: CornerReader,
+    /// The triangles of a block of which each sample sees another one.
+    columns: Box<SetupColumns>,
 }
 
 /// Triangles that have a place, and are to be prepared for it.
@@ -63,6 +65,7 @@ impl SetupCache {
             next: 0,
             pending: Pending { ids: [TriangleId::NONE.0; PENDING], places: [0; PENDING], count: 0 },
             reader: CornerReader::new(),
+            columns: Box::new([[0.0; LANES]; 8 * ROWS]),
         }
     }
 
@@ -86,7 +89,7 @@ impl SetupCache {
         ids: &[u32; LANES],
         lanes: u32,
     ) {
-        if !lanes_of(lanes).all(|lane| self.has(ids[lane & (LANES - 1)])) {
+        if !self.has_all(ids, lanes) {
             self.request(ids, lanes);
             self.prepare(like, scene);
         }
@@ -105,6 +108,56 @@ impl SetupCache {
         if self.pending.count > PENDING - LANES {
             self.prepare(like, scene);
         }
+    }
+
+    /// Prepares what the lowest of these lanes sees and all others that see the same instance, side by side
+    /// and not to be kept; `None` if shading reads more of them than positions, normals and light. Their
+    /// materials are in `materials`.
+    #[inline(always)]
+    pub(crate) fn prepare_columns<N: Number>(
+        &mut self,
+        like: N,
+        scene: &ShadingContext<'_>,
+        ids: &[u32; LANES],
+        lanes: u32,
+        materials: &mut [u32; LANES],
+    ) -> Option<(u32, &SetupColumns)> {
+        if scene.has_extras || scene.shading.mode == ShadingMode::Gouraud {
+            return None;
+        }
+        let lanes = self.prepare_columns_now(like, scene, ids, lanes);
+        for lane in lanes_of(lanes) {
+            materials[lane] = self.reader.materials[lane];
+        }
+        Some((lanes, &self.columns))
+    }
+
+    /// Outlined: one copy per lane type.
+    #[inline(never)]
+    fn prepare_columns_now<N: Number>(
+        &mut self,
+        like: N,
+        scene: &ShadingContext<'_>,
+        ids: &[u32; LANES],
+        lanes: u32,
+    ) -> u32 {
+        let Self { reader, tile, columns, .. } = self;
+        like.vectorized(
+            #[inline(always)]
+            || {
+                let of = reader.read(scene, ids, lanes, |_, _, _, _, _| {});
+                let (reader, tile) = (&*reader, *tile);
+                let into = Target::Columns(columns);
+                like.piecewise(&mut Preparation { scene, tile, of, reader, lit_as: None, into });
+                of.lanes
+            },
+        )
+    }
+
+    /// Whether the triangles of these lanes are prepared.
+    #[inline(always)]
+    pub(crate) fn has_all(&self, ids: &[u32; LANES], lanes: u32) -> bool {
+        lanes_of(lanes).all(|lane| self.has(ids[lane & (LANES - 1)]))
     }
 
     /// Whether a triangle is prepared.
@@ -226,7 +279,8 @@ impl SetupCache {
                 }
                 let (reader, tile) = (&*reader, *tile);
                 let setups = &mut *setups;
-                like.piecewise(&mut Preparation { scene, tile, of, reader, lit_as, into, setups });
+                let into = Target::Places(into, setups);
+                like.piecewise(&mut Preparation { scene, tile, of, reader, lit_as, into });
                 if lit_as.is_some() {
                     for lane in lanes_of(of.lanes).filter(|&lane| reader.reads[lane].any()) {
                         let place = places[lane] % PLACES;

@@ -12,6 +12,7 @@ mod prepare;
 
 pub(crate) use cache::{Prepared, SetupCache};
 pub(crate) use corners::PlacedCorners;
+pub(crate) use prepare::SetupColumns;
 
 use luxel_visibility::TILE_FORMS;
 

@@ -6,7 +6,7 @@
 use crate::context::ShadingContext;
 use crate::material::lights_at;
 use crate::setup::corners::{CornerReader, PlacedCorners, ReadLanes};
-use crate::setup::{PLACES, TriangleSetup};
+use crate::setup::{PLACES, ROWS, TriangleSetup};
 use luxel_math::{LANES, Number, Piecewise, Rgb, Vec3};
 use luxel_visibility::TileForms;
 
@@ -19,10 +19,19 @@ pub(crate) struct Preparation<'a> {
     pub(crate) reader: &'a CornerReader,
     /// The material by which corners are lit, if they are.
     pub(crate) lit_as: Option<usize>,
-    /// Where each lane's is put.
-    pub(crate) into: [usize; LANES],
-    pub(crate) setups: &'a mut [TriangleSetup; PLACES],
+    pub(crate) into: Target<'a>,
 }
+
+/// Where prepared triangles are put.
+pub(crate) enum Target<'a> {
+    /// Each lane's into a place of its own.
+    Places([usize; LANES], &'a mut [TriangleSetup; PLACES]),
+    /// All side by side.
+    Columns(&'a mut SetupColumns),
+}
+
+/// The numbers of sixteen triangles side by side, each number as [`TriangleSetup`] has them.
+pub(crate) type SetupColumns = [[f32; LANES]; 8 * ROWS];
 
 impl Piecewise for Preparation<'_> {
     #[inline(always)]
@@ -67,14 +76,20 @@ impl Preparation<'_> {
     /// Writes a row of each lane's triangle.
     #[inline(always)]
     fn put_row<N: Number>(&mut self, first: usize, row: usize, columns: [N; 8]) {
-        let Self { into, setups, .. } = self;
-        N::rows(
-            columns,
-            #[inline(always)]
-            |lane, values| {
-                setups[into[(first + lane) & (LANES - 1)] % PLACES].rows[row] = values;
-            },
-        );
+        match &mut self.into {
+            Target::Places(into, setups) => N::rows(
+                columns,
+                #[inline(always)]
+                |lane, values| {
+                    setups[into[(first + lane) & (LANES - 1)] % PLACES].rows[row] = values;
+                },
+            ),
+            Target::Columns(numbers) => {
+                for (number, column) in columns.into_iter().enumerate() {
+                    column.store(&mut numbers[8 * row + number], first);
+                }
+            }
+        }
     }
 }
 
