@@ -15,7 +15,7 @@ use crate::view;
 use clap::Args;
 use luxel::math::SimdLevel;
 use luxel::pick::{PhysicalPosition, PickError, PickView, Picker, Quality};
-use luxel::render::{Picture, RenderError, Renderer, View};
+use luxel::render::{Layer, Picture, RenderError, Renderer, View};
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -39,6 +39,10 @@ pub(crate) struct BenchCommand {
     /// Keep the camera where it is; nothing is skipped for that
     #[arg(long)]
     still: bool,
+
+    /// Time frames with this layer, too; repeat it for several
+    #[arg(long = "layer", value_name = "NAME")]
+    layers: Vec<Layer>,
 
     /// Print a JSON document
     #[arg(long)]
@@ -99,6 +103,7 @@ impl BenchCommand {
             report["triangles"] = json!(scene.triangle_count());
             report["size"] = json!([width, height]);
             report["samples"] = json!(self.frame.samples);
+            report["layers"] = self.layers.iter().map(Layer::name).collect();
             return output::print_json(&report);
         }
         let mut text = format!(
@@ -116,13 +121,17 @@ impl BenchCommand {
 
     /// Draws the views in turns.
     fn time_frames(&self, renderer: &Renderer<'_>, views: &[View]) -> Result<Timings, RenderError> {
-        let mut picture = Picture::default();
+        let (mut picture, mut values) = (Picture::default(), Vec::new());
         let mut timings = Timings::new();
         let warm_up = self.frames.get().div_ceil(10);
         for number in 0..warm_up + self.frames.get() {
             let view = &views[number as usize % views.len()];
             let start = Instant::now();
-            renderer.rgba8_into(view, &mut picture)?;
+            if self.layers.is_empty() {
+                renderer.rgba8_into(view, &mut picture)?;
+            } else {
+                renderer.rgba8_with_layers(view, &self.layers, &mut picture, &mut values)?;
+            }
             let elapsed = start.elapsed();
             if number >= warm_up {
                 timings.add(elapsed, &picture.stages);

@@ -10,5 +10,5 @@ pub use renderer::{MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, S
 
 pub(crate) use frame_setup::CoveragePolicy;
 pub(crate) use renderer::lights_with_terms;
-pub(crate) use tile_shading::{ALL_BLOCKS, Worker, place_in_tile, put_block};
+pub(crate) use tile_shading::{AHEAD, ALL_BLOCKS, Worker, look_ahead, place_in_tile, put_block};
 pub(crate) use tiles::{Bands, TilePixels, TileWork, for_all_tiles};

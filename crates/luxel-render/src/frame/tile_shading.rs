@@ -64,22 +64,30 @@ pub(crate) fn add_layer<S: Simd>(
 }
 
 /// Blocks that are looked at together before they are lit: two rows.
-const AHEAD: usize = 2 * BLOCKS as usize;
+pub(crate) const AHEAD: usize = 2 * BLOCKS as usize;
 
 /// Triangles of a block are made ready where there are at most so many for sixteen places at which
 /// they are lit.
 const SHARED: u32 = 9;
 
 /// What is known of blocks before they are lit.
-struct Ahead {
+pub(crate) struct Ahead {
     /// Those in which nothing is seen, as bits.
     empty: u32,
     distinct: [DistinctTriangles; AHEAD],
 }
 
+impl Ahead {
+    /// Whether nothing is seen in one of the blocks.
+    #[inline(always)]
+    pub(crate) fn is_empty(&self, number: usize) -> bool {
+        self.empty >> number & 1 == 1
+    }
+}
+
 /// Looks at the next blocks, and prepares the triangles that they see.
 #[inline(always)]
-fn look_ahead<S: Simd>(
+pub(crate) fn look_ahead<S: Simd>(
     simd: S,
     scene: &ShadingContext<'_>,
     tile: &Tile,

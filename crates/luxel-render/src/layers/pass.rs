@@ -6,17 +6,17 @@ use crate::context::{AttributeMask, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
 use crate::frame::{
-    ALL_BLOCKS, Bands, CoveragePolicy, Picture, RenderError, Renderer, TilePixels, TileWork,
-    for_all_tiles, lights_with_terms, place_in_tile, put_block,
+    AHEAD, ALL_BLOCKS, Bands, CoveragePolicy, Picture, RenderError, Renderer, TilePixels, TileWork,
+    for_all_tiles, lights_with_terms, look_ahead, place_in_tile, put_block,
 };
 use crate::interpolate::Batch;
-use crate::resolve::{Bytes, Finish, empty_pixel, single_triangle};
+use crate::resolve::{Bytes, Finish, empty_pixel};
 use crate::shade::{BlockWitness, ThreadCache, point_of, shade, surface_fragments};
 use crate::view::{ShadingMode, View};
 use luxel_lighting::{LightTerms, PictureEncoding};
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
 use luxel_scene::{Projection, SceneLight};
-use luxel_visibility::{TILE, Tile, TriangleId};
+use luxel_visibility::{BLOCK, TILE, Tile, TriangleId};
 use std::ops::Range;
 
 impl Renderer<'_> {
@@ -235,8 +235,35 @@ impl Pass<'_> {
 
     #[inline(always)]
     fn shade_tile<S: Simd>(&self, simd: S, worker: &mut LayerWorker) {
-        for block in 0..ALL_BLOCKS {
-            self.shade_block(simd, worker, block);
+        for first in (0..ALL_BLOCKS).step_by(AHEAD) {
+            let LayerWorker { tile, cache, .. } = &mut *worker;
+            let ahead = look_ahead(simd, self.scene, tile, first, cache);
+            for number in 0..AHEAD {
+                if ahead.is_empty(number) {
+                    self.fill_block(worker, first + number);
+                } else {
+                    self.shade_block(simd, worker, first + number);
+                }
+            }
+        }
+    }
+
+    /// Fills a block in which nothing is seen.
+    fn fill_block(&self, worker: &mut LayerWorker, block: usize) {
+        let LayerWorker { pixels, tiles, .. } = worker;
+        if self.pixels.is_some() {
+            put_block(pixels, block, &[self.finish().pixel(empty_pixel(self.scene)); LANES]);
+        }
+        for (plane, values) in self.planes.iter().zip(tiles) {
+            match values {
+                TileValues::F32(values) => {
+                    let nothing = [[background(plane.layer); LANES]; 3];
+                    put_values(values, block, plane.channels, &nothing);
+                }
+                TileValues::U32(values) => {
+                    put_values(values, block, plane.channels, &[[u32::MAX; LANES]; 3]);
+                }
+            }
         }
     }
 
@@ -245,23 +272,6 @@ impl Pass<'_> {
         let Self { scene, .. } = *self;
         let LayerWorker { tile, cache, pixels, tiles, of_lights } = worker;
         let like = f32x16::splat(simd, 0.0);
-        if single_triangle(simd, tile, block) == Some(TriangleId::NONE.0) {
-            if self.pixels.is_some() {
-                put_block(pixels, block, &[self.finish().pixel(empty_pixel(scene)); LANES]);
-            }
-            for (plane, values) in self.planes.iter().zip(tiles) {
-                match values {
-                    TileValues::F32(values) => {
-                        let nothing = [[background(plane.layer); LANES]; 3];
-                        put_values(values, block, plane.channels, &nothing);
-                    }
-                    TileValues::U32(values) => {
-                        put_values(values, block, plane.channels, &[[u32::MAX; LANES]; 3]);
-                    }
-                }
-            }
-            return;
-        }
         let samples = scene.frame.samples();
         let ids = tile.planes()[0].ids[block];
         let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
@@ -452,6 +462,14 @@ fn stored<N: Number>(numbers: [N; 3], seen: N::Mask, background: f32) -> BlockVa
 /// Writes a block's values among the rows of its tile.
 #[inline(always)]
 fn put_values<T: Copy>(into: &mut [T], block: usize, channels: usize, values: &[[T; LANES]; 3]) {
+    if channels == 1 {
+        const SIDE: usize = BLOCK as usize;
+        for (row, values) in values[0].as_chunks::<SIDE>().0.iter().enumerate() {
+            let at = place_in_tile(block, row * SIDE);
+            into[at..at + SIDE].copy_from_slice(values);
+        }
+        return;
+    }
     for lane in 0..LANES {
         let at = place_in_tile(block, lane) * channels;
         for (into, values) in into[at..at + channels].iter_mut().zip(values) {
