@@ -3,7 +3,7 @@
 
 use crate::drawing::{Pixels, Shown};
 use crate::region::Region;
-use crate::told::Element;
+use crate::surface_hit::Element;
 use crate::view::PickView;
 use crate::window::PhysicalPosition;
 use luxel_parallel::map;

@@ -1,10 +1,8 @@
 //! Rays through the world: two levels, the objects' boxes and the trees of their meshes.
 
-use crate::bvh::{Child, Places, Slabs, step};
-use crate::intersect::Ray;
 use crate::picker::Picker;
-use crate::rays::RayHit;
 use glam::DVec3;
+use luxel_bvh::{Ray, RayHit};
 use luxel_parallel::fill;
 
 /// A ray through the world: every place `origin + t direction` with t from `range`.
@@ -167,31 +165,16 @@ impl Picker<'_> {
     /// Visits the objects whose boxes a ray meets, near ones first; `visit` gives the farthest t
     /// that still counts.
     fn each_object(&self, ray: &WorldRay, mut visit: impl FnMut(usize, f64) -> f64) {
-        let Some(bounds) = self.top.bounds.filter(|_| ray.is_sound()) else { return };
+        let Some(bounds) = self.top.bounds().filter(|_| ray.is_sound()) else { return };
         let origin = ray.origin - self.middle;
-        let bounds = [bounds.low, bounds.high];
         let Some(near) = NearRay::new(origin, ray.direction, ray.range, bounds) else { return };
-        let largest = self.top.bounds.map_or([0.0; 3], |bounds| bounds.largest());
-        let slabs = Slabs::new(near.ray.origin, near.ray.direction, 0.0, largest);
-        // A little farther than told: distances in f32 and f64 differ by rounding.
+        // A little farther than `visit` says: distances in f32 and f64 differ by rounding.
         let within = |t: f64| ((t - near.start) / near.scale * (1.0 + 1e-5)) as f32;
         let mut farthest = ray.range[1];
-        let mut limit = near.ray.range[1];
-        let (places, mut top) = (Places::new(), 0);
-        let mut next = Some(Child::inner(0));
-        while let Some(child) = next {
-            if let Some((start, count)) = child.as_leaf() {
-                for &object in &self.top.items[start..start + count] {
-                    farthest = visit(object as usize, farthest);
-                    limit = limit.min(within(farthest).next_up());
-                }
-            } else {
-                let node = &self.top.nodes[child.0 as usize];
-                let (distances, bits) = step(self.level, node, &slabs, limit);
-                places.push(&mut top, node.words(), &distances, bits);
-            }
-            next = places.pop(&mut top, limit).map(Child);
-        }
+        self.top.visit_along(self.level, &near.ray, |object| {
+            farthest = visit(object as usize, farthest);
+            within(farthest).next_up()
+        });
     }
 
     /// A ray in the coordinates of an object's tree.
