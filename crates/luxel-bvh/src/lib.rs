@@ -64,4 +64,6 @@ pub use bvh::{Bvh, TooManyForTree};
 pub use intersect::SlabTest;
 pub use ray::{Ray, RayHit};
 pub use rays::MeshRays;
-pub use tree::{Block, Child, LeafBlocks, MAX_TRIANGLES, Node, Subtree, TreeView, WIDTH};
+pub use tree::{
+    Block, Child, LeafBlocks, MAX_TRIANGLES, Node, Subtree, TreeView, VertexMap, WIDTH,
+};

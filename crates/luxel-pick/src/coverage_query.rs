@@ -11,10 +11,10 @@
 use crate::view::{Geometry, Instance, PickView, Thickness};
 use crate::world_rays::NearRay;
 use glam::DVec3;
-use luxel_bvh::{Block, Child, Node, SlabTest, Subtree, WIDTH};
+use luxel_bvh::{Block, Child, Node, SlabTest, Subtree, VertexMap, WIDTH};
 use luxel_math::{Mask, Number, SUBPIXELS, Simd, dispatch_long, f32x8, prelude::*};
 use luxel_scene::Mesh;
-use luxel_visibility::Coverage;
+use luxel_visibility::{Coverage, Probe};
 use std::cell::RefCell;
 
 /// A triangle that covers a sample.
@@ -249,7 +249,7 @@ fn candidates<S: Simd>(
     sample: [f32; 2],
 ) -> u32 {
     let probe = &instance.probe;
-    let corners = block.map_corners(simd, &geometry.mesh.positions, |rows| probe.snapped(rows));
+    let corners = block.map_corners(simd, &geometry.mesh.positions, &SnapToSubPixels(probe));
     let mut aside = 0;
     for axis in 0..2 {
         let at = f32x8::splat(simd, sample[axis]);
@@ -259,6 +259,16 @@ fn candidates<S: Simd>(
         aside |= (before | beyond).bits();
     }
     !aside
+}
+
+/// Where the fill rule snaps vertices to, in the window.
+struct SnapToSubPixels<'p>(&'p Probe);
+
+impl VertexMap<2> for SnapToSubPixels<'_> {
+    #[inline(always)]
+    fn map<S: Simd>(&self, position: [f32x8<S>; 3]) -> [f32x8<S>; 2] {
+        self.0.snapped(position)
+    }
 }
 
 impl Instance {

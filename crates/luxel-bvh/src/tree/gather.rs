@@ -42,25 +42,33 @@ pub(crate) fn gather<S: Simd>(simd: S, block: Block<'_>, positions: &[[f32; 3]])
     gathered
 }
 
+/// A function of vertices, for [`Block::map_corners`].
+///
+/// A trait and not a closure: only a method can be marked `#[inline(always)]`, and vector code that isn't
+/// inlined loses its instruction set.
+pub trait VertexMap<const N: usize> {
+    /// Maps x, y and z of eight vertices to N values each. Mark it `#[inline(always)]`.
+    fn map<S: Simd>(&self, position: [f32x8<S>; 3]) -> [f32x8<S>; N];
+}
+
 impl Block<'_> {
     /// Maps the vertices of the block's triangles and returns the results for the first, second and
     /// third corners, one triangle per lane; lanes beyond [`Self::count`] are arbitrary.
     ///
-    /// `map` takes x, y and z of eight vertices at a time. Vertices that triangles share are mapped
-    /// once.
+    /// Maps eight vertices at a time. Vertices that triangles share are mapped once.
     #[inline(always)]
     pub fn map_corners<S: Simd, const N: usize>(
         &self,
         simd: S,
         positions: &[[f32; 3]],
-        map: impl Fn([f32x8<S>; 3]) -> [f32x8<S>; N],
+        map: &impl VertexMap<N>,
     ) -> [[f32x8<S>; N]; 3] {
         let mut corners = [[f32x8::splat(simd, 0.0); N]; 3];
         match self.header().rows() {
             VertexRows::Shared => {
                 let rows =
                     [load_row(simd, *self, 0), load_row(simd, *self, 1), load_row(simd, *self, 2)];
-                let mapped = map(rows);
+                let mapped = map.map(rows);
                 let words = self.triangle_words(simd);
                 for (corner, at) in [words, words >> 3, words >> 6].into_iter().enumerate() {
                     for value in 0..N {
@@ -71,7 +79,7 @@ impl Block<'_> {
             VertexRows::Separate => {
                 for (corner, mapped) in corners.iter_mut().enumerate() {
                     let row = 3 * corner;
-                    *mapped = map([
+                    *mapped = map.map([
                         load_row(simd, *self, row),
                         load_row(simd, *self, row + 1),
                         load_row(simd, *self, row + 2),
@@ -80,7 +88,7 @@ impl Block<'_> {
             }
             VertexRows::Numbers => {
                 for (corner, mapped) in corners.iter_mut().enumerate() {
-                    *mapped = map(gather_corner(simd, *self, corner, positions));
+                    *mapped = map.map(gather_corner(simd, *self, corner, positions));
                 }
             }
         }
