@@ -3,7 +3,7 @@
 //! A box stores its low corner and the negated high corner, so that the union of two boxes is one
 //! minimum of eight lanes.
 
-use super::Quality;
+use super::quality::Quality;
 use crate::aabb::Aabb;
 use bytemuck::{Pod, Zeroable};
 use luxel_math::{Simd, f32x8, prelude::*};

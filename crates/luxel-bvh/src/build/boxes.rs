@@ -4,6 +4,9 @@ use super::bins::BoxRef;
 use crate::aabb::Aabb;
 use std::ops::Range;
 
+/// Items per task where each takes little time.
+pub(super) const CHUNK: usize = 1 << 13;
+
 /// Items that have boxes. The provided methods process many per virtual call.
 pub(crate) trait Boxes: Sync {
     /// The number of items.

@@ -1,6 +1,6 @@
 //! Trees in the order of their items.
 
-use super::{Boxes, CHUNK};
+use super::boxes::{Boxes, CHUNK};
 use crate::aabb::Aabb;
 use crate::pages::Pages;
 use crate::tree::{Child, Node, Tree, WIDTH};

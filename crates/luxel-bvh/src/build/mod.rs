@@ -22,13 +22,11 @@ pub use quality::Quality;
 use crate::pages::Pages;
 use crate::tree::{Child, Node, Tree, WIDTH};
 use bins::{BoxRef, Side};
+use boxes::CHUNK;
 use luxel_math::{Level, SimdLevel};
 use luxel_parallel::{any, fill};
 use run::Run;
 use split::{BuildSettings, side_of};
-
-/// Items per task where each takes little time.
-const CHUNK: usize = 1 << 13;
 
 /// Builds a tree over items that have boxes, without those whose box isn't sound.
 pub(crate) fn build(boxes: &dyn Boxes, quality: Quality) -> Tree {

@@ -1,6 +1,6 @@
 //! Splits become nodes of eight children.
 
-use super::Quality;
+use super::quality::Quality;
 use super::run::{Part, Run};
 use super::split::{BuildSettings, split};
 use crate::aabb::Aabb;

@@ -2,11 +2,11 @@
 //! hits the whole hits a part with a probability proportional to the part's surface. Candidates are
 //! the planes between equal bins along an axis (Wald 2007).
 
-use super::Quality;
 use super::bins::{
     BinMapping, Bins, BoxLanes, BoxRef, EMPTY, NO_BINS, Side, SplitPlane, box_of, centroids_of,
     fill, lanes, longest,
 };
+use super::quality::Quality;
 use luxel_math::{Level, Simd, dispatch_long, f32x8, prelude::*};
 use luxel_parallel::{each, map};
 

@@ -326,3 +326,59 @@ pub(crate) fn trace_in_turns<S: Simd, Q: RayQuery>(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::build::Quality;
+    use crate::bvh::Bvh;
+    use crate::traverse::query::{AnyHit, ClosestHit};
+
+    /// Rays that take turns in a tree of any size, some of them of unusual length.
+    #[test]
+    fn rays_that_are_rescaled_leave_those_that_wait_alone() {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 40) as f32 / (1 << 23) as f32 - 1.0
+        };
+        let mut positions: Vec<[f32; 3]> = Vec::new();
+        for _ in 0..4000 {
+            let corner = [next(), next(), next()];
+            positions.push(corner);
+            positions.push([corner[0] + 0.4 * next(), corner[1] + 0.4 * next(), corner[2]]);
+            positions.push([corner[0], corner[1] + 0.4 * next(), corner[2] + 0.4 * next()]);
+        }
+        let triangles: Vec<[u32; 3]> =
+            (0..4000).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect();
+        let bvh = Bvh::build(&positions, &triangles, Quality::Thorough).expect("there are few");
+        let target = RayTarget::new(&bvh, &positions, Level::baseline());
+        let mut ray = |at: usize| {
+            let scale = if at % 3 == 0 { 1e-20 } else { 1.0 };
+            let direction = [next() * scale, next() * scale, next() * scale];
+            Ray::new([2.0 * next(), 2.0 * next(), 2.0 * next()], direction)
+        };
+        let rays: Vec<Ray> = (0..2000).map(&mut ray).collect();
+        let all = 0..rays.len();
+        let (mut hits, mut any) = (vec![None; rays.len()], vec![false; rays.len()]);
+        STACKS.with(|stacks| {
+            dispatch_long!(Level::baseline(), simd => {
+                trace_in_turns::<_, ClosestHit>(simd, &target, &rays, all.clone(), &mut hits, &stacks.turns);
+                trace_in_turns::<_, AnyHit>(simd, &target, &rays, all.clone(), &mut any, &stacks.turns);
+            });
+        });
+        assert!(any.iter().filter(|hit| **hit).count() > 300);
+        for (at, ray) in rays.iter().enumerate() {
+            let setup = dispatch_long!(Level::baseline(), simd => set_up(simd, &target, ray));
+            let mut expected = None;
+            match setup {
+                RaySetup::Unusual => expected = trace_unusual::<ClosestHit>(&target, ray),
+                RaySetup::Misses => {}
+                RaySetup::Hits(slabs) => {
+                    trace_usual::<ClosestHit>(&target, ray, &slabs, &mut expected);
+                }
+            }
+            assert_eq!((hits[at], any[at]), (expected, expected.is_some()), "{ray:?}");
+        }
+    }
+}
