@@ -20,6 +20,7 @@
 //! | [`scene`] | what there is: meshes, nodes, cameras, lights, textures, the built-in demos |
 //! | [`lighting`] | what a lit surface point sends to the eye |
 //! | [`check`] | what in a mesh spoils its shading |
+//! | [`bvh`] | rays against triangles: closest, any and all hits |
 //! | [`pick`] | what is under the mouse: rays, pixels, rectangles |
 //! | [`render`] | pictures and layers of a scene |
 //! | [`navigation`] | from mouse and keys to the camera, without a window |
@@ -33,6 +34,7 @@ mod view;
 
 pub use draw::{draw, write_png};
 pub use load::load;
+pub use luxel_bvh as bvh;
 pub use luxel_check as check;
 pub use luxel_formats as formats;
 pub use luxel_lighting as lighting;
