@@ -61,13 +61,13 @@ fn random_rays(count: usize) -> Vec<Ray> {
         state ^= state << 17;
         (state >> 11) as f64 / (1_u64 << 53) as f64
     };
-    let mut place = || {
+    let mut point = || {
         let (z, angle) = (next() * 2.0 - 1.0, next() * std::f64::consts::TAU);
         let (sine, cosine) = libm::sincos(angle);
         DVec3::new(cosine * (1.0 - z * z).sqrt(), sine * (1.0 - z * z).sqrt(), z) * 1.5
     };
     let mut ray = || {
-        let (from, to) = (place(), place());
+        let (from, to) = (point(), point());
         Ray::new(from.as_vec3().to_array(), (to - from).as_vec3().to_array())
     };
     (0..count).map(|_| ray()).collect()

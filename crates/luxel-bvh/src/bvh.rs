@@ -154,8 +154,9 @@ mod tests {
 
     /// A sheet of two triangles a cell, row by row.
     fn sheet(side: u32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
-        let place = |at: u32| [(at % side) as f32, (at / side) as f32, (at as f32 * 0.7).fract()];
-        let positions = (0..side * side).map(place).collect();
+        let position =
+            |at: u32| [(at % side) as f32, (at / side) as f32, (at as f32 * 0.7).fract()];
+        let positions = (0..side * side).map(position).collect();
         let cells = (0..side * (side - 1)).filter(|at| at % side != side - 1);
         let triangles =
             cells.flat_map(|at| [[at, at + 1, at + side], [at + 1, at + side + 1, at + side]]);

@@ -124,17 +124,17 @@ mod tests {
             let mut pages = Pages::<u64>::zeroed(length);
             assert_eq!(pages.len(), length);
             assert!(pages.iter().all(|value| *value == 0));
-            for (place, value) in pages.iter_mut().enumerate() {
-                *value = place as u64;
+            for (index, value) in pages.iter_mut().enumerate() {
+                *value = index as u64;
             }
-            assert!((0..).zip(pages.iter()).all(|(place, value)| *value == place));
+            assert!((0..).zip(pages.iter()).all(|(index, value)| *value == index));
         }
     }
 
     #[test]
     fn a_copy_is_a_list_of_its_own() {
         for length in LENGTHS {
-            let values: Vec<[f32; 3]> = (0..length).map(|place| [place as f32, 1.0, 2.0]).collect();
+            let values: Vec<[f32; 3]> = (0..length).map(|index| [index as f32, 1.0, 2.0]).collect();
             let pages = Pages::copied(&values);
             let mut copy = pages.clone();
             assert_eq!(copy[..], values[..]);

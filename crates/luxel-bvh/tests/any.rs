@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Random, bumpy_sphere, corners, grids, meets};
+use common::{Random, bumpy_sphere, corners, grids, intersect};
 use luxel_bvh::{Bvh, MeshRays, Quality, Ray};
 use luxel_math::SimdLevel;
 use luxel_scene::Mesh;
@@ -16,7 +16,7 @@ fn brute_force(mesh: &Mesh, ray: &Ray) -> Option<bool> {
     let [nearest, farthest] = ray.range.map(f64::from);
     let mut certain = Some(false);
     for triangle in 0..mesh.triangles.len() {
-        let Some((t, inside)) = meets(ray, corners(mesh, triangle)) else { continue };
+        let Some((t, inside)) = intersect(ray, corners(mesh, triangle)) else { continue };
         let slack = 1e-4 * (1.0 + t.abs());
         if inside > 1e-4 && t > nearest + slack && t < farthest - slack {
             return Some(true);
@@ -113,14 +113,14 @@ fn both_ends_of_the_range_count() {
 proptest! {
     #[test]
     fn triangle_soups_occlude_where_brute_force_says(
-        places in prop::collection::vec(prop::array::uniform3(-3.0..3.0_f32), 3..200),
+        points in prop::collection::vec(prop::array::uniform3(-3.0..3.0_f32), 3..200),
         size in prop::sample::select(vec![0.02_f32, 0.5, 4.0]),
         from in prop::array::uniform3(-5.0..5.0_f32),
         to in prop::array::uniform3(-5.0..5.0_f32),
     ) {
         let mut mesh = Mesh::default();
-        for (at, place) in (0..).zip(places.chunks_exact(3)) {
-            let [a, b, c] = [place[0], place[1], place[2]];
+        for (at, point) in (0..).zip(points.chunks_exact(3)) {
+            let [a, b, c] = [point[0], point[1], point[2]];
             let near = |p: [f32; 3]| std::array::from_fn(|axis| a[axis] + p[axis] * size);
             mesh.positions.extend([a, near(b), near(c)]);
             mesh.triangles.push([3 * at, 3 * at + 1, 3 * at + 2]);

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Random, bumpy_sphere, corners, d, grids, meets};
+use common::{Random, bumpy_sphere, corners, d, grids, intersect};
 use luxel_bvh::{Bvh, MeshRays, Quality, Ray, RayHit};
 use luxel_math::SimdLevel;
 use luxel_scene::Mesh;
@@ -15,7 +15,7 @@ use proptest::prelude::*;
 fn check(mesh: &Mesh, ray: &Ray, hit: Option<RayHit>) -> Result<(), String> {
     let mut certain = f64::INFINITY;
     for triangle in 0..mesh.triangles.len() {
-        if let Some((t, inside)) = meets(ray, corners(mesh, triangle))
+        if let Some((t, inside)) = intersect(ray, corners(mesh, triangle))
             && inside > 1e-4
             && t > f64::from(ray.range[0])
             && t < f64::from(ray.range[1])
@@ -32,7 +32,7 @@ fn check(mesh: &Mesh, ray: &Ray, hit: Option<RayHit>) -> Result<(), String> {
             if t > certain + tolerance {
                 return Err(format!("{hit:?} lies behind what is at {certain}"));
             }
-            let own = meets(ray, corners(mesh, hit.triangle as usize));
+            let own = intersect(ray, corners(mesh, hit.triangle as usize));
             match own {
                 Some((own, inside)) if (own - t).abs() < tolerance && inside > -1e-3 => Ok(()),
                 other => Err(format!("{hit:?} isn't there: {other:?}")),
@@ -142,7 +142,7 @@ fn a_million_rays_at_shared_edges_and_vertices_of_a_closed_mesh_leak_nowhere() {
     for (ray, hit) in aimed.iter().zip(hits) {
         let Some(hit) = hit else {
             // A ray that grazes the outline may pass by.
-            let all = (0..mesh.triangles.len()).filter_map(|at| meets(ray, corners(&mesh, at)));
+            let all = (0..mesh.triangles.len()).filter_map(|at| intersect(ray, corners(&mesh, at)));
             let deepest = all.map(|(_, inside)| inside).fold(f64::NEG_INFINITY, f64::max);
             assert!(deepest < 1e-5, "{ray:?} leaks: it passes {deepest} inside");
             at_outline += 1;
@@ -164,7 +164,7 @@ fn a_million_rays_at_shared_edges_and_vertices_of_a_closed_mesh_leak_nowhere() {
 
 #[test]
 fn a_ray_through_an_edge_or_corner_takes_the_lowest_triangle() {
-    // A fan about a point: the ray through the middle meets all eight.
+    // A fan about a point: the ray through the middle intersect all eight.
     let mut positions = vec![[0.1, 0.2, 0.3]];
     let mut triangles = Vec::new();
     for step in 0..8_u32 {
@@ -348,7 +348,7 @@ fn nothing_is_hit_in_an_empty_mesh_or_by_what_is_no_ray() {
 proptest! {
     #[test]
     fn triangle_soups_are_hit_where_brute_force_says(
-        places in prop::collection::vec(prop::array::uniform3(-3.0..3.0_f32), 3..200),
+        points in prop::collection::vec(prop::array::uniform3(-3.0..3.0_f32), 3..200),
         size in prop::sample::select(vec![0.02_f32, 0.5, 4.0]),
         scale in prop::sample::select(vec![1.0_f32, 1e-6, 1e6]),
         origin in prop::array::uniform3(-5.0..5.0_f32),
@@ -356,8 +356,8 @@ proptest! {
         range in prop::sample::select(vec![[0.0, f32::INFINITY], [0.5, 4.0]]),
     ) {
         let mut mesh = Mesh::default();
-        for (at, place) in places.chunks_exact(3).enumerate() {
-            let [a, b, c] = [place[0], place[1], place[2]];
+        for (at, point) in points.chunks_exact(3).enumerate() {
+            let [a, b, c] = [point[0], point[1], point[2]];
             let near = |p: [f32; 3]| std::array::from_fn(|axis| a[axis] + p[axis] * size);
             mesh.positions.extend([a, near(b), near(c)].map(|p: [f32; 3]| p.map(|x| x * scale)));
             let first = 3 * at as u32;

@@ -53,7 +53,7 @@ thread_local! {
 }
 
 impl PickView<'_> {
-    /// What a sample sees; its position is in steps of 1/256 pixel.
+    /// The surface that a sample sees; its position is in steps of 1/256 pixel.
     pub(crate) fn owner(&self, position: [i32; 2]) -> Option<Covering> {
         let mut best: Option<Covering> = None;
         for number in self.instances_at(position.map(|steps| steps.div_euclid(SUBPIXELS))) {
@@ -71,7 +71,7 @@ impl PickView<'_> {
         best
     }
 
-    /// Everything under a sample, nearest first.
+    /// All surfaces under a sample, nearest first.
     pub(crate) fn all_covering(&self, position: [i32; 2]) -> Vec<Covering> {
         let mut all = Vec::new();
         for number in self.instances_at(position.map(|steps| steps.div_euclid(SUBPIXELS))) {
@@ -94,8 +94,8 @@ impl PickView<'_> {
         all
     }
 
-    /// Visits the triangles that cover a sample, of the instance at a place of the view; `visit` gives
-    /// the depth below which nothing counts any more.
+    /// Visits the triangles of an instance that cover a sample; `visit` returns the depth below which
+    /// nothing counts any more.
     fn each_covering(
         &self,
         place: usize,
@@ -153,7 +153,7 @@ impl PickView<'_> {
         Some(ThickRay { slabs, farthest, sample: position.map(|steps| steps as f32) })
     }
 
-    /// Whether the surface isn't there: cut away, or wholly transparent.
+    /// Whether the surface is cut away or fully transparent there.
     pub(crate) fn is_hole(&self, covering: &Covering, position: [i32; 2]) -> bool {
         let instance = &self.instances[covering.instance];
         let geometry = self.geometry(instance);
@@ -272,7 +272,7 @@ impl VertexMap<2> for SnapToSubPixels<'_> {
 }
 
 impl Instance {
-    /// No sample of what is in a node's children has a larger depth.
+    /// An upper bound of the depth of any sample inside each child of a node.
     #[inline(always)]
     fn nearest<S: Simd>(&self, simd: S, node: &Node) -> [f32; WIDTH] {
         let mut depths = [f32::INFINITY; WIDTH];
@@ -327,8 +327,7 @@ mod tests {
         mesh
     }
 
-    /// Of all pairs of a triangle and one of many samples: how many there are, how many are asked,
-    /// and how many cover.
+    /// Counts all pairs of a triangle and a sample, those that are candidates, and those that cover.
     fn counted(shared: bool, quality: Quality, height: f64) -> [usize; 3] {
         let scene = Scene {
             meshes: vec![sheet(24, shared)],
@@ -359,10 +358,10 @@ mod tests {
                 for lane in 0..block.count() {
                     let corners = block.corners(lane, positions);
                     let covers = instance.probe.covers(corners, CullFaces::None, position);
-                    let is_asked = own >> lane & 1 != 0;
-                    assert!(is_asked || covers.is_none(), "{position:?} {corners:?}");
+                    let is_candidate = own >> lane & 1 != 0;
+                    assert!(is_candidate || covers.is_none(), "{position:?} {corners:?}");
                     counts[0] += 1;
-                    counts[1] += usize::from(is_asked);
+                    counts[1] += usize::from(is_candidate);
                     counts[2] += usize::from(covers.is_some());
                 }
             }
@@ -371,20 +370,20 @@ mod tests {
     }
 
     #[test]
-    fn what_covers_a_sample_is_asked_and_little_else() {
+    fn candidates_are_the_covering_triangles_and_few_others() {
         for (shared, quality) in
             [(true, Quality::Thorough), (false, Quality::Thorough), (true, Quality::InOrder)]
         {
-            let [all, asked, covers] = counted(shared, quality, 3.0);
-            assert!(covers > 10 && asked < 10 * covers, "{all} {asked} {covers}");
+            let [all, tested, covers] = counted(shared, quality, 3.0);
+            assert!(covers > 10 && tested < 10 * covers, "{all} {tested} {covers}");
             // Within the sheet, some of which is behind the eye.
-            let [all, asked, covers] = counted(shared, quality, 0.05);
-            assert!(covers > 50 && asked < all, "{all} {asked} {covers}");
+            let [all, tested, covers] = counted(shared, quality, 0.05);
+            assert!(covers > 50 && tested < all, "{all} {tested} {covers}");
         }
     }
 
     #[test]
-    fn depths_of_boxes_are_the_same_for_eight_as_for_one() {
+    fn depths_of_eight_boxes_are_those_of_one() {
         let scene = luxel_scene::demos::demo("teapot").unwrap();
         let picker = Picker::new(&scene).unwrap();
         let size = Size { width: 64, height: 48 };

@@ -1,5 +1,5 @@
-//! What of a tree may reach into a part of the window: boxes against the planes through its sides
-//! and the near and far planes.
+//! Frustum query: the triangles of a tree that may reach into a part of the window. Tests boxes against
+//! the planes through its sides and the near and far planes.
 
 use crate::region::Piece;
 use glam::{DMat4, DVec4};
@@ -55,7 +55,7 @@ impl Frustum {
         Self { planes: std::array::from_fn(rounded) }
     }
 
-    /// Visits the triangles of the leaves that may reach inside.
+    /// Visits the triangles of the leaves that may reach inside the frustum, block by block.
     pub(crate) fn each_leaf(&self, bvh: &Bvh, mut visit: impl FnMut(&[u32])) {
         bvh.view().visit_blocks(
             |node| self.meets(node),
@@ -70,7 +70,7 @@ impl Frustum {
         );
     }
 
-    /// A bit for each child that isn't wholly beyond one of the planes.
+    /// A bit for each child whose box isn't entirely outside of one plane.
     fn meets(&self, node: &Node) -> u32 {
         let mut outside = [false; WIDTH];
         for [x, y, z, w] in self.planes {

@@ -4,7 +4,7 @@
 //!
 //! | to ask | use |
 //! | --- | --- |
-//! | which triangle a ray meets first, whether any, all of them, for millions of rays | [`Bvh`], [`MeshRays`] |
+//! | closest, any and all hits of rays through one mesh | [`Bvh`], [`MeshRays`], from [`luxel_bvh`] |
 //! | what a frame shows at a pixel, and what lies behind it | [`Picker`], [`PickView`] |
 //! | what reaches into a rectangle or a polygon of the window, how near and how far | [`Region`], [`PickView::sliver`] |
 //! | what is seen there, in how many pixels | [`PickView::visible_in`], [`VisibleIds`] |

@@ -1,4 +1,4 @@
-//! A scene made ready for picking: a tree for each mesh, and one over all objects.
+//! A scene prepared for picking: a tree for each mesh, and one over all objects.
 
 use glam::{DMat3, DMat4, DVec3};
 use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
@@ -6,7 +6,7 @@ use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
 use luxel_parallel::{fill, map};
 use luxel_scene::{Mesh, Object, Scene};
 
-/// Why a scene can't be made ready.
+/// Why a scene can't be prepared.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PickError {
@@ -24,8 +24,8 @@ impl From<UnavailableSimdLevel> for PickError {
     }
 }
 
-/// A scene ready to be asked what is where: with rays through the world, or, as a
-/// [`PickView`](crate::PickView), for what a camera sees.
+/// A scene prepared for queries: world-space rays, and, through a [`PickView`](crate::PickView), what a
+/// camera sees.
 pub struct Picker<'s> {
     pub(crate) scene: &'s Scene,
     pub(crate) objects: Vec<Object>,
@@ -90,7 +90,7 @@ impl<'s> Picker<'s> {
         Self::with(scene, Quality::Thorough, SimdLevel::Auto)
     }
 
-    /// Builds the trees with a care and an instruction set of your choice.
+    /// Builds the trees with a given quality and instruction set.
     ///
     /// # Errors
     /// [`PickError`] if a mesh has too many triangles or the machine lacks the instructions.

@@ -1,5 +1,4 @@
-//! What is near a place of the window: vertices and edges of the polygon that was hit, points and
-//! lines that a finger would miss, and what a cursor snaps to.
+//! Snapping: vertices and edges close to a window position, points and lines within a tolerance.
 
 use crate::surface_hit::{Element, PickHit};
 use crate::view::PickView;

@@ -1,5 +1,5 @@
-//! What is told of a hit: the surface where the line of sight meets the triangle itself, by the
-//! formulas that light it.
+//! Surface attributes of a hit, where the line of sight hits the triangle itself, by the formulas that
+//! shade it.
 
 use crate::coverage_query::{Covering, part_of};
 use crate::view::{Instance, PickView};
@@ -72,7 +72,7 @@ impl PickView<'_> {
     #[must_use]
     pub fn at(&self, place: impl Into<PhysicalPosition>) -> Option<PickHit> {
         let position = self.steps(place.into())?;
-        Some(self.told(&self.owner(position)?, position))
+        Some(self.surface_hit(&self.owner(position)?, position))
     }
 
     /// Everything under a place of the window, nearest first.
@@ -83,7 +83,8 @@ impl PickView<'_> {
     pub fn through(&self, place: impl Into<PhysicalPosition>) -> Vec<PickHit> {
         let Some(position) = self.steps(place.into()) else { return Vec::new() };
         let all = self.all_covering(position);
-        let mut hits: Vec<_> = all.iter().map(|covering| self.told(covering, position)).collect();
+        let mut hits: Vec<_> =
+            all.iter().map(|covering| self.surface_hit(covering, position)).collect();
         if let Some((_, behind)) = hits.split_first_mut() {
             behind.sort_by(|a, b| a.depth.total_cmp(&b.depth));
         }
@@ -121,7 +122,7 @@ impl PickView<'_> {
     }
 
     /// The surface of a triangle at a sample that it covers.
-    pub(crate) fn told(&self, covering: &Covering, position: [i32; 2]) -> PickHit {
+    pub(crate) fn surface_hit(&self, covering: &Covering, position: [i32; 2]) -> PickHit {
         let &Covering { triangle, .. } = covering;
         let instance = &self.instances[covering.instance];
         let space = &instance.space;

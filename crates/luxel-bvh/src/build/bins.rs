@@ -167,11 +167,11 @@ pub(super) fn fill<S: Simd, const AXES: usize>(
         for [one, other] in pairs {
             let one = f32x8::simd_from(simd, one.0);
             let other = f32x8::simd_from(simd, other.0);
-            let places = scale.bins(simd, centroids_of(one));
-            let other_places = scale.bins(simd, centroids_of(other));
+            let bins_at = scale.bins(simd, centroids_of(one));
+            let other_bins_at = scale.bins(simd, centroids_of(other));
             for axis in 0..AXES {
-                bins[axis].add(simd, places[axes[axis] & 3], one);
-                others[axis].add(simd, other_places[axes[axis] & 3], other);
+                bins[axis].add(simd, bins_at[axes[axis] & 3], one);
+                others[axis].add(simd, other_bins_at[axes[axis] & 3], other);
             }
         }
         for (bins, others) in bins.iter_mut().zip(&others) {
@@ -180,20 +180,20 @@ pub(super) fn fill<S: Simd, const AXES: usize>(
     }
     for of in rest {
         let of = f32x8::simd_from(simd, of.0);
-        let places = scale.bins(simd, centroids_of(of));
+        let bins_at = scale.bins(simd, centroids_of(of));
         for axis in 0..AXES {
-            bins[axis].add(simd, places[axes[axis] & 3], of);
+            bins[axis].add(simd, bins_at[axes[axis] & 3], of);
         }
     }
 }
 
 impl Bins {
     #[inline(always)]
-    fn add<S: Simd>(&mut self, simd: S, place: usize, of: f32x8<S>) {
-        let place = place & (BINS - 1);
-        let bounds = &mut self.boxes[place];
+    fn add<S: Simd>(&mut self, simd: S, bin: usize, of: f32x8<S>) {
+        let bin = bin & (BINS - 1);
+        let bounds = &mut self.boxes[bin];
         f32x8::simd_from(simd, *bounds).min(of).store_slice(bounds);
-        self.counts[place] += 1;
+        self.counts[bin] += 1;
     }
 
     #[inline(always)]

@@ -8,16 +8,15 @@ use luxel_parallel::{fill, gather};
 
 /// Builds a tree that keeps the order of items: eight consecutive items make a leaf, eight leaves a
 /// node, and so on up to the root.
-pub(super) fn build(items_of: &dyn Boxes) -> Tree {
-    let items =
-        gather(items_of.count(), CHUNK, &|run, numbers| items_of.append_included(run, numbers));
+pub(super) fn build(source: &dyn Boxes) -> Tree {
+    let items = gather(source.count(), CHUNK, &|run, numbers| source.append_included(run, numbers));
     if items.is_empty() {
         return Tree::default();
     }
     let mut boxes = vec![Aabb::EMPTY; items.len().div_ceil(WIDTH)];
     fill(&mut boxes, CHUNK / WIDTH, &|start, run| {
         for (bounds, leaf) in run.iter_mut().zip(items[start * WIDTH..].chunks(WIDTH)) {
-            *bounds = items_of.union(leaf);
+            *bounds = source.union(leaf);
         }
     });
     // The lowest level first; children by their index in the level below.

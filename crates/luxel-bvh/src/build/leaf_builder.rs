@@ -125,7 +125,7 @@ fn leaves(nodes: &[Node]) -> impl Iterator<Item = Range<usize>> + Clone {
 ///
 /// The budget goes to the leaves whose boxes have the largest surface relative to the size of their
 /// copies, since rays reach those most often. Denying copies to the leaves that took the most per
-/// triangle instead hit long thin triangles, which most rays meet: on the uneven mesh of the
+/// triangle instead hit long thin triangles, which most rays hit: on the uneven mesh of the
 /// measurements random rays now take three fifths of that time.
 pub(crate) fn build_leaves(
     nodes: &mut [Node],
@@ -241,10 +241,10 @@ impl<S: Simd> OpenBlock<S> {
             let vertex = u32x8::splat(simd, corners[corner]);
             let found = vertices.simd_eq(vertex).to_bitmask() as u32;
             // The next free lane, if the vertex isn't there yet.
-            let place = (found | 1 << used).trailing_zeros();
-            vertices = lanes.simd_eq(place).select(vertex, vertices);
-            used += usize::from(place as usize == used);
-            word |= place << (3 * corner);
+            let lane = (found | 1 << used).trailing_zeros();
+            vertices = lanes.simd_eq(lane).select(vertex, vertices);
+            used += usize::from(lane as usize == used);
+            word |= lane << (3 * corner);
         }
         if used > WIDTH {
             return None;

@@ -24,7 +24,7 @@ const ITEMS_PER_FREE_SLOT: usize = 5;
 fn child_to_open(parts: &[Part<'_>]) -> Option<usize> {
     let room = ITEMS_PER_FREE_SLOT * (WIDTH + 1 - parts.len());
     let mut best: Option<(usize, bool, f32)> = None;
-    for (place, part) in parts.iter().enumerate() {
+    for (index, part) in parts.iter().enumerate() {
         let count = part.count();
         let is_large = count > FULL;
         if !is_large && (count <= WIDTH || count > room) {
@@ -33,10 +33,10 @@ fn child_to_open(parts: &[Part<'_>]) -> Option<usize> {
         let size = if is_large { part.bounds().half_area() } else { count as f32 };
         if best.is_none_or(|(_, large, most)| is_large & !large || is_large == large && size > most)
         {
-            best = Some((place, is_large, size));
+            best = Some((index, is_large, size));
         }
     }
-    best.map(|(place, ..)| place)
+    best.map(|(index, ..)| index)
 }
 
 /// The children of a node: opens parts until there are eight, then splits small leaves while slots
@@ -45,8 +45,8 @@ fn children(part: Part<'_>, settings: BuildSettings) -> Vec<Part<'_>> {
     let mut parts = Vec::with_capacity(WIDTH);
     parts.extend(part.split(settings));
     while parts.len() < WIDTH {
-        let Some(place) = child_to_open(&parts) else { break };
-        let [left, right] = parts.swap_remove(place).split(settings);
+        let Some(index) = child_to_open(&parts) else { break };
+        let [left, right] = parts.swap_remove(index).split(settings);
         parts.extend([left, right]);
     }
     while settings.quality == Quality::Thorough && parts.len() < WIDTH {
@@ -54,8 +54,8 @@ fn children(part: Part<'_>, settings: BuildSettings) -> Vec<Part<'_>> {
             Part::Run(run) => (SMALL_LEAF + 1..=WIDTH).contains(&run.refs.len()) && !run.keep_whole,
             Part::Split { .. } => false,
         };
-        let Some(place) = parts.iter().position(worth) else { break };
-        let Part::Run(run) = parts.swap_remove(place) else { break };
+        let Some(index) = parts.iter().position(worth) else { break };
+        let Part::Run(run) = parts.swap_remove(index) else { break };
         let (count, area) = (run.refs.len(), run.bounds.half_area());
         let halves = split(run.refs, run.scratch, &run.centroids, run.depth, settings);
         if halves.cost < area * count as f32 {
@@ -68,7 +68,7 @@ fn children(part: Part<'_>, settings: BuildSettings) -> Vec<Part<'_>> {
 }
 
 /// What a slot of a node refers to.
-enum Subtree {
+enum BuiltSubtree {
     /// The items from here on.
     Leaf(usize),
     /// The nodes of a task, its own first.
@@ -77,7 +77,7 @@ enum Subtree {
     Node(Vec<(Aabb, usize, Self)>, usize),
 }
 
-impl Subtree {
+impl BuiltSubtree {
     fn of(part: Part<'_>, settings: BuildSettings) -> Self {
         let part = match part {
             Part::Run(run) if run.refs.len() <= WIDTH => return Self::Leaf(run.start),
@@ -139,7 +139,7 @@ impl Subtree {
 
 /// The nodes of a part that exceeds a leaf, its own first.
 pub(super) fn build(part: Part<'_>, settings: BuildSettings) -> Pages<Node> {
-    let below = Subtree::of(part, settings);
+    let below = BuiltSubtree::of(part, settings);
     let mut nodes = Pages::zeroed(below.count());
     let mut tasks = Vec::new();
     below.write(0, &mut nodes, &mut tasks);

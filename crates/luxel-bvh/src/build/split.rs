@@ -108,25 +108,25 @@ pub(super) fn split_many(
         }
     }
     let mut best: Option<(usize, SplitPlane)> = None;
-    for (place, bins) in sum.iter().enumerate() {
-        let plane = dispatch_long!(settings.level, simd => bins.best_plane(simd, axes[place], mapping.bins));
+    for (index, bins) in sum.iter().enumerate() {
+        let plane = dispatch_long!(settings.level, simd => bins.best_plane(simd, axes[index], mapping.bins));
         if let Some(plane) = plane
             && best.is_none_or(|(_, best)| plane.cost < best.cost)
         {
-            best = Some((place, plane));
+            best = Some((index, plane));
         }
     }
-    let Some((place, plane)) = best else {
+    let Some((index, plane)) = best else {
         return (split_median(refs, centroids, depth, settings), false);
     };
-    let bins = &sum[place];
+    let bins = &sum[index];
     let left_of = |bins: &Bins| bins.counts[..plane.bin].iter().sum::<u32>() as usize;
     let at = left_of(bins);
     let (mut left, mut right) = scratch.split_at_mut(at);
     let mut centroids = vec![[EMPTY; 2]; of_runs.len()];
     let mut pieces = Vec::with_capacity(of_runs.len());
     for ((run, of_run), centroids) in refs.chunks(CHUNK).zip(&of_runs).zip(&mut centroids) {
-        let count = left_of(&of_run[place]);
+        let count = left_of(&of_run[index]);
         let (to_left, more_left) = left.split_at_mut(count);
         let (to_right, more_right) = right.split_at_mut(run.len() - count);
         (left, right) = (more_left, more_right);
@@ -196,13 +196,13 @@ fn partition<S: Simd>(
     let mut all = CentroidBounds { left: none, right: none };
     // Writes to both destinations, one of which is overwritten next: no branch to mispredict.
     let mut at = 0;
-    for place in 0..refs.len() {
-        let of = refs[place];
+    for index in 0..refs.len() {
+        let of = refs[index];
         let centroids = centroids_of(f32x8::simd_from(simd, of.0));
         let is_left = mapping.bins(simd, centroids)[plane.axis & 3] < plane.bin;
         all.include(simd, centroids, is_left);
         refs[at] = of;
-        scratch[place - at] = of;
+        scratch[index - at] = of;
         at += usize::from(is_left);
     }
     let count = refs.len() - at;
@@ -223,7 +223,7 @@ fn scatter<S: Simd>(
     let none = f32x8::splat(simd, f32::INFINITY);
     let mut all = CentroidBounds { left: none, right: none };
     let mut at = 0;
-    for (place, of) in refs.iter().enumerate() {
+    for (index, of) in refs.iter().enumerate() {
         let centroids = centroids_of(f32x8::simd_from(simd, of.0));
         let is_left = mapping.bins(simd, centroids)[plane.axis & 3] < plane.bin;
         all.include(simd, centroids, is_left);
@@ -231,7 +231,7 @@ fn scatter<S: Simd>(
         if let Some(to) = left.get_mut(at) {
             *to = *of;
         }
-        if let Some(to) = right.get_mut(place - at) {
+        if let Some(to) = right.get_mut(index - at) {
             *to = *of;
         }
         at += usize::from(is_left);

@@ -208,7 +208,7 @@ pub(crate) fn intersect_rays<N: Number>(
     let shear = [0, 1, 2].map(|axis: usize| load(lanes, &rays.shear[axis], group));
     let mut transformed: Transformed<N> = [[lanes; 3]; 3];
     for corner in 0..3 {
-        let at = corners[corner].map(|place| lanes.constant(place));
+        let at = corners[corner].map(|value| lanes.constant(value));
         let along = at[2] - z;
         transformed[0][corner] = at[0] - x - along * shear[0];
         transformed[1][corner] = at[1] - y - along * shear[1];

@@ -167,13 +167,13 @@ impl Packet {
                 store(far_origin, &mut self.far_origin[axis], group);
                 store(inverse, &mut self.inverse[axis], group);
             }
-            let meets = near.less_or_equal(far);
-            if !meets.any() {
+            let reaches = near.less_or_equal(far);
+            if !reaches.any() {
                 continue;
             }
             store(start, &mut self.start, group);
             // Rays that miss the box around all get an empty range.
-            store(end.select(meets, lanes.constant(-1.0)), &mut self.nearest, group);
+            store(end.select(reaches, lanes.constant(-1.0)), &mut self.nearest, group);
             self.numbers[group % GROUPS] = number;
             let [kx, ky, kz] = self.axes.map(|axis| axis.min(2));
             for (to, axis) in [kx, ky, kz].into_iter().enumerate() {

@@ -64,14 +64,14 @@ impl SharedSigns {
     #[inline(always)]
     pub(crate) fn include(&mut self, signs: SignBits) {
         let SignBits { usual, reversed, longest } = signs;
-        for (place, bits) in
+        for (at, bits) in
             (0..).zip([usual, reversed[0], reversed[1], reversed[2], longest[0], longest[1]])
         {
             if bits != u32::from(u8::MAX) {
-                self.all &= !(1 << place);
+                self.all &= !(1 << at);
             }
             if bits != 0 {
-                self.any |= 1 << place;
+                self.any |= 1 << at;
             }
         }
     }
@@ -82,7 +82,7 @@ impl SharedSigns {
         if all != self.any || all & 1 == 0 {
             return None;
         }
-        let bit = |place: u32| (all >> place & 1) as u8;
+        let bit = |at: u32| (all >> at & 1) as u8;
         let longest = if bit(4) != 0 { 0 } else { 2 - bit(5) };
         Some(PacketKind(bit(1) | bit(2) << 1 | bit(3) << 2 | longest << 3))
     }

@@ -354,7 +354,7 @@ mod tests {
         let bvh = Bvh::build(&positions, &triangles, Quality::Thorough).expect("there are few");
         let target = RayTarget::new(&bvh, &positions, Level::baseline());
         let mut ray = |at: usize| {
-            let scale = if at % 3 == 0 { 1e-20 } else { 1.0 };
+            let scale = if at.is_multiple_of(3) { 1e-20 } else { 1.0 };
             let direction = [next() * scale, next() * scale, next() * scale];
             Ray::new([2.0 * next(), 2.0 * next(), 2.0 * next()], direction)
         };

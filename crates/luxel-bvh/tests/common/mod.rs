@@ -36,7 +36,7 @@ pub(crate) fn d(v: [f32; 3]) -> DVec3 {
 }
 
 /// Moeller and Trumbore in f64: t, and how deep inside the triangle (least barycentric).
-pub(crate) fn meets(ray: &Ray, corners: [[f32; 3]; 3]) -> Option<(f64, f64)> {
+pub(crate) fn intersect(ray: &Ray, corners: [[f32; 3]; 3]) -> Option<(f64, f64)> {
     let [a, b, c] = corners.map(d);
     let (direction, ab, ac) = (d(ray.direction), b - a, c - a);
     let p = direction.cross(ac);
@@ -68,11 +68,11 @@ pub(crate) fn grids(mesh: &Mesh) -> Vec<Ray> {
         let step = [0.4, 0.05, 0.002, 1e-5][round / 4 % 4];
         let aim = random.point(0.7);
         let mut of_tile = Vec::new();
-        for place in 0..64_u8 {
-            let (right, up) = (f32::from(place % 8) - 3.5, f32::from(place / 8) - 3.5);
+        for point in 0..64_u8 {
+            let (right, up) = (f32::from(point % 8) - 3.5, f32::from(point / 8) - 3.5);
             let mut target = [aim[0] + right * step, aim[1] + up * step, aim[2]];
             if round % 5 == 4 {
-                let vertex = (round * 977 + usize::from(place) * 3) % mesh.positions.len();
+                let vertex = (round * 977 + usize::from(point) * 3) % mesh.positions.len();
                 target = mesh.positions[vertex];
             }
             let ray = match round % 3 {
@@ -81,7 +81,7 @@ pub(crate) fn grids(mesh: &Mesh) -> Vec<Ray> {
                 1 => Ray::new([target[0], target[1], 4.0], [0.0, -0.0, -1.0]),
                 _ => Ray::new([target[0], target[1], 4.0], [0.1, 0.05, -1.0]),
             };
-            let range = [[0.0, f32::INFINITY], [0.5, 3.1], [0.0, 3.4]][usize::from(place) % 3];
+            let range = [[0.0, f32::INFINITY], [0.5, 3.1], [0.0, 3.4]][usize::from(point) % 3];
             of_tile.push(if round % 2 == 0 { ray } else { Ray { range, ..ray } });
         }
         match round % 6 {
