@@ -27,13 +27,14 @@ pub struct Node {
 
 const _: () = assert!(size_of::<Node>() == 224, "a node touches four cache lines");
 
-/// A reference to a child: an inner node by index, or a leaf.
-///
-/// One bit says which; a leaf of a [`Tree`] has four bits for its count and 27 for its first item, a
-/// leaf over triangles the index of its first word.
+/// A reference to a child: an inner node, or a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 #[repr(transparent)]
-pub struct Child(pub(crate) u32);
+pub struct Child(
+    // One bit says whether it is a leaf. A node has its index; a leaf over items four bits for their count
+    // and 27 for the first, a leaf over triangles the index of its first word.
+    pub(crate) u32,
+);
 
 impl Child {
     pub(crate) const NONE: Self = Self(LEAF);
