@@ -23,6 +23,7 @@
 //! | [`bvh`] | rays against triangles: closest, any and all hits |
 //! | [`pick`] | what is under the mouse: rays, pixels, rectangles |
 //! | [`render`] | pictures and layers of a scene |
+//! | [`report`] | the light of a pixel term by term, and picks, as text, JSON, LaTeX, HTML |
 //! | [`navigation`] | from mouse and keys to the camera, without a window |
 //! | [`math`] | numbers with the same bits everywhere |
 
@@ -42,6 +43,7 @@ pub use luxel_math as math;
 pub use luxel_navigation as navigation;
 pub use luxel_pick as pick;
 pub use luxel_render as render;
+pub use luxel_report as report;
 pub use luxel_scene as scene;
 pub use view::{
     DEFAULT_AZIMUTH_DEGREES, DEFAULT_ELEVATION_DEGREES, DEFAULT_FOV_DEGREES, DEFAULT_SAMPLES,

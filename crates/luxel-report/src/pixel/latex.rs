@@ -1,22 +1,20 @@
 //! The ledger as LaTeX: the equation with its symbols, then with this pixel's numbers.
 
-use super::Told;
-use super::equation::{
-    Factor, LightRows, LitPlace, PartRow, Row, highlight_vector, lit_places, number,
+use super::report::Report;
+use super::sentences::{encoded, nearest, part_of, point_name, share, surface_path, why_not_seen};
+use crate::equation::{
+    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, highlight_vector, point_terms,
+    shading_points,
 };
-use super::rows::rows;
-use super::words::{
-    Mixture, capital, coordinate, encoded, kind_name, nearest, part_of, place_name, share,
-    surface_path, why_not_seen,
-};
-use luxel::lighting::{Attenuation, LightKind, PictureEncoding};
-use luxel::render::{ExplainedLight, ExplainedSample, ExplainedSurface, Explanation, Seen};
+use crate::words::{capital, coordinate, kind_name, model_name, number};
+use luxel_lighting::{Attenuation, LightKind, PictureEncoding};
+use luxel_render::{ExplainedLight, ExplainedSample, ExplainedSurface, Explanation, Seen};
 use std::fmt::Write;
 
 /// A fragment for a document with amsmath.
-pub(super) fn fragment(told: &Told<'_>) -> String {
+pub(crate) fn fragment(report: &Report<'_>) -> String {
     let mut page = Page { text: String::new() };
-    page.tell(told);
+    page.whole(report);
     page.text
 }
 
@@ -45,9 +43,9 @@ impl Page {
         self.line("\\end{align*}");
     }
 
-    fn tell(&mut self, told: &Told<'_>) {
+    fn whole(&mut self, report: &Report<'_>) {
         let Explanation { pixel: [x, y], position, samples, rgba8: [r, g, b, alpha], .. } =
-            told.explanation;
+            report.explanation;
         let place = match position {
             Some([x, y]) => format!("Point ({x}, {y})"),
             None => format!("Pixel ({x}, {y})"),
@@ -59,22 +57,22 @@ impl Page {
         );
         self.line(&format!(
             "\\textbf{{{place} of \\texttt{{{}}}}}: red {r}, green {g}, blue {b}, alpha {alpha}.",
-            escaped(&told.model)
+            escaped(report.model)
         ));
-        for (place, entry) in samples.iter().enumerate() {
-            self.sample(entry, told);
-            for (_, sentence) in why_not_seen(place, told) {
+        for (index, entry) in samples.iter().enumerate() {
+            self.sample(entry, report);
+            for (_, sentence) in why_not_seen(index, report) {
                 self.paragraph(&format!("Not seen: {}.", escaped(&sentence)));
             }
         }
-        if let Some(nearest) = nearest(told) {
+        if let Some(nearest) = nearest(report) {
             self.paragraph(&format!("Here {}.", escaped(&nearest)));
         }
-        self.pixel(told);
+        self.pixel(report);
         self.line("\\par\\endgroup");
     }
 
-    fn sample(&mut self, entry: &ExplainedSample, told: &Told<'_>) {
+    fn sample(&mut self, entry: &ExplainedSample, report: &Report<'_>) {
         let layers = entry.seen.len();
         for (depth, seen) in entry.seen.iter().enumerate() {
             let which = match (depth, layers) {
@@ -88,7 +86,7 @@ impl Page {
                     let (behind, alpha) = (color(*behind), math(*alpha));
                     self.paragraph(&format!("{which} the background ${behind}$, alpha ${alpha}$."));
                 }
-                Seen::Surface(surface) => self.surface(&which, surface, told),
+                Seen::Surface(surface) => self.surface(&which, surface, report),
             }
         }
         if layers > 1 {
@@ -110,30 +108,30 @@ impl Page {
         }
     }
 
-    fn surface(&mut self, which: &str, surface: &ExplainedSurface, told: &Told<'_>) {
-        let path = escaped(&surface_path(surface, told.scene));
+    fn surface(&mut self, which: &str, surface: &ExplainedSurface, report: &Report<'_>) {
+        let path = escaped(&surface_path(surface, report.scene));
         let part = part_of(surface.triangle);
-        let model = escaped(&super::equation::model_name(&surface.material.constants.reflection));
+        let model = escaped(&model_name(&surface.material.constants.reflection));
         let which = capital(which);
         self.paragraph(&format!("{which} {part}\\emph{{{path}}}, lit by the model {model}."));
-        let places = lit_places(surface);
+        let points = shading_points(surface);
         let [x, y, z] = surface.position.map(|side| math(side as f32));
         let (n, v) = (vector(surface.normal), vector(surface.view));
         self.paragraph(&format!(
             "$P = ({x},\\, {y},\\, {z})$, $\\mathbf N = {n}$, $\\mathbf V = {v}$."
         ));
-        for (at, place) in places.iter().enumerate() {
-            if let Some((weight, _)) = place.share {
-                let (n, v) = (vector(place.normal), vector(place.view));
-                let name = place_name(at, places.len(), told);
+        for (at, point) in points.iter().enumerate() {
+            if let Some((weight, _)) = point.share {
+                let (n, v) = (vector(point.normal), vector(point.view));
+                let name = point_name(at, points.len(), report);
                 self.paragraph(&format!(
                     "\\textbf{{{name}}} weighs ${}$: $\\mathbf N = {n}$, $\\mathbf V = {v}$.",
                     math(weight)
                 ));
             }
-            self.place(place);
+            self.point(point);
         }
-        let Mixture { parts, texture } = Mixture::of(surface, &places);
+        let Interpolation { parts, texture } = Interpolation::of(surface, &points);
         if !parts.is_empty() {
             let parts: Vec<_> = parts
                 .iter()
@@ -166,38 +164,39 @@ impl Page {
         }
     }
 
-    /// The equation of one place: symbols, numbers, terms, their sum.
-    fn place(&mut self, place: &LitPlace<'_>) {
-        let told = rows(place);
+    /// The equation at one point: symbols, numbers, terms, their sum.
+    fn point(&mut self, point: &ShadingPoint<'_>) {
+        let at_point = point_terms(point);
         // Each term with the number of its light, and its name.
-        let own = told.own.iter().map(|row| (row, None, row.name.to_owned()));
-        let of_lights = told.lights.iter().enumerate().flat_map(|(at, light)| {
-            light.rows.iter().map(move |row| {
-                (row, Some(at + 1), format!("{} of {}", row.name, escaped(&light.light.name)))
+        let own = at_point.own.iter().map(|term| (term, None, term.name.to_owned()));
+        let of_lights = at_point.lights.iter().enumerate().flat_map(|(at, light)| {
+            light.terms.iter().map(move |term| {
+                (term, Some(at + 1), format!("{} of {}", term.name, escaped(&light.light.name)))
             })
         });
-        let environment = told.environment.iter().map(|row| (row, None, row.name.to_owned()));
-        let terms: Vec<(&Row, Option<usize>, String)> =
+        let environment =
+            at_point.environment.iter().map(|term| (term, None, term.name.to_owned()));
+        let terms: Vec<(&Term, Option<usize>, String)> =
             own.chain(of_lights).chain(environment).collect();
-        for (at, light) in told.lights.iter().enumerate() {
-            self.light(at + 1, light, place);
+        for (at, light) in at_point.lights.iter().enumerate() {
+            self.light(at + 1, light, point);
             self.parts(&light.parts, Some(at + 1));
         }
-        self.parts(&told.mirrors, None);
-        let lines = |first: &str, of: &dyn Fn(&Row, Option<usize>) -> String, names: bool| {
-            let line = |(at, (row, light, name)): (usize, &(&Row, Option<usize>, String))| {
+        self.parts(&at_point.mirrors, None);
+        let lines = |first: &str, of: &dyn Fn(&Term, Option<usize>) -> String, names: bool| {
+            let line = |(at, (term, light, name)): (usize, &(&Term, Option<usize>, String))| {
                 let sign = if at == 0 { first } else { "&\\quad + " };
                 let name = if names { format!(" && \\text{{{name}}}") } else { String::new() };
-                format!("{sign}{}{name}", of(row, *light))
+                format!("{sign}{}{name}", of(term, *light))
             };
             terms.iter().enumerate().map(line).collect::<Vec<_>>()
         };
         let mut all = lines("I &= ", &symbols, true);
-        all.extend(lines("&= ", &|row, _| numbers(row), false));
-        all.extend(lines("&= ", &|row, _| color(row.value), false));
-        all.push(format!("&= {}", color(place.sum)));
-        if let Some((_, light)) = place.share
-            && light != place.sum
+        all.extend(lines("&= ", &|term, _| numbers(term), false));
+        all.extend(lines("&= ", &|term, _| color(term.value), false));
+        all.push(format!("&= {}", color(point.sum)));
+        if let Some((_, light)) = point.share
+            && light != point.sum
         {
             all.push(format!("&\\to {} \\quad\\text{{clamped}}", color(light)));
         }
@@ -205,10 +204,10 @@ impl Page {
     }
 
     /// The parts of a mix: each sum that is a factor, as symbols, numbers and value.
-    fn parts(&mut self, parts: &[PartRow], light: Option<usize>) {
+    fn parts(&mut self, parts: &[PartTerm], light: Option<usize>) {
         for same in parts.chunk_by(|one, other| one.of == other.of) {
-            let sum = |of: &dyn Fn(&Row) -> String| {
-                let terms: Vec<_> = same.iter().map(|part| of(&part.row)).collect();
+            let sum = |of: &dyn Fn(&Term) -> String| {
+                let terms: Vec<_> = same.iter().map(|part| of(&part.term)).collect();
                 terms.join(" \\\\\n&\\quad + ")
             };
             let name = match light {
@@ -216,18 +215,18 @@ impl Page {
                 None => same[0].of.latex.to_owned(),
             };
             let value = same.iter().fold([0.0_f32; 3], |sum, part| {
-                [0, 1, 2].map(|channel| sum[channel] + part.row.value[channel])
+                [0, 1, 2].map(|channel| sum[channel] + part.term.value[channel])
             });
             self.display(&[
-                format!("{name} &= {}", sum(&|row| symbols(row, light))),
+                format!("{name} &= {}", sum(&|term| symbols(term, light))),
                 format!("&= {}", sum(&numbers)),
                 format!("&= {}", color(value)),
             ]);
         }
     }
 
-    fn light(&mut self, at: usize, told: &LightRows<'_>, place: &LitPlace<'_>) {
-        let light = told.light;
+    fn light(&mut self, at: usize, entry: &LightEntry<'_>, point: &ShadingPoint<'_>) {
+        let light = entry.light;
         let terms = &light.terms;
         let mut text = format!(
             "Light {at}, \\emph{{{}}} ({}): $\\mathbf L_{{{at}}} = {}$, $\\mathbf N\\cdot\\mathbf L_{{{at}}} = {}$",
@@ -236,22 +235,22 @@ impl Page {
             vector(terms.to_light.lane(0)),
             math(terms.n_dot_l),
         );
-        if let Some((name, highlight)) = highlight_vector(place, light) {
+        if let Some((name, highlight)) = highlight_vector(point, light) {
             let _ = write!(text, ", $\\mathbf {name}_{{{at}}} = {}$", vector(highlight));
         }
         if let Some(reach) = reach(at, light) {
             let _ = write!(text, ", {reach}");
         }
-        if let Some(why) = &told.why_not {
-            let what = if told.rows.is_empty() { "no" } else { "no other" };
+        if let Some(why) = &entry.why_not {
+            let what = if entry.terms.is_empty() { "no" } else { "no other" };
             let _ = write!(text, "; it adds {what} light: {}", escaped(why));
         }
         self.paragraph(&(text + "."));
     }
 
     /// From the entries to the bytes.
-    fn pixel(&mut self, told: &Told<'_>) {
-        let Explanation { samples, linear: [r, g, b, alpha], rgba8, .. } = told.explanation;
+    fn pixel(&mut self, report: &Report<'_>) {
+        let Explanation { samples, linear: [r, g, b, alpha], rgba8, .. } = report.explanation;
         if samples.len() > 1 {
             let part = |entry: &ExplainedSample| {
                 let (weight, alpha) = (math(entry.weight), math(entry.alpha));
@@ -271,7 +270,7 @@ impl Page {
         }
         self.paragraph("As bytes:");
         let mut lines = Vec::new();
-        if told.view.encoding == PictureEncoding::Srgb {
+        if report.view.encoding == PictureEncoding::Srgb {
             lines.push(
                 "E(v) &= \\begin{cases} 12.92\\, v & v \\le 0.0031308 \\\\ \
                  1.055\\, v^{1/2.4} - 0.055 & \\text{else} \\end{cases}"
@@ -285,7 +284,7 @@ impl Page {
                 "{name} &= \\operatorname{{round}}\\bigl(255\\, E(\\min(\\max({}, 0), 1))\\bigr) = \
                  \\operatorname{{round}}({:.2}) = {byte}",
                 math(*value),
-                encoded(*value, told.view.encoding),
+                encoded(*value, report.view.encoding),
             ));
         }
         let byte_alpha = rgba8[3];
@@ -297,7 +296,7 @@ impl Page {
     }
 }
 
-/// f as attenuation and cone, of lights that have a place.
+/// f as attenuation and cone, of lights that have a position.
 fn reach(at: usize, light: &ExplainedLight) -> Option<String> {
     let terms = &light.terms;
     let distance = terms.distance?;
@@ -328,7 +327,7 @@ fn reach(at: usize, light: &ExplainedLight) -> Option<String> {
 }
 
 /// A product by its symbols, those of a light with its number.
-fn symbols(row: &Row, light: Option<usize>) -> String {
+fn symbols(term: &Term, light: Option<usize>) -> String {
     let symbol = |factor: &Factor| {
         let symbol = factor.symbol().latex;
         let symbol = match light {
@@ -341,7 +340,7 @@ fn symbols(row: &Row, light: Option<usize>) -> String {
             _ => symbol,
         }
     };
-    row.factors.iter().map(symbol).collect::<Vec<_>>().join("\\, ")
+    term.factors.iter().map(symbol).collect::<Vec<_>>().join("\\, ")
 }
 
 /// A symbol with the number of its light.
@@ -362,14 +361,14 @@ fn numbered(symbol: &str, at: usize) -> String {
 }
 
 /// A product by its numbers.
-fn numbers(row: &Row) -> String {
+fn numbers(term: &Term) -> String {
     let one = |factor: &Factor| match factor {
         Factor::Number(_, value) => math(*value),
         Factor::Color(_, value) => color(*value),
         Factor::Cosine(_, value) => math(value.max(0.0)),
         Factor::Power(_, value, n) => format!("{}^{{{}}}", math(value.max(0.0)), math(*n)),
     };
-    row.factors.iter().map(one).collect::<Vec<_>>().join(" \\cdot ")
+    term.factors.iter().map(one).collect::<Vec<_>>().join(" \\cdot ")
 }
 
 /// A number in math mode.
@@ -398,8 +397,8 @@ fn vector(vector: [f32; 3]) -> String {
 /// Letters beyond ASCII that every LaTeX sets without packages.
 const KNOWN: &str = "ÀÁÂÃÄÅÆÇÈÉÊËÌÍÎÏÑÒÓÔÕÖØÙÚÛÜÝßàáâãäåæçèéêëìíîïñòóôõöøùúûüýÿ";
 
-/// A name as text: what LaTeX would take for a command is spelled out, and what it can't set told by
-/// its code.
+/// A name as text: special characters of LaTeX are escaped, characters that plain LaTeX can't set
+/// appear as code points.
 fn escaped(name: &str) -> String {
     let mut text = String::with_capacity(name.len());
     for character in name.chars() {

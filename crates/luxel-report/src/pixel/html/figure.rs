@@ -1,8 +1,8 @@
 //! The vectors of one light, drawn in the plane of N and L: there their angles are true. What leaves
 //! that plane is drawn where it falls onto it, shortened and dashed.
 
-use super::escaped;
-use crate::commands::explain::equation::{LightRows, LitPlace, highlight_vector};
+use super::escape::escaped;
+use crate::equation::{LightEntry, ShadingPoint, highlight_vector};
 use std::fmt::Write;
 
 /// Units of the drawing.
@@ -53,17 +53,17 @@ fn tangent(normal: Vector, to_light: Vector, view: Vector) -> Vector {
 }
 
 /// The vectors of a light as a figure; nothing for a light at the surface itself.
-pub(super) fn of_light(place: &LitPlace<'_>, told: &LightRows<'_>) -> String {
-    let light = told.light;
+pub(crate) fn of_light(point: &ShadingPoint<'_>, entry: &LightEntry<'_>) -> String {
+    let light = entry.light;
     let (Some(n), Some(l), Some(v)) = (
-        unit(wide(place.normal)),
+        unit(wide(point.normal)),
         unit(wide(light.terms.to_light.lane(0))),
-        unit(wide(place.view)),
+        unit(wide(point.view)),
     ) else {
         return String::new();
     };
     let highlight =
-        highlight_vector(place, light).and_then(|(name, vector)| Some((name, unit(wide(vector))?)));
+        highlight_vector(point, light).and_then(|(name, vector)| Some((name, unit(wide(vector))?)));
     let t = tangent(n, l, v);
     let angle = degrees(n, l);
     let mut facts = format!("N to L {angle:.1}°, N to V {:.1}°", degrees(n, v));
@@ -77,7 +77,7 @@ pub(super) fn of_light(place: &LitPlace<'_>, told: &LightRows<'_>) -> String {
         None => {}
     }
     let name = escaped(&light.name);
-    let dark = if told.why_not.is_some() { " class=\"dark\"" } else { "" };
+    let dark = if entry.why_not.is_some() { " class=\"dark\"" } else { "" };
     let drawn = [Some(l), Some(v), highlight.map(|(_, vector)| vector)];
     let below = drawn.into_iter().flatten().any(|vector| dot(vector, n) < -0.05);
     let height = if below { HEIGHT_BELOW } else { HEIGHT };

@@ -1,24 +1,27 @@
 //! The ledger as JSON. Numbers are written with all their digits, so that they read back exactly.
 
-use super::Told;
-use super::words::kind_name;
-use crate::values::reflection_name;
-use luxel::lighting::{
+use super::report::Report;
+use crate::equation::why_not;
+use crate::words::kind_name;
+use luxel_formats::values::reflection_name;
+use luxel_lighting::{
     Light, LightKind, Lobe, Material, MirrorTerms, PartTerms, Reflectance, Reflection,
 };
-use luxel::render::{
+use luxel_render::{
     EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Hidden, Seen, SurfaceBelow,
 };
-use luxel::scene::Scene;
+use luxel_scene::Scene;
 use serde_json::{Map, Value, json};
 
 /// The whole document.
-pub(super) fn document(told: &Told<'_>) -> Value {
-    let explanation = told.explanation;
-    let entries = explanation.samples.iter().zip(&told.unseen.entries);
-    let samples = entries.map(|(entry, hidden)| sample(entry, hidden, told.scene));
-    let nearest = told.unseen.nearest.map(|nearest| {
-        let mut object = object_of(nearest.object, told.scene);
+pub(crate) fn document(report: &Report<'_>) -> Value {
+    let explanation = report.explanation;
+    let unseen = report.unseen;
+    let samples = explanation.samples.iter().enumerate().map(|(index, entry)| {
+        sample(entry, unseen.and_then(|unseen| unseen.entries.get(index)), report.scene)
+    });
+    let nearest = unseen.and_then(|unseen| unseen.nearest).map(|nearest| {
+        let mut object = object_of(nearest.object, report.scene);
         object.insert("pixel".to_owned(), json!(nearest.pixel));
         object.insert("pixels".to_owned(), json!(nearest.distance));
         object
@@ -34,10 +37,10 @@ pub(super) fn document(told: &Told<'_>) -> Value {
 }
 
 /// Samples that see the same.
-fn sample(entry: &ExplainedSample, hidden: &Hidden, scene: &Scene) -> Value {
+fn sample(entry: &ExplainedSample, hidden: Option<&Hidden>, scene: &Scene) -> Value {
     let mut object = match &*entry.seen {
         [only] => seen(only, scene),
-        // Their terms are the layers' business; what lies nearest gives the place.
+        // Terms are those of the layers; position and normal those of the nearest.
         [nearest, ..] => {
             let mut object = seen(nearest, scene);
             for key in TERMS {
@@ -49,11 +52,12 @@ fn sample(entry: &ExplainedSample, hidden: &Hidden, scene: &Scene) -> Value {
         }
         [] => Map::new(),
     };
-    let surfaces =
-        |list: &[SurfaceBelow]| list.iter().map(|one| below(one, scene)).collect::<Value>();
+    let surfaces = |of: fn(&Hidden) -> &[SurfaceBelow]| {
+        hidden.map(|hidden| of(hidden).iter().map(|one| below(one, scene)).collect::<Value>())
+    };
     object.insert("at".to_owned(), json!(entry.at));
-    object.insert("behind".to_owned(), surfaces(&hidden.behind));
-    object.insert("culled".to_owned(), surfaces(&hidden.culled));
+    object.insert("behind".to_owned(), json!(surfaces(|hidden| &hidden.behind)));
+    object.insert("culled".to_owned(), json!(surfaces(|hidden| &hidden.culled)));
     object.insert("weight".to_owned(), json!(entry.weight));
     object.insert("covers".to_owned(), json!(entry.covers));
     object.insert("color".to_owned(), json!(entry.color));
@@ -132,28 +136,28 @@ fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
     })
 }
 
-/// The places where light was computed; null if that is the sample itself.
+/// The points at which light was evaluated; null if that is the sample itself.
 fn evaluated(seen: &ExplainedSurface) -> Value {
-    let place = |place: &EvaluatedAt| {
+    let point = |point: &EvaluatedAt| {
         json!({
-            "weight": place.weight,
-            "position": place.position,
-            "normal": place.normal,
-            "view": place.view,
-            "material": material(&seen.material.name, &seen.material.constants, &place.reflectance),
-            "emission": place.emission,
-            "scene_ambient": place.scene_ambient,
-            "lights": lights(&place.lights, &seen.material.constants),
-            "environment": place.environment,
-            "mirrors": mirrors(&place.mirrors, &seen.material.constants),
-            "sum": place.sum,
-            "light": place.light,
+            "weight": point.weight,
+            "position": point.position,
+            "normal": point.normal,
+            "view": point.view,
+            "material": material(&seen.material.name, &seen.material.constants, &point.reflectance),
+            "emission": point.emission,
+            "scene_ambient": point.scene_ambient,
+            "lights": lights(&point.lights, &seen.material.constants),
+            "environment": point.environment,
+            "mirrors": mirrors(&point.mirrors, &seen.material.constants),
+            "sum": point.sum,
+            "light": point.light,
         })
     };
     if seen.evaluated_at.is_empty() {
         Value::Null
     } else {
-        seen.evaluated_at.iter().map(place).collect()
+        seen.evaluated_at.iter().map(point).collect()
     }
 }
 
@@ -184,7 +188,7 @@ fn lights(lights: &[ExplainedLight], constants: &Material) -> Value {
     lights.iter().map(|one| light(one, constants)).collect()
 }
 
-/// What a part of the model makes of a light: factors of I_d and I_s.
+/// What a part of the model reflects of a light: factors of I_d and I_s.
 fn part(index: usize, part: &PartTerms<f32>, constants: &Material) -> Value {
     let (reflection, _) = constants.reflection.part(index);
     let mut value = json!({
@@ -238,6 +242,6 @@ fn light(light: &ExplainedLight, constants: &Material) -> Value {
         "ambient": terms.ambient.lane(0),
         "diffuse": terms.diffuse.lane(0),
         "specular": terms.specular.lane(0),
-        "why_not": light.unlit().map(super::equation::why_not),
+        "why_not": light.unlit().map(why_not),
     })
 }

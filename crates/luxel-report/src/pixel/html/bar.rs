@@ -1,13 +1,14 @@
 //! The terms of a surface as stacked bars, one for each channel, to one scale.
 
-use super::{escaped, role_class};
-use crate::commands::explain::equation::{Role, number};
-use luxel::render::ExplainedSurface;
+use super::escape::{escaped, kind_class};
+use crate::equation::TermKind;
+use crate::words::number;
+use luxel_render::ExplainedSurface;
 use std::fmt::Write;
 
 /// A term that reaches the eye.
 struct Part {
-    role: Role,
+    kind: TermKind,
     /// What it is, in full and in short.
     name: String,
     short: &'static str,
@@ -15,7 +16,7 @@ struct Part {
 }
 
 /// What reaches the eye of a surface, term by term, channel by channel.
-pub(super) fn terms(surface: &ExplainedSurface) -> String {
+pub(crate) fn terms(surface: &ExplainedSurface) -> String {
     let parts = parts(surface);
     let sum = |channel: usize| parts.iter().map(|part| part.value[channel].max(0.0)).sum::<f32>();
     let most = sum(0).max(sum(1)).max(sum(2));
@@ -31,8 +32,8 @@ pub(super) fn terms(surface: &ExplainedSurface) -> String {
             if width < 0.01 {
                 continue;
             }
-            let Part { role, name, short, value } = part;
-            let (class, name) = (role_class(*role), escaped(name));
+            let Part { kind, name, short, value } = part;
+            let (class, name) = (kind_class(*kind), escaped(name));
             let _ = write!(
                 text,
                 "<span class=\"{class}\" style=\"width:{width:.3}%\" title=\"{name}: {}\"><em>{name}\
@@ -61,25 +62,25 @@ pub(super) fn terms(surface: &ExplainedSurface) -> String {
 fn parts(surface: &ExplainedSurface) -> Vec<Part> {
     let (clear, fog) = surface.fog.unwrap_or((1.0, [0.0; 3]));
     let mut parts = Vec::new();
-    let mut add = |role, name: String, short, value: [f32; 3]| {
+    let mut add = |kind, name: String, short, value: [f32; 3]| {
         let value = value.map(|channel| channel * clear);
         if value != [0.0; 3] {
-            parts.push(Part { role, name, short, value });
+            parts.push(Part { kind, name, short, value });
         }
     };
-    add(Role::Emission, "emission".into(), "emission", surface.emission);
-    add(Role::Ambient, "ambient".into(), "ambient", surface.scene_ambient);
+    add(TermKind::Emission, "emission".into(), "emission", surface.emission);
+    add(TermKind::Ambient, "ambient".into(), "ambient", surface.scene_ambient);
     for light in &surface.lights {
         let terms = &light.terms;
         let name = &light.name;
-        add(Role::Ambient, format!("{name}, ambient"), "ambient", terms.ambient.lane(0));
-        add(Role::Diffuse, format!("{name}, diffuse"), "diffuse", terms.diffuse.lane(0));
-        add(Role::Specular, format!("{name}, specular"), "specular", terms.specular.lane(0));
+        add(TermKind::Ambient, format!("{name}, ambient"), "ambient", terms.ambient.lane(0));
+        add(TermKind::Diffuse, format!("{name}, diffuse"), "diffuse", terms.diffuse.lane(0));
+        add(TermKind::Specular, format!("{name}, specular"), "specular", terms.specular.lane(0));
     }
-    add(Role::Environment, "environment".into(), "environment", surface.environment);
+    add(TermKind::Environment, "environment".into(), "environment", surface.environment);
     let veil = fog.map(|channel| channel * (1.0 - clear));
     if veil != [0.0; 3] {
-        parts.push(Part { role: Role::Fog, name: "fog".into(), short: "fog", value: veil });
+        parts.push(Part { kind: TermKind::Fog, name: "fog".into(), short: "fog", value: veil });
     }
     parts
 }

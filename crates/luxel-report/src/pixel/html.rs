@@ -1,70 +1,37 @@
 //! The ledger as a page of HTML: one file without script, readable on a phone.
 
 mod bar;
+mod escape;
 mod figure;
 mod pictures;
 
-use super::Told;
-use super::equation::{
-    Factor, LightRows, LitPlace, PartRow, Role, Row, color, highlight_vector, lit_places,
-    model_name, number, reach,
+use super::report::Report;
+use super::sentences::{encoded, nearest, part_of, point_name, share, surface_path, why_not_seen};
+use crate::equation::{
+    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, highlight_vector,
+    point_terms, reach, shading_points,
 };
-use super::rows::rows;
-use super::words::{
-    Mixture, capital, coordinate, encoded, kind_name, nearest, part_of, place_name, share,
-    surface_path, why_not_seen,
-};
-use crate::console::printable;
-use crate::failure::Failure;
-use luxel::lighting::PictureEncoding;
-use luxel::render::{ExplainedSample, ExplainedSurface, Explanation, Renderer, Seen};
+use crate::words::{capital, color, in_column, kind_name, model_name, number, vector};
+use escape::{escaped, kind_class};
+use luxel_lighting::PictureEncoding;
+use luxel_render::{ExplainedSample, ExplainedSurface, Explanation, Seen};
 use std::fmt::{Display, Write};
 
 const STYLE: &str = include_str!("html/style.css");
 
 /// The page.
-///
-/// # Errors
-/// [`Failure`] if its pictures can't be drawn.
-pub(super) fn page(told: &Told<'_>, renderer: &Renderer<'_>) -> Result<String, Failure> {
+pub(crate) fn page(report: &Report<'_>) -> String {
     let mut page = Page { text: String::new() };
-    page.head(told);
-    page.pictures(told, renderer)?;
-    for (place, entry) in told.explanation.samples.iter().enumerate() {
-        page.sample(place, entry, told);
+    page.head(report);
+    if let Some(pictures) = report.pictures {
+        page.push(pictures::figures(pictures, report));
     }
-    page.pixel(told);
+    for (index, entry) in report.explanation.samples.iter().enumerate() {
+        page.sample(index, entry, report);
+    }
+    page.pixel(report);
     page.push("</main>\n</html>\n");
-    Ok(page.text)
-}
-
-/// Text as HTML shows it: names come from files, and a file must not write the page.
-fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for character in printable(text).chars() {
-        match character {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            other => safe.push(other),
-        }
-    }
-    safe
-}
-
-/// The class that gives a kind of term its colour.
-fn role_class(role: Role) -> &'static str {
-    match role {
-        Role::Ambient => "ambient",
-        Role::Diffuse => "diffuse",
-        Role::Specular => "specular",
-        Role::Emission => "emission",
-        Role::Environment => "environment",
-        Role::Fog => "fog",
-        Role::Sum => "sum",
-    }
+    page.text
 }
 
 struct Page {
@@ -77,13 +44,14 @@ impl Page {
         let _ = write!(self.text, "{text}");
     }
 
-    fn head(&mut self, told: &Told<'_>) {
-        let Explanation { pixel: [x, y], position, rgba8: [r, g, b, alpha], .. } = told.explanation;
+    fn head(&mut self, report: &Report<'_>) {
+        let Explanation { pixel: [x, y], position, rgba8: [r, g, b, alpha], .. } =
+            report.explanation;
         let place = match position {
             Some([x, y]) => format!("point {x}, {y}"),
             None => format!("pixel {x}, {y}"),
         };
-        let model = escaped(&told.model);
+        let model = escaped(report.model);
         self.push(format_args!(
             "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
@@ -97,7 +65,7 @@ impl Page {
         ));
     }
 
-    fn sample(&mut self, place: usize, entry: &ExplainedSample, told: &Told<'_>) {
+    fn sample(&mut self, index: usize, entry: &ExplainedSample, report: &Report<'_>) {
         self.push("<section>\n");
         let layers = entry.seen.len();
         for (depth, seen) in entry.seen.iter().enumerate() {
@@ -113,7 +81,7 @@ impl Page {
                     color(*behind)
                 )),
                 Seen::Surface(surface) => {
-                    self.surface(&which, surface, told);
+                    self.surface(&which, surface, report);
                     if layers > 1 {
                         let alpha = number(surface.alpha);
                         self.push(format_args!("<p class=\"num\">alpha {alpha}</p>\n"));
@@ -124,11 +92,11 @@ impl Page {
         if layers > 1 {
             self.push("<h3>Together</h3>\n<div class=\"rows\">\n");
             let note = format!("Σ t α C / α, t what comes through all before; α {}", entry.alpha);
-            self.total("seen", entry.color, Role::Sum, &note);
+            self.total("seen", entry.color, TermKind::Sum, &note);
             self.push("</div>\n");
         }
-        let mut sentences = why_not_seen(place, told);
-        sentences.extend(nearest(told).map(|text| ("empty", text)));
+        let mut sentences = why_not_seen(index, report);
+        sentences.extend(nearest(report).map(|text| ("empty", text)));
         if !sentences.is_empty() {
             self.push("<h3>What isn’t seen here</h3>\n<dl>\n");
             for (label, text) in sentences {
@@ -139,8 +107,8 @@ impl Page {
         self.push("</section>\n");
     }
 
-    fn surface(&mut self, which: &str, surface: &ExplainedSurface, told: &Told<'_>) {
-        let path = escaped(&surface_path(surface, told.scene));
+    fn surface(&mut self, which: &str, surface: &ExplainedSurface, report: &Report<'_>) {
+        let path = escaped(&surface_path(surface, report.scene));
         let part = part_of(surface.triangle);
         let [x, y, z] = surface.position.map(|side| number(side as f32));
         let [a, b, c] = surface.barycentric.map(number);
@@ -157,29 +125,29 @@ impl Page {
             model_name(&material.constants.reflection),
         ));
         self.push(bar::terms(surface));
-        let places = lit_places(surface);
-        for (at, place) in places.iter().enumerate() {
-            match place.share {
-                None => self.place(place),
+        let points = shading_points(surface);
+        for (at, point) in points.iter().enumerate() {
+            match point.share {
+                None => self.point(point),
                 Some((weight, _)) => {
-                    let name = place_name(at, places.len(), told);
+                    let name = point_name(at, points.len(), report);
                     let open = if at == 0 { " open" } else { "" };
                     self.push(format_args!(
                         "<details{open}>\n<summary>Lit at {name}, which weighs <span \
                          class=\"num\">{}</span></summary>\n",
                         number(weight)
                     ));
-                    self.place(place);
+                    self.point(point);
                     self.push("</details>\n");
                 }
             }
         }
-        self.ending(surface, &places);
+        self.ending(surface, &points);
     }
 
-    /// What becomes of the light of the places: interpolated, in fog.
-    fn ending(&mut self, surface: &ExplainedSurface, places: &[LitPlace<'_>]) {
-        let Mixture { parts, texture } = Mixture::of(surface, places);
+    /// What becomes of the light of the points: interpolated, in fog.
+    fn ending(&mut self, surface: &ExplainedSurface, points: &[ShadingPoint<'_>]) {
+        let Interpolation { parts, texture } = Interpolation::of(surface, points);
         if parts.is_empty() && surface.fog.is_none() {
             return;
         }
@@ -193,7 +161,7 @@ impl Page {
                 Some(texture) => format!("({}) × texture {}", parts.join(" + "), color(texture)),
                 None => parts.join(" + "),
             };
-            self.total("interpolated", surface.sum, Role::Sum, &note);
+            self.total("interpolated", surface.sum, TermKind::Sum, &note);
         }
         if let Some((factor, fog)) = surface.fog {
             let note = format!(
@@ -203,18 +171,18 @@ impl Page {
                 color(fog),
                 number(surface.z)
             );
-            self.total("in fog", surface.color, Role::Fog, &note);
+            self.total("in fog", surface.color, TermKind::Fog, &note);
         }
         self.push("</div>\n");
     }
 
-    /// One place: figures, equation, lights.
-    fn place(&mut self, place: &LitPlace<'_>) {
-        let told = rows(place);
-        if !told.lights.is_empty() {
+    /// One point: figures, equation, lights.
+    fn point(&mut self, point: &ShadingPoint<'_>) {
+        let at_point = point_terms(point);
+        if !at_point.lights.is_empty() {
             self.push("<div class=\"figures\">\n");
-            for light in &told.lights {
-                self.push(figure::of_light(place, light));
+            for light in &at_point.lights {
+                self.push(figure::of_light(point, light));
             }
             self.push("</div>\n");
         }
@@ -222,34 +190,34 @@ impl Page {
             "<div class=\"rows\">\n<div class=\"row quiet head\"><span>term</span><span>red</span>\
              <span>green</span><span>blue</span><span class=\"eq\">as a product</span></div>\n",
         );
-        for row in &told.own {
-            self.row(row);
+        for term in &at_point.own {
+            self.term(term);
         }
-        for light in &told.lights {
-            self.light(light, place);
+        for light in &at_point.lights {
+            self.light(light, point);
         }
-        self.parts(&told.mirrors);
-        if let Some(environment) = &told.environment {
-            self.row(environment);
+        self.parts(&at_point.mirrors);
+        if let Some(environment) = &at_point.environment {
+            self.term(environment);
         }
-        self.total("sum, I", place.sum, Role::Sum, "");
-        if let Some((_, light)) = place.share
-            && light != place.sum
+        self.total("sum, I", point.sum, TermKind::Sum, "");
+        if let Some((_, light)) = point.share
+            && light != point.sum
         {
-            self.total("clamped", light, Role::Sum, "to 0..1, as light is interpolated here");
+            self.total("clamped", light, TermKind::Sum, "to 0..1, as light is interpolated here");
         }
         self.push("</div>\n");
     }
 
-    fn light(&mut self, told: &LightRows<'_>, place: &LitPlace<'_>) {
-        let light = told.light;
+    fn light(&mut self, entry: &LightEntry<'_>, point: &ShadingPoint<'_>) {
+        let light = entry.light;
         let mut facts = format!(
             "{}, <b>N</b>·<b>L</b> = {}, <b>L</b> = {}",
             kind_name(&light.light),
             number(light.terms.n_dot_l),
             vector(light.terms.to_light.lane(0))
         );
-        if let Some((name, highlight)) = highlight_vector(place, light) {
+        if let Some((name, highlight)) = highlight_vector(point, light) {
             let _ = write!(facts, ", <b>{name}</b> = {}", vector(highlight));
         }
         if let Some(reach) = reach(light) {
@@ -259,27 +227,27 @@ impl Page {
             "<div class=\"light\"><strong>{}</strong> <span class=\"quiet num\">{facts}</span>",
             escaped(&light.name)
         ));
-        if let Some(why) = &told.why_not {
-            let what = if told.rows.is_empty() { "no" } else { "no other" };
+        if let Some(why) = &entry.why_not {
+            let what = if entry.terms.is_empty() { "no" } else { "no other" };
             self.push(format_args!("<p class=\"why\">Adds {what} light: {}.</p>", escaped(why)));
         }
         self.push("</div>\n");
-        self.parts(&told.parts);
-        for row in &told.rows {
-            self.row(row);
+        self.parts(&entry.parts);
+        for term in &entry.terms {
+            self.term(term);
         }
     }
 
     /// The parts of a mix, in quiet: only their sums are terms.
-    fn parts(&mut self, parts: &[PartRow]) {
-        for PartRow { of, row } in parts {
-            let [r, g, b] = row.value.map(in_column);
-            let symbols: Vec<_> = row.factors.iter().map(symbol).collect();
-            let numbers: Vec<_> = row.factors.iter().map(numbers).collect();
+    fn parts(&mut self, parts: &[PartTerm]) {
+        for PartTerm { of, term } in parts {
+            let [r, g, b] = term.value.map(in_column);
+            let symbols: Vec<_> = term.factors.iter().map(symbol).collect();
+            let numbers: Vec<_> = term.factors.iter().map(numbers).collect();
             self.push(format_args!(
                 "<div class=\"row part\"><span>{}</span><span>{r}</span><span>{g}</span>\
                  <span>{b}</span><span class=\"eq\">in {}: {}<br>= {}</span></div>\n",
-                row.name,
+                term.name,
                 of.html,
                 symbols.join(" "),
                 numbers.join(" × ")
@@ -287,27 +255,27 @@ impl Page {
         }
     }
 
-    fn row(&mut self, row: &Row) {
-        let symbols: Vec<_> = row.factors.iter().map(symbol).collect();
-        let numbers: Vec<_> = row.factors.iter().map(numbers).collect();
+    fn term(&mut self, term: &Term) {
+        let symbols: Vec<_> = term.factors.iter().map(symbol).collect();
+        let numbers: Vec<_> = term.factors.iter().map(numbers).collect();
         let equation = format!("= {}<br>= {}", symbols.join(" "), numbers.join(" × "));
-        self.total(row.name, row.value, row.role, &equation);
+        self.total(term.name, term.value, term.kind, &equation);
     }
 
     /// A line of the table: what it is, its three channels, and how it came about (HTML).
-    fn total(&mut self, name: &str, value: [f32; 3], role: Role, equation: &str) {
+    fn total(&mut self, name: &str, value: [f32; 3], kind: TermKind, equation: &str) {
         let [r, g, b] = value.map(in_column);
-        let total = if role == Role::Sum { " total" } else { "" };
+        let total = if kind == TermKind::Sum { " total" } else { "" };
         self.push(format_args!(
             "<div class=\"row{total}\"><span><i class=\"{}\"></i>{name}</span><span>{r}</span>\
              <span>{g}</span><span>{b}</span><span class=\"eq\">{equation}</span></div>\n",
-            role_class(role)
+            kind_class(kind)
         ));
     }
 
     /// From the entries to the bytes.
-    fn pixel(&mut self, told: &Told<'_>) {
-        let Explanation { samples, linear: [r, g, b, alpha], rgba8, .. } = told.explanation;
+    fn pixel(&mut self, report: &Report<'_>) {
+        let Explanation { samples, linear: [r, g, b, alpha], rgba8, .. } = report.explanation;
         self.push("<section>\n<h2>From light to bytes</h2>\n<div class=\"rows\">\n");
         let parts: Vec<_> = samples
             .iter()
@@ -324,12 +292,12 @@ impl Page {
             (_, 1.0) => format!("= {}", parts.join(" + ")),
             (_, alpha) => format!("= ({}) / {}", parts.join(" + "), number(alpha)),
         };
-        self.total("pixel", [*r, *g, *b], Role::Sum, &mixed);
-        let curve = match told.view.encoding {
+        self.total("pixel", [*r, *g, *b], TermKind::Sum, &mixed);
+        let curve = match report.view.encoding {
             PictureEncoding::Srgb => "clamped to 0..1, through the curve of sRGB, × 255",
             PictureEncoding::None => "clamped to 0..1, × 255",
         };
-        let [x, y, z] = [*r, *g, *b].map(|value| encoded(value, told.view.encoding));
+        let [x, y, z] = [*r, *g, *b].map(|value| encoded(value, report.view.encoding));
         let [red, green, blue, byte_alpha] = rgba8;
         self.push(format_args!(
             "<div class=\"row\"><span>encoded</span><span>{x:.2}</span><span>{y:.2}</span>\
@@ -359,29 +327,5 @@ fn numbers(factor: &Factor) -> String {
         Factor::Power(_, value, n) => {
             format!("{}<sup>{}</sup>", number(value.max(0.0)), number(*n))
         }
-    }
-}
-
-fn vector(vector: [f32; 3]) -> String {
-    let [x, y, z] = vector.map(coordinate);
-    format!("({x}, {y}, {z})")
-}
-
-/// A number of about 1, in a column.
-fn in_column(value: f32) -> String {
-    if value == 0.0 || (1e-4..1e4).contains(&value.abs()) {
-        format!("{value:.4}")
-    } else {
-        format!("{value:.1e}")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_name_writes_no_page() {
-        assert_eq!(escaped("<b>\"a\" & 'b'\n"), "&lt;b&gt;&quot;a&quot; &amp; &#39;b&#39;\\n");
     }
 }
