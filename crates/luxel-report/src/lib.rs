@@ -18,7 +18,7 @@
 //! #         cull: Cull::Auto,
 //! #         lights: default_lights(),
 //! #         ambient: DEFAULT_AMBIENT,
-//! #         environment: EnvironmentChoice::None,
+//! #         environment: EnvironmentChoice::StudioForMicrofacets,
 //! #         fog: None,
 //! #         background: [0.0; 4],
 //! #         encoding: PictureEncoding::Srgb,

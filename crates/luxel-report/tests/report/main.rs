@@ -1,0 +1,5 @@
+//! The formats through the public interface.
+
+mod fixture;
+mod ledger;
+mod picks;
