@@ -9,7 +9,8 @@ use criterion::measurement::WallTime;
 use criterion::{
     BatchSize, BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main,
 };
-use luxel_pick::{Bvh, MeshRays, PickView, Picker, Quality, Ray, Region};
+use luxel_bvh::{Bvh, MeshRays, Quality, Ray};
+use luxel_pick::{PickView, Picker, Region};
 use luxel_rivals::{Mesh, camera_rays, chords, rival_ray, rival_triangles};
 use luxel_scene::{
     Camera, DVec3, Lens, MaterialId, MeshId, Node, Part, Projection, Scene, SceneMaterial, Size,

@@ -6,7 +6,7 @@ mod mesh;
 pub use mesh::{Mesh, read, write_bin, write_ply};
 
 use glam::Vec3A;
-use luxel_pick::Ray;
+use luxel_bvh::Ray;
 use obvhs::ray::Ray as RivalRay;
 use obvhs::triangle::Triangle;
 

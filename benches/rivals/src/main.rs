@@ -7,7 +7,7 @@
 //! 45 degrees high, in tiles of 8x8; and as many chords through the ball. Rows are medians of
 //! rounds that take turns, so that a busy machine is busy for all; hits are counted, as a check.
 
-use luxel_pick::{Bvh, MeshRays, Quality, Ray};
+use luxel_bvh::{Bvh, MeshRays, Quality, Ray};
 use luxel_rivals::{camera_rays, chords, read, rival_ray, rival_triangles};
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::builder::build_bvh2_from_tris;

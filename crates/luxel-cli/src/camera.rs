@@ -2,11 +2,11 @@
 
 use crate::failure::Failure;
 use crate::options::FrameOptions;
+pub(crate) use luxel::report::camera_to_json as to_json;
 use luxel::scene::{
-    Bounds, Camera, DMat4, DVec3, Lens, Projection, Scene, SceneCamera, Size, Viewpoint,
-    fit_planes, fit_view,
+    Bounds, Camera, DMat4, DVec3, Lens, Projection, Scene, SceneCamera, Viewpoint, fit_planes,
+    fit_view,
 };
-use serde_json::{Value, json};
 
 /// Chooses the camera: the matrix or the eye on the line, else the file's camera, else the model
 /// fitted into the view.
@@ -199,13 +199,5 @@ fn planes(
         (None, Some(far)) if far <= fitted_near => (far / 10_000.0, far),
         (None, Some(far)) => (fitted_near, far),
         (None, None) => (fitted_near, fitted_far),
-    })
-}
-
-/// What `--json` says about a camera: its matrices, column by column.
-pub(crate) fn to_json(camera: &Camera, size: Size) -> Value {
-    json!({
-        "view_from_world": camera.view_from_world.to_cols_array(),
-        "clip_from_view": camera.projection.clip_from_view(size).to_cols_array(),
     })
 }

@@ -1,6 +1,6 @@
 //! What the program says on the standard error, and how it looks on a terminal.
 
-pub(crate) use luxel_answers::printable;
+pub(crate) use luxel::report::printable;
 use std::io::{IsTerminal, Write};
 
 /// How much is said.

@@ -1,7 +1,7 @@
 //! What a part of the window shows, drawn as frames are: the tree tells which triangles may reach
 //! there, and a frame of `luxel-visibility` over those alone finds out which pixel shows which.
 
-use crate::cover::{Covering, positions};
+use crate::coverage_query::{Covering, positions};
 use crate::frustum::{Frustum, PLANES, planes};
 use crate::region::Region;
 use crate::view::{Geometry, Instance, PickView};

@@ -1,9 +1,9 @@
-//! What of a tree may reach into a part of the window: boxes against the planes through its sides
-//! and the near and far planes.
+//! Frustum query: the triangles of a tree that may reach into a part of the window. Tests boxes against
+//! the planes through its sides and the near and far planes.
 
-use crate::bvh::{Bvh, Head, Node, WIDTH, Walk, number};
 use crate::region::Piece;
 use glam::{DMat4, DVec4};
+use luxel_bvh::{Bvh, Node, WIDTH};
 
 /// Four sides, near and far.
 pub(crate) const PLANES: usize = 6;
@@ -55,26 +55,26 @@ impl Frustum {
         Self { planes: std::array::from_fn(rounded) }
     }
 
-    /// Visits the triangles of the leaves that may reach inside.
+    /// Visits the triangles of the leaves that may reach inside the frustum, block by block.
     pub(crate) fn each_leaf(&self, bvh: &Bvh, mut visit: impl FnMut(&[u32])) {
-        let mut walk = Walk::new(bvh.nodes());
-        while let Some(start) = walk.next(|node| self.meets(node)) {
-            bvh.leaves().each_block(start, &mut |block| {
+        bvh.view().visit_blocks(
+            |node| self.meets(node),
+            |block| {
                 let mut triangles = [0; WIDTH];
-                let count = Head::of(block).count();
+                let count = block.count();
                 for (lane, triangle) in triangles[..count].iter_mut().enumerate() {
-                    *triangle = number(block, lane);
+                    *triangle = block.triangle(lane);
                 }
                 visit(&triangles[..count]);
-            });
-        }
+            },
+        );
     }
 
-    /// A bit for each child that isn't wholly beyond one of the planes.
+    /// A bit for each child whose box isn't entirely outside of one plane.
     fn meets(&self, node: &Node) -> u32 {
         let mut outside = [false; WIDTH];
         for [x, y, z, w] in self.planes {
-            let row = |axis: usize, along: f32| &node.planes[axis][usize::from(along >= 0.0)];
+            let row = |axis: usize, along: f32| &node.planes()[axis][usize::from(along >= 0.0)];
             let (rx, ry, rz) = (row(0, x), row(1, y), row(2, z));
             for slot in 0..WIDTH {
                 let farthest = rx[slot] * x + ry[slot] * y + rz[slot] * z + w;
@@ -83,7 +83,8 @@ impl Frustum {
         }
         // Empty places have no box.
         (0..WIDTH).fold(0, |bits, slot| {
-            let there = node.planes[0][0][slot] <= node.planes[0][1][slot];
+            let [low, high] = &node.planes()[0];
+            let there = low[slot] <= high[slot];
             bits | u32::from(there && !outside[slot]) << slot
         })
     }

@@ -4,7 +4,7 @@
 //!
 //! | to ask | use |
 //! | --- | --- |
-//! | which triangle a ray meets first, whether any, all of them, for millions of rays | [`Bvh`], [`MeshRays`] |
+//! | closest, any and all hits of rays through one mesh | [`Bvh`], [`MeshRays`], from [`luxel_bvh`] |
 //! | what a frame shows at a pixel, and what lies behind it | [`Picker`], [`PickView`] |
 //! | what reaches into a rectangle or a polygon of the window, how near and how far | [`Region`], [`PickView::sliver`] |
 //! | what is seen there, in how many pixels | [`PickView::visible_in`], [`VisibleIds`] |
@@ -71,39 +71,28 @@
 
 #![forbid(unsafe_code)]
 
-mod alone;
-mod bundle;
-mod bvh;
-mod cover;
+mod coverage_query;
 mod drawing;
 mod frustum;
-mod gather;
-mod intersect;
-mod kind;
-mod leaf;
 mod names;
-mod near;
 mod picker;
-mod rays;
 mod region;
-mod row;
 mod sliver;
-mod told;
+mod snapping;
+mod surface_hit;
 mod unproject;
 mod view;
 mod visible;
 mod window;
 mod world_rays;
 
-pub use bvh::{Bvh, MAX_TRIANGLES, Quality, TooManyForTree};
-pub use intersect::Ray;
+pub use luxel_bvh::{Bvh, MAX_TRIANGLES, MeshRays, Quality, Ray, RayHit, TooManyForTree};
 pub use names::{HitRecord, MAX_NAMES, NameError, Selected, Selection};
-pub use near::{NearEdge, NearPolygon, NearVertex, SnapTo, Snapped, SnappedTo};
 pub use picker::{PickError, Picker};
-pub use rays::{MeshRays, RayHit};
 pub use region::{MAX_CORNERS, Region, RegionError};
 pub use sliver::{Inclusion, SliverHit};
-pub use told::{Element, PickHit};
+pub use snapping::{NearEdge, NearPolygon, NearVertex, SnapTo, Snapped, SnappedTo};
+pub use surface_hit::{Element, PickHit};
 pub use unproject::{SightLine, Viewport, pick_matrix, project, unproject, unproject4, window_ray};
 pub use view::PickView;
 pub use visible::{NOTHING, VisibleHit, VisibleIds};

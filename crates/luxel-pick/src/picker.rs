@@ -1,13 +1,12 @@
-//! A scene made ready for picking: a tree for each mesh, and one over all objects.
+//! A scene prepared for picking: a tree for each mesh, and one over all objects.
 
-use crate::bvh::{Box3, Boxes, Bvh, Quality, TooManyForTree, Tree, build};
-use crate::rays::MeshRays;
 use glam::{DMat3, DMat4, DVec3};
+use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
 use luxel_parallel::{fill, map};
 use luxel_scene::{Mesh, Object, Scene};
 
-/// Why a scene can't be made ready.
+/// Why a scene can't be prepared.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PickError {
@@ -25,8 +24,8 @@ impl From<UnavailableSimdLevel> for PickError {
     }
 }
 
-/// A scene ready to be asked what is where: with rays through the world, or, as a
-/// [`PickView`](crate::PickView), for what a camera sees.
+/// A scene prepared for queries: world-space rays, and, through a [`PickView`](crate::PickView), what a
+/// camera sees.
 pub struct Picker<'s> {
     pub(crate) scene: &'s Scene,
     pub(crate) objects: Vec<Object>,
@@ -34,7 +33,7 @@ pub struct Picker<'s> {
     bvhs: Vec<Bvh>,
     placed: Vec<Placed>,
     /// Over the boxes of the objects, about `middle`.
-    pub(crate) top: Tree,
+    pub(crate) top: BoxTree,
     pub(crate) middle: DVec3,
 }
 
@@ -69,24 +68,12 @@ pub(crate) struct ObjectTree<'p> {
 /// precision.
 const MOST_STRETCHED: f64 = 1e4;
 
-/// Boxes of objects in the world, told from a middle.
-struct OfObjects<'o> {
-    boxes: &'o [[DVec3; 2]],
-    middle: DVec3,
-}
-
-impl Boxes for OfObjects<'_> {
-    fn count(&self) -> usize {
-        self.boxes.len()
-    }
-
-    fn bounds(&self, number: usize) -> Option<Box3> {
-        let [low, high] = self.boxes[number];
-        is_sound(&[low, high]).then(|| Box3 {
-            low: (low - self.middle).as_vec3().to_array().map(f32::next_down),
-            high: (high - self.middle).as_vec3().to_array().map(f32::next_up),
-        })
-    }
+/// An object's box in the world, relative to `middle` and rounded outwards.
+fn rounded([low, high]: [DVec3; 2], middle: DVec3) -> [[f32; 3]; 2] {
+    [
+        (low - middle).as_vec3().to_array().map(f32::next_down),
+        (high - middle).as_vec3().to_array().map(f32::next_up),
+    ]
 }
 
 fn is_sound([low, high]: &[DVec3; 2]) -> bool {
@@ -103,7 +90,7 @@ impl<'s> Picker<'s> {
         Self::with(scene, Quality::Thorough, SimdLevel::Auto)
     }
 
-    /// Builds the trees with a care and an instruction set of your choice.
+    /// Builds the trees with a given quality and instruction set.
     ///
     /// # Errors
     /// [`PickError`] if a mesh has too many triangles or the machine lacks the instructions.
@@ -118,8 +105,15 @@ impl<'s> Picker<'s> {
         let placed =
             map(objects.len(), 1, &|run| Some(Placed::new(scene, &objects[run.start], quality)));
         let placed = placed.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
-        let mut picker =
-            Self { scene, objects, level, bvhs, placed, top: Tree::default(), middle: DVec3::ZERO };
+        let mut picker = Self {
+            scene,
+            objects,
+            level,
+            bvhs,
+            placed,
+            top: BoxTree::default(),
+            middle: DVec3::ZERO,
+        };
         let boxes: Vec<[DVec3; 2]> =
             (0..picker.objects.len()).map(|object| picker.tree(object).world_box()).collect();
         let all = boxes
@@ -130,7 +124,11 @@ impl<'s> Picker<'s> {
             });
         picker.middle = if is_sound(&all) { all[0] * 0.5 + all[1] * 0.5 } else { DVec3::ZERO };
         let middle = picker.middle;
-        picker.top = build(&OfObjects { boxes: &boxes, middle }, Quality::Fast);
+        let boxes: Vec<_> = boxes
+            .into_iter()
+            .map(|bounds| is_sound(&bounds).then(|| rounded(bounds, middle)))
+            .collect();
+        picker.top = BoxTree::build(&boxes, Quality::Fast)?;
         Ok(picker)
     }
 

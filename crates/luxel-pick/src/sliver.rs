@@ -6,11 +6,11 @@
 //! left are those that selection mode would report (OpenGL 2.1, section 5.2). The tree leaves out
 //! what lies wholly beyond one of the planes.
 
-use crate::bvh::WIDTH;
 use crate::frustum::{Frustum, PLANES, Planes, planes};
 use crate::region::Region;
 use crate::view::PickView;
 use glam::{DMat4, DVec3, DVec4};
+use luxel_bvh::WIDTH;
 use luxel_parallel::{gather, map};
 
 /// What of an object falls into a region.

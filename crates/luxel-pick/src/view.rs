@@ -1,9 +1,9 @@
 //! A scene before a camera: instances with the fill rule of each, and which of them a place of the
 //! window may see.
 
-use crate::bvh::{Bvh, Quality};
 use crate::picker::{PickError, Picker};
 use glam::{DMat4, DVec3};
+use luxel_bvh::{Bvh, Quality};
 use luxel_math::SUBPIXELS;
 use luxel_scene::{AlphaMode, Camera, Mesh, Size};
 use luxel_visibility::{

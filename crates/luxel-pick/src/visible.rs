@@ -3,7 +3,7 @@
 
 use crate::drawing::{Pixels, Shown};
 use crate::region::Region;
-use crate::told::Element;
+use crate::surface_hit::Element;
 use crate::view::PickView;
 use crate::window::PhysicalPosition;
 use luxel_parallel::map;
@@ -83,7 +83,7 @@ impl PickView<'_> {
             add(&mut all.lock().unwrap_or_else(PoisonError::into_inner), counts);
         };
         match self.drawn(&pixels, &of_tile) {
-            Ok(()) => told(all.into_inner().unwrap_or_else(PoisonError::into_inner)),
+            Ok(()) => hits_of(all.into_inner().unwrap_or_else(PoisonError::into_inner)),
             // So many that a frame can't number them can still be asked for.
             Err(_) => counted(self.size, region, |x, y| {
                 self.owner_at(PhysicalPosition::centre_of(x, y)).map(|(object, _)| object)
@@ -97,9 +97,9 @@ impl PickView<'_> {
         let Size { width, height } = self.size;
         let count = width as usize * height as usize;
         let all = Mutex::new((vec![NOTHING; count], vec![NOTHING; count]));
-        let set = |told: &[([u32; 2], usize, Element)]| {
+        let set = |shown: &[([u32; 2], usize, Element)]| {
             let (objects, triangles) = &mut *all.lock().unwrap_or_else(PoisonError::into_inner);
-            for &([x, y], object, element) in told {
+            for &([x, y], object, element) in shown {
                 let at = y as usize * width as usize + x as usize;
                 objects[at] = object as u32;
                 if let Element::Triangle(triangle) = element {
@@ -138,7 +138,7 @@ fn add(all: &mut Counts, more: Counts) {
     }
 }
 
-fn told(counts: Counts) -> Vec<VisibleHit> {
+fn hits_of(counts: Counts) -> Vec<VisibleHit> {
     counts.into_iter().map(|(object, pixels)| VisibleHit { object, pixels }).collect()
 }
 
@@ -177,5 +177,5 @@ fn counted(
     for counts in of_rows {
         add(&mut all, counts);
     }
-    told(all)
+    hits_of(all)
 }

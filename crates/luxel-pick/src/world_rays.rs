@@ -1,40 +1,41 @@
-//! Rays through the world: two levels, the objects' boxes and the trees of their meshes.
+//! World-space rays through two levels: a tree over the objects' boxes, and the trees of their meshes.
+//!
+//! World space is `f64`, trees are `f32`. Each ray is moved close to a box and traced there in `f32`; the
+//! hit is then refined in `f64` on the triangle's plane.
 
-use crate::bvh::{Child, Places, Slabs, step};
-use crate::intersect::Ray;
 use crate::picker::Picker;
-use crate::rays::RayHit;
 use glam::DVec3;
+use luxel_bvh::{Ray, RayHit};
 use luxel_parallel::fill;
 
-/// A ray through the world: every place `origin + t direction` with t from `range`.
+/// A world-space ray: all points `origin + t * direction` with t within `range`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorldRay {
-    /// Where t is 0.
+    /// The point at t = 0.
     pub origin: DVec3,
-    /// Where it goes, of any length but 0; t counts in this length.
+    /// The direction, of any length but 0; t counts in units of this length.
     pub direction: DVec3,
-    /// The least t, not below 0, and the greatest, which may be infinite.
+    /// The smallest t, not below 0, and the largest, which may be infinite.
     pub range: [f64; 2],
 }
 
-/// Where a ray meets a triangle of an object.
+/// Where a ray hits a triangle of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorldHit {
-    /// Along the ray, in lengths of its direction.
+    /// The distance along the ray, in units of the direction's length.
     pub t: f64,
-    /// The object, by its place in [`Picker::objects`].
+    /// The object, by its index in [`Picker::objects`].
     pub object: usize,
-    /// The triangle, by its place in the object's mesh.
+    /// The triangle's index in the object's mesh.
     pub triangle: u32,
-    /// The weights of the triangle's corners.
+    /// Barycentric coordinates: the weights of the triangle's corners.
     pub barycentric: [f64; 3],
-    /// The place in the world.
+    /// The position in world space.
     pub position: DVec3,
 }
 
 impl WorldRay {
-    /// A ray that has no end.
+    /// A ray without end.
     #[must_use]
     pub const fn new(origin: DVec3, direction: DVec3) -> Self {
         Self { origin, direction, range: [0.0, f64::INFINITY] }
@@ -49,7 +50,7 @@ impl WorldRay {
     }
 }
 
-/// A ray within f32: its origin brought near a box, and how t counts there.
+/// A ray in `f32`: its origin moved close to a box, and the mapping of its t to world space.
 pub(crate) struct NearRay {
     pub(crate) ray: Ray,
     /// t of the world = `start + scale * t`.
@@ -58,7 +59,7 @@ pub(crate) struct NearRay {
 }
 
 impl NearRay {
-    /// Of a ray in a box's own coordinates; `None` if it can't meet the box's sphere.
+    /// From a ray in a box's own coordinates; `None` if it misses the box's bounding sphere.
     pub(crate) fn new(
         origin: DVec3,
         direction: DVec3,
@@ -93,8 +94,8 @@ impl NearRay {
 }
 
 impl Picker<'_> {
-    /// The nearest triangle that a ray meets, both sides of triangles alike; among equally near ones
-    /// the first object's lowest. `None` also for what is no ray.
+    /// The closest hit of a ray, on either side of triangles; of equally close ones that of the first
+    /// object's lowest triangle. `None` also for a ray that isn't sound.
     ///
     /// ```
     /// use luxel_pick::{Picker, WorldRay};
@@ -123,7 +124,7 @@ impl Picker<'_> {
         best
     }
 
-    /// Whether a ray meets anything.
+    /// Whether a ray hits anything within its range; ends at the first hit found.
     #[must_use]
     pub fn any(&self, ray: &WorldRay) -> bool {
         let mut any = false;
@@ -135,14 +136,14 @@ impl Picker<'_> {
         any
     }
 
-    /// Every triangle that a ray meets, nearest first.
+    /// All hits of a ray, nearest first.
     #[must_use]
     pub fn all(&self, ray: &WorldRay) -> Vec<WorldHit> {
         let mut hits = Vec::new();
         self.each_object(ray, |object, farthest| {
             if let Some(near) = self.near_ray(ray, object) {
                 let own = self.rays(object).all(&near.ray);
-                hits.extend(own.iter().filter_map(|hit| self.told(ray, object, &near, hit)));
+                hits.extend(own.iter().filter_map(|hit| self.refined(ray, object, &near, hit)));
             }
             farthest
         });
@@ -152,7 +153,7 @@ impl Picker<'_> {
         hits
     }
 
-    /// The nearest triangle for each of many rays, on all threads of the current pool.
+    /// The closest hit of each of many rays, on all threads of the current pool.
     #[must_use]
     pub fn closest_of_each(&self, rays: &[WorldRay]) -> Vec<Option<WorldHit>> {
         let mut hits = vec![None; rays.len()];
@@ -164,34 +165,19 @@ impl Picker<'_> {
         hits
     }
 
-    /// Visits the objects whose boxes a ray meets, near ones first; `visit` gives the farthest t
-    /// that still counts.
+    /// Visits the objects whose boxes a ray hits, near ones first; `visit` returns the farthest t that
+    /// still counts.
     fn each_object(&self, ray: &WorldRay, mut visit: impl FnMut(usize, f64) -> f64) {
-        let Some(bounds) = self.top.bounds.filter(|_| ray.is_sound()) else { return };
+        let Some(bounds) = self.top.bounds().filter(|_| ray.is_sound()) else { return };
         let origin = ray.origin - self.middle;
-        let bounds = [bounds.low, bounds.high];
         let Some(near) = NearRay::new(origin, ray.direction, ray.range, bounds) else { return };
-        let largest = self.top.bounds.map_or([0.0; 3], |bounds| bounds.largest());
-        let slabs = Slabs::new(near.ray.origin, near.ray.direction, 0.0, largest);
-        // A little farther than told: distances in f32 and f64 differ by rounding.
+        // A little farther than `visit` says: distances in f32 and f64 differ by rounding.
         let within = |t: f64| ((t - near.start) / near.scale * (1.0 + 1e-5)) as f32;
         let mut farthest = ray.range[1];
-        let mut limit = near.ray.range[1];
-        let (places, mut top) = (Places::new(), 0);
-        let mut next = Some(Child::inner(0));
-        while let Some(child) = next {
-            if let Some((start, count)) = child.as_leaf() {
-                for &object in &self.top.items[start..start + count] {
-                    farthest = visit(object as usize, farthest);
-                    limit = limit.min(within(farthest).next_up());
-                }
-            } else {
-                let node = &self.top.nodes[child.0 as usize];
-                let (distances, bits) = step(self.level, node, &slabs, limit);
-                places.push(&mut top, node.words(), &distances, bits);
-            }
-            next = places.pop(&mut top, limit).map(Child);
-        }
+        self.top.visit_along(self.level, &near.ray, |object| {
+            farthest = visit(object as usize, farthest);
+            within(farthest).next_up()
+        });
     }
 
     /// A ray in the coordinates of an object's tree.
@@ -209,12 +195,12 @@ impl Picker<'_> {
         ask: impl Fn(&NearRay) -> Option<RayHit>,
     ) -> Option<WorldHit> {
         let near = self.near_ray(ray, object)?;
-        self.told(ray, object, &near, &ask(&near)?)
+        self.refined(ray, object, &near, &ask(&near)?)
     }
 
-    /// A hit in f64: where the ray meets the triangle's plane. A triangle that is seen edge-on
-    /// keeps what f32 found.
-    fn told(
+    /// Refines a hit in `f64`, on the triangle's plane. A triangle seen edge-on keeps the result of
+    /// `f32`.
+    fn refined(
         &self,
         ray: &WorldRay,
         object: usize,

@@ -22,7 +22,7 @@ use luxel::render::View;
 use luxel::scene::{Camera, DVec2, DVec3, Size};
 use opening::Reading;
 pub use options::{
-    Equation, Options, Outcome, Print, Save, Seen, Showing, ViewerError, WhenInterrupted, Write,
+    Options, Outcome, Print, Save, Seen, Showing, ViewerError, WhenInterrupted, Write,
 };
 use present::GuideLines;
 use std::ffi::{OsStr, OsString};

@@ -1,15 +1,16 @@
 //! The panel that says why the pixel under the pointer has its colour, and the vectors at its point.
 
-use crate::ledger::{self, LedgerLine, TermKind, value_row};
+use crate::ledger::{self, term_color, value_row};
 use crate::probe::Explained;
 use crate::ruler::number;
 use crate::session::Session;
 use crate::theme::{self, Theme};
 use egui::{Color32, Context, FontId, RichText, Stroke, pos2, vec2};
 use luxel::render::{
-    Cull, ExplainedLight, ExplainedSurface, Explanation, Hidden, NEAREST_WITHIN, Seen,
-    SurfaceBelow, Unseen,
+    ExplainedLight, ExplainedSurface, Explanation, Hidden, NEAREST_WITHIN, Seen, SurfaceBelow,
+    Unseen,
 };
+use luxel::report::{Hint, LedgerLine, TermKind};
 use luxel::scene::DVec3;
 
 /// A term of the sum: its name, what it is, its value.
@@ -63,7 +64,7 @@ pub(crate) fn ledger(
     ui.spacing_mut().item_spacing.y = 2.0;
     for (name, kind, value) in &terms {
         if *value != [0.0; 3] {
-            value_row(ui, Some(kind.color(theme)), name, *value);
+            value_row(ui, Some(term_color(*kind, theme)), name, *value);
         }
     }
     value_row(ui, Some(theme.accent), "sum", surface.sum);
@@ -106,9 +107,11 @@ fn not_seen(ui: &mut egui::Ui, session: &Session, hidden: Option<&Hidden>) {
     };
     ui.add_space(8.0);
     ui.label(RichText::new("Here, but not seen").color(theme::of(ui.ctx()).heading));
-    let of_flag = session.look().view().cull == Cull::Back;
+    let why = match Hint::of_culling(session.look().view().cull) {
+        Hint::ViewCullsBackFaces => "back faces are left out",
+        _ => "its material has one side",
+    };
     for back in &hidden.culled {
-        let why = if of_flag { "back faces are left out" } else { "its material has one side" };
         note(ui, &format!("{}: shows its back, and {why}", what(back)));
     }
     for behind in hidden.behind.iter().take(MOST_BEHIND) {
@@ -171,7 +174,7 @@ fn bar(ui: &mut egui::Ui, terms: &[Term]) {
     for (_, kind, value) in terms {
         let part = if all > 0.0 { luminance(*value).max(0.0) / all * width } else { 0.0 };
         let part = egui::Rect::from_min_size(pos2(left, rect.top()), vec2(part, rect.height()));
-        ui.painter().rect_filled(part, 0, kind.color(theme));
+        ui.painter().rect_filled(part, 0, term_color(*kind, theme));
         left = part.right();
     }
 }

@@ -2,77 +2,18 @@
 
 use crate::theme::{self, Theme};
 use egui::{Align, Color32, Label, Layout, RichText, Ui, vec2};
+use luxel::report::{LedgerLine, TermKind};
 
-/// What a term is; it has the same colour everywhere.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TermKind {
-    /// Light from everywhere.
-    Ambient,
-    /// Light reflected to all sides.
-    Diffuse,
-    /// A highlight.
-    Specular,
-    /// The surface's own light.
-    Emission,
-    /// What is mirrored.
-    Environment,
-    /// Depth cueing.
-    Fog,
-    /// What terms add up to.
-    Sum,
-}
-
-/// A line of the equation.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LedgerLine {
-    /// What the lines that follow are about: a corner, a light; with what is known of it.
-    About {
-        /// Its name.
-        name: String,
-        /// Facts, one a line.
-        facts: Vec<String>,
-    },
-    /// A term: what it is the product of, the same with numbers, and what comes of it.
-    Term {
-        /// What it is.
-        kind: TermKind,
-        /// Its name.
-        name: String,
-        /// The product in symbols.
-        symbols: String,
-        /// The product in numbers.
-        numbers: String,
-        /// Red, green, blue.
-        value: [f32; 3],
-        /// Whether it is a factor of a term that follows, and no term itself.
-        is_part: bool,
-    },
-    /// Why something adds nothing.
-    Nothing(String),
-    /// What the terms add up to.
-    Sum {
-        /// What it is.
-        kind: TermKind,
-        /// Its name.
-        name: String,
-        /// Red, green, blue.
-        value: [f32; 3],
-        /// What became of it.
-        note: String,
-    },
-}
-
-impl TermKind {
-    pub(crate) fn color(self, theme: &Theme) -> Color32 {
-        match self {
-            Self::Ambient => theme.terms[0],
-            Self::Diffuse => theme.terms[1],
-            Self::Specular => theme.terms[2],
-            Self::Emission => theme.terms[3],
-            Self::Environment => theme.vectors[2],
-            Self::Fog => theme.terms[4],
-            Self::Sum => theme.accent,
-        }
+/// The colour of a kind of term, the same everywhere.
+pub(crate) fn term_color(kind: TermKind, theme: &Theme) -> Color32 {
+    match kind {
+        TermKind::Ambient => theme.terms[0],
+        TermKind::Diffuse => theme.terms[1],
+        TermKind::Specular => theme.terms[2],
+        TermKind::Emission => theme.terms[3],
+        TermKind::Environment => theme.vectors[2],
+        TermKind::Fog => theme.terms[4],
+        _ => theme.accent,
     }
 }
 
@@ -81,7 +22,7 @@ pub(crate) fn equation(ui: &mut Ui, lines: &[LedgerLine]) {
     let theme = theme::of(ui.ctx());
     for line in lines {
         match line {
-            LedgerLine::About { name, facts } => {
+            LedgerLine::Heading { name, facts } => {
                 ui.add_space(8.0);
                 ui.label(RichText::new(name).color(theme.heading));
                 for fact in facts {
@@ -94,21 +35,22 @@ pub(crate) fn equation(ui: &mut Ui, lines: &[LedgerLine]) {
                 if *is_part {
                     value_row(ui, None, name, *value);
                 } else {
-                    value_row(ui, Some(kind.color(theme)), name, *value);
+                    value_row(ui, Some(term_color(*kind, theme)), name, *value);
                 }
                 let symbols = RichText::new(format!("= {symbols}")).monospace().size(11.0);
                 ui.add(Label::new(symbols).wrap());
                 quiet(ui, &format!("= {numbers}"));
                 ui.spacing_mut().item_spacing.y = 4.0;
             }
-            LedgerLine::Nothing(why) => quiet(ui, why),
+            LedgerLine::Note(why) => quiet(ui, why),
             LedgerLine::Sum { kind, name, value, note } => {
                 ui.add_space(8.0);
-                value_row(ui, Some(kind.color(theme)), name, *value);
+                value_row(ui, Some(term_color(*kind, theme)), name, *value);
                 if !note.is_empty() {
                     quiet(ui, note);
                 }
             }
+            _ => {}
         }
     }
 }

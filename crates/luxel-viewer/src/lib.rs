@@ -47,11 +47,9 @@ mod wardrobe;
 mod worker;
 
 pub use app::{
-    Equation, Options, Outcome, Print, Save, Seen, Showing, ViewerError, WhenInterrupted, Write,
-    run,
+    Options, Outcome, Print, Save, Seen, Showing, ViewerError, WhenInterrupted, Write, run,
 };
 pub use keys::{Keys, KeysError, KeysErrorKind};
-pub use ledger::{LedgerLine, TermKind};
 pub use loading::Loading;
 pub use model::Model;
 pub use terminal::{Graphics, GraphicsChoice, TerminalOptions, leave_terminal, view_in_terminal};

@@ -20,8 +20,10 @@
 //! | [`scene`] | what there is: meshes, nodes, cameras, lights, textures, the built-in demos |
 //! | [`lighting`] | what a lit surface point sends to the eye |
 //! | [`check`] | what in a mesh spoils its shading |
+//! | [`bvh`] | rays against triangles: closest, any and all hits |
 //! | [`pick`] | what is under the mouse: rays, pixels, rectangles |
 //! | [`render`] | pictures and layers of a scene |
+//! | [`report`] | the light of a pixel term by term, and picks, as text, JSON, LaTeX, HTML |
 //! | [`navigation`] | from mouse and keys to the camera, without a window |
 //! | [`math`] | numbers with the same bits everywhere |
 
@@ -33,6 +35,7 @@ mod view;
 
 pub use draw::{draw, write_png};
 pub use load::load;
+pub use luxel_bvh as bvh;
 pub use luxel_check as check;
 pub use luxel_formats as formats;
 pub use luxel_lighting as lighting;
@@ -40,6 +43,7 @@ pub use luxel_math as math;
 pub use luxel_navigation as navigation;
 pub use luxel_pick as pick;
 pub use luxel_render as render;
+pub use luxel_report as report;
 pub use luxel_scene as scene;
 pub use view::{
     DEFAULT_AZIMUTH_DEGREES, DEFAULT_ELEVATION_DEGREES, DEFAULT_FOV_DEGREES, DEFAULT_SAMPLES,

@@ -1,18 +1,5 @@
 //! `luxel explain`: why a pixel has its colour, term by term.
 
-mod equation;
-mod html;
-mod json;
-mod latex;
-#[cfg(feature = "viewer")]
-mod lines;
-mod rows;
-mod text;
-mod words;
-
-#[cfg(feature = "viewer")]
-pub(crate) use lines::lines;
-
 use crate::camera;
 use crate::console::Console;
 use crate::failure::Failure;
@@ -26,8 +13,8 @@ use crate::surface;
 use crate::values::at;
 use crate::view;
 use clap::Args;
-use luxel::render::{At, Execution, Explanation, RenderError, Renderer, Unseen, View};
-use luxel::scene::Scene;
+use luxel::render::{At, Execution, RenderError, Renderer, Unseen};
+use luxel::report::{Hint, Pictures, Report};
 use std::ffi::OsString;
 use std::io::IsTerminal;
 use std::path::Path;
@@ -82,16 +69,6 @@ struct AskedOptions {
     output: Option<OsString>,
 }
 
-/// What is told, and what about.
-struct Told<'a> {
-    explanation: &'a Explanation,
-    unseen: &'a Unseen,
-    scene: &'a Scene,
-    view: &'a View,
-    /// The model's name.
-    model: String,
-}
-
 impl ExplainCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
         let file = self.asked.output.as_deref().filter(|name| *name != "-").map(Path::new);
@@ -118,20 +95,35 @@ impl ExplainCommand {
         let unseen = Unseen::new(&renderer, &view, &explanation)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         let model = self.input.name();
-        let told = Told { explanation: &explanation, unseen: &unseen, scene, view: &view, model };
+        let report = Report::new(&explanation, scene, &view)
+            .with_model(&model)
+            .with_unseen(&unseen)
+            .with_hint_text(flag_of);
         let text = if self.asked.json {
-            format!("{}\n", json::document(&told))
+            format!("{}\n", report.to_json())
         } else if self.asked.latex {
-            latex::fragment(&told)
+            report.to_latex()
         } else if self.asked.html {
-            html::page(&told, &renderer)?
+            let pictures = Pictures::draw(&renderer, &view, explanation.pixel)
+                .map_err(|error| Failure::work(error.to_string(), ""))?;
+            report.with_pictures(&pictures).to_html()
+        } else if file.is_none() && has_colors() {
+            report.to_colored_text()
         } else {
-            text::page(&told, file.is_none() && has_colors())
+            report.to_text()
         };
         match file {
             Some(path) => output::write_file(path, text.as_bytes()),
             None => output::print(&text),
         }
+    }
+}
+
+/// A hint as the flag that it is about.
+fn flag_of(hint: Hint) -> &'static str {
+    match hint {
+        Hint::ViewCullsBackFaces => "--cull back leaves such faces out",
+        other => other.text(),
     }
 }
 

@@ -109,7 +109,6 @@ mod window {
     use super::saved;
     use super::{GraphicsName, ThemeName, ViewCommand};
     use crate::cli::{Cli, with_command};
-    use crate::commands::explain;
     use crate::console::Console;
     use crate::failure::Failure;
     use crate::options::InputOptions;
@@ -186,7 +185,6 @@ mod window {
                     let _ = output::print(&format!("{line}\n"));
                     line
                 }),
-                equation: Box::new(explain::lines),
                 save: Box::new(move |file, showing| {
                     let (path, text) = saved::saved(file, showing, restyle.clone(), &shading)?;
                     write(&path, text.as_bytes())?;

@@ -1,11 +1,10 @@
 //! What a window is opened with, and how it ends.
 
 use crate::keys::Keys;
-use crate::ledger::LedgerLine;
 use crate::theme::ThemeChoice;
 use luxel::formats::SurfaceChange;
 use luxel::navigation::{Log, Mode};
-use luxel::render::{Execution, ExplainedSurface, View};
+use luxel::render::{Execution, View};
 use luxel::scene::{Scene, SceneLight, Size};
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -34,8 +33,6 @@ pub struct Options {
     pub print: Print,
     /// Saves what is shown of a file as a scene file; answers with its name, or with what went wrong.
     pub save: Save,
-    /// The lighting equation of a place with its numbers filled in.
-    pub equation: Equation,
     /// Takes what is to be done when the program is interrupted.
     pub when_interrupted: WhenInterrupted,
     /// Says something that is worth knowing.
@@ -64,9 +61,6 @@ pub struct Seen<'a> {
 
 /// Saves what is shown of a file as a scene file; answers with its name, or with what went wrong.
 pub type Save = Box<dyn Fn(&OsStr, &Showing<'_>) -> Result<String, String>>;
-
-/// Tells the lighting equation of a place, line by line.
-pub type Equation = Box<dyn Fn(&ExplainedSurface) -> Vec<LedgerLine>>;
 
 /// What a window shows, to be saved.
 pub struct Showing<'a> {

@@ -12,6 +12,7 @@ use crate::session::Session;
 use crate::snapshot::{keep, rgba_of};
 use crate::theme::Theme;
 use crate::worker::{Drawn, Purpose};
+use luxel::report::ledger_lines;
 use luxel::scene::Size;
 use std::time::{Duration, Instant};
 
@@ -97,8 +98,8 @@ impl App {
 
     /// Why the pixel under the pointer has its colour is known.
     pub(super) fn explained_by(&mut self, explained: Option<Box<Explained>>) {
-        let equation = explained.as_ref().and_then(|one| one.surface());
-        self.ui.equation = equation.map(|surface| (self.options.equation)(surface));
+        let surface = explained.as_ref().and_then(|one| one.surface());
+        self.ui.equation = surface.map(ledger_lines);
         self.ui.explanation = explained;
         self.redraw();
     }

@@ -1,14 +1,12 @@
 //! Places of the window: one from the line, or as many as the standard input gives.
 
 use super::{AskedOptions, SNAP_WITHIN, SnapChoice};
-use crate::camera;
 use crate::failure::Failure;
 use crate::output;
 use crate::values::at as position;
-use luxel::pick::{PickHit, PickView, SnapTo};
+use luxel::pick::{PickHit, PickView, SnapTo, Snapped};
 use luxel::render::At;
-use luxel_answers::{Answer, append_json, document, text};
-use serde_json::Value;
+use luxel::report::{PickReport, camera_to_json};
 use std::io::{self, BufRead, Write};
 
 /// Bytes of positions that are answered together, at most.
@@ -16,16 +14,26 @@ const BATCH: usize = 1 << 20;
 /// Positions that one thread takes.
 const RUN: usize = 64;
 
+/// What lies at a place.
+struct Found {
+    /// The place, in pixels.
+    at: [f64; 2],
+    /// Nearest first.
+    hits: Vec<PickHit>,
+    /// Where it snaps to, if that was asked.
+    snapped: Option<Option<Snapped>>,
+}
+
 impl AskedOptions {
     /// Answers for one place.
     pub(super) fn one(&self, view: &PickView<'_>, at: At) -> Result<(), Failure> {
-        let answer = self.answer(view, at);
-        if !self.json {
-            return output::print(&text(view, &answer));
+        let found = self.find(view, at);
+        let report = found.report(view);
+        if self.json {
+            output::print_json(&report.to_json())
+        } else {
+            output::print(&report.to_text())
         }
-        let mut entries = document(view, &answer);
-        entries.insert("camera".to_owned(), camera::to_json(view.camera(), view.size()));
-        output::print_json(&Value::Object(entries))
     }
 
     /// Answers for each line of the standard input, as soon as it can be read, in order.
@@ -98,21 +106,22 @@ impl AskedOptions {
             }
         }
         // The camera is the same for all: written once.
-        let camera = camera::to_json(view.camera(), view.size()).to_string();
+        let camera = camera_to_json(view.camera(), view.size()).to_string();
         let told = luxel_parallel::gather(places.len(), RUN, &|run, bytes| {
             for &at in &places[run] {
-                let answer = self.answer(view, at);
+                let found = self.find(view, at);
+                let report = found.report(view);
                 if self.json {
-                    append_json(view, &answer, &camera, bytes);
+                    report.append_json_line(&camera, bytes);
                 } else {
-                    bytes.extend_from_slice(text(view, &answer).as_bytes());
+                    bytes.extend_from_slice(report.to_text().as_bytes());
                 }
             }
         });
         (told, failure)
     }
 
-    fn answer(&self, view: &PickView<'_>, at: At) -> Answer {
+    fn find(&self, view: &PickView<'_>, at: At) -> Found {
         let [x, y] = match at {
             At::Pixel([x, y]) => [f64::from(x) + 0.5, f64::from(y) + 0.5],
             At::Point(point) => point,
@@ -136,7 +145,17 @@ impl AskedOptions {
             };
             view.snap([x, y], to, self.within.unwrap_or(SNAP_WITHIN))
         });
-        Answer { at: [x, y], hits, snapped }
+        Found { at: [x, y], hits, snapped }
+    }
+}
+
+impl Found {
+    fn report<'a>(&'a self, view: &'a PickView<'a>) -> PickReport<'a> {
+        let report = PickReport::new(view, self.at, &self.hits);
+        match &self.snapped {
+            Some(snapped) => report.with_snap(snapped.as_ref()),
+            None => report,
+        }
     }
 }
 

@@ -1,13 +1,11 @@
 //! Rectangles and polygons of the window.
 
 use super::AskedOptions;
-use crate::camera;
 use crate::failure::Failure;
 use crate::output;
-use luxel::pick::{PickView, Region, SliverHit};
-use serde_json::{Value, json};
+use luxel::pick::{PickView, Region};
+use luxel::report::RegionReport;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 impl AskedOptions {
     /// Answers for a part of the window.
@@ -25,73 +23,14 @@ impl AskedOptions {
         if let Some(pixels) = &pixels {
             hits.retain(|hit| pixels.contains_key(&hit.object));
         }
-        let told = Told { view, hits: &hits, pixels: pixels.as_ref() };
-        if self.json { output::print_json(&told.document()) } else { output::print(&told.text()) }
-    }
-}
-
-struct Told<'a> {
-    view: &'a PickView<'a>,
-    hits: &'a [SliverHit],
-    /// How many each object owns, if that was asked.
-    pixels: Option<&'a BTreeMap<usize, u64>>,
-}
-
-impl Told<'_> {
-    fn pixels_of(&self, hit: &SliverHit) -> Option<u64> {
-        self.pixels.and_then(|pixels| pixels.get(&hit.object).copied())
-    }
-
-    fn path(&self, hit: &SliverHit) -> Vec<&str> {
-        let picker = self.view.picker();
-        picker.scene().path(picker.objects()[hit.object].node)
-    }
-
-    fn document(&self) -> Value {
-        let hit = |hit: &SliverHit| {
-            let path = self.path(hit);
-            let mut entry = json!({
-                "index": hit.object,
-                "object": path.last(),
-                "path": path,
-                "names": path,
-                "z_min": hit.z_min,
-                "z_max": hit.z_max,
-                "triangles": hit.triangles,
-            });
-            if hit.strokes > 0 {
-                entry["points_and_lines"] = json!(hit.strokes);
-            }
-            if let Some(pixels) = self.pixels_of(hit) {
-                entry["pixels"] = json!(pixels);
-            }
-            entry
-        };
-        json!({
-            "hits": self.hits.iter().map(hit).collect::<Value>(),
-            "camera": camera::to_json(self.view.camera(), self.view.size()),
-        })
-    }
-
-    fn text(&self) -> String {
-        let mut text = String::new();
-        for hit in self.hits {
-            let path = self.path(hit).join("/");
-            let path = crate::console::printable(&path);
-            // Writing into a string can't fail.
-            let _ = write!(
-                text,
-                "{path}: depth {:.6} to {:.6}, {} triangles",
-                hit.z_min, hit.z_max, hit.triangles
-            );
-            if hit.strokes > 0 {
-                let _ = write!(text, ", {} points and lines", hit.strokes);
-            }
-            if let Some(pixels) = self.pixels_of(hit) {
-                let _ = write!(text, ", {pixels} pixels");
-            }
-            text.push('\n');
+        let mut report = RegionReport::new(view, &hits);
+        if let Some(pixels) = &pixels {
+            report = report.with_pixels(pixels);
         }
-        if text.is_empty() { "nothing\n".to_owned() } else { text }
+        if self.json {
+            output::print_json(&report.to_json())
+        } else {
+            output::print(&report.to_text())
+        }
     }
 }

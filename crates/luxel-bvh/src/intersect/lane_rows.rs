@@ -1,0 +1,101 @@
+//! Values of a packet's rays side by side, processed in groups as wide as the vectors.
+
+use crate::aabb::{higher, lower};
+use luxel_math::{LANES, Number};
+
+/// The most rays of a packet: a miss of a node's box then costs each ray a 64th of a test.
+pub(crate) const PACKET: usize = 64;
+
+/// One value per ray of a packet.
+pub(crate) type Row = [[f32; LANES]; PACKET / LANES];
+
+pub(crate) const EMPTY_ROW: Row = [[0.0; LANES]; PACKET / LANES];
+
+/// A packet's rays in the form of the triangle test; see [`ShearedRay`](super::ShearedRay).
+#[repr(C)]
+pub(crate) struct ShearedRows {
+    pub(crate) origin: [Row; 3],
+    pub(crate) shear: [Row; 3],
+}
+
+/// Rays per group.
+#[inline(always)]
+pub(crate) const fn width<N: Number>() -> usize {
+    size_of::<N>() / size_of::<f32>()
+}
+
+/// The values of a group; `lanes` selects the lane type.
+#[inline(always)]
+pub(crate) fn load<N: Number>(lanes: N, row: &Row, group: usize) -> N {
+    let at = group * width::<N>();
+    lanes.load(&row[at / LANES % row.len()], at % LANES)
+}
+
+#[inline(always)]
+pub(crate) fn store<N: Number>(values: N, row: &mut Row, group: usize) {
+    let at = group * width::<N>();
+    values.store(&mut row[at / LANES % (PACKET / LANES)], at % LANES);
+}
+
+/// The value of one ray.
+#[inline(always)]
+pub(crate) fn lane(row: &Row, ray: usize) -> f32 {
+    row.as_flattened()[ray % PACKET]
+}
+
+/// The minimum and maximum over several groups, lane by lane.
+#[derive(Clone, Copy)]
+pub(crate) struct LaneRange<N> {
+    least: N,
+    greatest: N,
+}
+
+impl<N: Number> LaneRange<N> {
+    #[inline(always)]
+    pub(crate) fn empty(lanes: N) -> Self {
+        let (least, greatest) = (f32::INFINITY, f32::NEG_INFINITY);
+        Self { least: lanes.constant(least), greatest: lanes.constant(greatest) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn include(&mut self, values: N) {
+        self.least = self.least.minimum(values);
+        self.greatest = self.greatest.maximum(values);
+    }
+
+    /// The minimum and maximum over all lanes.
+    #[inline(always)]
+    pub(crate) fn ends(&self) -> [f32; 2] {
+        let mut lanes = [0.0; LANES];
+        self.least.store(&mut lanes, 0);
+        let mut half = width::<N>() / 2;
+        while half > 0 {
+            for lane in 0..half {
+                lanes[lane] = lower(lanes[lane + half], lanes[lane]);
+            }
+            half /= 2;
+        }
+        [lanes[0], greatest(self.greatest)]
+    }
+
+    #[inline(always)]
+    pub(crate) fn width(&self) -> f32 {
+        let [least, greatest] = self.ends();
+        greatest - least
+    }
+}
+
+/// The maximum over the lanes of a group.
+#[inline(always)]
+pub(crate) fn greatest<N: Number>(values: N) -> f32 {
+    let mut lanes = [0.0; LANES];
+    values.store(&mut lanes, 0);
+    let mut half = width::<N>() / 2;
+    while half > 0 {
+        for lane in 0..half {
+            lanes[lane] = higher(lanes[lane + half], lanes[lane]);
+        }
+        half /= 2;
+    }
+    lanes[0]
+}

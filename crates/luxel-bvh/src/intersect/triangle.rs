@@ -1,0 +1,263 @@
+//! The triangle test, watertight (Woop, Benthin and Wald 2013).
+//!
+//! Corners are taken relative to the ray's origin and sheared so that the ray runs along the axis of
+//! its largest component; what remains is whether the origin lies inside a triangle of the plane. An
+//! edge function in `f32` never has the wrong sign, but it can round to 0: then, and only then, it is
+//! computed again in `f64`, where products are exact and so is the sign of their difference.
+//! Triangles that share an edge therefore agree on which side of it a ray passes, and no ray passes
+//! through a closed mesh. Moeller and Trumbore's test needs no shear, but leaks at shared edges.
+//!
+//! A ray exactly through an edge or a corner hits all triangles there. The distance is then computed
+//! from the edge alone, whichever triangle it belongs to, so that all hits have the same distance
+//! and the lowest triangle number wins.
+
+use super::lane_rows::{Row, ShearedRows, load};
+use super::sheared::{ShearedRay, edge_functions};
+use crate::ray::axis_order;
+use crate::tree::{Block, Gathered, VertexRows, WIDTH, gather_corner, load_row};
+use luxel_math::{LANES, Simd, f32x8, mask32x8, permuted, prelude::*};
+
+/// The distance at which a ray through an edge or corner hits a triangle, computed in `f64`; `None`
+/// for a miss.
+fn on_edge(corners: [[f32; 3]; 3]) -> Option<f32> {
+    let weights = edge_functions(&corners);
+    let negative = weights.iter().any(|weight| *weight < 0.0);
+    let positive = weights.iter().any(|weight| *weight > 0.0);
+    let sum = weights[0] + weights[1] + weights[2];
+    if negative && positive || sum == 0.0 {
+        return None;
+    }
+    let corners = corners.map(|corner| corner.map(f64::from));
+    let mut zeros = (0..3).filter(|&corner| weights[corner] == 0.0);
+    let t = match (zeros.next(), zeros.next()) {
+        // Through a corner: the one whose weight is left.
+        (Some(i), Some(j)) => corners[3 - i - j][2],
+        // Through an edge, taken the same way round whichever triangle it belongs to.
+        (Some(opposite), None) => {
+            let [mut p, mut q] = [corners[(opposite + 1) % 3], corners[(opposite + 2) % 3]];
+            if p > q {
+                (p, q) = (q, p);
+            }
+            let axis = usize::from((q[1] - p[1]).abs() > (q[0] - p[0]).abs());
+            p[2] + (q[2] - p[2]) * (-p[axis] / (q[axis] - p[axis]))
+        }
+        _ => {
+            let [u, v, w] = weights;
+            (u * corners[0][2] + v * corners[1][2] + w * corners[2][2]) / sum
+        }
+    };
+    Some(t as f32)
+}
+
+/// Repeats the test with [`on_edge`] for the pairs whose bit is set in `uncertain`; returns all hits.
+#[cold]
+#[inline(never)]
+fn on_edges(
+    corners: &[[[f32; LANES]; 3]; 3],
+    range: &[[f32; LANES]; 2],
+    mut uncertain: u32,
+    distances: &mut [f32; LANES],
+    mut hits: u32,
+) -> u32 {
+    while uncertain != 0 {
+        let lane = uncertain.trailing_zeros() as usize & (LANES - 1);
+        uncertain &= uncertain - 1;
+        hits &= !(1 << lane);
+        if let Some(t) = on_edge(corners.map(|corner| corner.map(|row| row[lane])))
+            && range[0][lane] <= t
+            && t <= range[1][lane]
+        {
+            distances[lane] = t;
+            hits |= 1 << lane;
+        }
+    }
+    hits
+}
+
+/// Pairs of a ray and a triangle, lane by lane: x, y and z of each corner in the ray's frame.
+type Transformed<N> = [[N; 3]; 3];
+
+/// The distances at which a ray hits a block's triangles, and a bit for each hit within `range`.
+///
+/// Transforms each shared vertex once and permutes the results to corners.
+#[inline(always)]
+pub(crate) fn intersect_block<S: Simd>(
+    simd: S,
+    block: Block<'_>,
+    positions: &[[f32; 3]],
+    ray: &ShearedRay,
+    range: [f32; 2],
+) -> ([f32; WIDTH], u32) {
+    let head = block.header();
+    let [kx, ky, kz] = axis_order(ray.last);
+    let zero = f32x8::splat(simd, 0.0);
+    let mut corners: Transformed<f32x8<S>> = [[zero; 3]; 3];
+    match head.rows() {
+        VertexRows::Shared => {
+            let [x, y, z] = transform_rows(simd, block, [kx, ky, kz], ray);
+            let words = block.triangle_words(simd);
+            for (corner, at) in [words, words >> 3, words >> 6].into_iter().enumerate() {
+                corners[0][corner] = permuted(simd, x, at);
+                corners[1][corner] = permuted(simd, y, at);
+                corners[2][corner] = permuted(simd, z, at);
+            }
+        }
+        VertexRows::Separate => {
+            for corner in 0..3 {
+                let rows = [3 * corner + kx, 3 * corner + ky, 3 * corner + kz];
+                let [x, y, z] = transform_rows(simd, block, rows, ray);
+                (corners[0][corner], corners[1][corner], corners[2][corner]) = (x, y, z);
+            }
+        }
+        VertexRows::Numbers => {
+            let is_x = mask32x8::splat(simd, ray.last == 0);
+            let chosen = [is_x, mask32x8::splat(simd, ray.last == 1)];
+            for corner in 0..3 {
+                let [x, y, z] = transform_corner(simd, block, corner, positions, ray, chosen);
+                (corners[0][corner], corners[1][corner], corners[2][corner]) = (x, y, z);
+            }
+        }
+    }
+    let range = range.map(|t| f32x8::splat(simd, t));
+    let mut distances = [0.0; WIDTH];
+    let (t, hits) = intersect_lanes(&corners, ray.is_negative, range, (1 << head.count()) - 1);
+    t.store_slice(&mut distances);
+    (distances, hits)
+}
+
+/// Transforms rows of a block, in the order of the ray's axes.
+#[inline(always)]
+fn transform_rows<S: Simd>(
+    simd: S,
+    block: Block<'_>,
+    [x, y, z]: [usize; 3],
+    ray: &ShearedRay,
+) -> [f32x8<S>; 3] {
+    transform(load_row(simd, block, x), load_row(simd, block, y), load_row(simd, block, z), ray)
+}
+
+/// Transforms one corner of each triangle, in a block that stores vertex numbers.
+#[inline(always)]
+fn transform_corner<S: Simd>(
+    simd: S,
+    block: Block<'_>,
+    corner: usize,
+    positions: &[[f32; 3]],
+    ray: &ShearedRay,
+    [is_x, is_y]: [mask32x8<S>; 2],
+) -> [f32x8<S>; 3] {
+    let [x, y, z] = gather_corner(simd, block, corner, positions);
+    let first = is_x.select(y, is_y.select(z, x));
+    let second = is_x.select(z, is_y.select(x, y));
+    let last = is_x.select(x, is_y.select(y, z));
+    transform(first, second, last, ray)
+}
+
+#[inline(always)]
+fn transform<S: Simd>(
+    first: f32x8<S>,
+    second: f32x8<S>,
+    last: f32x8<S>,
+    ray: &ShearedRay,
+) -> [f32x8<S>; 3] {
+    let along = last - ray.origin[2];
+    [
+        first - ray.origin[0] - along * ray.shear[0],
+        second - ray.origin[1] - along * ray.shear[1],
+        along * ray.shear[2],
+    ]
+}
+
+/// [`intersect_block`] for triangles whose vertices are gathered already, as for the second ray of a
+/// packet that reaches a leaf.
+#[inline(always)]
+pub(crate) fn intersect_gathered<S: Simd>(
+    simd: S,
+    gathered: &Gathered,
+    count: usize,
+    ray: &ShearedRay,
+    range: [f32; 2],
+) -> ([f32; WIDTH], u32) {
+    let [kx, ky, kz] = axis_order(ray.last);
+    let [x, y, z] = [&gathered[kx & 3], &gathered[ky & 3], &gathered[kz & 3]];
+    let mut corners: Transformed<f32x8<S>> = [[f32x8::splat(simd, 0.0); 3]; 3];
+    for corner in 0..3 {
+        let row = |rows: &[[f32; WIDTH]; 3]| f32x8::simd_from(simd, rows[corner]);
+        let [x, y, z] = transform(row(x), row(y), row(z), ray);
+        (corners[0][corner], corners[1][corner], corners[2][corner]) = (x, y, z);
+    }
+    let range = range.map(|t| f32x8::splat(simd, t));
+    let mut distances = [0.0; WIDTH];
+    let (t, hits) = intersect_lanes(&corners, ray.is_negative, range, (1 << count) - 1);
+    t.store_slice(&mut distances);
+    (distances, hits)
+}
+
+/// The distances at which a group of rays hits one triangle, and a bit for each of the `active` rays
+/// that hits it within its range. Corners and rays are in the order of the rays' axes.
+#[inline(always)]
+pub(crate) fn intersect_rays<N: Number>(
+    lanes: N,
+    corners: [[f32; 3]; 3],
+    (rays, group): (&ShearedRows, usize),
+    is_negative: bool,
+    range: [&Row; 2],
+    active: u32,
+) -> (N, u32) {
+    let [x, y, z] = [0, 1, 2].map(|axis: usize| load(lanes, &rays.origin[axis], group));
+    let shear = [0, 1, 2].map(|axis: usize| load(lanes, &rays.shear[axis], group));
+    let mut transformed: Transformed<N> = [[lanes; 3]; 3];
+    for corner in 0..3 {
+        let at = corners[corner].map(|value| lanes.constant(value));
+        let along = at[2] - z;
+        transformed[0][corner] = at[0] - x - along * shear[0];
+        transformed[1][corner] = at[1] - y - along * shear[1];
+        transformed[2][corner] = along * shear[2];
+    }
+    intersect_lanes(&transformed, is_negative, range.map(|row| load(lanes, row, group)), active)
+}
+
+/// The test itself, in lanes: edge functions, the distance, and the exact repetition for lanes in which
+/// an edge function is 0.
+#[inline(always)]
+fn intersect_lanes<N: Number>(
+    [x, y, z]: &Transformed<N>,
+    is_negative: bool,
+    range: [N; 2],
+    counted: u32,
+) -> (N, u32) {
+    let u = x[2] * y[1] - y[2] * x[1];
+    let v = x[0] * y[2] - y[0] * x[2];
+    let w = x[1] * y[0] - y[1] * x[0];
+    let zero = u.zero();
+    let negative = u.less(zero) | v.less(zero) | w.less(zero);
+    let positive = zero.less(u) | zero.less(v) | zero.less(w);
+    let candidates = !(negative & positive);
+    let counted = candidates.bits() & counted;
+    if counted == 0 {
+        return (zero, 0);
+    }
+    let unknown = u.equal(zero) | v.equal(zero) | w.equal(zero);
+    let sum = u + v + w;
+    let mut t = (u * z[0] + v * z[1] + w * z[2]) / sum;
+    let within = range[0].less_or_equal(t) & t.less_or_equal(range[1]);
+    let unknown = unknown.bits() & counted;
+    let mut hits = within.bits() & counted & !unknown;
+    if unknown != 0 {
+        // Stored only here: everything else stays in registers.
+        let mut corners = [[[0.0; LANES]; 3]; 3];
+        let (mut ends, mut distances) = ([[0.0; LANES]; 2], [0.0; LANES]);
+        for corner in 0..3 {
+            // `on_edge` compares the ends of edges in this order, that of one winding.
+            x[corner].store(&mut corners[corner][usize::from(is_negative)], 0);
+            y[corner].store(&mut corners[corner][usize::from(!is_negative)], 0);
+            z[corner].store(&mut corners[corner][2], 0);
+        }
+        range[0].store(&mut ends[0], 0);
+        range[1].store(&mut ends[1], 0);
+        t.store(&mut distances, 0);
+        hits = on_edges(&corners, &ends, unknown, &mut distances, hits);
+        t = t.load(&distances, 0);
+    }
+    (t, hits)
+}

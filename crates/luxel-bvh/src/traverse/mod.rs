@@ -1,0 +1,17 @@
+//! Traversal: single rays, rays that take turns, packets, and batches of all of them.
+
+mod batch;
+mod box_items;
+mod packet;
+mod packet_kind;
+mod packet_traversal;
+mod query;
+mod single_ray;
+mod stack;
+mod target;
+
+pub(crate) use batch::trace_batch;
+pub(crate) use box_items::visit_items;
+pub(crate) use query::{AnyHit, ClosestHit, RayQuery};
+pub(crate) use single_ray::{RaySetup, RaySlabs, set_up, trace_unusual, trace_usual};
+pub(crate) use target::RayTarget;

@@ -1,0 +1,342 @@
+//! Packets: up to 64 coherent rays that share their slab tests.
+//!
+//! The rays of a tile of 8x8 pixels mostly visit the same nodes. A packet tests a node once, with
+//! intervals that contain the origins and directions of all its rays (Reshetov, Soupikov and Hurley
+//! 2005; Wald, Benthin and Boulos 2008): what the interval misses, every ray misses. Rounding is
+//! monotone, so the intervals contain what each ray computes on its own, and a ray gets the same
+//! triangle and the same bits of the distance as alone.
+
+use super::packet_kind::{PacketKind, ROWS, SharedSigns, SignBits, load_eight};
+use super::query::RayQuery;
+use super::target::{NearestHit, RayTarget};
+use crate::intersect::{
+    ALMOST_ZERO, EMPTY_ROW, LaneRange, PACKET, PADDING, Row, ShearedRay, ShearedRows, greatest,
+    lane, load, padding, shifted, store, width,
+};
+use crate::ray::{Ray, axis_order};
+use crate::tree::{Node, WIDTH};
+use luxel_math::{LANES, Simd, f32x8, prelude::*};
+
+/// Fewer rays are traced singly.
+pub(crate) const LEAST: usize = 8;
+/// The most groups of a packet.
+pub(crate) const GROUPS: usize = PACKET / WIDTH;
+
+/// The largest spread of directions, as differences of slopes along the longest axis, and of origins,
+/// relative to the tree's longest side. Wider intervals hit too many boxes.
+const SPREAD: f32 = 0.25;
+
+/// Interval bounds of all rays of a packet.
+#[derive(Clone, Copy)]
+pub(super) struct RayInterval {
+    /// The origins that yield the nearest near planes and the farthest far planes.
+    near_origin: [f32; 3],
+    far_origin: [f32; 3],
+    /// The smallest and largest reciprocal directions.
+    inverse: [[f32; 2]; 3],
+    start: f32,
+}
+
+/// Rays of one kind, side by side. Rows come first, so that sixteen values are a cache line.
+#[repr(C, align(64))]
+pub(crate) struct Packet {
+    /// All rays: origins and directions, axis by axis, and ranges.
+    rows: [Row; ROWS],
+    /// The groups of which any ray hits the box around all; `numbers` says which groups these are.
+    pub(crate) near_origin: [Row; 3],
+    pub(crate) far_origin: [Row; 3],
+    pub(crate) inverse: [Row; 3],
+    pub(crate) start: Row,
+    /// Origins and shears in the packet's order of axes.
+    pub(crate) sheared: ShearedRows,
+    pub(crate) nearest: Row,
+    pub(crate) triangle: [u32; PACKET],
+    pub(crate) block: [u32; PACKET],
+    pub(crate) lane: [u32; PACKET],
+    numbers: [usize; GROUPS],
+    /// The number of groups.
+    pub(crate) count: usize,
+    pub(crate) longest: usize,
+    pub(crate) axes: [usize; 3],
+    pub(crate) reversed: [usize; 3],
+}
+
+impl Packet {
+    pub(crate) fn new() -> Self {
+        Self {
+            rows: [EMPTY_ROW; ROWS],
+            near_origin: [EMPTY_ROW; 3],
+            far_origin: [EMPTY_ROW; 3],
+            inverse: [EMPTY_ROW; 3],
+            start: EMPTY_ROW,
+            sheared: ShearedRows { origin: [EMPTY_ROW; 3], shear: [EMPTY_ROW; 3] },
+            nearest: EMPTY_ROW,
+            triangle: [0; PACKET],
+            block: [0; PACKET],
+            lane: [0; PACKET],
+            numbers: [0; GROUPS],
+            count: 0,
+            longest: 0,
+            axes: [0; 3],
+            reversed: [0; 3],
+        }
+    }
+
+    /// Loads up to 64 rays; returns their kind if they share one.
+    #[inline(always)]
+    pub(crate) fn load<S: Simd>(&mut self, simd: S, rays: &[Ray]) -> Option<PacketKind> {
+        let first = rays.first()?;
+        let mut common = SharedSigns::default();
+        for (number, sixteen) in rays.chunks(LANES).enumerate() {
+            let (low, high) = sixteen.split_at(WIDTH.min(sixteen.len()));
+            let (low, signs) = load_up_to_eight(simd, low, first);
+            common.include(signs);
+            let (high, signs) = load_up_to_eight(simd, high, first);
+            common.include(signs);
+            self.put(number, sixteen.len(), low, high);
+        }
+        common.kind()
+    }
+
+    /// Loads rays by their indices.
+    #[inline(always)]
+    pub(crate) fn load_selected<S: Simd>(&mut self, simd: S, rays: &[Ray], indices: &[u8]) {
+        let Some(&first) = indices.first() else { return };
+        for (number, sixteen) in indices.chunks(LANES).enumerate() {
+            let ray = |lane: usize| &rays[usize::from(*sixteen.get(lane).unwrap_or(&first))];
+            let low = [ray(0), ray(1), ray(2), ray(3), ray(4), ray(5), ray(6), ray(7)];
+            let high = [ray(8), ray(9), ray(10), ray(11), ray(12), ray(13), ray(14), ray(15)];
+            let ((low, _), (high, _)) = (load_eight(simd, low), load_eight(simd, high));
+            self.put(number, sixteen.len(), low, high);
+        }
+    }
+
+    /// Stores sixteen rays, of which the first `count` are valid.
+    #[inline(always)]
+    fn put<S: Simd>(
+        &mut self,
+        number: usize,
+        count: usize,
+        low: [f32x8<S>; ROWS],
+        high: [f32x8<S>; ROWS],
+    ) {
+        for (row, (low, high)) in self.rows.iter_mut().zip(low.into_iter().zip(high)) {
+            low.combine(high).store_slice(&mut row[number % (PACKET / LANES)]);
+        }
+        // The others get an empty range.
+        for end in &mut self.rows[ROWS - 1][number % (PACKET / LANES)][count.min(LANES)..] {
+            *end = -1.0;
+        }
+    }
+
+    /// Prepares `count` loaded rays of one kind; returns whether they are coherent enough for a packet.
+    #[inline(always)]
+    pub(crate) fn prepare<N: Number>(
+        &mut self,
+        lanes: N,
+        target: &RayTarget<'_>,
+        kind: PacketKind,
+        count: usize,
+    ) -> bool {
+        self.reversed = kind.reversed();
+        self.longest = kind.longest();
+        self.axes = axis_order(self.longest);
+        self.count = 0;
+        let mut slopes = [LaneRange::empty(lanes); 2];
+        let mut origins = [LaneRange::empty(lanes); 3];
+        for number in 0..count.div_ceil(width::<N>()).min(PACKET / width::<N>()) {
+            let group = self.count;
+            let start = load(lanes, &self.rows[6], number);
+            let end = load(lanes, &self.rows[7], number);
+            let (mut near, mut far) = (start, end);
+            for axis in 0..3 {
+                let origin = load(lanes, &self.rows[axis], number);
+                let along = load(lanes, &self.rows[3 + axis], number);
+                let reversed = self.reversed[axis] & 1;
+                let sign = lanes.constant(if reversed != 0 { -1.0 } else { 1.0 });
+                let largest = lanes.constant(target.largest[axis]);
+                let pad = padding(origin.abs(), largest, lanes.constant(PADDING));
+                let [near_origin, far_origin] = shifted(origin, sign * pad);
+                let length = along.abs().maximum(lanes.constant(ALMOST_ZERO));
+                let inverse = sign * (lanes.one() / length);
+                let near_plane = lanes.constant(target.bounds[reversed][axis]);
+                let far_plane = lanes.constant(target.bounds[reversed ^ 1][axis]);
+                near = ((near_plane - near_origin) * inverse).maximum(near);
+                far = ((far_plane - far_origin) * inverse).minimum(far);
+                store(near_origin, &mut self.near_origin[axis], group);
+                store(far_origin, &mut self.far_origin[axis], group);
+                store(inverse, &mut self.inverse[axis], group);
+            }
+            let reaches = near.less_or_equal(far);
+            if !reaches.any() {
+                continue;
+            }
+            store(start, &mut self.start, group);
+            // Rays that miss the box around all get an empty range.
+            store(end.select(reaches, lanes.constant(-1.0)), &mut self.nearest, group);
+            self.numbers[group % GROUPS] = number;
+            let [kx, ky, kz] = self.axes.map(|axis| axis.min(2));
+            for (to, axis) in [kx, ky, kz].into_iter().enumerate() {
+                let origin = load(lanes, &self.rows[axis], number);
+                store(origin, &mut self.sheared.origin[to], group);
+            }
+            let inverse = load(lanes, &self.inverse[kz], group);
+            let first = load(lanes, &self.rows[3 + kx], number) * inverse;
+            let second = load(lanes, &self.rows[3 + ky], number) * inverse;
+            store(first, &mut self.sheared.shear[0], group);
+            store(second, &mut self.sheared.shear[1], group);
+            store(inverse, &mut self.sheared.shear[2], group);
+            slopes[0].include(first);
+            slopes[1].include(second);
+            for axis in 0..3 {
+                origins[axis].include(load(lanes, &self.rows[axis], number));
+            }
+            self.count += 1;
+        }
+        if self.count == 0 {
+            return true;
+        }
+        self.triangle = [u32::MAX; PACKET];
+        slopes.iter().all(|range| range.width() <= SPREAD)
+            && origins.iter().all(|range| range.width() <= SPREAD * target.extent)
+    }
+
+    /// Writes the answers of rays that hit something; `index` maps a ray of the packet to its answer.
+    #[inline(always)]
+    pub(crate) fn write_answers<N: Number, Q: RayQuery>(
+        &self,
+        _lanes: N,
+        target: &RayTarget<'_>,
+        answers: &mut [Q::Answer],
+        index: impl Fn(usize) -> usize,
+    ) {
+        let width = width::<N>();
+        for group in 0..self.count.min(PACKET / width) {
+            for at in 0..width {
+                let ray = group * width + at;
+                let triangle = self.triangle[ray % PACKET];
+                if triangle != u32::MAX {
+                    let sheared = self.ray(ray);
+                    let (block, of) = (self.block[ray % PACKET], self.lane[ray % PACKET]);
+                    let t = lane(&self.nearest, ray);
+                    let nearest = NearestHit { t, triangle, block, lane: of };
+                    answers[index(self.numbers[group] * width + at)] =
+                        Q::answer(target, &sheared, nearest);
+                }
+            }
+        }
+    }
+
+    /// One of the rays.
+    #[inline(always)]
+    pub(crate) fn ray(&self, ray: usize) -> ShearedRay {
+        let ([x, y, z], [sx, sy, sz]) = (&self.sheared.origin, &self.sheared.shear);
+        ShearedRay {
+            last: self.longest,
+            is_negative: self.reversed[self.longest] != 0,
+            origin: [lane(x, ray), lane(y, ray), lane(z, ray)],
+            shear: [lane(sx, ray), lane(sy, ray), lane(sz, ray)],
+        }
+    }
+
+    /// Records a hit of a ray if it is nearer than its nearest so far; returns whether it is. A ray
+    /// that asks for any hit is done with the first one: its range becomes empty.
+    #[inline(always)]
+    pub(crate) fn record<Q: RayQuery>(
+        &mut self,
+        ray: usize,
+        t: f32,
+        triangle: u32,
+        [block, of]: [u32; 2],
+    ) -> bool {
+        let ray = ray % PACKET;
+        let nearest = &mut self.nearest.as_flattened_mut()[ray];
+        let is_nearer = t < *nearest || t == *nearest && triangle < self.triangle[ray];
+        if is_nearer {
+            *nearest = if Q::ANY { -1.0 } else { t };
+            self.triangle[ray] = triangle;
+            (self.block[ray], self.lane[ray]) = (block, of);
+        }
+        is_nearer
+    }
+
+    #[inline(always)]
+    pub(super) fn interval<N: Number>(&self, lanes: N) -> RayInterval {
+        let mut interval = RayInterval {
+            near_origin: [0.0; 3],
+            far_origin: [0.0; 3],
+            inverse: [[0.0; 2]; 3],
+            start: 0.0,
+        };
+        [interval.start, _] = self.range(lanes, &self.start);
+        for axis in 0..3 {
+            let near = self.range(lanes, &self.near_origin[axis]);
+            let far = self.range(lanes, &self.far_origin[axis]);
+            // (plane - origin) * inverse is smallest from the origin farthest ahead.
+            let ahead = usize::from(self.reversed[axis] == 0);
+            interval.near_origin[axis] = near[ahead];
+            interval.far_origin[axis] = far[1 - ahead];
+            interval.inverse[axis] = self.range(lanes, &self.inverse[axis]);
+        }
+        interval
+    }
+
+    /// The minimum and maximum of a row.
+    #[inline(always)]
+    fn range<N: Number>(&self, lanes: N, row: &Row) -> [f32; 2] {
+        let mut range = LaneRange::empty(lanes);
+        for group in 0..self.count {
+            range.include(load(lanes, row, group));
+        }
+        range.ends()
+    }
+
+    /// The largest distance that still counts for any ray.
+    #[inline(always)]
+    pub(super) fn farthest<N: Number>(&self, lanes: N) -> f32 {
+        let mut farthest = lanes.constant(-1.0);
+        for group in 0..self.count {
+            farthest = farthest.maximum(load(lanes, &self.nearest, group));
+        }
+        greatest(farthest)
+    }
+}
+
+/// Loads up to eight rays, and `first` for those that are missing.
+#[inline(always)]
+fn load_up_to_eight<S: Simd>(simd: S, rays: &[Ray], first: &Ray) -> ([f32x8<S>; ROWS], SignBits) {
+    if let Some([a, b, c, d, e, f, g, h]) = rays.first_chunk::<WIDTH>() {
+        return load_eight(simd, [a, b, c, d, e, f, g, h]);
+    }
+    let ray = |lane: usize| rays.get(lane).unwrap_or(first);
+    load_eight(simd, [ray(0), ray(1), ray(2), ray(3), ray(4), ray(5), ray(6), ray(7)])
+}
+
+impl RayInterval {
+    /// The smallest distances at which any ray enters the boxes of a node's children, and a bit for each
+    /// that any ray may enter before `farthest`.
+    #[inline(always)]
+    pub(super) fn hit_children<S: Simd>(
+        &self,
+        simd: S,
+        node: &Node,
+        reversed: [usize; 3],
+        farthest: f32,
+    ) -> ([f32; WIDTH], u32) {
+        let mut near = f32x8::splat(simd, self.start);
+        let mut far = f32x8::splat(simd, farthest);
+        for axis in 0..3 {
+            let reversed = reversed[axis] & 1;
+            let near_way =
+                f32x8::simd_from(simd, node.planes[axis][reversed]) - self.near_origin[axis];
+            let far_way =
+                f32x8::simd_from(simd, node.planes[axis][reversed ^ 1]) - self.far_origin[axis];
+            let [least, greatest] = self.inverse[axis];
+            near = (near_way * least).min(near_way * greatest).max(near);
+            far = (far_way * least).max(far_way * greatest).min(far);
+        }
+        let mut distances = [0.0; WIDTH];
+        near.store_slice(&mut distances);
+        (distances, near.simd_le(far).to_bitmask() as u32)
+    }
+}

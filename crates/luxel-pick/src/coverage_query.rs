@@ -1,0 +1,416 @@
+//! Coverage query: which triangles cover a sample, by the fill rule of frames.
+//!
+//! The tree finds candidates along a ray as thick as snapping and rounding may move a triangle: the
+//! boxes that it hits contain all triangles that can cover the sample. Boxes also bound the depth of
+//! their contents, in the frame's own arithmetic, so that near ones occlude far ones.
+//!
+//! Eight candidates at a time are rejected by the positions to which the fill rule snaps their corners,
+//! and boxes get their depths in lanes as well: a pick takes 0.58 of the time in a mesh of 1000
+//! triangles, 0.67 at 100 000, 0.78 at a million. Corners come from the leaf, where they are at hand.
+
+use crate::view::{Geometry, Instance, PickView, Thickness};
+use crate::world_rays::NearRay;
+use glam::DVec3;
+use luxel_bvh::{Block, Child, Node, SlabTest, Subtree, VertexMap, WIDTH};
+use luxel_math::{Mask, Number, SUBPIXELS, Simd, dispatch_long, f32x8, prelude::*};
+use luxel_scene::Mesh;
+use luxel_visibility::{Coverage, Probe};
+use std::cell::RefCell;
+
+/// A triangle that covers a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Covering {
+    /// The instance, by its place in the view.
+    pub(crate) instance: usize,
+    pub(crate) triangle: u32,
+    /// Its corners, about its mesh's origin.
+    pub(crate) corners: [[f32; 3]; 3],
+    /// The reversed depth, 1 near and 0 far, by which frames decide.
+    pub(crate) depth: f32,
+}
+
+impl Covering {
+    /// Whether it is seen rather than another one.
+    fn occludes(&self, other: &Self) -> bool {
+        let order = |of: &Self| (of.instance, of.triangle);
+        self.depth > other.depth || self.depth == other.depth && order(self) < order(other)
+    }
+}
+
+/// The ray through a sample, as thick as snapping and rounding may move a triangle.
+struct ThickRay {
+    slabs: SlabTest,
+    farthest: f32,
+    /// The sample, in steps of 1/256 pixel.
+    sample: [f32; 2],
+}
+
+/// Subtrees to visit, with the nearest depth of their contents.
+type Waiting = Vec<(f32, Child)>;
+
+thread_local! {
+    static WAITING: RefCell<Waiting> = const { RefCell::new(Vec::new()) };
+}
+
+impl PickView<'_> {
+    /// The surface that a sample sees; its position is in steps of 1/256 pixel.
+    pub(crate) fn owner(&self, position: [i32; 2]) -> Option<Covering> {
+        let mut best: Option<Covering> = None;
+        for number in self.instances_at(position.map(|steps| steps.div_euclid(SUBPIXELS))) {
+            let least = best.map_or(0.0, |best| best.depth);
+            let mut visit = |covering: Covering| {
+                if best.is_none_or(|best| covering.occludes(&best))
+                    && !self.is_hole(&covering, position)
+                {
+                    best = Some(covering);
+                }
+                best.map_or(0.0, |best| best.depth)
+            };
+            self.each_covering(number, position, &mut visit, least);
+        }
+        best
+    }
+
+    /// All surfaces under a sample, nearest first.
+    pub(crate) fn all_covering(&self, position: [i32; 2]) -> Vec<Covering> {
+        let mut all = Vec::new();
+        for number in self.instances_at(position.map(|steps| steps.div_euclid(SUBPIXELS))) {
+            self.each_covering(
+                number,
+                position,
+                &mut |covering| {
+                    if !self.is_hole(&covering, position) {
+                        all.push(covering);
+                    }
+                    0.0
+                },
+                0.0,
+            );
+        }
+        all.sort_by(|a, b| {
+            let order = |of: &Covering| (of.instance, of.triangle);
+            b.depth.total_cmp(&a.depth).then(order(a).cmp(&order(b)))
+        });
+        all
+    }
+
+    /// Visits the triangles of an instance that cover a sample; `visit` returns the depth below which
+    /// nothing counts any more.
+    fn each_covering(
+        &self,
+        place: usize,
+        position: [i32; 2],
+        visit: &mut dyn FnMut(Covering) -> f32,
+        least: f32,
+    ) {
+        let instance = &self.instances[place];
+        let geometry = self.geometry(instance);
+        let Some(ray) = self.thick_ray(instance, position) else { return };
+        let mesh = geometry.mesh;
+        let mut found = |block: Block<'_>, lane: usize| {
+            let triangle = block.triangle(lane);
+            let part = part_of(&geometry, triangle);
+            let corners = if instance.bounds_tell_depth {
+                // Copies in the leaf, at hand.
+                block.corners(lane, &mesh.positions)
+            } else {
+                positions(mesh, triangle)
+            };
+            let cull = instance.parts[part].cull;
+            let depth = instance.probe.covers(corners, cull, position)?;
+            Some(visit(Covering { instance: place, triangle, corners, depth }))
+        };
+        WAITING.with_borrow_mut(|waiting| {
+            dispatch_long!(self.picker.level, simd =>
+                descend(simd, instance, &geometry, &ray, least, waiting, &mut found));
+        });
+    }
+
+    /// The thick ray through a sample in the coordinates of an instance's tree; `None` if it misses the
+    /// instance.
+    fn thick_ray(&self, instance: &Instance, position: [i32; 2]) -> Option<ThickRay> {
+        let [x, y] = position.map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
+        let (origin, direction) = self.rays.ray(x, y);
+        let origin = instance.tree_from_view.transform_point3(origin);
+        let direction = instance.tree_from_view.transform_vector3(direction);
+        let parallel = self.camera.projection.is_orthographic();
+        let Thickness { snapped, rounded, wide, largest } = instance.thickness?;
+        // t counts distance along the viewing axis. Parallel rays start in the eye's plane, and the
+        // scene may lie on both sides of it.
+        let first = if parallel { f64::NEG_INFINITY } else { 0.0 };
+        let near = NearRay::new(origin, direction, [first, f64::INFINITY], wide)?;
+        let (start, grows) = if parallel { (1.0, 0.0) } else { (near.start, near.scale) };
+        let f32s = |vector: DVec3| vector.as_vec3().to_array().map(f32::next_up);
+        let farthest = near.ray.range[1];
+        let slabs = SlabTest::widening(
+            near.ray.origin,
+            near.ray.direction,
+            [0.0, farthest],
+            largest,
+            f32s(snapped * start + rounded),
+            f32s(snapped * grows),
+        );
+        Some(ThickRay { slabs, farthest, sample: position.map(|steps| steps as f32) })
+    }
+
+    /// Whether the surface is cut away or fully transparent there.
+    pub(crate) fn is_hole(&self, covering: &Covering, position: [i32; 2]) -> bool {
+        let instance = &self.instances[covering.instance];
+        let geometry = self.geometry(instance);
+        let part = part_of(&geometry, covering.triangle);
+        if instance.parts[part].coverage == Coverage::Opaque {
+            return false;
+        }
+        let forms = self.forms(instance, covering.corners);
+        let barycentric = forms.exact_barycentric(&self.rays, position);
+        let scene = self.picker.scene;
+        let material = &scene.materials[geometry.mesh.parts[part].material.index()];
+        scene.is_hole(geometry.mesh, covering.triangle, barycentric, material)
+    }
+}
+
+/// The positions of a triangle's corners, about its mesh's origin.
+pub(crate) fn positions(mesh: &Mesh, triangle: u32) -> [[f32; 3]; 3] {
+    mesh.triangles[triangle as usize].map(|corner| mesh.positions[corner as usize])
+}
+
+/// The part of its mesh that a triangle belongs to.
+pub(crate) fn part_of(geometry: &Geometry<'_>, triangle: u32) -> usize {
+    let parts = &geometry.mesh.parts;
+    if parts.len() < 2 {
+        return 0;
+    }
+    parts.partition_point(|part| part.first <= triangle).saturating_sub(1)
+}
+
+/// Visits the triangles in the leaves that a ray hits, by block and lane, what may be nearest first.
+#[inline(always)]
+fn descend<S: Simd>(
+    simd: S,
+    instance: &Instance,
+    geometry: &Geometry<'_>,
+    ray: &ThickRay,
+    mut least: f32,
+    waiting: &mut Waiting,
+    found: &mut dyn FnMut(Block<'_>, usize) -> Option<f32>,
+) {
+    let tree = geometry.bvh.view();
+    waiting.clear();
+    waiting.extend(tree.root().map(|root| (f32::INFINITY, root)));
+    while let Some((nearest, child)) = waiting.pop() {
+        if nearest < least {
+            continue;
+        }
+        let node = match tree.open(child) {
+            Subtree::Node(node) => node,
+            Subtree::Leaf(blocks) => {
+                for block in blocks {
+                    let mut bits = (1 << block.count()) - 1;
+                    if instance.bounds_tell_depth {
+                        bits &= candidates(simd, block, geometry, instance, ray.sample);
+                    }
+                    while bits != 0 {
+                        let lane = bits.trailing_zeros() as usize & (WIDTH - 1);
+                        bits &= bits - 1;
+                        least = found(block, lane).unwrap_or(least);
+                    }
+                }
+                continue;
+            }
+        };
+        let (_, mut bits) = ray.slabs.hit_children(simd, node, ray.farthest);
+        tree.prefetch_children(node, bits);
+        let bottom = waiting.len();
+        let depths = instance.nearest(simd, node);
+        while bits != 0 {
+            let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
+            bits &= bits - 1;
+            let nearest = depths[slot];
+            if nearest < least {
+                continue;
+            }
+            waiting.push((nearest, node.child(slot)));
+            let mut place = waiting.len() - 1;
+            while place > bottom && waiting[place - 1].0 > waiting[place].0 {
+                waiting.swap(place - 1, place);
+                place -= 1;
+            }
+        }
+    }
+}
+
+/// A bit for each of a block's triangles that may cover a sample: its snapped corners don't all lie to
+/// one side of it, or are unknown.
+#[inline(always)]
+fn candidates<S: Simd>(
+    simd: S,
+    block: Block<'_>,
+    geometry: &Geometry<'_>,
+    instance: &Instance,
+    sample: [f32; 2],
+) -> u32 {
+    let probe = &instance.probe;
+    let corners = block.map_corners(simd, &geometry.mesh.positions, &SnapToSubPixels(probe));
+    let mut aside = 0;
+    for axis in 0..2 {
+        let at = f32x8::splat(simd, sample[axis]);
+        let [a, b, c] = [corners[0][axis], corners[1][axis], corners[2][axis]];
+        let before = a.less(at) & b.less(at) & c.less(at);
+        let beyond = at.less(a) & at.less(b) & at.less(c);
+        aside |= (before | beyond).bits();
+    }
+    !aside
+}
+
+/// Where the fill rule snaps vertices to, in the window.
+struct SnapToSubPixels<'p>(&'p Probe);
+
+impl VertexMap<2> for SnapToSubPixels<'_> {
+    #[inline(always)]
+    fn map<S: Simd>(&self, position: [f32x8<S>; 3]) -> [f32x8<S>; 2] {
+        self.0.snapped(position)
+    }
+}
+
+impl Instance {
+    /// An upper bound of the depth of any sample inside each child of a node.
+    #[inline(always)]
+    fn nearest<S: Simd>(&self, simd: S, node: &Node) -> [f32; WIDTH] {
+        let mut depths = [f32::INFINITY; WIDTH];
+        if self.bounds_tell_depth {
+            let [x, y, z] = node.planes();
+            let low = [planes(simd, x, 0), planes(simd, y, 0), planes(simd, z, 0)];
+            let high = [planes(simd, x, 1), planes(simd, y, 1), planes(simd, z, 1)];
+            self.probe.nearest(low, high).store_slice(&mut depths);
+        }
+        depths
+    }
+}
+
+#[inline(always)]
+fn planes<S: Simd>(simd: S, of: &[[f32; WIDTH]; 2], side: usize) -> f32x8<S> {
+    f32x8::simd_from(simd, of[side])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Picker, Quality};
+    use luxel_math::{Level, SimdLevel};
+    use luxel_scene::{
+        Camera, Lens, MaterialId, Mesh, MeshId, Node as SceneNode, Part, Projection, Scene,
+        SceneMaterial, Size,
+    };
+    use luxel_visibility::{Cull, CullFaces};
+
+    /// A bumpy sheet of two triangles a cell, which may or may not share their corners.
+    fn sheet(side: u32, shared: bool) -> Mesh {
+        let place = |at: u32| {
+            let height = (at as f32 * 0.7).fract() * 0.1;
+            [(at % side) as f32 / side as f32, (at / side) as f32 / side as f32, height]
+        };
+        let cells = (0..side * (side - 1)).filter(|at| at % side != side - 1);
+        let triangles =
+            cells.flat_map(|at| [[at, at + 1, at + side], [at + 1, at + side + 1, at + side]]);
+        let mut mesh = Mesh {
+            positions: (0..side * side).map(place).collect(),
+            triangles: triangles.collect(),
+            ..Mesh::default()
+        };
+        if !shared {
+            let corners = mesh.triangles.as_flattened().iter();
+            mesh.positions = corners.map(|&vertex| mesh.positions[vertex as usize]).collect();
+            let count = mesh.triangles.len() as u32;
+            mesh.triangles = (0..count).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect();
+        }
+        let count = mesh.triangles.len() as u32;
+        mesh.parts = vec![Part { first: 0, count, material: MaterialId(0) }];
+        mesh
+    }
+
+    /// Counts all pairs of a triangle and a sample, those that are candidates, and those that cover.
+    fn counted(shared: bool, quality: Quality, height: f64) -> [usize; 3] {
+        let scene = Scene {
+            meshes: vec![sheet(24, shared)],
+            materials: vec![SceneMaterial::default()],
+            nodes: vec![SceneNode::root("sheet", Some(MeshId(0)))],
+            ..Scene::default()
+        };
+        let picker = Picker::with(&scene, quality, SimdLevel::Auto).unwrap();
+        let eye = DVec3::new(0.5, 0.3, height);
+        let view_from_world = Camera::look_at(eye, DVec3::new(0.5, 1.0, 0.0), DVec3::Z);
+        let lens = Lens::Perspective { fov_y_radians: 1.2 };
+        let camera =
+            Camera { view_from_world, projection: Projection { lens, near: 0.01, far: 9.0 } };
+        let size = Size { width: 64, height: 48 };
+        let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
+        let instance = &view.instances[0];
+        let geometry = view.geometry(instance);
+        let positions = &geometry.mesh.positions[..];
+        let mut counts = [0; 3];
+        geometry.bvh.view().visit_blocks(Node::occupied, |block| {
+            for sample in 0..200 {
+                let position = [sample * 7919 % (64 * 256), sample * 104_729 % (48 * 256)];
+                let at = position.map(|steps| steps as f32);
+                let bits = |level: Level| dispatch_long!(level, simd => candidates(simd, block, &geometry, instance, at));
+                let all = (1 << block.count()) - 1;
+                let own = bits(picker.level) & all;
+                assert_eq!(own, bits(Level::baseline()) & all);
+                for lane in 0..block.count() {
+                    let corners = block.corners(lane, positions);
+                    let covers = instance.probe.covers(corners, CullFaces::None, position);
+                    let is_candidate = own >> lane & 1 != 0;
+                    assert!(is_candidate || covers.is_none(), "{position:?} {corners:?}");
+                    counts[0] += 1;
+                    counts[1] += usize::from(is_candidate);
+                    counts[2] += usize::from(covers.is_some());
+                }
+            }
+        });
+        counts
+    }
+
+    #[test]
+    fn candidates_are_the_covering_triangles_and_few_others() {
+        for (shared, quality) in
+            [(true, Quality::Thorough), (false, Quality::Thorough), (true, Quality::InOrder)]
+        {
+            let [all, tested, covers] = counted(shared, quality, 3.0);
+            assert!(covers > 10 && tested < 10 * covers, "{all} {tested} {covers}");
+            // Within the sheet, some of which is behind the eye.
+            let [all, tested, covers] = counted(shared, quality, 0.05);
+            assert!(covers > 50 && tested < all, "{all} {tested} {covers}");
+        }
+    }
+
+    #[test]
+    fn depths_of_eight_boxes_are_those_of_one() {
+        let scene = luxel_scene::demos::demo("teapot").unwrap();
+        let picker = Picker::new(&scene).unwrap();
+        let size = Size { width: 64, height: 48 };
+        let mut seen = [0; 2];
+        for eye in [DVec3::new(3.0, 4.0, 5.0), DVec3::new(0.3, 0.2, 0.1)] {
+            let view_from_world = Camera::look_at(eye, DVec3::ZERO, DVec3::Y);
+            let lens = Lens::Perspective { fov_y_radians: 0.8 };
+            let projection = Projection { lens, near: 0.01, far: 20.0 };
+            let camera = Camera { view_from_world, projection };
+            let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
+            for instance in &view.instances {
+                for node in view.geometry(instance).bvh.view().nodes() {
+                    let depths = dispatch_long!(picker.level, simd => instance.nearest(simd, node));
+                    for slot in 0..WIDTH {
+                        if node.occupied() >> slot & 1 != 0 {
+                            let corner = |side: usize| {
+                                node.planes().map(|planes: [[f32; WIDTH]; 2]| planes[side][slot])
+                            };
+                            let one = instance.probe.nearest(corner(0), corner(1));
+                            assert_eq!(depths[slot].to_bits(), one.to_bits());
+                            seen[usize::from(one.is_finite())] += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
+    }
+}

@@ -1,0 +1,232 @@
+//! Surface attributes of a hit, where the line of sight hits the triangle itself, by the formulas that
+//! shade it.
+
+use crate::coverage_query::{Covering, part_of};
+use crate::view::{Instance, PickView};
+use crate::window::PhysicalPosition;
+use glam::DVec3;
+use luxel_math::{SUBPIXELS, SubPixel, Vec3};
+use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
+use luxel_visibility::{Forms, InstanceSpace, sides};
+
+/// What lies under a place of the window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PickHit {
+    /// The object, by its place in [`Picker::objects`](crate::Picker::objects).
+    pub object: usize,
+    /// What of it.
+    pub element: Element,
+    /// Its material.
+    pub material: MaterialId,
+    /// The weights of the triangle's corners; (1, 0, 0) for points and lines.
+    pub barycentric: [f32; 3],
+    /// The place in the world.
+    pub position: DVec3,
+    /// The unit normal that shading uses, in world space, turned to the side that is seen.
+    pub normal: [f32; 3],
+    /// The unit normal of the triangle's plane, in world space, on the side that is seen.
+    pub geometric_normal: [f32; 3],
+    /// Texture coordinates of the first set, if the mesh has any.
+    pub uv: Option<[f32; 2]>,
+    /// The interpolated vertex colour, linear, with alpha, if the mesh has any.
+    pub color: Option<[f32; 4]>,
+    /// From the eye.
+    pub distance: f64,
+    /// Along the viewing axis.
+    pub z: f32,
+    /// Window depth, 0 near to 1 far, as `glDepthRange(0, 1)` gives it.
+    pub depth: f64,
+}
+
+/// What of an object was hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    /// A triangle, by its place in the mesh.
+    Triangle(u32),
+    /// A point, counted through all points of the mesh.
+    Point(u32),
+    /// A line segment, counted through all segments of the mesh.
+    Line(u32),
+}
+
+impl PickView<'_> {
+    /// What is seen at a place of the window, in pixels from the upper left, rounded to 1/256 pixel;
+    /// `None` outside of the window and where nothing is. Pixel n's centre is n + 0.5.
+    ///
+    /// ```
+    /// use luxel_pick::{PickView, Picker};
+    /// use luxel_scene::{demos, fit_view, Lens, Size, Viewpoint};
+    /// use luxel_visibility::Cull;
+    ///
+    /// let scene = demos::demo("teapot").unwrap();
+    /// let picker = Picker::new(&scene)?;
+    /// let size = Size { width: 640, height: 480 };
+    /// let viewpoint =
+    ///     Viewpoint { up: scene.up, azimuth_radians: 0.5, elevation_radians: 0.3 };
+    /// let camera = fit_view(&scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, size);
+    /// let view = PickView::new(&picker, camera, size, Cull::Auto)?;
+    /// let hit = view.at([320.5, 240.5]).unwrap();
+    /// println!("{:?} of object {} at {}", hit.element, hit.object, hit.position);
+    /// # Ok::<(), luxel_pick::PickError>(())
+    /// ```
+    #[must_use]
+    pub fn at(&self, place: impl Into<PhysicalPosition>) -> Option<PickHit> {
+        let position = self.steps(place.into())?;
+        Some(self.surface_hit(&self.owner(position)?, position))
+    }
+
+    /// Everything under a place of the window, nearest first.
+    ///
+    /// The first is what a frame shows, whose depths are rounded to f32; the others go by their exact
+    /// depths.
+    #[must_use]
+    pub fn through(&self, place: impl Into<PhysicalPosition>) -> Vec<PickHit> {
+        let Some(position) = self.steps(place.into()) else { return Vec::new() };
+        let all = self.all_covering(position);
+        let mut hits: Vec<_> =
+            all.iter().map(|covering| self.surface_hit(covering, position)).collect();
+        if let Some((_, behind)) = hits.split_first_mut() {
+            behind.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+        }
+        hits
+    }
+
+    /// What is seen at a place of the window: object and element, without more.
+    #[must_use]
+    pub fn owner_at(&self, place: impl Into<PhysicalPosition>) -> Option<(usize, Element)> {
+        let covering = self.owner(self.steps(place.into())?)?;
+        let instance = &self.instances[covering.instance];
+        Some((instance.object, self.element_of(instance, covering.triangle)))
+    }
+
+    /// A place of the window in steps of 1/256 pixel.
+    fn steps(&self, PhysicalPosition { x, y }: PhysicalPosition) -> Option<[i32; 2]> {
+        let inside = |at: f64, side: u32| at >= 0.0 && at < f64::from(side);
+        if !inside(x, self.size.width) || !inside(y, self.size.height) {
+            return None;
+        }
+        let steps = |at: f64, side: u32| SubPixel::round(at).0.min(side as i32 * SUBPIXELS - 1);
+        Some([steps(x, self.size.width), steps(y, self.size.height)])
+    }
+
+    pub(crate) fn element_of(&self, instance: &Instance, triangle: u32) -> Element {
+        let Some(strokes) = instance.strokes else { return Element::Triangle(triangle) };
+        let element = self.element(strokes, triangle);
+        let points = &self.picker.mesh(instance.object).points;
+        let points = points.iter().map(|points| points.indices.len()).sum::<usize>() as u32;
+        if element < points { Element::Point(element) } else { Element::Line(element - points) }
+    }
+
+    pub(crate) fn forms(&self, instance: &Instance, corners: [[f32; 3]; 3]) -> Forms {
+        Forms::new(&self.rays, instance.space.view_from_local.corners(corners))
+    }
+
+    /// The surface of a triangle at a sample that it covers.
+    pub(crate) fn surface_hit(&self, covering: &Covering, position: [i32; 2]) -> PickHit {
+        let &Covering { triangle, .. } = covering;
+        let instance = &self.instances[covering.instance];
+        let space = &instance.space;
+        let geometry = self.geometry(instance);
+        let mesh = geometry.mesh;
+        let attributes = mesh.attribute_corners()[triangle as usize].map(|at| at as usize);
+        let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
+        let forms = self.forms(instance, covering.corners);
+        let in_view = forms.corners();
+        let weights = forms.barycentric(&self.rays, position);
+
+        let about_eye = mix3(in_view.map(|corner| space.about_eye(corner.to_array())), weights);
+        let along = self.camera.direction().as_vec3().to_array();
+        let z = Vec3::new(about_eye.x, about_eye.y, about_eye.z)
+            .dot(Vec3::new(along[0], along[1], along[2]));
+        let corners = in_view.map(|corner| corner.to_array());
+        let normals = space.facing_normals(sides(&corners), forms.towards_eye(), in_mesh);
+        let normal = mix3(normals, weights).normalized_or_zero();
+        let material = mesh.parts[part_of(&geometry, triangle)].material;
+        let normal =
+            self.mapped(mesh, instance, attributes, material, &forms, position, weights, normal);
+        let [a, b, c] = in_view.map(|corner| space.world_from_view * corner);
+        let plane = (b - a).cross(c - a).normalize_or_zero();
+        let to_eye = if space.parallel { space.world_from_view.z_axis } else { -a };
+        let plane = if plane.dot(to_eye) < 0.0 { -plane } else { plane };
+
+        let eye = self.camera.eye();
+        let position = {
+            let Vec3 { x, y, z } = about_eye;
+            DVec3::new(f64::from(x), f64::from(y), f64::from(z))
+        };
+        let element = self.element_of(instance, triangle);
+        let is_triangle = matches!(element, Element::Triangle(_));
+        let colors = |at: usize| mesh.colors.get(at).copied().unwrap_or([1.0; 4]);
+        PickHit {
+            object: instance.object,
+            element,
+            material,
+            barycentric: if is_triangle { weights } else { [1.0, 0.0, 0.0] },
+            position: eye + position,
+            normal: [normal.x, normal.y, normal.z],
+            geometric_normal: plane.as_vec3().to_array(),
+            uv: (!mesh.uvs[0].is_empty()).then(|| uv(mesh, 0, attributes, weights)),
+            color: (!mesh.colors.is_empty()).then(|| mix(attributes.map(colors), weights)),
+            distance: position.length(),
+            z,
+            depth: self.camera.projection.window_depth(f64::from(z)),
+        }
+    }
+
+    /// The normal after the material's normal map.
+    #[expect(clippy::too_many_arguments, reason = "all that a texture's sampling hangs on")]
+    fn mapped(
+        &self,
+        mesh: &Mesh,
+        instance: &Instance,
+        attributes: [usize; 3],
+        material: MaterialId,
+        forms: &Forms,
+        position: [i32; 2],
+        weights: [f32; 3],
+        normal: Vec3<f32>,
+    ) -> Vec3<f32> {
+        let scene = self.picker.scene;
+        let material = &scene.materials[material.index()];
+        let Some(used) = material.normal.filter(|_| !mesh.tangents.is_empty()) else {
+            return normal;
+        };
+        let tangents = attributes.map(|at| instance.space.tangent(mesh, at));
+        let [x, y, z, sign] = mix(tangents, weights);
+        let [r, g, b, _] = self.texel(mesh, &used, attributes, forms, position, weights);
+        mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
+    }
+
+    /// A texture at a sample, by what a pixel covers of it there.
+    fn texel(
+        &self,
+        mesh: &Mesh,
+        used: &TextureUse,
+        attributes: [usize; 3],
+        forms: &Forms,
+        position: [i32; 2],
+        weights: [f32; 3],
+    ) -> [f32; 4] {
+        let [x, y] = position.map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
+        let [right, below] = forms.beside(x, y);
+        let set = usize::from(used.uv_set & 1);
+        let [here, right, below] = [weights, right, below]
+            .map(|weights| used.transformed(uv(mesh, set, attributes, weights)));
+        let along = |to: [f32; 2]| [to[0] - here[0], to[1] - here[1]];
+        let texture = &self.picker.scene.textures[used.texture.index()];
+        texture.sample(here, along(right), along(below), 1)
+    }
+}
+
+fn mix<const N: usize>([a, b, c]: [[f32; N]; 3], weights: [f32; 3]) -> [f32; N] {
+    std::array::from_fn(|at| a[at] * weights[0] + b[at] * weights[1] + c[at] * weights[2])
+}
+
+fn mix3([a, b, c]: [Vec3<f32>; 3], weights: [f32; 3]) -> Vec3<f32> {
+    a * weights[0] + b * weights[1] + c * weights[2]
+}
+
+/// Texture coordinates; 0 where the mesh has none.
+fn uv(mesh: &Mesh, set: usize, attributes: [usize; 3], weights: [f32; 3]) -> [f32; 2] {
+    mix(attributes.map(|at| mesh.uvs[set].get(at).copied().unwrap_or_default()), weights)
+}

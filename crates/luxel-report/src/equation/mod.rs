@@ -1,0 +1,15 @@
+//! The lighting equation of one point: its terms as products of factors, which every format writes.
+
+mod light;
+mod plain;
+mod point;
+mod products;
+mod symbols;
+mod term;
+
+pub(crate) use light::{highlight_vector, reach, why_not};
+pub(crate) use plain::{factor_text, interpolation_text, symbol_text};
+pub(crate) use point::{Interpolation, ShadingPoint, shading_points};
+pub(crate) use products::{LightEntry, point_terms};
+pub use term::TermKind;
+pub(crate) use term::{Factor, PartTerm, Term};

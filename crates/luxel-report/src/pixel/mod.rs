@@ -1,0 +1,17 @@
+//! The ledger of a pixel in each format.
+
+mod formats;
+mod hint;
+mod html;
+mod json;
+mod latex;
+mod lines;
+mod pictures;
+mod report;
+mod sentences;
+mod text;
+
+pub use hint::Hint;
+pub use lines::{LedgerLine, ledger_lines};
+pub use pictures::{Pictures, PicturesError};
+pub use report::Report;

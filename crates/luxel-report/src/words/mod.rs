@@ -1,0 +1,9 @@
+//! How numbers and names are written, in all formats alike.
+
+mod names;
+mod number;
+mod printable;
+
+pub(crate) use names::{capital, kind_name, model_name};
+pub(crate) use number::{color, coordinate, in_column, number, vector};
+pub use printable::printable;

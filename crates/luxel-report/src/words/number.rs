@@ -1,0 +1,85 @@
+//! Numbers, colours and vectors as text.
+
+/// A number with four digits that count; as it is where it needs no more.
+pub(crate) fn number(value: f32) -> String {
+    let shortest = value.to_string();
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let size = value.abs();
+    let rounded = if (1e-3..1e5).contains(&size) {
+        format!("{value:.*}", 4_usize.saturating_sub(digits_before_point(size)))
+    } else {
+        format!("{value:.3e}")
+    };
+    if shortest.len() <= rounded.len() { shortest } else { rounded }
+}
+
+/// Digits before the point.
+fn digits_before_point(value: f32) -> usize {
+    let (mut digits, mut rest) = (0, value.abs());
+    while rest >= 1.0 {
+        rest /= 10.0;
+        digits += 1;
+    }
+    digits
+}
+
+/// A colour: one number where its three are equal.
+pub(crate) fn color([r, g, b]: [f32; 3]) -> String {
+    if r == g && g == b {
+        number(r)
+    } else {
+        format!("({}, {}, {})", number(r), number(g), number(b))
+    }
+}
+
+/// A coordinate of a unit vector with three decimals; what rounds to 0 has no sign.
+pub(crate) fn coordinate(value: f32) -> String {
+    let text = format!("{value:.3}");
+    if text == "-0.000" { "0.000".to_owned() } else { text }
+}
+
+/// A unit vector.
+pub(crate) fn vector(vector: [f32; 3]) -> String {
+    let [x, y, z] = vector.map(coordinate);
+    format!("({x}, {y}, {z})")
+}
+
+/// A number of about 1 for a column: four decimals, or a power of ten.
+pub(crate) fn in_column(value: f32) -> String {
+    if value == 0.0 || (1e-4..1e4).contains(&value.abs()) {
+        format!("{value:.4}")
+    } else {
+        format!("{value:.1e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits_or_fewer() {
+        for (value, text) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (0.5, "0.5"),
+            (1.0 / 3.0, "0.3333"),
+            (12.345_67, "12.35"),
+            (-1234.56, "-1235"),
+            (2.5e-7, "2.500e-7"),
+            (1e6, "1000000"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+
+    #[test]
+    fn a_grey_is_one_number_and_no_coordinate_is_minus_0() {
+        assert_eq!(color([0.25; 3]), "0.25");
+        assert_eq!(color([0.25, 0.0, 1.0]), "(0.25, 0, 1)");
+        assert_eq!(vector([-1e-5, 1.0, -0.5]), "(0.000, 1.000, -0.500)");
+        assert_eq!(in_column(1e-5), "1.0e-5");
+    }
+}
