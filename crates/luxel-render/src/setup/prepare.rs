@@ -50,7 +50,7 @@ impl Piecewise for Preparation<'_> {
         self.put_row(first, 0, [f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]]);
         let zero = like.zero();
         let mut third_side = zero;
-        if scene.needs_positions {
+        if scene.needs_positions || self.lit_as.is_some() {
             let [p, s, t] = placed.first_and_sides(space);
             self.put_row(first, 3, [p.x, p.y, p.z, s.x, s.y, s.z, t.x, t.y]);
             third_side = t.z;

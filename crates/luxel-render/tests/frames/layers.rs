@@ -1,8 +1,8 @@
 //! Layers against geometry that is known.
 
-use crate::scenes::{execution, matte, scene, square, view};
+use crate::scenes::{execution, fitted, matte, scene, square, view};
 use luxel_math::SimdLevel;
-use luxel_render::{Layer, LayerValues, Renderer};
+use luxel_render::{Layer, LayerValues, Picture, Renderer, View};
 
 /// Two squares, the second one nearer and shifted to the right by half a unit.
 fn values(layer: Layer) -> LayerValues {
@@ -75,6 +75,25 @@ fn positions_normals_and_weights_agree_with_the_square() {
                 assert!(near(uvs[2 * at], (px + 1.0) / 2.0));
                 assert!(near(uvs[2 * at + 1], (1.0 - py) / 2.0));
             }
+        }
+    }
+}
+
+#[test]
+fn a_picture_with_its_layers_has_the_bytes_of_each_alone() {
+    let demo = luxel_scene::demos::demo("spheres").unwrap();
+    let size = luxel_scene::Size { width: 150, height: 100 };
+    let renderer = Renderer::new(&demo, &execution(2, SimdLevel::Auto)).unwrap();
+    let lights = luxel_scene::default_lights();
+    for samples in [1, 4] {
+        let lights = lights.clone();
+        let view = View { samples, lights, ..fitted(&demo, size) };
+        let (mut picture, mut values) = (Picture::default(), Vec::new());
+        renderer.rgba8_with_layers(&view, &Layer::ALL, &mut picture, &mut values).unwrap();
+        assert!(picture.pixels == renderer.rgba8(&view).unwrap().pixels, "{samples} samples");
+        for (layer, values) in Layer::ALL.iter().zip(&values) {
+            let alone = renderer.layers(&view, std::slice::from_ref(layer)).unwrap().remove(0);
+            assert!(*values == alone, "{layer:?}, {samples} samples");
         }
     }
 }

@@ -5,7 +5,7 @@ use luxel_lighting::{Cone, LightKind, Material, Reflection, encode_srgb};
 use luxel_math::SimdLevel;
 use luxel_render::{At, Clamp, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
 use luxel_scene::{
-    Camera, DMat4, DVec3, Lens, Mesh, Placement, Projection, Scene, SceneMaterial, Size,
+    Camera, DMat4, DVec3, Lens, Mesh, MeshId, Node, Placement, Projection, Scene, SceneMaterial, Size,
     default_lights,
 };
 
@@ -392,5 +392,55 @@ fn normals_that_keep_their_interpolated_length_darken_the_middle_by_just_that() 
     for x in [18, 25, 32, 40, 46] {
         let explained = renderer.explain(&short, At::Pixel([x, 32])).unwrap();
         assert_eq!(explained.rgba8, picture[32 * 65 + x as usize]);
+    }
+}
+
+/// The sheet with white vertex colours, which its material reads.
+fn coloured_sheet() -> Scene {
+    let mut scene = sheet();
+    for mesh in &mut scene.meshes {
+        mesh.colors = vec![[1.0; 4]; mesh.positions.len()];
+    }
+    for material in &mut scene.materials {
+        material.vertex_colors = true;
+    }
+    scene
+}
+
+#[test]
+fn white_vertex_colours_change_no_light_at_pixels_and_none_at_corners() {
+    for mode in [ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat] {
+        let view = sheet_view(mode);
+        let (plain, coloured) = (linear(&sheet(), &view), linear(&coloured_sheet(), &view));
+        for (plain, coloured) in plain.iter().zip(&coloured) {
+            for (plain, coloured) in plain.iter().zip(coloured) {
+                assert!((plain - coloured).abs() < 1e-6, "{mode:?}: {plain} and {coloured}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_else_a_scene_holds_changes_no_byte_of_a_plain_surface() {
+    // A second material, and a coloured mesh behind the eye: batches of the sheet are told apart from
+    // others one by one and stay as they are.
+    let mut mixed = sheet();
+    let other = coloured_sheet();
+    let mut mesh = other.meshes[0].clone();
+    for position in &mut mesh.positions {
+        *position = position.map(|side| side * 0.1 + 9.0);
+    }
+    for part in &mut mesh.parts {
+        part.material.0 += mixed.materials.len() as u32;
+    }
+    let number = mixed.meshes.len() as u32;
+    mixed.meshes.push(mesh);
+    mixed.materials.extend(other.materials.iter().cloned());
+    mixed.nodes.push(Node::root("other", Some(MeshId(number))));
+    for mode in [ShadingMode::Phong, ShadingMode::Gouraud] {
+        for samples in [1, 4] {
+            let view = View { samples, ..sheet_view(mode) };
+            assert!(bytes(&sheet(), &view) == bytes(&mixed, &view), "{mode:?}, {samples} samples");
+        }
     }
 }
