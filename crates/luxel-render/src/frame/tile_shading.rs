@@ -2,6 +2,7 @@
 
 use super::tiles::TilePixels;
 use crate::context::ShadingContext;
+use crate::interpolate::SHARED;
 use crate::resolve::{
     DistinctTriangles, Finish, LaneCompaction, Layered, empty_block, empty_pixel, even_block,
     single_triangle, uneven_block,
@@ -65,10 +66,6 @@ pub(crate) fn add_layer<S: Simd>(
 
 /// Blocks that are looked at together before they are lit: two rows.
 pub(crate) const AHEAD: usize = 2 * BLOCKS as usize;
-
-/// Triangles of a block are made ready where there are at most so many for sixteen places at which
-/// they are lit.
-const SHARED: u32 = 9;
 
 /// What is known of blocks before they are lit.
 pub(crate) struct Ahead {

@@ -20,12 +20,11 @@ use luxel_math::{LANES, Mask, Number, Rgb, Vec3, lanes_of};
 use luxel_visibility::{TileForms, TriangleId, interpolate};
 
 /// Up to so many triangles a block are met one by one, each in all lanes; with more, one a lane.
-/// `cargo bench -p luxel --bench frames few` shows where the ways cross.
 const FEW: u32 = 3;
 
-/// With more triangles a block than this, few of them are seen by the next block, too: they are prepared a
-/// lane each and not kept.
-const SHARED: u32 = 9;
+/// With more triangles to sixteen samples than this, few of them are seen by the next block, too: they are
+/// prepared a lane each and not kept.
+pub(crate) const SHARED: u32 = 9;
 
 /// Which attributes a pass needs beside those that materials read.
 #[derive(Clone, Copy)]

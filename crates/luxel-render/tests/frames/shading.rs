@@ -5,8 +5,8 @@ use luxel_lighting::{Cone, LightKind, Material, Reflection, encode_srgb};
 use luxel_math::SimdLevel;
 use luxel_render::{At, Clamp, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
 use luxel_scene::{
-    Camera, DMat4, DVec3, Lens, Mesh, MeshId, Node, Placement, Projection, Scene, SceneMaterial, Size,
-    default_lights,
+    Camera, DMat4, DVec3, Lens, Mesh, MeshId, Node, Placement, Projection, Scene, SceneMaterial,
+    Size, default_lights,
 };
 
 const EYE: DVec3 = DVec3::new(1.5, 1.1, 2.6);
