@@ -141,6 +141,19 @@ impl ViewRays {
     }
 }
 
+/// What witnesses of a frame hear beside what shading needs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Heard {
+    pub(crate) positions: bool,
+    pub(crate) attributes: AttributeMask,
+}
+
+impl Heard {
+    pub(crate) const NOTHING: Self = Self { positions: false, attributes: AttributeMask::NONE };
+    /// Positions, and texture coordinates of the first set.
+    pub(crate) const EVERYTHING: Self = Self { positions: true, attributes: AttributeMask::UVS[0] };
+}
+
 /// Vertex attributes beside positions and normals, as bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct AttributeMask(u8);

@@ -15,7 +15,7 @@ pub use ledger::{
 };
 pub use occluded::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
 
-use crate::context::{AttributeMask, ShadingContext};
+use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::frame::{CoveragePolicy, RenderError, Renderer, Worker, lights_with_terms};
 use crate::interpolate::{Batch, Fragments};
 use crate::material::SurfaceWitness;
@@ -105,7 +105,7 @@ impl Renderer<'_> {
             &view,
             CoveragePolicy::DRAWN,
             only.map(Samples::one_at),
-            AttributeMask::UVS[0],
+            Heard::EVERYTHING,
             |scene, cutouts| {
                 let mut worker = Worker::new(scene.frame.samples());
                 let mut kept = ThreadCache::new();

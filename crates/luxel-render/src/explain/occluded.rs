@@ -2,7 +2,7 @@
 //! next to a pixel that nothing covers. Both by the frame's own fill rule, tile by tile.
 
 use super::ledger::{ExplainedSample, Explanation, Seen};
-use crate::context::AttributeMask;
+use crate::context::Heard;
 use crate::frame::{CoveragePolicy, RenderError, Renderer};
 use crate::view::View;
 use luxel_math::SUBPIXELS;
@@ -82,7 +82,7 @@ impl Renderer<'_> {
             &view,
             CoveragePolicy::LAYERS,
             Some(sample),
-            AttributeMask::NONE,
+            Heard::NOTHING,
             |scene, cutouts| {
                 let frame = scene.frame;
                 let holes = cutouts.finder(frame, self.level());
@@ -136,50 +136,43 @@ impl Renderer<'_> {
             return Err(RenderError::Outside(view.size));
         }
         let view = View { edges: None, samples: 1, ..view.clone() };
-        self.with_scene(
-            &view,
-            CoveragePolicy::NEAREST,
-            None,
-            AttributeMask::NONE,
-            |scene, cutouts| {
-                let frame = scene.frame;
-                let holes = cutouts.finder(frame, self.level());
-                let tile_side = TILE as u32;
-                let [across, _] = frame.tiles();
-                let mut tile = Tile::new(1);
-                let mut nearest: Option<(u64, NearestObject)> = None;
-                let first = pixel.map(|side| side.saturating_sub(within) / tile_side);
-                let last = [
-                    pixel[0].saturating_add(within).min(width - 1) / tile_side,
-                    pixel[1].saturating_add(within).min(height - 1) / tile_side,
-                ];
-                for row in first[1]..=last[1] {
-                    for column in first[0]..=last[0] {
-                        let number = row as usize * across + column as usize;
-                        frame.draw_opaque(self.level(), number, &holes, &mut tile);
-                        for (x, y) in (0..TILE).flat_map(|y| (0..TILE).map(move |x| (x, y))) {
-                            let (block, lane) = Tile::place(x, y);
-                            let id = TriangleId(tile.planes()[0].ids[block][lane]);
-                            let Some(of) = frame.triangle(id) else { continue };
-                            let at = [column * tile_side + x as u32, row * tile_side + y as u32];
-                            let away = [0, 1].map(|axis| u64::from(at[axis].abs_diff(pixel[axis])));
-                            let squared = away[0] * away[0] + away[1] * away[1];
-                            let known =
-                                nearest.map_or(u64::from(within).pow(2), |(known, _)| known);
-                            let better =
-                                if nearest.is_none() { squared <= known } else { squared < known };
-                            if better && at[0] < width && at[1] < height {
-                                let object = scene.objects[of.instance];
-                                let distance = (squared as f64).sqrt();
-                                nearest =
-                                    Some((squared, NearestObject { object, pixel: at, distance }));
-                            }
+        self.with_scene(&view, CoveragePolicy::NEAREST, None, Heard::NOTHING, |scene, cutouts| {
+            let frame = scene.frame;
+            let holes = cutouts.finder(frame, self.level());
+            let tile_side = TILE as u32;
+            let [across, _] = frame.tiles();
+            let mut tile = Tile::new(1);
+            let mut nearest: Option<(u64, NearestObject)> = None;
+            let first = pixel.map(|side| side.saturating_sub(within) / tile_side);
+            let last = [
+                pixel[0].saturating_add(within).min(width - 1) / tile_side,
+                pixel[1].saturating_add(within).min(height - 1) / tile_side,
+            ];
+            for row in first[1]..=last[1] {
+                for column in first[0]..=last[0] {
+                    let number = row as usize * across + column as usize;
+                    frame.draw_opaque(self.level(), number, &holes, &mut tile);
+                    for (x, y) in (0..TILE).flat_map(|y| (0..TILE).map(move |x| (x, y))) {
+                        let (block, lane) = Tile::place(x, y);
+                        let id = TriangleId(tile.planes()[0].ids[block][lane]);
+                        let Some(of) = frame.triangle(id) else { continue };
+                        let at = [column * tile_side + x as u32, row * tile_side + y as u32];
+                        let away = [0, 1].map(|axis| u64::from(at[axis].abs_diff(pixel[axis])));
+                        let squared = away[0] * away[0] + away[1] * away[1];
+                        let known = nearest.map_or(u64::from(within).pow(2), |(known, _)| known);
+                        let better =
+                            if nearest.is_none() { squared <= known } else { squared < known };
+                        if better && at[0] < width && at[1] < height {
+                            let object = scene.objects[of.instance];
+                            let distance = (squared as f64).sqrt();
+                            nearest =
+                                Some((squared, NearestObject { object, pixel: at, distance }));
                         }
                     }
                 }
-                nearest.map(|(_, nearest)| nearest)
-            },
-        )
+            }
+            nearest.map(|(_, nearest)| nearest)
+        })
     }
 }
 

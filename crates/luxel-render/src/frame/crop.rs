@@ -4,7 +4,7 @@ use super::frame_setup::CoveragePolicy;
 use super::renderer::{Picture, RenderError, Renderer};
 use super::tile_shading::Worker;
 use super::tiles::TilePixels;
-use crate::context::AttributeMask;
+use crate::context::Heard;
 use crate::resolve::Bytes;
 use crate::view::View;
 use luxel_scene::Size;
@@ -33,39 +33,32 @@ impl Renderer<'_> {
             pixel[1].saturating_sub(part.height / 2).min(height - part.height),
         ];
         let mut pixels = vec![[0; 4]; part.width as usize * part.height as usize];
-        self.with_scene(
-            view,
-            CoveragePolicy::DRAWN,
-            None,
-            AttributeMask::NONE,
-            |scene, cutouts| {
-                let mut worker = Worker::new(scene.frame.samples());
-                let finish = Bytes(view.encoding);
-                let mut drawn: Box<TilePixels<_>> = Box::new([[0; 4]; (TILE * TILE) as usize]);
-                let tile = TILE as usize;
-                let [across, _] = scene.frame.tiles();
-                let [left, top] = corner.map(|side| side as usize);
-                let (wide, high) = (part.width as usize, part.height as usize);
-                if wide == 0 || high == 0 {
-                    return;
-                }
-                for row in top / tile..=(top + high - 1) / tile {
-                    for column in left / tile..=(left + wide - 1) / tile {
-                        let number = row * across + column;
-                        self.draw_tile(scene, cutouts, number, &mut worker, &finish, &mut drawn);
-                        // The columns and rows of the picture that the tile and the part share.
-                        let columns =
-                            left.max(column * tile)..(left + wide).min((column + 1) * tile);
-                        for y in top.max(row * tile)..(top + high).min((row + 1) * tile) {
-                            let from = (y - row * tile) * tile + (columns.start - column * tile);
-                            let to = (y - top) * wide + (columns.start - left);
-                            let count = columns.len();
-                            pixels[to..to + count].copy_from_slice(&drawn[from..from + count]);
-                        }
+        self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, cutouts| {
+            let mut worker = Worker::new(scene.frame.samples());
+            let finish = Bytes(view.encoding);
+            let mut drawn: Box<TilePixels<_>> = Box::new([[0; 4]; (TILE * TILE) as usize]);
+            let tile = TILE as usize;
+            let [across, _] = scene.frame.tiles();
+            let [left, top] = corner.map(|side| side as usize);
+            let (wide, high) = (part.width as usize, part.height as usize);
+            if wide == 0 || high == 0 {
+                return;
+            }
+            for row in top / tile..=(top + high - 1) / tile {
+                for column in left / tile..=(left + wide - 1) / tile {
+                    let number = row * across + column;
+                    self.draw_tile(scene, cutouts, number, &mut worker, &finish, &mut drawn);
+                    // The columns and rows of the picture that the tile and the part share.
+                    let columns = left.max(column * tile)..(left + wide).min((column + 1) * tile);
+                    for y in top.max(row * tile)..(top + high).min((row + 1) * tile) {
+                        let from = (y - row * tile) * tile + (columns.start - column * tile);
+                        let to = (y - top) * wide + (columns.start - left);
+                        let count = columns.len();
+                        pixels[to..to + count].copy_from_slice(&drawn[from..from + count]);
                     }
                 }
-            },
-        )?;
+            }
+        })?;
         Ok((corner, Picture { size: part, pixels, ..Picture::default() }))
     }
 }

@@ -5,7 +5,7 @@ mod prepared;
 use super::frame_setup::{self, CoveragePolicy};
 use super::tile_shading::{Worker, add_layer, tile_pixels};
 use super::tiles::{Bands, TilePixels, TileWork, for_all_tiles};
-use crate::context::{AttributeMask, ShadingContext, ViewRays};
+use crate::context::{AttributeMask, Heard, ShadingContext, ViewRays};
 use crate::coverage::{AlphaTest, EdgeFlags};
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear, empty_pixel};
@@ -228,7 +228,7 @@ impl<'s> Renderer<'s> {
         picture: &mut Picture<F::Pixel>,
     ) -> Result<(), RenderError> {
         let start = (self.clock)();
-        self.with_scene(view, CoveragePolicy::DRAWN, None, AttributeMask::NONE, |scene, cutouts| {
+        self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, cutouts| {
             let binned = (self.clock)();
             let sums = Mutex::new(Stages::default());
             let drawing = Drawing {
@@ -316,19 +316,19 @@ impl<'s> Renderer<'s> {
 
     /// Culls, bins and transforms the scene for `view`.
     ///
-    /// `samples` are the view's unless they are given; `also` are attributes that are read beside those
-    /// of materials, with positions.
+    /// `samples` are the view's unless they are given; `heard` is what witnesses hear beside
+    /// what shading needs.
     pub(crate) fn with_scene<R: Send>(
         &self,
         view: &View,
         covers: CoveragePolicy,
         samples: Option<Samples>,
-        also: AttributeMask,
+        heard: Heard,
         work: impl FnOnce(&ShadingContext<'_>, &AlphaTest<'_>) -> R + Send,
     ) -> Result<R, RenderError> {
         let mut work = Some(work);
         let mut result = None;
-        self.prepare_frame(view, covers, samples, also, &mut |scene, cutouts| {
+        self.prepare_frame(view, covers, samples, heard, &mut |scene, cutouts| {
             result = work.take().map(|work| work(scene, cutouts));
         })?;
         Ok(result.unwrap_or_else(|| unreachable!("the work is done once")))
@@ -340,7 +340,7 @@ impl<'s> Renderer<'s> {
         view: &View,
         covers: CoveragePolicy,
         samples: Option<Samples>,
-        also: AttributeMask,
+        heard: Heard,
         work: &mut (dyn FnMut(&ShadingContext<'_>, &AlphaTest<'_>) + Send),
     ) -> Result<(), RenderError> {
         let Size { width, height } = view.size;
@@ -400,7 +400,7 @@ impl<'s> Renderer<'s> {
                 .scene
                 .materials
                 .iter()
-                .map(|of| AttributeMask::of_material(of).or(also))
+                .map(|of| AttributeMask::of_material(of).or(heard.attributes))
                 .collect();
             let reads = |mesh: &Mesh, part: &Part| {
                 let of_material = attributes_of_materials[part.material.index()];
@@ -419,7 +419,7 @@ impl<'s> Renderer<'s> {
                 fog,
                 uniform: &uniform,
                 attributes_of_materials: &attributes_of_materials,
-                needs_positions: also != AttributeMask::NONE
+                needs_positions: heard.positions
                     || view.fog.is_some()
                     || lights.iter().any(|light| light.light().kind.has_place()),
                 has_extras: frame.instances().iter().any(|instance| has_extras(instance.mesh)),

@@ -75,6 +75,12 @@ pub(crate) struct Ahead {
 }
 
 impl Ahead {
+    /// Whether nothing is seen in any of the blocks.
+    #[inline(always)]
+    pub(crate) fn are_empty(&self) -> bool {
+        self.empty == u32::MAX
+    }
+
     /// Whether nothing is seen in one of the blocks.
     #[inline(always)]
     pub(crate) fn is_empty(&self, number: usize) -> bool {

@@ -2,7 +2,7 @@
 
 use super::layer::{Layer, LayerValues};
 use super::witness::LayerWitness;
-use crate::context::{AttributeMask, ShadingContext};
+use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
 use crate::frame::{
@@ -74,48 +74,45 @@ impl Renderer<'_> {
         }
         // Where nothing is let through but what is wholly transparent, the nearest surface counts.
         let view = View { samples: 1, edges: None, ..view.clone() };
-        self.with_scene(
-            &view,
-            CoveragePolicy::NEAREST,
-            None,
-            AttributeMask::UVS[0],
-            |scene, alpha_test| {
-                let mut picture = picture;
-                if let Some(picture) = &mut picture {
-                    picture.size = view.size;
-                    picture.subdivision = None;
-                }
-                let mut pixels = picture.map(|picture| &mut picture.pixels);
-                values.resize_with(layers.len(), || LayerValues::F32(Vec::new()));
-                values.truncate(layers.len());
-                let planes = layers.iter().zip(values).map(|(layer, values)| {
-                    let channels = layer.channels();
-                    let values = if layer.is_id() {
-                        let values = values.as_u32();
-                        PlaneValues::U32(Bands::new(values, view.size, channels))
-                    } else {
-                        PlaneValues::F32(Bands::new(values.as_f32(), view.size, channels))
-                    };
-                    Plane { layer, channels, values }
-                });
-                let with_terms = layers.iter().any(Layer::is_lit);
-                let at_pixels = scene.shading.mode == ShadingMode::Phong;
-                let pass = Pass {
-                    renderer: self,
-                    scene,
-                    alpha_test,
-                    planes: planes.collect(),
-                    pixels: pixels.as_mut().map(|pixels| Bands::new(pixels, view.size, 1)),
-                    lights,
-                    projection: view.camera.projection,
-                    eye: view.camera.eye().to_array(),
-                    maps_normals: layers.contains(&Layer::Normal),
-                    with_terms: with_terms && at_pixels,
-                    terms_one_by_one: with_terms && !at_pixels,
+        let has_uvs = layers.contains(&Layer::Uv);
+        let attributes = if has_uvs { AttributeMask::UVS[0] } else { AttributeMask::NONE };
+        let heard = Heard { positions: true, attributes };
+        self.with_scene(&view, CoveragePolicy::NEAREST, None, heard, |scene, alpha_test| {
+            let mut picture = picture;
+            if let Some(picture) = &mut picture {
+                picture.size = view.size;
+                picture.subdivision = None;
+            }
+            let mut pixels = picture.map(|picture| &mut picture.pixels);
+            values.resize_with(layers.len(), || LayerValues::F32(Vec::new()));
+            values.truncate(layers.len());
+            let planes = layers.iter().zip(values).map(|(layer, values)| {
+                let channels = layer.channels();
+                let values = if layer.is_id() {
+                    let values = values.as_u32();
+                    PlaneValues::U32(Bands::new(values, view.size, channels))
+                } else {
+                    PlaneValues::F32(Bands::new(values.as_f32(), view.size, channels))
                 };
-                for_all_tiles(scene.frame, || pass.worker(), &pass);
-            },
-        )
+                Plane { layer, channels, values }
+            });
+            let with_terms = layers.iter().any(Layer::is_lit);
+            let at_pixels = scene.shading.mode == ShadingMode::Phong;
+            let pass = Pass {
+                renderer: self,
+                scene,
+                alpha_test,
+                planes: planes.collect(),
+                pixels: pixels.as_mut().map(|pixels| Bands::new(pixels, view.size, 1)),
+                lights,
+                projection: view.camera.projection,
+                eye: view.camera.eye().to_array(),
+                maps_normals: layers.contains(&Layer::Normal),
+                with_terms: with_terms && at_pixels,
+                terms_one_by_one: with_terms && !at_pixels,
+            };
+            for_all_tiles(scene.frame, || pass.worker(), &pass);
+        })
     }
 }
 
@@ -238,12 +235,32 @@ impl Pass<'_> {
         for first in (0..ALL_BLOCKS).step_by(AHEAD) {
             let LayerWorker { tile, cache, .. } = &mut *worker;
             let ahead = look_ahead(simd, self.scene, tile, first, cache);
+            if ahead.are_empty() {
+                self.fill_rows(worker, first);
+                continue;
+            }
             for number in 0..AHEAD {
                 if ahead.is_empty(number) {
                     self.fill_block(worker, first + number);
                 } else {
                     self.shade_block(simd, worker, first + number);
                 }
+            }
+        }
+    }
+
+    /// Fills rows of blocks in which nothing is seen: rows of pixels, sixteen to a block.
+    fn fill_rows(&self, worker: &mut LayerWorker, first: usize) {
+        let LayerWorker { pixels, tiles, .. } = worker;
+        let run = first * LANES..(first + AHEAD) * LANES;
+        if self.pixels.is_some() {
+            pixels[run.clone()].fill(self.finish().pixel(empty_pixel(self.scene)));
+        }
+        for (plane, values) in self.planes.iter().zip(tiles) {
+            let run = run.start * plane.channels..run.end * plane.channels;
+            match values {
+                TileValues::F32(values) => values[run].fill(background(plane.layer)),
+                TileValues::U32(values) => values[run].fill(u32::MAX),
             }
         }
     }

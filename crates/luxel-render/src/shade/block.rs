@@ -51,7 +51,7 @@ pub(crate) fn shade<N: Number, W: BlockWitness<N>>(
                     like.constant(alpha),
                 ];
             }
-            if !W::HEARS_FRAGMENTS && is_plain(like, scene, batch, &mut cache.setup, seen) {
+            if !W::HEARS_SURFACES && is_plain(like, scene, batch, &mut cache.setup, seen) {
                 shade_seen::<N, W, false>(like, scene, batch, cache, witness, seen)
             } else {
                 shade_textured(like, scene, batch, cache, witness, seen)
@@ -122,6 +122,7 @@ fn shade_seen<N: Number, W: BlockWitness<N>, const EXTRAS: bool>(
     if !EXTRAS {
         // Plain batches are of one material.
         let number = materials[seen.trailing_zeros() as usize & (LANES - 1)] as usize;
+        witness.lanes(seen);
         let color = if scene.shading.mode == ShadingMode::Phong {
             lit::<N, W, EXTRAS>(scene, attributes, &point, number, seen, witness)
         } else {

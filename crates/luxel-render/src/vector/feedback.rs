@@ -6,7 +6,7 @@
 //! keeps its corners' colours interpolated in clip coordinates, that is, with perspective.
 
 use super::primitives::{Clipper, InWindow, is_culled};
-use crate::context::{AttributeMask, ShadingContext};
+use crate::context::{Heard, ShadingContext};
 use crate::frame::{CoveragePolicy, RenderError, Renderer};
 use crate::material::Corner;
 use crate::shade::LitTriangle;
@@ -190,7 +190,7 @@ impl Renderer<'_> {
             &view,
             CoveragePolicy::SOLID,
             Some(Samples::ONE),
-            AttributeMask::NONE,
+            Heard::NOTHING,
             |scene, _| {
                 Stream::new(scene, &view).tell(&mut take);
             },

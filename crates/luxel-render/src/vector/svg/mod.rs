@@ -17,7 +17,7 @@ mod paint;
 mod path;
 mod web;
 
-use crate::context::{AttributeMask, ShadingContext};
+use crate::context::{Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::frame::{CoveragePolicy, RenderError, Renderer};
 use crate::resolve::bytes_of;
@@ -78,16 +78,10 @@ impl Renderer<'_> {
         let shading = Shading { mode, ..view.shading };
         let view = View { shading, edges: None, ..view.clone() };
         let samples = Samples::new(16);
-        self.with_scene(
-            &view,
-            CoveragePolicy::DRAWN,
-            samples,
-            AttributeMask::NONE,
-            |scene, cutouts| {
-                let seen = seen(self, scene, cutouts);
-                draw(self, scene, &view, options, &seen)
-            },
-        )?
+        self.with_scene(&view, CoveragePolicy::DRAWN, samples, Heard::NOTHING, |scene, cutouts| {
+            let seen = seen(self, scene, cutouts);
+            draw(self, scene, &view, options, &seen)
+        })?
     }
 }
 
