@@ -15,6 +15,7 @@
 
 mod cure;
 mod drift;
+mod examination;
 mod faces;
 mod finding;
 mod folds;
@@ -30,5 +31,6 @@ mod silhouette;
 mod surface;
 mod winding;
 
+pub use examination::check;
 pub use finding::{Finding, Kind, Place};
-pub use report::{Report, Setup, check};
+pub use report::{Report, Setup};

@@ -11,6 +11,8 @@
 
 mod chapter;
 mod compare;
+mod error;
+mod file;
 mod lab;
 mod page;
 mod picture;
@@ -20,43 +22,12 @@ mod svg;
 
 pub use chapter::Pair;
 pub use compare::Error;
+pub use error::GalleryError;
+pub use file::{File, Reproduced};
 
 use chapter::Chapter;
-use luxel::render::{Execution, RenderError};
+use luxel::render::Execution;
 use shot::Studio;
-
-/// Why there is no gallery.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum GalleryError {
-    /// The renderer can't draw.
-    #[error(transparent)]
-    Render(#[from] RenderError),
-    /// A picture can't be encoded.
-    #[error("a picture can't be encoded: {0}")]
-    Png(#[from] png::EncodingError),
-    /// Rays can't be followed.
-    #[error("rays can't be followed: {0}")]
-    Rays(String),
-}
-
-/// A file of the gallery.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct File {
-    /// Its name, without folders.
-    pub name: String,
-    /// What is in it.
-    pub bytes: Vec<u8>,
-}
-
-/// What a command line draws into a file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Reproduced {
-    /// The file of the gallery.
-    pub file: String,
-    /// The words of the command, the program's name first.
-    pub command: Vec<String>,
-}
 
 /// Pictures, plots, and the page that explains them.
 #[derive(Clone, Debug)]

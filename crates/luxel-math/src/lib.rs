@@ -26,7 +26,6 @@ mod lanes;
 mod number;
 mod permute;
 mod vector;
-mod wide;
 
 #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), not(feature = "scalar"))))]
 pub use fearless_simd::dispatch as dispatch_long;
@@ -44,14 +43,12 @@ pub use fixed::{SUBPIXELS, SubPixel};
 pub use lanes::{
     LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel, has_wide_registers, lanes_of,
 };
-pub use number::{Mask, Number, Piecewise};
+pub use number::{Mask, Number, Piecewise, Wide, Wide8, Wide16};
 pub use permute::permuted;
 pub use vector::{Rgb, Vec3};
-pub use wide::{Wide, Wide8, Wide16};
 
 /// What code over sixteen lanes wants in scope.
 pub mod prelude {
-    pub use crate::number::{Mask, Number};
-    pub use crate::wide::Wide;
+    pub use crate::number::{Mask, Number, Wide};
     pub use fearless_simd::prelude::*;
 }

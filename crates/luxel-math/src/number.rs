@@ -8,7 +8,6 @@
 //! into the dispatched kernel loses its instruction set and passes vectors through memory.
 
 use crate::lanes::{LANES, has_wide_registers};
-use crate::wide::{Wide, Wide8, Wide16};
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use fearless_simd::Level;
 use fearless_simd::{
@@ -16,6 +15,10 @@ use fearless_simd::{
     u32x16,
 };
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+mod wide;
+
+pub use wide::{Wide, Wide8, Wide16};
 
 /// One truth value, or one for each lane.
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {

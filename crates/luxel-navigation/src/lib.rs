@@ -22,6 +22,7 @@ mod log;
 mod modes;
 mod motion;
 mod navigator;
+mod place;
 mod settings;
 mod state;
 mod transition;

@@ -4,8 +4,9 @@ use crate::event::Event;
 use crate::hand;
 use crate::modes;
 use crate::motion::Rigid;
+use crate::place::Place;
 use crate::settings::{Number, Settings};
-use crate::state::{Drives, Place, State};
+use crate::state::{Drives, State};
 use crate::transition::Transition;
 use crate::views;
 

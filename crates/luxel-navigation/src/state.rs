@@ -2,6 +2,7 @@
 
 use crate::event::{Axis, Command, Drive, Gesture, Mode, Named};
 use crate::motion::Rigid;
+use crate::place::Place;
 use crate::transition::Transition;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use luxel_scene::Lens;
@@ -17,17 +18,6 @@ pub struct State {
     pub(crate) hold: Option<Hold>,
     pub(crate) glide: Option<Glide>,
     pub(crate) transition: Option<Transition>,
-}
-
-/// The camera with what belongs to it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
-    /// From world to camera space.
-    pub(crate) view: Rigid,
-    /// What the camera turns about, in world space.
-    pub(crate) pivot: DVec3,
-    /// What the height of parallel rays is multiplied by.
-    pub(crate) scale: f64,
 }
 
 /// What the hand holds.

@@ -1,7 +1,7 @@
 //! The way to another view, in a moment, so that one sees where it went.
 
 use crate::motion::{Rigid, rotation};
-use crate::state::Place;
+use crate::place::Place;
 use glam::{DMat3, DQuat, DVec3};
 
 /// A way between two places of the camera.

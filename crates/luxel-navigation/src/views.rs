@@ -2,8 +2,9 @@
 
 use crate::event::StandardView;
 use crate::motion::Rigid;
+use crate::place::Place;
 use crate::settings::Settings;
-use crate::state::{Place, State};
+use crate::state::State;
 use glam::{DMat3, DVec3};
 use luxel_scene::{Bounds, Lens, Viewpoint, fit_box};
 

@@ -1,9 +1,13 @@
 //! Images, and textures: images with their rules of sampling.
 
 use crate::encoding::Encoding;
-use crate::mipmap::mip_chain;
-use crate::sampler::Sampler;
+use mipmap::mip_chain;
 use std::sync::Arc;
+
+mod mipmap;
+mod sampler;
+
+pub use sampler::{Filter, Sampler, Wrap};
 
 /// A picture with all its mipmap levels, 8 bits a channel.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,51 +4,44 @@
 //! for one view; its tiles are then drawn independently, each into a [`Tile`] of depths and
 //! triangle ids. That visibility buffer is what drawing lights, picking reads and layers show.
 //!
-//! 1. `cull`: clusters outside of the window are dropped, and those that turn their back where back
-//!    faces are left out (`facing`); the others get a box and a depth.
-//! 2. `bin`: tiles of 64x64 pixels list the clusters that reach them, near ones first.
-//! 3. `tile`: a cluster is transformed (`transform`), its triangles clipped where they must be
-//!    (`clip`), left out where they hold no sample (`sift`), set up in exact integers (`setup`) and drawn 4x4 pixels at a time (`raster`).
-//! 4. [`Forms`]: where on its triangle a sample lies.
+//! One folder a stage; each imports only those above it:
 //!
-//! Knows no light, no file and no window system. Every sample's outcome is a pure function of the
-//! input: neither threads nor SIMD width nor the order of drawing can change it.
+//! 1. `types`: ids, the grid of tiles and blocks, sample patterns, the transform to the window.
+//! 2. `cluster`: cuts meshes into clusters (`cluster_builder`, along the curve of `hilbert`), and
+//!    numbers the clusters of all instances.
+//! 3. `cull`: drops clusters outside of the window, and clusters of back faces where those are culled
+//!    (`cone_culler`); gives the others a box and a depth (`cluster_cull`). Tiles of 64x64 pixels list
+//!    the clusters that reach them, near ones first (`bin`).
+//! 4. `raster`: transforms the vertices of a cluster (`transform`), clips triangles where it must
+//!    (`clip`), drops those that hold no sample (`sample_cull`), sets them up in exact integers
+//!    (`setup`), and rasterizes 4x4 pixels (`triangles`) or 16 triangles (`small_triangles`) at a time.
+//! 5. `query`: barycentrics of a sample ([`Forms`], [`TileForms`]), corners and normals of its triangle
+//!    ([`InstanceSpace`]), the fill rule for one triangle and one sample ([`Probe`]).
+//! 6. `frame`: all of it for one view.
+//!
+//! The crate knows no light, no file and no window system. Every sample's outcome is a pure function of
+//! the input: neither threads nor SIMD width nor the order of drawing can change it.
 
 #![forbid(unsafe_code)]
 
-mod barycentric;
-mod bin;
-mod buffer;
-mod clip;
 mod cluster;
 mod cull;
-mod cut;
-mod facing;
 mod frame;
-mod holes;
-mod open;
-mod order;
-mod probe;
+mod query;
 mod raster;
-mod samples;
-mod setup;
-mod sift;
-mod small;
-mod space;
-mod strokes;
-mod tile;
-mod tile_forms;
-mod transform;
+mod types;
 
-pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
-pub use buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
-pub use cluster::{CLUSTER_TRIANGLES, Clusters, Frames, ShadingVertex};
-pub use cull::MAX_SIDE;
-pub use frame::{Coverage, Frame, Instance, PartUse, SeenCluster, TooManyTriangles, TriangleOf};
-pub use holes::{Asked, Holes};
-pub use probe::{Probe, Reach};
-pub use samples::{MAX_SAMPLES, Samples};
-pub use setup::{Cull, CullFaces};
-pub use space::{InstanceSpace, ViewFromLocal, sides};
-pub use strokes::{LINE_WIDTH, POINT_SIZE, Strokes, strokes};
-pub use tile_forms::{Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners};
+pub use cluster::{
+    CLUSTER_TRIANGLES, Clusters, Frames, Instance, ShadingVertex, TooManyTriangles, TriangleOf,
+};
+pub use frame::Frame;
+pub use query::{
+    Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, POINT_SIZE, PackedForms, Probe,
+    Reach, SeenCluster, Strokes, TILE_FORMS, TileForms, ViewFromLocal, WindowRays, interpolate,
+    interpolate_corners, sides, strokes,
+};
+pub use raster::{Plane, Tile};
+pub use types::{
+    Asked, BLOCK, BLOCKS, Coverage, Cull, CullFaces, Holes, MAX_SAMPLES, MAX_SIDE, PartUse,
+    Samples, TILE, TriangleId,
+};

@@ -1,8 +1,8 @@
 //! Turning with a level horizon: azimuth about the axis that is up, elevation up to a limit.
 
 use crate::motion::Rigid;
+use crate::place::Place;
 use crate::settings::Settings;
-use crate::state::Place;
 use glam::{DMat3, DVec3};
 
 /// A camera whose right axis rises by less than this, per length, counts as level.

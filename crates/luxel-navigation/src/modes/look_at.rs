@@ -5,8 +5,9 @@
 //! A step that would put the eye at the target is not made.
 
 use crate::motion::Rigid;
+use crate::place::Place;
 use crate::settings::Settings;
-use crate::state::{Drives, Place, State};
+use crate::state::{Drives, State};
 use glam::DVec3;
 use luxel_scene::Camera;
 

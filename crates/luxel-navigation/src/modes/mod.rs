@@ -10,8 +10,9 @@ mod turntable;
 
 use crate::event::Mode;
 use crate::motion::Rigid;
+use crate::place::Place;
 use crate::settings::Settings;
-use crate::state::{Drives, Place, State};
+use crate::state::{Drives, State};
 use glam::{DVec2, DVec3};
 pub(crate) use horizon::level;
 

@@ -1,7 +1,7 @@
 //! Cutting a mesh into clusters whose blocks are kept, for many frames.
 
-use crate::cluster::{Block, CLUSTER_TRIANGLES, CLUSTER_VERTICES, GROUP_WORDS, Header, Piece};
-use crate::facing::Cone;
+use super::block::{Block, CLUSTER_TRIANGLES, CLUSTER_VERTICES, GROUP_WORDS, Header, Piece};
+use super::normal_cone::Cone;
 use luxel_math::LANES;
 use luxel_scene::Mesh;
 
@@ -50,12 +50,12 @@ impl VertexNumbers {
 }
 
 /// Triangles on their way into clusters of one part.
-pub(crate) struct Cut<'a> {
+pub(crate) struct ClusterBuilder<'a> {
     mesh: &'a Mesh,
     part: u32,
     number: u32,
-    /// Whether it is kept what vertices carry.
-    is_carrying: bool,
+    /// Whether the blocks keep shading vertices.
+    keeps_shading_vertices: bool,
     /// How many triangles of the part lie in clusters before the one that is open.
     first_number: u32,
     pub(crate) piece: Piece,
@@ -70,7 +70,7 @@ pub(crate) struct Cut<'a> {
     corners: Vec<u32>,
 }
 
-impl<'a> Cut<'a> {
+impl<'a> ClusterBuilder<'a> {
     /// For the piece of that number, which begins with that place in the order of a part of the mesh.
     pub(crate) fn new(mesh: &'a Mesh, number: u32, part: u32, first: u32) -> Self {
         let has_normals = mesh.normals.len() >= mesh.positions.len();
@@ -79,7 +79,7 @@ impl<'a> Cut<'a> {
             part,
             number,
             // Where attributes are numbered apart, positions alone don't tell them.
-            is_carrying: has_normals && mesh.attribute_corners.is_none(),
+            keeps_shading_vertices: has_normals && mesh.attribute_corners.is_none(),
             piece: Piece::default(),
             first_number: first,
             headers: Vec::new(),
@@ -119,7 +119,7 @@ impl<'a> Cut<'a> {
                 group[axis * LANES + number % LANES] = position[axis].to_bits();
             }
             self.vertices += 1;
-            if self.is_carrying {
+            if self.keeps_shading_vertices {
                 let ([x, y, z], [nx, ny, nz]) = (position, self.mesh.normals[vertex as usize]);
                 self.piece.shading_vertices.push([x, y, z, nx, ny, nz, 0.0, 0.0]);
             }

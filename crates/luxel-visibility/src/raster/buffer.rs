@@ -1,46 +1,8 @@
 //! The visibility buffer of one tile: for every sample the nearest depth and the triangle's id.
 
-use crate::cluster::SLOT_BITS;
-use crate::setup::Region;
+use crate::types::{BLOCK, BLOCKS, BLOCKS_OF_TILE, LANE_X, LANE_Y, Region, TILE, TriangleId};
 use luxel_math::{LANES, Simd, f32x16, i32x16, prelude::*};
 use luxel_scene::Size;
-
-/// Pixels of a tile's side. 64 gives a worker a piece that fits the cache (32 KiB a sample plane)
-/// and leaves some hundred pieces to share at usual sizes.
-pub const TILE: i32 = 64;
-/// Pixels of a block's side: sixteen lanes.
-pub const BLOCK: i32 = 4;
-/// Blocks of a tile's side.
-pub const BLOCKS: i32 = TILE / BLOCK;
-/// Columns and rows of a block's lanes.
-pub(crate) const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
-pub(crate) const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
-const BLOCKS_OF_TILE: usize = (BLOCKS * BLOCKS) as usize;
-const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
-
-/// The triangle that a sample sees.
-///
-/// Its number is the cluster's among those of all instances, times 128, plus the triangle's slot;
-/// [`Frame`](crate::Frame) turns it into instance and triangle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct TriangleId(pub u32);
-
-impl TriangleId {
-    /// Nothing: the background.
-    pub const NONE: Self = Self(u32::MAX);
-
-    pub(crate) const fn new(cluster: u32, slot: usize) -> Self {
-        Self(cluster << SLOT_BITS | slot as u32)
-    }
-
-    pub(crate) const fn cluster(self) -> u32 {
-        self.0 >> SLOT_BITS
-    }
-
-    pub(crate) const fn slot(self) -> usize {
-        (self.0 & ((1 << SLOT_BITS) - 1)) as usize
-    }
-}
 
 /// One sample of each pixel of a tile, in blocks of 4x4 pixels, row by row.
 #[derive(Clone, Debug)]
@@ -122,7 +84,7 @@ impl Tile {
         TriangleId(self.planes[sample].ids[block][lane])
     }
 
-    /// Forgets everything, and moves to the tile of a window whose first pixel is (x, y).
+    /// Clears all planes, and moves to the tile of a window whose first pixel is (x, y).
     pub(crate) fn clear(&mut self, x: i32, y: i32, window: Size) {
         let width = TILE.min(window.width as i32 - x);
         let height = TILE.min(window.height as i32 - y);
@@ -145,7 +107,7 @@ impl Tile {
     /// Whether everything drawn so far in the pixels left..=right, top..=bottom of the window is
     /// nearer than `nearest`, as far as they are the tile's.
     #[inline(always)]
-    pub(crate) fn hides<S: Simd>(
+    pub(crate) fn occludes<S: Simd>(
         &self,
         simd: S,
         [left, top, right, bottom]: [i32; 4],

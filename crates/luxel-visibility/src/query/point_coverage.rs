@@ -1,10 +1,8 @@
 //! The fill rule asked for one triangle and one sample: the same transform, snapping, clipping,
 //! edge functions and depth as a frame's, so the same answer.
 
-use crate::clip::clip;
-use crate::cull::GUARD_BAND;
-use crate::setup::{CullFaces, Region, Triangle};
-use crate::transform::WindowTransform;
+use crate::raster::{Triangle, clip};
+use crate::types::{CullFaces, GUARD_BAND, Region, WindowTransform};
 use glam::DMat4;
 use luxel_math::{Number, SUBPIXELS};
 use luxel_scene::{Mesh, Projection, Size};

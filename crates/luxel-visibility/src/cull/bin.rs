@@ -1,7 +1,7 @@
 //! Which clusters each tile has to look at, near ones first.
 
-use crate::buffer::TILE;
-use crate::cull::VisibleCluster;
+use super::cluster_cull::VisibleCluster;
+use crate::types::TILE;
 use luxel_scene::Size;
 use rayon::prelude::*;
 

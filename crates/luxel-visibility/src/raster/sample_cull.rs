@@ -1,20 +1,22 @@
-//! Which of sixteen triangles can hold a sample of a tile: most of a fine mesh hold none.
+//! Drops triangles that hold no sample of a tile, as most of a fine mesh do, sixteen at a time.
 
-use crate::setup::{CullFaces, Region};
-use crate::small::SIZES;
+use crate::types::{CullFaces, Region};
 use luxel_math::{LANES, SUBPIXELS, Simd, i32x16, mask32x16, prelude::*};
+
+/// Size classes of small triangles: less than 1, 2, 4 and 8 pixels wide and high.
+pub(crate) const SIZES: [i32; 4] = [SUBPIXELS, 2 * SUBPIXELS, 4 * SUBPIXELS, 8 * SUBPIXELS];
 
 /// First corners of sixteen triangles, second ones and third ones: x and y, in steps of 1/256 pixel,
 /// side by side, so that they are moved at once.
 pub(crate) type Corners = [[[i32; 2]; LANES]; 3];
 
-/// Sixteen triangles to be sifted.
-pub(crate) struct Sixteen {
+/// Sixteen triangles, one a lane.
+pub(crate) struct TriangleGroup {
     pub(crate) corners: Corners,
 }
 
-/// What came through the sieve, a bit for each triangle.
-pub(crate) struct Sifted {
+/// Result of the sample-coverage cull, a bit for each triangle.
+pub(crate) struct SampleCull {
     /// Those that may hold a sample.
     pub(crate) held: u32,
     /// The first of [`SIZES`] that each is less wide and high than, whether it holds one or not; as
@@ -28,7 +30,7 @@ struct Extent<S: Simd> {
     high: i32x16<S>,
 }
 
-impl Sixteen {
+impl TriangleGroup {
     pub(crate) fn new() -> Self {
         Self { corners: [[[0; 2]; LANES]; 3] }
     }
@@ -42,7 +44,7 @@ impl Sixteen {
         region: Region,
         offsets: &[[i32; 2]],
         cull: CullFaces,
-    ) -> Sifted {
+    ) -> SampleCull {
         let [(ax, ay), (bx, by), (cx, cy)] = in_lanes(simd, &self.corners);
         let across = Extent::of(ax, bx, cx);
         let down = Extent::of(ay, by, cy);
@@ -70,7 +72,7 @@ impl Sixteen {
         }
         let mut sizes = [0; LANES];
         size.store_slice(&mut sizes);
-        Sifted { held: held.to_bitmask() as u32, sizes }
+        SampleCull { held: held.to_bitmask() as u32, sizes }
     }
 }
 

@@ -1,24 +1,24 @@
-//! Blocks of clusters that aren't kept: made from the mesh where they are drawn, for one frame.
+//! Blocks of clusters that are drawn for one frame: made from the mesh where they are drawn, not kept.
 //!
 //! Corners that triangles share aren't looked for: finding them takes longer than what they save.
 //! Sixteen triangles have three groups of vertices, their first corners, second ones and third ones.
 
-use crate::cluster::{Block, GROUP_WORDS, Numbers};
+use super::block::{Block, GROUP_WORDS, Numbers};
 use luxel_math::LANES;
 use luxel_scene::Mesh;
 
 /// Most triangles of such a cluster: five times sixteen, as corner numbers take eight bits.
-pub(crate) const OPENED_TRIANGLES: usize = 80;
-const CHUNKS: usize = OPENED_TRIANGLES / LANES;
+pub(crate) const TRANSIENT_TRIANGLES: usize = 80;
+const CHUNKS: usize = TRANSIENT_TRIANGLES / LANES;
 
 /// Room for a block.
-pub(crate) struct Opened([[[u32; GROUP_WORDS]; 3]; CHUNKS]);
+pub(crate) struct TransientBlock([[[u32; GROUP_WORDS]; 3]; CHUNKS]);
 
 /// The corner numbers of each triangle, the same in all such clusters.
-const TRIANGLES: [u32; OPENED_TRIANGLES] = {
-    let mut words = [0; OPENED_TRIANGLES];
+const TRIANGLES: [u32; TRANSIENT_TRIANGLES] = {
+    let mut words = [0; TRANSIENT_TRIANGLES];
     let mut slot = 0;
-    while slot < OPENED_TRIANGLES {
+    while slot < TRANSIENT_TRIANGLES {
         let first = (slot / LANES * 3 * LANES + slot % LANES) as u32;
         let (second, third) = (first + LANES as u32, first + 2 * LANES as u32);
         words[slot] = first | second << 8 | third << 16;
@@ -26,15 +26,15 @@ const TRIANGLES: [u32; OPENED_TRIANGLES] = {
     }
     words
 };
-const _: () = assert!(3 * OPENED_TRIANGLES <= 1 << 8, "corner numbers take eight bits");
+const _: () = assert!(3 * TRANSIENT_TRIANGLES <= 1 << 8, "corner numbers take eight bits");
 
-impl Opened {
+impl TransientBlock {
     pub(crate) fn new() -> Self {
         Self([[[0; GROUP_WORDS]; 3]; CHUNKS])
     }
 
     /// The block of `count` triangles of a mesh.
-    pub(crate) fn open(&mut self, mesh: &Mesh, numbers: Numbers<'_>, count: usize) -> Block<'_> {
+    pub(crate) fn fill(&mut self, mesh: &Mesh, numbers: Numbers<'_>, count: usize) -> Block<'_> {
         let chunks = &mut self.0[..count.div_ceil(LANES)];
         for (chunk, groups) in chunks.iter_mut().enumerate() {
             for lane in 0..LANES {

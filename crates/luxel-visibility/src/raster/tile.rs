@@ -1,18 +1,16 @@
-//! A list of clusters into one tile. Knows no frame beyond it: what comes out is depth and ids.
+//! Draws a list of clusters into one tile of depths and ids.
 
-use crate::buffer::{Plane, Tile, TriangleId};
-use crate::clip::clip;
-use crate::cluster::Block;
+use super::buffer::{Plane, Tile};
+use super::clip::clip;
+use super::sample_cull::{SIZES, SampleCull, TriangleGroup};
+use super::setup::Triangle;
+use super::small_triangles::Queues;
+use super::transform::{ClusterVertices, transform_cluster};
+use super::triangles::{Rules, draw_triangle};
+use crate::cluster::{Block, Instances, TransientBlock};
 use crate::cull::VisibleCluster;
-use crate::frame::{Coverage, Frame};
-use crate::holes::Holes;
-use crate::open::Opened;
-use crate::raster::{Rules, draw_triangle};
-use crate::setup::{CullFaces, Triangle};
-use crate::sift::{Sifted, Sixteen};
-use crate::small::{Queues, SIZES};
-use crate::transform::{
-    ClipVertex, ClusterVertices, WindowTransform, WindowVertex, transform_cluster,
+use crate::types::{
+    ClipVertex, Coverage, CullFaces, Holes, Samples, TriangleId, WindowTransform, WindowVertex,
 };
 use luxel_math::{LANES, Simd, lanes_of};
 
@@ -20,47 +18,47 @@ use luxel_math::{LANES, Simd, lanes_of};
 #[inline(always)]
 pub(crate) fn draw<'f, S: Simd>(
     simd: S,
-    frame: &'f Frame<'_>,
+    instances: &Instances<'_>,
+    samples: Samples,
     clusters: impl Iterator<Item = &'f VisibleCluster>,
     holes: &dyn Holes,
     behind: Option<&[Plane]>,
     tile: &mut Tile,
 ) {
-    let submitted = |id: TriangleId| frame.submitted(id);
-    let samples = frame.samples();
+    let submitted = |id: TriangleId| instances.submitted(id);
     let rules_for = |has_holes: bool| Rules {
         offsets: samples.positions(),
         submitted: &submitted,
         holes: has_holes.then_some(holes),
         behind,
     };
-    let mut opened = Opened::new();
+    let mut transient = TransientBlock::new();
     let mut vertices = ClusterVertices::new();
     // Small triangles wait here across clusters, as long as the same rules hold for them.
     let mut queues = Queues::new();
     let mut rules = rules_for(false);
     for visible in clusters {
         let pixels = [visible.left, visible.top, visible.right, visible.bottom].map(i32::from);
-        if tile.hides(simd, pixels, visible.nearest) {
+        if tile.occludes(simd, pixels, visible.nearest) {
             continue;
         }
-        let number = frame.instance_of(visible.cluster);
-        let instance = &frame.instances()[number];
-        let cluster = frame.within_instance(number, visible.cluster);
-        let block = instance.clusters.block(instance.mesh, cluster, &mut opened);
+        let number = instances.of_cluster(visible.cluster);
+        let instance = &instances.list[number];
+        let cluster = instances.within_instance(number, visible.cluster);
+        let block = instance.clusters.block(instance.mesh, cluster, &mut transient);
         let part = instance.parts[instance.clusters.headers[cluster].part as usize];
         let has_holes = part.coverage != Coverage::Opaque;
         if has_holes != rules.holes.is_some() {
             queues.finish(simd, &rules, tile);
             rules = rules_for(has_holes);
         }
-        let transform = frame.transform(number);
+        let transform = &instances.transforms[number];
         if visible.clipped {
             draw_clipped(simd, transform, &block, visible.cluster, part.cull, &rules, tile);
         } else {
             let bounds = transform_cluster(simd, transform, block.vertices, &mut vertices);
             // Bounds of the vertices themselves are tighter than those of the cluster's box.
-            if tile.hides(simd, bounds.pixels, bounds.nearest) {
+            if tile.occludes(simd, bounds.pixels, bounds.nearest) {
                 continue;
             }
             let id = visible.cluster;
@@ -89,7 +87,7 @@ fn draw_cluster<S: Simd>(
     queues: &mut Queues,
     tile: &mut Tile,
 ) {
-    let mut group = Sixteen::new();
+    let mut group = TriangleGroup::new();
     for (number, chunk) in block.triangles.chunks(LANES).enumerate() {
         // A loop of known length; lanes beyond the chunk are not looked at.
         let mut rest = [0; LANES];
@@ -103,7 +101,8 @@ fn draw_cluster<S: Simd>(
             group.corners[1][lane] = vertices.xy[b];
             group.corners[2][lane] = vertices.xy[c];
         }
-        let Sifted { held, sizes } = group.may_hold_samples(simd, tile.region, rules.offsets, cull);
+        let SampleCull { held, sizes } =
+            group.may_hold_samples(simd, tile.region, rules.offsets, cull);
         for lane in lanes_of(held & ((1 << chunk.len()) - 1)) {
             let id = TriangleId::new(cluster, number * LANES + lane);
             let corners = corners_of(words[lane]);

@@ -6,11 +6,17 @@
 //! over distance (Reed 2015).
 
 use glam::{DMat4, DVec4};
-use luxel_math::{LANES, Number, SUBPIXELS, Simd, f32x16, i32x16, prelude::*, u32x16};
+use luxel_math::{Number, SUBPIXELS};
 use luxel_scene::{Projection, Size};
 
-use crate::cluster::{CLUSTER_VERTICES, GROUP_WORDS};
-use crate::cull::GUARD_BAND;
+/// Half the side of the guard band in steps of 1/256 pixel: 2^14 pixels either way from the
+/// window's middle. Triangles that reach farther out are clipped, so that edge functions fit their
+/// integers (see `raster::setup`).
+pub(crate) const GUARD_BAND: i32 = (1 << 14) * SUBPIXELS;
+
+/// Most pixels of a window's side: as many as the guard band holds, less the pixel at either end
+/// that clipping keeps off.
+pub const MAX_SIDE: u32 = (1 << 15) - 2;
 
 /// A vertex in clip coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,27 +43,6 @@ pub(crate) struct WindowTransform {
     pub(crate) rows: [[f32; 4]; 4],
     /// The window's middle, in steps of 1/256 pixel.
     pub(crate) centre: [f32; 2],
-}
-
-/// The transformed vertices of one cluster.
-pub(crate) struct ClusterVertices {
-    pub(crate) xy: [[i32; 2]; CLUSTER_VERTICES],
-    pub(crate) z: [f32; CLUSTER_VERTICES],
-}
-
-/// What transformed vertices lie within.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounds {
-    /// Pixels: left, top, right, bottom.
-    pub(crate) pixels: [i32; 4],
-    /// The nearest depth.
-    pub(crate) nearest: f32,
-}
-
-impl ClusterVertices {
-    pub(crate) fn new() -> Self {
-        Self { xy: [[0; 2]; CLUSTER_VERTICES], z: [0.0; CLUSTER_VERTICES] }
-    }
 }
 
 impl WindowTransform {
@@ -131,7 +116,7 @@ impl WindowTransform {
 
 /// A clip coordinate on the window's grid, in steps of 1/256 pixel.
 #[inline(always)]
-fn snap<N: Number>(value: N, w: N, centre: f32) -> N {
+pub(crate) fn snap<N: Number>(value: N, w: N, centre: f32) -> N {
     (value / w + w.constant(centre)).round_ties_even()
 }
 
@@ -139,69 +124,4 @@ fn snap<N: Number>(value: N, w: N, centre: f32) -> N {
 #[inline(always)]
 pub(crate) fn row_times<N: Number>(row: &[f32; 4], x: N, y: N, z: N) -> N {
     x * x.constant(row[0]) + y * x.constant(row[1]) + z * x.constant(row[2]) + x.constant(row[3])
-}
-
-/// Transforms all vertices of a cluster whose every vertex lies in front of the near plane and
-/// within the guard band: the same bits as [`WindowTransform::window`].
-#[inline(always)]
-pub(crate) fn transform_cluster<S: Simd>(
-    simd: S,
-    transform: &WindowTransform,
-    groups: &[[u32; GROUP_WORDS]],
-    out: &mut ClusterVertices,
-) -> Bounds {
-    simd.vectorize(
-        #[inline(always)]
-        || transform_groups(simd, transform, groups, out),
-    )
-}
-
-#[inline(always)]
-fn transform_groups<S: Simd>(
-    simd: S,
-    transform: &WindowTransform,
-    groups: &[[u32; GROUP_WORDS]],
-    out: &mut ClusterVertices,
-) -> Bounds {
-    let [mut left, mut top] = [i32x16::splat(simd, i32::MAX); 2];
-    let [mut right, mut bottom] = [i32x16::splat(simd, i32::MIN); 2];
-    let mut nearest = f32x16::splat(simd, 0.0);
-    let out_xy = out.xy.as_chunks_mut::<LANES>().0;
-    let out_z = out.z.as_chunks_mut::<LANES>().0;
-    for ((group, out_xy), out_z) in groups.iter().zip(out_xy).zip(out_z) {
-        let x: f32x16<S> = u32x16::from_slice(simd, &group[..LANES]).bitcast();
-        let y: f32x16<S> = u32x16::from_slice(simd, &group[LANES..2 * LANES]).bitcast();
-        let z: f32x16<S> = u32x16::from_slice(simd, &group[2 * LANES..]).bitcast();
-        let clip_x = row_times(&transform.rows[0], x, y, z);
-        let clip_y = row_times(&transform.rows[1], x, y, z);
-        let clip_z = row_times(&transform.rows[2], x, y, z);
-        let clip_w = row_times(&transform.rows[3], x, y, z);
-        let window_x = i32x16::truncate_from(snap(clip_x, clip_w, transform.centre[0]));
-        let window_y = i32x16::truncate_from(snap(clip_y, clip_w, transform.centre[1]));
-        let (first, second) = out_xy.as_flattened_mut().split_at_mut(LANES);
-        let (low, high) = simd.interleave_i32x16(window_x, window_y);
-        low.store_slice(first);
-        high.store_slice(second);
-        let z = clip_z / clip_w;
-        z.store_slice(out_z);
-        (left, right) = (left.min(window_x), right.max(window_x));
-        (top, bottom) = (top.min(window_y), bottom.max(window_y));
-        nearest = nearest.maximum(z);
-    }
-    Bounds {
-        pixels: [least(left), least(top), greatest(right), greatest(bottom)],
-        nearest: nearest.as_slice().iter().copied().fold(0.0, f32::max),
-    }
-}
-
-/// The pixel of the least of lanes in steps of 1/256 pixel.
-#[inline(always)]
-fn least<S: Simd>(lanes: i32x16<S>) -> i32 {
-    lanes.as_slice().iter().copied().fold(i32::MAX, i32::min) >> SUBPIXELS.ilog2()
-}
-
-/// The pixel of the greatest.
-#[inline(always)]
-fn greatest<S: Simd>(lanes: i32x16<S>) -> i32 {
-    lanes.as_slice().iter().copied().fold(i32::MIN, i32::max) >> SUBPIXELS.ilog2()
 }

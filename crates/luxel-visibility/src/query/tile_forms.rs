@@ -19,9 +19,9 @@
 //! sliver as thin), [`Forms::exact_barycentric`] answers in f64 instead: the choice hangs on triangle,
 //! tile and sample alone. Random triangles reach a fifth of the bound (`tests/visibility/tile_forms.rs`).
 
-use crate::barycentric::{Forms, WindowRays};
-use crate::buffer::TILE;
-use crate::space::sides;
+use super::barycentric::{Forms, WindowRays};
+use super::instance_transform::sides;
+use crate::types::TILE;
 use luxel_math::{Mask, Number, SUBPIXELS, Vec3, Wide};
 
 /// How many numbers a [`TileForms`] is.

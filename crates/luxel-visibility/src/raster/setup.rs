@@ -9,10 +9,8 @@
 //!
 //! A sample on an edge belongs to the triangle if the edge is a left or a top one.
 
-use crate::buffer::BLOCK;
-use crate::transform::WindowVertex;
+use crate::types::{BLOCK, CullFaces, Region, WindowVertex};
 use luxel_math::{Number, SUBPIXELS};
-use luxel_scene::Sides;
 
 /// A triangle ready to be rasterized.
 #[derive(Clone, Copy, Debug)]
@@ -49,42 +47,6 @@ impl DepthPlane {
     }
 }
 
-/// Which faces are left out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum CullFaces {
-    /// None.
-    #[default]
-    None,
-    /// Those whose corners run clockwise in the window: the back faces.
-    Clockwise,
-    /// Those whose corners run counter-clockwise: the back faces of a mirrored instance.
-    CounterClockwise,
-}
-
-/// Which faces a view leaves out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Cull {
-    /// As the material says.
-    #[default]
-    Auto,
-    /// None.
-    None,
-    /// Back faces.
-    Back,
-}
-
-impl Cull {
-    /// What that means for faces of a material, in an instance that mirrors or doesn't.
-    #[must_use]
-    pub fn faces(self, sides: Sides, mirrored: bool) -> CullFaces {
-        let back = if mirrored { CullFaces::CounterClockwise } else { CullFaces::Clockwise };
-        match (self, sides) {
-            (Self::None, _) | (Self::Auto, Sides::Both) => CullFaces::None,
-            (Self::Back, _) | (Self::Auto, Sides::Front) => back,
-        }
-    }
-}
-
 /// An edge function over a region: E / 256 at the region's first pixel, and its change from one
 /// pixel to the next.
 #[derive(Clone, Copy, Debug, Default)]
@@ -106,15 +68,6 @@ impl Edge {
     pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
         self.start + self.step_x * x + self.step_y * y
     }
-}
-
-/// Pixels: first column and row, and how many.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Region {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-    pub(crate) width: i32,
-    pub(crate) height: i32,
 }
 
 impl Triangle {

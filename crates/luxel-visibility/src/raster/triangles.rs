@@ -4,9 +4,9 @@
 //! was submitted first. This is a total order, so the outcome depends neither on the order of
 //! drawing nor on what was culled on the way.
 
-use crate::buffer::{BLOCK, BLOCKS, LANE_X, LANE_Y, Plane, Tile, TriangleId};
-use crate::holes::{Asked, Holes};
-use crate::setup::{Region, Triangle};
+use super::buffer::{Plane, Tile};
+use super::setup::Triangle;
+use crate::types::{Asked, BLOCK, BLOCKS, Holes, LANE_X, LANE_Y, Region, TriangleId};
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 
 /// What decides beyond geometry.

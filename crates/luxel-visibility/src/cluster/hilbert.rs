@@ -1,7 +1,7 @@
 //! The order in which triangles are cut into clusters: along a curve that fills space, so that
 //! neighbours in the order are neighbours in space, whatever the file's order.
 
-use crate::cluster::CLUSTER_TRIANGLES;
+use super::block::CLUSTER_TRIANGLES;
 use luxel_math::LANES;
 use luxel_parallel::{fill, map};
 use luxel_scene::Mesh;

@@ -1,6 +1,6 @@
 //! Where a covered sample is nevertheless not hit: who tells, and how it is asked.
 
-use crate::buffer::TriangleId;
+use super::TriangleId;
 use luxel_math::{LANES, SUBPIXELS};
 
 /// Tells where triangles have holes. The answer for a sample hangs on nothing but its triangle and its

@@ -4,21 +4,12 @@
 //! order, as intervals. Rounding is monotone, so the intervals hold every rounded value of every
 //! vertex: bounds are exact, and nothing is ever culled that would have been drawn.
 
-use crate::cluster::{BOUNDS_WORDS, Clusters};
-use crate::facing::{CONE_WORDS, Onlooker};
-use crate::frame::PartUse;
-use crate::transform::WindowTransform;
-use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, mask32x16, prelude::*};
-use luxel_scene::Size;
-
-/// Half the side of the guard band in steps of 1/256 pixel: 2^14 pixels either way from the
-/// window's middle. Triangles that reach farther out are clipped, so that edge functions fit their
-/// integers (see `setup`).
-pub(crate) const GUARD_BAND: i32 = (1 << 14) * SUBPIXELS;
-
-/// Most pixels of a window's side: as many as the guard band holds, less the pixel at either end
-/// that clipping keeps off.
-pub const MAX_SIDE: u32 = (1 << 15) - 2;
+use super::cone_culler::ConeCuller;
+use crate::cluster::{BOUNDS_WORDS, CONE_WORDS, Clusters, Instance, Instances};
+use crate::types::{GUARD_BAND, MAX_SIDE, PartUse, WindowTransform};
+use luxel_math::{LANES, Level, SUBPIXELS, Simd, dispatch, f32x16, i32x16, mask32x16, prelude::*};
+use luxel_scene::{Projection, Size};
+use rayon::prelude::*;
 
 /// A cluster that may be seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,18 +27,18 @@ pub(crate) struct VisibleCluster {
     pub(crate) clipped: bool,
 }
 
-/// How faces that are turned away are told, and where they are left out.
+/// Finds clusters of back faces, and the parts that cull them.
 #[derive(Clone, Copy)]
-pub(crate) struct BackFaces<'a> {
-    pub(crate) onlooker: &'a Onlooker,
+struct BackFaces<'a> {
+    culler: &'a ConeCuller,
     /// How each part of the mesh is drawn.
-    pub(crate) parts: &'a [PartUse],
+    parts: &'a [PartUse],
 }
 
 impl BackFaces<'_> {
     fn are_left_out(&self, clusters: &Clusters, cluster: usize) -> bool {
         let part = clusters.headers[cluster].part as usize;
-        self.parts[part].cull == self.onlooker.away()
+        self.parts[part].cull == self.culler.away()
     }
 }
 
@@ -144,10 +135,64 @@ impl<S: Simd> Interval<S> {
 
 const SUBPIXEL_BITS: u32 = SUBPIXELS.ilog2();
 
+/// The clusters of all instances that may be seen.
+pub(crate) fn visible_clusters(
+    instances: &Instances<'_>,
+    projection: &Projection,
+    size: Size,
+    level: Level,
+) -> Vec<VisibleCluster> {
+    let cullers: Vec<_> = instances
+        .list
+        .iter()
+        .map(|instance| ConeCuller::new(projection, size, &instance.view_from_local()))
+        .collect();
+    // Groups of sixteen clusters, in runs that are cut by number.
+    const RUN: usize = 64;
+    let runs: Vec<(usize, std::ops::Range<usize>)> = instances
+        .list
+        .iter()
+        .enumerate()
+        .flat_map(|(number, instance)| {
+            let groups = instance.clusters.count().div_ceil(LANES);
+            (0..groups).step_by(RUN).map(move |start| (number, start..groups.min(start + RUN)))
+        })
+        .collect();
+    let visible: Vec<Vec<VisibleCluster>> = runs
+        .into_par_iter()
+        .map(|(number, groups)| {
+            let transform = &instances.transforms[number];
+            let Instance { clusters, parts, .. } = &instances.list[number];
+            let first = instances.first_clusters[number];
+            let faces = cullers[number].as_ref().map(|culler| BackFaces { culler, parts });
+            dispatch!(level, simd => cull_run(simd, transform, size, clusters, groups.clone(), first, faces))
+        })
+        .collect();
+    visible.into_iter().flatten().collect()
+}
+
+/// Culls the groups of a run.
+#[inline(always)]
+fn cull_run<S: Simd>(
+    simd: S,
+    transform: &WindowTransform,
+    size: Size,
+    clusters: &Clusters,
+    groups: std::ops::Range<usize>,
+    first_cluster: u32,
+    back_faces: Option<BackFaces<'_>>,
+) -> Vec<VisibleCluster> {
+    let mut visible = Vec::new();
+    for group in groups {
+        cull_group(simd, transform, size, clusters, group, first_cluster, back_faces, &mut visible);
+    }
+    visible
+}
+
 /// Appends the clusters of one group of sixteen that may be seen.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "the state of a loop, which has one caller")]
-pub(crate) fn cull_group<S: Simd>(
+fn cull_group<S: Simd>(
     simd: S,
     transform: &WindowTransform,
     size: Size,
@@ -207,7 +252,7 @@ pub(crate) fn cull_group<S: Simd>(
     let (seen, whole, known) = (seen.to_bitmask(), whole.to_bitmask(), known.to_bitmask());
     let cones = clusters.cones.get(group * CONE_WORDS..(group + 1) * CONE_WORDS);
     let backs = back_faces.zip(cones).map_or(0, |(faces, cones)| {
-        faces.onlooker.sees_only_backs(simd, transform, bounds, cones, [w.low, w.high])
+        faces.culler.sees_only_backs(simd, transform, bounds, cones, [w.low, w.high])
     });
     let first = group * LANES;
     for lane in 0..LANES.min(clusters.count() - first) {
@@ -243,9 +288,8 @@ pub(crate) fn cull_group<S: Simd>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cluster::Frames;
-    use crate::open::Opened;
-    use crate::setup::CullFaces;
+    use crate::cluster::{Frames, TransientBlock};
+    use crate::types::CullFaces;
     use glam::{DMat4, DVec3};
     use luxel_math::{SimdLevel, dispatch};
     use luxel_scene::{Camera, Lens, MaterialId, Mesh, Part, Projection};
@@ -278,7 +322,7 @@ mod tests {
         ) {
             let mesh = mesh(&places, spread);
             let clusters = Clusters::new(&mesh, frames);
-            let mut opened = Opened::new();
+            let mut transient = TransientBlock::new();
             let lens = match height {
                 Some(height) => Lens::Orthographic { height },
                 None => Lens::Perspective { fov_y_radians: 1.2 },
@@ -295,7 +339,7 @@ mod tests {
             for cluster in 0..clusters.count() {
                 let seen = visible.iter().find(|visible| visible.cluster == cluster as u32);
                 let mut inside = false;
-                for group in clusters.block(&mesh, cluster, &mut opened).vertices {
+                for group in clusters.block(&mesh, cluster, &mut transient).vertices {
                     for lane in 0..LANES {
                         let position = [0, 1, 2].map(|axis| f32::from_bits(group[axis * LANES + lane]));
                         let vertex = transform.clip(position);
@@ -336,10 +380,10 @@ mod tests {
         let eye = DVec3::new(1.0, 2.0, 2.0);
         let view_from_mesh = Camera::look_at(eye, DVec3::ZERO, DVec3::Y);
         let transform = WindowTransform::new(&projection, size, &view_from_mesh);
-        let onlooker = Onlooker::new(&projection, size, &view_from_mesh).unwrap();
+        let culler = ConeCuller::new(&projection, size, &view_from_mesh).unwrap();
         let seen_with = |cull| {
             let parts = [PartUse { cull, ..PartUse::default() }];
-            let faces = Some(BackFaces { onlooker: &onlooker, parts: &parts });
+            let faces = Some(BackFaces { culler: &culler, parts: &parts });
             let level = SimdLevel::Auto.resolve().unwrap();
             let mut visible = Vec::new();
             for group in 0..clusters.count().div_ceil(LANES) {

@@ -5,8 +5,7 @@
 //! the edge's inside vertex to its outside one, so that two triangles that share the edge get the
 //! same bits, whichever way round they run along it.
 
-use crate::cull::GUARD_BAND;
-use crate::transform::{ClipVertex, WindowTransform, WindowVertex};
+use crate::types::{ClipVertex, GUARD_BAND, WindowTransform, WindowVertex};
 use luxel_math::SUBPIXELS;
 
 /// Most corners that a triangle can have after five planes.

@@ -1,12 +1,12 @@
 //! Where on its triangle a sample lies, as a ray through the sample finds it.
 //!
-//! Coverage and the depth test go by snapped corners; everything told or lit goes by the triangle
+//! Coverage and the depth test go by snapped corners; attributes are interpolated on the triangle
 //! itself. For corners p_0, p_1, p_2 in view space and the ray t d from the eye, Cramer's rule
 //! gives weights w_i = d . (p_j x p_k), with barycentrics b_i = w_i / (w_0 + w_1 + w_2). The ray's
 //! direction is linear in window x and y, and so are the weights: three linear forms a triangle
 //! ("perspective-correct interpolation", Olano and Greer 1997), also for parallel rays.
 //!
-//! Forms are made and evaluated in f64, and only barycentrics are rounded to f32: what is told is
+//! Forms are made and evaluated in f64, and only barycentrics are rounded to f32: they are
 //! right to the last digits also on triangles of a hundredth of a pixel.
 
 use glam::DVec3;

@@ -4,28 +4,21 @@
 //! for a frame. A cluster is drawn from its block, one contiguous piece of memory: vertices in
 //! groups of sixteen (x16 y16 z16), ready for the lanes, and one word a triangle with three corner
 //! numbers of eight bits, 13 bytes a triangle on even meshes. For many frames blocks are kept (see
-//! `cut`); for a single one each is made where it is drawn (see `open`).
+//! `cluster_builder`); for a single one each is made where it is drawn (see `transient_block`).
 //!
-//! Clusters follow a curve through space (see `order`), so that each is compact: small in the window,
+//! Clusters follow a curve through space (see `hilbert`), so that each is compact: small in the window,
 //! in few tiles, and hidden as a whole by what lies before it. A file's own order may be anything; for
 //! a single frame it is good enough where it keeps neighbours together.
 
-use crate::cut::Cut;
-use crate::facing::Cone;
-use crate::open::{OPENED_TRIANGLES, Opened, box_of};
-use crate::order::{along_curve, is_local};
+use super::block::{Block, CLUSTER_TRIANGLES, GROUP_WORDS, Header, Numbers, Piece};
+use super::cluster_builder::ClusterBuilder;
+use super::hilbert::{along_curve, is_local};
+use super::normal_cone::Cone;
+use super::transient_block::{TRANSIENT_TRIANGLES, TransientBlock, box_of};
 use luxel_math::LANES;
 use luxel_parallel::{fill, map};
 use luxel_scene::{Mesh, Part};
 
-/// Most triangles of a cluster: slot numbers take seven bits.
-pub const CLUSTER_TRIANGLES: usize = 1 << SLOT_BITS;
-/// Bits of a triangle's slot number in an id.
-pub(crate) const SLOT_BITS: u32 = 7;
-/// Most vertices of a cluster: corner numbers take eight bits.
-pub(crate) const CLUSTER_VERTICES: usize = 256;
-/// Words of a group of sixteen vertices: x16 y16 z16.
-pub(crate) const GROUP_WORDS: usize = 3 * LANES;
 /// Words of the bounds of sixteen clusters: low x16 y16 z16, high x16 y16 z16.
 pub(crate) const BOUNDS_WORDS: usize = 6 * LANES;
 /// Triangles that one task cuts. Fixed, so that clusters don't depend on the number of threads.
@@ -54,17 +47,8 @@ pub struct Clusters {
     pub(crate) bounds: Vec<f32>,
     /// Cones of sixteen clusters at a time, see [`CONE_WORDS`]; empty where they aren't known.
     ///
-    /// [`CONE_WORDS`]: crate::facing::CONE_WORDS
+    /// [`CONE_WORDS`]: super::CONE_WORDS
     pub(crate) cones: Vec<f32>,
-}
-
-/// Blocks that are kept, one after the other.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Piece {
-    /// Of each the vertex groups, then the triangles.
-    pub(crate) words: Vec<u32>,
-    /// What vertices carry; empty where that isn't kept.
-    pub(crate) shading_vertices: Vec<ShadingVertex>,
 }
 
 /// The order of a part's triangles, by their submitted numbers: places in the mesh's list.
@@ -73,82 +57,6 @@ enum Order {
     /// From this one on, one after the other.
     File(u32),
     Curve(Vec<u32>),
-}
-
-/// The submitted numbers of a cluster's triangles.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Numbers<'a> {
-    From(u32),
-    Listed(&'a [u32]),
-}
-
-impl Numbers<'_> {
-    /// The number of the triangle in a slot.
-    #[inline(always)]
-    pub(crate) fn of(self, slot: usize) -> u32 {
-        match self {
-            Self::From(first) => first + slot as u32,
-            Self::Listed(numbers) => numbers[slot],
-        }
-    }
-}
-
-/// A vertex as shading looks it up, in half a line of the cache: x, y and z of its position about the
-/// mesh's origin, then of its normal in the mesh's space, then nothing.
-pub type ShadingVertex = [f32; 8];
-
-/// What a cluster holds.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Header {
-    /// The mesh's part, whose material all triangles have.
-    pub(crate) part: u32,
-    /// Where its triangles begin in the part's order.
-    pub(crate) first_number: u32,
-    /// Triangles.
-    pub(crate) triangles: u16,
-    /// Groups of sixteen vertices of the block that is kept; 0 if none is.
-    pub(crate) groups: u16,
-    /// The piece that it is in, where it begins there, and what its vertices carry.
-    pub(crate) piece: u32,
-    pub(crate) first_word: u32,
-    pub(crate) first_shading_vertex: u32,
-}
-
-/// A cluster's block, ready to be read.
-#[derive(Clone, Copy)]
-pub(crate) struct Block<'a> {
-    /// Groups of f32 bits: x16 y16 z16.
-    pub(crate) vertices: &'a [[u32; GROUP_WORDS]],
-    /// Corner numbers: eight bits each, the first corner lowest.
-    pub(crate) triangles: &'a [u32],
-    /// What vertices carry, if that is kept.
-    pub(crate) shading_vertices: &'a [ShadingVertex],
-}
-
-impl<'a> Block<'a> {
-    /// The positions of a triangle's corners.
-    #[inline(always)]
-    pub(crate) fn positions(&self, slot: usize) -> [[f32; 3]; 3] {
-        let word = self.triangles[slot];
-        [self.position(word & 255), self.position(word >> 8 & 255), self.position(word >> 16 & 255)]
-    }
-
-    /// What a triangle's corners carry.
-    #[inline(always)]
-    pub(crate) fn shading_vertices(&self, slot: usize) -> Option<[&'a ShadingVertex; 3]> {
-        let word = self.triangles[slot];
-        let of = |corner: u32| self.shading_vertices.get((corner & 255) as usize);
-        Some([of(word)?, of(word >> 8)?, of(word >> 16)?])
-    }
-
-    /// The position of a vertex, by its number in the cluster.
-    #[inline(always)]
-    pub(crate) fn position(&self, corner: u32) -> [f32; 3] {
-        let corner = corner as usize;
-        let group = &self.vertices[corner / LANES];
-        let place = corner % LANES;
-        [group[place], group[LANES + place], group[2 * LANES + place]].map(f32::from_bits)
-    }
 }
 
 impl Clusters {
@@ -171,20 +79,20 @@ impl Clusters {
             let first_numbers = (0..).step_by(TASK_TRIANGLES);
             tasks.extend(first_numbers.zip(order.chunks(TASK_TRIANGLES)).map(|task| (part, task)));
         }
-        let cuts = map(tasks.len(), 1, &|task| {
+        let built = map(tasks.len(), 1, &|task| {
             let piece = task.start;
             let (part, (first_number, triangles)) = tasks[piece];
-            let mut cut = Cut::new(mesh, piece as u32, part, first_number);
-            cut.add(triangles);
-            cut.close();
-            Some(cut)
+            let mut builder = ClusterBuilder::new(mesh, piece as u32, part, first_number);
+            builder.add(triangles);
+            builder.close();
+            Some(builder)
         });
         let (mut boxes, mut cones) = (Vec::new(), Vec::new());
-        for cut in cuts.into_iter().flatten() {
-            self.pieces.push(cut.piece);
-            self.headers.extend(cut.headers);
-            boxes.extend(cut.boxes);
-            cones.extend(cut.cones);
+        for builder in built.into_iter().flatten() {
+            self.pieces.push(builder.piece);
+            self.headers.extend(builder.headers);
+            boxes.extend(builder.boxes);
+            cones.extend(builder.cones);
         }
         self.orders.extend(orders.into_iter().map(Order::Curve));
         self.bounds = by_sixteen(&boxes);
@@ -199,16 +107,16 @@ impl Clusters {
             } else {
                 Order::Curve(along_curve(mesh, range(part)))
             });
-            let first_numbers = (0..part.count).step_by(OPENED_TRIANGLES);
+            let first_numbers = (0..part.count).step_by(TRANSIENT_TRIANGLES);
             self.headers.extend(first_numbers.map(|first_number| Header {
                 part: number,
                 first_number,
-                triangles: (part.count - first_number).min(OPENED_TRIANGLES as u32) as u16,
+                triangles: (part.count - first_number).min(TRANSIENT_TRIANGLES as u32) as u16,
                 ..Header::default()
             }));
         }
         let mut boxes = vec![[0.0; 6]; self.headers.len()];
-        fill(&mut boxes, TASK_TRIANGLES / OPENED_TRIANGLES, &|first, boxes| {
+        fill(&mut boxes, TASK_TRIANGLES / TRANSIENT_TRIANGLES, &|first, boxes| {
             for (cluster, bounds) in (first..).zip(boxes) {
                 let count = usize::from(self.headers[cluster].triangles);
                 *bounds = box_of(mesh, self.numbers(cluster), count);
@@ -258,18 +166,18 @@ impl Clusters {
         Some(Block { vertices, triangles, shading_vertices })
     }
 
-    /// The block of a cluster of `mesh`, made in `opened` if it isn't kept.
+    /// The block of a cluster of `mesh`, made in `transient` if it isn't kept.
     #[inline(always)]
     pub(crate) fn block<'a>(
         &'a self,
         mesh: &Mesh,
         cluster: usize,
-        opened: &'a mut Opened,
+        transient: &'a mut TransientBlock,
     ) -> Block<'a> {
         let count = usize::from(self.headers[cluster].triangles);
         match self.kept(cluster) {
             Some(block) => block,
-            None => opened.open(mesh, self.numbers(cluster), count),
+            None => transient.fill(mesh, self.numbers(cluster), count),
         }
     }
 }
@@ -295,6 +203,7 @@ fn by_sixteen(boxes: &[[f32; 6]]) -> Vec<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cluster::CLUSTER_VERTICES;
     use luxel_scene::{MaterialId, Part};
 
     /// A strip of unconnected triangles followed by a connected grid.
@@ -324,8 +233,8 @@ mod tests {
         let clusters = Clusters::new(mesh, frames);
         let mut seen = Vec::new();
         for cluster in 0..clusters.count() {
-            let mut opened = Opened::new();
-            let block = clusters.block(mesh, cluster, &mut opened);
+            let mut transient = TransientBlock::new();
+            let block = clusters.block(mesh, cluster, &mut transient);
             let part = mesh.parts[clusters.headers[cluster].part as usize];
             assert!(block.vertices.len() * LANES <= CLUSTER_VERTICES);
             for (slot, word) in block.triangles.iter().enumerate() {

@@ -2,17 +2,15 @@
 //!
 //! A lane is a triangle here, not a pixel. Triangles wait in queues by size, so that a queue's
 //! sixteen go through the samples of their boxes in step. Coverage and depth are those of
-//! [`Triangle`](crate::setup::Triangle), number by number: edge functions are exact integers, here
+//! [`Triangle`](super::setup::Triangle), number by number: edge functions are exact integers, here
 //! small enough for i32 without a shift, and the depth plane has its one formula.
 
-use crate::buffer::{BLOCK, BLOCKS, Plane, TILE, Tile, TriangleId};
-use crate::raster::{self, Rules};
-use crate::sift::{Corners, in_lanes};
-use crate::transform::ClusterVertices;
+use super::buffer::{Plane, Tile};
+use super::sample_cull::{Corners, SIZES, in_lanes};
+use super::transform::ClusterVertices;
+use super::triangles::{self, Rules};
+use crate::types::{BLOCK, BLOCKS, TILE, TriangleId};
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*};
-
-/// Queues: for triangles less than 1, 2, 4 and 8 pixels wide and high.
-pub(crate) const SIZES: [i32; 4] = [SUBPIXELS, 2 * SUBPIXELS, 4 * SUBPIXELS, 8 * SUBPIXELS];
 
 /// Triangles that wait to be drawn together.
 pub(crate) struct Queues([Queue; SIZES.len()]);
@@ -245,20 +243,20 @@ fn put<S: Simd>(
     if let Some(holes) = rules.holes {
         for number in lanes_of(left) {
             let id = queue.ids[number];
-            let wins = raster::wins(id, depths[number], place(number), rules, tile, sample);
+            let wins = triangles::wins(id, depths[number], place(number), rules, tile, sample);
             left &= !(u32::from(!wins) << number);
         }
         if left != 0 {
             let [offset_x, offset_y] = rules.offsets[sample];
             let position = [x * SUBPIXELS + offset_x, y * SUBPIXELS + offset_y];
-            left &= !raster::ask(holes, queue.ids, position, left);
+            left &= !triangles::ask(holes, queue.ids, position, left);
         }
     }
     // Two of them may want the same sample.
     for number in lanes_of(left) {
         let (id, z) = (queue.ids[number], depths[number]);
-        if raster::wins(id, z, place(number), rules, tile, sample) {
-            raster::put(id, z, place(number), tile, sample);
+        if triangles::wins(id, z, place(number), rules, tile, sample) {
+            triangles::put(id, z, place(number), tile, sample);
         }
     }
 }

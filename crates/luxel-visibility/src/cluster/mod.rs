@@ -1,0 +1,18 @@
+//! Meshes cut into clusters, and instances of them.
+
+mod block;
+mod cluster_builder;
+mod clusters;
+mod hilbert;
+mod instances;
+mod normal_cone;
+mod transient_block;
+
+pub(crate) use block::{Block, CLUSTER_VERTICES, GROUP_WORDS, Numbers};
+pub use block::{CLUSTER_TRIANGLES, ShadingVertex};
+pub(crate) use clusters::BOUNDS_WORDS;
+pub use clusters::{Clusters, Frames};
+pub(crate) use instances::Instances;
+pub use instances::{Instance, TooManyTriangles, TriangleOf};
+pub(crate) use normal_cone::CONE_WORDS;
+pub(crate) use transient_block::{TransientBlock, corners};

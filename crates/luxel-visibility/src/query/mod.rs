@@ -1,0 +1,15 @@
+//! Questions about single triangles and samples, answered as a frame draws them.
+
+mod barycentric;
+mod instance_transform;
+mod lines_points;
+mod point_coverage;
+mod seen_cluster;
+mod tile_forms;
+
+pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
+pub use instance_transform::{InstanceSpace, ViewFromLocal, sides};
+pub use lines_points::{LINE_WIDTH, POINT_SIZE, Strokes, strokes};
+pub use point_coverage::{Probe, Reach};
+pub use seen_cluster::SeenCluster;
+pub use tile_forms::{Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners};

@@ -1,0 +1,15 @@
+//! Clusters into the visibility buffer of a tile.
+
+mod buffer;
+mod clip;
+mod sample_cull;
+mod setup;
+mod small_triangles;
+mod tile;
+mod transform;
+mod triangles;
+
+pub use buffer::{Plane, Tile};
+pub(crate) use clip::clip;
+pub(crate) use setup::Triangle;
+pub(crate) use tile::draw;

@@ -1,0 +1,22 @@
+//! Constants and small types that every stage shares.
+
+mod faces;
+mod holes;
+mod part_use;
+mod samples;
+mod tile_grid;
+mod triangle_id;
+mod window_transform;
+
+pub use faces::{Cull, CullFaces};
+pub use holes::{Asked, Holes};
+pub use part_use::{Coverage, PartUse};
+pub use samples::{MAX_SAMPLES, Samples};
+pub use tile_grid::{BLOCK, BLOCKS, TILE};
+pub(crate) use tile_grid::{BLOCKS_OF_TILE, LANE_X, LANE_Y, Region};
+pub(crate) use triangle_id::SLOT_BITS;
+pub use triangle_id::TriangleId;
+pub use window_transform::MAX_SIDE;
+pub(crate) use window_transform::{
+    ClipVertex, GUARD_BAND, WindowTransform, WindowVertex, row_times, snap,
+};

@@ -1,0 +1,26 @@
+//! The grid of tiles and blocks that the window is divided into.
+
+use luxel_math::LANES;
+
+/// Pixels of a tile's side. 64 gives a worker a piece that fits the cache (32 KiB a sample plane)
+/// and leaves some hundred pieces to share at usual sizes.
+pub const TILE: i32 = 64;
+/// Pixels of a block's side: sixteen lanes.
+pub const BLOCK: i32 = 4;
+/// Blocks of a tile's side.
+pub const BLOCKS: i32 = TILE / BLOCK;
+/// Columns and rows of a block's lanes.
+pub(crate) const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
+pub(crate) const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
+/// Blocks of a tile.
+pub(crate) const BLOCKS_OF_TILE: usize = (BLOCKS * BLOCKS) as usize;
+const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
+
+/// Pixels: first column and row, and how many.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Region {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    pub(crate) width: i32,
+    pub(crate) height: i32,
+}
