@@ -48,9 +48,9 @@ impl<'a> Frame<'a> {
             .map(|instance| ViewFromLocal::new(&instance.view_from_mesh, instance.mesh.origin))
             .collect();
         let (blended, opaque): (Vec<_>, Vec<_>) =
-            visible_clusters(&instances, projection, size, level).into_iter().partition(
-                |visible| instances.part_use(visible.cluster).coverage == Coverage::Blended,
-            );
+            visible_clusters(&instances, projection, size, level).partition(|visible| {
+                instances.part_use(visible.cluster).coverage == Coverage::Blended
+            });
         Ok(Self {
             size,
             samples,

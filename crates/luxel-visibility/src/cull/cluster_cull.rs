@@ -141,7 +141,7 @@ pub(crate) fn visible_clusters(
     projection: &Projection,
     size: Size,
     level: Level,
-) -> Vec<VisibleCluster> {
+) -> impl Iterator<Item = VisibleCluster> {
     let cullers: Vec<_> = instances
         .list
         .iter()
@@ -168,7 +168,7 @@ pub(crate) fn visible_clusters(
             dispatch!(level, simd => cull_run(simd, transform, size, clusters, groups.clone(), first, faces))
         })
         .collect();
-    visible.into_iter().flatten().collect()
+    visible.into_iter().flatten()
 }
 
 /// Culls the groups of a run.
