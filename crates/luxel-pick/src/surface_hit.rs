@@ -7,7 +7,7 @@ use crate::window::PhysicalPosition;
 use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
-use luxel_visibility::{Forms, InstanceSpace, sides};
+use luxel_visibility::{Forms, InstanceSpace, interpolate, interpolate_corners, sides};
 
 /// What lies under a place of the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,13 +134,22 @@ impl PickView<'_> {
         let in_view = forms.corners();
         let weights = forms.barycentric(&self.rays, position);
 
-        let about_eye = mix3(in_view.map(|corner| space.about_eye(corner.to_array())), weights);
+        let corners = in_view.map(|corner| corner.to_array());
+        let [second, third] = sides(&corners);
+        let first = space.about_eye(corners[0]);
+        let (second, third) = (space.along_world(second), space.along_world(third));
+        let about_eye = Vec3::new(
+            interpolate(first.x, [second.x, third.x], &weights),
+            interpolate(first.y, [second.y, third.y], &weights),
+            interpolate(first.z, [second.z, third.z], &weights),
+        );
         let along = self.camera.direction().as_vec3().to_array();
         let z = Vec3::new(about_eye.x, about_eye.y, about_eye.z)
             .dot(Vec3::new(along[0], along[1], along[2]));
-        let corners = in_view.map(|corner| corner.to_array());
         let normals = space.facing_normals(sides(&corners), forms.towards_eye(), in_mesh);
-        let normal = mix3(normals, weights).normalized_or_zero();
+        let [nx, ny, nz] = interpolate_corners(&normals.map(|normal| normal.lane(0)), &weights);
+        let at = position.map(|steps| steps as f32 / SUBPIXELS as f32);
+        let (normal, _) = self.view_rays.unit_vectors(at, Vec3::new(nx, ny, nz));
         let material = mesh.parts[part_of(&geometry, triangle)].material;
         let normal =
             self.mapped(mesh, instance, attributes, material, &forms, position, weights, normal);
@@ -166,7 +175,8 @@ impl PickView<'_> {
             normal: [normal.x, normal.y, normal.z],
             geometric_normal: plane.as_vec3().to_array(),
             uv: (!mesh.uvs[0].is_empty()).then(|| uv(mesh, 0, attributes, weights)),
-            color: (!mesh.colors.is_empty()).then(|| mix(attributes.map(colors), weights)),
+            color: (!mesh.colors.is_empty())
+                .then(|| interpolate_corners(&attributes.map(colors), &weights)),
             distance: position.length(),
             z,
             depth: self.camera.projection.window_depth(f64::from(z)),
@@ -192,7 +202,7 @@ impl PickView<'_> {
             return normal;
         };
         let tangents = attributes.map(|at| instance.space.tangent(mesh, at));
-        let [x, y, z, sign] = mix(tangents, weights);
+        let [x, y, z, sign] = interpolate_corners(&tangents, &weights);
         let [r, g, b, _] = self.texel(mesh, &used, attributes, forms, position, weights);
         mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
     }
@@ -207,8 +217,7 @@ impl PickView<'_> {
         position: [i32; 2],
         weights: [f32; 3],
     ) -> [f32; 4] {
-        let [x, y] = position.map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
-        let [right, below] = forms.beside(x, y);
+        let [right, below] = forms.neighbours(&self.rays, position);
         let set = usize::from(used.uv_set & 1);
         let [here, right, below] = [weights, right, below]
             .map(|weights| used.transformed(uv(mesh, set, attributes, weights)));
@@ -218,15 +227,8 @@ impl PickView<'_> {
     }
 }
 
-fn mix<const N: usize>([a, b, c]: [[f32; N]; 3], weights: [f32; 3]) -> [f32; N] {
-    std::array::from_fn(|at| a[at] * weights[0] + b[at] * weights[1] + c[at] * weights[2])
-}
-
-fn mix3([a, b, c]: [Vec3<f32>; 3], weights: [f32; 3]) -> Vec3<f32> {
-    a * weights[0] + b * weights[1] + c * weights[2]
-}
-
 /// Texture coordinates; 0 where the mesh has none.
 fn uv(mesh: &Mesh, set: usize, attributes: [usize; 3], weights: [f32; 3]) -> [f32; 2] {
-    mix(attributes.map(|at| mesh.uvs[set].get(at).copied().unwrap_or_default()), weights)
+    let at_corners = attributes.map(|at| mesh.uvs[set].get(at).copied().unwrap_or_default());
+    interpolate_corners(&at_corners, &weights)
 }

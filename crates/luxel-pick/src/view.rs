@@ -8,7 +8,7 @@ use luxel_math::SUBPIXELS;
 use luxel_scene::{AlphaMode, Camera, Mesh, Size};
 use luxel_visibility::{
     Coverage, Cull, InstanceSpace, MAX_SIDE, PartUse, Probe, Reach, Strokes, ViewFromLocal,
-    WindowRays, strokes,
+    ViewRays, WindowRays, strokes,
 };
 
 /// What a camera sees of a scene in a window, ready to be asked pixel by pixel.
@@ -20,6 +20,7 @@ pub struct PickView<'p> {
     pub(crate) camera: Camera,
     pub(crate) size: Size,
     pub(crate) rays: WindowRays,
+    pub(crate) view_rays: ViewRays,
     /// The objects, then the points and lines of some.
     pub(crate) instances: Vec<Instance>,
     strokes: Vec<(Strokes, Bvh)>,
@@ -94,11 +95,13 @@ impl<'p> PickView<'p> {
                 Ok((strokes, bvh))
             })
             .collect::<Result<Vec<_>, PickError>>()?;
+        let rays = WindowRays::new(&camera.projection, size);
         let mut view = Self {
             picker,
             camera,
             size,
-            rays: WindowRays::new(&camera.projection, size),
+            rays,
+            view_rays: ViewRays::new(&camera, &rays),
             instances: Vec::new(),
             strokes,
             cells: Cells::default(),

@@ -7,8 +7,8 @@ use luxel_lighting::{
     Coefficients, Fog, LightingEnvironment, PictureEncoding, PlacedLight, SurfacePoint, Uniform,
 };
 use luxel_math::{Number, Vec3};
-use luxel_scene::{Camera, DVec3, Mesh, Scene, SceneMaterial};
-use luxel_visibility::{Frame, InstanceSpace, WindowRays};
+use luxel_scene::{Mesh, Scene, SceneMaterial};
+use luxel_visibility::{Frame, InstanceSpace, ViewRays};
 use std::collections::HashMap;
 use std::sync::Mutex;
 
@@ -63,8 +63,7 @@ impl ShadingContext<'_> {
         position: Vec3<N>,
         normal: Vec3<N>,
     ) -> SurfacePoint<N> {
-        let view = self.view_rays.towards_eye(x, y);
-        let (unit, view) = normal.normalized_pair(view);
+        let (unit, view) = self.view_rays.unit_vectors([x, y], normal);
         self.point(position, normal, unit, view)
     }
 
@@ -75,7 +74,7 @@ impl ShadingContext<'_> {
         position: Vec3<N>,
         normal: Vec3<N>,
     ) -> SurfacePoint<N> {
-        let view = match self.view_rays.parallel {
+        let view = match self.view_rays.parallel() {
             Some(towards_eye) => Vec3::splat(position.x, towards_eye),
             None => (-position).normalized_or_zero(),
         };
@@ -101,43 +100,6 @@ impl ShadingContext<'_> {
     #[inline(always)]
     fn depth<N: Number>(&self, position: Vec3<N>) -> N {
         position.dot(Vec3::splat(position.x, self.direction))
-    }
-}
-
-/// The way from a sample to the eye as a linear form over the window, along the world's axes:
-/// V = origin + across X + down Y, X and Y in pixels, not of unit length (its component along the
-/// viewing axis is 1). In f32 its direction is right to 2e-7.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ViewRays {
-    origin: [f32; 3],
-    across: [f32; 3],
-    down: [f32; 3],
-    /// The one direction towards the eye, of unit length, for parallel projections.
-    parallel: Option<[f32; 3]>,
-}
-
-impl ViewRays {
-    /// The rays of a camera.
-    pub(crate) fn new(camera: &Camera, rays: &WindowRays) -> Self {
-        let world_from_view = glam::DMat3::from_mat4(camera.view_from_world).transpose();
-        let towards_eye = |x: f64, y: f64| -(world_from_view * rays.ray(x, y).1);
-        let f32s = |vector: DVec3| vector.as_vec3().to_array();
-        let origin = towards_eye(0.0, 0.0);
-        // Differences over a thousand pixels keep the digits that those over one lose.
-        let slope = |x: f64, y: f64| (towards_eye(1024.0 * x, 1024.0 * y) - origin) / 1024.0;
-        Self {
-            origin: f32s(origin),
-            across: f32s(slope(1.0, 0.0)),
-            down: f32s(slope(0.0, 1.0)),
-            parallel: camera.projection.is_orthographic().then(|| f32s(origin)),
-        }
-    }
-
-    /// V at (x, y) in pixels, not of unit length.
-    #[inline(always)]
-    fn towards_eye<N: Number>(&self, x: N, y: N) -> Vec3<N> {
-        let Self { origin, across, down, .. } = self;
-        Vec3::splat(x, *origin) + Vec3::splat(x, *across) * x + Vec3::splat(x, *down) * y
     }
 }
 

@@ -37,8 +37,8 @@ pub use cluster::{
 pub use frame::Frame;
 pub use query::{
     Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, POINT_SIZE, PackedForms, Probe,
-    Reach, SeenCluster, Strokes, TILE_FORMS, TileForms, ViewFromLocal, WindowRays, interpolate,
-    interpolate_corners, sides, strokes,
+    Reach, SeenCluster, Strokes, TILE_FORMS, TileForms, ViewFromLocal, ViewRays, WindowRays,
+    interpolate, interpolate_corners, sides, strokes,
 };
 pub use raster::{Plane, Tile};
 pub use types::{

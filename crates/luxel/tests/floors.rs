@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 const CRATES: &[&str] = &[
     "luxel-math",
     "luxel-parallel",
-    "luxel-pages",
+    "luxel-bvh",
     "luxel-gltf",
     "luxel-lighting",
     "luxel-scene",
@@ -22,7 +22,7 @@ const CRATES: &[&str] = &[
     "luxel-visibility",
     "luxel-pick",
     "luxel-render",
-    "luxel-answers",
+    "luxel-report",
     "luxel-navigation",
     "luxel-check",
     "luxel",
@@ -35,7 +35,21 @@ const CRATES: &[&str] = &[
 const MODULES: &[(&str, &[&str])] = &[
     ("luxel-math", &["lanes", "number", "elementary", "fixed", "permute", "vector"]),
     ("luxel-parallel", &["thread", "run", "sort"]),
-    ("luxel-pages", &[]),
+    (
+        "luxel-bvh",
+        &[
+            "aabb",
+            "ray",
+            "pages",
+            "tree",
+            "build",
+            "bvh",
+            "intersect",
+            "traverse",
+            "rays",
+            "box_tree",
+        ],
+    ),
     ("luxel-gltf", &["schema", "read"]),
     (
         "luxel-lighting",
@@ -98,7 +112,7 @@ const MODULES: &[(&str, &[&str])] = &[
             "image",
         ],
     ),
-    ("luxel-answers", &["printable", "answer"]),
+    ("luxel-report", &["words", "equation", "pixel", "pick"]),
     (
         "luxel-navigation",
         &[

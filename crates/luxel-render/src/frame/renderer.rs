@@ -5,7 +5,7 @@ mod prepared;
 use super::frame_setup::{self, CoveragePolicy};
 use super::tile_shading::{Worker, add_layer, tile_pixels};
 use super::tiles::{Bands, TilePixels, TileWork, for_all_tiles};
-use crate::context::{AttributeMask, Heard, ShadingContext, ViewRays};
+use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::{AlphaTest, EdgeFlags};
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear, empty_pixel};
@@ -14,7 +14,8 @@ use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
 use luxel_math::{Level, UnavailableSimdLevel, dispatch_long};
 use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_visibility::{
-    Clusters, Frame, Frames, Holes, InstanceSpace, Samples, TILE, Tile, TooManyTriangles, strokes,
+    Clusters, Frame, Frames, Holes, InstanceSpace, Samples, TILE, Tile, TooManyTriangles, ViewRays,
+    strokes,
 };
 use rayon::prelude::*;
 use std::ops::Range;

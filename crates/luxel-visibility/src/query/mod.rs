@@ -6,6 +6,7 @@ mod lines_points;
 mod point_coverage;
 mod seen_cluster;
 mod tile_forms;
+mod view_rays;
 
 pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
 pub use instance_transform::{InstanceSpace, ViewFromLocal, sides};
@@ -13,3 +14,4 @@ pub use lines_points::{LINE_WIDTH, POINT_SIZE, Strokes, strokes};
 pub use point_coverage::{Probe, Reach};
 pub use seen_cluster::SeenCluster;
 pub use tile_forms::{Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners};
+pub use view_rays::ViewRays;
