@@ -61,7 +61,7 @@ pub fn power<N: Number>(x: N, n: N) -> N {
 
 /// x^n for x >= 0 and one exponent for all lanes; x^0 = 1 for every x, 0^n = 0 for n > 0.
 ///
-/// Whole exponents up to [`MOST_MULTIPLIED`] by repeated squaring (Knuth, *The Art of Computer
+/// Whole exponents up to 1024 by repeated squaring (Knuth, *The Art of Computer
 /// Programming*, section 4.6.3): at most 2 log2 n products instead of a logarithm, a division and an
 /// exponential. The relative error is below n 2^-24, as large as what the rounding of x makes of x^n.
 /// Others by [`power`].

@@ -1,7 +1,9 @@
 //! A part of a picture: only the tiles that it touches are drawn.
 
+use super::error::RenderError;
 use super::frame_setup::CoveragePolicy;
-use super::renderer::{Picture, RenderError, Renderer};
+use super::picture::Picture;
+use super::renderer::Renderer;
 use super::tile_shading::Worker;
 use super::tiles::TilePixels;
 use crate::context::Heard;

@@ -1,12 +1,16 @@
 //! A view drawn: the scene before the camera, tiles and the threads that draw them.
 
 mod crop;
+mod error;
 mod frame_setup;
+mod picture;
 mod renderer;
 mod tile_shading;
 mod tiles;
 
-pub use renderer::{MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision};
+pub use error::{MAX_SIDE, RenderError};
+pub use picture::{Picture, Stages, Subdivision};
+pub use renderer::{Prepared, Renderer};
 
 pub(crate) use frame_setup::CoveragePolicy;
 pub(crate) use renderer::lights_with_terms;

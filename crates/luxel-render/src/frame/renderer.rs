@@ -2,7 +2,9 @@
 
 mod prepared;
 
+use super::error::{MAX_SIDE, RenderError};
 use super::frame_setup::{self, CoveragePolicy};
+use super::picture::{Picture, Stages, Subdivision};
 use super::tile_shading::{Worker, add_layer, tile_pixels};
 use super::tiles::{Bands, TilePixels, TileWork, for_all_tiles};
 use crate::context::{AttributeMask, Heard, ShadingContext};
@@ -11,11 +13,10 @@ use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear, empty_pixel};
 use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
 use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
-use luxel_math::{Level, UnavailableSimdLevel, dispatch_long};
+use luxel_math::{Level, dispatch_long};
 use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_visibility::{
-    Clusters, Frame, Frames, Holes, InstanceSpace, Samples, TILE, Tile, TooManyTriangles, ViewRays,
-    strokes,
+    Clusters, Frame, Frames, Holes, InstanceSpace, Samples, TILE, Tile, ViewRays, strokes,
 };
 use rayon::prelude::*;
 use std::ops::Range;
@@ -23,45 +24,6 @@ use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
 
 pub use prepared::Prepared;
-
-/// Why a view can't be drawn.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RenderError {
-    /// Not 1, 2, 4, 8 or 16 samples.
-    #[error("{0} samples a pixel aren't possible: use 1, 2, 4, 8 or 16")]
-    Samples(u32),
-    /// A side of 0 or beyond the limit.
-    #[error("a picture of {0}x{1} isn't possible: each side has 1 to {MAX_SIDE} pixels")]
-    Size(u32, u32),
-    /// A layer of a light that the view doesn't have.
-    #[error("there is no directional, point or spot light `{0}`")]
-    NoSuchLight(String),
-    /// A place outside of the picture.
-    #[error("it lies outside of the picture of {}x{} pixels", .0.width, .0.height)]
-    Outside(Size),
-    /// More triangles than can be numbered.
-    #[error(transparent)]
-    TooManyTriangles(#[from] TooManyTriangles),
-    /// More pieces of vectors than are allowed.
-    #[error("the picture has more than {0} pieces of one colour")]
-    TooManyPieces(usize),
-    /// The machine lacks the instruction set.
-    #[error("{0}")]
-    Simd(String),
-    /// The system gives no threads.
-    #[error("can't start threads: {0}")]
-    Threads(String),
-}
-
-impl From<UnavailableSimdLevel> for RenderError {
-    fn from(error: UnavailableSimdLevel) -> Self {
-        Self::Simd(error.to_string())
-    }
-}
-
-/// Most pixels of a picture's side: positions in 24.8 bits, with room for the guard band.
-pub const MAX_SIDE: u32 = 16384;
 
 /// Most transparent layers over one another. Deeper ones are left out, so that a file can't keep a
 /// machine busy for ever.
@@ -79,57 +41,6 @@ pub struct Renderer<'s> {
     /// `None` where the machine has no threads.
     pool: Option<rayon::ThreadPool>,
     clock: fn() -> Duration,
-}
-
-/// A picture with what making it took.
-#[derive(Clone, Debug)]
-pub struct Picture<T> {
-    /// Its size.
-    pub size: Size,
-    /// Pixels, row by row from the top.
-    pub pixels: Vec<T>,
-    /// Culling and binning; then, added up over threads, finding what is visible, and lighting it.
-    pub stages: Stages,
-    /// What was divided, if the shading mode divides.
-    pub subdivision: Option<Subdivision>,
-}
-
-/// What [`ShadingMode::Subdivided`] came to.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Subdivision {
-    /// The small triangles into which those that are seen were divided.
-    pub triangles: u64,
-    /// The largest difference between the interpolated light and that of [`ShadingMode::Phong`] in
-    /// steps of 8 bits: measured at places along the edges and inside of all pieces, so close
-    /// together that no pixel goes without (but no triangle has more than a million of them), and
-    /// three sevenths more for what lies between.
-    pub largest_error: f32,
-    /// The small triangles whose error is beyond the tolerance: where light jumps, as at the edge of
-    /// a cone, division ends at parts of a pixel.
-    pub beyond: u64,
-    /// Their area in the picture, in pixels.
-    pub beyond_pixels: f64,
-}
-
-impl<T> Default for Picture<T> {
-    /// No pixels.
-    fn default() -> Self {
-        let size = Size { width: 0, height: 0 };
-        Self { size, pixels: Vec::new(), stages: Stages::default(), subdivision: None }
-    }
-}
-
-/// What the stages of a frame took, by the clock of [`Execution`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Stages {
-    /// Culling clusters and binning them to tiles.
-    pub bin: Duration,
-    /// Finding what each sample sees, added up over threads.
-    pub visibility: Duration,
-    /// Lighting it, added up over threads.
-    pub shade: Duration,
-    /// All of it, from start to end.
-    pub frame: Duration,
 }
 
 impl<'s> Renderer<'s> {

@@ -7,6 +7,7 @@
 
 mod layer;
 mod pass;
+mod sample;
 mod witness;
 
 pub use layer::{Layer, LayerValues, ParseLayerError};

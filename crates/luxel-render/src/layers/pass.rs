@@ -1,6 +1,7 @@
 //! The one pass that fills all layers, and the picture where both see the same.
 
 use super::layer::{Layer, LayerValues};
+use super::sample::{Triangles, term};
 use super::witness::LayerWitness;
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
@@ -13,14 +14,14 @@ use crate::interpolate::Batch;
 use crate::resolve::{Bytes, Finish, empty_pixel};
 use crate::shade::{BlockWitness, ThreadCache, point_of, shade, surface_fragments};
 use crate::view::{ShadingMode, View};
-use luxel_lighting::{LightTerms, PictureEncoding};
+use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
 use luxel_scene::{Projection, SceneLight};
 use luxel_visibility::{BLOCK, TILE, Tile, TriangleId};
 use std::ops::Range;
 
 impl Renderer<'_> {
-    /// Layers of a view, in the order in which they are asked for, all from one pass.
+    /// Layers of a view in the given order, all from one pass.
     ///
     /// # Errors
     /// [`RenderError`] if the view asks for something impossible.
@@ -429,43 +430,6 @@ fn hear<N: Number>(
     witness.fragments(scene, &found, &materials, &point, seen);
 }
 
-/// The numbers of what each lane sees.
-struct Triangles {
-    seen: u32,
-    objects: [u32; LANES],
-    triangles: [u32; LANES],
-}
-
-impl Triangles {
-    #[inline(always)]
-    fn of(scene: &ShadingContext<'_>, ids: &[u32; LANES]) -> Self {
-        let none = [u32::MAX; LANES];
-        let mut found = Self { seen: 0, objects: none, triangles: none };
-        let mut last: Option<(u32, u32, u32)> = None;
-        for (lane, &id) in ids.iter().enumerate() {
-            if id == TriangleId::NONE.0 {
-                continue;
-            }
-            // Neighbours mostly see the same.
-            let (object, triangle) = match last {
-                Some((of, object, triangle)) if of == id => (object, triangle),
-                _ => {
-                    let Some(of) = scene.frame.triangle(TriangleId(id)) else { continue };
-                    let object = scene.objects[of.instance];
-                    // Points and lines come after the objects' own instances and have no triangles.
-                    let has_triangles = object == of.instance;
-                    (object as u32, if has_triangles { of.triangle } else { u32::MAX })
-                }
-            };
-            last = Some((id, object, triangle));
-            found.seen |= 1 << lane;
-            found.objects[lane] = object;
-            found.triangles[lane] = triangle;
-        }
-        found
-    }
-}
-
 /// Numbers in memory, with the background where nothing is seen.
 #[inline(always)]
 fn stored<N: Number>(numbers: [N; 3], seen: N::Mask, background: f32) -> BlockValues {
@@ -493,32 +457,4 @@ fn put_values<T: Copy>(into: &mut [T], block: usize, channels: usize, values: &[
             *into = values[lane];
         }
     }
-}
-
-/// The value of a layer at one sample, of light that is computed elsewhere.
-fn term(layer: &Layer, lit: &Lit) -> [f32; 3] {
-    let plus = |a: [f32; 3], b: [f32; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-    let terms = &lit.terms;
-    let each = |of: fn(&LightTerms<f32>) -> [f32; 3], first: [f32; 3]| {
-        terms.lights.iter().fold(first, |sum, light| plus(sum, of(&light.terms)))
-    };
-    let (factor, fog) = lit.fog.unwrap_or((1.0, [0.0; 3]));
-    let term = match layer {
-        Layer::Ambient => each(|terms| terms.ambient.lane(0), terms.scene_ambient),
-        Layer::Diffuse => each(|terms| terms.diffuse.lane(0), [0.0; 3]),
-        Layer::Specular => each(|terms| terms.specular.lane(0), [0.0; 3]),
-        Layer::Emission => terms.emission,
-        Layer::Environment => terms.environment,
-        Layer::Fog => return fog.map(|channel| channel * (1.0 - factor)),
-        Layer::NDotL => return [terms.lights.first().map_or(0.0, |light| light.terms.n_dot_l); 3],
-        Layer::Light(name) => {
-            let light = terms.lights.iter().find(|light| light.name == *name);
-            light.map_or([0.0; 3], |light| {
-                let LightTerms { ambient, diffuse, specular, .. } = &light.terms;
-                plus(plus(ambient.lane(0), diffuse.lane(0)), specular.lane(0))
-            })
-        }
-        _ => [0.0; 3],
-    };
-    term.map(|channel| channel * factor)
 }

@@ -1,4 +1,4 @@
-//! Triangles made ready, one a lane.
+//! Preparation of triangles, one a lane.
 //!
 //! Corners are f64, of which sixteen lanes fill more registers than there are without AVX-512: there
 //! they are made in two halves.

@@ -422,7 +422,7 @@ fn white_vertex_colours_change_no_light_at_pixels_and_none_at_corners() {
 
 #[test]
 fn what_else_a_scene_holds_changes_no_byte_of_a_plain_surface() {
-    // A second material, and a coloured mesh behind the eye: batches of the sheet are told apart from
+    // A second material, and a coloured mesh behind the eye: batches of the sheet are sorted from
     // others one by one and stay as they are.
     let mut mixed = sheet();
     let other = coloured_sheet();

@@ -15,8 +15,8 @@
 //! products and two sums of terms that are within S and rounded once before: its error is below
 //! 5 u S_i with u = 2^-24 and S_i its share of S. With s the sum of weights at the sample, the error of
 //! a barycentric is below 10 u / s. s is about 1/7 for a compact triangle that faces the eye and falls
-//! with the cosine between its plane and the ray. Where s < [`LEAST_SUM`], a cosine of about 1/70 (or a
-//! sliver as thin), [`Forms::exact_barycentric`] answers in f64 instead: the choice hangs on triangle,
+//! with the cosine between its plane and the ray. Where s < 1/512, a cosine of about 1/70 (or a
+//! sliver as thin), [`Forms::exact_barycentric`] answers in f64 instead: the choice depends on triangle,
 //! tile and sample alone. Random triangles reach a fifth of the bound (`tests/visibility/tile_forms.rs`).
 
 use super::barycentric::{Forms, WindowRays};

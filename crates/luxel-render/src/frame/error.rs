@@ -1,0 +1,44 @@
+//! Why a view can't be drawn.
+
+use luxel_math::UnavailableSimdLevel;
+use luxel_scene::Size;
+use luxel_visibility::TooManyTriangles;
+
+/// Why a view can't be drawn.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RenderError {
+    /// Not 1, 2, 4, 8 or 16 samples.
+    #[error("{0} samples a pixel aren't possible: use 1, 2, 4, 8 or 16")]
+    Samples(u32),
+    /// A side of 0 or beyond the limit.
+    #[error("a picture of {0}x{1} isn't possible: each side has 1 to {MAX_SIDE} pixels")]
+    Size(u32, u32),
+    /// A layer of a light that the view doesn't have.
+    #[error("there is no directional, point or spot light `{0}`")]
+    NoSuchLight(String),
+    /// A place outside of the picture.
+    #[error("it lies outside of the picture of {}x{} pixels", .0.width, .0.height)]
+    Outside(Size),
+    /// More triangles than can be numbered.
+    #[error(transparent)]
+    TooManyTriangles(#[from] TooManyTriangles),
+    /// More pieces of vectors than are allowed.
+    #[error("the picture has more than {0} pieces of one colour")]
+    TooManyPieces(usize),
+    /// The machine lacks the instruction set.
+    #[error("{0}")]
+    Simd(String),
+    /// The system gives no threads.
+    #[error("can't start threads: {0}")]
+    Threads(String),
+}
+
+impl From<UnavailableSimdLevel> for RenderError {
+    fn from(error: UnavailableSimdLevel) -> Self {
+        Self::Simd(error.to_string())
+    }
+}
+
+/// Most pixels of a picture's side: positions in 24.8 bits, with room for the guard band.
+pub const MAX_SIDE: u32 = 16384;
