@@ -16,12 +16,13 @@ pub struct Picture<T> {
     pub subdivision: Option<Subdivision>,
 }
 
-/// What [`ShadingMode::Subdivided`] came to.
+/// What [`ShadingMode::Subdivided`](crate::ShadingMode::Subdivided) came to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Subdivision {
     /// The small triangles into which those that are seen were divided.
     pub triangles: u64,
-    /// The largest difference between the interpolated light and that of [`ShadingMode::Phong`] in
+    /// The largest difference between the interpolated light and that of
+    /// [`ShadingMode::Phong`](crate::ShadingMode::Phong) in
     /// steps of 8 bits: measured at places along the edges and inside of all pieces, so close
     /// together that no pixel goes without (but no triangle has more than a million of them), and
     /// three sevenths more for what lies between.
@@ -41,7 +42,7 @@ impl<T> Default for Picture<T> {
     }
 }
 
-/// What the stages of a frame took, by the clock of [`Execution`].
+/// What the stages of a frame took, by the clock of [`Execution`](crate::Execution).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stages {
     /// Culling clusters and binning them to tiles.
