@@ -6,7 +6,7 @@ use crate::context::Heard;
 use crate::frame::{CoveragePolicy, RenderError, Renderer};
 use crate::view::View;
 use luxel_math::SUBPIXELS;
-use luxel_scene::{DVec3, Size};
+use luxel_scene::Size;
 use luxel_visibility::{Cull, Samples, TILE, Tile, TriangleId};
 
 /// A surface under a place of the picture.
@@ -99,9 +99,9 @@ impl Renderer<'_> {
                     let id = TriangleId(here.planes()[0].ids[block][lane]);
                     let Some(of) = frame.triangle(id) else { break };
                     let weights = frame.forms(of).barycentric(frame.rays(), steps);
-                    let corners = frame.corners_in_view(of).into_iter().zip(weights);
-                    let in_view: DVec3 =
-                        corners.map(|(corner, part)| corner * f64::from(part)).sum();
+                    let [a, b, c] = frame.corners_in_view(of);
+                    let [_, second, third] = weights.map(f64::from);
+                    let in_view = a + (b - a) * second + (c - a) * third;
                     let z = -in_view.z;
                     let object = scene.objects[of.instance];
                     found.push(SurfaceBelow {
