@@ -29,8 +29,8 @@ struct Found {
 
 /// Looks for everything that spoils the shading of a scene.
 ///
-/// The scene is as its file has it, normals not yet computed. A mesh that several objects show is
-/// told of once, at the first of them, but for its outlines.
+/// The scene is as its file has it, normals not yet computed. Findings of a mesh that several objects
+/// show are reported once, at the first of them, but for its outlines.
 #[must_use]
 pub fn check(scene: &Scene, setup: &Setup) -> Report {
     let mut all: Vec<(u32, Object, Found)> = Vec::new();

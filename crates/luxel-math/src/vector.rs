@@ -80,7 +80,6 @@ impl<N: Number> Vec3<N> {
     /// Both vectors at length 1 with one division: 1 / |a| = |b| / (|a| |b|). 0 for a zero vector, as
     /// [`Self::normalized_or_zero`]; `other` is not short: at least 1e-3 long, and at most 1e6.
     ///
-    /// Each component is within 3 2^-24 of the exact one, relatively.
     #[inline(always)]
     #[must_use]
     pub fn normalized_pair(self, other: Self) -> (Self, Self) {

@@ -158,20 +158,7 @@ impl<'s> Renderer<'s> {
             let stages = Stages { bin: binned - start, frame: (self.clock)() - start, ..sums };
             picture.size = view.size;
             picture.stages = stages;
-            let divides = matches!(scene.shading.mode, ShadingMode::Subdivided { .. });
-            picture.subdivision = scene.subdivided.lock().ok().filter(|_| divides).map(|counts| {
-                // Neither the sum nor the largest hangs on the order.
-                let areas = counts.values().map(|one| one.beyond_area);
-                let area = areas.fold(0, u64::saturating_add);
-                let none =
-                    Subdivision { beyond_pixels: area as f64 / 65_536.0, ..Default::default() };
-                counts.values().fold(none, |all, one| Subdivision {
-                    triangles: all.triangles + u64::from(one.pieces),
-                    largest_error: all.largest_error.max(one.error),
-                    beyond: all.beyond + u64::from(one.beyond),
-                    ..all
-                })
-            });
+            picture.subdivision = Subdivision::of(scene);
         })
     }
 

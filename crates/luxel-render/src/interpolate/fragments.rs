@@ -155,7 +155,7 @@ impl<N: Number> Source<N> for Transposed<N> {
 }
 
 /// Interpolates what the samples of `seen` lanes see, whose triangles `cache` may lack yet. Other lanes
-/// hold anything finite. `materials` gets each sample's material, by number: apart from the fragments, as
+/// hold anything. `materials` gets each sample's material, by number: apart from the fragments, as
 /// an index that is known only at run time would keep all of them in memory. `EXTRAS` says whether
 /// attributes beside positions, normals and light count.
 #[inline(always)]

@@ -7,11 +7,11 @@ use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
 use crate::frame::{
-    AHEAD, ALL_BLOCKS, Bands, CoveragePolicy, Picture, RenderError, Renderer, TilePixels, TileWork,
-    for_all_tiles, lights_with_terms, look_ahead, place_in_tile, put_block,
+    AHEAD, ALL_BLOCKS, Bands, CoveragePolicy, Picture, RenderError, Renderer, Stages, Subdivision,
+    TilePixels, TileWork, for_all_tiles, lights_with_terms, look_ahead, place_in_tile, put_block,
 };
 use crate::interpolate::Batch;
-use crate::resolve::{Bytes, Finish, empty_pixel};
+use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels};
 use crate::shade::{BlockWitness, ThreadCache, point_of, shade, surface_fragments};
 use crate::view::{ShadingMode, View};
 use luxel_lighting::PictureEncoding;
@@ -19,6 +19,7 @@ use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, 
 use luxel_scene::{Projection, SceneLight};
 use luxel_visibility::{BLOCK, TILE, Tile, TriangleId};
 use std::ops::Range;
+use std::sync::Mutex;
 
 impl Renderer<'_> {
     /// Layers of a view in the given order, all from one pass.
@@ -48,14 +49,12 @@ impl Renderer<'_> {
         let start = self.now();
         if view.samples == 1 && !blends && view.edges.is_none() {
             self.layer_pass(view, layers, Some(picture), values)?;
-            picture.stages.frame = self.now() - start;
-            Ok(())
         } else {
             self.rgba8_into(view, picture)?;
             self.layer_pass(view, layers, None, values)?;
-            picture.stages.frame = self.now() - start;
-            Ok(())
         }
+        picture.stages.frame = self.now() - start;
+        Ok(())
     }
 
     fn layer_pass(
@@ -78,13 +77,12 @@ impl Renderer<'_> {
         let has_uvs = layers.contains(&Layer::Uv);
         let attributes = if has_uvs { AttributeMask::UVS[0] } else { AttributeMask::NONE };
         let heard = Heard { positions: true, attributes };
+        let start = self.now();
         self.with_scene(&view, CoveragePolicy::NEAREST, None, heard, |scene, alpha_test| {
+            let bin = self.now() - start;
+            let sums = Mutex::new(Stages::default());
             let mut picture = picture;
-            if let Some(picture) = &mut picture {
-                picture.size = view.size;
-                picture.subdivision = None;
-            }
-            let mut pixels = picture.map(|picture| &mut picture.pixels);
+            let mut pixels = picture.as_mut().map(|picture| &mut picture.pixels);
             values.resize_with(layers.len(), || LayerValues::F32(Vec::new()));
             values.truncate(layers.len());
             let planes = layers.iter().zip(values).map(|(layer, values)| {
@@ -105,6 +103,7 @@ impl Renderer<'_> {
                 alpha_test,
                 planes: planes.collect(),
                 pixels: pixels.as_mut().map(|pixels| Bands::new(pixels, view.size, 1)),
+                sums: &sums,
                 lights,
                 projection: view.camera.projection,
                 eye: view.camera.eye().to_array(),
@@ -113,6 +112,12 @@ impl Renderer<'_> {
                 terms_one_by_one: with_terms && !at_pixels,
             };
             for_all_tiles(scene.frame, || pass.worker(), &pass);
+            drop(pass);
+            if let Some(picture) = picture {
+                picture.size = view.size;
+                picture.subdivision = Subdivision::of(scene);
+                picture.stages = Stages { bin, ..sums.into_inner().unwrap_or_default() };
+            }
         })
     }
 }
@@ -137,6 +142,8 @@ struct Pass<'p> {
     planes: Vec<Plane<'p>>,
     /// The picture, if it comes from this pass.
     pixels: Option<Bands<'p, [u8; 4]>>,
+    /// What the stages take.
+    sums: &'p Mutex<Stages>,
     /// The lights that have terms.
     lights: Vec<&'p SceneLight>,
     projection: Projection,
@@ -172,8 +179,14 @@ impl TileWork<LayerWorker> for Pass<'_> {
         let level = self.renderer.level();
         let frame = self.scene.frame;
         let alpha_tester = self.alpha_test.finder(frame, level);
+        let begin = self.renderer.now();
         frame.draw_opaque(level, tile, &alpha_tester, &mut worker.tile);
+        let visible = self.renderer.now();
         dispatch_long!(level, simd => self.shade_tile(simd, worker));
+        if let Ok(mut sums) = self.sums.lock() {
+            sums.visibility += visible - begin;
+            sums.shade += self.renderer.now() - visible;
+        }
         if let Some(pixels) = &self.pixels {
             pixels.put(tile, worker.pixels.as_slice());
         }
@@ -297,9 +310,9 @@ impl Pass<'_> {
         let needs = [self.maps_normals, self.with_terms];
         let mut witness = LayerWitness::new(like, needs, of_lights);
         if self.pixels.is_some() || self.with_terms {
-            let [r, g, b, alpha] = shade(like, scene, &batch, cache, &mut witness);
+            let lit = shade(like, scene, &batch, cache, &mut witness);
             if self.pixels.is_some() {
-                let color = [r + like, g + like, b + like, alpha];
+                let color = even_pixels(simd, lit);
                 put_block(pixels, block, &self.finish().block(simd, color));
             }
         } else {

@@ -52,6 +52,12 @@ pub(crate) fn even_block<S: Simd>(
     let ids = tile.planes()[0].ids[block];
     let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
     let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, cache, &mut Silent);
+    even_pixels(simd, lit)
+}
+
+/// Pixels of which each has one colour (straight) and alpha.
+#[inline(always)]
+pub(crate) fn even_pixels<S: Simd>(simd: S, lit: [f32x16<S>; 4]) -> [f32x16<S>; 4] {
     let [r, g, b, alpha] = lit;
     let zero = f32x16::splat(simd, 0.0);
     if alpha.equal(alpha.one()).all() {

@@ -79,8 +79,8 @@ impl SetupCache {
         }
     }
 
-    /// Prepares the triangles of these lanes, up to sixteen. One in a thousand times two of them want
-    /// the same place of the table: then at least one of them is there afterwards.
+    /// Prepares the triangles of these lanes, up to sixteen. Seldom two of them want the same place of
+    /// the table: then at least one of them is there afterwards.
     #[inline(always)]
     pub(crate) fn require<N: Number>(
         &mut self,

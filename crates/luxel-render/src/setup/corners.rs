@@ -79,7 +79,7 @@ impl CornerReader {
     }
 
     /// Reads the triangle of the lowest of these lanes, and those of all others that are of the same
-    /// instance. `extras` gets their other attributes, by lane, where shading reads some of `wanted`.
+    /// instance. `extras` gets their other attributes, by lane, where shading reads any.
     #[inline(always)]
     pub(crate) fn read(
         &mut self,

@@ -9,7 +9,7 @@ use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::witness::BlockWitness;
 use crate::view::{Interpolation, ShadingMode};
 use luxel_lighting::SurfacePoint;
-use luxel_math::{LANES, Number, lanes_of};
+use luxel_math::{LANES, Number, Wide, lanes_of};
 use luxel_visibility::TriangleId;
 
 /// What a thread keeps from block to block.
@@ -243,18 +243,30 @@ fn draw_edges<N: Number>(
     mut colors: [N; 4],
 ) -> [N; 4] {
     let Some(edges) = scene.edges else { return colors };
-    let half = edges.width * 0.5 + 0.5;
-    for lane in lanes_of(seen) {
-        let Some(of) = scene.frame.triangle(TriangleId(batch.ids[lane])) else { continue };
-        let Some(flags) = scene.edge_flags[of.instance] else { continue };
-        let [x, y] = batch.position(lane);
-        let forms = scene.frame.forms(of);
-        let distance: f32 = edge_distance(&forms, flags.of(of.triangle), x, y);
-        let cover = (half - distance).limited(0.0, 1.0);
-        for (color, edge) in colors.iter_mut().zip(edges.color) {
-            let own = color.lane(lane);
-            *color = color.with_lane(lane, own + (edge - own) * cover);
-        }
-    }
-    colors
+    let like = colors[0];
+    like.vectorized(
+        #[inline(always)]
+        || {
+            let [tile_x, tile_y] = batch.tile;
+            let (x, y) = (like.load(&batch.x, 0).widened(), like.load(&batch.y, 0).widened());
+            let (x, y) = (x + x.constant(tile_x.into()), y + y.constant(tile_y.into()));
+            let mut left = seen;
+            while left != 0 {
+                let id = batch.ids[left.trailing_zeros() as usize & (LANES - 1)];
+                let lanes = like.lanes_equal(&batch.ids, id) & left;
+                left &= !lanes;
+                let Some(of) = scene.frame.triangle(TriangleId(id)) else { continue };
+                let Some(flags) = scene.edge_flags[of.instance] else { continue };
+                let distance = edge_distance(&scene.frame.forms(of), flags.of(of.triangle), x, y);
+                let half = like.constant(edges.width * 0.5 + 0.5);
+                let cover = (half - distance).limited(0.0, 1.0);
+                let mask = like.mask_of(lanes);
+                for (color, edge) in colors.iter_mut().zip(edges.color) {
+                    let over = *color + (like.constant(edge) - *color) * cover;
+                    *color = over.select(mask, *color);
+                }
+            }
+            colors
+        },
+    )
 }

@@ -2,7 +2,7 @@
 
 use crate::scenes::{execution, fitted, matte, scene, square, view};
 use luxel_math::SimdLevel;
-use luxel_render::{Layer, LayerValues, Picture, Renderer, View};
+use luxel_render::{Layer, LayerValues, Picture, Renderer, Shading, ShadingMode, View};
 
 /// Two squares, the second one nearer and shifted to the right by half a unit.
 fn values(layer: Layer) -> LayerValues {
@@ -85,12 +85,19 @@ fn a_picture_with_its_layers_has_the_bytes_of_each_alone() {
     let size = luxel_scene::Size { width: 150, height: 100 };
     let renderer = Renderer::new(&demo, &execution(2, SimdLevel::Auto)).unwrap();
     let lights = luxel_scene::default_lights();
-    for samples in [1, 4] {
+    let modes = [ShadingMode::Phong, ShadingMode::Subdivided { tolerance: 2.0 }];
+    let backgrounds = [[0.2, 0.4, 0.6, 0.5], [1.0, 0.0, 0.0, 0.0]];
+    for ((samples, mode), background) in
+        [1, 4].into_iter().zip(modes).zip(backgrounds).chain([((1, modes[1]), backgrounds[1])])
+    {
         let lights = lights.clone();
-        let view = View { samples, lights, ..fitted(&demo, size) };
+        let shading = Shading { mode, ..Shading::default() };
+        let view = View { samples, lights, background, shading, ..fitted(&demo, size) };
         let (mut picture, mut values) = (Picture::default(), Vec::new());
         renderer.rgba8_with_layers(&view, &Layer::ALL, &mut picture, &mut values).unwrap();
-        assert!(picture.pixels == renderer.rgba8(&view).unwrap().pixels, "{samples} samples");
+        let alone = renderer.rgba8(&view).unwrap();
+        assert!(picture.pixels == alone.pixels, "{samples} samples, {background:?}");
+        assert_eq!(picture.subdivision, alone.subdivision);
         for (layer, values) in Layer::ALL.iter().zip(&values) {
             let alone = renderer.layers(&view, std::slice::from_ref(layer)).unwrap().remove(0);
             assert!(*values == alone, "{layer:?}, {samples} samples");

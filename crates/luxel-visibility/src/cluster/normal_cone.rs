@@ -36,7 +36,7 @@ impl Cone {
             spread = spread.max((normal - axis).length_squared());
             height = height.min(own_height);
         }
-        // Comparisons with what is no number are false. Rounded to the side that claims less.
+        // Comparisons with NaN are false. Rounded to the side that claims less.
         let spread = spread.sqrt() as f32 + 1e-6;
         let height = height as f32 * (1.0 - 1e-6);
         let is_known = sum.is_finite() && spread < 1.0 && height > 0.0 && height < f32::INFINITY;

@@ -17,7 +17,9 @@
 //! a barycentric is below 10 u / s. s is about 1/7 for a compact triangle that faces the eye and falls
 //! with the cosine between its plane and the ray. Where s < 1/512, a cosine of about 1/70 (or a
 //! sliver as thin), [`Forms::exact_barycentric`] answers in f64 instead: the choice depends on triangle,
-//! tile and sample alone. Random triangles reach a fifth of the bound (`tests/visibility/tile_forms.rs`).
+//! tile and sample alone. Constants made of f32 differences add errors of the
+//! same kind. Worst of random triangles of 0.01 to 10 000 pixels (`tests/visibility/tile_forms.rs`): 3e-7
+//! facing the eye, 1.2e-6 at a cosine of 0.1, 2.4e-6 at 0.05, 6e-6 at 0.02.
 
 use super::barycentric::{Forms, WindowRays};
 use super::instance_transform::sides;
@@ -90,8 +92,8 @@ impl<N: Number> TileForms<N> {
     ///
     /// With e_k = p_k - p_0, d = p_0 over its depth (d_z = -1), u_k = e_kx + e_kz d_x and v_k = e_ky +
     /// e_kz d_y, the extents of the sides in the window times their depth: w_1 = depth d' . (e_2 x d), w_2 =
-    /// depth d' . (d x e_1) and w_0 + w_1 + w_2 = d' . (e_1 x e_2) for the ray d' of a sample. The same
-    /// error bound holds: each constant is rounded four times and not once, in units of the sides.
+    /// depth d' . (d x e_1) and w_0 + w_1 + w_2 = d' . (e_1 x e_2) for the ray d' of a sample. Each
+    /// constant is rounded a few times and not once, in units of the sides.
     #[inline(always)]
     fn about_first_corner(
         rays: &WindowRays,

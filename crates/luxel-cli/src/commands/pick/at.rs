@@ -20,7 +20,7 @@ struct Found {
     at: [f64; 2],
     /// Nearest first.
     hits: Vec<PickHit>,
-    /// Where it snaps to, if that was asked.
+    /// Where it snaps to, if snapping is requested.
     snapped: Option<Option<Snapped>>,
 }
 
