@@ -5,7 +5,7 @@
 //! would be more than there are registers.
 
 use crate::{Material, Reflectance, Reflection};
-use luxel_math::{Number, Rgb};
+use luxel_math::{Lanes, Rgb};
 
 /// Coefficients of reflection beyond this are taken as this, so that no product overflows.
 const COEFFICIENT_LIMIT: f32 = 1e8;
@@ -36,11 +36,11 @@ pub struct Coefficients<K> {
     pub(crate) occlusion: K,
 }
 
-impl<N: Number> Coefficients<N> {
+impl<N: Lanes> Coefficients<N> {
     /// Of what textures and vertex colours made of a material.
     #[inline(always)]
     pub fn new(reflectance: &Reflectance<N>, material: &Material) -> Self {
-        let occlusion = reflectance.occlusion.limited(0.0, 1.0);
+        let occlusion = reflectance.occlusion.clamped(0.0, 1.0);
         let diffuse = coefficient(reflectance.diffuse, material.k_d);
         Self {
             own: own_light(diffuse, reflectance.emission, &material.reflection),
@@ -48,9 +48,9 @@ impl<N: Number> Coefficients<N> {
             diffuse,
             specular: coefficient(reflectance.specular, material.k_s),
             base: limited(reflectance.diffuse, 1.0),
-            shininess: material.shininess.limited(0.0, 1e9),
-            metallic: reflectance.metallic.limited(0.0, 1.0),
-            roughness: reflectance.roughness.limited(0.0, 1.0),
+            shininess: material.shininess.clamped(0.0, 1e9),
+            metallic: reflectance.metallic.clamped(0.0, 1.0),
+            roughness: reflectance.roughness.clamped(0.0, 1.0),
             occlusion,
         }
     }
@@ -77,23 +77,23 @@ impl Coefficients<Uniform> {
 }
 
 /// What can be had in every lane: a value for each, or [one for all](Uniform).
-pub trait Spread<N: Number>: Copy {
-    /// It in every lane; `like` tells only the kind of number.
-    fn spread(self, like: N) -> N;
+pub trait Spread<N: Lanes>: Copy {
+    /// It in every lane; `simd` selects the lane type.
+    fn spread(self, simd: N) -> N;
 }
 
 /// One value for all lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Uniform(pub f32);
 
-impl<N: Number> Spread<N> for Uniform {
+impl<N: Lanes> Spread<N> for Uniform {
     #[inline(always)]
-    fn spread(self, like: N) -> N {
-        like.constant(self.0)
+    fn spread(self, simd: N) -> N {
+        simd.constant(self.0)
     }
 }
 
-impl<N: Number> Spread<N> for N {
+impl<N: Lanes> Spread<N> for N {
     #[inline(always)]
     fn spread(self, _: N) -> N {
         self
@@ -102,25 +102,25 @@ impl<N: Number> Spread<N> for N {
 
 /// A colour in every lane.
 #[inline(always)]
-pub(crate) fn spread<N: Number, K: Spread<N>>(color: Rgb<K>, like: N) -> Rgb<N> {
-    Rgb::new(color.r.spread(like), color.g.spread(like), color.b.spread(like))
+pub(crate) fn spread<N: Lanes, K: Spread<N>>(color: Rgb<K>, simd: N) -> Rgb<N> {
+    Rgb::new(color.r.spread(simd), color.g.spread(simd), color.b.spread(simd))
 }
 
 /// k O, not negative, not huge, not NaN.
 #[inline(always)]
-fn coefficient<N: Number>(color: Rgb<N>, k: f32) -> Rgb<N> {
+fn coefficient<N: Lanes>(color: Rgb<N>, k: f32) -> Rgb<N> {
     limited(color * color.r.constant(k), COEFFICIENT_LIMIT)
 }
 
 /// A colour within 0 and `high`; 0 for NaN.
 #[inline(always)]
-pub(crate) fn limited<N: Number>(color: Rgb<N>, high: f32) -> Rgb<N> {
-    Rgb::new(color.r.limited(0.0, high), color.g.limited(0.0, high), color.b.limited(0.0, high))
+pub(crate) fn limited<N: Lanes>(color: Rgb<N>, high: f32) -> Rgb<N> {
+    Rgb::new(color.r.clamped(0.0, high), color.g.clamped(0.0, high), color.b.clamped(0.0, high))
 }
 
 /// What the surface sends of its own: O_e. If it isn't lit, k_d O_d instead; in a mix, both.
 #[inline(always)]
-fn own_light<N: Number>(diffuse: Rgb<N>, emission: Rgb<N>, reflection: &Reflection) -> Rgb<N> {
+fn own_light<N: Lanes>(diffuse: Rgb<N>, emission: Rgb<N>, reflection: &Reflection) -> Rgb<N> {
     match reflection {
         Reflection::Unlit => diffuse,
         Reflection::Mixed(_) => {

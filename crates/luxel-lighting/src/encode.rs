@@ -3,7 +3,7 @@
 //! The curve of sRGB (IEC 61966-2-1:1999): encode(v) = 12.92 v up to 0.0031308, else
 //! 1.055 v^(1/2.4) - 0.055.
 
-use luxel_math::{LANES, Number, Simd, Wide, f32x16, i32x16, prelude::*, u32x16};
+use luxel_math::{F64Lanes, LANES, Lanes, Simd, f32x16, i32x16, prelude::*, u32x16};
 use std::sync::LazyLock;
 
 /// How a picture stores light.
@@ -35,17 +35,17 @@ impl PictureEncoding {
         match self {
             Self::Srgb => SRGB.bytes_of_lanes(linear),
             Self::None => {
-                let unit = linear.limited(0.0, 1.0);
+                let unit = linear.clamped(0.0, 1.0);
                 // Rounded to f32 the product may become a tie that it was not; nothing else can
                 // change its byte.
                 let scaled = unit * linear.constant(255.0);
                 let shifted = scaled + linear.constant(FRACTIONLESS);
                 let rest = scaled - (shifted - linear.constant(FRACTIONLESS));
-                if Number::abs(rest).equal(linear.constant(0.5)).any() {
-                    let exact = unit.widened();
+                if Lanes::abs(rest).equal(linear.constant(0.5)).any() {
+                    let exact = unit.to_f64();
                     let whole = exact.constant(WHOLE);
                     let rounded = exact * exact.constant(255.0) + whole - whole;
-                    return i32x16::truncate_from(rounded.narrow()).bitcast();
+                    return i32x16::truncate_from(rounded.to_f32()).bitcast();
                 }
                 shifted.bitcast::<u32x16<S>>() & 255
             }

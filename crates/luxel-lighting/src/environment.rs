@@ -1,7 +1,7 @@
 //! What mirrors and metals see.
 
 use crate::light::bounded;
-use luxel_math::{Number, Rgb, Vec3};
+use luxel_math::{Lanes, Rgb, Vec3};
 
 /// The surroundings that mirrors and metals reflect: no picture, a formula.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -48,22 +48,22 @@ impl Environment {
     /// (1 - s) below + s above, where `above` and `below` go from the horizon's colours to the
     /// zenith's and to the nadir's with |h| (1 - roughness^2 / 2).
     #[inline(always)]
-    pub fn radiance<N: Number>(&self, direction: Vec3<N>, roughness: N) -> Rgb<N> {
-        let like = roughness;
+    pub fn radiance<N: Lanes>(&self, direction: Vec3<N>, roughness: N) -> Rgb<N> {
+        let simd = roughness;
         match *self {
-            Self::None => Rgb::black(like),
-            Self::Constant(color) => Rgb::splat(like, bounded(color)),
+            Self::None => Rgb::black(simd),
+            Self::Constant(color) => Rgb::splat(simd, bounded(color)),
             Self::Studio { up } => {
-                let height = direction.dot(Vec3::splat(like, up)).limited(-1.0, 1.0);
-                let roughness = roughness.limited(0.0, 1.0);
-                let width = like.constant(HORIZON) + like.constant(BLUR) * roughness * roughness;
-                let t = (height / width).limited(-1.0, 1.0);
+                let height = direction.dot(Vec3::splat(simd, up)).clamped(-1.0, 1.0);
+                let roughness = roughness.clamped(0.0, 1.0);
+                let width = simd.constant(HORIZON) + simd.constant(BLUR) * roughness * roughness;
+                let t = (height / width).clamped(-1.0, 1.0);
                 let s =
-                    like.constant(0.5) + (like.constant(3.0) * t - t * t * t) * like.constant(0.25);
-                let reach = like.one() - like.constant(0.5) * roughness * roughness;
-                let above = mix(like, WALL, ZENITH, height.positive_part() * reach);
-                let below = mix(like, FLOOR, NADIR, (-height).positive_part() * reach);
-                below * (like.one() - s) + above * s
+                    simd.constant(0.5) + (simd.constant(3.0) * t - t * t * t) * simd.constant(0.25);
+                let reach = simd.one() - simd.constant(0.5) * roughness * roughness;
+                let above = mix(simd, WALL, ZENITH, height.positive_part() * reach);
+                let below = mix(simd, FLOOR, NADIR, (-height).positive_part() * reach);
+                below * (simd.one() - s) + above * s
             }
         }
     }
@@ -82,7 +82,7 @@ impl Environment {
 /// for N.V and r from 0.05 to 1; the error is 0.015 in the mean square and 0.09 at most, at grazing
 /// angles. Light that is reflected more than once is missing, as in the integrals.
 #[inline(always)]
-pub(crate) fn split_sum<N: Number>(n_dot_v: N, roughness: N) -> (N, N) {
+pub(crate) fn split_sum<N: Lanes>(n_dot_v: N, roughness: N) -> (N, N) {
     let one = roughness.one();
     let u = one - n_dot_v;
     let u2 = u * u;
@@ -95,8 +95,8 @@ pub(crate) fn split_sum<N: Number>(n_dot_v: N, roughness: N) -> (N, N) {
     let q0 = combination(GRAZING[0], [one, u2, u5]);
     let q1 = combination(GRAZING[1], [one, u2, u5]);
     let q2 = combination(GRAZING[2], [one, u2, u5]);
-    let b = (u5 + roughness * (q0 + roughness * (q1 + roughness * q2))).limited(0.0, 1.0);
-    ((one - loss - b).limited(0.0, 1.0), b)
+    let b = (u5 + roughness * (q0 + roughness * (q1 + roughness * q2))).clamped(0.0, 1.0);
+    ((one - loss - b).clamped(0.0, 1.0), b)
 }
 
 /// The coefficients of p0, p1, p2.
@@ -106,11 +106,11 @@ const LOSS: [[f32; 3]; 3] =
 const GRAZING: [[f32; 3]; 3] = [[0.0, 0.946, -2.630], [0.0, -2.058, 1.919], [0.0, 1.125, -0.213]];
 
 #[inline(always)]
-fn combination<N: Number>([a, b, c]: [f32; 3], [x, y, z]: [N; 3]) -> N {
+fn combination<N: Lanes>([a, b, c]: [f32; 3], [x, y, z]: [N; 3]) -> N {
     x * x.constant(a) + y * y.constant(b) + z * z.constant(c)
 }
 
 #[inline(always)]
-fn mix<N: Number>(like: N, from: [f32; 3], to: [f32; 3], t: N) -> Rgb<N> {
-    Rgb::splat(like, from) * (like.one() - t) + Rgb::splat(like, to) * t
+fn mix<N: Lanes>(simd: N, from: [f32; 3], to: [f32; 3], t: N) -> Rgb<N> {
+    Rgb::splat(simd, from) * (simd.one() - t) + Rgb::splat(simd, to) * t
 }

@@ -7,7 +7,7 @@ use crate::{
     Coefficients, Environment, Fog, LightKind, LightTerms, Material, PlacedLight, Reflectance,
     Reflection, Spread, SurfacePoint, Terms, Witness,
 };
-use luxel_math::{Number, Rgb};
+use luxel_math::{Lanes, Rgb};
 
 /// What shines on a surface, and what lies between it and the eye: the same for all points of a material.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,7 @@ impl<'a> LightingEnvironment<'a> {
 /// Blinn's highlights; the other kinds of [`Reflection`] replace the diffuse and the specular term.
 /// A light at the surface itself adds nothing.
 #[inline(always)]
-pub fn lit<N: Number, W: Witness<N>>(
+pub fn lit<N: Lanes, W: Witness<N>>(
     point: &SurfacePoint<N>,
     reflectance: &Reflectance<N>,
     material: &Material,
@@ -88,7 +88,7 @@ pub fn lit<N: Number, W: Witness<N>>(
 
 /// [`lit`], for a surface whose coefficients are known.
 #[inline(always)]
-pub fn lit_by<N: Number, K: Spread<N>, W: Witness<N>>(
+pub fn lit_by<N: Lanes, K: Spread<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
     coefficients: &Coefficients<K>,
     reflection: &Reflection,
@@ -107,18 +107,18 @@ pub fn lit_by<N: Number, K: Spread<N>, W: Witness<N>>(
 /// The light that leaves a surface point towards the eye, before any fog: [`lit_by`] without its
 /// last line.
 #[inline(always)]
-pub fn reflected<N: Number, K: Spread<N>, W: Witness<N>>(
+pub fn reflected<N: Lanes, K: Spread<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
     coefficients: &Coefficients<K>,
     reflection: &Reflection,
     surroundings: &LightingEnvironment<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
-    let like = point.depth;
+    let simd = point.depth;
     let surface = Surface::new(point, coefficients);
-    let emission = spread(coefficients.own, like);
+    let emission = spread(coefficients.own, simd);
     let ambient_share = surface.ambient(reflection, &surroundings.environment);
-    let scene_ambient = ambient_share * Rgb::splat(like, surroundings.scene_ambient);
+    let scene_ambient = ambient_share * Rgb::splat(simd, surroundings.scene_ambient);
 
     let mut sum = emission + scene_ambient;
     for (index, placed) in surroundings.lights.iter().enumerate() {
@@ -132,13 +132,13 @@ pub fn reflected<N: Number, K: Spread<N>, W: Witness<N>>(
         let part = surface.reflected(reflection, &incidence, witness);
 
         // Of most lights there is none, and 0 changes no sum.
-        let mut ambient = Rgb::black(like);
+        let mut ambient = Rgb::black(simd);
         if light.ambient != [0.0; 3] {
-            ambient = arrival.faded(ambient_share * Rgb::splat(like, light.ambient));
+            ambient = arrival.faded(ambient_share * Rgb::splat(simd, light.ambient));
             sum = sum + ambient;
         }
-        let diffuse = arrival.faded(part.diffuse * Rgb::splat(like, light.diffuse));
-        let specular = arrival.faded(part.specular * Rgb::splat(like, light.specular));
+        let diffuse = arrival.faded(part.diffuse * Rgb::splat(simd, light.diffuse));
+        let specular = arrival.faded(part.specular * Rgb::splat(simd, light.specular));
         sum = sum + diffuse;
         sum = sum + specular;
         witness.light(
@@ -157,8 +157,8 @@ pub fn reflected<N: Number, K: Spread<N>, W: Witness<N>>(
         );
     }
     let environment = match reflection {
-        Reflection::Unlit => Rgb::black(like),
-        _ if surroundings.environment.is_none() => Rgb::black(like),
+        Reflection::Unlit => Rgb::black(simd),
+        _ if surroundings.environment.is_none() => Rgb::black(simd),
         // Made anew, as what others get to see has to be written to memory: only here.
         _ => Surface::new(point, coefficients).mirrored(
             reflection,
@@ -174,7 +174,7 @@ pub fn reflected<N: Number, K: Spread<N>, W: Witness<N>>(
 impl Fog {
     /// I' = s I + (1 - s) I_dc at the distance `depth` along the viewing axis.
     #[inline(always)]
-    pub fn veiled<N: Number, W: Witness<N>>(
+    pub fn veiled<N: Lanes, W: Witness<N>>(
         &self,
         color: Rgb<N>,
         depth: N,
@@ -189,10 +189,10 @@ impl Fog {
 
 /// No infinity, whatever the sums of many huge terms.
 #[inline(always)]
-fn finite<N: Number>(color: Rgb<N>) -> Rgb<N> {
+fn finite<N: Lanes>(color: Rgb<N>) -> Rgb<N> {
     Rgb::new(
-        color.r.limited(-f32::MAX, f32::MAX),
-        color.g.limited(-f32::MAX, f32::MAX),
-        color.b.limited(-f32::MAX, f32::MAX),
+        color.r.clamped(-f32::MAX, f32::MAX),
+        color.g.clamped(-f32::MAX, f32::MAX),
+        color.b.clamped(-f32::MAX, f32::MAX),
     )
 }

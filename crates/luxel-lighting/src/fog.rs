@@ -1,7 +1,7 @@
 //! Depth cueing and fog: how distance takes a colour towards another.
 
 use crate::light::bounded;
-use luxel_math::{Number, Rgb, elementary};
+use luxel_math::{Lanes, Rgb, elementary};
 
 /// Fog: I' = s I + (1 - s) I_dc, where s falls with the distance along the viewing axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,11 +47,11 @@ pub enum FogLaw {
 impl Fog {
     /// s at the distance z along the viewing axis.
     #[inline(always)]
-    pub fn factor<N: Number>(&self, z: N) -> N {
+    pub fn factor<N: Lanes>(&self, z: N) -> N {
         match self.law {
             FogLaw::DepthCue { near, far, front, back } => {
                 let t = if far > near {
-                    ((z - z.constant(near)) / z.constant(far - near)).limited(0.0, 1.0)
+                    ((z - z.constant(near)) / z.constant(far - near)).clamped(0.0, 1.0)
                 } else {
                     z.zero().select(z.less(z.constant(near)), z.one())
                 };
@@ -62,7 +62,7 @@ impl Fog {
                 exp_of_negative((z * z.constant(density)).positive_part())
             }
             FogLaw::ExponentialSquared { density } => {
-                let way = (z * z.constant(density)).limited(0.0, 1e9);
+                let way = (z * z.constant(density)).clamped(0.0, 1e9);
                 exp_of_negative(way * way)
             }
         }
@@ -70,13 +70,13 @@ impl Fog {
 
     /// I_dc in every lane.
     #[inline(always)]
-    pub(crate) fn color_like<N: Number>(&self, like: N) -> Rgb<N> {
-        Rgb::splat(like, bounded(self.color))
+    pub(crate) fn color_like<N: Lanes>(&self, simd: N) -> Rgb<N> {
+        Rgb::splat(simd, bounded(self.color))
     }
 }
 
 /// exp(-x) for x >= 0
 #[inline(always)]
-fn exp_of_negative<N: Number>(x: N) -> N {
+fn exp_of_negative<N: Lanes>(x: N) -> N {
     elementary::exp2(x * x.constant(-std::f32::consts::LOG2_E))
 }

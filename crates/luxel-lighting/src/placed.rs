@@ -2,7 +2,7 @@
 
 use crate::light::bounded;
 use crate::{Attenuation, Cone, Light, LightKind};
-use luxel_math::{Mask, Number, Rgb, Vec3, elementary};
+use luxel_math::{Lanes, Mask, Rgb, Vec3, elementary};
 
 /// A light in its place: world directions, with the eye as the origin.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub(crate) struct Arrival<N> {
     pub(crate) spot: N,
 }
 
-impl<N: Number> Arrival<N> {
+impl<N: Lanes> Arrival<N> {
     /// What is left of an intensity on the way: f I with f = attenuation x spot, which is 1 for
     /// lights without a place.
     #[inline(always)]
@@ -81,36 +81,36 @@ impl PlacedLight {
 
     /// What arrives at `position`.
     #[inline(always)]
-    pub(crate) fn arrival<N: Number>(&self, position: Vec3<N>) -> Arrival<N> {
-        let like = position.x;
+    pub(crate) fn arrival<N: Lanes>(&self, position: Vec3<N>) -> Arrival<N> {
+        let simd = position.x;
         if matches!(self.light.kind, LightKind::Directional | LightKind::Ambient) {
             return Arrival {
-                to_light: -Vec3::splat(like, self.direction),
+                to_light: -Vec3::splat(simd, self.direction),
                 distance: None,
-                attenuation: like.one(),
-                spot: like.one(),
+                attenuation: simd.one(),
+                spot: simd.one(),
             };
         }
-        let way = Vec3::splat(like, self.position) - position;
+        let way = Vec3::splat(simd, self.position) - position;
         let squared = way.dot(way);
         // False at the light itself, and where the way is too long for its square.
-        let apart = squared.zero().less(squared) & squared.less(like.constant(f32::INFINITY));
-        let distance = squared.only_where(apart).sqrt();
-        let to_light = way.select(apart, Vec3::splat(like, [0.0; 3]))
-            * (like.one() / distance.select(apart, like.one()));
-        let attenuation = self.attenuation(distance).only_where(apart);
+        let apart = squared.zero().less(squared) & squared.less(simd.constant(f32::INFINITY));
+        let distance = squared.masked(apart).sqrt();
+        let to_light = way.select(apart, Vec3::splat(simd, [0.0; 3]))
+            * (simd.one() / distance.select(apart, simd.one()));
+        let attenuation = self.attenuation(distance).masked(apart);
         let spot = match self.light.kind {
             LightKind::Spot(cone) => {
-                cone.brightness((-to_light).dot(Vec3::splat(like, self.direction)))
+                cone.brightness((-to_light).dot(Vec3::splat(simd, self.direction)))
             }
-            _ => like.one(),
+            _ => simd.one(),
         };
         Arrival { to_light, distance: Some(distance), attenuation, spot }
     }
 
     /// min(1 / (c1 + c2 d + c3 d^2), limit), 0 where that isn't positive; times glTF's window.
     #[inline(always)]
-    fn attenuation<N: Number>(&self, distance: N) -> N {
+    fn attenuation<N: Lanes>(&self, distance: N) -> N {
         let [c1, c2, c3] = self.light.attenuation.coefficients;
         let divisor = distance.constant(c1)
             + distance.constant(c2) * distance
@@ -118,7 +118,7 @@ impl PlacedLight {
         let positive = divisor.zero().less(divisor);
         let attenuation = (divisor.one() / divisor.select(positive, divisor.one()))
             .minimum(divisor.constant(self.light.attenuation.limit))
-            .only_where(positive);
+            .masked(positive);
         match self.light.attenuation.range {
             Some(range) => attenuation * window(distance, range),
             None => attenuation,
@@ -128,31 +128,30 @@ impl PlacedLight {
 
 /// max(min(1 - (d / range)^4, 1), 0) (glTF `KHR_lights_punctual`).
 #[inline(always)]
-fn window<N: Number>(distance: N, range: f32) -> N {
+fn window<N: Lanes>(distance: N, range: f32) -> N {
     let ratio = distance / distance.constant(range.max(f32::MIN_POSITIVE));
     let square = ratio * ratio;
-    (ratio.one() - square * square).limited(0.0, 1.0)
+    (ratio.one() - square * square).clamped(0.0, 1.0)
 }
 
 impl Cone {
     /// The part of the light that goes where the angle to the axis has this cosine.
     #[inline(always)]
-    fn brightness<N: Number>(self, cosine: N) -> N {
+    fn brightness<N: Lanes>(self, cosine: N) -> N {
         match self {
             Self::Exponent { cos_cutoff, exponent } => {
                 // A negative exponent would make light grow without bound at the cone's edge.
-                let base = cosine.limited(0.0, 1.0);
+                let base = cosine.clamped(0.0, 1.0);
                 let brightness = elementary::power_of_one_exponent(base, exponent.max(0.0));
                 // Rounding may take a cosine below -1: without a cone everything is inside.
                 let everywhere = cosine.equal(cosine).splat_like(cos_cutoff <= -1.0);
-                brightness
-                    .only_where(cosine.constant(cos_cutoff).less_or_equal(cosine) | everywhere)
+                brightness.masked(cosine.constant(cos_cutoff).less_or_equal(cosine) | everywhere)
             }
             Self::Smooth { cos_inner, cos_outer } => {
                 // The specification's own guard against cones of equal angles.
                 let width = (cos_inner - cos_outer).max(1e-3);
                 let t = ((cosine - cosine.constant(cos_outer)) / cosine.constant(width))
-                    .limited(0.0, 1.0);
+                    .clamped(0.0, 1.0);
                 t * t
             }
         }

@@ -1,7 +1,7 @@
 //! The point that is lit, and what its surface reflects.
 
 use crate::Material;
-use luxel_math::{Number, Rgb, Vec3};
+use luxel_math::{Lanes, Rgb, Vec3};
 
 /// A point of a surface, as the equation wants it.
 ///
@@ -42,19 +42,19 @@ pub struct Reflectance<N> {
     pub occlusion: N,
 }
 
-impl<N: Number> Reflectance<N> {
-    /// The material's own constants, nowhere occluded; `like` tells only the kind of number.
+impl<N: Lanes> Reflectance<N> {
+    /// The material's own constants, nowhere occluded; `simd` selects the lane type.
     #[inline(always)]
-    pub fn of(like: N, material: &Material) -> Self {
+    pub fn of(simd: N, material: &Material) -> Self {
         Self {
-            ambient: Rgb::splat(like, material.ambient.unwrap_or(material.diffuse)),
-            diffuse: Rgb::splat(like, material.diffuse),
-            specular: Rgb::splat(like, material.specular),
-            emission: Rgb::splat(like, material.emission),
-            shininess: like.constant(material.shininess),
-            metallic: like.constant(material.metallic),
-            roughness: like.constant(material.roughness),
-            occlusion: like.one(),
+            ambient: Rgb::splat(simd, material.ambient.unwrap_or(material.diffuse)),
+            diffuse: Rgb::splat(simd, material.diffuse),
+            specular: Rgb::splat(simd, material.specular),
+            emission: Rgb::splat(simd, material.emission),
+            shininess: simd.constant(material.shininess),
+            metallic: simd.constant(material.metallic),
+            roughness: simd.constant(material.roughness),
+            occlusion: simd.one(),
         }
     }
 

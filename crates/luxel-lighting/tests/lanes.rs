@@ -29,21 +29,21 @@ fn in_lanes<S: Simd>(
     material: &Material,
     surroundings: &LightingEnvironment<'_>,
 ) -> [[f32; 3]; 16] {
-    let like = f32x16::splat(simd, 0.0);
+    let simd = f32x16::splat(simd, 0.0);
     let vector = |of: fn(&SurfacePoint<f32>) -> Vec3<f32>| {
         Vec3::new(
-            like.each_lane(|lane| of(&points[lane]).x),
-            like.each_lane(|lane| of(&points[lane]).y),
-            like.each_lane(|lane| of(&points[lane]).z),
+            simd.each_lane(|lane| of(&points[lane]).x),
+            simd.each_lane(|lane| of(&points[lane]).y),
+            simd.each_lane(|lane| of(&points[lane]).z),
         )
     };
     let point = SurfacePoint {
         position: vector(|point| point.position),
         normal: vector(|point| point.normal),
         view: vector(|point| point.view),
-        depth: like.each_lane(|lane| points[lane].depth),
+        depth: simd.each_lane(|lane| points[lane].depth),
     };
-    let reflectance = Reflectance::of(like, material);
+    let reflectance = Reflectance::of(simd, material);
     let color: Rgb<f32x16<S>> = lit(&point, &reflectance, material, surroundings, &mut Silent);
     std::array::from_fn(|lane| color.lane(lane))
 }

@@ -1,10 +1,10 @@
-//! Elementary functions with the same bits everywhere, made of the operations of [`Number`].
+//! Elementary functions with the same bits everywhere, made of the operations of [`Lanes`].
 //!
 //! Relative errors below are against the exact value, measured over the stated range by the tests
 //! of this module. Trigonometry is needed on f64 only, outside the kernels: the `libm` crate, a
 //! port of musl's functions that calls nothing of the platform, does it.
 
-use crate::Number;
+use crate::Lanes;
 
 /// log2 x for positive normal x; relative error below 4e-7, also next to 1.
 ///
@@ -12,7 +12,7 @@ use crate::Number;
 /// ln m = 2 (s + s^3/3 + s^5/5 + ...), |s| < 0.172 (the series of atanh; Abramowitz and Stegun
 /// 1964, 4.1.27).
 #[inline(always)]
-pub fn log2<N: Number>(x: N) -> N {
+pub fn log2<N: Lanes>(x: N) -> N {
     const FACTOR: f64 = 2.0 * std::f64::consts::LOG2_E;
     let (mantissa, exponent) = x.mantissa_and_exponent();
     let s = (mantissa - x.one()) / (mantissa + x.one());
@@ -30,9 +30,9 @@ pub fn log2<N: Number>(x: N) -> N {
 /// y = n + r with whole n and |r| <= 1/2; 2^r by the exponential series (Abramowitz and Stegun
 /// 1964, 4.2.1) up to the seventh power.
 #[inline(always)]
-pub fn exp2<N: Number>(y: N) -> N {
+pub fn exp2<N: Lanes>(y: N) -> N {
     const LN_2: f64 = std::f64::consts::LN_2;
-    let limited = y.limited(-126.0, 127.0);
+    let limited = y.clamped(-126.0, 127.0);
     let whole = limited.round_ties_even();
     let t = (limited - whole) * y.constant(LN_2 as f32);
     let mut series = y.constant((1.0 / 5040.0) as f32);
@@ -43,14 +43,14 @@ pub fn exp2<N: Number>(y: N) -> N {
     series = series * t + y.constant(0.5);
     series = series * t + y.one();
     series = series * t + y.one();
-    series.scale_by_exponent(whole).only_where(y.constant(-126.0).less_or_equal(y))
+    series.scale_by_exponent(whole).masked(y.constant(-126.0).less_or_equal(y))
 }
 
 /// x^n for x >= 0; x^0 = 1 for every x, 0^n = 0 for n > 0.
 ///
 /// The relative error is about n |log2 x| 4e-7: below 1e-5 wherever the result is above 1e-7.
 #[inline(always)]
-pub fn power<N: Number>(x: N, n: N) -> N {
+pub fn power<N: Lanes>(x: N, n: N) -> N {
     // The smallest normal number stands in for zero, so that the logarithm is finite.
     let base = x.maximum(x.constant(f32::MIN_POSITIVE));
     let result = exp2(log2(base) * n);
@@ -66,7 +66,7 @@ pub fn power<N: Number>(x: N, n: N) -> N {
 /// exponential. The relative error is below n 2^-24, as large as what the rounding of x makes of x^n.
 /// Others by [`power`].
 #[inline(always)]
-pub fn power_of_one_exponent<N: Number>(x: N, n: f32) -> N {
+pub fn power_of_one_exponent<N: Lanes>(x: N, n: f32) -> N {
     let whole = n as u32;
     if whole > MOST_MULTIPLIED || whole as f32 != n {
         return power(x, x.constant(n));

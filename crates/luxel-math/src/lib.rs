@@ -5,13 +5,13 @@
 //! function of the platform's mathematics library is called, so a picture has the same bytes on
 //! x86-64 at every SIMD level, on aarch64 and in WebAssembly.
 //!
-//! [`Number`] is one `f32` or sixteen of them ([`f32x16`]); whatever is written over it runs for
+//! [`Lanes`] is one `f32` or sixteen of them ([`f32x16`]); whatever is written over it runs for
 //! one pixel and for a block of 4x4 pixels with equal results, lane by lane.
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`Number`] | the operations that one value and sixteen lanes share |
-//! | [`Wide`] | the `f64` beside a number, for places that are far apart |
+//! | [`Lanes`] | the operations that one `f32` and sixteen of them share |
+//! | [`F64Lanes`] | the same lanes as `f64`, for differences of distant positions |
 //! | [`elementary`] | `log2`, `exp2`, powers, made of those operations |
 //! | [`Vec3`], [`Rgb`] | three numbers in space, three numbers of light |
 //! | [`permuted`] | eight lanes in an order known only at run time |
@@ -23,8 +23,8 @@
 pub mod elementary;
 mod fixed;
 mod lanes;
-mod number;
 mod permute;
+mod simd_level;
 mod vector;
 
 #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), not(feature = "scalar"))))]
@@ -40,15 +40,15 @@ pub use fearless_simd::{
     u32x16,
 };
 pub use fixed::{SUBPIXELS, SubPixel};
-pub use lanes::{
+pub use lanes::{F64Lanes, F64x8, F64x16, Lanes, Mask, SplitLanes};
+pub use permute::permuted;
+pub use simd_level::{
     LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel, has_wide_registers, lanes_of,
 };
-pub use number::{Mask, Number, Piecewise, Wide, Wide8, Wide16};
-pub use permute::permuted;
 pub use vector::{Rgb, Vec3};
 
 /// What code over sixteen lanes wants in scope.
 pub mod prelude {
-    pub use crate::number::{Mask, Number, Wide};
+    pub use crate::lanes::{F64Lanes, Lanes, Mask};
     pub use fearless_simd::prelude::*;
 }

@@ -2,7 +2,7 @@
 //!
 //! Sums of three go from left to right, `(x + y) + z`, everywhere.
 
-use crate::Number;
+use crate::Lanes;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A vector or point with three coordinates.
@@ -35,11 +35,11 @@ impl<N> Vec3<N> {
     }
 }
 
-impl<N: Number> Vec3<N> {
-    /// The same vector in every lane; `like` tells only the kind of number.
+impl<N: Lanes> Vec3<N> {
+    /// The same vector in every lane; `simd` selects the lane type.
     #[inline(always)]
-    pub fn splat(like: N, [x, y, z]: [f32; 3]) -> Self {
-        Self::new(like.constant(x), like.constant(y), like.constant(z))
+    pub fn splat(simd: N, [x, y, z]: [f32; 3]) -> Self {
+        Self::new(simd.constant(x), simd.constant(y), simd.constant(z))
     }
 
     /// a . b = a_x b_x + a_y b_y + a_z b_z
@@ -73,7 +73,7 @@ impl<N: Number> Vec3<N> {
         let squared = self.dot(self);
         let sound = squared.zero().less(squared);
         let length = squared.select(sound, squared.one()).sqrt();
-        let scale = (length.one() / length).only_where(sound);
+        let scale = (length.one() / length).masked(sound);
         self * scale
     }
 
@@ -88,7 +88,7 @@ impl<N: Number> Vec3<N> {
         let length = squared.select(sound, squared.one()).sqrt();
         let other_length = other.length();
         let scale = length.one() / (length * other_length);
-        (self * (scale * other_length).only_where(sound), other * (scale * length))
+        (self * (scale * other_length).masked(sound), other * (scale * length))
     }
 
     /// Lanes of `self` where the mask is true, of `other` elsewhere.
@@ -117,17 +117,17 @@ impl<N> Rgb<N> {
     }
 }
 
-impl<N: Number> Rgb<N> {
-    /// The same colour in every lane; `like` tells only the kind of number.
+impl<N: Lanes> Rgb<N> {
+    /// The same colour in every lane; `simd` selects the lane type.
     #[inline(always)]
-    pub fn splat(like: N, [r, g, b]: [f32; 3]) -> Self {
-        Self::new(like.constant(r), like.constant(g), like.constant(b))
+    pub fn splat(simd: N, [r, g, b]: [f32; 3]) -> Self {
+        Self::new(simd.constant(r), simd.constant(g), simd.constant(b))
     }
 
     /// No light.
     #[inline(always)]
-    pub fn black(like: N) -> Self {
-        Self::splat(like, [0.0; 3])
+    pub fn black(simd: N) -> Self {
+        Self::splat(simd, [0.0; 3])
     }
 
     /// Lanes of `self` where the mask is true, of `other` elsewhere.
@@ -151,28 +151,28 @@ impl<N: Number> Rgb<N> {
 /// The operations by which both kinds of triples are combined, component by component.
 macro_rules! componentwise {
     ($name:ident, $x:ident, $y:ident, $z:ident) => {
-        impl<N: Number> Add for $name<N> {
+        impl<N: Lanes> Add for $name<N> {
             type Output = Self;
             #[inline(always)]
             fn add(self, other: Self) -> Self {
                 Self::new(self.$x + other.$x, self.$y + other.$y, self.$z + other.$z)
             }
         }
-        impl<N: Number> Sub for $name<N> {
+        impl<N: Lanes> Sub for $name<N> {
             type Output = Self;
             #[inline(always)]
             fn sub(self, other: Self) -> Self {
                 Self::new(self.$x - other.$x, self.$y - other.$y, self.$z - other.$z)
             }
         }
-        impl<N: Number> Neg for $name<N> {
+        impl<N: Lanes> Neg for $name<N> {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
                 Self::new(-self.$x, -self.$y, -self.$z)
             }
         }
-        impl<N: Number> Mul<N> for $name<N> {
+        impl<N: Lanes> Mul<N> for $name<N> {
             type Output = Self;
             #[inline(always)]
             fn mul(self, factor: N) -> Self {
@@ -187,7 +187,7 @@ componentwise!(Rgb, r, g, b);
 
 /// Light that a coloured surface or filter leaves of light: component by component, so that a red
 /// light on a green surface is black.
-impl<N: Number> Mul for Rgb<N> {
+impl<N: Lanes> Mul for Rgb<N> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {

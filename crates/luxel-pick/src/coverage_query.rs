@@ -12,7 +12,7 @@ use crate::view::{Geometry, Instance, PickView, Thickness};
 use crate::world_rays::NearRay;
 use glam::DVec3;
 use luxel_bvh::{Block, Child, Node, SlabTest, Subtree, VertexMap, WIDTH};
-use luxel_math::{Mask, Number, SUBPIXELS, Simd, dispatch_long, f32x8, prelude::*};
+use luxel_math::{Lanes, Mask, SUBPIXELS, Simd, dispatch_long, f32x8, prelude::*};
 use luxel_scene::Mesh;
 use luxel_visibility::{Coverage, Probe};
 use std::cell::RefCell;

@@ -6,7 +6,7 @@ use crate::view::{Edges, NormalLength, Shading};
 use luxel_lighting::{
     Coefficients, Fog, LightingEnvironment, PictureEncoding, PlacedLight, SurfacePoint, Uniform,
 };
-use luxel_math::{Number, Vec3};
+use luxel_math::{Lanes, Vec3};
 use luxel_scene::{Mesh, Scene, SceneMaterial};
 use luxel_visibility::{Frame, InstanceSpace, ViewRays};
 use std::collections::HashMap;
@@ -57,7 +57,7 @@ impl ShadingContext<'_> {
     /// V comes from the sample's ray, not from the place: it is right to the last digits however far
     /// the surface is, and surfaces without lights that have a place need no position at all.
     #[inline(always)]
-    pub(crate) fn point_at_sample<N: Number>(
+    pub(crate) fn point_at_sample<N: Lanes>(
         &self,
         [x, y]: [N; 2],
         position: Vec3<N>,
@@ -69,7 +69,7 @@ impl ShadingContext<'_> {
 
     /// The surface point of a vertex, which is seen along the way from the eye to its position.
     #[inline(always)]
-    pub(crate) fn point_at_vertex<N: Number>(
+    pub(crate) fn point_at_vertex<N: Lanes>(
         &self,
         position: Vec3<N>,
         normal: Vec3<N>,
@@ -82,7 +82,7 @@ impl ShadingContext<'_> {
     }
 
     #[inline(always)]
-    fn point<N: Number>(
+    fn point<N: Lanes>(
         &self,
         position: Vec3<N>,
         normal: Vec3<N>,
@@ -98,7 +98,7 @@ impl ShadingContext<'_> {
 
     /// The distance from the eye along the viewing axis.
     #[inline(always)]
-    fn depth<N: Number>(&self, position: Vec3<N>) -> N {
+    fn depth<N: Lanes>(&self, position: Vec3<N>) -> N {
         position.dot(Vec3::splat(position.x, self.direction))
     }
 }

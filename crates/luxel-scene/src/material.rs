@@ -2,7 +2,7 @@
 
 use crate::TextureId;
 use luxel_lighting::Material;
-use luxel_math::Number;
+use luxel_math::Lanes;
 
 /// A material: what the equation multiplies, and the textures that it multiplies with.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +60,7 @@ impl TextureUse {
     /// Texture coordinates after the use's own transform.
     #[must_use]
     #[inline(always)]
-    pub fn transformed<N: Number>(&self, [u, v]: [N; 2]) -> [N; 2] {
+    pub fn transformed<N: Lanes>(&self, [u, v]: [N; 2]) -> [N; 2] {
         let [a, b, c, d, e, f] = self.transform;
         [
             u.constant(a) * u + u.constant(b) * v + u.constant(c),

@@ -1,11 +1,11 @@
 //! What a normal map's texel makes of a normal.
 
-use luxel_math::{Number, Vec3};
+use luxel_math::{Lanes, Vec3};
 
 /// The unit normal n = x T + y B + z N with B = sign (N x T), where (x, y, z) is the texel brought
 /// from 0..1 to -1..1 and x, y are scaled by the map's strength; N itself where that is 0.
 #[inline(always)]
-pub fn mapped_normal<N: Number>(
+pub fn mapped_normal<N: Lanes>(
     normal: Vec3<N>,
     (tangent, sign): (Vec3<N>, N),
     [r, g, b]: [N; 3],
@@ -22,6 +22,6 @@ pub fn mapped_normal<N: Number>(
 
 /// A texel's value as a signed number: 0..1 becomes -1..1.
 #[inline(always)]
-fn signed<N: Number>(value: N) -> N {
+fn signed<N: Lanes>(value: N) -> N {
     value + value - value.one()
 }

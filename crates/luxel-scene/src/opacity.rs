@@ -1,7 +1,7 @@
 //! Where a surface isn't there: texels cut away, and what is wholly transparent.
 
 use crate::{AlphaMode, Mesh, Scene, SceneMaterial, TextureUse};
-use luxel_math::{Mask, Number};
+use luxel_math::{Lanes, Mask};
 
 /// What a triangle's opacity is mixed from: its corners, as rows that lanes can be read from.
 ///
@@ -31,27 +31,27 @@ impl OpacityCorners {
         Self([[u0, v0, u1, v1, u2, v2, a, b], [s0, t0, s1, t1, s2, t2, c, is_colored]])
     }
 
-    /// One triangle's corners in every lane; `like` tells only the kind of number.
+    /// One triangle's corners in every lane; `simd` selects the lane type.
     #[inline(always)]
     #[must_use]
-    pub fn everywhere<N: Number>(&self, like: N) -> OpacityLanes<N> {
-        let mut rows = [[like; 8]; 2];
+    pub fn everywhere<N: Lanes>(&self, simd: N) -> OpacityLanes<N> {
+        let mut rows = [[simd; 8]; 2];
         for (lanes, row) in rows.as_flattened_mut().iter_mut().zip(self.0.as_flattened()) {
-            *lanes = like.constant(*row);
+            *lanes = simd.constant(*row);
         }
         OpacityLanes(rows)
     }
 
-    /// Each lane's own corners, from `of(lane)`; `like` tells only the kind of number. The closure is
+    /// Each lane's own corners, from `of(lane)`; `simd` selects the lane type. The closure is
     /// to be marked `#[inline(always)]`.
     #[inline(always)]
     #[must_use]
-    pub fn in_lanes<'c, N: Number>(like: N, of: impl Fn(usize) -> &'c Self) -> OpacityLanes<N> {
-        let first = like.columns(
+    pub fn in_lanes<'c, N: Lanes>(simd: N, of: impl Fn(usize) -> &'c Self) -> OpacityLanes<N> {
+        let first = simd.load_transposed(
             #[inline(always)]
             |lane| &of(lane).0[0],
         );
-        let second = like.columns(
+        let second = simd.load_transposed(
             #[inline(always)]
             |lane| &of(lane).0[1],
         );
@@ -88,21 +88,21 @@ impl Scene {
     /// mask's cutoff, or is 0 and blended.
     #[must_use]
     #[inline(always)]
-    pub fn holes<N: Number>(
+    pub fn holes<N: Lanes>(
         &self,
         material: &SceneMaterial,
         corners: &OpacityLanes<N>,
         barycentric: [N; 3],
         lanes: u32,
     ) -> u32 {
-        let like = barycentric[0];
+        let simd = barycentric[0];
         let holes = match material.alpha_mode {
             AlphaMode::Opaque => return 0,
             AlphaMode::Mask { cutoff } => {
-                self.alpha(material, corners, barycentric, lanes).less(like.constant(cutoff))
+                self.alpha(material, corners, barycentric, lanes).less(simd.constant(cutoff))
             }
             AlphaMode::Blend => {
-                self.alpha(material, corners, barycentric, lanes).less_or_equal(like.zero())
+                self.alpha(material, corners, barycentric, lanes).less_or_equal(simd.zero())
             }
         };
         holes.bits() & lanes
@@ -110,7 +110,7 @@ impl Scene {
 
     /// The alpha of a surface at places of triangles.
     #[inline(always)]
-    fn alpha<N: Number>(
+    fn alpha<N: Lanes>(
         &self,
         material: &SceneMaterial,
         OpacityLanes([first, second]): &OpacityLanes<N>,
@@ -142,11 +142,11 @@ impl Scene {
 
 /// Texture coordinates between three corners.
 #[inline(always)]
-fn uv<N: Number>([u0, v0, u1, v1, u2, v2, ..]: &[N; 8], weights: [N; 3]) -> [N; 2] {
+fn uv<N: Lanes>([u0, v0, u1, v1, u2, v2, ..]: &[N; 8], weights: [N; 3]) -> [N; 2] {
     [mix([*u0, *u1, *u2], weights), mix([*v0, *v1, *v2], weights)]
 }
 
 #[inline(always)]
-fn mix<N: Number>(at: [N; 3], weights: [N; 3]) -> N {
+fn mix<N: Lanes>(at: [N; 3], weights: [N; 3]) -> N {
     at[0] * weights[0] + at[1] * weights[1] + at[2] * weights[2]
 }

@@ -33,7 +33,7 @@ const CRATES: &[&str] = &[
 
 /// The top modules of a crate: each imports only those before it.
 const MODULES: &[(&str, &[&str])] = &[
-    ("luxel-math", &["lanes", "number", "elementary", "fixed", "permute", "vector"]),
+    ("luxel-math", &["simd_level", "lanes", "elementary", "fixed", "permute", "vector"]),
     ("luxel-parallel", &["thread", "run", "sort"]),
     (
         "luxel-bvh",

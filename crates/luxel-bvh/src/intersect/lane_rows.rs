@@ -1,7 +1,7 @@
 //! Values of a packet's rays side by side, processed in groups as wide as the vectors.
 
 use crate::aabb::{higher, lower};
-use luxel_math::{LANES, Number};
+use luxel_math::{LANES, Lanes};
 
 /// The most rays of a packet: a miss of a node's box then costs each ray a 64th of a test.
 pub(crate) const PACKET: usize = 64;
@@ -20,19 +20,19 @@ pub(crate) struct ShearedRows {
 
 /// Rays per group.
 #[inline(always)]
-pub(crate) const fn width<N: Number>() -> usize {
+pub(crate) const fn width<N: Lanes>() -> usize {
     size_of::<N>() / size_of::<f32>()
 }
 
 /// The values of a group; `lanes` selects the lane type.
 #[inline(always)]
-pub(crate) fn load<N: Number>(lanes: N, row: &Row, group: usize) -> N {
+pub(crate) fn load<N: Lanes>(lanes: N, row: &Row, group: usize) -> N {
     let at = group * width::<N>();
     lanes.load(&row[at / LANES % row.len()], at % LANES)
 }
 
 #[inline(always)]
-pub(crate) fn store<N: Number>(values: N, row: &mut Row, group: usize) {
+pub(crate) fn store<N: Lanes>(values: N, row: &mut Row, group: usize) {
     let at = group * width::<N>();
     values.store(&mut row[at / LANES % (PACKET / LANES)], at % LANES);
 }
@@ -50,7 +50,7 @@ pub(crate) struct LaneRange<N> {
     greatest: N,
 }
 
-impl<N: Number> LaneRange<N> {
+impl<N: Lanes> LaneRange<N> {
     #[inline(always)]
     pub(crate) fn empty(lanes: N) -> Self {
         let (least, greatest) = (f32::INFINITY, f32::NEG_INFINITY);
@@ -87,7 +87,7 @@ impl<N: Number> LaneRange<N> {
 
 /// The maximum over the lanes of a group.
 #[inline(always)]
-pub(crate) fn greatest<N: Number>(values: N) -> f32 {
+pub(crate) fn greatest<N: Lanes>(values: N) -> f32 {
     let mut lanes = [0.0; LANES];
     values.store(&mut lanes, 0);
     let mut half = width::<N>() / 2;

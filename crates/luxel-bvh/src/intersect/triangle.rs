@@ -196,7 +196,7 @@ pub(crate) fn intersect_gathered<S: Simd>(
 /// The distances at which a group of rays hits one triangle, and a bit for each of the `active` rays
 /// that hits it within its range. Corners and rays are in the order of the rays' axes.
 #[inline(always)]
-pub(crate) fn intersect_rays<N: Number>(
+pub(crate) fn intersect_rays<N: Lanes>(
     lanes: N,
     corners: [[f32; 3]; 3],
     (rays, group): (&ShearedRows, usize),
@@ -220,7 +220,7 @@ pub(crate) fn intersect_rays<N: Number>(
 /// The test itself, in lanes: edge functions, the distance, and the exact repetition for lanes in which
 /// an edge function is 0.
 #[inline(always)]
-fn intersect_lanes<N: Number>(
+fn intersect_lanes<N: Lanes>(
     [x, y, z]: &Transformed<N>,
     is_negative: bool,
     range: [N; 2],

@@ -62,7 +62,7 @@ fn trace_run<S: Simd, Q: RayQuery>(
 
 /// Traces coherent rays of one kind in packets and the rest singly.
 #[inline(always)]
-fn trace_in_packets<S: Simd, N: Number, Q: RayQuery>(
+fn trace_in_packets<S: Simd, N: Lanes, Q: RayQuery>(
     simd: S,
     lanes: N,
     target: &RayTarget<'_>,

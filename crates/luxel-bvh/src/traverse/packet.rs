@@ -131,7 +131,7 @@ impl Packet {
 
     /// Prepares `count` loaded rays of one kind; returns whether they are coherent enough for a packet.
     #[inline(always)]
-    pub(crate) fn prepare<N: Number>(
+    pub(crate) fn prepare<N: Lanes>(
         &mut self,
         lanes: N,
         target: &RayTarget<'_>,
@@ -203,7 +203,7 @@ impl Packet {
 
     /// Writes the answers of rays that hit something; `index` maps a ray of the packet to its answer.
     #[inline(always)]
-    pub(crate) fn write_answers<N: Number, Q: RayQuery>(
+    pub(crate) fn write_answers<N: Lanes, Q: RayQuery>(
         &self,
         _lanes: N,
         target: &RayTarget<'_>,
@@ -261,7 +261,7 @@ impl Packet {
     }
 
     #[inline(always)]
-    pub(super) fn interval<N: Number>(&self, lanes: N) -> RayInterval {
+    pub(super) fn interval<N: Lanes>(&self, lanes: N) -> RayInterval {
         let mut interval = RayInterval {
             near_origin: [0.0; 3],
             far_origin: [0.0; 3],
@@ -283,7 +283,7 @@ impl Packet {
 
     /// The minimum and maximum of a row.
     #[inline(always)]
-    fn range<N: Number>(&self, lanes: N, row: &Row) -> [f32; 2] {
+    fn range<N: Lanes>(&self, lanes: N, row: &Row) -> [f32; 2] {
         let mut range = LaneRange::empty(lanes);
         for group in 0..self.count {
             range.include(load(lanes, row, group));
@@ -293,7 +293,7 @@ impl Packet {
 
     /// The largest distance that still counts for any ray.
     #[inline(always)]
-    pub(super) fn farthest<N: Number>(&self, lanes: N) -> f32 {
+    pub(super) fn farthest<N: Lanes>(&self, lanes: N) -> f32 {
         let mut farthest = lanes.constant(-1.0);
         for group in 0..self.count {
             farthest = farthest.maximum(load(lanes, &self.nearest, group));

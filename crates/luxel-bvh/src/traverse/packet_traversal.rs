@@ -19,7 +19,7 @@ use luxel_math::{LANES, Simd, prelude::*};
 
 /// Intersects a leaf's triangles with the rays that hit its box; returns whether any ray got nearer.
 #[inline(always)]
-fn intersect_leaf<S: Simd, N: Number, Q: RayQuery>(
+fn intersect_leaf<S: Simd, N: Lanes, Q: RayQuery>(
     simd: S,
     lanes: N,
     target: &RayTarget<'_>,
@@ -69,7 +69,7 @@ fn intersect_leaf<S: Simd, N: Number, Q: RayQuery>(
 
 /// Intersects a block's triangles with the rays whose bit is set; returns whether any ray got nearer.
 #[inline(always)]
-fn intersect_block<S: Simd, N: Number, Q: RayQuery>(
+fn intersect_block<S: Simd, N: Lanes, Q: RayQuery>(
     simd: S,
     lanes: N,
     target: &RayTarget<'_>,
@@ -137,7 +137,7 @@ fn intersect_block<S: Simd, N: Number, Q: RayQuery>(
 
 /// Traces the rays of a packet.
 #[inline(always)]
-pub(crate) fn trace_packet<S: Simd, N: Number, Q: RayQuery>(
+pub(crate) fn trace_packet<S: Simd, N: Lanes, Q: RayQuery>(
     simd: S,
     lanes: N,
     target: &RayTarget<'_>,

@@ -2,12 +2,12 @@
 
 use super::{Incidence, Surface};
 use crate::Spread;
-use luxel_math::{Number, Rgb};
+use luxel_math::{Lanes, Rgb};
 
 /// k_d O_d max(N.L, 0) (Lambert, *Photometria*, 1760): a beam spreads over the more surface the
 /// more it slants, and the surface sends what it gets equally into all directions.
 #[inline(always)]
-pub(crate) fn diffuse<N: Number, K: Spread<N>>(
+pub(crate) fn diffuse<N: Lanes, K: Spread<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Rgb<N> {

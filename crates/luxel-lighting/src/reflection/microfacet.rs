@@ -4,7 +4,7 @@ use super::{Incidence, Reflected, Surface, any_lit};
 use crate::Spread;
 use crate::coefficients::spread;
 use crate::witness::Lobe;
-use luxel_math::{Number, Rgb};
+use luxel_math::{Lanes, Rgb};
 
 /// F0 of dielectrics: an index of refraction of 1.5 (glTF 2.0, appendix B.3.4).
 const DIELECTRIC: f32 = 0.04;
@@ -29,64 +29,64 @@ const SMALLEST_N_DOT_V: f32 = 1e-4;
 /// - F = F0 + (1 - F0) (1 - V.H)^5, Fresnel's reflectance (Schlick 1994), F0 between 0.04 and O_d by
 ///   metallic.
 ///
-/// Compiled once a kind of number: within the loop over lights the compiler would work out what is
+/// Outlined, one copy per SIMD level: within the loop over lights the compiler would work out what is
 /// the same for all of them beforehand, for the other models, too.
 #[inline(never)]
-pub(crate) fn reflected<N: Number, K: Spread<N>>(
+pub(crate) fn reflected<N: Lanes, K: Spread<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {
-    surface.like().vectorized(
+    surface.simd().vectorized(
         #[inline(always)]
         || by_facets(surface, incidence),
     )
 }
 
 #[inline(always)]
-fn by_facets<N: Number, K: Spread<N>>(
+fn by_facets<N: Lanes, K: Spread<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {
-    let like = surface.like();
+    let simd = surface.simd();
     let half = (incidence.to_light + surface.view).normalized_or_zero();
     let n_dot_h = surface.normal.dot(half);
     if !any_lit(incidence) {
         return Reflected {
-            diffuse: Rgb::black(like),
-            specular: Rgb::black(like),
+            diffuse: Rgb::black(simd),
+            specular: Rgb::black(simd),
             specular_cosine: Some(n_dot_h),
             lobe: Lobe::Plain,
         };
     }
-    let n_dot_l = incidence.n_dot_l.limited(0.0, 1.0);
-    let n_dot_v = surface.n_dot_v().limited(SMALLEST_N_DOT_V, 1.0);
-    let v_dot_h = surface.view.dot(half).limited(0.0, 1.0);
-    let alpha = (surface.roughness() * surface.roughness()).maximum(like.constant(SMALLEST_ALPHA));
+    let n_dot_l = incidence.n_dot_l.clamped(0.0, 1.0);
+    let n_dot_v = surface.n_dot_v().clamped(SMALLEST_N_DOT_V, 1.0);
+    let v_dot_h = surface.view.dot(half).clamped(0.0, 1.0);
+    let alpha = (surface.roughness() * surface.roughness()).maximum(simd.constant(SMALLEST_ALPHA));
     let alpha2 = alpha * alpha;
 
     // (N.H)^2 (alpha^2 - 1) + 1 without the cancellation: 1 - (N.H)^2 = |N x H|^2.
     let aside = surface.normal.cross(half);
     let spread = aside.dot(aside) + n_dot_h * n_dot_h * alpha2;
-    let pi_d = alpha2 / (spread * spread).maximum(like.constant(f32::MIN_POSITIVE));
+    let pi_d = alpha2 / (spread * spread).maximum(simd.constant(f32::MIN_POSITIVE));
     let pi_d = pi_d
-        .minimum(like.one() / alpha2)
-        .only_where(like.zero().less(n_dot_h) & like.zero().less(n_dot_l));
+        .minimum(simd.one() / alpha2)
+        .masked(simd.zero().less(n_dot_h) & simd.zero().less(n_dot_l));
 
-    let rest = like.one() - alpha2;
+    let rest = simd.one() - alpha2;
     let masking = n_dot_l * (n_dot_v * n_dot_v * rest + alpha2).sqrt();
     let shadowing = n_dot_v * (n_dot_l * n_dot_l * rest + alpha2).sqrt();
-    let visibility = like.constant(0.5) / (masking + shadowing);
+    let visibility = simd.constant(0.5) / (masking + shadowing);
 
     let f0 = facing_reflectance(surface);
-    let white = Rgb::new(like.one(), like.one(), like.one());
-    let away = like.one() - v_dot_h;
+    let white = Rgb::new(simd.one(), simd.one(), simd.one());
+    let away = simd.one() - v_dot_h;
     let away2 = away * away;
     let fresnel = f0 + (white - f0) * (away2 * away2 * away);
 
     Reflected {
         diffuse: surface.diffuse()
             * (white - fresnel)
-            * ((like.one() - surface.metallic()) * n_dot_l),
+            * ((simd.one() - surface.metallic()) * n_dot_l),
         specular: surface.specular() * fresnel * (pi_d * visibility * n_dot_l),
         specular_cosine: Some(n_dot_h),
         lobe: Lobe::Facets { pi_d, visibility, fresnel },
@@ -95,8 +95,8 @@ fn by_facets<N: Number, K: Spread<N>>(
 
 /// F0: 0.04 for dielectrics, O_d for metals.
 #[inline(always)]
-pub(crate) fn facing_reflectance<N: Number, K: Spread<N>>(surface: &Surface<'_, N, K>) -> Rgb<N> {
-    let like = surface.like();
-    Rgb::splat(like, [DIELECTRIC; 3]) * (like.one() - surface.metallic())
-        + spread(surface.of.base, like) * surface.metallic()
+pub(crate) fn facing_reflectance<N: Lanes, K: Spread<N>>(surface: &Surface<'_, N, K>) -> Rgb<N> {
+    let simd = surface.simd();
+    Rgb::splat(simd, [DIELECTRIC; 3]) * (simd.one() - surface.metallic())
+        + spread(surface.of.base, simd) * surface.metallic()
 }

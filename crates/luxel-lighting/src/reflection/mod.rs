@@ -14,7 +14,7 @@ use crate::environment::split_sum;
 use crate::reflection::phong::Highlight;
 use crate::witness::{Lobe, MirrorTerms, PartTerms};
 use crate::{Coefficients, Environment, Reflection, Spread, SurfacePoint, Witness};
-use luxel_math::{Mask, Number, Rgb, Vec3};
+use luxel_math::{Lanes, Mask, Rgb, Vec3};
 
 /// What a surface reflects at one point, prepared once for all lights.
 #[derive(Clone, Copy, Debug)]
@@ -40,11 +40,11 @@ pub(crate) struct Reflected<N> {
     pub(crate) lobe: Lobe<N>,
 }
 
-impl<N: Number> Reflected<N> {
-    /// Nothing of any light; `like` tells only the kind of number.
+impl<N: Lanes> Reflected<N> {
+    /// Nothing of any light; `simd` selects the lane type.
     #[inline(always)]
-    pub(crate) fn nothing(like: N) -> Self {
-        let (diffuse, specular) = (Rgb::black(like), Rgb::black(like));
+    pub(crate) fn nothing(simd: N) -> Self {
+        let (diffuse, specular) = (Rgb::black(simd), Rgb::black(simd));
         Self { diffuse, specular, specular_cosine: None, lobe: Lobe::Plain }
     }
 }
@@ -58,7 +58,7 @@ pub(crate) struct Incidence<N> {
     pub(crate) n_dot_l: N,
 }
 
-impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
+impl<'a, N: Lanes, K: Spread<N>> Surface<'a, N, K> {
     /// The surface at a point.
     #[inline(always)]
     pub(crate) fn new(point: &SurfacePoint<N>, coefficients: &'a Coefficients<K>) -> Self {
@@ -71,34 +71,34 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
         self.normal.dot(self.view)
     }
 
-    /// Tells only the kind of number.
+    /// Selects the lane type.
     #[inline(always)]
-    pub(crate) fn like(&self) -> N {
+    pub(crate) fn simd(&self) -> N {
         self.normal.x
     }
 
     /// k_d O_d
     #[inline(always)]
     pub(crate) fn diffuse(&self) -> Rgb<N> {
-        spread(self.of.diffuse, self.like())
+        spread(self.of.diffuse, self.simd())
     }
 
     /// k_s O_s
     #[inline(always)]
     pub(crate) fn specular(&self) -> Rgb<N> {
-        spread(self.of.specular, self.like())
+        spread(self.of.specular, self.simd())
     }
 
     /// Perceptual roughness, within 0 and 1.
     #[inline(always)]
     pub(crate) fn roughness(&self) -> N {
-        self.of.roughness.spread(self.like())
+        self.of.roughness.spread(self.simd())
     }
 
     /// Within 0 and 1.
     #[inline(always)]
     pub(crate) fn metallic(&self) -> N {
-        self.of.metallic.spread(self.like())
+        self.of.metallic.spread(self.simd())
     }
 
     /// What goes to the eye of a light.
@@ -117,7 +117,7 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
         }
         // Copies: what others get to see has to be written to memory, and only here.
         let (surface, incidence) = (*self, *incidence);
-        let mut whole = Reflected::nothing(self.like());
+        let mut whole = Reflected::nothing(self.simd());
         surface.sum_parts(reflection, &incidence, witness, &mut whole);
         whole
     }
@@ -125,11 +125,11 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
     /// Models that are a cosine, or a power of one; `None` for all others.
     #[inline(always)]
     fn by_cosines(&self, kind: &Reflection, incidence: &Incidence<N>) -> Option<Reflected<N>> {
-        let of_cosine = |cosine: N| (cosine, Highlight::Cosine(cosine.limited(0.0, 1.0)));
+        let of_cosine = |cosine: N| (cosine, Highlight::Cosine(cosine.clamped(0.0, 1.0)));
         let (cosine, highlight) = match kind {
             Reflection::Lambert => {
                 let diffuse = lambert::diffuse(self, incidence);
-                return Some(Reflected { diffuse, ..Reflected::nothing(self.like()) });
+                return Some(Reflected { diffuse, ..Reflected::nothing(self.simd()) });
             }
             // One power for the three: code of lanes is long, and the compiler's time dear.
             Reflection::Phong => of_cosine(phong::r_dot_v(self, incidence)),
@@ -153,7 +153,7 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
         witness: &mut W,
         whole: &mut Reflected<N>,
     ) {
-        self.like().vectorized(
+        self.simd().vectorized(
             #[inline(always)]
             || {
                 for index in 0..reflection.part_count() {
@@ -162,7 +162,7 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
                     let Reflected { diffuse, specular, specular_cosine, lobe } = part;
                     let terms = PartTerms { weight, diffuse, specular, specular_cosine, lobe };
                     witness.part(index, &terms);
-                    let weight = self.like().constant(weight);
+                    let weight = self.simd().constant(weight);
                     whole.diffuse = whole.diffuse + diffuse * weight;
                     whole.specular = whole.specular + specular * weight;
                     whole.specular_cosine = specular_cosine;
@@ -183,7 +183,7 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
             // a mix has no meaning here: `Reflection::mixed` dissolves it.
             _ => match self.by_cosines(kind, incidence) {
                 Some(part) => part,
-                None => Reflected::nothing(self.like()),
+                None => Reflected::nothing(self.simd()),
             },
         }
     }
@@ -199,7 +199,7 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
         environment: &Environment,
         witness: &mut W,
     ) -> Rgb<N> {
-        self.like().vectorized(
+        self.simd().vectorized(
             #[inline(always)]
             || self.mirrored_of(reflection, environment, witness),
         )
@@ -212,21 +212,21 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
         environment: &Environment,
         witness: &mut W,
     ) -> Rgb<N> {
-        let like = self.like();
-        let mut mirrored = Rgb::black(like);
+        let simd = self.simd();
+        let mut mirrored = Rgb::black(simd);
         let n_dot_v = self.n_dot_v();
         let direction = self.normal * (n_dot_v + n_dot_v) - self.view;
         for index in 0..reflection.part_count() {
             let (kind, weight) = reflection.part(index);
             let part = match kind {
                 Reflection::Mirror => {
-                    let radiance = environment.radiance(direction, like.zero());
-                    let share = Rgb::new(like.one(), like.one(), like.one());
+                    let radiance = environment.radiance(direction, simd.zero());
+                    let share = Rgb::new(simd.one(), simd.one(), simd.one());
                     witness.mirror(index, &MirrorTerms { weight, share, radiance });
                     radiance
                 }
                 Reflection::Microfacet => {
-                    let (a, b) = split_sum(n_dot_v.limited(0.0, 1.0), self.roughness());
+                    let (a, b) = split_sum(n_dot_v.clamped(0.0, 1.0), self.roughness());
                     let share = microfacet::facing_reflectance(self) * a + Rgb::new(b, b, b);
                     let radiance = environment.radiance(direction, self.roughness());
                     witness.mirror(index, &MirrorTerms { weight, share, radiance });
@@ -234,9 +234,9 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
                 }
                 _ => continue,
             };
-            mirrored = mirrored + part * like.constant(weight);
+            mirrored = mirrored + part * simd.constant(weight);
         }
-        mirrored * self.specular() * self.of.occlusion.spread(like)
+        mirrored * self.specular() * self.of.occlusion.spread(simd)
     }
 
     /// The part of ambient light that goes to the eye: k_a O_a.
@@ -246,19 +246,19 @@ impl<'a, N: Number, K: Spread<N>> Surface<'a, N, K> {
     /// is these surroundings. Without one, the ambient light is all that a metal has of them.
     #[inline(always)]
     pub(crate) fn ambient(&self, reflection: &Reflection, environment: &Environment) -> Rgb<N> {
-        let like = self.like();
+        let simd = self.simd();
         match reflection {
-            Reflection::Unlit => Rgb::black(like),
+            Reflection::Unlit => Rgb::black(simd),
             Reflection::Microfacet if !environment.is_none() => {
-                spread(self.of.ambient, like) * (like.one() - self.metallic())
+                spread(self.of.ambient, simd) * (simd.one() - self.metallic())
             }
-            _ => spread(self.of.ambient, like),
+            _ => spread(self.of.ambient, simd),
         }
     }
 }
 
 /// Whether any lane has the light before it.
 #[inline(always)]
-fn any_lit<N: Number>(incidence: &Incidence<N>) -> bool {
+fn any_lit<N: Lanes>(incidence: &Incidence<N>) -> bool {
     incidence.n_dot_l.zero().less(incidence.n_dot_l).any()
 }

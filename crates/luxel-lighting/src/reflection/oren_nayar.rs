@@ -3,7 +3,7 @@
 use super::{Incidence, Reflected, Surface};
 use crate::Spread;
 use crate::witness::Lobe;
-use luxel_math::{Number, Rgb};
+use luxel_math::{Lanes, Rgb};
 
 /// k_d O_d (N.L) (A + B max(cos(phi_r - phi_i), 0) sin(alpha) tan(beta)) with
 /// A = 1 - s^2 / (2 (s^2 + 0.33)), B = 0.45 s^2 / (s^2 + 0.09), s the standard deviation of the
@@ -14,36 +14,36 @@ use luxel_math::{Number, Rgb};
 /// With q = L.V - (N.L)(N.V) = cos(phi_r - phi_i) sin(theta_r) sin(theta_i), the product of the
 /// last three factors is max(q, 0) / max(N.L, N.V).
 ///
-/// Compiled once a kind of number, as [`microfacet::reflected`](super::microfacet::reflected) is.
+/// Outlined, one copy per SIMD level, as [`microfacet::reflected`](super::microfacet::reflected) is.
 #[inline(never)]
-pub(crate) fn reflected<N: Number, K: Spread<N>>(
+pub(crate) fn reflected<N: Lanes, K: Spread<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {
-    surface.like().vectorized(
+    surface.simd().vectorized(
         #[inline(always)]
         || roughly(surface, incidence),
     )
 }
 
 #[inline(always)]
-fn roughly<N: Number, K: Spread<N>>(
+fn roughly<N: Lanes, K: Spread<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {
-    let like = surface.like();
+    let simd = surface.simd();
     let variance = surface.roughness() * surface.roughness();
-    let a = like.one() - variance * like.constant(0.5) / (variance + like.constant(0.33));
-    let b = variance * like.constant(0.45) / (variance + like.constant(0.09));
+    let a = simd.one() - variance * simd.constant(0.5) / (variance + simd.constant(0.33));
+    let b = variance * simd.constant(0.45) / (variance + simd.constant(0.09));
     let n_dot_l = incidence.n_dot_l.positive_part();
     let n_dot_v = surface.n_dot_v().positive_part();
     let q = incidence.to_light.dot(surface.view) - n_dot_l * n_dot_v;
     // Where both cosines vanish, so does the whole; 1e-6 keeps the quotient finite.
-    let slant = q.positive_part() / n_dot_l.maximum(n_dot_v).maximum(like.constant(1e-6));
+    let slant = q.positive_part() / n_dot_l.maximum(n_dot_v).maximum(simd.constant(1e-6));
     let rough = a + b * slant;
     Reflected {
         diffuse: surface.diffuse() * (n_dot_l * rough),
-        specular: Rgb::black(like),
+        specular: Rgb::black(simd),
         specular_cosine: None,
         lobe: Lobe::Rough(rough),
     }

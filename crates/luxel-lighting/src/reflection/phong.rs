@@ -3,12 +3,12 @@
 use super::{Incidence, Reflected, Surface, any_lit, lambert};
 use crate::Spread;
 use crate::witness::Lobe;
-use luxel_math::{Number, Rgb, elementary};
+use luxel_math::{Lanes, Rgb, elementary};
 
 /// R.V with R = 2 N (N.L) - L, the direction of mirroring (Phong, *Illumination for Computer
 /// Generated Pictures*, 1975), which is 2 (N.L) (N.V) - L.V.
 #[inline(always)]
-pub(crate) fn r_dot_v<N: Number, K: Spread<N>>(
+pub(crate) fn r_dot_v<N: Lanes, K: Spread<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> N {
@@ -23,14 +23,14 @@ pub(crate) fn r_dot_v<N: Number, K: Spread<N>>(
 /// The highlight takes the square, which needs no root: (N.(L + V))^2 / |L + V|^2. H is summed by its
 /// components: from dot products, |L + V|^2 = 2 + 2 L.V would cancel where the light is behind.
 #[inline(always)]
-pub(crate) fn n_dot_h<N: Number, K: Spread<N>>(
+pub(crate) fn n_dot_h<N: Lanes, K: Spread<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> (N, N) {
     let half = incidence.to_light + surface.view;
     let squared_length = half.dot(half);
     let sound = squared_length.zero().less(squared_length);
-    let scale = (half.x.one() / squared_length).only_where(sound);
+    let scale = (half.x.one() / squared_length).masked(sound);
     let along = surface.normal.dot(half);
     let positive = along.positive_part();
     let square = (positive * positive * scale).minimum(along.one());
@@ -48,7 +48,7 @@ pub(crate) enum Highlight<N> {
 /// Lambert's diffuse reflection and the highlight k_s O_s max(c, 0)^n, the latter only where
 /// N.L > 0. `cosine` is c as it is.
 #[inline(always)]
-pub(crate) fn with_lobe<N: Number, K: Spread<N>>(
+pub(crate) fn with_lobe<N: Lanes, K: Spread<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
     cosine: N,
@@ -61,7 +61,7 @@ pub(crate) fn with_lobe<N: Number, K: Spread<N>>(
             Highlight::Square(square) => (square, shininess * 0.5),
         };
         elementary::power_of_one_exponent(base, exponent)
-            .only_where(cosine.zero().less(incidence.n_dot_l))
+            .masked(cosine.zero().less(incidence.n_dot_l))
     } else {
         cosine.zero()
     };

@@ -5,7 +5,7 @@ use super::edges::{EdgeFlags, edge_distance};
 
 use crate::view::Edges;
 use luxel_math::{
-    LANES, Level, Mask, Number, Piecewise, dispatch_long, f32x16, lanes_of, prelude::*,
+    LANES, Lanes, Level, Mask, SplitLanes, dispatch_long, f32x16, lanes_of, prelude::*,
 };
 use luxel_scene::{AlphaMode, OpacityCorners, Scene};
 use luxel_visibility::{Asked, Forms, Frame, Holes, LinearForms, PackedForms, TriangleId};
@@ -166,11 +166,11 @@ impl AlphaTester<'_> {
 }
 
 /// Does work at these lanes: at one as one number, at several in lanes.
-fn at_lanes(level: Level, lanes: u32, work: &mut impl Piecewise) {
+fn at_lanes(level: Level, lanes: u32, work: &mut impl SplitLanes) {
     if lanes.is_power_of_two() {
-        work.piece(0.0_f32, lanes.trailing_zeros() as usize % LANES);
+        work.part(0.0_f32, lanes.trailing_zeros() as usize % LANES);
     } else {
-        dispatch_long!(level, simd => f32x16::splat(simd, 0.0).piecewise(work));
+        dispatch_long!(level, simd => f32x16::splat(simd, 0.0).in_parts(work));
     }
 }
 
@@ -186,18 +186,18 @@ struct Cut<'c> {
     holes: u32,
 }
 
-impl Piecewise for Cut<'_> {
+impl SplitLanes for Cut<'_> {
     #[inline(always)]
-    fn piece<N: Number>(&mut self, like: N, first: usize) {
-        let lanes = self.lanes >> first & like.all_lanes();
+    fn part<N: Lanes>(&mut self, simd: N, first: usize) {
+        let lanes = self.lanes >> first & simd.all_lanes();
         if lanes == 0 {
             return;
         }
         let Self { finder, asked, rows, .. } = *self;
-        let wide = like.widened();
+        let wide = simd.to_f64();
         let row = &rows[first];
         let (forms, corners) = if self.one {
-            (LinearForms::everywhere(wide, &row.forms), row.corners.everywhere(like))
+            (LinearForms::everywhere(wide, &row.forms), row.corners.everywhere(simd))
         } else {
             let forms = LinearForms::unpacked(
                 wide,
@@ -205,15 +205,15 @@ impl Piecewise for Cut<'_> {
                 |lane| &rows[(first + lane) % LANES].forms,
             );
             let corners = OpacityCorners::in_lanes(
-                like,
+                simd,
                 #[inline(always)]
                 |lane| &rows[(first + lane) % LANES].corners,
             );
             (forms, corners)
         };
-        let (x, y) = (like.load(&asked.x, first).widened(), like.load(&asked.y, first).widened());
+        let (x, y) = (simd.load(&asked.x, first).to_f64(), simd.load(&asked.y, first).to_f64());
         let (mut weights, outside) = forms.told(x, y);
-        like.visit(
+        simd.visit(
             outside.bits() & lanes,
             #[inline(always)]
             |lane| {
@@ -239,12 +239,12 @@ struct Wires<'w> {
     beside: u32,
 }
 
-impl Piecewise for Wires<'_> {
+impl SplitLanes for Wires<'_> {
     #[inline(always)]
-    fn piece<N: Number>(&mut self, like: N, first: usize) {
-        let [x, y] = [&self.asked.x, &self.asked.y].map(|at| like.load(at, first).widened());
+    fn part<N: Lanes>(&mut self, simd: N, first: usize) {
+        let [x, y] = [&self.asked.x, &self.asked.y].map(|at| simd.load(at, first).to_f64());
         let distance = edge_distance(&self.forms, self.flags, x, y);
-        let beside = like.constant(self.width * 0.5).less(distance);
+        let beside = simd.constant(self.width * 0.5).less(distance);
         self.beside |= (beside.bits() << first) & self.lanes;
     }
 }

@@ -4,7 +4,7 @@
 //! its value over the length of its gradient is the distance from that edge in pixels. Edges
 //! between two triangles of one polygon are none.
 
-use luxel_math::{Number, Wide};
+use luxel_math::{F64Lanes, Lanes};
 use luxel_scene::Mesh;
 use luxel_visibility::Forms;
 
@@ -50,13 +50,13 @@ impl EdgeFlags {
 /// The distance in pixels from the nearest edge of the polygon at window position (x, y); very far
 /// where no edge counts.
 #[inline(always)]
-pub(crate) fn edge_distance<D: Wide>(forms: &Forms, flags: u8, x: D, y: D) -> D::Narrow {
+pub(crate) fn edge_distance<D: F64Lanes>(forms: &Forms, flags: u8, x: D, y: D) -> D::F32 {
     let weights = forms.in_lanes(x).weights(x, y);
-    let mut distance = x.narrow().constant(f32::MAX);
+    let mut distance = x.to_f32().constant(f32::MAX);
     for (corner, weight) in weights.into_iter().enumerate() {
         let steepness = forms.steepness(corner);
         if flags >> corner & 1 == 1 && steepness > 0.0 {
-            distance = distance.minimum((weight.abs() / x.constant(steepness)).narrow());
+            distance = distance.minimum((weight.abs() / x.constant(steepness)).to_f32());
         }
     }
     distance

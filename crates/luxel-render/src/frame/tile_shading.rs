@@ -99,7 +99,7 @@ pub(crate) fn look_ahead<S: Simd>(
 ) -> Ahead {
     let setup = &mut cache.setup;
     setup.begin_tile(tile.origin());
-    let like = f32x16::splat(simd, 0.0);
+    let vector = f32x16::splat(simd, 0.0);
     let mut ahead = Ahead { empty: 0, distinct: [DistinctTriangles::EVEN; AHEAD] };
     for number in 0..AHEAD {
         let block = first + number;
@@ -107,7 +107,7 @@ pub(crate) fn look_ahead<S: Simd>(
             if id == TriangleId::NONE.0 {
                 ahead.empty |= 1 << number;
             } else {
-                setup.look_ahead(like, scene, &tile.planes()[0].ids[block], 1);
+                setup.look_ahead(vector, scene, &tile.planes()[0].ids[block], 1);
             }
             continue;
         }
@@ -116,19 +116,19 @@ pub(crate) fn look_ahead<S: Simd>(
         let (mut triangles, mut places) = (0, 0);
         for (sample, plane) in tile.planes().iter().enumerate() {
             let ids = &plane.ids[block];
-            let seen = distinct.lanes(sample) & !like.lanes_equal(ids, TriangleId::NONE.0);
-            begins[sample] = like.lanes_that_begin(ids) & seen;
+            let seen = distinct.lanes(sample) & !vector.eq_mask(ids, TriangleId::NONE.0);
+            begins[sample] = vector.run_starts(ids) & seen;
             triangles += begins[sample].count_ones();
             places += seen.count_ones();
         }
         if triangles <= places * SHARED / 16 {
             for (plane, begins) in tile.planes().iter().zip(begins) {
-                setup.look_ahead(like, scene, &plane.ids[block], begins);
+                setup.look_ahead(vector, scene, &plane.ids[block], begins);
             }
         }
         ahead.distinct[number] = distinct;
     }
-    setup.prepare(like, scene);
+    setup.prepare(vector, scene);
     ahead
 }
 

@@ -16,7 +16,7 @@ use crate::setup::{
     COLOR, LIGHT, LIGHT_ROW, NORMAL, POSITION, POSITION_ROW, Prepared, SetupCache, SetupColumns,
     TANGENT, TriangleSetup, UVS, VectorAt, VertexExtras,
 };
-use luxel_math::{LANES, Mask, Number, Rgb, Vec3, lanes_of};
+use luxel_math::{LANES, Lanes, Mask, Rgb, Vec3, lanes_of};
 use luxel_visibility::{TileForms, TriangleId, interpolate};
 
 /// Up to so many triangles a block are met one by one, each in all lanes; with more, one a lane.
@@ -53,38 +53,38 @@ trait Source<N> {
 
 /// One triangle in all lanes.
 struct Broadcast<'t, N> {
-    like: N,
+    simd: N,
     setup: &'t TriangleSetup,
     extras: &'t VertexExtras,
 }
 
-impl<N: Number> Source<N> for Broadcast<'_, N> {
+impl<N: Lanes> Source<N> for Broadcast<'_, N> {
     #[inline(always)]
     fn number(&self, index: usize) -> N {
-        self.like.constant(self.setup.rows[index / 8][index % 8])
+        self.simd.constant(self.setup.rows[index / 8][index % 8])
     }
 
     #[inline(always)]
     fn extra(&self, index: usize) -> N {
-        self.like.constant(self.extras.rows[index / 8][index % 8])
+        self.simd.constant(self.extras.rows[index / 8][index % 8])
     }
 }
 
 /// One triangle a lane, prepared side by side.
 struct Columns<'t, N> {
-    like: N,
+    simd: N,
     numbers: &'t SetupColumns,
 }
 
-impl<N: Number> Source<N> for Columns<'_, N> {
+impl<N: Lanes> Source<N> for Columns<'_, N> {
     #[inline(always)]
     fn number(&self, index: usize) -> N {
-        self.like.load(&self.numbers[index], 0)
+        self.simd.load(&self.numbers[index], 0)
     }
 
     #[inline(always)]
     fn extra(&self, _: usize) -> N {
-        self.like.zero()
+        self.simd.zero()
     }
 }
 
@@ -94,18 +94,18 @@ struct Transposed<N> {
     extras: [[N; 8]; 5],
 }
 
-impl<N: Number> Transposed<N> {
+impl<N: Lanes> Transposed<N> {
     /// The rows that lanes need. Written out row by row: an array that a loop fills would be memory.
     #[inline(always)]
-    fn new<const EXTRAS: bool>(like: N, cache: &SetupCache, ids: &[u32; LANES], of: Of) -> Self {
+    fn new<const EXTRAS: bool>(simd: N, cache: &SetupCache, ids: &[u32; LANES], of: Of) -> Self {
         let setups = cache.rows(ids, of.lanes);
-        let zeros = [like.zero(); 8];
+        let zeros = [simd.zero(); 8];
         let numbers = [
-            setup_row(like, &setups, 0),
-            setup_row(like, &setups, 1),
-            setup_row(like, &setups, 2),
-            if of.wanted.position { setup_row(like, &setups, POSITION_ROW) } else { zeros },
-            if of.wanted.light { setup_row(like, &setups, LIGHT_ROW) } else { zeros },
+            setup_row(simd, &setups, 0),
+            setup_row(simd, &setups, 1),
+            setup_row(simd, &setups, 2),
+            if of.wanted.position { setup_row(simd, &setups, POSITION_ROW) } else { zeros },
+            if of.wanted.light { setup_row(simd, &setups, LIGHT_ROW) } else { zeros },
         ];
         if !EXTRAS || !of.has.any() {
             return Self { numbers, extras: [zeros; 5] };
@@ -116,33 +116,33 @@ impl<N: Number> Transposed<N> {
             rows[lane] = cache.get(ids[lane]).extras;
         }
         let extras = [
-            extra_row(like, &rows, 0),
-            extra_row(like, &rows, 1),
-            extra_row(like, &rows, 2),
-            extra_row(like, &rows, 3),
-            extra_row(like, &rows, 4),
+            extra_row(simd, &rows, 0),
+            extra_row(simd, &rows, 1),
+            extra_row(simd, &rows, 2),
+            extra_row(simd, &rows, 3),
+            extra_row(simd, &rows, 4),
         ];
         Self { numbers, extras }
     }
 }
 
 #[inline(always)]
-fn setup_row<N: Number>(like: N, setups: &[&TriangleSetup; LANES], row: usize) -> [N; 8] {
-    like.columns(
+fn setup_row<N: Lanes>(simd: N, setups: &[&TriangleSetup; LANES], row: usize) -> [N; 8] {
+    simd.load_transposed(
         #[inline(always)]
         |lane| &setups[lane & (LANES - 1)].rows[row],
     )
 }
 
 #[inline(always)]
-fn extra_row<N: Number>(like: N, extras: &[&VertexExtras; LANES], row: usize) -> [N; 8] {
-    like.columns(
+fn extra_row<N: Lanes>(simd: N, extras: &[&VertexExtras; LANES], row: usize) -> [N; 8] {
+    simd.load_transposed(
         #[inline(always)]
         |lane| &extras[lane & (LANES - 1)].rows[row],
     )
 }
 
-impl<N: Number> Source<N> for Transposed<N> {
+impl<N: Lanes> Source<N> for Transposed<N> {
     #[inline(always)]
     fn number(&self, index: usize) -> N {
         self.numbers[index / 8][index % 8]
@@ -159,8 +159,8 @@ impl<N: Number> Source<N> for Transposed<N> {
 /// an index that is known only at run time would keep all of them in memory. `EXTRAS` says whether
 /// attributes beside positions, normals and light count.
 #[inline(always)]
-pub(crate) fn fragments<N: Number, const EXTRAS: bool>(
-    like: N,
+pub(crate) fn fragments<N: Lanes, const EXTRAS: bool>(
+    simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
     cache: &mut SetupCache,
@@ -169,42 +169,42 @@ pub(crate) fn fragments<N: Number, const EXTRAS: bool>(
     materials: &mut [u32; LANES],
 ) -> Fragments<N> {
     let ids = &batch.ids;
-    let place = [like.load(&batch.x, 0), like.load(&batch.y, 0)];
-    let mut found = Fragments::nothing(like);
+    let place = [simd.load(&batch.x, 0), simd.load(&batch.y, 0)];
+    let mut found = Fragments::nothing(simd);
     let id = ids[seen.trailing_zeros() as usize & (LANES - 1)];
-    if like.lanes_equal(ids, id) & seen == seen {
+    if simd.eq_mask(ids, id) & seen == seen {
         // One triangle, the most frequent case, apart from the loop: what a loop carries from triangle to
         // triangle is memory.
-        cache.require(like, scene, ids, seen & seen.wrapping_neg());
+        cache.require(simd, scene, ids, seen & seen.wrapping_neg());
         let Prepared { setup, extras } = cache.get(id);
-        let source = Broadcast { like, setup, extras };
+        let source = Broadcast { simd, setup, extras };
         let of = Of { lanes: seen, wanted, has: cache.reads(id) };
         found.take::<EXTRAS, true>(&source, scene, batch, place, of);
         *materials = [cache.material(id); LANES];
         return found;
     }
-    let begins = like.lanes_that_begin(ids) & seen;
+    let begins = simd.run_starts(ids) & seen;
     let mut left = seen;
     if !EXTRAS && begins.count_ones() > SHARED && !cache.has_all(ids, begins) {
         while left != 0
-            && let Some((lanes, columns)) = cache.prepare_columns(like, scene, ids, left, materials)
+            && let Some((lanes, columns)) = cache.prepare_columns(simd, scene, ids, left, materials)
         {
-            let source = Columns { like, numbers: columns };
+            let source = Columns { simd, numbers: columns };
             let of = Of { lanes, wanted, has: AttributeMask::NONE };
             found.take::<EXTRAS, false>(&source, scene, batch, place, of);
             left &= !lanes;
         }
     }
     while left != 0 {
-        cache.require(like, scene, ids, begins & left);
+        cache.require(simd, scene, ids, begins & left);
         if (begins & left).count_ones() <= FEW {
             let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
-            let lanes = like.lanes_equal(ids, id) & left;
+            let lanes = simd.eq_mask(ids, id) & left;
             if !cache.has(id) {
-                cache.require(like, scene, ids, lanes & lanes.wrapping_neg());
+                cache.require(simd, scene, ids, lanes & lanes.wrapping_neg());
             }
             let Prepared { setup, extras } = cache.get(id);
-            let source = Broadcast { like, setup, extras };
+            let source = Broadcast { simd, setup, extras };
             let of = Of { lanes, wanted, has: cache.reads(id) };
             found.take::<EXTRAS, false>(&source, scene, batch, place, of);
             put_material(materials, lanes, cache.material(id));
@@ -219,7 +219,7 @@ pub(crate) fn fragments<N: Number, const EXTRAS: bool>(
                     materials[lane & (LANES - 1)] = cache.material(id);
                 }
             }
-            let source = Transposed::new::<EXTRAS>(like, cache, ids, of);
+            let source = Transposed::new::<EXTRAS>(simd, cache, ids, of);
             found.take::<EXTRAS, false>(&source, scene, batch, place, of);
             left &= !of.lanes;
         }
@@ -236,10 +236,10 @@ struct Of {
     has: AttributeMask,
 }
 
-impl<N: Number> Fragments<N> {
+impl<N: Lanes> Fragments<N> {
     #[inline(always)]
-    fn nothing(like: N) -> Self {
-        Self { weights: [like.zero(); 3], attributes: Attributes::nothing(like) }
+    fn nothing(simd: N) -> Self {
+        Self { weights: [simd.zero(); 3], attributes: Attributes::nothing(simd) }
     }
 
     /// Takes what lanes see of the triangles of a source.
@@ -332,7 +332,7 @@ fn put_material(materials: &mut [u32; LANES], lanes: u32, material: u32) {
 
 /// A vector between the corners.
 #[inline(always)]
-fn vector<N: Number>(source: &impl Source<N>, at: VectorAt, weights: &[N; 3]) -> Vec3<N> {
+fn vector<N: Lanes>(source: &impl Source<N>, at: VectorAt, weights: &[N; 3]) -> Vec3<N> {
     let [x0, y0, z0, x1, y1, z1, x2, y2, z2] = at;
     Vec3::new(
         component(source, [x0, x1, x2], weights),
@@ -342,7 +342,7 @@ fn vector<N: Number>(source: &impl Source<N>, at: VectorAt, weights: &[N; 3]) ->
 }
 
 #[inline(always)]
-fn component<N: Number>(
+fn component<N: Lanes>(
     source: &impl Source<N>,
     [first, second, third]: [usize; 3],
     weights: &[N; 3],
@@ -353,7 +353,7 @@ fn component<N: Number>(
 
 /// A component of another attribute, between the corners.
 #[inline(always)]
-fn extra<N: Number>(source: &impl Source<N>, first: usize, weights: &[N; 3]) -> N {
+fn extra<N: Lanes>(source: &impl Source<N>, first: usize, weights: &[N; 3]) -> N {
     let differences = [source.extra(first + 1), source.extra(first + 2)];
     interpolate(source.extra(first), differences, weights)
 }
@@ -361,7 +361,7 @@ fn extra<N: Number>(source: &impl Source<N>, first: usize, weights: &[N; 3]) -> 
 /// The barycentrics of lanes whose triangles f32 can't tell.
 #[cold]
 #[inline(never)]
-fn exact_weights<N: Number>(
+fn exact_weights<N: Lanes>(
     scene: &ShadingContext<'_>,
     batch: &Batch,
     lanes: u32,
@@ -378,7 +378,7 @@ fn exact_weights<N: Number>(
 /// The same one pixel to the right, and one below.
 #[cold]
 #[inline(never)]
-fn exact_neighbours<N: Number>(
+fn exact_neighbours<N: Lanes>(
     scene: &ShadingContext<'_>,
     batch: &Batch,
     lanes: u32,
@@ -393,7 +393,7 @@ fn exact_neighbours<N: Number>(
     [right, below]
 }
 
-fn put_lane<N: Number>(values: &mut [N; 3], lane: usize, new: [f32; 3]) {
+fn put_lane<N: Lanes>(values: &mut [N; 3], lane: usize, new: [f32; 3]) {
     for (value, new) in values.iter_mut().zip(new) {
         *value = value.with_lane(lane, new);
     }
@@ -401,7 +401,7 @@ fn put_lane<N: Number>(values: &mut [N; 3], lane: usize, new: [f32; 3]) {
 
 /// Takes new values: in all lanes, or where the mask is true.
 #[inline(always)]
-fn merge<const C: usize, const WHOLE: bool, N: Number>(
+fn merge<const C: usize, const WHOLE: bool, N: Lanes>(
     values: &mut [N; C],
     new: [N; C],
     mask: N::Mask,

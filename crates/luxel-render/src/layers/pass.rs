@@ -302,25 +302,25 @@ impl Pass<'_> {
     fn shade_block<S: Simd>(&self, simd: S, worker: &mut LayerWorker, block: usize) {
         let Self { scene, .. } = *self;
         let LayerWorker { tile, cache, pixels, tiles, of_lights } = worker;
-        let like = f32x16::splat(simd, 0.0);
+        let vector = f32x16::splat(simd, 0.0);
         let samples = scene.frame.samples();
         let ids = tile.planes()[0].ids[block];
         let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
         of_lights.fill([[0.0; LANES]; 3]);
         let needs = [self.maps_normals, self.with_terms];
-        let mut witness = LayerWitness::new(like, needs, of_lights);
+        let mut witness = LayerWitness::new(vector, needs, of_lights);
         if self.pixels.is_some() || self.with_terms {
-            let lit = shade(like, scene, &batch, cache, &mut witness);
+            let lit = shade(vector, scene, &batch, cache, &mut witness);
             if self.pixels.is_some() {
                 let color = even_pixels(simd, lit);
                 put_block(pixels, block, &self.finish().block(simd, color));
             }
         } else {
-            let seen = !like.lanes_equal(&ids, TriangleId::NONE.0) & like.all_lanes();
-            hear(like, scene, &batch, cache, seen, &mut witness);
+            let seen = !vector.eq_mask(&ids, TriangleId::NONE.0) & vector.all_lanes();
+            hear(vector, scene, &batch, cache, seen, &mut witness);
         }
         let of_triangles = Triangles::of(scene, &ids);
-        let seen = like.mask_of(of_triangles.seen);
+        let seen = vector.mask_of(of_triangles.seen);
         for (plane, values) in self.planes.iter().zip(tiles) {
             match values {
                 TileValues::U32(values) => {
@@ -344,14 +344,14 @@ impl Pass<'_> {
 
     /// The values of a layer of numbers.
     #[inline(always)]
-    fn values<N: Number>(
+    fn values<N: Lanes>(
         &self,
         layer: &Layer,
         witness: &LayerWitness<'_, N>,
         seen: N::Mask,
     ) -> BlockValues {
-        let like = witness.depth;
-        let zero = like.zero();
+        let simd = witness.depth;
+        let zero = simd.zero();
         let vector = |Vec3 { x, y, z }: Vec3<N>| [x, y, z];
         let light = |Rgb { r, g, b }: Rgb<N>| {
             let s = witness.fog_factor;
@@ -359,7 +359,7 @@ impl Pass<'_> {
         };
         let numbers = match layer {
             Layer::Depth => {
-                let mut depths = stored([like; 3], seen, 0.0);
+                let mut depths = stored([simd; 3], seen, 0.0);
                 let bits = seen.bits();
                 for (lane, depth) in depths[0].iter_mut().enumerate() {
                     let is_seen = bits >> lane & 1 == 1;
@@ -369,7 +369,7 @@ impl Pass<'_> {
                 }
                 return depths;
             }
-            Layer::Z => [like; 3],
+            Layer::Z => [simd; 3],
             Layer::Normal => vector(witness.normal),
             Layer::Position => return self.positions(witness.position, seen),
             Layer::Barycentric => witness.weights,
@@ -390,9 +390,9 @@ impl Pass<'_> {
                     return [[0.0; LANES]; 3];
                 };
                 light(Rgb::new(
-                    like.load(&sums[0], 0),
-                    like.load(&sums[1], 0),
-                    like.load(&sums[2], 0),
+                    simd.load(&sums[0], 0),
+                    simd.load(&sums[1], 0),
+                    simd.load(&sums[2], 0),
                 ))
             }
             Layer::Object | Layer::Triangle => [zero; 3],
@@ -401,7 +401,7 @@ impl Pass<'_> {
     }
 
     /// Places in the world, which are summed in f64.
-    fn positions<N: Number>(&self, about_eye: Vec3<N>, seen: N::Mask) -> BlockValues {
+    fn positions<N: Lanes>(&self, about_eye: Vec3<N>, seen: N::Mask) -> BlockValues {
         let Vec3 { x, y, z } = about_eye;
         let mut places = stored([x, y, z], seen, 0.0);
         for (axis, places) in places.iter_mut().enumerate() {
@@ -429,8 +429,8 @@ impl Pass<'_> {
 
 /// Interpolates a block for its witness, without lighting it.
 #[inline(always)]
-fn hear<N: Number>(
-    like: N,
+fn hear<N: Lanes>(
+    simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
     cache: &mut ThreadCache,
@@ -438,14 +438,14 @@ fn hear<N: Number>(
     witness: &mut LayerWitness<'_, N>,
 ) {
     let mut materials = [0; LANES];
-    let found = surface_fragments::<N, true>(like, scene, batch, cache, seen, true, &mut materials);
-    let point = point_of(like, scene, batch, &found);
+    let found = surface_fragments::<N, true>(simd, scene, batch, cache, seen, true, &mut materials);
+    let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
 }
 
 /// Numbers in memory, with the background where nothing is seen.
 #[inline(always)]
-fn stored<N: Number>(numbers: [N; 3], seen: N::Mask, background: f32) -> BlockValues {
+fn stored<N: Lanes>(numbers: [N; 3], seen: N::Mask, background: f32) -> BlockValues {
     let mut values = [[0.0; LANES]; 3];
     for (values, number) in values.iter_mut().zip(numbers) {
         number.select(seen, number.constant(background)).store(values, 0);

@@ -5,11 +5,11 @@ use crate::interpolate::Fragments;
 use crate::material::{SurfaceWitness, shading_normal};
 use crate::shade::BlockWitness;
 use luxel_lighting::{LightTerms, SurfacePoint, Terms, Witness};
-use luxel_math::{LANES, Number, Rgb, Vec3};
+use luxel_math::{LANES, Lanes, Rgb, Vec3};
 
 /// What was heard of a block.
-pub(crate) struct LayerWitness<'w, N: Number> {
-    like: N,
+pub(crate) struct LayerWitness<'w, N: Lanes> {
+    simd: N,
     /// Whether the normals of normal maps are needed.
     pub(crate) maps_normals: bool,
     /// Whether terms of light are needed.
@@ -42,18 +42,18 @@ pub(crate) struct LayerWitness<'w, N: Number> {
     sums: [Rgb<N>; 3],
 }
 
-impl<'w, N: Number> LayerWitness<'w, N> {
+impl<'w, N: Lanes> LayerWitness<'w, N> {
     /// Nothing heard yet; `like` selects the lane type. `of_lights` is 0.
     #[inline(always)]
     pub(crate) fn new(
-        like: N,
+        simd: N,
         [maps_normals, hears_terms]: [bool; 2],
         of_lights: &'w mut [[[f32; LANES]; 3]],
     ) -> Self {
-        let (zero, black) = (like.zero(), Rgb::black(like));
-        let nowhere = Vec3::splat(like, [0.0; 3]);
+        let (zero, black) = (simd.zero(), Rgb::black(simd));
+        let nowhere = Vec3::splat(simd, [0.0; 3]);
         Self {
-            like,
+            simd,
             maps_normals,
             hears_terms,
             weights: [zero; 3],
@@ -67,16 +67,16 @@ impl<'w, N: Number> LayerWitness<'w, N> {
             emission: black,
             environment: black,
             fog: black,
-            fog_factor: like.one(),
+            fog_factor: simd.one(),
             n_dot_l: zero,
             of_lights,
-            mask: like.mask_of(0),
+            mask: simd.mask_of(0),
             sums: [black; 3],
         }
     }
 }
 
-impl<N: Number> Witness<N> for LayerWitness<'_, N> {
+impl<N: Lanes> Witness<N> for LayerWitness<'_, N> {
     #[inline(always)]
     fn light(&mut self, index: usize, terms: &LightTerms<N>) {
         if !self.hears_terms {
@@ -90,7 +90,7 @@ impl<N: Number> Witness<N> for LayerWitness<'_, N> {
         if let Some(kept) = self.of_lights.get_mut(index) {
             let sum = terms.ambient + terms.diffuse + terms.specular;
             for (kept, channel) in kept.iter_mut().zip([sum.r, sum.g, sum.b]) {
-                channel.select(self.mask, self.like.load(kept, 0)).store(kept, 0);
+                channel.select(self.mask, self.simd.load(kept, 0)).store(kept, 0);
             }
         }
     }
@@ -116,15 +116,15 @@ impl<N: Number> Witness<N> for LayerWitness<'_, N> {
     }
 }
 
-impl<N: Number> SurfaceWitness<N> for LayerWitness<'_, N> {
+impl<N: Lanes> SurfaceWitness<N> for LayerWitness<'_, N> {
     const HEARS_SURFACES: bool = false;
 }
 
-impl<N: Number> BlockWitness<N> for LayerWitness<'_, N> {
+impl<N: Lanes> BlockWitness<N> for LayerWitness<'_, N> {
     #[inline(always)]
     fn lanes(&mut self, lanes: u32) {
-        self.mask = self.like.mask_of(lanes);
-        self.sums = [Rgb::black(self.like); 3];
+        self.mask = self.simd.mask_of(lanes);
+        self.sums = [Rgb::black(self.simd); 3];
     }
 
     #[inline(always)]
@@ -146,12 +146,12 @@ impl<N: Number> BlockWitness<N> for LayerWitness<'_, N> {
             let mut left = seen;
             while left != 0 {
                 let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
-                let lanes = self.like.lanes_equal(materials, number) & left;
+                let lanes = self.simd.eq_mask(materials, number) & left;
                 left &= !lanes;
                 let attributes = &found.attributes;
                 let mapped =
                     shading_normal(scene, attributes, point.normal, number as usize, lanes);
-                self.normal = mapped.select(self.like.mask_of(lanes), self.normal);
+                self.normal = mapped.select(self.simd.mask_of(lanes), self.normal);
             }
         }
     }

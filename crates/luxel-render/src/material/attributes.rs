@@ -1,7 +1,7 @@
 //! Vertex attributes: at a corner of a triangle, and interpolated for sixteen samples.
 
 use crate::context::AttributeMask;
-use luxel_math::{Number, Rgb, Vec3};
+use luxel_math::{Lanes, Rgb, Vec3};
 
 /// Texture coordinates at a sample, one pixel to the right and one below.
 pub(crate) type Footprint<N> = [[N; 2]; 3];
@@ -25,19 +25,19 @@ pub(crate) struct Attributes<N> {
     pub(crate) color: [N; 4],
 }
 
-impl<N: Number> Attributes<N> {
+impl<N: Lanes> Attributes<N> {
     /// Where nothing is seen; `like` selects the lane type.
     #[inline(always)]
-    pub(crate) fn nothing(like: N) -> Self {
-        let zero = like.zero();
+    pub(crate) fn nothing(simd: N) -> Self {
+        let zero = simd.zero();
         Self {
-            position: Vec3::splat(like, [0.0; 3]),
-            normal: Vec3::splat(like, [0.0; 3]),
-            light: Rgb::black(like),
+            position: Vec3::splat(simd, [0.0; 3]),
+            normal: Vec3::splat(simd, [0.0; 3]),
+            light: Rgb::black(simd),
             has: AttributeMask::NONE,
             tangent: [zero; 4],
             uv: [[[zero; 2]; 3]; 2],
-            color: [like.one(); 4],
+            color: [simd.one(); 4],
         }
     }
 

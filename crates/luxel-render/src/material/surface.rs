@@ -4,7 +4,7 @@
 use super::attributes::Attributes;
 use crate::context::{AttributeMask, ShadingContext};
 use luxel_lighting::{Coefficients, Reflectance, Silent, SurfacePoint, Witness, lit_by};
-use luxel_math::{Number, Rgb, Vec3};
+use luxel_math::{Lanes, Rgb, Vec3};
 use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
 
 /// Hears what is seen, and the terms of its light.
@@ -34,7 +34,7 @@ impl<N> SurfaceWitness<N> for Silent {
 /// Samples the first `C` channels of a texture at the lanes whose bit is set. Compiled once a level, not
 /// into its callers.
 #[inline(never)]
-fn sample<N: Number, const C: usize>(
+fn sample<N: Lanes, const C: usize>(
     scene: &ShadingContext<'_>,
     used: &TextureUse,
     varying: &Attributes<N>,
@@ -47,7 +47,7 @@ fn sample<N: Number, const C: usize>(
 }
 
 #[inline(always)]
-fn sample_lanes<N: Number, const C: usize>(
+fn sample_lanes<N: Lanes, const C: usize>(
     scene: &ShadingContext<'_>,
     used: &TextureUse,
     varying: &Attributes<N>,
@@ -64,7 +64,7 @@ fn sample_lanes<N: Number, const C: usize>(
 
 /// Samples a texture that a material may lack.
 #[inline(always)]
-fn texel<N: Number, const C: usize>(
+fn texel<N: Lanes, const C: usize>(
     scene: &ShadingContext<'_>,
     used: Option<TextureUse>,
     varying: &Attributes<N>,
@@ -78,7 +78,7 @@ fn texel<N: Number, const C: usize>(
 
 /// Multiplies a colour by a texture's, if there is one.
 #[inline(always)]
-fn tinted<N: Number>(color: Rgb<N>, texel: Option<[N; 3]>) -> Rgb<N> {
+fn tinted<N: Lanes>(color: Rgb<N>, texel: Option<[N; 3]>) -> Rgb<N> {
     match texel {
         Some([r, g, b]) => color * Rgb::new(r, g, b),
         None => color,
@@ -87,7 +87,7 @@ fn tinted<N: Number>(color: Rgb<N>, texel: Option<[N; 3]>) -> Rgb<N> {
 
 /// The unit normal after a normal map: n = x T + y B + z N with B = sign (N x T).
 #[inline(always)]
-fn mapped_normal<N: Number>(
+fn mapped_normal<N: Lanes>(
     scene: &ShadingContext<'_>,
     used: &TextureUse,
     varying: &Attributes<N>,
@@ -101,7 +101,7 @@ fn mapped_normal<N: Number>(
 
 /// The normal that shading uses at the lanes that see one material, normal map included.
 #[inline(always)]
-pub(crate) fn shading_normal<N: Number>(
+pub(crate) fn shading_normal<N: Lanes>(
     scene: &ShadingContext<'_>,
     varying: &Attributes<N>,
     normal: Vec3<N>,
@@ -117,25 +117,25 @@ pub(crate) fn shading_normal<N: Number>(
 
 /// The texture of the base colour, and alpha, at the lanes that see one material.
 #[inline(always)]
-fn base<N: Number, const EXTRAS: bool>(
+fn base<N: Lanes, const EXTRAS: bool>(
     scene: &ShadingContext<'_>,
     varying: &Attributes<N>,
     number: usize,
     lanes: u32,
 ) -> (Rgb<N>, N) {
     let material: &SceneMaterial = &scene.scene.materials[number];
-    let like = varying.position.x;
-    let white = Rgb::splat(like, [1.0; 3]);
+    let simd = varying.position.x;
+    let white = Rgb::splat(simd, [1.0; 3]);
     if !EXTRAS {
         let is_blended = material.alpha_mode == AlphaMode::Blend;
         let alpha = if is_blended { material.opacity } else { 1.0 };
-        return (white, like.constant(alpha).limited(0.0, 1.0));
+        return (white, simd.constant(alpha).clamped(0.0, 1.0));
     }
     if material.alpha_mode != AlphaMode::Blend {
         let base = texel(scene, material.base_color, varying, lanes);
-        return (tinted(white, base), like.one());
+        return (tinted(white, base), simd.one());
     }
-    let mut alpha = like.constant(material.opacity);
+    let mut alpha = simd.constant(material.opacity);
     let mut tint = white;
     if let Some([r, g, b, texel_alpha]) = texel(scene, material.base_color, varying, lanes) {
         tint = tint * Rgb::new(r, g, b);
@@ -148,13 +148,13 @@ fn base<N: Number, const EXTRAS: bool>(
     if let Some([r]) = texel(scene, material.opacity_map, varying, lanes) {
         alpha = alpha * r;
     }
-    (tint, alpha.limited(0.0, 1.0))
+    (tint, alpha.clamped(0.0, 1.0))
 }
 
 /// What the surface reflects at the lanes that see one material, its base colour times `tint` and
 /// the colours of the corners.
 #[inline(always)]
-pub(crate) fn reflectance<N: Number>(
+pub(crate) fn reflectance<N: Lanes>(
     scene: &ShadingContext<'_>,
     varying: &Attributes<N>,
     number: usize,
@@ -162,9 +162,9 @@ pub(crate) fn reflectance<N: Number>(
     tint: Rgb<N>,
 ) -> Reflectance<N> {
     let material: &SceneMaterial = &scene.scene.materials[number];
-    let like = varying.position.x;
+    let simd = varying.position.x;
     let constants = &material.constants;
-    let mut reflectance = Reflectance::of(like, constants);
+    let mut reflectance = Reflectance::of(simd, constants);
     let mut base_tint = tint;
     if varying.has.has(AttributeMask::COLORS) && material.vertex_colors {
         let [r, g, b, _] = varying.color;
@@ -188,15 +188,15 @@ pub(crate) fn reflectance<N: Number>(
     }
     if let Some(used) = material.occlusion {
         let [r] = sample(scene, &used, varying, lanes);
-        let strength = like.constant(used.strength);
-        reflectance.occlusion = like.one() + strength * (r - like.one());
+        let strength = simd.constant(used.strength);
+        reflectance.occlusion = simd.one() + strength * (r - simd.one());
     }
     reflectance
 }
 
 /// Colour and alpha of the lanes that see one material, lit at the pixel.
 #[inline(always)]
-pub(crate) fn lit<N: Number, W: SurfaceWitness<N>, const EXTRAS: bool>(
+pub(crate) fn lit<N: Lanes, W: SurfaceWitness<N>, const EXTRAS: bool>(
     scene: &ShadingContext<'_>,
     varying: &Attributes<N>,
     point: &SurfacePoint<N>,
@@ -231,7 +231,7 @@ pub(crate) fn lit<N: Number, W: SurfaceWitness<N>, const EXTRAS: bool>(
 /// Colour and alpha of the lanes that see one material, whose light was computed elsewhere: the
 /// texture of the base colour times the light, and fog.
 #[inline(always)]
-pub(crate) fn lit_elsewhere<N: Number, W: SurfaceWitness<N>, const EXTRAS: bool>(
+pub(crate) fn lit_elsewhere<N: Lanes, W: SurfaceWitness<N>, const EXTRAS: bool>(
     scene: &ShadingContext<'_>,
     varying: &Attributes<N>,
     point: &SurfacePoint<N>,

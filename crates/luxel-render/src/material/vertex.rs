@@ -5,7 +5,7 @@ use super::surface::{SurfaceWitness, reflectance};
 use crate::context::{AttributeMask, ShadingContext};
 use crate::view::Clamp;
 use luxel_lighting::{Coefficients, Silent, reflected};
-use luxel_math::{Number, Rgb, Vec3};
+use luxel_math::{Lanes, Rgb, Vec3};
 
 /// The light that leaves a place, without the texture of its base colour; clamped if the view says so.
 pub(crate) fn light_at<W: SurfaceWitness<f32>>(
@@ -31,7 +31,7 @@ pub(crate) fn light_at<W: SurfaceWitness<f32>>(
 /// [`light_at`] at a corner of each lane's triangle, of a material without textures and vertex colours.
 /// Outlined: one copy per lane type.
 #[inline(never)]
-pub(crate) fn lights_at<N: Number>(
+pub(crate) fn lights_at<N: Lanes>(
     scene: &ShadingContext<'_>,
     position: &Vec3<N>,
     normal: &Vec3<N>,
@@ -53,12 +53,12 @@ pub(crate) fn lights_at<N: Number>(
 
 /// An intensity as it is interpolated.
 #[inline(always)]
-fn clamped<N: Number>(scene: &ShadingContext<'_>, light: Rgb<N>) -> Rgb<N> {
+fn clamped<N: Lanes>(scene: &ShadingContext<'_>, light: Rgb<N>) -> Rgb<N> {
     match scene.shading.clamp {
         Clamp::Vertex => Rgb::new(
-            light.r.limited(0.0, 1.0),
-            light.g.limited(0.0, 1.0),
-            light.b.limited(0.0, 1.0),
+            light.r.clamped(0.0, 1.0),
+            light.g.clamped(0.0, 1.0),
+            light.b.clamped(0.0, 1.0),
         ),
         Clamp::End => light,
     }

@@ -35,8 +35,8 @@ pub(crate) fn empty_pixel(scene: &ShadingContext<'_>) -> [f32; 4] {
 #[inline(always)]
 pub(crate) fn empty_block<S: Simd>(simd: S, scene: &ShadingContext<'_>) -> [f32x16<S>; 4] {
     let [r, g, b, alpha] = empty_pixel(scene);
-    let like = f32x16::splat(simd, r);
-    [like, like.constant(g), like.constant(b), like.constant(alpha)]
+    let simd = f32x16::splat(simd, r);
+    [simd, simd.constant(g), simd.constant(b), simd.constant(alpha)]
 }
 
 /// The pixels of a block all samples of whose pixels see the same.
@@ -91,14 +91,14 @@ pub(crate) fn uneven_block<S: Simd>(
 
 /// Adds what a part of the samples sees: colour times alpha, and alpha.
 #[inline(always)]
-pub(crate) fn add_share<N: Number>(sum: &mut [N; 4], [r, g, b, alpha]: [N; 4], share: N) {
+pub(crate) fn add_share<N: Lanes>(sum: &mut [N; 4], [r, g, b, alpha]: [N; 4], share: N) {
     let weight = share * alpha;
     *sum = [sum[0] + r * weight, sum[1] + g * weight, sum[2] + b * weight, sum[3] + weight];
 }
 
 /// Divides colours by alpha; black where alpha is 0.
 #[inline(always)]
-pub(crate) fn straight<N: Number>([r, g, b, alpha]: [N; 4]) -> [N; 4] {
+pub(crate) fn straight<N: Lanes>([r, g, b, alpha]: [N; 4]) -> [N; 4] {
     let seen = alpha.zero().less(alpha);
     let divisor = alpha.select(seen, alpha.one());
     [r / divisor, g / divisor, b / divisor, alpha]

@@ -120,14 +120,14 @@ impl Layered {
         let mut resolved = straight(sum);
         let mask = pixels[0].mask_of(touched.into());
         for (resolved, unlayered) in resolved.iter_mut().zip(pixels) {
-            *resolved = Number::select(*resolved, mask, unlayered);
+            *resolved = Lanes::select(*resolved, mask, unlayered);
         }
         resolved
     }
 
     /// Adds the light that a sample gathered, and how much it covers.
     #[inline(always)]
-    pub(crate) fn add_sample<N: Number>(sum: &mut [N; 4], light: [N; 3], through: N, share: N) {
+    pub(crate) fn add_sample<N: Lanes>(sum: &mut [N; 4], light: [N; 3], through: N, share: N) {
         for channel in 0..3 {
             sum[channel] = sum[channel] + light[channel] * share;
         }

@@ -8,7 +8,7 @@ use crate::setup::{COLOR, LIGHT, NORMAL, PLACES, POSITION, ROWS, TANGENT, UVS, V
 use crate::setup::{TriangleSetup, VertexExtras};
 use crate::view::ShadingMode;
 use luxel_lighting::Silent;
-use luxel_math::{LANES, Number, lanes_of};
+use luxel_math::{LANES, Lanes, lanes_of};
 use luxel_visibility::TriangleId;
 
 /// A place for what nobody asked for: the last, which no triangle gets.
@@ -82,31 +82,31 @@ impl SetupCache {
     /// Prepares the triangles of these lanes, up to sixteen. Seldom two of them want the same place of
     /// the table: then at least one of them is there afterwards.
     #[inline(always)]
-    pub(crate) fn require<N: Number>(
+    pub(crate) fn require<N: Lanes>(
         &mut self,
-        like: N,
+        simd: N,
         scene: &ShadingContext<'_>,
         ids: &[u32; LANES],
         lanes: u32,
     ) {
         if !self.has_all(ids, lanes) {
             self.request(ids, lanes);
-            self.prepare(like, scene);
+            self.prepare(simd, scene);
         }
     }
 
     /// Requests what these lanes see and isn't there, to be prepared together with more.
     #[inline(always)]
-    pub(crate) fn look_ahead<N: Number>(
+    pub(crate) fn look_ahead<N: Lanes>(
         &mut self,
-        like: N,
+        simd: N,
         scene: &ShadingContext<'_>,
         ids: &[u32; LANES],
         lanes: u32,
     ) {
         self.request(ids, lanes);
         if self.pending.count > PENDING - LANES {
-            self.prepare(like, scene);
+            self.prepare(simd, scene);
         }
     }
 
@@ -114,9 +114,9 @@ impl SetupCache {
     /// and not to be kept; `None` if shading reads more of them than positions, normals and light. Their
     /// materials are in `materials`.
     #[inline(always)]
-    pub(crate) fn prepare_columns<N: Number>(
+    pub(crate) fn prepare_columns<N: Lanes>(
         &mut self,
-        like: N,
+        simd: N,
         scene: &ShadingContext<'_>,
         ids: &[u32; LANES],
         lanes: u32,
@@ -125,7 +125,7 @@ impl SetupCache {
         if scene.has_extras || scene.shading.mode == ShadingMode::Gouraud {
             return None;
         }
-        let lanes = self.prepare_columns_now(like, scene, ids, lanes);
+        let lanes = self.prepare_columns_now(simd, scene, ids, lanes);
         for lane in lanes_of(lanes) {
             materials[lane] = self.reader.materials[lane];
         }
@@ -134,21 +134,21 @@ impl SetupCache {
 
     /// Outlined: one copy per lane type.
     #[inline(never)]
-    fn prepare_columns_now<N: Number>(
+    fn prepare_columns_now<N: Lanes>(
         &mut self,
-        like: N,
+        simd: N,
         scene: &ShadingContext<'_>,
         ids: &[u32; LANES],
         lanes: u32,
     ) -> u32 {
         let Self { reader, tile, columns, .. } = self;
-        like.vectorized(
+        simd.vectorized(
             #[inline(always)]
             || {
                 let of = reader.read(scene, ids, lanes, |_, _, _, _, _| {});
                 let (reader, tile) = (&*reader, *tile);
                 let into = Target::Columns(columns);
-                like.piecewise(&mut Preparation { scene, tile, of, reader, lit_as: None, into });
+                simd.in_parts(&mut Preparation { scene, tile, of, reader, lit_as: None, into });
                 of.lanes
             },
         )
@@ -226,23 +226,23 @@ impl SetupCache {
 
     /// Prepares what was requested.
     #[inline(always)]
-    pub(crate) fn prepare<N: Number>(&mut self, like: N, scene: &ShadingContext<'_>) {
+    pub(crate) fn prepare<N: Lanes>(&mut self, simd: N, scene: &ShadingContext<'_>) {
         if self.pending.count > 0 {
-            self.prepare_now(like, scene);
+            self.prepare_now(simd, scene);
         }
     }
 
     /// Outlined: one copy per lane type.
     #[inline(never)]
-    fn prepare_now<N: Number>(&mut self, like: N, scene: &ShadingContext<'_>) {
-        like.vectorized(
+    fn prepare_now<N: Lanes>(&mut self, simd: N, scene: &ShadingContext<'_>) {
+        simd.vectorized(
             #[inline(always)]
-            || self.prepare_lanes(like, scene),
+            || self.prepare_lanes(simd, scene),
         );
     }
 
     #[inline(always)]
-    fn prepare_lanes<N: Number>(&mut self, like: N, scene: &ShadingContext<'_>) {
+    fn prepare_lanes<N: Lanes>(&mut self, simd: N, scene: &ShadingContext<'_>) {
         if self.setups.is_empty() {
             self.setups.resize(PLACES, TriangleSetup::NOTHING);
         }
@@ -263,7 +263,7 @@ impl SetupCache {
                 if scene.shading.mode == ShadingMode::Gouraud {
                     let lane = of.lanes.trailing_zeros() as usize & (LANES - 1);
                     let material = reader.materials[lane];
-                    of.lanes &= like.lanes_equal(&reader.materials, material);
+                    of.lanes &= simd.eq_mask(&reader.materials, material);
                     lit_as = Some(material as usize);
                 }
                 left &= !of.lanes;
@@ -280,7 +280,7 @@ impl SetupCache {
                 let (reader, tile) = (&*reader, *tile);
                 let setups = &mut *setups;
                 let into = Target::Places(into, setups);
-                like.piecewise(&mut Preparation { scene, tile, of, reader, lit_as, into });
+                simd.in_parts(&mut Preparation { scene, tile, of, reader, lit_as, into });
                 if lit_as.is_some() {
                     for lane in lanes_of(of.lanes).filter(|&lane| reader.reads[lane].any()) {
                         let place = places[lane] % PLACES;

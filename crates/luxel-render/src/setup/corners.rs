@@ -2,22 +2,22 @@
 
 use crate::context::{AttributeMask, ShadingContext};
 use crate::setup::{COLOR, TANGENT, UVS, VertexExtras};
-use luxel_math::{LANES, Number, Vec3, lanes_of};
+use luxel_math::{LANES, Lanes, Vec3, lanes_of};
 use luxel_scene::Mesh;
 use luxel_visibility::{InstanceSpace, ShadingVertex, TriangleId, WindowRays, sides};
 
 /// Triangles of one instance before the eye, one or one a lane.
 #[derive(Clone, Copy)]
-pub(crate) struct PlacedCorners<N: Number> {
+pub(crate) struct PlacedCorners<N: Lanes> {
     /// The corners in view space.
-    pub(crate) in_view: [[N::Wide; 3]; 3],
+    pub(crate) in_view: [[N::F64; 3]; 3],
     /// See [`sides`].
     pub(crate) sides: [Vec3<N>; 2],
     /// See [`WindowRays::towards_eye`].
-    pub(crate) towards_eye: N::Wide,
+    pub(crate) towards_eye: N::F64,
 }
 
-impl<N: Number> PlacedCorners<N> {
+impl<N: Lanes> PlacedCorners<N> {
     /// Of positions about the mesh's origin.
     #[inline(always)]
     pub(crate) fn new(rays: &WindowRays, space: &InstanceSpace, positions: [[N; 3]; 3]) -> Self {
@@ -160,25 +160,25 @@ impl CornerReader {
 
     /// Brings the triangles, from lane `first` on, before the eye.
     #[inline(always)]
-    pub(crate) fn placed<N: Number>(
+    pub(crate) fn placed<N: Lanes>(
         &self,
-        like: N,
+        simd: N,
         scene: &ShadingContext<'_>,
         of: &ReadLanes,
         first: usize,
     ) -> PlacedCorners<N> {
-        let [ax, ay, az, ..] = self.columns(like, 0, first);
-        let [bx, by, bz, ..] = self.columns(like, 1, first);
-        let [cx, cy, cz, ..] = self.columns(like, 2, first);
+        let [ax, ay, az, ..] = self.columns(simd, 0, first);
+        let [bx, by, bz, ..] = self.columns(simd, 1, first);
+        let [cx, cy, cz, ..] = self.columns(simd, 2, first);
         let positions = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]];
         PlacedCorners::new(scene.frame.rays(), &scene.spaces[of.instance], positions)
     }
 
     /// The normals of the triangles' corners, from lane `first` on; `None` where the mesh has none.
     #[inline(always)]
-    pub(crate) fn normals_in_mesh<N: Number>(
+    pub(crate) fn normals_in_mesh<N: Lanes>(
         &self,
-        like: N,
+        simd: N,
         scene: &ShadingContext<'_>,
         of: &ReadLanes,
         first: usize,
@@ -186,17 +186,17 @@ impl CornerReader {
         if scene.frame.instances()[of.instance].mesh.normals.is_empty() {
             return None;
         }
-        let [.., ax, ay, az, _, _] = self.columns(like, 0, first);
-        let [.., bx, by, bz, _, _] = self.columns(like, 1, first);
-        let [.., cx, cy, cz, _, _] = self.columns(like, 2, first);
+        let [.., ax, ay, az, _, _] = self.columns(simd, 0, first);
+        let [.., bx, by, bz, _, _] = self.columns(simd, 1, first);
+        let [.., cx, cy, cz, _, _] = self.columns(simd, 2, first);
         Some([Vec3::new(ax, ay, az), Vec3::new(bx, by, bz), Vec3::new(cx, cy, cz)])
     }
 
     /// What a corner of each triangle carries, from lane `first` on.
     #[inline(always)]
-    fn columns<N: Number>(&self, like: N, corner: usize, first: usize) -> [N; 8] {
+    fn columns<N: Lanes>(&self, simd: N, corner: usize, first: usize) -> [N; 8] {
         let vertices = &self.corners[corner];
-        like.columns(
+        simd.load_transposed(
             #[inline(always)]
             |lane| &vertices[(first + lane) & (LANES - 1)],
         )

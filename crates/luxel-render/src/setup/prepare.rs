@@ -7,7 +7,7 @@ use crate::context::ShadingContext;
 use crate::material::lights_at;
 use crate::setup::corners::{CornerReader, PlacedCorners, ReadLanes};
 use crate::setup::{PLACES, ROWS, TriangleSetup};
-use luxel_math::{LANES, Number, Piecewise, Rgb, Vec3};
+use luxel_math::{LANES, Lanes, Rgb, SplitLanes, Vec3};
 use luxel_visibility::TileForms;
 
 /// Triangles on their way to [`TriangleSetup`]s.
@@ -33,29 +33,29 @@ pub(crate) enum Target<'a> {
 /// The numbers of sixteen triangles side by side, each number as [`TriangleSetup`] has them.
 pub(crate) type SetupColumns = [[f32; LANES]; 8 * ROWS];
 
-impl Piecewise for Preparation<'_> {
+impl SplitLanes for Preparation<'_> {
     #[inline(always)]
-    fn piece<N: Number>(&mut self, like: N, first: usize) {
-        if self.of.lanes >> first & like.all_lanes() == 0 {
+    fn part<N: Lanes>(&mut self, simd: N, first: usize) {
+        if self.of.lanes >> first & simd.all_lanes() == 0 {
             return;
         }
         let Self { scene, tile, .. } = *self;
         let space = &scene.spaces[self.of.instance];
-        let placed = self.reader.placed(like, scene, &self.of, first);
+        let placed = self.reader.placed(simd, scene, &self.of, first);
         let PlacedCorners { in_view, sides, towards_eye } = &placed;
         let forms = TileForms::new(scene.frame.rays(), in_view, *sides, *towards_eye, tile);
         // In the order of NORMAL, POSITION and LIGHT. Written out: a list that a loop fills is memory; and
         // one after the other, as all at once would be more than there are registers.
         let f = forms.to_array();
         self.put_row(first, 0, [f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]]);
-        let zero = like.zero();
+        let zero = simd.zero();
         let mut third_side = zero;
         if scene.needs_positions || self.lit_as.is_some() {
             let [p, s, t] = placed.first_and_sides(space);
             self.put_row(first, 3, [p.x, p.y, p.z, s.x, s.y, s.z, t.x, t.y]);
             third_side = t.z;
         }
-        let in_mesh = self.reader.normals_in_mesh(like, scene, &self.of, first);
+        let in_mesh = self.reader.normals_in_mesh(simd, scene, &self.of, first);
         let [n, nb, nc] = placed.normals(space, in_mesh);
         let (ns, nt) = (nb - n, nc - n);
         let mut third_light = zero;
@@ -75,9 +75,9 @@ impl Piecewise for Preparation<'_> {
 impl Preparation<'_> {
     /// Writes a row of each lane's triangle.
     #[inline(always)]
-    fn put_row<N: Number>(&mut self, first: usize, row: usize, columns: [N; 8]) {
+    fn put_row<N: Lanes>(&mut self, first: usize, row: usize, columns: [N; 8]) {
         match &mut self.into {
-            Target::Places(into, setups) => N::rows(
+            Target::Places(into, setups) => N::store_transposed(
                 columns,
                 #[inline(always)]
                 |lane, values| {

@@ -9,7 +9,7 @@ use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::witness::BlockWitness;
 use crate::view::{Interpolation, ShadingMode};
 use luxel_lighting::SurfacePoint;
-use luxel_math::{LANES, Number, Wide, lanes_of};
+use luxel_math::{F64Lanes, LANES, Lanes, lanes_of};
 use luxel_visibility::TriangleId;
 
 /// What a thread keeps from block to block.
@@ -31,30 +31,30 @@ impl ThreadCache {
 /// code without room for these: all attributes of sixteen samples are 40 vectors, which would be spilled.
 /// Outlined: one copy per lane type.
 #[inline(never)]
-pub(crate) fn shade<N: Number, W: BlockWitness<N>>(
-    like: N,
+pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
+    simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
     cache: &mut ThreadCache,
     witness: &mut W,
 ) -> [N; 4] {
-    like.vectorized(
+    simd.vectorized(
         #[inline(always)]
         || {
-            let seen = like.all_lanes() & !like.lanes_equal(&batch.ids, TriangleId::NONE.0);
+            let seen = simd.all_lanes() & !simd.eq_mask(&batch.ids, TriangleId::NONE.0);
             if seen == 0 {
                 let [r, g, b, alpha] = scene.background;
                 return [
-                    like.constant(r),
-                    like.constant(g),
-                    like.constant(b),
-                    like.constant(alpha),
+                    simd.constant(r),
+                    simd.constant(g),
+                    simd.constant(b),
+                    simd.constant(alpha),
                 ];
             }
-            if !W::HEARS_SURFACES && is_plain(like, scene, batch, &mut cache.setup, seen) {
-                shade_seen::<N, W, false>(like, scene, batch, cache, witness, seen)
+            if !W::HEARS_SURFACES && is_plain(simd, scene, batch, &mut cache.setup, seen) {
+                shade_seen::<N, W, false>(simd, scene, batch, cache, witness, seen)
             } else {
-                shade_textured(like, scene, batch, cache, witness, seen)
+                shade_textured(simd, scene, batch, cache, witness, seen)
             }
         },
     )
@@ -62,8 +62,8 @@ pub(crate) fn shade<N: Number, W: BlockWitness<N>>(
 
 /// Whether a batch is of one material, and reads no attributes beside positions, normals and light.
 #[inline(always)]
-fn is_plain<N: Number>(
-    like: N,
+fn is_plain<N: Lanes>(
+    simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
     setup: &mut SetupCache,
@@ -76,8 +76,8 @@ fn is_plain<N: Number>(
         return true;
     }
     setup.begin_tile(batch.tile);
-    let begins = like.lanes_that_begin(&batch.ids) & seen;
-    setup.require(like, scene, &batch.ids, begins);
+    let begins = simd.run_starts(&batch.ids) & seen;
+    setup.require(simd, scene, &batch.ids, begins);
     let first = batch.ids[seen.trailing_zeros() as usize & (LANES - 1)];
     let material = setup.material(first);
     lanes_of(begins).all(|lane| {
@@ -87,23 +87,23 @@ fn is_plain<N: Number>(
 }
 
 #[inline(never)]
-fn shade_textured<N: Number, W: BlockWitness<N>>(
-    like: N,
+fn shade_textured<N: Lanes, W: BlockWitness<N>>(
+    simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
     cache: &mut ThreadCache,
     witness: &mut W,
     seen: u32,
 ) -> [N; 4] {
-    like.vectorized(
+    simd.vectorized(
         #[inline(always)]
-        || shade_seen::<N, W, true>(like, scene, batch, cache, witness, seen),
+        || shade_seen::<N, W, true>(simd, scene, batch, cache, witness, seen),
     )
 }
 
 #[inline(always)]
-fn shade_seen<N: Number, W: BlockWitness<N>, const EXTRAS: bool>(
-    like: N,
+fn shade_seen<N: Lanes, W: BlockWitness<N>, const EXTRAS: bool>(
+    simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
     cache: &mut ThreadCache,
@@ -113,12 +113,12 @@ fn shade_seen<N: Number, W: BlockWitness<N>, const EXTRAS: bool>(
     let mut materials = [0; LANES];
     let heard = W::HEARS_FRAGMENTS;
     let found =
-        surface_fragments::<N, EXTRAS>(like, scene, batch, cache, seen, heard, &mut materials);
-    let point = point_of(like, scene, batch, &found);
+        surface_fragments::<N, EXTRAS>(simd, scene, batch, cache, seen, heard, &mut materials);
+    let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
     let Fragments { attributes, .. } = &found;
     let [r, g, b, alpha] = scene.background;
-    let mut result = [like.constant(r), like.constant(g), like.constant(b), like.constant(alpha)];
+    let mut result = [simd.constant(r), simd.constant(g), simd.constant(b), simd.constant(alpha)];
     if !EXTRAS {
         // Plain batches are of one material.
         let number = materials[seen.trailing_zeros() as usize & (LANES - 1)] as usize;
@@ -128,10 +128,10 @@ fn shade_seen<N: Number, W: BlockWitness<N>, const EXTRAS: bool>(
         } else {
             lit_elsewhere::<N, W, EXTRAS>(scene, attributes, &point, number, seen, witness)
         };
-        if seen == like.all_lanes() {
+        if seen == simd.all_lanes() {
             return color;
         }
-        let mask = like.mask_of(seen);
+        let mask = simd.mask_of(seen);
         for (result, channel) in result.iter_mut().zip(color) {
             *result = channel.select(mask, *result);
         }
@@ -140,7 +140,7 @@ fn shade_seen<N: Number, W: BlockWitness<N>, const EXTRAS: bool>(
     let mut left = seen;
     while left != 0 {
         let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
-        let lanes = like.lanes_equal(&materials, number) & left;
+        let lanes = simd.eq_mask(&materials, number) & left;
         let number = number as usize;
         witness.lanes(lanes);
         let color = if scene.shading.mode == ShadingMode::Phong {
@@ -148,7 +148,7 @@ fn shade_seen<N: Number, W: BlockWitness<N>, const EXTRAS: bool>(
         } else {
             lit_elsewhere::<N, W, EXTRAS>(scene, attributes, &point, number, lanes, witness)
         };
-        let mask = like.mask_of(lanes);
+        let mask = simd.mask_of(lanes);
         for (result, channel) in result.iter_mut().zip(color) {
             *result = channel.select(mask, *result);
         }
@@ -162,24 +162,24 @@ fn shade_seen<N: Number, W: BlockWitness<N>, const EXTRAS: bool>(
 
 /// The surface points of a batch.
 #[inline(always)]
-pub(crate) fn point_of<N: Number>(
-    like: N,
+pub(crate) fn point_of<N: Lanes>(
+    simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
     found: &Fragments<N>,
 ) -> SurfacePoint<N> {
     let Attributes { position, normal, .. } = found.attributes;
     let [tile_x, tile_y] = batch.tile;
-    let x = like.load(&batch.x, 0) + like.constant(tile_x as f32);
-    let y = like.load(&batch.y, 0) + like.constant(tile_y as f32);
+    let x = simd.load(&batch.x, 0) + simd.constant(tile_x as f32);
+    let y = simd.load(&batch.y, 0) + simd.constant(tile_y as f32);
     scene.point_at_sample([x, y], position, normal)
 }
 
 /// The fragments of a batch, as the view interpolates and lights them; all attributes where they are
 /// `heard` by a witness.
 #[inline(always)]
-pub(crate) fn surface_fragments<N: Number, const EXTRAS: bool>(
-    like: N,
+pub(crate) fn surface_fragments<N: Lanes, const EXTRAS: bool>(
+    simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
     cache: &mut ThreadCache,
@@ -195,7 +195,7 @@ pub(crate) fn surface_fragments<N: Number, const EXTRAS: bool>(
     };
     cache.setup.begin_tile(batch.tile);
     let mut found =
-        fragments::<N, EXTRAS>(like, scene, batch, &mut cache.setup, seen, wanted, materials);
+        fragments::<N, EXTRAS>(simd, scene, batch, &mut cache.setup, seen, wanted, materials);
     if EXTRAS && is_studied(scene) {
         study(scene, batch, cache, seen, &mut found);
     }
@@ -213,7 +213,7 @@ fn is_studied(scene: &ShadingContext<'_>) -> bool {
 /// Interpolation in the window, and light of whole polygons and of pieces: sample by sample.
 #[cold]
 #[inline(never)]
-fn study<N: Number>(
+fn study<N: Lanes>(
     scene: &ShadingContext<'_>,
     batch: &Batch,
     cache: &mut ThreadCache,
@@ -236,33 +236,33 @@ fn study<N: Number>(
 /// over one pixel more.
 #[cold]
 #[inline(never)]
-fn draw_edges<N: Number>(
+fn draw_edges<N: Lanes>(
     scene: &ShadingContext<'_>,
     batch: &Batch,
     seen: u32,
     mut colors: [N; 4],
 ) -> [N; 4] {
     let Some(edges) = scene.edges else { return colors };
-    let like = colors[0];
-    like.vectorized(
+    let simd = colors[0];
+    simd.vectorized(
         #[inline(always)]
         || {
             let [tile_x, tile_y] = batch.tile;
-            let (x, y) = (like.load(&batch.x, 0).widened(), like.load(&batch.y, 0).widened());
+            let (x, y) = (simd.load(&batch.x, 0).to_f64(), simd.load(&batch.y, 0).to_f64());
             let (x, y) = (x + x.constant(tile_x.into()), y + y.constant(tile_y.into()));
             let mut left = seen;
             while left != 0 {
                 let id = batch.ids[left.trailing_zeros() as usize & (LANES - 1)];
-                let lanes = like.lanes_equal(&batch.ids, id) & left;
+                let lanes = simd.eq_mask(&batch.ids, id) & left;
                 left &= !lanes;
                 let Some(of) = scene.frame.triangle(TriangleId(id)) else { continue };
                 let Some(flags) = scene.edge_flags[of.instance] else { continue };
                 let distance = edge_distance(&scene.frame.forms(of), flags.of(of.triangle), x, y);
-                let half = like.constant(edges.width * 0.5 + 0.5);
-                let cover = (half - distance).limited(0.0, 1.0);
-                let mask = like.mask_of(lanes);
+                let half = simd.constant(edges.width * 0.5 + 0.5);
+                let cover = (half - distance).clamped(0.0, 1.0);
+                let mask = simd.mask_of(lanes);
                 for (color, edge) in colors.iter_mut().zip(edges.color) {
-                    let over = *color + (like.constant(edge) - *color) * cover;
+                    let over = *color + (simd.constant(edge) - *color) * cover;
                     *color = over.select(mask, *color);
                 }
             }

@@ -8,7 +8,7 @@
 use crate::encoding::BYTE_TO_UNIT;
 use crate::texture::{MipLevel, Texture};
 use luxel_math::elementary::log2;
-use luxel_math::{LANES, Mask, Number};
+use luxel_math::{LANES, Lanes, Mask};
 
 /// How many probes a footprint gets at most.
 const MOST_PROBES: f32 = 8.0;
@@ -85,7 +85,7 @@ impl Texture {
     /// left, count as 0.
     #[must_use]
     #[inline(always)]
-    pub fn sample<N: Number, const C: usize>(
+    pub fn sample<N: Lanes, const C: usize>(
         &self,
         [u, v]: [N; 2],
         per_pixel_x: [N; 2],
@@ -155,7 +155,7 @@ impl Texture {
     /// the lanes whose bit is set; what the others get means nothing.
     #[must_use]
     #[inline(always)]
-    pub fn sample_base<N: Number, const FIRST: usize, const C: usize>(
+    pub fn sample_base<N: Lanes, const FIRST: usize, const C: usize>(
         &self,
         u: N,
         v: N,
@@ -169,7 +169,7 @@ impl Texture {
 
     /// What to look at for a level of detail, which may lie between two levels.
     #[inline(always)]
-    fn detail<N: Number>(&self, level: N, between: Filter, lanes: u32) -> Detail<N> {
+    fn detail<N: Lanes>(&self, level: N, between: Filter, lanes: u32) -> Detail<N> {
         let Sampler { magnify, minify, .. } = self.sampler;
         // Where magnified texels are smooth and minified ones aren't, the change comes half a
         // level later, or pictures would be sharper from afar (OpenGL 4.6, 8.15).
@@ -195,7 +195,7 @@ impl Texture {
     }
 
     #[inline(always)]
-    fn of_detail<N: Number, const C: usize>(
+    fn of_detail<N: Lanes, const C: usize>(
         &self,
         detail: &Detail<N>,
         u: N,
@@ -219,7 +219,7 @@ impl Texture {
 
     /// The values within the level of each lane.
     #[inline(always)]
-    fn of_levels<N: Number, const C: usize>(
+    fn of_levels<N: Lanes, const C: usize>(
         &self,
         levels: &Levels,
         u: N,
@@ -230,7 +230,7 @@ impl Texture {
         let mut left = lanes;
         while left != 0 {
             let key = levels.0[left.trailing_zeros() as usize & (LANES - 1)];
-            let here = u.lanes_equal(&levels.0, key) & left;
+            let here = u.eq_mask(&levels.0, key) & left;
             left &= !here;
             let filter = if key & 1 == 0 { Filter::Nearest } else { Filter::Linear };
             let Some(level) = self.image.levels.get((key >> 1) as usize) else { continue };
@@ -245,7 +245,7 @@ impl Texture {
 
     /// The values within one level: `C` channels from the `FIRST` on.
     #[inline(always)]
-    fn filtered<N: Number, const FIRST: usize, const C: usize>(
+    fn filtered<N: Lanes, const FIRST: usize, const C: usize>(
         &self,
         level: &MipLevel,
         u: N,
@@ -318,10 +318,10 @@ impl<const FIRST: usize, const C: usize> Texels<FIRST, C> {
     }
 
     #[inline(always)]
-    fn loaded<N: Number>(&self, like: N) -> [N; C] {
-        let mut channels = [like; C];
+    fn loaded<N: Lanes>(&self, simd: N) -> [N; C] {
+        let mut channels = [simd; C];
         for (channel, values) in channels.iter_mut().zip(&self.0) {
-            *channel = like.load(values, 0);
+            *channel = simd.load(values, 0);
         }
         channels
     }
@@ -338,7 +338,7 @@ impl Levels {
 
     /// Levels by number, with one filter.
     #[inline(always)]
-    fn of<N: Number>(levels: N, filter: Filter) -> Self {
+    fn of<N: Lanes>(levels: N, filter: Filter) -> Self {
         let mut keys = [0; LANES];
         let bit = levels.constant(key(0, filter) as f32);
         (levels + levels + bit).store_whole(&mut keys, 0);
@@ -347,8 +347,8 @@ impl Levels {
 
     /// With another level and filter in some lanes.
     #[inline(always)]
-    fn or_where<N: Number>(mut self, like: N, lanes: u32, level: u32, filter: Filter) -> Self {
-        like.visit(
+    fn or_where<N: Lanes>(mut self, simd: N, lanes: u32, level: u32, filter: Filter) -> Self {
+        simd.visit(
             lanes,
             #[inline(always)]
             |lane| self.0[lane] = key(level, filter),
@@ -372,21 +372,21 @@ struct Detail<N> {
 
 /// The squared length, in texels, of what coordinates change by.
 #[inline(always)]
-fn squared_length<N: Number>([du, dv]: [N; 2], [width, height]: [N; 2]) -> N {
+fn squared_length<N: Lanes>([du, dv]: [N; 2], [width, height]: [N; 2]) -> N {
     let (across, down) = (du * width, dv * height);
     // Not a number counts as 0, beyond all measure as far out.
     let squared = across * across + down * down;
-    squared.minimum(du.constant(1e30)).only_where(du.zero().less(squared))
+    squared.minimum(du.constant(1e30)).masked(du.zero().less(squared))
 }
 
 /// The coordinate brought to 0..=1 by the rule for what lies outside.
 #[inline(always)]
-fn folded<N: Number>(coordinate: N, wrap: Wrap) -> N {
+fn folded<N: Lanes>(coordinate: N, wrap: Wrap) -> N {
     /// From here on, coordinates are whole numbers.
     const NO_FRACTION: f32 = 8_388_608.0;
     // False for what isn't a number, too.
     let has_fraction = coordinate.abs().less(coordinate.constant(NO_FRACTION));
-    let coordinate = coordinate.only_where(has_fraction);
+    let coordinate = coordinate.masked(has_fraction);
     match wrap {
         Wrap::Repeat => coordinate - coordinate.floor(),
         Wrap::MirroredRepeat => {
@@ -394,14 +394,14 @@ fn folded<N: Number>(coordinate: N, wrap: Wrap) -> N {
             let within_two = coordinate - two * (coordinate * coordinate.constant(0.5)).floor();
             within_two.minimum(two - within_two)
         }
-        Wrap::ClampToEdge => coordinate.limited(0.0, 1.0),
+        Wrap::ClampToEdge => coordinate.clamped(0.0, 1.0),
     }
 }
 
 /// The two texels between whose centres a place lies, and how far it is from the first to the
 /// second, which is the result. The place is in texels, from 0 to `size`.
 #[inline(always)]
-fn neighbours<N: Number>(
+fn neighbours<N: Lanes>(
     place: N,
     size: N,
     wrap: Wrap,
@@ -421,7 +421,7 @@ fn neighbours<N: Number>(
 }
 
 #[inline(always)]
-fn mix<N: Number, const C: usize>(mut a: [N; C], b: [N; C], fraction: N) -> [N; C] {
+fn mix<N: Lanes, const C: usize>(mut a: [N; C], b: [N; C], fraction: N) -> [N; C] {
     for (a, b) in a.iter_mut().zip(b) {
         *a = *a + (b - *a) * fraction;
     }
@@ -430,7 +430,7 @@ fn mix<N: Number, const C: usize>(mut a: [N; C], b: [N; C], fraction: N) -> [N; 
 
 /// The whole number above.
 #[inline(always)]
-fn ceil<N: Number>(x: N) -> N {
+fn ceil<N: Lanes>(x: N) -> N {
     -(-x).floor()
 }
 

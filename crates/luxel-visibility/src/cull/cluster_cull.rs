@@ -123,8 +123,8 @@ impl<S: Simd> Interval<S> {
             || {
                 // Clamped to where the conversion to integers is exact; far outside stays outside.
                 let limit = (2 * MAX_SIDE as i32 * SUBPIXELS) as f32;
-                let low = i32x16::truncate_from(self.low.limited(-limit, limit)) >> SUBPIXEL_BITS;
-                let high = i32x16::truncate_from(self.high.limited(-limit, limit)) >> SUBPIXEL_BITS;
+                let low = i32x16::truncate_from(self.low.clamped(-limit, limit)) >> SUBPIXEL_BITS;
+                let high = i32x16::truncate_from(self.high.clamped(-limit, limit)) >> SUBPIXEL_BITS;
                 let last = size as i32 - 1;
                 let inside = high.simd_ge(0) & low.simd_le(last);
                 (low.max(0), high.min(last), inside)

@@ -10,7 +10,7 @@
 //! right to the last digits also on triangles of a hundredth of a pixel.
 
 use glam::DVec3;
-use luxel_math::{Number, SUBPIXELS, Wide};
+use luxel_math::{F64Lanes, Lanes, SUBPIXELS};
 use luxel_scene::{Projection, Size};
 
 /// How window positions become rays: x = x0 + dx X in the plane z = -1 of view space for
@@ -76,7 +76,7 @@ impl WindowRays {
     /// negative where they run clockwise: -p_0 . (p_1 x p_2), or twice the area for parallel rays.
     #[inline(always)]
     #[must_use]
-    pub fn towards_eye<D: Wide>(&self, [a, b, c]: &[[D; 3]; 3]) -> D {
+    pub fn towards_eye<D: F64Lanes>(&self, [a, b, c]: &[[D; 3]; 3]) -> D {
         if self.parallel {
             return (b[0] * c[1] - b[1] * c[0])
                 + (c[0] * a[1] - c[1] * a[0])
@@ -89,7 +89,7 @@ impl WindowRays {
     /// Where a point in view space lies in the window, in pixels, and its distance along the viewing
     /// axis; the position means nothing where that isn't positive.
     #[inline(always)]
-    pub(crate) fn window_lanes<D: Wide>(&self, [x, y, z]: [D; 3]) -> [D; 3] {
+    pub(crate) fn window_lanes<D: F64Lanes>(&self, [x, y, z]: [D; 3]) -> [D; 3] {
         let one = x.constant(1.0);
         let depth = if self.parallel { one } else { -z };
         let scale = one / depth;
@@ -102,8 +102,8 @@ impl WindowRays {
 
     /// [`Self::window_lanes`] to the digits of f32, for bounds.
     #[inline(always)]
-    pub(crate) fn window_narrow<D: Wide>(&self, [x, y, z]: [D; 3]) -> [D::Narrow; 3] {
-        let (x, y, z) = (x.narrow(), y.narrow(), z.narrow());
+    pub(crate) fn window_narrow<D: F64Lanes>(&self, [x, y, z]: [D; 3]) -> [D::F32; 3] {
+        let (x, y, z) = (x.to_f32(), y.to_f32(), z.to_f32());
         let depth = if self.parallel { x.one() } else { -z };
         let scale = x.one() / depth;
         [
@@ -139,7 +139,7 @@ impl WindowRays {
 
 /// A triangle in view space, and the weights of its corners as linear forms over the window.
 ///
-/// Of one triangle, or of sixteen (`D` = [`Wide16`](luxel_math::Wide16)).
+/// Of one triangle, or of sixteen (`D` = [`F64x16`](luxel_math::F64x16)).
 #[derive(Clone, Copy, Debug)]
 pub struct Forms<D = f64> {
     /// In view space.
@@ -165,13 +165,13 @@ pub type PackedForms = [[f64; 4]; 3];
 /// What the sum of weights must be, in parts of the largest terms that it may be made of.
 const TOLD: f64 = 1e-9;
 
-impl<D: Wide> Forms<D> {
+impl<D: F64Lanes> Forms<D> {
     /// The forms of a triangle given in view space.
     #[inline(always)]
     #[must_use]
     pub fn new(rays: &WindowRays, corners: [[D; 3]; 3]) -> Self {
-        let like = corners[0][0];
-        let zero = like.constant(0.0);
+        let simd = corners[0][0];
+        let zero = simd.constant(0.0);
         let [mut a, mut b, mut c] = [[zero; 3]; 3];
         let mut terms = zero;
         for i in 0..3 {
@@ -183,16 +183,16 @@ impl<D: Wide> Forms<D> {
             } else {
                 [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], area]
             };
-            a[i] = n[0] * like.constant(rays.dx);
-            b[i] = n[1] * like.constant(rays.dy);
-            c[i] = n[0] * like.constant(rays.x0) + n[1] * like.constant(rays.y0) - n[2];
+            a[i] = n[0] * simd.constant(rays.dx);
+            b[i] = n[1] * simd.constant(rays.dy);
+            c[i] = n[0] * simd.constant(rays.x0) + n[1] * simd.constant(rays.y0) - n[2];
             let [width, height] = rays.size;
             terms = terms
-                + a[i].abs() * like.constant(width)
-                + b[i].abs() * like.constant(height)
+                + a[i].abs() * simd.constant(width)
+                + b[i].abs() * simd.constant(height)
                 + c[i].abs();
         }
-        let linear = LinearForms { a, b, c, least_sum: terms * like.constant(TOLD) };
+        let linear = LinearForms { a, b, c, least_sum: terms * simd.constant(TOLD) };
         Self { corners, linear, towards_eye: rays.towards_eye(&corners) }
     }
 
@@ -227,19 +227,19 @@ impl<D: Wide> Forms<D> {
     /// The barycentrics at window position (x, y) in pixels: see [`LinearForms::told`].
     #[inline(always)]
     #[must_use]
-    pub fn told(&self, x: D, y: D) -> ([D::Narrow; 3], <D::Narrow as Number>::Mask) {
+    pub fn told(&self, x: D, y: D) -> ([D::F32; 3], <D::F32 as Lanes>::Mask) {
         self.linear.told(x, y)
     }
 
     /// The barycentrics one pixel to the right and one below: see [`LinearForms::beside`].
     #[inline(always)]
     #[must_use]
-    pub fn beside(&self, x: D, y: D) -> [[D::Narrow; 3]; 2] {
+    pub fn beside(&self, x: D, y: D) -> [[D::F32; 3]; 2] {
         self.linear.beside(x, y)
     }
 }
 
-impl<D: Wide> LinearForms<D> {
+impl<D: F64Lanes> LinearForms<D> {
     /// The weights at window position (x, y) in pixels; divided by their sum they are barycentrics,
     /// also outside of the triangle.
     #[inline(always)]
@@ -264,16 +264,16 @@ impl<D: Wide> LinearForms<D> {
     /// to answer.
     #[inline(always)]
     #[must_use]
-    pub fn told(&self, x: D, y: D) -> ([D::Narrow; 3], <D::Narrow as Number>::Mask) {
+    pub fn told(&self, x: D, y: D) -> ([D::F32; 3], <D::F32 as Lanes>::Mask) {
         let [w0, w1, w2] = self.weights(x, y);
         let scale = x.constant(1.0) / (w0 + w1 + w2);
-        let [b0, b1, b2] = [(w0 * scale).narrow(), (w1 * scale).narrow(), (w2 * scale).narrow()];
+        let [b0, b1, b2] = [(w0 * scale).to_f32(), (w1 * scale).to_f32(), (w2 * scale).to_f32()];
         // Comparisons with NaN are false: what can't be told counts as outside.
         let zero = b0.zero();
         let inside = zero.less_or_equal(b0)
             & zero.less_or_equal(b1)
             & zero.less_or_equal(b2)
-            & (self.least_sum * scale.abs()).narrow().less(b0.one());
+            & (self.least_sum * scale.abs()).to_f32().less(b0.one());
         ([b0, b1, b2], !inside)
     }
 
@@ -281,27 +281,27 @@ impl<D: Wide> LinearForms<D> {
     /// how textures learn what a pixel covers.
     #[inline(always)]
     #[must_use]
-    pub fn beside(&self, x: D, y: D) -> [[D::Narrow; 3]; 2] {
+    pub fn beside(&self, x: D, y: D) -> [[D::F32; 3]; 2] {
         let [w0, w1, w2] = self.weights(x, y);
         let [a0, a1, a2] = self.a;
         let [b0, b1, b2] = self.b;
         [by_their_sum([w0 + a0, w1 + a1, w2 + a2]), by_their_sum([w0 + b0, w1 + b1, w2 + b2])]
     }
 
-    /// Each lane's own forms, from `packed(lane)`; `like` tells only the kind of number. The closure
+    /// Each lane's own forms, from `packed(lane)`; `simd` selects the lane type. The closure
     /// is to be marked `#[inline(always)]`.
     #[inline(always)]
     #[must_use]
-    pub fn unpacked<'p>(like: D, packed: impl Fn(usize) -> &'p PackedForms) -> Self {
-        let [a0, a1, a2, least_sum] = like.columns(
+    pub fn unpacked<'p>(simd: D, packed: impl Fn(usize) -> &'p PackedForms) -> Self {
+        let [a0, a1, a2, least_sum] = simd.load_transposed(
             #[inline(always)]
             |lane| &packed(lane)[0],
         );
-        let [b0, b1, b2, _] = like.columns(
+        let [b0, b1, b2, _] = simd.load_transposed(
             #[inline(always)]
             |lane| &packed(lane)[1],
         );
-        let [c0, c1, c2, _] = like.columns(
+        let [c0, c1, c2, _] = simd.load_transposed(
             #[inline(always)]
             |lane| &packed(lane)[2],
         );
@@ -317,7 +317,7 @@ impl<D: Wide> LinearForms<D> {
         for (row, ([first, second, third], rest)) in
             [self.a, self.b, self.c].into_iter().zip(rest).enumerate()
         {
-            D::rows(
+            D::store_transposed(
                 [first, second, third, rest],
                 #[inline(always)]
                 |lane, values| put(lane, row, values),
@@ -325,45 +325,45 @@ impl<D: Wide> LinearForms<D> {
         }
     }
 
-    /// One triangle's forms in every lane; `like` tells only the kind of number.
+    /// One triangle's forms in every lane; `simd` selects the lane type.
     #[inline(always)]
     #[must_use]
-    pub fn everywhere(like: D, [a, b, c]: &PackedForms) -> Self {
+    pub fn everywhere(simd: D, [a, b, c]: &PackedForms) -> Self {
         let [a0, a1, a2, least_sum] = a;
         let [b0, b1, b2, _] = b;
         let [c0, c1, c2, _] = c;
         Self {
-            a: in_lanes(like, &[*a0, *a1, *a2]),
-            b: in_lanes(like, &[*b0, *b1, *b2]),
-            c: in_lanes(like, &[*c0, *c1, *c2]),
-            least_sum: like.constant(*least_sum),
+            a: in_lanes(simd, &[*a0, *a1, *a2]),
+            b: in_lanes(simd, &[*b0, *b1, *b2]),
+            c: in_lanes(simd, &[*c0, *c1, *c2]),
+            least_sum: simd.constant(*least_sum),
         }
     }
 }
 
 /// Weights divided by their sum.
 #[inline(always)]
-fn by_their_sum<D: Wide>([w0, w1, w2]: [D; 3]) -> [D::Narrow; 3] {
+fn by_their_sum<D: F64Lanes>([w0, w1, w2]: [D; 3]) -> [D::F32; 3] {
     let scale = w0.constant(1.0) / (w0 + w1 + w2);
-    [(w0 * scale).narrow(), (w1 * scale).narrow(), (w2 * scale).narrow()]
+    [(w0 * scale).to_f32(), (w1 * scale).to_f32(), (w2 * scale).to_f32()]
 }
 
 /// One triangle alone.
 impl Forms {
-    /// The same triangle in every lane; `like` tells only the kind of number.
+    /// The same triangle in every lane; `simd` selects the lane type.
     #[inline(always)]
     #[must_use]
-    pub fn in_lanes<D: Wide>(&self, like: D) -> Forms<D> {
+    pub fn in_lanes<D: F64Lanes>(&self, simd: D) -> Forms<D> {
         let [p, q, r] = &self.corners;
         Forms {
-            corners: [in_lanes(like, p), in_lanes(like, q), in_lanes(like, r)],
+            corners: [in_lanes(simd, p), in_lanes(simd, q), in_lanes(simd, r)],
             linear: LinearForms {
-                a: in_lanes(like, &self.linear.a),
-                b: in_lanes(like, &self.linear.b),
-                c: in_lanes(like, &self.linear.c),
-                least_sum: like.constant(self.linear.least_sum),
+                a: in_lanes(simd, &self.linear.a),
+                b: in_lanes(simd, &self.linear.b),
+                c: in_lanes(simd, &self.linear.c),
+                least_sum: simd.constant(self.linear.least_sum),
             },
-            towards_eye: like.constant(self.towards_eye),
+            towards_eye: simd.constant(self.towards_eye),
         }
     }
 
@@ -438,6 +438,6 @@ impl Forms {
 }
 
 #[inline(always)]
-fn in_lanes<D: Wide>(like: D, [x, y, z]: &[f64; 3]) -> [D; 3] {
-    [like.constant(*x), like.constant(*y), like.constant(*z)]
+fn in_lanes<D: F64Lanes>(simd: D, [x, y, z]: &[f64; 3]) -> [D; 3] {
+    [simd.constant(*x), simd.constant(*y), simd.constant(*z)]
 }

@@ -5,7 +5,7 @@
 //! computed from is f32.
 
 use glam::{DMat3, DMat4, DVec3};
-use luxel_math::{Number, Vec3, Wide};
+use luxel_math::{F64Lanes, Lanes, Vec3};
 use luxel_scene::{Camera, Mesh};
 
 /// From a mesh's coordinates about its origin to view space.
@@ -26,15 +26,15 @@ impl ViewFromLocal {
     /// A triangle's corners in view space.
     #[inline(always)]
     #[must_use]
-    pub fn corners<D: Wide>(&self, [a, b, c]: [[D::Narrow; 3]; 3]) -> [[D; 3]; 3] {
+    pub fn corners<D: F64Lanes>(&self, [a, b, c]: [[D::F32; 3]; 3]) -> [[D; 3]; 3] {
         [self.place(a), self.place(b), self.place(c)]
     }
 
     /// A place in view space.
     #[inline(always)]
     #[must_use]
-    pub fn place<D: Wide>(&self, [x, y, z]: [D::Narrow; 3]) -> [D; 3] {
-        let (x, y, z) = (x.widened(), y.widened(), z.widened());
+    pub fn place<D: F64Lanes>(&self, [x, y, z]: [D::F32; 3]) -> [D; 3] {
+        let (x, y, z) = (x.to_f64(), y.to_f64(), z.to_f64());
         let [along_x, along_y, along_z, origin] = &self.columns;
         let mut place = [x; 3];
         for axis in 0..3 {
@@ -101,15 +101,15 @@ impl InstanceSpace {
     /// A vector in view space, along the world's axes.
     #[inline(always)]
     #[must_use]
-    pub fn along_world<N: Number>(&self, in_view: Vec3<N>) -> Vec3<N> {
+    pub fn along_world<N: Lanes>(&self, in_view: Vec3<N>) -> Vec3<N> {
         transformed(&self.rotation, in_view)
     }
 
     /// A place in view space, about the eye along the world's axes.
     #[inline(always)]
     #[must_use]
-    pub fn about_eye<D: Wide>(&self, [x, y, z]: [D; 3]) -> Vec3<D::Narrow> {
-        transformed(&self.rotation, Vec3::new(x.narrow(), y.narrow(), z.narrow()))
+    pub fn about_eye<D: F64Lanes>(&self, [x, y, z]: [D; 3]) -> Vec3<D::F32> {
+        transformed(&self.rotation, Vec3::new(x.to_f32(), y.to_f32(), z.to_f32()))
     }
 
     /// The normals of a triangle's corners as the mesh has them; `None` where it has none.
@@ -132,7 +132,7 @@ impl InstanceSpace {
     /// A vertex normal in world space, of unit length.
     #[inline(always)]
     #[must_use]
-    pub fn unit_normal<N: Number>(&self, in_mesh: Vec3<N>) -> Vec3<N> {
+    pub fn unit_normal<N: Lanes>(&self, in_mesh: Vec3<N>) -> Vec3<N> {
         transformed(&self.normals, in_mesh).normalized_or_zero()
     }
 
@@ -145,12 +145,12 @@ impl InstanceSpace {
     /// [`WindowRays::towards_eye`](crate::WindowRays::towards_eye).
     #[inline(always)]
     #[must_use]
-    pub fn facing_normals<D: Wide>(
+    pub fn facing_normals<D: F64Lanes>(
         &self,
-        sides: [Vec3<D::Narrow>; 2],
+        sides: [Vec3<D::F32>; 2],
         towards_eye: D,
-        in_mesh: Option<[Vec3<D::Narrow>; 3]>,
-    ) -> [Vec3<D::Narrow>; 3] {
+        in_mesh: Option<[Vec3<D::F32>; 3]>,
+    ) -> [Vec3<D::F32>; 3] {
         let by_winding = transformed(&self.rotation, face_normal(sides));
         let by_winding = by_winding * by_winding.x.constant(self.handedness as f32);
         let [a, b, c] = match in_mesh {
@@ -184,7 +184,7 @@ fn rows(matrix: DMat3) -> [[f32; 3]; 3] {
 
 /// A matrix, given by rows, times a vector.
 #[inline(always)]
-fn transformed<N: Number>([x, y, z]: &[[f32; 3]; 3], vector: Vec3<N>) -> Vec3<N> {
+fn transformed<N: Lanes>([x, y, z]: &[[f32; 3]; 3], vector: Vec3<N>) -> Vec3<N> {
     Vec3::new(
         Vec3::splat(vector.x, *x).dot(vector),
         Vec3::splat(vector.x, *y).dot(vector),
@@ -196,18 +196,18 @@ fn transformed<N: Number>([x, y, z]: &[[f32; 3]; 3], vector: Vec3<N>) -> Vec3<N>
 /// triangles far away keep their digits.
 #[inline(always)]
 #[must_use]
-pub fn sides<D: Wide>([a, b, c]: &[[D; 3]; 3]) -> [Vec3<D::Narrow>; 2] {
+pub fn sides<D: F64Lanes>([a, b, c]: &[[D; 3]; 3]) -> [Vec3<D::F32>; 2] {
     [side(a, b), side(a, c)]
 }
 
 #[inline(always)]
-fn side<D: Wide>(from: &[D; 3], to: &[D; 3]) -> Vec3<D::Narrow> {
-    Vec3::new((to[0] - from[0]).narrow(), (to[1] - from[1]).narrow(), (to[2] - from[2]).narrow())
+fn side<D: F64Lanes>(from: &[D; 3], to: &[D; 3]) -> Vec3<D::F32> {
+    Vec3::new((to[0] - from[0]).to_f32(), (to[1] - from[1]).to_f32(), (to[2] - from[2]).to_f32())
 }
 
 /// A triangle's normal by the right-hand rule, of a length about 1 whatever the triangle's size.
 #[inline(always)]
-fn face_normal<N: Number>([along, aside]: [Vec3<N>; 2]) -> Vec3<N> {
+fn face_normal<N: Lanes>([along, aside]: [Vec3<N>; 2]) -> Vec3<N> {
     let largest = along
         .x
         .constant(f32::MIN_POSITIVE)

@@ -4,7 +4,7 @@
 use crate::raster::{Triangle, clip};
 use crate::types::{CullFaces, GUARD_BAND, Region, WindowTransform};
 use glam::DMat4;
-use luxel_math::{Number, SUBPIXELS};
+use luxel_math::{Lanes, SUBPIXELS};
 use luxel_scene::{Mesh, Projection, Size};
 
 /// A mesh in its place before a camera, to be asked which of its triangles cover a sample.
@@ -59,7 +59,7 @@ impl Probe {
     /// A triangle of others covers only samples that its snapped corners aren't all to one side of.
     #[inline(always)]
     #[must_use]
-    pub fn snapped<N: Number>(&self, position: [N; 3]) -> [N; 2] {
+    pub fn snapped<N: Lanes>(&self, position: [N; 3]) -> [N; 2] {
         self.transform.snapped(position)
     }
 
@@ -68,7 +68,7 @@ impl Probe {
     /// clusters.
     #[inline(always)]
     #[must_use]
-    pub fn nearest<N: Number>(&self, low: [N; 3], high: [N; 3]) -> N {
+    pub fn nearest<N: Lanes>(&self, low: [N; 3], high: [N; 3]) -> N {
         // The operations of vertices, in their order; rounding is monotone, so this is a bound.
         let [.., depth, w] = &self.transform.rows;
         let (z_high, w_low) = (extreme(depth, high, low), extreme(w, low, high));
@@ -107,7 +107,7 @@ impl Probe {
 /// A row times the corner of a box that lies farthest along it towards `first`, as its planes stand:
 /// what the row turns round is taken from `second`.
 #[inline(always)]
-fn extreme<N: Number>(row: &[f32; 4], first: [N; 3], second: [N; 3]) -> N {
+fn extreme<N: Lanes>(row: &[f32; 4], first: [N; 3], second: [N; 3]) -> N {
     let mut terms = first;
     for axis in 0..3 {
         let plane = if row[axis] < 0.0 { second[axis] } else { first[axis] };

@@ -24,7 +24,7 @@
 use super::barycentric::{Forms, WindowRays};
 use super::instance_transform::sides;
 use crate::types::TILE;
-use luxel_math::{Mask, Number, SUBPIXELS, Vec3, Wide};
+use luxel_math::{F64Lanes, Lanes, Mask, SUBPIXELS, Vec3};
 
 /// How many numbers a [`TileForms`] is.
 pub const TILE_FORMS: usize = 13;
@@ -45,40 +45,40 @@ pub struct TileForms<N> {
 }
 
 /// Barycentrics at a sample, and where f32 can't give them.
-pub struct Barycentrics<N: Number> {
+pub struct Barycentrics<N: Lanes> {
     /// The weights of the three corners: not negative, with the sum 1.
     pub weights: [N; 3],
     /// Where [`Forms::exact_barycentric`] has to answer.
     pub inexact: N::Mask,
 }
 
-impl<N: Number> TileForms<N> {
+impl<N: Lanes> TileForms<N> {
     /// The forms of a triangle within the tile whose first pixel is `tile`; `corners` are in view space,
     /// `sides` and `towards_eye` are [`sides`](crate::sides) and [`WindowRays::towards_eye`] of them.
     #[inline(always)]
     #[must_use]
     pub fn new(
         rays: &WindowRays,
-        corners: &[[N::Wide; 3]; 3],
+        corners: &[[N::F64; 3]; 3],
         sides: [Vec3<N>; 2],
-        towards_eye: N::Wide,
+        towards_eye: N::F64,
         tile: [i32; 2],
     ) -> Self {
         let [tile_x, tile_y] = tile;
         let [x, y, depth] = rays.window_lanes(corners[0]);
         let (x, y) = (x - x.constant(tile_x.into()), y - y.constant(tile_y.into()));
         let anchor: Anchor<N> = Anchor::new(x, y);
-        let like = anchor.x;
-        let (low, high) = (like.zero(), like.constant(TILE as f32));
-        let (x, y) = (x.narrow(), y.narrow());
+        let simd = anchor.x;
+        let (low, high) = (simd.zero(), simd.constant(TILE as f32));
+        let (x, y) = (x.to_f32(), y.to_f32());
         let inside = low.less_or_equal(x)
             & x.less_or_equal(high)
             & low.less_or_equal(y)
             & y.less_or_equal(high)
             & depth.is_positive();
         // Weights are positive inside, whichever side is seen.
-        let sign = like.one().select((-towards_eye).is_positive(), -like.one());
-        let near = Self::about_first_corner(rays, &corners[0], sides, depth.narrow(), anchor, sign);
+        let sign = simd.one().select((-towards_eye).is_positive(), -simd.one());
+        let near = Self::about_first_corner(rays, &corners[0], sides, depth.to_f32(), anchor, sign);
         if inside.all() {
             return near;
         }
@@ -97,7 +97,7 @@ impl<N: Number> TileForms<N> {
     #[inline(always)]
     fn about_first_corner(
         rays: &WindowRays,
-        first: &[N::Wide; 3],
+        first: &[N::F64; 3],
         [e1, e2]: [Vec3<N>; 2],
         depth: N,
         anchor: Anchor<N>,
@@ -108,8 +108,8 @@ impl<N: Number> TileForms<N> {
         let parallel = rays.is_parallel();
         let (mut dx, mut dy) = (zero, zero);
         if !parallel {
-            dx = first[0].narrow() * inverse;
-            dy = first[1].narrow() * inverse;
+            dx = first[0].to_f32() * inverse;
+            dy = first[1].to_f32() * inverse;
         }
         let (u1, v1) = (e1.x + e1.z * dx, e1.y + e1.z * dy);
         let (u2, v2) = (e2.x + e2.z * dx, e2.y + e2.z * dy);
@@ -149,7 +149,7 @@ impl<N: Number> TileForms<N> {
     #[inline(never)]
     fn about_anchor(
         rays: &WindowRays,
-        corners: &[[N::Wide; 3]; 3],
+        corners: &[[N::F64; 3]; 3],
         tile: [i32; 2],
         anchor: Anchor<N>,
         in_front: N::Mask,
@@ -164,7 +164,7 @@ impl<N: Number> TileForms<N> {
     #[inline(always)]
     fn about_anchor_lanes(
         rays: &WindowRays,
-        corners: &[[N::Wide; 3]; 3],
+        corners: &[[N::F64; 3]; 3],
         [tile_x, tile_y]: [i32; 2],
         anchor: Anchor<N>,
         in_front: N::Mask,
@@ -178,19 +178,19 @@ impl<N: Number> TileForms<N> {
         for corner in [corners[1], corners[2]] {
             let [other_x, other_y, depth] = rays.window_narrow(corner);
             let in_front = in_front & x.zero().less(depth);
-            let along_x = (other_x - x.constant(tile_x as f32)).limited(0.0, TILE as f32) - x;
-            let along_y = (other_y - x.constant(tile_y as f32)).limited(0.0, TILE as f32) - y;
+            let along_x = (other_x - x.constant(tile_x as f32)).clamped(0.0, TILE as f32) - x;
+            let along_y = (other_y - x.constant(tile_y as f32)).clamped(0.0, TILE as f32) - y;
             reach_x = reach_x.maximum(along_x.abs().select(in_front, far));
             reach_y = reach_y.maximum(along_y.abs().select(in_front, far));
         }
-        let anchor_x = x.widened() + rest_x.widened();
-        let anchor_y = y.widened() + rest_y.widened();
+        let anchor_x = x.to_f64() + rest_x.to_f64();
+        let anchor_y = y.to_f64() + rest_y.to_f64();
         let (a, b) = forms.linear().slopes();
         let at_anchor = forms.weights(
             anchor_x + anchor_x.constant(tile_x.into()),
             anchor_y + anchor_y.constant(tile_y.into()),
         );
-        let [wide_x, wide_y] = [reach_x.widened(), reach_y.widened()];
+        let [wide_x, wide_y] = [reach_x.to_f64(), reach_y.to_f64()];
         let mut terms = anchor_x.constant(0.0);
         for corner in 0..3 {
             terms = terms
@@ -198,7 +198,7 @@ impl<N: Number> TileForms<N> {
                 + b[corner].abs() * wide_y
                 + at_anchor[corner].abs();
         }
-        let scale = sign.widened() / terms;
+        let scale = sign.to_f64() / terms;
         let (a, b, c) = (scaled(a, scale), scaled(b, scale), scaled(at_anchor, scale));
         Self { anchor: [x, y], rest: [rest_x, rest_y], a, b, c }
     }
@@ -282,10 +282,10 @@ struct Anchor<N> {
     rest_y: N,
 }
 
-impl<N: Number> Anchor<N> {
+impl<N: Lanes> Anchor<N> {
     /// The nearest to a place, in pixels from the tile's first corner, which may be anything.
     #[inline(always)]
-    fn new(x: N::Wide, y: N::Wide) -> Self {
+    fn new(x: N::F64, y: N::F64) -> Self {
         let ((x, rest_x), (y, rest_y)) = (split(x), split(y));
         Self { x, y, rest_x, rest_y }
     }
@@ -293,19 +293,19 @@ impl<N: Number> Anchor<N> {
 
 /// A coordinate within the tile as a multiple of 1/256 pixel in 0..=64, and what is left of it.
 #[inline(always)]
-fn split<D: Wide>(at: D) -> (D::Narrow, D::Narrow) {
+fn split<D: F64Lanes>(at: D) -> (D::F32, D::F32) {
     let steps = SUBPIXELS as f32;
-    let near = at.narrow().limited(0.0, TILE as f32);
+    let near = at.to_f32().clamped(0.0, TILE as f32);
     let whole = (near * near.constant(steps)).round_ties_even() * near.constant(1.0 / steps);
     // A little more than half a step: `near` is rounded before the step is chosen.
     let most = 0.75 / steps;
-    (whole, (at - whole.widened()).narrow().limited(-most, most))
+    (whole, (at - whole.to_f64()).to_f32().clamped(-most, most))
 }
 
 /// How far a corner lies from the first one in the window, in pixels: its extents times its depth are
 /// given. At most a tile; that, too, where the corner isn't before the eye.
 #[inline(always)]
-fn reach<N: Number>([u, v]: [N; 2], depth: N, [step_x, step_y]: [f32; 2]) -> [N; 2] {
+fn reach<N: Lanes>([u, v]: [N; 2], depth: N, [step_x, step_y]: [f32; 2]) -> [N; 2] {
     let far = depth.constant(TILE as f32);
     let inverse = depth.one() / depth;
     let in_front = depth.zero().less(depth);
@@ -315,13 +315,13 @@ fn reach<N: Number>([u, v]: [N; 2], depth: N, [step_x, step_y]: [f32; 2]) -> [N;
 }
 
 #[inline(always)]
-fn scaled<D: Wide>([x, y, z]: [D; 3], scale: D) -> [D::Narrow; 3] {
-    [(x * scale).narrow(), (y * scale).narrow(), (z * scale).narrow()]
+fn scaled<D: F64Lanes>([x, y, z]: [D; 3], scale: D) -> [D::F32; 3] {
+    [(x * scale).to_f32(), (y * scale).to_f32(), (z * scale).to_f32()]
 }
 
 /// Weights divided by their sum.
 #[inline(always)]
-fn by_their_sum<N: Number>([w0, w1, w2]: [N; 3]) -> [N; 3] {
+fn by_their_sum<N: Lanes>([w0, w1, w2]: [N; 3]) -> [N; 3] {
     let scale = w0.one() / (w0 + w1 + w2);
     [w0 * scale, w1 * scale, w2 * scale]
 }
@@ -330,7 +330,7 @@ fn by_their_sum<N: Number>([w0, w1, w2]: [N; 3]) -> [N; 3] {
 /// v_0 + b_1 (v_1 - v_0) + b_2 (v_2 - v_0). What is the same at all corners stays the same.
 #[inline(always)]
 #[must_use]
-pub fn interpolate<N: Number>(first: N, differences: [N; 2], [_, b1, b2]: &[N; 3]) -> N {
+pub fn interpolate<N: Lanes>(first: N, differences: [N; 2], [_, b1, b2]: &[N; 3]) -> N {
     first + differences[0] * *b1 + differences[1] * *b2
 }
 

@@ -2,7 +2,7 @@
 
 use super::barycentric::WindowRays;
 use glam::{DMat3, DVec3};
-use luxel_math::{Number, Vec3};
+use luxel_math::{Lanes, Vec3};
 use luxel_scene::Camera;
 
 /// The way from a sample to the eye as a linear form over the window, along the world's axes:
@@ -45,7 +45,7 @@ impl ViewRays {
     /// length; 0 for the zero vector.
     #[inline(always)]
     #[must_use]
-    pub fn unit_vectors<N: Number>(&self, [x, y]: [N; 2], normal: Vec3<N>) -> (Vec3<N>, Vec3<N>) {
+    pub fn unit_vectors<N: Lanes>(&self, [x, y]: [N; 2], normal: Vec3<N>) -> (Vec3<N>, Vec3<N>) {
         let Self { origin, across, down, .. } = self;
         let view =
             Vec3::splat(x, *origin) + Vec3::splat(x, *across) * x + Vec3::splat(x, *down) * y;

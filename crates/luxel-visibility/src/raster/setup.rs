@@ -10,7 +10,7 @@
 //! A sample on an edge belongs to the triangle if the edge is a left or a top one.
 
 use crate::types::{BLOCK, CullFaces, Region, WindowVertex};
-use luxel_math::{Number, SUBPIXELS};
+use luxel_math::{Lanes, SUBPIXELS};
 
 /// A triangle ready to be rasterized.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +43,7 @@ impl DepthPlane {
     pub(crate) fn at(&self, position: [i32; 2]) -> f32 {
         let row_z = (position[1] - self.y) as f32 * self.dz_dy;
         let z = (position[0] - self.x) as f32 * self.dz_dx + self.z + row_z;
-        Number::minimum(Number::maximum(z, self.low), self.high)
+        Lanes::minimum(Lanes::maximum(z, self.low), self.high)
     }
 }
 

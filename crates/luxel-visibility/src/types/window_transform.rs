@@ -6,7 +6,7 @@
 //! over distance (Reed 2015).
 
 use glam::{DMat4, DVec4};
-use luxel_math::{Number, SUBPIXELS};
+use luxel_math::{Lanes, SUBPIXELS};
 use luxel_scene::{Projection, Size};
 
 /// Half the side of the guard band in steps of 1/256 pixel: 2^14 pixels either way from the
@@ -85,7 +85,7 @@ impl WindowTransform {
     /// Where vertices are snapped to, as [`Self::window`] has it; NaN for those that the transform
     /// doesn't hold.
     #[inline(always)]
-    pub(crate) fn snapped<N: Number>(&self, [x, y, z]: [N; 3]) -> [N; 2] {
+    pub(crate) fn snapped<N: Lanes>(&self, [x, y, z]: [N; 3]) -> [N; 2] {
         let [across, down, depth, w] = &self.rows;
         let ([across, down], held) = self.snapped_and_held([
             row_times(across, x, y, z),
@@ -99,7 +99,7 @@ impl WindowTransform {
 
     /// Where clip coordinates are snapped to, and whether that [holds](Self::holds).
     #[inline(always)]
-    fn snapped_and_held<N: Number>(&self, [x, y, z, w]: [N; 4]) -> ([N; 2], N::Mask) {
+    fn snapped_and_held<N: Lanes>(&self, [x, y, z, w]: [N; 4]) -> ([N; 2], N::Mask) {
         let zero = w.zero();
         let mut held = zero.less(w) & zero.less_or_equal(w - z);
         let mut snapped = [x, y];
@@ -116,12 +116,12 @@ impl WindowTransform {
 
 /// A clip coordinate on the window's grid, in steps of 1/256 pixel.
 #[inline(always)]
-pub(crate) fn snap<N: Number>(value: N, w: N, centre: f32) -> N {
+pub(crate) fn snap<N: Lanes>(value: N, w: N, centre: f32) -> N {
     (value / w + w.constant(centre)).round_ties_even()
 }
 
 /// One row times positions: a clip coordinate.
 #[inline(always)]
-pub(crate) fn row_times<N: Number>(row: &[f32; 4], x: N, y: N, z: N) -> N {
+pub(crate) fn row_times<N: Lanes>(row: &[f32; 4], x: N, y: N, z: N) -> N {
     x * x.constant(row[0]) + y * x.constant(row[1]) + z * x.constant(row[2]) + x.constant(row[3])
 }

@@ -185,7 +185,7 @@ fn of_block<S: Simd>(
         f32x16::simd_from(simd, lanes)
     };
     let (across, down) = (lane(|lane| lane % 4, x - tile[0]), lane(|lane| lane / 4, y - tile[1]));
-    let wide = across.widened();
+    let wide = across.to_f64();
     let corners = forms.corners().map(|corner| corner.to_array().map(|side| wide.constant(side)));
     let towards_eye = wide.constant(forms.towards_eye());
     let in_tile = TileForms::new(frame.rays(), &corners, sides(&corners), towards_eye, tile);

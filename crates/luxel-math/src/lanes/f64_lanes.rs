@@ -1,15 +1,15 @@
-//! [`Wide`]: the `f64` beside a [`Number`], for places that are far apart.
+//! [`F64Lanes`]: the `f64` beside a [`Lanes`], for places that are far apart.
 //!
 //! Where coordinates of a scene meet those of a window, differences are much smaller than what they
-//! are taken of, and `f32` would lose them. Such steps are written over `Wide`, once for one value
+//! are taken of, and `f32` would lose them. Such steps are written over `F64Lanes`, once for one value
 //! and for sixteen lanes, and give the same bits in both.
 
-use crate::Number;
+use crate::Lanes;
 use fearless_simd::{Simd, f32x8, f32x16, f64x4, f64x8, mask32x8, mask32x16, prelude::*};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// One `f64`, or one for each lane.
-pub trait Wide:
+pub trait F64Lanes:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -18,26 +18,26 @@ pub trait Wide:
     + Neg<Output = Self>
 {
     /// The `f32` beside it.
-    type Narrow: Number<Wide = Self>;
+    type F32: Lanes<F64 = Self>;
 
-    /// `value` in every lane; `self` tells only the kind of number.
+    /// `value` in every lane; `self` selects the lane type.
     fn constant(self, value: f64) -> Self;
     /// The value without its sign.
     fn abs(self) -> Self;
     /// Whether it is above 0.
-    fn is_positive(self) -> <Self::Narrow as Number>::Mask;
+    fn is_positive(self) -> <Self::F32 as Lanes>::Mask;
     /// Rounded to `f32`, ties to even.
-    fn narrow(self) -> Self::Narrow;
-    /// Rows as columns: lane i of number c is component c of `row(i)`; `self` tells only the kind.
-    /// The closure is to be marked `#[inline(always)]`.
-    fn columns<'r>(self, row: impl Fn(usize) -> &'r [f64; 4]) -> [Self; 4];
-    /// Columns as rows: `put(i, row)` is called for each lane i, with its components in order. The
-    /// closure is to be marked `#[inline(always)]`.
-    fn rows(columns: [Self; 4], put: impl FnMut(usize, [f64; 4]));
+    fn to_f32(self) -> Self::F32;
+    /// Loads a 4-component row for each lane: lane i of column c is component c of `row(i)`; `self`
+    /// selects the lane type. Mark the closure `#[inline(always)]`.
+    fn load_transposed<'r>(self, row: impl Fn(usize) -> &'r [f64; 4]) -> [Self; 4];
+    /// The reverse of [`F64Lanes::load_transposed`]: calls `put(i, row)` for each lane i. Mark the
+    /// closure `#[inline(always)]`.
+    fn store_transposed(columns: [Self; 4], put: impl FnMut(usize, [f64; 4]));
 }
 
-impl Wide for f64 {
-    type Narrow = f32;
+impl F64Lanes for f64 {
+    type F32 = f32;
 
     #[inline(always)]
     fn constant(self, value: f64) -> Self {
@@ -52,15 +52,15 @@ impl Wide for f64 {
         self > 0.0
     }
     #[inline(always)]
-    fn narrow(self) -> f32 {
+    fn to_f32(self) -> f32 {
         self as f32
     }
     #[inline(always)]
-    fn columns<'r>(self, row: impl Fn(usize) -> &'r [Self; 4]) -> [Self; 4] {
+    fn load_transposed<'r>(self, row: impl Fn(usize) -> &'r [Self; 4]) -> [Self; 4] {
         *row(0)
     }
     #[inline(always)]
-    fn rows(columns: [Self; 4], mut put: impl FnMut(usize, [Self; 4])) {
+    fn store_transposed(columns: [Self; 4], mut put: impl FnMut(usize, [Self; 4])) {
         put(0, columns);
     }
 }
@@ -80,17 +80,17 @@ fn transposed<S: Simd>(mut lines: [f64x4<S>; 4]) -> [f64x4<S>; 4] {
 /// Lanes with the digits of an `f64`, in two halves.
 macro_rules! wide_lanes {
     (
-        $Wide:ident, $Lanes:ident, $Mask:ident, $half:literal, $Half:ident,
+        $F64Lanes:ident, $Lanes:ident, $Mask:ident, $half:literal, $Half:ident,
         $widen:ident, $narrow:ident
     ) => {
         #[doc = concat!("The wide side of [`", stringify!($Lanes), "`]: as many `f64`.")]
         #[derive(Clone, Copy, Debug)]
-        pub struct $Wide<S: Simd> {
+        pub struct $F64Lanes<S: Simd> {
             low: $Half<S>,
             high: $Half<S>,
         }
 
-        impl<S: Simd> $Wide<S> {
+        impl<S: Simd> $F64Lanes<S> {
             /// The exact values of so many `f32`.
             #[inline(always)]
             pub(crate) fn of(narrow: $Lanes<S>) -> Self {
@@ -99,8 +99,8 @@ macro_rules! wide_lanes {
             }
         }
 
-        impl<S: Simd> Wide for $Wide<S> {
-            type Narrow = $Lanes<S>;
+        impl<S: Simd> F64Lanes for $F64Lanes<S> {
+            type F32 = $Lanes<S>;
 
             #[inline(always)]
             fn constant(self, value: f64) -> Self {
@@ -120,11 +120,11 @@ macro_rules! wide_lanes {
                 $Mask::from_bitmask(simd, low | high << $half)
             }
             #[inline(always)]
-            fn narrow(self) -> $Lanes<S> {
+            fn to_f32(self) -> $Lanes<S> {
                 self.low.simd.$narrow(self.low, self.high)
             }
             #[inline(always)]
-            fn columns<'r>(self, row: impl Fn(usize) -> &'r [f64; 4]) -> [Self; 4] {
+            fn load_transposed<'r>(self, row: impl Fn(usize) -> &'r [f64; 4]) -> [Self; 4] {
                 let simd = self.low.simd;
                 let mut columns = [[0.0; 2 * $half]; 4];
                 for four in (0..2 * $half).step_by(4) {
@@ -136,15 +136,15 @@ macro_rules! wide_lanes {
                         lanes.store_slice(&mut column[four..four + 4]);
                     }
                 }
-                let mut numbers = [self; 4];
-                for (number, column) in numbers.iter_mut().zip(columns) {
-                    number.low = $Half::from_slice(simd, &column[..$half]);
-                    number.high = $Half::from_slice(simd, &column[$half..]);
+                let mut lanes = [self; 4];
+                for (lane, column) in lanes.iter_mut().zip(columns) {
+                    lane.low = $Half::from_slice(simd, &column[..$half]);
+                    lane.high = $Half::from_slice(simd, &column[$half..]);
                 }
-                numbers
+                lanes
             }
             #[inline(always)]
-            fn rows(columns: [Self; 4], mut put: impl FnMut(usize, [f64; 4])) {
+            fn store_transposed(columns: [Self; 4], mut put: impl FnMut(usize, [f64; 4])) {
                 let simd = columns[0].low.simd;
                 let mut stored = [[0.0; 2 * $half]; 4];
                 for (stored, column) in stored.iter_mut().zip(columns) {
@@ -163,7 +163,7 @@ macro_rules! wide_lanes {
             }
         }
 
-        impl<S: Simd> Add for $Wide<S> {
+        impl<S: Simd> Add for $F64Lanes<S> {
             type Output = Self;
             #[inline(always)]
             fn add(self, other: Self) -> Self {
@@ -171,7 +171,7 @@ macro_rules! wide_lanes {
             }
         }
 
-        impl<S: Simd> Sub for $Wide<S> {
+        impl<S: Simd> Sub for $F64Lanes<S> {
             type Output = Self;
             #[inline(always)]
             fn sub(self, other: Self) -> Self {
@@ -179,7 +179,7 @@ macro_rules! wide_lanes {
             }
         }
 
-        impl<S: Simd> Mul for $Wide<S> {
+        impl<S: Simd> Mul for $F64Lanes<S> {
             type Output = Self;
             #[inline(always)]
             fn mul(self, other: Self) -> Self {
@@ -187,7 +187,7 @@ macro_rules! wide_lanes {
             }
         }
 
-        impl<S: Simd> Div for $Wide<S> {
+        impl<S: Simd> Div for $F64Lanes<S> {
             type Output = Self;
             #[inline(always)]
             fn div(self, other: Self) -> Self {
@@ -195,7 +195,7 @@ macro_rules! wide_lanes {
             }
         }
 
-        impl<S: Simd> Neg for $Wide<S> {
+        impl<S: Simd> Neg for $F64Lanes<S> {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
@@ -205,8 +205,8 @@ macro_rules! wide_lanes {
     };
 }
 
-wide_lanes!(Wide16, f32x16, mask32x16, 8, f64x8, widen_f32x16, narrow_f64x8);
-wide_lanes!(Wide8, f32x8, mask32x8, 4, f64x4, widen_f32x8, narrow_f64x4);
+wide_lanes!(F64x16, f32x16, mask32x16, 8, f64x8, widen_f32x16, narrow_f64x8);
+wide_lanes!(F64x8, f32x8, mask32x8, 4, f64x4, widen_f32x8, narrow_f64x4);
 
 #[cfg(test)]
 mod tests {
@@ -215,14 +215,14 @@ mod tests {
     use fearless_simd::dispatch;
 
     #[inline(always)]
-    fn worked<N: Number>(a: N, b: N) -> [N; 4] {
-        let (a, b) = (a.widened(), b.widened());
+    fn worked<N: Lanes>(a: N, b: N) -> [N; 4] {
+        let (a, b) = (a.to_f64(), b.to_f64());
         let far = a.constant(1e8) + b;
         [
-            (far - a.constant(1e8)).narrow(),
-            (-a * b).narrow(),
-            (b / far).narrow(),
-            (a.abs() + b.abs()).narrow(),
+            (far - a.constant(1e8)).to_f32(),
+            (-a * b).to_f32(),
+            (b / far).to_f32(),
+            (a.abs() + b.abs()).to_f32(),
         ]
     }
 
@@ -230,7 +230,7 @@ mod tests {
     fn sixteen<S: Simd>(simd: S, a: [f32; LANES], b: [f32; LANES]) -> ([[f32; LANES]; 4], u64) {
         let [a, b] = [a, b].map(|lanes| f32x16::simd_from(simd, lanes));
         let worked = worked(a, b).map(|result| std::array::from_fn(|lane| result.lane(lane)));
-        (worked, a.widened().is_positive().to_bitmask())
+        (worked, a.to_f64().is_positive().to_bitmask())
     }
 
     #[test]
@@ -259,20 +259,20 @@ mod tests {
 
     /// Rows through columns and back, and the sum of columns 1 and 2 weighted to tell them apart.
     #[inline(always)]
-    fn through_columns<N: Number>(like: N, rows: &[[f64; 4]; LANES]) -> [([f64; 4], f32); LANES] {
-        let columns = like.widened().columns(
+    fn through_columns<N: Lanes>(simd: N, rows: &[[f64; 4]; LANES]) -> [([f64; 4], f32); LANES] {
+        let columns = simd.to_f64().load_transposed(
             #[inline(always)]
             |lane| &rows[lane],
         );
         let mut back = [([0.0; 4], 0.0); LANES];
-        Wide::rows(
+        F64Lanes::store_transposed(
             columns,
             #[inline(always)]
             |lane, row| back[lane].0 = row,
         );
-        let told = (columns[1] + columns[2] * columns[2].constant(1000.0)).narrow();
+        let told = (columns[1] + columns[2] * columns[2].constant(1000.0)).to_f32();
         for (lane, (_, value)) in back.iter_mut().enumerate() {
-            if like.all_lanes() >> lane & 1 == 1 {
+            if simd.all_lanes() >> lane & 1 == 1 {
                 *value = told.lane(lane);
             }
         }

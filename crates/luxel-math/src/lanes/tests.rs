@@ -1,8 +1,8 @@
-//! One number and lanes of them, at every level.
+//! One `f32` and vectors of them, at every level.
 
 use super::*;
 use crate::SimdLevel;
-use fearless_simd::dispatch;
+use fearless_simd::{Simd, dispatch, f32x8, f32x16, prelude::*};
 
 /// What comparisons take apart: both zeros, infinities, NaN.
 const VALUES: [f32; 8] =
@@ -15,13 +15,13 @@ struct Extremes {
     times: [u32; LANES],
 }
 
-impl Piecewise for Extremes {
+impl SplitLanes for Extremes {
     #[inline(always)]
-    fn piece<N: Number>(&mut self, like: N, first: usize) {
-        let [a, b] = self.pairs.map(|values| like.load(&values, first));
+    fn part<N: Lanes>(&mut self, simd: N, first: usize) {
+        let [a, b] = self.pairs.map(|values| simd.load(&values, first));
         a.minimum(b).store(&mut self.found[0], first);
         a.maximum(b).store(&mut self.found[1], first);
-        let mut lanes = like.all_lanes();
+        let mut lanes = simd.all_lanes();
         while lanes != 0 {
             self.times[first + lanes.trailing_zeros() as usize] += 1;
             lanes &= lanes - 1;
@@ -32,19 +32,19 @@ impl Piecewise for Extremes {
 #[inline(always)]
 fn extremes<S: Simd>(simd: S, pairs: [[f32; LANES]; 2], whole: bool) -> Extremes {
     let mut work = Extremes { pairs, found: [[0.0; LANES]; 2], times: [0; LANES] };
-    let like = f32x16::splat(simd, 0.0);
+    let simd = f32x16::splat(simd, 0.0);
     if whole {
-        work.piece(like, 0);
+        work.part(simd, 0);
     } else {
-        like.piecewise(&mut work);
+        simd.in_parts(&mut work);
     }
     work
 }
 
 #[inline(always)]
-fn columns<N: Number>(like: N, rows: &[[f32; 8]; LANES], first: usize) -> [[f32; LANES]; 8] {
+fn columns<N: Lanes>(simd: N, rows: &[[f32; 8]; LANES], first: usize) -> [[f32; LANES]; 8] {
     let mut stored = [[0.0; LANES]; 8];
-    let columns = like.columns(
+    let columns = simd.load_transposed(
         #[inline(always)]
         |lane| &rows[first + lane],
     );
@@ -52,7 +52,7 @@ fn columns<N: Number>(like: N, rows: &[[f32; 8]; LANES], first: usize) -> [[f32;
         column.store(stored, first);
     }
     let mut back = [[0.0; 8]; LANES];
-    N::rows(
+    N::store_transposed(
         columns,
         #[inline(always)]
         |lane, row| back[first + lane] = row,
@@ -79,13 +79,12 @@ fn lanes_that_begin_differ_from_those_beside_and_above() {
         });
         for level in SimdLevel::available() {
             let level = level.resolve().unwrap();
-            let sixteen =
-                dispatch!(level, simd => f32x16::splat(simd, 0.0).lanes_that_begin(&values));
-            let eight = dispatch!(level, simd => f32x8::splat(simd, 0.0).lanes_that_begin(&values));
+            let sixteen = dispatch!(level, simd => f32x16::splat(simd, 0.0).run_starts(&values));
+            let eight = dispatch!(level, simd => f32x8::splat(simd, 0.0).run_starts(&values));
             assert_eq!(sixteen, begin(&values), "{values:?} at {level:?}");
             assert_eq!(eight, begin(&values) & 0xff, "{values:?} at {level:?}");
         }
-        assert_eq!(0.0_f32.lanes_that_begin(&values), begin(&values) & 1);
+        assert_eq!(0.0_f32.run_starts(&values), begin(&values) & 1);
     }
 }
 
@@ -120,7 +119,7 @@ fn the_smaller_and_the_larger_of_two_have_the_same_bits_at_every_level_and_in_pi
                 for lane in 0..LANES {
                     let bits = work.found.map(|values| values[lane].to_bits());
                     let (a, b) = (a[lane], b[lane]);
-                    let one = [Number::minimum(a, b), Number::maximum(a, b)].map(f32::to_bits);
+                    let one = [Lanes::minimum(a, b), Lanes::maximum(a, b)].map(f32::to_bits);
                     assert_eq!(bits, one, "{a} and {b} at {level:?}");
                 }
             }
@@ -130,16 +129,16 @@ fn the_smaller_and_the_larger_of_two_have_the_same_bits_at_every_level_and_in_pi
 
 /// Whole numbers as integers from lane `first` on, and the lanes that are visited.
 #[inline(always)]
-fn whole_and_visited<N: Number>(
-    like: N,
+fn whole_and_visited<N: Lanes>(
+    simd: N,
     values: &[f32; LANES],
     first: usize,
     lanes: u32,
 ) -> ([u32; LANES], Vec<usize>) {
     let mut whole = [u32::MAX; LANES];
-    like.load(values, first).store_whole(&mut whole, first);
+    simd.load(values, first).store_whole(&mut whole, first);
     let mut visited = Vec::new();
-    like.visit(
+    simd.visit(
         lanes,
         #[inline(always)]
         |lane| visited.push(lane),
