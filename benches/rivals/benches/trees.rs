@@ -107,7 +107,7 @@ fn windows(criterion: &mut Criterion, mesh: luxel_scene::Mesh) {
     let view_from_world = Camera::look_at(DVec3::new(0.0, 0.0, 3.0), DVec3::ZERO, DVec3::Y);
     let lens = Lens::Perspective { fov_y_radians: 45_f64.to_radians() };
     let camera = Camera { view_from_world, projection: Projection { lens, near: 0.5, far: 10.0 } };
-    let Ok(picker) = Picker::new(&scene) else { return };
+    let Ok(picker) = Picker::new(scene.clone()) else { return };
     let Ok(view) = PickView::new(&picker, camera, size, Cull::Auto) else { return };
     let mut group = criterion.benchmark_group("window");
     let mut turn = 0_u32;

@@ -23,7 +23,7 @@ pub(crate) fn measure(report: &mut Report, scene: &Scene, setup: &Setup) {
     let mut drawn = scene.clone();
     drawn.compute_normals(&setup.normals);
     drawn.compute_tangents();
-    let Ok(renderer) = Renderer::new(&drawn, &setup.execution) else { return };
+    let Ok(renderer) = Renderer::new(drawn, &setup.execution) else { return };
     // With several samples a pixel would be of several triangles.
     let view = View { samples: 1, edges: None, ..setup.view.clone() };
     let draw = |shading: Shading| {
@@ -47,7 +47,7 @@ pub(crate) fn measure(report: &mut Report, scene: &Scene, setup: &Setup) {
 
 /// The triangles, by object and number, of the pixels that lack light.
 fn missed(
-    renderer: &Renderer<'_>,
+    renderer: &Renderer,
     view: &View,
     before: &[[u8; 4]],
     after: &[[u8; 4]],

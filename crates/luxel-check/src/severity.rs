@@ -50,7 +50,7 @@ impl Pictures {
             ..Scene::default()
         };
         alone.compute_normals(normals);
-        let renderer = Renderer::new(&alone, execution).ok()?;
+        let renderer = Renderer::new(alone, execution).ok()?;
         let view = |(side, up): (DVec3, DVec3)| View {
             size: Size { width: SIDE, height: SIDE },
             camera: Camera {

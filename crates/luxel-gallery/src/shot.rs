@@ -9,6 +9,7 @@ use luxel::scene::{
     SceneLight, Size, demos, fit_planes,
 };
 use std::fmt::Write;
+use std::sync::Arc;
 
 /// What draws.
 pub(crate) struct Studio {
@@ -200,43 +201,42 @@ fn words(line: &str) -> Vec<String> {
 
 impl Studio {
     /// A scene ready to be drawn from any view.
-    pub(crate) fn stage<'s>(&self, scene: &'s Scene) -> Result<Stage<'s>, GalleryError> {
-        Ok(Stage { scene, renderer: Renderer::new(scene, &self.execution)? })
+    pub(crate) fn stage(&self, scene: impl Into<Arc<Scene>>) -> Result<Stage, GalleryError> {
+        Ok(Stage { renderer: Renderer::new(scene, &self.execution)? })
     }
 
     /// Draws a built-in scene.
     pub(crate) fn shoot(&self, shot: &Shot) -> Result<Picture, GalleryError> {
-        self.stage(&shot.scene())?.shoot(shot)
+        self.stage(shot.scene())?.shoot(shot)
     }
 
     /// Draws a scene as a command line says.
     pub(crate) fn shoot_scene(&self, shot: &Shot, scene: &Scene) -> Result<Picture, GalleryError> {
-        self.stage(scene)?.shoot(shot)
+        self.stage(scene.clone())?.shoot(shot)
     }
 
     /// Where a scene covers pixels wholly.
     pub(crate) fn covered(&self, shot: &Shot, scene: &Scene) -> Result<Vec<bool>, GalleryError> {
-        self.stage(scene)?.covered(shot)
+        self.stage(scene.clone())?.covered(shot)
     }
 }
 
 /// A scene ready to be drawn.
-pub(crate) struct Stage<'s> {
-    scene: &'s Scene,
-    pub(crate) renderer: Renderer<'s>,
+pub(crate) struct Stage {
+    pub(crate) renderer: Renderer,
 }
 
-impl Stage<'_> {
+impl Stage {
     /// Draws the scene as a command line says.
     pub(crate) fn shoot(&self, shot: &Shot) -> Result<Picture, GalleryError> {
-        let drawn = self.renderer.rgba8(&shot.view(self.scene))?;
+        let drawn = self.renderer.rgba8(&shot.view(self.renderer.scene()))?;
         let pixels = drawn.pixels.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
         Ok(Picture { size: drawn.size, pixels })
     }
 
     /// Where the scene covers pixels wholly.
     pub(crate) fn covered(&self, shot: &Shot) -> Result<Vec<bool>, GalleryError> {
-        let mut view = View { background: [0.0; 4], ..shot.view(self.scene) };
+        let mut view = View { background: [0.0; 4], ..shot.view(self.renderer.scene()) };
         // What is there is there however it is lit.
         view.lights.clear();
         view.shading = Shading::default();

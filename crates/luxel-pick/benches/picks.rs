@@ -64,7 +64,7 @@ fn main() {
             nodes: vec![Node::root("sphere", Some(MeshId(0)))],
             ..Scene::default()
         };
-        let picker = Picker::new(&scene).unwrap();
+        let picker = Picker::new(scene).unwrap();
         let view = PickView::new(&picker, camera(), SIZE, Cull::Auto).unwrap();
         let places: Vec<[f64; 2]> = (0..20_000)
             .map(|at| [f64::from(at * 7919 % 1280) + 0.5, f64::from(at * 104_729 % 720) + 0.5])

@@ -119,7 +119,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     ];
     // Once; trees are built for each mesh, and one over all draw calls.
     let scene = scene_of(&[pyramid], &drawn);
-    let picker = Picker::new(&scene)?;
+    let picker = Picker::new(scene)?;
 
     // `Window::scale_factor` and `Window::inner_size`, which winit gives in pixels already.
     let scale_factor = 2.0;
@@ -155,7 +155,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 /// What each pixel shows, as a pass that writes ids would leave it.
-fn ids_by_rays(picker: &Picker<'_>, camera: &Camera, window: PhysicalSize) -> Option<VisibleIds> {
+fn ids_by_rays(picker: &Picker, camera: &Camera, window: PhysicalSize) -> Option<VisibleIds> {
     let size: Size = window.into();
     let pixels = (0..size.height).flat_map(|y| (0..size.width).map(move |x| (x, y)));
     let hit = |(x, y)| {

@@ -15,9 +15,9 @@ use luxel_scene::{Camera, DVec3, Lens, Projection, Scene, demos};
 use luxel_visibility::Cull;
 
 /// What the viewer knows.
-struct Viewer<'s> {
+struct Viewer {
     /// Made once for a scene: trees take about 30 bytes a triangle.
-    picker: Picker<'s>,
+    picker: Picker,
     /// `WindowEvent::Resized`, in physical pixels.
     window: PhysicalSize,
     /// `WindowEvent::ScaleFactorChanged`
@@ -27,8 +27,8 @@ struct Viewer<'s> {
     pressed: Option<LogicalPosition>,
 }
 
-impl<'s> Viewer<'s> {
-    fn new(scene: &'s Scene) -> Result<Self, PickError> {
+impl Viewer {
+    fn new(scene: Scene) -> Result<Self, PickError> {
         let lens = Lens::Perspective { fov_y_radians: 0.8 };
         let scale_factor = 2.0;
         Ok(Self {
@@ -93,7 +93,7 @@ impl<'s> Viewer<'s> {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = demos::demo("plane").ok_or("no such demo")?;
-    let mut viewer = Viewer::new(&scene)?;
+    let mut viewer = Viewer::new(scene)?;
     println!("trees: {} bytes", viewer.picker.memory());
     for (x, y) in [(320.0, 180.0), (300.0, 150.0), (5.0, 5.0)] {
         viewer.hover(LogicalPosition { x, y })?;

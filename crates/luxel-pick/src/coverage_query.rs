@@ -8,7 +8,7 @@
 //! and boxes get their depths in lanes as well: a pick takes 0.58 of the time in a mesh of 1000
 //! triangles, 0.67 at 100 000, 0.78 at a million. Corners come from the leaf, where they are at hand.
 
-use crate::view::{Geometry, Instance, PickView, Thickness};
+use crate::view::{Geometry, InstanceTree, PickView, Thickness};
 use crate::world_rays::NearRay;
 use glam::DVec3;
 use luxel_bvh::{Block, Child, Node, SlabTest, Subtree, VertexMap, WIDTH};
@@ -103,8 +103,9 @@ impl PickView<'_> {
         visit: &mut dyn FnMut(Covering) -> f32,
         least: f32,
     ) {
-        let instance = &self.instances[place];
-        let geometry = self.geometry(instance);
+        let instance = &self.trees[place];
+        let parts = &self.placed.instances()[place].parts;
+        let geometry = self.geometry(place);
         let Some(ray) = self.thick_ray(instance, position) else { return };
         let mesh = geometry.mesh;
         let mut found = |block: Block<'_>, lane: usize| {
@@ -116,7 +117,7 @@ impl PickView<'_> {
             } else {
                 positions(mesh, triangle)
             };
-            let cull = instance.parts[part].cull;
+            let cull = parts[part].cull;
             let depth = instance.probe.covers(corners, cull, position)?;
             Some(visit(Covering { instance: place, triangle, corners, depth }))
         };
@@ -128,12 +129,12 @@ impl PickView<'_> {
 
     /// The thick ray through a sample in the coordinates of an instance's tree; `None` if it misses the
     /// instance.
-    fn thick_ray(&self, instance: &Instance, position: [i32; 2]) -> Option<ThickRay> {
+    fn thick_ray(&self, instance: &InstanceTree, position: [i32; 2]) -> Option<ThickRay> {
         let [x, y] = position.map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
         let (origin, direction) = self.rays.ray(x, y);
         let origin = instance.tree_from_view.transform_point3(origin);
         let direction = instance.tree_from_view.transform_vector3(direction);
-        let parallel = self.camera.projection.is_orthographic();
+        let parallel = self.camera().projection.is_orthographic();
         let Thickness { snapped, rounded, wide, largest } = instance.thickness?;
         // t counts distance along the viewing axis. Parallel rays start in the eye's plane, and the
         // scene may lie on both sides of it.
@@ -155,15 +156,15 @@ impl PickView<'_> {
 
     /// Whether the surface is cut away or fully transparent there.
     pub(crate) fn is_hole(&self, covering: &Covering, position: [i32; 2]) -> bool {
-        let instance = &self.instances[covering.instance];
-        let geometry = self.geometry(instance);
+        let instance = &self.placed.instances()[covering.instance];
+        let geometry = self.geometry(covering.instance);
         let part = part_of(&geometry, covering.triangle);
         if instance.parts[part].coverage == Coverage::Opaque {
             return false;
         }
-        let forms = self.forms(instance, covering.corners);
+        let forms = self.forms(covering);
         let barycentric = forms.exact_barycentric(&self.rays, position);
-        let scene = self.picker.scene;
+        let scene = &self.picker.scene;
         let material = &scene.materials[geometry.mesh.parts[part].material.index()];
         scene.is_hole(geometry.mesh, covering.triangle, barycentric, material)
     }
@@ -187,7 +188,7 @@ pub(crate) fn part_of(geometry: &Geometry<'_>, triangle: u32) -> usize {
 #[inline(always)]
 fn descend<S: Simd>(
     simd: S,
-    instance: &Instance,
+    instance: &InstanceTree,
     geometry: &Geometry<'_>,
     ray: &ThickRay,
     mut least: f32,
@@ -246,7 +247,7 @@ fn candidates<S: Simd>(
     simd: S,
     block: Block<'_>,
     geometry: &Geometry<'_>,
-    instance: &Instance,
+    instance: &InstanceTree,
     sample: [f32; 2],
 ) -> u32 {
     let probe = &instance.probe;
@@ -272,7 +273,7 @@ impl VertexMap<2> for SnapToSubPixels<'_> {
     }
 }
 
-impl Instance {
+impl InstanceTree {
     /// An upper bound of the depth of any sample inside each child of a node.
     #[inline(always)]
     fn nearest<S: Simd>(&self, simd: S, node: &Node) -> [f32; WIDTH] {
@@ -336,7 +337,7 @@ mod tests {
             nodes: vec![SceneNode::root("sheet", Some(MeshId(0)))],
             ..Scene::default()
         };
-        let picker = Picker::with(&scene, quality, SimdLevel::Auto).unwrap();
+        let picker = Picker::with(scene.clone(), quality, SimdLevel::Auto).unwrap();
         let eye = DVec3::new(0.5, 0.3, height);
         let view_from_world = Camera::look_at(eye, DVec3::new(0.5, 1.0, 0.0), DVec3::Z);
         let lens = Lens::Perspective { fov_y_radians: 1.2 };
@@ -344,8 +345,8 @@ mod tests {
             Camera { view_from_world, projection: Projection { lens, near: 0.01, far: 9.0 } };
         let size = Size { width: 64, height: 48 };
         let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
-        let instance = &view.instances[0];
-        let geometry = view.geometry(instance);
+        let instance = &view.trees[0];
+        let geometry = view.geometry(0);
         let positions = &geometry.mesh.positions[..];
         let mut counts = [0; 3];
         geometry.bvh.view().visit_blocks(Node::occupied, |block| {
@@ -386,7 +387,7 @@ mod tests {
     #[test]
     fn depths_of_eight_boxes_are_those_of_one() {
         let scene = luxel_scene::demos::demo("teapot").unwrap();
-        let picker = Picker::new(&scene).unwrap();
+        let picker = Picker::new(scene.clone()).unwrap();
         let size = Size { width: 64, height: 48 };
         let mut seen = [0; 2];
         for eye in [DVec3::new(3.0, 4.0, 5.0), DVec3::new(0.3, 0.2, 0.1)] {
@@ -395,8 +396,8 @@ mod tests {
             let projection = Projection { lens, near: 0.01, far: 20.0 };
             let camera = Camera { view_from_world, projection };
             let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
-            for instance in &view.instances {
-                for node in view.geometry(instance).bvh.view().nodes() {
+            for (number, instance) in view.trees.iter().enumerate() {
+                for node in view.geometry(number).bvh.view().nodes() {
                     let depths = dispatch_long!(picker.level, simd => instance.nearest(simd, node));
                     for slot in 0..WIDTH {
                         if node.occupied() >> slot & 1 != 0 {

@@ -4,7 +4,7 @@
 use crate::coverage_query::{Covering, positions};
 use crate::frustum::{Frustum, PLANES, planes};
 use crate::region::Region;
-use crate::view::{Geometry, Instance, PickView};
+use crate::view::{Geometry, PickView};
 use luxel_math::SUBPIXELS;
 use luxel_parallel::{each, gather, sort_u32};
 use luxel_scene::{Mesh, Part};
@@ -52,20 +52,20 @@ impl PickView<'_> {
             return Ok(());
         }
         let around = [columns.start, rows.start, columns.end, rows.end].map(f64::from);
-        let drawn: Vec<Drawn<'_>> = gather(self.instances.len(), 1, &|run, drawn| {
+        let drawn: Vec<Drawn<'_>> = gather(self.trees.len(), 1, &|run, drawn| {
             drawn.extend(self.to_draw(run.start, around));
         });
         let instances = drawn.iter().map(|drawn| {
-            let Instance { view_from_mesh, parts, .. } = &self.instances[drawn.instance];
+            let instance = &self.placed.instances()[drawn.instance];
             FrameInstance {
                 mesh: &drawn.mesh,
                 clusters: &drawn.clusters,
-                view_from_mesh: *view_from_mesh,
-                parts: parts.clone(),
+                view_from_mesh: instance.view_from_mesh,
+                parts: instance.parts.clone(),
             }
         });
-        let (projection, level) = (&self.camera.projection, self.picker.level);
-        let frame = Frame::new(instances.collect(), projection, self.size, Samples::ONE, level)?;
+        let (projection, level) = (&self.camera().projection, self.picker.level);
+        let frame = Frame::new(instances.collect(), projection, self.size(), Samples::ONE, level)?;
         let shown = |id: TriangleId| {
             let of = frame.triangle(id)?;
             let Drawn { instance, triangles, .. } = &drawn[of.instance];
@@ -74,7 +74,7 @@ impl PickView<'_> {
         };
         let hole = |id: TriangleId, position: [i32; 2]| {
             shown(id).is_some_and(|(instance, triangle)| {
-                let mesh = self.geometry(&self.instances[instance]).mesh;
+                let mesh = self.geometry(instance).mesh;
                 let corners = positions(mesh, triangle);
                 self.is_hole(&Covering { instance, triangle, corners, depth: 0.0 }, position)
             })
@@ -115,11 +115,11 @@ impl PickView<'_> {
 
     /// What of an instance may be seen between left, top, right and bottom; `None` for nothing.
     fn to_draw(&self, number: usize, [left, top, right, bottom]: [f64; 4]) -> Option<Drawn<'_>> {
-        let instance = &self.instances[number];
-        let Geometry { mesh, bvh } = self.geometry(instance);
-        let window = [f64::from(self.size.width), f64::from(self.size.height)];
-        let clip_from_tree =
-            self.camera.projection.clip_from_view(self.size) * instance.tree_from_view.inverse();
+        let instance = &self.trees[number];
+        let Geometry { mesh, bvh } = self.geometry(number);
+        let window = [f64::from(self.size().width), f64::from(self.size().height)];
+        let clip_from_tree = self.camera().projection.clip_from_view(self.size())
+            * instance.tree_from_view.inverse();
         // How far snapping may carry a corner: by so many pixels, and in proportion to distance;
         // planes are in units of 2 w pixels.
         let pixels = |steps: f64| steps / f64::from(SUBPIXELS);

@@ -84,6 +84,7 @@ mod unproject;
 mod view;
 mod visible;
 mod window;
+mod window_cells;
 mod world_rays;
 
 pub use luxel_bvh::{Bvh, MAX_TRIANGLES, MeshRays, Quality, Ray, RayHit, TooManyForTree};

@@ -5,6 +5,7 @@ use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
 use luxel_parallel::{fill, map};
 use luxel_scene::{Mesh, Object, Scene};
+use std::sync::Arc;
 
 /// Why a scene can't be prepared.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -25,9 +26,9 @@ impl From<UnavailableSimdLevel> for PickError {
 }
 
 /// A scene prepared for queries: world-space rays, and, through a [`PickView`](crate::PickView), what a
-/// camera sees.
-pub struct Picker<'s> {
-    pub(crate) scene: &'s Scene,
+/// camera sees. It shares the scene: a program can keep both.
+pub struct Picker {
+    pub(crate) scene: Arc<Scene>,
     pub(crate) objects: Vec<Object>,
     pub(crate) level: Level,
     bvhs: Vec<Bvh>,
@@ -80,13 +81,13 @@ fn is_sound([low, high]: &[DVec3; 2]) -> bool {
     low.cmple(*high).all() && low.is_finite() && high.is_finite()
 }
 
-impl<'s> Picker<'s> {
+impl Picker {
     /// Builds the trees, on all threads of the current pool, for the best instruction set that the
     /// machine has.
     ///
     /// # Errors
     /// [`PickError`] if a mesh has too many triangles.
-    pub fn new(scene: &'s Scene) -> Result<Self, PickError> {
+    pub fn new(scene: impl Into<Arc<Scene>>) -> Result<Self, PickError> {
         Self::with(scene, Quality::Thorough, SimdLevel::Auto)
     }
 
@@ -94,8 +95,15 @@ impl<'s> Picker<'s> {
     ///
     /// # Errors
     /// [`PickError`] if a mesh has too many triangles or the machine lacks the instructions.
-    pub fn with(scene: &'s Scene, quality: Quality, simd: SimdLevel) -> Result<Self, PickError> {
-        let level = simd.resolve()?;
+    pub fn with(
+        scene: impl Into<Arc<Scene>>,
+        quality: Quality,
+        simd: SimdLevel,
+    ) -> Result<Self, PickError> {
+        Self::build(scene.into(), quality, simd.resolve()?)
+    }
+
+    fn build(scene: Arc<Scene>, quality: Quality, level: Level) -> Result<Self, PickError> {
         let bvhs = map(scene.meshes.len(), 1, &|run| {
             let mesh = &scene.meshes[run.start];
             Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))
@@ -103,7 +111,7 @@ impl<'s> Picker<'s> {
         let bvhs = bvhs.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
         let objects = scene.objects();
         let placed =
-            map(objects.len(), 1, &|run| Some(Placed::new(scene, &objects[run.start], quality)));
+            map(objects.len(), 1, &|run| Some(Placed::new(&scene, &objects[run.start], quality)));
         let placed = placed.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
         let mut picker = Self {
             scene,
@@ -134,8 +142,8 @@ impl<'s> Picker<'s> {
 
     /// The scene.
     #[must_use]
-    pub fn scene(&self) -> &'s Scene {
-        self.scene
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
     }
 
     /// The objects, by whose places hits name them.
@@ -154,7 +162,7 @@ impl<'s> Picker<'s> {
             + self.placed.iter().map(own).sum::<usize>()
     }
 
-    pub(crate) fn mesh(&self, object: usize) -> &'s Mesh {
+    pub(crate) fn mesh(&self, object: usize) -> &Mesh {
         &self.scene.meshes[self.objects[object].mesh.index()]
     }
 

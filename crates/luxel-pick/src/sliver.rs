@@ -69,11 +69,8 @@ impl PickView<'_> {
     /// Everything in a region of the window, an entry an object, in the order of objects.
     #[must_use]
     pub fn sliver(&self, region: &Region, inclusion: Inclusion) -> Vec<SliverHit> {
-        let instances = self.instances.iter().filter(|instance| instance.strokes.is_none());
-        let objects: Vec<usize> = instances.map(|instance| instance.object).collect();
-        gather(objects.len(), LEAVES, &|run, hits| {
-            let objects = objects[run].iter();
-            hits.extend(objects.filter_map(|&object| self.of_object(object, region, inclusion)));
+        gather(self.picker.objects.len(), LEAVES, &|run, hits| {
+            hits.extend(run.filter_map(|object| self.of_object(object, region, inclusion)));
         })
     }
 
@@ -156,9 +153,9 @@ impl<'r> Clipper<'r> {
     fn new(view: &PickView<'_>, object: usize, region: &'r Region) -> Self {
         let of = &view.picker.objects[object];
         let tree = view.picker.tree(object);
-        let projection = view.camera.projection.clip_from_view(view.size);
-        let clip_from_world = projection * view.camera.view_from_world;
-        let window = [f64::from(view.size.width), f64::from(view.size.height)];
+        let projection = view.camera().projection.clip_from_view(view.size());
+        let clip_from_world = projection * view.camera().view_from_world;
+        let window = [f64::from(view.size().width), f64::from(view.size().height)];
         let clip_from_tree = clip_from_world * *tree.world_from_tree;
         let hull = planes(&region.hull(), window);
         let frustum = Frustum::new(&hull, &clip_from_tree, tree.bvh.bounds(), [0.0; PLANES]);

@@ -149,7 +149,7 @@ impl PickView<'_> {
         tolerance: f64,
     ) -> Option<PickHit> {
         let [x, y] = place.into().to_array();
-        if !self.instances.iter().any(|instance| instance.strokes.is_some()) {
+        if self.placed.strokes().is_empty() {
             return None;
         }
         around(x, y, tolerance).into_iter().find_map(|[px, py]| {
@@ -168,14 +168,14 @@ impl PickView<'_> {
     }
 
     fn clip_of(&self, place: DVec3) -> DVec4 {
-        let projection = self.camera.projection.clip_from_view(self.size);
-        projection * (self.camera.view_from_world * place.extend(1.0))
+        let projection = self.camera().projection.clip_from_view(self.size());
+        projection * (self.camera().view_from_world * place.extend(1.0))
     }
 
     fn window_of_clip(&self, clip: DVec4) -> [f64; 2] {
         [
-            (clip.x / clip.w + 1.0) * 0.5 * f64::from(self.size.width),
-            (1.0 - clip.y / clip.w) * 0.5 * f64::from(self.size.height),
+            (clip.x / clip.w + 1.0) * 0.5 * f64::from(self.size().width),
+            (1.0 - clip.y / clip.w) * 0.5 * f64::from(self.size().height),
         ]
     }
 

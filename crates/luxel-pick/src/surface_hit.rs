@@ -2,7 +2,7 @@
 //! shade it.
 
 use crate::coverage_query::{Covering, part_of};
-use crate::view::{Instance, PickView};
+use crate::view::PickView;
 use crate::window::PhysicalPosition;
 use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
@@ -57,9 +57,10 @@ impl PickView<'_> {
     /// use luxel_pick::{PickView, Picker};
     /// use luxel_scene::{demos, fit_view, Lens, Size, Viewpoint};
     /// use luxel_visibility::Cull;
+    /// use std::sync::Arc;
     ///
-    /// let scene = demos::demo("teapot").unwrap();
-    /// let picker = Picker::new(&scene)?;
+    /// let scene = Arc::new(demos::demo("teapot").unwrap());
+    /// let picker = Picker::new(Arc::clone(&scene))?;
     /// let size = Size { width: 640, height: 480 };
     /// let viewpoint =
     ///     Viewpoint { up: scene.up, azimuth_radians: 0.5, elevation_radians: 0.3 };
@@ -95,42 +96,50 @@ impl PickView<'_> {
     #[must_use]
     pub fn owner_at(&self, place: impl Into<PhysicalPosition>) -> Option<(usize, Element)> {
         let covering = self.owner(self.steps(place.into())?)?;
-        let instance = &self.instances[covering.instance];
-        Some((instance.object, self.element_of(instance, covering.triangle)))
+        Some(self.element_of(covering.instance, covering.triangle))
     }
 
     /// A place of the window in steps of 1/256 pixel.
     fn steps(&self, PhysicalPosition { x, y }: PhysicalPosition) -> Option<[i32; 2]> {
         let inside = |at: f64, side: u32| at >= 0.0 && at < f64::from(side);
-        if !inside(x, self.size.width) || !inside(y, self.size.height) {
+        if !inside(x, self.size().width) || !inside(y, self.size().height) {
             return None;
         }
         let steps = |at: f64, side: u32| SubPixel::round(at).0.min(side as i32 * SUBPIXELS - 1);
-        Some([steps(x, self.size.width), steps(y, self.size.height)])
+        Some([steps(x, self.size().width), steps(y, self.size().height)])
     }
 
-    pub(crate) fn element_of(&self, instance: &Instance, triangle: u32) -> Element {
-        let Some(strokes) = instance.strokes else { return Element::Triangle(triangle) };
+    /// The object and the element that a triangle of an instance belongs to.
+    pub(crate) fn element_of(&self, number: usize, triangle: u32) -> (usize, Element) {
+        let instance = &self.placed.instances()[number];
+        let Some(strokes) = instance.strokes else {
+            return (instance.object, Element::Triangle(triangle));
+        };
         let element = self.element(strokes, triangle);
         let points = &self.picker.mesh(instance.object).points;
         let points = points.iter().map(|points| points.indices.len()).sum::<usize>() as u32;
-        if element < points { Element::Point(element) } else { Element::Line(element - points) }
+        let element = if element < points {
+            Element::Point(element)
+        } else {
+            Element::Line(element - points)
+        };
+        (instance.object, element)
     }
 
-    pub(crate) fn forms(&self, instance: &Instance, corners: [[f32; 3]; 3]) -> Forms {
-        Forms::new(&self.rays, instance.space.view_from_local.corners(corners))
+    pub(crate) fn forms(&self, covering: &Covering) -> Forms {
+        let space = &self.placed.instances()[covering.instance].space;
+        Forms::new(&self.rays, space.view_from_local.corners(covering.corners))
     }
 
     /// The surface of a triangle at a sample that it covers.
     pub(crate) fn surface_hit(&self, covering: &Covering, position: [i32; 2]) -> PickHit {
         let &Covering { triangle, .. } = covering;
-        let instance = &self.instances[covering.instance];
-        let space = &instance.space;
-        let geometry = self.geometry(instance);
+        let space = &self.placed.instances()[covering.instance].space;
+        let geometry = self.geometry(covering.instance);
         let mesh = geometry.mesh;
         let attributes = mesh.attribute_corners()[triangle as usize].map(|at| at as usize);
         let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
-        let forms = self.forms(instance, covering.corners);
+        let forms = self.forms(covering);
         let in_view = forms.corners();
         let weights = forms.barycentric(&self.rays, position);
 
@@ -143,7 +152,7 @@ impl PickView<'_> {
             interpolate(first.y, [second.y, third.y], &weights),
             interpolate(first.z, [second.z, third.z], &weights),
         );
-        let along = self.camera.direction().as_vec3().to_array();
+        let along = self.camera().direction().as_vec3().to_array();
         let z = Vec3::new(about_eye.x, about_eye.y, about_eye.z)
             .dot(Vec3::new(along[0], along[1], along[2]));
         let normals = space.facing_normals(sides(&corners), forms.towards_eye(), in_mesh);
@@ -152,22 +161,22 @@ impl PickView<'_> {
         let (normal, _) = self.view_rays.unit_vectors(at, Vec3::new(nx, ny, nz));
         let material = mesh.parts[part_of(&geometry, triangle)].material;
         let normal =
-            self.mapped(mesh, instance, attributes, material, &forms, position, weights, normal);
+            self.mapped(mesh, space, attributes, material, &forms, position, weights, normal);
         let [a, b, c] = in_view.map(|corner| space.world_from_view * corner);
         let plane = (b - a).cross(c - a).normalize_or_zero();
         let to_eye = if space.parallel { space.world_from_view.z_axis } else { -a };
         let plane = if plane.dot(to_eye) < 0.0 { -plane } else { plane };
 
-        let eye = self.camera.eye();
+        let eye = self.camera().eye();
         let position = {
             let Vec3 { x, y, z } = about_eye;
             DVec3::new(f64::from(x), f64::from(y), f64::from(z))
         };
-        let element = self.element_of(instance, triangle);
+        let (object, element) = self.element_of(covering.instance, triangle);
         let is_triangle = matches!(element, Element::Triangle(_));
         let colors = |at: usize| mesh.colors.get(at).copied().unwrap_or([1.0; 4]);
         PickHit {
-            object: instance.object,
+            object,
             element,
             material,
             barycentric: if is_triangle { weights } else { [1.0, 0.0, 0.0] },
@@ -179,7 +188,7 @@ impl PickView<'_> {
                 .then(|| interpolate_corners(&attributes.map(colors), &weights)),
             distance: position.length(),
             z,
-            depth: self.camera.projection.window_depth(f64::from(z)),
+            depth: self.camera().projection.window_depth(f64::from(z)),
         }
     }
 
@@ -188,7 +197,7 @@ impl PickView<'_> {
     fn mapped(
         &self,
         mesh: &Mesh,
-        instance: &Instance,
+        space: &InstanceSpace,
         attributes: [usize; 3],
         material: MaterialId,
         forms: &Forms,
@@ -196,12 +205,12 @@ impl PickView<'_> {
         weights: [f32; 3],
         normal: Vec3<f32>,
     ) -> Vec3<f32> {
-        let scene = self.picker.scene;
+        let scene = &self.picker.scene;
         let material = &scene.materials[material.index()];
         let Some(used) = material.normal.filter(|_| !mesh.tangents.is_empty()) else {
             return normal;
         };
-        let tangents = attributes.map(|at| instance.space.tangent(mesh, at));
+        let tangents = attributes.map(|at| space.tangent(mesh, at));
         let [x, y, z, sign] = interpolate_corners(&tangents, &weights);
         let [r, g, b, _] = self.texel(mesh, &used, attributes, forms, position, weights);
         mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)

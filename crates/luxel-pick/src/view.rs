@@ -2,46 +2,42 @@
 //! window may see.
 
 use crate::picker::{PickError, Picker};
+use crate::window_cells::WindowCells;
 use glam::{DMat4, DVec3};
 use luxel_bvh::{Bvh, Quality};
 use luxel_math::SUBPIXELS;
-use luxel_scene::{AlphaMode, Camera, Mesh, Size};
+use luxel_scene::{Camera, Mesh, Size};
 use luxel_visibility::{
-    Coverage, Cull, InstanceSpace, MAX_SIDE, PartUse, Probe, Reach, Strokes, ViewFromLocal,
-    ViewRays, WindowRays, strokes,
+    CoveragePolicy, Cull, MAX_SIDE, PlacedScene, Probe, Reach, Strokes, SurfaceRules, ViewRays,
+    WindowRays,
 };
 
 /// What a camera sees of a scene in a window, ready to be asked pixel by pixel.
 ///
 /// What owns a pixel is decided by the fill rule of frames (`luxel-visibility`): snapped corners,
-/// exact edges, the top-left rule. So a pick tells what a frame shows, at every pixel.
+/// exact edges, the top-left rule. So a pick names what a frame shows, at every pixel.
 pub struct PickView<'p> {
-    pub(crate) picker: &'p Picker<'p>,
-    pub(crate) camera: Camera,
-    pub(crate) size: Size,
+    pub(crate) picker: &'p Picker,
+    /// The instances, as frames place them.
+    pub(crate) placed: PlacedScene<'p>,
+    /// The tree of each instance, in their order.
+    pub(crate) trees: Vec<InstanceTree>,
+    /// The trees of points and lines, in the order of [`PlacedScene::strokes`].
+    bvhs_of_strokes: Vec<Bvh>,
     pub(crate) rays: WindowRays,
     pub(crate) view_rays: ViewRays,
-    /// The objects, then the points and lines of some.
-    pub(crate) instances: Vec<Instance>,
-    strokes: Vec<(Strokes, Bvh)>,
-    cells: Cells,
+    cells: WindowCells,
 }
 
-/// An object, or its points and lines, before the camera.
-pub(crate) struct Instance {
-    pub(crate) object: usize,
-    /// Which of the view's strokes it is, if it isn't the object's triangles.
-    pub(crate) strokes: Option<usize>,
-    pub(crate) view_from_mesh: DMat4,
+/// The tree of an instance before the camera.
+pub(crate) struct InstanceTree {
     /// From view space to the coordinates of the tree.
     pub(crate) tree_from_view: DMat4,
-    pub(crate) space: InstanceSpace,
     pub(crate) probe: Probe,
     pub(crate) reach: Reach,
     /// `None` for an instance without triangles.
     pub(crate) thickness: Option<Thickness>,
-    pub(crate) parts: Vec<PartUse>,
-    /// Whether the tree's positions are those that the probe is asked with.
+    /// Whether the tree's positions are those that the probe takes.
     pub(crate) bounds_tell_depth: bool,
 }
 
@@ -75,7 +71,7 @@ impl<'p> PickView<'p> {
     /// # Panics
     /// If a side of the window is 0 or more than [`MAX_SIDE`] pixels.
     pub fn new(
-        picker: &'p Picker<'p>,
+        picker: &'p Picker,
         camera: Camera,
         size: Size,
         cull: Cull,
@@ -86,96 +82,51 @@ impl<'p> PickView<'p> {
             size.width,
             size.height,
         );
-        let scene = picker.scene;
-        let strokes = strokes(scene, &picker.objects, &camera, size)
-            .into_iter()
-            .map(|strokes| {
-                let mesh = &strokes.mesh;
-                let bvh = Bvh::build(&mesh.positions, &mesh.triangles, Quality::Fast)?;
-                Ok((strokes, bvh))
-            })
-            .collect::<Result<Vec<_>, PickError>>()?;
+        let rules = SurfaceRules { cull, coverage: CoveragePolicy::NEAREST, wireframe: false };
+        let placed = PlacedScene::new(&picker.scene, &picker.objects, &camera, size, &rules);
+        let bvhs_of_strokes = placed
+            .strokes()
+            .iter()
+            .map(|Strokes { mesh, .. }| Bvh::build(&mesh.positions, &mesh.triangles, Quality::Fast))
+            .collect::<Result<Vec<_>, _>>()?;
         let rays = WindowRays::new(&camera.projection, size);
         let mut view = Self {
             picker,
-            camera,
-            size,
+            placed,
+            trees: Vec::new(),
+            bvhs_of_strokes,
             rays,
             view_rays: ViewRays::new(&camera, &rays),
-            instances: Vec::new(),
-            strokes,
-            cells: Cells::default(),
+            cells: WindowCells::default(),
         };
-        for object in 0..picker.objects.len() {
-            let of = &picker.objects[object];
-            let mirrored = of.world_from_mesh.determinant() < 0.0;
-            let parts = picker.mesh(object).parts.iter().map(|part| {
-                let material = &scene.materials[part.material.index()];
-                PartUse {
-                    cull: cull.faces(material.sides, mirrored),
-                    coverage: match material.alpha_mode {
-                        AlphaMode::Opaque => Coverage::Opaque,
-                        AlphaMode::Mask { .. } | AlphaMode::Blend => Coverage::Cutout,
-                    },
-                }
-            });
-            let view_from_mesh = camera.view_from_world * of.world_from_mesh;
-            let tree = picker.tree(object);
-            let tree_from_view = *tree.tree_from_world * camera.view_from_world.inverse();
-            view.add(object, None, view_from_mesh, tree_from_view, parts.collect(), tree.of_mesh);
-        }
-        for number in 0..view.strokes.len() {
-            let (object, parts) =
-                (view.strokes[number].0.object, view.strokes[number].0.mesh.parts.len());
-            let parts = vec![PartUse::default(); parts];
-            view.add(object, Some(number), DMat4::IDENTITY, DMat4::IDENTITY, parts, true);
-        }
-        let places: Vec<_> =
-            view.instances.iter().map(|instance| view.place_in_window(instance)).collect();
-        view.cells = Cells::new(size, &places);
+        view.trees = (0..view.placed.instances().len()).map(|at| view.instance_tree(at)).collect();
+        let places: Vec<_> = (0..view.trees.len()).map(|at| view.place_in_window(at)).collect();
+        view.cells = WindowCells::new(size, &places);
         Ok(view)
     }
 
-    fn add(
-        &mut self,
-        object: usize,
-        strokes: Option<usize>,
-        view_from_mesh: DMat4,
-        tree_from_view: DMat4,
-        parts: Vec<PartUse>,
-        bounds_tell_depth: bool,
-    ) {
-        let mesh = match strokes {
-            Some(number) => &self.strokes[number].0.mesh,
-            None => self.picker.mesh(object),
+    fn instance_tree(&self, number: usize) -> InstanceTree {
+        let instance = &self.placed.instances()[number];
+        let Geometry { mesh, bvh } = self.geometry(number);
+        let (tree_from_view, bounds_tell_depth) = match instance.strokes {
+            Some(_) => (DMat4::IDENTITY, true),
+            None => {
+                let tree = self.picker.tree(instance.object);
+                let world_from_view = self.camera().view_from_world.inverse();
+                (*tree.tree_from_world * world_from_view, tree.of_mesh)
+            }
         };
-        let probe = Probe::new(&self.camera.projection, self.size, &view_from_mesh, mesh);
-        let bounds = match strokes {
-            Some(number) => self.strokes[number].1.bounds(),
-            None => self.picker.tree(object).bvh.bounds(),
-        };
+        let projection = &self.camera().projection;
+        let probe = Probe::new(projection, self.size(), &instance.view_from_mesh, mesh);
         let largest = |bounds: [[f32; 3]; 2]| -> [f32; 3] {
             std::array::from_fn(|axis| bounds[0][axis].abs().max(bounds[1][axis].abs()))
         };
-        // The probe is asked with the mesh's own positions.
+        let bounds = bvh.bounds();
+        // The probe takes the mesh's own positions.
         let of_mesh = if bounds_tell_depth { bounds } else { mesh_bounds(mesh) };
         let reach = probe.reach(of_mesh.map_or([0.0; 3], largest));
         let thickness = bounds.map(|bounds| self.thickness(bounds, &tree_from_view, &reach));
-        let world_from_mesh = &self.picker.objects[object].world_from_mesh;
-        let view_from_local = ViewFromLocal::new(&view_from_mesh, mesh.origin);
-        let space = InstanceSpace::new(world_from_mesh, view_from_local, &self.camera);
-        self.instances.push(Instance {
-            object,
-            strokes,
-            view_from_mesh,
-            tree_from_view,
-            space,
-            probe,
-            reach,
-            thickness,
-            parts,
-            bounds_tell_depth,
-        });
+        InstanceTree { tree_from_view, probe, reach, thickness, bounds_tell_depth }
     }
 
     fn thickness(&self, bounds: [[f32; 3]; 2], tree_from_view: &DMat4, reach: &Reach) -> Thickness {
@@ -191,7 +142,7 @@ impl<'p> PickView<'p> {
         };
         let snapped = steps([reach.constant; 2]);
         let rounded = steps(reach.by_distance);
-        let farthest = if self.camera.projection.is_orthographic() {
+        let farthest = if self.camera().projection.is_orthographic() {
             1.0
         } else {
             let view_from_tree = tree_from_view.inverse();
@@ -214,37 +165,34 @@ impl<'p> PickView<'p> {
     /// The camera.
     #[must_use]
     pub fn camera(&self) -> &Camera {
-        &self.camera
+        self.placed.camera()
     }
 
     /// The window's size.
     #[must_use]
     pub fn size(&self) -> Size {
-        self.size
+        self.placed.size()
     }
 
     /// The scene that is looked at.
     #[must_use]
-    pub fn picker(&self) -> &'p Picker<'p> {
+    pub fn picker(&self) -> &'p Picker {
         self.picker
     }
 
-    pub(crate) fn geometry(&self, instance: &Instance) -> Geometry<'_> {
-        match instance.strokes {
-            Some(number) => {
-                let (strokes, bvh) = &self.strokes[number];
-                Geometry { mesh: &strokes.mesh, bvh }
-            }
-            None => Geometry {
-                mesh: self.picker.mesh(instance.object),
-                bvh: self.picker.tree(instance.object).bvh,
-            },
-        }
+    /// The triangles of an instance, and their tree.
+    pub(crate) fn geometry(&self, number: usize) -> Geometry<'_> {
+        let instance = &self.placed.instances()[number];
+        let bvh = match instance.strokes {
+            Some(strokes) => &self.bvhs_of_strokes[strokes],
+            None => self.picker.tree(instance.object).bvh,
+        };
+        Geometry { mesh: self.placed.mesh(instance), bvh }
     }
 
     /// The point or line that a triangle of strokes is part of.
     pub(crate) fn element(&self, strokes: usize, triangle: u32) -> u32 {
-        self.strokes[strokes].0.elements[triangle as usize / 2]
+        self.placed.strokes()[strokes].elements[triangle as usize / 2]
     }
 
     /// The instances that may cover a pixel, in their order.
@@ -254,12 +202,13 @@ impl<'p> PickView<'p> {
 
     /// The pixels that an instance may cover, `None` for none: the corners of its box, or all where
     /// it comes up to the eye.
-    fn place_in_window(&self, instance: &Instance) -> Option<[f64; 4]> {
-        let bounds_of_tree = self.geometry(instance).bvh.bounds()?;
+    fn place_in_window(&self, number: usize) -> Option<[f64; 4]> {
+        let instance = &self.trees[number];
+        let bounds_of_tree = self.geometry(number).bvh.bounds()?;
         let view_from_tree = instance.tree_from_view.inverse();
-        let projection = &self.camera.projection;
-        let clip = projection.clip_from_view(self.size);
-        let (width, height) = (f64::from(self.size.width), f64::from(self.size.height));
+        let projection = &self.camera().projection;
+        let clip = projection.clip_from_view(self.size());
+        let (width, height) = (f64::from(self.size().width), f64::from(self.size().height));
         let mut bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
         let mut nearest = f64::INFINITY;
         for corner in corners_of(bounds_of_tree) {
@@ -281,70 +230,6 @@ impl<'p> PickView<'p> {
         };
         let [x, y] = [grow(0), grow(1)];
         Some([bounds[0] - x, bounds[1] - y, bounds[2] + x, bounds[3] + y])
-    }
-}
-
-/// The window in cells, each with the instances that may cover it, so that a scene of thousands of
-/// objects asks few of them.
-#[derive(Default)]
-struct Cells {
-    /// Pixels of a cell's side, across and down.
-    side: [i32; 2],
-    across: usize,
-    down: usize,
-    /// Those that cover a large part of the window, in order.
-    everywhere: Vec<u32>,
-    lists: Vec<Vec<u32>>,
-}
-
-/// Cells of a window's side, at most.
-const CELLS: u32 = 32;
-
-impl Cells {
-    fn new(size: Size, places: &[Option<[f64; 4]>]) -> Self {
-        let side = [size.width, size.height].map(|pixels| pixels.div_ceil(CELLS).max(8));
-        let [across, down] = [(size.width, side[0]), (size.height, side[1])]
-            .map(|(pixels, side)| pixels.div_ceil(side) as usize);
-        let side = side.map(|side| side as i32);
-        let mut cells = Self {
-            side,
-            across,
-            down,
-            everywhere: Vec::new(),
-            lists: vec![Vec::new(); across * down],
-        };
-        for (number, place) in (0..).zip(places) {
-            let Some([left, top, right, bottom]) = *place else { continue };
-            let cell = |at: f64, side: i32, count: usize| {
-                (at / f64::from(side)).floor().clamp(-1.0, count as f64) as i64
-            };
-            let first = [cell(left, side[0], across).max(0), cell(top, side[1], down).max(0)];
-            let last = [
-                cell(right, side[0], across).min(across as i64 - 1),
-                cell(bottom, side[1], down).min(down as i64 - 1),
-            ];
-            if first[0] > last[0] || first[1] > last[1] {
-                continue;
-            }
-            let count = (last[0] - first[0] + 1) * (last[1] - first[1] + 1);
-            if count * 4 > (across * down) as i64 {
-                cells.everywhere.push(number);
-                continue;
-            }
-            for row in first[1]..=last[1] {
-                for column in first[0]..=last[0] {
-                    cells.lists[row as usize * across + column as usize].push(number);
-                }
-            }
-        }
-        cells
-    }
-
-    fn at(&self, [x, y]: [i32; 2]) -> impl Iterator<Item = usize> + '_ {
-        let column = (x / self.side[0]).clamp(0, self.across as i32 - 1) as usize;
-        let row = (y / self.side[1]).clamp(0, self.down as i32 - 1) as usize;
-        let own = &self.lists[row * self.across + column];
-        self.everywhere.iter().chain(own).map(|&number| number as usize)
     }
 }
 

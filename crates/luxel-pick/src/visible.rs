@@ -70,14 +70,14 @@ impl PickView<'_> {
     /// whose centres lie inside.
     #[must_use]
     pub fn visible_in(&self, region: &Region) -> Vec<VisibleHit> {
-        let pixels = pixels_of(self.size, region);
+        let pixels = pixels_of(self.size(), region);
         let all = Mutex::new(Counts::new());
         let of_tile = |shown: &mut dyn Iterator<Item = Shown>| {
             let mut counts = Counts::new();
             for Shown { pixel: [x, y], instance, .. } in shown {
                 let PhysicalPosition { x, y } = PhysicalPosition::centre_of(x, y);
                 if region.contains(x, y) {
-                    *counts.entry(self.instances[instance].object).or_default() += 1;
+                    *counts.entry(self.placed.instances()[instance].object).or_default() += 1;
                 }
             }
             add(&mut all.lock().unwrap_or_else(PoisonError::into_inner), counts);
@@ -85,7 +85,7 @@ impl PickView<'_> {
         match self.drawn(&pixels, &of_tile) {
             Ok(()) => hits_of(all.into_inner().unwrap_or_else(PoisonError::into_inner)),
             // So many that a frame can't number them can still be asked for.
-            Err(_) => counted(self.size, region, |x, y| {
+            Err(_) => counted(self.size(), region, |x, y| {
                 self.owner_at(PhysicalPosition::centre_of(x, y)).map(|(object, _)| object)
             }),
         }
@@ -94,7 +94,7 @@ impl PickView<'_> {
     /// What every pixel shows, to be asked again and again.
     #[must_use]
     pub fn visible_ids(&self) -> VisibleIds {
-        let Size { width, height } = self.size;
+        let Size { width, height } = self.size();
         let count = width as usize * height as usize;
         let all = Mutex::new((vec![NOTHING; count], vec![NOTHING; count]));
         let set = |shown: &[([u32; 2], usize, Element)]| {
@@ -109,8 +109,8 @@ impl PickView<'_> {
         };
         let of_tile = |shown: &mut dyn Iterator<Item = Shown>| {
             let element = |shown: Shown| {
-                let instance = &self.instances[shown.instance];
-                (shown.pixel, instance.object, self.element_of(instance, shown.triangle))
+                let (object, element) = self.element_of(shown.instance, shown.triangle);
+                (shown.pixel, object, element)
             };
             set(&shown.map(element).collect::<Vec<_>>());
         };
@@ -122,7 +122,7 @@ impl PickView<'_> {
             }
         }
         let (objects, triangles) = all.into_inner().unwrap_or_else(PoisonError::into_inner);
-        VisibleIds { size: self.size, objects, triangles }
+        VisibleIds { size: self.size(), objects, triangles }
     }
 }
 

@@ -93,7 +93,7 @@ impl NearRay {
     }
 }
 
-impl Picker<'_> {
+impl Picker {
     /// The closest hit of a ray, on either side of triangles; of equally close ones that of the first
     /// object's lowest triangle. `None` also for a ray that isn't sound.
     ///
@@ -102,7 +102,7 @@ impl Picker<'_> {
     /// use luxel_scene::{demos, DVec3};
     ///
     /// let scene = demos::demo("teapot").unwrap();
-    /// let picker = Picker::new(&scene)?;
+    /// let picker = Picker::new(scene)?;
     /// let ray = WorldRay::new(DVec3::new(0.0, 1.0, 50.0), DVec3::NEG_Z);
     /// let hit = picker.closest(&ray).unwrap();
     /// assert!(hit.position.z > 0.0);

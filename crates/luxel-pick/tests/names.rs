@@ -153,7 +153,7 @@ fn strokes() -> Scene {
 #[test]
 fn points_and_lines_are_hit_within_so_many_pixels_and_no_farther() {
     let scene = strokes();
-    let picker = Picker::new(&scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     let camera = Camera {
         view_from_world: Camera::look_at(DVec3::Z * 5.0, DVec3::ZERO, DVec3::Y),
         projection: Projection { lens: Lens::Orthographic { height: 3.0 }, near: 1.0, far: 9.0 },

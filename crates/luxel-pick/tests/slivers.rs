@@ -120,7 +120,7 @@ proptest! {
         size in prop::sample::select(vec![[5.0, 5.0], [0.01, 0.01], [60.0, 20.0], [500.0, 400.0]]),
     ) {
         let scene = scene();
-        let picker = Picker::new(&scene).unwrap();
+        let picker = Picker::new(scene.clone()).unwrap();
         let camera = cameras()[camera];
         let view = PickView::new(&picker, camera, SIZE, Cull::Auto).unwrap();
         let rectangle = [at[0], at[1], size[0], size[1]];
@@ -153,7 +153,7 @@ proptest! {
 #[test]
 fn a_lasso_of_a_rectangle_s_corners_tells_what_the_rectangle_does() {
     let scene = scene();
-    let picker = Picker::new(&scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     for camera in cameras() {
         let view = PickView::new(&picker, camera, SIZE, Cull::Auto).unwrap();
         for [x, y, w, h] in [[100.0, 60.0, 30.0, 40.0], [0.0, 0.0, 320.0, 200.0]] {
@@ -177,7 +177,7 @@ fn a_lasso_of_a_rectangle_s_corners_tells_what_the_rectangle_does() {
 #[test]
 fn enclosed_objects_lie_inside_as_a_whole() {
     let scene = scene();
-    let picker = Picker::new(&scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     let view = PickView::new(&picker, cameras()[0], SIZE, Cull::Auto).unwrap();
     let window = Region::rectangle(0.0, 0.0, 320.0, 200.0).unwrap();
     let objects = |region: &Region, inclusion| -> Vec<usize> {
@@ -198,7 +198,7 @@ fn enclosed_objects_lie_inside_as_a_whole() {
 #[test]
 fn pixels_of_what_is_visible_add_up_to_the_frame() {
     let scene = scene();
-    let picker = Picker::new(&scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     let view = PickView::new(&picker, cameras()[0], SIZE, Cull::Auto).unwrap();
     let ids = view.visible_ids();
     let window = Region::rectangle(0.0, 0.0, 320.0, 200.0).unwrap();
@@ -219,7 +219,7 @@ fn pixels_of_what_is_visible_add_up_to_the_frame() {
 #[test]
 fn a_cursor_snaps_to_the_nearest_vertex_and_edge_that_are_seen() {
     let scene = scene();
-    let picker = Picker::new(&scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     let view = PickView::new(&picker, cameras()[0], SIZE, Cull::Auto).unwrap();
     let objects = scene.objects();
     for (x, y) in [(100.3, 90.2), (210.0, 100.0), (90.0, 120.7)] {

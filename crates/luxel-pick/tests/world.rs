@@ -33,7 +33,7 @@ fn scene() -> Scene {
 #[test]
 fn the_nearest_of_all_objects_is_that_of_asking_all_triangles() {
     let scene = scene();
-    let picker = Picker::new(&scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     let objects = scene.objects();
     let middle = DVec3::new(3e5 + 4.5, -2e5 + 4.5, 4.5);
     let mut hits = 0;

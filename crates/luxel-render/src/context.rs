@@ -8,7 +8,7 @@ use luxel_lighting::{
 };
 use luxel_math::{Lanes, Vec3};
 use luxel_scene::{Mesh, Scene, SceneMaterial};
-use luxel_visibility::{Frame, InstanceSpace, ViewRays};
+use luxel_visibility::{Frame, InstanceSpace, PlacedScene, ViewRays};
 use std::collections::HashMap;
 use std::sync::Mutex;
 
@@ -16,7 +16,8 @@ use std::sync::Mutex;
 pub(crate) struct ShadingContext<'a> {
     pub(crate) scene: &'a Scene,
     pub(crate) frame: &'a Frame<'a>,
-    pub(crate) spaces: &'a [InstanceSpace],
+    /// The instances, before the camera.
+    pub(crate) placed: &'a PlacedScene<'a>,
     pub(crate) lights: &'a [PlacedLight],
     pub(crate) ambient: [f32; 3],
     /// What shines on each material, and the fog.
@@ -38,8 +39,6 @@ pub(crate) struct ShadingContext<'a> {
     /// Edges over the faces, with the polygons' edges of each instance.
     pub(crate) edges: Option<Edges>,
     pub(crate) edge_flags: &'a [Option<&'a EdgeFlags>],
-    /// The object that each instance shows.
-    pub(crate) objects: &'a [usize],
     /// Where light is computed, and how it gets to the pixels between.
     pub(crate) shading: Shading,
     pub(crate) encoding: PictureEncoding,
@@ -52,6 +51,17 @@ pub(crate) struct ShadingContext<'a> {
 }
 
 impl ShadingContext<'_> {
+    /// The spaces of an instance's positions and normals.
+    #[inline(always)]
+    pub(crate) fn space(&self, instance: usize) -> &InstanceSpace {
+        &self.placed.instances()[instance].space
+    }
+
+    /// The object that an instance shows.
+    pub(crate) fn object(&self, instance: usize) -> usize {
+        self.placed.instances()[instance].object
+    }
+
     /// The surface point of a sample at (x, y) in the window, in pixels: N and V at unit length.
     ///
     /// V comes from the sample's ray, not from the place: it is right to the last digits however far

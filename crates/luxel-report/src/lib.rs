@@ -27,10 +27,11 @@
 //! #     }
 //! # }
 //! use luxel_report::Report;
+//! use std::sync::Arc;
 //!
-//! let scene = demos::demo("teapot").ok_or("no such demo")?;
+//! let scene = Arc::new(demos::demo("teapot").ok_or("no such demo")?);
 //! let view = default_view(&scene, Size { width: 96, height: 54 });
-//! let renderer = Renderer::new(&scene, &Execution::default())?;
+//! let renderer = Renderer::new(Arc::clone(&scene), &Execution::default())?;
 //! let explanation = renderer.explain(&view, At::Pixel([48, 30]))?;
 //!
 //! let report = Report::new(&explanation, &scene, &view).with_model("the teapot");

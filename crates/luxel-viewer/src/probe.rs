@@ -49,7 +49,7 @@ pub(crate) struct Under {
 }
 
 /// What lies under a pixel's centre, if something is there.
-pub(crate) fn under(renderer: &Renderer<'_>, view: &View, pixel: [u32; 2]) -> Option<Under> {
+pub(crate) fn under(renderer: &Renderer, view: &View, pixel: [u32; 2]) -> Option<Under> {
     let camera = pixel_camera(&view.camera, view.size, pixel);
     let view = View { camera, size: Size { width: 1, height: 1 }, ..view.clone() };
     let layers = renderer.layers(&view, &[Layer::Position, Layer::Z, Layer::Object]).ok()?;
@@ -67,7 +67,7 @@ pub(crate) fn under(renderer: &Renderer<'_>, view: &View, pixel: [u32; 2]) -> Op
 
 /// What each pixel of a view shows, by the fill rule of its picture. `numbers` are those of the
 /// renderer's objects in the whole scene.
-pub(crate) fn seen(renderer: &Renderer<'_>, view: &View, numbers: &[usize]) -> Option<VisibleIds> {
+pub(crate) fn seen(renderer: &Renderer, view: &View, numbers: &[usize]) -> Option<VisibleIds> {
     let layers = renderer.layers(view, &[Layer::Object, Layer::Triangle]).ok()?;
     let mut layers = layers.into_iter();
     let (Some(LayerValues::U32(mut objects)), Some(LayerValues::U32(triangles))) =
@@ -107,7 +107,7 @@ impl Explained {
 /// Why a pixel has its colour; `None`, if it can't be told. `numbers` are those of the renderer's
 /// objects in the whole scene.
 pub(crate) fn explained(
-    renderer: &Renderer<'_>,
+    renderer: &Renderer,
     view: &View,
     pixel: [u32; 2],
     numbers: &[usize],
@@ -126,7 +126,7 @@ pub(crate) fn explained(
 }
 
 /// The distance along the view of what each pixel of a view shows; infinite where nothing is.
-pub(crate) fn depths(renderer: &Renderer<'_>, view: &View) -> Option<Vec<f32>> {
+pub(crate) fn depths(renderer: &Renderer, view: &View) -> Option<Vec<f32>> {
     match renderer.layers(view, &[Layer::Z]).ok()?.pop()? {
         LayerValues::F32(z) => Some(z),
         LayerValues::U32(_) => None,
@@ -141,7 +141,7 @@ mod tests {
     #[test]
     fn a_pixel_alone_tells_what_it_tells_in_the_whole_picture() {
         let scene = luxel::scene::demos::demo("teapot").unwrap();
-        let renderer = Renderer::new(&scene, &Execution::default()).unwrap();
+        let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
         let size = Size { width: 96, height: 54 };
         let mut view = luxel::default_view(&scene, size);
         let planes = (view.camera.projection.near, view.camera.projection.far);

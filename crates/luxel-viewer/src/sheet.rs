@@ -17,7 +17,7 @@ const NOTHING: u32 = u32::MAX;
 
 impl Sheet {
     /// Draws it: red, green, blue, alpha.
-    pub(crate) fn draw(&self, renderer: &Renderer<'_>) -> Result<Vec<[u8; 4]>, RenderError> {
+    pub(crate) fn draw(&self, renderer: &Renderer) -> Result<Vec<[u8; 4]>, RenderError> {
         let Some(layer) = &self.layer else {
             return Ok(renderer.rgba8(&self.view)?.pixels);
         };
@@ -67,7 +67,7 @@ mod tests {
     #[test]
     fn terms_of_light_add_up_to_the_picture_of_one_sample() {
         let scene = demos::demo("plane").unwrap();
-        let renderer = Renderer::new(&scene, &Execution::default()).unwrap();
+        let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
         let mut view = luxel::default_view(&scene, SIZE);
         view.samples = 1;
         view.encoding = PictureEncoding::None;
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn a_light_that_is_off_leaves_the_objects_black() {
         let scene = demos::demo("plane").unwrap();
-        let renderer = Renderer::new(&scene, &Execution::default()).unwrap();
+        let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
         let mut view = luxel::default_view(&scene, SIZE);
         let name = view.lights[0].name.clone();
         let layer = Some(Layer::Light(name));

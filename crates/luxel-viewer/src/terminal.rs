@@ -28,6 +28,7 @@ use luxel::scene::{DVec2, DVec3, Size};
 use screen::Screen;
 pub use screen::leave_terminal;
 use std::ffi::OsStr;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// How long nothing may change until the picture sharpens.
@@ -60,8 +61,8 @@ pub struct TerminalOptions {
 /// # Errors
 /// [`ViewerError`], if there is no terminal, or the scene can't be drawn.
 pub fn view_in_terminal(model: Model, options: &TerminalOptions) -> Result<(), ViewerError> {
-    let scene = std::sync::Arc::clone(&model.scene);
-    let renderer = Renderer::new(&scene, &options.execution)
+    let scene = Arc::clone(&model.scene);
+    let renderer = Renderer::new(Arc::clone(&scene), &options.execution)
         .map_err(|error| ViewerError::Draw(error.to_string()))?;
     let screen = Screen::open(options.graphics).map_err(no_terminal)?;
     let size = screen.size();
@@ -90,7 +91,7 @@ type Drawn = (luxel::scene::Camera, Size, u64, bool);
 
 struct View<'a> {
     session: Session,
-    renderer: &'a Renderer<'a>,
+    renderer: &'a Renderer,
     screen: Screen,
     theme: &'static Theme,
     options: &'a TerminalOptions,

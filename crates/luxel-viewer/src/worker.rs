@@ -153,7 +153,7 @@ impl Worker {
                         return Err("it is not wanted any more".to_owned());
                     }
                     loading.is_whole();
-                    let renderer = Renderer::new(&model.scene, &execution);
+                    let renderer = Renderer::new(Arc::clone(&model.scene), &execution);
                     let prepared = renderer.map_err(|error| error.to_string())?.into_prepared();
                     Ok(Box::new(Ready { model, prepared }))
                 });
@@ -260,19 +260,19 @@ fn work_on(
 ) -> Option<Shown> {
     let Shown { number: about, scene, prepared } = shown;
     let answer = |answer| say(Said { about, answer });
-    let scene: &Scene = &scene;
     let mut changes = Changes::default();
     // What is changed is changed in a copy, which is made when it is first needed.
-    let mut copy: Option<Scene> = None;
+    let mut copy: Option<Arc<Scene>> = None;
     // What the last renderer has made ready of the meshes, which stay the same.
     let mut prepared: Prepared = *prepared;
     loop {
         if changes == Changes::default() {
             copy = None;
         } else {
-            apply(scene, &changes, copy.get_or_insert_with(|| scene.clone()));
+            let copy = copy.get_or_insert_with(|| Arc::clone(&scene));
+            apply(&scene, &changes, Arc::make_mut(copy));
         }
-        let renderer = Renderer::again(copy.as_ref().unwrap_or(scene), prepared);
+        let renderer = Renderer::again(Arc::clone(copy.as_ref().unwrap_or(&scene)), prepared);
         let count = renderer.objects().len() + changes.hidden.len();
         let numbers: Vec<_> =
             (0..count).filter(|number| !changes.hidden.contains(number)).collect();
@@ -297,7 +297,7 @@ fn apply(scene: &Scene, changes: &Changes, copy: &mut Scene) {
 
 /// Draws what it is asked for, until there is another scene to draw or nobody to draw for.
 fn work(
-    renderer: &Renderer<'_>,
+    renderer: &Renderer,
     numbers: &[usize],
     requests: &Receiver<Request>,
     answer: &impl Fn(Answer) -> bool,
@@ -330,7 +330,7 @@ fn work(
 
 /// Draws what is asked for and hands it over; whether anyone has taken it.
 fn draw(
-    renderer: &Renderer<'_>,
+    renderer: &Renderer,
     numbers: &[usize],
     order: &Order,
     answer: &impl Fn(Answer) -> bool,
@@ -374,7 +374,7 @@ mod tests {
         }
         drop(to);
         let answers = std::cell::RefCell::new(Vec::new());
-        let renderer = Renderer::new(scene, &Execution::default()).unwrap();
+        let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
         let prepared = Box::new(renderer.into_prepared());
         let shown = Shown { number: 7, scene: Arc::new(scene.clone()), prepared };
         let next = work_on(shown, &received, &|said| {
@@ -440,7 +440,7 @@ mod tests {
         let asked = [draw(), dress(none.clone(), materials), draw(), dress(none, None), draw()];
         let answers = answers(&scene, asked);
         let [plain, changed, again] = answers.as_slice() else { panic!("too few answers") };
-        let renderer = Renderer::new(&other, &Execution::default()).unwrap();
+        let renderer = Renderer::new(other, &Execution::default()).unwrap();
         assert_eq!(drawn(changed).pictures, [renderer.rgba8(&view).unwrap().pixels]);
         assert_ne!(drawn(changed).pictures, drawn(plain).pictures);
         assert_eq!(drawn(again).pictures, drawn(plain).pictures);

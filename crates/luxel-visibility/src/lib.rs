@@ -1,7 +1,7 @@
 //! What each sample of the window sees.
 //!
-//! Meshes are cut into [`Clusters`] once. A [`Frame`] culls and bins the clusters of all instances
-//! for one view; its tiles are then drawn independently, each into a [`Tile`] of depths and
+//! Meshes are cut into [`Clusters`] once. A [`PlacedScene`] turns scene and camera into instances, and a
+//! [`Frame`] culls and bins the clusters of all instances for one view; its tiles are then drawn independently, each into a [`Tile`] of depths and
 //! triangle ids. That visibility buffer is what drawing lights, picking reads and layers show.
 //!
 //! One folder a stage; each imports only those above it:
@@ -18,6 +18,7 @@
 //! 5. `query`: barycentrics of a sample ([`Forms`], [`TileForms`]), corners and normals of its triangle
 //!    ([`InstanceSpace`]), the fill rule for one triangle and one sample ([`Probe`]).
 //! 6. `frame`: all of it for one view.
+//! 7. `placed_scene`: turns a scene and a camera into instances, for frames and picks alike.
 //!
 //! The crate knows no light, no file and no window system. Every sample's outcome is a pure function of
 //! the input: neither threads nor SIMD width nor the order of drawing can change it.
@@ -27,6 +28,7 @@
 mod cluster;
 mod cull;
 mod frame;
+mod placed_scene;
 mod query;
 mod raster;
 mod types;
@@ -35,6 +37,7 @@ pub use cluster::{
     CLUSTER_TRIANGLES, Clusters, Frames, Instance, ShadingVertex, TooManyTriangles, TriangleOf,
 };
 pub use frame::Frame;
+pub use placed_scene::{CoveragePolicy, PlacedInstance, PlacedScene, SurfaceRules};
 pub use query::{
     Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, POINT_SIZE, PackedForms, Probe,
     Reach, SeenCluster, Strokes, TILE_FORMS, TileForms, ViewFromLocal, ViewRays, WindowRays,

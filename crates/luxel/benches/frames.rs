@@ -72,7 +72,7 @@ fn masked(scene: &Scene) -> Scene {
 fn time(scene: &Scene, view: &View, simd: SimdLevel) -> ([f64; 4], u64) {
     let execution =
         Execution { threads: 1, simd, clock: || BEGUN.elapsed(), ..Execution::default() };
-    let renderer = Renderer::new(scene, &execution).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution).unwrap();
     let mut picture = Picture::default();
     let mut times = [const { Vec::new() }; 4];
     for _ in 0..FRAMES {

@@ -17,8 +17,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The default view, on another background.
     let mut view = default_view(&scene, Size { width: 640, height: 360 });
     view.background = [0.02, 0.02, 0.025, 1.0];
-    let picture = Renderer::new(&scene, &Execution::default())?.rgba8(&view)?;
+    let renderer = Renderer::new(scene, &Execution::default())?;
+    let picture = renderer.rgba8(&view)?;
     write_png(&picture, &mut File::create(&path)?)?;
-    println!("{} triangles drawn to {}", scene.triangle_count(), path.display());
+    println!("{} triangles drawn to {}", renderer.scene().triangle_count(), path.display());
     Ok(())
 }

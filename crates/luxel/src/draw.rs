@@ -6,6 +6,7 @@ use luxel_render::{
 };
 use luxel_scene::{Scene, Size};
 use std::io::Write;
+use std::sync::Arc;
 
 /// Draws a scene as [`default_view`] sees it: rows of red, green, blue and alpha from the top.
 ///
@@ -13,7 +14,7 @@ use std::io::Write;
 /// use luxel::scene::{Size, demos};
 ///
 /// let teapot = demos::demo("teapot").unwrap();
-/// let picture = luxel::draw(&teapot, Size { width: 64, height: 36 })?;
+/// let picture = luxel::draw(teapot, Size { width: 64, height: 36 })?;
 /// assert_eq!(picture.pixels.len(), 64 * 36);
 /// assert_eq!(picture.pixels[0], [0; 4], "nothing is in the corner");
 /// assert_eq!(picture.pixels[18 * 64 + 32][3], 255, "the teapot is in the middle");
@@ -22,8 +23,10 @@ use std::io::Write;
 ///
 /// # Errors
 /// [`RenderError`] if the size is impossible or the scene too large to be numbered.
-pub fn draw(scene: &Scene, size: Size) -> Result<Picture<[u8; 4]>, RenderError> {
-    Renderer::new(scene, &Execution::default())?.rgba8(&default_view(scene, size))
+pub fn draw(scene: impl Into<Arc<Scene>>, size: Size) -> Result<Picture<[u8; 4]>, RenderError> {
+    let scene = scene.into();
+    let view = default_view(&scene, size);
+    Renderer::new(scene, &Execution::default())?.rgba8(&view)
 }
 
 /// Writes a picture of [`draw`] as PNG.

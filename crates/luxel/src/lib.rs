@@ -4,7 +4,7 @@
 //! use luxel::scene::Size;
 //!
 //! let model = luxel::load("model.glb")?;
-//! let picture = luxel::draw(&model.scene, Size { width: 1280, height: 720 })?;
+//! let picture = luxel::draw(model.scene, Size { width: 1280, height: 720 })?;
 //! luxel::write_png(&picture, &mut std::fs::File::create("model.png")?)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -92,7 +92,7 @@ const MODULES: &[(&str, &[&str])] = &[
             "demos",
         ],
     ),
-    ("luxel-visibility", &["types", "cluster", "cull", "raster", "query", "frame"]),
+    ("luxel-visibility", &["types", "cluster", "cull", "raster", "query", "frame", "placed_scene"]),
     (
         "luxel-render",
         &[

@@ -24,7 +24,7 @@ const PERSPECTIVE: Lens = Lens::Perspective { fov_y_radians: 0.8 };
 fn compare(scene: &Scene, camera: Camera, size: Size, cull: Cull) -> usize {
     let mut view = luxel::default_view(scene, size);
     (view.camera, view.samples, view.cull) = (camera, 1, cull);
-    let renderer = Renderer::new(scene, &Execution::default()).unwrap();
+    let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
     let layers = [
         Layer::Object,
         Layer::Triangle,
@@ -44,7 +44,7 @@ fn compare(scene: &Scene, camera: Camera, size: Size, cull: Cull) -> usize {
         LayerValues::F32(values) => values.as_slice(),
         LayerValues::U32(_) => panic!("floats"),
     };
-    let picker = Picker::new(scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     let picks = PickView::new(&picker, camera, size, cull).unwrap();
     // What is drawn of a part alone is what the frame shows there.
     let shown = VisibleIds::new(size, ids(0).to_vec(), ids(1).to_vec()).unwrap();

@@ -21,6 +21,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::hint::black_box;
 use std::num::NonZeroU32;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Time frames of an orbiting camera
@@ -75,8 +76,8 @@ impl BenchCommand {
         let mut model = model::load(&self.input, &self.execution, console)?;
         surface::apply_material(&self.material, &mut model.scene);
         surface::apply_normals(&self.shading, &mut model.scene);
-        let scene = &model.scene;
-        let renderer = Renderer::new(scene, &view::execution(&self.execution))
+        let scene = &Arc::new(model.scene);
+        let renderer = Renderer::new(Arc::clone(scene), &view::execution(&self.execution))
             .map_err(|error| Failure::work(error.to_string(), ""))?;
 
         let sides = if self.still { 1 } else { self.frames.get() };
@@ -120,7 +121,7 @@ impl BenchCommand {
     }
 
     /// Draws the views in turns.
-    fn time_frames(&self, renderer: &Renderer<'_>, views: &[View]) -> Result<Timings, RenderError> {
+    fn time_frames(&self, renderer: &Renderer, views: &[View]) -> Result<Timings, RenderError> {
         let (mut picture, mut values) = (Picture::default(), Vec::new());
         let mut timings = Timings::new();
         let warm_up = self.frames.get().div_ceil(10);
@@ -141,10 +142,11 @@ impl BenchCommand {
     }
 
     /// Microseconds that a pick takes, everything told, where there is something.
-    fn picks(&self, scene: &Scene, camera: Camera) -> Result<Spread, Failure> {
+    fn picks(&self, scene: &Arc<Scene>, camera: Camera) -> Result<Spread, Failure> {
         let failed = |error: PickError| Failure::work(error.to_string(), "");
         check_memory(scene, Quality::Thorough, self.execution.max_memory)?;
-        let picker = Picker::with(scene, Quality::Thorough, self.execution.simd).map_err(failed)?;
+        let picker = Picker::with(Arc::clone(scene), Quality::Thorough, self.execution.simd)
+            .map_err(failed)?;
         let size = self.frame.size;
         let view = PickView::new(&picker, camera, size, self.frame.cull.into()).map_err(failed)?;
         let mut times = [Vec::new(), Vec::new()];

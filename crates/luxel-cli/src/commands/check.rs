@@ -21,6 +21,7 @@ use serde_json::{Value, json};
 use std::ffi::OsString;
 use std::fmt::Write;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Tell what in the mesh spoils its shading
 ///
@@ -99,9 +100,10 @@ impl CheckCommand {
             only => report.marked_only(scene, only),
         };
         surface::apply_normals(&self.shading, &mut marked);
+        let marked = Arc::new(marked);
         let execution = view::execution(&self.execution);
-        let renderer =
-            Renderer::new(&marked, &execution).map_err(|error| failure(error.to_string()))?;
+        let renderer = Renderer::new(Arc::clone(&marked), &execution)
+            .map_err(|error| failure(error.to_string()))?;
         let mut view = luxel::default_view(&marked, self.frame.size);
         view.camera = camera;
         view.samples = self.frame.samples;

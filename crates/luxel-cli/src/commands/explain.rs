@@ -18,6 +18,7 @@ use luxel::report::{Hint, Pictures, Report};
 use std::ffi::OsString;
 use std::io::IsTerminal;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Explain a pixel's colour, term by term
 ///
@@ -81,12 +82,12 @@ impl ExplainCommand {
         }
         surface::apply_material(&self.material, &mut model.scene);
         surface::apply_normals(&self.shading, &mut model.scene);
-        let scene = &model.scene;
+        let scene = &Arc::new(model.scene);
         let camera = camera::choose(&self.frame, scene)?;
         let view =
             view::view(&self.frame, &self.light, &self.mode, &self.picture, None, camera, scene)?;
         let execution = Execution { one_frame: true, ..view::execution(&self.execution) };
-        let renderer = Renderer::new(scene, &execution)
+        let renderer = Renderer::new(Arc::clone(scene), &execution)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         let explanation = renderer.explain(&view, self.asked.at).map_err(|error| match error {
             RenderError::Outside(_) => Failure::Usage(format!("--at: {error}")),

@@ -16,6 +16,7 @@ use clap::{Args, ValueEnum};
 use luxel::pick::{Inclusion, PickView, Picker, Quality};
 use luxel::render::At;
 use luxel::scene::Scene;
+use std::sync::Arc;
 
 /// Tell what is under a place of the window, or in a part of it
 ///
@@ -142,12 +143,12 @@ impl PickCommand {
         if self.asked.place.at.is_some() {
             surface::apply_normals(&self.shading, &mut model.scene);
         }
-        let scene = &model.scene;
+        let scene = &Arc::new(model.scene);
         let camera = camera::choose(&self.frame, scene)?;
         // A single question is answered sooner by a tree that is made quickly.
         let quality = if many { Quality::Thorough } else { Quality::InOrder };
         check_memory(scene, quality, self.execution.max_memory)?;
-        let picker = Picker::with(scene, quality, self.execution.simd)
+        let picker = Picker::with(Arc::clone(scene), quality, self.execution.simd)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         let view = PickView::new(&picker, camera, self.frame.size, self.frame.cull.into())
             .map_err(|error| Failure::work(error.to_string(), ""))?;

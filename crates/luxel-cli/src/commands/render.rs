@@ -25,6 +25,7 @@ use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Map, Value, json};
 use std::ffi::OsString;
 use std::num::NonZeroU32;
+use std::sync::Arc;
 use stopwatch::Stopwatch;
 use target::{Format, Target};
 
@@ -141,7 +142,7 @@ impl RenderCommand {
         surface::apply_material(&self.material, &mut model.scene);
         surface::apply_normals(&self.shading, &mut model.scene);
         watch.lap("normals");
-        let scene = &model.scene;
+        let scene = &Arc::new(model.scene);
         let cameras = match self.output.path.cameras(&self.frame, &self.execution, scene)? {
             Some(cameras) => cameras,
             None => {
@@ -152,7 +153,7 @@ impl RenderCommand {
         watch.lap("camera");
         let one_frame = cameras.len() == 1;
         let execution = Execution { one_frame, ..view::execution(&self.execution) };
-        let renderer = Renderer::new(scene, &execution)
+        let renderer = Renderer::new(Arc::clone(scene), &execution)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         watch.lap("prepare");
 
@@ -221,7 +222,7 @@ impl RenderCommand {
     /// Draws a view and encodes it.
     fn draw(
         &self,
-        renderer: &Renderer<'_>,
+        renderer: &Renderer,
         view: &View,
         format: Format,
         watch: &mut Stopwatch,
@@ -279,7 +280,7 @@ impl RenderCommand {
 
     fn report(
         &self,
-        renderer: &Renderer<'_>,
+        renderer: &Renderer,
         scene: &Scene,
         camera: &Camera,
         files: &[String],

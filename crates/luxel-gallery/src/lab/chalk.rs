@@ -93,7 +93,7 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         let inside = both(&studio.covered(&cure, &scene)?, &covered_by_truth);
         for (shininess, reference) in EXPONENTS.into_iter().zip(&truths) {
             let scene = ready(lab::ball("ball", columns, shininess));
-            let stage = studio.stage(&scene)?;
+            let stage = studio.stage(scene.clone())?;
             let [gouraud, phong] = [&problem, &cure].map(|shot| stage.shoot(shot));
             let [gouraud, phong] =
                 [gouraud?, phong?].map(|picture| error(&picture, reference, &inside));

@@ -66,7 +66,7 @@ impl Row {
 /// The light along the middle row, one sample a pixel, where the scene is.
 fn middle_row(studio: &Studio, shot: &Shot, scene: &Scene) -> Result<Row, GalleryError> {
     let view = View { samples: 1, background: [0.0; 4], ..shot.view(scene) };
-    let picture = Renderer::new(scene, &studio.execution)?.linear(&view)?;
+    let picture = Renderer::new(scene.clone(), &studio.execution)?.linear(&view)?;
     let width = picture.size.width as usize;
     let row = picture.pixels.chunks_exact(width).nth(picture.size.height as usize / 2);
     let pixels = row.unwrap_or_default().iter().enumerate().filter(|(_, pixel)| pixel[3] > 0.0);

@@ -138,7 +138,7 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
 /// The pictures of a quarter turn, and how much the colours within change from one to the next.
 fn roll(studio: &Studio, shot: &Shot) -> Result<(Vec<Picture>, Error), GalleryError> {
     let scene: Scene = shot.scene();
-    let stage = studio.stage(&scene)?;
+    let stage = studio.stage(scene.clone())?;
     let mut pictures = Vec::new();
     let mut colors: Vec<Vec<[f64; 3]>> = Vec::new();
     for number in 0..PICTURES {

@@ -5,6 +5,7 @@ use crate::chapter::{Chapter, Pair};
 use crate::shot::{Shot, Studio, ready};
 use luxel::render::{Layer, LayerValues, Renderer, ShadingMode};
 use luxel::scene::demos::lab::{self, Seam};
+use std::sync::Arc;
 
 /// Cells of the sheet that stands for the true one.
 const REFERENCE: u32 = 112;
@@ -60,8 +61,8 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
 
 /// Where the polygons are that may or may not know the corners on the seam.
 fn beside_seam(studio: &Studio, shot: &Shot) -> Result<Vec<bool>, GalleryError> {
-    let scene = shot.scene();
-    let renderer = Renderer::new(&scene, &studio.execution)?;
+    let scene = Arc::new(shot.scene());
+    let renderer = Renderer::new(Arc::clone(&scene), &studio.execution)?;
     let layers = renderer.layers(&shot.view(&scene), &[Layer::Uv])?;
     let Some(LayerValues::F32(uv)) = layers.first() else { return Ok(Vec::new()) };
     let covered = studio.covered(shot, &scene)?;

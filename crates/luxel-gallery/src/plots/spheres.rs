@@ -59,7 +59,7 @@ pub(crate) fn phases(studio: &Studio) -> Result<Chapter, GalleryError> {
     let mut middle = None;
     let of = |sun| Shot { color: Some(MOON), ..ball(Reflection::Lambert, sun) };
     let scene = of([0.0, 0.0, -1.0]).scene();
-    let stage = studio.stage(&scene)?;
+    let stage = studio.stage(scene.clone())?;
     for degrees in PHASES {
         let (sin, cos) = libm::sincos(f64::to_radians(degrees));
         let shot = of(rounded([sin, 0.0, -cos]));
@@ -100,7 +100,7 @@ pub(crate) fn table(studio: &Studio) -> Result<Chapter, GalleryError> {
         let mut row = Vec::new();
         let of = |sun| Shot { shininess: Some(shininess), ..ball(Reflection::Phong, sun) };
         let scene = of([0.0, 0.0, -1.0]).scene();
-        let stage = studio.stage(&scene)?;
+        let stage = studio.stage(scene.clone())?;
         for degrees in SIDES {
             let (sin, cos) = libm::sincos(f64::to_radians(degrees));
             let direction = rounded([sin * 0.94, -0.34, -cos * 0.94]);

@@ -16,7 +16,7 @@ pub use ledger::{
 pub use occluded::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
 
 use crate::context::{AttributeMask, Heard, ShadingContext};
-use crate::frame::{CoveragePolicy, RenderError, Renderer, Worker, lights_with_terms};
+use crate::frame::{RenderError, Renderer, Worker, lights_with_terms};
 use crate::interpolate::{Batch, Fragments};
 use crate::material::SurfaceWitness;
 use crate::resolve::{self, Layered, bytes_of};
@@ -28,7 +28,7 @@ use luxel_lighting::{
 };
 use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
-use luxel_visibility::{BLOCK, Samples, TILE, Tile, TriangleId};
+use luxel_visibility::{BLOCK, CoveragePolicy, Samples, TILE, Tile, TriangleId};
 use vertex_terms::{Interpolated, evaluated_at};
 
 /// What is asked about.
@@ -63,7 +63,7 @@ impl At {
     }
 }
 
-impl Renderer<'_> {
+impl Renderer {
     /// Explains a pixel of a view, or one sample of it: what is seen there, and every term of its
     /// light. [`Explanation::rgba8`] is the pixel of [`Renderer::rgba8`]. Edges aren't explained.
     ///
@@ -157,7 +157,7 @@ impl SeenBySample {
 struct PixelScene<'a> {
     scene: &'a ShadingContext<'a>,
     view: &'a View,
-    renderer: &'a Renderer<'a>,
+    renderer: &'a Renderer,
     /// Block and lane within the tile.
     place: (usize, usize),
 }
@@ -239,7 +239,7 @@ impl PixelScene<'_> {
             let [r, g, b, alpha] = scene.background;
             return Seen::Background { color: [r, g, b], alpha };
         };
-        let object = scene.objects[of.instance];
+        let object = scene.object(of.instance);
         let mesh = scene.frame.instances()[of.instance].mesh;
         let material = &scene.scene.materials[mesh.parts[of.part].material.index()];
         let mut reflectance =

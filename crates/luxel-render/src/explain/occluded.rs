@@ -3,11 +3,11 @@
 
 use super::ledger::{ExplainedSample, Explanation, Seen};
 use crate::context::Heard;
-use crate::frame::{CoveragePolicy, RenderError, Renderer};
+use crate::frame::{RenderError, Renderer};
 use crate::view::View;
 use luxel_math::SUBPIXELS;
 use luxel_scene::Size;
-use luxel_visibility::{Cull, Samples, TILE, Tile, TriangleId};
+use luxel_visibility::{CoveragePolicy, Cull, Samples, TILE, Tile, TriangleId};
 
 /// A surface under a place of the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,7 +59,7 @@ pub const NEAREST_WITHIN: u32 = 100;
 /// Most surfaces that are told of one place.
 const MOST_BELOW: usize = 256;
 
-impl Renderer<'_> {
+impl Renderer {
     /// The surfaces under a place of a view, in pixels from its upper left corner and rounded to
     /// 1/256, nearest first, 256 at most: as if all of them were of glass. Back faces are among them
     /// if the view draws them.
@@ -103,12 +103,12 @@ impl Renderer<'_> {
                     let [_, second, third] = weights.map(f64::from);
                     let in_view = a + (b - a) * second + (c - a) * third;
                     let z = -in_view.z;
-                    let object = scene.objects[of.instance];
+                    let object = scene.object(of.instance);
                     found.push(SurfaceBelow {
                         object,
                         // Points and lines come after the objects' own instances and have no triangles.
                         triangle: (object == of.instance).then_some(of.triangle),
-                        position: (scene.spaces[of.instance].world_from_view * in_view + eye)
+                        position: (scene.space(of.instance).world_from_view * in_view + eye)
                             .to_array(),
                         z,
                         depth: view.camera.projection.window_depth(z),
@@ -163,7 +163,7 @@ impl Renderer<'_> {
                         let better =
                             if nearest.is_none() { squared <= known } else { squared < known };
                         if better && at[0] < width && at[1] < height {
-                            let object = scene.objects[of.instance];
+                            let object = scene.object(of.instance);
                             let distance = (squared as f64).sqrt();
                             nearest =
                                 Some((squared, NearestObject { object, pixel: at, distance }));
@@ -182,7 +182,7 @@ impl Unseen {
     /// # Errors
     /// [`RenderError`] if the view asks for something impossible.
     pub fn new(
-        renderer: &Renderer<'_>,
+        renderer: &Renderer,
         view: &View,
         explanation: &Explanation,
     ) -> Result<Self, RenderError> {

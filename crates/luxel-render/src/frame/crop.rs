@@ -1,7 +1,6 @@
 //! A part of a picture: only the tiles that it touches are drawn.
 
 use super::error::RenderError;
-use super::frame_setup::CoveragePolicy;
 use super::picture::Picture;
 use super::renderer::Renderer;
 use super::tile_shading::Worker;
@@ -10,9 +9,10 @@ use crate::context::Heard;
 use crate::resolve::Bytes;
 use crate::view::View;
 use luxel_scene::Size;
+use luxel_visibility::CoveragePolicy;
 use luxel_visibility::TILE;
 
-impl Renderer<'_> {
+impl Renderer {
     /// The bytes of a part of a view's picture, as they are in [`Renderer::rgba8`]: `part` pixels
     /// around `pixel`, which is in the middle unless the picture ends before. A part larger than the
     /// picture is the picture. Answers with the part's upper left corner, too.

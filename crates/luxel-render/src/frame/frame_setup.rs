@@ -4,76 +4,13 @@
 use crate::view::View;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_lighting::{Coefficients, LightKind, PlacedLight, Uniform};
-use luxel_scene::{AlphaMode, Camera, Object, Placement, Scene, SceneLight, SceneMaterial};
-use luxel_visibility::{Clusters, Coverage, Cull, CullFaces, Instance, PartUse, Strokes};
+use luxel_scene::{Camera, Placement, SceneLight, SceneMaterial};
+use luxel_visibility::{CoveragePolicy, SurfaceRules};
 
-/// How surfaces cover what lies behind them, by what their materials say.
-#[derive(Clone, Copy)]
-pub(crate) struct CoveragePolicy {
-    opaque: Coverage,
-    masked: Coverage,
-    blended: Coverage,
-}
-
-impl CoveragePolicy {
-    /// As they are drawn.
-    pub(crate) const DRAWN: Self =
-        Self { opaque: Coverage::Opaque, masked: Coverage::Cutout, blended: Coverage::Blended };
-    /// The nearest surface counts, unless it is wholly transparent.
-    pub(crate) const NEAREST: Self = Self { blended: Coverage::Cutout, ..Self::DRAWN };
-    /// What is blended hides what lies behind it, too.
-    pub(crate) const SOLID: Self = Self { blended: Coverage::Opaque, ..Self::DRAWN };
-    /// One surface behind the other, as if all were of glass.
-    pub(crate) const LAYERS: Self =
-        Self { opaque: Coverage::Blended, masked: Coverage::Blended, blended: Coverage::Blended };
-}
-
-/// The instances of a scene before the camera: the objects, then the points and lines of some.
-pub(crate) fn instances<'a>(
-    scene: &'a Scene,
-    objects: &[Object],
-    clusters: &'a [Clusters],
-    strokes: &'a [Strokes],
-    view: &View,
-    covers: CoveragePolicy,
-) -> Vec<Instance<'a>> {
-    let part_use = |object: &Object, material: usize| {
-        let material = &scene.materials[material];
-        let mirrored = object.world_from_mesh.determinant() < 0.0;
-        let cull = view.cull.faces(material.sides, mirrored);
-        let wires = view.edges.is_some_and(|edges| edges.wireframe);
-        let coverage = match material.alpha_mode {
-            AlphaMode::Opaque if wires => Coverage::Cutout,
-            AlphaMode::Opaque => covers.opaque,
-            AlphaMode::Mask { .. } => covers.masked,
-            AlphaMode::Blend => covers.blended,
-        };
-        // Wires are seen from both sides.
-        PartUse {
-            cull: if wires && view.cull == Cull::Auto { CullFaces::None } else { cull },
-            coverage,
-        }
-    };
-    let faces = objects.iter().map(|object| {
-        let mesh = &scene.meshes[object.mesh.index()];
-        let parts = mesh.parts.iter().map(|part| part_use(object, part.material.index()));
-        Instance {
-            mesh,
-            clusters: &clusters[object.mesh.index()],
-            view_from_mesh: view.camera.view_from_world * object.world_from_mesh,
-            parts: parts.collect(),
-        }
-    });
-    let strokes = strokes.iter().map(|strokes| Instance {
-        mesh: &strokes.mesh,
-        clusters: &strokes.clusters,
-        view_from_mesh: DMat4::IDENTITY,
-        parts: vec![
-            PartUse { coverage: covers.opaque, ..PartUse::default() };
-            strokes.mesh.parts.len()
-        ],
-    });
-    faces.chain(strokes).collect()
+/// Which faces a view draws, and how.
+pub(crate) fn surface_rules(view: &View, coverage: CoveragePolicy) -> SurfaceRules {
+    let wireframe = view.edges.is_some_and(|edges| edges.wireframe);
+    SurfaceRules { cull: view.cull, coverage, wireframe }
 }
 
 /// A light about the eye, along the world's axes; `None` for ambient lights.

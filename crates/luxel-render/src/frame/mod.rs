@@ -12,7 +12,6 @@ pub use error::{MAX_SIDE, RenderError};
 pub use picture::{Picture, Stages, Subdivision};
 pub use renderer::{Prepared, Renderer};
 
-pub(crate) use frame_setup::CoveragePolicy;
 pub(crate) use renderer::lights_with_terms;
 pub(crate) use tile_shading::{AHEAD, ALL_BLOCKS, Worker, look_ahead, place_in_tile, put_block};
 pub(crate) use tiles::{Bands, TilePixels, TileWork, for_all_tiles};

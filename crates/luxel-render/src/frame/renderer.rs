@@ -3,7 +3,7 @@
 mod prepared;
 
 use super::error::{MAX_SIDE, RenderError};
-use super::frame_setup::{self, CoveragePolicy};
+use super::frame_setup;
 use super::picture::{Picture, Stages, Subdivision};
 use super::tile_shading::{Worker, add_layer, tile_pixels};
 use super::tiles::{Bands, TilePixels, TileWork, for_all_tiles};
@@ -16,11 +16,11 @@ use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
 use luxel_math::{Level, dispatch_long};
 use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_visibility::{
-    Clusters, Frame, Frames, Holes, InstanceSpace, Samples, TILE, Tile, ViewRays, strokes,
+    Clusters, CoveragePolicy, Frames, Holes, PlacedScene, Samples, TILE, Tile, ViewRays,
 };
 use rayon::prelude::*;
 use std::ops::Range;
-use std::sync::{Mutex, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
 pub use prepared::Prepared;
@@ -29,9 +29,9 @@ pub use prepared::Prepared;
 /// machine busy for ever.
 const MAX_LAYERS: usize = 1024;
 
-/// A scene ready to be drawn.
-pub struct Renderer<'s> {
-    scene: &'s Scene,
+/// A scene ready to be drawn. It shares the scene: a program can keep both.
+pub struct Renderer {
+    scene: Arc<Scene>,
     objects: Vec<Object>,
     /// The clusters of each mesh.
     clusters: Vec<Clusters>,
@@ -43,12 +43,13 @@ pub struct Renderer<'s> {
     clock: fn() -> Duration,
 }
 
-impl<'s> Renderer<'s> {
+impl Renderer {
     /// Makes a scene ready: cuts its meshes into clusters.
     ///
     /// # Errors
     /// [`RenderError`] if the machine can't do what `execution` asks.
-    pub fn new(scene: &'s Scene, execution: &Execution) -> Result<Self, RenderError> {
+    pub fn new(scene: impl Into<Arc<Scene>>, execution: &Execution) -> Result<Self, RenderError> {
+        let scene = scene.into();
         let level = execution.simd.resolve()?;
         let pool = if cfg!(target_family = "wasm") {
             None
@@ -57,18 +58,23 @@ impl<'s> Renderer<'s> {
             Some(pool.map_err(|error| RenderError::Threads(error.to_string()))?)
         };
         let frames = if execution.one_frame { Frames::One } else { Frames::Many };
-        let objects = scene.objects();
         let mut renderer = Self {
-            scene,
-            objects,
+            objects: scene.objects(),
             clusters: Vec::new(),
             polygons_of_meshes: scene.meshes.iter().map(|_| OnceLock::new()).collect(),
             level,
             pool,
             clock: execution.clock,
+            scene,
         };
-        renderer.clusters = renderer.install(|| prepared::clusters(scene, frames));
+        renderer.clusters = renderer.install(|| prepared::clusters(&renderer.scene, frames));
         Ok(renderer)
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
     }
 
     /// The objects, by whose places layers and instances are numbered.
@@ -250,28 +256,10 @@ impl<'s> Renderer<'s> {
             .or_else(|| Samples::new(view.samples))
             .ok_or(RenderError::Samples(view.samples))?;
         self.install(|| {
-            let strokes = strokes(self.scene, &self.objects, &view.camera, view.size);
-            let instances = frame_setup::instances(
-                self.scene,
-                &self.objects,
-                &self.clusters,
-                &strokes,
-                view,
-                covers,
-            );
-            let own = 0..self.objects.len();
-            let objects: Vec<usize> =
-                own.chain(strokes.iter().map(|strokes| strokes.object)).collect();
-            let frame =
-                Frame::new(instances, &view.camera.projection, view.size, samples, self.level)?;
-            let spaces: Vec<InstanceSpace> = (0..)
-                .zip(&objects)
-                .map(|(instance, &at)| {
-                    let world_from_mesh = &self.objects[at].world_from_mesh;
-                    let view_from_local = frame.view_from_local(instance);
-                    InstanceSpace::new(world_from_mesh, view_from_local, &view.camera)
-                })
-                .collect();
+            let rules = frame_setup::surface_rules(view, covers);
+            let placed =
+                PlacedScene::new(&self.scene, &self.objects, &view.camera, view.size, &rules);
+            let frame = placed.frame(&self.clusters, samples, self.level)?;
             let world_from_nodes = self.scene.world_from_nodes();
             let lights: Vec<_> = view
                 .lights
@@ -283,7 +271,7 @@ impl<'s> Renderer<'s> {
             } else {
                 Vec::new()
             };
-            let mut edge_flags: Vec<Option<&EdgeFlags>> = vec![None; objects.len()];
+            let mut edge_flags: Vec<Option<&EdgeFlags>> = vec![None; placed.instances().len()];
             for (flags, object) in edge_flags.iter_mut().zip(&self.objects) {
                 *flags = flags_of_meshes.get(object.mesh.index());
             }
@@ -306,12 +294,12 @@ impl<'s> Renderer<'s> {
                 AttributeMask::of_mesh(mesh).and(of_material).any()
             };
             let has_extras = |mesh: &Mesh| mesh.parts.iter().any(|part| reads(mesh, part));
-            let polygons = self.polygons(view, objects.len());
+            let polygons = self.polygons(view, placed.instances().len());
             let subdivided = Mutex::default();
             let scene = ShadingContext {
-                scene: self.scene,
+                scene: &self.scene,
                 frame: &frame,
-                spaces: &spaces,
+                placed: &placed,
                 lights: &lights,
                 ambient,
                 lighting: &lighting,
@@ -327,7 +315,6 @@ impl<'s> Renderer<'s> {
                 background: view.background,
                 edges: view.edges.filter(|edges| !edges.wireframe),
                 edge_flags: &edge_flags,
-                objects: &objects,
                 shading: view.shading,
                 encoding: view.encoding,
                 near: view.camera.projection.near,
@@ -335,7 +322,7 @@ impl<'s> Renderer<'s> {
                 subdivided: &subdivided,
             };
             let cutouts = AlphaTest {
-                scene: self.scene,
+                scene: &self.scene,
                 wires: view.edges.filter(|edges| edges.wireframe),
                 edge_flags: &edge_flags,
             };
@@ -387,7 +374,7 @@ fn new_tile<T: Copy + Default>() -> Box<TilePixels<T>> {
 
 /// The drawing of a picture, tile by tile.
 struct Drawing<'d, F: Finish> {
-    renderer: &'d Renderer<'d>,
+    renderer: &'d Renderer,
     scene: &'d ShadingContext<'d>,
     alpha_test: &'d AlphaTest<'d>,
     finish: &'d F,

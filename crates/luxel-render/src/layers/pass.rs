@@ -7,8 +7,8 @@ use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
 use crate::frame::{
-    AHEAD, ALL_BLOCKS, Bands, CoveragePolicy, Picture, RenderError, Renderer, Stages, Subdivision,
-    TilePixels, TileWork, for_all_tiles, lights_with_terms, look_ahead, place_in_tile, put_block,
+    AHEAD, ALL_BLOCKS, Bands, Picture, RenderError, Renderer, Stages, Subdivision, TilePixels,
+    TileWork, for_all_tiles, lights_with_terms, look_ahead, place_in_tile, put_block,
 };
 use crate::interpolate::Batch;
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels};
@@ -17,11 +17,11 @@ use crate::view::{ShadingMode, View};
 use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
 use luxel_scene::{Projection, SceneLight};
-use luxel_visibility::{BLOCK, TILE, Tile, TriangleId};
+use luxel_visibility::{BLOCK, CoveragePolicy, TILE, Tile, TriangleId};
 use std::ops::Range;
 use std::sync::Mutex;
 
-impl Renderer<'_> {
+impl Renderer {
     /// Layers of a view in the given order, all from one pass.
     ///
     /// # Errors
@@ -136,7 +136,7 @@ enum PlaneValues<'p> {
 
 /// What the pass reads beside the scene.
 struct Pass<'p> {
-    renderer: &'p Renderer<'p>,
+    renderer: &'p Renderer,
     scene: &'p ShadingContext<'p>,
     alpha_test: &'p AlphaTest<'p>,
     planes: Vec<Plane<'p>>,

@@ -29,7 +29,7 @@ impl Triangles {
                 Some((of, object, triangle)) if of == id => (object, triangle),
                 _ => {
                     let Some(of) = scene.frame.triangle(TriangleId(id)) else { continue };
-                    let object = scene.objects[of.instance];
+                    let object = scene.object(of.instance);
                     // Points and lines come after the objects' own instances and have no triangles.
                     let has_triangles = object == of.instance;
                     (object as u32, if has_triangles { of.triangle } else { u32::MAX })

@@ -127,7 +127,7 @@ impl CornerReader {
                     self.read_corners(mesh, lane, cluster.positions(id), attributes);
                 }
                 if reads.any() {
-                    extras(lane, &scene.spaces[instance], mesh, attributes, reads);
+                    extras(lane, scene.space(instance), mesh, attributes, reads);
                 }
             }
         }
@@ -171,7 +171,7 @@ impl CornerReader {
         let [bx, by, bz, ..] = self.columns(simd, 1, first);
         let [cx, cy, cz, ..] = self.columns(simd, 2, first);
         let positions = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]];
-        PlacedCorners::new(scene.frame.rays(), &scene.spaces[of.instance], positions)
+        PlacedCorners::new(scene.frame.rays(), scene.space(of.instance), positions)
     }
 
     /// The normals of the triangles' corners, from lane `first` on; `None` where the mesh has none.

@@ -40,7 +40,7 @@ impl SplitLanes for Preparation<'_> {
             return;
         }
         let Self { scene, tile, .. } = *self;
-        let space = &scene.spaces[self.of.instance];
+        let space = scene.space(self.of.instance);
         let placed = self.reader.placed(simd, scene, &self.of, first);
         let PlacedCorners { in_view, sides, towards_eye } = &placed;
         let forms = TileForms::new(scene.frame.rays(), in_view, *sides, *towards_eye, tile);

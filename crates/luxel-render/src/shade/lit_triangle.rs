@@ -76,7 +76,7 @@ impl LitTriangles {
 impl LitTriangle {
     fn new(scene: &ShadingContext<'_>, id: TriangleId, of: TriangleOf) -> Self {
         let frame = scene.frame;
-        let space = &scene.spaces[of.instance];
+        let space = scene.space(of.instance);
         let mesh = frame.instances()[of.instance].mesh;
         let positions = mesh.triangles[of.triangle as usize].map(|at| mesh.positions[at as usize]);
         let attributes = mesh.attribute_corners()[of.triangle as usize].map(|at| at as usize);
@@ -106,7 +106,7 @@ impl LitTriangle {
         places: Option<[DVec3; 3]>,
     ) -> [Corner; 3] {
         let mut seen = Self::new(scene, TriangleId::NONE, of);
-        let world_from_view = scene.spaces[of.instance].world_from_view;
+        let world_from_view = scene.space(of.instance).world_from_view;
         for (corner, place) in seen.corners.iter_mut().zip(places.into_iter().flatten()) {
             corner.position = (world_from_view * place).as_vec3().to_array();
         }
@@ -137,7 +137,7 @@ impl LitTriangle {
                 }
             }
             ShadingMode::Subdivided { tolerance } => {
-                let space = &scene.spaces[self.of.instance];
+                let space = scene.space(self.of.instance);
                 let corners = &self.corners;
                 let Size { width, height } = scene.frame.size();
                 let pieces = Pieces::new(Asked {
@@ -166,7 +166,7 @@ impl LitTriangle {
                     corner.light = lit(corner);
                 }
             }
-            let parallel = scene.spaces[self.of.instance].parallel;
+            let parallel = scene.space(self.of.instance).parallel;
             let rays = scene.frame.rays();
             self.outline = Some(Box::new(Outline::new(rays, scene.near, parallel, scan, &around)));
         }
@@ -181,7 +181,7 @@ impl LitTriangle {
         let Some(polygons) = polygons else {
             return self.forms.corners().into_iter().zip(self.corners).collect();
         };
-        let space = &scene.spaces[of.instance];
+        let space = scene.space(of.instance);
         let mesh = instance.mesh;
         // All corners are turned as this triangle's are.
         let turned = self.is_turned(mesh, space);
@@ -216,7 +216,7 @@ impl LitTriangle {
     fn whole(&self, scene: &ShadingContext<'_>) -> Corner {
         let Self { of, .. } = *self;
         let instance = &scene.frame.instances()[of.instance];
-        let space = &scene.spaces[of.instance];
+        let space = scene.space(of.instance);
         let mesh = instance.mesh;
         let (face, around) = match scene.polygons[of.instance] {
             Some(polygons) => (polygons.face(mesh, of.triangle), self.around(scene, true)),

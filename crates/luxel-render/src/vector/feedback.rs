@@ -7,13 +7,13 @@
 
 use super::primitives::{Clipper, InWindow, is_culled};
 use crate::context::{Heard, ShadingContext};
-use crate::frame::{CoveragePolicy, RenderError, Renderer};
+use crate::frame::{RenderError, Renderer};
 use crate::material::Corner;
 use crate::shade::LitTriangle;
 use crate::view::{Interpolation, Shading, ShadingMode, View};
 use glam::DVec3;
 use luxel_scene::{AlphaMode, Size};
-use luxel_visibility::{Samples, TriangleOf};
+use luxel_visibility::{CoveragePolicy, Samples, TriangleOf};
 
 /// A corner in the window, lit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -166,7 +166,7 @@ impl FeedbackBuffer {
     }
 }
 
-impl Renderer<'_> {
+impl Renderer {
     /// Gives the primitives of a view, lit and clipped, in the order of the scene: for each object
     /// its marker, its triangles in the file's order, then its points and lines. Nothing is hidden
     /// by anything; faces that the view culls are left out.
@@ -233,13 +233,13 @@ impl<'a> Stream<'a> {
 
     fn tell(&mut self, take: &mut dyn FnMut(&Feedback<'_>)) {
         let instances = self.scene.frame.instances();
-        let count = self.scene.objects.iter().max().map_or(0, |last| last + 1);
+        let count = self.scene.placed.objects().len();
         // Objects come first, each its own instance; points and lines of some come after them all.
         for object in 0..count {
             take(&Feedback::PassThrough(object as f32));
             self.triangles(object, take);
             for instance in count..instances.len() {
-                if self.scene.objects[instance] == object {
+                if self.scene.object(instance) == object {
                     self.strokes(instance, take);
                 }
             }
@@ -266,7 +266,7 @@ impl<'a> Stream<'a> {
     /// lines, lit as the triangles are.
     fn strokes(&mut self, instance: usize, take: &mut dyn FnMut(&Feedback<'_>)) {
         let frame = self.scene.frame;
-        let own = &frame.instances()[self.scene.objects[instance]];
+        let own = &frame.instances()[self.scene.object(instance)];
         let mesh = frame.instances()[instance].mesh;
         for (part, run) in mesh.parts.iter().enumerate() {
             for triangle in (run.first..run.first + run.count).step_by(2) {

@@ -21,7 +21,7 @@ fn perspective(scene: &Scene, size: Size) -> View {
 
 fn check(name: &str, scene: &Scene, view: &View) {
     let of = |threads, simd| {
-        let renderer = Renderer::new(scene, &execution(threads, simd)).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution(threads, simd)).unwrap();
         let layers = renderer.layers(view, &Layer::ALL).unwrap();
         (renderer.rgba8(view).unwrap().pixels, renderer.linear(view).unwrap().pixels, layers)
     };
@@ -86,7 +86,7 @@ fn the_order_in_which_triangles_are_cut_is_not_seen() {
     let view = perspective(&scene, Size { width: 250, height: 90 });
     let of = |one_frame| {
         let execution = Execution { one_frame, ..execution(2, SimdLevel::Auto) };
-        let renderer = Renderer::new(&scene, &execution).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution).unwrap();
         (renderer.rgba8(&view).unwrap().pixels, renderer.layers(&view, &Layer::ALL).unwrap())
     };
     assert!(of(true) == of(false));

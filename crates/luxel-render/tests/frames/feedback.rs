@@ -91,7 +91,7 @@ const INSIDE: [[f32; 3]; 3] = [[-1.0, -0.5, -4.0], [1.5, -0.5, -3.0], [0.0, 0.8,
 const CROSSING: [[f32; 3]; 3] = [[-9.0, -0.5, -4.0], [1.5, -0.5, -0.2], [0.0, 0.8, -5.0]];
 
 fn buffer(scene: &Scene, view: &View, of: FeedbackType, room: usize) -> FeedbackBuffer {
-    let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     renderer.feedback_buffer(view, of, room).unwrap()
 }
 
@@ -233,7 +233,7 @@ fn a_full_buffer_is_told_by_a_negative_count() {
 #[test]
 fn flat_shading_gives_a_polygon_one_colour_and_culling_leaves_it_out() {
     let scene = scene(vec![(triangle(INSIDE, NORMALS), material())]);
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let shading = Shading { mode: ShadingMode::Flat, ..Shading::default() };
     let flat = View { shading, ..frustum() };
     let mut colors = Vec::new();

@@ -52,7 +52,7 @@ fn demos_look_as_they_did() {
             environment: EnvironmentChoice::StudioForMicrofacets,
             ..fitted(&scene, size)
         };
-        let renderer = Renderer::new(&scene, &execution(0, SimdLevel::Auto)).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution(0, SimdLevel::Auto)).unwrap();
         let found = hash(renderer.rgba8(&view).unwrap().pixels.as_flattened());
         if std::env::var_os("LUXEL_BLESS").is_some() {
             println!("    (\"{name}\", 0x{found:016x}),");

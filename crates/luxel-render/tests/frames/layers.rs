@@ -9,7 +9,7 @@ fn values(layer: Layer) -> LayerValues {
     let mut near = square(2.0);
     near.positions.iter_mut().for_each(|position| position[0] += 0.5);
     let scene = scene(vec![(square(0.0), matte([1.0; 3])), (near, matte([1.0; 3]))]);
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     renderer.layers(&view(64), &[layer]).unwrap().remove(0)
 }
 
@@ -83,7 +83,7 @@ fn positions_normals_and_weights_agree_with_the_square() {
 fn a_picture_with_its_layers_has_the_bytes_of_each_alone() {
     let demo = luxel_scene::demos::demo("spheres").unwrap();
     let size = luxel_scene::Size { width: 150, height: 100 };
-    let renderer = Renderer::new(&demo, &execution(2, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(demo.clone(), &execution(2, SimdLevel::Auto)).unwrap();
     let lights = luxel_scene::default_lights();
     let modes = [ShadingMode::Phong, ShadingMode::Subdivided { tolerance: 2.0 }];
     let backgrounds = [[0.2, 0.4, 0.6, 0.5], [1.0, 0.0, 0.0, 0.0]];

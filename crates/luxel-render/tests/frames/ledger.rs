@@ -129,7 +129,7 @@ fn ten_thousand_explained_pixels_are_the_pictures() {
                     material.constants.reflection = reflection.clone();
                 }
             }
-            let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+            let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
             for samples in [1, 2, 4, 8, 16] {
                 let view = styled(&scene, round, samples);
                 let picture = renderer.rgba8(&view).unwrap();
@@ -159,7 +159,7 @@ fn triangles_kept_from_block_to_block_are_lit_as_each_is_explained() {
         let ball = (primitives::sphere(1.0, columns, columns / 2), matte([0.9, 0.5, 0.3]));
         let ring = (primitives::torus(0.9, 0.3, columns, columns / 3), matte([0.2, 0.5, 0.8]));
         let scene = scene(vec![ball, ring]);
-        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
         let size = Size { width: 150, height: 120 };
         for (mode, samples) in
             [(ShadingMode::Phong, 1), (ShadingMode::Gouraud, 1), (ShadingMode::Phong, 4)]
@@ -208,7 +208,7 @@ fn styled(scene: &Scene, round: usize, samples: u32) -> View {
 #[test]
 fn a_single_sample_at_the_centre_is_the_pixel_of_one_sample() {
     let scene = demos::demo("teapot").unwrap();
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let view = styled(&scene, 0, 1);
     for pixel in [[45_u32, 35], [20, 40], [0, 0], [89, 69]] {
         let whole = renderer.explain(&view, At::Pixel(pixel)).unwrap();
@@ -223,7 +223,7 @@ fn a_single_sample_at_the_centre_is_the_pixel_of_one_sample() {
 #[test]
 fn a_part_of_a_picture_is_the_pictures_part() {
     for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "blob") {
-        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
         let view = styled(&scene, 1, 4);
         let whole = renderer.rgba8(&view).unwrap().pixels;
         let Size { width, height } = view.size;
@@ -248,7 +248,7 @@ fn a_part_of_a_picture_is_the_pictures_part() {
 #[test]
 fn what_lies_below_a_place_begins_with_what_is_seen_there() {
     for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "blob") {
-        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
         let view = styled(&scene, 0, 1);
         let mut random = Random(9);
         let mut several = 0;
@@ -281,7 +281,7 @@ fn what_lies_below_a_place_begins_with_what_is_seen_there() {
 #[test]
 fn the_nearest_object_is_the_nearest_pixel_that_is_covered() {
     let scene = demos::demo("spheres").unwrap();
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let view = styled(&scene, 0, 1);
     let layers = renderer.layers(&view, &[Layer::Object]).unwrap();
     let LayerValues::U32(objects) = &layers[0] else { panic!("objects are numbers") };
@@ -306,7 +306,7 @@ fn the_nearest_object_is_the_nearest_pixel_that_is_covered() {
 #[test]
 fn a_point_is_rounded_to_256ths_and_must_lie_in_the_picture() {
     let scene = demos::demo("teapot").unwrap();
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let view = styled(&scene, 0, 4);
     let explained = renderer.explain(&view, At::Point([10.001, 20.999])).unwrap();
     assert_eq!((explained.pixel, explained.position), ([10, 21], Some([10.0, 21.0])));
@@ -323,7 +323,7 @@ fn a_point_is_rounded_to_256ths_and_must_lie_in_the_picture() {
 
 /// What layers add up to, and what the picture has, at each pixel.
 fn sums_of_layers(scene: &Scene, view: &View, layers: &[Layer]) -> Vec<([f32; 3], [f32; 4])> {
-    let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let values = renderer.layers(view, layers).unwrap();
     let picture = renderer.linear(view).unwrap();
     let mut sums = vec![[0.0_f32; 3]; picture.pixels.len()];
@@ -374,7 +374,7 @@ fn the_layers_of_lights_add_up_to_their_terms() {
         assert!((0..3).all(|channel| lights[channel] >= terms[channel] - 1e-5));
     }
     assert!(seen > 100);
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let unknown = renderer.layers(&view, &[Layer::Light("moon".to_owned())]);
     assert_eq!(unknown, Err(RenderError::NoSuchLight("moon".to_owned())));
 }

@@ -179,7 +179,7 @@ fn the_layer_of_n_dot_l_is_the_cosine_of_the_first_light_negative_behind() {
     scene.nodes[0].parent_from_node = DMat4::from_rotation_x(std::f64::consts::FRAC_PI_3);
     let mut view = view(16);
     let of = |view: &luxel_render::View| {
-        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
         let LayerValues::F32(values) = renderer.layers(view, &[Layer::NDotL]).unwrap().remove(0)
         else {
             panic!("a cosine is no id")

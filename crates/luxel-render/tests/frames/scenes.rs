@@ -83,13 +83,13 @@ pub(crate) fn execution(threads: usize, simd: SimdLevel) -> Execution {
 
 /// The bytes of a view.
 pub(crate) fn bytes(scene: &Scene, view: &View) -> Vec<[u8; 4]> {
-    let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     renderer.rgba8(view).unwrap().pixels
 }
 
 /// The linear pixels of a view.
 pub(crate) fn linear(scene: &Scene, view: &View) -> Vec<[f32; 4]> {
-    let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     renderer.linear(view).unwrap().pixels
 }
 

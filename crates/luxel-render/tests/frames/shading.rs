@@ -181,7 +181,7 @@ fn subdividing_comes_within_its_tolerance_of_phong() {
         view
     };
     let phong = bytes(&scene, &mirrored(ShadingMode::Phong));
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let mut counts = Vec::new();
     for tolerance in [1.0, 4.0, 40.0] {
         let picture = renderer.rgba8(&mirrored(ShadingMode::Subdivided { tolerance })).unwrap();
@@ -215,7 +215,7 @@ fn where_light_jumps_subdividing_tells_how_far_and_on_how_many_pixels() {
         view
     };
     let phong = bytes(&scene, &with_torch(ShadingMode::Phong));
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let mode = ShadingMode::Subdivided { tolerance: 2.0 };
     let picture = renderer.rgba8(&with_torch(mode)).unwrap();
     let told = picture.subdivision.unwrap();
@@ -307,7 +307,7 @@ fn rolled_by_45_degrees_a_quad_keeps_its_colours_in_perspective_to_a_step() {
             ..Shading::default()
         };
         let view = View { shading, ..view(64) };
-        let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
         let (sin, cos) = libm::sincos(degrees.to_radians());
         let mut told = Vec::new();
         for (x, y) in [(9.0, 1.0), (-3.0, 12.0), (5.0, -7.0), (-11.0, -10.0), (12.0, 12.0)] {
@@ -387,7 +387,7 @@ fn normals_that_keep_their_interpolated_length_darken_the_middle_by_just_that() 
     let short = view_of(NormalLength::Interpolated);
     assert!((middle(&short) - slant).abs() < 1e-5);
     // What is explained is what was drawn.
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let picture = bytes(&scene, &short);
     for x in [18, 25, 32, 40, 46] {
         let explained = renderer.explain(&short, At::Pixel([x, 32])).unwrap();

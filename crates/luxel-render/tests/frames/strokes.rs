@@ -35,7 +35,7 @@ fn lines_and_points_are_drawn_lit_from_the_front() {
 fn strokes_belong_to_their_object_and_are_no_triangles() {
     let scene = strokes();
     let execution = crate::scenes::execution(1, SimdLevel::Auto);
-    let renderer = Renderer::new(&scene, &execution).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution).unwrap();
     let layers = renderer.layers(&view(65), &[Layer::Object, Layer::Triangle]).unwrap();
     let [LayerValues::U32(objects), LayerValues::U32(triangles)] = &layers[..] else {
         panic!("ids are whole numbers")

@@ -143,7 +143,7 @@ fn painted(paths: &[Path], size: Size, places: &[[f64; 2]]) -> Vec<[f64; 4]> {
 }
 
 fn svg(scene: &Scene, view: &View, tolerance: f32) -> Svg {
-    let renderer = Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     renderer.svg(view, &SvgOptions { tolerance, ..SvgOptions::default() }).unwrap()
 }
 
@@ -331,7 +331,7 @@ fn the_text_depends_on_neither_threads_nor_instruction_set() {
     let view =
         View { lights: vec![frontal([0.9; 3])], ..fitted(&scene, Size { width: 64, height: 64 }) };
     let text = |threads, simd| {
-        let renderer = Renderer::new(&scene, &execution(threads, simd)).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution(threads, simd)).unwrap();
         renderer.svg(&view, &SvgOptions::default()).unwrap().text
     };
     assert_eq!(text(1, SimdLevel::Auto), text(3, SimdLevel::Auto));
@@ -342,7 +342,7 @@ fn the_text_depends_on_neither_threads_nor_instruction_set() {
 fn too_many_pieces_are_refused() {
     let scene = ball();
     let view = View { lights: default_lights(), ..fitted(&scene, Size { width: 64, height: 64 }) };
-    let renderer = Renderer::new(&scene, &execution(1, SimdLevel::Auto)).unwrap();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let options = SvgOptions { max_pieces: 100, ..SvgOptions::default() };
     assert_eq!(renderer.svg(&view, &options), Err(RenderError::TooManyPieces(100)));
 }

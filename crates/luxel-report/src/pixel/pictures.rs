@@ -42,11 +42,7 @@ impl Pictures {
     ///
     /// # Errors
     /// [`PicturesError`] if the view can't be drawn.
-    pub fn draw(
-        renderer: &Renderer<'_>,
-        view: &View,
-        pixel: [u32; 2],
-    ) -> Result<Self, PicturesError> {
+    pub fn draw(renderer: &Renderer, view: &View, pixel: [u32; 2]) -> Result<Self, PicturesError> {
         let small = smaller(view);
         let whole = renderer.rgba8(&small)?;
         let (corner, around) = renderer.rgba8_around(view, pixel, around_of(view.size))?;

@@ -44,7 +44,7 @@ pub(crate) fn view_from(scene: &Scene, elevation_radians: f64) -> View {
 
 /// What a pixel of the view shows, and what it hides.
 pub(crate) fn explain(scene: &Scene, view: &View, pixel: [u32; 2]) -> (Explanation, Unseen) {
-    let renderer = Renderer::new(scene, &Execution::default()).unwrap();
+    let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
     let explanation = renderer.explain(view, At::Pixel(pixel)).unwrap();
     let unseen = Unseen::new(&renderer, view, &explanation).unwrap();
     (explanation, unseen)

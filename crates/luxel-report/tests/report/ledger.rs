@@ -148,7 +148,7 @@ fn check_nesting(page: &str) {
 fn html_is_nested_and_asks_for_nothing() {
     let (scene, view) = nasty();
     let (explanation, unseen) = explain(&scene, &view, ON_THE_TEAPOT);
-    let renderer = Renderer::new(&scene, &Execution::default()).unwrap();
+    let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
     let pictures = Pictures::draw(&renderer, &view, explanation.pixel).unwrap();
     let report = Report::new(&explanation, &scene, &view)
         .with_unseen(&unseen)

@@ -14,7 +14,7 @@ fn read(json: &[u8]) -> Value {
 #[test]
 fn a_pick_reads_back_as_json_and_is_a_line_of_text() {
     let scene = teapot();
-    let picker = Picker::new(&scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     let pick = PickView::new(&picker, view(&scene).camera, SIZE, Cull::Auto).unwrap();
     let at = ON_THE_TEAPOT.map(|side| f64::from(side) + 0.5);
     let hits = pick.through(at);
@@ -41,7 +41,7 @@ fn a_pick_reads_back_as_json_and_is_a_line_of_text() {
 #[test]
 fn nothing_is_an_answer_too() {
     let scene = teapot();
-    let picker = Picker::new(&scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     let pick = PickView::new(&picker, view(&scene).camera, SIZE, Cull::Auto).unwrap();
     let at = [0.5, 0.5];
     let snapped = pick.snap(at, SnapTo::Vertex, 2.0);
@@ -56,7 +56,7 @@ fn nothing_is_an_answer_too() {
 #[test]
 fn a_region_lists_objects_and_their_pixels() {
     let scene = teapot();
-    let picker = Picker::new(&scene).unwrap();
+    let picker = Picker::new(scene.clone()).unwrap();
     let pick = PickView::new(&picker, view(&scene).camera, SIZE, Cull::Auto).unwrap();
     let region = Region::rectangle(0.0, 0.0, 96.0, 54.0).unwrap();
     let hits = pick.sliver(&region, Inclusion::Touching);

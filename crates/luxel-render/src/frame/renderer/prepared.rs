@@ -5,7 +5,7 @@ use crate::polygons::Polygons;
 use luxel_math::Level;
 use luxel_scene::Scene;
 use luxel_visibility::{Clusters, Frames};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 /// What a renderer has made ready of its scene's meshes, with its threads.
@@ -17,7 +17,7 @@ pub struct Prepared {
     clock: fn() -> Duration,
 }
 
-impl<'s> Renderer<'s> {
+impl Renderer {
     /// Lets go of the scene, and keeps what was made of its meshes.
     #[must_use]
     pub fn into_prepared(self) -> Prepared {
@@ -35,17 +35,19 @@ impl<'s> Renderer<'s> {
     /// materials, and which nodes show which mesh, may be others. Meshes with another number of
     /// triangles are made ready anew; those with as many, but other ones, would be drawn wrongly.
     #[must_use]
-    pub fn again(scene: &'s Scene, prepared: Prepared) -> Self {
+    pub fn again(scene: impl Into<Arc<Scene>>, prepared: Prepared) -> Self {
+        let scene = scene.into();
         let Prepared { meshes, level, pool, clock } = prepared;
         let mut renderer = Self {
-            scene,
             objects: scene.objects(),
             clusters: Vec::new(),
             polygons_of_meshes: Vec::new(),
             level,
             pool,
             clock,
+            scene,
         };
+        let scene = &renderer.scene;
         let is_same = |(mesh, (count, ..)): (&luxel_scene::Mesh, &(usize, Clusters, _))| {
             mesh.triangles.len() == *count
         };

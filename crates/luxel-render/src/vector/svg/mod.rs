@@ -19,14 +19,14 @@ mod web;
 
 use crate::context::{Heard, ShadingContext};
 use crate::coverage::AlphaTest;
-use crate::frame::{CoveragePolicy, RenderError, Renderer};
+use crate::frame::{RenderError, Renderer};
 use crate::resolve::bytes_of;
 use crate::vector::primitives::{Clipper, InWindow, is_culled};
 use crate::view::{Shading, ShadingMode, View};
 use face::{Face, Grid, for_each};
 use flatten::{Flattener, Sampler, largest_range};
 use luxel_lighting::PictureEncoding;
-use luxel_visibility::{Coverage, Samples, Tile, TriangleId, TriangleOf};
+use luxel_visibility::{Coverage, CoveragePolicy, Samples, Tile, TriangleId, TriangleOf};
 use paint::paint;
 use std::fmt::Write;
 use web::{Place, Web};
@@ -62,7 +62,7 @@ pub struct Svg {
     pub paths: usize,
 }
 
-impl Renderer<'_> {
+impl Renderer {
     /// Draws a view as SVG. Light, textures and fog are those of the picture, looked at where colours
     /// change; edges aren't drawn. Pieces less than half a pixel wide get one
     /// colour.
@@ -94,7 +94,7 @@ impl SeenBits {
     }
 }
 
-fn seen(renderer: &Renderer<'_>, scene: &ShadingContext<'_>, cutouts: &AlphaTest<'_>) -> SeenBits {
+fn seen(renderer: &Renderer, scene: &ShadingContext<'_>, cutouts: &AlphaTest<'_>) -> SeenBits {
     let numbers = scene.frame.tiles_by_load();
     let tiles: Vec<Vec<u32>> = luxel_parallel::map(numbers.len(), 1, &|run| {
         let mut tile = Tile::new(scene.frame.samples().count());
@@ -115,7 +115,7 @@ fn seen(renderer: &Renderer<'_>, scene: &ShadingContext<'_>, cutouts: &AlphaTest
 }
 
 fn draw(
-    renderer: &Renderer<'_>,
+    renderer: &Renderer,
     scene: &ShadingContext<'_>,
     view: &View,
     options: &SvgOptions,

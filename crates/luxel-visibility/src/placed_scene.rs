@@ -1,0 +1,203 @@
+//! A scene before a camera: where its objects become instances, for frames and for picks alike.
+
+use crate::cluster::{Clusters, Instance, TooManyTriangles};
+use crate::frame::Frame;
+use crate::query::{InstanceSpace, Strokes, ViewFromLocal, strokes};
+use crate::types::{Coverage, Cull, CullFaces, PartUse, Samples};
+use glam::DMat4;
+use luxel_math::Level;
+use luxel_scene::{AlphaMode, Camera, Mesh, Object, Scene, SceneMaterial, Size};
+
+/// How surfaces cover what lies behind them, by the alpha mode of their materials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CoveragePolicy {
+    /// Of opaque materials.
+    pub opaque: Coverage,
+    /// Of materials whose alpha cuts holes.
+    pub masked: Coverage,
+    /// Of materials that are blended by their alpha.
+    pub blended: Coverage,
+}
+
+impl CoveragePolicy {
+    /// As pictures show them.
+    pub const DRAWN: Self =
+        Self { opaque: Coverage::Opaque, masked: Coverage::Cutout, blended: Coverage::Blended };
+    /// The nearest surface occludes all others, unless it is wholly transparent.
+    pub const NEAREST: Self = Self { blended: Coverage::Cutout, ..Self::DRAWN };
+    /// Blended surfaces occlude what lies behind them, too.
+    pub const SOLID: Self = Self { blended: Coverage::Opaque, ..Self::DRAWN };
+    /// Every surface is a layer, as if all were of glass.
+    pub const LAYERS: Self =
+        Self { opaque: Coverage::Blended, masked: Coverage::Blended, blended: Coverage::Blended };
+}
+
+/// Which faces of a scene are drawn, and how.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SurfaceRules {
+    /// The faces that are left out.
+    pub cull: Cull,
+    /// What surfaces do to what lies behind them.
+    pub coverage: CoveragePolicy,
+    /// Surfaces are holes between their edges, and edges are seen from both sides.
+    pub wireframe: bool,
+}
+
+impl SurfaceRules {
+    fn part_use(&self, material: &SceneMaterial, mirrored: bool) -> PartUse {
+        let Self { cull, coverage, wireframe } = *self;
+        let of_mode = match material.alpha_mode {
+            AlphaMode::Opaque if wireframe => Coverage::Cutout,
+            AlphaMode::Opaque => coverage.opaque,
+            AlphaMode::Mask { .. } => coverage.masked,
+            AlphaMode::Blend => coverage.blended,
+        };
+        let faces = if wireframe && cull == Cull::Auto {
+            CullFaces::None
+        } else {
+            cull.faces(material.sides, mirrored)
+        };
+        PartUse { cull: faces, coverage: of_mode }
+    }
+}
+
+/// An object's triangles, or its points and lines, before the camera.
+#[derive(Clone, Debug)]
+pub struct PlacedInstance {
+    /// The object, by its place in [`Scene::objects`].
+    pub object: usize,
+    /// The place in [`PlacedScene::strokes`] of the points and lines that it is; `None` for the object's
+    /// triangles.
+    pub strokes: Option<usize>,
+    /// From the mesh's own space to the camera's.
+    pub view_from_mesh: DMat4,
+    /// How each part of the mesh is drawn.
+    pub parts: Vec<PartUse>,
+    /// The spaces of its positions and normals.
+    pub space: InstanceSpace,
+}
+
+/// A scene before a camera: an instance for each object, then one for the points and lines of each
+/// object that has some.
+pub struct PlacedScene<'s> {
+    scene: &'s Scene,
+    objects: &'s [Object],
+    camera: Camera,
+    size: Size,
+    strokes: Vec<Strokes>,
+    instances: Vec<PlacedInstance>,
+}
+
+impl<'s> PlacedScene<'s> {
+    /// Places the objects of a scene, which are [`Scene::objects`], before a camera with a window of this
+    /// size in pixels.
+    #[must_use]
+    pub fn new(
+        scene: &'s Scene,
+        objects: &'s [Object],
+        camera: &Camera,
+        size: Size,
+        rules: &SurfaceRules,
+    ) -> Self {
+        let strokes = strokes(scene, objects, camera, size);
+        let faces = objects.iter().enumerate().map(|(number, object)| {
+            let mesh = &scene.meshes[object.mesh.index()];
+            let mirrored = object.world_from_mesh.determinant() < 0.0;
+            let part_use = |material: usize| rules.part_use(&scene.materials[material], mirrored);
+            let view_from_mesh = camera.view_from_world * object.world_from_mesh;
+            let view_from_local = ViewFromLocal::new(&view_from_mesh, mesh.origin);
+            PlacedInstance {
+                object: number,
+                strokes: None,
+                view_from_mesh,
+                parts: mesh.parts.iter().map(|part| part_use(part.material.index())).collect(),
+                space: InstanceSpace::new(&object.world_from_mesh, view_from_local, camera),
+            }
+        });
+        let in_view = strokes.iter().enumerate().map(|(number, strokes)| {
+            let mesh = &strokes.mesh;
+            let part = PartUse { coverage: rules.coverage.opaque, ..PartUse::default() };
+            let view_from_local = ViewFromLocal::new(&DMat4::IDENTITY, mesh.origin);
+            let world_from_mesh = &objects[strokes.object].world_from_mesh;
+            PlacedInstance {
+                object: strokes.object,
+                strokes: Some(number),
+                view_from_mesh: DMat4::IDENTITY,
+                parts: vec![part; mesh.parts.len()],
+                space: InstanceSpace::new(world_from_mesh, view_from_local, camera),
+            }
+        });
+        let instances = faces.chain(in_view).collect();
+        Self { scene, objects, camera: *camera, size, strokes, instances }
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &'s Scene {
+        self.scene
+    }
+
+    /// The scene's objects.
+    #[must_use]
+    pub fn objects(&self) -> &'s [Object] {
+        self.objects
+    }
+
+    /// The camera.
+    #[must_use]
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// The window's size in pixels.
+    #[must_use]
+    pub fn size(&self) -> Size {
+        self.size
+    }
+
+    /// The instances: objects in their order, then points and lines.
+    #[must_use]
+    pub fn instances(&self) -> &[PlacedInstance] {
+        &self.instances
+    }
+
+    /// Points and lines as triangles in view space, of the objects that have some.
+    #[must_use]
+    pub fn strokes(&self) -> &[Strokes] {
+        &self.strokes
+    }
+
+    /// The mesh of an instance.
+    #[must_use]
+    pub fn mesh(&self, instance: &PlacedInstance) -> &Mesh {
+        match instance.strokes {
+            Some(number) => &self.strokes[number].mesh,
+            None => &self.scene.meshes[self.objects[instance.object].mesh.index()],
+        }
+    }
+
+    /// Culls and bins the instances, `clusters` those of the scene's meshes.
+    ///
+    /// # Errors
+    /// [`TooManyTriangles`] beyond some billions.
+    ///
+    /// # Panics
+    /// If a side of the window is 0 or more than [`MAX_SIDE`](crate::MAX_SIDE) pixels.
+    pub fn frame<'a>(
+        &'a self,
+        clusters: &'a [Clusters],
+        samples: Samples,
+        level: Level,
+    ) -> Result<Frame<'a>, TooManyTriangles> {
+        let instances = self.instances.iter().map(|instance| Instance {
+            mesh: self.mesh(instance),
+            clusters: match instance.strokes {
+                Some(number) => &self.strokes[number].clusters,
+                None => &clusters[self.objects[instance.object].mesh.index()],
+            },
+            view_from_mesh: instance.view_from_mesh,
+            parts: instance.parts.clone(),
+        });
+        Frame::new(instances.collect(), &self.camera.projection, self.size, samples, level)
+    }
+}
