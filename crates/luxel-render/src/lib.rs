@@ -27,13 +27,15 @@ pub use explain::{
     At, EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface,
     Explanation, Hidden, NEAREST_WITHIN, NearestObject, Seen, SurfaceBelow, Unlit, Unseen,
 };
-pub use frame::{MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision};
+pub use frame::{
+    MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision, TileDrawing,
+};
 pub use image::{
     LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color, layer_rgb8,
     write_layers, write_linear, write_rgba8,
 };
 pub use layers::{Layer, LayerValues, ParseLayerError};
-pub use luxel_visibility::Cull;
+pub use luxel_visibility::{Cull, TILE as TILE_SIDE};
 pub use vector::{
     Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex, MAX_PIECES, Svg, SvgOptions,
 };

@@ -16,7 +16,7 @@ pub use ledger::{
 pub use occluded::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
 
 use crate::context::{AttributeMask, Heard, ShadingContext};
-use crate::frame::{RenderError, Renderer, Worker, lights_with_terms};
+use crate::frame::{RenderError, Renderer, lights_with_terms};
 use crate::interpolate::{Batch, Fragments};
 use crate::material::SurfaceWitness;
 use crate::resolve::{self, Layered, bytes_of};
@@ -107,7 +107,7 @@ impl Renderer {
             only.map(Samples::one_at),
             Heard::EVERYTHING,
             |scene, cutouts| {
-                let mut worker = Worker::new(scene.frame.samples());
+                let mut worker = self.worker(scene.frame.samples());
                 let mut kept = ThreadCache::new();
                 let [across, _] = scene.frame.tiles();
                 let tile_of = |side: u32| side as usize / TILE as usize;

@@ -3,7 +3,6 @@
 use super::error::RenderError;
 use super::picture::Picture;
 use super::renderer::Renderer;
-use super::tile_shading::Worker;
 use super::tiles::TilePixels;
 use crate::context::Heard;
 use crate::resolve::Bytes;
@@ -36,7 +35,7 @@ impl Renderer {
         ];
         let mut pixels = vec![[0; 4]; part.width as usize * part.height as usize];
         self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, cutouts| {
-            let mut worker = Worker::new(scene.frame.samples());
+            let mut worker = self.worker(scene.frame.samples());
             let finish = Bytes(view.encoding);
             let mut drawn: Box<TilePixels<_>> = Box::new([[0; 4]; (TILE * TILE) as usize]);
             let tile = TILE as usize;

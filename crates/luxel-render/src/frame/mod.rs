@@ -5,13 +5,17 @@ mod error;
 mod frame_setup;
 mod picture;
 mod renderer;
+mod tile_drawing;
 mod tile_shading;
 mod tiles;
+mod workers;
 
 pub use error::{MAX_SIDE, RenderError};
 pub use picture::{Picture, Stages, Subdivision};
 pub use renderer::{Prepared, Renderer};
+pub use tile_drawing::TileDrawing;
 
 pub(crate) use renderer::lights_with_terms;
 pub(crate) use tile_shading::{AHEAD, ALL_BLOCKS, Worker, look_ahead, place_in_tile, put_block};
-pub(crate) use tiles::{Bands, TilePixels, TileWork, for_all_tiles};
+pub(crate) use tiles::{Bands, TilePixels, TileWork, for_tiles};
+pub(crate) use workers::BusyWorker;

@@ -4,22 +4,23 @@ mod prepared;
 
 use super::error::{MAX_SIDE, RenderError};
 use super::frame_setup;
-use super::picture::{Picture, Stages, Subdivision};
+use super::picture::{Picture, Stages};
+use super::tile_drawing::TileDrawing;
 use super::tile_shading::{Worker, add_layer, tile_pixels};
-use super::tiles::{Bands, TilePixels, TileWork, for_all_tiles};
+use super::tiles::TilePixels;
+use super::workers::{BusyWorker, Workers};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::{AlphaTest, EdgeFlags};
 use crate::polygons::Polygons;
-use crate::resolve::{Bytes, Finish, Linear, empty_pixel};
+use crate::resolve::{Bytes, Finish, Linear};
 use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
 use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
 use luxel_math::{Level, dispatch_long};
 use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_visibility::{
-    Clusters, CoveragePolicy, Frames, Holes, PlacedScene, Samples, TILE, Tile, ViewRays,
+    Clusters, CoveragePolicy, Frames, Holes, PlacedScene, Samples, Tile, ViewRays,
 };
 use rayon::prelude::*;
-use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
@@ -41,6 +42,7 @@ pub struct Renderer {
     /// `None` where the machine has no threads.
     pool: Option<rayon::ThreadPool>,
     clock: fn() -> Duration,
+    workers: Workers,
 }
 
 impl Renderer {
@@ -65,6 +67,7 @@ impl Renderer {
             level,
             pool,
             clock: execution.clock,
+            workers: Workers::default(),
             scene,
         };
         renderer.clusters = renderer.install(|| prepared::clusters(&renderer.scene, frames));
@@ -98,6 +101,11 @@ impl Renderer {
     /// The time, by the clock of [`Execution`].
     pub(crate) fn now(&self) -> Duration {
         (self.clock)()
+    }
+
+    /// A worker for a frame with this many samples.
+    pub(crate) fn worker(&self, samples: Samples) -> BusyWorker<'_> {
+        self.workers.take(samples)
     }
 
     /// Whether a material lets light through.
@@ -145,26 +153,12 @@ impl Renderer {
         finish: &F,
         picture: &mut Picture<F::Pixel>,
     ) -> Result<(), RenderError> {
-        let start = (self.clock)();
-        self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, cutouts| {
-            let binned = (self.clock)();
-            let sums = Mutex::new(Stages::default());
-            let drawing = Drawing {
-                renderer: self,
-                scene,
-                alpha_test: cutouts,
-                finish,
-                background: finish.pixel(empty_pixel(scene)),
-                bands: Bands::new(&mut picture.pixels, view.size, 1),
-                sums: &sums,
-            };
-            let worker = || (Worker::new(scene.frame.samples()), new_tile());
-            for_all_tiles(scene.frame, worker, &drawing);
-            let sums = sums.into_inner().unwrap_or_default();
-            let stages = Stages { bin: binned - start, frame: (self.clock)() - start, ..sums };
-            picture.size = view.size;
-            picture.stages = stages;
-            picture.subdivision = Subdivision::of(scene);
+        let begin = self.now();
+        self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, alpha_test| {
+            let bin = self.now() - begin;
+            let drawing = TileDrawing::new(self, scene, alpha_test);
+            drawing.draw(finish, &|_| true, picture);
+            picture.stages = Stages { bin, frame: self.now() - begin, ..picture.stages };
         })
     }
 
@@ -364,40 +358,6 @@ impl Renderer {
             Some(pool) => pool.install(work),
             None => work(),
         }
-    }
-}
-
-/// A tile's pixels, yet to be drawn.
-fn new_tile<T: Copy + Default>() -> Box<TilePixels<T>> {
-    Box::new([T::default(); (TILE * TILE) as usize])
-}
-
-/// The drawing of a picture, tile by tile.
-struct Drawing<'d, F: Finish> {
-    renderer: &'d Renderer,
-    scene: &'d ShadingContext<'d>,
-    alpha_test: &'d AlphaTest<'d>,
-    finish: &'d F,
-    background: F::Pixel,
-    bands: Bands<'d, F::Pixel>,
-    sums: &'d Mutex<Stages>,
-}
-
-impl<F: Finish> TileWork<(Worker, Box<TilePixels<F::Pixel>>)> for Drawing<'_, F> {
-    fn draw(&self, (worker, pixels): &mut (Worker, Box<TilePixels<F::Pixel>>), tile: usize) {
-        let Self { renderer, scene, alpha_test, finish, .. } = *self;
-        let begin = (renderer.clock)();
-        let visible = renderer.draw_tile(scene, alpha_test, tile, worker, finish, pixels);
-        let end = (renderer.clock)();
-        if let Ok(mut sums) = self.sums.lock() {
-            sums.visibility += visible - begin;
-            sums.shade += end - visible;
-        }
-        self.bands.put(tile, pixels.as_slice());
-    }
-
-    fn fill(&self, band: usize, columns: &[Range<usize>]) {
-        self.bands.fill(band, columns, self.background);
     }
 }
 

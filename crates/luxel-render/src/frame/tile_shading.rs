@@ -24,6 +24,8 @@ pub(crate) fn put_block<T: Copy>(pixels: &mut TilePixels<T>, block: usize, value
 
 /// What one thread keeps from tile to tile.
 pub(crate) struct Worker {
+    /// Samples of a pixel.
+    pub(crate) samples: usize,
     pub(crate) opaque: Tile,
     pub(crate) layers: [Tile; 2],
     pub(crate) layered: Layered,
@@ -35,6 +37,7 @@ impl Worker {
     pub(crate) fn new(samples: Samples) -> Self {
         let count = samples.count();
         Self {
+            samples: count,
             opaque: Tile::new(count),
             layers: [Tile::new(count), Tile::new(count)],
             layered: Layered::new(count),
@@ -101,6 +104,10 @@ pub(crate) fn look_ahead<S: Simd>(
     setup.begin_tile(tile.origin());
     let vector = f32x16::splat(simd, 0.0);
     let mut ahead = Ahead { empty: 0, distinct: [DistinctTriangles::EVEN; AHEAD] };
+    if are_empty(simd, tile, first) {
+        ahead.empty = u32::MAX;
+        return ahead;
+    }
     for number in 0..AHEAD {
         let block = first + number;
         if let Some(id) = single_triangle(simd, tile, block) {
@@ -162,16 +169,16 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
     let Worker { opaque, layered, compaction, cache, .. } = worker;
     let background = [finish.pixel(empty_pixel(scene)); LANES];
     for first in (0..ALL_BLOCKS).step_by(AHEAD) {
-        if !has_layers && are_empty(simd, opaque, first) {
+        let ahead = look_ahead(simd, scene, opaque, first, cache);
+        if !has_layers && ahead.are_empty() {
             // Rows of blocks are rows of pixels: sixteen to a block.
             pixels[first * LANES..(first + AHEAD) * LANES].fill(background[0]);
             continue;
         }
-        let Ahead { empty, distinct } = look_ahead(simd, scene, opaque, first, cache);
         for number in 0..AHEAD {
             let block = first + number;
             let is_layered = has_layers && layered.is_touched(block);
-            let is_empty = empty >> number & 1 == 1;
+            let is_empty = ahead.is_empty(number);
             if is_empty && !is_layered {
                 put_block(pixels, block, &background);
                 continue;
@@ -179,7 +186,7 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
             let mut color = if is_empty {
                 empty_block(simd, scene)
             } else {
-                let distinct = &distinct[number];
+                let distinct = &ahead.distinct[number];
                 if !distinct.are_even() {
                     compaction.add(simd, scene, opaque, block, distinct, cache);
                     continue;

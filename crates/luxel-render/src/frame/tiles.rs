@@ -64,15 +64,18 @@ pub(crate) trait TileWork<W>: Sync {
     fn fill(&self, band: usize, columns: &[Range<usize>]);
 }
 
-/// Does work on all tiles of a frame by all threads. `worker` makes what one thread keeps from tile to
-/// tile. The outcome is the same for any number of threads, as a tile depends on nothing but itself.
-pub(crate) fn for_all_tiles<W>(
+/// Does work on the tiles of a frame that a set holds, by all threads. `worker` makes what one thread
+/// keeps from tile to tile. The outcome is the same for any number of threads, as a tile depends on
+/// nothing but itself.
+pub(crate) fn for_tiles<W>(
     frame: &Frame<'_>,
+    set: &(dyn Fn(usize) -> bool + Sync),
     worker: impl Fn() -> W + Sync,
     work: &impl TileWork<W>,
 ) {
     let mut order = frame.tiles_by_load();
     order.truncate(order.partition_point(|&tile| !frame.is_tile_empty(tile as usize)));
+    order.retain(|&tile| set(tile as usize));
     let [_, bands] = frame.tiles();
     let tasks = order.len() + bands;
     let next = AtomicUsize::new(0);
@@ -84,7 +87,7 @@ pub(crate) fn for_all_tiles<W>(
                 work.draw(&mut worker, tile as usize);
             } else if task < tasks {
                 let band = task - order.len();
-                work.fill(band, &empty_columns(frame, band));
+                work.fill(band, &empty_columns(frame, set, band));
             } else {
                 return;
             }
@@ -94,12 +97,20 @@ pub(crate) fn for_all_tiles<W>(
     luxel_parallel::tasks(luxel_parallel::threads().min(tasks), &|_| take());
 }
 
-/// Runs of columns of a row of tiles in which nothing can be seen.
-fn empty_columns(frame: &Frame<'_>, band: usize) -> Vec<Range<usize>> {
+/// Runs of columns of a row of tiles, of those that a set holds, in which nothing can be seen.
+fn empty_columns(
+    frame: &Frame<'_>,
+    set: &(dyn Fn(usize) -> bool + Sync),
+    band: usize,
+) -> Vec<Range<usize>> {
     let [across, _] = frame.tiles();
     let width = frame.size().width as usize;
     let mut runs: Vec<Range<usize>> = Vec::new();
-    for column in (0..across).filter(|column| frame.is_tile_empty(band * across + column)) {
+    let is_empty = |column: &usize| {
+        let tile = band * across + column;
+        frame.is_tile_empty(tile) && set(tile)
+    };
+    for column in (0..across).filter(is_empty) {
         let left = column * TILE as usize;
         let right = width.min(left + TILE as usize);
         match runs.last_mut() {

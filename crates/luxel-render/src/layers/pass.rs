@@ -7,8 +7,9 @@ use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
 use crate::frame::{
-    AHEAD, ALL_BLOCKS, Bands, Picture, RenderError, Renderer, Stages, Subdivision, TilePixels,
-    TileWork, for_all_tiles, lights_with_terms, look_ahead, place_in_tile, put_block,
+    AHEAD, ALL_BLOCKS, Bands, BusyWorker, Picture, RenderError, Renderer, Stages, Subdivision,
+    TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, place_in_tile,
+    put_block,
 };
 use crate::interpolate::Batch;
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels};
@@ -17,7 +18,7 @@ use crate::view::{ShadingMode, View};
 use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
 use luxel_scene::{Projection, SceneLight};
-use luxel_visibility::{BLOCK, CoveragePolicy, TILE, Tile, TriangleId};
+use luxel_visibility::{BLOCK, CoveragePolicy, TILE, TriangleId};
 use std::ops::Range;
 use std::sync::Mutex;
 
@@ -111,7 +112,7 @@ impl Renderer {
                 with_terms: with_terms && at_pixels,
                 terms_one_by_one: with_terms && !at_pixels,
             };
-            for_all_tiles(scene.frame, || pass.worker(), &pass);
+            for_tiles(scene.frame, &|_| true, || pass.worker(), &pass);
             drop(pass);
             if let Some(picture) = picture {
                 picture.size = view.size;
@@ -156,10 +157,9 @@ struct Pass<'p> {
     terms_one_by_one: bool,
 }
 
-/// What one thread keeps from tile to tile.
-struct LayerWorker {
-    tile: Tile,
-    cache: ThreadCache,
+/// What one thread draws with.
+struct LayerWorker<'w> {
+    worker: BusyWorker<'w>,
     pixels: Box<TilePixels<[u8; 4]>>,
     /// A tile of each layer.
     tiles: Vec<TileValues>,
@@ -174,13 +174,13 @@ enum TileValues {
 /// Three numbers for each pixel of a block, of which a layer shows as many as it has channels.
 type BlockValues = [[f32; LANES]; 3];
 
-impl TileWork<LayerWorker> for Pass<'_> {
-    fn draw(&self, worker: &mut LayerWorker, tile: usize) {
+impl<'w> TileWork<LayerWorker<'w>> for Pass<'w> {
+    fn draw(&self, worker: &mut LayerWorker<'w>, tile: usize) {
         let level = self.renderer.level();
         let frame = self.scene.frame;
         let alpha_tester = self.alpha_test.finder(frame, level);
         let begin = self.renderer.now();
-        frame.draw_opaque(level, tile, &alpha_tester, &mut worker.tile);
+        frame.draw_opaque(level, tile, &alpha_tester, &mut worker.worker.opaque);
         let visible = self.renderer.now();
         dispatch_long!(level, simd => self.shade_tile(simd, worker));
         if let Ok(mut sums) = self.sums.lock() {
@@ -221,8 +221,8 @@ fn background(layer: &Layer) -> f32 {
     }
 }
 
-impl Pass<'_> {
-    fn worker(&self) -> LayerWorker {
+impl<'p> Pass<'p> {
+    fn worker(&self) -> LayerWorker<'p> {
         let tile = |plane: &Plane<'_>| {
             let count = (TILE * TILE) as usize * plane.channels;
             match plane.values {
@@ -231,8 +231,7 @@ impl Pass<'_> {
             }
         };
         LayerWorker {
-            tile: Tile::new(1),
-            cache: ThreadCache::new(),
+            worker: self.renderer.worker(self.scene.frame.samples()),
             pixels: Box::new([[0; 4]; (TILE * TILE) as usize]),
             tiles: self.planes.iter().map(tile).collect(),
             of_lights: vec![[[0.0; LANES]; 3]; self.lights.len()],
@@ -245,10 +244,10 @@ impl Pass<'_> {
     }
 
     #[inline(always)]
-    fn shade_tile<S: Simd>(&self, simd: S, worker: &mut LayerWorker) {
+    fn shade_tile<S: Simd>(&self, simd: S, worker: &mut LayerWorker<'_>) {
         for first in (0..ALL_BLOCKS).step_by(AHEAD) {
-            let LayerWorker { tile, cache, .. } = &mut *worker;
-            let ahead = look_ahead(simd, self.scene, tile, first, cache);
+            let Worker { opaque, cache, .. } = &mut *worker.worker;
+            let ahead = look_ahead(simd, self.scene, opaque, first, cache);
             if ahead.are_empty() {
                 self.fill_rows(worker, first);
                 continue;
@@ -264,7 +263,7 @@ impl Pass<'_> {
     }
 
     /// Fills rows of blocks in which nothing is seen: rows of pixels, sixteen to a block.
-    fn fill_rows(&self, worker: &mut LayerWorker, first: usize) {
+    fn fill_rows(&self, worker: &mut LayerWorker<'_>, first: usize) {
         let LayerWorker { pixels, tiles, .. } = worker;
         let run = first * LANES..(first + AHEAD) * LANES;
         if self.pixels.is_some() {
@@ -280,7 +279,7 @@ impl Pass<'_> {
     }
 
     /// Fills a block in which nothing is seen.
-    fn fill_block(&self, worker: &mut LayerWorker, block: usize) {
+    fn fill_block(&self, worker: &mut LayerWorker<'_>, block: usize) {
         let LayerWorker { pixels, tiles, .. } = worker;
         if self.pixels.is_some() {
             put_block(pixels, block, &[self.finish().pixel(empty_pixel(self.scene)); LANES]);
@@ -299,9 +298,10 @@ impl Pass<'_> {
     }
 
     #[inline(always)]
-    fn shade_block<S: Simd>(&self, simd: S, worker: &mut LayerWorker, block: usize) {
+    fn shade_block<S: Simd>(&self, simd: S, worker: &mut LayerWorker<'_>, block: usize) {
         let Self { scene, .. } = *self;
-        let LayerWorker { tile, cache, pixels, tiles, of_lights } = worker;
+        let LayerWorker { worker, pixels, tiles, of_lights } = worker;
+        let Worker { opaque: tile, cache, .. } = &mut **worker;
         let vector = f32x16::splat(simd, 0.0);
         let samples = scene.frame.samples();
         let ids = tile.planes()[0].ids[block];

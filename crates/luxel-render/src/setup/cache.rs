@@ -15,6 +15,8 @@ use luxel_visibility::TriangleId;
 const SPARE: usize = PLACES - 1;
 /// Places of the table from ids to triangles: enough that two of these seldom want the same.
 const TABLE: usize = 4096;
+/// The first pixel of no tile.
+const NO_TILE: [i32; 2] = [i32::MIN; 2];
 /// How many can be requested before they have to be prepared.
 const PENDING: usize = 4 * LANES;
 
@@ -55,7 +57,7 @@ pub(crate) struct Prepared<'c> {
 impl SetupCache {
     pub(crate) fn new() -> Self {
         Self {
-            tile: [i32::MIN; 2],
+            tile: NO_TILE,
             table: Box::new([0; TABLE]),
             ids: [TriangleId::NONE.0; PLACES],
             materials: [0; PLACES],
@@ -67,6 +69,11 @@ impl SetupCache {
             reader: CornerReader::new(),
             columns: Box::new([[0.0; LANES]; 8 * ROWS]),
         }
+    }
+
+    /// Forgets the triangles of another frame.
+    pub(crate) fn begin_frame(&mut self) {
+        self.tile = NO_TILE;
     }
 
     /// Forgets the triangles of another tile.

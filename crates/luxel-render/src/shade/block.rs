@@ -23,6 +23,12 @@ impl ThreadCache {
     pub(crate) fn new() -> Self {
         Self { setup: SetupCache::new(), lit: LitTriangles::new() }
     }
+
+    /// Forgets the triangles of another frame.
+    pub(crate) fn begin_frame(&mut self) {
+        self.setup.begin_frame();
+        self.lit.begin_frame();
+    }
 }
 
 /// The colour (straight) and alpha of the samples; the background's where nothing is seen.

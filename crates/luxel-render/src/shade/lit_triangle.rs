@@ -53,6 +53,11 @@ impl LitTriangles {
         Self { entries: Vec::new() }
     }
 
+    /// Forgets the triangles of another frame.
+    pub(crate) fn begin_frame(&mut self) {
+        self.entries.clear();
+    }
+
     /// The triangle of an id; `None` for [`TriangleId::NONE`].
     pub(crate) fn get(
         &mut self,

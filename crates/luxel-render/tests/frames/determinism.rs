@@ -2,10 +2,14 @@
 
 use crate::scenes::{execution, glass, matte, scene, view};
 use luxel_math::SimdLevel;
-use luxel_render::{Edges, Execution, Interpolation, Layer, Renderer, Shading, ShadingMode, View};
+use luxel_render::{
+    Edges, Execution, Interpolation, Layer, Picture, Renderer, Shading, ShadingMode, TILE_SIDE,
+    View,
+};
 use luxel_scene::{
     Camera, DVec2, DVec3, Lens, NormalOptions, Projection, Scene, Size, demos, primitives,
 };
+use std::sync::Arc;
 
 fn perspective(scene: &Scene, size: Size) -> View {
     let bounds = scene.bounds();
@@ -90,4 +94,39 @@ fn the_order_in_which_triangles_are_cut_is_not_seen() {
         (renderer.rgba8(&view).unwrap().pixels, renderer.layers(&view, &Layer::ALL).unwrap())
     };
     assert!(of(true) == of(false));
+}
+
+#[test]
+fn tiles_drawn_in_sets_have_the_bytes_of_the_picture_and_others_stay() {
+    let scene = Arc::new(demos::demo("spheres").unwrap());
+    let size = Size { width: 300, height: 170 };
+    let view = View { background: [0.1, 0.2, 0.3, 0.5], ..perspective(&scene, size) };
+    let renderer = Renderer::new(Arc::clone(&scene), &execution(2, SimdLevel::Auto)).unwrap();
+    let whole = renderer.rgba8(&view).unwrap();
+
+    // Several renderers, each with a share of one picture; then one, which bins the view once.
+    let mut shared = Picture::default();
+    for share in 0..8 {
+        let own = Renderer::new(Arc::clone(&scene), &execution(1, SimdLevel::Auto)).unwrap();
+        own.rgba8_tiles_into(&view, |tile| tile % 8 == share, &mut shared).unwrap();
+    }
+    assert!(shared.pixels == whole.pixels, "a partition among renderers differs");
+    let mut picture = Picture::default();
+    let count = renderer.with_tiles(&view, |tiles| {
+        tiles.rgba8_into(|tile| tile >= 7, &mut picture);
+        tiles.rgba8_into(|tile| tile < 7, &mut picture);
+        tiles.count()
+    });
+    assert_eq!(count.unwrap(), [5, 3]);
+    assert!(picture.pixels == whole.pixels, "a partition of one renderer differs");
+
+    let marked = [1, 2, 3, 4];
+    picture.pixels.fill(marked);
+    renderer.rgba8_tiles_into(&view, |tile| tile == 6 || tile == 0, &mut picture).unwrap();
+    let side = TILE_SIDE as usize;
+    for (at, (own, expected)) in picture.pixels.iter().zip(&whole.pixels).enumerate() {
+        let [column, row] = [at % 300 / side, at / 300 / side];
+        let drawn = [6, 0].contains(&(row * 5 + column));
+        assert_eq!(own, if drawn { expected } else { &marked }, "pixel {at}");
+    }
 }

@@ -1,6 +1,6 @@
 //! What a renderer has made ready of meshes, kept for another scene that has the same ones.
 
-use super::Renderer;
+use super::{Renderer, Workers};
 use crate::polygons::Polygons;
 use luxel_math::Level;
 use luxel_scene::Scene;
@@ -45,6 +45,7 @@ impl Renderer {
             level,
             pool,
             clock,
+            workers: Workers::default(),
             scene,
         };
         let scene = &renderer.scene;
