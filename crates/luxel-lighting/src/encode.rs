@@ -3,7 +3,7 @@
 //! The curve of sRGB (IEC 61966-2-1:1999): encode(v) = 12.92 v up to 0.0031308, else
 //! 1.055 v^(1/2.4) - 0.055.
 
-use luxel_math::{F64Lanes, LANES, Lanes, Simd, f32x16, i32x16, prelude::*, u32x16};
+use luxel_math::{F64Lanes, LANES, Lanes, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
 use std::sync::LazyLock;
 
 /// How a picture stores light.
@@ -35,21 +35,36 @@ impl PictureEncoding {
         match self {
             Self::Srgb => SRGB.bytes_of_lanes(linear),
             Self::None => {
-                let unit = linear.clamped(0.0, 1.0);
-                // Rounded to f32 the product may become a tie that it was not; nothing else can
-                // change its byte.
-                let scaled = unit * linear.constant(255.0);
-                let shifted = scaled + linear.constant(FRACTIONLESS);
-                let rest = scaled - (shifted - linear.constant(FRACTIONLESS));
-                if Lanes::abs(rest).equal(linear.constant(0.5)).any() {
-                    let exact = unit.to_f64();
+                let scaled = scaled_unit(linear);
+                if may_be_tie(scaled).any() {
+                    let exact = linear.clamped(0.0, 1.0).to_f64();
                     let whole = exact.constant(WHOLE);
                     let rounded = exact * exact.constant(255.0) + whole - whole;
                     return i32x16::truncate_from(rounded.to_f32()).bitcast();
                 }
-                shifted.bitcast::<u32x16<S>>() & 255
+                shifted(scaled) & 255
             }
         }
+    }
+
+    /// The bytes of sixteen colours as words, red lowest, with `alpha` in the highest byte.
+    #[inline(always)]
+    #[must_use]
+    pub fn words_of_lanes<S: Simd>(self, [r, g, b]: [f32x16<S>; 3], alpha: u32x16<S>) -> u32x16<S> {
+        if self == Self::None {
+            let [red, green, blue] = [scaled_unit(r), scaled_unit(g), scaled_unit(b)];
+            // One question for the three: ties are rare.
+            if !(may_be_tie(red) | may_be_tie(green) | may_be_tie(blue)).any() {
+                let [red, green, blue] = [shifted(red), shifted(green), shifted(blue)];
+                // Of the sums' exponents, that of red alone is left in the word.
+                let exponent = FRACTIONLESS.to_bits();
+                return red + (green << 8) + (blue << 16) + ((alpha << 24) - exponent);
+            }
+        }
+        self.bytes_of_lanes(r)
+            | self.bytes_of_lanes(g) << 8
+            | self.bytes_of_lanes(b) << 16
+            | alpha << 24
     }
 
     /// round(65535 encode(clamp(v, 0, 1))), ties to even; 0 for NaN.
@@ -62,6 +77,26 @@ impl PictureEncoding {
         };
         (encoded * 65535.0).round_ties_even() as u16
     }
+}
+
+/// 255 clamp(v, 0, 1), rounded to `f32`.
+#[inline(always)]
+fn scaled_unit<S: Simd>(linear: f32x16<S>) -> f32x16<S> {
+    linear.clamped(0.0, 1.0) * linear.constant(255.0)
+}
+
+/// The nearest whole number in the lowest bits, ties to even, below the exponent of [`FRACTIONLESS`].
+#[inline(always)]
+fn shifted<S: Simd>(scaled: f32x16<S>) -> u32x16<S> {
+    (scaled + scaled.constant(FRACTIONLESS)).bitcast()
+}
+
+/// Whether a product lies halfway between whole numbers: rounded to `f32` it may have become a tie that
+/// it was not. Nothing else can change its byte.
+#[inline(always)]
+fn may_be_tie<S: Simd>(scaled: f32x16<S>) -> mask32x16<S> {
+    let whole = scaled + scaled.constant(FRACTIONLESS) - scaled.constant(FRACTIONLESS);
+    Lanes::abs(scaled - whole).equal(scaled.constant(0.5))
 }
 
 /// encode(v) for v in 0..=1.

@@ -133,7 +133,7 @@ pub fn reflected<N: Lanes, K: Spread<N>, W: Witness<N>>(
 
         // Of most lights there is none, and 0 changes no sum.
         let mut ambient = Rgb::black(simd);
-        if light.ambient != [0.0; 3] {
+        if placed.has_ambient() {
             ambient = arrival.faded(ambient_share * Rgb::splat(simd, light.ambient));
             sum = sum + ambient;
         }

@@ -8,6 +8,8 @@ use luxel_math::{Lanes, Mask, Rgb, Vec3, elementary};
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedLight {
     light: Light,
+    /// Whether the light has any ambient intensity, which few have.
+    has_ambient: bool,
     position: [f32; 3],
     direction: [f32; 3],
 }
@@ -58,13 +60,19 @@ impl PlacedLight {
         let direction = if largest > 0.0 { direction.map(|c| c / largest) } else { direction };
         let [x, y, z] = direction;
         let direction = Vec3::new(x, y, z).normalized_or_zero().lane(0);
-        Self { light, position, direction }
+        let has_ambient = light.ambient != [0.0; 3];
+        Self { light, has_ambient, position, direction }
     }
 
     /// What it is.
     #[must_use]
     pub fn light(&self) -> &Light {
         &self.light
+    }
+
+    /// Whether it has any ambient intensity.
+    pub(crate) fn has_ambient(&self) -> bool {
+        self.has_ambient
     }
 
     /// Where it stands, relative to the eye.

@@ -4,7 +4,7 @@ mod naive;
 
 use luxel_lighting::*;
 use luxel_math::prelude::*;
-use luxel_math::{LANES, Rgb, SimdLevel, Vec3, dispatch, f32x16};
+use luxel_math::{LANES, Rgb, SimdLevel, Vec3, dispatch, f32x16, u32x16};
 use naive::models;
 
 /// Sixteen different points.
@@ -97,6 +97,20 @@ fn bytes_in_lanes<S: Simd>(
     bytes
 }
 
+#[inline(always)]
+fn words_in_lanes<S: Simd>(
+    simd: S,
+    values: &[f32; LANES],
+    encoding: PictureEncoding,
+) -> [u32; LANES] {
+    let mut words = [0; LANES];
+    let lanes = f32x16::simd_from(simd, *values);
+    let quarter = lanes * 0.25;
+    let alpha = u32x16::splat(simd, 0xAB);
+    encoding.words_of_lanes([lanes, quarter, lanes * lanes], alpha).store_slice(&mut words);
+    words
+}
+
 #[test]
 fn sixteen_bytes_at_once_are_those_of_each_value() {
     let odd = [-1.0, -0.0, f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.5, 1.0];
@@ -120,6 +134,13 @@ fn sixteen_bytes_at_once_are_those_of_each_value() {
                     values.map(|value| u32::from(encoding.byte(value))),
                     "{values:?}"
                 );
+                let words = dispatch!(level, simd => words_in_lanes(simd, &values, encoding));
+                let word = |value: f32| {
+                    let channels = [value, value * 0.25, value * value];
+                    let [r, g, b] = channels.map(|channel| encoding.byte(channel));
+                    u32::from_le_bytes([r, g, b, 0xAB])
+                };
+                assert_eq!(words, values.map(word), "{values:?}");
             }
         }
     }

@@ -29,6 +29,11 @@ pub(crate) struct ShadingContext<'a> {
     pub(crate) attributes_of_materials: &'a [AttributeMask],
     /// Whether a light has a place, or fog a distance: then surfaces need positions.
     pub(crate) needs_positions: bool,
+    /// Whether every batch is lit at corners or pixels, of one material without textures and vertex
+    /// colours.
+    pub(crate) is_plain: bool,
+    /// Whether plain batches need no more than normals.
+    pub(crate) needs_normals_alone: bool,
     /// Whether any surface has textures or vertex colours that its material reads.
     pub(crate) has_extras: bool,
     /// V over the window.
@@ -111,6 +116,20 @@ impl ShadingContext<'_> {
     fn depth<N: Lanes>(&self, position: Vec3<N>) -> N {
         position.dot(Vec3::splat(position.x, self.direction))
     }
+}
+
+/// What a batch may need of its triangles: each an instantiation of the same code.
+///
+/// All attributes of sixteen samples are 40 vectors, where a processor has 16 registers: what a kernel has
+/// no room for, it doesn't spill.
+pub(crate) mod needs {
+    /// Normals: one material without textures and vertex colours, lit at pixels by lights without a
+    /// place.
+    pub(crate) const NORMALS: u8 = 0;
+    /// Also positions, and light of corners.
+    pub(crate) const PLACES: u8 = 1;
+    /// All attributes, of any materials.
+    pub(crate) const ALL: u8 = 2;
 }
 
 /// What witnesses of a frame hear beside what shading needs.

@@ -13,6 +13,7 @@ use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::{AlphaTest, EdgeFlags};
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear};
+use crate::shade::is_studied;
 use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
 use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
 use luxel_math::{Level, dispatch_long};
@@ -288,6 +289,11 @@ impl Renderer {
                 AttributeMask::of_mesh(mesh).and(of_material).any()
             };
             let has_extras = |mesh: &Mesh| mesh.parts.iter().any(|part| reads(mesh, part));
+            let has_extras = frame.instances().iter().any(|instance| has_extras(instance.mesh));
+            let edges = view.edges.filter(|edges| !edges.wireframe);
+            let needs_positions = heard.positions
+                || view.fog.is_some()
+                || lights.iter().any(|light| light.light().kind.has_place());
             let polygons = self.polygons(view, placed.instances().len());
             let subdivided = Mutex::default();
             let scene = ShadingContext {
@@ -300,14 +306,17 @@ impl Renderer {
                 fog,
                 uniform: &uniform,
                 attributes_of_materials: &attributes_of_materials,
-                needs_positions: heard.positions
-                    || view.fog.is_some()
-                    || lights.iter().any(|light| light.light().kind.has_place()),
-                has_extras: frame.instances().iter().any(|instance| has_extras(instance.mesh)),
+                needs_positions,
+                is_plain: self.scene.materials.len() == 1
+                    && !has_extras
+                    && !is_studied(&view.shading)
+                    && edges.is_none(),
+                needs_normals_alone: view.shading.mode == ShadingMode::Phong && !needs_positions,
+                has_extras,
                 view_rays: ViewRays::new(&view.camera, frame.rays()),
                 direction: view.camera.direction().as_vec3().to_array(),
                 background: view.background,
-                edges: view.edges.filter(|edges| !edges.wireframe),
+                edges,
                 edge_flags: &edge_flags,
                 shading: view.shading,
                 encoding: view.encoding,

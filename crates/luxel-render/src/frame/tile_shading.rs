@@ -74,6 +74,8 @@ pub(crate) const AHEAD: usize = 2 * BLOCKS as usize;
 pub(crate) struct Ahead {
     /// Those in which nothing is seen, as bits.
     empty: u32,
+    /// Those of which all samples see one triangle.
+    single: u32,
     distinct: [DistinctTriangles; AHEAD],
 }
 
@@ -82,6 +84,12 @@ impl Ahead {
     #[inline(always)]
     pub(crate) fn are_empty(&self) -> bool {
         self.empty == u32::MAX
+    }
+
+    /// Whether all samples of one of the blocks see one triangle.
+    #[inline(always)]
+    pub(crate) fn is_single(&self, number: usize) -> bool {
+        self.single >> number & 1 == 1
     }
 
     /// Whether nothing is seen in one of the blocks.
@@ -103,7 +111,7 @@ pub(crate) fn look_ahead<S: Simd>(
     let setup = &mut cache.setup;
     setup.begin_tile(tile.origin());
     let vector = f32x16::splat(simd, 0.0);
-    let mut ahead = Ahead { empty: 0, distinct: [DistinctTriangles::EVEN; AHEAD] };
+    let mut ahead = Ahead { empty: 0, single: 0, distinct: [DistinctTriangles::EVEN; AHEAD] };
     if are_empty(simd, tile, first) {
         ahead.empty = u32::MAX;
         return ahead;
@@ -114,6 +122,7 @@ pub(crate) fn look_ahead<S: Simd>(
             if id == TriangleId::NONE.0 {
                 ahead.empty |= 1 << number;
             } else {
+                ahead.single |= 1 << number;
                 setup.look_ahead(vector, scene, &tile.planes()[0].ids[block], 1);
             }
             continue;
@@ -191,7 +200,7 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
                     compaction.add(simd, scene, opaque, block, distinct, cache);
                     continue;
                 }
-                even_block(simd, scene, opaque, block, cache)
+                even_block(simd, scene, opaque, block, ahead.is_single(number), cache)
             };
             if is_layered {
                 color = layered.finish_block(simd, scene, opaque, block, cache, color);

@@ -9,6 +9,8 @@ pub(crate) struct Batch {
     pub(crate) tile: [i32; 2],
     /// What each sample sees.
     pub(crate) ids: [u32; LANES],
+    /// Whether all are known to see the same triangle.
+    pub(crate) is_single: bool,
     /// Where each lies, in pixels from the tile's first corner: multiples of 1/256.
     pub(crate) x: [f32; LANES],
     pub(crate) y: [f32; LANES],
@@ -67,7 +69,13 @@ impl Batch {
     /// Nothing in any lane.
     #[inline(always)]
     pub(crate) fn nothing(tile: [i32; 2]) -> Self {
-        Self { tile, ids: [TriangleId::NONE.0; LANES], x: [0.0; LANES], y: [0.0; LANES] }
+        Self {
+            tile,
+            ids: [TriangleId::NONE.0; LANES],
+            is_single: false,
+            x: [0.0; LANES],
+            y: [0.0; LANES],
+        }
     }
 
     /// Puts a sample of any pixel of the tile into a lane: where it lies in its block's lane, in steps of

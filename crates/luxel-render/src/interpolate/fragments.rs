@@ -9,7 +9,7 @@
 //! nothing beside the arithmetic; transposing sixteen records takes some 150 shuffles. A broadcast way
 //! through n triangles costs n times the arithmetic instead, so from [`FEW`] on rows are cheaper.
 
-use crate::context::{AttributeMask, ShadingContext};
+use crate::context::{AttributeMask, ShadingContext, needs};
 use crate::interpolate::Batch;
 use crate::material::{Attributes, Footprint};
 use crate::setup::{
@@ -97,7 +97,7 @@ struct Transposed<N> {
 impl<N: Lanes> Transposed<N> {
     /// The rows that lanes need. Written out row by row: an array that a loop fills would be memory.
     #[inline(always)]
-    fn new<const EXTRAS: bool>(simd: N, cache: &SetupCache, ids: &[u32; LANES], of: Of) -> Self {
+    fn new<const NEEDS: u8>(simd: N, cache: &SetupCache, ids: &[u32; LANES], of: Of) -> Self {
         let setups = cache.rows(ids, of.lanes);
         let zeros = [simd.zero(); 8];
         let numbers = [
@@ -107,7 +107,7 @@ impl<N: Lanes> Transposed<N> {
             if of.wanted.position { setup_row(simd, &setups, POSITION_ROW) } else { zeros },
             if of.wanted.light { setup_row(simd, &setups, LIGHT_ROW) } else { zeros },
         ];
-        if !EXTRAS || !of.has.any() {
+        if NEEDS != needs::ALL || !of.has.any() {
             return Self { numbers, extras: [zeros; 5] };
         }
         let first = ids[of.lanes.trailing_zeros() as usize & (LANES - 1)];
@@ -156,10 +156,10 @@ impl<N: Lanes> Source<N> for Transposed<N> {
 
 /// Interpolates what the samples of `seen` lanes see, whose triangles `cache` may lack yet. Other lanes
 /// hold anything. `materials` gets each sample's material, by number: apart from the fragments, as
-/// an index that is known only at run time would keep all of them in memory. `EXTRAS` says whether
-/// attributes beside positions, normals and light count.
+/// an index that is known only at run time would keep all of them in memory. `NEEDS` says which
+/// attributes count.
 #[inline(always)]
-pub(crate) fn fragments<N: Lanes, const EXTRAS: bool>(
+pub(crate) fn fragments<N: Lanes, const NEEDS: u8>(
     simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
@@ -172,26 +172,26 @@ pub(crate) fn fragments<N: Lanes, const EXTRAS: bool>(
     let place = [simd.load(&batch.x, 0), simd.load(&batch.y, 0)];
     let mut found = Fragments::nothing(simd);
     let id = ids[seen.trailing_zeros() as usize & (LANES - 1)];
-    if simd.eq_mask(ids, id) & seen == seen {
+    if batch.is_single || simd.eq_mask(ids, id) & seen == seen {
         // One triangle, the most frequent case, apart from the loop: what a loop carries from triangle to
         // triangle is memory.
         cache.require(simd, scene, ids, seen & seen.wrapping_neg());
         let Prepared { setup, extras } = cache.get(id);
         let source = Broadcast { simd, setup, extras };
         let of = Of { lanes: seen, wanted, has: cache.reads(id) };
-        found.take::<EXTRAS, true>(&source, scene, batch, place, of);
+        found.take::<NEEDS, true>(&source, scene, batch, place, of);
         *materials = [cache.material(id); LANES];
         return found;
     }
     let begins = simd.run_starts(ids) & seen;
     let mut left = seen;
-    if !EXTRAS && begins.count_ones() > SHARED && !cache.has_all(ids, begins) {
+    if NEEDS != needs::ALL && begins.count_ones() > SHARED && !cache.has_all(ids, begins) {
         while left != 0
             && let Some((lanes, columns)) = cache.prepare_columns(simd, scene, ids, left, materials)
         {
             let source = Columns { simd, numbers: columns };
             let of = Of { lanes, wanted, has: AttributeMask::NONE };
-            found.take::<EXTRAS, false>(&source, scene, batch, place, of);
+            found.take::<NEEDS, false>(&source, scene, batch, place, of);
             left &= !lanes;
         }
     }
@@ -206,7 +206,7 @@ pub(crate) fn fragments<N: Lanes, const EXTRAS: bool>(
             let Prepared { setup, extras } = cache.get(id);
             let source = Broadcast { simd, setup, extras };
             let of = Of { lanes, wanted, has: cache.reads(id) };
-            found.take::<EXTRAS, false>(&source, scene, batch, place, of);
+            found.take::<NEEDS, false>(&source, scene, batch, place, of);
             put_material(materials, lanes, cache.material(id));
             left &= !lanes;
         } else {
@@ -219,8 +219,8 @@ pub(crate) fn fragments<N: Lanes, const EXTRAS: bool>(
                     materials[lane & (LANES - 1)] = cache.material(id);
                 }
             }
-            let source = Transposed::new::<EXTRAS>(simd, cache, ids, of);
-            found.take::<EXTRAS, false>(&source, scene, batch, place, of);
+            let source = Transposed::new::<NEEDS>(simd, cache, ids, of);
+            found.take::<NEEDS, false>(&source, scene, batch, place, of);
             left &= !of.lanes;
         }
     }
@@ -247,7 +247,7 @@ impl<N: Lanes> Fragments<N> {
     /// Written field by field into what is there: handed over by value, all 40 vectors would be copied
     /// through memory, two thousand bytes a block.
     #[inline(always)]
-    fn take<const EXTRAS: bool, const WHOLE: bool>(
+    fn take<const NEEDS: u8, const WHOLE: bool>(
         &mut self,
         source: &impl Source<N>,
         scene: &ShadingContext<'_>,
@@ -282,7 +282,7 @@ impl<N: Lanes> Fragments<N> {
             let light = Rgb::new(r, g, b);
             own.light = if WHOLE { light } else { light.select(mask, own.light) };
         }
-        if !EXTRAS {
+        if NEEDS != needs::ALL {
             return;
         }
         own.has = own.has.or(has);

@@ -3,7 +3,7 @@
 use super::layer::{Layer, LayerValues};
 use super::sample::{Triangles, term};
 use super::witness::LayerWitness;
-use crate::context::{AttributeMask, Heard, ShadingContext};
+use crate::context::{AttributeMask, Heard, ShadingContext, needs};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
 use crate::frame::{
@@ -256,7 +256,7 @@ impl<'p> Pass<'p> {
                 if ahead.is_empty(number) {
                     self.fill_block(worker, first + number);
                 } else {
-                    self.shade_block(simd, worker, first + number);
+                    self.shade_block(simd, worker, first + number, ahead.is_single(number));
                 }
             }
         }
@@ -298,14 +298,21 @@ impl<'p> Pass<'p> {
     }
 
     #[inline(always)]
-    fn shade_block<S: Simd>(&self, simd: S, worker: &mut LayerWorker<'_>, block: usize) {
+    fn shade_block<S: Simd>(
+        &self,
+        simd: S,
+        worker: &mut LayerWorker<'_>,
+        block: usize,
+        is_single: bool,
+    ) {
         let Self { scene, .. } = *self;
         let LayerWorker { worker, pixels, tiles, of_lights } = worker;
         let Worker { opaque: tile, cache, .. } = &mut **worker;
         let vector = f32x16::splat(simd, 0.0);
         let samples = scene.frame.samples();
         let ids = tile.planes()[0].ids[block];
-        let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
+        let mut batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
+        batch.is_single = is_single;
         of_lights.fill([[0.0; LANES]; 3]);
         let needs = [self.maps_normals, self.with_terms];
         let mut witness = LayerWitness::new(vector, needs, of_lights);
@@ -438,7 +445,15 @@ fn hear<N: Lanes>(
     witness: &mut LayerWitness<'_, N>,
 ) {
     let mut materials = [0; LANES];
-    let found = surface_fragments::<N, true>(simd, scene, batch, cache, seen, true, &mut materials);
+    let found = surface_fragments::<N, { needs::ALL }>(
+        simd,
+        scene,
+        batch,
+        cache,
+        seen,
+        true,
+        &mut materials,
+    );
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
 }

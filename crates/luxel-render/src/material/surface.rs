@@ -2,7 +2,7 @@
 //! equation does the rest.
 
 use super::attributes::Attributes;
-use crate::context::{AttributeMask, ShadingContext};
+use crate::context::{AttributeMask, ShadingContext, needs};
 use luxel_lighting::{Coefficients, Reflectance, Silent, SurfacePoint, Witness, lit_by};
 use luxel_math::{Lanes, Rgb, Vec3};
 use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
@@ -117,7 +117,7 @@ pub(crate) fn shading_normal<N: Lanes>(
 
 /// The texture of the base colour, and alpha, at the lanes that see one material.
 #[inline(always)]
-fn base<N: Lanes, const EXTRAS: bool>(
+fn base<N: Lanes, const NEEDS: u8>(
     scene: &ShadingContext<'_>,
     varying: &Attributes<N>,
     number: usize,
@@ -126,7 +126,7 @@ fn base<N: Lanes, const EXTRAS: bool>(
     let material: &SceneMaterial = &scene.scene.materials[number];
     let simd = varying.position.x;
     let white = Rgb::splat(simd, [1.0; 3]);
-    if !EXTRAS {
+    if NEEDS != needs::ALL {
         let is_blended = material.alpha_mode == AlphaMode::Blend;
         let alpha = if is_blended { material.opacity } else { 1.0 };
         return (white, simd.constant(alpha).clamped(0.0, 1.0));
@@ -196,7 +196,7 @@ pub(crate) fn reflectance<N: Lanes>(
 
 /// Colour and alpha of the lanes that see one material, lit at the pixel.
 #[inline(always)]
-pub(crate) fn lit<N: Lanes, W: SurfaceWitness<N>, const EXTRAS: bool>(
+pub(crate) fn lit<N: Lanes, W: SurfaceWitness<N>, const NEEDS: u8>(
     scene: &ShadingContext<'_>,
     varying: &Attributes<N>,
     point: &SurfacePoint<N>,
@@ -205,7 +205,7 @@ pub(crate) fn lit<N: Lanes, W: SurfaceWitness<N>, const EXTRAS: bool>(
     witness: &mut W,
 ) -> [N; 4] {
     let material: &SceneMaterial = &scene.scene.materials[number];
-    let (tint, alpha) = base::<N, EXTRAS>(scene, varying, number, lanes);
+    let (tint, alpha) = base::<N, NEEDS>(scene, varying, number, lanes);
     let normal = shading_normal(scene, varying, point.normal, number, lanes);
     let point = SurfacePoint { normal, ..*point };
     let constants = &material.constants;
@@ -213,11 +213,11 @@ pub(crate) fn lit<N: Lanes, W: SurfaceWitness<N>, const EXTRAS: bool>(
     let lighting = &scene.lighting[number];
     let reflection = &constants.reflection;
     let color = match &scene.uniform[number] {
-        Some(uniform) if !EXTRAS || (!W::HEARS_SURFACES && !colored) => {
+        Some(uniform) if NEEDS != needs::ALL || (!W::HEARS_SURFACES && !colored) => {
             lit_by(&point, uniform, reflection, lighting, witness)
         }
         // Materials with textures always count as having extras.
-        None if !EXTRAS => Rgb::black(alpha),
+        None if NEEDS != needs::ALL => Rgb::black(alpha),
         _ => {
             let reflectance = reflectance(scene, varying, number, lanes, tint);
             witness.surface(&point, &reflectance, alpha);
@@ -231,7 +231,7 @@ pub(crate) fn lit<N: Lanes, W: SurfaceWitness<N>, const EXTRAS: bool>(
 /// Colour and alpha of the lanes that see one material, whose light was computed elsewhere: the
 /// texture of the base colour times the light, and fog.
 #[inline(always)]
-pub(crate) fn lit_elsewhere<N: Lanes, W: SurfaceWitness<N>, const EXTRAS: bool>(
+pub(crate) fn lit_elsewhere<N: Lanes, W: SurfaceWitness<N>, const NEEDS: u8>(
     scene: &ShadingContext<'_>,
     varying: &Attributes<N>,
     point: &SurfacePoint<N>,
@@ -239,7 +239,7 @@ pub(crate) fn lit_elsewhere<N: Lanes, W: SurfaceWitness<N>, const EXTRAS: bool>(
     lanes: u32,
     witness: &mut W,
 ) -> [N; 4] {
-    let (tint, alpha) = base::<N, EXTRAS>(scene, varying, number, lanes);
+    let (tint, alpha) = base::<N, NEEDS>(scene, varying, number, lanes);
     let sum = varying.light * tint;
     witness.elsewhere(point, tint, sum);
     let color = match scene.fog {

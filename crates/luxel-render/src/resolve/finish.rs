@@ -58,13 +58,8 @@ impl Finish for Bytes {
         } else {
             PictureEncoding::None.bytes_of_lanes(alpha)
         };
-        let Self(encoding) = self;
-        let words = encoding.bytes_of_lanes(r)
-            | encoding.bytes_of_lanes(g) << 8
-            | encoding.bytes_of_lanes(b) << 16
-            | alpha << 24;
         let mut stored = [0; LANES];
-        words.store_slice(&mut stored);
+        self.0.words_of_lanes([r, g, b], alpha).store_slice(&mut stored);
         let mut pixels = [[0; 4]; LANES];
         for (pixel, word) in pixels.iter_mut().zip(stored) {
             *pixel = word.to_le_bytes();

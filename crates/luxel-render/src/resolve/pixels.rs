@@ -39,18 +39,21 @@ pub(crate) fn empty_block<S: Simd>(simd: S, scene: &ShadingContext<'_>) -> [f32x
     [simd, simd.constant(g), simd.constant(b), simd.constant(alpha)]
 }
 
-/// The pixels of a block all samples of whose pixels see the same.
+/// The pixels of a block all samples of whose pixels see the same; `is_single`: the same triangle in all
+/// pixels.
 #[inline(always)]
 pub(crate) fn even_block<S: Simd>(
     simd: S,
     scene: &ShadingContext<'_>,
     tile: &Tile,
     block: usize,
+    is_single: bool,
     cache: &mut ThreadCache,
 ) -> [f32x16<S>; 4] {
     let samples = scene.frame.samples();
     let ids = tile.planes()[0].ids[block];
-    let batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
+    let mut batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
+    batch.is_single = is_single;
     let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, cache, &mut Silent);
     even_pixels(simd, lit)
 }

@@ -132,10 +132,7 @@ impl SetupCache {
         if scene.has_extras || scene.shading.mode == ShadingMode::Gouraud {
             return None;
         }
-        let lanes = self.prepare_columns_now(simd, scene, ids, lanes);
-        for lane in lanes_of(lanes) {
-            materials[lane] = self.reader.materials[lane];
-        }
+        let lanes = self.prepare_columns_now(simd, scene, ids, lanes, materials);
         Some((lanes, &self.columns))
     }
 
@@ -147,16 +144,20 @@ impl SetupCache {
         scene: &ShadingContext<'_>,
         ids: &[u32; LANES],
         lanes: u32,
+        materials: &mut [u32; LANES],
     ) -> u32 {
         let Self { reader, tile, columns, .. } = self;
         simd.vectorized(
             #[inline(always)]
             || {
-                let of = reader.read(scene, ids, lanes, |_, _, _, _, _| {});
-                let (reader, tile) = (&*reader, *tile);
-                let into = Target::Columns(columns);
-                simd.in_parts(&mut Preparation { scene, tile, of, reader, lit_as: None, into });
-                of.lanes
+                let of = reader.read(simd, scene, ids, lanes, |_, _, _, _, _| {});
+                for lane in lanes_of(of.lanes) {
+                    materials[lane] = of.materials[lane];
+                }
+                let (tile, into) = (*tile, Target::Columns(columns));
+                let lanes = of.lanes;
+                simd.in_parts(&mut Preparation { scene, tile, of, lit_as: None, into });
+                lanes
             },
         )
     }
@@ -260,17 +261,18 @@ impl SetupCache {
         for (first, (ids, places)) in (0..pending.count).step_by(LANES).zip(sixteens) {
             let mut left = u32::MAX >> (32 - LANES.min(pending.count - first));
             while left != 0 {
-                let mut of = reader.read(scene, ids, left, |lane, space, mesh, corners, reads| {
-                    if extras.is_empty() {
-                        extras.resize(PLACES, VertexExtras::NOTHING);
-                    }
-                    extras[places[lane]].read(space, mesh, corners, reads);
-                });
+                let mut of =
+                    reader.read(simd, scene, ids, left, |lane, space, mesh, corners, reads| {
+                        if extras.is_empty() {
+                            extras.resize(PLACES, VertexExtras::NOTHING);
+                        }
+                        extras[places[lane]].read(space, mesh, corners, reads);
+                    });
                 let mut lit_as = None;
                 if scene.shading.mode == ShadingMode::Gouraud {
                     let lane = of.lanes.trailing_zeros() as usize & (LANES - 1);
-                    let material = reader.materials[lane];
-                    of.lanes &= simd.eq_mask(&reader.materials, material);
+                    let material = of.materials[lane];
+                    of.lanes &= simd.eq_mask(of.materials, material);
                     lit_as = Some(material as usize);
                 }
                 left &= !of.lanes;
@@ -278,23 +280,23 @@ impl SetupCache {
                 for lane in lanes_of(of.lanes) {
                     let place = places[lane] % PLACES;
                     into[lane] = place;
-                    materials[place] = reader.materials[lane];
-                    reads[place] = reader.reads[lane];
+                    materials[place] = of.materials[lane];
+                    reads[place] = of.reads[lane];
                     if let Some(extras) = extras.get_mut(place).filter(|_| !reads[place].any()) {
                         *extras = VertexExtras::NOTHING;
                     }
                 }
-                let (reader, tile) = (&*reader, *tile);
+                let tile = *tile;
                 let setups = &mut *setups;
                 let into = Target::Places(into, setups);
-                simd.in_parts(&mut Preparation { scene, tile, of, reader, lit_as, into });
+                simd.in_parts(&mut Preparation { scene, tile, of, lit_as, into });
                 if lit_as.is_some() {
-                    for lane in lanes_of(of.lanes).filter(|&lane| reader.reads[lane].any()) {
+                    for lane in lanes_of(of.lanes).filter(|&lane| of.reads[lane].any()) {
                         let place = places[lane] % PLACES;
                         let corners = corners_of(&setups[place], &extras[place]);
-                        let material = reader.materials[lane];
+                        let material = of.materials[lane];
                         let light = corners.map(|corner| {
-                            light_at(scene, &corner, reader.reads[lane], material, &mut Silent)
+                            light_at(scene, &corner, of.reads[lane], material, &mut Silent)
                         });
                         put_vector(&mut setups[place], LIGHT, light);
                     }

@@ -5,7 +5,7 @@
 
 use crate::context::ShadingContext;
 use crate::material::lights_at;
-use crate::setup::corners::{CornerReader, PlacedCorners, ReadLanes};
+use crate::setup::corners::{PlacedCorners, ReadCorners};
 use crate::setup::{PLACES, ROWS, TriangleSetup};
 use luxel_math::{LANES, Lanes, Rgb, SplitLanes, Vec3};
 use luxel_visibility::TileForms;
@@ -15,8 +15,7 @@ pub(crate) struct Preparation<'a> {
     pub(crate) scene: &'a ShadingContext<'a>,
     /// The first pixel of the tile.
     pub(crate) tile: [i32; 2],
-    pub(crate) of: ReadLanes,
-    pub(crate) reader: &'a CornerReader,
+    pub(crate) of: ReadCorners<'a>,
     /// The material by which corners are lit, if they are.
     pub(crate) lit_as: Option<usize>,
     pub(crate) into: Target<'a>,
@@ -41,7 +40,7 @@ impl SplitLanes for Preparation<'_> {
         }
         let Self { scene, tile, .. } = *self;
         let space = scene.space(self.of.instance);
-        let placed = self.reader.placed(simd, scene, &self.of, first);
+        let (placed, in_mesh) = self.of.placed(simd, scene, first);
         let PlacedCorners { in_view, sides, towards_eye } = &placed;
         let forms = TileForms::new(scene.frame.rays(), in_view, *sides, *towards_eye, tile);
         // In the order of NORMAL, POSITION and LIGHT. Written out: a list that a loop fills is memory; and
@@ -55,7 +54,6 @@ impl SplitLanes for Preparation<'_> {
             self.put_row(first, 3, [p.x, p.y, p.z, s.x, s.y, s.z, t.x, t.y]);
             third_side = t.z;
         }
-        let in_mesh = self.reader.normals_in_mesh(simd, scene, &self.of, first);
         let [n, nb, nc] = placed.normals(space, in_mesh);
         let (ns, nt) = (nb - n, nc - n);
         let mut third_light = zero;

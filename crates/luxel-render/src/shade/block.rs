@@ -1,13 +1,13 @@
 //! Sixteen samples into light: the one way from what a batch sees to its colours.
 
-use crate::context::ShadingContext;
+use crate::context::{ShadingContext, needs};
 use crate::coverage::edge_distance;
 use crate::interpolate::{Batch, Fragments, Wanted, fragments};
 use crate::material::{Attributes, lit, lit_elsewhere};
 use crate::setup::SetupCache;
 use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::witness::BlockWitness;
-use crate::view::{Interpolation, ShadingMode};
+use crate::view::{Interpolation, Shading, ShadingMode};
 use luxel_lighting::SurfacePoint;
 use luxel_math::{F64Lanes, LANES, Lanes, lanes_of};
 use luxel_visibility::TriangleId;
@@ -33,8 +33,6 @@ impl ThreadCache {
 
 /// The colour (straight) and alpha of the samples; the background's where nothing is seen.
 ///
-/// Batches of one material that reads neither textures nor vertex colours are an instantiation of the same
-/// code without room for these: all attributes of sixteen samples are 40 vectors, which would be spilled.
 /// Outlined: one copy per lane type.
 #[inline(never)]
 pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
@@ -47,7 +45,10 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
     simd.vectorized(
         #[inline(always)]
         || {
-            let seen = simd.all_lanes() & !simd.eq_mask(&batch.ids, TriangleId::NONE.0);
+            let mut seen = simd.all_lanes();
+            if !batch.is_single {
+                seen &= !simd.eq_mask(&batch.ids, TriangleId::NONE.0);
+            }
             if seen == 0 {
                 let [r, g, b, alpha] = scene.background;
                 return [
@@ -57,10 +58,12 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
                     simd.constant(alpha),
                 ];
             }
-            if !W::HEARS_SURFACES && is_plain(simd, scene, batch, &mut cache.setup, seen) {
-                shade_seen::<N, W, false>(simd, scene, batch, cache, witness, seen)
+            if W::HEARS_SURFACES || !is_plain(simd, scene, batch, &mut cache.setup, seen) {
+                shade_outlined::<N, W, { needs::ALL }>(simd, scene, batch, cache, witness, seen)
+            } else if W::HEARS_FRAGMENTS || !scene.needs_normals_alone {
+                shade_outlined::<N, W, { needs::PLACES }>(simd, scene, batch, cache, witness, seen)
             } else {
-                shade_textured(simd, scene, batch, cache, witness, seen)
+                shade_seen::<N, W, { needs::NORMALS }>(simd, scene, batch, cache, witness, seen)
             }
         },
     )
@@ -75,11 +78,11 @@ fn is_plain<N: Lanes>(
     setup: &mut SetupCache,
     seen: u32,
 ) -> bool {
-    if is_studied(scene) || scene.edges.is_some() {
-        return false;
-    }
-    if scene.scene.materials.len() == 1 && !scene.has_extras {
+    if scene.is_plain {
         return true;
+    }
+    if is_studied(&scene.shading) || scene.edges.is_some() {
+        return false;
     }
     setup.begin_tile(batch.tile);
     let begins = simd.run_starts(&batch.ids) & seen;
@@ -93,7 +96,7 @@ fn is_plain<N: Lanes>(
 }
 
 #[inline(never)]
-fn shade_textured<N: Lanes, W: BlockWitness<N>>(
+fn shade_outlined<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
@@ -103,12 +106,12 @@ fn shade_textured<N: Lanes, W: BlockWitness<N>>(
 ) -> [N; 4] {
     simd.vectorized(
         #[inline(always)]
-        || shade_seen::<N, W, true>(simd, scene, batch, cache, witness, seen),
+        || shade_seen::<N, W, NEEDS>(simd, scene, batch, cache, witness, seen),
     )
 }
 
 #[inline(always)]
-fn shade_seen<N: Lanes, W: BlockWitness<N>, const EXTRAS: bool>(
+fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
@@ -119,48 +122,41 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const EXTRAS: bool>(
     let mut materials = [0; LANES];
     let heard = W::HEARS_FRAGMENTS;
     let found =
-        surface_fragments::<N, EXTRAS>(simd, scene, batch, cache, seen, heard, &mut materials);
+        surface_fragments::<N, NEEDS>(simd, scene, batch, cache, seen, heard, &mut materials);
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
-    let Fragments { attributes, .. } = &found;
     let [r, g, b, alpha] = scene.background;
     let mut result = [simd.constant(r), simd.constant(g), simd.constant(b), simd.constant(alpha)];
-    if !EXTRAS {
-        // Plain batches are of one material.
-        let number = materials[seen.trailing_zeros() as usize & (LANES - 1)] as usize;
-        witness.lanes(seen);
-        let color = if scene.shading.mode == ShadingMode::Phong {
-            lit::<N, W, EXTRAS>(scene, attributes, &point, number, seen, witness)
-        } else {
-            lit_elsewhere::<N, W, EXTRAS>(scene, attributes, &point, number, seen, witness)
-        };
-        if seen == simd.all_lanes() {
-            return color;
-        }
-        let mask = simd.mask_of(seen);
-        for (result, channel) in result.iter_mut().zip(color) {
-            *result = channel.select(mask, *result);
-        }
-        return result;
-    }
     let mut left = seen;
     while left != 0 {
         let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
-        let lanes = simd.eq_mask(&materials, number) & left;
+        let mut lanes = left;
+        if NEEDS == needs::ALL {
+            lanes &= simd.eq_mask(&materials, number);
+        }
         let number = number as usize;
         witness.lanes(lanes);
-        let color = if scene.shading.mode == ShadingMode::Phong {
-            lit::<N, W, EXTRAS>(scene, attributes, &point, number, lanes, witness)
+        let attributes = &found.attributes;
+        let color = if NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong {
+            lit::<N, W, NEEDS>(scene, attributes, &point, number, lanes, witness)
         } else {
-            lit_elsewhere::<N, W, EXTRAS>(scene, attributes, &point, number, lanes, witness)
+            lit_elsewhere::<N, W, NEEDS>(scene, attributes, &point, number, lanes, witness)
         };
+        if lanes == simd.all_lanes() {
+            result = color;
+            break;
+        }
         let mask = simd.mask_of(lanes);
         for (result, channel) in result.iter_mut().zip(color) {
             *result = channel.select(mask, *result);
         }
         left &= !lanes;
+        if NEEDS != needs::ALL {
+            // One material.
+            break;
+        }
     }
-    if scene.edges.is_some() {
+    if NEEDS == needs::ALL && scene.edges.is_some() {
         return draw_edges(scene, batch, seen, result);
     }
     result
@@ -184,7 +180,7 @@ pub(crate) fn point_of<N: Lanes>(
 /// The fragments of a batch, as the view interpolates and lights them; all attributes where they are
 /// `heard` by a witness.
 #[inline(always)]
-pub(crate) fn surface_fragments<N: Lanes, const EXTRAS: bool>(
+pub(crate) fn surface_fragments<N: Lanes, const NEEDS: u8>(
     simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
@@ -195,14 +191,14 @@ pub(crate) fn surface_fragments<N: Lanes, const EXTRAS: bool>(
 ) -> Fragments<N> {
     let mode = scene.shading.mode;
     let wanted = Wanted {
-        position: scene.needs_positions,
-        normal: mode == ShadingMode::Phong || heard,
-        light: mode == ShadingMode::Gouraud,
+        position: NEEDS != needs::NORMALS && scene.needs_positions,
+        normal: NEEDS == needs::NORMALS || mode == ShadingMode::Phong || heard,
+        light: NEEDS != needs::NORMALS && mode == ShadingMode::Gouraud,
     };
     cache.setup.begin_tile(batch.tile);
     let mut found =
-        fragments::<N, EXTRAS>(simd, scene, batch, &mut cache.setup, seen, wanted, materials);
-    if EXTRAS && is_studied(scene) {
+        fragments::<N, NEEDS>(simd, scene, batch, &mut cache.setup, seen, wanted, materials);
+    if NEEDS == needs::ALL && is_studied(&scene.shading) {
         study(scene, batch, cache, seen, &mut found);
     }
     found
@@ -211,9 +207,9 @@ pub(crate) fn surface_fragments<N: Lanes, const EXTRAS: bool>(
 /// Whether light is computed elsewhere than at pixels and corners, or attributes are interpolated in the
 /// window.
 #[inline(always)]
-fn is_studied(scene: &ShadingContext<'_>) -> bool {
-    matches!(scene.shading.mode, ShadingMode::Flat | ShadingMode::Subdivided { .. })
-        || scene.shading.interpolation != Interpolation::Perspective
+pub(crate) fn is_studied(shading: &Shading) -> bool {
+    matches!(shading.mode, ShadingMode::Flat | ShadingMode::Subdivided { .. })
+        || shading.interpolation != Interpolation::Perspective
 }
 
 /// Interpolation in the window, and light of whole polygons and of pieces: sample by sample.

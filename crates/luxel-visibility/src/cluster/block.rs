@@ -77,14 +77,6 @@ impl<'a> Block<'a> {
         [self.position(word & 255), self.position(word >> 8 & 255), self.position(word >> 16 & 255)]
     }
 
-    /// What a triangle's corners carry.
-    #[inline(always)]
-    pub(crate) fn shading_vertices(&self, slot: usize) -> Option<[&'a ShadingVertex; 3]> {
-        let word = self.triangles[slot];
-        let of = |corner: u32| self.shading_vertices.get((corner & 255) as usize);
-        Some([of(word)?, of(word >> 8)?, of(word >> 16)?])
-    }
-
     /// The position of a vertex, by its number in the cluster.
     #[inline(always)]
     pub(crate) fn position(&self, corner: u32) -> [f32; 3] {

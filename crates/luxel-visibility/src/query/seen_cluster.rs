@@ -2,11 +2,11 @@
 
 use crate::cluster::{Block, Instance, Instances, Numbers, ShadingVertex, corners};
 use crate::types::TriangleId;
+use luxel_math::{LANES, Lanes};
 use luxel_scene::Mesh;
 
 /// A cluster of a frame, of which something is seen.
 pub struct SeenCluster<'f> {
-    number: u32,
     instance: usize,
     part: usize,
     numbers: Numbers<'f>,
@@ -24,7 +24,6 @@ impl<'f> SeenCluster<'f> {
         let within = instances.within_instance(instance, number);
         let Instance { mesh, clusters, .. } = instances.list[instance];
         Self {
-            number,
             instance,
             part: clusters.headers[within].part as usize,
             numbers: clusters.numbers(within),
@@ -33,11 +32,15 @@ impl<'f> SeenCluster<'f> {
         }
     }
 
-    /// Whether a triangle belongs to it.
+    /// The lanes, as bits, whose triangles belong to the cluster of `id`; `simd` selects the lane type.
     #[must_use]
     #[inline(always)]
-    pub fn holds(&self, id: TriangleId) -> bool {
-        id.cluster() == self.number
+    pub fn lanes_of<N: Lanes>(simd: N, ids: &[u32; LANES], id: TriangleId) -> u32 {
+        let mut clusters = [0; LANES];
+        for (cluster, &id) in clusters.iter_mut().zip(ids) {
+            *cluster = TriangleId(id).cluster();
+        }
+        simd.eq_mask(&clusters, id.cluster())
     }
 
     /// The instance that it is part of, by its place in the list.
@@ -54,7 +57,7 @@ impl<'f> SeenCluster<'f> {
         self.part
     }
 
-    /// The place in the mesh of a triangle that it [`holds`](Self::holds).
+    /// The place in the mesh of a triangle of it.
     ///
     /// # Panics
     /// If it has no such triangle.
@@ -64,7 +67,7 @@ impl<'f> SeenCluster<'f> {
         self.numbers.of(id.slot())
     }
 
-    /// The positions of the corners of a triangle that it [`holds`](Self::holds), about the mesh's
+    /// The positions of the corners of a triangle of it, about the mesh's
     /// origin: from what it was drawn from, which was in the cache then.
     ///
     /// # Panics
@@ -78,13 +81,33 @@ impl<'f> SeenCluster<'f> {
         }
     }
 
-    /// What the corners of a triangle that it [`holds`](Self::holds) carry, if that is kept.
+    /// What the corners of its triangles carry, if that is kept.
+    #[must_use]
+    #[inline(always)]
+    pub fn shading_corners(&self) -> Option<ShadingCorners<'f>> {
+        let Block { triangles, shading_vertices, .. } = self.block?;
+        let vertices = shading_vertices;
+        (!vertices.is_empty()).then_some(ShadingCorners { triangles, vertices })
+    }
+}
+
+/// What the corners of a cluster's triangles carry.
+#[derive(Clone, Copy)]
+pub struct ShadingCorners<'f> {
+    triangles: &'f [u32],
+    vertices: &'f [ShadingVertex],
+}
+
+impl<'f> ShadingCorners<'f> {
+    /// Of a triangle of the cluster.
     ///
     /// # Panics
     /// If it has no such triangle.
     #[must_use]
     #[inline(always)]
-    pub fn shading_vertices(&self, id: TriangleId) -> Option<[&'f ShadingVertex; 3]> {
-        self.block?.shading_vertices(id.slot())
+    pub fn of(&self, id: TriangleId) -> [&'f ShadingVertex; 3] {
+        let word = self.triangles[id.slot()];
+        let of = |corner: u32| &self.vertices[(corner & 255) as usize];
+        [of(word), of(word >> 8), of(word >> 16)]
     }
 }
