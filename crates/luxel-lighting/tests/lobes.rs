@@ -92,6 +92,11 @@ proptest! {
                     let diffuse = [0, 1, 2].map(|c| k_d_o_d[c] * (1.0 - f[c]) * left);
                     prop_assert!(close(diffuse, part.diffuse.lane(0)));
                 }
+                Lobe::Factors { diffuse, specular } => {
+                    let product = k_d_o_d.map(|channel| channel * diffuse);
+                    prop_assert!(close(product, part.diffuse.lane(0)));
+                    prop_assert!(close([0.5 * specular; 3], part.specular.lane(0)));
+                }
                 Lobe::Plain => {}
             }
         }

@@ -54,9 +54,9 @@ const MODULES: &[(&str, &[&str])] = &[
     (
         "luxel-lighting",
         &[
-            "material",
-            "surface",
+            "parameter",
             "coefficients",
+            "point",
             "encode",
             "light",
             "environment",
@@ -64,6 +64,8 @@ const MODULES: &[(&str, &[&str])] = &[
             "placed",
             "witness",
             "reflection",
+            "material",
+            "reflectance",
             "equation",
         ],
     ),

@@ -1,6 +1,5 @@
 //! Names of kinds of lights and of reflection models.
 
-use luxel_formats::values::reflection_name;
 use luxel_lighting::{Light, LightKind, Reflection};
 
 /// The kind of a light, as scene files name it.
@@ -17,11 +16,10 @@ pub(crate) fn kind_name(light: &Light) -> &'static str {
 pub(crate) fn model_name(reflection: &Reflection) -> String {
     match reflection {
         Reflection::Mixed(parts) => {
-            let part =
-                |(part, weight): &(Reflection, f32)| format!("{weight} {}", reflection_name(part));
+            let part = |(part, weight): &(Reflection, f32)| format!("{weight} {}", part.name());
             parts.iter().map(part).collect::<Vec<_>>().join(" + ")
         }
-        simple => reflection_name(simple).to_owned(),
+        simple => simple.name().to_owned(),
     }
 }
 
