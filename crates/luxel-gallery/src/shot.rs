@@ -2,6 +2,7 @@
 
 use crate::GalleryError;
 use crate::picture::Picture;
+use luxel::formats::values::reflection_text;
 use luxel::lighting::{Light, LightKind, Reflection};
 use luxel::render::{Execution, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
 use luxel::scene::{
@@ -172,10 +173,8 @@ impl Shot {
         if self.normals == NormalSource::Mean {
             say("--normals mean");
         }
-        match self.reflection {
-            Some(Reflection::Lambert) => say("--reflection lambert"),
-            Some(Reflection::Phong) => say("--reflection phong"),
-            _ => {}
+        if let Some(reflection) = &self.reflection {
+            say(&format!("--reflection {}", reflection_text(reflection)));
         }
         if let Some([r, g, b]) = self.color {
             say(&format!("--color {r},{g},{b}"));

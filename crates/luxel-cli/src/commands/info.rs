@@ -6,9 +6,8 @@ use crate::failure::Failure;
 use crate::model::{self, Model};
 use crate::options::{ExecutionOptions, FrameOptions, InputOptions};
 use crate::output;
-use crate::values::reflection_name;
 use clap::Args;
-use luxel::lighting::{Attenuation, Cone, LightKind};
+use luxel::lighting::{Attenuation, Cone, LightKind, SHARED, own_parameters};
 use luxel::scene::{
     AlphaMode, Bounds, Camera, Lens, Object, Placement, Scene, SceneCamera, SceneLight,
     SceneMaterial, Sides,
@@ -195,7 +194,7 @@ impl<'a> Survey<'a> {
         if !scene.materials.is_empty() {
             writeln!(text, "materials  {}", scene.materials.len())?;
             for material in &scene.materials {
-                let model = reflection_name(&material.constants.reflection);
+                let model = material.constants.reflection.name();
                 writeln!(text, "  {}  ({model})", printable(&material.name))?;
             }
         }
@@ -257,19 +256,13 @@ fn material_to_json(material: &SceneMaterial) -> Value {
         ("opacity", material.opacity_map),
     ];
     let used = textures.iter().filter(|(_, texture)| texture.is_some()).map(|(name, _)| *name);
-    json!({
+    let mut value = json!({
         "name": material.name,
-        "reflection": reflection_name(&constants.reflection),
+        "reflection": constants.reflection.name(),
         "ambient": constants.ambient,
         "diffuse": constants.diffuse,
         "specular": constants.specular,
         "emission": constants.emission,
-        "ka": constants.k_a,
-        "kd": constants.k_d,
-        "ks": constants.k_s,
-        "shininess": constants.shininess,
-        "metallic": constants.metallic,
-        "roughness": constants.roughness,
         "opacity": material.opacity,
         "alpha": match material.alpha_mode {
             AlphaMode::Opaque => "opaque",
@@ -278,7 +271,17 @@ fn material_to_json(material: &SceneMaterial) -> Value {
         },
         "double_sided": material.sides == Sides::Both,
         "textures": used.collect::<Value>(),
-    })
+    });
+    for parameter in SHARED {
+        value[parameter.name] = json!(constants.value(parameter));
+    }
+    for own in own_parameters() {
+        let name = own.parameter.name;
+        if let Some(number) = constants.reflection.own(name) {
+            value[name.replace('-', "_")] = json!(number);
+        }
+    }
+    value
 }
 
 /// A whole number with commas between thousands.

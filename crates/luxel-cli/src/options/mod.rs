@@ -8,6 +8,7 @@ mod input;
 mod light;
 mod material;
 mod mode;
+mod parameter;
 mod picture;
 mod shading;
 

@@ -8,7 +8,10 @@ use crate::memory::Memory;
 use crate::values::{cutoff_degrees, degrees, reflection_text};
 use crate::{Error, Limits, SettingValue};
 use glam::DVec3;
-use luxel_lighting::{Attenuation, Cone, Environment, Fog, FogLaw, LightKind};
+use luxel_lighting::{
+    Attenuation, Cone, Environment, Fog, FogLaw, K_A, K_D, K_S, LightKind, METALLIC, ROUGHNESS,
+    SHININESS,
+};
 use luxel_scene::{EnvironmentChoice, Lens, Placement, Restyle, SceneCamera, SceneLight};
 use std::fmt::Write as _;
 use toml::de::DeValue;
@@ -313,21 +316,18 @@ fn write_restyle(page: &mut Page, restyle: &Restyle) {
             page.line(key, &color(*value));
         }
     }
-    for (key, value) in [
-        ("ka", restyle.k_a),
-        ("kd", restyle.k_d),
-        ("ks", restyle.k_s),
-        ("shininess", restyle.shininess),
-        ("metallic", restyle.metallic),
-        ("roughness", restyle.roughness),
-        ("opacity", restyle.opacity),
-    ] {
+    let shared = [&K_A, &K_D, &K_S, &SHININESS, &METALLIC, &ROUGHNESS];
+    let numbers = shared.map(|one| (one.name, restyle.parameter(one)));
+    for (key, value) in numbers.into_iter().chain([("opacity", restyle.opacity)]) {
         if let Some(value) = value {
             page.line(key, &single(value));
         }
     }
     if let Some(reflection) = reflection {
         page.line("reflection", &quoted(&reflection_text(reflection)));
+    }
+    for (name, value) in &restyle.own {
+        page.line(name, &single(*value));
     }
 }
 

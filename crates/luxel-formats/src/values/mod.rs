@@ -19,7 +19,7 @@ pub(crate) use light::LEAST_CONE_EDGE;
 pub use light::{LightSpec, cos_cutoff, cutoff_degrees, light, light_of, light_text};
 pub use nearest::nearest;
 pub use number::{degrees, far_plane, finite, fov, non_negative_f32, positive, unit_interval};
-pub use reflection::{reflection, reflection_name, reflection_text};
+pub use reflection::{parameter, reflection, reflection_choices, reflection_text};
 pub use surroundings::{Surroundings, surroundings};
 pub(crate) use vector::numbers;
 pub use vector::{background, color, direction, intrinsics, point, reflectance, up, view_matrix};
