@@ -10,7 +10,7 @@
 //!
 //! | subject | here |
 //! | --- | --- |
-//! | what shines | [`Light`], [`PlacedLight`], [`Environment`] |
+//! | what shines | [`Light`], [`LightKind`], [`LIGHT_KINDS`], [`PlacedLight`], [`Environment`] |
 //! | how surfaces reflect | [`Reflection`], [`REFLECTION_MODELS`], [`ReflectionModel`], [`Parameter`] |
 //! | what is shone upon | [`Material`], [`Reflectance`], [`Coefficients`], [`SurfacePoint`] |
 //! | what the eye gets | [`lit`], [`lit_by`], [`reflected`], [`Fog`] |
@@ -25,6 +25,7 @@ mod environment;
 mod equation;
 mod fog;
 mod light;
+mod light_kind;
 mod material;
 mod parameter;
 mod placed;
@@ -40,7 +41,8 @@ pub use encode::{
 pub use environment::Environment;
 pub use equation::{LightingEnvironment, lit, lit_by, reflected};
 pub use fog::{Fog, FogLaw};
-pub use light::{Attenuation, Cone, Light, LightKind};
+pub use light::{Attenuation, Light};
+pub use light_kind::{Cone, LIGHT_KINDS, LightField, LightKind, LightKindDescription};
 pub use material::Material;
 pub use parameter::{K_A, K_D, K_S, METALLIC, Parameter, ROUGHNESS, SHARED, SHININESS};
 pub use placed::PlacedLight;

@@ -58,6 +58,7 @@ const MODULES: &[(&str, &[&str])] = &[
             "coefficients",
             "point",
             "encode",
+            "light_kind",
             "light",
             "environment",
             "fog",

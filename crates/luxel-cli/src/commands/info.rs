@@ -102,7 +102,7 @@ impl<'a> Survey<'a> {
     fn light_to_json(&self, light: &SceneLight) -> Value {
         let mut entry = Map::new();
         entry.insert("name".into(), json!(light.name));
-        entry.insert("kind".into(), json!(kind_name(light.light.kind)));
+        entry.insert("kind".into(), json!(light.light.kind.name()));
         match light.placement {
             Placement::World => entry.insert("in".into(), json!("world")),
             Placement::Camera => entry.insert("in".into(), json!("camera")),
@@ -112,10 +112,10 @@ impl<'a> Survey<'a> {
             }
         };
         let kind = light.light.kind;
-        if matches!(kind, LightKind::Point | LightKind::Spot(_)) {
+        if kind.description().has_position {
             entry.insert("position".into(), json!(light.position.to_array()));
         }
-        if matches!(kind, LightKind::Directional | LightKind::Spot(_)) {
+        if kind.description().has_direction {
             entry.insert("direction".into(), json!(light.direction.to_array()));
         }
         entry.insert("ambient".into(), json!(light.light.ambient));
@@ -201,7 +201,7 @@ impl<'a> Survey<'a> {
         if !scene.lights.is_empty() {
             writeln!(text, "lights     {}", scene.lights.len())?;
             for light in &scene.lights {
-                let kind = kind_name(light.light.kind);
+                let kind = light.light.kind.name();
                 writeln!(text, "  {}  ({kind})", printable(&light.name))?;
             }
         }
@@ -220,15 +220,6 @@ fn bounds_to_json(bounds: &Bounds) -> Value {
         return Value::Null;
     }
     json!({ "min": bounds.min.to_array(), "max": bounds.max.to_array() })
-}
-
-fn kind_name(kind: LightKind) -> &'static str {
-    match kind {
-        LightKind::Ambient => "ambient",
-        LightKind::Directional => "directional",
-        LightKind::Point => "point",
-        LightKind::Spot(_) => "spot",
-    }
 }
 
 fn cone_to_json(cone: Cone) -> Value {

@@ -14,8 +14,8 @@ pub(crate) use at::at;
 pub(crate) use count::{samples, threads};
 pub(crate) use luxel::formats::values::{
     LightSpec, Surroundings, background, color, far_plane, finite, fog, fov, intrinsics, light,
-    non_negative_f32, parameter, point, positive, reflectance, reflection, reflection_choices,
-    surroundings, up, view_matrix,
+    light_usage, non_negative_f32, parameter, point, positive, reflectance, reflection,
+    reflection_choices, surroundings, up, view_matrix,
 };
 pub(crate) use memory::memory;
 pub(crate) use numbering::Numbering;

@@ -1,9 +1,12 @@
 //! The table of what a scene file may say. Readers take keys out of it, the schema and the page
-//! about scene files are made of it. What other crates describe (parameters of reflection) is read from
-//! their tables.
+//! about scene files are made of it. What other crates describe (parameters of reflection, kinds of
+//! light) is read from their tables.
 
 use crate::values::reflection_choices;
-use luxel_lighting::{K_A, K_D, K_S, METALLIC, Parameter, ROUGHNESS, SHININESS, own_parameters};
+use luxel_lighting::{
+    K_A, K_D, K_S, LIGHT_KINDS, LightKindDescription, METALLIC, Parameter, ROUGHNESS, SHININESS,
+    own_parameters,
+};
 use std::sync::LazyLock;
 
 /// A table of a scene file, or the keys outside all tables.
@@ -264,94 +267,92 @@ pub(crate) static OVERRIDES: Section = Section {
     ],
 };
 
-pub(crate) static LIGHTS: Section = Section {
+pub(crate) static LIGHTS: LazyLock<Section> = LazyLock::new(|| Section {
     name: "lights",
     repeated: true,
     about: "Lights, instead of the models' own, in the order in which they are added up; the keys are the fields of --light",
-    keys: &[
-        required(key(
-            "kind",
-            Shape::Choice(&["directional", "point", "spot", "ambient"]),
-            "how it spreads",
-            "\"point\"",
-        )),
-        key("name", Shape::Text, "its name [default: light1, light2, ...]", "\"key\""),
-        key(
-            "in",
-            Shape::Choice(&["world", "camera"]),
-            "the coordinates of pos and dir [default: world]",
-            "\"camera\"",
-        ),
-        key(
-            "node",
-            Shape::Node,
-            "the node whose coordinates they are instead: the light moves with it",
-            "\"pot\"",
-        ),
-        key("pos", Shape::Numbers(3), "where it stands (point, spot)", "[2, 3, 4]"),
-        key(
-            "dir",
-            Shape::Numbers(3),
-            "the direction in which its light travels (directional, spot)",
-            "[0, -1, 0]",
-        ),
-        key(
-            "cutoff",
-            Shape::Number,
-            "half-angle of the cone, 0 to 90, or 180 for none (spot) [default: 180]",
-            "30",
-        ),
-        key(
-            "exponent",
-            Shape::Number,
-            "how it concentrates along the axis (spot) [default: 0]",
-            "8",
-        ),
-        key(
-            "inner",
-            Shape::Number,
-            "instead of an exponent: the half-angle up to which it is not weakened, as in glTF (spot)",
-            "20",
-        ),
-        key("color", Shape::Numbers(3), "its intensity (ambient)", "[0.1, 0.1, 0.1]"),
-        key(
-            "ambient",
-            Shape::Numbers(3),
-            "what it adds to the ambient term [default: 0, 0, 0]",
-            "[0.05, 0.05, 0.05]",
-        ),
-        key(
-            "diffuse",
-            Shape::Numbers(3),
-            "its intensity for diffuse reflection [default: 1, 1, 1]",
-            "[1, 0.9, 0.8]",
-        ),
-        key(
-            "specular",
-            Shape::Numbers(3),
-            "its intensity for the highlight [default: as diffuse]",
-            "[1, 1, 1]",
-        ),
-        key(
-            "attenuation",
-            Shape::Numbers(3),
-            "c1, c2, c3 of 1 / (c1 + c2 d + c3 d^2) [default: 1, 0, 0]",
-            "[1, 0, 0.1]",
-        ),
-        key(
-            "limit",
-            Shape::Number,
-            "what that is cut at, 1 as in Foley et al. [default: it is not cut]",
-            "1",
-        ),
-        key(
-            "range",
-            Shape::Number,
-            "where its light ends, faded out as in glTF [default: nowhere]",
-            "20",
-        ),
-    ],
-};
+    keys: kept(light_keys()),
+});
+
+fn light_keys() -> impl Iterator<Item = Key> {
+    let names = LIGHT_KINDS.map(|kind| kind.name).to_vec().leak();
+    let kind = required(key("kind", Shape::Choice(names), "how it spreads", "\"point\""));
+    let of = |has: fn(&LightKindDescription) -> bool| {
+        let names: Vec<_> =
+            LIGHT_KINDS.iter().filter(|kind| has(kind)).map(|kind| kind.name).collect();
+        names.join(", ")
+    };
+    let position = format!("where it stands ({})", of(|kind| kind.has_position)).leak();
+    let direction =
+        format!("the direction in which its light travels ({})", of(|kind| kind.has_direction))
+            .leak();
+    let own = LIGHT_KINDS.iter().flat_map(|kind| kind.fields);
+    [kind]
+        .into_iter()
+        .chain(LIGHT_PLACEMENT)
+        .chain([
+            key("pos", Shape::Numbers(3), position, "[2, 3, 4]"),
+            key("dir", Shape::Numbers(3), direction, "[0, -1, 0]"),
+        ])
+        .chain(own.map(|field| key(field.name, Shape::Number, field.help, field.example)))
+        .chain(LIGHT_INTENSITIES)
+}
+
+const LIGHT_PLACEMENT: [Key; 3] = [
+    key("name", Shape::Text, "its name [default: light1, light2, ...]", "\"key\""),
+    key(
+        "in",
+        Shape::Choice(&["world", "camera"]),
+        "the coordinates of pos and dir [default: world]",
+        "\"camera\"",
+    ),
+    key(
+        "node",
+        Shape::Node,
+        "the node whose coordinates they are instead: the light moves with it",
+        "\"pot\"",
+    ),
+];
+
+const LIGHT_INTENSITIES: [Key; 7] = [
+    key("color", Shape::Numbers(3), "its intensity (ambient)", "[0.1, 0.1, 0.1]"),
+    key(
+        "ambient",
+        Shape::Numbers(3),
+        "what it adds to the ambient term [default: 0, 0, 0]",
+        "[0.05, 0.05, 0.05]",
+    ),
+    key(
+        "diffuse",
+        Shape::Numbers(3),
+        "its intensity for diffuse reflection [default: 1, 1, 1]",
+        "[1, 0.9, 0.8]",
+    ),
+    key(
+        "specular",
+        Shape::Numbers(3),
+        "its intensity for the highlight [default: as diffuse]",
+        "[1, 1, 1]",
+    ),
+    key(
+        "attenuation",
+        Shape::Numbers(3),
+        "c1, c2, c3 of 1 / (c1 + c2 d + c3 d^2) [default: 1, 0, 0]",
+        "[1, 0, 0.1]",
+    ),
+    key(
+        "limit",
+        Shape::Number,
+        "what that is cut at, 1 as in Foley et al. [default: it is not cut]",
+        "1",
+    ),
+    key(
+        "range",
+        Shape::Number,
+        "where its light ends, faded out as in glTF [default: nowhere]",
+        "20",
+    ),
+];
 
 pub(crate) static CAMERAS: Section = Section {
     name: "cameras",

@@ -9,8 +9,8 @@ use crate::values::{cutoff_degrees, degrees, reflection_text};
 use crate::{Error, Limits, SettingValue};
 use glam::DVec3;
 use luxel_lighting::{
-    Attenuation, Cone, Environment, Fog, FogLaw, K_A, K_D, K_S, LightKind, METALLIC, ROUGHNESS,
-    SHININESS,
+    Attenuation, Cone, Environment, Fog, FogLaw, K_A, K_D, K_S, LightKind, LightKindDescription,
+    METALLIC, ROUGHNESS, SHININESS,
 };
 use luxel_scene::{EnvironmentChoice, Lens, Placement, Restyle, SceneCamera, SceneLight};
 use std::fmt::Write as _;
@@ -221,12 +221,8 @@ fn as_toml(value: &DeValue<'_>) -> String {
 
 fn write_light(page: &mut Page, light: &SceneLight, node: &[String]) {
     let SceneLight { name, light, placement, position, direction } = light;
-    let kind = match light.kind {
-        LightKind::Ambient => "ambient",
-        LightKind::Directional => "directional",
-        LightKind::Point => "point",
-        LightKind::Spot(_) => "spot",
-    };
+    let LightKindDescription { name: kind, has_position, has_direction, .. } =
+        light.kind.description();
     page.line("kind", &quoted(kind));
     page.line("name", &quoted(name));
     match placement {
@@ -238,10 +234,10 @@ fn write_light(page: &mut Page, light: &SceneLight, node: &[String]) {
         page.line("color", &color(light.ambient));
         return;
     }
-    if light.kind != LightKind::Directional {
+    if *has_position {
         page.line("pos", &vector(*position));
     }
-    if light.kind != LightKind::Point {
+    if *has_direction {
         page.line("dir", &vector(*direction));
     }
     match light.kind {

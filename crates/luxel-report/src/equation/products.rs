@@ -4,9 +4,7 @@ use super::light::why_not;
 use super::point::ShadingPoint;
 use super::symbols::*;
 use super::term::{Factor, PartTerm, Term, TermKind};
-use luxel_lighting::{
-    LightKind, Material, MirrorTerms, ModelFactor, PartTerms, Quantity, Reflection,
-};
+use luxel_lighting::{Material, MirrorTerms, ModelFactor, PartTerms, Quantity, Reflection};
 use luxel_math::Rgb;
 use luxel_render::ExplainedLight;
 
@@ -70,7 +68,7 @@ fn light_entry<'a>(point: &ShadingPoint<'_>, light: &'a ExplainedLight) -> Light
     let terms = &light.terms;
     let f = Factor::Number(F, terms.attenuation * terms.spot);
     let with_f = |rest: Vec<Factor>| -> Vec<Factor> {
-        let fades = light.light.kind != LightKind::Directional;
+        let fades = light.light.kind.has_place();
         fades.then(|| f.clone()).into_iter().chain(rest).collect()
     };
     let mut own = Vec::new();

@@ -2,10 +2,8 @@
 
 use super::report::Report;
 use crate::equation::why_not;
-use crate::words::kind_name;
 use luxel_lighting::{
-    Light, LightKind, Material, MirrorTerms, PartTerms, Quantity, Reflectance, Reflection,
-    own_parameters,
+    Light, Material, MirrorTerms, PartTerms, Quantity, Reflectance, Reflection, own_parameters,
 };
 use luxel_render::{
     EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Hidden, Seen, SurfaceBelow,
@@ -234,10 +232,10 @@ fn light(light: &ExplainedLight, constants: &Material) -> Value {
     let Light { kind, ambient, diffuse, specular, .. } = light.light;
     json!({
         "name": light.name,
-        "kind": kind_name(&light.light),
+        "kind": light.light.kind.name(),
         "intensity": { "ambient": ambient, "diffuse": diffuse, "specular": specular },
-        "position": (kind != LightKind::Directional).then_some(light.position),
-        "direction": (kind != LightKind::Point).then_some(light.direction),
+        "position": kind.description().has_position.then_some(light.position),
+        "direction": kind.description().has_direction.then_some(light.direction),
         "to_light": terms.to_light.lane(0),
         "distance": terms.distance,
         "attenuation": terms.attenuation,

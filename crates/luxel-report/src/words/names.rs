@@ -1,16 +1,6 @@
-//! Names of kinds of lights and of reflection models.
+//! Names of reflection models.
 
-use luxel_lighting::{Light, LightKind, Reflection};
-
-/// The kind of a light, as scene files name it.
-pub(crate) fn kind_name(light: &Light) -> &'static str {
-    match light.kind {
-        LightKind::Ambient => "ambient",
-        LightKind::Directional => "directional",
-        LightKind::Point => "point",
-        LightKind::Spot(_) => "spot",
-    }
-}
+use luxel_lighting::Reflection;
 
 /// The reflection model; of a mix the weights and names of its parts.
 pub(crate) fn model_name(reflection: &Reflection) -> String {
