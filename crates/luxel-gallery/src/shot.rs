@@ -154,21 +154,18 @@ impl Shot {
         let mut say = |words: &str| {
             let _ = write!(line, " {words}");
         };
-        match shading.mode {
-            ShadingMode::Phong => {}
-            ShadingMode::Flat => say("--shading flat"),
-            ShadingMode::Gouraud => say("--shading gouraud"),
-            ShadingMode::Subdivided { tolerance } => {
-                say(&format!("--shading subdivided --tolerance {tolerance}"));
-            }
+        let by_default = Shading::default();
+        if shading.mode != by_default.mode {
+            say(&format!("--shading {}", shading.mode.name()));
         }
-        match shading.interpolation {
-            Interpolation::Perspective => {}
-            Interpolation::Screen => say("--interpolation screen"),
-            Interpolation::Scanline => say("--interpolation scanline"),
+        if let ShadingMode::Subdivided { tolerance } = shading.mode {
+            say(&format!("--tolerance {tolerance}"));
         }
-        if shading.normal_length == NormalLength::Interpolated {
-            say("--normal-length interpolated");
+        if shading.interpolation != by_default.interpolation {
+            say(&format!("--interpolation {}", shading.interpolation.name()));
+        }
+        if shading.normal_length != by_default.normal_length {
+            say(&format!("--normal-length {}", shading.normal_length.name()));
         }
         if self.normals == NormalSource::Mean {
             say("--normals mean");

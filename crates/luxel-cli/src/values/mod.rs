@@ -4,6 +4,7 @@
 //! and ends with status 2.
 
 mod at;
+mod choice;
 mod count;
 mod memory;
 mod numbering;
@@ -11,6 +12,7 @@ mod region;
 mod size;
 
 pub(crate) use at::at;
+pub(crate) use choice::choice;
 pub(crate) use count::{samples, threads};
 pub(crate) use luxel::formats::values::{
     LightSpec, Surroundings, background, color, far_plane, finite, fog, fov, intrinsics, light,
