@@ -27,11 +27,8 @@ fn model() -> impl Strategy<Value = Reflection> {
         (Reflection::Phong, 0.125),
         (Reflection::Mirror, 0.125),
     ];
-    prop_oneof![
-        Just(Reflection::OrenNayar),
-        Just(Reflection::Microfacet),
-        Just(Reflection::mixed(mix)),
-    ]
+    let models = REFLECTION_MODELS.iter().map(|model| model.reflection.clone());
+    prop::sample::select(models.chain([Reflection::mixed(mix)]).collect::<Vec<_>>())
 }
 
 proptest! {

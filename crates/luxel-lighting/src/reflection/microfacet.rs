@@ -6,7 +6,7 @@ use super::{
     Surface, Symbol, any_lit,
 };
 use crate::coefficients::spread;
-use crate::parameter::{K_A, K_D, METALLIC, ROUGHNESS};
+use crate::parameter::{K_A, K_D, K_S, METALLIC, ROUGHNESS};
 use crate::{Lobe, Spread};
 use luxel_math::{Lanes, Rgb};
 
@@ -16,7 +16,7 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
     help: "metals and plastics as glTF has them: GGX facets, mirroring the environment",
     formula: "k_d O_d (1 - F) (1 - metallic) max(N.L, 0) + k_s O_s pi D V F max(N.L, 0)",
     source: "glTF 2.0, appendix B; Torrance and Sparrow 1967",
-    parameters: &[&K_A, &K_D, &ROUGHNESS, &METALLIC],
+    parameters: &[&K_A, &K_D, &K_S, &ROUGHNESS, &METALLIC],
     own: &[],
     highlight: Some(HighlightVector::Halfway),
     diffuse: &[NOT_MIRRORED, NOT_METAL, COSINE],

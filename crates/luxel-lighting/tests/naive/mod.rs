@@ -4,7 +4,7 @@
 
 use luxel_lighting::{
     Attenuation, Cone, Fog, FogLaw, Light, LightKind, LightingEnvironment, Material, PlacedLight,
-    Reflectance, Reflection, SurfacePoint,
+    REFLECTION_MODELS, Reflectance, Reflection, SurfacePoint,
 };
 
 pub(crate) type V = [f64; 3];
@@ -242,20 +242,11 @@ pub(crate) fn bidirectional(
 
 /// Every model, and a mix.
 pub(crate) fn models() -> Vec<Reflection> {
-    vec![
-        Reflection::Unlit,
-        Reflection::Lambert,
-        Reflection::OrenNayar,
-        Reflection::Phong,
-        Reflection::BlinnPhong,
-        Reflection::Microfacet,
-        Reflection::Mirror,
-        Reflection::Retro,
-        Reflection::mixed(vec![
-            (Reflection::Phong, 0.3),
-            (Reflection::mixed(vec![(Reflection::OrenNayar, 0.5), (Reflection::Retro, 0.25)]), 0.8),
-        ]),
-    ]
+    let mixed = Reflection::mixed(vec![
+        (Reflection::Phong, 0.3),
+        (Reflection::mixed(vec![(Reflection::OrenNayar, 0.5), (Reflection::Retro, 0.25)]), 0.8),
+    ]);
+    REFLECTION_MODELS.iter().map(|model| model.reflection.clone()).chain([mixed]).collect()
 }
 
 /// A white light of intensity 1 before the surface, along -Z.

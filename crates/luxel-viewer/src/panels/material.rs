@@ -1,6 +1,6 @@
 //! The materials of what is selected: the constants of reflection that the equation multiplies.
 
-use super::controls::{heading, one_of, row, slider_f32};
+use super::controls::{heading, one_of, row, slider_f32, slider_whole};
 use crate::session::Session;
 use crate::wardrobe::materials_of;
 use egui::{ComboBox, RichText, Ui};
@@ -101,9 +101,14 @@ fn constants(ui: &mut Ui, worn: &SceneMaterial, change: &mut Restyle) {
             }
             _ => {}
         }
-        let mut set = None;
         let range = f64::from(parameter.range[0])..=f64::from(parameter.slider_end);
-        number(ui, parameter.symbol, constants.value(parameter), range, &mut set);
+        let mut value = constants.value(parameter);
+        let mut set = None;
+        if !parameter.is_whole {
+            number(ui, parameter.symbol, value, range, &mut set);
+        } else if row(ui, parameter.symbol, |ui| slider_whole(ui, &mut value, range)) {
+            set = Some(value);
+        }
         if let Some(value) = set {
             change.set_parameter(parameter, parameter.nearest(value));
         }

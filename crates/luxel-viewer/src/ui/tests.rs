@@ -231,8 +231,8 @@ fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
         ("oren-nayar", &["k_a", "k_d", "roughness", "opacity"]),
         ("phong", &["k_a", "k_d", "k_s", "n", "opacity"]),
         ("blinn-phong", &["k_a", "k_d", "k_s", "n", "opacity"]),
-        ("microfacet", &["k_a", "k_d", "roughness", "metallic", "opacity"]),
-        ("mirror", &["k_d", "k_s", "roughness", "opacity"]),
+        ("microfacet", &["k_a", "k_d", "k_s", "roughness", "metallic", "opacity"]),
+        ("mirror", &["k_a", "k_s", "opacity"]),
         ("retro", &["k_a", "k_d", "k_s", "n", "opacity"]),
     ] {
         // Room for all of the panel.
