@@ -4,7 +4,7 @@ mod naive;
 
 use luxel_lighting::*;
 use luxel_math::{Rgb, Vec3};
-use naive::{facing_light, models, wide};
+use naive::{facing_light, models, steady_models, wide};
 use proptest::prelude::*;
 
 /// A point at the origin that faces the eye and the light.
@@ -338,7 +338,7 @@ fn any_light() -> impl Strategy<Value = PlacedLight> {
 
 fn any_material() -> impl Strategy<Value = Material> {
     (
-        prop::sample::select(models()),
+        prop::sample::select(steady_models()),
         (prop::option::of(color()), color(), color(), color()),
         prop::array::uniform3(0.0..1.0_f32),
         0.0..200.0_f32,

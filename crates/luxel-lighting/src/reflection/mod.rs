@@ -18,6 +18,7 @@ mod oren_nayar;
 mod phong;
 mod retro;
 mod surface;
+mod toon;
 mod unlit;
 mod vocabulary;
 
@@ -39,6 +40,7 @@ pub static REFLECTION_MODELS: &[&ReflectionModel] = &[
     &oren_nayar::MODEL,
     &phong::MODEL,
     &blinn_phong::MODEL,
+    &toon::MODEL,
     &microfacet::MODEL,
     &mirror::MODEL,
     &retro::MODEL,
@@ -57,6 +59,11 @@ pub enum Reflection {
     Phong,
     /// Diffuse and k_s (N.H)^n (Blinn 1977).
     BlinnPhong,
+    /// Diffuse and k_s (N.H)^n in steps (after Lake et al. 2000).
+    Toon {
+        /// How many; whole, 1 to 64.
+        steps: f32,
+    },
     /// Torrance-Sparrow with GGX, as glTF's metallic-roughness material.
     Microfacet,
     /// An ideal mirror of the environment.
@@ -93,6 +100,7 @@ impl Reflection {
             Self::OrenNayar => &oren_nayar::MODEL,
             Self::Phong => &phong::MODEL,
             Self::BlinnPhong => &blinn_phong::MODEL,
+            Self::Toon { .. } => &toon::MODEL,
             Self::Microfacet => &microfacet::MODEL,
             Self::Mirror => &mirror::MODEL,
             Self::Retro => &retro::MODEL,
@@ -156,6 +164,7 @@ impl<N: Lanes, K: Spread<N>> Surface<'_, N, K> {
     ) -> Reflected<N> {
         match kind {
             Reflection::OrenNayar => oren_nayar::reflected(self, incidence),
+            Reflection::Toon { steps } => toon::reflected(self, incidence, *steps),
             Reflection::Microfacet => microfacet::reflected(self, incidence),
             // A mirror sends a light to the eye from single points only, of no extent. A mix within
             // a mix has no meaning here: `Reflection::mixed` dissolves it.

@@ -231,6 +231,7 @@ fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
         ("oren-nayar", &["k_a", "k_d", "roughness", "opacity"]),
         ("phong", &["k_a", "k_d", "k_s", "n", "opacity"]),
         ("blinn-phong", &["k_a", "k_d", "k_s", "n", "opacity"]),
+        ("toon", &["k_a", "k_d", "k_s", "n", "steps", "opacity"]),
         ("microfacet", &["k_a", "k_d", "k_s", "roughness", "metallic", "opacity"]),
         ("mirror", &["k_a", "k_s", "opacity"]),
         ("retro", &["k_a", "k_d", "k_s", "n", "opacity"]),
@@ -261,6 +262,7 @@ fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
                 ("n", of.shininess),
                 ("roughness", of.roughness),
                 ("metallic", of.metallic),
+                ("steps", of.reflection.own("toon-steps").unwrap_or_default()),
                 ("opacity", worn.opacity),
             ]
         };
