@@ -13,16 +13,16 @@ pub(crate) fn apply_material(options: &MaterialOptions, scene: &mut Scene) {
 
 /// What the flags name of materials.
 pub(crate) fn restyle(options: &MaterialOptions) -> Restyle {
-    Restyle {
+    let mut restyle = Restyle {
         color: options.color,
-        k_a: options.ka,
-        k_d: options.kd,
-        k_s: options.ks,
-        shininess: options.shininess,
         emission: options.emission,
         reflection: options.reflection.clone(),
         ..Restyle::default()
+    };
+    for (parameter, value) in options.shared.values.iter().chain(&options.own.values) {
+        restyle.set_parameter(parameter, *value);
     }
+    restyle
 }
 
 /// Gives every mesh the normals that the flags ask for, and tangents where normal maps need them.

@@ -2,6 +2,7 @@
 
 use crate::GalleryError;
 use crate::picture::Picture;
+use luxel::formats::values::reflection_text;
 use luxel::lighting::{Light, LightKind, Reflection};
 use luxel::render::{Execution, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
 use luxel::scene::{
@@ -154,29 +155,24 @@ impl Shot {
         let mut say = |words: &str| {
             let _ = write!(line, " {words}");
         };
-        match shading.mode {
-            ShadingMode::Phong => {}
-            ShadingMode::Flat => say("--shading flat"),
-            ShadingMode::Gouraud => say("--shading gouraud"),
-            ShadingMode::Subdivided { tolerance } => {
-                say(&format!("--shading subdivided --tolerance {tolerance}"));
-            }
+        let by_default = Shading::default();
+        if shading.mode != by_default.mode {
+            say(&format!("--shading {}", shading.mode.name()));
         }
-        match shading.interpolation {
-            Interpolation::Perspective => {}
-            Interpolation::Screen => say("--interpolation screen"),
-            Interpolation::Scanline => say("--interpolation scanline"),
+        if let ShadingMode::Subdivided { tolerance } = shading.mode {
+            say(&format!("--tolerance {tolerance}"));
         }
-        if shading.normal_length == NormalLength::Interpolated {
-            say("--normal-length interpolated");
+        if shading.interpolation != by_default.interpolation {
+            say(&format!("--interpolation {}", shading.interpolation.name()));
+        }
+        if shading.normal_length != by_default.normal_length {
+            say(&format!("--normal-length {}", shading.normal_length.name()));
         }
         if self.normals == NormalSource::Mean {
             say("--normals mean");
         }
-        match self.reflection {
-            Some(Reflection::Lambert) => say("--reflection lambert"),
-            Some(Reflection::Phong) => say("--reflection phong"),
-            _ => {}
+        if let Some(reflection) = &self.reflection {
+            say(&format!("--reflection {}", reflection_text(reflection)));
         }
         if let Some([r, g, b]) = self.color {
             say(&format!("--color {r},{g},{b}"));

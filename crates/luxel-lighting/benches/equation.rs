@@ -8,8 +8,8 @@
 #![allow(clippy::unwrap_used, reason = "a benchmark")]
 
 use luxel_lighting::{
-    Environment, Light, LightKind, LightingEnvironment, Material, PlacedLight, Reflectance,
-    Reflection, Silent, SurfacePoint, lit,
+    Environment, Light, LightKind, LightingEnvironment, Material, PlacedLight, REFLECTION_MODELS,
+    Reflectance, Silent, SurfacePoint, lit,
 };
 use luxel_math::{LANES, Simd, SimdLevel, Vec3, dispatch_long, f32x16, prelude::*};
 use std::hint::black_box;
@@ -56,14 +56,6 @@ fn main() {
             PlacedLight::new(Light::new(kind, [0.4, 0.4, 0.3]), [x, y, -1.0], [-0.4, -0.6, -1.0])
         })
         .collect();
-    let models = [
-        ("lambert", Reflection::Lambert),
-        ("oren-nayar", Reflection::OrenNayar),
-        ("phong", Reflection::Phong),
-        ("blinn-phong", Reflection::BlinnPhong),
-        ("microfacet", Reflection::Microfacet),
-        ("retro", Reflection::Retro),
-    ];
     let mut seen = Vec::new();
     for level in SimdLevel::available() {
         let level = level.resolve().unwrap();
@@ -73,10 +65,11 @@ fn main() {
             continue;
         }
         seen.push(told);
-        for (model, reflection) in &models {
-            let material = Material { reflection: reflection.clone(), ..Material::default() };
+        for model in REFLECTION_MODELS {
+            let reflection = model.reflection.clone();
+            let material = Material { reflection, ..Material::default() };
             for count in [1, 5] {
-                let name = format!("{model} x{count} {told}");
+                let name = format!("{} x{count} {told}", model.name);
                 if filter.as_ref().is_some_and(|filter| !name.contains(filter.as_str())) {
                     continue;
                 }

@@ -4,11 +4,7 @@
 //! and is spread over the lanes at the very place where it is used. Sixteen values of everything
 //! would be more than there are registers.
 
-use crate::{Material, Reflectance, Reflection};
 use luxel_math::{Lanes, Rgb};
-
-/// Coefficients of reflection beyond this are taken as this, so that no product overflows.
-const COEFFICIENT_LIMIT: f32 = 1e8;
 
 /// What a surface reflects and sends, whatever its normal and whoever looks: each coefficient times
 /// its colour, not negative, not huge, not NaN.
@@ -34,46 +30,6 @@ pub struct Coefficients<K> {
     pub(crate) roughness: K,
     /// Within 0 and 1.
     pub(crate) occlusion: K,
-}
-
-impl<N: Lanes> Coefficients<N> {
-    /// Of what textures and vertex colours made of a material.
-    #[inline(always)]
-    pub fn new(reflectance: &Reflectance<N>, material: &Material) -> Self {
-        let occlusion = reflectance.occlusion.clamped(0.0, 1.0);
-        let diffuse = coefficient(reflectance.diffuse, material.k_d);
-        Self {
-            own: own_light(diffuse, reflectance.emission, &material.reflection),
-            ambient: coefficient(reflectance.ambient, material.k_a) * occlusion,
-            diffuse,
-            specular: coefficient(reflectance.specular, material.k_s),
-            base: limited(reflectance.diffuse, 1.0),
-            shininess: material.shininess.clamped(0.0, 1e9),
-            metallic: reflectance.metallic.clamped(0.0, 1.0),
-            roughness: reflectance.roughness.clamped(0.0, 1.0),
-            occlusion,
-        }
-    }
-}
-
-impl Coefficients<Uniform> {
-    /// Of what a material reflects that has no textures.
-    #[must_use]
-    pub fn uniform(material: &Material) -> Self {
-        let of = Coefficients::new(&Reflectance::of(0.0, material), material);
-        let rgb = |Rgb { r, g, b }| Rgb::new(Uniform(r), Uniform(g), Uniform(b));
-        Self {
-            own: rgb(of.own),
-            ambient: rgb(of.ambient),
-            diffuse: rgb(of.diffuse),
-            specular: rgb(of.specular),
-            base: rgb(of.base),
-            shininess: of.shininess,
-            metallic: Uniform(of.metallic),
-            roughness: Uniform(of.roughness),
-            occlusion: Uniform(of.occlusion),
-        }
-    }
 }
 
 /// What can be had in every lane: a value for each, or [one for all](Uniform).
@@ -106,32 +62,8 @@ pub(crate) fn spread<N: Lanes, K: Spread<N>>(color: Rgb<K>, simd: N) -> Rgb<N> {
     Rgb::new(color.r.spread(simd), color.g.spread(simd), color.b.spread(simd))
 }
 
-/// k O, not negative, not huge, not NaN.
-#[inline(always)]
-fn coefficient<N: Lanes>(color: Rgb<N>, k: f32) -> Rgb<N> {
-    limited(color * color.r.constant(k), COEFFICIENT_LIMIT)
-}
-
 /// A colour within 0 and `high`; 0 for NaN.
 #[inline(always)]
 pub(crate) fn limited<N: Lanes>(color: Rgb<N>, high: f32) -> Rgb<N> {
     Rgb::new(color.r.clamped(0.0, high), color.g.clamped(0.0, high), color.b.clamped(0.0, high))
-}
-
-/// What the surface sends of its own: O_e. If it isn't lit, k_d O_d instead; in a mix, both.
-#[inline(always)]
-fn own_light<N: Lanes>(diffuse: Rgb<N>, emission: Rgb<N>, reflection: &Reflection) -> Rgb<N> {
-    match reflection {
-        Reflection::Unlit => diffuse,
-        Reflection::Mixed(_) => {
-            let mut own = limited(emission, COEFFICIENT_LIMIT);
-            for index in 0..reflection.part_count() {
-                if let (Reflection::Unlit, weight) = reflection.part(index) {
-                    own = own + diffuse * diffuse.r.constant(weight);
-                }
-            }
-            own
-        }
-        _ => limited(emission, COEFFICIENT_LIMIT),
-    }
 }

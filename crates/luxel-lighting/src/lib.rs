@@ -10,7 +10,8 @@
 //!
 //! | subject | here |
 //! | --- | --- |
-//! | what shines | [`Light`], [`PlacedLight`], [`Environment`] |
+//! | what shines | [`Light`], [`LightKind`], [`LIGHT_KINDS`], [`PlacedLight`], [`Environment`] |
+//! | how surfaces reflect | [`Reflection`], [`REFLECTION_MODELS`], [`ReflectionModel`], [`Parameter`] |
 //! | what is shone upon | [`Material`], [`Reflectance`], [`Coefficients`], [`SurfacePoint`] |
 //! | what the eye gets | [`lit`], [`lit_by`], [`reflected`], [`Fog`] |
 //! | who hears the terms | [`Witness`], [`Silent`], [`Ledger`] |
@@ -24,10 +25,13 @@ mod environment;
 mod equation;
 mod fog;
 mod light;
+mod light_kind;
 mod material;
+mod parameter;
 mod placed;
+mod point;
+mod reflectance;
 mod reflection;
-mod surface;
 mod witness;
 
 pub use coefficients::{Coefficients, Spread, Uniform};
@@ -37,10 +41,17 @@ pub use encode::{
 pub use environment::Environment;
 pub use equation::{LightingEnvironment, lit, lit_by, reflected};
 pub use fog::{Fog, FogLaw};
-pub use light::{Attenuation, Cone, Light, LightKind};
-pub use material::{Material, Reflection};
+pub use light::{Attenuation, Light};
+pub use light_kind::{Cone, LIGHT_KINDS, LightField, LightKind, LightKindDescription};
+pub use material::Material;
+pub use parameter::{K_A, K_D, K_S, METALLIC, Parameter, ROUGHNESS, SHARED, SHININESS};
 pub use placed::PlacedLight;
-pub use surface::{Reflectance, SurfacePoint};
+pub use point::SurfacePoint;
+pub use reflectance::Reflectance;
+pub use reflection::{
+    HighlightVector, ModelFactor, NOT_METAL, OwnParameter, Quantity, REFLECTION_MODELS, Reflection,
+    ReflectionModel, Symbol, own_parameters, parameters,
+};
 pub use witness::{
     Ledger, LedgerLight, LightTerms, Lobe, MirrorTerms, PartTerms, Silent, Terms, Witness,
 };

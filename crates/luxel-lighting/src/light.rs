@@ -1,5 +1,7 @@
 //! Light sources: what they are, apart from where they stand.
 
+use crate::LightKind;
+
 /// A source of light, without its place.
 ///
 /// Intensities are linear and may exceed 1. I_a, I_d and I_s are separate, as in Foley et al.
@@ -17,48 +19,6 @@ pub struct Light {
     pub specular: [f32; 3],
     /// How the light weakens with distance; directional and ambient lights don't.
     pub attenuation: Attenuation,
-}
-
-/// How a light spreads.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LightKind {
-    /// From everywhere, equally: only the ambient intensity counts.
-    Ambient,
-    /// Along one direction, from infinitely far.
-    Directional,
-    /// From a point into all directions.
-    Point,
-    /// From a point into a cone.
-    Spot(Cone),
-}
-
-impl LightKind {
-    /// Whether what arrives depends on the distance and direction of a place.
-    #[must_use]
-    pub const fn has_place(self) -> bool {
-        matches!(self, Self::Point | Self::Spot(_))
-    }
-}
-
-/// The cone of a spot light; angle t is between the light's direction and the way to the surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cone {
-    /// max(cos t, 0)^exponent inside the cutoff, 0 outside (OpenGL 1.x, section 2.13.1). A cosine
-    /// of the cutoff of -1 means no cone.
-    Exponent {
-        /// Cosine of the half-angle.
-        cos_cutoff: f32,
-        /// How the light concentrates along the axis; below 0 is taken as 0.
-        exponent: f32,
-    },
-    /// 1 inside the inner cone, 0 outside the outer one, between them
-    /// ((cos t - cos outer) / (cos inner - cos outer))^2 (glTF `KHR_lights_punctual`).
-    Smooth {
-        /// Cosine of the inner half-angle.
-        cos_inner: f32,
-        /// Cosine of the outer half-angle.
-        cos_outer: f32,
-    },
 }
 
 /// Attenuation min(1 / (c1 + c2 d + c3 d^2), limit) over the distance d to the light, with glTF's

@@ -1,66 +1,7 @@
 //! Materials: the constants of reflection.
 
-/// How a surface reflects.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Reflection {
-    /// Not at all: I = O_d k_d, the object's own intensity, whatever the lights.
-    Unlit,
-    /// Diffuse only: k_d (N.L).
-    Lambert,
-    /// Rough diffuse (Oren and Nayar 1994); `roughness` is the slope's standard deviation.
-    OrenNayar,
-    /// Diffuse and k_s (R.V)^n (Phong 1975).
-    Phong,
-    /// Diffuse and k_s (N.H)^n (Blinn 1977).
-    BlinnPhong,
-    /// Torrance-Sparrow with GGX, as glTF's metallic-roughness material.
-    Microfacet,
-    /// An ideal mirror of the environment.
-    Mirror,
-    /// Diffuse and a lobe back to the light: k_s max(V.L, 0)^n.
-    Retro,
-    /// A weighted sum of models, none of them a mix: [`Reflection::mixed`] sees to that.
-    Mixed(Vec<(Self, f32)>),
-}
-
-impl Reflection {
-    /// A weighted sum of models; mixes among them are dissolved into their parts.
-    #[must_use]
-    pub fn mixed(parts: Vec<(Self, f32)>) -> Self {
-        let mut simple = Vec::with_capacity(parts.len());
-        let mut rest: Vec<_> = parts.into_iter().rev().collect();
-        while let Some((part, weight)) = rest.pop() {
-            match part {
-                Self::Mixed(inner) => {
-                    rest.extend(inner.into_iter().rev().map(|(part, w)| (part, w * weight)));
-                }
-                simple_part => simple.push((simple_part, weight)),
-            }
-        }
-        Self::Mixed(simple)
-    }
-
-    /// How many models are summed.
-    #[inline(always)]
-    pub(crate) fn part_count(&self) -> usize {
-        match self {
-            Self::Mixed(parts) => parts.len(),
-            _ => 1,
-        }
-    }
-
-    /// One of the models that are summed, with its weight, kept within 1e3.
-    #[inline(always)]
-    pub fn part(&self, index: usize) -> (&Self, f32) {
-        match self {
-            Self::Mixed(parts) => {
-                let (part, weight) = &parts[index];
-                (part, if weight.is_nan() { 0.0 } else { weight.clamp(-1e3, 1e3) })
-            }
-            simple => (simple, 1.0),
-        }
-    }
-}
+use crate::Reflection;
+use crate::parameter::{K_A, K_D, K_S, METALLIC, Parameter, ROUGHNESS, SHININESS};
 
 /// The constants of a surface's reflection; what textures and vertex colours multiply.
 ///
@@ -101,12 +42,49 @@ impl Default for Material {
             diffuse: [0.603_827_4, 0.570_481_6, 0.522_521_5],
             specular: [1.0; 3],
             emission: [0.0; 3],
-            k_a: 1.0,
-            k_d: 1.0,
-            k_s: 0.2,
-            shininess: 32.0,
-            metallic: 0.0,
-            roughness: 1.0,
+            k_a: K_A.default,
+            k_d: K_D.default,
+            k_s: K_S.default,
+            shininess: SHININESS.default,
+            metallic: METALLIC.default,
+            roughness: ROUGHNESS.default,
         }
+    }
+}
+
+impl Material {
+    /// The value of a parameter; the default of one that its reflection model lacks.
+    #[must_use]
+    pub fn value(&self, parameter: &Parameter) -> f32 {
+        match parameter.name {
+            "ka" => self.k_a,
+            "kd" => self.k_d,
+            "ks" => self.k_s,
+            "shininess" => self.shininess,
+            "metallic" => self.metallic,
+            "roughness" => self.roughness,
+            own => self.reflection.own(own).unwrap_or(parameter.default),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parameter::SHARED;
+
+    #[test]
+    fn every_shared_parameter_is_a_field_of_the_material() {
+        let material = Material {
+            k_a: 0.1,
+            k_d: 0.2,
+            k_s: 0.3,
+            shininess: 0.4,
+            roughness: 0.5,
+            metallic: 0.6,
+            ..Material::default()
+        };
+        let values = SHARED.map(|parameter| material.value(parameter));
+        assert_eq!(values, [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]);
     }
 }

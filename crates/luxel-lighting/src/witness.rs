@@ -48,6 +48,13 @@ pub struct PartTerms<N> {
 pub enum Lobe<N> {
     /// Nothing beyond cosines and their powers.
     Plain,
+    /// What stands in the place of the cosines: a factor of I_d, and one of I_s.
+    Factors {
+        /// The factor of the diffuse term.
+        diffuse: N,
+        /// The factor of the specular term.
+        specular: N,
+    },
     /// Oren and Nayar's A + B max(cos(phi_r - phi_i), 0) sin(alpha) tan(beta).
     Rough(N),
     /// Torrance and Sparrow's facets.

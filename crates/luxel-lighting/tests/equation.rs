@@ -4,7 +4,7 @@ mod naive;
 
 use luxel_lighting::*;
 use luxel_math::{Rgb, Vec3};
-use naive::{facing_light, models, wide};
+use naive::{facing_light, models, steady_models, wide};
 use proptest::prelude::*;
 
 /// A point at the origin that faces the eye and the light.
@@ -85,6 +85,43 @@ fn a_red_light_on_a_green_surface_is_black() {
             ..Material::default()
         };
         assert_eq!(shade(&facing_point(), &material, &surroundings(&lights)), [0.0; 3]);
+    }
+}
+
+#[test]
+fn a_model_describes_the_parameters_that_change_its_light_and_no_others() {
+    let light = Light::new(LightKind::Directional, [1.0; 3]);
+    let lights = [PlacedLight::new(light, [0.0; 3], [0.4, 0.3, -1.0])];
+    let environment = Environment::Studio { up: [0.0, 1.0, 0.0] };
+    let around = LightingEnvironment::new(&lights, [0.2; 3], environment, None);
+    for reflection in models() {
+        let material = Material {
+            reflection,
+            k_a: 0.5,
+            k_d: 0.5,
+            k_s: 0.5,
+            shininess: 8.0,
+            roughness: 0.5,
+            metallic: 0.5,
+            ..Material::default()
+        };
+        let before = shade(&facing_point(), &material, &around);
+        for parameter in parameters() {
+            let mut changed = material.clone();
+            let value = parameter.range[0];
+            match parameter.name {
+                "ka" => changed.k_a = value,
+                "kd" => changed.k_d = value,
+                "ks" => changed.k_s = value,
+                "shininess" => changed.shininess = value,
+                "roughness" => changed.roughness = value,
+                "metallic" => changed.metallic = value,
+                own => changed.reflection.set_own(own, value),
+            }
+            let is_other = shade(&facing_point(), &changed, &around) != before;
+            let heeds = material.reflection.heeds(parameter);
+            assert_eq!(is_other, heeds, "{} of {:?}", parameter.name, material.reflection);
+        }
     }
 }
 
@@ -301,7 +338,7 @@ fn any_light() -> impl Strategy<Value = PlacedLight> {
 
 fn any_material() -> impl Strategy<Value = Material> {
     (
-        prop::sample::select(models()),
+        prop::sample::select(steady_models()),
         (prop::option::of(color()), color(), color(), color()),
         prop::array::uniform3(0.0..1.0_f32),
         0.0..200.0_f32,

@@ -27,11 +27,8 @@ fn model() -> impl Strategy<Value = Reflection> {
         (Reflection::Phong, 0.125),
         (Reflection::Mirror, 0.125),
     ];
-    prop_oneof![
-        Just(Reflection::OrenNayar),
-        Just(Reflection::Microfacet),
-        Just(Reflection::mixed(mix)),
-    ]
+    let models = REFLECTION_MODELS.iter().map(|model| model.reflection.clone());
+    prop::sample::select(models.chain([Reflection::mixed(mix)]).collect::<Vec<_>>())
 }
 
 proptest! {
@@ -91,6 +88,11 @@ proptest! {
                     let left = (1.0 - metallic) * cosine;
                     let diffuse = [0, 1, 2].map(|c| k_d_o_d[c] * (1.0 - f[c]) * left);
                     prop_assert!(close(diffuse, part.diffuse.lane(0)));
+                }
+                Lobe::Factors { diffuse, specular } => {
+                    let product = k_d_o_d.map(|channel| channel * diffuse);
+                    prop_assert!(close(product, part.diffuse.lane(0)));
+                    prop_assert!(close([0.5 * specular; 3], part.specular.lane(0)));
                 }
                 Lobe::Plain => {}
             }

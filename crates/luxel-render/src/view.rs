@@ -1,10 +1,13 @@
 //! What to draw ([`View`]) and how ([`Execution`]): the second never changes a byte.
 
+mod shading;
+
 use luxel_lighting::{Fog, PictureEncoding};
 use luxel_math::SimdLevel;
 pub use luxel_scene::EnvironmentChoice;
 use luxel_scene::{Camera, SceneLight, Size};
 use luxel_visibility::Cull;
+pub use shading::{Clamp, Interpolation, NormalLength, Shading, ShadingMode};
 use std::time::Duration;
 
 /// What a picture shows, apart from the scene.
@@ -34,81 +37,6 @@ pub struct View {
     pub edges: Option<Edges>,
     /// Where light is computed, and how it gets to the pixels between.
     pub shading: Shading,
-}
-
-/// Where light is computed, and how it gets to the pixels between.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Shading {
-    /// Where light is computed.
-    pub mode: ShadingMode,
-    /// How normals, texture coordinates, colours and intensities get from corners to pixels.
-    pub interpolation: Interpolation,
-    /// Where intensities are brought into 0..1.
-    pub clamp: Clamp,
-    /// Whether interpolated normals are brought to unit length.
-    pub normal_length: NormalLength,
-}
-
-/// Where light is computed.
-///
-/// In all modes but `Phong`, what is computed elsewhere is the light of the surface without the
-/// texture of its base colour; that multiplies it at the pixel, as `GL_MODULATE` does in OpenGL
-/// 1.x, and fog comes last. Normal maps count in `Phong` only; other textures are looked up where
-/// the light is computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum ShadingMode {
-    /// Once for each polygon: at its centroid, with its own normal (Bouknight 1970).
-    Flat,
-    /// At the corners; the intensity is interpolated (Gouraud, *Continuous Shading of Curved
-    /// Surfaces*, 1971).
-    Gouraud,
-    /// At every pixel; the normal is interpolated and brought to unit length (Phong, *Illumination
-    /// for Computer Generated Pictures*, 1975).
-    #[default]
-    Phong,
-    /// At the corners of smaller triangles, into which those that are seen are divided until
-    /// interpolating the intensity gives what `Phong` gives, to the tolerance. Within a small
-    /// triangle the intensity is interpolated with perspective.
-    Subdivided {
-        /// The difference that is left, in steps of 8 bits after encoding.
-        tolerance: f32,
-    },
-}
-
-/// How what corners carry gets to the pixels between.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Interpolation {
-    /// Linearly in space, which is right.
-    #[default]
-    Perspective,
-    /// Linearly in the window, over the triangle: things slide where the surface slants away.
-    Screen,
-    /// Linearly in the window along the edges of the *polygon* and then along the row between them:
-    /// colours within change as the polygon turns (Foley et al., *Computer Graphics: Principles and
-    /// Practice*, 1990, section 16.2.6). Polygons of more than 256 corners, or whose outline meets
-    /// itself, are taken triangle by triangle.
-    Scanline,
-}
-
-/// Where intensities that are computed at corners are brought into 0..1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Clamp {
-    /// At the corners, as fixed-function OpenGL does.
-    #[default]
-    Vertex,
-    /// At the end, where colours become bytes.
-    End,
-}
-
-/// The length of the normals that pixels are lit with. At corners it is 1 always.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum NormalLength {
-    /// 1, as the equation wants it (Phong 1975).
-    #[default]
-    Unit,
-    /// As interpolation left it: less than 1 between corners, by the more the farther apart their
-    /// normals point. It shows what becomes of highlights then.
-    Interpolated,
 }
 
 /// How edges of polygons are drawn.

@@ -1,7 +1,8 @@
 //! Changes to materials: what is said replaces, what isn't stays.
 
 use crate::{AlphaMode, SceneMaterial};
-use luxel_lighting::Reflection;
+use luxel_lighting::{Parameter, Reflection};
+use std::collections::BTreeMap;
 
 /// Constants of reflection that replace a material's.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,9 +31,42 @@ pub struct Restyle {
     pub roughness: Option<f32>,
     /// Alpha, 0 to 1; below 1 the surface lets through what is behind it.
     pub opacity: Option<f32>,
+    /// Parameters that only one reflection model has, by name; nothing happens to other models.
+    pub own: BTreeMap<&'static str, f32>,
 }
 
 impl Restyle {
+    /// The value of a parameter of reflection, if the change has one.
+    #[must_use]
+    pub fn parameter(&self, parameter: &Parameter) -> Option<f32> {
+        match parameter.name {
+            "ka" => self.k_a,
+            "kd" => self.k_d,
+            "ks" => self.k_s,
+            "shininess" => self.shininess,
+            "metallic" => self.metallic,
+            "roughness" => self.roughness,
+            own => self.own.get(own).copied(),
+        }
+    }
+
+    /// Changes a parameter of reflection.
+    pub fn set_parameter(&mut self, parameter: &'static Parameter, value: f32) {
+        let field = match parameter.name {
+            "ka" => &mut self.k_a,
+            "kd" => &mut self.k_d,
+            "ks" => &mut self.k_s,
+            "shininess" => &mut self.shininess,
+            "metallic" => &mut self.metallic,
+            "roughness" => &mut self.roughness,
+            own => {
+                self.own.insert(own, value);
+                return;
+            }
+        };
+        *field = Some(value);
+    }
+
     /// Changes a material.
     pub fn apply(&self, material: &mut SceneMaterial) {
         let Self { color, k_a, k_d, k_s, shininess, emission, reflection, .. } = self;
@@ -75,6 +109,9 @@ impl Restyle {
         if let Some(reflection) = reflection {
             constants.reflection = reflection.clone();
         }
+        for (name, value) in &self.own {
+            constants.reflection.set_own(name, *value);
+        }
     }
 }
 
@@ -82,6 +119,20 @@ impl Restyle {
 mod tests {
     use super::*;
     use crate::{TextureId, TextureUse};
+    use luxel_lighting::{ROUGHNESS, parameters};
+
+    #[test]
+    fn every_parameter_of_reflection_is_changed_by_its_description() {
+        for parameter in parameters() {
+            let mut restyle = Restyle::default();
+            assert_eq!(restyle.parameter(parameter), None, "{}", parameter.name);
+            restyle.set_parameter(parameter, 0.5);
+            assert_eq!(restyle.parameter(parameter), Some(0.5), "{}", parameter.name);
+        }
+        let mut restyle = Restyle::default();
+        restyle.set_parameter(&ROUGHNESS, 0.5);
+        assert_eq!(restyle, Restyle { roughness: Some(0.5), ..Restyle::default() });
+    }
 
     #[test]
     fn what_is_not_said_stays_as_it_is() {

@@ -8,7 +8,6 @@ use crate::theme::{self, Theme};
 use egui::{
     Align2, Area, Color32, Context, FontId, Id, Order, Painter, Pos2, Rgba, Sense, Stroke, vec2,
 };
-use luxel::lighting::LightKind;
 use luxel::scene::{Camera, DVec2, DVec3, SceneLight, Size};
 
 /// Half a handle's side, in points.
@@ -128,13 +127,12 @@ fn handles(
     (position, direction): (DVec3, DVec3),
     target: DVec3,
 ) -> Vec<Handle> {
-    match light.light.kind {
-        LightKind::Ambient => Vec::new(),
-        LightKind::Directional => {
-            vec![Handle::Ball(camera.view_from_world.transform_vector3(-direction))]
-        }
-        LightKind::Point => vec![Handle::Stand(position)],
-        LightKind::Spot(_) => {
+    let kind = light.light.kind.description();
+    match (kind.has_position, kind.has_direction) {
+        (false, false) => Vec::new(),
+        (false, true) => vec![Handle::Ball(camera.view_from_world.transform_vector3(-direction))],
+        (true, false) => vec![Handle::Stand(position)],
+        (true, true) => {
             // As far away as what is looked at.
             let reach = position.distance(target);
             let aim = position + direction * if reach > 0.0 { reach } else { 1.0 };

@@ -1,7 +1,6 @@
 //! Lights as things that stand somewhere: where that is in the world, moving them there, new ones.
 
-use luxel::formats::values::cos_cutoff;
-use luxel::lighting::{Cone, Light, LightKind};
+use luxel::lighting::{Light, LightKindDescription};
 use luxel::scene::{DMat4, DVec3, Placement, SceneLight};
 
 /// What coordinates of lights are about.
@@ -51,21 +50,13 @@ impl Places<'_> {
     /// One more light, at a point of the world and shining at another one.
     pub(crate) fn new_light(
         &self,
-        kind: NewLight,
+        kind: &LightKindDescription,
         [from, to]: [DVec3; 2],
         others: &[SceneLight],
     ) -> SceneLight {
-        let (kind, name) = match kind {
-            NewLight::Directional => (LightKind::Directional, "directional"),
-            NewLight::Point => (LightKind::Point, "point"),
-            NewLight::Spot => {
-                let cos_cutoff = cos_cutoff(30.0).unwrap_or(-1.0);
-                (LightKind::Spot(Cone::Exponent { cos_cutoff, exponent: 8.0 }), "spot")
-            }
-        };
         let mut light = SceneLight {
-            name: free_name(name, others),
-            light: Light::new(kind, [0.6; 3]),
+            name: free_name(kind.name, others),
+            light: Light::new(kind.kind, [0.6; 3]),
             placement: Placement::World,
             position: DVec3::ZERO,
             direction: DVec3::NEG_Z,
@@ -73,14 +64,6 @@ impl Places<'_> {
         self.put(&mut light, from, (to - from).normalize_or(DVec3::NEG_Y));
         light
     }
-}
-
-/// The kinds of light that can be added.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum NewLight {
-    Directional,
-    Point,
-    Spot,
 }
 
 /// A name that no other light has.
@@ -93,6 +76,7 @@ fn free_name(name: &str, others: &[SceneLight]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use luxel::lighting::LightKind;
     use luxel::scene::{Camera, NodeId};
 
     fn light() -> SceneLight {
@@ -138,7 +122,8 @@ mod tests {
         let places = Places { view_from_world: DMat4::IDENTITY, world_from_nodes: &[] };
         let ends = [DVec3::new(9.0, 3.0, 4.0), DVec3::new(10.0, 0.0, 0.0)];
         let mut lights = Vec::new();
-        for kind in [NewLight::Point, NewLight::Point, NewLight::Spot, NewLight::Directional] {
+        for kind in ["point", "point", "spot", "directional"] {
+            let kind = LightKindDescription::by_name(kind).unwrap();
             lights.push(places.new_light(kind, ends, &lights));
         }
         let names: Vec<_> = lights.iter().map(|light| light.name.as_str()).collect();

@@ -4,23 +4,6 @@ use luxel::lighting::LightKind;
 use luxel::render::{Clamp, Edges, Interpolation, Layer, ShadingMode, View};
 use luxel::scene::{Camera, SceneLight, Size};
 
-/// The shading modes; subdivision to one step of 8 bits.
-pub(crate) const SHADINGS: [ShadingMode; 4] = [
-    ShadingMode::Flat,
-    ShadingMode::Gouraud,
-    ShadingMode::Phong,
-    ShadingMode::Subdivided { tolerance: 1.0 },
-];
-
-pub(crate) fn shading_name(mode: ShadingMode) -> &'static str {
-    match mode {
-        ShadingMode::Flat => "flat",
-        ShadingMode::Gouraud => "gouraud",
-        ShadingMode::Phong => "phong",
-        ShadingMode::Subdivided { .. } => "subdivided",
-    }
-}
-
 /// A layer's name in the window.
 pub(crate) fn layer_name(layer: &Layer) -> String {
     match layer {
@@ -120,11 +103,9 @@ impl Look {
     /// In a few words: where light is computed, how it gets between, what is shown of it.
     pub(crate) fn told(&self) -> String {
         let shading = self.view.shading;
-        let mut parts = vec![shading_name(shading.mode).to_owned()];
-        match shading.interpolation {
-            Interpolation::Perspective => {}
-            Interpolation::Screen => parts.push("screen".to_owned()),
-            Interpolation::Scanline => parts.push("scanline".to_owned()),
+        let mut parts = vec![shading.mode.name().to_owned()];
+        if shading.interpolation != Interpolation::default() {
+            parts.push(shading.interpolation.name().to_owned());
         }
         if shading.clamp == Clamp::End {
             parts.push("clamped at the end".to_owned());
@@ -165,8 +146,8 @@ impl Look {
     /// The next shading mode.
     pub(crate) fn step_shading(&mut self) {
         let mode = &mut self.view.shading.mode;
-        let at = SHADINGS.iter().position(|one| shading_name(*one) == shading_name(*mode));
-        *mode = SHADINGS[(at.unwrap_or(0) + 1) % SHADINGS.len()];
+        let at = ShadingMode::ALL.iter().position(|one| one.name() == mode.name());
+        *mode = ShadingMode::ALL[(at.unwrap_or(0) + 1) % ShadingMode::ALL.len()];
     }
 
     /// The next way to draw edges.
@@ -221,13 +202,13 @@ mod tests {
         let mut look = look();
         let first = look.clone();
         let mut told = Vec::new();
-        for _ in SHADINGS {
+        for _ in ShadingMode::ALL {
             told.push(look.told());
             look.step_shading();
         }
         assert_eq!(look, first);
         told.dedup();
-        assert_eq!(told.len(), SHADINGS.len());
+        assert_eq!(told.len(), ShadingMode::ALL.len());
         for _ in 0..3 {
             look.step_edges();
         }

@@ -3,7 +3,7 @@
 use crate::compare::Split;
 use crate::guides::{Guides, Subject};
 use crate::keys::{Action, Shown};
-use crate::lamps::{NewLight, Places};
+use crate::lamps::Places;
 use crate::look::Look;
 use crate::marks::Marks;
 use crate::model::Model;
@@ -13,6 +13,7 @@ use crate::ruler::Ruler;
 use crate::sheet::Sheet;
 use crate::wardrobe::{Wardrobe, uses_of_materials};
 use crate::worker::Changes;
+use luxel::lighting::LightKindDescription;
 use luxel::navigation::{
     Change, Entry, Event, Mode, Number, Settings, State, advance, parallel_height, with_lens,
 };
@@ -422,7 +423,7 @@ impl Session {
 
     /// Adds a light that is seen in the upper left of the window and shines at what is looked at; its
     /// place.
-    pub(crate) fn add_light(&mut self, kind: NewLight) -> usize {
+    pub(crate) fn add_light(&mut self, kind: &LightKindDescription) -> usize {
         let (camera, size, target) = (self.camera(), self.settings.size, self.state.pivot());
         let eye = camera.eye();
         // Between the eye and what is looked at.

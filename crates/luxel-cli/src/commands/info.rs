@@ -6,9 +6,8 @@ use crate::failure::Failure;
 use crate::model::{self, Model};
 use crate::options::{ExecutionOptions, FrameOptions, InputOptions};
 use crate::output;
-use crate::values::reflection_name;
 use clap::Args;
-use luxel::lighting::{Attenuation, Cone, LightKind};
+use luxel::lighting::{Attenuation, Cone, LightKind, SHARED, own_parameters};
 use luxel::scene::{
     AlphaMode, Bounds, Camera, Lens, Object, Placement, Scene, SceneCamera, SceneLight,
     SceneMaterial, Sides,
@@ -103,7 +102,7 @@ impl<'a> Survey<'a> {
     fn light_to_json(&self, light: &SceneLight) -> Value {
         let mut entry = Map::new();
         entry.insert("name".into(), json!(light.name));
-        entry.insert("kind".into(), json!(kind_name(light.light.kind)));
+        entry.insert("kind".into(), json!(light.light.kind.name()));
         match light.placement {
             Placement::World => entry.insert("in".into(), json!("world")),
             Placement::Camera => entry.insert("in".into(), json!("camera")),
@@ -113,10 +112,10 @@ impl<'a> Survey<'a> {
             }
         };
         let kind = light.light.kind;
-        if matches!(kind, LightKind::Point | LightKind::Spot(_)) {
+        if kind.description().has_position {
             entry.insert("position".into(), json!(light.position.to_array()));
         }
-        if matches!(kind, LightKind::Directional | LightKind::Spot(_)) {
+        if kind.description().has_direction {
             entry.insert("direction".into(), json!(light.direction.to_array()));
         }
         entry.insert("ambient".into(), json!(light.light.ambient));
@@ -195,14 +194,14 @@ impl<'a> Survey<'a> {
         if !scene.materials.is_empty() {
             writeln!(text, "materials  {}", scene.materials.len())?;
             for material in &scene.materials {
-                let model = reflection_name(&material.constants.reflection);
+                let model = material.constants.reflection.name();
                 writeln!(text, "  {}  ({model})", printable(&material.name))?;
             }
         }
         if !scene.lights.is_empty() {
             writeln!(text, "lights     {}", scene.lights.len())?;
             for light in &scene.lights {
-                let kind = kind_name(light.light.kind);
+                let kind = light.light.kind.name();
                 writeln!(text, "  {}  ({kind})", printable(&light.name))?;
             }
         }
@@ -221,15 +220,6 @@ fn bounds_to_json(bounds: &Bounds) -> Value {
         return Value::Null;
     }
     json!({ "min": bounds.min.to_array(), "max": bounds.max.to_array() })
-}
-
-fn kind_name(kind: LightKind) -> &'static str {
-    match kind {
-        LightKind::Ambient => "ambient",
-        LightKind::Directional => "directional",
-        LightKind::Point => "point",
-        LightKind::Spot(_) => "spot",
-    }
 }
 
 fn cone_to_json(cone: Cone) -> Value {
@@ -257,19 +247,13 @@ fn material_to_json(material: &SceneMaterial) -> Value {
         ("opacity", material.opacity_map),
     ];
     let used = textures.iter().filter(|(_, texture)| texture.is_some()).map(|(name, _)| *name);
-    json!({
+    let mut value = json!({
         "name": material.name,
-        "reflection": reflection_name(&constants.reflection),
+        "reflection": constants.reflection.name(),
         "ambient": constants.ambient,
         "diffuse": constants.diffuse,
         "specular": constants.specular,
         "emission": constants.emission,
-        "ka": constants.k_a,
-        "kd": constants.k_d,
-        "ks": constants.k_s,
-        "shininess": constants.shininess,
-        "metallic": constants.metallic,
-        "roughness": constants.roughness,
         "opacity": material.opacity,
         "alpha": match material.alpha_mode {
             AlphaMode::Opaque => "opaque",
@@ -278,7 +262,17 @@ fn material_to_json(material: &SceneMaterial) -> Value {
         },
         "double_sided": material.sides == Sides::Both,
         "textures": used.collect::<Value>(),
-    })
+    });
+    for parameter in SHARED {
+        value[parameter.name] = json!(constants.value(parameter));
+    }
+    for own in own_parameters() {
+        let name = own.parameter.name;
+        if let Some(number) = constants.reflection.own(name) {
+            value[name.replace('-', "_")] = json!(number);
+        }
+    }
+    value
 }
 
 /// A whole number with commas between thousands.

@@ -9,8 +9,8 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::model;
 use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeChoice,
-    ModeOptions, PictureOptions, ShadingOptions,
+    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
+    PictureOptions, ShadingOptions,
 };
 use crate::output;
 use crate::progress::Progress;
@@ -18,8 +18,8 @@ use crate::surface;
 use crate::view;
 use clap::Args;
 use luxel::render::{
-    Edges, Execution, Layer, LayerImage, Legend, PictureError, RenderError, Renderer, Subdivision,
-    SvgOptions, View, write_layers, write_linear, write_rgba8,
+    Edges, Execution, Layer, LayerImage, Legend, PictureError, RenderError, Renderer, ShadingMode,
+    Subdivision, SvgOptions, View, write_layers, write_linear, write_rgba8,
 };
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Map, Value, json};
@@ -165,7 +165,7 @@ impl RenderCommand {
         let edges = self.output.edges();
         // Vectors have a tolerance in every mode.
         let mut mode = self.mode.clone();
-        if target.format == Format::Svg && mode.shading != ModeChoice::Subdivided {
+        if target.format == Format::Svg && !matches!(mode.shading, ShadingMode::Subdivided { .. }) {
             mode.tolerance = None;
         }
         for (number, &camera) in cameras.iter().enumerate() {

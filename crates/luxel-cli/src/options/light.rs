@@ -1,6 +1,8 @@
 //! Light: sources, environment, depth cueing.
 
-use crate::values::{LightSpec, Surroundings, color, fog, light, non_negative_f32, surroundings};
+use crate::values::{
+    LightSpec, Surroundings, color, fog, light, light_usage, non_negative_f32, surroundings,
+};
 use clap::Args;
 use luxel::lighting::Fog;
 
@@ -8,14 +10,12 @@ use luxel::lighting::Fog;
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Light")]
 pub(crate) struct LightOptions {
-    /// A light, instead of the file's; may be repeated:
-    /// directional:dir=X,Y,Z,
-    /// point:pos=X,Y,Z,
-    /// spot:pos=X,Y,Z:dir=X,Y,Z:cutoff=DEG:exponent=E (or :inner=DEG, a soft edge) or
-    /// ambient:color=R,G,B, with optional :ambient=R,G,B :diffuse=R,G,B :specular=R,G,B
-    /// :attenuation=C1,C2,C3 :limit=A (cuts the attenuation, at 1 as in Foley et al.) :range=D
-    /// :in=world|camera :name=NAME
-    #[arg(long = "light", value_name = "SPEC", value_parser = light)]
+    #[arg(long = "light", value_name = "SPEC", value_parser = light, help = format!(
+        "A light, instead of the file's; may be repeated: {}, with optional :ambient=R,G,B \
+         :diffuse=R,G,B :specular=R,G,B :attenuation=C1,C2,C3 :limit=A (cuts the attenuation, at 1 \
+         as in Foley et al.) :range=D :in=world|camera :name=NAME",
+        light_usage()
+    ))]
     pub(crate) lights: Vec<LightSpec>,
 
     /// The scene's ambient light

@@ -1,6 +1,7 @@
 //! Material: constants of reflection that replace the file's.
 
-use crate::values::{non_negative_f32, reflectance, reflection};
+use super::parameter::ParameterOptions;
+use crate::values::{reflectance, reflection, reflection_choices};
 use clap::Args;
 use luxel::lighting::Reflection;
 
@@ -12,28 +13,21 @@ pub(crate) struct MaterialOptions {
     #[arg(long, value_name = "R,G,B", value_parser = reflectance, allow_hyphen_values = true)]
     pub(crate) color: Option<[f32; 3]>,
 
-    /// k_a: how much ambient light is reflected
-    #[arg(long, value_name = "K", value_parser = non_negative_f32, allow_hyphen_values = true)]
-    pub(crate) ka: Option<f32>,
-
-    /// k_d: how much light is reflected diffusely
-    #[arg(long, value_name = "K", value_parser = non_negative_f32, allow_hyphen_values = true)]
-    pub(crate) kd: Option<f32>,
-
-    /// k_s: how much light is reflected in the highlight
-    #[arg(long, value_name = "K", value_parser = non_negative_f32, allow_hyphen_values = true)]
-    pub(crate) ks: Option<f32>,
-
-    /// n: the exponent of the highlight
-    #[arg(long, value_name = "N", value_parser = non_negative_f32, allow_hyphen_values = true)]
-    pub(crate) shininess: Option<f32>,
+    #[command(flatten)]
+    pub(crate) shared: ParameterOptions<false>,
 
     /// Light of the surface's own
     #[arg(long, value_name = "R,G,B", value_parser = reflectance, allow_hyphen_values = true)]
     pub(crate) emission: Option<[f32; 3]>,
 
-    /// The model of reflection: unlit, lambert, oren-nayar, phong, blinn-phong, microfacet, mirror,
-    /// retro or mixed:NAME=W,...
-    #[arg(long, value_name = "MODEL", value_parser = reflection)]
+    #[arg(
+        long,
+        value_name = "MODEL",
+        value_parser = reflection,
+        help = format!("The model of reflection: {}", reflection_choices())
+    )]
     pub(crate) reflection: Option<Reflection>,
+
+    #[command(flatten)]
+    pub(crate) own: ParameterOptions<true>,
 }

@@ -8,6 +8,7 @@ mod input;
 mod light;
 mod material;
 mod mode;
+mod parameter;
 mod picture;
 mod shading;
 
@@ -16,6 +17,6 @@ pub(crate) use frame::FrameOptions;
 pub(crate) use input::InputOptions;
 pub(crate) use light::LightOptions;
 pub(crate) use material::MaterialOptions;
-pub(crate) use mode::{ModeChoice, ModeOptions};
+pub(crate) use mode::ModeOptions;
 pub(crate) use picture::{EncodingChoice, PictureOptions};
 pub(crate) use shading::{NormalsChoice, ShadingOptions};

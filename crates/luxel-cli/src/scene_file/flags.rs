@@ -2,6 +2,8 @@
 
 use clap::{Arg, Command};
 use luxel::formats::values::nearest;
+use luxel::lighting::parameters;
+use std::borrow::Cow;
 
 /// Whether a key of `[render]` is a flag.
 pub(crate) enum Answer<'a> {
@@ -11,8 +13,8 @@ pub(crate) enum Answer<'a> {
     No(String),
 }
 
-/// Flags that stand elsewhere in a scene file, and where.
-const ELSEWHERE: [(&str, &str); 13] = [
+/// Flags that stand elsewhere in a scene file, and where; so do those of parameters of reflection.
+const ELSEWHERE: [(&str, &str); 9] = [
     ("light", "[[lights]]"),
     ("fog", "[fog]"),
     ("ambient", "`ambient` above all tables"),
@@ -20,10 +22,6 @@ const ELSEWHERE: [(&str, &str); 13] = [
     ("background", "`background` above all tables"),
     ("up", "`up` above all tables"),
     ("color", "`color` in [material]"),
-    ("ka", "`ka` in [material]"),
-    ("kd", "`kd` in [material]"),
-    ("ks", "`ks` in [material]"),
-    ("shininess", "`shininess` in [material]"),
     ("emission", "`emission` in [material]"),
     ("reflection", "`reflection` in [material]"),
 ];
@@ -45,9 +43,18 @@ const ON_THE_LINE: [&str; 13] = [
     "version",
 ];
 
+/// Where else in a scene file a flag stands.
+fn elsewhere(name: &str) -> Option<Cow<'static, str>> {
+    let listed = ELSEWHERE.iter().find(|(flag, _)| *flag == name);
+    listed.map(|(_, place)| Cow::Borrowed(*place)).or_else(|| {
+        let is_parameter = parameters().any(|parameter| parameter.name == name);
+        is_parameter.then(|| Cow::Owned(format!("`{name}` in [material]")))
+    })
+}
+
 /// Looks a key of `[render]` up.
 pub(crate) fn answer<'a>(name: &str, render: &'a Command) -> Answer<'a> {
-    if let Some((_, place)) = ELSEWHERE.iter().find(|(flag, _)| *flag == name) {
+    if let Some(place) = elsewhere(name) {
         return Answer::No(format!("`{name}` is no setting: write {place}"));
     }
     if ON_THE_LINE.contains(&name) {
@@ -66,9 +73,7 @@ pub(crate) fn answer<'a>(name: &str, render: &'a Command) -> Answer<'a> {
 
 /// The flags that may stand in `[render]`, in the order of the table of options.
 pub(crate) fn keys(render: &Command) -> impl Iterator<Item = &Arg> {
-    let is_key = |name: &str| {
-        !ON_THE_LINE.contains(&name) && !ELSEWHERE.iter().any(|(flag, _)| *flag == name)
-    };
+    let is_key = |name: &str| !ON_THE_LINE.contains(&name) && elsewhere(name).is_none();
     render.get_arguments().filter(move |arg| arg.get_long().is_some_and(is_key))
 }
 

@@ -7,6 +7,7 @@ use crate::cli::Cli;
 use crate::commands;
 use clap::CommandFactory;
 use luxel::formats::{Key, Section, Shape, sections};
+use luxel::lighting::{REFLECTION_MODELS, ReflectionModel};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -54,8 +55,25 @@ fn tables() -> String {
         let (name, help) = (arg.get_long().unwrap(), schema::help_of(arg).replace('|', "\\|"));
         writeln!(text, "| `{name}` | {help} |").unwrap();
     }
+    models(&mut text);
     text.push('\n');
     text
+}
+
+fn models(text: &mut String) {
+    text.push_str(
+        "\n### Reflection models\n\nWhat `reflection` takes. `mixed:NAME=W,...` is a weighted sum of \
+         them. A model's formula is what it sends to the eye of a light of intensity 1, after \
+         attenuation; highlights shine where N.L > 0 only.\n\n",
+    );
+    text.push_str("| name | what it shows | formula | source | keys |\n");
+    text.push_str("| --- | --- | --- | --- | --- |\n");
+    for ReflectionModel { name, help, formula, source, parameters, own, .. } in REFLECTION_MODELS {
+        let own = own.iter().map(|own| own.parameter.name);
+        let keys: Vec<_> = parameters.iter().map(|parameter| parameter.name).chain(own).collect();
+        let keys = keys.join("`, `");
+        writeln!(text, "| `{name}` | {help} | {formula} | {source} | `{keys}` |").unwrap();
+    }
 }
 
 fn table(section: &Section, text: &mut String) {

@@ -4,6 +4,7 @@
 //! and ends with status 2.
 
 mod at;
+mod choice;
 mod count;
 mod memory;
 mod numbering;
@@ -11,11 +12,12 @@ mod region;
 mod size;
 
 pub(crate) use at::at;
+pub(crate) use choice::choice;
 pub(crate) use count::{samples, threads};
 pub(crate) use luxel::formats::values::{
     LightSpec, Surroundings, background, color, far_plane, finite, fog, fov, intrinsics, light,
-    non_negative_f32, point, positive, reflectance, reflection, reflection_name, surroundings, up,
-    view_matrix,
+    light_usage, non_negative_f32, parameter, point, positive, reflectance, reflection,
+    reflection_choices, surroundings, up, view_matrix,
 };
 pub(crate) use memory::memory;
 pub(crate) use numbering::Numbering;

@@ -1,5 +1,13 @@
 //! The table of what a scene file may say. Readers take keys out of it, the schema and the page
-//! about scene files are made of it.
+//! about scene files are made of it. What other crates describe (parameters of reflection, kinds of
+//! light) is read from their tables.
+
+use crate::values::reflection_choices;
+use luxel_lighting::{
+    K_A, K_D, K_S, LIGHT_KINDS, LightKindDescription, METALLIC, Parameter, ROUGHNESS, SHININESS,
+    own_parameters,
+};
+use std::sync::LazyLock;
 
 /// A table of a scene file, or the keys outside all tables.
 #[derive(Clone, Copy, Debug)]
@@ -70,8 +78,6 @@ const fn required(key: Key) -> Key {
 /// The value of `format`: what tells a scene file from any other TOML.
 pub(crate) const FORMAT: &str = "luxel-scene";
 
-/// The models of reflection, but for mixtures.
-const REFLECTIONS: Shape = Shape::Text;
 const AXES: Shape = Shape::NumbersOr(&["X", "Y", "Z", "-X", "-Y", "-Z"]);
 
 /// Keys outside all tables.
@@ -172,43 +178,52 @@ pub(crate) static MODELS: Section = Section {
     ],
 };
 
-pub(crate) static MATERIALS: Section = Section {
+/// Changes to surfaces by name.
+pub(crate) static MATERIALS: LazyLock<Section> = LazyLock::new(|| Section {
     name: "materials",
     repeated: true,
     about: "Changes to surfaces, by name: what is said replaces, what isn't stays as the model has it",
-    keys: &[
-        required(key("name", Shape::Text, "its name", "\"glaze\"")),
-        key(
-            "replace",
-            Shape::Switch,
-            "start from luxel's plain material instead of the surface's own",
-            "true",
-        ),
-        COLOR,
-        AMBIENT,
-        SPECULAR,
-        KA,
-        KD,
-        KS,
-        SHININESS,
-        EMISSION,
-        REFLECTION,
-        METALLIC,
-        ROUGHNESS,
-        OPACITY,
-    ],
-};
+    keys: kept([NAME, REPLACE].into_iter().chain(material_keys())),
+});
 
-pub(crate) static MATERIAL: Section = Section {
+/// A change to all surfaces.
+pub(crate) static MATERIAL: LazyLock<Section> = LazyLock::new(|| Section {
     name: "material",
     repeated: false,
     about: "A change to all surfaces, before any other",
-    keys: &[
-        COLOR, AMBIENT, SPECULAR, KA, KD, KS, SHININESS, EMISSION, REFLECTION, METALLIC, ROUGHNESS,
-        OPACITY,
-    ],
-};
+    keys: kept(material_keys()),
+});
 
+/// Keys that are made of tables of other crates, as long as the program runs.
+fn kept(keys: impl Iterator<Item = Key>) -> &'static [Key] {
+    keys.collect::<Vec<_>>().leak()
+}
+
+/// The constants of reflection: with a flag or of all materials in the order of the help, then the
+/// parameters that only one model has.
+fn material_keys() -> impl Iterator<Item = Key> {
+    let about = format!("the model of reflection: {}", reflection_choices()).leak();
+    let model = key("reflection", Shape::Text, about, "\"phong\"");
+    [COLOR, AMBIENT, SPECULAR]
+        .into_iter()
+        .chain([&K_A, &K_D, &K_S, &SHININESS].map(parameter))
+        .chain([EMISSION, model])
+        .chain([&METALLIC, &ROUGHNESS].map(parameter))
+        .chain([OPACITY])
+        .chain(own_parameters().map(|own| parameter(&own.parameter)))
+}
+
+const fn parameter(of: &Parameter) -> Key {
+    key(of.name, Shape::Number, of.help, of.example)
+}
+
+const NAME: Key = required(key("name", Shape::Text, "its name", "\"glaze\""));
+const REPLACE: Key = key(
+    "replace",
+    Shape::Switch,
+    "start from luxel's plain material instead of the surface's own",
+    "true",
+);
 const COLOR: Key = key(
     "color",
     Shape::Numbers(3),
@@ -227,34 +242,11 @@ const SPECULAR: Key = key(
     "colour of the highlight, instead of a texture",
     "[1, 0.9, 0.6]",
 );
-const KA: Key = key("ka", Shape::Number, "k_a: how much ambient light is reflected", "1");
-const KD: Key = key("kd", Shape::Number, "k_d: how much light is reflected diffusely", "0.8");
-const KS: Key =
-    key("ks", Shape::Number, "k_s: how much light is reflected in the highlight", "0.4");
-const SHININESS: Key = key("shininess", Shape::Number, "n: the exponent of the highlight", "60");
 const EMISSION: Key = key(
     "emission",
     Shape::Numbers(3),
     "light of the surface's own, instead of a texture",
     "[0, 0, 0.1]",
-);
-const REFLECTION: Key = key(
-    "reflection",
-    REFLECTIONS,
-    "the model of reflection: unlit, lambert, oren-nayar, phong, blinn-phong, microfacet, mirror, retro or mixed:NAME=W,...",
-    "\"phong\"",
-);
-const METALLIC: Key = key(
-    "metallic",
-    Shape::Number,
-    "0 to 1, for microfacet; drops the texture of metalness and roughness",
-    "1",
-);
-const ROUGHNESS: Key = key(
-    "roughness",
-    Shape::Number,
-    "0 to 1, for microfacet and oren-nayar; drops the same texture",
-    "0.35",
 );
 const OPACITY: Key = key(
     "opacity",
@@ -275,94 +267,92 @@ pub(crate) static OVERRIDES: Section = Section {
     ],
 };
 
-pub(crate) static LIGHTS: Section = Section {
+pub(crate) static LIGHTS: LazyLock<Section> = LazyLock::new(|| Section {
     name: "lights",
     repeated: true,
     about: "Lights, instead of the models' own, in the order in which they are added up; the keys are the fields of --light",
-    keys: &[
-        required(key(
-            "kind",
-            Shape::Choice(&["directional", "point", "spot", "ambient"]),
-            "how it spreads",
-            "\"point\"",
-        )),
-        key("name", Shape::Text, "its name [default: light1, light2, ...]", "\"key\""),
-        key(
-            "in",
-            Shape::Choice(&["world", "camera"]),
-            "the coordinates of pos and dir [default: world]",
-            "\"camera\"",
-        ),
-        key(
-            "node",
-            Shape::Node,
-            "the node whose coordinates they are instead: the light moves with it",
-            "\"pot\"",
-        ),
-        key("pos", Shape::Numbers(3), "where it stands (point, spot)", "[2, 3, 4]"),
-        key(
-            "dir",
-            Shape::Numbers(3),
-            "the direction in which its light travels (directional, spot)",
-            "[0, -1, 0]",
-        ),
-        key(
-            "cutoff",
-            Shape::Number,
-            "half-angle of the cone, 0 to 90, or 180 for none (spot) [default: 180]",
-            "30",
-        ),
-        key(
-            "exponent",
-            Shape::Number,
-            "how it concentrates along the axis (spot) [default: 0]",
-            "8",
-        ),
-        key(
-            "inner",
-            Shape::Number,
-            "instead of an exponent: the half-angle up to which it is not weakened, as in glTF (spot)",
-            "20",
-        ),
-        key("color", Shape::Numbers(3), "its intensity (ambient)", "[0.1, 0.1, 0.1]"),
-        key(
-            "ambient",
-            Shape::Numbers(3),
-            "what it adds to the ambient term [default: 0, 0, 0]",
-            "[0.05, 0.05, 0.05]",
-        ),
-        key(
-            "diffuse",
-            Shape::Numbers(3),
-            "its intensity for diffuse reflection [default: 1, 1, 1]",
-            "[1, 0.9, 0.8]",
-        ),
-        key(
-            "specular",
-            Shape::Numbers(3),
-            "its intensity for the highlight [default: as diffuse]",
-            "[1, 1, 1]",
-        ),
-        key(
-            "attenuation",
-            Shape::Numbers(3),
-            "c1, c2, c3 of 1 / (c1 + c2 d + c3 d^2) [default: 1, 0, 0]",
-            "[1, 0, 0.1]",
-        ),
-        key(
-            "limit",
-            Shape::Number,
-            "what that is cut at, 1 as in Foley et al. [default: it is not cut]",
-            "1",
-        ),
-        key(
-            "range",
-            Shape::Number,
-            "where its light ends, faded out as in glTF [default: nowhere]",
-            "20",
-        ),
-    ],
-};
+    keys: kept(light_keys()),
+});
+
+fn light_keys() -> impl Iterator<Item = Key> {
+    let names = LIGHT_KINDS.map(|kind| kind.name).to_vec().leak();
+    let kind = required(key("kind", Shape::Choice(names), "how it spreads", "\"point\""));
+    let of = |has: fn(&LightKindDescription) -> bool| {
+        let names: Vec<_> =
+            LIGHT_KINDS.iter().filter(|kind| has(kind)).map(|kind| kind.name).collect();
+        names.join(", ")
+    };
+    let position = format!("where it stands ({})", of(|kind| kind.has_position)).leak();
+    let direction =
+        format!("the direction in which its light travels ({})", of(|kind| kind.has_direction))
+            .leak();
+    let own = LIGHT_KINDS.iter().flat_map(|kind| kind.fields);
+    [kind]
+        .into_iter()
+        .chain(LIGHT_PLACEMENT)
+        .chain([
+            key("pos", Shape::Numbers(3), position, "[2, 3, 4]"),
+            key("dir", Shape::Numbers(3), direction, "[0, -1, 0]"),
+        ])
+        .chain(own.map(|field| key(field.name, Shape::Number, field.help, field.example)))
+        .chain(LIGHT_INTENSITIES)
+}
+
+const LIGHT_PLACEMENT: [Key; 3] = [
+    key("name", Shape::Text, "its name [default: light1, light2, ...]", "\"key\""),
+    key(
+        "in",
+        Shape::Choice(&["world", "camera"]),
+        "the coordinates of pos and dir [default: world]",
+        "\"camera\"",
+    ),
+    key(
+        "node",
+        Shape::Node,
+        "the node whose coordinates they are instead: the light moves with it",
+        "\"pot\"",
+    ),
+];
+
+const LIGHT_INTENSITIES: [Key; 7] = [
+    key("color", Shape::Numbers(3), "its intensity (ambient)", "[0.1, 0.1, 0.1]"),
+    key(
+        "ambient",
+        Shape::Numbers(3),
+        "what it adds to the ambient term [default: 0, 0, 0]",
+        "[0.05, 0.05, 0.05]",
+    ),
+    key(
+        "diffuse",
+        Shape::Numbers(3),
+        "its intensity for diffuse reflection [default: 1, 1, 1]",
+        "[1, 0.9, 0.8]",
+    ),
+    key(
+        "specular",
+        Shape::Numbers(3),
+        "its intensity for the highlight [default: as diffuse]",
+        "[1, 1, 1]",
+    ),
+    key(
+        "attenuation",
+        Shape::Numbers(3),
+        "c1, c2, c3 of 1 / (c1 + c2 d + c3 d^2) [default: 1, 0, 0]",
+        "[1, 0, 0.1]",
+    ),
+    key(
+        "limit",
+        Shape::Number,
+        "what that is cut at, 1 as in Foley et al. [default: it is not cut]",
+        "1",
+    ),
+    key(
+        "range",
+        Shape::Number,
+        "where its light ends, faded out as in glTF [default: nowhere]",
+        "20",
+    ),
+];
 
 pub(crate) static CAMERAS: Section = Section {
     name: "cameras",

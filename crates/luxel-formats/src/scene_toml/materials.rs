@@ -4,8 +4,9 @@ use super::document::{Document, Table};
 use super::keys::{MATERIAL, MATERIALS, OVERRIDES};
 use super::models::Models;
 use crate::memory::Memory;
-use crate::values::{color, nearest, non_negative_f32, reflectance, reflection, unit_interval};
+use crate::values::{color, nearest, parameter, reflectance, reflection, unit_interval};
 use crate::{Error, ErrorKind, Place};
+use luxel_lighting::parameters;
 use luxel_scene::{MaterialId, Mesh, MeshId, NodeId, Restyle, Scene, SceneMaterial};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -47,20 +48,21 @@ pub(super) fn apply(
 }
 
 fn restyle(table: &Table<'_>) -> Result<Restyle, Error> {
-    Ok(Restyle {
+    let mut restyle = Restyle {
         color: table.value("color", reflectance)?,
-        k_a: table.value("ka", non_negative_f32)?,
-        k_d: table.value("kd", non_negative_f32)?,
-        k_s: table.value("ks", non_negative_f32)?,
-        shininess: table.value("shininess", non_negative_f32)?,
         emission: table.value("emission", reflectance)?,
         reflection: table.value("reflection", reflection)?,
         ambient: table.value("ambient", reflectance)?,
         specular: table.value("specular", color)?,
-        metallic: table.value("metallic", unit_interval)?,
-        roughness: table.value("roughness", unit_interval)?,
         opacity: table.value("opacity", unit_interval)?,
-    })
+        ..Restyle::default()
+    };
+    for one in parameters() {
+        if let Some(value) = table.value(one.name, |text| parameter(one, text))? {
+            restyle.set_parameter(one, value);
+        }
+    }
+    Ok(restyle)
 }
 
 /// The named changes, and the place of each name among them.

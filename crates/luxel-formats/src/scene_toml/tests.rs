@@ -1,7 +1,7 @@
 use super::*;
 use crate::{Error, ErrorKind, Place};
 use glam::{DMat4, DVec3};
-use luxel_lighting::{Environment, FogLaw, LightKind, Reflection};
+use luxel_lighting::{Environment, FogLaw, LightKind, REFLECTION_MODELS, Reflection};
 use luxel_scene::{AlphaMode, EnvironmentChoice, Lens, Placement};
 use proptest::prelude::*;
 
@@ -57,6 +57,10 @@ fn every_key_takes_its_example_and_no_key_is_for_show() {
                   [[materials]]\nname = \"glaze\"\n";
     for section in sections() {
         for key in section.keys {
+            let owner = REFLECTION_MODELS
+                .iter()
+                .find(|model| model.own.iter().any(|own| own.parameter.name == key.name));
+            let owner = owner.map(|model| format!("reflection = \"{}\"\n", model.name));
             // A key changes the scene, or can't be left out, or is refused with its neighbours.
             let with = |value: &str| {
                 let kind = match (section.name, key.name) {
@@ -80,7 +84,7 @@ fn every_key_takes_its_example_and_no_key_is_for_show() {
                     ("cameras", "view-matrix" | "node") => "",
                     ("cameras", "target") => "eye = [9, 9, 9]\n",
                     ("cameras", _) => "eye = [9, 9, 9]\ntarget = [0, 0, 0]\n",
-                    _ => "",
+                    _ => owner.as_deref().unwrap_or_default(),
                 };
                 let rest =
                     needed(section, if section.name == "lights" { "kind" } else { key.name });
@@ -96,7 +100,9 @@ fn every_key_takes_its_example_and_no_key_is_for_show() {
                         return format!("{around}\n[[materials]]\nname = \"other\"\n");
                     }
                     ("materials", _) => {
-                        return format!("{around}{value}[[overrides]]\nmaterial = \"glaze\"\n");
+                        return format!(
+                            "{around}{kind}{value}[[overrides]]\nmaterial = \"glaze\"\n"
+                        );
                     }
                     (name, _) if section.repeated => format!("[[{name}]]"),
                     (name, _) => format!("[{name}]"),

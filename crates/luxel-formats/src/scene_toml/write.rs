@@ -8,7 +8,10 @@ use crate::memory::Memory;
 use crate::values::{cutoff_degrees, degrees, reflection_text};
 use crate::{Error, Limits, SettingValue};
 use glam::DVec3;
-use luxel_lighting::{Attenuation, Cone, Environment, Fog, FogLaw, LightKind};
+use luxel_lighting::{
+    Attenuation, Cone, Environment, Fog, FogLaw, K_A, K_D, K_S, LightKind, LightKindDescription,
+    METALLIC, ROUGHNESS, SHININESS,
+};
 use luxel_scene::{EnvironmentChoice, Lens, Placement, Restyle, SceneCamera, SceneLight};
 use std::fmt::Write as _;
 use toml::de::DeValue;
@@ -218,12 +221,8 @@ fn as_toml(value: &DeValue<'_>) -> String {
 
 fn write_light(page: &mut Page, light: &SceneLight, node: &[String]) {
     let SceneLight { name, light, placement, position, direction } = light;
-    let kind = match light.kind {
-        LightKind::Ambient => "ambient",
-        LightKind::Directional => "directional",
-        LightKind::Point => "point",
-        LightKind::Spot(_) => "spot",
-    };
+    let LightKindDescription { name: kind, has_position, has_direction, .. } =
+        light.kind.description();
     page.line("kind", &quoted(kind));
     page.line("name", &quoted(name));
     match placement {
@@ -235,10 +234,10 @@ fn write_light(page: &mut Page, light: &SceneLight, node: &[String]) {
         page.line("color", &color(light.ambient));
         return;
     }
-    if light.kind != LightKind::Directional {
+    if *has_position {
         page.line("pos", &vector(*position));
     }
-    if light.kind != LightKind::Point {
+    if *has_direction {
         page.line("dir", &vector(*direction));
     }
     match light.kind {
@@ -313,21 +312,18 @@ fn write_restyle(page: &mut Page, restyle: &Restyle) {
             page.line(key, &color(*value));
         }
     }
-    for (key, value) in [
-        ("ka", restyle.k_a),
-        ("kd", restyle.k_d),
-        ("ks", restyle.k_s),
-        ("shininess", restyle.shininess),
-        ("metallic", restyle.metallic),
-        ("roughness", restyle.roughness),
-        ("opacity", restyle.opacity),
-    ] {
+    let shared = [&K_A, &K_D, &K_S, &SHININESS, &METALLIC, &ROUGHNESS];
+    let numbers = shared.map(|one| (one.name, restyle.parameter(one)));
+    for (key, value) in numbers.into_iter().chain([("opacity", restyle.opacity)]) {
         if let Some(value) = value {
             page.line(key, &single(value));
         }
     }
     if let Some(reflection) = reflection {
         page.line("reflection", &quoted(&reflection_text(reflection)));
+    }
+    for (name, value) in &restyle.own {
+        page.line(name, &single(*value));
     }
 }
 

@@ -3,7 +3,7 @@
 use super::fields::{FieldError, Fields};
 use super::number::{finite, non_negative_f32, positive, single};
 use super::vector::{color, direction, numbers, point};
-use luxel_lighting::{Attenuation, Cone, Light, LightKind};
+use luxel_lighting::{Attenuation, Cone, LIGHT_KINDS, Light, LightKind, LightKindDescription};
 use luxel_scene::{DVec3, Placement, SceneLight};
 
 /// The smallest difference between the cosines of a soft cone's angles: what the reference code of
@@ -55,23 +55,20 @@ pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldEr
 
     let mut position = DVec3::ZERO;
     let mut towards = DVec3::NEG_Z;
-    let light = if kind == "ambient" {
+    let description = LightKindDescription::by_name(kind).ok_or_else(|| {
+        FieldError::new(format!("`{kind}` is no kind of light: use {}", light_kind_names()))
+    })?;
+    let light = if description.kind == LightKind::Ambient {
         Light::ambient(fields.take("color", color)?.ok_or_else(|| needs("color=R,G,B"))?)
     } else {
-        let kind = match kind {
-            "directional" => LightKind::Directional,
-            "point" => LightKind::Point,
-            "spot" => LightKind::Spot(cone(&mut fields)?),
-            _ => {
-                return Err(FieldError::new(format!(
-                    "`{kind}` is no kind of light: use directional, point, spot or ambient"
-                )));
-            }
+        let kind = match description.kind {
+            LightKind::Spot(_) => LightKind::Spot(cone(&mut fields)?),
+            other => other,
         };
-        if kind != LightKind::Directional {
+        if description.has_position {
             position = fields.take("pos", point)?.ok_or_else(|| needs("pos=X,Y,Z"))?;
         }
-        if kind != LightKind::Point {
+        if description.has_direction {
             towards = fields.take("dir", direction)?.ok_or_else(|| needs("dir=X,Y,Z"))?;
         }
         let mut light = Light::new(kind, fields.take("diffuse", color)?.unwrap_or([1.0; 3]));
@@ -86,6 +83,31 @@ pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldEr
     }
 }
 
+/// The names of the kinds of light: `a, b or c`.
+fn light_kind_names() -> String {
+    either(LIGHT_KINDS.iter().map(|kind| kind.name.to_owned()))
+}
+
+/// What [`light`] reads of each kind, but for the fields that may be left out.
+#[must_use]
+pub fn light_usage() -> String {
+    either(LIGHT_KINDS.iter().map(|kind| {
+        let LightKindDescription { name, has_position, has_direction, usage, .. } = kind;
+        let position = has_position.then_some("pos=X,Y,Z");
+        let direction = has_direction.then_some("dir=X,Y,Z");
+        let own = (!usage.is_empty()).then_some(*usage);
+        let fields = [Some(*name), position, direction, own];
+        fields.into_iter().flatten().collect::<Vec<_>>().join(":")
+    }))
+}
+
+/// `a, b or c`
+fn either(choices: impl Iterator<Item = String>) -> String {
+    let mut choices: Vec<String> = choices.collect();
+    let last = choices.pop().unwrap_or_default();
+    if choices.is_empty() { last } else { format!("{} or {last}", choices.join(", ")) }
+}
+
 /// A light as [`light`] reads it; `None`, if it is placed by a node. What a name can't have there is left
 /// out of it.
 #[must_use]
@@ -93,33 +115,29 @@ pub fn light_text(light: &SceneLight) -> Option<String> {
     let SceneLight { name, light, placement, position, direction } = light;
     let list = |numbers: &[f32]| numbers.iter().map(f32::to_string).collect::<Vec<_>>().join(",");
     let vector = |v: &DVec3| format!("{},{},{}", v.x, v.y, v.z);
-    let (kind, cone) = match light.kind {
-        LightKind::Ambient => ("ambient", None),
-        LightKind::Directional => ("directional", None),
-        LightKind::Point => ("point", None),
-        LightKind::Spot(cone) => ("spot", Some(cone)),
-    };
-    let mut text = kind.to_owned();
+    let LightKindDescription { name: kind, has_position, has_direction, .. } =
+        light.kind.description();
+    let mut text = (*kind).to_owned();
     let mut field = |key: &str, value: &str| text.extend([":", key, "=", value]);
     if light.kind == LightKind::Ambient {
         field("color", &list(&light.ambient));
     } else {
-        if light.kind != LightKind::Directional {
+        if *has_position {
             field("pos", &vector(position));
         }
-        if light.kind != LightKind::Point {
+        if *has_direction {
             field("dir", &vector(direction));
         }
-        match cone {
-            Some(Cone::Exponent { cos_cutoff, exponent }) => {
+        match light.kind {
+            LightKind::Spot(Cone::Exponent { cos_cutoff, exponent }) => {
                 field("cutoff", &cutoff_degrees(cos_cutoff).to_string());
                 field("exponent", &exponent.to_string());
             }
-            Some(Cone::Smooth { cos_inner, cos_outer }) => {
+            LightKind::Spot(Cone::Smooth { cos_inner, cos_outer }) => {
                 field("cutoff", &cutoff_degrees(cos_outer).to_string());
                 field("inner", &cutoff_degrees(cos_inner).to_string());
             }
-            None => {}
+            _ => {}
         }
         if light.ambient != [0.0; 3] {
             field("ambient", &list(&light.ambient));
@@ -246,6 +264,13 @@ mod tests {
 
     fn parsed(text: &str) -> SceneLight {
         light(text).unwrap().named(0)
+    }
+
+    #[test]
+    fn a_new_spot_has_a_cone_of_30_degrees_to_the_bit() {
+        let spot = LightKindDescription::by_name("spot").unwrap();
+        let cone = Cone::Exponent { cos_cutoff: cos_cutoff(30.0).unwrap(), exponent: 8.0 };
+        assert_eq!(spot.kind, LightKind::Spot(cone));
     }
 
     #[test]

@@ -1,10 +1,14 @@
-//! `blinn-phong`, `mixed:lambert=.7,mirror=.3`: a model of reflection by name.
+//! `blinn-phong`, `mixed:lambert=.7,mirror=.3`: a model of reflection by name, and its parameters.
 
-use super::number::non_negative_f32;
-use luxel_lighting::Reflection;
+use super::number::{non_negative_f32, unit_interval};
+use luxel_lighting::{Parameter, REFLECTION_MODELS, Reflection};
 
-const NAMES: &str =
-    "unlit, lambert, oren-nayar, phong, blinn-phong, microfacet, mirror, retro or mixed:NAME=W,...";
+/// All that [`reflection`] reads, in words: the names of the models and the form of a mix.
+#[must_use]
+pub fn reflection_choices() -> String {
+    let names: Vec<&str> = REFLECTION_MODELS.iter().map(|model| model.name).collect();
+    format!("{} or mixed:NAME=W,...", names.join(", "))
+}
 
 /// A model of reflection.
 ///
@@ -25,32 +29,26 @@ pub fn reflection(text: &str) -> Result<Reflection, String> {
 }
 
 fn single(name: &str) -> Result<Reflection, String> {
-    match name {
-        "unlit" => Ok(Reflection::Unlit),
-        "lambert" => Ok(Reflection::Lambert),
-        "oren-nayar" => Ok(Reflection::OrenNayar),
-        "phong" => Ok(Reflection::Phong),
-        "blinn-phong" => Ok(Reflection::BlinnPhong),
-        "microfacet" => Ok(Reflection::Microfacet),
-        "mirror" => Ok(Reflection::Mirror),
-        "retro" => Ok(Reflection::Retro),
-        _ => Err(format!("`{name}` is no model of reflection: use {NAMES}")),
-    }
+    Reflection::by_name(name)
+        .ok_or_else(|| format!("`{name}` is no model of reflection: use {}", reflection_choices()))
 }
 
-/// The name that [`reflection`] reads.
-#[must_use]
-pub fn reflection_name(reflection: &Reflection) -> &'static str {
-    match reflection {
-        Reflection::Unlit => "unlit",
-        Reflection::Lambert => "lambert",
-        Reflection::OrenNayar => "oren-nayar",
-        Reflection::Phong => "phong",
-        Reflection::BlinnPhong => "blinn-phong",
-        Reflection::Microfacet => "microfacet",
-        Reflection::Mirror => "mirror",
-        Reflection::Retro => "retro",
-        Reflection::Mixed(_) => "mixed",
+/// A value of a parameter of reflection.
+///
+/// # Errors
+/// What is no number, or lies outside of the parameter's range.
+pub fn parameter(of: &Parameter, text: &str) -> Result<f32, String> {
+    let [low, high] = of.range;
+    let value = match (low, high) {
+        (0.0, 1.0) => unit_interval(text)?,
+        (0.0, f32::INFINITY) => non_negative_f32(text)?,
+        _ => super::number::finite(text)? as f32,
+    };
+    if of.nearest(value) == value {
+        Ok(value)
+    } else {
+        let kind = if of.is_whole { "a whole number" } else { "a number" };
+        Err(format!("use {kind} from {low} to {high}"))
     }
 }
 
@@ -59,32 +57,38 @@ pub fn reflection_name(reflection: &Reflection) -> &'static str {
 pub fn reflection_text(model: &Reflection) -> String {
     match model {
         Reflection::Mixed(parts) => {
-            let part = |(model, weight): &(Reflection, f32)| {
-                format!("{}={weight}", reflection_name(model))
-            };
+            let part = |(model, weight): &(Reflection, f32)| format!("{}={weight}", model.name());
             format!("mixed:{}", parts.iter().map(part).collect::<Vec<_>>().join(","))
         }
-        simple => reflection_name(simple).to_owned(),
+        simple => simple.name().to_owned(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use luxel_lighting::parameters;
 
     #[test]
     fn every_name_reads_back_as_its_model() {
-        for name in [
-            "unlit",
-            "lambert",
-            "oren-nayar",
-            "phong",
-            "blinn-phong",
-            "microfacet",
-            "mirror",
-            "retro",
-        ] {
-            assert_eq!(reflection_name(&reflection(name).unwrap()), name);
+        for model in REFLECTION_MODELS {
+            assert_eq!(reflection(model.name).as_ref(), Ok(&model.reflection));
+            assert_eq!(reflection_text(&model.reflection), model.name);
+        }
+    }
+
+    #[test]
+    fn the_default_of_every_parameter_is_read_and_values_beyond_its_range_are_refused() {
+        for one in parameters() {
+            assert_eq!(parameter(one, &one.default.to_string()), Ok(one.default), "{}", one.name);
+            assert_eq!(parameter(one, one.example), one.example.parse().map_err(|_| String::new()));
+            let [low, high] = one.range;
+            for wrong in [low - 1.0, high + 1.0, high * 2.0, f32::NAN] {
+                assert!(parameter(one, &wrong.to_string()).is_err(), "{}: {wrong}", one.name);
+            }
+            if one.is_whole {
+                assert!(parameter(one, &(low + 0.5).to_string()).is_err(), "{}", one.name);
+            }
         }
     }
 

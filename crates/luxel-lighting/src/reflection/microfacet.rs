@@ -1,10 +1,60 @@
 //! Torrance-Sparrow reflection with GGX facets: glTF's metallic-roughness material.
 
-use super::{Incidence, Reflected, Surface, any_lit};
-use crate::Spread;
+use super::description::{COSINE, NOT_METAL};
+use super::{
+    HighlightVector, Incidence, ModelFactor, Quantity, Reflected, Reflection, ReflectionModel,
+    Surface, Symbol, any_lit,
+};
 use crate::coefficients::spread;
-use crate::witness::Lobe;
+use crate::parameter::{K_A, K_D, K_S, METALLIC, ROUGHNESS};
+use crate::{Lobe, Spread};
 use luxel_math::{Lanes, Rgb};
+
+pub(super) static MODEL: ReflectionModel = ReflectionModel {
+    reflection: Reflection::Microfacet,
+    name: "microfacet",
+    help: "metals and plastics as glTF has them: GGX facets, mirroring the environment",
+    formula: "k_d O_d (1 - F) (1 - metallic) max(N.L, 0) + k_s O_s pi D V F max(N.L, 0)",
+    source: "glTF 2.0, appendix B; Torrance and Sparrow 1967",
+    parameters: &[&K_A, &K_D, &K_S, &ROUGHNESS, &METALLIC],
+    own: &[],
+    highlight: Some(HighlightVector::Halfway),
+    diffuse: &[NOT_MIRRORED, NOT_METAL, COSINE],
+    specular: Some(&[PI_D, VISIBILITY, FRESNEL, COSINE]),
+};
+
+const NOT_MIRRORED: ModelFactor = ModelFactor {
+    symbol: Symbol::new("(1 - F)", "(1 - F)", "(1 − F)"),
+    quantity: Quantity::Color(None, |lobe| fresnel_of(lobe).map(|f| 1.0 - f)),
+};
+
+const PI_D: ModelFactor = ModelFactor {
+    symbol: Symbol::new("pi D", r"\pi D", "π D"),
+    quantity: Quantity::Number("pi_d", |lobe| match *lobe {
+        Lobe::Facets { pi_d, .. } => pi_d,
+        _ => 0.0,
+    }),
+};
+
+const VISIBILITY: ModelFactor = ModelFactor {
+    symbol: Symbol::new("V", "V", "V"),
+    quantity: Quantity::Number("visibility", |lobe| match *lobe {
+        Lobe::Facets { visibility, .. } => visibility,
+        _ => 0.0,
+    }),
+};
+
+const FRESNEL: ModelFactor = ModelFactor {
+    symbol: Symbol::new("F", "F", "F"),
+    quantity: Quantity::Color(Some("fresnel"), fresnel_of),
+};
+
+fn fresnel_of(lobe: &Lobe<f32>) -> [f32; 3] {
+    match lobe {
+        Lobe::Facets { fresnel, .. } => fresnel.lane(0),
+        _ => [0.0; 3],
+    }
+}
 
 /// F0 of dielectrics: an index of refraction of 1.5 (glTF 2.0, appendix B.3.4).
 const DIELECTRIC: f32 = 0.04;

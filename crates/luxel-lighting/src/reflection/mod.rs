@@ -3,128 +3,141 @@
 //! A model gives two factors for each light, one for I_d and one for I_s, without the light's own
 //! attenuation; the equation does the rest. No hidden factors: where physics has a BRDF f, the
 //! factor is pi f (N.L), so that a white Lambert surface facing a light of intensity 1 sends 1.
+//!
+//! Each model has a file with its formula and its [`ReflectionModel`]: its name, what it shows, its
+//! parameters, and the factors of its terms. Flags, scene files, sliders, `explain` and the documents
+//! read them from [`REFLECTION_MODELS`].
 
+mod blinn_phong;
+mod description;
+mod highlight;
 mod lambert;
 mod microfacet;
+mod mirror;
 mod oren_nayar;
 mod phong;
+mod retro;
+mod surface;
+mod toon;
+mod unlit;
+mod vocabulary;
 
-use crate::coefficients::spread;
-use crate::environment::split_sum;
-use crate::reflection::phong::Highlight;
-use crate::witness::{Lobe, MirrorTerms, PartTerms};
-use crate::{Coefficients, Environment, Reflection, Spread, SurfacePoint, Witness};
-use luxel_math::{Lanes, Mask, Rgb, Vec3};
+use crate::Spread;
+use crate::reflection::highlight::Highlight;
+use luxel_math::Lanes;
 
-/// What a surface reflects at one point, prepared once for all lights.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Surface<'a, N, K> {
-    /// N
-    pub(crate) normal: Vec3<N>,
-    /// V
-    pub(crate) view: Vec3<N>,
-    /// What it reflects, whatever N and V.
-    pub(crate) of: &'a Coefficients<K>,
+pub use description::{
+    HighlightVector, ModelFactor, NOT_METAL, OwnParameter, Quantity, ReflectionModel, Symbol,
+};
+use surface::any_lit;
+pub(crate) use surface::{Incidence, Reflected, Surface};
+pub use vocabulary::{own_parameters, parameters};
+
+/// All models but the mix, in the order of lists.
+pub static REFLECTION_MODELS: &[&ReflectionModel] = &[
+    &unlit::MODEL,
+    &lambert::MODEL,
+    &oren_nayar::MODEL,
+    &phong::MODEL,
+    &blinn_phong::MODEL,
+    &toon::MODEL,
+    &microfacet::MODEL,
+    &mirror::MODEL,
+    &retro::MODEL,
+];
+
+/// How a surface reflects.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reflection {
+    /// Not at all: I = O_d k_d, the object's own intensity, whatever the lights.
+    Unlit,
+    /// Diffuse only: k_d (N.L).
+    Lambert,
+    /// Rough diffuse (Oren and Nayar 1994); `roughness` is the slope's standard deviation.
+    OrenNayar,
+    /// Diffuse and k_s (R.V)^n (Phong 1975).
+    Phong,
+    /// Diffuse and k_s (N.H)^n (Blinn 1977).
+    BlinnPhong,
+    /// Diffuse and k_s (N.H)^n in steps (after Lake et al. 2000).
+    Toon {
+        /// How many; whole, 1 to 64.
+        steps: f32,
+    },
+    /// Torrance-Sparrow with GGX, as glTF's metallic-roughness material.
+    Microfacet,
+    /// An ideal mirror of the environment.
+    Mirror,
+    /// Diffuse and a lobe back to the light: k_s max(V.L, 0)^n.
+    Retro,
+    /// A weighted sum of models, none of them a mix: [`Reflection::mixed`] sees to that.
+    Mixed(Vec<(Self, f32)>),
 }
 
-/// Which part of a light's intensity goes to the eye.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Reflected<N> {
-    /// Of I_d.
-    pub(crate) diffuse: Rgb<N>,
-    /// Of I_s.
-    pub(crate) specular: Rgb<N>,
-    /// The cosine of the highlight as it is.
-    pub(crate) specular_cosine: Option<N>,
-    /// Factors of the model's own.
-    pub(crate) lobe: Lobe<N>,
-}
-
-impl<N: Lanes> Reflected<N> {
-    /// Nothing of any light; `simd` selects the lane type.
-    #[inline(always)]
-    pub(crate) fn nothing(simd: N) -> Self {
-        let (diffuse, specular) = (Rgb::black(simd), Rgb::black(simd));
-        Self { diffuse, specular, specular_cosine: None, lobe: Lobe::Plain }
-    }
-}
-
-/// A light as one surface point meets it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Incidence<N> {
-    /// L
-    pub(crate) to_light: Vec3<N>,
-    /// N.L as it is.
-    pub(crate) n_dot_l: N,
-}
-
-impl<'a, N: Lanes, K: Spread<N>> Surface<'a, N, K> {
-    /// The surface at a point.
-    #[inline(always)]
-    pub(crate) fn new(point: &SurfacePoint<N>, coefficients: &'a Coefficients<K>) -> Self {
-        Self { normal: point.normal, view: point.view, of: coefficients }
-    }
-
-    /// N.V as it is.
-    #[inline(always)]
-    pub(crate) fn n_dot_v(&self) -> N {
-        self.normal.dot(self.view)
-    }
-
-    /// Selects the lane type.
-    #[inline(always)]
-    pub(crate) fn simd(&self) -> N {
-        self.normal.x
-    }
-
-    /// k_d O_d
-    #[inline(always)]
-    pub(crate) fn diffuse(&self) -> Rgb<N> {
-        spread(self.of.diffuse, self.simd())
-    }
-
-    /// k_s O_s
-    #[inline(always)]
-    pub(crate) fn specular(&self) -> Rgb<N> {
-        spread(self.of.specular, self.simd())
-    }
-
-    /// Perceptual roughness, within 0 and 1.
-    #[inline(always)]
-    pub(crate) fn roughness(&self) -> N {
-        self.of.roughness.spread(self.simd())
-    }
-
-    /// Within 0 and 1.
-    #[inline(always)]
-    pub(crate) fn metallic(&self) -> N {
-        self.of.metallic.spread(self.simd())
-    }
-
-    /// What goes to the eye of a light.
-    #[inline(always)]
-    pub(crate) fn reflected<W: Witness<N>>(
-        &self,
-        reflection: &Reflection,
-        incidence: &Incidence<N>,
-        witness: &mut W,
-    ) -> Reflected<N> {
-        if let Some(whole) = self.by_cosines(reflection, incidence) {
-            let Reflected { diffuse, specular, specular_cosine, lobe } = whole;
-            let terms = PartTerms { weight: 1.0, diffuse, specular, specular_cosine, lobe };
-            witness.part(0, &terms);
-            return whole;
+impl Reflection {
+    /// A weighted sum of models; mixes among them are dissolved into their parts.
+    #[must_use]
+    pub fn mixed(parts: Vec<(Self, f32)>) -> Self {
+        let mut simple = Vec::with_capacity(parts.len());
+        let mut rest: Vec<_> = parts.into_iter().rev().collect();
+        while let Some((part, weight)) = rest.pop() {
+            match part {
+                Self::Mixed(inner) => {
+                    rest.extend(inner.into_iter().rev().map(|(part, w)| (part, w * weight)));
+                }
+                simple_part => simple.push((simple_part, weight)),
+            }
         }
-        // Copies: what others get to see has to be written to memory, and only here.
-        let (surface, incidence) = (*self, *incidence);
-        let mut whole = Reflected::nothing(self.simd());
-        surface.sum_parts(reflection, &incidence, witness, &mut whole);
-        whole
+        Self::Mixed(simple)
     }
 
+    /// The description of the model; `None` for a mix.
+    #[must_use]
+    pub fn model(&self) -> Option<&'static ReflectionModel> {
+        Some(match self {
+            Self::Unlit => &unlit::MODEL,
+            Self::Lambert => &lambert::MODEL,
+            Self::OrenNayar => &oren_nayar::MODEL,
+            Self::Phong => &phong::MODEL,
+            Self::BlinnPhong => &blinn_phong::MODEL,
+            Self::Toon { .. } => &toon::MODEL,
+            Self::Microfacet => &microfacet::MODEL,
+            Self::Mirror => &mirror::MODEL,
+            Self::Retro => &retro::MODEL,
+            Self::Mixed(_) => return None,
+        })
+    }
+
+    /// How many models are summed.
+    #[inline(always)]
+    pub(crate) fn part_count(&self) -> usize {
+        match self {
+            Self::Mixed(parts) => parts.len(),
+            _ => 1,
+        }
+    }
+
+    /// One of the models that are summed, with its weight, kept within 1e3.
+    #[inline(always)]
+    pub fn part(&self, index: usize) -> (&Self, f32) {
+        match self {
+            Self::Mixed(parts) => {
+                let (part, weight) = &parts[index];
+                (part, if weight.is_nan() { 0.0 } else { weight.clamp(-1e3, 1e3) })
+            }
+            simple => (simple, 1.0),
+        }
+    }
+}
+
+impl<N: Lanes, K: Spread<N>> Surface<'_, N, K> {
     /// Models that are a cosine, or a power of one; `None` for all others.
     #[inline(always)]
-    fn by_cosines(&self, kind: &Reflection, incidence: &Incidence<N>) -> Option<Reflected<N>> {
+    pub(super) fn by_cosines(
+        &self,
+        kind: &Reflection,
+        incidence: &Incidence<N>,
+    ) -> Option<Reflected<N>> {
         let of_cosine = |cosine: N| (cosine, Highlight::Cosine(cosine.clamped(0.0, 1.0)));
         let (cosine, highlight) = match kind {
             Reflection::Lambert => {
@@ -134,50 +147,24 @@ impl<'a, N: Lanes, K: Spread<N>> Surface<'a, N, K> {
             // One power for the three: code of lanes is long, and the compiler's time dear.
             Reflection::Phong => of_cosine(phong::r_dot_v(self, incidence)),
             Reflection::BlinnPhong => {
-                let (cosine, square) = phong::n_dot_h(self, incidence);
+                let (cosine, square) = blinn_phong::n_dot_h(self, incidence);
                 (cosine, Highlight::Square(square))
             }
             Reflection::Retro => of_cosine(self.view.dot(incidence.to_light)),
             _ => return None,
         };
-        Some(phong::with_lobe(self, incidence, cosine, highlight))
-    }
-
-    /// Adds what the parts of a model reflect. Much code: compiled once, not into its callers, where
-    /// it would take the registers of simpler models.
-    #[inline(never)]
-    fn sum_parts<W: Witness<N>>(
-        &self,
-        reflection: &Reflection,
-        incidence: &Incidence<N>,
-        witness: &mut W,
-        whole: &mut Reflected<N>,
-    ) {
-        self.simd().vectorized(
-            #[inline(always)]
-            || {
-                for index in 0..reflection.part_count() {
-                    let (kind, weight) = reflection.part(index);
-                    let part = self.part_reflected(kind, incidence);
-                    let Reflected { diffuse, specular, specular_cosine, lobe } = part;
-                    let terms = PartTerms { weight, diffuse, specular, specular_cosine, lobe };
-                    witness.part(index, &terms);
-                    let weight = self.simd().constant(weight);
-                    whole.diffuse = whole.diffuse + diffuse * weight;
-                    whole.specular = whole.specular + specular * weight;
-                    whole.specular_cosine = specular_cosine;
-                }
-                if reflection.part_count() > 1 {
-                    whole.specular_cosine = None;
-                }
-            },
-        );
+        Some(highlight::with_lobe(self, incidence, cosine, highlight))
     }
 
     #[inline(always)]
-    fn part_reflected(&self, kind: &Reflection, incidence: &Incidence<N>) -> Reflected<N> {
+    pub(super) fn part_reflected(
+        &self,
+        kind: &Reflection,
+        incidence: &Incidence<N>,
+    ) -> Reflected<N> {
         match kind {
             Reflection::OrenNayar => oren_nayar::reflected(self, incidence),
+            Reflection::Toon { steps } => toon::reflected(self, incidence, *steps),
             Reflection::Microfacet => microfacet::reflected(self, incidence),
             // A mirror sends a light to the eye from single points only, of no extent. A mix within
             // a mix has no meaning here: `Reflection::mixed` dissolves it.
@@ -187,78 +174,4 @@ impl<'a, N: Lanes, K: Spread<N>> Surface<'a, N, K> {
             },
         }
     }
-
-    /// What the surface mirrors of its surroundings.
-    ///
-    /// An ideal mirror: k_s O_s E(R), R = 2 N (N.V) - V. A microfacet surface: k_s O_s (F0 A + B)
-    /// E(R) with E blurred by its roughness (see [`split_sum`]). All of it occluded.
-    #[inline(never)]
-    pub(crate) fn mirrored<W: Witness<N>>(
-        &self,
-        reflection: &Reflection,
-        environment: &Environment,
-        witness: &mut W,
-    ) -> Rgb<N> {
-        self.simd().vectorized(
-            #[inline(always)]
-            || self.mirrored_of(reflection, environment, witness),
-        )
-    }
-
-    #[inline(always)]
-    fn mirrored_of<W: Witness<N>>(
-        &self,
-        reflection: &Reflection,
-        environment: &Environment,
-        witness: &mut W,
-    ) -> Rgb<N> {
-        let simd = self.simd();
-        let mut mirrored = Rgb::black(simd);
-        let n_dot_v = self.n_dot_v();
-        let direction = self.normal * (n_dot_v + n_dot_v) - self.view;
-        for index in 0..reflection.part_count() {
-            let (kind, weight) = reflection.part(index);
-            let part = match kind {
-                Reflection::Mirror => {
-                    let radiance = environment.radiance(direction, simd.zero());
-                    let share = Rgb::new(simd.one(), simd.one(), simd.one());
-                    witness.mirror(index, &MirrorTerms { weight, share, radiance });
-                    radiance
-                }
-                Reflection::Microfacet => {
-                    let (a, b) = split_sum(n_dot_v.clamped(0.0, 1.0), self.roughness());
-                    let share = microfacet::facing_reflectance(self) * a + Rgb::new(b, b, b);
-                    let radiance = environment.radiance(direction, self.roughness());
-                    witness.mirror(index, &MirrorTerms { weight, share, radiance });
-                    radiance * share
-                }
-                _ => continue,
-            };
-            mirrored = mirrored + part * simd.constant(weight);
-        }
-        mirrored * self.specular() * self.of.occlusion.spread(simd)
-    }
-
-    /// The part of ambient light that goes to the eye: k_a O_a.
-    ///
-    /// Of a microfacet surface that has an environment to mirror, only (1 - metallic) k_a O_a: a
-    /// metal reflects its surroundings as a mirror does and not as paper does, and the environment
-    /// is these surroundings. Without one, the ambient light is all that a metal has of them.
-    #[inline(always)]
-    pub(crate) fn ambient(&self, reflection: &Reflection, environment: &Environment) -> Rgb<N> {
-        let simd = self.simd();
-        match reflection {
-            Reflection::Unlit => Rgb::black(simd),
-            Reflection::Microfacet if !environment.is_none() => {
-                spread(self.of.ambient, simd) * (simd.one() - self.metallic())
-            }
-            _ => spread(self.of.ambient, simd),
-        }
-    }
-}
-
-/// Whether any lane has the light before it.
-#[inline(always)]
-fn any_lit<N: Lanes>(incidence: &Incidence<N>) -> bool {
-    incidence.n_dot_l.zero().less(incidence.n_dot_l).any()
 }

@@ -1,9 +1,37 @@
 //! Diffuse reflection of rough surfaces.
 
-use super::{Incidence, Reflected, Surface};
-use crate::Spread;
-use crate::witness::Lobe;
+use super::description::COSINE;
+use super::{
+    Incidence, ModelFactor, Quantity, Reflected, Reflection, ReflectionModel, Surface, Symbol,
+};
+use crate::parameter::{K_A, K_D, ROUGHNESS};
+use crate::{Lobe, Spread};
 use luxel_math::{Lanes, Rgb};
+
+pub(super) static MODEL: ReflectionModel = ReflectionModel {
+    reflection: Reflection::OrenNayar,
+    name: "oren-nayar",
+    help: "rough and matt, as plaster: flatter than lambert",
+    formula: "k_d O_d max(N.L, 0) (A + B max(q, 0) / max(N.L, N.V)), q = L.V - (N.L) (N.V)",
+    source: "Oren and Nayar 1994",
+    parameters: &[&K_A, &K_D, &ROUGHNESS],
+    own: &[],
+    highlight: None,
+    diffuse: &[COSINE, ROUGH],
+    specular: None,
+};
+
+const ROUGH: ModelFactor = ModelFactor {
+    symbol: Symbol::new(
+        "(A + B max(q, 0) / max(N.L, N.V))",
+        r"\Bigl(A + B\,\tfrac{\max(q, 0)}{\max(\mathbf N\cdot\mathbf L,\,\mathbf N\cdot\mathbf V)}\Bigr)",
+        "(A + B max(q, 0) / max(<b>N</b>·<b>L</b>, <b>N</b>·<b>V</b>))",
+    ),
+    quantity: Quantity::Number("rough", |lobe| match *lobe {
+        Lobe::Rough(factor) => factor,
+        _ => 1.0,
+    }),
+};
 
 /// k_d O_d (N.L) (A + B max(cos(phi_r - phi_i), 0) sin(alpha) tan(beta)) with
 /// A = 1 - s^2 / (2 (s^2 + 0.33)), B = 0.45 s^2 / (s^2 + 0.09), s the standard deviation of the

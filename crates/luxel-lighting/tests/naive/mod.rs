@@ -4,7 +4,7 @@
 
 use luxel_lighting::{
     Attenuation, Cone, Fog, FogLaw, Light, LightKind, LightingEnvironment, Material, PlacedLight,
-    Reflectance, Reflection, SurfacePoint,
+    REFLECTION_MODELS, Reflectance, Reflection, SurfacePoint,
 };
 
 pub(crate) type V = [f64; 3];
@@ -186,6 +186,13 @@ pub(crate) fn bidirectional(
         }
         Reflection::BlinnPhong => (lambert, highlight(dot(n, h))),
         Reflection::Retro => (lambert, highlight(dot(v, l))),
+        Reflection::Toon { steps } => {
+            let steps = f64::from(*steps);
+            let tone = |x: f64| (steps * x + 0.5).floor() / steps;
+            let power = libm::pow(dot(n, h).max(0.0), shininess);
+            let lit = if n_l > 0.0 { tone(power) } else { 0.0 };
+            (times(kd_od, tone(n_l.clamp(0.0, 1.0))), times(ks_os, lit))
+        }
         Reflection::OrenNayar => {
             if n_l <= 0.0 || n_v <= 0.0 {
                 return ([0.0; 3], [0.0; 3]);
@@ -242,20 +249,17 @@ pub(crate) fn bidirectional(
 
 /// Every model, and a mix.
 pub(crate) fn models() -> Vec<Reflection> {
-    vec![
-        Reflection::Unlit,
-        Reflection::Lambert,
-        Reflection::OrenNayar,
-        Reflection::Phong,
-        Reflection::BlinnPhong,
-        Reflection::Microfacet,
-        Reflection::Mirror,
-        Reflection::Retro,
-        Reflection::mixed(vec![
-            (Reflection::Phong, 0.3),
-            (Reflection::mixed(vec![(Reflection::OrenNayar, 0.5), (Reflection::Retro, 0.25)]), 0.8),
-        ]),
-    ]
+    let mixed = Reflection::mixed(vec![
+        (Reflection::Phong, 0.3),
+        (Reflection::mixed(vec![(Reflection::OrenNayar, 0.5), (Reflection::Retro, 0.25)]), 0.8),
+    ]);
+    REFLECTION_MODELS.iter().map(|model| model.reflection.clone()).chain([mixed]).collect()
+}
+
+/// Those whose light changes steadily, so that rounding changes it little.
+pub(crate) fn steady_models() -> Vec<Reflection> {
+    let is_toon = |model: &Reflection| matches!(model, Reflection::Toon { .. });
+    models().into_iter().filter(|model| !model.models().any(is_toon)).collect()
 }
 
 /// A white light of intensity 1 before the surface, along -Z.

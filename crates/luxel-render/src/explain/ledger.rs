@@ -17,7 +17,8 @@
 //! 5. `rgba8` is [`PictureEncoding::byte`](luxel_lighting::PictureEncoding::byte) of it.
 
 use luxel_lighting::{
-    Cone, Light, LightKind, LightTerms, Material, MirrorTerms, PartTerms, Reflectance, Reflection,
+    Cone, HighlightVector, Light, LightKind, LightTerms, Material, MirrorTerms, PartTerms,
+    Reflectance, Reflection,
 };
 
 /// Why a pixel has its colour.
@@ -279,17 +280,16 @@ impl ExplainedLight {
         view: [f32; 3],
     ) -> Option<(&'static str, [f32; 3])> {
         let to_light = self.terms.to_light.lane(0);
-        match reflection {
-            Reflection::Phong => {
+        match reflection.model()?.highlight? {
+            HighlightVector::Reflected => {
                 let twice = 2.0 * self.terms.n_dot_l;
                 Some(("R", [0, 1, 2].map(|axis| twice * normal[axis] - to_light[axis])))
             }
-            Reflection::BlinnPhong | Reflection::Microfacet => {
+            HighlightVector::Halfway => {
                 let sum = [0, 1, 2].map(|axis| to_light[axis] + view[axis]);
                 let length = sum.iter().map(|side| side * side).sum::<f32>().sqrt();
                 Some(("H", sum.map(|side| if length > 0.0 { side / length } else { 0.0 })))
             }
-            _ => None,
         }
     }
 

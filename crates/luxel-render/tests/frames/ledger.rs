@@ -1,7 +1,9 @@
 //! The ledger against the frame: what is explained is what was drawn.
 
 use crate::scenes::{execution, fitted, glass, matte, scene};
-use luxel_lighting::{Attenuation, Cone, Fog, FogLaw, Light, LightKind, Reflection};
+use luxel_lighting::{
+    Attenuation, Cone, Fog, FogLaw, Light, LightKind, REFLECTION_MODELS, Reflection,
+};
 use luxel_math::SimdLevel;
 use luxel_render::{
     At, Clamp, Interpolation, Layer, LayerValues, NormalLength, RenderError, Renderer, Shading,
@@ -70,17 +72,6 @@ pub(crate) fn many_lights(scene: &Scene) -> Vec<SceneLight> {
     lights
 }
 
-const SIMPLE_REFLECTIONS: [Reflection; 8] = [
-    Reflection::BlinnPhong,
-    Reflection::Phong,
-    Reflection::Lambert,
-    Reflection::OrenNayar,
-    Reflection::Microfacet,
-    Reflection::Retro,
-    Reflection::Mirror,
-    Reflection::Unlit,
-];
-
 /// Every model, and a mix.
 pub(crate) fn reflections() -> Vec<Reflection> {
     let parts = vec![
@@ -89,7 +80,8 @@ pub(crate) fn reflections() -> Vec<Reflection> {
         (Reflection::Retro, 0.2),
         (Reflection::Mirror, 0.1),
     ];
-    SIMPLE_REFLECTIONS.into_iter().chain([Reflection::mixed(parts)]).collect()
+    let models = REFLECTION_MODELS.iter().map(|model| model.reflection.clone());
+    models.chain([Reflection::mixed(parts)]).collect()
 }
 
 const fn shading(mode: ShadingMode, interpolation: Interpolation, clamp: Clamp) -> Shading {

@@ -4,8 +4,7 @@ use super::light::why_not;
 use super::point::ShadingPoint;
 use super::symbols::*;
 use super::term::{Factor, PartTerm, Term, TermKind};
-use luxel_formats::values::reflection_name;
-use luxel_lighting::{LightKind, Lobe, Material, MirrorTerms, PartTerms, Reflection};
+use luxel_lighting::{Material, MirrorTerms, ModelFactor, PartTerms, Quantity, Reflection};
 use luxel_math::Rgb;
 use luxel_render::ExplainedLight;
 
@@ -69,7 +68,7 @@ fn light_entry<'a>(point: &ShadingPoint<'_>, light: &'a ExplainedLight) -> Light
     let terms = &light.terms;
     let f = Factor::Number(F, terms.attenuation * terms.spot);
     let with_f = |rest: Vec<Factor>| -> Vec<Factor> {
-        let fades = light.light.kind != LightKind::Directional;
+        let fades = light.light.kind.has_place();
         fades.then(|| f.clone()).into_iter().chain(rest).collect()
     };
     let mut own = Vec::new();
@@ -151,7 +150,7 @@ fn mirror_terms(point: &ShadingPoint<'_>) -> Vec<PartTerm> {
         let weight = Factor::Number(WEIGHT, terms.weight);
         let term = Term {
             kind: TermKind::Environment,
-            name: reflection_name(model),
+            name: model.name(),
             factors: [weight].into_iter().chain(mirrored(model, terms)).collect(),
             value: (terms.share * terms.radiance * terms.weight).lane(0),
         };
@@ -206,7 +205,7 @@ fn part_terms(point: &ShadingPoint<'_>, light: &ExplainedLight) -> Vec<PartTerm>
     let part_term = |of, kind, index, share: Vec<Factor>, value: Rgb<f32>, weight: f32| {
         let value = (value * weight).lane(0);
         let factors = [Factor::Number(WEIGHT, weight)].into_iter().chain(share).collect();
-        let term = Term { kind, name: reflection_name(model(index)), factors, value };
+        let term = Term { kind, name: model(index).name(), factors, value };
         (value != [0.0; 3]).then_some(PartTerm { of, term })
     };
     let diffuse = light.parts.iter().filter_map(|(index, part)| {
@@ -230,16 +229,8 @@ fn diffuse_share(
     let ShadingPoint { constants, reflectance, .. } = point;
     let mut factors =
         vec![Factor::Number(K_D, constants.k_d), Factor::Color(O_D, reflectance.diffuse.lane(0))];
-    let cosine = Factor::Cosine(N_DOT_L, light.terms.n_dot_l);
-    match (model, part.lobe) {
-        (_, Lobe::Rough(factor)) => factors.extend([cosine, Factor::Number(ROUGH, factor)]),
-        (_, Lobe::Facets { fresnel, .. }) => factors.extend([
-            Factor::Color(NOT_MIRRORED, fresnel.lane(0).map(|f| 1.0 - f)),
-            Factor::Number(NOT_METAL, 1.0 - reflectance.metallic),
-            cosine,
-        ]),
-        _ => factors.push(cosine),
-    }
+    let model = model.model().map_or(&[][..], |model| model.diffuse);
+    factors.extend(model.iter().map(|factor| model_factor(factor, point, light, part)));
     factors
 }
 
@@ -253,19 +244,27 @@ fn specular_share(
     let ShadingPoint { constants, reflectance, .. } = point;
     let mut factors =
         vec![Factor::Number(K_S, constants.k_s), Factor::Color(O_S, reflectance.specular.lane(0))];
-    let cosine = part.specular_cosine.unwrap_or_default();
-    let lobe = |symbol| Factor::Power(symbol, cosine, reflectance.shininess);
-    match (model, part.lobe) {
-        (Reflection::Phong, _) => factors.push(lobe(R_DOT_V)),
-        (Reflection::BlinnPhong, _) => factors.push(lobe(N_DOT_H)),
-        (Reflection::Retro, _) => factors.push(lobe(V_DOT_L)),
-        (_, Lobe::Facets { pi_d, visibility, fresnel }) => factors.extend([
-            Factor::Number(PI_D, pi_d),
-            Factor::Number(VISIBILITY, visibility),
-            Factor::Color(FRESNEL, fresnel.lane(0)),
-            Factor::Cosine(N_DOT_L, light.terms.n_dot_l),
-        ]),
-        _ => return None,
-    }
+    let model = model.model()?.specular?;
+    factors.extend(model.iter().map(|factor| model_factor(factor, point, light, part)));
     Some(factors)
+}
+
+/// A factor of a reflection model, with its number.
+fn model_factor(
+    factor: &ModelFactor,
+    point: &ShadingPoint<'_>,
+    light: &ExplainedLight,
+    part: &PartTerms<f32>,
+) -> Factor {
+    let ModelFactor { symbol, quantity } = *factor;
+    let reflectance = point.reflectance;
+    match quantity {
+        Quantity::Cosine => Factor::Cosine(symbol, light.terms.n_dot_l),
+        Quantity::Power => {
+            Factor::Power(symbol, part.specular_cosine.unwrap_or_default(), reflectance.shininess)
+        }
+        Quantity::NotMetal => Factor::Number(symbol, 1.0 - reflectance.metallic),
+        Quantity::Number(_, of) => Factor::Number(symbol, of(&part.lobe)),
+        Quantity::Color(_, of) => Factor::Color(symbol, of(&part.lobe)),
+    }
 }

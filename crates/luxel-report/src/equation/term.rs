@@ -1,4 +1,6 @@
-//! The vocabulary of the lighting equation: symbols, factors, terms.
+//! The vocabulary of the lighting equation: factors, terms.
+
+use luxel_lighting::Symbol;
 
 /// What a term is; formats give each kind one colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -31,17 +33,6 @@ pub(crate) enum Factor {
     Cosine(Symbol, f32),
     /// The larger of a cosine and 0, to the power n.
     Power(Symbol, f32, f32),
-}
-
-/// A symbol of the equation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Symbol {
-    /// For plain text.
-    pub(crate) text: &'static str,
-    /// For LaTeX.
-    pub(crate) latex: &'static str,
-    /// For HTML.
-    pub(crate) html: &'static str,
 }
 
 /// One term: a product and its value.

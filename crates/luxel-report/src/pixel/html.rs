@@ -11,7 +11,7 @@ use crate::equation::{
     Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, highlight_vector,
     point_terms, reach, shading_points,
 };
-use crate::words::{capital, color, in_column, kind_name, model_name, number, vector};
+use crate::words::{capital, color, in_column, model_name, number, vector};
 use escape::{escaped, kind_class};
 use luxel_lighting::PictureEncoding;
 use luxel_render::{ExplainedSample, ExplainedSurface, Explanation, Seen};
@@ -213,7 +213,7 @@ impl Page {
         let light = entry.light;
         let mut facts = format!(
             "{}, <b>N</b>·<b>L</b> = {}, <b>L</b> = {}",
-            kind_name(&light.light),
+            light.light.kind.name(),
             number(light.terms.n_dot_l),
             vector(light.terms.to_light.lane(0))
         );

@@ -2,10 +2,8 @@
 
 use super::report::Report;
 use crate::equation::why_not;
-use crate::words::kind_name;
-use luxel_formats::values::reflection_name;
 use luxel_lighting::{
-    Light, LightKind, Lobe, Material, MirrorTerms, PartTerms, Reflectance, Reflection,
+    Light, Material, MirrorTerms, PartTerms, Quantity, Reflectance, Reflection, own_parameters,
 };
 use luxel_render::{
     EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Hidden, Seen, SurfaceBelow,
@@ -164,7 +162,7 @@ fn evaluated(seen: &ExplainedSurface) -> Value {
 fn material(name: &str, constants: &Material, reflectance: &Reflectance<f32>) -> Value {
     let mut value = json!({
         "name": name,
-        "reflection": reflection_name(&constants.reflection),
+        "reflection": constants.reflection.name(),
         "ambient": reflectance.ambient.lane(0),
         "diffuse": reflectance.diffuse.lane(0),
         "specular": reflectance.specular.lane(0),
@@ -177,8 +175,14 @@ fn material(name: &str, constants: &Material, reflectance: &Reflectance<f32>) ->
         "roughness": reflectance.roughness,
         "occlusion": reflectance.occlusion,
     });
+    for own in own_parameters() {
+        let name = own.parameter.name;
+        if let Some(number) = constants.reflection.own(name) {
+            value[name.replace('-', "_")] = json!(number);
+        }
+    }
     if let Reflection::Mixed(parts) = &constants.reflection {
-        let parts = parts.iter().map(|(part, weight)| json!([reflection_name(part), weight]));
+        let parts = parts.iter().map(|(part, weight)| json!([part.name(), weight]));
         value["mixed"] = parts.collect();
     }
     value
@@ -192,19 +196,19 @@ fn lights(lights: &[ExplainedLight], constants: &Material) -> Value {
 fn part(index: usize, part: &PartTerms<f32>, constants: &Material) -> Value {
     let (reflection, _) = constants.reflection.part(index);
     let mut value = json!({
-        "reflection": reflection_name(reflection),
+        "reflection": reflection.name(),
         "weight": part.weight,
         "diffuse": part.diffuse.lane(0),
         "specular": part.specular.lane(0),
         "specular_cosine": part.specular_cosine,
     });
-    match part.lobe {
-        Lobe::Plain => {}
-        Lobe::Rough(factor) => value["rough"] = json!(factor),
-        Lobe::Facets { pi_d, visibility, fresnel } => {
-            value["pi_d"] = json!(pi_d);
-            value["visibility"] = json!(visibility);
-            value["fresnel"] = json!(fresnel.lane(0));
+    let model = reflection.model();
+    let specular = model.and_then(|model| model.specular).unwrap_or_default();
+    for factor in model.map_or(&[][..], |model| model.diffuse).iter().chain(specular) {
+        match factor.quantity {
+            Quantity::Number(key, of) => value[key] = json!(of(&part.lobe)),
+            Quantity::Color(Some(key), of) => value[key] = json!(of(&part.lobe)),
+            _ => {}
         }
     }
     value
@@ -214,7 +218,7 @@ fn part(index: usize, part: &PartTerms<f32>, constants: &Material) -> Value {
 fn mirrors(mirrors: &[(usize, MirrorTerms<f32>)], constants: &Material) -> Value {
     let mirror = |(index, mirror): &(usize, MirrorTerms<f32>)| {
         json!({
-            "reflection": reflection_name(constants.reflection.part(*index).0),
+            "reflection": constants.reflection.part(*index).0.name(),
             "weight": mirror.weight,
             "share": mirror.share.lane(0),
             "radiance": mirror.radiance.lane(0),
@@ -228,10 +232,10 @@ fn light(light: &ExplainedLight, constants: &Material) -> Value {
     let Light { kind, ambient, diffuse, specular, .. } = light.light;
     json!({
         "name": light.name,
-        "kind": kind_name(&light.light),
+        "kind": light.light.kind.name(),
         "intensity": { "ambient": ambient, "diffuse": diffuse, "specular": specular },
-        "position": (kind != LightKind::Directional).then_some(light.position),
-        "direction": (kind != LightKind::Point).then_some(light.direction),
+        "position": kind.description().has_position.then_some(light.position),
+        "direction": kind.description().has_direction.then_some(light.direction),
         "to_light": terms.to_light.lane(0),
         "distance": terms.distance,
         "attenuation": terms.attenuation,

@@ -6,7 +6,7 @@ use crate::equation::{
     Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, highlight_vector, point_terms,
     shading_points,
 };
-use crate::words::{capital, coordinate, kind_name, model_name, number};
+use crate::words::{capital, coordinate, model_name, number};
 use luxel_lighting::{Attenuation, LightKind, PictureEncoding};
 use luxel_render::{ExplainedLight, ExplainedSample, ExplainedSurface, Explanation, Seen};
 use std::fmt::Write;
@@ -231,7 +231,7 @@ impl Page {
         let mut text = format!(
             "Light {at}, \\emph{{{}}} ({}): $\\mathbf L_{{{at}}} = {}$, $\\mathbf N\\cdot\\mathbf L_{{{at}}} = {}$",
             escaped(&light.name),
-            kind_name(&light.light),
+            light.light.kind.name(),
             vector(terms.to_light.lane(0)),
             math(terms.n_dot_l),
         );

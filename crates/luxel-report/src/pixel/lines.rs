@@ -4,7 +4,7 @@ use crate::equation::{
     Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, factor_text,
     highlight_vector, interpolation_text, point_terms, reach, shading_points, symbol_text,
 };
-use crate::words::{color, kind_name, number};
+use crate::words::{color, number};
 use luxel_render::ExplainedSurface;
 
 /// A line of the lighting equation.
@@ -110,7 +110,7 @@ fn light_lines(lines: &mut Vec<LedgerLine>, entry: &LightEntry<'_>, point: &Shad
         facts[0] += &format!("   {pair} = {}", number(cosine));
     }
     facts.extend(reach(light));
-    let name = format!("{}, {}", light.name, kind_name(&light.light));
+    let name = format!("{}, {}", light.name, light.light.kind.name());
     lines.push(LedgerLine::Heading { name, facts });
     lines.extend(entry.parts.iter().map(part));
     lines.extend(entry.terms.iter().map(|one| term(one, None)));

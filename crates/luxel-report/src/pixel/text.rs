@@ -8,7 +8,7 @@ use crate::equation::{
     Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, factor_text,
     highlight_vector, interpolation_text, point_terms, reach, shading_points, symbol_text,
 };
-use crate::words::{color, in_column, kind_name, number, printable, vector};
+use crate::words::{color, in_column, number, printable, vector};
 use luxel_lighting::PictureEncoding;
 use luxel_render::{ExplainedSample, ExplainedSurface, Explanation, Seen};
 
@@ -190,7 +190,7 @@ impl Page {
         let mut head = format!(
             "  {} ({})   N.L = {}   L = {}",
             self.bold(&printable(&light.name)),
-            kind_name(&light.light),
+            light.light.kind.name(),
             number(light.terms.n_dot_l),
             vector(light.terms.to_light.lane(0)),
         );

@@ -4,6 +4,6 @@ mod names;
 mod number;
 mod printable;
 
-pub(crate) use names::{capital, kind_name, model_name};
+pub(crate) use names::{capital, model_name};
 pub(crate) use number::{color, coordinate, in_column, number, vector};
 pub use printable::printable;

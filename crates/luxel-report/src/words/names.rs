@@ -1,28 +1,29 @@
-//! Names of kinds of lights and of reflection models.
+//! Names of reflection models.
 
-use luxel_formats::values::reflection_name;
-use luxel_lighting::{Light, LightKind, Reflection};
+use luxel_lighting::Reflection;
 
-/// The kind of a light, as scene files name it.
-pub(crate) fn kind_name(light: &Light) -> &'static str {
-    match light.kind {
-        LightKind::Ambient => "ambient",
-        LightKind::Directional => "directional",
-        LightKind::Point => "point",
-        LightKind::Spot(_) => "spot",
-    }
-}
-
-/// The reflection model; of a mix the weights and names of its parts.
+/// The reflection model with the parameters that only it has; of a mix the weights and models of its
+/// parts.
 pub(crate) fn model_name(reflection: &Reflection) -> String {
     match reflection {
         Reflection::Mixed(parts) => {
             let part =
-                |(part, weight): &(Reflection, f32)| format!("{weight} {}", reflection_name(part));
+                |(part, weight): &(Reflection, f32)| format!("{weight} {}", simple_name(part));
             parts.iter().map(part).collect::<Vec<_>>().join(" + ")
         }
-        simple => reflection_name(simple).to_owned(),
+        simple => simple_name(simple),
     }
+}
+
+fn simple_name(reflection: &Reflection) -> String {
+    let own = reflection.model().map_or(&[][..], |model| model.own);
+    let own = own.iter().filter_map(|own| {
+        let value = reflection.own(own.parameter.name)?;
+        Some(format!("{} = {value}", own.parameter.symbol))
+    });
+    let own = own.collect::<Vec<_>>().join(", ");
+    let name = reflection.name();
+    if own.is_empty() { name.to_owned() } else { format!("{name} ({own})") }
 }
 
 /// The text with a capital first letter.

@@ -26,6 +26,9 @@ pub(super) fn row<R>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui) -> R) ->
     .inner
 }
 
+/// What the number beside a slider takes.
+const NUMBER: f32 = 48.0;
+
 /// A slider over the rest of the line, its number behind it.
 pub(super) fn slider(
     ui: &mut Ui,
@@ -33,8 +36,6 @@ pub(super) fn slider(
     range: RangeInclusive<f64>,
     decimals: usize,
 ) -> bool {
-    // What the number takes.
-    const NUMBER: f32 = 48.0;
     ui.spacing_mut().slider_width = (ui.available_width() - NUMBER).max(40.0);
     let clamping = egui::SliderClamping::Never;
     ui.add(Slider::new(value, range).clamping(clamping).max_decimals(decimals)).changed()
@@ -51,6 +52,18 @@ pub(super) fn slider_f32(
     let changed = slider(ui, &mut wide, range, decimals);
     if changed {
         *value = wide.max(0.0) as f32;
+    }
+    changed
+}
+
+/// As [`slider`], for whole numbers.
+pub(super) fn slider_whole(ui: &mut Ui, value: &mut f32, range: RangeInclusive<f64>) -> bool {
+    let mut wide = f64::from(*value);
+    ui.spacing_mut().slider_width = (ui.available_width() - NUMBER).max(40.0);
+    let clamping = egui::SliderClamping::Never;
+    let changed = ui.add(Slider::new(&mut wide, range).clamping(clamping).integer()).changed();
+    if changed {
+        *value = wide as f32;
     }
     changed
 }

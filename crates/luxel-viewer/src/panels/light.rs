@@ -2,12 +2,11 @@
 
 use super::controls::{heading, intensity, one_of, row, slider, slider_f32, vector};
 use crate::focus;
-use crate::lamps::NewLight;
 use crate::session::Session;
 use crate::theme;
 use egui::{RichText, Ui};
 use luxel::formats::values::{cos_cutoff, cutoff_degrees};
-use luxel::lighting::{Cone, Environment, LightKind};
+use luxel::lighting::{Cone, Environment, LIGHT_KINDS, LightKind};
 use luxel::render::EnvironmentChoice;
 use luxel::scene::{Placement, SceneLight};
 
@@ -35,13 +34,8 @@ pub(super) fn lights(ui: &mut Ui, session: &mut Session, chosen: &mut Option<usi
     row(ui, "add", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.spacing_mut().button_padding.x = 6.0;
-        let kinds = [
-            (NewLight::Directional, "directional"),
-            (NewLight::Point, "point"),
-            (NewLight::Spot, "spot"),
-        ];
-        for (kind, name) in kinds {
-            if ui.button(name).clicked() {
+        for kind in LIGHT_KINDS.iter().filter(|kind| kind.kind != LightKind::Ambient) {
+            if ui.button(kind.name).clicked() {
                 *chosen = Some(session.add_light(kind));
             }
         }
@@ -124,7 +118,7 @@ fn name(ui: &mut Ui, session: &mut Session, at: usize) {
 /// A light's line; whether it is to be taken away.
 fn line(ui: &mut Ui, session: &mut Session, at: usize, chosen: &mut Option<usize>) -> bool {
     let Some((light, mut is_on)) = session.look().light(at) else { return false };
-    let (name, kind) = (light.name.clone(), kind_of(light));
+    let (name, kind) = (light.name.clone(), light.light.kind.name());
     let mut is_gone = false;
     ui.horizontal(|ui| {
         // Off, nothing but its outline is seen of the box.
@@ -168,15 +162,6 @@ fn cross(ui: &mut Ui) -> egui::Response {
         ui.painter().line_segment(line, egui::Stroke::new(1.25, color));
     }
     response.on_hover_text("delete")
-}
-
-fn kind_of(light: &SceneLight) -> &'static str {
-    match light.light.kind {
-        LightKind::Directional => "directional",
-        LightKind::Point => "point",
-        LightKind::Spot(_) => "spot",
-        LightKind::Ambient => "ambient",
-    }
 }
 
 fn settings(ui: &mut Ui, session: &mut Session, at: usize) {
@@ -230,14 +215,15 @@ fn place(ui: &mut Ui, session: &Session, light: &mut SceneLight) -> bool {
         }
     });
     session.places().replace(light, placement);
-    if light.light.kind != LightKind::Point {
+    let kind = light.light.kind.description();
+    if kind.has_direction {
         let mut direction = light.direction;
         if vector(ui, "direction", &mut direction, 0.01) && direction.length_squared() > 1e-12 {
             light.direction = direction;
             changed = true;
         }
     }
-    if light.light.kind == LightKind::Directional {
+    if !kind.has_position {
         return changed;
     }
     let bounds = session.settings.bounds;

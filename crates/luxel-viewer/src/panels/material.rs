@@ -1,19 +1,15 @@
 //! The materials of what is selected: the constants of reflection that the equation multiplies.
 
-use super::controls::{heading, one_of, row, slider_f32};
+use super::controls::{heading, one_of, row, slider_f32, slider_whole};
 use crate::session::Session;
 use crate::wardrobe::materials_of;
 use egui::{ComboBox, RichText, Ui};
-use luxel::formats::values::{reflection, reflection_name};
-use luxel::lighting::Reflection;
+use luxel::lighting::{Material, REFLECTION_MODELS, parameters};
 use luxel::scene::{Restyle, SceneMaterial};
 use std::collections::BTreeSet;
 
 /// More are told to be there, and not shown.
 const MOST: usize = 8;
-
-const MODELS: [&str; 8] =
-    ["unlit", "lambert", "oren-nayar", "phong", "blinn-phong", "microfacet", "mirror", "retro"];
 
 /// The materials of the selected objects; of the whole scene, if it has only one.
 pub(super) fn materials(ui: &mut Ui, session: &mut Session) {
@@ -72,66 +68,69 @@ fn merge(before: &mut Restyle, now: Restyle) {
     }
     take!(color, k_a, k_d, k_s, shininess, emission, reflection);
     take!(ambient, specular, metallic, roughness, opacity);
+    before.own.extend(now.own);
 }
 
 /// The constants, those that the model of reflection heeds; what is changed goes into `change`.
 fn constants(ui: &mut Ui, worn: &SceneMaterial, change: &mut Restyle) {
     let constants = &worn.constants;
     row(ui, "reflection", |ui| {
-        let name = reflection_name(&constants.reflection);
+        let name = constants.reflection.name();
         let width = ui.available_width();
         let list = ComboBox::from_id_salt("reflection").selected_text(name);
         // All of them at once.
         list.width(width).height(280.0).show_ui(ui, |ui| {
-            for model in MODELS {
-                if ui.selectable_label(name == model, model).clicked() && name != model {
-                    change.reflection = reflection(model).ok();
+            for model in REFLECTION_MODELS {
+                let is_worn = name == model.name;
+                let label = ui.selectable_label(is_worn, model.name);
+                if label.on_hover_text(model.help).clicked() && !is_worn {
+                    change.reflection = Some(model.reflection.clone());
                 }
             }
         });
     });
-    let models: Vec<&Reflection> = match &constants.reflection {
-        Reflection::Mixed(parts) => parts.iter().map(|(part, _)| part).collect(),
-        one => vec![one],
-    };
-    let has = |wanted: &[Reflection]| models.iter().any(|model| wanted.contains(model));
-    let is_lit = models.iter().any(|model| **model != Reflection::Unlit);
+    let reflection = &constants.reflection;
     let note = worn.base_color.map(|_| "times a texture");
     surface_color(ui, "O_d", note, constants.diffuse, &mut change.color);
-    if is_lit && !has(&[Reflection::Mirror]) {
-        let mut is_own = constants.ambient.is_some();
-        row(ui, "O_a", |ui| {
-            if one_of(ui, &mut is_own, &[(false, "as O_d"), (true, "its own")]) {
-                let diffuse = constants.diffuse;
-                // A colour without an ambient one is both.
-                if is_own { change.ambient = Some(diffuse) } else { change.color = Some(diffuse) }
+    for parameter in parameters().filter(|parameter| reflection.heeds(parameter)) {
+        match parameter.name {
+            "ka" => ambient_color(ui, constants, change),
+            "ks" => {
+                let note = worn.specular.map(|_| "times a texture");
+                surface_color(ui, "O_s", note, constants.specular, &mut change.specular);
             }
-        });
-        if let Some(ambient) = constants.ambient {
-            surface_color(ui, "", None, ambient, &mut change.ambient);
+            _ => {}
         }
-        number(ui, "k_a", constants.k_a, 0.0..=1.0, &mut change.k_a);
-    }
-    number(ui, "k_d", constants.k_d, 0.0..=1.0, &mut change.k_d);
-    if has(&[Reflection::Phong, Reflection::BlinnPhong, Reflection::Retro, Reflection::Mirror]) {
-        let note = worn.specular.map(|_| "times a texture");
-        surface_color(ui, "O_s", note, constants.specular, &mut change.specular);
-        number(ui, "k_s", constants.k_s, 0.0..=1.0, &mut change.k_s);
-    }
-    if has(&[Reflection::Phong, Reflection::BlinnPhong, Reflection::Retro]) {
-        number(ui, "n", constants.shininess, 0.0..=200.0, &mut change.shininess);
-    }
-    if has(&[Reflection::Microfacet, Reflection::OrenNayar, Reflection::Mirror]) {
-        number(ui, "roughness", constants.roughness, 0.0..=1.0, &mut change.roughness);
-    }
-    if has(&[Reflection::Microfacet]) {
-        number(ui, "metallic", constants.metallic, 0.0..=1.0, &mut change.metallic);
+        let range = f64::from(parameter.range[0])..=f64::from(parameter.slider_end);
+        let mut value = constants.value(parameter);
+        let mut set = None;
+        if !parameter.is_whole {
+            number(ui, parameter.symbol, value, range, &mut set);
+        } else if row(ui, parameter.symbol, |ui| slider_whole(ui, &mut value, range)) {
+            set = Some(value);
+        }
+        if let Some(value) = set {
+            change.set_parameter(parameter, parameter.nearest(value));
+        }
     }
     surface_color(ui, "emission", None, constants.emission, &mut change.emission);
     number(ui, "opacity", worn.opacity, 0.0..=1.0, &mut change.opacity);
-    change.roughness = change.roughness.map(|share| share.min(1.0));
-    change.metallic = change.metallic.map(|share| share.min(1.0));
     change.opacity = change.opacity.map(|share| share.min(1.0));
+}
+
+/// O_a, that of O_d or its own.
+fn ambient_color(ui: &mut Ui, constants: &Material, change: &mut Restyle) {
+    let mut is_own = constants.ambient.is_some();
+    row(ui, "O_a", |ui| {
+        if one_of(ui, &mut is_own, &[(false, "as O_d"), (true, "its own")]) {
+            let diffuse = constants.diffuse;
+            // A colour without an ambient one is both.
+            if is_own { change.ambient = Some(diffuse) } else { change.color = Some(diffuse) }
+        }
+    });
+    if let Some(ambient) = constants.ambient {
+        surface_color(ui, "", None, ambient, &mut change.ambient);
+    }
 }
 
 fn number(
@@ -183,12 +182,5 @@ mod tests {
         );
         merge(&mut change, Restyle { color: Some([0.2; 3]), ..Restyle::default() });
         assert_eq!((change.color, change.ambient), (Some([0.2; 3]), None));
-    }
-
-    #[test]
-    fn every_model_of_reflection_can_be_chosen() {
-        for model in MODELS {
-            assert_eq!(reflection(model).map(|model| reflection_name(&model)), Ok(model));
-        }
     }
 }

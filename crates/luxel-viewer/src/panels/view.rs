@@ -2,7 +2,7 @@
 
 use super::controls::{one_of, row, slider};
 use crate::keys::{Action, Keys, MODES, Shown};
-use crate::look::{SHADINGS, is_of_light, layer_name, shading_name};
+use crate::look::{is_of_light, layer_name};
 use crate::session::Session;
 use crate::theme;
 use crate::ui::Wish;
@@ -69,9 +69,9 @@ fn shading(ui: &mut Ui, session: &mut Session, keys: &Keys) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         ui.spacing_mut().button_padding.x = 5.0;
-        for mode in SHADINGS {
-            let name = shading_name(mode);
-            if ui.selectable_label(shading_name(shading.mode) == name, name).clicked() {
+        for mode in ShadingMode::ALL {
+            let name = mode.name();
+            if ui.selectable_label(shading.mode.name() == name, name).clicked() {
                 shading.mode = mode;
             }
         }

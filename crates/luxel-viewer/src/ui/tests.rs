@@ -1,14 +1,17 @@
 //! Every control by the keyboard alone.
 
 use super::*;
-use crate::lamps::NewLight;
 use crate::model::Model;
 use crate::panels::{Side, Tab};
 use crate::theme::DARK;
 use egui::{Event, Id, Key, Modifiers};
-use luxel::lighting::LightKind;
+use luxel::lighting::{LightKind, LightKindDescription};
 use luxel::scene::{Restyle, demos};
 use std::sync::Arc;
+
+fn kind(name: &str) -> &'static LightKindDescription {
+    LightKindDescription::by_name(name).unwrap()
+}
 
 /// The panels without a window.
 struct Stage {
@@ -139,7 +142,7 @@ fn stages() -> Vec<(String, Stage)> {
         stages.push((format!("{tab:?}"), stage));
     }
     let mut spot = Stage::new("teapot", WIDE);
-    spot.ui.chosen = Some(spot.session.add_light(NewLight::Spot));
+    spot.ui.chosen = Some(spot.session.add_light(kind("spot")));
     stages.push(("a spot".to_owned(), spot));
     for side in [Side::Tree, Side::Settings] {
         let mut stage = Stage::new("spheres", NARROW);
@@ -175,7 +178,7 @@ fn every_control_is_reached_by_tab_in_view_and_shows_that_it_has_the_keyboard() 
 #[test]
 fn keys_press_the_axes_and_move_handles_of_lights_and_the_line_between_looks() {
     let mut stage = Stage::new("plane", WIDE);
-    stage.session.add_light(NewLight::Point);
+    stage.session.add_light(kind("point"));
     stage.pass(Vec::new());
     let stops = stage.walk("light");
     let (others, knobs) = stops.split_at(stops.len() - 6);
@@ -228,8 +231,9 @@ fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
         ("oren-nayar", &["k_a", "k_d", "roughness", "opacity"]),
         ("phong", &["k_a", "k_d", "k_s", "n", "opacity"]),
         ("blinn-phong", &["k_a", "k_d", "k_s", "n", "opacity"]),
-        ("microfacet", &["k_a", "k_d", "roughness", "metallic", "opacity"]),
-        ("mirror", &["k_d", "k_s", "roughness", "opacity"]),
+        ("toon", &["k_a", "k_d", "k_s", "n", "steps", "opacity"]),
+        ("microfacet", &["k_a", "k_d", "k_s", "roughness", "metallic", "opacity"]),
+        ("mirror", &["k_a", "k_s", "opacity"]),
         ("retro", &["k_a", "k_d", "k_s", "n", "opacity"]),
     ] {
         // Room for all of the panel.
@@ -258,6 +262,7 @@ fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
                 ("n", of.shininess),
                 ("roughness", of.roughness),
                 ("metallic", of.metallic),
+                ("steps", of.reflection.own("toon-steps").unwrap_or_default()),
                 ("opacity", worn.opacity),
             ]
         };
@@ -315,7 +320,7 @@ fn windows_of_any_size_are_laid_out() {
     for size in [(1, 1), (1, 900), (3000, 20), (80, 60), (899, 30)] {
         let mut stage = Stage::new("plane", size);
         stage.session.toggle_split();
-        stage.session.add_light(NewLight::Spot);
+        stage.session.add_light(kind("spot"));
         for tab in [Tab::Light, Tab::Explain, Tab::View] {
             stage.ui.tab = tab;
             for unfolded in [None, Some(Side::Tree), Some(Side::Settings)] {

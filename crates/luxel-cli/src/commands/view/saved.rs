@@ -4,7 +4,7 @@ use crate::options::{NormalsChoice, ShadingOptions};
 use clap::ValueEnum;
 use luxel::formats::{SceneModels, SceneText, SettingValue, SurfaceChange};
 use luxel::lighting::{Light, PictureEncoding};
-use luxel::render::{Clamp, Cull, Interpolation, NormalLength, Shading, ShadingMode, View};
+use luxel::render::{Cull, Shading, ShadingMode, View};
 use luxel::scene::{DVec3, Placement, Restyle, SceneCamera, SceneLight};
 use luxel_viewer::Showing;
 use std::ffi::OsStr;
@@ -113,30 +113,17 @@ pub(super) fn dark() -> SceneLight {
 /// as by default, or all.
 pub(super) fn shading_flags(view: &View, is_all: bool) -> Vec<(&'static str, String)> {
     let Shading { mode, interpolation, clamp, normal_length } = view.shading;
-    let mode_name = match mode {
-        ShadingMode::Phong => "phong",
-        ShadingMode::Flat => "flat",
-        ShadingMode::Gouraud => "gouraud",
-        ShadingMode::Subdivided { .. } => "subdivided",
-    };
-    let interpolation_name = match interpolation {
-        Interpolation::Perspective => "perspective",
-        Interpolation::Screen => "screen",
-        Interpolation::Scanline => "scanline",
-    };
     let by_default = Shading::default();
-    let is_at_end = clamp == Clamp::End;
-    let is_interpolated = normal_length == NormalLength::Interpolated;
     let mut flags = Vec::new();
     let mut flag = |is_given: bool, name, value: &str| {
         if is_given || is_all {
             flags.push((name, value.to_owned()));
         }
     };
-    flag(mode != by_default.mode, "shading", mode_name);
-    flag(interpolation != by_default.interpolation, "interpolation", interpolation_name);
-    flag(is_at_end, "clamp", if is_at_end { "end" } else { "vertex" });
-    flag(is_interpolated, "normal-length", if is_interpolated { "interpolated" } else { "unit" });
+    flag(mode != by_default.mode, "shading", mode.name());
+    flag(interpolation != by_default.interpolation, "interpolation", interpolation.name());
+    flag(clamp != by_default.clamp, "clamp", clamp.name());
+    flag(normal_length != by_default.normal_length, "normal-length", normal_length.name());
     if let ShadingMode::Subdivided { tolerance } = mode {
         flags.push(("tolerance", tolerance.to_string()));
     }

@@ -1,7 +1,7 @@
 use super::*;
 use crate::{Format, read};
 use glam::DMat4;
-use luxel_lighting::{Light, Reflection};
+use luxel_lighting::{Light, Reflection, own_parameters};
 use luxel_scene::{Camera, NodeId, Scene, SceneMaterial};
 use proptest::prelude::*;
 
@@ -121,6 +121,9 @@ fn restyle() -> impl Strategy<Value = Restyle> {
                 roughness,
                 opacity,
                 reflection,
+                own: own_parameters()
+                    .map(|own| (own.parameter.name, own.parameter.default))
+                    .collect(),
             }
         })
 }

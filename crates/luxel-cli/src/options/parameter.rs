@@ -1,0 +1,50 @@
+//! Flags of the parameters of reflection, made of their descriptions.
+
+use crate::values::parameter;
+use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
+use luxel::lighting::{Parameter, SHARED, own_parameters};
+
+/// Parameters of reflection for all surfaces: those that all materials have or, if `OWN`, those that
+/// only one reflection model has.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct ParameterOptions<const OWN: bool> {
+    /// The parameters on the command line, with their values.
+    pub(crate) values: Vec<(&'static Parameter, f32)>,
+}
+
+/// The parameters with a flag, each with what its help writes for the value.
+fn flags(own: bool) -> impl Iterator<Item = (&'static Parameter, &'static str)> {
+    let all: Vec<&'static Parameter> =
+        if own { own_parameters().map(|own| &own.parameter).collect() } else { SHARED.into() };
+    all.into_iter().filter_map(|parameter| Some((parameter, parameter.placeholder?)))
+}
+
+impl<const OWN: bool> Args for ParameterOptions<OWN> {
+    fn augment_args(command: Command) -> Command {
+        let arg = |(of, placeholder): (&'static Parameter, &'static str)| {
+            Arg::new(of.name)
+                .long(of.name)
+                .value_name(placeholder)
+                .value_parser(move |text: &str| parameter(of, text))
+                .allow_hyphen_values(true)
+                .help(of.help)
+        };
+        command.args(flags(OWN).map(arg))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl<const OWN: bool> FromArgMatches for ParameterOptions<OWN> {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
+        let value = |(of, _): (&'static Parameter, _)| Some((of, *matches.get_one(of.name)?));
+        Ok(Self { values: flags(OWN).filter_map(value).collect() })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
+        self.values.extend(Self::from_arg_matches(matches)?.values);
+        Ok(())
+    }
+}

@@ -1,0 +1,23 @@
+//! One of a few names.
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+/// A parser of names that another crate gives its choices; `help` is what completions say of each.
+pub(crate) fn choice<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+    help: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    let values =
+        all.iter().map(move |one| PossibleValue::new(name(*one)).help(capital(help(*one))));
+    PossibleValuesParser::new(values).try_map(move |text| {
+        let found = all.iter().copied().find(|one| name(*one) == text);
+        found.ok_or("it is none of the possible values")
+    })
+}
+
+/// The text with a capital first letter.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

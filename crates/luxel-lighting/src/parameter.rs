@@ -1,0 +1,93 @@
+//! The numbers that reflection models depend on, each described once.
+
+/// A number that a reflection model depends on.
+///
+/// Scene files, flags, sliders and pages read what they need of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its key in scene files: `ka`.
+    pub name: &'static str,
+    /// As the equation writes it: `k_a`.
+    pub symbol: &'static str,
+    /// What it means, in a line.
+    pub help: &'static str,
+    /// The smallest and the largest value.
+    pub range: [f32; 2],
+    /// Whether it takes whole numbers only.
+    pub is_whole: bool,
+    /// The largest value that sliders offer.
+    pub slider_end: f32,
+    /// Its value in a material that says nothing.
+    pub default: f32,
+    /// A value that shows what it does, as scene files write it.
+    pub example: &'static str,
+    /// What the help of its flag writes for the value; `None`: no flag sets it for all surfaces.
+    pub placeholder: Option<&'static str>,
+}
+
+impl Parameter {
+    /// A coefficient: 0 and more, with a flag.
+    const fn coefficient(name: &'static str, symbol: &'static str, help: &'static str) -> Self {
+        let (range, default) = ([0.0, f32::INFINITY], 1.0);
+        let (is_whole, slider_end, example, placeholder) = (false, 1.0, "1", Some("K"));
+        Self { name, symbol, help, range, is_whole, slider_end, default, example, placeholder }
+    }
+
+    /// A share: 0 to 1. Textures vary it, so that no flag sets it for all surfaces.
+    const fn share(name: &'static str, help: &'static str) -> Self {
+        let range = [0.0, 1.0];
+        Self { range, placeholder: None, ..Self::coefficient(name, name, help) }
+    }
+
+    /// The nearest value that it may have; its default for NaN.
+    #[must_use]
+    pub fn nearest(&self, value: f32) -> f32 {
+        let [low, high] = self.range;
+        let value = if value.is_nan() { self.default } else { value.clamp(low, high) };
+        if self.is_whole { value.round_ties_even() } else { value }
+    }
+}
+
+/// k_a
+pub const K_A: Parameter =
+    Parameter::coefficient("ka", "k_a", "k_a: how much ambient light is reflected");
+
+/// k_d
+pub const K_D: Parameter = Parameter {
+    example: "0.8",
+    ..Parameter::coefficient("kd", "k_d", "k_d: how much light is reflected diffusely")
+};
+
+/// k_s
+pub const K_S: Parameter = Parameter {
+    default: 0.2,
+    example: "0.4",
+    ..Parameter::coefficient("ks", "k_s", "k_s: how much light is reflected in the highlight")
+};
+
+/// n
+pub const SHININESS: Parameter = Parameter {
+    placeholder: Some("N"),
+    slider_end: 200.0,
+    default: 32.0,
+    example: "60",
+    ..Parameter::coefficient("shininess", "n", "n: the exponent of the highlight")
+};
+
+/// 0 for dielectrics, 1 for metals.
+pub const METALLIC: Parameter = Parameter {
+    default: 0.0,
+    ..Parameter::share(
+        "metallic",
+        "0 to 1, for microfacet; drops the texture of metalness and roughness",
+    )
+};
+
+/// Perceptual roughness.
+pub const ROUGHNESS: Parameter = Parameter {
+    example: "0.35",
+    ..Parameter::share("roughness", "0 to 1, for microfacet and oren-nayar; drops the same texture")
+};
+
+/// The parameters that every material has, whatever its model: those of files.
+pub static SHARED: [&Parameter; 6] = [&K_A, &K_D, &K_S, &SHININESS, &ROUGHNESS, &METALLIC];

@@ -1,0 +1,102 @@
+//! What a reflection model says of itself: all that names, lists, sliders and pages are made of.
+
+use super::Reflection;
+use crate::{Lobe, Parameter};
+
+/// The description of a reflection model, in the file of its formula.
+#[derive(Debug)]
+pub struct ReflectionModel {
+    /// The model, its own parameters at their defaults.
+    pub reflection: Reflection,
+    /// Its name, on the command line and in scene files.
+    pub name: &'static str,
+    /// What it shows, in a line.
+    pub help: &'static str,
+    /// What it sends of a light, over I_d and I_s.
+    pub formula: &'static str,
+    /// Where the formula is from.
+    pub source: &'static str,
+    /// Those of the parameters shared by all materials that it heeds.
+    pub parameters: &'static [&'static Parameter],
+    /// Parameters that no other model has: fields of its variant.
+    pub own: &'static [OwnParameter],
+    /// The vector that its highlight goes by, if that is not a vector of the surface or of the light.
+    pub highlight: Option<HighlightVector>,
+    /// The factors of its diffuse term behind k_d O_d, as `explain` writes them.
+    pub diffuse: &'static [ModelFactor],
+    /// The factors of its specular term behind k_s O_s; `None` where it has no such term.
+    pub specular: Option<&'static [ModelFactor]>,
+}
+
+/// A parameter that only one model has.
+#[derive(Clone, Debug)]
+pub struct OwnParameter {
+    /// What it is.
+    pub parameter: Parameter,
+    /// The field of the model's variant; `None` in other variants.
+    pub field: fn(&mut Reflection) -> Option<&mut f32>,
+}
+
+/// The vector that a highlight goes by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HighlightVector {
+    /// R = 2 (N.L) N - L
+    Reflected,
+    /// H = (L + V) / |L + V|
+    Halfway,
+}
+
+/// One factor of a model's term.
+#[derive(Clone, Copy, Debug)]
+pub struct ModelFactor {
+    /// How the equation writes it.
+    pub symbol: Symbol,
+    /// What it is.
+    pub quantity: Quantity,
+}
+
+/// What a factor is.
+#[derive(Clone, Copy, Debug)]
+pub enum Quantity {
+    /// max(N.L, 0)
+    Cosine,
+    /// max(c, 0)^n, c the cosine of the highlight.
+    Power,
+    /// 1 - metallic
+    NotMetal,
+    /// A number that the model computes, with its key in JSON.
+    Number(&'static str, fn(&Lobe<f32>) -> f32),
+    /// A colour that the model computes, with its key in JSON, unless another factor has it.
+    Color(Option<&'static str>, fn(&Lobe<f32>) -> [f32; 3]),
+}
+
+/// A symbol of the equation, for each format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Symbol {
+    /// For plain text.
+    pub text: &'static str,
+    /// For LaTeX.
+    pub latex: &'static str,
+    /// For HTML.
+    pub html: &'static str,
+}
+
+impl Symbol {
+    /// A symbol as plain text, LaTeX and HTML.
+    #[must_use]
+    pub const fn new(text: &'static str, latex: &'static str, html: &'static str) -> Self {
+        Self { text, latex, html }
+    }
+}
+
+/// max(N.L, 0)
+pub(super) const COSINE: ModelFactor = ModelFactor {
+    symbol: Symbol::new("N.L", r"\mathbf N\cdot\mathbf L", "<b>N</b>·<b>L</b>"),
+    quantity: Quantity::Cosine,
+};
+
+/// 1 - metallic
+pub const NOT_METAL: ModelFactor = ModelFactor {
+    symbol: Symbol::new("(1 - metallic)", r"(1 - \mathrm{metallic})", "(1 − metallic)"),
+    quantity: Quantity::NotMetal,
+};
