@@ -1,5 +1,5 @@
-//! A scene before a camera: instances with the fill rule of each, and which of them a place of the
-//! window may see.
+//! A scene seen by a camera: instances with their fill rules, and a grid of the instances that may cover
+//! each part of the window.
 
 use crate::picker::{PickError, Picker};
 use glam::{DMat4, DVec3};
@@ -11,26 +11,26 @@ use luxel_visibility::{
     ViewRays, WindowRays, strokes,
 };
 
-/// What a camera sees of a scene in a window, ready to be asked pixel by pixel.
+/// A camera's view of a scene in a window, for queries by pixel.
 ///
-/// What owns a pixel is decided by the fill rule of frames (`luxel-visibility`): snapped corners,
-/// exact edges, the top-left rule. So a pick tells what a frame shows, at every pixel.
+/// Visibility follows the fill rule of frames (`luxel-visibility`): snapped corners, exact edges, the
+/// top-left rule. So picks and frames agree at every pixel.
 pub struct PickView<'p> {
     pub(crate) picker: &'p Picker<'p>,
     pub(crate) camera: Camera,
     pub(crate) size: Size,
     pub(crate) rays: WindowRays,
     pub(crate) view_rays: ViewRays,
-    /// The objects, then the points and lines of some.
+    /// The objects' triangles, then the points and lines of some.
     pub(crate) instances: Vec<Instance>,
     strokes: Vec<(Strokes, Bvh)>,
     cells: Cells,
 }
 
-/// An object, or its points and lines, before the camera.
+/// An object's triangles, or its points and lines, seen by the camera.
 pub(crate) struct Instance {
     pub(crate) object: usize,
-    /// Which of the view's strokes it is, if it isn't the object's triangles.
+    /// The index among the view's strokes, for points and lines.
     pub(crate) strokes: Option<usize>,
     pub(crate) view_from_mesh: DMat4,
     /// From view space to the coordinates of the tree.
@@ -41,19 +41,19 @@ pub(crate) struct Instance {
     /// `None` for an instance without triangles.
     pub(crate) thickness: Option<Thickness>,
     pub(crate) parts: Vec<PartUse>,
-    /// Whether the tree's positions are those that the probe is asked with.
+    /// Whether the tree holds the positions that the probe tests.
     pub(crate) bounds_tell_depth: bool,
 }
 
-/// How far a triangle may lie from the line of sight through a sample that it covers, in the
-/// coordinates of an instance's tree.
+/// Bounds of the distance between a triangle and the line of sight through a sample that it covers, in
+/// the coordinates of an instance's tree.
 #[derive(Clone, Copy)]
 pub(crate) struct Thickness {
-    /// Per unit of distance along the viewing axis; at any distance for parallel rays.
+    /// Per unit of distance along the viewing axis; constant for orthographic cameras.
     pub(crate) snapped: DVec3,
-    /// At any distance.
+    /// Constant.
     pub(crate) rounded: DVec3,
-    /// The tree's box, so much larger.
+    /// The tree's box, enlarged by the bounds.
     pub(crate) wide: [[f32; 3]; 2],
     /// The largest coordinates in the tree.
     pub(crate) largest: [f32; 3],
@@ -67,7 +67,7 @@ pub(crate) struct Geometry<'v> {
 }
 
 impl<'p> PickView<'p> {
-    /// A camera's view of a scene, in a window of this size, `cull` as frames are drawn with.
+    /// A camera's view of a scene in a window of this size, with the culling of its frames.
     ///
     /// # Errors
     /// [`PickError`] if an object has too many points and lines.
@@ -157,7 +157,7 @@ impl<'p> PickView<'p> {
         let largest = |bounds: [[f32; 3]; 2]| -> [f32; 3] {
             std::array::from_fn(|axis| bounds[0][axis].abs().max(bounds[1][axis].abs()))
         };
-        // The probe is asked with the mesh's own positions.
+        // The probe tests the mesh's own positions.
         let of_mesh = if bounds_tell_depth { bounds } else { mesh_bounds(mesh) };
         let reach = probe.reach(of_mesh.map_or([0.0; 3], largest));
         let thickness = bounds.map(|bounds| self.thickness(bounds, &tree_from_view, &reach));
@@ -179,13 +179,13 @@ impl<'p> PickView<'p> {
     }
 
     fn thickness(&self, bounds: [[f32; 3]; 2], tree_from_view: &DMat4, reach: &Reach) -> Thickness {
-        // What a pixel is, across and down, at distance 1.
+        // The extent of a pixel at distance 1.
         let ((o0, d0), (o1, d1)) = (self.rays.ray(0.0, 0.0), self.rays.ray(1.0, 1.0));
         let pixel = ((o1 - o0) + (d1 - d0)).abs();
         let [x_axis, y_axis] =
             [tree_from_view.x_axis, tree_from_view.y_axis].map(|column| column.truncate().abs());
         let steps = |[x, y]: [f64; 2]| {
-            // One in a hundred to spare for the rounding of this and what follows.
+            // One percent of margin for rounding here and below.
             let scale = 1.01 / f64::from(SUBPIXELS);
             x_axis * (x * pixel.x * scale) + y_axis * (y * pixel.y * scale)
         };
@@ -223,7 +223,7 @@ impl<'p> PickView<'p> {
         self.size
     }
 
-    /// The scene that is looked at.
+    /// The scene.
     #[must_use]
     pub fn picker(&self) -> &'p Picker<'p> {
         self.picker
@@ -247,13 +247,13 @@ impl<'p> PickView<'p> {
         self.strokes[strokes].0.elements[triangle as usize / 2]
     }
 
-    /// The instances that may cover a pixel, in their order.
+    /// The instances that may cover a pixel, in order.
     pub(crate) fn instances_at(&self, pixel: [i32; 2]) -> impl Iterator<Item = usize> + '_ {
         self.cells.at(pixel)
     }
 
-    /// The pixels that an instance may cover, `None` for none: the corners of its box, or all where
-    /// it comes up to the eye.
+    /// The pixels that an instance may cover, if any: the bounds of its box's corners, or the whole window
+    /// if it reaches the eye.
     fn place_in_window(&self, instance: &Instance) -> Option<[f64; 4]> {
         let bounds_of_tree = self.geometry(instance).bvh.bounds()?;
         let view_from_tree = instance.tree_from_view.inverse();
@@ -275,7 +275,7 @@ impl<'p> PickView<'p> {
         if !before_eye || !bounds.iter().all(|bound| bound.is_finite()) {
             return Some([0.0, 0.0, width, height]);
         }
-        // Steps of 1/256 pixel, and a pixel to spare.
+        // In steps of 1/256 pixel, with a margin of one pixel.
         let grow = |axis: usize| {
             (instance.reach.constant + instance.reach.by_distance[axis] / nearest) / 256.0 + 1.0
         };
@@ -284,20 +284,20 @@ impl<'p> PickView<'p> {
     }
 }
 
-/// The window in cells, each with the instances that may cover it, so that a scene of thousands of
-/// objects asks few of them.
+/// A grid over the window: cells list the instances that may cover them, so that queries test few of
+/// thousands of objects.
 #[derive(Default)]
 struct Cells {
-    /// Pixels of a cell's side, across and down.
+    /// A cell's width and height in pixels.
     side: [i32; 2],
     across: usize,
     down: usize,
-    /// Those that cover a large part of the window, in order.
+    /// Instances that cover a large part of the window, in order.
     everywhere: Vec<u32>,
     lists: Vec<Vec<u32>>,
 }
 
-/// Cells of a window's side, at most.
+/// The most cells along a side of the window.
 const CELLS: u32 = 32;
 
 impl Cells {

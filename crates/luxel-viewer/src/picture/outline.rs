@@ -117,7 +117,7 @@ mod tests {
     use super::*;
     use crate::selection::SelectMode;
     use crate::theme::DARK;
-    use luxel::pick::NOTHING as NO_OBJECT;
+    use luxel::pick::NO_ID;
 
     const SIZE: Size = Size { width: 12, height: 10 };
     const GREY: u32 = 0x0050_5050;
@@ -127,7 +127,7 @@ mod tests {
         let object = |at: u32| match (at % 12, at / 12) {
             (2..=9, 2..=8) => 0,
             (10.., 2..=8) => 1,
-            _ => NO_OBJECT,
+            _ => NO_ID,
         };
         let objects: Vec<_> = (0..120).map(object).collect();
         VisibleIds::new(SIZE, objects, vec![0; 120]).unwrap()

@@ -398,7 +398,7 @@ impl Session {
             Action::NextEdges => self.change_display(DisplaySettings::step_edges),
             Action::NextShading => self.change_display(DisplaySettings::step_shading),
             Action::StepLayer(is_forward) => {
-                self.change_display(|display| display.step_layer(is_forward))
+                self.change_display(|display| display.step_layer(is_forward));
             }
             Action::Compare => self.toggle_comparison(),
             Action::Difference => self.toggle_difference(),

@@ -1,15 +1,14 @@
-//! Selection with names, with the meaning that OpenGL gives it (version 2.1, section 5.2): a stack
-//! of names stands beside what is drawn, and whatever falls into the clip volume is recorded under
-//! the names that stood there.
+//! Selection mode with OpenGL's semantics (version 2.1, section 5.2): primitives that intersect the clip
+//! volume are recorded with the current stack of names.
 
-use crate::sliver::clipped;
+use crate::sliver::clip_polygon;
 use glam::{DMat4, DVec3};
 use luxel_scene::{CLIP_VOLUME, Mesh};
 
-/// The most names that may stand on one another.
+/// The capacity of the name stack.
 pub const MAX_NAMES: usize = 64;
 
-/// What was drawn under some names and fell into the clip volume.
+/// A record of primitives that intersected the clip volume.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HitRecord {
     /// The names, the lowest first.
@@ -21,13 +20,13 @@ pub struct HitRecord {
 }
 
 impl HitRecord {
-    /// The depths as OpenGL writes them: times 2^32 - 1, rounded.
+    /// The depths in OpenGL's encoding: times 2^32 - 1, rounded.
     #[must_use]
     pub fn z_bits(&self) -> [u32; 2] {
         [self.z_min, self.z_max].map(|z| (z * f64::from(u32::MAX)).round() as u32)
     }
 
-    /// Words that the record takes in a buffer of OpenGL's: a count, two depths, the names.
+    /// The record's size in OpenGL's buffer, in words: a count, two depths, the names.
     #[must_use]
     pub fn words(&self) -> usize {
         3 + self.names.len()
@@ -39,11 +38,11 @@ impl HitRecord {
 pub struct Selected {
     /// The records, in the order of drawing.
     pub records: Vec<HitRecord>,
-    /// Whether there were more than the buffer had room for (`glRenderMode` gives -1 then).
+    /// Whether the buffer was too small (`glRenderMode` returns -1).
     pub overflowed: bool,
 }
 
-/// What can't be done with names.
+/// An invalid operation on names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NameError {
@@ -58,7 +57,7 @@ pub enum NameError {
     Empty,
 }
 
-/// Selection mode: give names, draw, and be told what fell into the clip volume.
+/// Selection mode: set names, draw, and get records of the primitives in the clip volume.
 ///
 /// ```
 /// use luxel_pick::{pick_matrix, Selection, Viewport};
@@ -67,7 +66,7 @@ pub enum NameError {
 /// let size = Size { width: 640, height: 480 };
 /// let lens = Lens::Perspective { fov_y_radians: 0.8 };
 /// let projection = Projection { lens, near: 1.0, far: 10.0 }.clip_from_view(size);
-/// // Five pixels about the window's middle, the origin at the lower left.
+/// // Five pixels around the window's centre, the origin at the lower left.
 /// let pick = pick_matrix(DVec2::new(320.0, 240.0), DVec2::splat(5.0), Viewport::of(size)).unwrap();
 ///
 /// let mut selection = Selection::new(pick * projection, 64);
@@ -84,7 +83,7 @@ pub enum NameError {
 pub struct Selection {
     clip_from_object: DMat4,
     names: Vec<u32>,
-    /// The depths of what has been hit since the names changed.
+    /// The depths of hits since the names last changed.
     hit: Option<[f64; 2]>,
     selected: Selected,
     /// Words left in the buffer.
@@ -92,7 +91,7 @@ pub struct Selection {
 }
 
 impl Selection {
-    /// Begins with an empty stack. `clip_from_object` is the projection, times a
+    /// Starts with an empty stack. `clip_from_object` is the projection, times a
     /// [`pick_matrix`](crate::pick_matrix) from the left, times the view from the right; `words` is
     /// the size of the buffer that OpenGL would write to (`glSelectBuffer`).
     #[must_use]
@@ -101,7 +100,7 @@ impl Selection {
         Self { clip_from_object, names: Vec::new(), hit: None, selected, room: words }
     }
 
-    /// Changes the coordinates in which things are drawn from now on.
+    /// Sets the transform of subsequent primitives.
     pub fn set_clip_from_object(&mut self, clip_from_object: DMat4) {
         self.clip_from_object = clip_from_object;
     }
@@ -127,7 +126,7 @@ impl Selection {
         Ok(())
     }
 
-    /// Puts a name on top (`glPushName`).
+    /// Pushes a name (`glPushName`).
     ///
     /// # Errors
     /// [`NameError::Overflow`] beyond [`MAX_NAMES`].
@@ -140,7 +139,7 @@ impl Selection {
         Ok(())
     }
 
-    /// Takes the topmost name off (`glPopName`).
+    /// Pops the topmost name (`glPopName`).
     ///
     /// # Errors
     /// [`NameError::Underflow`] if there is none.
@@ -201,14 +200,14 @@ impl Selection {
         for (clip, corner) in clip.iter_mut().zip(corners) {
             *clip = self.clip_from_object * corner.extend(1.0);
         }
-        let ([low, high], _) = clipped(&clip[..corners.len()], &CLIP_VOLUME);
+        let ([low, high], _) = clip_polygon(&clip[..corners.len()], &CLIP_VOLUME);
         if low <= high {
             let [z_min, z_max] = self.hit.unwrap_or([low, high]);
             self.hit = Some([z_min.min(low), z_max.max(high)]);
         }
     }
 
-    /// Writes down what has been hit under the names as they stand.
+    /// Records the hits under the current names.
     fn record(&mut self) {
         let Some([z_min, z_max]) = self.hit.take() else { return };
         let record = HitRecord { names: self.names.clone(), z_min, z_max };
@@ -243,13 +242,13 @@ mod tests {
         selection.line([DVec3::new(-9.0, 0.0, 0.0), DVec3::new(9.0, 0.0, 0.0)]);
         selection.init_names();
         let selected = selection.finish();
-        let told: Vec<_> = selected
+        let records: Vec<_> = selected
             .records
             .iter()
             .map(|record| (record.names.clone(), record.z_min, record.z_max))
             .collect();
         let expected = [(vec![], 0.25, 0.375), (vec![1, 2], 0.25, 0.875), (vec![1], 0.5, 0.5)];
-        assert_eq!(told, expected);
+        assert_eq!(records, expected);
         assert_eq!(selected.records[2].z_bits(), [1 << 31; 2]);
         assert!(!selected.overflowed);
     }
@@ -266,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_buffer_is_told_and_keeps_what_had_room() {
+    fn overflow_is_reported_and_earlier_records_stay() {
         let mut selection = Selection::new(DMat4::IDENTITY, 9);
         for name in 0..4 {
             selection.init_names();

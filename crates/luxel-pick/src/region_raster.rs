@@ -1,8 +1,8 @@
-//! What a part of the window shows, drawn as frames are: the tree tells which triangles may reach
-//! there, and a frame of `luxel-visibility` over those alone finds out which pixel shows which.
+//! Rasterizes a part of the window: the tree finds the triangles that may reach it, and a frame of
+//! `luxel-visibility` over those decides which pixel shows which.
 
-use crate::coverage_query::{Covering, positions};
-use crate::frustum::{Frustum, PLANES, planes};
+use crate::coverage_query::{CoveringTriangle, positions};
+use crate::frustum::{Frustum, PLANES, frustum_planes};
 use crate::region::Region;
 use crate::view::{Geometry, Instance, PickView};
 use luxel_math::SUBPIXELS;
@@ -18,48 +18,48 @@ use std::ops::Range;
 /// Columns and rows of the window.
 pub(crate) type Pixels = [Range<u32>; 2];
 
-/// Tiles that one thread takes at a time.
-const TILES: usize = 4;
+/// Tiles per task.
+const TILES_PER_TASK: usize = 4;
 
-/// What may be seen of an instance.
-struct Drawn<'v> {
-    /// The instance, by its place in the view.
+/// The possibly visible part of an instance.
+struct VisibleMesh<'v> {
+    /// The instance's index in the view.
     instance: usize,
     mesh: Cow<'v, Mesh>,
-    /// The triangles of the instance that the mesh holds; `None` for all.
+    /// The instance's triangles in `mesh`; `None` for all.
     triangles: Option<Vec<u32>>,
     clusters: Clusters,
 }
 
-/// A pixel of a row, and the instance and triangle that it shows.
-pub(crate) struct Shown {
+/// A pixel with the instance and triangle that it shows.
+pub(crate) struct PixelOwner {
     pub(crate) pixel: [u32; 2],
     pub(crate) instance: usize,
     pub(crate) triangle: u32,
 }
 
 impl PickView<'_> {
-    /// Visits what pixels show, tile by tile on all threads, in no order.
+    /// Visits the visible triangles of pixels, tile by tile on all threads, in no particular order.
     ///
     /// # Errors
-    /// [`TooManyTriangles`] where a frame can't number them.
-    pub(crate) fn drawn(
+    /// [`TooManyTriangles`] if a frame can't number them.
+    pub(crate) fn visit_visible(
         &self,
         [columns, rows]: &Pixels,
-        visit: &(dyn Fn(&mut dyn Iterator<Item = Shown>) + Sync),
+        visit: &(dyn Fn(&mut dyn Iterator<Item = PixelOwner>) + Sync),
     ) -> Result<(), TooManyTriangles> {
         if columns.is_empty() || rows.is_empty() {
             return Ok(());
         }
         let around = [columns.start, rows.start, columns.end, rows.end].map(f64::from);
-        let drawn: Vec<Drawn<'_>> = gather(self.instances.len(), 1, &|run, drawn| {
-            drawn.extend(self.to_draw(run.start, around));
+        let visible: Vec<VisibleMesh<'_>> = gather(self.instances.len(), 1, &|run, visible| {
+            visible.extend(self.visible_mesh(run.start, around));
         });
-        let instances = drawn.iter().map(|drawn| {
-            let Instance { view_from_mesh, parts, .. } = &self.instances[drawn.instance];
+        let instances = visible.iter().map(|visible| {
+            let Instance { view_from_mesh, parts, .. } = &self.instances[visible.instance];
             FrameInstance {
-                mesh: &drawn.mesh,
-                clusters: &drawn.clusters,
+                mesh: &visible.mesh,
+                clusters: &visible.clusters,
                 view_from_mesh: *view_from_mesh,
                 parts: parts.clone(),
             }
@@ -68,7 +68,7 @@ impl PickView<'_> {
         let frame = Frame::new(instances.collect(), projection, self.size, Samples::ONE, level)?;
         let shown = |id: TriangleId| {
             let of = frame.triangle(id)?;
-            let Drawn { instance, triangles, .. } = &drawn[of.instance];
+            let VisibleMesh { instance, triangles, .. } = &visible[of.instance];
             let triangle = triangles.as_ref().map_or(of.triangle, |all| all[of.triangle as usize]);
             Some((*instance, triangle))
         };
@@ -76,7 +76,10 @@ impl PickView<'_> {
             shown(id).is_some_and(|(instance, triangle)| {
                 let mesh = self.geometry(&self.instances[instance]).mesh;
                 let corners = positions(mesh, triangle);
-                self.is_hole(&Covering { instance, triangle, corners, depth: 0.0 }, position)
+                self.is_hole(
+                    &CoveringTriangle { instance, triangle, corners, depth: 0.0 },
+                    position,
+                )
             })
         };
         let [across, _] = frame.tiles();
@@ -92,7 +95,7 @@ impl PickView<'_> {
             visit(&mut pixels.filter_map(|pixel @ [x, y]| {
                 let id = tile.id((x - left).cast_signed(), (y - top).cast_signed(), 0);
                 let (instance, triangle) = shown(id)?;
-                Some(Shown { pixel, instance, triangle })
+                Some(PixelOwner { pixel, instance, triangle })
             }));
         };
         let tiles = |range: &Range<u32>| {
@@ -104,7 +107,7 @@ impl PickView<'_> {
             .flat_map(|row| columns.clone().map(move |column| row * across + column))
             .filter(|&number| !frame.is_tile_empty(number))
             .collect();
-        each(numbers.chunks(TILES), &|numbers| {
+        each(numbers.chunks(TILES_PER_TASK), &|numbers| {
             let mut tile = Tile::new(1);
             for &number in numbers {
                 of_tile(&mut tile, number);
@@ -113,49 +116,53 @@ impl PickView<'_> {
         Ok(())
     }
 
-    /// What of an instance may be seen between left, top, right and bottom; `None` for nothing.
-    fn to_draw(&self, number: usize, [left, top, right, bottom]: [f64; 4]) -> Option<Drawn<'_>> {
+    /// The part of an instance that may be visible between left, top, right and bottom, if any.
+    fn visible_mesh(
+        &self,
+        number: usize,
+        [left, top, right, bottom]: [f64; 4],
+    ) -> Option<VisibleMesh<'_>> {
         let instance = &self.instances[number];
         let Geometry { mesh, bvh } = self.geometry(instance);
         let window = [f64::from(self.size.width), f64::from(self.size.height)];
         let clip_from_tree =
             self.camera.projection.clip_from_view(self.size) * instance.tree_from_view.inverse();
-        // How far snapping may carry a corner: by so many pixels, and in proportion to distance;
-        // planes are in units of 2 w pixels.
+        // Snapping moves corners by a constant number of pixels, and one in proportion to distance.
+        // Planes are in units of 2 w pixels.
         let pixels = |steps: f64| steps / f64::from(SUBPIXELS);
         let grow = pixels(instance.reach.constant);
         let (width, height) = (right - left + 2.0 * grow, bottom - top + 2.0 * grow);
         let region = Region::rectangle(left - grow, top - grow, width, height).ok()?;
         let [x, y] = instance.reach.by_distance.map(|steps| 2.0 * pixels(steps));
         let beyond: [f64; PLANES] = [x, x, y, y, 0.0, 0.0];
-        let planes = planes(&region.hull(), window);
+        let planes = frustum_planes(&region.hull(), window);
         let frustum = Frustum::new(&planes, &clip_from_tree, bvh.bounds(), beyond);
         let mut triangles: Vec<u32> = Vec::new();
-        frustum.each_leaf(bvh, |leaf| triangles.extend_from_slice(leaf));
+        frustum.visit_leaves(bvh, |leaf| triangles.extend_from_slice(leaf));
         if triangles.is_empty() {
             return None;
         }
-        // Copying less than half of a mesh pays.
+        // Extracting pays for less than half of a mesh.
         if triangles.len() > mesh.triangles.len() / 2 {
             let clusters = Clusters::new(mesh, Frames::One);
-            return Some(Drawn {
+            return Some(VisibleMesh {
                 instance: number,
                 mesh: Cow::Borrowed(mesh),
                 triangles: None,
                 clusters,
             });
         }
-        // At equal depth the first in the file is seen.
+        // At equal depth the first triangle of the file is visible: order matters.
         sort_u32(&mut triangles);
-        let mesh = only(mesh, &triangles);
+        let mesh = extract(mesh, &triangles);
         let clusters = Clusters::new(&mesh, Frames::One);
         let (mesh, triangles) = (Cow::Owned(mesh), Some(triangles));
-        Some(Drawn { instance: number, mesh, triangles, clusters })
+        Some(VisibleMesh { instance: number, mesh, triangles, clusters })
     }
 }
 
-/// Some triangles of a mesh, given in its order, each with corners of its own.
-fn only(mesh: &Mesh, triangles: &[u32]) -> Mesh {
+/// Extracts triangles of a mesh, given in order; they share no vertices.
+fn extract(mesh: &Mesh, triangles: &[u32]) -> Mesh {
     let corners = |&triangle: &u32| {
         mesh.triangles[triangle as usize].map(|vertex| mesh.positions[vertex as usize])
     };

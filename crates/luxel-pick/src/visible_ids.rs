@@ -1,8 +1,7 @@
-//! What is seen in a region: objects with the pixels they own, from a frame that has been drawn, or
-//! from what is drawn of the region alone.
+//! Visible objects of a region with their pixel counts, from an id buffer or by rasterizing the region.
 
-use crate::drawing::{Pixels, Shown};
 use crate::region::Region;
+use crate::region_raster::{PixelOwner, Pixels};
 use crate::surface_hit::Element;
 use crate::view::PickView;
 use crate::window::PhysicalPosition;
@@ -11,16 +10,16 @@ use luxel_scene::Size;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
-/// An object and how many pixels show it.
+/// An object with its visible pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct VisibleHit {
-    /// The object, by its place in [`Picker::objects`](crate::Picker::objects).
+    /// The object, by its index in [`Picker::objects`](crate::Picker::objects).
     pub object: usize,
-    /// Pixels whose centre it owns.
+    /// The number of pixels that show it at their centre.
     pub pixels: u64,
 }
 
-/// What each pixel of a drawn frame shows: a pick is one look into memory.
+/// An id buffer: object and triangle of each pixel. A pick is one lookup.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VisibleIds {
     size: Size,
@@ -28,13 +27,13 @@ pub struct VisibleIds {
     triangles: Vec<u32>,
 }
 
-/// What stands for nothing among ids.
-pub const NOTHING: u32 = u32::MAX;
+/// The id of the background, and of triangles of points and lines.
+pub const NO_ID: u32 = u32::MAX;
 
 impl VisibleIds {
-    /// Takes the objects and triangles of a frame's pixels, row by row from the top, as the layers
-    /// `object` and `triangle` hold them (4294967295 where nothing is); `None` if they don't fill
-    /// the size. Any renderer's will do.
+    /// Takes the objects and triangles of pixels, row by row from the top, as in the layers `object` and
+    /// `triangle` ([`NO_ID`] on the background); `None` if their lengths don't match the size. Ids may
+    /// come from any renderer.
     #[must_use]
     pub fn new(size: Size, objects: Vec<u32>, triangles: Vec<u32>) -> Option<Self> {
         let pixels = size.width as usize * size.height as usize;
@@ -45,8 +44,8 @@ impl VisibleIds {
         })
     }
 
-    /// Object and triangle of a pixel; the triangle is `None` for points and lines. `None` outside
-    /// of the window and where nothing is.
+    /// Object and triangle of a pixel; the triangle is `None` for points and lines. `None` outside the
+    /// window and on the background.
     #[must_use]
     pub fn at(&self, x: u32, y: u32) -> Option<(usize, Option<u32>)> {
         if x >= self.size.width || y >= self.size.height {
@@ -55,51 +54,50 @@ impl VisibleIds {
         let at = y as usize * self.size.width as usize + x as usize;
         let object = self.objects[at];
         let triangle = self.triangles[at];
-        (object != NOTHING).then(|| (object as usize, (triangle != NOTHING).then_some(triangle)))
+        (object != NO_ID).then(|| (object as usize, (triangle != NO_ID).then_some(triangle)))
     }
 
-    /// The objects seen in a region, in their order.
+    /// The visible objects of a region, in order.
     #[must_use]
     pub fn in_region(&self, region: &Region) -> Vec<VisibleHit> {
-        counted(self.size, region, |x, y| self.at(x, y).map(|(object, _)| object))
+        count_pixels(self.size, region, |x, y| self.at(x, y).map(|(object, _)| object))
     }
 }
 
 impl PickView<'_> {
-    /// The objects that own pixels of a region, by the fill rule of frames, in their order: those
-    /// whose centres lie inside.
+    /// The objects visible at pixel centres of a region, by the fill rule of frames, in order.
     #[must_use]
     pub fn visible_in(&self, region: &Region) -> Vec<VisibleHit> {
         let pixels = pixels_of(self.size, region);
         let all = Mutex::new(Counts::new());
-        let of_tile = |shown: &mut dyn Iterator<Item = Shown>| {
+        let of_tile = |owners: &mut dyn Iterator<Item = PixelOwner>| {
             let mut counts = Counts::new();
-            for Shown { pixel: [x, y], instance, .. } in shown {
+            for PixelOwner { pixel: [x, y], instance, .. } in owners {
                 let PhysicalPosition { x, y } = PhysicalPosition::centre_of(x, y);
                 if region.contains(x, y) {
                     *counts.entry(self.instances[instance].object).or_default() += 1;
                 }
             }
-            add(&mut all.lock().unwrap_or_else(PoisonError::into_inner), counts);
+            add_counts(&mut all.lock().unwrap_or_else(PoisonError::into_inner), counts);
         };
-        match self.drawn(&pixels, &of_tile) {
-            Ok(()) => hits_of(all.into_inner().unwrap_or_else(PoisonError::into_inner)),
-            // So many that a frame can't number them can still be asked for.
-            Err(_) => counted(self.size, region, |x, y| {
+        match self.visit_visible(&pixels, &of_tile) {
+            Ok(()) => hits(all.into_inner().unwrap_or_else(PoisonError::into_inner)),
+            // Too many triangles for a frame: queries pixel by pixel.
+            Err(_) => count_pixels(self.size, region, |x, y| {
                 self.owner_at(PhysicalPosition::centre_of(x, y)).map(|(object, _)| object)
             }),
         }
     }
 
-    /// What every pixel shows, to be asked again and again.
+    /// The id buffer of the whole view.
     #[must_use]
     pub fn visible_ids(&self) -> VisibleIds {
         let Size { width, height } = self.size;
         let count = width as usize * height as usize;
-        let all = Mutex::new((vec![NOTHING; count], vec![NOTHING; count]));
-        let set = |shown: &[([u32; 2], usize, Element)]| {
+        let all = Mutex::new((vec![NO_ID; count], vec![NO_ID; count]));
+        let set = |owners: &[([u32; 2], usize, Element)]| {
             let (objects, triangles) = &mut *all.lock().unwrap_or_else(PoisonError::into_inner);
-            for &([x, y], object, element) in shown {
+            for &([x, y], object, element) in owners {
                 let at = y as usize * width as usize + x as usize;
                 objects[at] = object as u32;
                 if let Element::Triangle(triangle) = element {
@@ -107,14 +105,14 @@ impl PickView<'_> {
                 }
             }
         };
-        let of_tile = |shown: &mut dyn Iterator<Item = Shown>| {
-            let element = |shown: Shown| {
-                let instance = &self.instances[shown.instance];
-                (shown.pixel, instance.object, self.element_of(instance, shown.triangle))
+        let of_tile = |owners: &mut dyn Iterator<Item = PixelOwner>| {
+            let element = |owner: PixelOwner| {
+                let instance = &self.instances[owner.instance];
+                (owner.pixel, instance.object, self.element_of(instance, owner.triangle))
             };
-            set(&shown.map(element).collect::<Vec<_>>());
+            set(&owners.map(element).collect::<Vec<_>>());
         };
-        if self.drawn(&[0..width, 0..height], &of_tile).is_err() {
+        if self.visit_visible(&[0..width, 0..height], &of_tile).is_err() {
             for pixel @ [x, y] in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
                 if let Some((object, element)) = self.owner_at(PhysicalPosition::centre_of(x, y)) {
                     set(&[(pixel, object, element)]);
@@ -126,23 +124,23 @@ impl PickView<'_> {
     }
 }
 
-/// Rows that one thread takes at a time.
-const ROWS: usize = 4;
+/// Rows per task.
+const ROWS_PER_TASK: usize = 4;
 
-/// Pixels by object.
+/// Pixel counts by object.
 type Counts = BTreeMap<usize, u64>;
 
-fn add(all: &mut Counts, more: Counts) {
+fn add_counts(all: &mut Counts, more: Counts) {
     for (object, pixels) in more {
         *all.entry(object).or_default() += pixels;
     }
 }
 
-fn hits_of(counts: Counts) -> Vec<VisibleHit> {
+fn hits(counts: Counts) -> Vec<VisibleHit> {
     counts.into_iter().map(|(object, pixels)| VisibleHit { object, pixels }).collect()
 }
 
-/// The pixels of the window that a region may have centres in.
+/// The pixels whose centres may lie in a region.
 fn pixels_of(size: Size, region: &Region) -> Pixels {
     let [left, top, right, bottom] = region.bounds();
     let pixels = |from: f64, to: f64, side: u32| {
@@ -152,14 +150,14 @@ fn pixels_of(size: Size, region: &Region) -> Pixels {
     [pixels(left, right, size.width), pixels(top, bottom, size.height)]
 }
 
-/// Counts the pixels of a region whose centres show something.
-fn counted(
+/// Counts the pixels of a region by object, querying each centre.
+fn count_pixels(
     size: Size,
     region: &Region,
     object: impl Fn(u32, u32) -> Option<usize> + Sync,
 ) -> Vec<VisibleHit> {
     let [columns, rows] = pixels_of(size, region);
-    let of_rows = map(rows.len(), ROWS, &|run| {
+    let of_rows = map(rows.len(), ROWS_PER_TASK, &|run| {
         let mut counts = Counts::new();
         for y in run.map(|row| rows.start + row as u32) {
             for x in columns.clone() {
@@ -175,7 +173,7 @@ fn counted(
     });
     let mut all = Counts::new();
     for counts in of_rows {
-        add(&mut all, counts);
+        add_counts(&mut all, counts);
     }
-    hits_of(all)
+    hits(all)
 }
