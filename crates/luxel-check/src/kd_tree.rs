@@ -1,28 +1,27 @@
-//! Which points lie near a place or along an edge: a k-d tree (Bentley 1975).
+//! A k-d tree of points (Bentley 1975), for queries along line segments.
 
 use luxel_scene::DVec3;
 
-/// Points in a tree that halves them along one axis after the other.
-pub(crate) struct Nearby {
-    /// In the order of the tree: the middle of each run divides it.
+/// A k-d tree: halves the points along x, y and z in turn.
+pub(crate) struct KdTree {
+    /// In tree order: the middle of each run divides it.
     points: Vec<(DVec3, u32)>,
 }
 
-/// Runs this short are walked through.
+/// Shorter runs are searched linearly.
 const LEAF: usize = 8;
 
-/// So many answers to one question are enough.
-pub(crate) const MOST: usize = 256;
+/// The most results of a query.
+pub(crate) const MAX_RESULTS: usize = 256;
 
-impl Nearby {
-    /// Takes points with their numbers.
+impl KdTree {
+    /// Builds a tree of points with their ids.
     pub(crate) fn new(mut points: Vec<(DVec3, u32)>) -> Self {
         sort(&mut points, 0);
         Self { points }
     }
 
-    /// The numbers of the points whose distance from the line between two places is at most
-    /// `reach`, in order; the first few of them if there are too many.
+    /// Finds the ids of points within `reach` of a line segment, in order; [`MAX_RESULTS`] at most.
     pub(crate) fn along(&self, from: DVec3, to: DVec3, reach: f64, found: &mut Vec<u32>) {
         found.clear();
         let low = from.min(to) - reach;
@@ -35,7 +34,7 @@ impl Nearby {
         };
         let mut rest = vec![(0, self.points.len(), 0)];
         while let Some((start, end, axis)) = rest.pop() {
-            if found.len() >= MOST {
+            if found.len() >= MAX_RESULTS {
                 break;
             }
             if end - start <= LEAF {
@@ -57,14 +56,14 @@ impl Nearby {
             }
         }
         found.sort_unstable();
-        found.truncate(MOST);
+        found.truncate(MAX_RESULTS);
     }
 }
 
-/// Sorts a run into a tree. Equal coordinates are told apart by the points' numbers.
+/// Sorts a run into tree order. Ids break ties of coordinates.
 fn sort(points: &mut [(DVec3, u32)], axis: usize) {
-    /// Shorter runs are not worth a thread.
-    const ALONE: usize = 1 << 14;
+    /// Shorter runs aren't worth a thread.
+    const MIN_PARALLEL: usize = 1 << 14;
     if points.len() <= LEAF {
         return;
     }
@@ -75,7 +74,7 @@ fn sort(points: &mut [(DVec3, u32)], axis: usize) {
     let (low, high) = points.split_at_mut(middle);
     let high = &mut high[1..];
     let next = (axis + 1) % 3;
-    if low.len() > ALONE {
+    if low.len() > MIN_PARALLEL {
         luxel_parallel::join(|| sort(low, next), || sort(high, next));
     } else {
         sort(low, next);
@@ -89,14 +88,14 @@ mod tests {
     use proptest::prelude::*;
 
     fn point() -> impl Strategy<Value = DVec3> {
-        // Whole numbers, so that many coordinates are equal.
+        // Integers, so that many coordinates are equal.
         (-4..5_i8, -4..5_i8, -4..5_i8)
             .prop_map(|(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z)))
     }
 
     proptest! {
         #[test]
-        fn the_tree_finds_what_a_walk_finds(
+        fn the_tree_agrees_with_a_linear_search(
             points in prop::collection::vec(point(), 0..120),
             from in point(),
             to in point(),
@@ -104,7 +103,7 @@ mod tests {
         ) {
             let numbered: Vec<_> = points.iter().copied().zip(0_u32..).collect();
             let mut found = Vec::new();
-            Nearby::new(numbered).along(from, to, reach, &mut found);
+            KdTree::new(numbered).along(from, to, reach, &mut found);
             let distance = |point: DVec3| {
                 let way = to - from;
                 let t = if way == DVec3::ZERO {

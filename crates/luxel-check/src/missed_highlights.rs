@@ -1,4 +1,5 @@
-//! What the view's shading and interpolation make worse, by drawing the view with the best of them.
+//! Highlights lost to per-vertex lighting, and drift of screen-space interpolation, measured by rendering
+//! the view with per-pixel shading and perspective interpolation.
 
 use crate::finding::{Finding, Kind};
 use crate::report::{Report, Setup, Spot, place};
@@ -7,16 +8,16 @@ use luxel_render::{Interpolation, Layer, LayerValues, Renderer, Shading, Shading
 use luxel_scene::Scene;
 use std::collections::BTreeSet;
 
-/// Whether vertices are lit, and so may miss what lies between.
+/// Whether a mode lights vertices, and so may miss highlights between them.
 pub(crate) const fn lights_vertices(mode: ShadingMode) -> bool {
     matches!(mode, ShadingMode::Gouraud | ShadingMode::Subdivided { .. })
 }
 
-/// Adds the highlights that the view loses, and says how much is lost.
+/// Adds the highlights that the view loses, and measures severities.
 pub(crate) fn measure(report: &mut Report, scene: &Scene, setup: &Setup) {
     let is_of_shading = |kind| matches!(kind, Kind::MissedHighlight | Kind::ScreenDrift);
-    let as_asked = setup.view.shading;
-    let may_miss = lights_vertices(as_asked.mode);
+    let shading = setup.view.shading;
+    let may_miss = lights_vertices(shading.mode);
     if !may_miss && !report.findings.iter().any(|finding| is_of_shading(finding.kind)) {
         return;
     }
@@ -24,14 +25,14 @@ pub(crate) fn measure(report: &mut Report, scene: &Scene, setup: &Setup) {
     drawn.compute_normals(&setup.normals);
     drawn.compute_tangents();
     let Ok(renderer) = Renderer::new(&drawn, &setup.execution) else { return };
-    // With several samples a pixel would be of several triangles.
+    // One sample, so that a pixel shows a single triangle.
     let view = View { samples: 1, edges: None, ..setup.view.clone() };
     let draw = |shading: Shading| {
         renderer.rgba8(&View { shading, ..view.clone() }).ok().map(|picture| picture.pixels)
     };
-    let Some(before) = draw(as_asked) else { return };
-    if may_miss && let Some(after) = draw(Shading { mode: ShadingMode::Phong, ..as_asked }) {
-        let missed = missed(&renderer, &view, &before, &after);
+    let Some(before) = draw(shading) else { return };
+    if may_miss && let Some(after) = draw(Shading { mode: ShadingMode::Phong, ..shading }) {
+        let missed = triangles_with_loss(&renderer, &view, &before, &after);
         add(report, scene, &missed);
         let of_highlights = |finding: &&mut Finding| finding.kind == Kind::MissedHighlight;
         if let Some(finding) = report.findings.iter_mut().find(of_highlights) {
@@ -40,13 +41,13 @@ pub(crate) fn measure(report: &mut Report, scene: &Scene, setup: &Setup) {
     }
     let of_drift = |finding: &&mut Finding| finding.kind == Kind::ScreenDrift;
     if let Some(finding) = report.findings.iter_mut().find(of_drift) {
-        let after = draw(Shading { interpolation: Interpolation::Perspective, ..as_asked });
+        let after = draw(Shading { interpolation: Interpolation::Perspective, ..shading });
         finding.severity = after.map(|after| largest_difference(&before, &after));
     }
 }
 
-/// The triangles, by object and number, of the pixels that lack light.
-fn missed(
+/// The triangles, by object and index, of pixels that lost light.
+fn triangles_with_loss(
     renderer: &Renderer<'_>,
     view: &View,
     before: &[[u8; 4]],
@@ -74,10 +75,10 @@ fn missed(
         .collect()
 }
 
-/// Tells of triangles that have not been told of.
+/// Reports triangles that have not been reported yet.
 fn add(report: &mut Report, scene: &Scene, missed: &BTreeSet<(u32, u32)>) {
     let kind = Kind::MissedHighlight;
-    let told: BTreeSet<(u32, u32)> = report
+    let reported: BTreeSet<(u32, u32)> = report
         .spots
         .iter()
         .filter_map(|&(of, object, spot)| match spot {
@@ -86,7 +87,7 @@ fn add(report: &mut Report, scene: &Scene, missed: &BTreeSet<(u32, u32)>) {
         })
         .collect();
     let objects = scene.objects();
-    let new: Vec<_> = missed.difference(&told).copied().collect();
+    let new: Vec<_> = missed.difference(&reported).copied().collect();
     if new.is_empty() {
         return;
     }

@@ -1,4 +1,4 @@
-//! A scene that shows where findings are: the model in grey, with its faults in colours.
+//! A scene that shows findings: the model in grey, its faults in colours.
 
 use crate::finding::Kind;
 use crate::report::{Report, Spot};
@@ -7,11 +7,11 @@ use luxel_scene::{
     Lines, MaterialId, Mesh, MeshId, Node, Part, Points, Scene, SceneMaterial, Sides,
 };
 
-/// The grey of the model, dark enough for colours to stand out.
+/// The model's grey, dark enough for contrast.
 const GREY: [f32; 3] = [0.16, 0.165, 0.17];
 
 impl Kind {
-    /// The colour of its marks: linear red, green, blue.
+    /// The colour of the kind's marks: linear red, green, blue.
     #[must_use]
     pub const fn color(self) -> [f32; 3] {
         match self {
@@ -37,15 +37,14 @@ impl Kind {
 }
 
 impl Report {
-    /// The scene with its materials in grey and what is found in the colours of its kind: triangles
-    /// filled, edges as lines, vertices as points. Where several kinds meet, the first one of
-    /// [`Kind::ALL`] shows.
+    /// The scene in grey, with findings in the colours of their kinds: triangles filled, edges as lines,
+    /// vertices as points. Where kinds overlap, the first one of [`Kind::ALL`] is visible.
     #[must_use]
     pub fn marked(&self, scene: &Scene) -> Scene {
         self.marked_only(scene, &Kind::ALL)
     }
 
-    /// As [`Report::marked`], with the marks of some kinds only.
+    /// As [`Report::marked`], for some kinds only.
     #[must_use]
     pub fn marked_only(&self, scene: &Scene, only: &[Kind]) -> Scene {
         let mut marked = Scene {
@@ -64,7 +63,7 @@ impl Report {
         marked.materials.extend(kinds.iter().map(|kind| mark(kind.color())));
         let objects = scene.objects();
         let mut marks: Vec<Node> = Vec::new();
-        // The spots of a kind and an object follow one another.
+        // Spots of the same kind and object are consecutive.
         let is_same = |one: &(Kind, u32, Spot), other: &(Kind, u32, Spot)| {
             (one.0, one.1) == (other.0, other.1)
         };
@@ -77,13 +76,13 @@ impl Report {
             let number = kinds.iter().position(|other| *other == kind).unwrap_or_default();
             let material = MaterialId(first_material + number as u32);
             let spots: Vec<Spot> = run.iter().map(|(_, _, spot)| *spot).collect();
-            marked.meshes.push(mesh_of(&scene.meshes[object.mesh.index()], &spots, material));
+            marked.meshes.push(mark_mesh(&scene.meshes[object.mesh.index()], &spots, material));
             marks.push(Node {
                 parent_from_node: object.world_from_mesh,
                 ..Node::root(kind.name(), Some(MeshId(marked.meshes.len() as u32 - 1)))
             });
         }
-        // Of equally deep triangles the first one is seen: marks come before what they mark.
+        // At equal depth the first triangle is visible: marks precede the model.
         let shift = marks.len() as u32;
         marked.nodes = marks;
         marked.nodes.extend(scene.nodes.iter().map(|node| Node {
@@ -108,8 +107,8 @@ fn mark(color: [f32; 3]) -> SceneMaterial {
     SceneMaterial { constants, ..SceneMaterial::default() }
 }
 
-/// The marks on a mesh.
-fn mesh_of(mesh: &Mesh, spots: &[Spot], material: MaterialId) -> Mesh {
+/// The marks of a mesh.
+fn mark_mesh(mesh: &Mesh, spots: &[Spot], material: MaterialId) -> Mesh {
     let mut triangles = Vec::new();
     let mut segments = Vec::new();
     let mut indices = Vec::new();
@@ -118,7 +117,7 @@ fn mesh_of(mesh: &Mesh, spots: &[Spot], material: MaterialId) -> Mesh {
             Spot::Triangle(triangle) => {
                 let [a, b, c] = mesh.triangles[triangle as usize];
                 triangles.push([a, b, c]);
-                // What has no area is seen by its edges.
+                // Edges make triangles without area visible.
                 segments.extend([[a, b], [b, c], [c, a]]);
             }
             Spot::Edge(half_edge) => {
