@@ -144,7 +144,7 @@ const MODULES: &[(&str, &[&str])] = &[
             "transition",
             "state",
             "modes",
-            "hand",
+            "gestures",
             "lens",
             "views",
             "navigator",

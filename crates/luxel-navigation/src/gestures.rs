@@ -1,28 +1,34 @@
-//! The hand: what it grabs, where it drags it, and what goes on when it lets go.
+//! Pointer gestures: turn, pan, zoom, the wheel, and inertia.
 
 use crate::event::Gesture;
 use crate::modes;
 use crate::motion::Rigid;
 use crate::settings::{Number, Settings};
-use crate::state::{Glide, Hold, State};
+use crate::state::{ActiveGesture, Glide, State};
 use crate::window::{point_at, upwards};
 use glam::{DVec2, DVec3};
 use luxel_scene::Lens;
 
-/// Seconds over which the hand's velocity is smoothed.
+/// The time constant of velocity smoothing, in seconds.
 const SMOOTHING: f64 = 0.04;
-/// Pixels a second below which motion has come to rest.
-const AT_REST: f64 = 2.0;
-/// How near to what is zoomed to, and how far from it, in radii of the scene, the eye may come.
-const NEAREST: f64 = 1e-6;
-const FARTHEST: f64 = 1e6;
+/// The pointer speed below which inertia stops, in pixels per second.
+const MIN_GLIDE_SPEED: f64 = 2.0;
+/// The range of distances of the eye from the zoomed point, in radii of the scene.
+const MIN_DISTANCE: f64 = 1e-6;
+const MAX_DISTANCE: f64 = 1e6;
 
 pub(crate) fn grab(mut state: State, gesture: Gesture, at: DVec2, point: Option<DVec3>) -> State {
     let depth = depth_of(&state, point);
     let still = DVec2::ZERO;
     state.glide = None;
-    state.hold =
-        Some(Hold { gesture, start: at, at, depth, velocity: still, pending: (still, 0.0) });
+    state.hold = Some(ActiveGesture {
+        gesture,
+        start: at,
+        at,
+        depth,
+        velocity: still,
+        pending: (still, 0.0),
+    });
     state
 }
 
@@ -50,7 +56,7 @@ pub(crate) fn release(mut state: State, settings: &Settings) -> State {
     hold.update_velocity();
     let goes_on = settings.number(Number::Inertia) > 0.0
         && hold.gesture != Gesture::Zoom
-        && hold.velocity.length() > AT_REST;
+        && hold.velocity.length() > MIN_GLIDE_SPEED;
     state.glide = goes_on.then_some(Glide {
         gesture: hold.gesture,
         depth: hold.depth,
@@ -59,8 +65,8 @@ pub(crate) fn release(mut state: State, settings: &Settings) -> State {
     state
 }
 
-/// What goes on for some seconds after the hand has let go: with v the velocity at first and T the
-/// time of inertia, a way of v T (1 - exp(-t / T)).
+/// Inertia after a gesture: with initial velocity v and time constant T, a displacement of
+/// v T (1 - exp(-t / T)).
 pub(crate) fn glide(mut state: State, settings: &Settings, seconds: f64) -> State {
     let Some(glide) = state.glide.take() else { return state };
     let time = settings.number(Number::Inertia);
@@ -75,7 +81,7 @@ pub(crate) fn glide(mut state: State, settings: &Settings, seconds: f64) -> Stat
         Gesture::Zoom => state,
     };
     let velocity = glide.velocity * left;
-    state.glide = (velocity.length() > AT_REST).then_some(Glide { velocity, ..glide });
+    state.glide = (velocity.length() > MIN_GLIDE_SPEED).then_some(Glide { velocity, ..glide });
     state
 }
 
@@ -91,14 +97,14 @@ pub(crate) fn wheel(
     zoom(state, settings, factor, at, depth).0
 }
 
-/// How far what is held lies in front of the eye: what is there, if anything is, else the pivot.
+/// The depth of the grabbed point, or of the pivot without one.
 fn depth_of(state: &State, point: Option<DVec3>) -> f64 {
     let of_point = point.map(|point| state.depth_of(point));
     of_point.filter(|depth| *depth > 0.0).unwrap_or_else(|| state.pivot_depth())
 }
 
-/// Moves the camera across its view, so that what was seen at one place of the window, at a depth,
-/// is seen at another. The pivot keeps its place in the picture.
+/// Moves the camera parallel to the picture, so that the point at one window position and depth moves to
+/// another. The pivot keeps its position in the picture.
 fn pan(mut state: State, settings: &Settings, from: DVec2, to: DVec2, depth: f64) -> State {
     let lens = state.lens(settings.lens);
     let place = |at| point_at(lens, settings.size, at, depth);
@@ -107,22 +113,22 @@ fn pan(mut state: State, settings: &Settings, from: DVec2, to: DVec2, depth: f64
     state.moved(Rigid::shift(shift))
 }
 
-/// Brings what is seen at a place of the window, at a depth, to that depth times a factor, along its
-/// ray, so that it is seen at the same place; answers with the new depth, too.
+/// Scales the depth of the point at a window position by a factor, along its ray, so that it keeps its
+/// position; also returns the new depth.
 ///
-/// The pivot keeps its place in the picture, and its distance from what is zoomed to. Parallel rays
-/// show things larger by a lower height: the scale changes by the same factor.
+/// The pivot keeps its position in the picture and its distance from the zoomed point. For orthographic
+/// cameras the scale of the height changes by the same factor.
 fn zoom(state: State, settings: &Settings, factor: f64, at: DVec2, depth: f64) -> (State, f64) {
     let radius = settings.bounds.radius();
     let reach = if radius > 0.0 && radius.is_finite() { radius } else { 1.0 };
     let is_parallel = matches!(settings.lens, Lens::Orthographic { .. });
-    let (lowest, highest) = (NEAREST * reach, FARTHEST * reach);
+    let (lowest, highest) = (MIN_DISTANCE * reach, MAX_DISTANCE * reach);
     let after = (depth * factor).clamp(lowest.min(depth), highest.max(depth));
     let mut factor = after / depth;
     if is_parallel {
-        // Scales stay within the same range, or several sensible depths would add up to a wild one.
+        // Scales stay within the same range, however many zooms accumulate.
         let scale = state.place.scale;
-        factor = (scale * factor).clamp(NEAREST.min(scale), FARTHEST.max(scale)) / scale;
+        factor = (scale * factor).clamp(MIN_DISTANCE.min(scale), MAX_DISTANCE.max(scale)) / scale;
     }
     let lens = state.lens(settings.lens);
     let shift = point_at(lens, settings.size, at, depth) * (factor - 1.0);
@@ -132,17 +138,17 @@ fn zoom(state: State, settings: &Settings, factor: f64, at: DVec2, depth: f64) -
     if is_parallel {
         state.place.scale *= factor;
     }
-    // Ahead, the pivot stays where it is in the world unless the eye would reach it.
+    // The pivot ahead stays in place in the world unless the eye would pass it.
     let depth = depth * factor;
     let ahead = -(pivot_in_view.z + shift.z);
     let was_ahead = pivot_in_view.z < 0.0;
-    let ahead = if was_ahead && ahead < NEAREST * reach { depth } else { ahead };
+    let ahead = if was_ahead && ahead < MIN_DISTANCE * reach { depth } else { ahead };
     state.place.pivot = state.place.view.undo(pivot_in_view.with_z(-ahead));
     (state, depth)
 }
 
-impl Hold {
-    /// Takes the way since the last time into the velocity; without time passing, it waits.
+impl ActiveGesture {
+    /// Updates the smoothed velocity, once time has passed.
     fn update_velocity(&mut self) {
         let (way, seconds) = self.pending;
         if seconds > 0.0 {
