@@ -42,12 +42,13 @@ pub(crate) fn divider(context: &Context, comparison: &mut Comparison, display: &
     painter.line_segment(ends, Stroke::new(1.5, ink));
     let grip = Rect::from_center_size(pos2(x, free.center().y), vec2(6.0, 28.0));
     painter.rect(grip, 3, theme.panel, Stroke::new(1.5, ink), egui::StrokeKind::Inside);
-    let looks = if comparison.is_right_active {
+    let sides_shown = if comparison.is_right_active {
         [&comparison.other, display]
     } else {
         [display, &comparison.other]
     };
-    let sides = [(looks[0], Align2::RIGHT_TOP, -12.0), (looks[1], Align2::LEFT_TOP, 12.0)];
+    let sides =
+        [(sides_shown[0], Align2::RIGHT_TOP, -12.0), (sides_shown[1], Align2::LEFT_TOP, 12.0)];
     for (at, (display, align, aside)) in sides.into_iter().enumerate() {
         let is_set = (at == 1) == comparison.is_right_active;
         let color = if is_set { theme.heading } else { theme.text };

@@ -61,10 +61,12 @@ pub(crate) fn light_handles(
         let Some((light, true)) = session.display().light(at) else { continue };
         let (position, direction) = spaces.world_pose(light);
         let mut moved = None;
-        let stand = place(&Handle::Position(position), &sphere, &camera, size, scale);
+        let anchor = window_position(&Handle::Position(position), &sphere, &camera, size, scale);
         for handle in handles(light, &camera, (position, direction), target) {
             let is_target = matches!(handle, Handle::Target(_));
-            let Some(place) = place(&handle, &sphere, &camera, size, scale) else { continue };
+            let Some(place) = window_position(&handle, &sphere, &camera, size, scale) else {
+                continue;
+            };
             if !free.shrink(HALF).contains(place) {
                 continue;
             }
@@ -81,7 +83,7 @@ pub(crate) fn light_handles(
             let is_held = grab.is_some_and(|grab| (grab.light, grab.is_target) == (at, is_target));
             let has_keyboard = response.has_focus();
             let is_lit = response.hovered() || is_held || has_keyboard || *chosen == Some(at);
-            show(context, &painter, (light, is_lit), &handle, &sphere, place, stand);
+            show(context, &painter, (light, is_lit), &handle, &sphere, place, anchor);
             if has_keyboard {
                 painter.circle_stroke(
                     place,
@@ -91,7 +93,7 @@ pub(crate) fn light_handles(
             }
             let offset = sphere.offset(place);
             let is_near = matches!(handle, Handle::Direction(towards) if towards.z >= 0.0);
-            let taken = Grab { light: at, is_target, on_sphere: (offset, is_near) };
+            let started = Grab { light: at, is_target, on_sphere: (offset, is_near) };
             let moves_depth = context.input(|input| input.modifiers.shift);
             let mut move_by = |grab: &mut Grab, delta: egui::Vec2| {
                 let view = (&camera, size, scale);
@@ -103,11 +105,11 @@ pub(crate) fn light_handles(
             if has_keyboard {
                 *chosen = Some(at);
                 let delta = focus::arrows(context, response.id) * STEP;
-                move_by(&mut { taken }, delta);
+                move_by(&mut { started }, delta);
             }
             if response.drag_started() {
                 *chosen = Some(at);
-                *grab = Some(taken);
+                *grab = Some(started);
             }
             if let Some(grab) = grab.as_mut().filter(|_| is_held || response.drag_started()) {
                 move_by(grab, response.drag_delta());
@@ -159,12 +161,12 @@ impl DirectionSphere {
         DVec2::new(f64::from(offset.x), f64::from(-offset.y))
     }
 
-    fn place(&self, offset: DVec2) -> Pos2 {
+    fn point(&self, offset: DVec2) -> Pos2 {
         self.centre + vec2(offset.x as f32, -offset.y as f32) * self.radius
     }
 }
 
-fn place(
+fn window_position(
     handle: &Handle,
     sphere: &DirectionSphere,
     camera: &Camera,
@@ -172,7 +174,7 @@ fn place(
     scale: f64,
 ) -> Option<Pos2> {
     match handle {
-        Handle::Direction(towards) => Some(sphere.place(towards.truncate())),
+        Handle::Direction(towards) => Some(sphere.point(towards.truncate())),
         Handle::Position(point) | Handle::Target(point) => {
             let place = project_point(camera, size, *point)? / scale;
             Some(Pos2::new(place.x as f32, place.y as f32))
@@ -180,7 +182,7 @@ fn place(
     }
 }
 
-/// Where the hand has taken what it holds: a point of the world, or a place on the sphere.
+/// The point that a handle is dragged to: in world space, or a direction in view space.
 fn drag(
     handle: &Handle,
     grab: &mut Grab,
@@ -259,7 +261,7 @@ fn show(
     handle: &Handle,
     sphere: &DirectionSphere,
     at: Pos2,
-    stand: Option<Pos2>,
+    anchor: Option<Pos2>,
 ) {
     let theme = theme::of(context);
     let ink = if is_lit { theme.accent } else { theme.quiet };
@@ -282,7 +284,7 @@ fn show(
             knob(painter, theme, at, Some(hue(light)), ink);
         }
         Handle::Target(_) => {
-            if let Some(from) = stand {
+            if let Some(from) = anchor {
                 arrow(painter, theme, (from, at), ink);
             }
             painter.circle(at, 4.0, theme.panel, Stroke::new(1.5, ink));
