@@ -1,11 +1,11 @@
-//! The same mesh without what spoils it, for seeing the difference.
+//! Repaired copies of a mesh, to measure the severity of its faults.
 
 use crate::gaps::Gaps;
 use crate::surface::Surface;
 use luxel_scene::{DVec3, Mesh, Part};
 use std::collections::BTreeMap;
 
-/// Turns triangles round.
+/// Reverses triangles.
 pub(crate) fn reversed(mesh: &Mesh, triangles: &[u32]) -> Mesh {
     let mut cured = mesh.clone();
     for &triangle in triangles {
@@ -17,7 +17,7 @@ pub(crate) fn reversed(mesh: &Mesh, triangles: &[u32]) -> Mesh {
     cured
 }
 
-/// Leaves triangles out, so that they reach no average: their corners fall together.
+/// Collapses triangles, so that they don't contribute to averages.
 pub(crate) fn without(mesh: &Mesh, triangles: &[u32]) -> Mesh {
     let mut cured = mesh.clone();
     if cured.attribute_corners.is_none() {
@@ -30,7 +30,7 @@ pub(crate) fn without(mesh: &Mesh, triangles: &[u32]) -> Mesh {
     cured
 }
 
-/// Forgets the normals of attribute vertices: they become averages of their faces.
+/// Removes normals of attribute vertices: they become averages of their faces.
 pub(crate) fn without_normals(mesh: &Mesh, vertices: impl Iterator<Item = u32>) -> Mesh {
     let mut cured = mesh.clone();
     for vertex in vertices {
@@ -41,12 +41,12 @@ pub(crate) fn without_normals(mesh: &Mesh, vertices: impl Iterator<Item = u32>) 
     cured
 }
 
-/// Forgets all normals: they are computed from the faces.
+/// Removes all normals: they are computed from the faces.
 pub(crate) fn with_new_normals(mesh: &Mesh) -> Mesh {
     Mesh { normals: Vec::new(), ..mesh.clone() }
 }
 
-/// Closes gaps: corners beyond one move to where the first of both edges has them.
+/// Closes gaps: the corners of the opposite edge move to the first one's.
 pub(crate) fn closed(surface: &Surface<'_>, gaps: &Gaps) -> Mesh {
     let mut cured = surface.mesh.clone();
     let mut moved: BTreeMap<u32, u32> = BTreeMap::new();
@@ -78,16 +78,16 @@ pub(crate) fn closed(surface: &Surface<'_>, gaps: &Gaps) -> Mesh {
     cured
 }
 
-/// Splits edges at the corners in their middle: each triangle becomes a fan around the corner
-/// opposite to its first split edge, in its own part.
+/// Splits edges at the corners in their middle: each triangle becomes a fan around the corner opposite
+/// its first split edge, in its own part.
 pub(crate) fn split(surface: &Surface<'_>, gaps: &Gaps) -> Mesh {
     let mesh = surface.mesh;
-    // The corners to come into each edge, by triangle.
+    // The corners to insert into each edge, by triangle.
     let mut on_edges: BTreeMap<u32, [Vec<u32>; 3]> = BTreeMap::new();
     for &(place, half_edge) in &gaps.t_junctions {
         on_edges.entry(half_edge / 3).or_default()[(half_edge % 3) as usize].push(place);
     }
-    // What a corner in an edge looks like is what it looks like from its own side.
+    // An inserted corner has the attributes of its own side.
     let mut vertex_at: BTreeMap<u32, u32> = BTreeMap::new();
     let wanted: std::collections::BTreeSet<u32> =
         gaps.t_junctions.iter().map(|(place, _)| *place).collect();
@@ -142,9 +142,9 @@ pub(crate) fn split(surface: &Surface<'_>, gaps: &Gaps) -> Mesh {
     cured
 }
 
-/// A triangle with further corners on its edges, cut so that each piece has an area: ears are cut off
-/// at true corners, and only where one beside them lies within an edge, as long as there are such.
-/// `at` are its corners in order, and which of them are true.
+/// Triangulates a triangle with additional corners on its edges, without degenerate pieces: clips ears at
+/// original corners, first where a neighbour lies within an edge. `at` lists the corners in order, and
+/// whether they are original.
 fn fan(at: &[(DVec3, bool)]) -> Vec<[usize; 3]> {
     let mut left: Vec<usize> = (0..at.len()).collect();
     let mut is_corner: Vec<bool> = at.iter().map(|(_, is_corner)| *is_corner).collect();

@@ -1,25 +1,25 @@
-//! Examines the meshes of a scene one by one, and sums up what is found.
+//! Examines the meshes of a scene and aggregates their findings.
 
 use crate::cure;
-use crate::drift;
 use crate::faces;
 use crate::finding::{Finding, Kind};
-use crate::folds;
 use crate::gaps::{self, Gaps};
-use crate::highlight;
-use crate::lost;
+use crate::hidden_folds;
+use crate::highlight_loss;
+use crate::missed_highlights;
 use crate::normals;
 use crate::report::{Report, Setup, Spot, place};
+use crate::screen_drift;
 use crate::severity::Pictures;
-use crate::silhouette::{self, Sight};
+use crate::silhouette::{self, MeshView};
 use crate::surface::{Edges, HalfEdge, RUN, Surface, half_edge_of};
 use crate::winding;
 use luxel_parallel::gather;
 use luxel_render::{Interpolation, View};
 use luxel_scene::{DVec3, Mesh, NormalSource, Object, Scene};
 
-/// What one mesh adds to a finding.
-struct Found {
+/// The contribution of one mesh to a finding.
+struct MeshFinding {
     kind: Kind,
     count: u64,
     severity: Option<f32>,
@@ -27,13 +27,13 @@ struct Found {
     spots: Vec<Spot>,
 }
 
-/// Looks for everything that spoils the shading of a scene.
+/// Checks a scene for faults that spoil its shading.
 ///
-/// The scene is as its file has it, normals not yet computed. Findings of a mesh that several objects
-/// show are reported once, at the first of them, but for its outlines.
+/// The scene is as loaded, with normals not yet computed. Findings of a mesh with several objects are
+/// reported once, at the first object, except for silhouettes.
 #[must_use]
 pub fn check(scene: &Scene, setup: &Setup) -> Report {
-    let mut all: Vec<(u32, Object, Found)> = Vec::new();
+    let mut all: Vec<(u32, Object, MeshFinding)> = Vec::new();
     let mut is_known = vec![false; scene.meshes.len()];
     for (number, object) in scene.objects().into_iter().enumerate() {
         let mesh = &scene.meshes[object.mesh.index()];
@@ -58,30 +58,30 @@ pub fn check(scene: &Scene, setup: &Setup) -> Report {
             finding.pixels = larger(finding.pixels, found.pixels);
             let mesh = &scene.meshes[object.mesh.index()];
             let left = Setup::MOST_PLACES.saturating_sub(finding.places.len());
-            let told = found.spots.iter().take(left);
-            finding.places.extend(told.map(|spot| place(*number, object, mesh, *spot)));
+            let listed = found.spots.iter().take(left);
+            finding.places.extend(listed.map(|spot| place(*number, object, mesh, *spot)));
             report.spots.extend(found.spots.iter().map(|spot| (kind, *number, *spot)));
         }
         if finding.count > 0 {
             report.findings.push(finding);
         }
     }
-    lost::measure(&mut report, scene, setup);
+    missed_highlights::measure(&mut report, scene, setup);
     report
 }
 
-/// A mesh with all that several questions need.
+/// A mesh with data that several examinations share.
 struct Examination<'a> {
     mesh: &'a Mesh,
     scene: &'a Scene,
     setup: &'a Setup,
     surface: Surface<'a>,
-    /// The mesh as it is drawn: with the normals that the file lacks.
+    /// The mesh as rendered, with computed normals where the file has none.
     drawn: Mesh,
-    /// Its normals, corner by corner.
+    /// Its normals by corner.
     normals: Vec<[DVec3; 3]>,
     has_file_normals: bool,
-    found: Vec<Found>,
+    found: Vec<MeshFinding>,
 }
 
 impl<'a> Examination<'a> {
@@ -98,23 +98,23 @@ impl<'a> Examination<'a> {
     fn add(&mut self, kind: Kind, severity: Option<f32>, spots: Vec<Spot>) {
         if !spots.is_empty() {
             let count = spots.len() as u64;
-            self.found.push(Found { kind, count, severity, pixels: None, spots });
+            self.found.push(MeshFinding { kind, count, severity, pixels: None, spots });
         }
     }
 
-    fn run(mut self, object: &Object, is_first: bool) -> Vec<Found> {
+    fn run(mut self, object: &Object, is_first: bool) -> Vec<MeshFinding> {
         let degenerate = faces::degenerate(&self.surface);
-        let mut is_left_out = vec![false; self.surface.triangles.len()];
-        degenerate.iter().for_each(|&triangle| is_left_out[triangle as usize] = true);
-        let (duplicates, backs) = faces::duplicates(&self.surface, self.scene, &is_left_out);
+        let mut is_excluded = vec![false; self.surface.triangles.len()];
+        degenerate.iter().for_each(|&triangle| is_excluded[triangle as usize] = true);
+        let (duplicates, backs) = faces::duplicates(&self.surface, self.scene, &is_excluded);
         for &triangle in duplicates.iter().chain(&backs) {
-            is_left_out[triangle as usize] = true;
+            is_excluded[triangle as usize] = true;
         }
-        let edges = Edges::of(&self.surface, &is_left_out);
+        let edges = Edges::of(&self.surface, &is_excluded);
         if is_first {
-            self.examine(&edges, degenerate, duplicates, &mut is_left_out);
+            self.examine(&edges, degenerate, duplicates, &mut is_excluded);
         }
-        self.in_view(object, &edges, &is_left_out);
+        self.in_view(object, &edges, &is_excluded);
         self.found
     }
 
@@ -123,33 +123,33 @@ impl<'a> Examination<'a> {
         edges: &Edges,
         degenerate: Vec<u32>,
         duplicates: Vec<u32>,
-        is_left_out: &mut [bool],
+        is_excluded: &mut [bool],
     ) {
         let file_normals = self.has_file_normals.then_some(&self.normals[..]);
-        let winding = winding::examine(&self.surface, edges, is_left_out, file_normals);
+        let winding = winding::examine(&self.surface, edges, is_excluded, file_normals);
         let boundary = edges.boundary();
         let gaps = gaps::find(&self.surface, &boundary);
         let non_manifold: Vec<HalfEdge> =
             edges.iter().filter(|edge| edge.len() > 2).map(|edge| half_edge_of(edge[0])).collect();
-        let slivers = faces::slivers(&self.surface, &self.normals, is_left_out);
-        // What is wound wrongly has wrong normals for that reason.
-        let mut is_told = is_left_out.to_vec();
+        let slivers = faces::slivers(&self.surface, &self.normals, is_excluded);
+        // Wrong winding explains wrong normals.
+        let mut is_told = is_excluded.to_vec();
         for &triangle in winding.inconsistent.iter().chain(&winding.flipped) {
             is_told[triangle as usize] = true;
         }
-        self.leave_out_normal_maps(&mut is_told);
+        self.exclude_normal_maps(&mut is_told);
         let normals = normals::examine(&self.surface, &self.drawn, &self.normals, &is_told);
         for &triangle in &normals.unrepresentative {
             is_told[triangle as usize] = true;
         }
-        let folds = folds::hidden(&self.surface, edges, &self.normals, &is_told);
+        let folds = hidden_folds::hidden(&self.surface, edges, &self.normals, &is_told);
         let vertices = if self.mesh.normals.is_empty() {
             normals::seams(&self.surface, &self.normals)
         } else {
             Vec::new()
         };
         let faults = normals::faults(self.mesh);
-        let highlights = self.missed_highlights(is_left_out);
+        let highlights = self.missed_highlights(is_excluded);
 
         let triangles = |list: &[u32]| list.iter().map(|&t| Spot::Triangle(t)).collect::<Vec<_>>();
         let half_edges = |list: &[u32]| list.iter().map(|&e| Spot::Edge(e)).collect::<Vec<_>>();
@@ -211,7 +211,7 @@ impl<'a> Examination<'a> {
         self.add(Kind::MissedHighlight, None, highlights);
     }
 
-    /// Attribute vertices as spots, each with the first triangle that it is at.
+    /// Attribute vertices as spots, each with the first triangle that uses it.
     fn vertices(&self, vertices: &[u32], mesh: &Mesh) -> Vec<Spot> {
         let mut spots: Vec<Option<Spot>> = vec![None; vertices.len()];
         for (triangle, corners) in mesh.attribute_corners().iter().enumerate() {
@@ -225,7 +225,7 @@ impl<'a> Examination<'a> {
         spots.into_iter().flatten().collect()
     }
 
-    /// Positions as spots, each with the first triangle that it is at.
+    /// Positions as spots, each with the first triangle that uses it.
     fn positions(&self, positions: &[u32]) -> Vec<Spot> {
         let mut spots: Vec<Option<Spot>> = vec![None; positions.len()];
         for (triangle, corners) in self.mesh.triangles.iter().enumerate() {
@@ -238,34 +238,34 @@ impl<'a> Examination<'a> {
         spots.into_iter().flatten().collect()
     }
 
-    /// Where a normal map has the last word, vertex normals are only what it is relative to.
-    fn leave_out_normal_maps(&self, is_left_out: &mut [bool]) {
+    /// Excludes triangles with a normal map: their vertex normals only define its frame.
+    fn exclude_normal_maps(&self, is_excluded: &mut [bool]) {
         for part in &self.mesh.parts {
             let material = self.scene.materials.get(part.material.index());
             let run = part.first as usize..(part.first + part.count) as usize;
             if material.is_some_and(|material| material.normal.is_some())
-                && let Some(run) = is_left_out.get_mut(run)
+                && let Some(run) = is_excluded.get_mut(run)
             {
                 run.fill(true);
             }
         }
     }
 
-    /// Triangles that can lose a highlight, with what they lose.
-    fn missed_highlights(&self, is_left_out: &[bool]) -> Vec<(u32, f32)> {
+    /// Triangles that can lose a highlight, with their loss.
+    fn missed_highlights(&self, is_excluded: &[bool]) -> Vec<(u32, f32)> {
         let mut found = Vec::new();
-        if !lost::lights_vertices(self.setup.view.shading.mode) {
+        if !missed_highlights::lights_vertices(self.setup.view.shading.mode) {
             return found;
         }
         for part in &self.mesh.parts {
             let Some(material) = self.scene.materials.get(part.material.index()) else { continue };
-            let last = (part.first + part.count).min(is_left_out.len() as u32);
+            let last = (part.first + part.count).min(is_excluded.len() as u32);
             let first = part.first as usize;
             let count = (last as usize).saturating_sub(first);
             found.append(&mut gather(count, RUN, &|run, found| {
                 let run = first + run.start..first + run.end;
-                for triangle in run.filter(|&triangle| !is_left_out[triangle]) {
-                    let loss = highlight::loss(&self.normals[triangle], material);
+                for triangle in run.filter(|&triangle| !is_excluded[triangle]) {
+                    let loss = highlight_loss::loss(&self.normals[triangle], material);
                     if loss >= Setup::LEAST_HIGHLIGHT {
                         found.push((triangle as u32, loss));
                     }
@@ -275,12 +275,13 @@ impl<'a> Examination<'a> {
         found
     }
 
-    /// What an object looks like in the view.
-    fn in_view(&mut self, object: &Object, edges: &Edges, is_left_out: &[bool]) {
+    /// Examines an object in the view.
+    fn in_view(&mut self, object: &Object, edges: &Edges, is_excluded: &[bool]) {
         let View { camera, size, shading, .. } = &self.setup.view;
-        let sight = Sight::new(camera, *size, &object.world_from_mesh, self.mesh.origin);
+        let view = MeshView::new(camera, *size, &object.world_from_mesh, self.mesh.origin);
         if shading.interpolation != Interpolation::Perspective {
-            let drifts = drift::drifts(&self.surface, is_left_out, &sight, Setup::LEAST_DRIFT);
+            let drifts =
+                screen_drift::drifts(&self.surface, is_excluded, &view, Setup::LEAST_DRIFT);
             let pixels = drifts.iter().map(|(_, pixels)| *pixels).fold(0.0, f64::max);
             let spots = drifts.iter().map(|(triangle, _)| Spot::Triangle(*triangle)).collect();
             self.add(Kind::ScreenDrift, None, spots);
@@ -289,10 +290,10 @@ impl<'a> Examination<'a> {
             }
         }
         let facets =
-            silhouette::facets(&self.surface, edges, &self.normals, &sight, Setup::LEAST_OUTLINE);
+            silhouette::facets(&self.surface, edges, &self.normals, &view, Setup::LEAST_OUTLINE);
         let pixels = facets.iter().map(|facet| facet.pixels).fold(0.0, f64::max);
         if !facets.is_empty() {
-            self.found.push(Found {
+            self.found.push(MeshFinding {
                 kind: Kind::FacetedSilhouette,
                 count: facets.len() as u64,
                 severity: None,
@@ -303,7 +304,7 @@ impl<'a> Examination<'a> {
     }
 }
 
-/// Draws a mesh as it is, once, and cured, as often as there is something to cure.
+/// Measures severities: renders a mesh as it is, once, and repaired, for each fault.
 struct Measure<'e, 'a> {
     examination: &'e Examination<'a>,
     before: Option<Option<Pictures>>,

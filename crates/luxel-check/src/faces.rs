@@ -1,27 +1,26 @@
-//! Triangles by themselves: without area, doubled, long and thin.
+//! Faults of single triangles: no area, duplicates, slivers.
 
 use crate::surface::{RUN, Surface};
 use luxel_parallel::{gather, sort_u128};
 use luxel_scene::{Mesh, Scene, Sides};
 
-/// A triangle whose height is less than this part of its longest edge has no area: its normal hangs
-/// on the rounding of its corners, which in f32 is about 1e-7 of their coordinates.
+/// A triangle whose height is less than this fraction of its longest edge has no area: its normal depends
+/// on the rounding of its corners, about 1e-7 of their coordinates in f32.
 const FLAT: f64 = 1e-6;
 
 /// A triangle whose longest edge is at least this many times its height is a sliver.
 const SLIVER: f64 = 40.0;
 
-/// A sliver is harmless where the corner at its longest edge has the normal that the edge has there,
-/// to this angle. Cylinders are made of slivers whose corners lie at the ends of the longest edge,
-/// and flat faces of such as have one normal.
+/// A sliver is harmless if the normal of the corner at its longest edge agrees with the edge's there,
+/// within this angle. Cylinders consist of slivers whose corners lie at the ends of the longest edge; in
+/// flat faces all normals agree.
 const SLIVER_TURN_DEGREES: f64 = 15.0;
 
-/// How far the corner has to be from the ends of the longest edge, in parts of its length.
+/// The least distance of the corner from the ends of the longest edge, as a fraction of its length.
 const FROM_ENDS: f64 = 0.05;
 
-/// A triangle with this proportion is a sliver whatever its normals: a thousand pixels long, it is
-/// less than a pixel wide, and the direction of its own normal hangs on the last digits of its
-/// corners.
+/// From this proportion on, a triangle is a sliver whatever its normals: a thousand pixels long, it is less
+/// than a pixel wide, and its normal depends on the last digits of its corners.
 const NEEDLE: f64 = 1000.0;
 
 /// The longest edge's length and the height above it.
@@ -41,18 +40,18 @@ pub(crate) fn degenerate(surface: &Surface<'_>) -> Vec<u32> {
     filtered(surface, &is_flat)
 }
 
-/// Triangles over the same places as an earlier one, but for the backs of those of which only the
-/// front is drawn; and those backs, which are a surface of their own.
+/// Triangles over the same places as an earlier one, except back sides of one-sided triangles; and those
+/// back sides, which form a surface of their own.
 pub(crate) fn duplicates(
     surface: &Surface<'_>,
     scene: &Scene,
     is_degenerate: &[bool],
 ) -> (Vec<u32>, Vec<u32>) {
     let sides = sides_of(surface.mesh, scene);
-    // The places, then in 32 bits the side and the triangle, of which there are less than 2^31.
+    // The places, then in 32 bits the side and the triangle's index, which is below 2^31.
     let key = |triangle: usize| {
         let mut places = surface.triangles[triangle];
-        // Two swaps are a turn: the parity tells the sides apart.
+        // Two swaps are a rotation: the parity distinguishes the sides.
         let mut swaps = 0;
         for (i, j) in [(0, 1), (1, 2), (0, 1)] {
             if places[i] > places[j] {
@@ -92,7 +91,7 @@ pub(crate) fn duplicates(
     (duplicates, backs)
 }
 
-/// Which sides of each triangle are drawn.
+/// The visible sides of each triangle.
 fn sides_of(mesh: &Mesh, scene: &Scene) -> Vec<Sides> {
     let mut sides = vec![Sides::Both; mesh.triangles.len()];
     for part in &mesh.parts {
@@ -105,15 +104,15 @@ fn sides_of(mesh: &Mesh, scene: &Scene) -> Vec<Sides> {
     sides
 }
 
-/// Slivers whose corner disagrees with the longest edge that it almost lies in, and needles.
+/// Slivers whose corner's normal disagrees with the longest edge's, and needles.
 pub(crate) fn slivers(
     surface: &Surface<'_>,
     normals: &[[luxel_scene::DVec3; 3]],
-    is_left_out: &[bool],
+    is_excluded: &[bool],
 ) -> Vec<u32> {
     let least_cosine = libm::cos(SLIVER_TURN_DEGREES.to_radians());
     let is_sliver = |triangle: &u32| {
-        if is_left_out[*triangle as usize] {
+        if is_excluded[*triangle as usize] {
             return false;
         }
         let corners = surface.corners(*triangle);
@@ -137,7 +136,7 @@ pub(crate) fn slivers(
     filtered(surface, &is_sliver)
 }
 
-/// The triangles of which something holds.
+/// The triangles that satisfy a predicate.
 fn filtered(surface: &Surface<'_>, holds: &(impl Fn(&u32) -> bool + Sync)) -> Vec<u32> {
     gather(surface.triangles.len(), RUN, &|run, found| {
         found.extend((run.start as u32..run.end as u32).filter(holds));

@@ -1,4 +1,4 @@
-//! What was found: of which kind, how often, how bad, where, and what helps.
+//! Findings: kind, count, severity, places and remedy.
 
 use luxel_scene::DVec3;
 
@@ -8,44 +8,44 @@ use luxel_scene::DVec3;
 pub enum Kind {
     /// Triangles without area.
     DegenerateFace,
-    /// Triangles over the same three places as an earlier one.
+    /// Triangles over the same places as an earlier one.
     DuplicateFace,
-    /// Faces wound the other way round than the rest of their surface.
+    /// Faces wound against the rest of their surface.
     InconsistentWinding,
-    /// Faces wound so that their front is inside, or behind their normals.
+    /// Faces whose front is inside their solid, or behind their normals.
     FlippedWinding,
-    /// Edges at which surfaces that have only one side are cut.
+    /// Edges at which one-sided surfaces turn over.
     OneSidedSurface,
     /// Edges with three faces or more.
     NonManifoldEdge,
-    /// Corners in the middle of another face's edge.
+    /// Corners in the middle of a neighbour's edge.
     TJunction,
-    /// Edges that run along one another with a gap between them.
+    /// Edges that run along each other with a gap between them.
     Crack,
-    /// Vertices that say nothing that another one doesn't, in the middle of a smooth surface.
+    /// Vertices that duplicate another one on a smooth surface.
     DuplicateVertex,
     /// Vertex normals that are zero or not a number.
     UndefinedNormal,
-    /// Vertex normals of another length than 1.
+    /// Vertex normals not of unit length.
     NonUnitNormal,
     /// Vertex normals that point behind one of their faces.
     NormalBehindFace,
-    /// Faces of which their vertex normals know nothing.
+    /// Faces that face another way than the average of their vertex normals.
     UnrepresentativeNormals,
-    /// Folds that vertex normals average away.
+    /// Folds that averaged vertex normals hide.
     HiddenFold,
     /// Long thin triangles that show as streaks or dots.
     Sliver,
-    /// Faces that hold a highlight which their vertices miss.
+    /// Faces with a highlight that their vertices miss.
     MissedHighlight,
-    /// Triangles over which attributes slide where they are interpolated in the window.
+    /// Triangles over which attributes drift in screen-space interpolation.
     ScreenDrift,
-    /// Outlines of smooth surfaces that show their polygons.
+    /// Silhouettes of smooth surfaces that show their polygons.
     FacetedSilhouette,
 }
 
 impl Kind {
-    /// All kinds, in the order in which they are told.
+    /// All kinds, in the order of reports.
     pub const ALL: [Self; 18] = [
         Self::DegenerateFace,
         Self::DuplicateFace,
@@ -92,7 +92,7 @@ impl Kind {
         }
     }
 
-    /// What is counted, in the plural, with what is wrong with it.
+    /// A description of the counted elements and their fault, in the plural.
     #[must_use]
     pub const fn about(self) -> &'static str {
         match self {
@@ -155,7 +155,7 @@ impl Kind {
         }
     }
 
-    /// What helps.
+    /// The remedy.
     #[must_use]
     pub const fn cure(self) -> &'static str {
         match self {
@@ -188,30 +188,28 @@ impl Kind {
     }
 }
 
-/// Where something is.
+/// The place of a finding.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// The object, by its number.
+    /// The object's index.
     pub object: u32,
-    /// The triangle, by its number within the object, if it is one.
+    /// The triangle's index in the object, if there is one.
     pub triangle: Option<u32>,
     /// In world space: a triangle's centroid, an edge's middle, a vertex.
     pub position: DVec3,
 }
 
-/// One kind of finding, over the whole scene.
+/// All findings of one kind in a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// What it is.
+    /// The kind.
     pub kind: Kind,
-    /// How often: triangles, edges or vertices, as the kind says.
+    /// The number of triangles, edges or vertices, depending on the kind.
     pub count: u64,
-    /// The largest difference that it makes, in steps of the picture's 8 bits; `None` where that has
-    /// no meaning or can't be told.
+    /// The largest difference in a picture, in 8-bit steps; `None` if undefined or unknown.
     pub severity: Option<f32>,
-    /// For outlines the largest distance from the curve that they stand for, for drift how far things
-    /// slide: in pixels.
+    /// The largest deviation of a silhouette from its curve, or the largest drift, in pixels.
     pub pixels: Option<f32>,
-    /// The first few places, in the order of objects and triangles.
+    /// The first places, in the order of objects and triangles.
     pub places: Vec<Place>,
 }

@@ -1,29 +1,29 @@
-//! Where a surface comes apart: corners in the middle of edges, and gaps between edges.
+//! Open seams of a surface: corners in the middle of edges, and gaps between edges.
 
-use crate::nearby::{MOST, Nearby};
+use crate::kd_tree::{KdTree, MAX_RESULTS};
 use crate::surface::{HalfEdge, Surface};
 use luxel_parallel::{gather, sort_u64};
 use luxel_scene::DVec3;
 
-/// How far a corner may lie beside an edge to be in it, in parts of the edge's length: a quarter of
-/// a pixel where the edge is a thousand pixels long.
+/// The largest distance of a corner from an edge that contains it, as a fraction of the edge's length: a
+/// quarter of a pixel on an edge of a thousand pixels.
 const BESIDE: f64 = 2.5e-4;
 
-/// What rounding to f32 leaves, in parts of the mesh's extent.
+/// Rounding to f32, as a fraction of the mesh's extent.
 const ROUNDING: f64 = 5e-7;
 
-/// How wide a gap may be to be one that was not meant, in parts of the shorter edge at it.
+/// The largest width of an unintended gap, as a fraction of its shorter edge.
 const GAP: f64 = 0.01;
 
-/// How many edges one thread looks along at a time.
+/// Edges per task.
 const RUN: usize = 1 << 8;
 
-/// What is open where it should be closed.
+/// Open seams that should be closed.
 #[derive(Default)]
 pub(crate) struct Gaps {
-    /// Corners in the middle of a neighbour's edge: the place, and the edge.
+    /// Corners in the middle of a neighbour's edge: place and edge.
     pub(crate) t_junctions: Vec<(u32, HalfEdge)>,
-    /// Edges along a gap, each with the one beyond.
+    /// Edges along a gap, each with its opposite.
     pub(crate) cracks: Vec<(HalfEdge, HalfEdge)>,
 }
 
@@ -31,12 +31,12 @@ pub(crate) struct Gaps {
 struct Boundary<'s, 'm> {
     surface: &'s Surface<'m>,
     half_edges: &'s [HalfEdge],
-    /// Place above and half-edge below, for both ends of each, sorted.
+    /// Keys of both ends of each half-edge, sorted.
     at_places: Vec<u64>,
-    nearby: Nearby,
+    nearby: KdTree,
 }
 
-/// Looks along the edges that have one triangle only.
+/// Examines the boundary edges.
 pub(crate) fn find(surface: &Surface<'_>, half_edges: &[HalfEdge]) -> Gaps {
     if half_edges.len() < 2 {
         return Gaps::default();
@@ -48,24 +48,24 @@ pub(crate) fn find(surface: &Surface<'_>, half_edges: &[HalfEdge]) -> Gaps {
     sort_u64(&mut at_places);
     let mut places: Vec<u32> = at_places.iter().map(|key| (key >> 32) as u32).collect();
     places.dedup();
-    let nearby = Nearby::new(places.into_iter().map(|at| (surface.at(at), at)).collect());
+    let nearby = KdTree::new(places.into_iter().map(|at| (surface.at(at), at)).collect());
     let boundary = Boundary { surface, half_edges, at_places, nearby };
     Gaps { t_junctions: boundary.t_junctions(), cracks: boundary.cracks() }
 }
 
-/// A place above, a half-edge below: to sort by.
+/// A sort key: the place in the upper bits, the half-edge in the lower.
 fn key(place: u32, half_edge: HalfEdge) -> u64 {
     u64::from(place) << 32 | u64::from(half_edge)
 }
 
 impl Boundary<'_, '_> {
-    /// The half-edges that begin or end at a place; the first few if a great many do.
+    /// The half-edges that start or end at a place; a limited number of them.
     fn at(&self, place: u32) -> impl Iterator<Item = HalfEdge> {
         let first = self.at_places.partition_point(|other| *other < key(place, 0));
         let run = self.at_places[first..].iter();
         run.take_while(move |other| (*other >> 32) as u32 == place)
             .map(|key| *key as HalfEdge)
-            .take(MOST)
+            .take(MAX_RESULTS)
     }
 
     /// The other end of a half-edge.
@@ -85,7 +85,7 @@ impl Boundary<'_, '_> {
                 let at = self.surface.at(place);
                 at.distance(from) > 2.0 * reach && at.distance(to) > 2.0 * reach
             };
-            // The neighbour's edge goes on along this one: else the two only touch.
+            // The neighbour's edge continues along this one; otherwise the two only touch.
             let goes_along = |place: u32| {
                 self.at(place).any(|other| other != half_edge && is_on(self.beyond(other, place)))
             };
@@ -119,7 +119,7 @@ impl Boundary<'_, '_> {
                         self.surface.at(other_from).distance(self.surface.at(other_to));
                     one.distance(two) <= GAP * length.min(other_length)
                 };
-                // Over the gap runs another way than here, or the same way if it is flipped.
+                // The opposite edge runs the other way, or the same way if it is flipped.
                 let ends = [self.surface.at(other_from), self.surface.at(other_to)];
                 let across = is_narrow([at_from, ends[1]]) && is_narrow([at_to, ends[0]]);
                 let along = is_narrow([at_from, ends[0]]) && is_narrow([at_to, ends[1]]);
@@ -127,7 +127,7 @@ impl Boundary<'_, '_> {
             };
             let near = found.iter().flat_map(|&place| self.at(place));
             let partner = near.filter(is_beyond_gap).min();
-            // Told once, from the lower side.
+            // Reported once, from the lower half-edge.
             partner.filter(|&partner| half_edge < partner).map(|partner| (half_edge, partner))
         };
         gather(self.half_edges.len(), RUN, &|run, cracks| {

@@ -1,31 +1,31 @@
-//! What in a mesh spoils its shading: where, how much, and what helps.
+//! Finds mesh faults that spoil shading: where they are, how severe, and how to fix them.
 //!
-//! [`check`] looks through a [`Scene`](luxel_scene::Scene) as its file has it, for what a renderer
-//! can't mend: triangles without area, winding that doesn't agree, gaps, normals that say something
-//! else than the faces, and for what is too coarse for the view. `docs/check.md` has each kind with
-//! its formula and its thresholds. [`Report::marked`] makes a scene that shows where it all is.
+//! [`check`] examines a [`Scene`](luxel_scene::Scene) as loaded, for faults that a renderer can't
+//! repair: triangles without area, inconsistent winding, gaps, normals that contradict the faces, and
+//! meshes too coarse for the view. `docs/check.md` describes each kind with its formula and thresholds.
+//! [`Report::marked`] makes a scene that shows all findings.
 //!
-//! How bad a finding is, is measured: the mesh is drawn as it is and with this finding cured, and
-//! the pictures are compared ([`Finding::severity`]).
+//! The severity of a finding is measured: the mesh is rendered as it is and with the finding repaired,
+//! and the pictures are compared ([`Finding::severity`]).
 //!
-//! Questions about neighbours are answered by sorting edges, those about distances by a k-d tree, so
-//! that the time grows hardly faster than the mesh.
+//! Neighbours are found by sorting edges, points near edges by a k-d tree, so that the time grows
+//! little faster than the mesh.
 
 #![forbid(unsafe_code)]
 
 mod cure;
-mod drift;
 mod examination;
 mod faces;
 mod finding;
-mod folds;
 mod gaps;
-mod highlight;
-mod lost;
-mod marks;
-mod nearby;
+mod hidden_folds;
+mod highlight_loss;
+mod kd_tree;
+mod marked_scene;
+mod missed_highlights;
 mod normals;
 mod report;
+mod screen_drift;
 mod severity;
 mod silhouette;
 mod surface;

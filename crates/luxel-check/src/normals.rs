@@ -1,22 +1,22 @@
-//! Vertex normals against the faces that they stand for.
+//! Vertex normals compared with their faces.
 
 use crate::surface::{RUN, Surface};
 use luxel_parallel::{any, fill, gather, sort_u64, sort_u128};
 use luxel_scene::{DVec3, Mesh, NormalFault};
 
-/// A normal is behind its face where the cosine of the angle to the face's is below this: two
-/// degrees beyond the plane, more than files round.
+/// A normal is behind its face if the cosine of the angle between them is below this: two degrees beyond
+/// the plane, more than rounding in files.
 const BEHIND: f64 = -0.035;
 
-/// Normals say nothing of a face where their average is turned away from its own by more than this.
+/// The largest angle between a face's normal and the average of its vertex normals.
 const UNREPRESENTATIVE_DEGREES: f64 = 60.0;
 
-/// What is wrong with normals.
+/// Faults of normals.
 #[derive(Default)]
 pub(crate) struct Normals {
-    /// Attribute vertices whose normal points behind one of their faces, with the face.
+    /// Attribute vertices whose normal points behind a face, with the face.
     pub(crate) behind: Vec<(u32, u32)>,
-    /// Triangles of which their normals know nothing.
+    /// Triangles whose vertex normals don't represent them.
     pub(crate) unrepresentative: Vec<u32>,
 }
 
@@ -36,26 +36,26 @@ pub(crate) fn of_corners(mesh: &Mesh) -> Vec<[DVec3; 3]> {
     normals
 }
 
-/// A face's own normal, on the side that most of its vertices take for the front.
+/// A face's own normal, on the side of most of its vertex normals.
 pub(crate) fn facing(surface: &Surface<'_>, normals: &[[DVec3; 3]], triangle: usize) -> DVec3 {
     let face = surface.area_vector(triangle as u32).normalize_or_zero();
     let sum: DVec3 = normals[triangle].iter().sum();
     if face.dot(sum) < 0.0 { -face } else { face }
 }
 
-/// Compares the normals of corners, which are those of the mesh as it is drawn, with their faces;
-/// those left out, and those that are flipped as a whole, have been told of.
+/// Compares the normals of corners, as rendered, with their faces. Excluded faces and entirely flipped ones
+/// are reported elsewhere.
 pub(crate) fn examine(
     surface: &Surface<'_>,
     drawn: &Mesh,
     normals: &[[DVec3; 3]],
-    is_left_out: &[bool],
+    is_excluded: &[bool],
 ) -> Normals {
     let least = libm::cos(UNREPRESENTATIVE_DEGREES.to_radians());
     let face = |triangle: usize| facing(surface, normals, triangle);
-    let kept = |triangle: &usize| !is_left_out[*triangle];
+    let kept = |triangle: &usize| !is_excluded[*triangle];
     let corners = drawn.attribute_corners();
-    // Vertex above, triangle below.
+    // The vertex in the upper bits, the triangle in the lower.
     let mut behind = gather(surface.triangles.len(), RUN, &|run, found| {
         for triangle in run.filter(kept) {
             let face = face(triangle);
@@ -81,7 +81,7 @@ pub(crate) fn examine(
     Normals { behind, unrepresentative }
 }
 
-/// What is wrong with the normals of the file: what its reader has told, and what is still there.
+/// Faults of the file's normals: those that its reader has reported, and remaining ones.
 pub(crate) fn faults(mesh: &Mesh) -> Vec<NormalFault> {
     let mut faults = mesh.normal_faults.clone();
     let is_wrong = |vertex: usize| {
@@ -101,23 +101,22 @@ pub(crate) fn faults(mesh: &Mesh) -> Vec<NormalFault> {
     faults
 }
 
-/// Attribute vertices equal to an earlier one in all that the file says of them, on a surface that
-/// is smooth there although each of both has faces of its own: whoever averages normals by the
-/// vertices' numbers shows a seam.
+/// Attribute vertices with the same attributes as an earlier one, on a smooth surface, though each has faces
+/// of its own: programs that average normals by vertex index show a seam.
 pub(crate) fn seams(surface: &Surface<'_>, normals: &[[DVec3; 3]]) -> Vec<u32> {
-    /// Averages closer together than this show no seam: two degrees.
+    /// The cosine above which averages show no seam: two degrees.
     const SEAM: f64 = 0.999_39;
-    /// Smooth surfaces have one normal on both sides, to this cosine.
+    /// The least cosine between the normals on both sides of a smooth surface.
     const SMOOTH: f64 = 0.999_9;
-    /// With so many earlier vertices each is compared.
+    /// The most earlier vertices compared with each.
     const MOST_COMPARED: usize = 64;
     let mesh = surface.mesh;
     let is_whole = surface.triangles[..] == mesh.triangles[..surface.triangles.len()];
     if is_whole && mesh.attribute_corners.is_none() {
-        // No two positions are at one place.
+        // All positions are distinct.
         return Vec::new();
     }
-    // For each attribute vertex: its position, the normal that is drawn, the one of its own faces.
+    // For each attribute vertex: position, rendered normal, average normal of its own faces.
     let highest = mesh.attribute_corners().as_flattened().iter().max();
     let count = highest.map_or(0, |&highest| highest as usize + 1);
     let mut position_of = vec![u32::MAX; count];
@@ -134,9 +133,9 @@ pub(crate) fn seams(surface: &Surface<'_>, normals: &[[DVec3; 3]]) -> Vec<u32> {
         }
     }
     fill(&mut own, RUN, &|_, run| run.iter_mut().for_each(|sum| *sum = sum.normalize_or_zero()));
-    // 0 and -0 are the same.
+    // 0 and -0 are equal.
     let bits = |value: f32| (value + 0.0).to_bits();
-    // Vertices by their positions, then by their numbers.
+    // Vertices by position, then by index.
     let mut at_places = gather(count, RUN, &|run, keys| {
         for vertex in run.filter(|&vertex| position_of[vertex] != u32::MAX) {
             let position = mesh.positions[position_of[vertex] as usize];

@@ -1,53 +1,53 @@
-//! What a check asks and answers.
+//! The setup and the report of a check.
 
 use crate::finding::{Finding, Kind, Place};
 use crate::surface::HalfEdge;
 use luxel_render::{Execution, View};
 use luxel_scene::{DVec3, Mesh, NormalOptions, Object};
 
-/// What the findings hang on, beside the scene.
+/// The parameters of a check.
 #[derive(Clone, Debug)]
 pub struct Setup {
-    /// The picture that is to be drawn: its camera decides on outlines; highlights are asked for
-    /// where its shading lights vertices, and drift where it interpolates in the window.
+    /// The view: its camera decides on silhouettes; highlights are checked if its shading lights
+    /// vertices, drift if it interpolates in screen space.
     pub view: View,
-    /// Where normals come from.
+    /// The source of normals.
     pub normals: NormalOptions,
-    /// How the pictures are drawn by which severity is measured.
+    /// How pictures for severities are rendered.
     pub execution: Execution,
 }
 
 impl Setup {
-    /// Highlights that lose this many steps are told of: a sixteenth of the range.
+    /// The least loss of a reported highlight, in 8-bit steps: a sixteenth of the range.
     pub const LEAST_HIGHLIGHT: f32 = 16.0;
-    /// Things that slide this far in the window are told of, in pixels.
+    /// The least reported drift of attributes, in pixels.
     pub const LEAST_DRIFT: f64 = 4.0;
-    /// Outlines this far off are told of, in pixels: more than what a regular polygon of 16 sides has
-    /// that fills the height of 720 pixels by eight tenths.
+    /// The least reported deviation of a silhouette from its curve, in pixels: more than that of a regular
+    /// polygon of 16 sides over eight tenths of 720 pixels.
     pub const LEAST_OUTLINE: f64 = 6.0;
-    /// How many places of a kind are told.
+    /// The most places listed for a kind.
     pub const MOST_PLACES: usize = 16;
 }
 
-/// What a finding is at.
+/// The element of a finding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Spot {
     Triangle(u32),
     Edge(HalfEdge),
-    /// A place, and a triangle that it is at.
+    /// A position, and a triangle that uses it.
     Vertex(u32, u32),
 }
 
-/// All that is found in a scene.
+/// The findings of a scene.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// One entry for each kind that is found, in the order of [`Kind::ALL`].
+    /// One entry per kind found, in the order of [`Kind::ALL`].
     pub findings: Vec<Finding>,
-    /// What is to be marked, with its object's number.
+    /// The elements to mark, with their objects' indices.
     pub(crate) spots: Vec<(Kind, u32, Spot)>,
 }
 
-/// Where something is, in the world.
+/// The place of an element in world space.
 pub(crate) fn place(number: u32, object: &Object, mesh: &Mesh, spot: Spot) -> Place {
     let corner = |triangle: u32, k: usize| mesh.position(mesh.triangles[triangle as usize][k]);
     let (triangle, position) = match spot {

@@ -1,4 +1,4 @@
-//! How much of the picture a finding spoils: the mesh drawn as it is and cured, and compared.
+//! Severity: pictures of the mesh as it is and repaired, compared.
 
 use luxel_render::{Cull, EnvironmentChoice, Execution, Renderer, View};
 use luxel_scene::{
@@ -6,7 +6,7 @@ use luxel_scene::{
     Scene, SceneMaterial, Size, default_lights,
 };
 
-/// The sides from which a mesh is drawn, and what is up there.
+/// The directions from which a mesh is rendered, with their up vectors.
 const SIDES: [(DVec3, DVec3); 6] = [
     (DVec3::X, DVec3::Y),
     (DVec3::NEG_X, DVec3::Y),
@@ -16,7 +16,7 @@ const SIDES: [(DVec3, DVec3); 6] = [
     (DVec3::NEG_Z, DVec3::Y),
 ];
 
-/// Pixels across and down.
+/// Width and height in pixels.
 const SIDE: u32 = 384;
 
 /// The pictures of a mesh from all sides.
@@ -25,8 +25,8 @@ pub(crate) struct Pictures {
 }
 
 impl Pictures {
-    /// Draws a mesh in the plain material under the default lights, in parallel rays. `None` where
-    /// it can't be drawn.
+    /// Renders a mesh orthographically, with the default material and lights; `None` if it can't be
+    /// rendered.
     pub(crate) fn of(
         mesh: &Mesh,
         scene: &Scene,
@@ -38,10 +38,10 @@ impl Pictures {
         if bounds.is_empty() || !radius.is_finite() || radius <= 0.0 {
             return None;
         }
-        let mut alone = Scene {
+        let mut isolated = Scene {
             nodes: vec![Node::root("", Some(MeshId(0)))],
             meshes: vec![Mesh { uvs: Default::default(), colors: Vec::new(), ..mesh.clone() }],
-            // Of the materials only the sides that are drawn.
+            // Default materials, but for the sides that are drawn.
             materials: scene
                 .materials
                 .iter()
@@ -49,8 +49,8 @@ impl Pictures {
                 .collect(),
             ..Scene::default()
         };
-        alone.compute_normals(normals);
-        let renderer = Renderer::new(alone, execution).ok()?;
+        isolated.compute_normals(normals);
+        let renderer = Renderer::new(isolated, execution).ok()?;
         let view = |(side, up): (DVec3, DVec3)| View {
             size: Size { width: SIDE, height: SIDE },
             camera: Camera {
@@ -81,14 +81,14 @@ impl Pictures {
         Some(Self { pixels })
     }
 
-    /// The largest difference of a colour or of alpha, in steps of 8 bits.
+    /// The largest difference of a colour or alpha, in 8-bit steps.
     pub(crate) fn difference(&self, other: &Self) -> f32 {
         let pairs = self.pixels.iter().zip(&other.pixels);
         pairs.map(|(one, other)| largest_difference(one, other)).fold(0.0, f32::max)
     }
 }
 
-/// The largest difference of a colour or of alpha between two pictures, in steps of 8 bits.
+/// The largest difference of a colour or alpha between two pictures, in 8-bit steps.
 pub(crate) fn largest_difference(one: &[[u8; 4]], other: &[[u8; 4]]) -> f32 {
     let of_pixel = |(one, other): (&[u8; 4], &[u8; 4])| {
         let steps = one.iter().zip(other).map(|(one, other)| one.abs_diff(*other));

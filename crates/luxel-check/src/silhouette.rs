@@ -1,39 +1,38 @@
-//! Outlines that are straight where the surface is curved.
+//! Silhouettes that are straight where the surface is curved.
 
-use crate::nearby::MOST;
+use crate::kd_tree::MAX_RESULTS;
 use crate::surface::{Edges, HalfEdge, RUN, Surface, half_edge_of};
 use luxel_parallel::fill;
 use luxel_scene::{Camera, DMat4, DVec3, DVec4, Size};
 
-/// A smooth edge has the same normal on both of its sides, to this cosine.
-const SAME: f64 = 0.999;
+/// The least cosine between the normals on both sides of a smooth edge.
+const MIN_SMOOTH_COSINE: f64 = 0.999;
 
-/// How long the next edge of a curve's outline is at least, in parts of an edge's length.
-const NEXT: f64 = 0.4;
+/// The least length of the next edge of a curved outline, as a fraction of the edge's length.
+const MIN_NEXT_LENGTH: f64 = 0.4;
 
-/// How far it turns at most, as a cosine: a hexagon's turns by 60 degrees, and what zigzags is no
-/// curve.
-const STRAIGHT: f64 = 0.4;
+/// The cosine of its largest turn: a hexagon's is 60 degrees, zigzags aren't curves.
+const MIN_TURN_COSINE: f64 = 0.4;
 
-/// An edge of the outline that is not round.
+/// A visibly straight edge of a curved outline.
 pub(crate) struct Facet {
     pub(crate) half_edge: HalfEdge,
-    /// How far the curve stands off the edge, in pixels.
+    /// The deviation of the curve from the edge, in pixels.
     pub(crate) pixels: f64,
 }
 
-/// The view of a mesh.
-pub(crate) struct Sight {
+/// The view of a mesh, in its own coordinates.
+pub(crate) struct MeshView {
     clip_from_mesh: DMat4,
     world_from_mesh: DMat4,
     eye: DVec3,
-    /// The direction of the view where rays are parallel.
+    /// The view direction of an orthographic camera.
     parallel: Option<DVec3>,
     size: DVec3,
 }
 
-impl Sight {
-    /// Of a mesh whose origin is moved to 0.
+impl MeshView {
+    /// The view of a mesh relative to its origin.
     pub(crate) fn new(camera: &Camera, size: Size, world_from_mesh: &DMat4, origin: DVec3) -> Self {
         let world_from_mesh = *world_from_mesh * DMat4::from_translation(origin);
         let clip_from_view = camera.projection.clip_from_view(size);
@@ -47,12 +46,12 @@ impl Sight {
         }
     }
 
-    /// A place in pixels, about the window's middle; `None` behind the eye.
+    /// A place in pixels from the window's centre; `None` behind the eye.
     fn pixel(&self, place: DVec3) -> Option<DVec3> {
         self.pixel_and_depth(place).map(|(pixel, _)| pixel)
     }
 
-    /// The same, with the depth that interpolation divides by: 1 for parallel rays.
+    /// The same, with the depth that interpolation divides by: 1 for orthographic cameras.
     pub(crate) fn pixel_and_depth(&self, place: DVec3) -> Option<(DVec3, f64)> {
         let clip: DVec4 = self.clip_from_mesh * place.extend(1.0);
         (clip.w > 1e-9).then(|| {
@@ -61,7 +60,7 @@ impl Sight {
         })
     }
 
-    /// Whether a triangle in front of the eye can't be seen in the window.
+    /// Whether a triangle in front of the eye lies outside the window.
     pub(crate) fn is_beside_window(&self, corners: &[Option<(DVec3, f64)>; 3]) -> bool {
         let [Some((a, _)), Some((b, _)), Some((c, _))] = *corners else { return false };
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
@@ -72,7 +71,7 @@ impl Sight {
         pixel.x.abs() <= self.size.x && pixel.y.abs() <= self.size.y
     }
 
-    /// Whether a triangle shows the side that its area points to.
+    /// Whether a triangle is front-facing.
     fn faces_eye(&self, corners: [DVec3; 3]) -> bool {
         let [a, b, c] = corners.map(|corner| self.world_from_mesh.transform_point3(corner));
         let towards = self.parallel.map_or(self.eye - a, |direction| -direction);
@@ -94,22 +93,22 @@ impl Outline {
     }
 }
 
-/// The edges of the outline whose curve stands off by more than a number of pixels.
+/// The edges of the outline that deviate from their curve by more than a number of pixels.
 ///
 /// An edge belongs to the outline where one of its triangles shows its front and the other its back.
-/// It stands for a curve that is at right angles to the vertex normals, as the picture shows them,
-/// at its ends: an arc that turns by their angle t. Over a chord of length c it rises by
-/// c / 2 tan(t / 4). Where the outline goes on in much shorter edges, these do the turning, and the
-/// long one is meant to be straight; where it zigzags, it isn't the outline of a curve.
+/// It approximates a curve perpendicular to the projected vertex normals at its ends: an arc that turns
+/// by their angle t, and rises over its chord of length c by c / 2 tan(t / 4). If the outline continues
+/// in much shorter edges, these make the turn and the long edge is meant to be straight; zigzags aren't
+/// outlines of curves.
 pub(crate) fn facets(
     surface: &Surface<'_>,
     edges: &Edges,
     normals: &[[DVec3; 3]],
-    sight: &Sight,
+    view: &MeshView,
     least_pixels: f64,
 ) -> Vec<Facet> {
-    let outline = outline(surface, edges, sight);
-    // The ways from each place along the outline.
+    let outline = outline(surface, edges, view);
+    // The directions from each place along the outline.
     let mut ways: Vec<(u32, HalfEdge, DVec3)> = Vec::with_capacity(2 * outline.len());
     for Outline { half_edge, ends, pixels: [begin, end], .. } in &outline {
         ways.push((ends[0], *half_edge, *end - *begin));
@@ -120,12 +119,12 @@ pub(crate) fn facets(
         let into = edge.pixels[k] - edge.pixels[1 - k];
         let first = ways.partition_point(|(other, ..)| *other < edge.ends[k]);
         let here = ways[first..].iter().take_while(|(other, ..)| *other == edge.ends[k]);
-        // Where more edges of an outline meet than this, it isn't the outline of a curve.
-        let mut here = here.take(MOST);
+        // Where more edges meet, it isn't the outline of a curve.
+        let mut here = here.take(MAX_RESULTS);
         here.any(|(_, half_edge, way)| {
             *half_edge != edge.half_edge
-                && way.length() >= NEXT * into.length()
-                && way.dot(into) >= STRAIGHT * way.length() * into.length()
+                && way.length() >= MIN_NEXT_LENGTH * into.length()
+                && way.dot(into) >= MIN_TURN_COSINE * way.length() * into.length()
         })
     };
     let mut facets = Vec::new();
@@ -137,14 +136,15 @@ pub(crate) fn facets(
         };
         let ends = edge.ends.map(|place| at(edge.half_edge, place));
         let beyond = edge.ends.map(|place| at(edge.other, place));
-        if ends[0].dot(beyond[0]) < SAME || ends[1].dot(beyond[1]) < SAME {
+        if ends[0].dot(beyond[0]) < MIN_SMOOTH_COSINE || ends[1].dot(beyond[1]) < MIN_SMOOTH_COSINE
+        {
             continue;
         }
-        // Normals as the picture shows them: a step along each, in parts of the edge.
+        // Projected normals: a step along each, relative to the edge.
         let places = edge.ends.map(|place| surface.at(place));
         let step = 0.01 * places[0].distance(places[1]);
         let shown = |k: usize| {
-            let pixel = sight.pixel(places[k] + ends[k] * step)?;
+            let pixel = view.pixel(places[k] + ends[k] * step)?;
             Some((pixel - edge.pixels[k]).normalize_or_zero())
         };
         let (Some(first), Some(last)) = (shown(0), shown(1)) else { continue };
@@ -157,12 +157,12 @@ pub(crate) fn facets(
     facets
 }
 
-/// The outline in the window, in order of its edges' places.
-fn outline(surface: &Surface<'_>, edges: &Edges, sight: &Sight) -> Vec<Outline> {
+/// The outline in the window, in order of its edges.
+fn outline(surface: &Surface<'_>, edges: &Edges, view: &MeshView) -> Vec<Outline> {
     let mut faces_eye = vec![false; surface.triangles.len()];
     fill(&mut faces_eye, RUN, &|start, run| {
         for (triangle, faces_eye) in (start as u32..).zip(run) {
-            *faces_eye = sight.faces_eye(surface.corners(triangle));
+            *faces_eye = view.faces_eye(surface.corners(triangle));
         }
     });
     let mut outline = Vec::new();
@@ -173,10 +173,10 @@ fn outline(surface: &Surface<'_>, edges: &Edges, sight: &Sight) -> Vec<Outline> 
             continue;
         }
         let ends = surface.ends(half_edge);
-        let [Some(begin), Some(end)] = ends.map(|place| sight.pixel(surface.at(place))) else {
+        let [Some(begin), Some(end)] = ends.map(|place| view.pixel(surface.at(place))) else {
             continue;
         };
-        if sight.is_in_window(begin) && sight.is_in_window(end) {
+        if view.is_in_window(begin) && view.is_in_window(end) {
             outline.push(Outline { half_edge, other, ends, pixels: [begin, end] });
         }
     }

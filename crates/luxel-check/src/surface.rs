@@ -1,13 +1,13 @@
-//! A mesh as a surface: triangles over places, and which meet at which edge.
+//! A mesh as a surface: triangles over places, and their adjacency by edges.
 //!
 //! A *place* is a position, or several with equal coordinates, as in
 //! [`Topology`](luxel_scene::Topology): files split positions where attributes change, and a seam
-//! of texture coordinates is no gap.
+//! of texture coordinates isn't a gap.
 
 use luxel_parallel::{fill, gather, sort_u128};
 use luxel_scene::{DVec3, Mesh, weld};
 
-/// How many triangles one thread takes at a time.
+/// Triangles per task.
 pub(crate) const RUN: usize = 1 << 12;
 
 /// A mesh as a surface.
@@ -15,32 +15,31 @@ pub(crate) struct Surface<'m> {
     pub(crate) mesh: &'m Mesh,
     /// The places of each triangle's corners.
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// The diagonal of the bounds of all that is drawn.
+    /// The diagonal of the triangles' bounds.
     pub(crate) extent: f64,
 }
 
 /// An edge of a triangle: from corner k to corner k + 1 of triangle t, numbered 3 t + k.
 pub(crate) type HalfEdge = u32;
 
-/// A half-edge as a key to sort by: the lower of its two places, the higher one, nothing, and the
-/// half-edge, 32 bits each.
-pub(crate) type Side = u128;
+/// A sort key of a half-edge: its lower place, its higher place, zero, and the half-edge, 32 bits each.
+pub(crate) type EdgeKey = u128;
 
 /// The half-edge of a key.
 #[inline]
-pub(crate) const fn half_edge_of(side: Side) -> HalfEdge {
-    side as u32
+pub(crate) const fn half_edge_of(key: EdgeKey) -> HalfEdge {
+    key as u32
 }
 
-/// The half-edges of a surface, those over the same two places side by side.
+/// The half-edges of a surface, sorted by their places.
 pub(crate) struct Edges {
-    sorted: Vec<Side>,
+    sorted: Vec<EdgeKey>,
 }
 
 impl<'m> Surface<'m> {
     pub(crate) fn of(mesh: &'m Mesh) -> Self {
         let places = weld(&mesh.positions);
-        // Half-edges are numbered in 32 bits.
+        // Half-edges have 32-bit indices.
         let most = mesh.triangles.len().min((u32::MAX / 3) as usize);
         let mut triangles = vec![[0; 3]; most];
         fill(&mut triangles, RUN, &|start, run| {
@@ -53,7 +52,7 @@ impl<'m> Surface<'m> {
         Self { mesh, triangles, extent }
     }
 
-    /// A place, about the mesh's origin: exact in f64.
+    /// A place relative to the mesh's origin, exact in f64.
     #[inline]
     pub(crate) fn at(&self, place: u32) -> DVec3 {
         let [x, y, z] = self.mesh.positions[place as usize];
@@ -83,10 +82,10 @@ impl<'m> Surface<'m> {
 }
 
 impl Edges {
-    /// The half-edges of all triangles but those left out.
-    pub(crate) fn of(surface: &Surface<'_>, is_left_out: &[bool]) -> Self {
+    /// The half-edges of all triangles that aren't excluded.
+    pub(crate) fn of(surface: &Surface<'_>, is_excluded: &[bool]) -> Self {
         let mut sorted = gather(surface.triangles.len(), RUN, &|run, sides| {
-            for triangle in run.filter(|&triangle| !is_left_out[triangle]) {
+            for triangle in run.filter(|&triangle| !is_excluded[triangle]) {
                 for half_edge in 3 * triangle as u32..3 * triangle as u32 + 3 {
                     let [a, b] = surface.ends(half_edge);
                     if a != b {
@@ -100,12 +99,12 @@ impl Edges {
         Self { sorted }
     }
 
-    /// Each edge, by the half-edges along it.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = &[Side]> {
+    /// The edges, each as its half-edges.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &[EdgeKey]> {
         self.sorted.chunk_by(|one, other| one >> 64 == other >> 64)
     }
 
-    /// The half-edges that no other triangle shares, in order of their places.
+    /// The half-edges without a neighbour, in order of their places.
     pub(crate) fn boundary(&self) -> Vec<HalfEdge> {
         self.iter().filter(|edge| edge.len() == 1).map(|edge| half_edge_of(edge[0])).collect()
     }

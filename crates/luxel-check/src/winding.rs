@@ -1,21 +1,21 @@
-//! Winding: which way round triangles go, by their neighbours, their solid and their normals.
+//! Winding of triangles, compared with their neighbours, their solid and their normals.
 
 use crate::surface::{Edges, Surface, half_edge_of};
 use luxel_scene::DVec3;
 
-/// What is wrong with the winding.
+/// Faults of winding.
 #[derive(Default)]
 pub(crate) struct Winding {
-    /// Triangles wound the other way round than most of their surface.
+    /// Triangles wound against most of their surface.
     pub(crate) inconsistent: Vec<u32>,
     /// Triangles whose front is inside their solid, or behind all of their normals.
     pub(crate) flipped: Vec<u32>,
-    /// Half-edges at which a surface with one side turns over.
+    /// Half-edges at which a one-sided surface turns over.
     pub(crate) turnovers: Vec<u32>,
 }
 
-/// Triangles in sets that are connected over edges of two triangles, each triangle with its winding
-/// against that of its set's root.
+/// Union-find of triangles connected by edges of two triangles, each with its winding relative to the
+/// set's root.
 struct Sets {
     parent: Vec<u32>,
     /// Whether a triangle is wound against its parent.
@@ -29,7 +29,7 @@ impl Sets {
 
     /// The root, and whether the triangle is wound against it.
     fn find(&mut self, triangle: u32) -> (u32, bool) {
-        // Up to the root, then down again, tying everything on the way to it.
+        // Finds the root, then compresses the path.
         let mut root = triangle;
         let mut against = false;
         while self.parent[root as usize] != root {
@@ -49,7 +49,7 @@ impl Sets {
         (root, against)
     }
 
-    /// Joins two neighbours; `false` if they are joined already, the other way round.
+    /// Joins two neighbours; `false` if they are joined already with the opposite winding.
     fn join(&mut self, one: u32, other: u32, against: bool) -> bool {
         let (root, one_against) = self.find(one);
         let (other_root, other_against) = self.find(other);
@@ -57,7 +57,7 @@ impl Sets {
         if root == other_root {
             return !between;
         }
-        // The lower number stays on top, so that nothing hangs on the order of joining.
+        // The lower index becomes the root, so that the order of joining doesn't matter.
         let (top, below) = (root.min(other_root), root.max(other_root));
         self.parent[below as usize] = top;
         self.against[below as usize] = between;
@@ -70,12 +70,12 @@ impl Sets {
 struct Component {
     triangles: u64,
     against: u64,
-    /// Half-edges whose other side is missing or not one triangle.
+    /// Half-edges without exactly one neighbour.
     open: u64,
     turns_over: bool,
-    /// Six times the volume within, from the majority's winding.
+    /// Six times the enclosed volume, by the majority's winding.
     volume: f64,
-    /// Sum of what `volume` was added up from, without signs: what rounding goes by.
+    /// The sum of magnitudes in `volume`, which bounds its rounding.
     size: f64,
     min: DVec3,
     max: DVec3,
@@ -85,7 +85,7 @@ struct Component {
 pub(crate) fn examine(
     surface: &Surface<'_>,
     edges: &Edges,
-    is_left_out: &[bool],
+    is_excluded: &[bool],
     normals: Option<&[[DVec3; 3]]>,
 ) -> Winding {
     let count = surface.triangles.len();
@@ -100,13 +100,13 @@ pub(crate) fn examine(
             continue;
         };
         let [one, other] = [one, other].map(half_edge_of);
-        // Neighbours that agree run along their edge in opposite directions.
+        // Consistent neighbours traverse their edge in opposite directions.
         let against = surface.ends(one) == surface.ends(other);
         if !sets.join(one / 3, other / 3, against) {
             winding.turnovers.push(one.min(other));
         }
     }
-    // Components are numbered as they come, so that there are no more of them than there are.
+    // Components are numbered in order of appearance.
     let mut number_of_root = vec![u32::MAX; count];
     let mut component_count = 0;
     let placed: Vec<(u32, bool)> = (0..count as u32)
@@ -121,7 +121,7 @@ pub(crate) fn examine(
         })
         .collect();
     let mut components = vec![Component::default(); component_count as usize];
-    let kept = |triangle: &u32| !is_left_out[*triangle as usize];
+    let kept = |triangle: &u32| !is_excluded[*triangle as usize];
     for half_edge in &winding.turnovers {
         components[placed[(half_edge / 3) as usize].0 as usize].turns_over = true;
     }
@@ -143,7 +143,7 @@ pub(crate) fn examine(
     for triangle in (0..count as u32).filter(kept) {
         let (root, against) = placed[triangle as usize];
         let component = &mut components[root as usize];
-        // The larger part is right; of two halves the one with the lowest number.
+        // The majority is right; of two halves, the one with the lowest index.
         let majority_is_against = component.against * 2 > component.triangles;
         if !component.turns_over && against != majority_is_against {
             is_inconsistent[triangle as usize] = true;
@@ -163,19 +163,18 @@ pub(crate) fn examine(
     };
     let is_flipped = |triangle: &u32| {
         let root = placed[*triangle as usize].0;
-        // Those that disagree with their neighbours are told of already.
+        // Triangles that disagree with their neighbours are reported already.
         !is_inconsistent[*triangle as usize] && (is_inside_out[root as usize] || behind(*triangle))
     };
     winding.flipped = (0..count as u32).filter(kept).filter(is_flipped).collect();
     winding
 }
 
-/// Which components are closed solids with their front inside, and not the cavity of another one.
+/// Which components are closed solids with their front inside, and not cavities of others.
 fn inside_out(components: &[Component]) -> Vec<bool> {
-    /// A volume smaller than this part of what it was summed from is none: two sheets on top of one
-    /// another enclose nothing.
+    /// A volume below this fraction of its summands counts as zero: two coincident sheets enclose nothing.
     const LEAST: f64 = 1e-6;
-    /// Beyond so many candidates each is taken for a cavity rather than compared with all others.
+    /// With more candidates, each is assumed to be a cavity instead of compared with all others.
     const MOST_COMPARED: usize = 512;
     let is_solid = |component: &Component| {
         component.triangles > 0 && component.open == 0 && !component.turns_over

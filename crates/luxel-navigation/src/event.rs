@@ -1,77 +1,77 @@
-//! What may happen: the hand, the wheel, commands of the keyboard, and what the host asks for.
+//! Events: pointer gestures, the wheel, keyboard commands, and requests of the host.
 
 use glam::{DMat4, DVec2, DVec3};
 use luxel_scene::Bounds;
 
-/// Something that happens to a camera.
+/// An event that moves the camera.
 ///
-/// Positions are in window coordinates, from the upper left, in pixels. Where the host knows which
-/// point of the world lies under them, it may say so; without, the pivot's distance is taken.
+/// Positions are in pixels from the window's upper left. The host may pass the world-space point under
+/// them; otherwise the pivot's distance is used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
-    /// Nothing: only time passes.
+    /// No event: only time passes.
     Wait,
-    /// Another way to navigate. Motion stops; turntable and mouselook set the camera upright.
+    /// Sets the navigation mode. Motion stops; turntable and mouselook make the camera upright.
     Mode(Mode),
-    /// The hand takes hold.
+    /// Starts a gesture.
     Grab {
-        /// Of what.
+        /// The gesture.
         gesture: Gesture,
-        /// Where.
+        /// The pointer's position.
         at: DVec2,
-        /// What is there, in world space.
+        /// The point there, in world space.
         point: Option<DVec3>,
     },
-    /// The hand moves to a place. Without a grab nothing happens.
+    /// Moves the pointer. No effect without a gesture.
     Drag {
-        /// Where to.
+        /// The new position.
         at: DVec2,
     },
-    /// The hand lets go.
+    /// Ends the gesture.
     Release,
-    /// The wheel turns: by positive notches towards what lies under the pointer, by negative ones
-    /// away from it.
+    /// Turns the wheel: positive notches zoom towards the point under the pointer, negative ones away
+    /// from it.
     Wheel {
-        /// How far.
+        /// The number of notches.
         notches: f64,
-        /// Where the pointer is.
+        /// The pointer's position.
         at: DVec2,
-        /// What is there, in world space.
+        /// The point there, in world space.
         point: Option<DVec3>,
     },
-    /// A command's key goes down, and stays down until it is lifted.
+    /// Presses a command's key, until it is lifted.
     Press(Command),
-    /// A command's key goes up.
+    /// Lifts a command's key.
     Lift(Command),
-    /// A command is carried out by some steps at once, without time passing.
+    /// Executes a command by some steps at once.
     Tap {
-        /// Which.
+        /// The command.
         command: Command,
-        /// How many steps.
+        /// The number of steps.
         steps: f64,
     },
-    /// The point of the world that the camera turns about and looks to. The picture stays.
+    /// Sets the pivot of rotations. The picture stays.
     Pivot(DVec3),
-    /// A side to look at the pivot from; the distance stays.
+    /// Goes to a standard view of the pivot; the distance stays.
     View(StandardView),
-    /// The whole scene, or a part of it, comes into view; the direction stays.
+    /// Fits bounds, or the whole scene, into view; the direction stays.
     Fit(Option<Bounds>),
-    /// The horizon comes level; eye and direction stay.
+    /// Levels the horizon; eye and direction stay.
     Level,
-    /// The camera moves, as if by a view or a fit, to a place that the host has chosen.
+    /// Moves the camera, with a transition, to a pose of the host's choice.
     Go {
-        /// The camera to come to.
+        /// The target view matrix.
         view_from_world: DMat4,
         /// The pivot there.
         pivot: DVec3,
-        /// The scale of parallel rays there, above 0.
+        /// The scale of the orthographic height there, above 0.
         scale: f64,
     },
-    /// The camera is put in a place, at once. The scale of parallel rays is 1 again.
+    /// Sets the view matrix at once. The scale of the orthographic height is reset to 1.
     Place(DMat4),
 }
 
-/// The ways to navigate.
+/// The navigation modes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
     /// The keyboard turns and moves the camera about and along the axes of the world.
@@ -89,19 +89,19 @@ pub enum Mode {
     Turntable,
 }
 
-/// What the hand takes hold of.
+/// Pointer gestures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gesture {
-    /// Turns, in the way of the mode.
+    /// Rotates, depending on the mode.
     Turn,
-    /// Moves the picture: what is grabbed stays under the pointer.
+    /// Pans: the grabbed point stays under the pointer.
     Pan,
-    /// Upwards nearer to what is grabbed, downwards away from it.
+    /// Zooms: upwards towards the grabbed point, downwards away from it.
     Zoom,
 }
 
-/// Sides to look from. The front is where +Z points if +Y is up; with another axis up, that frame is
-/// turned along ([`luxel_scene::Viewpoint::axes`]).
+/// Standard views. The front is in the direction of +Z if +Y is up; for other up axes that frame is
+/// rotated ([`luxel_scene::Viewpoint::axes`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StandardView {
     /// From the front.
@@ -129,16 +129,16 @@ pub enum Axis {
     Z,
 }
 
-/// What a key can do: one kind of motion, forwards or backwards.
+/// A keyboard command: a motion, forwards or backwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Command {
     /// The motion.
     pub drive: Drive,
-    /// Along the axis, or by the right-hand rule about it; else the other way.
+    /// Along the axis, or about it by the right-hand rule; otherwise the opposite.
     pub is_positive: bool,
 }
 
-/// Kinds of motion. A mode obeys those that make sense in it.
+/// Kinds of motion. Each mode supports some of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drive {
     /// The camera, or the eye alone, along an axis of the world.
@@ -159,9 +159,9 @@ pub enum Drive {
     Throttle,
 }
 
-/// What has one name in a log.
+/// Values with a name in logs.
 pub(crate) trait Named: Copy + PartialEq + 'static {
-    /// All of them, with their names.
+    /// All values with their names.
     const NAMES: &'static [(&'static str, Self)];
 
     fn name(self) -> &'static str {
@@ -249,7 +249,7 @@ impl Named for Command {
     ];
 }
 
-macro_rules! in_text {
+macro_rules! display_and_parse {
     ($($named:ty, $what:literal;)*) => {$(
         impl std::fmt::Display for $named {
             fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -271,28 +271,28 @@ macro_rules! in_text {
     )*};
 }
 
-in_text! {
+display_and_parse! {
     Mode, "mode";
     Gesture, "gesture";
     StandardView, "view";
     Command, "command";
 }
 
-/// A name that nothing has.
+/// An unknown name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is no {what} `{name}`: use {}", known.join(", "))]
 pub struct UnknownName {
-    /// What was to be named.
+    /// The kind of thing that was to be named.
     pub what: &'static str,
     /// The name.
     pub name: String,
-    /// The names that there are.
+    /// The known names.
     pub known: Vec<&'static str>,
 }
 
 impl Event {
-    /// Whether its numbers make sense; what isn't has no effect.
-    pub(crate) fn is_sound(&self) -> bool {
+    /// Whether its numbers are valid; invalid events have no effect.
+    pub(crate) fn is_valid(&self) -> bool {
         match *self {
             Self::Grab { at, point, .. } => at.is_finite() && point.is_none_or(DVec3::is_finite),
             Self::Wheel { notches, at, point } => {

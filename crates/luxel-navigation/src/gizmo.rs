@@ -1,24 +1,24 @@
-//! The axes of the world in a corner of the window: six knobs to click, for the standard views.
+//! An axes gizmo: six knobs for the standard views.
 
 use crate::event::StandardView;
 use crate::window::upwards;
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
-/// One end of an axis.
+/// A knob at one end of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Knob {
     /// The axis in world space: +X, -X, +Y, ...
     pub axis: DVec3,
-    /// The view from there.
+    /// The standard view from that side.
     pub view: StandardView,
-    /// Where it is, in the window.
+    /// The position in the window.
     pub at: DVec2,
-    /// How far it points to the eye, from -1 to 1.
+    /// The component towards the eye, from -1 to 1.
     pub towards: f64,
 }
 
-/// The six knobs, farthest first, as they are to be drawn: the axes of the world about `centre` in
-/// the window, `radius` pixels long, seen with parallel rays.
+/// The six knobs in drawing order, farthest first: the world's axes around `centre` in the window,
+/// `radius` pixels long, in orthographic projection.
 #[must_use]
 pub fn knobs(view_from_world: &DMat4, up: DVec3, centre: DVec2, radius: f64) -> [Knob; 6] {
     let rotation = DMat3::from_mat4(*view_from_world);
@@ -40,8 +40,7 @@ pub fn knobs(view_from_world: &DMat4, up: DVec3, centre: DVec2, radius: f64) -> 
     knobs
 }
 
-/// The knob under the pointer, if one is: of several within `knob_radius` pixels, the nearest to the
-/// eye.
+/// The knob under the pointer, if any: of several within `knob_radius` pixels, the nearest to the eye.
 #[must_use]
 pub fn hit(knobs: &[Knob; 6], at: DVec2, knob_radius: f64) -> Option<Knob> {
     knobs.iter().rev().find(|knob| knob.at.distance(at) <= knob_radius).copied()

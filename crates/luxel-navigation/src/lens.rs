@@ -1,15 +1,15 @@
-//! Another lens for a camera, with the picture in place.
+//! Changes of the lens that keep the picture in place.
 
 use crate::window::{height_at, point_at};
 use glam::{DMat4, DVec2, DVec3};
 use luxel_scene::{Lens, Size};
 
-/// The view matrix with which another lens shows the plane through `pivot`, parallel to the window,
-/// as `before` showed it: the same part of it from bottom to top, in the same place. What lies before
-/// or behind the plane is seen in the other perspective.
+/// The view matrix with which lens `after` shows the plane through `pivot`, parallel to the window, as
+/// `before` does: the same height at the same position. Points off the plane change with the
+/// perspective.
 ///
-/// For [`Lens::Orthographic`] as `after`, take [`parallel_height`] as its height. The eye must be able
-/// to see the pivot; if the pivot lies behind it, the plane as far before it is taken.
+/// For [`Lens::Orthographic`] as `after`, use [`parallel_height`] as its height. The pivot should be
+/// visible; if it lies behind the eye, its mirrored depth is used.
 #[must_use]
 pub fn with_lens(
     view_from_world: &DMat4,
@@ -22,7 +22,7 @@ pub fn with_lens(
     let height = height_at(before, size, depth);
     let new_depth = match after {
         Lens::Orthographic { .. } => depth,
-        // Height grows with depth.
+        // The height is proportional to the depth.
         Lens::Perspective { .. } | Lens::Intrinsics { .. } => height / height_at(after, size, 1.0),
     };
     let middle = DVec2::new(f64::from(size.width), f64::from(size.height)) * 0.5;
@@ -30,8 +30,7 @@ pub fn with_lens(
     DMat4::from_translation(shift) * *view_from_world
 }
 
-/// The height for parallel rays that show the plane through `pivot` as a lens shows it, in world
-/// units.
+/// The orthographic height that shows the plane through `pivot` as a lens does, in world units.
 #[must_use]
 pub fn parallel_height(view_from_world: &DMat4, pivot: DVec3, lens: Lens, size: Size) -> f64 {
     height_at(lens, size, plane_depth(view_from_world, pivot))

@@ -1,22 +1,21 @@
 //! Camera control as pure functions: [`advance`] takes a [`State`], [`Settings`], an [`Event`] and
-//! the seconds that have passed, and answers with the next state. It knows no window, no clock and no
-//! file, and gives the same bits on every machine.
+//! the elapsed seconds, and returns the next state. It depends on no window, clock or file, and gives
+//! the same bits on every machine.
 //!
-//! Six ways to navigate ([`Mode`]), pan that keeps what is grabbed under the pointer, zoom to the
-//! pointer, standard views, fitting, smooth ways between views, inertia; a [`Log`] of events in text
-//! that plays back to the same camera. Only the view matrix is changed, never the projection: another
-//! lens for the same picture is a function of its own, [`with_lens`].
+//! Six navigation modes ([`Mode`]), panning that keeps the grabbed point under the pointer, zoom to the
+//! pointer, standard views, fitting, transitions, inertia; a textual [`Log`] of events that replays to
+//! the same camera. Only the view matrix changes, never the projection; [`with_lens`] changes the lens
+//! and keeps the picture in place.
 //!
-//! Motion relative to the camera is composed in camera coordinates, each increment I on the left of
-//! what the last frame used, p' = I C p, and kept a rotation without drift; no angles are added up.
-//! World space is right-handed, the camera looks along -Z of its own space, window coordinates
-//! begin at the upper left with y down.
+//! Motion relative to the camera is composed in camera space, each increment I on the left of the
+//! previous matrix, p' = I C p, and orthonormalised; no angles are accumulated. World space is
+//! right-handed, the camera looks along -Z, window coordinates start at the upper left with y down.
 
 #![forbid(unsafe_code)]
 
 mod event;
+mod gestures;
 mod gizmo;
-mod hand;
 mod lens;
 mod log;
 mod modes;

@@ -1,8 +1,8 @@
-//! Logs: events as lines of text that play back to the same bits.
+//! Logs: events as lines of text that replay bit-identically.
 //!
-//! The first line is `luxel-navigation 1`. After it, a line each, come settings and events; empty
-//! lines, and everything from `#` on, are comments. An event's line may begin with the seconds that
-//! have passed since the one before. Numbers are written so that they read back to the same bits.
+//! The first line is `luxel-navigation 1`. Settings and events follow, one per line; empty lines and
+//! everything from `#` on are comments. An event's line may start with the seconds since the previous
+//! one. Numbers are written so that they read back to the same bits.
 //!
 //! ```text
 //! luxel-navigation 1
@@ -24,29 +24,29 @@ use glam::DVec3;
 use luxel_scene::{Bounds, Lens, Size};
 pub use read::{LogError, LogErrorKind};
 
-/// The version of the format that is written, and the only one that is read.
+/// The version of the format.
 pub const LOG_VERSION: u32 = 1;
 
 /// The first word of a log.
 const NAME: &str = "luxel-navigation";
 
-/// A log: what was set and what happened, in order.
+/// A log: changes of settings and events, in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Log {
-    /// The lines that say something.
+    /// The lines without comments.
     pub entries: Vec<Entry>,
 }
 
 /// A line of a log.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Entry {
-    /// The host or the user has set something; no time passes.
+    /// A change of settings; no time passes.
     Set(Change),
-    /// Some seconds have passed, then something has happened.
+    /// An event after some seconds.
     Event {
         /// The seconds, at least 0.
         seconds: f64,
-        /// What has happened.
+        /// The event.
         event: Event,
     },
 }
@@ -58,7 +58,7 @@ pub enum Change {
     Size(Size),
     /// The lens.
     Lens(Lens),
-    /// What is up.
+    /// The up direction.
     Up(DVec3),
     /// The bounds of the scene.
     Bounds(Bounds),
@@ -67,7 +67,7 @@ pub enum Change {
 }
 
 impl Change {
-    /// The settings with the change.
+    /// Applies the change.
     #[must_use]
     pub fn apply(&self, settings: &Settings) -> Settings {
         match *self {
@@ -79,8 +79,7 @@ impl Change {
         }
     }
 
-    /// Everything that settings say, as changes: with them a log begins that is to play back to the
-    /// same bits wherever it is played.
+    /// All settings as changes: the beginning of a log that replays bit-identically anywhere.
     pub fn all_of(settings: &Settings) -> impl Iterator<Item = Self> + use<> {
         let Settings { size, lens, up, bounds, .. } = *settings;
         let bounds = (!bounds.is_empty()).then_some(Self::Bounds(bounds));

@@ -1,8 +1,8 @@
-//! Rigid motions: a rotation and a translation, kept a rotation without drift.
+//! Rigid motions, orthonormalised after each composition.
 
 use glam::{DMat3, DMat4, DVec3};
 
-/// A rotation followed by a translation; as a camera, from world space to the camera's.
+/// A rotation followed by a translation; for a camera, from world to camera space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rigid {
     pub(crate) rotation: DMat3,
@@ -10,7 +10,7 @@ pub(crate) struct Rigid {
 }
 
 impl Rigid {
-    /// The motion that a matrix stands for. Its numbers are taken as they are.
+    /// The motion of a matrix, without orthonormalisation.
     pub(crate) fn from_matrix(matrix: &DMat4) -> Self {
         Self { rotation: DMat3::from_mat4(*matrix), translation: matrix.w_axis.truncate() }
     }
@@ -25,26 +25,26 @@ impl Rigid {
         Self { rotation: DMat3::IDENTITY, translation }
     }
 
-    /// A turn about an axis through a point; the vector's length is the angle, in radians.
+    /// A rotation about an axis through a point; the vector's length is the angle in radians.
     pub(crate) fn turn_about(turn: DVec3, centre: DVec3) -> Self {
         let rotation = rotation(turn);
         Self { rotation, translation: centre - rotation * centre }
     }
 
-    /// Where one comes in a unit of time when moving steadily: the exponential of a twist.
+    /// The motion at constant angular and linear velocity over unit time: the exponential of a twist.
     ///
     /// A body that turns with the angular velocity w and moves with the velocity v, both in its
     /// *own* axes, is afterwards at exp(w), V v with V = I + B K + C K^2, where K v = w x v, t = |w|,
     /// B = (1 - cos t) / t^2, C = (t - sin t) / t^3 (Murray, Li and Sastry 1994, A Mathematical
-    /// Introduction to Robotic Manipulation, proposition 2.9). Half the time done twice gives the
-    /// same as all of it, so that motion doesn't depend on how time is cut into frames.
+    /// Introduction to Robotic Manipulation, proposition 2.9). Two half
+    /// steps give the same as a whole one, so that motion doesn't depend on the frame rate.
     pub(crate) fn screw(turn: DVec3, shift: DVec3) -> Self {
         let [_, b, c] = coefficients(turn.dot(turn));
         let once = turn.cross(shift);
         Self { rotation: rotation(turn), translation: shift + once * b + turn.cross(once) * c }
     }
 
-    /// This motion, then another: `next * self`, brought back to a rotation.
+    /// The composition `next * self`, orthonormalised.
     pub(crate) fn then(self, next: Self) -> Self {
         Self {
             rotation: orthonormal(next.rotation * self.rotation),
@@ -56,17 +56,17 @@ impl Rigid {
         self.rotation * point + self.translation
     }
 
-    /// Where a point came from.
+    /// The inverse motion of a point.
     pub(crate) fn undo(&self, point: DVec3) -> DVec3 {
         self.rotation.transpose() * (point - self.translation)
     }
 
-    /// The eye, for the motion of a camera.
+    /// The eye of a camera.
     pub(crate) fn eye(&self) -> DVec3 {
         self.undo(DVec3::ZERO)
     }
 
-    /// The direction of the view in world space, for the motion of a camera.
+    /// The view direction of a camera in world space.
     pub(crate) fn direction(&self) -> DVec3 {
         -self.rotation.row(2)
     }
@@ -89,10 +89,10 @@ pub(crate) fn rotation(turn: DVec3) -> DMat3 {
 
 /// sin t / t, (1 - cos t) / t^2 and (t - sin t) / t^3 for t^2.
 fn coefficients(squared: f64) -> [f64; 3] {
-    /// Below it, differences of nearly equal numbers lose digits and the series is exact.
+    /// Below this, the closed forms cancel, and the series is exact.
     const SMALL: f64 = 1e-2;
     if squared < SMALL {
-        // The first term left out is below 1e-17 of the sum.
+        // The first omitted term is below 1e-17 of the sum.
         let series = |first: f64, factors: [f64; 4]| {
             factors.iter().rev().fold(1.0, |sum, factor| 1.0 - squared * sum / factor) * first
         };
@@ -104,14 +104,14 @@ fn coefficients(squared: f64) -> [f64; 3] {
     } else {
         let angle = squared.sqrt();
         let (sine, half_sine) = (libm::sin(angle), libm::sin(angle * 0.5));
-        // 1 - cos t = 2 sin^2(t/2) keeps its digits.
+        // 1 - cos t = 2 sin^2(t/2) doesn't cancel.
         [sine / angle, 2.0 * half_sine * half_sine / squared, (angle - sine) / (squared * angle)]
     }
 }
 
-/// The rotation next to a matrix that rounding has moved off: one Newton step of the polar
+/// The rotation nearest to a matrix with rounding errors: one Newton step of the polar
 /// decomposition, R (3 I - R^T R) / 2 (Higham 1986, Computing the Polar Decomposition). It squares
-/// the deviation, prefers no axis, and leaves what is a rotation already where it is.
+/// the deviation, favours no axis, and leaves exact rotations unchanged.
 fn orthonormal(matrix: DMat3) -> DMat3 {
     matrix * (DMat3::IDENTITY * 3.0 - matrix.transpose() * matrix) * 0.5
 }
@@ -121,7 +121,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn series_and_functions_agree_where_they_meet() {
+    fn series_and_closed_forms_agree_at_the_threshold() {
         for squared in [0.009_999, 0.01, 0.010_001] {
             let t: f64 = f64::sqrt(squared);
             let [a, b, c] = coefficients(squared);
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn a_steady_turn_while_moving_ahead_is_a_circle() {
+    fn a_constant_turn_while_moving_ahead_is_a_circle() {
         // Moving ahead along x by pi / 2 while turning left by a quarter: a quarter of a circle of
         // radius 1, which ends at (1, 1).
         let quarter = std::f64::consts::FRAC_PI_2;

@@ -1,7 +1,7 @@
 //! One step of navigation.
 
 use crate::event::Event;
-use crate::hand;
+use crate::gestures;
 use crate::modes;
 use crate::motion::Rigid;
 use crate::place::Place;
@@ -10,11 +10,10 @@ use crate::state::{Drives, State};
 use crate::transition::Transition;
 use crate::views;
 
-/// The state after some seconds have passed and then an event has happened.
+/// Advances the state by a time, then handles an event.
 ///
-/// A pure function: equal arguments give equal bits, on every machine. It never fails: an event with
-/// numbers that aren't finite, or that would move the camera out of all numbers, has no effect, and
-/// neither has time that is negative or not finite.
+/// A pure function: equal arguments give equal bits on every machine. It never fails: events with
+/// non-finite numbers or results have no effect, nor do negative or non-finite times.
 ///
 /// ```
 /// use luxel_navigation::{Event, Gesture, Mode, Settings, State, advance};
@@ -37,22 +36,22 @@ use crate::views;
 /// ```
 #[must_use]
 pub fn advance(state: &State, settings: &Settings, event: &Event, seconds: f64) -> State {
-    let passed = sound(pass(*state, settings, seconds), state);
-    if !event.is_sound() {
+    let passed = valid_or(advance_time(*state, settings, seconds), state);
+    if !event.is_valid() {
         return passed;
     }
-    sound(happen(passed, settings, event), &passed)
+    valid_or(handle(passed, settings, event), &passed)
 }
 
-/// The state, if its numbers are some, else the one before.
-fn sound(state: State, before: &State) -> State {
+/// The state if it is valid, else the previous one.
+fn valid_or(state: State, before: &State) -> State {
     let Place { view, pivot, scale } = state.place;
-    let is_sound = view.is_finite() && pivot.is_finite() && scale.is_finite() && scale > 0.0;
-    if is_sound { state } else { *before }
+    let is_valid = view.is_finite() && pivot.is_finite() && scale.is_finite() && scale > 0.0;
+    if is_valid { state } else { *before }
 }
 
-/// Time passes.
-fn pass(mut state: State, settings: &Settings, seconds: f64) -> State {
+/// Advances held keys, transition and inertia.
+fn advance_time(mut state: State, settings: &Settings, seconds: f64) -> State {
     if !(seconds > 0.0 && seconds.is_finite()) {
         return state;
     }
@@ -70,11 +69,11 @@ fn pass(mut state: State, settings: &Settings, seconds: f64) -> State {
     if drives != Drives::default() || state.speed != 0.0 {
         state = modes::drive(state.settled(), settings, &drives, seconds);
     }
-    hand::glide(state, settings, seconds)
+    gestures::glide(state, settings, seconds)
 }
 
-/// The event happens. What moves the camera does so from where it was on its way to.
-fn happen(state: State, settings: &Settings, event: &Event) -> State {
+/// Handles an event. Camera motion starts from the end of a transition in progress.
+fn handle(state: State, settings: &Settings, event: &Event) -> State {
     let settled = state.settled();
     match *event {
         Event::Wait => state,
@@ -98,27 +97,31 @@ fn happen(state: State, settings: &Settings, event: &Event) -> State {
             );
             modes::drive(settled, settings, &drives, 0.0)
         }
-        Event::Grab { gesture, at, point } => hand::grab(settled, gesture, at, point),
-        Event::Drag { at } => hand::drag(state, settings, at),
-        Event::Release => hand::release(state, settings),
-        Event::Wheel { notches, at, point } => hand::wheel(settled, settings, notches, at, point),
+        Event::Grab { gesture, at, point } => gestures::grab(settled, gesture, at, point),
+        Event::Drag { at } => gestures::drag(state, settings, at),
+        Event::Release => gestures::release(state, settings),
+        Event::Wheel { notches, at, point } => {
+            gestures::wheel(settled, settings, notches, at, point)
+        }
         Event::Mode(mode) => {
             let entered = State { mode, ..settled.at_rest() };
-            go(&state, entered, settings, modes::entered(&entered, settings))
+            start_transition(&state, entered, settings, modes::entered(&entered, settings))
         }
         Event::Pivot(pivot) => State { place: Place { pivot, ..settled.place }, ..settled },
         Event::View(view) => {
             let goal = views::standard(&settled, settings, view);
-            go(&state, settled, settings, goal)
+            start_transition(&state, settled, settings, goal)
         }
         Event::Fit(bounds) => {
             let bounds = bounds.unwrap_or(settings.bounds);
-            go(&state, settled, settings, views::fitted(&settled, settings, &bounds))
+            start_transition(&state, settled, settings, views::fitted(&settled, settings, &bounds))
         }
-        Event::Level => go(&state, settled, settings, modes::level(&settled.place, settings)),
+        Event::Level => {
+            start_transition(&state, settled, settings, modes::level(&settled.place, settings))
+        }
         Event::Go { view_from_world, pivot, scale } => {
             let goal = Place { view: Rigid::from_matrix(&view_from_world), pivot, scale };
-            go(&state, settled, settings, goal)
+            start_transition(&state, settled, settings, goal)
         }
         Event::Place(view_from_world) => {
             let view = Rigid::from_matrix(&view_from_world);
@@ -128,9 +131,9 @@ fn happen(state: State, settings: &Settings, event: &Event) -> State {
     }
 }
 
-/// Sets out, from where the camera is seen now, to another place.
-fn go(seen: &State, settled: State, settings: &Settings, goal: Place) -> State {
-    let from = seen.place;
+/// Starts a transition from the pose shown now.
+fn start_transition(shown: &State, settled: State, settings: &Settings, goal: Place) -> State {
+    let from = shown.place;
     let arrived = State { place: goal, glide: None, transition: None, ..settled };
     let duration = settings.number(Number::Transition);
     if duration == 0.0 || from == goal {
@@ -141,7 +144,7 @@ fn go(seen: &State, settled: State, settings: &Settings, goal: Place) -> State {
 }
 
 impl State {
-    /// With nothing that moves it.
+    /// The state without motion.
     fn at_rest(self) -> Self {
         let place = self.place;
         Self { place, ..Self::new(self.mode, &place.view.to_matrix(), place.pivot) }

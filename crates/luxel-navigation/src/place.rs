@@ -1,15 +1,15 @@
-//! The place of the camera.
+//! The pose of the camera.
 
 use crate::motion::Rigid;
 use luxel_scene::DVec3;
 
-/// The camera with what belongs to it.
+/// A camera pose with its pivot and scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Place {
     /// From world to camera space.
     pub(crate) view: Rigid,
-    /// What the camera turns about, in world space.
+    /// The pivot of rotations, in world space.
     pub(crate) pivot: DVec3,
-    /// What the height of parallel rays is multiplied by.
+    /// The factor of the orthographic height.
     pub(crate) scale: f64,
 }

@@ -1,37 +1,37 @@
-//! What the host says about window and scene, and what users like.
+//! Settings: window, scene and preferences.
 
 use glam::DVec3;
 use luxel_scene::{Bounds, Lens, Size};
 
-/// Window, scene and preferences. None of it changes while navigating, unless the host changes it.
+/// Window, scene and preferences. Only the host changes them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// The window, in the pixels of pointer positions.
+    /// The window's size, in the pixels of pointer positions.
     pub size: Size,
-    /// The camera's lens, which pan, zoom and fit go by. Its height, if rays are parallel, is that
-    /// at scale 1 ([`State::lens`](crate::State::lens)).
+    /// The camera's lens, for pan, zoom and fit. An orthographic height is the one at scale 1
+    /// ([`State::lens`](crate::State::lens)).
     pub lens: Lens,
-    /// What is up, in world space; any length but 0.
+    /// The up direction in world space, of any length but 0.
     pub up: DVec3,
-    /// What [`Event::Fit`](crate::Event::Fit) without bounds fits, in world space.
+    /// The bounds that [`Event::Fit`](crate::Event::Fit) fits by default, in world space.
     pub bounds: Bounds,
     /// The numbers.
     pub numbers: [f64; NUMBERS],
 }
 
-/// How many numbers there are.
+/// The count of numbers.
 const NUMBERS: usize = Number::ALL.len();
 
 macro_rules! numbers {
     ($($(#[doc = $doc:literal])* $name:ident $text:literal $default:expr, $range:ident;)*) => {
-        /// A setting that is a number.
+        /// A numeric setting.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Number {
             $($(#[doc = $doc])* $name,)*
         }
 
         impl Number {
-            /// All of them.
+            /// All numbers.
             pub const ALL: &'static [Self] = &[$(Self::$name,)*];
 
             const DEFAULTS: [f64; NUMBERS] = [$($default,)*];
@@ -44,7 +44,7 @@ macro_rules! numbers {
                 }
             }
 
-            /// Whether it may have a value.
+            /// Whether a value is in range.
             #[must_use]
             pub fn allows(self, value: f64) -> bool {
                 match self {
@@ -56,38 +56,38 @@ macro_rules! numbers {
 }
 
 numbers! {
-    /// The radius of the rolling ball in pixels; 0 stands for 0.4 of the window's shorter side, which
-    /// a fitted model about fills. Turntable and rolling ball turn by the hand's way over it.
+    /// The radius of the rolling ball in pixels; 0 means 0.4 of the window's shorter side, about half of a
+    /// fitted model. Turntable and rolling ball rotate by the pointer's displacement over it.
     BallRadius "ball-radius" 0.0, NotNegative;
-    /// By how many radians mouselook and flying turn for a pixel.
+    /// The rotation of mouselook and flying, in radians per pixel.
     LookRate "look-radians-per-pixel" 0.0025, NotNegative;
-    /// By how many radians a second held keys turn.
+    /// The rotation rate of held keys, in radians per second.
     TurnRate "turn-radians-per-second" 1.0, NotNegative;
-    /// By how many radians a tap turns.
+    /// The rotation of a tap, in radians.
     TurnStep "turn-step-radians" std::f64::consts::PI / 36.0, NotNegative;
-    /// By how many world units a second held keys move.
+    /// The speed of held keys, in world units per second.
     MoveRate "move-per-second" 1.0, NotNegative;
-    /// By how many world units a tap moves.
+    /// The step of a tap, in world units.
     MoveStep "move-step" 0.05, NotNegative;
-    /// By how many world units a second, in a second, the throttle changes the speed.
+    /// The acceleration of the throttle, in world units per second squared.
     ThrottleRate "throttle-per-second" 1.0, NotNegative;
-    /// By how many world units a second a tap of the throttle changes the speed.
+    /// The change of speed of a throttle tap, in world units per second.
     ThrottleStep "throttle-step" 0.1, NotNegative;
-    /// The highest speed of flying, ahead and back, in world units a second.
+    /// The flying speed limit, forwards and backwards, in world units per second.
     SpeedLimit "speed-limit" 10.0, NotNegative;
-    /// What a notch of the wheel divides the distance by.
+    /// The divisor of the distance for a notch of the wheel.
     WheelFactor "wheel-factor" 1.2, Factor;
-    /// The logarithm of what a pixel of zooming by hand divides the distance by.
+    /// The logarithm of the divisor of the distance for a pixel of a zoom gesture.
     ZoomRate "zoom-per-pixel" 0.005, NotNegative;
-    /// How far mouselook may look up and down from the horizon, in radians; at most a quarter turn.
+    /// The largest elevation of mouselook, up and down, in radians; at most a quarter turn.
     PitchLimit "pitch-limit-radians" 89.0 / 180.0 * std::f64::consts::PI, Elevation;
-    /// The time, in seconds, in which a released hand's motion falls to 1/e; 0 turns it off.
+    /// The time constant of inertia, in seconds; 0 turns it off.
     Inertia "inertia-seconds" 0.0, NotNegative;
-    /// How long the way to another view takes, in seconds; 0 is at once. 0.15 shows where it went.
+    /// The duration of transitions, in seconds; 0 disables them. 0.15 is short but visible.
     Transition "transition-seconds" 0.0, NotNegative;
 }
 
-/// What values a number may have.
+/// The valid range of a number.
 enum Range {
     NotNegative,
     Factor,
@@ -106,8 +106,8 @@ impl Range {
 }
 
 impl Settings {
-    /// The settings for a scene and a window: speeds fit the scene's size. In a second a held key
-    /// moves by the scene's radius, a tap by a twentieth of it.
+    /// Default settings for a scene and a window: speeds scale with the scene. A held key moves by the
+    /// scene's radius per second, a tap by a twentieth of it.
     #[must_use]
     pub fn new(bounds: Bounds, up: DVec3, lens: Lens, size: Size) -> Self {
         let mut settings = Self { size, lens, up, bounds, numbers: Number::DEFAULTS };
@@ -132,7 +132,7 @@ impl Settings {
         self.numbers[number as usize]
     }
 
-    /// The settings with another value of a number; a value out of its range changes nothing.
+    /// Sets a number; values out of range are ignored.
     #[must_use]
     pub fn with(mut self, number: Number, value: f64) -> Self {
         if number.allows(value) {
@@ -141,7 +141,7 @@ impl Settings {
         self
     }
 
-    /// The radius of the ball that rolls under the hand, in pixels.
+    /// The radius of the rolling ball, in pixels.
     #[must_use]
     pub fn ball_radius(&self) -> f64 {
         /// Half of the 80 % of the window that a fitted model takes.
@@ -154,10 +154,10 @@ impl Settings {
         }
     }
 
-    /// The axis that is up, of unit length.
+    /// The unit up axis.
     pub(crate) fn up_axis(&self) -> DVec3 {
         let largest = self.up.abs().max_element();
-        // Dividing first keeps tiny and huge vectors from under- and overflowing when squared.
+        // Dividing first avoids under- and overflow of squares.
         (self.up / largest).try_normalize().unwrap_or(DVec3::Y)
     }
 }

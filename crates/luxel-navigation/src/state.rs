@@ -7,36 +7,37 @@ use crate::transition::Transition;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use luxel_scene::Lens;
 
-/// Where the camera is, and what moves it. A plain value: keep it, compare it, go back to it.
+/// The camera's pose, and everything that moves it. A plain value: it can be stored, compared and
+/// restored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     pub(crate) mode: Mode,
     pub(crate) place: Place,
-    /// World units a second, ahead.
+    /// The forward speed in world units per second.
     pub(crate) speed: f64,
     pub(crate) held: Held,
-    pub(crate) hold: Option<Hold>,
+    pub(crate) hold: Option<ActiveGesture>,
     pub(crate) glide: Option<Glide>,
     pub(crate) transition: Option<Transition>,
 }
 
-/// What the hand holds.
+/// A pointer gesture in progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Hold {
+pub(crate) struct ActiveGesture {
     pub(crate) gesture: Gesture,
-    /// Where it was taken, in the window.
+    /// The start position in the window.
     pub(crate) start: DVec2,
-    /// Where the hand is.
+    /// The present position.
     pub(crate) at: DVec2,
-    /// How far what is held lies in front of the eye.
+    /// The depth of the grabbed point.
     pub(crate) depth: f64,
-    /// The hand's velocity, smoothed, in pixels a second.
+    /// The pointer's smoothed velocity, in pixels per second.
     pub(crate) velocity: DVec2,
-    /// The hand's way and the time since the velocity was last brought up to date.
+    /// The pointer's displacement and the time since the last update of the velocity.
     pub(crate) pending: (DVec2, f64),
 }
 
-/// Motion that goes on after the hand has let go.
+/// Inertial motion after a gesture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Glide {
     pub(crate) gesture: Gesture,
@@ -44,7 +45,7 @@ pub(crate) struct Glide {
     pub(crate) velocity: DVec2,
 }
 
-/// The keys that are down: a bit for each command.
+/// The held keys: a bit for each command.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Held(u64);
 
@@ -62,7 +63,7 @@ impl Held {
         self.0 == 0
     }
 
-    /// What all held keys together ask for.
+    /// The combined motion of all held keys.
     pub(crate) fn drives(self) -> Drives {
         let held = Command::NAMES.iter().enumerate().filter(|(bit, _)| self.0 >> bit & 1 == 1);
         held.fold(Drives::default(), |mut drives, (_, (_, command))| {
@@ -72,7 +73,7 @@ impl Held {
     }
 }
 
-/// How much of each kind of motion is asked for.
+/// Amounts of each kind of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Drives {
     pub(crate) shift: DVec3,
@@ -100,7 +101,7 @@ impl Drives {
         }
     }
 
-    /// Ways of `length` world units, turns of `angle` radians, speeds higher by `speed`.
+    /// Scales translations to world units, rotations to radians, throttle to speed.
     pub(crate) fn scaled(self, length: f64, angle: f64, speed: f64) -> Self {
         Self {
             shift: self.shift * length,
@@ -123,8 +124,8 @@ fn unit(axis: Axis) -> DVec3 {
 }
 
 impl State {
-    /// A camera at rest. The matrix must be a rotation and a translation ([`is_rigid`]); it stays as
-    /// it is, to the bit, until something moves the camera.
+    /// A camera at rest. The matrix must be a rotation and a translation ([`is_rigid`]); it is kept
+    /// bit for bit until something moves the camera.
     #[must_use]
     pub fn new(mode: Mode, view_from_world: &DMat4, pivot: DVec3) -> Self {
         let place = Place { view: Rigid::from_matrix(view_from_world), pivot, scale: 1.0 };
@@ -139,7 +140,7 @@ impl State {
         }
     }
 
-    /// The way to navigate that is on.
+    /// The navigation mode.
     #[must_use]
     pub fn mode(&self) -> Mode {
         self.mode
@@ -151,7 +152,7 @@ impl State {
         self.place.view.to_matrix()
     }
 
-    /// What the camera turns about, and the target of look-at, in world space.
+    /// The pivot of rotations, and the target of look-at, in world space.
     #[must_use]
     pub fn pivot(&self) -> DVec3 {
         self.place.pivot
@@ -163,14 +164,14 @@ impl State {
         self.place.view.eye()
     }
 
-    /// What the height of parallel rays is to be multiplied by: they show something larger not by
-    /// coming nearer, and the projection is the host's.
+    /// The factor of the orthographic height: orthographic cameras zoom by it, and the projection belongs to
+    /// the host.
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.place.scale
     }
 
-    /// A lens as it is to be used now: parallel rays scaled, others unchanged.
+    /// The lens to use now: orthographic heights scaled, others unchanged.
     #[must_use]
     pub fn lens(&self, lens: Lens) -> Lens {
         match lens {
@@ -179,19 +180,19 @@ impl State {
         }
     }
 
-    /// The speed of flying, in world units a second.
+    /// The flying speed, in world units per second.
     #[must_use]
     pub fn speed(&self) -> f64 {
         self.speed
     }
 
-    /// Whether the hand holds something.
+    /// Whether a gesture is in progress.
     #[must_use]
     pub fn is_held(&self) -> bool {
         self.hold.is_some()
     }
 
-    /// Whether the passing of time alone moves the camera.
+    /// Whether the camera moves without further events.
     #[must_use]
     pub fn is_moving(&self) -> bool {
         self.transition.is_some()
@@ -200,7 +201,7 @@ impl State {
             || (self.mode == Mode::Flying && self.speed != 0.0)
     }
 
-    /// The state at the end of the way to another view.
+    /// The state after the transition in progress.
     pub(crate) fn settled(&self) -> Self {
         match &self.transition {
             Some(transition) => Self { place: transition.goal(), transition: None, ..*self },
@@ -208,26 +209,25 @@ impl State {
         }
     }
 
-    /// How far a point lies in front of the eye.
+    /// A point's depth in front of the eye.
     pub(crate) fn depth_of(&self, point: DVec3) -> f64 {
         -self.place.view.apply(point).z
     }
 
-    /// How far the pivot lies in front of the eye; where it is behind, how far it is at all.
+    /// The pivot's depth in front of the eye; its distance if it lies behind.
     pub(crate) fn pivot_depth(&self) -> f64 {
         let in_view = self.place.view.apply(self.place.pivot);
         if in_view.z < 0.0 { -in_view.z } else { in_view.length().max(f64::MIN_POSITIVE) }
     }
 
-    /// Moves the camera by an increment in camera coordinates, on the left of what was used so far:
-    /// p' = I C p.
+    /// Moves the camera by an increment in camera space, multiplied from the left: p' = I C p.
     pub(crate) fn moved(self, increment: Rigid) -> Self {
         let view = self.place.view.then(increment);
         Self { place: Place { view, ..self.place }, ..self }
     }
 }
 
-/// Whether a matrix is a rotation and a translation, to 1e-4: what printed digits leave.
+/// Whether a matrix is a rotation and a translation, within 1e-4, the precision of printed matrices.
 #[must_use]
 pub fn is_rigid(matrix: &DMat4) -> bool {
     const TOLERANCE: f64 = 1e-4;
@@ -241,7 +241,7 @@ pub fn is_rigid(matrix: &DMat4) -> bool {
         z.dot(x),
         x.cross(y).dot(z) - 1.0,
     ];
-    // Written so that an overflow to NaN is refused too.
+    // The comparison rejects NaN from overflows, too.
     matrix.row(3) == DMat4::IDENTITY.row(3)
         && matrix.is_finite()
         && deviations.iter().all(|deviation| deviation.abs() <= TOLERANCE)

@@ -1,15 +1,15 @@
-//! The way to another view, in a moment, so that one sees where it went.
+//! Animated transitions between poses.
 
 use crate::motion::{Rigid, rotation};
 use crate::place::Place;
 use glam::{DMat3, DQuat, DVec3};
 
-/// A way between two places of the camera.
+/// A transition between two poses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Transition {
     from: Place,
     to: Place,
-    /// Seconds since the start, and for all of it.
+    /// Seconds since the start, and in total.
     elapsed: f64,
     duration: f64,
 }
@@ -23,21 +23,21 @@ impl Transition {
         self.to
     }
 
-    /// Where the camera is some seconds later; the rest of the way, if there is any.
+    /// The pose some seconds later, and the rest of the transition, if any.
     pub(crate) fn later(self, seconds: f64) -> (Place, Option<Self>) {
         let elapsed = self.elapsed + seconds;
         if elapsed >= self.duration {
             return (self.to, None);
         }
         let part = elapsed / self.duration;
-        // Starts and ends at rest.
+        // Zero velocity at both ends.
         let eased = part * part * (3.0 - 2.0 * part);
         (between(&self.from, &self.to, eased), Some(Self { elapsed, ..self }))
     }
 }
 
-/// A place on the way: the camera turns steadily about one axis while the pivot's place in the
-/// picture moves straight and its distance by equal factors, so that nothing swings past.
+/// An intermediate pose: the camera rotates at constant speed about one axis, while the pivot moves
+/// straight in the picture and its distance changes geometrically, so that nothing overshoots.
 fn between(from: &Place, to: &Place, part: f64) -> Place {
     let pivot = from.pivot.lerp(to.pivot, part);
     let turn = turn_between(&from.view.rotation, &to.view.rotation);
@@ -51,7 +51,7 @@ fn between(from: &Place, to: &Place, part: f64) -> Place {
     Place { view, pivot, scale: geometric(from.scale, to.scale, part) }
 }
 
-/// The turn, as axis times angle, that leads from one rotation to another the shorter way.
+/// The shorter rotation from one orientation to another, as axis times angle.
 fn turn_between(from: &DMat3, to: &DMat3) -> DVec3 {
     let turn = DQuat::from_mat3(&(*to * from.transpose()));
     let turn = if turn.w < 0.0 { -turn } else { turn };
@@ -62,7 +62,7 @@ fn turn_between(from: &DMat3, to: &DMat3) -> DVec3 {
     turn.xyz() * (2.0 * libm::atan2(sine, turn.w) / sine)
 }
 
-/// From one positive number to another by equal factors.
+/// Geometric interpolation of positive numbers.
 fn geometric(from: f64, to: f64, part: f64) -> f64 {
     from * libm::exp(libm::log(to / from) * part)
 }

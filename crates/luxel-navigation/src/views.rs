@@ -1,4 +1,4 @@
-//! Where standard views and fitted views lead.
+//! Target poses of standard and fitted views.
 
 use crate::event::StandardView;
 use crate::motion::Rigid;
@@ -9,10 +9,10 @@ use glam::{DMat3, DVec3};
 use luxel_scene::{Bounds, Lens, Viewpoint, fit_box};
 
 impl StandardView {
-    /// The directions right, up and back of the picture, in world space, if `up` is up.
+    /// The picture's right, up and back directions in world space, for the up axis `up`.
     #[must_use]
     pub fn axes(self, up: DVec3) -> [DVec3; 3] {
-        // Exchanging axes keeps them exact, which sines and cosines wouldn't.
+        // Permuting axes keeps them exact, unlike sines and cosines.
         let front = Viewpoint { up, azimuth_radians: 0.0, elevation_radians: 0.0 };
         let [right, up, front] = front.axes();
         match self {
@@ -26,8 +26,8 @@ impl StandardView {
     }
 }
 
-/// The pivot seen from a side, at the same distance and place in the picture; in the middle if it
-/// was behind the eye.
+/// The standard view of the pivot, at the same distance and position in the picture; centred if it was
+/// behind the eye.
 pub(crate) fn standard(state: &State, settings: &Settings, view: StandardView) -> Place {
     let [right, up, back] = view.axes(settings.up_axis());
     let rotation = DMat3::from_cols(right, up, back).transpose();
@@ -37,14 +37,14 @@ pub(crate) fn standard(state: &State, settings: &Settings, view: StandardView) -
     Place { view: Rigid { rotation, translation }, ..state.place }
 }
 
-/// The box fitted into the view, along the same direction. Nothing is changed by an empty one.
+/// The view that fits a box, in the same direction. Empty boxes change nothing.
 pub(crate) fn fitted(state: &State, settings: &Settings, bounds: &Bounds) -> Place {
     if bounds.is_empty() || !bounds.min.is_finite() || !bounds.max.is_finite() {
         return state.place;
     }
     let axes = [0, 1, 2].map(|row| state.place.view.rotation.row(row));
     let lens = match settings.lens {
-        // A height of 0 is the one that fits.
+        // A height of 0 asks for the one that fits.
         Lens::Orthographic { .. } => Lens::Orthographic { height: 0.0 },
         lens => lens,
     };

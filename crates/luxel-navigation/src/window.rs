@@ -1,14 +1,14 @@
-//! Between the window and camera space.
+//! Conversion between window and camera space.
 
 use glam::{DVec2, DVec3};
 use luxel_scene::{Lens, Size};
 
-/// From the window's axes, y down, to the camera's, y up. Nowhere else is y turned round.
+/// Converts from the window's axes, y down, to the camera's, y up. The only place where y is flipped.
 pub(crate) fn upwards(in_window: DVec2) -> DVec2 {
     DVec2::new(in_window.x, -in_window.y)
 }
 
-/// The point of camera space that is `depth` in front of the eye and seen at `at` in the window.
+/// The camera-space point at `depth` in front of the eye that projects to `at` in the window.
 pub(crate) fn point_at(lens: Lens, size: Size, at: DVec2, depth: f64) -> DVec3 {
     let middle = DVec2::new(f64::from(size.width), f64::from(size.height)) * 0.5;
     let across = match lens {
@@ -22,7 +22,7 @@ pub(crate) fn point_at(lens: Lens, size: Size, at: DVec2, depth: f64) -> DVec3 {
     across.extend(-depth)
 }
 
-/// How much of the world the window shows from bottom to top, at a depth in front of the eye.
+/// The world-space height of the view at a depth.
 pub(crate) fn height_at(lens: Lens, size: Size, depth: f64) -> f64 {
     match lens {
         Lens::Perspective { fov_y_radians } => 2.0 * libm::tan(fov_y_radians * 0.5) * depth,
@@ -37,7 +37,7 @@ mod tests {
     use luxel_scene::Projection;
 
     #[test]
-    fn points_are_seen_where_the_projection_puts_them() {
+    fn points_project_back_to_their_window_position() {
         let size = Size { width: 640, height: 400 };
         for lens in [
             Lens::Perspective { fov_y_radians: 0.7 },

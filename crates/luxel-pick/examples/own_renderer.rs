@@ -7,8 +7,8 @@
 //! Where ids have been drawn into a texture anyway, [`VisibleIds`] answers from those.
 
 use luxel_pick::{
-    LogicalPosition, LogicalSize, NOTHING, PhysicalPosition, PhysicalSize, Picker, Region,
-    Viewport, VisibleIds, WorldHit, WorldRay, unproject,
+    LogicalPosition, LogicalSize, NO_ID, PhysicalPosition, PhysicalSize, Picker, Region, Viewport,
+    VisibleIds, WorldHit, WorldRay, unproject,
 };
 use luxel_scene::{DMat4, DVec3, MaterialId, Mesh, MeshId, Node, Part, Scene, SceneMaterial, Size};
 
@@ -161,9 +161,8 @@ fn ids_by_rays(picker: &Picker, camera: &Camera, window: PhysicalSize) -> Option
     let hit = |(x, y)| {
         camera.ray(PhysicalPosition::centre_of(x, y), window).and_then(|ray| picker.closest(&ray))
     };
-    let ids = |hit: Option<WorldHit>| {
-        hit.map_or((NOTHING, NOTHING), |hit| (hit.object as u32, hit.triangle))
-    };
+    let ids =
+        |hit: Option<WorldHit>| hit.map_or((NO_ID, NO_ID), |hit| (hit.object as u32, hit.triangle));
     let (objects, triangles) = pixels.map(|pixel| ids(hit(pixel))).unzip();
     VisibleIds::new(size, objects, triangles)
 }

@@ -9,7 +9,7 @@
 //! triangles, 0.67 at 100 000, 0.78 at a million. Corners come from the leaf, where they are at hand.
 
 use crate::view::{Geometry, InstanceTree, PickView, Thickness};
-use crate::world_rays::NearRay;
+use crate::world_rays::RebasedRay;
 use glam::DVec3;
 use luxel_bvh::{Block, Child, Node, SlabTest, Subtree, VertexMap, WIDTH};
 use luxel_math::{Lanes, Mask, SUBPIXELS, Simd, dispatch_long, f32x8, prelude::*};
@@ -19,18 +19,18 @@ use std::cell::RefCell;
 
 /// A triangle that covers a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Covering {
-    /// The instance, by its place in the view.
+pub(crate) struct CoveringTriangle {
+    /// The instance's index in the view.
     pub(crate) instance: usize,
     pub(crate) triangle: u32,
-    /// Its corners, about its mesh's origin.
+    /// Its corners, relative to the mesh's origin.
     pub(crate) corners: [[f32; 3]; 3],
-    /// The reversed depth, 1 near and 0 far, by which frames decide.
+    /// The reversed depth of frames, 1 near and 0 far.
     pub(crate) depth: f32,
 }
 
-impl Covering {
-    /// Whether it is seen rather than another one.
+impl CoveringTriangle {
+    /// Whether it hides another.
     fn occludes(&self, other: &Self) -> bool {
         let order = |of: &Self| (of.instance, of.triangle);
         self.depth > other.depth || self.depth == other.depth && order(self) < order(other)
@@ -46,19 +46,19 @@ struct ThickRay {
 }
 
 /// Subtrees to visit, with the nearest depth of their contents.
-type Waiting = Vec<(f32, Child)>;
+type TraversalStack = Vec<(f32, Child)>;
 
 thread_local! {
-    static WAITING: RefCell<Waiting> = const { RefCell::new(Vec::new()) };
+    static STACK: RefCell<TraversalStack> = const { RefCell::new(Vec::new()) };
 }
 
 impl PickView<'_> {
-    /// The surface that a sample sees; its position is in steps of 1/256 pixel.
-    pub(crate) fn owner(&self, position: [i32; 2]) -> Option<Covering> {
-        let mut best: Option<Covering> = None;
+    /// The triangle visible at a sample; positions are in steps of 1/256 pixel.
+    pub(crate) fn owner(&self, position: [i32; 2]) -> Option<CoveringTriangle> {
+        let mut best: Option<CoveringTriangle> = None;
         for number in self.instances_at(position.map(|steps| steps.div_euclid(SUBPIXELS))) {
             let least = best.map_or(0.0, |best| best.depth);
-            let mut visit = |covering: Covering| {
+            let mut visit = |covering: CoveringTriangle| {
                 if best.is_none_or(|best| covering.occludes(&best))
                     && !self.is_hole(&covering, position)
                 {
@@ -66,16 +66,16 @@ impl PickView<'_> {
                 }
                 best.map_or(0.0, |best| best.depth)
             };
-            self.each_covering(number, position, &mut visit, least);
+            self.visit_covering(number, position, &mut visit, least);
         }
         best
     }
 
-    /// All surfaces under a sample, nearest first.
-    pub(crate) fn all_covering(&self, position: [i32; 2]) -> Vec<Covering> {
+    /// All triangles that cover a sample, nearest first.
+    pub(crate) fn covering_triangles(&self, position: [i32; 2]) -> Vec<CoveringTriangle> {
         let mut all = Vec::new();
         for number in self.instances_at(position.map(|steps| steps.div_euclid(SUBPIXELS))) {
-            self.each_covering(
+            self.visit_covering(
                 number,
                 position,
                 &mut |covering| {
@@ -88,19 +88,19 @@ impl PickView<'_> {
             );
         }
         all.sort_by(|a, b| {
-            let order = |of: &Covering| (of.instance, of.triangle);
+            let order = |of: &CoveringTriangle| (of.instance, of.triangle);
             b.depth.total_cmp(&a.depth).then(order(a).cmp(&order(b)))
         });
         all
     }
 
     /// Visits the triangles of an instance that cover a sample; `visit` returns the depth below which
-    /// nothing counts any more.
-    fn each_covering(
+    /// triangles are ignored.
+    fn visit_covering(
         &self,
         place: usize,
         position: [i32; 2],
-        visit: &mut dyn FnMut(Covering) -> f32,
+        visit: &mut dyn FnMut(CoveringTriangle) -> f32,
         least: f32,
     ) {
         let instance = &self.trees[place];
@@ -112,18 +112,18 @@ impl PickView<'_> {
             let triangle = block.triangle(lane);
             let part = part_of(&geometry, triangle);
             let corners = if instance.bounds_tell_depth {
-                // Copies in the leaf, at hand.
+                // The leaf's copies, already in the cache.
                 block.corners(lane, &mesh.positions)
             } else {
                 positions(mesh, triangle)
             };
             let cull = parts[part].cull;
             let depth = instance.probe.covers(corners, cull, position)?;
-            Some(visit(Covering { instance: place, triangle, corners, depth }))
+            Some(visit(CoveringTriangle { instance: place, triangle, corners, depth }))
         };
-        WAITING.with_borrow_mut(|waiting| {
+        STACK.with_borrow_mut(|stack| {
             dispatch_long!(self.picker.level, simd =>
-                descend(simd, instance, &geometry, &ray, least, waiting, &mut found));
+                traverse(simd, instance, &geometry, &ray, least, stack, &mut found));
         });
     }
 
@@ -139,7 +139,7 @@ impl PickView<'_> {
         // t counts distance along the viewing axis. Parallel rays start in the eye's plane, and the
         // scene may lie on both sides of it.
         let first = if parallel { f64::NEG_INFINITY } else { 0.0 };
-        let near = NearRay::new(origin, direction, [first, f64::INFINITY], wide)?;
+        let near = RebasedRay::new(origin, direction, [first, f64::INFINITY], wide)?;
         let (start, grows) = if parallel { (1.0, 0.0) } else { (near.start, near.scale) };
         let f32s = |vector: DVec3| vector.as_vec3().to_array().map(f32::next_up);
         let farthest = near.ray.range[1];
@@ -154,8 +154,8 @@ impl PickView<'_> {
         Some(ThickRay { slabs, farthest, sample: position.map(|steps| steps as f32) })
     }
 
-    /// Whether the surface is cut away or fully transparent there.
-    pub(crate) fn is_hole(&self, covering: &Covering, position: [i32; 2]) -> bool {
+    /// Whether the surface is cut out or fully transparent at the sample.
+    pub(crate) fn is_hole(&self, covering: &CoveringTriangle, position: [i32; 2]) -> bool {
         let instance = &self.placed.instances()[covering.instance];
         let geometry = self.geometry(covering.instance);
         let part = part_of(&geometry, covering.triangle);
@@ -170,7 +170,7 @@ impl PickView<'_> {
     }
 }
 
-/// The positions of a triangle's corners, about its mesh's origin.
+/// A triangle's corners, relative to the mesh's origin.
 pub(crate) fn positions(mesh: &Mesh, triangle: u32) -> [[f32; 3]; 3] {
     mesh.triangles[triangle as usize].map(|corner| mesh.positions[corner as usize])
 }
@@ -184,21 +184,21 @@ pub(crate) fn part_of(geometry: &Geometry<'_>, triangle: u32) -> usize {
     parts.partition_point(|part| part.first <= triangle).saturating_sub(1)
 }
 
-/// Visits the triangles in the leaves that a ray hits, by block and lane, what may be nearest first.
+/// Visits the triangles of leaves that a ray hits, by block and lane, possibly nearest ones first.
 #[inline(always)]
-fn descend<S: Simd>(
+fn traverse<S: Simd>(
     simd: S,
     instance: &InstanceTree,
     geometry: &Geometry<'_>,
     ray: &ThickRay,
     mut least: f32,
-    waiting: &mut Waiting,
+    stack: &mut TraversalStack,
     found: &mut dyn FnMut(Block<'_>, usize) -> Option<f32>,
 ) {
     let tree = geometry.bvh.view();
-    waiting.clear();
-    waiting.extend(tree.root().map(|root| (f32::INFINITY, root)));
-    while let Some((nearest, child)) = waiting.pop() {
+    stack.clear();
+    stack.extend(tree.root().map(|root| (f32::INFINITY, root)));
+    while let Some((nearest, child)) = stack.pop() {
         if nearest < least {
             continue;
         }
@@ -221,7 +221,7 @@ fn descend<S: Simd>(
         };
         let (_, mut bits) = ray.slabs.hit_children(simd, node, ray.farthest);
         tree.prefetch_children(node, bits);
-        let bottom = waiting.len();
+        let bottom = stack.len();
         let depths = instance.nearest(simd, node);
         while bits != 0 {
             let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
@@ -230,17 +230,17 @@ fn descend<S: Simd>(
             if nearest < least {
                 continue;
             }
-            waiting.push((nearest, node.child(slot)));
-            let mut place = waiting.len() - 1;
-            while place > bottom && waiting[place - 1].0 > waiting[place].0 {
-                waiting.swap(place - 1, place);
+            stack.push((nearest, node.child(slot)));
+            let mut place = stack.len() - 1;
+            while place > bottom && stack[place - 1].0 > stack[place].0 {
+                stack.swap(place - 1, place);
                 place -= 1;
             }
         }
     }
 }
 
-/// A bit for each of a block's triangles that may cover a sample: its snapped corners don't all lie to
+/// A bit for each of a block's triangles that may cover a sample: its snapped corners don't all lie on
 /// one side of it, or are unknown.
 #[inline(always)]
 fn candidates<S: Simd>(
@@ -263,7 +263,7 @@ fn candidates<S: Simd>(
     !aside
 }
 
-/// Where the fill rule snaps vertices to, in the window.
+/// Maps vertices to the window positions that the fill rule snaps them to.
 struct SnapToSubPixels<'p>(&'p Probe);
 
 impl VertexMap<2> for SnapToSubPixels<'_> {
@@ -304,7 +304,7 @@ mod tests {
     };
     use luxel_visibility::{Cull, CullFaces};
 
-    /// A bumpy sheet of two triangles a cell, which may or may not share their corners.
+    /// A bumpy sheet of two triangles per cell, with or without shared vertices.
     fn sheet(side: u32, shared: bool) -> Mesh {
         let place = |at: u32| {
             let height = (at as f32 * 0.7).fract() * 0.1;
@@ -378,7 +378,7 @@ mod tests {
         {
             let [all, tested, covers] = counted(shared, quality, 3.0);
             assert!(covers > 10 && tested < 10 * covers, "{all} {tested} {covers}");
-            // Within the sheet, some of which is behind the eye.
+            // Inside the sheet, which lies partly behind the eye.
             let [all, tested, covers] = counted(shared, quality, 0.05);
             assert!(covers > 50 && tested < all, "{all} {tested} {covers}");
         }
@@ -389,7 +389,7 @@ mod tests {
         let scene = luxel_scene::demos::demo("teapot").unwrap();
         let picker = Picker::new(scene.clone()).unwrap();
         let size = Size { width: 64, height: 48 };
-        let mut seen = [0; 2];
+        let mut counts = [0; 2];
         for eye in [DVec3::new(3.0, 4.0, 5.0), DVec3::new(0.3, 0.2, 0.1)] {
             let view_from_world = Camera::look_at(eye, DVec3::ZERO, DVec3::Y);
             let lens = Lens::Perspective { fov_y_radians: 0.8 };
@@ -406,12 +406,12 @@ mod tests {
                             };
                             let one = instance.probe.nearest(corner(0), corner(1));
                             assert_eq!(depths[slot].to_bits(), one.to_bits());
-                            seen[usize::from(one.is_finite())] += 1;
+                            counts[usize::from(one.is_finite())] += 1;
                         }
                     }
                 }
             }
         }
-        assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
+        assert!(counts.iter().all(|count| *count > 10), "{counts:?}");
     }
 }

@@ -1,5 +1,5 @@
-//! Frustum query: the triangles of a tree that may reach into a part of the window. Tests boxes against
-//! the planes through its sides and the near and far planes.
+//! Frustum query: the triangles of a tree that may reach into a part of the window. Boxes are tested
+//! against the planes through its sides and the near and far planes.
 
 use crate::region::Piece;
 use glam::{DMat4, DVec4};
@@ -13,7 +13,7 @@ pub(crate) type Planes = [DVec4; PLANES];
 
 /// The planes around a piece of the window: with X = (x / w + 1) / 2 width and
 /// Y = (1 - y / w) / 2 height, a X + b Y + c >= 0 times 2 w.
-pub(crate) fn planes(piece: &Piece, [width, height]: [f64; 2]) -> Planes {
+pub(crate) fn frustum_planes(piece: &Piece, [width, height]: [f64; 2]) -> Planes {
     let side = |[a, b, c]: [f64; 3]| {
         let (a, b) = (a * width, b * height);
         DVec4::new(a, -b, 0.0, a + b + 2.0 * c)
@@ -24,16 +24,16 @@ pub(crate) fn planes(piece: &Piece, [width, height]: [f64; 2]) -> Planes {
     [left, right, top, bottom, near, far]
 }
 
-/// Planes in a tree's coordinates, rounded so that nothing is lost: normal and distance.
+/// Planes in a tree's coordinates, rounded conservatively: normal and distance.
 pub(crate) struct Frustum {
     planes: [[f32; 4]; PLANES],
 }
 
-/// Relative to the sizes of what is added up: rounding of this, and of what is compared with it.
+/// A bound of rounding errors, relative to the magnitudes of the summands.
 const SLACK: f64 = 1e-5;
 
 impl Frustum {
-    /// `beyond` is how far beyond each plane still counts, in the units of plane . corner at w = 1.
+    /// `beyond` widens each plane, in units of plane . corner at w = 1.
     pub(crate) fn new(
         planes: &Planes,
         clip_from_tree: &DMat4,
@@ -55,10 +55,10 @@ impl Frustum {
         Self { planes: std::array::from_fn(rounded) }
     }
 
-    /// Visits the triangles of the leaves that may reach inside the frustum, block by block.
-    pub(crate) fn each_leaf(&self, bvh: &Bvh, mut visit: impl FnMut(&[u32])) {
+    /// Visits the triangles of leaves that may reach inside, block by block.
+    pub(crate) fn visit_leaves(&self, bvh: &Bvh, mut visit: impl FnMut(&[u32])) {
         bvh.view().visit_blocks(
-            |node| self.meets(node),
+            |node| self.intersects(node),
             |block| {
                 let mut triangles = [0; WIDTH];
                 let count = block.count();
@@ -70,8 +70,8 @@ impl Frustum {
         );
     }
 
-    /// A bit for each child whose box isn't entirely outside of one plane.
-    fn meets(&self, node: &Node) -> u32 {
+    /// A bit for each child whose box isn't entirely outside one plane.
+    fn intersects(&self, node: &Node) -> u32 {
         let mut outside = [false; WIDTH];
         for [x, y, z, w] in self.planes {
             let row = |axis: usize, along: f32| &node.planes()[axis][usize::from(along >= 0.0)];
@@ -81,7 +81,7 @@ impl Frustum {
                 outside[slot] |= farthest < 0.0;
             }
         }
-        // Empty places have no box.
+        // Empty slots have an inverted box.
         (0..WIDTH).fold(0, |bits, slot| {
             let [low, high] = &node.planes()[0];
             let there = low[slot] <= high[slot];

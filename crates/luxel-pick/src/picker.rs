@@ -1,4 +1,4 @@
-//! A scene prepared for picking: a tree for each mesh, and one over all objects.
+//! A scene prepared for picking: a tree per mesh, and one over all objects.
 
 use glam::{DMat3, DMat4, DVec3};
 use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
@@ -11,7 +11,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PickError {
-    /// A mesh of too many triangles.
+    /// A mesh has too many triangles.
     #[error(transparent)]
     TooManyTriangles(#[from] TooManyForTree),
     /// The machine lacks the instruction set.
@@ -32,44 +32,43 @@ pub struct Picker {
     pub(crate) objects: Vec<Object>,
     pub(crate) level: Level,
     bvhs: Vec<Bvh>,
-    placed: Vec<Placed>,
-    /// Over the boxes of the objects, about `middle`.
+    placed: Vec<PlacedTree>,
+    /// The tree over the objects' boxes, relative to `middle`.
     pub(crate) top: BoxTree,
     pub(crate) middle: DVec3,
 }
 
-/// Where an object's tree lies.
-struct Placed {
+/// The tree of an object, with its transforms.
+struct PlacedTree {
     mesh: usize,
-    /// From the coordinates of the tree's boxes to the world.
     world_from_tree: DMat4,
     tree_from_world: DMat4,
-    /// A tree of its own in world coordinates, where the object's transform flattens or stretches
-    /// so much that rays can't go the other way.
-    own: Option<Box<Baked>>,
+    /// A tree in world coordinates, if the object's transform is singular or too anisotropic for rays to
+    /// be transformed.
+    baked: Option<Box<BakedTree>>,
 }
 
-struct Baked {
+struct BakedTree {
     bvh: Bvh,
     positions: Vec<[f32; 3]>,
 }
 
-/// An object's tree in its place.
+/// A view of an object's tree.
 #[derive(Clone, Copy)]
 pub(crate) struct ObjectTree<'p> {
     pub(crate) bvh: &'p Bvh,
     pub(crate) positions: &'p [[f32; 3]],
     pub(crate) world_from_tree: &'p DMat4,
     pub(crate) tree_from_world: &'p DMat4,
-    /// Whether the tree's positions are those of the mesh.
+    /// Whether the tree's positions are the mesh's own.
     pub(crate) of_mesh: bool,
 }
 
-/// Stretching beyond this, of the longest axis against the shortest or so, costs rays their
-/// precision.
-const MOST_STRETCHED: f64 = 1e4;
+/// Stronger anisotropy, roughly the ratio of the longest axis to the shortest, costs transformed rays
+/// their precision.
+const MAX_STRETCH: f64 = 1e4;
 
-/// An object's box in the world, relative to `middle` and rounded outwards.
+/// A world-space box relative to `middle`, rounded outwards.
 fn rounded([low, high]: [DVec3; 2], middle: DVec3) -> [[f32; 3]; 2] {
     [
         (low - middle).as_vec3().to_array().map(f32::next_down),
@@ -77,13 +76,12 @@ fn rounded([low, high]: [DVec3; 2], middle: DVec3) -> [[f32; 3]; 2] {
     ]
 }
 
-fn is_sound([low, high]: &[DVec3; 2]) -> bool {
+fn is_valid([low, high]: &[DVec3; 2]) -> bool {
     low.cmple(*high).all() && low.is_finite() && high.is_finite()
 }
 
 impl Picker {
-    /// Builds the trees, on all threads of the current pool, for the best instruction set that the
-    /// machine has.
+    /// Builds the trees on all threads of the current pool, for the best instruction set of the machine.
     ///
     /// # Errors
     /// [`PickError`] if a mesh has too many triangles.
@@ -110,8 +108,9 @@ impl Picker {
         });
         let bvhs = bvhs.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
         let objects = scene.objects();
-        let placed =
-            map(objects.len(), 1, &|run| Some(Placed::new(&scene, &objects[run.start], quality)));
+        let placed = map(objects.len(), 1, &|run| {
+            Some(PlacedTree::new(&scene, &objects[run.start], quality))
+        });
         let placed = placed.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
         let mut picker = Self {
             scene,
@@ -126,15 +125,15 @@ impl Picker {
             (0..picker.objects.len()).map(|object| picker.tree(object).world_box()).collect();
         let all = boxes
             .iter()
-            .filter(|bounds| is_sound(bounds))
+            .filter(|bounds| is_valid(bounds))
             .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], bounds| {
                 [low.min(bounds[0]), high.max(bounds[1])]
             });
-        picker.middle = if is_sound(&all) { all[0] * 0.5 + all[1] * 0.5 } else { DVec3::ZERO };
+        picker.middle = if is_valid(&all) { all[0] * 0.5 + all[1] * 0.5 } else { DVec3::ZERO };
         let middle = picker.middle;
         let boxes: Vec<_> = boxes
             .into_iter()
-            .map(|bounds| is_sound(&bounds).then(|| rounded(bounds, middle)))
+            .map(|bounds| is_valid(&bounds).then(|| rounded(bounds, middle)))
             .collect();
         picker.top = BoxTree::build(&boxes, Quality::Fast)?;
         Ok(picker)
@@ -146,20 +145,23 @@ impl Picker {
         &self.scene
     }
 
-    /// The objects, by whose places hits name them.
+    /// The objects; hits give their indices.
     #[must_use]
     pub fn objects(&self) -> &[Object] {
         &self.objects
     }
 
-    /// What the trees take beside the scene, in bytes.
+    /// The memory of the trees, in bytes, without the scene.
     #[must_use]
     pub fn memory(&self) -> usize {
-        let own = |placed: &Placed| {
-            placed.own.as_ref().map_or(0, |own| own.bvh.memory() + size_of_val(&own.positions[..]))
+        let baked = |placed: &PlacedTree| {
+            placed
+                .baked
+                .as_ref()
+                .map_or(0, |baked| baked.bvh.memory() + size_of_val(&baked.positions[..]))
         };
         self.bvhs.iter().map(Bvh::memory).sum::<usize>()
-            + self.placed.iter().map(own).sum::<usize>()
+            + self.placed.iter().map(baked).sum::<usize>()
     }
 
     pub(crate) fn mesh(&self, object: usize) -> &Mesh {
@@ -168,8 +170,8 @@ impl Picker {
 
     pub(crate) fn tree(&self, object: usize) -> ObjectTree<'_> {
         let placed = &self.placed[object];
-        let (bvh, positions) = match &placed.own {
-            Some(own) => (&own.bvh, &own.positions),
+        let (bvh, positions) = match &placed.baked {
+            Some(baked) => (&baked.bvh, &baked.positions),
             None => (&self.bvhs[placed.mesh], &self.scene.meshes[placed.mesh].positions),
         };
         ObjectTree {
@@ -177,7 +179,7 @@ impl Picker {
             positions,
             world_from_tree: &placed.world_from_tree,
             tree_from_world: &placed.tree_from_world,
-            of_mesh: placed.own.is_none(),
+            of_mesh: placed.baked.is_none(),
         }
     }
 
@@ -187,19 +189,18 @@ impl Picker {
     }
 }
 
-impl Placed {
+impl PlacedTree {
     fn new(scene: &Scene, object: &Object, quality: Quality) -> Result<Self, TooManyForTree> {
         let mesh = &scene.meshes[object.mesh.index()];
         let world_from_tree = object.world_from_mesh * DMat4::from_translation(mesh.origin);
         let tree_from_world = world_from_tree.inverse();
-        let of = |world_from_tree, tree_from_world, own| Self {
+        let of = |world_from_tree, tree_from_world, baked| Self {
             mesh: object.mesh.index(),
             world_from_tree,
             tree_from_world,
-            own,
+            baked,
         };
-        if tree_from_world.is_finite()
-            && stretch(&world_from_tree, &tree_from_world) < MOST_STRETCHED
+        if tree_from_world.is_finite() && stretch(&world_from_tree, &tree_from_world) < MAX_STRETCH
         {
             return Ok(of(world_from_tree, tree_from_world, None));
         }
@@ -216,12 +217,12 @@ impl Placed {
         let bvh = Bvh::build(&positions, &mesh.triangles, quality)?;
         let shift = DMat4::from_translation(middle);
         let back = DMat4::from_translation(-middle);
-        Ok(of(shift, back, Some(Box::new(Baked { bvh, positions }))))
+        Ok(of(shift, back, Some(Box::new(BakedTree { bvh, positions }))))
     }
 }
 
-/// How much a transform stretches one direction more than another, at most: the product of the
-/// norms of it and its inverse, over 3, which a rotation with a scale has.
+/// An upper bound of a transform's anisotropy: the product of its norm and its inverse's, over 3, the
+/// value of a uniformly scaled rotation.
 fn stretch(matrix: &DMat4, inverse: &DMat4) -> f64 {
     let norm = |matrix: &DMat4| {
         let DMat3 { x_axis, y_axis, z_axis } = DMat3::from_mat4(*matrix);
@@ -231,7 +232,7 @@ fn stretch(matrix: &DMat4, inverse: &DMat4) -> f64 {
 }
 
 impl ObjectTree<'_> {
-    /// The box in the world that the tree's box lies in.
+    /// The world-space bounds of the tree's box.
     fn world_box(&self) -> [DVec3; 2] {
         let Some([low, high]) = self.bvh.bounds() else {
             return [DVec3::INFINITY, DVec3::NEG_INFINITY];

@@ -1,8 +1,8 @@
-//! Regions of the window: rectangles, and polygons drawn around something.
+//! Regions of the window: rectangles and polygons.
 //!
-//! A polygon may be concave and cross itself; its inside is where a line from far away has crossed
-//! it an odd number of times. It is cut into trapezoids between the heights of its corners and
-//! crossings, so that everything after works on convex pieces.
+//! Polygons may be concave and cross themselves; the even-odd rule decides their inside. They are
+//! decomposed into trapezoids between the heights of corners and crossings, so that all queries work on
+//! convex pieces.
 
 use crate::window::PhysicalPosition;
 
@@ -16,7 +16,7 @@ pub struct Region {
     bounds: [f64; 4],
 }
 
-/// A convex piece: a x + b y + c >= 0 for all of its sides.
+/// A convex piece: a x + b y + c >= 0 for each side.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Piece {
     pub(crate) sides: [[f64; 3]; 4],
@@ -24,26 +24,26 @@ pub(crate) struct Piece {
     pub(crate) bounds: [f64; 4],
 }
 
-/// Why a region can't be asked about.
+/// Why a region is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RegionError {
-    /// A number that isn't finite.
+    /// A coordinate isn't finite.
     #[error("a region of the window has finite coordinates")]
     NotFinite,
-    /// A rectangle of no or negative size.
+    /// A rectangle's size isn't positive.
     #[error("a rectangle's width and height are above 0")]
     Empty,
-    /// A polygon of fewer than three corners, or too many.
+    /// A polygon has fewer than three corners, or too many.
     #[error("a polygon has 3 to {MAX_CORNERS} corners, not {0}")]
     Corners(usize),
 }
 
-/// Most corners of a polygon: its crossings are looked for pair by pair.
+/// The most corners of a polygon; crossings are searched pair by pair.
 pub const MAX_CORNERS: usize = 4096;
 
 impl Region {
-    /// A rectangle, by its upper left corner and its size.
+    /// A rectangle, by upper left corner and size.
     ///
     /// # Errors
     /// [`RegionError`] if a number isn't finite or the size isn't above 0.
@@ -60,8 +60,8 @@ impl Region {
         Ok(Self { pieces: vec![Piece { sides, bounds }], outline: Vec::new(), bounds })
     }
 
-    /// The rectangle between two corners, as a rubber band is drawn; at least one pixel each way, so
-    /// that a click is a rectangle, too.
+    /// The rectangle between two corners of a rubber band; at least one pixel each way, so that a click is
+    /// a rectangle, too.
     ///
     /// # Errors
     /// [`RegionError::NotFinite`]
@@ -70,7 +70,7 @@ impl Region {
         Self::rectangle(a.x.min(b.x), a.y.min(b.y), side(a.x, b.x), side(a.y, b.y))
     }
 
-    /// A polygon, by its corners; it closes by itself.
+    /// A polygon, by its corners; the last connects to the first.
     ///
     /// # Errors
     /// [`RegionError`] if a number isn't finite or there are too few or too many corners.
@@ -96,8 +96,8 @@ impl Region {
         self.bounds
     }
 
-    /// Whether a place lies inside: a rectangle's left and upper sides count as inside, its right
-    /// and lower ones don't, so that rectangles side by side share no pixel.
+    /// Whether a position lies inside. Left and top sides of a rectangle are inside, right and bottom
+    /// ones outside, so that adjacent rectangles share no pixel.
     #[must_use]
     pub fn contains(&self, x: f64, y: f64) -> bool {
         let [left, top, right, bottom] = self.bounds;
@@ -117,14 +117,14 @@ impl Region {
         &self.pieces
     }
 
-    /// The box of all pieces, as a piece.
+    /// The bounding box of all pieces, as a piece.
     pub(crate) fn hull(&self) -> Piece {
         let [left, top, right, bottom] = self.bounds;
         let sides = [[1.0, 0.0, -left], [-1.0, 0.0, right], [0.0, 1.0, -top], [0.0, -1.0, bottom]];
         Piece { sides, bounds: self.bounds }
     }
 
-    /// Whether a convex polygon lies inside as a whole.
+    /// Whether a convex polygon lies entirely inside.
     pub(crate) fn encloses(&self, polygon: &[[f64; 2]]) -> bool {
         let [left, top, right, bottom] = self.bounds;
         let boxed = |&[x, y]: &[f64; 2]| left <= x && x <= right && top <= y && y <= bottom;
@@ -166,7 +166,7 @@ fn crossing([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Option<f64> {
     (between(s) && between(t)).then(|| a[1] + ab[1] * s)
 }
 
-/// A polygon's inside, between the heights at which anything changes.
+/// Decomposes a polygon into trapezoids between the heights of its corners and crossings.
 fn trapezoids(corners: &[[f64; 2]]) -> Vec<Piece> {
     let all: Vec<[[f64; 2]; 2]> = edges(corners).collect();
     let mut heights: Vec<f64> = corners.iter().map(|corner| corner[1]).collect();
@@ -220,7 +220,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn trapezoids_hold_what_the_polygon_holds(
+        fn trapezoids_cover_the_polygon(
             corners in prop::collection::vec(prop::array::uniform2(0.0..100.0), 3..12),
             at in prop::array::uniform2(0.0..100.0),
         ) {
@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn impossible_regions_are_refused() {
+    fn invalid_regions_are_refused() {
         assert_eq!(Region::rectangle(0.0, 0.0, 0.0, 1.0), Err(RegionError::Empty));
         assert_eq!(Region::rectangle(f64::NAN, 0.0, 1.0, 1.0), Err(RegionError::NotFinite));
         assert_eq!(Region::polygon(&[[0.0; 2]; 2]), Err(RegionError::Corners(2)));

@@ -1,30 +1,30 @@
-//! The sliver: everything between the eye and the far plane that falls into a region of the window,
-//! cut off exactly at its sides.
+//! Slivers: everything between the near and far planes inside a region of the window, clipped exactly at
+//! its sides.
 //!
 //! Each triangle is clipped in homogeneous coordinates of f64 against the planes through the
-//! region's sides and the near and far planes (Sutherland and Hodgman 1974); the depths of what is
-//! left are those that selection mode would report (OpenGL 2.1, section 5.2). The tree leaves out
-//! what lies wholly beyond one of the planes.
+//! region's sides and the near and far planes (Sutherland and Hodgman 1974); the depths of the
+//! rest are those that selection mode would report (OpenGL 2.1, section 5.2). The tree culls what lies
+//! entirely outside one of the planes.
 
-use crate::frustum::{Frustum, PLANES, Planes, planes};
+use crate::frustum::{Frustum, PLANES, Planes, frustum_planes};
 use crate::region::Region;
 use crate::view::PickView;
 use glam::{DMat4, DVec3, DVec4};
 use luxel_bvh::WIDTH;
 use luxel_parallel::{gather, map};
 
-/// What of an object falls into a region.
+/// The part of an object inside a region.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SliverHit {
-    /// The object, by its place in [`Picker::objects`](crate::Picker::objects).
+    /// The object, by its index in [`Picker::objects`](crate::Picker::objects).
     pub object: usize,
     /// The least window depth of the part inside, 0 near to 1 far.
     pub z_min: f64,
     /// The greatest.
     pub z_max: f64,
-    /// How many triangles reach inside, from either side, culled or not.
+    /// The number of triangles that reach inside, front or back, culled or not.
     pub triangles: u64,
-    /// How many points and lines do.
+    /// The number of points and lines that do.
     pub strokes: u64,
 }
 
@@ -34,43 +34,43 @@ pub enum Inclusion {
     /// Those that reach inside.
     #[default]
     Touching,
-    /// Those that lie inside as a whole: nothing of them is outside of the region, before the near
-    /// plane or beyond the far one.
+    /// Those that lie entirely inside the region and between the near and far planes.
     Enclosed,
 }
 
-/// What has been found of one object.
+/// Depths and counts of clipped polygons.
 #[derive(Clone, Copy, Default)]
-struct Found {
+struct ClippedDepths {
     z_min: f64,
     z_max: f64,
     count: u64,
-    /// How many lie inside as a whole.
+    /// The number of polygons entirely inside.
     whole: u64,
 }
 
-const NOTHING: Found = Found { z_min: f64::INFINITY, z_max: f64::NEG_INFINITY, count: 0, whole: 0 };
+const EMPTY: ClippedDepths =
+    ClippedDepths { z_min: f64::INFINITY, z_max: f64::NEG_INFINITY, count: 0, whole: 0 };
 
-/// A triangle's most corners after all planes.
+/// The most corners of a clipped triangle.
 const CORNERS: usize = 3 + PLANES;
 
-/// Leaves that one task takes.
-const LEAVES: usize = 256;
+/// Leaves per task.
+const LEAVES_PER_TASK: usize = 256;
 
 impl PickView<'_> {
-    /// Everything in a rectangle of the window, by its upper left corner and size in pixels; `None`
-    /// for a rectangle without size.
+    /// The objects in a rectangle of the window, by upper left corner and size in pixels; `None` for an
+    /// empty rectangle.
     #[must_use]
     pub fn rectangle(&self, x: f64, y: f64, width: f64, height: f64) -> Option<Vec<SliverHit>> {
         let region = Region::rectangle(x, y, width, height).ok()?;
         Some(self.sliver(&region, Inclusion::Touching))
     }
 
-    /// Everything in a region of the window, an entry an object, in the order of objects.
+    /// The objects in a region of the window, in order.
     #[must_use]
     pub fn sliver(&self, region: &Region, inclusion: Inclusion) -> Vec<SliverHit> {
-        gather(self.picker.objects.len(), LEAVES, &|run, hits| {
-            hits.extend(run.filter_map(|object| self.of_object(object, region, inclusion)));
+        gather(self.picker.objects.len(), LEAVES_PER_TASK, &|run, hits| {
+            hits.extend(run.filter_map(|object| self.object_hit(object, region, inclusion)));
         })
     }
 
@@ -82,38 +82,43 @@ impl PickView<'_> {
     #[must_use]
     pub fn triangles_in(&self, object: usize, region: &Region) -> Vec<(u32, [f64; 2])> {
         let clipper = Clipper::new(self, object, region);
-        let mut found = Vec::new();
-        clipper.frustum.each_leaf(self.picker.tree(object).bvh, |triangles| {
+        let mut depths = Vec::new();
+        clipper.frustum.visit_leaves(self.picker.tree(object).bvh, |triangles| {
             for triangle in triangles {
                 let reach = clipper.triangle(self.picker.mesh(object), *triangle);
                 if reach.count > 0 {
-                    found.push((*triangle, [reach.z_min, reach.z_max]));
+                    depths.push((*triangle, [reach.z_min, reach.z_max]));
                 }
             }
         });
-        found.sort_unstable_by_key(|(triangle, _)| *triangle);
-        found
+        depths.sort_unstable_by_key(|(triangle, _)| *triangle);
+        depths
     }
 
-    fn of_object(&self, object: usize, region: &Region, inclusion: Inclusion) -> Option<SliverHit> {
+    fn object_hit(
+        &self,
+        object: usize,
+        region: &Region,
+        inclusion: Inclusion,
+    ) -> Option<SliverHit> {
         let mesh = self.picker.mesh(object);
         let clipper = Clipper::new(self, object, region);
         let mut candidates: Vec<u32> = Vec::new();
-        clipper.frustum.each_leaf(self.picker.tree(object).bvh, |triangles| {
+        clipper.frustum.visit_leaves(self.picker.tree(object).bvh, |triangles| {
             candidates.extend_from_slice(triangles);
         });
-        let faces = map(candidates.len(), LEAVES * WIDTH, &|run| {
+        let faces = map(candidates.len(), LEAVES_PER_TASK * WIDTH, &|run| {
             let run = candidates[run].iter();
-            run.fold(NOTHING, |all, &triangle| all.and(clipper.triangle(mesh, triangle)))
+            run.fold(EMPTY, |all, &triangle| all.merge(clipper.triangle(mesh, triangle)))
         });
-        let faces = faces.into_iter().fold(NOTHING, Found::and);
+        let faces = faces.into_iter().fold(EMPTY, ClippedDepths::merge);
         let points = mesh.points.iter().flat_map(|points| &points.indices);
         let lines = mesh.lines.iter().flat_map(|lines| &lines.segments);
         let strokes = points
             .map(|&at| clipper.polygon(&[mesh.position(at)]))
             .chain(lines.map(|ends| clipper.polygon(&ends.map(|at| mesh.position(at)))))
-            .fold(NOTHING, Found::and);
-        let all = faces.and(strokes);
+            .fold(EMPTY, ClippedDepths::merge);
+        let all = faces.merge(strokes);
         if inclusion == Inclusion::Enclosed {
             let points = mesh.points.iter().map(|points| points.indices.len()).sum::<usize>();
             let lines = mesh.lines.iter().map(|lines| lines.segments.len()).sum::<usize>();
@@ -121,14 +126,14 @@ impl PickView<'_> {
                 return None;
             }
         }
-        let Found { z_min, z_max, .. } = all;
+        let ClippedDepths { z_min, z_max, .. } = all;
         let (triangles, strokes) = (faces.count, strokes.count);
         (all.count > 0).then_some(SliverHit { object, z_min, z_max, triangles, strokes })
     }
 }
 
-impl Found {
-    fn and(self, other: Self) -> Self {
+impl ClippedDepths {
+    fn merge(self, other: Self) -> Self {
         Self {
             z_min: self.z_min.min(other.z_min),
             z_max: self.z_max.max(other.z_max),
@@ -143,9 +148,9 @@ struct Clipper<'r> {
     region: &'r Region,
     pieces: Vec<Planes>,
     clip_from_mesh: DMat4,
-    /// Around the whole region.
+    /// The frustum of the whole region.
     frustum: Frustum,
-    /// Pixels across and down.
+    /// The window's width and height in pixels.
     window: [f64; 2],
 }
 
@@ -157,46 +162,46 @@ impl<'r> Clipper<'r> {
         let clip_from_world = projection * view.camera().view_from_world;
         let window = [f64::from(view.size().width), f64::from(view.size().height)];
         let clip_from_tree = clip_from_world * *tree.world_from_tree;
-        let hull = planes(&region.hull(), window);
+        let hull = frustum_planes(&region.hull(), window);
         let frustum = Frustum::new(&hull, &clip_from_tree, tree.bvh.bounds(), [0.0; PLANES]);
         Self {
             region,
-            pieces: region.pieces().iter().map(|piece| planes(piece, window)).collect(),
+            pieces: region.pieces().iter().map(|piece| frustum_planes(piece, window)).collect(),
             clip_from_mesh: clip_from_world * of.world_from_mesh,
             frustum,
             window,
         }
     }
 
-    fn triangle(&self, mesh: &luxel_scene::Mesh, triangle: u32) -> Found {
+    fn triangle(&self, mesh: &luxel_scene::Mesh, triangle: u32) -> ClippedDepths {
         let corners = mesh.triangles[triangle as usize].map(|vertex| mesh.position(vertex));
         self.polygon(&corners)
     }
 
-    /// What of a point, a line or a triangle lies inside.
-    fn polygon(&self, corners: &[DVec3]) -> Found {
+    /// Clips a point, a line or a triangle.
+    fn polygon(&self, corners: &[DVec3]) -> ClippedDepths {
         let mut clip = [DVec4::ZERO; 3];
         for (clip, corner) in clip.iter_mut().zip(corners) {
             *clip = self.clip_from_mesh * corner.extend(1.0);
         }
         let clip = &clip[..corners.len()];
-        let mut found = NOTHING;
+        let mut depths = EMPTY;
         let mut whole = false;
         for planes in &self.pieces {
-            let (piece, uncut) = clipped(clip, planes);
+            let (piece, uncut) = clip_polygon(clip, planes);
             whole |= uncut;
-            found.z_min = found.z_min.min(piece[0]);
-            found.z_max = found.z_max.max(piece[1]);
+            depths.z_min = depths.z_min.min(piece[0]);
+            depths.z_max = depths.z_max.max(piece[1]);
         }
-        if found.z_min <= found.z_max {
-            found.count = 1;
+        if depths.z_min <= depths.z_max {
+            depths.count = 1;
             let is_whole = whole || self.pieces.len() > 1 && self.encloses(clip);
-            found.whole = u64::from(is_whole);
+            depths.whole = u64::from(is_whole);
         }
-        found
+        depths
     }
 
-    /// Whether a polygon lies inside of the region as a whole, though in several of its pieces.
+    /// Whether a polygon lies entirely inside the region, though across several of its pieces.
     fn encloses(&self, corners: &[DVec4]) -> bool {
         let between = |corner: &DVec4| corner.w + corner.z >= 0.0 && corner.w - corner.z >= 0.0;
         let mut places = [[0.0; 2]; 3];
@@ -210,9 +215,9 @@ impl<'r> Clipper<'r> {
     }
 }
 
-/// The least and greatest window depth of a polygon's part inside of planes (upside down if there
-/// is none), and whether all of it is inside.
-pub(crate) fn clipped(corners: &[DVec4], planes: &Planes) -> ([f64; 2], bool) {
+/// The least and greatest window depth of a polygon's part inside the planes (inverted if there is
+/// none), and whether all of it is inside.
+pub(crate) fn clip_polygon(corners: &[DVec4], planes: &Planes) -> ([f64; 2], bool) {
     const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
     let mut polygon = [DVec4::ZERO; CORNERS + 1];
     polygon[..corners.len()].copy_from_slice(corners);
@@ -246,7 +251,7 @@ pub(crate) fn clipped(corners: &[DVec4], planes: &Planes) -> ([f64; 2], bool) {
             if inside {
                 keep(source[here]);
             }
-            // A line has two ends, and goes back the way it came.
+            // A line is clipped once in each direction.
             if inside != next_inside {
                 let (from, to) = if inside { (here, next) } else { (next, here) };
                 let t = distances[from] / (distances[from] - distances[to]);

@@ -5,40 +5,40 @@ use crate::view::PickView;
 use crate::window::PhysicalPosition;
 use glam::{DVec3, DVec4};
 
-/// A vertex near a place of the window.
+/// A vertex near a window position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearVertex {
-    /// The position, by its place in the object's mesh.
+    /// The vertex's index in the object's mesh.
     pub index: u32,
-    /// Where it lies in the world.
+    /// The position in world space.
     pub position: DVec3,
-    /// Where it lies in the window, in pixels.
+    /// The position in the window, in pixels.
     pub window: [f64; 2],
-    /// How far from the place asked about, in pixels.
+    /// The distance from the query position, in pixels.
     pub pixels: f64,
 }
 
-/// The nearest place of an edge.
+/// The nearest point of an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearEdge {
-    /// The edge's ends, by their places in the object's mesh.
+    /// The edge's ends, by their indices in the object's mesh.
     pub vertices: [u32; 2],
-    /// The place on the edge, in the world.
+    /// The point on the edge, in world space.
     pub position: DVec3,
-    /// Where it lies in the window, in pixels.
+    /// The position in the window, in pixels.
     pub window: [f64; 2],
-    /// How far from the place asked about, in pixels.
+    /// The distance from the query position, in pixels.
     pub pixels: f64,
 }
 
-/// The polygon of the file that a hit triangle is part of.
+/// The polygon of the file that contains a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearPolygon {
-    /// Its number in the mesh: the triangle's own where the file has triangles.
+    /// Its index in the mesh; the triangle's own if the file has triangles.
     pub number: u32,
-    /// Its corner that lies nearest in the window; `None` if none lies before the near plane.
+    /// Its nearest corner in the window; `None` if none lies beyond the near plane.
     pub vertex: Option<NearVertex>,
-    /// Its edge that comes nearest in the window.
+    /// Its nearest edge in the window.
     pub edge: Option<NearEdge>,
 }
 
@@ -53,47 +53,47 @@ pub enum SnapTo {
     Face,
 }
 
-/// What a place of the window snaps to.
+/// The result of snapping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Snapped {
-    /// The object, by its place in [`Picker::objects`](crate::Picker::objects).
+    /// The object, by its index in [`Picker::objects`](crate::Picker::objects).
     pub object: usize,
-    /// A triangle there that is seen.
+    /// A visible triangle of the feature.
     pub triangle: u32,
-    /// What of it, and where.
+    /// The feature.
     pub to: SnappedTo,
 }
 
-/// See [`Snapped`].
+/// A feature that a cursor snaps to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SnappedTo {
     /// A corner of a polygon.
     Vertex(NearVertex),
-    /// A place on an edge of a polygon.
+    /// A point on an edge of a polygon.
     Edge(NearEdge),
-    /// A place on a surface.
+    /// A point on a surface.
     Face {
-        /// Where it lies in the world.
+        /// The position in world space.
         position: DVec3,
-        /// Where it lies in the window, in pixels.
+        /// The position in the window, in pixels.
         window: [f64; 2],
-        /// How far from the place asked about, in pixels.
+        /// The distance from the query position, in pixels.
         pixels: f64,
     },
 }
 
 impl PickView<'_> {
-    /// The polygon of a hit, with its vertex and edge that lie nearest to the hit in the window;
-    /// `None` for points and lines.
+    /// The polygon of a hit, with the vertex and edge nearest to the hit in the window; `None` for points
+    /// and lines.
     #[must_use]
     pub fn polygon_of(&self, hit: &PickHit) -> Option<NearPolygon> {
         let Element::Triangle(triangle) = hit.element else { return None };
         let [x, y] = self.window_of(hit.position)?;
-        Some(self.polygon_near(hit.object, triangle, [x, y]))
+        Some(self.nearest_in_polygon(hit.object, triangle, [x, y]))
     }
 
-    /// What is seen within `tolerance` pixels of a place and lies nearest to it: a vertex or edge of
-    /// a polygon, or a surface. `None` if there is nothing. Points and lines don't hold a cursor.
+    /// The nearest visible vertex, edge or surface within `tolerance` pixels of a window position. Points
+    /// and lines don't snap.
     #[must_use]
     pub fn snap(
         &self,
@@ -103,21 +103,21 @@ impl PickView<'_> {
     ) -> Option<Snapped> {
         let [x, y] = place.into().to_array();
         let mut best: Option<(f64, Snapped)> = None;
-        let mut asked = std::collections::BTreeSet::new();
-        for [px, py] in around(x, y, tolerance) {
+        let mut visited = std::collections::BTreeSet::new();
+        for [px, py] in pixels_around(x, y, tolerance) {
             let Some((object, Element::Triangle(triangle))) = self.owner_at([px, py]) else {
                 continue;
             };
-            if to != SnapTo::Face && !asked.insert((object, triangle)) {
+            if to != SnapTo::Face && !visited.insert((object, triangle)) {
                 continue;
             }
-            let found = match to {
+            let feature = match to {
                 SnapTo::Vertex => self
-                    .polygon_near(object, triangle, [x, y])
+                    .nearest_in_polygon(object, triangle, [x, y])
                     .vertex
                     .map(|vertex| (vertex.pixels, SnappedTo::Vertex(vertex))),
                 SnapTo::Edge => self
-                    .polygon_near(object, triangle, [x, y])
+                    .nearest_in_polygon(object, triangle, [x, y])
                     .edge
                     .map(|edge| (edge.pixels, SnappedTo::Edge(edge))),
                 SnapTo::Face => self.at([px, py]).map(|hit| {
@@ -127,13 +127,13 @@ impl PickView<'_> {
                     (pixels, SnappedTo::Face { position, window, pixels })
                 }),
             };
-            if let Some((pixels, to)) = found
+            if let Some((pixels, to)) = feature
                 && pixels <= tolerance
                 && best.is_none_or(|(least, _)| pixels < least)
             {
                 best = Some((pixels, Snapped { object, triangle, to }));
             }
-            // Places come nearest first.
+            // Positions are sorted by distance.
             if to == SnapTo::Face && best.is_some() {
                 break;
             }
@@ -141,7 +141,7 @@ impl PickView<'_> {
         best.map(|(_, snapped)| snapped)
     }
 
-    /// The nearest point or line that is seen within `tolerance` pixels of a place.
+    /// The nearest visible point or line within `tolerance` pixels of a window position.
     #[must_use]
     pub fn stroke_near(
         &self,
@@ -152,15 +152,15 @@ impl PickView<'_> {
         if self.placed.strokes().is_empty() {
             return None;
         }
-        around(x, y, tolerance).into_iter().find_map(|[px, py]| {
+        pixels_around(x, y, tolerance).into_iter().find_map(|[px, py]| {
             let (_, element) = self.owner_at([px, py])?;
             let is_stroke = !matches!(element, Element::Triangle(_));
             if is_stroke { self.at([px, py]) } else { None }
         })
     }
 
-    /// Where a place of the world lies in the window, in pixels from the upper left; `None` before
-    /// the near plane and beyond the far one.
+    /// Projects a world-space point to window pixels from the upper left; `None` outside the near and far
+    /// planes.
     #[must_use]
     pub fn window_of(&self, place: DVec3) -> Option<[f64; 2]> {
         let clip = self.clip_of(place);
@@ -179,12 +179,12 @@ impl PickView<'_> {
         ]
     }
 
-    fn polygon_near(&self, object: usize, triangle: u32, [x, y]: [f64; 2]) -> NearPolygon {
+    fn nearest_in_polygon(&self, object: usize, triangle: u32, [x, y]: [f64; 2]) -> NearPolygon {
         let mesh = self.picker.mesh(object);
         let world_from_mesh = &self.picker.objects[object].world_from_mesh;
         let place = |vertex: u32| world_from_mesh.transform_point3(mesh.position(vertex));
-        let from_asked = |[px, py]: [f64; 2]| ((px - x) * (px - x) + (py - y) * (py - y)).sqrt();
-        // The polygon's triangles follow one another.
+        let distance = |[px, py]: [f64; 2]| ((px - x) * (px - x) + (py - y) * (py - y)).sqrt();
+        // The triangles of a polygon are consecutive.
         let at = triangle as usize;
         let (number, run) = match &mesh.polygons {
             None => (triangle, at..at + 1),
@@ -196,7 +196,7 @@ impl PickView<'_> {
                 (number, at - before..at + after)
             }
         };
-        // An edge inside of the polygon runs through two of its triangles, once each way.
+        // Interior edges belong to two triangles, once in each direction.
         let mut edges: Vec<[u32; 2]> =
             mesh.triangles[run].iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
         edges.sort_unstable();
@@ -207,14 +207,14 @@ impl PickView<'_> {
             }
             let position = place(from);
             if let Some(window) = self.window_of(position) {
-                let pixels = from_asked(window);
+                let pixels = distance(window);
                 if polygon.vertex.is_none_or(|vertex| pixels < vertex.pixels) {
                     polygon.vertex = Some(NearVertex { index: from, position, window, pixels });
                 }
             }
             let ends = [position, place(to)];
             if let Some((along, window)) = self.nearest_on(ends, [x, y]) {
-                let pixels = from_asked(window);
+                let pixels = distance(window);
                 if polygon.edge.is_none_or(|edge| pixels < edge.pixels) {
                     let position = ends[0] + (ends[1] - ends[0]) * along;
                     let vertices = [from, to];
@@ -225,8 +225,8 @@ impl PickView<'_> {
         polygon
     }
 
-    /// The place of a line in the world that lies nearest in the window: how far along, and where in
-    /// the window. `None` if no part lies between the near and far planes.
+    /// The point of a world-space line nearest in the window: its parameter and window position. `None` if
+    /// no part lies between the near and far planes.
     fn nearest_on(&self, ends: [DVec3; 2], [x, y]: [f64; 2]) -> Option<(f64, [f64; 2])> {
         let [from, to] = ends.map(|end| self.clip_of(end));
         let mut part = [0.0_f64, 1.0_f64];
@@ -248,7 +248,7 @@ impl PickView<'_> {
         let squared = dx * dx + dy * dy;
         let dot = (x - p[0]) * dx + (y - p[1]) * dy;
         let t = if squared > 0.0 { (dot / squared).clamp(0.0, 1.0) } else { 0.0 };
-        // A step along the edge in the window is a perspective one along it in the world.
+        // Perspective-correct interpolation along the edge.
         let (from, to) = ((1.0 - t) / start.w, t / end.w);
         let along = part[0] + (part[1] - part[0]) * (to / (from + to));
         Some((along, [p[0] + dx * t, p[1] + dy * t]))
@@ -259,8 +259,8 @@ fn is_between_planes(clip: DVec4) -> bool {
     clip.w + clip.z >= 0.0 && clip.w - clip.z >= 0.0 && clip.w > 0.0
 }
 
-/// A place, then the centres of the pixels around it within a distance, nearest first.
-fn around(x: f64, y: f64, tolerance: f64) -> Vec<[f64; 2]> {
+/// A position, then the pixel centres within a distance, nearest first.
+fn pixels_around(x: f64, y: f64, tolerance: f64) -> Vec<[f64; 2]> {
     let reach = tolerance.clamp(0.0, 256.0).ceil() as i64;
     let mut places = Vec::new();
     for row in -reach..=reach {

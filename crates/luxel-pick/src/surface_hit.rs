@@ -1,7 +1,6 @@
-//! Surface attributes of a hit, where the line of sight hits the triangle itself, by the formulas that
-//! shade it.
+//! Surface attributes of a hit, on the unsnapped triangle, by the formulas of shading.
 
-use crate::coverage_query::{Covering, part_of};
+use crate::coverage_query::{CoveringTriangle, part_of};
 use crate::view::PickView;
 use crate::window::PhysicalPosition;
 use glam::DVec3;
@@ -9,49 +8,49 @@ use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
 use luxel_visibility::{Forms, InstanceSpace, interpolate, interpolate_corners, sides};
 
-/// What lies under a place of the window.
+/// A surface at a window position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PickHit {
-    /// The object, by its place in [`Picker::objects`](crate::Picker::objects).
+    /// The object, by its index in [`Picker::objects`](crate::Picker::objects).
     pub object: usize,
-    /// What of it.
+    /// The triangle, point or line.
     pub element: Element,
     /// Its material.
     pub material: MaterialId,
-    /// The weights of the triangle's corners; (1, 0, 0) for points and lines.
+    /// Barycentric coordinates; (1, 0, 0) for points and lines.
     pub barycentric: [f32; 3],
-    /// The place in the world.
+    /// The position in world space.
     pub position: DVec3,
-    /// The unit normal that shading uses, in world space, turned to the side that is seen.
+    /// The unit shading normal in world space, facing the eye.
     pub normal: [f32; 3],
-    /// The unit normal of the triangle's plane, in world space, on the side that is seen.
+    /// The unit normal of the triangle's plane in world space, facing the eye.
     pub geometric_normal: [f32; 3],
     /// Texture coordinates of the first set, if the mesh has any.
     pub uv: Option<[f32; 2]>,
     /// The interpolated vertex colour, linear, with alpha, if the mesh has any.
     pub color: Option<[f32; 4]>,
-    /// From the eye.
+    /// The distance from the eye.
     pub distance: f64,
-    /// Along the viewing axis.
+    /// The distance along the viewing axis.
     pub z: f32,
     /// Window depth, 0 near to 1 far, as `glDepthRange(0, 1)` gives it.
     pub depth: f64,
 }
 
-/// What of an object was hit.
+/// An element of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {
-    /// A triangle, by its place in the mesh.
+    /// A triangle, by its index in the mesh.
     Triangle(u32),
-    /// A point, counted through all points of the mesh.
+    /// A point, by its index among all points of the mesh.
     Point(u32),
-    /// A line segment, counted through all segments of the mesh.
+    /// A line segment, by its index among all segments of the mesh.
     Line(u32),
 }
 
 impl PickView<'_> {
-    /// What is seen at a place of the window, in pixels from the upper left, rounded to 1/256 pixel;
-    /// `None` outside of the window and where nothing is. Pixel n's centre is n + 0.5.
+    /// The visible surface at a window position, in pixels from the upper left, rounded to 1/256 pixel;
+    /// `None` outside the window and on the background. Pixel n's centre is n + 0.5.
     ///
     /// ```
     /// use luxel_pick::{PickView, Picker};
@@ -71,19 +70,19 @@ impl PickView<'_> {
     /// # Ok::<(), luxel_pick::PickError>(())
     /// ```
     #[must_use]
-    pub fn at(&self, place: impl Into<PhysicalPosition>) -> Option<PickHit> {
-        let position = self.steps(place.into())?;
+    pub fn at(&self, position: impl Into<PhysicalPosition>) -> Option<PickHit> {
+        let position = self.steps(position.into())?;
         Some(self.surface_hit(&self.owner(position)?, position))
     }
 
-    /// Everything under a place of the window, nearest first.
+    /// All surfaces at a window position, nearest first.
     ///
-    /// The first is what a frame shows, whose depths are rounded to f32; the others go by their exact
+    /// The first is the one that a frame shows, by depths rounded to f32; the others are sorted by exact
     /// depths.
     #[must_use]
-    pub fn through(&self, place: impl Into<PhysicalPosition>) -> Vec<PickHit> {
-        let Some(position) = self.steps(place.into()) else { return Vec::new() };
-        let all = self.all_covering(position);
+    pub fn through(&self, position: impl Into<PhysicalPosition>) -> Vec<PickHit> {
+        let Some(position) = self.steps(position.into()) else { return Vec::new() };
+        let all = self.covering_triangles(position);
         let mut hits: Vec<_> =
             all.iter().map(|covering| self.surface_hit(covering, position)).collect();
         if let Some((_, behind)) = hits.split_first_mut() {
@@ -92,14 +91,14 @@ impl PickView<'_> {
         hits
     }
 
-    /// What is seen at a place of the window: object and element, without more.
+    /// The visible object and element at a window position, without attributes.
     #[must_use]
-    pub fn owner_at(&self, place: impl Into<PhysicalPosition>) -> Option<(usize, Element)> {
-        let covering = self.owner(self.steps(place.into())?)?;
+    pub fn owner_at(&self, position: impl Into<PhysicalPosition>) -> Option<(usize, Element)> {
+        let covering = self.owner(self.steps(position.into())?)?;
         Some(self.element_of(covering.instance, covering.triangle))
     }
 
-    /// A place of the window in steps of 1/256 pixel.
+    /// A window position in steps of 1/256 pixel.
     fn steps(&self, PhysicalPosition { x, y }: PhysicalPosition) -> Option<[i32; 2]> {
         let inside = |at: f64, side: u32| at >= 0.0 && at < f64::from(side);
         if !inside(x, self.size().width) || !inside(y, self.size().height) {
@@ -126,14 +125,14 @@ impl PickView<'_> {
         (instance.object, element)
     }
 
-    pub(crate) fn forms(&self, covering: &Covering) -> Forms {
+    pub(crate) fn forms(&self, covering: &CoveringTriangle) -> Forms {
         let space = &self.placed.instances()[covering.instance].space;
         Forms::new(&self.rays, space.view_from_local.corners(covering.corners))
     }
 
-    /// The surface of a triangle at a sample that it covers.
-    pub(crate) fn surface_hit(&self, covering: &Covering, position: [i32; 2]) -> PickHit {
-        let &Covering { triangle, .. } = covering;
+    /// The attributes of a triangle at a sample that it covers.
+    pub(crate) fn surface_hit(&self, covering: &CoveringTriangle, position: [i32; 2]) -> PickHit {
+        let &CoveringTriangle { triangle, .. } = covering;
         let space = &self.placed.instances()[covering.instance].space;
         let geometry = self.geometry(covering.instance);
         let mesh = geometry.mesh;
@@ -192,8 +191,8 @@ impl PickView<'_> {
         }
     }
 
-    /// The normal after the material's normal map.
-    #[expect(clippy::too_many_arguments, reason = "all that a texture's sampling hangs on")]
+    /// Applies the material's normal map.
+    #[expect(clippy::too_many_arguments, reason = "texture sampling depends on all of them")]
     fn mapped(
         &self,
         mesh: &Mesh,
@@ -216,7 +215,7 @@ impl PickView<'_> {
         mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
     }
 
-    /// A texture at a sample, by what a pixel covers of it there.
+    /// Samples a texture, filtered over the pixel's footprint.
     fn texel(
         &self,
         mesh: &Mesh,
@@ -236,7 +235,7 @@ impl PickView<'_> {
     }
 }
 
-/// Texture coordinates; 0 where the mesh has none.
+/// Texture coordinates; 0 if the mesh has none.
 fn uv(mesh: &Mesh, set: usize, attributes: [usize; 3], weights: [f32; 3]) -> [f32; 2] {
     let at_corners = attributes.map(|at| mesh.uvs[set].get(at).copied().unwrap_or_default());
     interpolate_corners(&at_corners, &weights)

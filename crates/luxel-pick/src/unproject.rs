@@ -1,16 +1,16 @@
-//! Between the world and the window, both ways, in f64.
+//! Projection from world space to the window and back, in f64.
 //!
-//! Functions named after GLU's mean what GLU's mean (`gluProject`, `gluUnProject`,
+//! Functions named after GLU's have their semantics (`gluProject`, `gluUnProject`,
 //! `gluUnProject4`, `gluPickMatrix`: GLU 1.3, chapter 4): windows begin at the lower left, depth is
 //! 0 near and 1 far, `view` is the modelview matrix and `clip_from_view` the projection.
-//! [`flip_y`](crate::flip_y) joins them to windows that begin at the upper left.
+//! [`flip_y`](crate::flip_y) converts to windows that begin at the upper left.
 
 use crate::window::PhysicalPosition;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use luxel_scene::{Camera, Projection, Size};
 use luxel_visibility::WindowRays;
 
-/// Where in the window normalized coordinates fall (`glViewport`): lower left corner and size.
+/// A viewport (`glViewport`): lower left corner and size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
     /// The left side.
@@ -31,7 +31,7 @@ impl Viewport {
     }
 }
 
-/// From the world to the window (`gluProject`): x, y in pixels from the lower left, depth from 0
+/// Projects to the window (`gluProject`): x, y in pixels from the lower left, depth from 0
 /// near to 1 far. `None` in the eye's plane, where w is 0.
 ///
 /// ```
@@ -67,8 +67,8 @@ pub fn project(
     ))
 }
 
-/// From the window to the world (`gluUnProject`). `None` if the matrices have no inverse or the
-/// place lies at infinity.
+/// Unprojects from the window (`gluUnProject`). `None` if the matrices have no inverse or the point lies
+/// at infinity.
 #[must_use]
 pub fn unproject(
     window: DVec3,
@@ -81,9 +81,9 @@ pub fn unproject(
     (object.w != 0.0).then(|| object.truncate() / object.w)
 }
 
-/// From the window to homogeneous coordinates of the world (`gluUnProject4`): `window.w` is the
-/// clip w, `depth_range` what `glDepthRange` set. Unlike [`unproject`] it also tells points at
-/// infinity, for which w is 0. `None` if the matrices have no inverse or the viewport or range is
+/// Unprojects to homogeneous coordinates (`gluUnProject4`): `window.w` is the
+/// clip w, `depth_range` that of `glDepthRange`. Unlike [`unproject`] it also returns points at
+/// infinity, whose w is 0. `None` if the matrices have no inverse or the viewport or range is
 /// empty.
 #[must_use]
 pub fn unproject4(
@@ -126,19 +126,19 @@ pub fn pick_matrix(centre: DVec2, size: DVec2, viewport: Viewport) -> Option<DMa
     Some(DMat4::from_translation(shift) * DMat4::from_scale(scale))
 }
 
-/// The part of the line of sight through a place of the window that a camera sees.
+/// The visible part of the line of sight through a window position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SightLine {
-    /// Where it starts, in world space: the eye, or the place in the eye's plane for parallel rays.
+    /// The origin in world space: the eye, or the point in the eye's plane for orthographic cameras.
     pub origin: DVec3,
-    /// Where it goes, of unit length, in world space.
+    /// The unit direction in world space.
     pub direction: DVec3,
-    /// The distances along it of the near plane and the far one, which may be infinite.
+    /// The distances of the near plane and the far one, which may be infinite.
     pub range: [f64; 2],
 }
 
-/// The line of sight through a place of the window, in pixels from the *upper left*; any camera:
-/// perspective, parallel, off-centre, without a far plane.
+/// The line of sight through a window position, in pixels from the *upper left*, for any camera:
+/// perspective, orthographic, off-centre, without a far plane.
 #[must_use]
 pub fn window_ray(camera: &Camera, size: Size, place: impl Into<PhysicalPosition>) -> SightLine {
     let [x, y] = place.into().to_array();

@@ -1,5 +1,5 @@
-//! A scene before a camera: instances with the fill rule of each, and which of them a place of the
-//! window may see.
+//! A scene seen by a camera: instances with their fill rules, and a grid of the instances that may cover
+//! each part of the window.
 
 use crate::picker::{PickError, Picker};
 use crate::window_cells::WindowCells;
@@ -12,10 +12,10 @@ use luxel_visibility::{
     WindowRays,
 };
 
-/// What a camera sees of a scene in a window, ready to be asked pixel by pixel.
+/// A camera's view of a scene in a window, for queries by pixel.
 ///
-/// What owns a pixel is decided by the fill rule of frames (`luxel-visibility`): snapped corners,
-/// exact edges, the top-left rule. So a pick names what a frame shows, at every pixel.
+/// Visibility follows the fill rule of frames (`luxel-visibility`): snapped corners, exact edges, the
+/// top-left rule. So picks and frames agree at every pixel.
 pub struct PickView<'p> {
     pub(crate) picker: &'p Picker,
     /// The instances, as frames place them.
@@ -41,15 +41,15 @@ pub(crate) struct InstanceTree {
     pub(crate) bounds_tell_depth: bool,
 }
 
-/// How far a triangle may lie from the line of sight through a sample that it covers, in the
-/// coordinates of an instance's tree.
+/// Bounds of the distance between a triangle and the line of sight through a sample that it covers, in
+/// the coordinates of an instance's tree.
 #[derive(Clone, Copy)]
 pub(crate) struct Thickness {
-    /// Per unit of distance along the viewing axis; at any distance for parallel rays.
+    /// Per unit of distance along the viewing axis; constant for orthographic cameras.
     pub(crate) snapped: DVec3,
-    /// At any distance.
+    /// Constant.
     pub(crate) rounded: DVec3,
-    /// The tree's box, so much larger.
+    /// The tree's box, enlarged by the bounds.
     pub(crate) wide: [[f32; 3]; 2],
     /// The largest coordinates in the tree.
     pub(crate) largest: [f32; 3],
@@ -63,7 +63,7 @@ pub(crate) struct Geometry<'v> {
 }
 
 impl<'p> PickView<'p> {
-    /// A camera's view of a scene, in a window of this size, `cull` as frames are drawn with.
+    /// A camera's view of a scene in a window of this size, with the culling of its frames.
     ///
     /// # Errors
     /// [`PickError`] if an object has too many points and lines.
@@ -130,13 +130,13 @@ impl<'p> PickView<'p> {
     }
 
     fn thickness(&self, bounds: [[f32; 3]; 2], tree_from_view: &DMat4, reach: &Reach) -> Thickness {
-        // What a pixel is, across and down, at distance 1.
+        // The extent of a pixel at distance 1.
         let ((o0, d0), (o1, d1)) = (self.rays.ray(0.0, 0.0), self.rays.ray(1.0, 1.0));
         let pixel = ((o1 - o0) + (d1 - d0)).abs();
         let [x_axis, y_axis] =
             [tree_from_view.x_axis, tree_from_view.y_axis].map(|column| column.truncate().abs());
         let steps = |[x, y]: [f64; 2]| {
-            // One in a hundred to spare for the rounding of this and what follows.
+            // One percent of margin for rounding here and below.
             let scale = 1.01 / f64::from(SUBPIXELS);
             x_axis * (x * pixel.x * scale) + y_axis * (y * pixel.y * scale)
         };
@@ -174,7 +174,7 @@ impl<'p> PickView<'p> {
         self.placed.size()
     }
 
-    /// The scene that is looked at.
+    /// The scene.
     #[must_use]
     pub fn picker(&self) -> &'p Picker {
         self.picker
@@ -195,7 +195,7 @@ impl<'p> PickView<'p> {
         self.placed.strokes()[strokes].elements[triangle as usize / 2]
     }
 
-    /// The instances that may cover a pixel, in their order.
+    /// The instances that may cover a pixel, in order.
     pub(crate) fn instances_at(&self, pixel: [i32; 2]) -> impl Iterator<Item = usize> + '_ {
         self.cells.at(pixel)
     }
@@ -224,7 +224,7 @@ impl<'p> PickView<'p> {
         if !before_eye || !bounds.iter().all(|bound| bound.is_finite()) {
             return Some([0.0, 0.0, width, height]);
         }
-        // Steps of 1/256 pixel, and a pixel to spare.
+        // In steps of 1/256 pixel, with a margin of one pixel.
         let grow = |axis: usize| {
             (instance.reach.constant + instance.reach.by_distance[axis] / nearest) / 256.0 + 1.0
         };

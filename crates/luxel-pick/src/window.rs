@@ -1,31 +1,31 @@
-//! Windows: sizes in the two units that systems use, and the two places where their origin lies.
+//! Window coordinates: logical and physical units, origins at the upper and lower left.
 //!
-//! Window systems give the mouse in *logical* points and draw in *physical* pixels; on a display of
-//! high density they differ by a scale. They are types of their own here, and questions about places
-//! take [`PhysicalPosition`], so that mixing them up doesn't compile.
+//! Window systems give the mouse in *logical* points and draw in *physical* pixels; on high-density
+//! displays they differ by a scale. They are distinct types here, and queries take
+//! [`PhysicalPosition`], so that mixing them up doesn't compile.
 
 use glam::DVec2;
 use luxel_scene::Size;
 
-/// A size in logical points, as a window system may give it.
+/// A size in logical points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogicalSize {
-    /// Points across.
+    /// Width in points.
     pub width: f64,
-    /// Points down.
+    /// Height in points.
     pub height: f64,
 }
 
-/// A size in physical pixels: what is drawn into, and what everything here counts in.
+/// A size in physical pixels, the unit of all queries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PhysicalSize {
-    /// Pixels across.
+    /// Width in pixels.
     pub width: u32,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: u32,
 }
 
-/// A place in logical points, the origin at the window's upper left.
+/// A position in logical points from the window's upper left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogicalPosition {
     /// To the right.
@@ -34,14 +34,14 @@ pub struct LogicalPosition {
     pub y: f64,
 }
 
-/// A place in physical pixels, the origin at the window's upper left: pixel n covers `[n, n + 1)`.
+/// A position in physical pixels from the window's upper left: pixel n covers `[n, n + 1)`.
 ///
-/// Bare numbers stand for pixels; points have to be turned into pixels first:
+/// Arrays of numbers are pixels; points must be converted first:
 ///
 /// ```compile_fail
 /// # fn hover(view: &luxel_pick::PickView<'_>) {
 /// let cursor = luxel_pick::LogicalPosition { x: 320.0, y: 180.0 };
-/// view.at(cursor); // On a display of high density another place of the window.
+/// view.at(cursor); // Another position on a high-density display.
 /// # }
 /// ```
 /// ```
@@ -60,7 +60,7 @@ pub struct PhysicalPosition {
 }
 
 impl LogicalSize {
-    /// In pixels, rounded; `scale` is pixels a point.
+    /// Converts to pixels, rounded; `scale` is pixels per point.
     ///
     /// ```
     /// use luxel_pick::{LogicalSize, PhysicalSize};
@@ -75,7 +75,7 @@ impl LogicalSize {
 }
 
 impl LogicalPosition {
-    /// In pixels; `scale` is pixels a point.
+    /// Converts to pixels; `scale` is pixels per point.
     #[must_use]
     pub fn to_physical(self, scale: f64) -> PhysicalPosition {
         PhysicalPosition { x: self.x * scale, y: self.y * scale }
@@ -83,7 +83,7 @@ impl LogicalPosition {
 }
 
 impl PhysicalSize {
-    /// In points; `scale` is pixels a point.
+    /// Converts to points; `scale` is pixels per point.
     #[must_use]
     pub fn to_logical(self, scale: f64) -> LogicalSize {
         LogicalSize { width: f64::from(self.width) / scale, height: f64::from(self.height) / scale }
@@ -91,13 +91,13 @@ impl PhysicalSize {
 }
 
 impl PhysicalPosition {
-    /// In points; `scale` is pixels a point.
+    /// Converts to points; `scale` is pixels per point.
     #[must_use]
     pub fn to_logical(self, scale: f64) -> LogicalPosition {
         LogicalPosition { x: self.x / scale, y: self.y / scale }
     }
 
-    /// The same place with the origin at the lower left, as GLU's functions take it, or back again.
+    /// The same position from the lower left, as GLU's functions take it, or back.
     #[must_use]
     pub fn flipped(self, size: PhysicalSize) -> DVec2 {
         DVec2::new(self.x, flip_y(self.y, f64::from(size.height)))
@@ -139,8 +139,7 @@ impl From<Size> for PhysicalSize {
     }
 }
 
-/// From a window whose y runs down from the upper left to one whose y runs up from the lower left,
-/// or back: `height - y`.
+/// Converts y between windows with the origin at the upper left and at the lower left: `height - y`.
 ///
 /// ```
 /// assert_eq!(luxel_pick::flip_y(0.5, 480.0), 479.5);

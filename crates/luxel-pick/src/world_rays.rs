@@ -35,13 +35,13 @@ pub struct WorldHit {
 }
 
 impl WorldRay {
-    /// A ray without end.
+    /// An infinite ray.
     #[must_use]
     pub const fn new(origin: DVec3, direction: DVec3) -> Self {
         Self { origin, direction, range: [0.0, f64::INFINITY] }
     }
 
-    fn is_sound(&self) -> bool {
+    fn is_valid(&self) -> bool {
         self.origin.is_finite()
             && self.direction.is_finite()
             && self.direction != DVec3::ZERO
@@ -51,14 +51,14 @@ impl WorldRay {
 }
 
 /// A ray in `f32`: its origin moved close to a box, and the mapping of its t to world space.
-pub(crate) struct NearRay {
+pub(crate) struct RebasedRay {
     pub(crate) ray: Ray,
     /// t of the world = `start + scale * t`.
     pub(crate) start: f64,
     pub(crate) scale: f64,
 }
 
-impl NearRay {
+impl RebasedRay {
     /// From a ray in a box's own coordinates; `None` if it misses the box's bounding sphere.
     pub(crate) fn new(
         origin: DVec3,
@@ -75,12 +75,12 @@ impl NearRay {
         let unit = direction / length;
         let along = (centre - origin).dot(unit);
         let aside = (origin + unit * along - centre).length_squared();
-        // Twice the radius: squares of far places round.
+        // Twice the radius: squares of large distances round.
         let is_near = aside <= 4.0 * radius * radius;
         let enter = (along - 2.0 * radius).max(range[0] * length);
         let leave = (along + 2.0 * radius).min(range[1] * length);
-        let meets = is_near && enter <= leave;
-        if !meets {
+        let hits = is_near && enter <= leave;
+        if !hits {
             return None;
         }
         let start = origin + unit * enter;
@@ -95,7 +95,7 @@ impl NearRay {
 
 impl Picker {
     /// The closest hit of a ray, on either side of triangles; of equally close ones that of the first
-    /// object's lowest triangle. `None` also for a ray that isn't sound.
+    /// object's lowest triangle. `None` also for invalid rays.
     ///
     /// ```
     /// use luxel_pick::{Picker, WorldRay};
@@ -130,7 +130,9 @@ impl Picker {
         let mut any = false;
         self.each_object(ray, |object, farthest| {
             any = any
-                || self.near_ray(ray, object).is_some_and(|near| self.rays(object).any(&near.ray));
+                || self
+                    .rebased_ray(ray, object)
+                    .is_some_and(|near| self.rays(object).any(&near.ray));
             if any { f64::NEG_INFINITY } else { farthest }
         });
         any
@@ -141,7 +143,7 @@ impl Picker {
     pub fn all(&self, ray: &WorldRay) -> Vec<WorldHit> {
         let mut hits = Vec::new();
         self.each_object(ray, |object, farthest| {
-            if let Some(near) = self.near_ray(ray, object) {
+            if let Some(near) = self.rebased_ray(ray, object) {
                 let own = self.rays(object).all(&near.ray);
                 hits.extend(own.iter().filter_map(|hit| self.refined(ray, object, &near, hit)));
             }
@@ -168,10 +170,10 @@ impl Picker {
     /// Visits the objects whose boxes a ray hits, near ones first; `visit` returns the farthest t that
     /// still counts.
     fn each_object(&self, ray: &WorldRay, mut visit: impl FnMut(usize, f64) -> f64) {
-        let Some(bounds) = self.top.bounds().filter(|_| ray.is_sound()) else { return };
+        let Some(bounds) = self.top.bounds().filter(|_| ray.is_valid()) else { return };
         let origin = ray.origin - self.middle;
-        let Some(near) = NearRay::new(origin, ray.direction, ray.range, bounds) else { return };
-        // A little farther than `visit` says: distances in f32 and f64 differ by rounding.
+        let Some(near) = RebasedRay::new(origin, ray.direction, ray.range, bounds) else { return };
+        // Slightly beyond `farthest`: distances in f32 and f64 differ by rounding.
         let within = |t: f64| ((t - near.start) / near.scale * (1.0 + 1e-5)) as f32;
         let mut farthest = ray.range[1];
         self.top.visit_along(self.level, &near.ray, |object| {
@@ -181,21 +183,21 @@ impl Picker {
     }
 
     /// A ray in the coordinates of an object's tree.
-    fn near_ray(&self, ray: &WorldRay, object: usize) -> Option<NearRay> {
+    fn rebased_ray(&self, ray: &WorldRay, object: usize) -> Option<RebasedRay> {
         let tree = self.tree(object);
         let origin = tree.tree_from_world.transform_point3(ray.origin);
         let direction = tree.tree_from_world.transform_vector3(ray.direction);
-        NearRay::new(origin, direction, ray.range, tree.bvh.bounds()?)
+        RebasedRay::new(origin, direction, ray.range, tree.bvh.bounds()?)
     }
 
     fn ray_to_object(
         &self,
         ray: &WorldRay,
         object: usize,
-        ask: impl Fn(&NearRay) -> Option<RayHit>,
+        trace: impl Fn(&RebasedRay) -> Option<RayHit>,
     ) -> Option<WorldHit> {
-        let near = self.near_ray(ray, object)?;
-        self.refined(ray, object, &near, &ask(&near)?)
+        let near = self.rebased_ray(ray, object)?;
+        self.refined(ray, object, &near, &trace(&near)?)
     }
 
     /// Refines a hit in `f64`, on the triangle's plane. A triangle seen edge-on keeps the result of
@@ -204,7 +206,7 @@ impl Picker {
         &self,
         ray: &WorldRay,
         object: usize,
-        near: &NearRay,
+        near: &RebasedRay,
         hit: &RayHit,
     ) -> Option<WorldHit> {
         let mesh = self.mesh(object);
@@ -222,7 +224,7 @@ impl Picker {
         let slack = 1e-3;
         let inside = v >= -slack && w >= -slack && v + w <= 1.0 + slack;
         let (t, barycentric) = if inside && exact.is_finite() {
-            // Rounding in f32 may have let in what lies just outside.
+            // Rounding in f32 may have accepted a point just outside.
             let (v, w) = (v.clamp(0.0, 1.0), w.clamp(0.0, 1.0));
             let sum = (v + w).max(1.0);
             let (v, w) = (v / sum, w / sum);

@@ -1,32 +1,32 @@
-//! Colours, type and spacing of the window: one theme for dark rooms, one for light ones.
+//! Colours, type and spacing of the window: a dark and a light theme.
 
 use egui::{Color32, Context, CornerRadius, FontFamily, FontId, Stroke, Style, TextStyle, Visuals};
 
 /// The colours of the window.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Theme {
-    /// Whether light things lie on dark ones.
+    /// Light text on dark panels.
     is_dark: bool,
-    /// The ground behind the model, from the window's top to its bottom: sRGB.
-    pub(crate) ground: [[u8; 3]; 2],
+    /// The background gradient behind the model, top and bottom: sRGB.
+    pub(crate) background: [[u8; 3]; 2],
     pub(crate) panel: Color32,
     pub(crate) line: Color32,
-    /// The ground's grid.
+    /// The ground grid.
     pub(crate) grid: Color32,
     pub(crate) text: Color32,
     pub(crate) quiet: Color32,
-    /// Light itself, and what is selected.
+    /// Lights, selections, focus.
     pub(crate) accent: Color32,
-    /// The accent where it is text.
+    /// The accent as a text colour.
     pub(crate) heading: Color32,
-    /// Where something is typed or slid.
+    /// Text fields and slider tracks.
     pub(crate) field: Color32,
     button: Color32,
     /// Ambient, diffuse, specular, emission, environment.
     pub(crate) terms: [Color32; 5],
     /// N, L, V, R or H.
     pub(crate) vectors: [Color32; 4],
-    /// About lines over the picture, so that they are told from any colour.
+    /// The outline around overlay lines, for contrast with any colour.
     pub(crate) halo: Color32,
 }
 
@@ -34,10 +34,10 @@ const fn rgb(hex: u32) -> Color32 {
     Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
 }
 
-/// For dark rooms.
+/// The dark theme.
 pub(crate) static DARK: Theme = Theme {
     is_dark: true,
-    ground: [[0x23, 0x26, 0x2b], [0x15, 0x17, 0x1a]],
+    background: [[0x23, 0x26, 0x2b], [0x15, 0x17, 0x1a]],
     panel: rgb(0x1b1d21),
     line: rgb(0x34383f),
     grid: rgb(0x6b7078),
@@ -52,17 +52,17 @@ pub(crate) static DARK: Theme = Theme {
     halo: Color32::from_black_alpha(130),
 };
 
-/// For light ones: terms and vectors are darker by a third.
+/// The light theme: terms and vectors are darker by a third.
 pub(crate) static LIGHT: Theme = Theme {
     is_dark: false,
-    ground: [[0xf4, 0xf2, 0xee], [0xde, 0xda, 0xd2]],
+    background: [[0xf4, 0xf2, 0xee], [0xde, 0xda, 0xd2]],
     panel: rgb(0xfbfaf7),
     line: rgb(0xd8d4cb),
     grid: rgb(0x9b968b),
     text: rgb(0x24262a),
     quiet: rgb(0x6c6e72),
     accent: rgb(0xb87400),
-    // The accent itself has too little contrast for letters.
+    // The accent itself has too little contrast for text.
     heading: rgb(0x8f5a00),
     field: rgb(0xeeece6),
     button: rgb(0xece9e2),
@@ -74,20 +74,20 @@ pub(crate) static LIGHT: Theme = Theme {
 /// x, y and z, in both themes.
 pub(crate) const AXES: [Color32; 3] = [rgb(0xe5533d), rgb(0x6fb04a), rgb(0x4c82d8)];
 
-/// Which theme a window has.
+/// The theme of a window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ThemeChoice {
-    /// As the system's, if it tells; else dark.
+    /// The system's theme, if known; else dark.
     #[default]
     Auto,
-    /// Light things on dark ones.
+    /// Light text on dark panels.
     Dark,
-    /// Dark things on light ones.
+    /// Dark text on light panels.
     Light,
 }
 
 impl ThemeChoice {
-    /// The theme, where the system says whether it likes light ones.
+    /// Resolves the choice, given the system's preference.
     pub(crate) fn theme(self, system_is_light: Option<bool>) -> &'static Theme {
         match self {
             Self::Auto if system_is_light == Some(true) => &LIGHT,
@@ -97,13 +97,13 @@ impl ThemeChoice {
     }
 }
 
-/// The theme in which something is laid out.
+/// The theme of a layout.
 pub(crate) fn of(context: &Context) -> &'static Theme {
     if context.style().visuals.dark_mode { &DARK } else { &LIGHT }
 }
 
 impl Theme {
-    /// Words in 13 points, notes in 11; steps of 4 points; nothing moves by itself.
+    /// Text of 13 points, notes of 11; spacing in steps of 4 points; no animations.
     pub(crate) fn style(&self) -> Style {
         let mut style = Style::default();
         let font = |size, family| FontId::new(size, family);
@@ -120,7 +120,7 @@ impl Theme {
         style.spacing.interact_size.y = 24.0;
         style.animation_time = 0.0;
         style.scroll_animation = egui::style::ScrollAnimation::none();
-        // What is said is no control.
+        // Labels aren't controls.
         style.interaction.selectable_labels = false;
         style.visuals = self.visuals();
         style
@@ -159,7 +159,7 @@ impl Theme {
         widgets.hovered.bg_stroke = Stroke::NONE;
         widgets.active.weak_bg_fill = self.line;
         widgets.active.bg_fill = self.line;
-        // What has the keyboard shows it.
+        // Marks keyboard focus.
         widgets.active.bg_stroke = Stroke::new(1.0, self.accent);
         widgets.open.weak_bg_fill = self.line;
         visuals

@@ -97,6 +97,25 @@ const MODULES: &[(&str, &[&str])] = &[
     ),
     ("luxel-visibility", &["types", "cluster", "cull", "raster", "query", "frame", "placed_scene"]),
     (
+        "luxel-pick",
+        &[
+            "window",
+            "region",
+            "frustum",
+            "picker",
+            "world_rays",
+            "view",
+            "coverage_query",
+            "surface_hit",
+            "snapping",
+            "sliver",
+            "selection_mode",
+            "region_raster",
+            "visible_ids",
+            "unproject",
+        ],
+    ),
+    (
         "luxel-render",
         &[
             "view",
@@ -128,7 +147,7 @@ const MODULES: &[(&str, &[&str])] = &[
             "transition",
             "state",
             "modes",
-            "hand",
+            "gestures",
             "lens",
             "views",
             "navigator",
@@ -138,23 +157,23 @@ const MODULES: &[(&str, &[&str])] = &[
     (
         "luxel-check",
         &[
-            "nearby",
+            "kd_tree",
             "surface",
             "finding",
             "report",
             "gaps",
             "cure",
             "silhouette",
-            "drift",
+            "screen_drift",
             "faces",
             "normals",
-            "folds",
-            "highlight",
+            "hidden_folds",
+            "highlight_loss",
             "severity",
             "winding",
-            "lost",
+            "missed_highlights",
             "examination",
-            "marks",
+            "marked_scene",
         ],
     ),
     ("luxel", &["view", "draw", "load"]),
@@ -162,10 +181,28 @@ const MODULES: &[(&str, &[&str])] = &[
         "luxel-gallery",
         &["error", "file", "picture", "compare", "shot", "chapter", "svg", "lab", "page", "plots"],
     ),
+    (
+        "luxel-viewer",
+        &[
+            "keys",
+            "theme",
+            "options",
+            "model",
+            "projection",
+            "selection",
+            "display",
+            "render",
+            "picture",
+            "session",
+            "ui",
+            "terminal",
+            "window",
+        ],
+    ),
 ];
 
 /// Crates without an order: some of their modules import each other.
-const CIRCULAR: &[&str] = &["luxel-formats", "luxel-pick", "luxel-viewer", "luxel-cli"];
+const CIRCULAR: &[&str] = &["luxel-formats", "luxel-cli"];
 
 /// Imports that run against the order nevertheless: crate, importing file, imported module.
 const EXCEPTIONS: &[(&str, &str, &str)] = &[];

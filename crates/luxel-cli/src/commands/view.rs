@@ -116,8 +116,8 @@ mod window {
     use clap::parser::ValueSource;
     use clap::{ArgMatches, CommandFactory};
     use luxel_viewer::{
-        Graphics, GraphicsChoice, Loading, Model, Options, Outcome, TerminalOptions, ThemeChoice,
-        ViewerError, leave_terminal, view_in_terminal,
+        Graphics, GraphicsChoice, LoadProgress, Model, Options, Outcome, TerminalOptions,
+        ThemeChoice, ViewerError, leave_terminal, view_in_terminal,
     };
     use std::ffi::{OsStr, OsString};
     use std::path::{Path, PathBuf};
@@ -135,8 +135,8 @@ mod window {
     }
 
     /// Gives up what is not wanted any more; nobody hears of it.
-    fn stopped(loading: &Loading) -> Result<(), Failure> {
-        if loading.is_stopped() { Err(Failure::work("it was stopped", "")) } else { Ok(()) }
+    fn stopped(progress: &LoadProgress) -> Result<(), Failure> {
+        if progress.is_stopped() { Err(Failure::work("it was stopped", "")) } else { Ok(()) }
     }
 
     /// Writes a file; says what is wrong, and nothing of flags, which named no such file.
@@ -190,15 +190,15 @@ mod window {
                     write(&path, text.as_bytes())?;
                     Ok(path.display().to_string())
                 }),
-                when_interrupted: Box::new(output::when_interrupted),
-                tell: Box::new(move |what| console.tell(what)),
+                on_interrupt: Box::new(output::when_interrupted),
+                notice: Box::new(move |what| console.tell(what)),
                 detail: Box::new(move |what| console.detail(what)),
             };
             // What went wrong on the thread that loads.
             let failure = Arc::new(Mutex::new(None));
             let kept = Arc::clone(&failure);
-            let load = move |file: &OsStr, loading: &Loading| {
-                self.load(file, console, loading).map_err(|failure| {
+            let load = move |file: &OsStr, progress: &LoadProgress| {
+                self.load(file, console, progress).map_err(|failure| {
                     let what = failure.lines().join("; ");
                     *kept.lock().unwrap_or_else(PoisonError::into_inner) = Some(failure);
                     what
@@ -241,7 +241,7 @@ mod window {
                 GraphicsName::Blocks => GraphicsChoice::Only(Graphics::Blocks),
             };
             let file = &self.input.model;
-            let model = self.load(file, console, &Loading::default())?;
+            let model = self.load(file, console, &LoadProgress::default())?;
             let options = TerminalOptions {
                 file: file.clone(),
                 mode: self.mode,
@@ -282,20 +282,20 @@ mod window {
             &self,
             file: &OsStr,
             console: Console,
-            loading: &Loading,
+            progress: &LoadProgress,
         ) -> Result<Model, Failure> {
             let input = self.input(file);
-            let watch = Some(loading.progress.clone());
+            let watch = Some(progress.reader.clone());
             let mut model = model::load_watched(&input, &self.execution, console, watch)?;
-            loading.is_understood();
-            stopped(loading)?;
+            progress.file_parsed();
+            stopped(progress)?;
             if model.scene.is_empty() {
                 return Err(model::nothing_to_draw(&input.name()));
             }
             surface::apply_material(&self.material, &mut model.scene);
             surface::apply_normals(&self.shading, &mut model.scene);
-            loading.is_smooth();
-            stopped(loading)?;
+            progress.normals_computed();
+            stopped(progress)?;
             let scene = model.scene;
             let (state, settings, camera) = navigation::start(&self.frame, &scene, self.mode)?;
             let view = view::view(

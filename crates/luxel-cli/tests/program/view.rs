@@ -49,7 +49,7 @@ fn a_wrong_file_of_keys_is_told_with_its_line_before_anything_opens() {
     folder.write("keys.toml", "fit = \"g\"\nquit = \"g\"\n");
     for more in [&[][..], &["--terminal"]] {
         let line = [&["view", "demo:plane", "--keys", "keys.toml"], more].concat();
-        folder.run(line).failed(1, "keys.toml:2:8: g does `fit` already");
+        folder.run(line).failed(1, "keys.toml:2:8: g is bound to `fit` already");
     }
     folder.run(["view", "demo:plane", "--keys", "none.toml"]).failed(1, "none.toml");
 }

@@ -1,4 +1,4 @@
-//! A log from text.
+//! Reads logs.
 
 use super::{Change, Entry, LOG_VERSION, Log, NAME};
 use crate::event::{Event, UnknownName};
@@ -8,47 +8,47 @@ use glam::{DMat4, DVec2, DVec3};
 use luxel_scene::{Bounds, Lens, Size};
 use std::str::{FromStr, SplitWhitespace};
 
-/// What is wrong with a log, and in which line, counted from 1.
+/// An error in a log, with its line, counted from 1.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}: {kind}")]
 pub struct LogError {
     /// The line.
     pub line: usize,
-    /// What is wrong with it.
+    /// The kind of error.
     pub kind: LogErrorKind,
 }
 
-/// What is wrong with a line.
+/// A kind of error in a log.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LogErrorKind {
     /// The first line isn't `luxel-navigation 1`.
     #[error("a log begins with `{NAME} {LOG_VERSION}`")]
     NoLog,
-    /// A version that isn't known.
+    /// An unknown version.
     #[error("version `{0}` is not known: this program reads version {LOG_VERSION}")]
     Version(String),
-    /// A first word that is no event.
+    /// An unknown event.
     #[error("there is no event `{0}`")]
     UnknownEvent(String),
-    /// A name that nothing has.
+    /// An unknown name.
     #[error(transparent)]
     UnknownName(#[from] UnknownName),
     /// Words are missing.
     #[error("here ends the line, but {0} is missing")]
     Missing(&'static str),
-    /// Words are left over.
+    /// Superfluous words.
     #[error("`{0}` is too much")]
     TooMuch(String),
     /// Not a finite number.
     #[error("`{0}` is no finite number")]
     NoNumber(String),
-    /// A number that may not have this value.
+    /// A number out of range.
     #[error("{what} can't be {value}")]
     OutOfRange {
-        /// Which.
+        /// The number.
         what: &'static str,
-        /// The value, as it is written.
+        /// The value as written.
         value: String,
     },
     /// A matrix with scale, shear or mirror.
@@ -65,10 +65,10 @@ impl FromStr for Log {
 }
 
 impl Log {
-    /// Reads a log, and tells of each entry which line it is, counted from 1.
+    /// Reads a log, with the line of each entry, counted from 1.
     ///
     /// # Errors
-    /// [`LogError`] with the first line that is wrong.
+    /// [`LogError`] for the first invalid line.
     pub fn with_lines(text: &str) -> Result<(Self, Vec<usize>), LogError> {
         let at = |line: usize| move |kind| LogError { line, kind };
         let mut lines = text.lines().enumerate().map(|(line, text)| (line + 1, words(text)));
@@ -126,7 +126,7 @@ fn entry(mut words: SplitWhitespace<'_>) -> Result<Entry, LogErrorKind> {
     }
     let event = event(first, &mut words)?;
     end(&mut words)?;
-    // No negative zero: it would be written without time.
+    // Negative zero would be written without a time.
     Ok(Entry::Event { seconds: seconds + 0.0, event })
 }
 
@@ -262,7 +262,7 @@ fn place(words: &mut SplitWhitespace<'_>) -> Result<DVec2, LogErrorKind> {
     Ok(DVec2::new(number(words, "a place's x")?, number(words, "a place's y")?))
 }
 
-/// `on X Y Z`, if it is there.
+/// An optional `on X Y Z`.
 fn point(words: &mut SplitWhitespace<'_>) -> Result<Option<DVec3>, LogErrorKind> {
     match words.next() {
         None => Ok(None),

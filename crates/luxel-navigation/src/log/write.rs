@@ -1,4 +1,4 @@
-//! A log as text.
+//! Writes logs.
 
 use super::{Change, Entry, LOG_VERSION, Log, NAME};
 use crate::event::Event;
@@ -128,7 +128,7 @@ struct Exact(f64);
 
 impl Display for Exact {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        /// Numbers in between are shorter without an exponent.
+        /// Numbers in this range are shorter without an exponent.
         const PLAIN: std::ops::Range<f64> = 1e-5..1e16;
         let Self(number) = self;
         if *number == 0.0 || PLAIN.contains(&number.abs()) {

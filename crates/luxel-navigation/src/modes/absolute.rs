@@ -1,7 +1,7 @@
 //! The keyboard turns and moves the camera about and along the axes of the world.
 //!
-//! Turns go by the right-hand rule about axes through the pivot, of the camera: the scene is seen to
-//! turn the other way. Several keys at once are one turn about the sum of their axes.
+//! The camera rotates by the right-hand rule about axes through the pivot; the scene appears to rotate the
+//! other way. Several keys at once are one rotation about the sum of their axes.
 
 use crate::motion::Rigid;
 use crate::state::{Drives, State};

@@ -1,8 +1,8 @@
 //! Flying: roll, pitch and yaw about the camera's own axes, and a throttle.
 //!
-//! The speed stays until the throttle changes it, below zero too. While time passes, turning and
-//! moving ahead are one screw motion, so that the way flown doesn't depend on how time is cut into
-//! frames. The hand steers: to the right is yaw to the right, upwards is pitch up.
+//! The speed persists until the throttle changes it, and may be negative. Rotation and forward motion are
+//! one screw motion, so that the path doesn't depend on the frame rate. Dragging steers: right is yaw to
+//! the right, up is pitch up.
 
 use crate::motion::Rigid;
 use crate::settings::{Number, Settings};
@@ -18,16 +18,16 @@ pub(super) fn drive(mut state: State, settings: &Settings, drives: &Drives, seco
     let limit = settings.number(Number::SpeedLimit);
     let before = state.speed;
     state.speed = (before + drives.throttle).clamp(-limit, limit);
-    // Steady acceleration: the mean of the speeds.
+    // Constant acceleration: the mean of the speeds.
     let ahead = (before + state.speed) * 0.5 * seconds;
     steer(state, drives.own, drives.walk - DVec3::Z * ahead)
 }
 
-/// Turns and moves the camera in its own axes.
+/// Rotates and moves the camera in its own axes.
 fn steer(state: State, turn: DVec3, shift: DVec3) -> State {
     if turn == DVec3::ZERO && shift == DVec3::ZERO {
         return state;
     }
-    // The scene moves the other way: the inverse of a screw is the screw backwards.
+    // The scene moves the other way: the inverse of a screw is its negation.
     state.moved(Rigid::screw(-turn, -shift))
 }

@@ -1,19 +1,19 @@
-//! Turning with a level horizon: azimuth about the axis that is up, elevation up to a limit.
+//! Rotation with a level horizon: azimuth about the up axis, elevation up to a limit.
 
 use crate::motion::Rigid;
 use crate::place::Place;
 use crate::settings::Settings;
 use glam::{DMat3, DVec3};
 
-/// A camera whose right axis rises by less than this, per length, counts as level.
+/// The largest slope of the right axis of a level camera.
 const LEVEL: f64 = 1e-6;
 
-/// The increment that turns the scene about the axis that is up by `yaw`, and the camera upwards by
-/// `pitch`, both by the right-hand rule and about `centre`, given in camera space. The elevation
-/// of the view is read from the camera itself, so no angles need to be kept.
+/// The increment that rotates the scene about the up axis by `yaw` and the camera upwards by `pitch`,
+/// both by the right-hand rule and about `centre` in camera space. The elevation is read from the camera
+/// itself, so no angles are stored.
 ///
-/// The view's elevation stops at `limit`; a camera that is beyond it may come back. At the pole
-/// itself the camera's own right axis says what is horizontal, so nothing flips there.
+/// The elevation stops at `limit`; a camera beyond it may return. At the pole the camera's right axis
+/// defines the horizontal, so that nothing flips.
 pub(crate) fn turn(
     view: &Rigid,
     up: DVec3,
@@ -23,10 +23,10 @@ pub(crate) fn turn(
 ) -> Rigid {
     let up = view.rotation * up;
     let (horizontal, elevation) = if up.x.abs() < LEVEL {
-        // A full circle: upside down lies beyond the poles.
+        // Over the full circle: upside down lies beyond the poles.
         (DVec3::X, libm::atan2(-up.z, up.y))
     } else {
-        // Of a tilted camera: view x up.
+        // For a tilted camera: view x up.
         let across = DVec3::new(up.y, -up.x, 0.0);
         let length = across.length();
         (across / length, libm::atan2(-up.z, length))
@@ -38,8 +38,8 @@ pub(crate) fn turn(
     about_up.then(Rigid::turn_about(-horizontal * pitch, centre))
 }
 
-/// The place with a level horizon, upright, with the same eye and direction; as it is if it is level
-/// already, or looks straight up or down, where any camera is.
+/// The upright pose with a level horizon and the same eye and direction; unchanged if it is level already,
+/// or looks straight up or down.
 pub(crate) fn level(place: &Place, settings: &Settings) -> Place {
     let up_axis = settings.up_axis();
     let up = place.view.rotation * up_axis;

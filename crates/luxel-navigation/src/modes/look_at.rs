@@ -1,8 +1,8 @@
-//! The keyboard moves eye and target along the axes of the world; the camera looks from the one to
-//! the other, with the axis that is up pointing up in the picture, as `gluLookAt` does.
+//! The keyboard moves eye and target along the world's axes; the camera looks from eye to target with the
+//! up axis upwards in the picture, as `gluLookAt` does.
 //!
-//! The target is the pivot. Straight above and below it the camera keeps the up of the view before.
-//! A step that would put the eye at the target is not made.
+//! The target is the pivot. Straight above and below it the camera keeps its previous up direction.
+//! Steps that would move the eye to the target are ignored.
 
 use crate::motion::Rigid;
 use crate::place::Place;
@@ -11,9 +11,9 @@ use crate::state::{Drives, State};
 use glam::DVec3;
 use luxel_scene::Camera;
 
-/// How near, in parts of their coordinates, eye and target may come: there is a direction left.
-const NEAREST: f64 = 1e-9;
-/// The sine of the angle between view and up below which up has no direction left in the picture.
+/// The least distance of eye and target, relative to their coordinates, that defines a direction.
+const MIN_DISTANCE: f64 = 1e-9;
+/// The sine of the angle between view and up below which up has no direction in the picture.
 const ALONG_UP: f64 = 1e-6;
 
 pub(super) fn drive(state: State, settings: &Settings, drives: &Drives) -> State {
@@ -28,10 +28,10 @@ pub(super) fn drive(state: State, settings: &Settings, drives: &Drives) -> State
     }
 }
 
-/// The place with the same eye that looks at the target; as it is if it does already.
+/// The pose with the same eye that looks at the target; unchanged if it does already.
 pub(super) fn aimed(state: &State, settings: &Settings) -> Place {
     let in_view = state.place.view.apply(state.place.pivot);
-    let is_aimed = in_view.truncate().length() <= NEAREST * -in_view.z;
+    let is_aimed = in_view.truncate().length() <= MIN_DISTANCE * -in_view.z;
     let leveled = super::level(&state.place, settings);
     if is_aimed {
         return leveled;
@@ -43,7 +43,7 @@ pub(super) fn aimed(state: &State, settings: &Settings) -> Place {
 fn looking(place: &Place, settings: &Settings, eye: DVec3, target: DVec3) -> Option<Place> {
     let size = eye.abs().max(target.abs()).max_element();
     let back = eye - target;
-    if !size.is_finite() || back.length() <= NEAREST * size {
+    if !size.is_finite() || back.length() <= MIN_DISTANCE * size {
         return None;
     }
     let up = settings.up_axis();

@@ -1,4 +1,4 @@
-//! The ways to navigate: what the hand's turning and held keys do in each.
+//! The navigation modes: the effect of turn gestures and held keys in each.
 
 mod absolute;
 mod flying;
@@ -16,10 +16,10 @@ use crate::state::{Drives, State};
 use glam::{DVec2, DVec3};
 pub(crate) use horizon::level;
 
-/// The hand has turned by a way in pixels, to the right and upwards.
+/// Applies a turn gesture, in pixels to the right and upwards.
 pub(crate) fn turn(state: State, settings: &Settings, way: DVec2) -> State {
     match state.mode {
-        // They are for the keyboard; the hand does what it does most often.
+        // Keyboard modes turn like the turntable.
         Mode::Absolute | Mode::LookAt | Mode::Turntable => turntable::turn(state, settings, way),
         Mode::RollingBall => rolling_ball::turn(state, settings, way),
         Mode::Flying => flying::turn(state, settings, way),
@@ -27,7 +27,7 @@ pub(crate) fn turn(state: State, settings: &Settings, way: DVec2) -> State {
     }
 }
 
-/// The commands move by amounts (world units, radians, speed) within some seconds.
+/// Applies commands by amounts (world units, radians, speed) within some seconds.
 pub(crate) fn drive(state: State, settings: &Settings, drives: &Drives, seconds: f64) -> State {
     match state.mode {
         Mode::Absolute => absolute::drive(state, drives),
@@ -39,8 +39,8 @@ pub(crate) fn drive(state: State, settings: &Settings, drives: &Drives, seconds:
     }
 }
 
-/// Where the camera goes when a mode is entered: upright for those that keep the horizon level,
-/// towards the target for look-at.
+/// The pose when a mode is entered: upright for modes with a level horizon, aimed at the target for
+/// look-at.
 pub(crate) fn entered(state: &State, settings: &Settings) -> Place {
     match state.mode {
         Mode::Turntable | Mode::Mouselook => level(&state.place, settings),
@@ -49,8 +49,8 @@ pub(crate) fn entered(state: &State, settings: &Settings) -> Place {
     }
 }
 
-/// Walks around the pivot: sideways and upwards the pivot comes along, so that it keeps its place in
-/// the picture; ahead and back it stays.
+/// Walks relative to the pivot: sideways and upwards the pivot moves along and keeps its position in the
+/// picture; forwards and backwards it stays.
 fn walk_with_pivot(state: State, walk: DVec3) -> State {
     if walk == DVec3::ZERO {
         return state;

@@ -1,7 +1,6 @@
-//! The mouse turns the head, the keys walk along the camera's own axes.
+//! The mouse rotates the view, the keys move along the camera's own axes.
 //!
-//! The hand's way to the right turns to the right about the axis that is up, its way upwards looks
-//! up, as far as the limit of the pitch.
+//! Dragging right rotates to the right about the up axis, dragging up looks up, within the pitch limit.
 
 use super::horizon;
 use crate::motion::Rigid;
@@ -17,14 +16,14 @@ pub(super) fn drive(state: State, settings: &Settings, drives: &Drives) -> State
     let mut state = state;
     let yaw = -drives.own.y;
     if drives.walk != DVec3::ZERO || yaw != 0.0 {
-        // Turning while walking goes along an arc.
+        // Rotating while walking follows an arc.
         let turn = state.place.view.rotation * settings.up_axis() * yaw;
         state = state.moved(Rigid::screw(turn, -drives.walk));
     }
     look(state, settings, DVec2::new(0.0, drives.own.x))
 }
 
-/// Looks to the right and upwards by angles.
+/// Rotates the view to the right and upwards by angles.
 fn look(state: State, settings: &Settings, angles: DVec2) -> State {
     if angles == DVec2::ZERO {
         return state;

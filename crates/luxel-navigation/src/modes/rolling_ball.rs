@@ -1,11 +1,10 @@
-//! The scene turns under the hand like a ball that rolls under it.
+//! The scene rotates like a ball that rolls under the pointer.
 //!
-//! A hand that moves by (x, y), y upwards, turns the scene about the axis (-y, x, 0) of camera
-//! space, through the pivot, by sqrt(x^2 + y^2) / r, r the ball's radius: the ball rolls without
+//! A displacement (x, y), y upwards, rotates the scene about the axis (-y, x, 0) of camera space through
+//! the pivot, by sqrt(x^2 + y^2) / r, r the ball's radius: the ball rolls without
 //! slipping (Hanson 1992, The Rolling Ball, Graphics Gems III; the angle is the arc's, so that a
-//! straight way gives the same turn in however many parts it is told). There is no axis that could
-//! lock. A small closed loop of the hand of area A turns the scene about the view axis by A / r^2,
-//! against the hand's sense.
+//! straight drag gives the same rotation in any number of steps). There is no gimbal lock. A small closed
+//! loop of area A rotates the scene about the view axis by A / r^2, against the loop's sense.
 
 use super::walk_with_pivot;
 use crate::motion::Rigid;
@@ -19,12 +18,12 @@ pub(super) fn turn(state: State, settings: &Settings, way: DVec2) -> State {
 }
 
 pub(super) fn drive(state: State, drives: &Drives) -> State {
-    // What the camera does about the pivot, the scene does the other way.
+    // The scene rotates opposite to the camera.
     let camera = DVec3::new(-drives.orbit.y, drives.orbit.x, drives.own.z);
     walk_with_pivot(rolled(state, -camera), drives.walk)
 }
 
-/// Turns the scene about the pivot, axis and angle in camera space.
+/// Rotates the scene about the pivot; axis and angle in camera space.
 fn rolled(state: State, turn: DVec3) -> State {
     if turn == DVec3::ZERO {
         return state;

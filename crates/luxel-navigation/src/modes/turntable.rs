@@ -1,8 +1,7 @@
-//! The camera moves around the pivot, on a sphere, and the horizon stays level.
+//! The camera orbits the pivot on a sphere, with a level horizon.
 //!
-//! The hand's way to the right over the ball's radius turns the scene about the axis that is up, its
-//! way upwards changes the elevation. The elevation stops at the poles: the view from straight above
-//! can be reached, and there the scene can still be turned.
+//! Dragging right rotates the scene about the up axis by the displacement over the ball's radius, dragging
+//! up changes the elevation. The elevation stops at the poles, where the scene can still be rotated.
 
 use super::{horizon, walk_with_pivot};
 use crate::settings::Settings;
@@ -15,12 +14,12 @@ pub(super) fn turn(state: State, settings: &Settings, way: DVec2) -> State {
 }
 
 pub(super) fn drive(state: State, settings: &Settings, drives: &Drives) -> State {
-    // The camera goes to the right as the scene turns to the left.
+    // The camera moves right as the scene rotates left.
     let state = around(state, settings, -drives.orbit);
     walk_with_pivot(state, drives.walk)
 }
 
-/// Turns the scene to the right and upwards by angles.
+/// Rotates the scene to the right and upwards by angles.
 fn around(state: State, settings: &Settings, angles: DVec2) -> State {
     if angles == DVec2::ZERO {
         return state;

@@ -1,9 +1,9 @@
-//! A key with what is held beside it, as people write it: `f`, `Ctrl+1`, `Shift+Tab`, `?`.
+//! Keys with modifiers, as users write them: `f`, `Ctrl+1`, `Shift+Tab`, `?`.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// A key with what is held beside it.
+/// A key with modifiers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Chord {
     pub(crate) key: KeyName,
@@ -15,13 +15,13 @@ pub(crate) struct Chord {
 /// A key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum KeyName {
-    /// A character: small, if it is a letter. Shift is part of all that are none.
+    /// A character; letters are lower case. Other characters include Shift.
     Char(char),
-    /// One of [`NAMES`], by its place.
+    /// An index into [`NAMES`], or beyond: Down and the function keys.
     Named(usize),
 }
 
-/// Keys that write nothing, and other names of some of them.
+/// Named keys, and aliases of some.
 const NAMES: [(&str, &str); 14] = [
     ("Escape", "Esc"),
     ("Tab", ""),
@@ -38,13 +38,13 @@ const NAMES: [(&str, &str); 14] = [
     ("Right", "ArrowRight"),
     ("Up", "ArrowUp"),
 ];
-/// The last of the names, then F1 and so on.
+/// The index of Down; F1 and so on follow.
 const DOWN: usize = NAMES.len();
 /// F1 to F24.
 const FUNCTION_KEYS: usize = 24;
 
 impl KeyName {
-    /// The key of a character that was typed.
+    /// The key of a typed character.
     pub(crate) fn of(letter: char) -> Self {
         if letter == ' ' {
             return Self::Named(3);
@@ -66,18 +66,18 @@ impl KeyName {
         {
             return Some(Self::Named(DOWN + number));
         }
-        let is_it = |(one, other): &(&str, &str)| {
+        let matches = |(one, other): &(&str, &str)| {
             one.eq_ignore_ascii_case(name)
                 || (!other.is_empty() && other.eq_ignore_ascii_case(name))
         };
-        NAMES.iter().position(is_it).map(Self::Named)
+        NAMES.iter().position(matches).map(Self::Named)
     }
 }
 
 impl Chord {
-    /// A key as it was pressed.
+    /// A key as pressed.
     pub(crate) fn new(key: KeyName, ctrl: bool, shift: bool, alt: bool) -> Self {
-        // Shift has made another character of it already.
+        // The character of a shifted key includes Shift.
         let shift = shift && !matches!(key, KeyName::Char(letter) if !letter.is_alphabetic());
         Self { key, ctrl, shift, alt }
     }
@@ -89,7 +89,7 @@ impl FromStr for Chord {
     fn from_str(text: &str) -> Result<Self, String> {
         let wrong = || {
             format!(
-                "`{text}` is no key: use a character or Escape, Tab, Enter, Space, Backspace, Insert, \
+                "`{text}` is not a key: use a character or Escape, Tab, Enter, Space, Backspace, Insert, \
                  Delete, Home, End, PageUp, PageDown, Left, Right, Up, Down, F1 to F24, with Ctrl+, \
                  Shift+ or Alt+ before it"
             )
@@ -140,7 +140,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_written_reads_back() {
+    fn written_keys_read_back() {
         for text in [
             "f",
             "?",
@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_key_is_refused() {
+    fn invalid_keys_are_refused() {
         for text in ["", "Foo", "Ctrl+", "Super+x", "F0", "F25", "Shift", "ab", "\u{7}"] {
             assert!(text.parse::<Chord>().is_err(), "{text}");
         }

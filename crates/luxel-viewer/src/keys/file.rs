@@ -1,45 +1,44 @@
-//! Files of keys: TOML in which an action is given a key, or several; what the file does not say stays.
+//! Key files: TOML that binds actions to one key or several; other actions keep their defaults.
 
-use super::{BINDINGS, Bound, Chord, Keys, MODES, motions};
+use super::{BINDINGS, Chord, Keys, MODES, Target, motions};
 use luxel::formats::Place;
 use luxel::formats::values::nearest;
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What is wrong with a file of keys, and where.
+/// An error in a key file, with its position.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{place}: {kind}")]
 pub struct KeysError {
-    /// The line and the column.
+    /// Line and column.
     pub place: Place,
-    /// What is wrong.
+    /// The kind of error.
     pub kind: KeysErrorKind,
 }
 
-/// What is wrong with a file of keys.
+/// A kind of error in a key file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum KeysErrorKind {
-    /// It is no TOML, or other values than keys stand in it.
+    /// The file isn't TOML, or holds values other than keys.
     #[error("{0}")]
     Malformed(String),
-    /// There is no such action, mode or motion.
+    /// An unknown action, mode or motion.
     #[error("{0}")]
     Unknown(String),
-    /// What is no key.
+    /// An invalid key.
     #[error("{0}")]
-    NoKey(String),
-    /// A key would do two things.
+    InvalidKey(String),
+    /// A key bound twice.
     #[error("{0}")]
-    Twice(String),
+    DuplicateKey(String),
 }
 
 impl Keys {
-    /// The keys that a file says, and those by default for what it does not.
+    /// Reads bindings; actions that the file doesn't name keep their default keys.
     ///
     /// # Errors
-    /// [`KeysError`] with its line, if the file is no TOML of actions and keys, or a key stands in it
-    /// twice.
+    /// [`KeysError`] with its line, if the file isn't TOML of actions and keys, or binds a key twice.
     pub fn read(text: &str) -> Result<Self, KeysError> {
         let at = |byte: usize, kind| KeysError { place: Place::in_text(text, byte), kind };
         let root = DeTable::parse(text).map_err(|error| {
@@ -48,18 +47,18 @@ impl Keys {
         })?;
         let mut entries: Vec<_> = root.get_ref().iter().collect();
         entries.sort_by_key(|(name, _)| name.span().start);
-        let mut said: Vec<(Chord, Bound)> = Vec::new();
-        let mut redone: Vec<Bound> = Vec::new();
-        let mut take = |bound: Bound, value: &Spanned<DeValue<'_>>| {
-            redone.push(bound);
+        let mut assigned: Vec<(Chord, Target)> = Vec::new();
+        let mut reassigned: Vec<Target> = Vec::new();
+        let mut bind = |target: Target, value: &Spanned<DeValue<'_>>| {
+            reassigned.push(target);
             for (chord, byte) in chords(value).map_err(|(byte, kind)| at(byte, kind))? {
                 let clash =
-                    said.iter().find(|(key, other)| *key == chord && clashes(*other, bound));
+                    assigned.iter().find(|(key, other)| *key == chord && clashes(*other, target));
                 if let Some((_, other)) = clash {
-                    let message = format!("{chord} does `{}` already", name_of(*other));
-                    return Err(at(byte, KeysErrorKind::Twice(message)));
+                    let message = format!("{chord} is bound to `{}` already", name_of(*other));
+                    return Err(at(byte, KeysErrorKind::DuplicateKey(message)));
                 }
-                said.push((chord, bound));
+                assigned.push((chord, target));
             }
             Ok(())
         };
@@ -79,7 +78,7 @@ impl Keys {
                         let message = unknown(name.get_ref(), "motion of this mode", known);
                         return Err(at(name.span().start, KeysErrorKind::Unknown(message)));
                     };
-                    take(Bound::Motion(mode, motion), value)?;
+                    bind(Target::Motion(mode, motion), value)?;
                 }
                 continue;
             }
@@ -88,47 +87,47 @@ impl Keys {
                 let message = unknown(name.get_ref(), "action", known);
                 return Err(at(name.span().start, KeysErrorKind::Unknown(message)));
             };
-            take(Bound::Action(place), value)?;
+            bind(Target::Action(place), value)?;
         }
-        // A key that the file takes does what it did by default no more.
+        // A key that the file binds loses its default action.
         let mut keys = Self::default();
-        keys.bound.retain(|(key, bound)| {
-            let is_taken = |(chord, by): &(Chord, Bound)| chord == key && clashes(*by, *bound);
-            !redone.contains(bound) && !said.iter().any(is_taken)
+        keys.bindings.retain(|(key, target)| {
+            let is_taken = |(chord, by): &(Chord, Target)| chord == key && clashes(*by, *target);
+            !reassigned.contains(target) && !assigned.iter().any(is_taken)
         });
-        keys.bound.extend(said);
+        keys.bindings.extend(assigned);
         Ok(keys)
     }
 }
 
-/// Whether one key can't do both: motions of different modes don't meet.
-fn clashes(one: Bound, other: Bound) -> bool {
-    !matches!((one, other), (Bound::Motion(a, _), Bound::Motion(b, _)) if a != b)
+/// Whether one key can't do both. Motions of different modes don't conflict.
+fn clashes(one: Target, other: Target) -> bool {
+    !matches!((one, other), (Target::Motion(a, _), Target::Motion(b, _)) if a != b)
 }
 
-fn name_of(bound: Bound) -> String {
-    match bound {
-        Bound::Action(at) => BINDINGS[at].name.to_owned(),
-        Bound::Motion(mode, name) => format!("{mode}.{name}"),
+fn name_of(target: Target) -> String {
+    match target {
+        Target::Action(at) => BINDINGS[at].name.to_owned(),
+        Target::Motion(mode, name) => format!("{mode}.{name}"),
     }
 }
 
 fn unknown<'a>(name: &str, what: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
     match nearest(name, known.clone()) {
-        Some(meant) => format!("`{name}` is no {what}: did you mean `{meant}`?"),
-        None => format!("`{name}` is no {what}: use {}", known.collect::<Vec<_>>().join(", ")),
+        Some(meant) => format!("unknown {what} `{name}`: did you mean `{meant}`?"),
+        None => format!("unknown {what} `{name}`: use {}", known.collect::<Vec<_>>().join(", ")),
     }
 }
 
-/// The keys of a value, each with its place: a text, or a list of texts, which may be empty.
+/// The keys of a value with their positions: a string, or an array of strings, which may be empty.
 fn chords(value: &Spanned<DeValue<'_>>) -> Result<Vec<(Chord, usize)>, (usize, KeysErrorKind)> {
     let one = |value: &Spanned<DeValue<'_>>| {
         let start = value.span().start;
         let text = value.get_ref().as_str().ok_or_else(|| {
-            let message = "a key is a text, as \"f\"; several are a list, as [\"f\", \"Home\"]";
+            let message = "a key is a string, as \"f\"; several are an array, as [\"f\", \"Home\"]";
             (start, KeysErrorKind::Malformed(message.to_owned()))
         })?;
-        let chord = text.parse().map_err(|message| (start, KeysErrorKind::NoKey(message)))?;
+        let chord = text.parse().map_err(|message| (start, KeysErrorKind::InvalidKey(message)))?;
         Ok((chord, start))
     };
     match value.get_ref() {
@@ -140,7 +139,7 @@ fn chords(value: &Spanned<DeValue<'_>>) -> Result<Vec<(Chord, usize)>, (usize, K
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::keys::{Action, Shown};
+    use crate::keys::{Action, Guide};
     use luxel::navigation::Mode;
 
     fn action(keys: &Keys, key: &str, mode: Mode) -> Option<Action> {
@@ -148,34 +147,34 @@ mod tests {
     }
 
     #[test]
-    fn a_file_moves_keys_and_leaves_the_others() {
+    fn a_file_rebinds_keys_and_leaves_the_others() {
         let keys = Keys::read(
             "grid = \"w\"\nquit = [\"Ctrl+q\", \"F10\"]\nmeasure = []\n\
              [turntable]\nforward = \"Up\"\n",
         );
         let keys = keys.unwrap();
         let of = |key| action(&keys, key, Mode::Turntable);
-        assert_eq!(of("w"), Some(Action::Show(Shown::Grid)));
+        assert_eq!(of("w"), Some(Action::ToggleGuide(Guide::Grid)));
         assert_eq!((of("g"), of("q"), of("r")), (None, None, None));
         assert_eq!((of("Ctrl+q"), of("F10")), (Some(Action::Quit), Some(Action::Quit)));
-        assert_eq!(of("Up"), "forward".parse().ok().map(Action::Hold));
-        assert_eq!(of("s"), "back".parse().ok().map(Action::Hold));
+        assert_eq!(of("Up"), "forward".parse().ok().map(Action::Motion));
+        assert_eq!(of("s"), "back".parse().ok().map(Action::Motion));
         assert_eq!(action(&keys, "Up", Mode::Mouselook), None);
         assert_eq!(of("f"), Some(Action::Fit));
         assert_eq!(Keys::read("").unwrap(), Keys::default());
     }
 
     #[test]
-    fn what_is_wrong_is_told_with_its_line() {
+    fn errors_have_their_line() {
         for (text, line, part) in [
             ("quit = \"q\"\nfitt = \"x\"\n", 2, "did you mean `fit`?"),
-            ("\n\nquit = 3\n", 3, "a key is a text"),
-            ("quit = [\"q\",\n \"Foo\"]\n", 2, "`Foo` is no key"),
-            ("fit = \"g\"\nquit = \"g\"\n", 2, "g does `fit` already"),
-            ("fit = \"w\"\n[flying]\nfaster = \"w\"\n", 3, "w does `fit` already"),
-            ("[flying]\nfoward = \"w\"\n", 2, "no motion"),
+            ("\n\nquit = 3\n", 3, "a key is a string"),
+            ("quit = [\"q\",\n \"Foo\"]\n", 2, "`Foo` is not a key"),
+            ("fit = \"g\"\nquit = \"g\"\n", 2, "g is bound to `fit` already"),
+            ("fit = \"w\"\n[flying]\nfaster = \"w\"\n", 3, "w is bound to `fit` already"),
+            ("[flying]\nfoward = \"w\"\n", 2, "unknown motion"),
             ("quit = \n", 1, ""),
-            ("[quit]\na = 1\n", 1, "a key is a text"),
+            ("[quit]\na = 1\n", 1, "a key is a string"),
             ("flying = \"F8\"\n", 1, "is a table"),
         ] {
             let error = Keys::read(text).unwrap_err();

@@ -14,20 +14,20 @@ fn session(records: bool) -> Session {
 }
 
 #[test]
-fn a_recording_plays_back_to_the_same_bits_from_any_start() {
+fn a_recording_replays_bit_identically_from_any_start() {
     let mut recorded = session(true);
     let at = DVec2::new(300.0, 200.0);
-    recorded.happen(Event::Grab { gesture: Gesture::Turn, at, point: None }, 0.25);
-    recorded.happen(Event::Drag { at: at + DVec2::new(40.0, -7.0) }, 0.016);
-    recorded.happen(Event::Release, 0.016);
-    recorded.switch_lens(0.5);
+    recorded.navigate(Event::Grab { gesture: Gesture::Turn, at, point: None }, 0.25);
+    recorded.navigate(Event::Drag { at: at + DVec2::new(40.0, -7.0) }, 0.016);
+    recorded.navigate(Event::Release, 0.016);
+    recorded.toggle_lens(0.5);
     recorded.fit(0.1);
-    recorded.happen(Event::Wait, 0.07);
+    recorded.navigate(Event::Wait, 0.07);
     recorded.resize(Size { width: 800, height: 300 });
-    recorded.happen(Event::Wheel { notches: 2.0, at, point: None }, 0.01);
+    recorded.navigate(Event::Wheel { notches: 2.0, at, point: None }, 0.01);
     let log: Log = recorded.log().unwrap().parse().unwrap();
     let mut played = session(false);
-    played.happen(Event::Tap { command: "orbit-up".parse().unwrap(), steps: 5.0 }, 0.0);
+    played.navigate(Event::Tap { command: "orbit-up".parse().unwrap(), steps: 5.0 }, 0.0);
     for entry in &log.entries {
         played.play(entry);
     }
@@ -36,60 +36,60 @@ fn a_recording_plays_back_to_the_same_bits_from_any_start() {
 }
 
 #[test]
-fn parallel_rays_and_back_is_where_it_was() {
+fn an_orthographic_lens_and_back_restores_the_camera() {
     let mut session = session(false);
     let before = session.camera();
-    session.switch_lens(0.0);
+    session.toggle_lens(0.0);
     assert!(session.camera().projection.is_orthographic());
-    session.switch_lens(0.0);
+    session.toggle_lens(0.0);
     let after = session.camera();
     assert!(after.view_from_world.abs_diff_eq(before.view_from_world, 1e-9));
     assert_eq!(after.projection.lens, before.projection.lens);
 }
 
 #[test]
-fn what_is_selected_comes_into_view_else_what_is_not_hidden() {
-    use crate::marks::Choice;
+fn selected_objects_are_fitted_else_the_visible_ones() {
+    use crate::selection::SelectMode;
     let scene = demos::demo("spheres").unwrap();
     let view = luxel::default_view(&scene, SIZE);
     let (up, pivot) = (scene.up, scene.bounds().centre());
     let model = Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] };
     let mut session = Session::new(model, SIZE, Mode::Turntable, false);
     let centre = session.bounds(1).centre();
-    session.marks.select([1], Choice::Replace);
+    session.selection.select([1], SelectMode::Replace);
     session.fit_selected(0.0);
-    session.happen(Event::Wait, 10.0);
+    session.navigate(Event::Wait, 10.0);
     assert!(session.state.pivot().abs_diff_eq(centre, 1e-9));
-    session.marks.isolate(session.objects.len());
-    session.marks.select(None, Choice::Replace);
+    session.selection.isolate(session.objects.len());
+    session.selection.select(None, SelectMode::Replace);
     session.fit(0.0);
-    session.happen(Event::Wait, 10.0);
+    session.navigate(Event::Wait, 10.0);
     assert!(!session.state.pivot().abs_diff_eq(centre, 1e-3));
     session.fit_selected(0.0);
-    session.happen(Event::Wait, 10.0);
+    session.navigate(Event::Wait, 10.0);
     assert!(session.state.pivot().abs_diff_eq(centre, 1e-9));
 }
 
 #[test]
-fn a_model_that_has_changed_keeps_camera_and_edited_lights_but_not_marks_of_others() {
-    use crate::marks::Choice;
+fn a_reloaded_model_keeps_camera_edits_and_selection_where_they_still_apply() {
+    use crate::selection::SelectMode;
     let mut session = session(false);
     let first = session.model.clone();
-    session.happen(Event::Tap { command: "orbit-up".parse().unwrap(), steps: 5.0 }, 0.0);
-    session.change_look(|look| {
-        look.view_mut().samples = 16;
-        look.view_mut().lights[0].light.scale(0.5);
-        look.switch(1, false);
+    session.navigate(Event::Tap { command: "orbit-up".parse().unwrap(), steps: 5.0 }, 0.0);
+    session.change_display(|display| {
+        display.view_mut().samples = 16;
+        display.view_mut().lights[0].light.scale(0.5);
+        display.set_enabled(1, false);
     });
-    session.change_wardrobe(|wardrobe| wardrobe.change(0).k_d = Some(0.5));
-    session.marks.select([1], Choice::Replace);
+    session.edit_materials(|overrides| overrides.edit(0).k_d = Some(0.5));
+    session.selection.select([1], SelectMode::Replace);
     let (place, view) = (session.state.view_from_world(), session.view());
     session.reload(first.clone());
     assert_eq!(session.state.view_from_world(), place);
     assert_eq!(session.view().lights, view.lights);
-    assert_eq!((session.view().samples, session.marks.selected().len()), (16, 1));
-    assert!(session.wardrobe().is_changed(0));
-    // Larger, with other lights and one object less.
+    assert_eq!((session.view().samples, session.selection.selected().len()), (16, 1));
+    assert!(session.material_overrides().is_changed(0));
+    // Larger, with other lights and one object fewer.
     let mut scene = (*first.scene).clone();
     for mesh in &mut scene.meshes {
         mesh.positions.iter_mut().flatten().for_each(|part| *part *= 3.0);
@@ -101,7 +101,7 @@ fn a_model_that_has_changed_keeps_camera_and_edited_lights_but_not_marks_of_othe
     session.reload(other.clone());
     assert_eq!(session.view().lights, other.view.lights);
     assert_eq!(session.state.view_from_world(), place);
-    assert!(session.marks.selected().is_empty());
+    assert!(session.selection.selected().is_empty());
     assert_eq!(session.settings.bounds, other.scene.bounds());
 }
 
@@ -110,54 +110,55 @@ fn lights_that_are_off_are_not_drawn() {
     let mut session = session(false);
     let all = session.view().lights;
     assert_eq!(session.changed_lights(), None);
-    session.change_look(|look| look.switch(0, false));
+    session.change_display(|display| display.set_enabled(0, false));
     assert_eq!(session.view().lights, all[1..]);
     assert_eq!(session.changed_lights().as_deref(), Some(&all[1..]));
 }
 
 #[test]
-fn what_was_changed_of_light_is_told_in_coordinates_that_need_no_scene() {
+fn changed_lights_are_given_in_coordinates_that_need_no_scene() {
     let mut session = session(false);
     let node = luxel::scene::NodeId(0);
-    let places = session.places().placed(&session.view().lights[0]);
-    session.change_look(|look| look.view_mut().lights[0].placement = Placement::Node(node));
-    session.put_light(0, places.0, places.1);
-    session.change_look(|look| look.view_mut().lights[0].light.scale(2.0));
-    let told = session.changed_lights().unwrap();
-    assert_eq!(told[0].placement, Placement::World);
-    assert!(session.places().placed(&told[0]).1.abs_diff_eq(places.1, 1e-12));
-    assert!(!session.is_environment_changed() && !session.is_redressed());
-    session.change_wardrobe(|wardrobe| wardrobe.change(0).k_d = Some(0.25));
-    assert!(session.is_redressed());
+    let pose = session.light_spaces().world_pose(&session.view().lights[0]);
+    session
+        .change_display(|display| display.view_mut().lights[0].placement = Placement::Node(node));
+    session.set_light_pose(0, pose.0, pose.1);
+    session.change_display(|display| display.view_mut().lights[0].light.scale(2.0));
+    let lights = session.changed_lights().unwrap();
+    assert_eq!(lights[0].placement, Placement::World);
+    assert!(session.light_spaces().world_pose(&lights[0]).1.abs_diff_eq(pose.1, 1e-12));
+    assert!(!session.is_environment_changed() && !session.has_surface_changes());
+    session.edit_materials(|overrides| overrides.edit(0).k_d = Some(0.25));
+    assert!(session.has_surface_changes());
 }
 
 #[test]
-fn two_looks_keep_their_sides_and_the_panels_set_one_of_them() {
+fn compared_settings_keep_their_sides_and_the_panels_edit_one() {
     let mut session = session(false);
     let samples = |session: &Session| {
-        session.sheets().iter().map(|sheet| sheet.view.samples).collect::<Vec<_>>()
+        session.render_jobs().iter().map(|job| job.view.samples).collect::<Vec<_>>()
     };
     let set = |session: &mut Session, samples| {
-        session.change_look(|look| look.view_mut().samples = samples);
+        session.change_display(|display| display.view_mut().samples = samples);
     };
     set(&mut session, 8);
-    session.toggle_split();
+    session.toggle_comparison();
     set(&mut session, 1);
     assert_eq!(samples(&session), [8, 1]);
-    session.set_side(false);
+    session.set_active_side(false);
     set(&mut session, 16);
     assert_eq!(samples(&session), [16, 1]);
     let of = |session: &Session, x| session.view_at(x).samples;
     assert_eq!((of(&session, 10.0), of(&session, 600.0)), (16, 1));
     let before = session.revision();
-    session.set_side(true);
+    session.set_active_side(true);
     assert_eq!((samples(&session), session.revision()), (vec![16, 1], before));
-    session.toggle_split();
+    session.toggle_comparison();
     assert_eq!(samples(&session), [1]);
 }
 
 #[test]
-fn planes_that_are_fixed_stay_sound() {
+fn fixed_planes_stay_valid() {
     let mut session = session(false);
     for planes in [[Some(1e6), None], [None, Some(1e-6)], [Some(0.5), Some(9.0)]] {
         session.model.planes = planes;

@@ -1,7 +1,7 @@
-//! Pictures as terminals take them: kitty's and iTerm2's protocols, sixels, and half blocks, which
-//! every terminal has that knows colours.
+//! Encodings of pictures for terminals: kitty's and iTerm2's protocols, sixels, and half blocks, which
+//! every terminal with colours shows.
 
-use crate::snapshot::rgba_of;
+use crate::picture::rgba_of;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use luxel::lighting::PictureEncoding;
@@ -9,36 +9,35 @@ use luxel::render::{PictureFormat, write_rgba8};
 use luxel::scene::Size;
 use std::fmt::Write;
 
-/// By what a terminal shows pictures.
+/// A way to show pictures in a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Graphics {
-    /// The protocol of kitty, which Ghostty and others have too.
+    /// kitty's protocol, also of Ghostty and others.
     Kitty,
-    /// Inline pictures as iTerm2, WezTerm and mintty have them.
+    /// Inline pictures of iTerm2, WezTerm and mintty.
     Iterm2,
     /// Sixels, as in DEC's VT340 of 1987.
     Sixel,
-    /// The character of an upper half block in two colours: two pixels a cell.
+    /// Upper half blocks in two colours: two pixels a cell.
     Blocks,
 }
 
-/// By what pictures are to be shown.
+/// How pictures are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum GraphicsChoice {
-    /// By the best that the terminal has, as it says of itself in the environment, or when it is asked.
+    /// The best way that the terminal supports, by environment variables or its answer to a query.
     #[default]
     Auto,
-    /// By this.
+    /// This way.
     Only(Graphics),
 }
 
 impl GraphicsChoice {
-    /// What is shown by, where `variable` gives the environment's, and `ask` what the terminal says of
-    /// itself.
+    /// Resolves the choice. `variable` reads the environment, `query` asks the terminal.
     pub(super) fn graphics(
         self,
         variable: impl Fn(&str) -> Option<String>,
-        ask: impl FnOnce() -> Option<Graphics>,
+        query: impl FnOnce() -> Option<Graphics>,
     ) -> Graphics {
         if let Self::Only(graphics) = self {
             return graphics;
@@ -47,7 +46,7 @@ impl GraphicsChoice {
             let value = variable(name).unwrap_or_default().to_lowercase();
             parts.iter().any(|part| value.contains(part))
         };
-        // Within tmux and screen, pictures don't get through as they are.
+        // tmux and screen don't pass pictures through.
         if is("TERM", &["tmux", "screen"]) || variable("TMUX").is_some() {
             Graphics::Blocks
         } else if variable("KITTY_WINDOW_ID").is_some()
@@ -64,17 +63,17 @@ impl GraphicsChoice {
         {
             Graphics::Sixel
         } else {
-            ask().unwrap_or(Graphics::Blocks)
+            query().unwrap_or(Graphics::Blocks)
         }
     }
 }
 
-/// Bytes of kitty's protocol that come in one piece.
-const PIECE: usize = 4096;
+/// The largest chunk of kitty's protocol, in bytes.
+const CHUNK: usize = 4096;
 
 impl Graphics {
-    /// What shows a picture, 0RGB, from the cursor on over so many columns and rows.
-    pub(super) fn text(self, pixels: &[u32], size: Size, cells: [u32; 2]) -> String {
+    /// Encodes a 0RGB picture, shown from the cursor over so many columns and rows.
+    pub(super) fn encode(self, pixels: &[u32], size: Size, cells: [u32; 2]) -> String {
         match self {
             Self::Kitty => kitty(&png(pixels, size), cells),
             Self::Iterm2 => iterm2(&png(pixels, size), cells),
@@ -83,8 +82,8 @@ impl Graphics {
         }
     }
 
-    /// What takes the picture away.
-    pub(super) fn farewell(self) -> &'static str {
+    /// The sequence that deletes the picture.
+    pub(super) fn cleanup(self) -> &'static str {
         if self == Self::Kitty { "\x1b_Ga=d,d=A,q=2\x1b\\" } else { "" }
     }
 }
@@ -92,7 +91,7 @@ impl Graphics {
 fn png(pixels: &[u32], size: Size) -> String {
     let mut bytes = Vec::new();
     let rgba = rgba_of(pixels);
-    // Writing into memory fails for nothing but a wrong size.
+    // Writing to memory fails only for a wrong size.
     let written = write_rgba8(PictureFormat::Png, size, &rgba, PictureEncoding::Srgb, &mut bytes);
     if written.is_err() {
         bytes.clear();
@@ -100,20 +99,20 @@ fn png(pixels: &[u32], size: Size) -> String {
     STANDARD.encode(bytes)
 }
 
-/// Transmits and shows one picture in place of the last one, without moving the cursor.
+/// Replaces the last picture without moving the cursor.
 fn kitty(data: &str, [columns, rows]: [u32; 2]) -> String {
-    let mut text = String::with_capacity(data.len() + data.len() / PIECE * 16 + 64);
+    let mut text = String::with_capacity(data.len() + data.len() / CHUNK * 16 + 64);
     let mut rest = data;
     let mut is_first = true;
     while is_first || !rest.is_empty() {
-        let (piece, more) = rest.split_at(rest.len().min(PIECE));
+        let (piece, more) = rest.split_at(rest.len().min(CHUNK));
         let last = u8::from(!more.is_empty());
         let head = if is_first {
             format!("a=T,f=100,i=1,p=1,q=2,C=1,c={columns},r={rows},m={last}")
         } else {
             format!("m={last}")
         };
-        // Writing to a text can't fail.
+        // Writing to a string can't fail.
         let _ = write!(text, "\x1b_G{head};{piece}\x1b\\");
         (rest, is_first) = (more, false);
     }
@@ -132,8 +131,8 @@ const LEVELS: u32 = 6;
 /// An ordered dither, in 16ths of a level (Bayer 1973).
 const DITHER: [[u32; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
-/// The palette's colour of a pixel.
-fn entry(pixel: u32, x: usize, y: usize) -> u8 {
+/// The palette index of a pixel, dithered.
+fn palette_index(pixel: u32, x: usize, y: usize) -> u8 {
     let [_, channels @ ..] = pixel.to_be_bytes();
     let threshold = DITHER[y % 4][x % 4];
     let level = |channel: u8| (u32::from(channel) * (LEVELS - 1) * 16 / 255 + threshold) / 16;
@@ -141,7 +140,7 @@ fn entry(pixel: u32, x: usize, y: usize) -> u8 {
     ((r * LEVELS + g) * LEVELS + b) as u8
 }
 
-/// Six rows at a time, each colour of them as a run of characters whose bits are the rows.
+/// Encodes bands of six rows: for each colour, runs of characters whose bits are the rows.
 fn sixel(pixels: &[u32], size: Size) -> String {
     let (width, height) = (size.width as usize, size.height as usize);
     let mut text = format!("\x1bP0;1q\"1;1;{width};{height}");
@@ -156,7 +155,7 @@ fn sixel(pixels: &[u32], size: Size) -> String {
         let mut used = [false; 256];
         for row in 0..rows {
             for x in 0..width {
-                let color = entry(pixels[(top + row) * width + x], x, top + row);
+                let color = palette_index(pixels[(top + row) * width + x], x, top + row);
                 band[row * width + x] = color;
                 used[color as usize] = true;
             }
@@ -187,12 +186,12 @@ fn sixel(pixels: &[u32], size: Size) -> String {
     text
 }
 
-/// A cell shows two pixels: the upper one by its letters' colour, the lower one by its ground's.
+/// Encodes two pixels a cell: the upper one as foreground colour, the lower one as background.
 fn blocks(pixels: &[u32], size: Size) -> String {
     let (width, height) = (size.width as usize, size.height as usize);
     let mut text = String::new();
     for row in 0..height.div_ceil(2) {
-        // Every line by itself, so that the terminal's own wrapping doesn't matter.
+        // Each line is positioned, so that the terminal's wrapping doesn't matter.
         let _ = write!(text, "\x1b[{};1H", row + 1);
         let mut last = None;
         for x in 0..width {
@@ -224,8 +223,8 @@ mod tests {
             .collect()
     }
 
-    /// What a sixel terminal would show: the number of the colour of each pixel.
-    fn shown(text: &str, size: Size) -> Vec<Option<u8>> {
+    /// Decodes sixels: the palette index of each pixel.
+    fn decode(text: &str, size: Size) -> Vec<Option<u8>> {
         let width = size.width as usize;
         let mut pixels = vec![None; width * size.height as usize];
         let body = text.strip_suffix("\x1b\\").unwrap();
@@ -279,34 +278,34 @@ mod tests {
     }
 
     #[test]
-    fn sixels_show_every_pixel_in_its_colour() {
+    fn sixels_decode_to_every_pixel_s_colour() {
         let pixels = pixels();
-        let found = shown(&sixel(&pixels, SIZE), SIZE);
+        let found = decode(&sixel(&pixels, SIZE), SIZE);
         for (at, pixel) in pixels.iter().enumerate() {
-            assert_eq!(found[at], Some(entry(*pixel, at % 8, at / 8)), "{at}");
+            assert_eq!(found[at], Some(palette_index(*pixel, at % 8, at / 8)), "{at}");
         }
-        // Colours of the palette itself are not dithered.
-        assert_eq!(entry(0x00ff_0000, 0, 0), entry(0x00ff_0000, 1, 1));
+        // Palette colours aren't dithered.
+        assert_eq!(palette_index(0x00ff_0000, 0, 0), palette_index(0x00ff_0000, 1, 1));
     }
 
     #[test]
-    fn kitty_s_pieces_are_the_png_s_bytes_in_order() {
+    fn kitty_s_chunks_are_the_png_s_bytes_in_order() {
         let noise: Vec<u32> = (0..128 * 96_u32).map(|n| n.wrapping_mul(0x9e37_79b1) >> 8).collect();
         let size = Size { width: 128, height: 96 };
         let data = png(&noise, size);
-        assert!(data.len() > 2 * PIECE);
+        assert!(data.len() > 2 * CHUNK);
         let text = kitty(&data, [10, 5]);
         let pieces: Vec<_> = text.split("\x1b\\").filter(|piece| !piece.is_empty()).collect();
         let joined: String = pieces.iter().map(|piece| piece.split_once(';').unwrap().1).collect();
         assert_eq!(joined, data);
-        assert!(pieces.iter().all(|piece| piece.len() < PIECE + 100));
+        assert!(pieces.iter().all(|piece| piece.len() < CHUNK + 100));
         let more = |piece: &str| piece.split_once(';').unwrap().0.ends_with("m=1");
         let (last, others) = pieces.split_last().unwrap();
         assert!(others.iter().all(|piece| more(piece)) && !more(last));
     }
 
     #[test]
-    fn half_blocks_have_two_pixels_each_and_an_odd_row_at_last() {
+    fn half_blocks_have_two_pixels_each_and_an_odd_last_row() {
         let text = blocks(&pixels(), SIZE);
         assert_eq!(text.matches('\u{2580}').count(), 8 * 7);
         assert!(text.contains("\x1b[38;2;255;0;0;48;2;0;51;255m"), "{text:?}");
@@ -315,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn a_terminal_is_known_by_its_environment() {
+    fn a_terminal_is_identified_by_its_environment() {
         let of = |variables: &[(&str, &str)]| {
             let find = |name: &str| {
                 variables.iter().find(|(one, _)| *one == name).map(|(_, value)| (*value).to_owned())
@@ -333,7 +332,7 @@ mod tests {
         assert_eq!(of(&[]), Graphics::Blocks);
         let only = GraphicsChoice::Only(Graphics::Sixel);
         assert_eq!(only.graphics(|_| None, || Some(Graphics::Kitty)), Graphics::Sixel);
-        // Who is known isn't asked, nor is who stands between.
+        // Known terminals and multiplexers aren't queried.
         let sixel = || Some(Graphics::Sixel);
         let named = |value: &'static str| {
             GraphicsChoice::Auto.graphics(|name| (name == "TERM").then(|| value.to_owned()), sixel)

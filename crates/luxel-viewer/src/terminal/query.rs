@@ -1,29 +1,29 @@
-//! Asking the terminal itself what pictures it shows, where its environment doesn't tell: over SSH, most
-//! variables are lost on the way.
+//! Queries the terminal for its graphics protocol, where environment variables don't identify it: SSH
+//! drops most of them.
 
 use super::graphics::Graphics;
 
-/// A question of kitty's protocol, about a picture of one pixel that is not to be shown; then the
-/// terminal's attributes (DA1 of DEC's VT100), which every terminal tells. Whoever tells the second
-/// without having answered the first doesn't know kitty's protocol.
+/// A query of kitty's protocol, for a picture of one pixel that isn't shown, then a request for the
+/// terminal's attributes (DA1 of DEC's VT100), which every terminal answers. A terminal that answers only
+/// the second doesn't support kitty's protocol.
 #[cfg(unix)]
-const QUESTION: &[u8] = b"\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\\x1b[c";
+const QUERY: &[u8] = b"\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\\x1b[c";
 
-/// How long an answer may take: a round the world and back.
+/// The longest wait for an answer: a round trip around the world.
 #[cfg(unix)]
-const PATIENCE: std::time::Duration = std::time::Duration::from_millis(500);
+const TIMEOUT: std::time::Duration = std::time::Duration::from_millis(500);
 
-/// What the terminal shows pictures by, as it says itself; `None`, if it says nothing of it. The
-/// terminal is in its raw mode, and what is typed meanwhile is lost.
+/// The graphics protocol that the terminal reports; `None` if it reports none. The terminal is in raw
+/// mode; input typed meanwhile is lost.
 #[cfg(unix)]
-pub(super) fn ask(out: &mut impl std::io::Write) -> Option<Graphics> {
+pub(super) fn query_graphics(out: &mut impl std::io::Write) -> Option<Graphics> {
     use rustix::event::{PollFd, PollFlags, Timespec, poll};
     let input = std::io::stdin();
-    out.write_all(QUESTION).and_then(|()| out.flush()).ok()?;
-    let begun = std::time::Instant::now();
-    let mut heard = Vec::new();
+    out.write_all(QUERY).and_then(|()| out.flush()).ok()?;
+    let start = std::time::Instant::now();
+    let mut received = Vec::new();
     loop {
-        let left = PATIENCE.checked_sub(begun.elapsed())?;
+        let left = TIMEOUT.checked_sub(start.elapsed())?;
         let wait = Timespec::try_from(left).ok()?;
         let mut ready = [PollFd::new(&input, PollFlags::IN)];
         match poll(&mut ready, Some(&wait)) {
@@ -31,31 +31,31 @@ pub(super) fn ask(out: &mut impl std::io::Write) -> Option<Graphics> {
             Err(_) | Ok(0) => return None,
             Ok(_) => {}
         }
-        // Not by way of the standard library, which reads ahead what others are to read.
+        // The standard library's buffer would swallow input meant for others.
         let mut bytes = [0; 256];
         match rustix::io::read(&input, &mut bytes) {
-            Ok(count @ 1..) => heard.extend_from_slice(&bytes[..count]),
+            Ok(count @ 1..) => received.extend_from_slice(&bytes[..count]),
             _ => return None,
         }
-        if let Some(answer) = answer(&heard) {
+        if let Some(answer) = answer(&received) {
             return answer;
         }
     }
 }
 
-/// Other systems have no such terminals.
+/// Terminals of other systems have none of these protocols.
 #[cfg(not(unix))]
-pub(super) fn ask(_: &mut impl std::io::Write) -> Option<Graphics> {
+pub(super) fn query_graphics(_: &mut impl std::io::Write) -> Option<Graphics> {
     None
 }
 
-/// What an answer says, once it is there with its end, the attributes.
-fn answer(heard: &[u8]) -> Option<Option<Graphics>> {
-    let text = String::from_utf8_lossy(heard);
+/// Parses an answer; `None` until its end, the attributes, has been received.
+fn answer(received: &[u8]) -> Option<Option<Graphics>> {
+    let text = String::from_utf8_lossy(received);
     let attributes = text.split("\x1b[?").skip(1).find_map(|rest| {
         let (numbers, _) = rest.split_once('c')?;
-        let is_it = numbers.bytes().all(|byte| byte.is_ascii_digit() || byte == b';');
-        is_it.then(|| numbers.to_owned())
+        let is_attributes = numbers.bytes().all(|byte| byte.is_ascii_digit() || byte == b';');
+        is_attributes.then(|| numbers.to_owned())
     })?;
     let is_kitty = text.contains("\x1b_Gi=31;OK");
     // 4 is sixel graphics.
@@ -68,14 +68,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn answers_of_terminals_are_understood_once_they_are_whole() {
+    fn answers_are_parsed_once_complete() {
         let kitty = b"\x1b_Gi=31;OK\x1b\\\x1b[?62;c";
         for length in 0..kitty.len() {
             assert_eq!(answer(&kitty[..length]), None, "{length}");
         }
-        for (heard, expected) in [
+        for (received, expected) in [
             (&kitty[..], Some(Graphics::Kitty)),
-            // kitty's protocol without the medium that was asked for, and WezTerm with both.
+            // kitty's protocol without the requested medium, and WezTerm with both.
             (b"\x1b_Gi=31;EINVAL:no\x1b\\\x1b[?62;4c", Some(Graphics::Sixel)),
             (b"\x1b_Gi=31;OK\x1b\\\x1b[?65;4;6;18;22c", Some(Graphics::Kitty)),
             // foot, xterm -ti vt340, xterm, the console of Linux.
@@ -83,10 +83,10 @@ mod tests {
             (b"\x1b[?63;1;2;4;6;9;15;22c", Some(Graphics::Sixel)),
             (b"\x1b[?64;1;2;6;9;15;16;17;18;21;22;28c", None),
             (b"\x1b[?6c", None),
-            // Something was typed meanwhile.
+            // Input was typed meanwhile.
             (b"qc\x1b[?1;2;4c", Some(Graphics::Sixel)),
         ] {
-            assert_eq!(answer(heard), Some(expected), "{}", heard.escape_ascii());
+            assert_eq!(answer(received), Some(expected), "{}", received.escape_ascii());
         }
         assert_eq!(answer(b"c \x1b[A ?62;4c"), None);
     }

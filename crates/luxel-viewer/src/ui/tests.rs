@@ -1,11 +1,12 @@
-//! Every control by the keyboard alone.
+//! Tests that every control works by keyboard.
 
+use super::panels::{Side, Tab};
 use super::*;
 use crate::model::Model;
-use crate::panels::{Side, Tab};
 use crate::theme::DARK;
 use egui::{Event, Id, Key, Modifiers};
 use luxel::lighting::{LightKind, LightKindDescription};
+use luxel::navigation::{Mode, StandardView};
 use luxel::scene::{Restyle, demos};
 use std::sync::Arc;
 
@@ -13,14 +14,14 @@ fn kind(name: &str) -> &'static LightKindDescription {
     LightKindDescription::by_name(name).unwrap()
 }
 
-/// The panels without a window.
+/// The user interface without a window.
 struct Stage {
     ui: Ui,
     session: Session,
     size: Size,
     scale: f32,
     pixels: Vec<u32>,
-    wishes: Vec<Wish>,
+    commands: Vec<UiCommand>,
 }
 
 impl Stage {
@@ -32,8 +33,8 @@ impl Stage {
         let model = Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] };
         let session = Session::new(model, size, Mode::Turntable, false);
         let mut ui = Ui::new(&DARK, Keys::default());
-        (ui.shows_panels, ui.is_narrow) = (true, false);
-        Self { ui, session, size, scale: 1.0, pixels: Vec::new(), wishes: Vec::new() }
+        (ui.panels.is_shown, ui.panels.is_narrow) = (true, false);
+        Self { ui, session, size, scale: 1.0, pixels: Vec::new(), commands: Vec::new() }
     }
 
     fn pass(&mut self, events: Vec<Event>) {
@@ -42,7 +43,7 @@ impl Stage {
         let status = Status { name: "a model".to_owned(), is_chosen: true, ..Status::default() };
         let size = (self.size, self.scale);
         let shown = self.ui.show(Some(&mut self.session), &status, size, &mut self.pixels);
-        self.wishes.extend(shown.0);
+        self.commands.extend(shown.0);
     }
 
     fn press_with(&mut self, key: Key, modifiers: Modifiers) {
@@ -71,7 +72,7 @@ impl Stage {
         self.pass(Vec::new());
     }
 
-    /// Where everything is that the pointer can press or slide.
+    /// All controls that the pointer can press or drag.
     fn controls(&self) -> Vec<(Id, Rect)> {
         self.ui.context.viewport(|viewport| {
             let widgets = viewport.prev_pass.widgets.layers().flat_map(|(_, widgets)| widgets);
@@ -85,7 +86,7 @@ impl Stage {
         })
     }
 
-    /// What Tab comes to, one after the other; each is in view, and shows that it has the keyboard.
+    /// The controls that Tab focuses, in order; asserts that each is in view and shows its focus.
     fn walk(&mut self, name: &str) -> Vec<Id> {
         let mut stops = Vec::new();
         self.focus(None);
@@ -96,7 +97,7 @@ impl Stage {
                 return stops;
             }
             stops.push(id);
-            // What has been scrolled is seen.
+            // Lets scrolling settle.
             self.pass(Vec::new());
             self.pass(Vec::new());
             let rect = self.ui.context.read_response(id).unwrap().rect;
@@ -104,19 +105,19 @@ impl Stage {
             let lit = self.pixels.clone();
             self.focus(None);
             let is_shown = self.differs(&lit, rect.expand(6.0));
-            assert!(is_shown, "{name}: {id:?} at {rect:?} shows nothing of having the keyboard");
+            assert!(is_shown, "{name}: {id:?} at {rect:?} doesn't show its focus");
             self.focus(Some(id));
         }
-        panic!("{name}: Tab never comes round: {}", stops.len())
+        panic!("{name}: Tab never cycles: {}", stops.len())
     }
 
-    /// Where controls are, in points: all but the line below the picture.
+    /// The window without the status line, in points.
     fn window(&self) -> Rect {
         let size = vec2(self.size.width as f32, self.size.height as f32) / self.scale;
         Rect::from_min_size(egui::Pos2::ZERO, size - vec2(0.0, 28.0)).expand(0.5)
     }
 
-    /// Whether other pixels are another picture somewhere.
+    /// Whether pixels differ from the present ones within a rectangle.
     fn differs(&self, pixels: &[u32], within: Rect) -> bool {
         let within = within.intersect(self.window().shrink(0.5));
         let (left, right) = (within.left() as usize, within.right() as usize);
@@ -129,35 +130,35 @@ impl Stage {
     }
 }
 
-/// Room for both panels, but not for all of their length; and for one of them.
+/// Window sizes with room for both panels, but not for their whole length; and for one.
 const WIDE: (u32, u32) = (920, 480);
 const NARROW: (u32, u32) = (480, 400);
 
-/// All panels, with all kinds of controls.
+/// All panels with all kinds of controls.
 fn stages() -> Vec<(String, Stage)> {
     let mut stages = Vec::new();
     for tab in [Tab::Light, Tab::Explain, Tab::View] {
         let mut stage = Stage::new("spheres", WIDE);
-        stage.ui.tab = tab;
+        stage.ui.panels.tab = tab;
         stages.push((format!("{tab:?}"), stage));
     }
     let mut spot = Stage::new("teapot", WIDE);
-    spot.ui.chosen = Some(spot.session.add_light(kind("spot")));
+    spot.ui.panels.chosen_light = Some(spot.session.add_light(kind("spot")));
     stages.push(("a spot".to_owned(), spot));
     for side in [Side::Tree, Side::Settings] {
         let mut stage = Stage::new("spheres", NARROW);
-        stage.ui.unfolded = Some(side);
+        stage.ui.panels.unfolded = Some(side);
         stages.push((format!("{side:?} alone"), stage));
     }
     let mut compared = Stage::new("plane", WIDE);
-    compared.ui.tab = Tab::View;
-    compared.session.toggle_split();
+    compared.ui.panels.tab = Tab::View;
+    compared.session.toggle_comparison();
     stages.push(("two looks".to_owned(), compared));
     stages
 }
 
 #[test]
-fn every_control_is_reached_by_tab_in_view_and_shows_that_it_has_the_keyboard() {
+fn every_control_is_reached_by_tab_in_view_and_shows_its_focus() {
     for (name, mut stage) in stages() {
         stage.pass(Vec::new());
         stage.pass(Vec::new());
@@ -165,18 +166,18 @@ fn every_control_is_reached_by_tab_in_view_and_shows_that_it_has_the_keyboard() 
         let stops = stage.walk(&name);
         assert!(stops.len() > 6, "{name}: {}", stops.len());
         for (id, rect) in controls {
-            // Bars of what is scrolled follow the keyboard.
+            // Scroll bars follow keyboard focus.
             let is_bar = rect.width() < 12.0 && rect.height() > 60.0;
             assert!(
                 is_bar || stops.contains(&id),
-                "{name}: the keyboard never comes to {id:?} at {rect:?}"
+                "{name}: focus never reaches {id:?} at {rect:?}"
             );
         }
     }
 }
 
 #[test]
-fn keys_press_the_axes_and_move_handles_of_lights_and_the_line_between_looks() {
+fn keys_press_the_axes_and_move_light_handles_and_the_divider() {
     let mut stage = Stage::new("plane", WIDE);
     stage.session.add_light(kind("point"));
     stage.pass(Vec::new());
@@ -187,12 +188,12 @@ fn keys_press_the_axes_and_move_handles_of_lights_and_the_line_between_looks() {
         stage.press(Key::Space);
         stage.press(Key::Enter);
     }
-    let is_view = |wish: &Wish, view: StandardView| *wish == Wish::View(view);
+    let is_view = |command: &UiCommand, view: StandardView| *command == UiCommand::View(view);
     for view in [StandardView::Front, StandardView::Left, StandardView::Bottom] {
-        let count = stage.wishes.iter().filter(|wish| is_view(wish, view)).count();
-        assert_eq!((count, stage.wishes.len()), (2, 12), "{view:?}");
+        let count = stage.commands.iter().filter(|command| is_view(command, view)).count();
+        assert_eq!((count, stage.commands.len()), (2, 12), "{view:?}");
     }
-    // What is left of them stands in the picture, between the panels.
+    // The others lie in the picture, between the panels.
     let place = |stage: &Stage, id: Id| stage.ui.context.read_response(id).map(|one| one.rect);
     let free = 250.0..620.0;
     let is_handle = |id: &&Id| place(&stage, **id).is_some_and(|rect| free.contains(&rect.left()));
@@ -212,20 +213,20 @@ fn keys_press_the_axes_and_move_handles_of_lights_and_the_line_between_looks() {
         let way = place(&stage, id).unwrap().center() - from.center();
         assert!(way.x > 4.0 && way.y < -4.0, "{way}");
     }
-    stage.session.toggle_split();
+    stage.session.toggle_comparison();
     stage.focus(None);
-    let before = stage.session.split().unwrap().at;
+    let before = stage.session.comparison().unwrap().divider;
     let stops = stage.walk("two looks");
     let tall = |id: &&Id| place(&stage, **id).is_some_and(|rect| rect.height() > 300.0);
     let line = *stops.iter().find(tall).unwrap();
     stage.focus(Some(line));
     stage.press(Key::ArrowLeft);
-    assert!(stage.session.split().unwrap().at < before - 0.01);
+    assert!(stage.session.comparison().unwrap().divider < before - 0.01);
 }
 
 #[test]
-fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
-    for (model, heeded) in [
+fn every_constant_of_a_reflection_model_is_changed_by_its_slider() {
+    for (model, used) in [
         ("unlit", &["k_d", "opacity"][..]),
         ("lambert", &["k_a", "k_d", "opacity"]),
         ("oren-nayar", &["k_a", "k_d", "roughness", "opacity"]),
@@ -236,9 +237,9 @@ fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
         ("mirror", &["k_a", "k_s", "opacity"]),
         ("retro", &["k_a", "k_d", "k_s", "n", "opacity"]),
     ] {
-        // Room for all of the panel.
+        // High enough for the whole panel.
         let mut stage = Stage::new("teapot", (920, 2000));
-        let at = stage.session.uses.iter().position(|uses| *uses > 0).unwrap();
+        let at = stage.session.material_uses.iter().position(|uses| *uses > 0).unwrap();
         let reflection = luxel::formats::values::reflection(model).unwrap();
         let half = Restyle {
             reflection: Some(reflection),
@@ -251,10 +252,11 @@ fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
             opacity: Some(0.5),
             ..Restyle::default()
         };
-        stage.session.change_wardrobe(|wardrobe| *wardrobe.change(at) = half);
+        stage.session.edit_materials(|overrides| *overrides.edit(at) = half);
         let values = |stage: &Stage| {
-            let worn = stage.session.wardrobe().worn(&stage.session.model.scene, at);
-            let of = worn.constants;
+            let material =
+                stage.session.material_overrides().material(&stage.session.model.scene, at);
+            let of = material.constants;
             [
                 ("k_a", of.k_a),
                 ("k_d", of.k_d),
@@ -263,7 +265,7 @@ fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
                 ("roughness", of.roughness),
                 ("metallic", of.metallic),
                 ("steps", of.reflection.own("toon-steps").unwrap_or_default()),
-                ("opacity", worn.opacity),
+                ("opacity", material.opacity),
             ]
         };
         stage.pass(Vec::new());
@@ -281,20 +283,20 @@ fn every_constant_that_a_model_of_reflection_heeds_is_changed_by_its_slider() {
             changed.extend(others);
         }
         changed.dedup();
-        let wanted: Vec<_> = heeded.iter().map(|name| (*name, true)).collect();
+        let wanted: Vec<_> = used.iter().map(|name| (*name, true)).collect();
         assert_eq!(changed, wanted, "{model}");
     }
 }
 
 #[test]
-fn the_tree_is_searched_by_typing_and_all_of_its_rows_are_come_to() {
+fn the_tree_is_searched_by_typing_and_all_rows_are_reached() {
     let mut stage = Stage::new("spheres", NARROW);
-    stage.ui.unfolded = Some(Side::Tree);
-    stage.ui.wants_focus = true;
+    stage.ui.panels.unfolded = Some(Side::Tree);
+    stage.ui.panels.wants_focus = true;
     stage.pass(Vec::new());
     let count = stage.session.objects.len();
     let all = stage.walk("the tree").len();
-    // An eye and a name of each, however many of them are seen at a time; the field, icons, axes.
+    // An eye and a name for each object, visible or not; the field, icons and axes.
     assert!(all > 2 * count, "{all} for {count} objects");
     let named = |stage: &Stage, object: usize| {
         stage.session.path(object).rsplit(" / ").next().unwrap_or_default().to_owned()
@@ -309,7 +311,7 @@ fn the_tree_is_searched_by_typing_and_all_of_its_rows_are_come_to() {
         stage.press(Key::Tab);
     }
     stage.pass(vec![Event::Text(wanted.to_uppercase())]);
-    assert_eq!(stage.ui.search, wanted.to_uppercase());
+    assert_eq!(stage.ui.panels.search, wanted.to_uppercase());
     let matching = (0..count).filter(|one| stage.session.path(*one).contains(&wanted)).count();
     let left = stage.walk("what was found").len();
     assert_eq!(all - left, 2 * (count - matching), "{wanted}");
@@ -319,18 +321,18 @@ fn the_tree_is_searched_by_typing_and_all_of_its_rows_are_come_to() {
 fn windows_of_any_size_are_laid_out() {
     for size in [(1, 1), (1, 900), (3000, 20), (80, 60), (899, 30)] {
         let mut stage = Stage::new("plane", size);
-        stage.session.toggle_split();
+        stage.session.toggle_comparison();
         stage.session.add_light(kind("spot"));
         for tab in [Tab::Light, Tab::Explain, Tab::View] {
-            stage.ui.tab = tab;
+            stage.ui.panels.tab = tab;
             for unfolded in [None, Some(Side::Tree), Some(Side::Settings)] {
-                (stage.ui.unfolded, stage.ui.shows_help) = (unfolded, unfolded.is_none());
+                (stage.ui.panels.unfolded, stage.ui.shows_help) = (unfolded, unfolded.is_none());
                 stage.pass(Vec::new());
                 stage.pass(Vec::new());
             }
         }
         stage.session.toggle_difference();
-        stage.ui.opener = Some(Opener::beside("demo:plane".as_ref()));
+        stage.ui.dialog = Some(PathCompletion::beside("demo:plane".as_ref()));
         stage.pass(Vec::new());
         stage.pass(Vec::new());
     }

@@ -8,7 +8,7 @@ use luxel::formats::values::{degrees, light_text};
 use luxel::lighting::Environment;
 use luxel::render::EnvironmentChoice;
 use luxel::scene::{Camera, Lens};
-use luxel_viewer::Seen;
+use luxel_viewer::ShownView;
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
 
@@ -38,7 +38,7 @@ const OF_LIGHT: [&str; 3] = ["light", "ambient", "light-scale"];
 
 /// The line that draws what is seen of a file as `luxel view` with these words shows it: its flags, but
 /// for camera, size, samples, edges and shading, and for light as far as that was changed.
-pub(super) fn line(words: &[OsString], file: &OsStr, seen: &Seen<'_>) -> String {
+pub(super) fn line(words: &[OsString], file: &OsStr, seen: &ShownView<'_>) -> String {
     let view = seen.view;
     let mut line = vec!["luxel".to_owned(), "render".to_owned(), quoted(&file.to_string_lossy())];
     let is_of_window = |flag: &str| {
@@ -70,7 +70,7 @@ pub(super) fn line(words: &[OsString], file: &OsStr, seen: &Seen<'_>) -> String 
 }
 
 /// The flags of light, as far as it was changed.
-fn light(seen: &Seen<'_>) -> Vec<String> {
+fn light(seen: &ShownView<'_>) -> Vec<String> {
     let mut flags = Vec::new();
     if let Some(lights) = &seen.lights {
         // Without any, the file's would count.
@@ -154,7 +154,7 @@ mod tests {
                      directional:dir=0,-1,0 --light ambient:color=.1,.1,.1 --size 9x9";
         let words = words.split_whitespace();
         let words: Vec<OsString> = words.map(OsString::from).collect();
-        let as_read = Seen { view: &view, lights: None, is_environment_changed: false };
+        let as_read = ShownView { view: &view, lights: None, is_environment_changed: false };
         let line = line(&words, OsStr::new("it's b.glb"), &as_read);
         assert!(line.starts_with("luxel render 'it'\\''s b.glb' "), "{line}");
         assert!(line.contains(" --wireframe ") && line.contains(" --ks=0.5"), "{line}");
@@ -179,9 +179,9 @@ mod tests {
         let words = "luxel view --light point:pos=0,0,0 --ambient 1,1,1 --environment studio \
                      --shading flat --light-scale 3";
         let words: Vec<OsString> = words.split_whitespace().map(OsString::from).collect();
-        let draw = |seen: &Seen<'_>| line(&words, OsStr::new("demo:plane"), seen);
+        let draw = |seen: &ShownView<'_>| line(&words, OsStr::new("demo:plane"), seen);
         let lights = Some(view.lights.clone());
-        let lit = draw(&Seen { view: &view, lights, is_environment_changed: true });
+        let lit = draw(&ShownView { view: &view, lights, is_environment_changed: true });
         let gone = ["pos=0,0,0", "=1,1,1", "studio", "flat", "scale"];
         assert!(gone.iter().all(|gone| !lit.contains(gone)), "{lit}");
         assert_eq!(lit.matches("--light=").count(), view.lights.len(), "{lit}");
@@ -189,11 +189,12 @@ mod tests {
         assert!(lit.contains(" --environment=0.1,0.2,0.3 "), "{lit}");
         let words = lit.split(' ').chain(["-o", "b.png"]);
         assert!(Cli::try_parse_from(words).is_ok(), "{lit}");
-        let dark = draw(&Seen { view: &view, lights: Some(vec![]), is_environment_changed: false });
+        let dark =
+            draw(&ShownView { view: &view, lights: Some(vec![]), is_environment_changed: false });
         assert!(dark.contains("--light=ambient:color=0,0,0"), "{dark}");
         // A scene file's own shading gives way, too.
         view.shading.mode = ShadingMode::Phong;
-        let seen = Seen { view: &view, lights: None, is_environment_changed: false };
+        let seen = ShownView { view: &view, lights: None, is_environment_changed: false };
         assert!(line(&[], OsStr::new("a.toml"), &seen).contains(" --shading=phong "));
         assert!(!draw(&seen).contains("phong") && draw(&seen).contains("point:pos=0,0,0"));
     }

@@ -6,7 +6,7 @@ use luxel::formats::{SceneModels, SceneText, SettingValue, SurfaceChange};
 use luxel::lighting::{Light, PictureEncoding};
 use luxel::render::{Cull, Shading, ShadingMode, View};
 use luxel::scene::{DVec3, Placement, Restyle, SceneCamera, SceneLight};
-use luxel_viewer::Showing;
+use luxel_viewer::ShownScene;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// said in one.
 pub(super) fn saved(
     file: &OsStr,
-    shown: &Showing<'_>,
+    shown: &ShownScene<'_>,
     restyle: Restyle,
     shading: &ShadingOptions,
 ) -> Result<(PathBuf, String), String> {
@@ -53,11 +53,11 @@ pub(super) fn saved(
 fn text<'a>(
     models: SceneModels<'a>,
     root: &[String],
-    shown: &Showing<'_>,
+    shown: &ShownScene<'_>,
     restyle: Restyle,
     shading: &ShadingOptions,
 ) -> SceneText<'a> {
-    let Showing { scene, view, planes, .. } = shown;
+    let ShownScene { scene, view, planes, .. } = shown;
     let below = |path: Vec<String>| root.iter().cloned().chain(path).collect::<Vec<_>>();
     let own = shown
         .changes

@@ -1,0 +1,27 @@
+//! The model on display, its loading, and the list of files.
+
+mod file_list;
+mod file_watch;
+mod load_progress;
+
+pub(crate) use file_list::{FileList, WELCOME};
+pub(crate) use file_watch::FileWatch;
+pub use load_progress::LoadProgress;
+use luxel::render::View;
+use luxel::scene::{DVec3, Scene};
+use std::sync::Arc;
+
+/// A loaded model with its initial view.
+#[derive(Clone)]
+pub struct Model {
+    /// The scene.
+    pub scene: Arc<Scene>,
+    /// The initial view: camera, lights, samples. The window replaces size and background.
+    pub view: View,
+    /// The up direction in world space.
+    pub up: DVec3,
+    /// The camera's pivot in world space.
+    pub pivot: DVec3,
+    /// The near and far clipping planes that the user has fixed; the others fit the scene.
+    pub planes: [Option<f64>; 2],
+}

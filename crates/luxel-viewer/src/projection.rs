@@ -1,0 +1,94 @@
+//! Projection from world space to window pixels, from the upper left, and back.
+
+use luxel::pick::{Viewport, project, unproject};
+use luxel::scene::{Camera, DMat4, DVec2, DVec3, Size};
+
+/// Projects a line segment to window pixels, clipped at the near plane; `None` if nothing is left.
+pub(crate) fn project_line(camera: &Camera, size: Size, ends: [DVec3; 2]) -> Option<[DVec2; 2]> {
+    let [a, b] = ends.map(|end| camera.view_from_world.transform_point3(end));
+    // The camera looks along -z.
+    let front = -camera.projection.near;
+    let cut = |end: DVec3, other: DVec3| {
+        let is_behind = end.z > front;
+        if is_behind { end + (other - end) * ((front - end.z) / (other.z - end.z)) } else { end }
+    };
+    if a.z > front && b.z > front {
+        return None;
+    }
+    let clip_from_view = camera.projection.clip_from_view(size);
+    let place = |end| {
+        let place = project(end, &DMat4::IDENTITY, &clip_from_view, Viewport::of(size))?;
+        let (x, y) = (place.x, f64::from(size.height) - place.y);
+        // Far outside, coordinates would overflow the painter's fixed point.
+        (x.abs() < MAX_COORDINATE && y.abs() < MAX_COORDINATE).then_some(DVec2::new(x, y))
+    };
+    Some([place(cut(a, b))?, place(cut(b, a))?])
+}
+
+/// The largest coordinate, in pixels from the window's corner.
+const MAX_COORDINATE: f64 = 5e4;
+
+/// Projects a point to window pixels and depth, 0 near to 1 far; `None` behind the camera or far
+/// outside the window.
+pub(crate) fn project_point(camera: &Camera, size: Size, point: DVec3) -> Option<DVec3> {
+    let (view, clip) = (&camera.view_from_world, camera.projection.clip_from_view(size));
+    let is_before = -view.transform_point3(point).z > 0.0 || camera.projection.is_orthographic();
+    let place = project(point, view, &clip, Viewport::of(size)).filter(|_| is_before)?;
+    let place = DVec3::new(place.x, f64::from(size.height) - place.y, place.z);
+    (place.x.abs() < MAX_COORDINATE && place.y.abs() < MAX_COORDINATE).then_some(place)
+}
+
+/// Unprojects window pixels and depth to world space.
+pub(crate) fn unproject_point(camera: &Camera, size: Size, place: DVec3) -> Option<DVec3> {
+    let clip = camera.projection.clip_from_view(size);
+    let place = DVec3::new(place.x, f64::from(size.height) - place.y, place.z);
+    unproject(place, &camera.view_from_world, &clip, Viewport::of(size))
+        .filter(|point| point.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luxel::scene::{Lens, Projection};
+
+    const SIZE: Size = Size { width: 200, height: 100 };
+
+    fn camera(lens: Lens) -> Camera {
+        let projection = Projection { lens, near: 1.0, far: 100.0 };
+        Camera { view_from_world: DMat4::IDENTITY, projection }
+    }
+
+    #[test]
+    fn a_point_is_drawn_where_the_picture_shows_it() {
+        // 100 pixels are 20 units; y points up in the world, down in the window.
+        let parallel = camera(Lens::Orthographic { height: 20.0 });
+        let ends = [DVec3::new(2.0, 4.0, -5.0), DVec3::new(-10.0, -10.0, -50.0)];
+        let [a, b] = project_line(&parallel, SIZE, ends).unwrap();
+        assert!(a.abs_diff_eq(DVec2::new(110.0, 30.0), 1e-9), "{a}");
+        assert!(b.abs_diff_eq(DVec2::new(50.0, 100.0), 1e-9), "{b}");
+    }
+
+    #[test]
+    fn a_line_past_the_eye_is_cut_at_the_near_plane() {
+        let lens = Lens::Perspective { fov_y_radians: std::f64::consts::FRAC_PI_2 };
+        let ends = [DVec3::new(0.5, 0.0, -3.0), DVec3::new(0.5, 0.0, 7.0)];
+        let [a, b] = project_line(&camera(lens), SIZE, ends).unwrap();
+        // x / -z times half the height, from the middle.
+        assert!(a.abs_diff_eq(DVec2::new(100.0 + 50.0 / 6.0, 50.0), 1e-9), "{a}");
+        assert!(b.abs_diff_eq(DVec2::new(125.0, 50.0), 1e-9), "{b}");
+        assert_eq!(project_line(&camera(lens), SIZE, [ends[1]; 2]), None);
+    }
+
+    #[test]
+    fn a_point_of_the_window_is_found_again_in_the_world() {
+        let point = DVec3::new(1.5, -2.0, -30.0);
+        for lens in [Lens::Orthographic { height: 20.0 }, Lens::Perspective { fov_y_radians: 0.9 }]
+        {
+            let place = project_point(&camera(lens), SIZE, point).unwrap();
+            let back = unproject_point(&camera(lens), SIZE, place).unwrap();
+            assert!(back.abs_diff_eq(point, 1e-6), "{lens:?}: {back}");
+        }
+        let lens = Lens::Perspective { fov_y_radians: 0.9 };
+        assert_eq!(project_point(&camera(lens), SIZE, DVec3::Z), None);
+    }
+}

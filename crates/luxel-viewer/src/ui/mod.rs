@@ -1,0 +1,231 @@
+//! The user interface over the picture: panels, overlays, dialog, status line.
+
+mod command;
+mod focus;
+mod icons;
+mod ledger;
+mod open_dialog;
+mod overlays;
+mod paint;
+mod panels;
+mod status_line;
+
+use crate::keys::Keys;
+use crate::picture::PictureDifference;
+use crate::session::Session;
+use crate::theme::{self, Theme};
+pub(crate) use command::UiCommand;
+use egui::{Context, RawInput, Rect, Stroke, vec2};
+use luxel::scene::Size;
+pub(crate) use open_dialog::PathCompletion;
+use open_dialog::{DialogResult, open_dialog};
+use overlays::{
+    Grab, axes, difference_scale, divider, help, light_handles, loading_bar, measurement,
+    open_hint, vectors,
+};
+pub(crate) use overlays::{PendingModel, help_scroll_step};
+use paint::Painter;
+pub(crate) use panels::PanelLayout;
+use panels::{PanelState, Tab};
+pub(crate) use status_line::Status;
+use status_line::status_line;
+use std::time::{Duration, Instant};
+
+/// The user interface's state, and its painter.
+pub(crate) struct Ui {
+    pub(crate) events: Vec<egui::Event>,
+    pub(crate) modifiers: egui::Modifiers,
+    pub(crate) panels: PanelState,
+    pub(crate) shows_help: bool,
+    /// The pending scroll distance of the help, in points.
+    pub(crate) help_scroll: f32,
+    /// The dialog for a model, while it is open.
+    pub(crate) dialog: Option<PathCompletion>,
+    /// The handle of a light being dragged.
+    grab: Option<Grab>,
+    pub(crate) theme: &'static Theme,
+    pub(crate) keys: Keys,
+    /// The difference of two compared pictures, while it is shown.
+    pub(crate) difference: Option<PictureDifference>,
+    /// Two corners of the rubber band, while it is drawn.
+    pub(crate) band: Option<[egui::Pos2; 2]>,
+    context: Context,
+    painter: Painter,
+    started: Instant,
+}
+
+/// In narrower windows, in points, panels fold to icons, and one unfolds at a time.
+const ROOM_FOR_BOTH: f32 = 900.0;
+
+impl Ui {
+    pub(crate) fn new(theme: &'static Theme, keys: Keys) -> Self {
+        let context = Context::default();
+        context.set_style(theme.style());
+        Self {
+            events: Vec::new(),
+            modifiers: egui::Modifiers::NONE,
+            panels: PanelState::default(),
+            shows_help: false,
+            help_scroll: 0.0,
+            dialog: None,
+            grab: None,
+            theme,
+            keys,
+            difference: None,
+            band: None,
+            context,
+            painter: Painter::default(),
+            started: Instant::now(),
+        }
+    }
+
+    /// Sets the theme.
+    pub(crate) fn set_theme(&mut self, theme: &'static Theme) {
+        self.theme = theme;
+        self.context.set_style(theme.style());
+    }
+
+    /// Whether the pointer belongs to the interface rather than to the picture.
+    pub(crate) fn has_pointer(&self) -> bool {
+        self.dialog.is_some()
+            || self.context.wants_pointer_input()
+            || self.context.is_pointer_over_area()
+    }
+
+    /// Whether a control has keyboard focus.
+    pub(crate) fn has_keyboard(&self) -> bool {
+        self.dialog.is_some() || self.context.wants_keyboard_input()
+    }
+
+    /// Lays the interface out and paints it over the window's pixels. Returns commands to the window,
+    /// and the time until the next repaint.
+    pub(crate) fn show(
+        &mut self,
+        mut session: Option<&mut Session>,
+        status: &Status,
+        (size, pixels_per_point): (Size, f32),
+        pixels: &mut [u32],
+    ) -> (Vec<UiCommand>, Duration) {
+        let points = vec2(size.width as f32, size.height as f32) / pixels_per_point;
+        self.context.set_pixels_per_point(pixels_per_point);
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(egui::Pos2::ZERO, points)),
+            time: Some(self.started.elapsed().as_secs_f64()),
+            modifiers: self.modifiers,
+            events: std::mem::take(&mut self.events),
+            ..RawInput::default()
+        };
+        let mut commands = Vec::new();
+        let context = self.context.clone();
+        let output = context.run(input, |context| {
+            self.lay_out(context, session.as_deref_mut(), status, &mut commands);
+        });
+        for command in output.platform_output.commands {
+            if let egui::OutputCommand::CopyText(text) = command {
+                commands.push(UiCommand::CopyText(text));
+            }
+        }
+        self.painter.update(&output.textures_delta);
+        let primitives = context.tessellate(output.shapes, pixels_per_point);
+        self.painter.paint(&primitives, pixels_per_point, size, pixels);
+        self.painter.free(&output.textures_delta);
+        let repaint = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
+        (commands, repaint.unwrap_or(Duration::MAX))
+    }
+
+    fn lay_out(
+        &mut self,
+        context: &Context,
+        session: Option<&mut Session>,
+        status: &Status,
+        commands: &mut Vec<UiCommand>,
+    ) {
+        status_line(context, status, session.as_deref(), &self.keys);
+        self.show_loading(context, status, session.is_some(), commands);
+        let Some(session) = session else { return };
+        self.panels.is_narrow = context.content_rect().width() < ROOM_FOR_BOTH;
+        if self.panels.is_shown {
+            self.show_panels(context, session, commands);
+        }
+        if let Some(difference) = self.difference.filter(|_| session.comparison().is_some()) {
+            difference_scale(context, &difference);
+        } else if let Some((comparison, display)) = session.comparison_mut() {
+            divider(context, comparison, display);
+        }
+        measurement(context, session);
+        axes(context, session, commands);
+        if let Some([from, to]) = self.band {
+            rubber_band(context, Rect::from_two_pos(from, to));
+        }
+        if self.shows_help {
+            let scroll = std::mem::take(&mut self.help_scroll);
+            help(context, session.state.mode(), &self.keys, scroll);
+        }
+    }
+
+    /// The panels, and what they show in the picture.
+    fn show_panels(
+        &mut self,
+        context: &Context,
+        session: &mut Session,
+        commands: &mut Vec<UiCommand>,
+    ) {
+        let panels = &mut self.panels;
+        if panels.is_narrow {
+            panels::folded(panels, context);
+        }
+        if panels.shows_tree() {
+            panels::tree(panels, context, session, commands);
+        }
+        if panels.shows_settings() {
+            panels::settings(panels, context, session, &self.keys, commands);
+        }
+        if let (true, Some(pixel)) = (panels.shows_explanation(), &panels.explanation) {
+            vectors(context, session, &pixel.explanation);
+        }
+        if panels.shows_settings() && panels.tab == Tab::Light {
+            light_handles(context, session, &mut panels.chosen_light, &mut self.grab);
+        }
+    }
+
+    /// The loading bar, the hint how to open a model, and the dialog.
+    fn show_loading(
+        &mut self,
+        context: &Context,
+        status: &Status,
+        has_model: bool,
+        commands: &mut Vec<UiCommand>,
+    ) {
+        if let Some(pending) = &status.loading {
+            loading_bar(context, pending, commands);
+        } else if self.dialog.is_none() && (!status.is_chosen || !has_model) {
+            open_hint(context, &self.keys);
+        }
+        let result = self.dialog.as_mut().and_then(|dialog| open_dialog(context, dialog));
+        if let Some(result) = result {
+            self.dialog = None;
+            // Keys control the picture again.
+            context.memory_mut(|memory| {
+                if let Some(field) = memory.focused() {
+                    memory.surrender_focus(field);
+                }
+            });
+            if let DialogResult::Open(path) = result {
+                commands.push(UiCommand::Open(path));
+            }
+            context.request_repaint();
+        }
+    }
+}
+
+/// The rubber band: objects inside are selected when the button is released.
+fn rubber_band(context: &Context, rect: Rect) {
+    let painter = context.layer_painter(egui::LayerId::background());
+    let accent = theme::of(context).accent;
+    painter.rect_filled(rect, 0, accent.gamma_multiply(0.1));
+    let line = Stroke::new(1.0, accent);
+    painter.rect_stroke(rect, 0, line, egui::StrokeKind::Inside);
+}
+
+#[cfg(test)]
+mod tests;
