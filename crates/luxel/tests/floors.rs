@@ -100,6 +100,7 @@ const MODULES: &[(&str, &[&str])] = &[
         "luxel-pick",
         &[
             "window",
+            "window_cells",
             "region",
             "frustum",
             "picker",
