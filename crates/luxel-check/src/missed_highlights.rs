@@ -26,9 +26,9 @@ pub(crate) fn measure(report: &mut Report, scene: &Scene, setup: &Setup) {
     drawn.compute_tangents();
     let Ok(renderer) = Renderer::new(drawn, &setup.execution) else { return };
     // One sample, so that a pixel shows a single triangle.
-    let view = View { samples: 1, edges: None, ..setup.view.clone() };
+    let view = setup.view.clone().with_samples(1).with_edges(None);
     let draw = |shading: Shading| {
-        renderer.rgba8(&View { shading, ..view.clone() }).ok().map(|picture| picture.pixels)
+        renderer.rgba8(&view.clone().with_shading(shading)).ok().map(|picture| picture.pixels)
     };
     let Some(before) = draw(shading) else { return };
     if may_miss && let Some(after) = draw(Shading { mode: ShadingMode::Phong, ..shading }) {

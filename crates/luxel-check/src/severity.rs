@@ -51,30 +51,32 @@ impl Pictures {
         };
         isolated.compute_normals(normals);
         let renderer = Renderer::new(isolated, execution).ok()?;
-        let view = |(side, up): (DVec3, DVec3)| View {
-            size: Size { width: SIDE, height: SIDE },
-            camera: Camera {
-                view_from_world: Camera::look_at(
-                    bounds.centre() + side * (2.0 * radius),
-                    bounds.centre(),
-                    up,
-                ),
-                projection: Projection {
-                    lens: Lens::Orthographic { height: 2.0 * radius },
-                    near: 0.5 * radius,
-                    far: 3.5 * radius,
+        let view = |(side, up): (DVec3, DVec3)| {
+            View::new(
+                Size { width: SIDE, height: SIDE },
+                Camera {
+                    view_from_world: Camera::look_at(
+                        bounds.centre() + side * (2.0 * radius),
+                        bounds.centre(),
+                        up,
+                    ),
+                    projection: Projection {
+                        lens: Lens::Orthographic { height: 2.0 * radius },
+                        near: 0.5 * radius,
+                        far: 3.5 * radius,
+                    },
                 },
-            },
-            samples: 1,
-            cull: Cull::Auto,
-            lights: default_lights(),
-            ambient: DEFAULT_AMBIENT,
-            environment: EnvironmentChoice::default(),
-            fog: None,
-            background: [0.0; 4],
-            encoding: luxel_lighting::PictureEncoding::Srgb,
-            edges: None,
-            shading: luxel_render::Shading::default(),
+            )
+            .with_samples(1)
+            .with_cull(Cull::Auto)
+            .with_lights(default_lights())
+            .with_ambient(DEFAULT_AMBIENT)
+            .with_environment(EnvironmentChoice::default())
+            .with_fog(None)
+            .with_background([0.0; 4])
+            .with_encoding(luxel_lighting::PictureEncoding::Srgb)
+            .with_edges(None)
+            .with_shading(luxel_render::Shading::default())
         };
         let draw = |side| renderer.rgba8(&view(side)).map(|picture| picture.pixels);
         let pixels = SIDES.into_iter().map(draw).collect::<Result<_, _>>().ok()?;

@@ -28,23 +28,20 @@ pub(crate) fn view(
         lights.iter_mut().for_each(|light| light.light.scale(scale));
         ambient = ambient.map(|channel| channel * scale);
     }
-    Ok(View {
-        size: frame.size,
-        camera,
-        samples: frame.samples,
-        cull: frame.cull.into(),
-        lights,
-        ambient,
-        environment: environment(light, scene),
-        fog: light.fog.or(scene.fog),
-        background: picture.background.or(scene.background).unwrap_or_default(),
-        encoding: match picture.encoding {
+    Ok(View::new(frame.size, camera)
+        .with_samples(frame.samples)
+        .with_cull(frame.cull.into())
+        .with_lights(lights)
+        .with_ambient(ambient)
+        .with_environment(environment(light, scene))
+        .with_fog(light.fog.or(scene.fog))
+        .with_background(picture.background.or(scene.background).unwrap_or_default())
+        .with_encoding(match picture.encoding {
             EncodingChoice::Srgb => PictureEncoding::Srgb,
             EncodingChoice::None => PictureEncoding::None,
-        },
-        edges,
-        shading: mode.shading()?,
-    })
+        })
+        .with_edges(edges)
+        .with_shading(mode.shading()?))
 }
 
 /// The lights and the scene's ambient light: those of the line, else of the file, else the default

@@ -232,7 +232,7 @@ impl Stage {
 
     /// Where the scene covers pixels wholly.
     pub(crate) fn covered(&self, shot: &Shot) -> Result<Vec<bool>, GalleryError> {
-        let mut view = View { background: [0.0; 4], ..shot.view(self.renderer.scene()) };
+        let mut view = shot.view(self.renderer.scene()).with_background([0.0; 4]);
         // What is there is there however it is lit.
         view.lights.clear();
         view.shading = Shading::default();

@@ -3,6 +3,7 @@
 
 /// How a light spreads.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum LightKind {
     /// From everywhere, equally: only the ambient intensity counts.
     Ambient,

@@ -2,12 +2,12 @@
 
 use crate::coverage::EdgeFlags;
 use crate::polygons::Polygons;
-use crate::view::{Edges, NormalLength, Shading};
 use luxel_lighting::{
     Coefficients, Fog, LightingEnvironment, PictureEncoding, PlacedLight, SurfacePoint, Uniform,
 };
 use luxel_math::{Lanes, Vec3};
 use luxel_scene::{Mesh, Scene, SceneMaterial};
+use luxel_view::{Edges, NormalLength, Shading};
 use luxel_visibility::{Frame, InstanceSpace, PlacedScene, ViewRays};
 use std::collections::HashMap;
 use std::sync::Mutex;

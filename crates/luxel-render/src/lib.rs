@@ -10,6 +10,7 @@
 
 mod context;
 mod coverage;
+mod execution;
 mod explain;
 mod frame;
 mod image;
@@ -21,8 +22,8 @@ mod resolve;
 mod setup;
 mod shade;
 mod vector;
-mod view;
 
+pub use execution::Execution;
 pub use explain::{
     At, EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface,
     Explanation, Hidden, NEAREST_WITHIN, NearestObject, Seen, SurfaceBelow, Unlit, Unseen,
@@ -34,12 +35,11 @@ pub use image::{
     LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color, layer_rgb8,
     write_layers, write_linear, write_rgba8,
 };
-pub use layers::{Layer, LayerValues, ParseLayerError};
-pub use luxel_visibility::{Cull, TILE as TILE_SIDE};
+pub use luxel_view::{
+    Clamp, Cull, Edges, EnvironmentChoice, Interpolation, Layer, LayerValues, NormalLength,
+    ParseLayerError, Shading, ShadingMode, View,
+};
+pub use luxel_visibility::TILE as TILE_SIDE;
 pub use vector::{
     Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex, MAX_PIECES, Svg, SvgOptions,
-};
-pub use view::{
-    Clamp, Edges, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading, ShadingMode,
-    View,
 };

@@ -11,20 +11,7 @@
 //! # use luxel_scene::{DEFAULT_AMBIENT, DVec3, Lens, Scene, Size, Viewpoint, default_lights, demos, fit_view};
 //! # fn default_view(scene: &Scene, size: Size) -> View {
 //! #     let viewpoint = Viewpoint { up: DVec3::Y, azimuth_radians: 0.5, elevation_radians: 0.3 };
-//! #     View {
-//! #         size,
-//! #         camera: fit_view(scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, size),
-//! #         samples: 4,
-//! #         cull: Cull::Auto,
-//! #         lights: default_lights(),
-//! #         ambient: DEFAULT_AMBIENT,
-//! #         environment: EnvironmentChoice::StudioForMicrofacets,
-//! #         fog: None,
-//! #         background: [0.0; 4],
-//! #         encoding: PictureEncoding::Srgb,
-//! #         edges: None,
-//! #         shading: Shading::default(),
-//! #     }
+//! #     View::new(size, fit_view(scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, size)).with_samples(4).with_cull(Cull::Auto).with_lights(default_lights()).with_ambient(DEFAULT_AMBIENT).with_environment(EnvironmentChoice::StudioForMicrofacets).with_fog(None).with_background([0.0; 4]).with_encoding(PictureEncoding::Srgb).with_edges(None).with_shading(Shading::default())
 //! # }
 //! use luxel_report::Report;
 //! use std::sync::Arc;

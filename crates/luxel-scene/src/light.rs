@@ -2,7 +2,7 @@
 
 use crate::NodeId;
 use glam::DVec3;
-use luxel_lighting::{Light, LightKind};
+use luxel_lighting::{Cone, Light, LightKind};
 
 /// The coordinates in which a light is placed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,6 +31,58 @@ pub struct SceneLight {
     pub direction: DVec3,
 }
 
+impl SceneLight {
+    /// A directional light of one colour, shining along `direction` (any length but 0) in world space.
+    #[must_use]
+    pub fn directional(direction: DVec3, color: [f32; 3]) -> Self {
+        Self { direction, ..Self::of(LightKind::Directional, color) }
+    }
+
+    /// A point light of one colour at `position` in world space, unattenuated: see
+    /// [`Light::attenuation`] of its `light`.
+    #[must_use]
+    pub fn point(position: DVec3, color: [f32; 3]) -> Self {
+        Self { position, ..Self::of(LightKind::Point, color) }
+    }
+
+    /// A spot light of one colour at `position`, shining along `direction` in world space: even within
+    /// `cutoff_radians` of its axis, nothing beyond.
+    #[must_use]
+    pub fn spot(position: DVec3, direction: DVec3, cutoff_radians: f64, color: [f32; 3]) -> Self {
+        let cos_cutoff = libm::cos(cutoff_radians) as f32;
+        let kind = LightKind::Spot(Cone::Exponent { cos_cutoff, exponent: 0.0 });
+        Self { position, direction, ..Self::of(kind, color) }
+    }
+
+    /// An ambient light: I_a of the whole scene.
+    #[must_use]
+    pub fn ambient(color: [f32; 3]) -> Self {
+        Self { light: Light::ambient(color), ..Self::of(LightKind::Ambient, color) }
+    }
+
+    /// The same light by another name.
+    #[must_use]
+    pub fn named(self, name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..self }
+    }
+
+    /// The same light in other coordinates: on the camera for example.
+    #[must_use]
+    pub fn placed(self, placement: Placement) -> Self {
+        Self { placement, ..self }
+    }
+
+    fn of(kind: LightKind, color: [f32; 3]) -> Self {
+        Self {
+            name: kind.name().to_owned(),
+            light: Light::new(kind, color),
+            placement: Placement::World,
+            position: DVec3::ZERO,
+            direction: DVec3::NEG_Z,
+        }
+    }
+}
+
 /// I_a where nothing else is said: no part of a model is wholly black.
 pub const DEFAULT_AMBIENT: [f32; 3] = [0.115, 0.12, 0.13];
 
@@ -41,12 +93,8 @@ pub const DEFAULT_AMBIENT: [f32; 3] = [0.115, 0.12, 0.13];
 /// highlight.
 #[must_use]
 pub fn default_lights() -> Vec<SceneLight> {
-    let light = |name: &str, color, direction| SceneLight {
-        name: name.to_owned(),
-        light: Light::new(LightKind::Directional, color),
-        placement: Placement::Camera,
-        position: DVec3::ZERO,
-        direction,
+    let light = |name: &str, color, direction| {
+        SceneLight::directional(direction, color).named(name).placed(Placement::Camera)
     };
     vec![
         light("key", [1.0, 0.975, 0.94], DVec3::new(0.5, -0.65, -0.75)),

@@ -37,6 +37,7 @@ pub use cluster::{
     CLUSTER_TRIANGLES, Clusters, Frames, Instance, ShadingVertex, TooManyTriangles, TriangleOf,
 };
 pub use frame::Frame;
+pub use luxel_view::Cull;
 pub use placed_scene::{CoveragePolicy, PlacedInstance, PlacedScene, SurfaceRules};
 pub use query::{
     Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, POINT_SIZE, PackedForms, Probe,
@@ -45,6 +46,6 @@ pub use query::{
 };
 pub use raster::{Plane, Tile};
 pub use types::{
-    Asked, BLOCK, BLOCKS, Coverage, Cull, CullFaces, Holes, MAX_SAMPLES, MAX_SIDE, PartUse,
-    Samples, TILE, TriangleId,
+    Asked, BLOCK, BLOCKS, Coverage, CullFaces, Holes, MAX_SAMPLES, MAX_SIDE, PartUse, Samples,
+    TILE, TriangleId,
 };

@@ -3,10 +3,11 @@
 use crate::cluster::{Clusters, Instance, TooManyTriangles};
 use crate::frame::Frame;
 use crate::query::{InstanceSpace, Strokes, ViewFromLocal, strokes};
-use crate::types::{Coverage, Cull, CullFaces, PartUse, Samples};
+use crate::types::{Coverage, CullFaces, PartUse, Samples};
 use glam::DMat4;
 use luxel_math::Level;
 use luxel_scene::{AlphaMode, Camera, Mesh, Object, Scene, SceneMaterial, Size};
+use luxel_view::Cull;
 
 /// How surfaces cover what lies behind them, by the alpha mode of their materials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +56,7 @@ impl SurfaceRules {
         let faces = if wireframe && cull == Cull::Auto {
             CullFaces::None
         } else {
-            cull.faces(material.sides, mirrored)
+            CullFaces::of(cull, material.sides, mirrored)
         };
         PartUse { cull: faces, coverage: of_mode }
     }

@@ -7,7 +7,7 @@
 #![allow(clippy::unwrap_used, reason = "a benchmark")]
 
 use luxel::default_view;
-use luxel::render::{Execution, Picture, Renderer, View};
+use luxel::render::{Execution, Picture, Renderer};
 use luxel::scene::{MaterialId, MeshId, Node, Part, Scene, SceneMaterial, Size, primitives};
 use std::time::Instant;
 
@@ -29,7 +29,7 @@ fn ball() -> Scene {
 fn main() {
     let scene = ball();
     for size in [Size { width: 640, height: 480 }, Size { width: 1920, height: 1080 }] {
-        let view = View { samples: 1, ..default_view(&scene, size) };
+        let view = default_view(&scene, size).with_samples(1);
         let execution = Execution { threads: 1, ..Execution::default() };
         let renderer = Renderer::new(scene.clone(), &execution).unwrap();
         let mut picture = Picture::default();

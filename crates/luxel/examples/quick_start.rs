@@ -4,7 +4,6 @@
 use luxel::prelude::*;
 use luxel::scene::demos;
 use std::error::Error;
-use std::fs::File;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut args = std::env::args().skip(1);
@@ -19,7 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     view.background = [0.02, 0.02, 0.025, 1.0];
     let renderer = Renderer::new(scene, &Execution::default())?;
     let picture = renderer.rgba8(&view)?;
-    write_png(&picture, &mut File::create(&path)?)?;
+    picture.save(&path)?;
     println!("{} triangles drawn to {}", renderer.scene().triangle_count(), path.display());
     Ok(())
 }

@@ -34,6 +34,5 @@ pub fn draw(scene: impl Into<Arc<Scene>>, size: Size) -> Result<Picture<[u8; 4]>
 /// # Errors
 /// [`PictureError`] if writing fails.
 pub fn write_png(picture: &Picture<[u8; 4]>, out: &mut dyn Write) -> Result<(), PictureError> {
-    let encoding = luxel_lighting::PictureEncoding::Srgb;
-    write_rgba8(PictureFormat::Png, picture.size, &picture.pixels, encoding, out)
+    write_rgba8(PictureFormat::Png, picture.size, &picture.pixels, picture.encoding, out)
 }

@@ -5,7 +5,7 @@
 //!
 //! let model = luxel::load("model.glb")?;
 //! let picture = luxel::draw(model.scene, Size { width: 1280, height: 720 })?;
-//! luxel::write_png(&picture, &mut std::fs::File::create("model.png")?)?;
+//! picture.save("model.png")?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -22,6 +22,7 @@
 //! | [`check`] | what in a mesh spoils its shading |
 //! | [`bvh`] | rays against triangles: closest, any and all hits |
 //! | [`pick`] | what is under the mouse: rays, pixels, rectangles |
+//! | [`view`] | what a picture shows: camera, lights, shading, layers |
 //! | [`render`] | pictures and layers of a scene |
 //! | [`report`] | the light of a pixel term by term, and picks, as text, JSON, LaTeX, HTML |
 //! | [`navigation`] | from mouse and keys to the camera, without a window |
@@ -29,10 +30,14 @@
 
 #![forbid(unsafe_code)]
 
+mod default_view;
 mod draw;
 mod load;
-mod view;
 
+pub use default_view::{
+    DEFAULT_AZIMUTH_DEGREES, DEFAULT_ELEVATION_DEGREES, DEFAULT_FOV_DEGREES, default_camera,
+    default_view, environment_of, lights_of, view_from_world_of,
+};
 pub use draw::{draw, write_png};
 pub use load::load;
 pub use luxel_bvh as bvh;
@@ -45,10 +50,8 @@ pub use luxel_pick as pick;
 pub use luxel_render as render;
 pub use luxel_report as report;
 pub use luxel_scene as scene;
-pub use view::{
-    DEFAULT_AZIMUTH_DEGREES, DEFAULT_ELEVATION_DEGREES, DEFAULT_FOV_DEGREES, DEFAULT_SAMPLES,
-    default_camera, default_view, environment_of, lights_of, view_from_world_of,
-};
+pub use luxel_view as view;
+pub use luxel_view::DEFAULT_SAMPLES;
 
 /// What most programs want in scope.
 pub mod prelude {

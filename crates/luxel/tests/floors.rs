@@ -19,6 +19,7 @@ const CRATES: &[&str] = &[
     "luxel-lighting",
     "luxel-scene",
     "luxel-formats",
+    "luxel-view",
     "luxel-visibility",
     "luxel-pick",
     "luxel-render",
@@ -119,7 +120,7 @@ const MODULES: &[(&str, &[&str])] = &[
     (
         "luxel-render",
         &[
-            "view",
+            "execution",
             "coverage",
             "polygons",
             "context",
@@ -177,7 +178,7 @@ const MODULES: &[(&str, &[&str])] = &[
             "marked_scene",
         ],
     ),
-    ("luxel", &["view", "draw", "load"]),
+    ("luxel", &["default_view", "draw", "load"]),
     (
         "luxel-gallery",
         &["error", "file", "picture", "compare", "shot", "chapter", "svg", "lab", "page", "plots"],

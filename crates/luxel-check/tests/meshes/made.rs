@@ -35,20 +35,17 @@ pub(crate) fn setup(scene: &Scene) -> Setup {
     };
     let lens = Lens::Perspective { fov_y_radians: 45_f64.to_radians() };
     let size = Size { width: 1280, height: 720 };
-    let view = View {
-        size,
-        camera: fit_view(scene, &viewpoint, lens, size),
-        samples: 1,
-        cull: Cull::Auto,
-        lights: default_lights(),
-        ambient: DEFAULT_AMBIENT,
-        environment: EnvironmentChoice::default(),
-        fog: None,
-        background: [0.0; 4],
-        encoding: PictureEncoding::Srgb,
-        edges: None,
-        shading: Shading::default(),
-    };
+    let view = View::new(size, fit_view(scene, &viewpoint, lens, size))
+        .with_samples(1)
+        .with_cull(Cull::Auto)
+        .with_lights(default_lights())
+        .with_ambient(DEFAULT_AMBIENT)
+        .with_environment(EnvironmentChoice::default())
+        .with_fog(None)
+        .with_background([0.0; 4])
+        .with_encoding(PictureEncoding::Srgb)
+        .with_edges(None)
+        .with_shading(Shading::default());
     Setup { view, normals: NormalOptions::default(), execution: Execution::default() }
 }
 

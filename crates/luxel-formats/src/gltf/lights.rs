@@ -28,13 +28,12 @@ pub(crate) fn convert(light: &FileLight, index: u32) -> Result<Light, Error> {
         let message = "colour and intensity have to be finite and not negative";
         return Err(malformed(pointer, message));
     }
-    let attenuation = match kind {
-        LightKind::Directional | LightKind::Ambient => Attenuation::NONE,
+    let attenuation = if kind.has_place() {
         // A range that isn't positive is no range.
-        LightKind::Point | LightKind::Spot(_) => Attenuation {
-            range: light.range.filter(|&range| range > 0.0 && range.is_finite()),
-            ..Attenuation::INVERSE_SQUARE
-        },
+        let range = light.range.filter(|&range| range > 0.0 && range.is_finite());
+        Attenuation { range, ..Attenuation::INVERSE_SQUARE }
+    } else {
+        Attenuation::NONE
     };
     Ok(Light { attenuation, ..Light::new(kind, color) })
 }

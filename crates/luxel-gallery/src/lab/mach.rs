@@ -5,7 +5,7 @@ use crate::chapter::{Chapter, Pair, steps};
 use crate::compare::{Error, error};
 use crate::shot::{Shot, Studio, both, ready};
 use crate::svg::{Anchor, Axes, Ink, Svg};
-use luxel::render::{Renderer, ShadingMode, View};
+use luxel::render::{Renderer, ShadingMode};
 use luxel::scene::{Scene, demos::lab};
 use std::collections::BTreeMap;
 
@@ -65,7 +65,7 @@ impl Row {
 
 /// The light along the middle row, one sample a pixel, where the scene is.
 fn middle_row(studio: &Studio, shot: &Shot, scene: &Scene) -> Result<Row, GalleryError> {
-    let view = View { samples: 1, background: [0.0; 4], ..shot.view(scene) };
+    let view = shot.view(scene).with_samples(1).with_background([0.0; 4]);
     let picture = Renderer::new(scene.clone(), &studio.execution)?.linear(&view)?;
     let width = picture.size.width as usize;
     let row = picture.pixels.chunks_exact(width).nth(picture.size.height as usize / 2);

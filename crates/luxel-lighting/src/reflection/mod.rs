@@ -48,6 +48,7 @@ pub static REFLECTION_MODELS: &[&ReflectionModel] = &[
 
 /// How a surface reflects.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Reflection {
     /// Not at all: I = O_d k_d, the object's own intensity, whatever the lights.
     Unlit,

@@ -244,6 +244,7 @@ pub(crate) fn bidirectional(
             }
             sum
         }
+        other => panic!("no formula of its own for {other:?}"),
     }
 }
 

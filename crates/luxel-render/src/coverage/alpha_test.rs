@@ -3,11 +3,11 @@
 
 use super::edges::{EdgeFlags, edge_distance};
 
-use crate::view::Edges;
 use luxel_math::{
     LANES, Lanes, Level, Mask, SplitLanes, dispatch_long, f32x16, lanes_of, prelude::*,
 };
 use luxel_scene::{AlphaMode, OpacityCorners, Scene};
+use luxel_view::Edges;
 use luxel_visibility::{Asked, Forms, Frame, Holes, LinearForms, PackedForms, TriangleId};
 use std::cell::RefCell;
 

@@ -21,13 +21,13 @@ use crate::interpolate::{Batch, Fragments};
 use crate::material::SurfaceWitness;
 use crate::resolve::{self, Layered, bytes_of};
 use crate::shade::{BlockWitness, ThreadCache, shade};
-use crate::view::{ShadingMode, View};
 use luxel_lighting::{
     Ledger, LedgerLight, LightTerms, MirrorTerms, PartTerms, Reflectance, SurfacePoint, Terms,
     Witness,
 };
 use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
+use luxel_view::{ShadingMode, View};
 use luxel_visibility::{BLOCK, CoveragePolicy, Samples, TILE, Tile, TriangleId};
 use vertex_terms::{Interpolated, evaluated_at};
 
@@ -100,7 +100,7 @@ impl Renderer {
         pixels: &[[u32; 2]],
         only: Option<[i32; 2]>,
     ) -> Result<Vec<Explanation>, RenderError> {
-        let view = View { edges: None, ..view.clone() };
+        let view = view.clone().with_edges(None);
         self.with_scene(
             &view,
             CoveragePolicy::DRAWN,

@@ -4,9 +4,9 @@
 use super::ledger::{ExplainedSample, Explanation, Seen};
 use crate::context::Heard;
 use crate::frame::{RenderError, Renderer};
-use crate::view::View;
 use luxel_math::SUBPIXELS;
 use luxel_scene::Size;
+use luxel_view::View;
 use luxel_visibility::{CoveragePolicy, Cull, Samples, TILE, Tile, TriangleId};
 
 /// A surface under a place of the picture.
@@ -76,7 +76,7 @@ impl Renderer {
         let steps = steps.map(|steps| steps as i32);
         let pixel = steps.map(|steps| steps / SUBPIXELS);
         let sample = Samples::one_at(steps.map(|steps| steps % SUBPIXELS));
-        let view = View { edges: None, ..view.clone() };
+        let view = view.clone().with_edges(None);
         let eye = view.camera.eye();
         self.with_scene(
             &view,
@@ -135,7 +135,7 @@ impl Renderer {
         if pixel[0] >= width || pixel[1] >= height {
             return Err(RenderError::Outside(view.size));
         }
-        let view = View { edges: None, samples: 1, ..view.clone() };
+        let view = view.clone().with_edges(None).with_samples(1);
         self.with_scene(&view, CoveragePolicy::NEAREST, None, Heard::NOTHING, |scene, cutouts| {
             let frame = scene.frame;
             let holes = cutouts.finder(frame, self.level());
@@ -186,7 +186,7 @@ impl Unseen {
         view: &View,
         explanation: &Explanation,
     ) -> Result<Self, RenderError> {
-        let with_backs = View { cull: Cull::None, ..view.clone() };
+        let with_backs = view.clone().with_cull(Cull::None);
         let hidden = |entry: &ExplainedSample| {
             let drawn = renderer.below(view, entry.at)?;
             Ok(hidden(entry, &drawn, &renderer.below(&with_backs, entry.at)?))

@@ -6,8 +6,8 @@ use super::renderer::Renderer;
 use super::tiles::TilePixels;
 use crate::context::Heard;
 use crate::resolve::Bytes;
-use crate::view::View;
 use luxel_scene::Size;
+use luxel_view::View;
 use luxel_visibility::CoveragePolicy;
 use luxel_visibility::TILE;
 
@@ -60,6 +60,6 @@ impl Renderer {
                 }
             }
         })?;
-        Ok((corner, Picture { size: part, pixels, ..Picture::default() }))
+        Ok((corner, Picture { size: part, pixels, encoding: view.encoding, ..Picture::default() }))
     }
 }

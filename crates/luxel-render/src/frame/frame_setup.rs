@@ -1,10 +1,10 @@
 //! Things of the scene put where a frame wants them: instances before the camera, lights about the
 //! eye.
 
-use crate::view::View;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_lighting::{Coefficients, LightKind, PlacedLight, Uniform};
 use luxel_scene::{Camera, Placement, SceneLight, SceneMaterial};
+use luxel_view::View;
 use luxel_visibility::{CoveragePolicy, SurfaceRules};
 
 /// Which faces a view draws, and how.

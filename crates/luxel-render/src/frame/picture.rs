@@ -1,8 +1,9 @@
 //! A picture, and what drawing it took.
 
 use crate::context::ShadingContext;
-use crate::view::ShadingMode;
+use luxel_lighting::PictureEncoding;
 use luxel_scene::Size;
+use luxel_view::ShadingMode;
 use std::time::Duration;
 
 /// A picture with what making it took.
@@ -12,6 +13,8 @@ pub struct Picture<T> {
     pub size: Size,
     /// Pixels, row by row from the top.
     pub pixels: Vec<T>,
+    /// How light becomes bytes, as the view had it.
+    pub encoding: PictureEncoding,
     /// Culling and binning; then, added up over threads, finding what is visible, and lighting it.
     pub stages: Stages,
     /// What was divided, if the shading mode divides.
@@ -58,7 +61,13 @@ impl<T> Default for Picture<T> {
     /// No pixels.
     fn default() -> Self {
         let size = Size { width: 0, height: 0 };
-        Self { size, pixels: Vec::new(), stages: Stages::default(), subdivision: None }
+        Self {
+            size,
+            pixels: Vec::new(),
+            encoding: PictureEncoding::default(),
+            stages: Stages::default(),
+            subdivision: None,
+        }
     }
 }
 

@@ -11,13 +11,14 @@ use super::tiles::TilePixels;
 use super::workers::{BusyWorker, Workers};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::{AlphaTest, EdgeFlags};
+use crate::execution::Execution;
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
-use crate::view::{EnvironmentChoice, Execution, Interpolation, Shading, ShadingMode, View};
 use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
 use luxel_math::{Level, dispatch_long};
 use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene, SceneLight, Size};
+use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{
     Clusters, CoveragePolicy, Frames, Holes, PlacedScene, Samples, Tile, ViewRays,
 };

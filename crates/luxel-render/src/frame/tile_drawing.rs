@@ -8,7 +8,7 @@ use super::workers::BusyWorker;
 use crate::context::{Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::resolve::{Bytes, Finish, empty_pixel};
-use crate::view::View;
+use luxel_view::View;
 use luxel_visibility::{CoveragePolicy, TILE};
 use std::ops::Range;
 use std::sync::Mutex;
@@ -33,20 +33,7 @@ impl Renderer {
     /// # let scene = demos::demo("spheres").unwrap();
     /// # let size = Size { width: 160, height: 100 };
     /// # let viewpoint = Viewpoint { up: DVec3::Y, azimuth_radians: 0.5, elevation_radians: 0.3 };
-    /// # let view = View {
-    /// #     size,
-    /// #     camera: fit_view(&scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, size),
-    /// #     samples: 1,
-    /// #     cull: Cull::Auto,
-    /// #     lights: default_lights(),
-    /// #     ambient: [0.1; 3],
-    /// #     environment: EnvironmentChoice::StudioForMicrofacets,
-    /// #     fog: None,
-    /// #     background: [0.0; 4],
-    /// #     encoding: luxel_lighting::PictureEncoding::Srgb,
-    /// #     edges: None,
-    /// #     shading: Shading::default(),
-    /// # };
+    /// # let view = View::new(size, fit_view(&scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, size)).with_samples(1).with_cull(Cull::Auto).with_lights(default_lights()).with_ambient([0.1; 3]).with_environment(EnvironmentChoice::StudioForMicrofacets).with_fog(None).with_background([0.0; 4]).with_encoding(luxel_lighting::PictureEncoding::Srgb).with_edges(None).with_shading(Shading::default());
     /// let renderer = Renderer::new(scene, &Execution::default())?;
     /// let mut picture = Picture::default();
     /// renderer.with_tiles(&view, |tiles| {
@@ -143,6 +130,7 @@ impl<'d> TileDrawing<'d> {
         let worker = || (renderer.worker(scene.frame.samples()), new_tile());
         for_tiles(scene.frame, set, worker, &work);
         let sums = sums.into_inner().unwrap_or_default();
+        picture.encoding = scene.encoding;
         picture.stages = Stages { frame: renderer.now() - begin, ..sums };
         picture.subdivision = Subdivision::of(scene);
     }

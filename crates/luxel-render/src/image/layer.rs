@@ -35,13 +35,3 @@ impl LayerImage {
         letters.chars().take(self.channels).map(|letter| format!("{group}.{letter}")).collect()
     }
 }
-
-impl LayerValues {
-    /// How many values there are.
-    pub(crate) fn len(&self) -> usize {
-        match self {
-            Self::F32(values) => values.len(),
-            Self::U32(values) => values.len(),
-        }
-    }
-}

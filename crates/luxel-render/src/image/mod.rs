@@ -13,6 +13,7 @@ mod legend;
 mod npy;
 mod png;
 mod ppm;
+mod save;
 
 pub use layer::LayerImage;
 pub use legend::{Legend, id_color, layer_rgb8};
@@ -76,6 +77,9 @@ impl FromStr for PictureFormat {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PictureError {
+    /// The file's extension names no format.
+    #[error(transparent)]
+    Format(#[from] ParsePictureFormatError),
     /// Writing failed.
     #[error("writing the picture failed: {0}")]
     Io(#[from] io::Error),

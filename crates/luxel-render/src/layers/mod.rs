@@ -5,9 +5,6 @@
 //! runs with a witness that keeps what it hears, and layers are written from that. Where a picture has one
 //! sample a pixel and nothing that blends, it comes from the same pass.
 
-mod layer;
 mod pass;
 mod sample;
 mod witness;
-
-pub use layer::{Layer, LayerValues, ParseLayerError};

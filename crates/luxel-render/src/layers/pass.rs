@@ -1,6 +1,5 @@
 //! The one pass that fills all layers, and the picture where both see the same.
 
-use super::layer::{Layer, LayerValues};
 use super::sample::{Triangles, term};
 use super::witness::LayerWitness;
 use crate::context::{AttributeMask, Heard, ShadingContext, needs};
@@ -14,10 +13,11 @@ use crate::frame::{
 use crate::interpolate::Batch;
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels};
 use crate::shade::{BlockWitness, ThreadCache, point_of, shade, surface_fragments};
-use crate::view::{ShadingMode, View};
 use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
 use luxel_scene::{Projection, SceneLight};
+use luxel_view::{Layer, LayerValues};
+use luxel_view::{ShadingMode, View};
 use luxel_visibility::{BLOCK, CoveragePolicy, TILE, TriangleId};
 use std::ops::Range;
 use std::sync::Mutex;
@@ -74,7 +74,7 @@ impl Renderer {
             }
         }
         // Where nothing is let through but what is wholly transparent, the nearest surface counts.
-        let view = View { samples: 1, edges: None, ..view.clone() };
+        let view = view.clone().with_samples(1).with_edges(None);
         let has_uvs = layers.contains(&Layer::Uv);
         let attributes = if has_uvs { AttributeMask::UVS[0] } else { AttributeMask::NONE };
         let heard = Heard { positions: true, attributes };
@@ -89,10 +89,10 @@ impl Renderer {
             let planes = layers.iter().zip(values).map(|(layer, values)| {
                 let channels = layer.channels();
                 let values = if layer.is_id() {
-                    let values = values.as_u32();
+                    let values = numbers_u32(values);
                     PlaneValues::U32(Bands::new(values, view.size, channels))
                 } else {
-                    PlaneValues::F32(Bands::new(values.as_f32(), view.size, channels))
+                    PlaneValues::F32(Bands::new(numbers_f32(values), view.size, channels))
                 };
                 Plane { layer, channels, values }
             });
@@ -116,10 +116,33 @@ impl Renderer {
             drop(pass);
             if let Some(picture) = picture {
                 picture.size = view.size;
+                picture.encoding = view.encoding;
                 picture.subdivision = Subdivision::of(scene);
                 picture.stages = Stages { bin, ..sums.into_inner().unwrap_or_default() };
             }
         })
+    }
+}
+
+/// The list of a layer's numbers, in the memory of these if they are such.
+fn numbers_f32(values: &mut LayerValues) -> &mut Vec<f32> {
+    if matches!(values, LayerValues::U32(_)) {
+        *values = LayerValues::F32(Vec::new());
+    }
+    match values {
+        LayerValues::F32(numbers) => numbers,
+        LayerValues::U32(_) => unreachable!("it was replaced"),
+    }
+}
+
+/// The list of a layer's whole numbers, in the memory of these if they are such.
+fn numbers_u32(values: &mut LayerValues) -> &mut Vec<u32> {
+    if matches!(values, LayerValues::F32(_)) {
+        *values = LayerValues::U32(Vec::new());
+    }
+    match values {
+        LayerValues::U32(numbers) => numbers,
+        LayerValues::F32(_) => unreachable!("it was replaced"),
     }
 }
 

@@ -1,10 +1,10 @@
 //! Values of single samples: the numbers of what they see, and terms of light that is computed elsewhere.
 
-use super::layer::Layer;
 use crate::context::ShadingContext;
 use crate::explain::Lit;
 use luxel_lighting::LightTerms;
 use luxel_math::LANES;
+use luxel_view::Layer;
 use luxel_visibility::TriangleId;
 
 /// The numbers of what each lane sees.

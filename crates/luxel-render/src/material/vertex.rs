@@ -3,9 +3,9 @@
 use super::attributes::{Attributes, Corner};
 use super::surface::{SurfaceWitness, reflectance};
 use crate::context::{AttributeMask, ShadingContext};
-use crate::view::Clamp;
 use luxel_lighting::{Coefficients, Silent, reflected};
 use luxel_math::{Lanes, Rgb, Vec3};
+use luxel_view::Clamp;
 
 /// The light that leaves a place, without the texture of its base colour; clamped if the view says so.
 pub(crate) fn light_at<W: SurfaceWitness<f32>>(

@@ -6,9 +6,9 @@ use crate::setup::corners::CornerReader;
 use crate::setup::prepare::{Preparation, SetupColumns, Target};
 use crate::setup::{COLOR, LIGHT, NORMAL, PLACES, POSITION, ROWS, TANGENT, UVS, VectorAt};
 use crate::setup::{TriangleSetup, VertexExtras};
-use crate::view::ShadingMode;
 use luxel_lighting::Silent;
 use luxel_math::{LANES, Lanes, lanes_of};
+use luxel_view::ShadingMode;
 use luxel_visibility::TriangleId;
 
 /// A place for what nobody asked for: the last, which no triangle gets.

@@ -7,9 +7,9 @@ use crate::material::{Attributes, lit, lit_elsewhere};
 use crate::setup::SetupCache;
 use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::witness::BlockWitness;
-use crate::view::{Interpolation, Shading, ShadingMode};
 use luxel_lighting::SurfacePoint;
 use luxel_math::{F64Lanes, LANES, Lanes, lanes_of};
+use luxel_view::{Interpolation, Shading, ShadingMode};
 use luxel_visibility::TriangleId;
 
 /// What a thread keeps from block to block.

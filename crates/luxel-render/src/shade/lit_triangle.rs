@@ -7,11 +7,11 @@ use crate::context::{AttributeMask, ShadingContext};
 use crate::material::{Attributes, Corner, light_at};
 use crate::polygons::Polygons;
 use crate::setup::PlacedCorners;
-use crate::view::{Interpolation, ShadingMode};
 use glam::DVec3;
 use luxel_lighting::Silent;
 use luxel_math::Vec3;
 use luxel_scene::{Mesh, Size};
+use luxel_view::{Interpolation, ShadingMode};
 use luxel_visibility::{Forms, InstanceSpace, TriangleId, TriangleOf, interpolate_corners};
 
 /// Where the light of a triangle comes from, if not from its pixels or its corners.

@@ -10,9 +10,9 @@ use crate::context::{Heard, ShadingContext};
 use crate::frame::{RenderError, Renderer};
 use crate::material::Corner;
 use crate::shade::LitTriangle;
-use crate::view::{Interpolation, Shading, ShadingMode, View};
 use glam::DVec3;
 use luxel_scene::{AlphaMode, Size};
+use luxel_view::{Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{CoveragePolicy, Samples, TriangleOf};
 
 /// A corner in the window, lit.
@@ -185,7 +185,7 @@ impl Renderer {
             _ => ShadingMode::Gouraud,
         };
         let shading = Shading { mode, interpolation: Interpolation::Perspective, ..view.shading };
-        let view = View { shading, edges: None, ..view.clone() };
+        let view = view.clone().with_shading(shading).with_edges(None);
         self.with_scene(
             &view,
             CoveragePolicy::SOLID,

@@ -20,7 +20,7 @@ fn perspective(scene: &Scene, size: Size) -> View {
         far: bounds.radius() * 10.0,
     };
     let view_from_world = Camera::look_at(eye, bounds.centre(), DVec3::Y);
-    View { size, camera: Camera { view_from_world, projection }, samples: 4, ..view(1) }
+    view(1).with_size(size).with_camera(Camera { view_from_world, projection }).with_samples(4)
 }
 
 fn check(name: &str, scene: &Scene, view: &View) {
@@ -100,7 +100,7 @@ fn the_order_in_which_triangles_are_cut_is_not_seen() {
 fn tiles_drawn_in_sets_have_the_bytes_of_the_picture_and_others_stay() {
     let scene = Arc::new(demos::demo("spheres").unwrap());
     let size = Size { width: 300, height: 170 };
-    let view = View { background: [0.1, 0.2, 0.3, 0.5], ..perspective(&scene, size) };
+    let view = perspective(&scene, size).with_background([0.1, 0.2, 0.3, 0.5]);
     let renderer = Renderer::new(Arc::clone(&scene), &execution(2, SimdLevel::Auto)).unwrap();
     let whole = renderer.rgba8(&view).unwrap();
 

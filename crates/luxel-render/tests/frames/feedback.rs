@@ -66,14 +66,12 @@ fn ortho() -> View {
 }
 
 fn seen(projection: Projection) -> View {
-    View {
-        size: SIZE,
-        camera: Camera { view_from_world: DMat4::IDENTITY, projection },
-        lights: lights(),
-        ambient: [0.1, 0.1, 0.2],
-        shading: Shading { mode: ShadingMode::Gouraud, ..Shading::default() },
-        ..view(1)
-    }
+    view(1)
+        .with_size(SIZE)
+        .with_camera(Camera { view_from_world: DMat4::IDENTITY, projection })
+        .with_lights(lights())
+        .with_ambient([0.1, 0.1, 0.2])
+        .with_shading(Shading { mode: ShadingMode::Gouraud, ..Shading::default() })
 }
 
 fn triangle(positions: [[f32; 3]; 3], normals: [[f32; 3]; 3]) -> Mesh {
@@ -235,7 +233,7 @@ fn flat_shading_gives_a_polygon_one_colour_and_culling_leaves_it_out() {
     let scene = scene(vec![(triangle(INSIDE, NORMALS), material())]);
     let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let shading = Shading { mode: ShadingMode::Flat, ..Shading::default() };
-    let flat = View { shading, ..frustum() };
+    let flat = frustum().with_shading(shading);
     let mut colors = Vec::new();
     let mut marks = Vec::new();
     renderer
@@ -254,7 +252,7 @@ fn flat_shading_gives_a_polygon_one_colour_and_culling_leaves_it_out() {
     let mut turned = triangle(INSIDE, NORMALS);
     turned.triangles = vec![[2, 1, 0]];
     let turned = crate::scenes::scene(vec![(turned, material())]);
-    let culled = View { cull: luxel_render::Cull::Back, ..frustum() };
+    let culled = frustum().with_cull(luxel_render::Cull::Back);
     assert_eq!(buffer(&turned, &culled, FeedbackType::ThreeD, 100).values(), [1792.0, 0.0]);
     assert_eq!(buffer(&turned, &frustum(), FeedbackType::ThreeD, 100).count(), 13);
 }

@@ -2,7 +2,7 @@
 //!
 //! `LUXEL_BLESS=1` prints the hashes to be put here instead of comparing them.
 
-use luxel_render::{EnvironmentChoice, Renderer, View};
+use luxel_render::{EnvironmentChoice, Renderer};
 use luxel_scene::{Size, default_lights, demos};
 
 use crate::scenes::{execution, fitted};
@@ -45,13 +45,11 @@ fn demos_look_as_they_did() {
         if lights.is_empty() {
             lights = default_lights();
         }
-        let view = View {
-            samples: 4,
-            lights,
-            ambient: [0.1; 3],
-            environment: EnvironmentChoice::StudioForMicrofacets,
-            ..fitted(&scene, size)
-        };
+        let view = fitted(&scene, size)
+            .with_samples(4)
+            .with_lights(lights)
+            .with_ambient([0.1; 3])
+            .with_environment(EnvironmentChoice::StudioForMicrofacets);
         let renderer = Renderer::new(scene.clone(), &execution(0, SimdLevel::Auto)).unwrap();
         let found = hash(renderer.rgba8(&view).unwrap().pixels.as_flattened());
         if std::env::var_os("LUXEL_BLESS").is_some() {

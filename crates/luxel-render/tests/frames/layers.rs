@@ -2,7 +2,7 @@
 
 use crate::scenes::{execution, fitted, matte, scene, square, view};
 use luxel_math::SimdLevel;
-use luxel_render::{Layer, LayerValues, Picture, Renderer, Shading, ShadingMode, View};
+use luxel_render::{Layer, LayerValues, Picture, Renderer, Shading, ShadingMode};
 
 /// Two squares, the second one nearer and shifted to the right by half a unit.
 fn values(layer: Layer) -> LayerValues {
@@ -92,7 +92,11 @@ fn a_picture_with_its_layers_has_the_bytes_of_each_alone() {
     {
         let lights = lights.clone();
         let shading = Shading { mode, ..Shading::default() };
-        let view = View { samples, lights, background, shading, ..fitted(&demo, size) };
+        let view = fitted(&demo, size)
+            .with_samples(samples)
+            .with_lights(lights)
+            .with_background(background)
+            .with_shading(shading);
         let (mut picture, mut values) = (Picture::default(), Vec::new());
         renderer.rgba8_with_layers(&view, &Layer::ALL, &mut picture, &mut values).unwrap();
         let alone = renderer.rgba8(&view).unwrap();

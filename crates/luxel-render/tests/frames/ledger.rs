@@ -157,7 +157,7 @@ fn triangles_kept_from_block_to_block_are_lit_as_each_is_explained() {
             [(ShadingMode::Phong, 1), (ShadingMode::Gouraud, 1), (ShadingMode::Phong, 4)]
         {
             let shading = shading(mode, Interpolation::Perspective, Clamp::Vertex);
-            let view = View { samples, shading, ..fitted(&scene, size) };
+            let view = fitted(&scene, size).with_samples(samples).with_shading(shading);
             let picture = renderer.rgba8(&view).unwrap();
             let mut pixels: Vec<_> =
                 (0..150 * 120).step_by(29).map(|number| [number % 150, number / 150]).collect();
@@ -175,8 +175,10 @@ fn triangles_kept_from_block_to_block_are_lit_as_each_is_explained() {
 /// A view with another mixture of lights, fog and background each round.
 fn styled(scene: &Scene, round: usize, samples: u32) -> View {
     let size = Size { width: 90, height: 70 };
-    let mut view =
-        View { samples, lights: default_lights(), ambient: [0.1; 3], ..fitted(scene, size) };
+    let mut view = fitted(scene, size)
+        .with_samples(samples)
+        .with_lights(default_lights())
+        .with_ambient([0.1; 3]);
     if round % 2 == 1 {
         view.lights = many_lights(scene);
     }
@@ -205,7 +207,7 @@ fn a_single_sample_at_the_centre_is_the_pixel_of_one_sample() {
     for pixel in [[45_u32, 35], [20, 40], [0, 0], [89, 69]] {
         let whole = renderer.explain(&view, At::Pixel(pixel)).unwrap();
         let centre = pixel.map(|side| f64::from(side) + 0.5);
-        let many = View { samples: 16, ..view.clone() };
+        let many = view.clone().with_samples(16);
         let point = renderer.explain(&many, At::Point(centre)).unwrap();
         assert_eq!(point.samples, whole.samples);
         assert_eq!(point.position, Some(centre));
@@ -341,7 +343,7 @@ fn the_layers_of_terms_add_up_to_the_picture() {
     for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "glass" && name != "blob")
     {
         for round in 0..8 {
-            let view = View { background: [0.0; 4], ..styled(&scene, round, 1) };
+            let view = styled(&scene, round, 1).with_background([0.0; 4]);
             for (sum, [r, g, b, _]) in sums_of_layers(&scene, &view, &terms) {
                 for (sum, drawn) in sum.into_iter().zip([r, g, b]) {
                     let off = (sum - drawn).abs();
@@ -355,7 +357,7 @@ fn the_layers_of_terms_add_up_to_the_picture() {
 #[test]
 fn the_layers_of_lights_add_up_to_their_terms() {
     let scene = demos::demo("spheres").unwrap();
-    let view = View { lights: many_lights(&scene), ..styled(&scene, 1, 1) };
+    let view = styled(&scene, 1, 1).with_lights(many_lights(&scene));
     let by_term = sums_of_layers(&scene, &view, &[Layer::Diffuse, Layer::Specular]);
     let lights = ["sun", "lamp", "torch"].map(|name| Layer::Light(name.to_owned()));
     let by_light = sums_of_layers(&scene, &view, &lights);

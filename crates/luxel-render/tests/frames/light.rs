@@ -62,7 +62,7 @@ fn back_faces_are_left_out_where_the_material_or_the_view_says_so() {
     let both = scene(vec![(mesh.clone(), material.clone())]);
     material.sides = Sides::Front;
     let front = scene(vec![(mesh, material)]);
-    let alpha = |scene, cull| middle(&bytes(scene, &luxel_render::View { cull, ..view(16) }))[3];
+    let alpha = |scene, cull| middle(&bytes(scene, &view(16).with_cull(cull)))[3];
     assert_eq!(alpha(&both, Cull::Auto), 255);
     assert_eq!(alpha(&both, Cull::Back), 0);
     assert_eq!(alpha(&front, Cull::Auto), 0);

@@ -57,23 +57,23 @@ pub(crate) fn frontal(color: [f32; 3]) -> SceneLight {
 /// Four by four units seen straight from the front, a unit light in the eye's direction.
 pub(crate) fn view(side: u32) -> View {
     let projection = Projection { lens: Lens::Orthographic { height: 4.0 }, near: 1.0, far: 20.0 };
-    View {
-        size: Size { width: side, height: side },
-        camera: Camera {
+    View::new(
+        Size { width: side, height: side },
+        Camera {
             view_from_world: Camera::look_at(DVec3::Z * 10.0, DVec3::ZERO, DVec3::Y),
             projection,
         },
-        samples: 1,
-        cull: Cull::Auto,
-        lights: vec![frontal([1.0; 3])],
-        ambient: [0.0; 3],
-        environment: EnvironmentChoice::default(),
-        fog: None,
-        background: [0.0; 4],
-        encoding: PictureEncoding::Srgb,
-        edges: None,
-        shading: Shading::default(),
-    }
+    )
+    .with_samples(1)
+    .with_cull(Cull::Auto)
+    .with_lights(vec![frontal([1.0; 3])])
+    .with_ambient([0.0; 3])
+    .with_environment(EnvironmentChoice::default())
+    .with_fog(None)
+    .with_background([0.0; 4])
+    .with_encoding(PictureEncoding::Srgb)
+    .with_edges(None)
+    .with_shading(Shading::default())
 }
 
 /// One way of running.
@@ -107,7 +107,7 @@ pub(crate) fn fitted(scene: &Scene, size: Size) -> View {
         elevation_radians: 20_f64.to_radians(),
     };
     let lens = Lens::Perspective { fov_y_radians: 45_f64.to_radians() };
-    View { size, camera: fit_view(scene, &viewpoint, lens, size), ..view(1) }
+    view(1).with_size(size).with_camera(fit_view(scene, &viewpoint, lens, size))
 }
 
 /// Squares turned every way, some of them of glass.

@@ -49,17 +49,15 @@ fn sheet_view(mode: ShadingMode) -> View {
     for light in &mut lights {
         light.placement = Placement::World;
     }
-    View {
-        size: Size { width: 96, height: 80 },
-        camera: Camera {
+    view(1)
+        .with_size(Size { width: 96, height: 80 })
+        .with_camera(Camera {
             view_from_world: Camera::look_at(EYE, DVec3::ZERO, DVec3::Y),
             projection: Projection { lens, near: 0.1, far: 20.0 },
-        },
-        lights,
-        ambient: [0.1, 0.2, 0.3],
-        shading: Shading { mode, ..Shading::default() },
-        ..view(1)
-    }
+        })
+        .with_lights(lights)
+        .with_ambient([0.1, 0.2, 0.3])
+        .with_shading(Shading { mode, ..Shading::default() })
 }
 
 /// I_a k_a O_a and Blinn-Phong's terms.
@@ -255,7 +253,7 @@ fn rolled(interpolation: Interpolation, degrees: f64) -> Vec<[u8; 4]> {
     let mut scene = scene(vec![(mesh, matte([1.0; 3]))]);
     scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians());
     let shading = Shading { mode: ShadingMode::Gouraud, interpolation, ..Shading::default() };
-    let mut pixels = bytes(&scene, &View { shading, ..view(65) });
+    let mut pixels = bytes(&scene, &view(65).with_shading(shading));
     // Turned back: pixels near the middle, asked at the same places of the square.
     let (sin, cos) = libm::sincos(degrees.to_radians());
     let at = |x: f64, y: f64| {
@@ -306,7 +304,7 @@ fn rolled_by_45_degrees_a_quad_keeps_its_colours_in_perspective_to_a_step() {
             clamp: Clamp::Vertex,
             ..Shading::default()
         };
-        let view = View { shading, ..view(64) };
+        let view = view(64).with_shading(shading);
         let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
         let (sin, cos) = libm::sincos(degrees.to_radians());
         let mut told = Vec::new();
@@ -332,7 +330,7 @@ fn scanlines_run_between_the_edges_of_the_quad_and_not_of_its_triangles() {
     let scene = scene(vec![(mesh, matte([1.0; 3]))]);
     let red = |interpolation| {
         let shading = Shading { mode: ShadingMode::Gouraud, interpolation, ..Shading::default() };
-        linear(&scene, &View { shading, ..view(65) })[32 * 65 + 32][0]
+        linear(&scene, &view(65).with_shading(shading))[32 * 65 + 32][0]
     };
     assert!((red(Interpolation::Scanline) - 0.25).abs() < 1e-5);
     assert!((red(Interpolation::Perspective) - 0.5).abs() < 1e-5);
@@ -347,7 +345,7 @@ fn intensities_are_clamped_at_the_corners_unless_it_is_said_otherwise() {
     let middle = |clamp| {
         let shading = Shading { mode: ShadingMode::Gouraud, clamp, ..Shading::default() };
 
-        linear(&scene, &View { shading, ..view(65) })[32 * 65 + 32][0]
+        linear(&scene, &view(65).with_shading(shading))[32 * 65 + 32][0]
     };
     assert!((middle(Clamp::Vertex) - 0.5).abs() < 1e-5);
     assert!((middle(Clamp::End) - 2.0).abs() < 1e-5);
@@ -359,7 +357,7 @@ fn screen_interpolation_is_perspective_where_nothing_recedes_and_differs_where_i
     let of = |interpolation| {
         let mode = ShadingMode::Gouraud;
         let shading = Shading { interpolation, mode, ..Shading::default() };
-        bytes(&scene, &View { shading, ..sheet_view(ShadingMode::Gouraud) })
+        bytes(&scene, &sheet_view(ShadingMode::Gouraud).with_shading(shading))
     };
     let slid = largest_difference(&of(Interpolation::Screen), &of(Interpolation::Perspective));
     assert!(slid > 0 && slid < 60, "{slid}");
@@ -380,7 +378,7 @@ fn normals_that_keep_their_interpolated_length_darken_the_middle_by_just_that() 
     let scene = scene(vec![(mesh, matte([1.0; 3]))]);
     let view_of = |normal_length| {
         let shading = Shading { normal_length, ..Shading::default() };
-        View { shading, ..view(65) }
+        view(65).with_shading(shading)
     };
     let middle = |view: &View| linear(&scene, view)[32 * 65 + 32][0];
     assert!((middle(&view_of(NormalLength::Unit)) - 1.0).abs() < 1e-5);
@@ -439,7 +437,7 @@ fn what_else_a_scene_holds_changes_no_byte_of_a_plain_surface() {
     mixed.nodes.push(Node::root("other", Some(MeshId(number))));
     for mode in [ShadingMode::Phong, ShadingMode::Gouraud] {
         for samples in [1, 4] {
-            let view = View { samples, ..sheet_view(mode) };
+            let view = sheet_view(mode).with_samples(samples);
             assert!(bytes(&sheet(), &view) == bytes(&mixed, &view), "{mode:?}, {samples} samples");
         }
     }

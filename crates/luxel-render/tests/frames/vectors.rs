@@ -301,11 +301,9 @@ fn no_seam_lets_the_background_through() {
 fn glass_blends_as_in_the_picture() {
     let scene = glass();
     // Programs blend encoded colours, so that only these can be compared.
-    let view = View {
-        encoding: PictureEncoding::None,
-        background: [1.0; 4],
-        ..fitted(&scene, Size { width: 128, height: 128 })
-    };
+    let view = fitted(&scene, Size { width: 128, height: 128 })
+        .with_encoding(PictureEncoding::None)
+        .with_background([1.0; 4]);
     let wrong = wrong_pixels(&scene, &view, 1.0, 6.0);
     assert!(wrong <= 128 * 128 / 200, "{wrong} pixels");
 }
@@ -328,8 +326,7 @@ fn what_lies_behind_is_not_painted() {
 #[test]
 fn the_text_depends_on_neither_threads_nor_instruction_set() {
     let scene = crossing();
-    let view =
-        View { lights: vec![frontal([0.9; 3])], ..fitted(&scene, Size { width: 64, height: 64 }) };
+    let view = fitted(&scene, Size { width: 64, height: 64 }).with_lights(vec![frontal([0.9; 3])]);
     let text = |threads, simd| {
         let renderer = Renderer::new(scene.clone(), &execution(threads, simd)).unwrap();
         renderer.svg(&view, &SvgOptions::default()).unwrap().text
@@ -341,7 +338,7 @@ fn the_text_depends_on_neither_threads_nor_instruction_set() {
 #[test]
 fn too_many_pieces_are_refused() {
     let scene = ball();
-    let view = View { lights: default_lights(), ..fitted(&scene, Size { width: 64, height: 64 }) };
+    let view = fitted(&scene, Size { width: 64, height: 64 }).with_lights(default_lights());
     let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let options = SvgOptions { max_pieces: 100, ..SvgOptions::default() };
     assert_eq!(renderer.svg(&view, &options), Err(RenderError::TooManyPieces(100)));

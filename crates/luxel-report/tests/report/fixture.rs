@@ -26,20 +26,17 @@ pub(crate) fn view(scene: &Scene) -> View {
 /// The same from another elevation.
 pub(crate) fn view_from(scene: &Scene, elevation_radians: f64) -> View {
     let viewpoint = Viewpoint { up: DVec3::Y, azimuth_radians: 0.5, elevation_radians };
-    View {
-        size: SIZE,
-        camera: fit_view(scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, SIZE),
-        samples: 4,
-        cull: Cull::Auto,
-        lights: default_lights(),
-        ambient: DEFAULT_AMBIENT,
-        environment: EnvironmentChoice::StudioForMicrofacets,
-        fog: None,
-        background: [0.0; 4],
-        encoding: PictureEncoding::Srgb,
-        edges: None,
-        shading: Shading::default(),
-    }
+    View::new(SIZE, fit_view(scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, SIZE))
+        .with_samples(4)
+        .with_cull(Cull::Auto)
+        .with_lights(default_lights())
+        .with_ambient(DEFAULT_AMBIENT)
+        .with_environment(EnvironmentChoice::StudioForMicrofacets)
+        .with_fog(None)
+        .with_background([0.0; 4])
+        .with_encoding(PictureEncoding::Srgb)
+        .with_edges(None)
+        .with_shading(Shading::default())
 }
 
 /// What a pixel of the view shows, and what it hides.

@@ -160,7 +160,7 @@ impl DisplaySettings {
 
     /// The view from a camera, without the lights that are off.
     pub(crate) fn view_from(&self, camera: Camera, size: Size) -> View {
-        let mut view = View { camera, size, ..self.view.clone() };
+        let mut view = self.view.clone().with_camera(camera).with_size(size);
         let mut disabled = self.disabled.iter();
         view.lights.retain(|_| disabled.next() != Some(&true));
         view

@@ -51,7 +51,7 @@ pub(crate) struct PixelHit {
 /// The surface point at a pixel's centre; `None` on the background.
 pub(crate) fn hit_at_pixel(renderer: &Renderer, view: &View, pixel: [u32; 2]) -> Option<PixelHit> {
     let camera = pixel_camera(&view.camera, view.size, pixel);
-    let view = View { camera, size: Size { width: 1, height: 1 }, ..view.clone() };
+    let view = view.clone().with_camera(camera).with_size(Size { width: 1, height: 1 });
     let layers = renderer.layers(&view, &[Layer::Position, Layer::Z, Layer::Object]).ok()?;
     match layers.as_slice() {
         [LayerValues::F32(position), LayerValues::F32(z), LayerValues::U32(object)]

@@ -1,6 +1,7 @@
-//! Which faces of triangles a view leaves out.
+//! Which faces of triangles are left out.
 
 use luxel_scene::Sides;
+use luxel_view::Cull;
 
 /// Which faces are left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,26 +15,14 @@ pub enum CullFaces {
     CounterClockwise,
 }
 
-/// Which faces a view leaves out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Cull {
-    /// As the material says.
-    #[default]
-    Auto,
-    /// None.
-    None,
-    /// Back faces.
-    Back,
-}
-
-impl Cull {
-    /// What that means for faces of a material, in an instance that mirrors or doesn't.
+impl CullFaces {
+    /// What a view's choice means for faces of a material, in an instance that mirrors or doesn't.
     #[must_use]
-    pub fn faces(self, sides: Sides, mirrored: bool) -> CullFaces {
-        let back = if mirrored { CullFaces::CounterClockwise } else { CullFaces::Clockwise };
-        match (self, sides) {
-            (Self::None, _) | (Self::Auto, Sides::Both) => CullFaces::None,
-            (Self::Back, _) | (Self::Auto, Sides::Front) => back,
+    pub fn of(cull: Cull, sides: Sides, mirrored: bool) -> Self {
+        let back = if mirrored { Self::CounterClockwise } else { Self::Clockwise };
+        match (cull, sides) {
+            (Cull::None, _) | (Cull::Auto, Sides::Both) => Self::None,
+            (Cull::Back, _) | (Cull::Auto, Sides::Front) => back,
         }
     }
 }

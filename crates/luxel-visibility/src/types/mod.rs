@@ -8,7 +8,7 @@ mod tile_grid;
 mod triangle_id;
 mod window_transform;
 
-pub use faces::{Cull, CullFaces};
+pub use faces::CullFaces;
 pub use holes::{Asked, Holes};
 pub use part_use::{Coverage, PartUse};
 pub use samples::{MAX_SAMPLES, Samples};

@@ -22,10 +22,10 @@ use crate::coverage::AlphaTest;
 use crate::frame::{RenderError, Renderer};
 use crate::resolve::bytes_of;
 use crate::vector::primitives::{Clipper, InWindow, is_culled};
-use crate::view::{Shading, ShadingMode, View};
 use face::{Face, Grid, for_each};
 use flatten::{Flattener, Sampler, largest_range};
 use luxel_lighting::PictureEncoding;
+use luxel_view::{Shading, ShadingMode, View};
 use luxel_visibility::{Coverage, CoveragePolicy, Samples, Tile, TriangleId, TriangleOf};
 use paint::paint;
 use std::fmt::Write;
@@ -76,7 +76,7 @@ impl Renderer {
             mode => mode,
         };
         let shading = Shading { mode, ..view.shading };
-        let view = View { shading, edges: None, ..view.clone() };
+        let view = view.clone().with_shading(shading).with_edges(None);
         let samples = Samples::new(16);
         self.with_scene(&view, CoveragePolicy::DRAWN, samples, Heard::NOTHING, |scene, cutouts| {
             let seen = seen(self, scene, cutouts);

@@ -1,8 +1,9 @@
 //! What layers there are: names, channels, and the values of one.
 
+use std::fmt;
 use std::str::FromStr;
 
-/// What a layer shows.
+/// What a layer shows. Exhaustive, so that no renderer forgets a new one.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Layer {
     /// Window depth, 0 at the near plane, 1 at the far one and where nothing is.
@@ -52,26 +53,19 @@ pub enum LayerValues {
 }
 
 impl LayerValues {
-    /// A list of numbers, in the memory of these if they are such.
-    pub(crate) fn as_f32(&mut self) -> &mut Vec<f32> {
-        if matches!(self, Self::U32(_)) {
-            *self = Self::F32(Vec::new());
-        }
+    /// How many values there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
         match self {
-            Self::F32(values) => values,
-            Self::U32(_) => unreachable!("it was replaced"),
+            Self::F32(values) => values.len(),
+            Self::U32(values) => values.len(),
         }
     }
 
-    /// A list of whole numbers, in the memory of these if they are such.
-    pub(crate) fn as_u32(&mut self) -> &mut Vec<u32> {
-        if matches!(self, Self::F32(_)) {
-            *self = Self::U32(Vec::new());
-        }
-        match self {
-            Self::U32(values) => values,
-            Self::F32(_) => unreachable!("it was replaced"),
-        }
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
     }
 }
 
@@ -136,7 +130,8 @@ impl Layer {
     }
 
     /// Whether it takes the lighting equation.
-    pub(crate) fn is_lit(&self) -> bool {
+    #[must_use]
+    pub fn is_lit(&self) -> bool {
         match self {
             Self::Ambient | Self::Diffuse | Self::Specular | Self::Emission => true,
             Self::Environment | Self::Fog | Self::NDotL | Self::Light(_) => true,
@@ -147,12 +142,17 @@ impl Layer {
 }
 
 /// A name that is no layer.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "`{0}` is no layer: use depth, z, normal, position, object, triangle, barycentric, uv, ambient, \
-     diffuse, specular, emission, environment, fog, n_dot_l or light:NAME"
-)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseLayerError(String);
+
+impl fmt::Display for ParseLayerError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = Layer::ALL.map(|layer| layer.name()).join(", ");
+        write!(formatter, "`{}` is no layer: use {names} or {LIGHT}NAME", self.0)
+    }
+}
+
+impl std::error::Error for ParseLayerError {}
 
 impl FromStr for Layer {
     type Err = ParseLayerError;

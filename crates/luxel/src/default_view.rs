@@ -1,11 +1,11 @@
 //! How a scene is looked at and lit where nothing else is said.
 
-use luxel_lighting::{Environment, PictureEncoding};
-use luxel_render::{Cull, EnvironmentChoice, Shading, View};
+use luxel_lighting::Environment;
 use luxel_scene::{
     Camera, DEFAULT_AMBIENT, DMat4, DVec3, Lens, Scene, SceneCamera, SceneLight, Size, Viewpoint,
     default_lights, fit_planes, fit_view,
 };
+use luxel_view::{EnvironmentChoice, View};
 
 /// The angle of view from bottom to top of cameras that no file brings.
 pub const DEFAULT_FOV_DEGREES: f64 = 45.0;
@@ -13,28 +13,18 @@ pub const DEFAULT_FOV_DEGREES: f64 = 45.0;
 pub const DEFAULT_AZIMUTH_DEGREES: f64 = 30.0;
 /// From where a model without a camera is looked at: from the horizon upwards.
 pub const DEFAULT_ELEVATION_DEGREES: f64 = 20.0;
-/// Samples a pixel where nothing else is said.
-pub const DEFAULT_SAMPLES: u32 = 4;
 
 /// The view of a scene: [`default_camera`], [`lights_of`] and [`environment_of`] it, on transparent
 /// black. Its fields are there to be changed.
 #[must_use]
 pub fn default_view(scene: &Scene, size: Size) -> View {
     let (lights, ambient) = lights_of(scene);
-    View {
-        size,
-        camera: default_camera(scene, size),
-        samples: DEFAULT_SAMPLES,
-        cull: Cull::Auto,
-        lights,
-        ambient,
-        environment: environment_of(scene),
-        fog: scene.fog,
-        background: scene.background.unwrap_or_default(),
-        encoding: PictureEncoding::Srgb,
-        edges: None,
-        shading: Shading::default(),
-    }
+    View::new(size, default_camera(scene, size))
+        .with_lights(lights)
+        .with_ambient(ambient)
+        .with_environment(environment_of(scene))
+        .with_fog(scene.fog)
+        .with_background(scene.background.unwrap_or_default())
 }
 
 /// The scene's first camera; without one, a camera that sees all of it from the front, a little

@@ -1,0 +1,25 @@
+//! How pictures are drawn: it never changes a byte.
+
+use luxel_math::SimdLevel;
+use std::time::Duration;
+
+/// How the work is done.
+#[derive(Clone, Copy, Debug)]
+pub struct Execution {
+    /// Threads; 0 means one for each core.
+    pub threads: usize,
+    /// The instruction set.
+    pub simd: SimdLevel,
+    /// The time since some fixed moment, for the figures of stages. The default doesn't look at any
+    /// clock, as not every machine has one.
+    pub clock: fn() -> Duration,
+    /// Whether a single frame is all that is asked for: meshes are made ready in a fraction of the time
+    /// and of the memory, and a frame takes somewhat longer. Pictures are the same.
+    pub one_frame: bool,
+}
+
+impl Default for Execution {
+    fn default() -> Self {
+        Self { threads: 0, simd: SimdLevel::Auto, clock: || Duration::ZERO, one_frame: false }
+    }
+}

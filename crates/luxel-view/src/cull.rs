@@ -1,0 +1,13 @@
+//! Which faces of triangles a view leaves out.
+
+/// Which faces a view leaves out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cull {
+    /// As the material says.
+    #[default]
+    Auto,
+    /// None.
+    None,
+    /// Back faces.
+    Back,
+}

@@ -1,0 +1,23 @@
+//! What a picture of a scene shows, apart from the scene: a question that any renderer can answer.
+//!
+//! | item | subject |
+//! | --- | --- |
+//! | [`View`] | size, camera, samples, lights, background, encoding, edges |
+//! | [`Shading`] | where light is computed, and how it gets to the pixels between |
+//! | [`Cull`] | which faces are left out |
+//! | [`Layer`], [`LayerValues`] | what pixels hold beside colour: depth, normals, ids, terms of light |
+//!
+//! `luxel-render` answers on the CPU. Nothing here knows how.
+
+#![forbid(unsafe_code)]
+
+mod cull;
+mod layer;
+mod shading;
+mod view;
+
+pub use cull::Cull;
+pub use layer::{Layer, LayerValues, ParseLayerError};
+pub use luxel_scene::EnvironmentChoice;
+pub use shading::{Clamp, Interpolation, NormalLength, Shading, ShadingMode};
+pub use view::{DEFAULT_SAMPLES, Edges, View};

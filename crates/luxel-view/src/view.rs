@@ -1,0 +1,167 @@
+//! What a picture shows.
+
+use crate::{Cull, EnvironmentChoice, Shading};
+use luxel_lighting::{Fog, PictureEncoding};
+use luxel_scene::{Camera, DEFAULT_AMBIENT, SceneLight, Size, default_lights};
+
+/// Samples a pixel where nothing else is said.
+pub const DEFAULT_SAMPLES: u32 = 4;
+
+/// What a picture shows, apart from the scene.
+///
+/// [`View::new`] takes what no view can do without; all else is set field by field, or in a chain:
+///
+/// ```
+/// use luxel_scene::{DVec3, Lens, SceneLight, Size, Viewpoint, demos, fit_view};
+/// use luxel_view::{Shading, ShadingMode, View};
+///
+/// let scene = demos::demo("teapot").unwrap();
+/// let size = Size { width: 640, height: 360 };
+/// let viewpoint = Viewpoint { up: scene.up, azimuth_radians: 0.5, elevation_radians: 0.3 };
+/// let camera = fit_view(&scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, size);
+/// let view = View::new(size, camera)
+///     .with_lights(vec![SceneLight::directional(DVec3::new(-1.0, -2.0, -3.0), [0.8; 3])])
+///     .with_background([1.0; 4])
+///     .with_samples(16);
+/// assert_eq!(view.lights.len(), 1);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct View {
+    /// The picture's size.
+    pub size: Size,
+    /// The camera.
+    pub camera: Camera,
+    /// Samples a pixel: 1, 2, 4, 8 or 16.
+    pub samples: u32,
+    /// Which faces are left out.
+    pub cull: Cull,
+    /// The lights, in the order in which they are added up.
+    pub lights: Vec<SceneLight>,
+    /// I_a: the scene's own ambient light.
+    pub ambient: [f32; 3],
+    /// What mirrors and metals see.
+    pub environment: EnvironmentChoice,
+    /// Depth cueing.
+    pub fog: Option<Fog>,
+    /// Linear red, green, blue, and alpha, where nothing is.
+    pub background: [f32; 4],
+    /// How light becomes bytes.
+    pub encoding: PictureEncoding,
+    /// Edges of polygons, drawn or nothing but them.
+    pub edges: Option<Edges>,
+    /// Where light is computed, and how it gets to the pixels between.
+    pub shading: Shading,
+}
+
+impl View {
+    /// A view with the default lights and ambient light, a studio for microfacet materials, transparent
+    /// background, four samples a pixel, sRGB, and light computed at every pixel.
+    #[must_use]
+    pub fn new(size: Size, camera: Camera) -> Self {
+        Self {
+            size,
+            camera,
+            samples: DEFAULT_SAMPLES,
+            cull: Cull::Auto,
+            lights: default_lights(),
+            ambient: DEFAULT_AMBIENT,
+            environment: EnvironmentChoice::StudioForMicrofacets,
+            fog: None,
+            background: [0.0; 4],
+            encoding: PictureEncoding::Srgb,
+            edges: None,
+            shading: Shading::default(),
+        }
+    }
+
+    /// The picture's size.
+    #[must_use]
+    pub fn with_size(self, size: Size) -> Self {
+        Self { size, ..self }
+    }
+
+    /// The camera.
+    #[must_use]
+    pub fn with_camera(self, camera: Camera) -> Self {
+        Self { camera, ..self }
+    }
+
+    /// Samples a pixel: 1, 2, 4, 8 or 16.
+    #[must_use]
+    pub fn with_samples(self, samples: u32) -> Self {
+        Self { samples, ..self }
+    }
+
+    /// Which faces are left out.
+    #[must_use]
+    pub fn with_cull(self, cull: Cull) -> Self {
+        Self { cull, ..self }
+    }
+
+    /// The lights, in the order in which they are added up.
+    #[must_use]
+    pub fn with_lights(self, lights: Vec<SceneLight>) -> Self {
+        Self { lights, ..self }
+    }
+
+    /// I_a: the scene's own ambient light, linear red, green, blue.
+    #[must_use]
+    pub fn with_ambient(self, ambient: [f32; 3]) -> Self {
+        Self { ambient, ..self }
+    }
+
+    /// What mirrors and metals see.
+    #[must_use]
+    pub fn with_environment(self, environment: EnvironmentChoice) -> Self {
+        Self { environment, ..self }
+    }
+
+    /// Depth cueing.
+    #[must_use]
+    pub fn with_fog(self, fog: Option<Fog>) -> Self {
+        Self { fog, ..self }
+    }
+
+    /// Linear red, green, blue, and alpha, where nothing is.
+    #[must_use]
+    pub fn with_background(self, background: [f32; 4]) -> Self {
+        Self { background, ..self }
+    }
+
+    /// How light becomes bytes.
+    #[must_use]
+    pub fn with_encoding(self, encoding: PictureEncoding) -> Self {
+        Self { encoding, ..self }
+    }
+
+    /// Edges of polygons, drawn or nothing but them.
+    #[must_use]
+    pub fn with_edges(self, edges: Option<Edges>) -> Self {
+        Self { edges, ..self }
+    }
+
+    /// Where light is computed, and how it gets to the pixels between.
+    #[must_use]
+    pub fn with_shading(self, shading: Shading) -> Self {
+        Self { shading, ..self }
+    }
+}
+
+/// How edges of polygons are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edges {
+    /// Only edges, with holes between them; else edges over the faces.
+    pub wireframe: bool,
+    /// Width in pixels.
+    pub width: f32,
+    /// Linear colour of edges over faces; wires are lit like their face.
+    pub color: [f32; 3],
+}
+
+impl Edges {
+    /// Wires a pixel and a half wide, lit like the faces.
+    pub const WIREFRAME: Self = Self { wireframe: true, width: 1.5, color: [0.0; 3] };
+    /// Thin dark lines over the faces.
+    pub const OVER_FACES: Self = Self { wireframe: false, width: 1.0, color: [0.01; 3] };
+}
