@@ -96,6 +96,7 @@ const MODULES: &[(&str, &[&str])] = &[
             "demos",
         ],
     ),
+    ("luxel-view", &["cull", "layer", "shading", "view"]),
     ("luxel-visibility", &["types", "cluster", "cull", "raster", "query", "frame", "placed_scene"]),
     (
         "luxel-pick",
