@@ -227,16 +227,20 @@ impl Bounds {
         !self.min.cmple(self.max).all()
     }
 
-    /// Grows to hold a point.
+    /// Grows to hold a point. A coordinate that is not a number changes nothing.
     pub fn include(&mut self, point: DVec3) {
-        self.min = self.min.min(point);
-        self.max = self.max.max(point);
+        *self = self.union(&Self { min: point, max: point });
     }
 
     /// The smallest box that holds both.
     #[must_use]
     pub fn union(&self, other: &Self) -> Self {
-        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+        // glam's `min` and `max` of a number and NaN depend on which of them is the first.
+        let (is_lower, is_higher) = (other.min.cmple(self.min), other.max.cmpge(self.max));
+        Self {
+            min: DVec3::select(is_lower, other.min, self.min),
+            max: DVec3::select(is_higher, other.max, self.max),
+        }
     }
 
     /// The middle.
@@ -259,5 +263,25 @@ impl Bounds {
                 |axis: usize| if corner >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
             DVec3::new(pick(0), pick(1), pick(2))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_position_that_is_not_a_number_takes_nothing_out_of_the_bounds() {
+        let positions = [[-1.0, 2.0, 3.0], [4.0, 0.0, -2.0], [f32::NAN; 3]];
+        for order in [[0, 1, 2], [0, 2, 1], [2, 1, 0]] {
+            let mesh = Mesh {
+                positions: order.map(|at: usize| positions[at]).to_vec(),
+                triangles: vec![[0, 1, 2]],
+                ..Mesh::default()
+            };
+            let expected =
+                Bounds { min: DVec3::new(-1.0, 0.0, -2.0), max: DVec3::new(4.0, 2.0, 3.0) };
+            assert_eq!(mesh.bounds(&DMat4::IDENTITY), expected, "{order:?}");
+        }
     }
 }
