@@ -3,7 +3,6 @@
 use crate::MaterialId;
 use glam::{DMat4, DVec3};
 use luxel_parallel::{each, map};
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Triangles in the file's order, with points and lines beside them.
@@ -136,45 +135,21 @@ impl Mesh {
     }
 
     /// The bounds of everything drawn: triangles, points and lines; empty if there is nothing.
+    ///
+    /// All of them are visited. For the meshes of a scene, [`Meshes::bounds_of`] is quicker.
+    ///
+    /// [`Meshes::bounds_of`]: crate::Meshes::bounds_of
     #[must_use]
     pub fn bounds(&self, world_from_mesh: &DMat4) -> Bounds {
-        self.bounds_of(&self.drawn_positions(), world_from_mesh)
-    }
-
-    /// The bounds of the positions that are [drawn](Self::drawn_positions).
-    pub(crate) fn bounds_of(&self, drawn: &[bool], world_from_mesh: &DMat4) -> Bounds {
+        let drawn = self.drawn_positions();
         let of_runs = map(drawn.len(), POSITIONS, &|run| {
-            Some(self.bounds_of_run(run, drawn, world_from_mesh))
+            let mut bounds = Bounds::EMPTY;
+            for index in run.filter(|&index| drawn[index]) {
+                bounds.include(world_from_mesh.transform_point3(self.position(index as u32)));
+            }
+            Some(bounds)
         });
         of_runs.iter().flatten().fold(Bounds::EMPTY, |all, bounds| all.union(bounds))
-    }
-
-    /// The same, of a range of positions.
-    pub(crate) fn bounds_of_run(
-        &self,
-        run: Range<usize>,
-        drawn: &[bool],
-        world_from_mesh: &DMat4,
-    ) -> Bounds {
-        let mut bounds = Bounds::EMPTY;
-        self.each_drawn(run, drawn, world_from_mesh, |place| bounds.include(place));
-        bounds
-    }
-
-    /// Visits the drawn ones of a range of positions, in another space.
-    #[inline]
-    pub(crate) fn each_drawn(
-        &self,
-        run: Range<usize>,
-        drawn: &[bool],
-        world_from_mesh: &DMat4,
-        mut visit: impl FnMut(DVec3),
-    ) {
-        let positions = self.positions[run.clone()].iter().zip(&drawn[run]);
-        for (&[x, y, z], _) in positions.filter(|(_, drawn)| **drawn) {
-            let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-            visit(world_from_mesh.transform_point3(self.origin + position));
-        }
     }
 
     /// Whether there is nothing to draw.
