@@ -47,7 +47,7 @@ pub use luxel_report as report;
 pub use luxel_scene as scene;
 pub use view::{
     DEFAULT_AZIMUTH_DEGREES, DEFAULT_ELEVATION_DEGREES, DEFAULT_FOV_DEGREES, DEFAULT_SAMPLES,
-    default_camera, default_view, environment_of, lights_of, view_from_world_of,
+    default_camera, default_view, default_view_from, environment_of, lights_of, view_from_world_of,
 };
 
 /// What most programs want in scope.

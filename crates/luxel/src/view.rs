@@ -20,10 +20,16 @@ pub const DEFAULT_SAMPLES: u32 = 4;
 /// black. Its fields are there to be changed.
 #[must_use]
 pub fn default_view(scene: &Scene, size: Size) -> View {
+    default_view_from(scene, default_camera(scene, size), size)
+}
+
+/// As [`default_view`], from a given camera: none is fitted.
+#[must_use]
+pub fn default_view_from(scene: &Scene, camera: Camera, size: Size) -> View {
     let (lights, ambient) = lights_of(scene);
     View {
         size,
-        camera: default_camera(scene, size),
+        camera,
         samples: DEFAULT_SAMPLES,
         cull: Cull::Auto,
         lights,
