@@ -145,7 +145,7 @@ fn boxes(subject: &Subject<'_>, theme: &Theme, lines: &mut Vec<Line>) {
     let shown = (0..subject.objects.len()).filter(|at| !subject.marks.hidden().contains(at));
     for at in shown {
         let object = &subject.objects[at];
-        let bounds = subject.scene.meshes[object.mesh.index()].bounds(&DMat4::IDENTITY);
+        let bounds = subject.scene.meshes.bounds_of(object.mesh, &DMat4::IDENTITY);
         if bounds.is_empty() {
             continue;
         }
