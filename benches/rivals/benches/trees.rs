@@ -98,7 +98,7 @@ fn rays(criterion: &mut Criterion, mesh: &Mesh, triangles: &[Triangle]) {
 /// What obvhs has no like of.
 fn windows(criterion: &mut Criterion, mesh: luxel_scene::Mesh) {
     let scene = Scene {
-        meshes: vec![mesh],
+        meshes: vec![mesh].into(),
         materials: vec![SceneMaterial::default()],
         nodes: vec![Node::root("ball", Some(MeshId(0)))],
         ..Scene::default()

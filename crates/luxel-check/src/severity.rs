@@ -40,7 +40,8 @@ impl Pictures {
         }
         let mut isolated = Scene {
             nodes: vec![Node::root("", Some(MeshId(0)))],
-            meshes: vec![Mesh { uvs: Default::default(), colors: Vec::new(), ..mesh.clone() }],
+            meshes: vec![Mesh { uvs: Default::default(), colors: Vec::new(), ..mesh.clone() }]
+                .into(),
             // Default materials, but for the sides that are drawn.
             materials: scene
                 .materials

@@ -114,16 +114,18 @@ impl Shot {
 
     /// The view of a scene as the command line says.
     pub(crate) fn view(&self, scene: &Scene) -> View {
-        let mut view = luxel::default_view(scene, self.size);
-        view.samples = self.samples;
-        view.shading = self.shading;
-        if let Some(Rolled { up: [x, y], fov }) = self.rolled {
+        let camera = if let Some(Rolled { up: [x, y], fov }) = self.rolled {
             let eye = DVec3::Z * ROLLED_EYE;
             let view_from_world = Camera::look_at(eye, DVec3::ZERO, DVec3::new(x, y, 0.0));
             let (near, far) = fit_planes(&scene.bounds(), &view_from_world);
             let lens = Lens::Perspective { fov_y_radians: fov.to_radians() };
-            view.camera = Camera { view_from_world, projection: Projection { lens, near, far } };
-        }
+            Camera { view_from_world, projection: Projection { lens, near, far } }
+        } else {
+            luxel::default_camera(scene, self.size)
+        };
+        let mut view = luxel::default_view_from(scene, camera, self.size);
+        view.samples = self.samples;
+        view.shading = self.shading;
         if let Some(direction) = self.sun {
             view.lights = vec![SceneLight {
                 name: "0".into(),

@@ -59,7 +59,7 @@ fn main() {
         }
         let mesh = bumpy_sphere(frequency);
         let scene = Scene {
-            meshes: vec![mesh],
+            meshes: vec![mesh].into(),
             materials: vec![SceneMaterial::default()],
             nodes: vec![Node::root("sphere", Some(MeshId(0)))],
             ..Scene::default()

@@ -332,7 +332,7 @@ mod tests {
     /// Counts all pairs of a triangle and a sample, those that are candidates, and those that cover.
     fn counted(shared: bool, quality: Quality, height: f64) -> [usize; 3] {
         let scene = Scene {
-            meshes: vec![sheet(24, shared)],
+            meshes: vec![sheet(24, shared)].into(),
             materials: vec![SceneMaterial::default()],
             nodes: vec![SceneNode::root("sheet", Some(MeshId(0)))],
             ..Scene::default()

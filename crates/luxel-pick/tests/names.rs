@@ -143,7 +143,7 @@ fn strokes() -> Scene {
         ..Mesh::default()
     };
     Scene {
-        meshes: vec![mesh],
+        meshes: vec![mesh].into(),
         materials: vec![SceneMaterial::default()],
         nodes: vec![Node::root("strokes", Some(MeshId(0)))],
         ..Scene::default()

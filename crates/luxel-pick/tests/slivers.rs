@@ -26,7 +26,7 @@ fn scene() -> Scene {
     };
     large.parts = vec![Part { first: 0, count: 1, material: MaterialId(0) }];
     let mut scene = Scene {
-        meshes: vec![sphere, large],
+        meshes: vec![sphere, large].into(),
         materials: vec![SceneMaterial::default()],
         ..Scene::default()
     };

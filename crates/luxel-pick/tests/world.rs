@@ -10,8 +10,11 @@ fn scene() -> Scene {
     let mut mesh = primitives::icosphere(1.0, 5);
     mesh.parts =
         vec![Part { first: 0, count: mesh.triangles.len() as u32, material: MaterialId(0) }];
-    let mut scene =
-        Scene { meshes: vec![mesh], materials: vec![SceneMaterial::default()], ..Scene::default() };
+    let mut scene = Scene {
+        meshes: vec![mesh].into(),
+        materials: vec![SceneMaterial::default()],
+        ..Scene::default()
+    };
     for number in 0..60_u32 {
         let at = |step: u32| f64::from(number / step % 4) * 3.0;
         let place = DVec3::new(3e5 + at(1), -2e5 + at(4), at(16));

@@ -1,9 +1,8 @@
 //! A camera for a scene that brings none: the whole model in view, and clipping planes around it.
 
+use crate::extremes::{Along, Extremes, Place, Slope};
 use crate::{Bounds, Camera, Lens, Object, Projection, Scene, Size};
 use glam::{DMat4, DQuat, DVec3};
-use luxel_parallel::{gather, map};
-use std::ops::Range;
 
 /// How much of the window the silhouette may take, across and down.
 const FILLED: f64 = 0.8;
@@ -20,14 +19,11 @@ const PLANE_MARGIN: f64 = 1e-3;
 /// solid things are several times as far; this is for lines seen end on.
 const LEAST_DISTANCE: f64 = 0.1;
 
-/// How many positions have a box of their own.
-const RUN: usize = 1 << 6;
-/// How many positions, and how many boxes, one thread takes at a time.
-const POSITIONS: usize = 1 << 12;
-const RUNS: usize = 1 << 8;
-
 /// How often the view is centred again at most; each round about squares what is off.
 const ROUNDS_OF_CENTRING: usize = 8;
+
+/// Right, left, top and bottom of the picture: axis and sign.
+const SIDES: [(usize, f64); 4] = [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)];
 
 /// A step of centring this small, in parts of the scene's radius, is the last one: less than a
 /// hundredth of a pixel, and the next would be its square.
@@ -92,12 +88,12 @@ pub fn fit_view(scene: &Scene, viewpoint: &Viewpoint, lens: Lens, size: Size) ->
 #[must_use]
 pub fn fit_along(scene: &Scene, axes: [DVec3; 3], lens: Lens, size: Size) -> Camera {
     let picture_from_world = picture_from_world(axes);
-    let points = Points::of(scene, &picture_from_world);
-    let in_world = points.objects.iter().zip(scene.objects());
-    let bounds = in_world.fold(Bounds::EMPTY, |bounds, ((mesh, _, drawn), object)| {
-        bounds.union(&mesh.bounds_of(drawn, &object.world_from_mesh))
-    });
-    fit(&points, &bounds, &picture_from_world, lens, size)
+    let objects = scene.objects();
+    let points = Extremes::of_objects(objects.iter().map(|object: &Object| {
+        let (mesh, tree) = scene.meshes.with_tree(object.mesh);
+        (mesh, tree, picture_from_world * object.world_from_mesh)
+    }));
+    fit(&points, &scene.bounds_of(&objects), &picture_from_world, lens, size)
 }
 
 /// As [`fit_along`], for the corners of a box.
@@ -106,8 +102,7 @@ pub fn fit_box(bounds: &Bounds, axes: [DVec3; 3], lens: Lens, size: Size) -> Cam
     let picture_from_world = picture_from_world(axes);
     let corners = if bounds.is_empty() { Vec::new() } else { Vec::from(bounds.corners()) };
     let corners = corners.into_iter().map(|corner| picture_from_world.transform_point3(corner));
-    let points = Points { objects: Vec::new(), runs: Vec::new(), single: corners.collect() };
-    fit(&points, bounds, &picture_from_world, lens, size)
+    fit(&Extremes::of_points(corners.collect()), bounds, &picture_from_world, lens, size)
 }
 
 /// From world space to a picture's axes: right, up and back become x, y and z.
@@ -123,13 +118,14 @@ fn picture_from_world([right, up, back]: [DVec3; 3]) -> DMat4 {
 
 /// The camera that fits points into the window; its planes enclose `in_world`.
 fn fit(
-    points: &Points,
+    points: &Extremes<'_>,
     in_world: &Bounds,
     picture_from_world: &DMat4,
     lens: Lens,
     size: Size,
 ) -> Camera {
-    let bounds = points.bounds();
+    let mut places = [None; 6];
+    let bounds = points.bounds(&mut places);
     let (eye, lens) = if bounds.is_empty() || !is_measurable(&bounds) {
         (DVec3::Z, lens)
     } else if let Lens::Orthographic { height } = lens {
@@ -138,7 +134,10 @@ fn fit(
         let distance = bounds.radius().max(height);
         (centre.with_z(bounds.max.z + distance), Lens::Orthographic { height })
     } else {
-        (fitted_eye(points, &bounds, &Slopes::of(lens, size)), lens)
+        // Where x and y are highest and lowest, the view's sides find their points soon.
+        let [right, left, top, bottom, ..] = places;
+        let places = [right, left, top, bottom];
+        (fitted_eye(points, &bounds, &Slopes::of(lens, size), places), lens)
     };
     let translation = DMat4::from_translation(-eye);
     let view_from_world = translation * *picture_from_world;
@@ -218,19 +217,18 @@ impl Slopes {
 }
 
 /// The eye's place, in the picture's axes, from which all points lie within the slopes.
-fn fitted_eye(points: &Points, bounds: &Bounds, slopes: &Slopes) -> DVec3 {
+fn fitted_eye(
+    points: &Extremes<'_>,
+    bounds: &Bounds,
+    slopes: &Slopes,
+    mut places: [Option<Place>; 4],
+) -> DVec3 {
     // For each direction: max(x + r z) and max(-(x + l z)).
-    let support = points.highest(|point| {
-        let along = |axis: usize, slope: f64| point[axis] + slope * point.z;
-        [
-            along(0, slopes.high[0]),
-            -along(0, slopes.low[0]),
-            along(1, slopes.high[1]),
-            -along(1, slopes.low[1]),
-        ]
-        .map(|along| (along, 0.0))
+    let support = [0, 1, 2, 3].map(|side| {
+        let (axis, sign) = SIDES[side];
+        let slope = if sign > 0.0 { slopes.high[axis] } else { slopes.low[axis] };
+        points.highest(Along { axis, slope, sign }, &mut places[side]).0
     });
-    let support = support.map(|(along, _)| along);
     let mut height = bounds.max.z + LEAST_DISTANCE * size_of_a_point(bounds);
     let mut eye = [0.0; 2];
     for axis in 0..2 {
@@ -247,7 +245,8 @@ fn fitted_eye(points: &Points, bounds: &Bounds, slopes: &Slopes) -> DVec3 {
         eye[axis] = (least + most) * 0.5;
     }
     for _ in 0..ROUNDS_OF_CENTRING {
-        let centred = centred(points, slopes, DVec3::new(eye[0], eye[1], height));
+        let place = DVec3::new(eye[0], eye[1], height);
+        let centred = centred(points, slopes, place, height - bounds.max.z, &mut places);
         let moved = (0..2).map(|axis| (centred[axis] - eye[axis]).abs()).fold(0.0, f64::max);
         if !moved.is_finite() {
             break;
@@ -262,13 +261,17 @@ fn fitted_eye(points: &Points, bounds: &Bounds, slopes: &Slopes) -> DVec3 {
 
 /// Where the eye must move, sideways and upwards, so that the points that are outermost now come
 /// to lie symmetrically: (x_1 - e) / d_1 + (x_2 - e) / d_2 = l + r, solved for e.
-fn centred(points: &Points, slopes: &Slopes, eye: DVec3) -> [f64; 2] {
+fn centred(
+    points: &Extremes<'_>,
+    slopes: &Slopes,
+    eye: DVec3,
+    nearest: f64,
+    places: &mut [Option<Place>; 4],
+) -> [f64; 2] {
     // Each slope with the distance of the point it belongs to; of equal ones, the farthest.
-    let outermost = points.highest(|point| {
-        let distance = eye.z - point.z;
-        let by_distance = 1.0 / distance;
-        let (x, y) = ((point.x - eye.x) * by_distance, (point.y - eye.y) * by_distance);
-        [(x, distance), (-x, distance), (y, distance), (-y, distance)]
+    let outermost = [0, 1, 2, 3].map(|side| {
+        let (axis, sign) = SIDES[side];
+        points.highest(Slope { axis, sign, eye, nearest }, &mut places[side])
     });
     [0, 1].map(|axis| {
         let [(high, high_distance), (low, low_distance)] =
@@ -278,99 +281,7 @@ fn centred(points: &Points, slopes: &Slopes, eye: DVec3) -> [f64; 2] {
     })
 }
 
-/// Everything that is drawn, as points in the picture's axes.
-struct Points<'a> {
-    objects: Vec<(&'a crate::Mesh, DMat4, Vec<bool>)>,
-    /// The objects' positions, some at a time.
-    runs: Vec<Run>,
-    /// Points of no mesh, in the picture's axes already.
-    single: Vec<DVec3>,
-}
-
-/// Some positions of an object, and the box of those that are drawn, in the picture's axes.
-#[derive(Clone)]
-struct Run {
-    object: usize,
-    positions: Range<usize>,
-    bounds: Bounds,
-}
-
-impl<'a> Points<'a> {
-    fn of(scene: &'a Scene, picture_from_world: &DMat4) -> Self {
-        let object = |object: Object| {
-            let mesh = &scene.meshes[object.mesh.index()];
-            (mesh, *picture_from_world * object.world_from_mesh, mesh.drawn_positions())
-        };
-        let objects: Vec<_> = scene.objects().into_iter().map(object).collect();
-        let mut runs = Vec::new();
-        for (object, (mesh, picture_from_mesh, drawn)) in objects.iter().enumerate() {
-            runs.extend(gather(drawn.len(), POSITIONS, &|task, runs| {
-                for start in task.clone().step_by(RUN) {
-                    let positions = start..task.end.min(start + RUN);
-                    let bounds = mesh.bounds_of_run(positions.clone(), drawn, picture_from_mesh);
-                    if !bounds.is_empty() {
-                        runs.push(Run { object, positions, bounds });
-                    }
-                }
-            }));
-        }
-        Self { objects, runs, single: Vec::new() }
-    }
-
-    fn bounds(&self) -> Bounds {
-        let single = self.single.iter().map(|&point| Bounds { min: point, max: point });
-        let runs = self.runs.iter().map(|run| run.bounds);
-        runs.chain(single).fold(Bounds::EMPTY, |all, bounds| all.union(&bounds))
-    }
-
-    /// The highest of the values that `of` gives each point: of pairs, by the first number, then by
-    /// the second.
-    ///
-    /// In each coordinate a first number must rise or fall all over a box, also as it is rounded.
-    /// Then it is nowhere higher than at one of the corners, and most boxes needn't be opened.
-    fn highest<const N: usize>(
-        &self,
-        of: impl Fn(DVec3) -> [(f64, f64); N] + Sync,
-    ) -> [(f64, f64); N] {
-        let nothing = [(f64::NEG_INFINITY, 0.0); N];
-        let higher = |a: [(f64, f64); N], b: [(f64, f64); N]| {
-            std::array::from_fn(|at| if a[at] < b[at] { b[at] } else { a[at] })
-        };
-        let of_run = |run: &Run| {
-            let mut highest = nothing;
-            let (mesh, picture_from_mesh, drawn) = &self.objects[run.object];
-            mesh.each_drawn(run.positions.clone(), drawn, picture_from_mesh, |point| {
-                highest = higher(highest, of(point));
-            });
-            highest
-        };
-        let at_corners = gather(self.runs.len(), RUNS, &|task, limits| {
-            limits.extend(self.runs[task].iter().map(|run| {
-                let corners = run.bounds.corners().map(&of);
-                corners.into_iter().fold(nothing, higher).map(|(limit, _)| limit)
-            }));
-        });
-        let mut highest = self.single.iter().map(|&point| of(point)).fold(nothing, higher);
-        for at in 0..N {
-            let promising = (0..self.runs.len())
-                .max_by(|&a, &b| at_corners[a][at].total_cmp(&at_corners[b][at]));
-            if let Some(promising) = promising {
-                highest = higher(highest, of_run(&self.runs[promising]));
-            }
-        }
-        let left: Vec<&Run> = self
-            .runs
-            .iter()
-            .zip(&at_corners)
-            .filter(|(_, limits)| (0..N).any(|at| limits[at] >= highest[at].0))
-            .map(|(run, _)| run)
-            .collect();
-        let of_tasks = map(left.len(), RUNS, &|task| {
-            Some(left[task].iter().map(|run| of_run(run)).fold(nothing, higher))
-        });
-        of_tasks.into_iter().flatten().fold(highest, higher)
-    }
-}
-
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod walk;

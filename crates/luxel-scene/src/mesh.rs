@@ -3,7 +3,6 @@
 use crate::MaterialId;
 use glam::{DMat4, DVec3};
 use luxel_parallel::{each, map};
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Triangles in the file's order, with points and lines beside them.
@@ -136,45 +135,21 @@ impl Mesh {
     }
 
     /// The bounds of everything drawn: triangles, points and lines; empty if there is nothing.
+    ///
+    /// All of them are visited. For the meshes of a scene, [`Meshes::bounds_of`] is quicker.
+    ///
+    /// [`Meshes::bounds_of`]: crate::Meshes::bounds_of
     #[must_use]
     pub fn bounds(&self, world_from_mesh: &DMat4) -> Bounds {
-        self.bounds_of(&self.drawn_positions(), world_from_mesh)
-    }
-
-    /// The bounds of the positions that are [drawn](Self::drawn_positions).
-    pub(crate) fn bounds_of(&self, drawn: &[bool], world_from_mesh: &DMat4) -> Bounds {
+        let drawn = self.drawn_positions();
         let of_runs = map(drawn.len(), POSITIONS, &|run| {
-            Some(self.bounds_of_run(run, drawn, world_from_mesh))
+            let mut bounds = Bounds::EMPTY;
+            for index in run.filter(|&index| drawn[index]) {
+                bounds.include(world_from_mesh.transform_point3(self.position(index as u32)));
+            }
+            Some(bounds)
         });
         of_runs.iter().flatten().fold(Bounds::EMPTY, |all, bounds| all.union(bounds))
-    }
-
-    /// The same, of a range of positions.
-    pub(crate) fn bounds_of_run(
-        &self,
-        run: Range<usize>,
-        drawn: &[bool],
-        world_from_mesh: &DMat4,
-    ) -> Bounds {
-        let mut bounds = Bounds::EMPTY;
-        self.each_drawn(run, drawn, world_from_mesh, |place| bounds.include(place));
-        bounds
-    }
-
-    /// Visits the drawn ones of a range of positions, in another space.
-    #[inline]
-    pub(crate) fn each_drawn(
-        &self,
-        run: Range<usize>,
-        drawn: &[bool],
-        world_from_mesh: &DMat4,
-        mut visit: impl FnMut(DVec3),
-    ) {
-        let positions = self.positions[run.clone()].iter().zip(&drawn[run]);
-        for (&[x, y, z], _) in positions.filter(|(_, drawn)| **drawn) {
-            let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-            visit(world_from_mesh.transform_point3(self.origin + position));
-        }
     }
 
     /// Whether there is nothing to draw.
@@ -227,16 +202,20 @@ impl Bounds {
         !self.min.cmple(self.max).all()
     }
 
-    /// Grows to hold a point.
+    /// Grows to hold a point. A coordinate that is not a number changes nothing.
     pub fn include(&mut self, point: DVec3) {
-        self.min = self.min.min(point);
-        self.max = self.max.max(point);
+        *self = self.union(&Self { min: point, max: point });
     }
 
     /// The smallest box that holds both.
     #[must_use]
     pub fn union(&self, other: &Self) -> Self {
-        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+        // glam's `min` and `max` of a number and NaN depend on which of them is the first.
+        let (is_lower, is_higher) = (other.min.cmple(self.min), other.max.cmpge(self.max));
+        Self {
+            min: DVec3::select(is_lower, other.min, self.min),
+            max: DVec3::select(is_higher, other.max, self.max),
+        }
     }
 
     /// The middle.
@@ -259,5 +238,25 @@ impl Bounds {
                 |axis: usize| if corner >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
             DVec3::new(pick(0), pick(1), pick(2))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_position_that_is_not_a_number_takes_nothing_out_of_the_bounds() {
+        let positions = [[-1.0, 2.0, 3.0], [4.0, 0.0, -2.0], [f32::NAN; 3]];
+        for order in [[0, 1, 2], [0, 2, 1], [2, 1, 0]] {
+            let mesh = Mesh {
+                positions: order.map(|at: usize| positions[at]).to_vec(),
+                triangles: vec![[0, 1, 2]],
+                ..Mesh::default()
+            };
+            let expected =
+                Bounds { min: DVec3::new(-1.0, 0.0, -2.0), max: DVec3::new(4.0, 2.0, 3.0) };
+            assert_eq!(mesh.bounds(&DMat4::IDENTITY), expected, "{order:?}");
+        }
     }
 }

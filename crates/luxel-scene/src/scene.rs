@@ -1,6 +1,9 @@
 //! The scene: everything a file (or a demo) holds, in one place.
 
-use crate::{Bounds, Mesh, MeshId, Node, NodeId, SceneCamera, SceneLight, SceneMaterial, Texture};
+use crate::extremes::Extremes;
+use crate::{
+    Bounds, MeshId, Meshes, Node, NodeId, SceneCamera, SceneLight, SceneMaterial, Texture,
+};
 use glam::{DMat4, DVec3};
 use luxel_lighting::{Environment, Fog};
 
@@ -23,7 +26,7 @@ pub struct Scene {
     /// The tree.
     pub nodes: Vec<Node>,
     /// Meshes; several nodes may show one.
-    pub meshes: Vec<Mesh>,
+    pub meshes: Meshes,
     /// Materials; there is at least one if there is a mesh.
     pub materials: Vec<SceneMaterial>,
     /// Textures.
@@ -48,7 +51,7 @@ impl Default for Scene {
     fn default() -> Self {
         Self {
             nodes: Vec::new(),
-            meshes: Vec::new(),
+            meshes: Meshes::default(),
             materials: Vec::new(),
             textures: Vec::new(),
             cameras: Vec::new(),
@@ -130,9 +133,16 @@ impl Scene {
     /// The bounds of everything drawn, in world space.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
-        self.objects().iter().fold(Bounds::EMPTY, |bounds, object| {
-            bounds.union(&self.meshes[object.mesh.index()].bounds(&object.world_from_mesh))
-        })
+        self.bounds_of(&self.objects())
+    }
+
+    /// The bounds of what some objects draw, in world space.
+    pub(crate) fn bounds_of(&self, objects: &[Object]) -> Bounds {
+        let points = Extremes::of_objects(objects.iter().map(|object| {
+            let (mesh, tree) = self.meshes.with_tree(object.mesh);
+            (mesh, tree, object.world_from_mesh)
+        }));
+        points.bounds(&mut Default::default())
     }
 
     /// Whether there is nothing to draw.

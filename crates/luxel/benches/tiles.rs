@@ -19,7 +19,7 @@ fn ball() -> Scene {
     let count = mesh.triangles.len() as u32;
     mesh.parts = vec![Part { first: 0, count, material: MaterialId(0) }];
     Scene {
-        meshes: vec![mesh],
+        meshes: vec![mesh].into(),
         materials: vec![SceneMaterial::default()],
         nodes: vec![Node::root("ball", Some(MeshId(0)))],
         ..Scene::default()

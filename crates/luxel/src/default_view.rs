@@ -18,8 +18,14 @@ pub const DEFAULT_ELEVATION_DEGREES: f64 = 20.0;
 /// black. Its fields are there to be changed.
 #[must_use]
 pub fn default_view(scene: &Scene, size: Size) -> View {
+    default_view_from(scene, default_camera(scene, size), size)
+}
+
+/// As [`default_view`], from a given camera: none is fitted.
+#[must_use]
+pub fn default_view_from(scene: &Scene, camera: Camera, size: Size) -> View {
     let (lights, ambient) = lights_of(scene);
-    View::new(size, default_camera(scene, size))
+    View::new(size, camera)
         .with_lights(lights)
         .with_ambient(ambient)
         .with_environment(environment_of(scene))

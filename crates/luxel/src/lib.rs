@@ -36,7 +36,7 @@ mod load;
 
 pub use default_view::{
     DEFAULT_AZIMUTH_DEGREES, DEFAULT_ELEVATION_DEGREES, DEFAULT_FOV_DEGREES, default_camera,
-    default_view, environment_of, lights_of, view_from_world_of,
+    default_view, default_view_from, environment_of, lights_of, view_from_world_of,
 };
 pub use draw::{draw, write_png};
 pub use load::load;

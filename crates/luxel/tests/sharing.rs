@@ -32,7 +32,7 @@ fn triangle() -> Scene {
         ..Mesh::default()
     };
     Scene {
-        meshes: vec![mesh],
+        meshes: vec![mesh].into(),
         materials: vec![SceneMaterial::default()],
         nodes: vec![Node::root("triangle", Some(MeshId(0)))],
         ..Scene::default()

@@ -12,7 +12,7 @@ use luxel_scene::{
 pub(crate) fn scene_of(mesh: Mesh) -> Scene {
     Scene {
         nodes: vec![Node::root("made", Some(MeshId(0)))],
-        meshes: vec![with_part(mesh)],
+        meshes: vec![with_part(mesh)].into(),
         materials: vec![SceneMaterial::default()],
         ..Scene::default()
     }

@@ -104,8 +104,7 @@ impl CheckCommand {
         let execution = view::execution(&self.execution);
         let renderer = Renderer::new(Arc::clone(&marked), &execution)
             .map_err(|error| failure(error.to_string()))?;
-        let mut view = luxel::default_view(&marked, self.frame.size);
-        view.camera = camera;
+        let mut view = luxel::default_view_from(&marked, camera, self.frame.size);
         view.samples = self.frame.samples;
         let picture = renderer.rgba8(&view).map_err(|error| failure(error.to_string()))?;
         let mut bytes = Vec::new();

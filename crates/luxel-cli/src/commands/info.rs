@@ -58,7 +58,7 @@ impl InfoCommand {
 impl<'a> Survey<'a> {
     fn of(scene: &'a Scene) -> Self {
         let of_object = |object: Object| {
-            let bounds = scene.meshes[object.mesh.index()].bounds(&object.world_from_mesh);
+            let bounds = scene.meshes.bounds_of(object.mesh, &object.world_from_mesh);
             (object, bounds)
         };
         let objects: Vec<_> = scene.objects().into_iter().map(of_object).collect();

@@ -8,7 +8,7 @@ const LENS: Lens = Lens::Perspective { fov_y_radians: std::f64::consts::FRAC_PI_
 
 fn scene_of(mesh: Mesh, world_from_mesh: DMat4) -> Scene {
     let node = Node { parent_from_node: world_from_mesh, ..Node::root("it", Some(MeshId(0))) };
-    Scene { nodes: vec![node], meshes: vec![mesh], ..Scene::default() }
+    Scene { nodes: vec![node], meshes: vec![mesh].into(), ..Scene::default() }
 }
 
 fn viewpoint(azimuth: f64, elevation: f64) -> Viewpoint {

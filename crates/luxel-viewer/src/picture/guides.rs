@@ -145,7 +145,7 @@ fn boxes(scene: &GuideScene<'_>, theme: &Theme, lines: &mut Vec<Line>) {
     let shown = (0..scene.objects.len()).filter(|at| !scene.selection.hidden().contains(at));
     for at in shown {
         let object = &scene.objects[at];
-        let bounds = scene.scene.meshes[object.mesh.index()].bounds(&DMat4::IDENTITY);
+        let bounds = scene.scene.meshes.bounds_of(object.mesh, &DMat4::IDENTITY);
         if bounds.is_empty() {
             continue;
         }

@@ -66,7 +66,7 @@ fn scene() -> Scene {
         ..SceneMaterial::default()
     };
     Scene {
-        meshes: vec![mesh],
+        meshes: vec![mesh].into(),
         materials: vec![masked, blended, SceneMaterial::default()],
         textures: vec![of(first, 7, 5, Filter::Linear), of(second, 8, 8, Filter::Nearest)],
         ..Scene::default()
