@@ -21,11 +21,7 @@ const BLOCKS: u32 = 4096;
 
 /// Lights blocks of points on a ball before the eye; the sum of the light.
 #[inline(always)]
-fn light_blocks<S: Simd>(
-    simd: S,
-    material: &Material,
-    surroundings: &LightingEnvironment<'_>,
-) -> f32 {
+fn light_blocks<S: Simd>(simd: S, material: &Material, lighting: &LightingEnvironment<'_>) -> f32 {
     let spread = |of: fn(u32) -> f32, block: u32| {
         let lanes: [f32; LANES] =
             std::array::from_fn(|lane| of(block * LANES as u32 + lane as u32));
@@ -33,14 +29,14 @@ fn light_blocks<S: Simd>(
     };
     let mut sum = f32x16::splat(simd, 0.0);
     for block in 0..BLOCKS {
-        let x = spread(|at| (at % 251) as f32 / 251.0 - 0.5, block);
-        let y = spread(|at| (at % 239) as f32 / 239.0 - 0.5, block);
+        let x = broadcast(|at| (at % 251) as f32 / 251.0 - 0.5, block);
+        let y = broadcast(|at| (at % 239) as f32 / 239.0 - 0.5, block);
         let normal = Vec3::new(x, y, f32x16::splat(simd, 0.8)).normalized_or_zero();
         let position = normal + Vec3::splat(x, [0.0, 0.0, -3.0]);
         let view = (-position).normalized_or_zero();
         let point = SurfacePoint { position, normal, view, depth: -position.z };
         let reflectance = Reflectance::of(x, material);
-        let color = lit(&point, &reflectance, material, surroundings, &mut Silent);
+        let color = lit(&point, &reflectance, material, lighting, &mut Silent);
         sum = sum + color.r + color.g + color.b;
     }
     (0..LANES).map(|lane| sum[lane]).sum()
@@ -73,14 +69,14 @@ fn main() {
                 if filter.as_ref().is_some_and(|filter| !name.contains(filter.as_str())) {
                     continue;
                 }
-                let surroundings =
+                let lighting =
                     LightingEnvironment::new(&lights[..count], [0.1; 3], Environment::None, None);
                 let mut sum = 0.0;
                 let mut times: Vec<f64> = (0..ROUNDS)
                     .map(|_| {
-                        let (material, surroundings) = black_box((&material, &surroundings));
+                        let (material, lighting) = black_box((&material, &lighting));
                         let start = Instant::now();
-                        sum = dispatch_long!(level, simd => light_blocks(simd, material, surroundings));
+                        sum = dispatch_long!(level, simd => light_blocks(simd, material, lighting));
                         start.elapsed().as_secs_f64() * 1e9 / f64::from(BLOCKS * LANES as u32)
                     })
                     .collect();

@@ -1,8 +1,8 @@
 //! What the equation takes of a material: each k O, brought within bounds once.
 //!
-//! Where textures change it, it comes in lanes; else it is one value for all points of the material
-//! and is spread over the lanes at the very place where it is used. Sixteen values of everything
-//! would be more than there are registers.
+//! Where textures change it, it comes in lanes; else it is one value for all points of the material,
+//! broadcast to the lanes where it is used: sixteen values of everything would be more than there are
+//! registers.
 
 use luxel_math::{Lanes, Rgb};
 
@@ -13,7 +13,7 @@ use luxel_math::{Lanes, Rgb};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients<K> {
     /// O_e; k_d O_d of a surface that isn't lit; in a mix, both.
-    pub(crate) own: Rgb<K>,
+    pub(crate) emitted: Rgb<K>,
     /// k_a O_a, occluded.
     pub(crate) ambient: Rgb<K>,
     /// k_d O_d
@@ -32,34 +32,34 @@ pub struct Coefficients<K> {
     pub(crate) occlusion: K,
 }
 
-/// What can be had in every lane: a value for each, or [one for all](Uniform).
-pub trait Spread<N: Lanes>: Copy {
-    /// It in every lane; `simd` selects the lane type.
-    fn spread(self, simd: N) -> N;
+/// A value for each lane, or [one for all](Uniform).
+pub trait Broadcast<N: Lanes>: Copy {
+    /// The value in every lane; `simd` selects the lane type.
+    fn broadcast(self, simd: N) -> N;
 }
 
 /// One value for all lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Uniform(pub f32);
 
-impl<N: Lanes> Spread<N> for Uniform {
+impl<N: Lanes> Broadcast<N> for Uniform {
     #[inline(always)]
-    fn spread(self, simd: N) -> N {
+    fn broadcast(self, simd: N) -> N {
         simd.constant(self.0)
     }
 }
 
-impl<N: Lanes> Spread<N> for N {
+impl<N: Lanes> Broadcast<N> for N {
     #[inline(always)]
-    fn spread(self, _: N) -> N {
+    fn broadcast(self, _: N) -> N {
         self
     }
 }
 
 /// A colour in every lane.
 #[inline(always)]
-pub(crate) fn spread<N: Lanes, K: Spread<N>>(color: Rgb<K>, simd: N) -> Rgb<N> {
-    Rgb::new(color.r.spread(simd), color.g.spread(simd), color.b.spread(simd))
+pub(crate) fn broadcast<N: Lanes, K: Broadcast<N>>(color: Rgb<K>, simd: N) -> Rgb<N> {
+    Rgb::new(color.r.broadcast(simd), color.g.broadcast(simd), color.b.broadcast(simd))
 }
 
 /// A colour within 0 and `high`; 0 for NaN.

@@ -1,11 +1,11 @@
 //! The lighting equation.
 
-use crate::coefficients::spread;
+use crate::coefficients::broadcast;
 use crate::light::bounded;
 use crate::reflection::{Incidence, Surface};
 use crate::{
-    Coefficients, Environment, Fog, LightKind, LightTerms, Material, PlacedLight, Reflectance,
-    Reflection, Spread, SurfacePoint, Terms, Witness,
+    Broadcast, Coefficients, Environment, Fog, LightKind, LightTerms, Material, PlacedLight,
+    Reflectance, Reflection, SurfacePoint, Terms, Witness,
 };
 use luxel_math::{Lanes, Rgb};
 
@@ -79,24 +79,24 @@ pub fn lit<N: Lanes, W: Witness<N>>(
     point: &SurfacePoint<N>,
     reflectance: &Reflectance<N>,
     material: &Material,
-    surroundings: &LightingEnvironment<'_>,
+    lighting: &LightingEnvironment<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
     let coefficients = Coefficients::new(reflectance, material);
-    lit_by(point, &coefficients, &material.reflection, surroundings, witness)
+    lit_by(point, &coefficients, &material.reflection, lighting, witness)
 }
 
 /// [`lit`], for a surface whose coefficients are known.
 #[inline(always)]
-pub fn lit_by<N: Lanes, K: Spread<N>, W: Witness<N>>(
+pub fn lit_by<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
     coefficients: &Coefficients<K>,
     reflection: &Reflection,
-    surroundings: &LightingEnvironment<'_>,
+    lighting: &LightingEnvironment<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
-    let sum = reflected(point, coefficients, reflection, surroundings, witness);
-    let color = match surroundings.fog {
+    let sum = reflected(point, coefficients, reflection, lighting, witness);
+    let color = match lighting.fog {
         Some(fog) => fog.veiled(sum, point.depth, witness),
         None => sum,
     };
@@ -107,47 +107,47 @@ pub fn lit_by<N: Lanes, K: Spread<N>, W: Witness<N>>(
 /// The light that leaves a surface point towards the eye, before any fog: [`lit_by`] without its
 /// last line.
 #[inline(always)]
-pub fn reflected<N: Lanes, K: Spread<N>, W: Witness<N>>(
+pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
     coefficients: &Coefficients<K>,
     reflection: &Reflection,
-    surroundings: &LightingEnvironment<'_>,
+    lighting: &LightingEnvironment<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
     let simd = point.depth;
     let surface = Surface::new(point, coefficients);
-    let emission = spread(coefficients.own, simd);
-    let ambient_share = surface.ambient(reflection, &surroundings.environment);
-    let scene_ambient = ambient_share * Rgb::splat(simd, surroundings.scene_ambient);
+    let emission = broadcast(coefficients.emitted, simd);
+    let ambient_share = surface.ambient(reflection, &lighting.environment);
+    let scene_ambient = ambient_share * Rgb::splat(simd, lighting.scene_ambient);
 
     let mut sum = emission + scene_ambient;
-    for (index, placed) in surroundings.lights.iter().enumerate() {
+    for (index, placed) in lighting.lights.iter().enumerate() {
         let light = placed.light();
         if light.kind == LightKind::Ambient {
             continue;
         }
-        let arrival = placed.arrival(point.position);
-        let n_dot_l = point.normal.dot(arrival.to_light);
-        let incidence = Incidence { to_light: arrival.to_light, n_dot_l };
+        let sample = placed.sample(point.position);
+        let n_dot_l = point.normal.dot(sample.to_light);
+        let incidence = Incidence { to_light: sample.to_light, n_dot_l };
         let part = surface.reflected(reflection, &incidence, witness);
 
         // Of most lights there is none, and 0 changes no sum.
         let mut ambient = Rgb::black(simd);
         if placed.has_ambient() {
-            ambient = arrival.faded(ambient_share * Rgb::splat(simd, light.ambient));
+            ambient = sample.attenuated(ambient_share * Rgb::splat(simd, light.ambient));
             sum = sum + ambient;
         }
-        let diffuse = arrival.faded(part.diffuse * Rgb::splat(simd, light.diffuse));
-        let specular = arrival.faded(part.specular * Rgb::splat(simd, light.specular));
+        let diffuse = sample.attenuated(part.diffuse * Rgb::splat(simd, light.diffuse));
+        let specular = sample.attenuated(part.specular * Rgb::splat(simd, light.specular));
         sum = sum + diffuse;
         sum = sum + specular;
         witness.light(
             index,
             &LightTerms {
-                to_light: arrival.to_light,
-                distance: arrival.distance,
-                attenuation: arrival.attenuation,
-                spot: arrival.spot,
+                to_light: sample.to_light,
+                distance: sample.distance,
+                attenuation: sample.attenuation,
+                spot: sample.spot,
                 n_dot_l,
                 specular_cosine: part.specular_cosine,
                 ambient,
@@ -158,13 +158,9 @@ pub fn reflected<N: Lanes, K: Spread<N>, W: Witness<N>>(
     }
     let environment = match reflection {
         Reflection::Unlit => Rgb::black(simd),
-        _ if surroundings.environment.is_none() => Rgb::black(simd),
+        _ if lighting.environment.is_none() => Rgb::black(simd),
         // Made anew, as what others get to see has to be written to memory: only here.
-        _ => Surface::new(point, coefficients).mirrored(
-            reflection,
-            &surroundings.environment,
-            witness,
-        ),
+        _ => Surface::new(point, coefficients).mirrored(reflection, &lighting.environment, witness),
     };
     let sum = finite(sum + environment);
     witness.terms(&Terms { emission, scene_ambient, environment, sum });

@@ -34,7 +34,7 @@ mod reflectance;
 mod reflection;
 mod witness;
 
-pub use coefficients::{Coefficients, Spread, Uniform};
+pub use coefficients::{Broadcast, Coefficients, Uniform};
 pub use encode::{
     PictureEncoding, byte_to_linear, decode_srgb, encode_srgb, srgb_to_byte, unit_to_byte,
 };

@@ -16,7 +16,7 @@ pub struct PlacedLight {
 
 /// What arrives of a light at a point.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Arrival<N> {
+pub(crate) struct LightSample<N> {
     /// L: towards the light, of unit length; 0 where the light stands at the point itself.
     pub(crate) to_light: Vec3<N>,
     /// d; `None` for directional lights.
@@ -27,11 +27,11 @@ pub(crate) struct Arrival<N> {
     pub(crate) spot: N,
 }
 
-impl<N: Lanes> Arrival<N> {
+impl<N: Lanes> LightSample<N> {
     /// What is left of an intensity on the way: f I with f = attenuation x spot, which is 1 for
     /// lights without a place.
     #[inline(always)]
-    pub(crate) fn faded(&self, intensity: Rgb<N>) -> Rgb<N> {
+    pub(crate) fn attenuated(&self, intensity: Rgb<N>) -> Rgb<N> {
         match self.distance {
             Some(_) => intensity * (self.attenuation * self.spot),
             None => intensity,
@@ -89,10 +89,10 @@ impl PlacedLight {
 
     /// What arrives at `position`.
     #[inline(always)]
-    pub(crate) fn arrival<N: Lanes>(&self, position: Vec3<N>) -> Arrival<N> {
+    pub(crate) fn sample<N: Lanes>(&self, position: Vec3<N>) -> LightSample<N> {
         let simd = position.x;
         if matches!(self.light.kind, LightKind::Directional | LightKind::Ambient) {
-            return Arrival {
+            return LightSample {
                 to_light: -Vec3::splat(simd, self.direction),
                 distance: None,
                 attenuation: simd.one(),
@@ -113,7 +113,7 @@ impl PlacedLight {
             }
             _ => simd.one(),
         };
-        Arrival { to_light, distance: Some(distance), attenuation, spot }
+        LightSample { to_light, distance: Some(distance), attenuation, spot }
     }
 
     /// min(1 / (c1 + c2 d + c3 d^2), limit), 0 where that isn't positive; times glTF's window.

@@ -67,7 +67,7 @@ impl<N: Lanes> Coefficients<N> {
         let occlusion = reflectance.occlusion.clamped(0.0, 1.0);
         let diffuse = coefficient(reflectance.diffuse, material.k_d);
         Self {
-            own: own_light(diffuse, reflectance.emission, &material.reflection),
+            emitted: emitted_light(diffuse, reflectance.emission, &material.reflection),
             ambient: coefficient(reflectance.ambient, material.k_a) * occlusion,
             diffuse,
             specular: coefficient(reflectance.specular, material.k_s),
@@ -87,7 +87,7 @@ impl Coefficients<Uniform> {
         let of = Coefficients::new(&Reflectance::of(0.0, material), material);
         let rgb = |Rgb { r, g, b }| Rgb::new(Uniform(r), Uniform(g), Uniform(b));
         Self {
-            own: rgb(of.own),
+            emitted: rgb(of.emitted),
             ambient: rgb(of.ambient),
             diffuse: rgb(of.diffuse),
             specular: rgb(of.specular),
@@ -108,17 +108,17 @@ fn coefficient<N: Lanes>(color: Rgb<N>, k: f32) -> Rgb<N> {
 
 /// What the surface sends of its own: O_e. If it isn't lit, k_d O_d instead; in a mix, both.
 #[inline(always)]
-fn own_light<N: Lanes>(diffuse: Rgb<N>, emission: Rgb<N>, reflection: &Reflection) -> Rgb<N> {
+fn emitted_light<N: Lanes>(diffuse: Rgb<N>, emission: Rgb<N>, reflection: &Reflection) -> Rgb<N> {
     match reflection {
         Reflection::Unlit => diffuse,
         Reflection::Mixed(_) => {
-            let mut own = limited(emission, COEFFICIENT_LIMIT);
+            let mut emitted = limited(emission, COEFFICIENT_LIMIT);
             for index in 0..reflection.part_count() {
                 if let (Reflection::Unlit, weight) = reflection.part(index) {
-                    own = own + diffuse * diffuse.r.constant(weight);
+                    emitted = emitted + diffuse * diffuse.r.constant(weight);
                 }
             }
-            own
+            emitted
         }
         _ => limited(emission, COEFFICIENT_LIMIT),
     }

@@ -21,7 +21,7 @@ fn white(reflection: Reflection) -> Material {
     Material { reflection, diffuse: [1.0; 3], k_s: 0.0, roughness: 0.0, ..Material::default() }
 }
 
-fn surroundings(lights: &[PlacedLight]) -> LightingEnvironment<'_> {
+fn lighting(lights: &[PlacedLight]) -> LightingEnvironment<'_> {
     LightingEnvironment::new(lights, [0.0; 3], Environment::None, None)
 }
 
@@ -39,14 +39,14 @@ fn a_white_surface_facing_a_unit_light_sends_one() {
     for reflection in
         [Reflection::Lambert, Reflection::OrenNayar, Reflection::Phong, Reflection::BlinnPhong]
     {
-        let color = shade(&facing_point(), &white(reflection.clone()), &surroundings(&lights));
+        let color = shade(&facing_point(), &white(reflection.clone()), &lighting(&lights));
         assert_eq!(color, [1.0; 3], "{reflection:?}");
     }
     // Of a dielectric, 4 % are mirrored, not scattered.
-    let color = shade(&facing_point(), &white(Reflection::Microfacet), &surroundings(&lights));
+    let color = shade(&facing_point(), &white(Reflection::Microfacet), &lighting(&lights));
     assert!((color[0] - 0.96).abs() < 1e-6);
     // Without lights, an unlit surface is as bright.
-    assert_eq!(shade(&facing_point(), &white(Reflection::Unlit), &surroundings(&[])), [1.0; 3]);
+    assert_eq!(shade(&facing_point(), &white(Reflection::Unlit), &lighting(&[])), [1.0; 3]);
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn phong_and_blinn_at_sixty_degrees_are_what_the_formulas_give_by_hand() {
         shininess: 2.0,
         ..Material::default()
     };
-    let around = surroundings(&lights);
+    let around = lighting(&lights);
     let [phong, ..] = shade(&facing_point(), &material(Reflection::Phong), &around);
     assert!((phong - (0.25 + 0.25)).abs() < 1e-6, "{phong}");
     let [blinn, ..] = shade(&facing_point(), &material(Reflection::BlinnPhong), &around);
@@ -84,7 +84,7 @@ fn a_red_light_on_a_green_surface_is_black() {
             specular: [0.0, 1.0, 0.0],
             ..Material::default()
         };
-        assert_eq!(shade(&facing_point(), &material, &surroundings(&lights)), [0.0; 3]);
+        assert_eq!(shade(&facing_point(), &material, &lighting(&lights)), [0.0; 3]);
     }
 }
 
@@ -137,7 +137,7 @@ fn a_light_behind_the_surface_adds_no_highlight_and_its_cosine_is_told() {
             &facing_point(),
             &Reflectance::of(0.0, &material),
             &material,
-            &surroundings(&lights),
+            &lighting(&lights),
             &mut ledger,
         );
         let terms = &ledger.lights[0].terms;
@@ -158,7 +158,7 @@ fn a_light_at_the_surface_itself_adds_nothing() {
             for reflection in models() {
                 let unlit = reflection == Reflection::Unlit;
                 let material = Material { reflection, shininess: 0.0, ..Material::default() };
-                let color = shade(&facing_point(), &material, &surroundings(&lights));
+                let color = shade(&facing_point(), &material, &lighting(&lights));
                 assert!(unlit || color == [0.0; 3], "{material:?} {color:?}");
             }
         }
@@ -173,7 +173,7 @@ fn the_inside_of_a_cone_is_lit_and_the_outside_is_not() {
             -libm::cos(degrees.to_radians()) as f32
         }];
         let lights = [PlacedLight::new(light, [0.0; 3], direction)];
-        shade(&facing_point(), &white(Reflection::Lambert), &surroundings(&lights))[0]
+        shade(&facing_point(), &white(Reflection::Lambert), &lighting(&lights))[0]
     };
     let cosine = |degrees: f64| libm::cos(degrees.to_radians()) as f32;
     let cone = Cone::Exponent { cos_cutoff: cosine(30.0), exponent: 2.0 };
@@ -201,8 +201,7 @@ fn attenuation_follows_its_law_and_is_not_cut_at_one() {
             ..Light::new(LightKind::Point, [1.0; 3])
         };
         let lights = [PlacedLight::new(light, [0.0; 3], [0.0; 3])];
-        let [value, ..] =
-            shade(&facing_point(), &white(Reflection::Lambert), &surroundings(&lights));
+        let [value, ..] = shade(&facing_point(), &white(Reflection::Lambert), &lighting(&lights));
         assert!((value - expected).abs() < 1e-6, "{coefficients:?}: {value}");
     }
 }
@@ -215,7 +214,7 @@ fn attenuation_is_cut_at_its_limit_and_only_there() {
             ..Light::new(LightKind::Point, [1.0; 3])
         };
         let lights = [PlacedLight::new(light, [0.0; 3], [0.0; 3])];
-        shade(&facing_point(), &white(Reflection::Lambert), &surroundings(&lights))[0]
+        shade(&facing_point(), &white(Reflection::Lambert), &lighting(&lights))[0]
     };
     assert_eq!(at_distance_5([0.25, 0.0, 0.0], 1.0), 1.0, "4 cut at 1, as Foley et al. have it");
     assert_eq!(at_distance_5([0.25, 0.0, 0.0], 2.5), 2.5);

@@ -27,7 +27,7 @@ fn in_lanes<S: Simd>(
     simd: S,
     points: &[SurfacePoint<f32>; 16],
     material: &Material,
-    surroundings: &LightingEnvironment<'_>,
+    lighting: &LightingEnvironment<'_>,
 ) -> [[f32; 3]; 16] {
     let simd = f32x16::splat(simd, 0.0);
     let vector = |of: fn(&SurfacePoint<f32>) -> Vec3<f32>| {
@@ -44,7 +44,7 @@ fn in_lanes<S: Simd>(
         depth: simd.each_lane(|lane| points[lane].depth),
     };
     let reflectance = Reflectance::of(simd, material);
-    let color: Rgb<f32x16<S>> = lit(&point, &reflectance, material, surroundings, &mut Silent);
+    let color: Rgb<f32x16<S>> = lit(&point, &reflectance, material, lighting, &mut Silent);
     std::array::from_fn(|lane| color.lane(lane))
 }
 
@@ -57,7 +57,7 @@ fn every_simd_level_gives_the_bits_of_one_value() {
         PlacedLight::new(Light::new(LightKind::Point, [0.9, 0.5, 0.2]), [2.0, 1.0, -1.0], [0.0; 3]),
         PlacedLight::new(Light::new(spot, [0.3, 2.0, 0.7]), [0.0, 3.0, 0.0], [0.0, -1.0, -1.0]),
     ];
-    let surroundings = LightingEnvironment::new(
+    let lighting = LightingEnvironment::new(
         &lights,
         [0.1, 0.11, 0.12],
         Environment::Studio { up: [0.0, 1.0, 0.0] },
@@ -69,11 +69,11 @@ fn every_simd_level_gives_the_bits_of_one_value() {
             Material { reflection, metallic: 0.6, roughness: 0.35, ..Material::default() };
         let single = points.map(|point| {
             let reflectance = Reflectance::of(0.0, &material);
-            lit(&point, &reflectance, &material, &surroundings, &mut Silent).lane(0)
+            lit(&point, &reflectance, &material, &lighting, &mut Silent).lane(0)
         });
         for level in SimdLevel::available() {
             let level = level.resolve().unwrap();
-            let lanes = dispatch!(level, simd => in_lanes(simd, &points, &material, &surroundings));
+            let lanes = dispatch!(level, simd => in_lanes(simd, &points, &material, &lighting));
             for lane in 0..16 {
                 assert_eq!(
                     lanes[lane].map(f32::to_bits),

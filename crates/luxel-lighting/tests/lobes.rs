@@ -53,12 +53,12 @@ proptest! {
         let light = Light::new(LightKind::Directional, [1.0, 0.5, 0.25]);
         let travels = (-to_light).lane(0);
         let lights = [PlacedLight::new(light.clone(), [0.0; 3], travels)];
-        let surroundings = LightingEnvironment::new(&lights, [0.1; 3], Environment::Studio { up: [0.0, 1.0, 0.0] }, None);
+        let lighting = LightingEnvironment::new(&lights, [0.1; 3], Environment::Studio { up: [0.0, 1.0, 0.0] }, None);
         let normal = Vec3::new(0.0, 0.0, 1.0);
         let point = SurfacePoint { position: -view, normal, view, depth: 1.0 };
         let mut ledger = Ledger::default();
         let of = Reflectance::of(0.0_f32, &material);
-        let _ = lit(&point, &of, &material, &surroundings, &mut ledger);
+        let _ = lit(&point, &of, &material, &lighting, &mut ledger);
         let LedgerLight { parts, terms, .. } = &ledger.lights[0];
 
         // The parts add up to the light's terms.

@@ -30,10 +30,9 @@ fn vec3([x, y, z]: [f32; 3]) -> Vec3<f32> {
 fn sent(material: &Material, to_light: [f32; 3], view: [f32; 3]) -> [f64; 2] {
     let light = Light::new(LightKind::Directional, [1.0; 3]);
     let lights = [PlacedLight::new(light, [0.0; 3], to_light.map(|c| -c))];
-    let surroundings = LightingEnvironment::new(&lights, [0.0; 3], Environment::None, None);
+    let lighting = LightingEnvironment::new(&lights, [0.0; 3], Environment::None, None);
     let mut ledger = Ledger::default();
-    let _ =
-        lit(&point(view), &Reflectance::of(0.0, material), material, &surroundings, &mut ledger);
+    let _ = lit(&point(view), &Reflectance::of(0.0, material), material, &lighting, &mut ledger);
     let terms = &ledger.lights[0].terms;
     [f64::from(terms.diffuse.r), f64::from(terms.specular.r)]
 }
@@ -126,12 +125,11 @@ fn no_surface_sends_more_than_it_gets() {
 
 /// What a surface mirrors of a white world.
 fn mirrored(material: &Material, n_dot_v: f64) -> f64 {
-    let surroundings =
-        LightingEnvironment::new(&[], [0.0; 3], Environment::Constant([1.0; 3]), None);
+    let lighting = LightingEnvironment::new(&[], [0.0; 3], Environment::Constant([1.0; 3]), None);
     let mut ledger = Ledger::default();
     let reflectance = Reflectance::of(0.0, material);
     let view = direction(n_dot_v, 0.0);
-    let _ = lit(&point(view), &reflectance, material, &surroundings, &mut ledger);
+    let _ = lit(&point(view), &reflectance, material, &lighting, &mut ledger);
     f64::from(ledger.environment[0])
 }
 
@@ -159,12 +157,12 @@ fn an_ideal_mirror_shows_the_environment_in_its_own_colour() {
         k_s: 0.8,
         ..Material::default()
     };
-    let surroundings =
+    let lighting =
         LightingEnvironment::new(&[], [0.0; 3], Environment::Constant([0.5, 1.0, 2.0]), None);
     let mut reflectance = Reflectance::of(0.0, &material);
     reflectance.occlusion = 0.5;
     let view = direction(0.6, 0.3);
-    let color = lit(&point(view), &reflectance, &material, &surroundings, &mut Silent);
+    let color = lit(&point(view), &reflectance, &material, &lighting, &mut Silent);
     assert_eq!(color.lane(0), [0.2, 0.2, 0.0]);
 }
 
@@ -172,11 +170,11 @@ fn an_ideal_mirror_shows_the_environment_in_its_own_colour() {
 fn an_environment_takes_the_place_of_ambient_light_on_metals_alone() {
     let ambient = |environment, metallic| {
         let material = material(Reflection::Microfacet, 0.5, metallic, 0.5);
-        let surroundings = LightingEnvironment::new(&[], [0.4; 3], environment, None);
+        let lighting = LightingEnvironment::new(&[], [0.4; 3], environment, None);
         let mut ledger = Ledger::default();
         let reflectance = Reflectance::of(0.0, &material);
         let view = direction(1.0, 0.0);
-        let _ = lit(&point(view), &reflectance, &material, &surroundings, &mut ledger);
+        let _ = lit(&point(view), &reflectance, &material, &lighting, &mut ledger);
         ledger.scene_ambient[0]
     };
     let studio = Environment::Studio { up: [0.0, 1.0, 0.0] };

@@ -42,8 +42,8 @@ fn main() {
     let mut levels: Vec<SimdLevel> = Vec::new();
     for level in SimdLevel::available() {
         // What a name stands for may be another level.
-        let told = |level: SimdLevel| level.resolve().map(SimdLevel::name_of).ok();
-        if !levels.iter().any(|one| told(*one) == told(level)) {
+        let kernels = |level: SimdLevel| level.resolve().map(SimdLevel::name_of).ok();
+        if !levels.iter().any(|one| kernels(*one) == kernels(level)) {
             levels.push(level);
         }
     }

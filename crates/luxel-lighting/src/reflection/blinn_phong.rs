@@ -4,7 +4,7 @@ use super::description::COSINE;
 use super::{
     HighlightVector, Incidence, ModelFactor, Quantity, Reflection, ReflectionModel, Surface, Symbol,
 };
-use crate::Spread;
+use crate::Broadcast;
 use crate::parameter::{K_A, K_D, K_S, SHININESS};
 use luxel_math::Lanes;
 
@@ -31,7 +31,7 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
 /// The highlight takes the square, which needs no root: (N.(L + V))^2 / |L + V|^2. H is summed by its
 /// components: from dot products, |L + V|^2 = 2 + 2 L.V would cancel where the light is behind.
 #[inline(always)]
-pub(crate) fn n_dot_h<N: Lanes, K: Spread<N>>(
+pub(crate) fn n_dot_h<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> (N, N) {

@@ -1,7 +1,7 @@
 //! Highlights as a power of a cosine.
 
 use super::{Incidence, Reflected, Surface, any_lit, lambert};
-use crate::{Lobe, Spread};
+use crate::{Broadcast, Lobe};
 use luxel_math::{Lanes, Rgb, elementary};
 
 /// The powers of a cosine that a highlight is made of.
@@ -15,7 +15,7 @@ pub(crate) enum Highlight<N> {
 /// Lambert's diffuse reflection and the highlight k_s O_s max(c, 0)^n, the latter only where
 /// N.L > 0. `cosine` is c as it is.
 #[inline(always)]
-pub(crate) fn with_lobe<N: Lanes, K: Spread<N>>(
+pub(crate) fn with_lobe<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
     cosine: N,

@@ -2,7 +2,7 @@
 
 use super::description::COSINE;
 use super::{Incidence, Reflection, ReflectionModel, Surface};
-use crate::Spread;
+use crate::Broadcast;
 use crate::parameter::{K_A, K_D};
 use luxel_math::{Lanes, Rgb};
 
@@ -22,7 +22,7 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
 /// k_d O_d max(N.L, 0) (Lambert, *Photometria*, 1760): a beam spreads over the more surface the
 /// more it slants, and the surface sends what it gets equally into all directions.
 #[inline(always)]
-pub(crate) fn diffuse<N: Lanes, K: Spread<N>>(
+pub(crate) fn diffuse<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Rgb<N> {

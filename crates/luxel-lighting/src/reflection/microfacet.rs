@@ -5,9 +5,9 @@ use super::{
     HighlightVector, Incidence, ModelFactor, Quantity, Reflected, Reflection, ReflectionModel,
     Surface, Symbol, any_lit,
 };
-use crate::coefficients::spread;
+use crate::coefficients::broadcast;
 use crate::parameter::{K_A, K_D, K_S, METALLIC, ROUGHNESS};
-use crate::{Lobe, Spread};
+use crate::{Broadcast, Lobe};
 use luxel_math::{Lanes, Rgb};
 
 pub(super) static MODEL: ReflectionModel = ReflectionModel {
@@ -82,7 +82,7 @@ const SMALLEST_N_DOT_V: f32 = 1e-4;
 /// Outlined, one copy per SIMD level: within the loop over lights the compiler would work out what is
 /// the same for all of them beforehand, for the other models, too.
 #[inline(never)]
-pub(crate) fn reflected<N: Lanes, K: Spread<N>>(
+pub(crate) fn reflected<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {
@@ -93,7 +93,7 @@ pub(crate) fn reflected<N: Lanes, K: Spread<N>>(
 }
 
 #[inline(always)]
-fn by_facets<N: Lanes, K: Spread<N>>(
+fn by_facets<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {
@@ -116,8 +116,8 @@ fn by_facets<N: Lanes, K: Spread<N>>(
 
     // (N.H)^2 (alpha^2 - 1) + 1 without the cancellation: 1 - (N.H)^2 = |N x H|^2.
     let aside = surface.normal.cross(half);
-    let spread = aside.dot(aside) + n_dot_h * n_dot_h * alpha2;
-    let pi_d = alpha2 / (spread * spread).maximum(simd.constant(f32::MIN_POSITIVE));
+    let width = aside.dot(aside) + n_dot_h * n_dot_h * alpha2;
+    let pi_d = alpha2 / (width * width).maximum(simd.constant(f32::MIN_POSITIVE));
     let pi_d = pi_d
         .minimum(simd.one() / alpha2)
         .masked(simd.zero().less(n_dot_h) & simd.zero().less(n_dot_l));
@@ -145,8 +145,8 @@ fn by_facets<N: Lanes, K: Spread<N>>(
 
 /// F0: 0.04 for dielectrics, O_d for metals.
 #[inline(always)]
-pub(crate) fn facing_reflectance<N: Lanes, K: Spread<N>>(surface: &Surface<'_, N, K>) -> Rgb<N> {
+pub(crate) fn facing_reflectance<N: Lanes, K: Broadcast<N>>(surface: &Surface<'_, N, K>) -> Rgb<N> {
     let simd = surface.simd();
     Rgb::splat(simd, [DIELECTRIC; 3]) * (simd.one() - surface.metallic())
-        + spread(surface.of.base, simd) * surface.metallic()
+        + broadcast(surface.of.base, simd) * surface.metallic()
 }

@@ -22,7 +22,7 @@ mod toon;
 mod unlit;
 mod vocabulary;
 
-use crate::Spread;
+use crate::Broadcast;
 use crate::reflection::highlight::Highlight;
 use luxel_math::Lanes;
 
@@ -131,7 +131,7 @@ impl Reflection {
     }
 }
 
-impl<N: Lanes, K: Spread<N>> Surface<'_, N, K> {
+impl<N: Lanes, K: Broadcast<N>> Surface<'_, N, K> {
     /// Models that are a cosine, or a power of one; `None` for all others.
     #[inline(always)]
     pub(super) fn by_cosines(

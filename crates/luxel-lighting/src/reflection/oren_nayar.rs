@@ -5,7 +5,7 @@ use super::{
     Incidence, ModelFactor, Quantity, Reflected, Reflection, ReflectionModel, Surface, Symbol,
 };
 use crate::parameter::{K_A, K_D, ROUGHNESS};
-use crate::{Lobe, Spread};
+use crate::{Broadcast, Lobe};
 use luxel_math::{Lanes, Rgb};
 
 pub(super) static MODEL: ReflectionModel = ReflectionModel {
@@ -44,7 +44,7 @@ const ROUGH: ModelFactor = ModelFactor {
 ///
 /// Outlined, one copy per SIMD level, as [`microfacet::reflected`](super::microfacet::reflected) is.
 #[inline(never)]
-pub(crate) fn reflected<N: Lanes, K: Spread<N>>(
+pub(crate) fn reflected<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {
@@ -55,7 +55,7 @@ pub(crate) fn reflected<N: Lanes, K: Spread<N>>(
 }
 
 #[inline(always)]
-fn roughly<N: Lanes, K: Spread<N>>(
+fn roughly<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> Reflected<N> {

@@ -4,7 +4,7 @@ use super::description::COSINE;
 use super::{
     HighlightVector, Incidence, ModelFactor, Quantity, Reflection, ReflectionModel, Surface, Symbol,
 };
-use crate::Spread;
+use crate::Broadcast;
 use crate::parameter::{K_A, K_D, K_S, SHININESS};
 use luxel_math::Lanes;
 
@@ -27,7 +27,7 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
 /// R.V with R = 2 N (N.L) - L, the direction of mirroring (Phong, *Illumination for Computer
 /// Generated Pictures*, 1975), which is 2 (N.L) (N.V) - L.V.
 #[inline(always)]
-pub(crate) fn r_dot_v<N: Lanes, K: Spread<N>>(
+pub(crate) fn r_dot_v<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
 ) -> N {

@@ -1,10 +1,10 @@
 //! What a surface reflects of each light and of the environment, whatever its model.
 
 use super::microfacet;
-use crate::coefficients::spread;
+use crate::coefficients::broadcast;
 use crate::environment::split_sum;
 use crate::{
-    Coefficients, Environment, Lobe, MirrorTerms, PartTerms, Reflection, Spread, SurfacePoint,
+    Broadcast, Coefficients, Environment, Lobe, MirrorTerms, PartTerms, Reflection, SurfacePoint,
     Witness,
 };
 use luxel_math::{Lanes, Mask, Rgb, Vec3};
@@ -51,7 +51,7 @@ pub(crate) struct Incidence<N> {
     pub(crate) n_dot_l: N,
 }
 
-impl<'a, N: Lanes, K: Spread<N>> Surface<'a, N, K> {
+impl<'a, N: Lanes, K: Broadcast<N>> Surface<'a, N, K> {
     /// The surface at a point.
     #[inline(always)]
     pub(crate) fn new(point: &SurfacePoint<N>, coefficients: &'a Coefficients<K>) -> Self {
@@ -73,25 +73,25 @@ impl<'a, N: Lanes, K: Spread<N>> Surface<'a, N, K> {
     /// k_d O_d
     #[inline(always)]
     pub(crate) fn diffuse(&self) -> Rgb<N> {
-        spread(self.of.diffuse, self.simd())
+        broadcast(self.of.diffuse, self.simd())
     }
 
     /// k_s O_s
     #[inline(always)]
     pub(crate) fn specular(&self) -> Rgb<N> {
-        spread(self.of.specular, self.simd())
+        broadcast(self.of.specular, self.simd())
     }
 
     /// Perceptual roughness, within 0 and 1.
     #[inline(always)]
     pub(crate) fn roughness(&self) -> N {
-        self.of.roughness.spread(self.simd())
+        self.of.roughness.broadcast(self.simd())
     }
 
     /// Within 0 and 1.
     #[inline(always)]
     pub(crate) fn metallic(&self) -> N {
-        self.of.metallic.spread(self.simd())
+        self.of.metallic.broadcast(self.simd())
     }
 
     /// What goes to the eye of a light.
@@ -194,7 +194,7 @@ impl<'a, N: Lanes, K: Spread<N>> Surface<'a, N, K> {
             };
             mirrored = mirrored + part * simd.constant(weight);
         }
-        mirrored * self.specular() * self.of.occlusion.spread(simd)
+        mirrored * self.specular() * self.of.occlusion.broadcast(simd)
     }
 
     /// The part of ambient light that goes to the eye: k_a O_a.
@@ -208,9 +208,9 @@ impl<'a, N: Lanes, K: Spread<N>> Surface<'a, N, K> {
         match reflection {
             Reflection::Unlit => Rgb::black(simd),
             Reflection::Microfacet if !environment.is_none() => {
-                spread(self.of.ambient, simd) * (simd.one() - self.metallic())
+                broadcast(self.of.ambient, simd) * (simd.one() - self.metallic())
             }
-            _ => spread(self.of.ambient, simd),
+            _ => broadcast(self.of.ambient, simd),
         }
     }
 }

@@ -5,7 +5,7 @@ use super::{
     ReflectionModel, Surface, Symbol, blinn_phong,
 };
 use crate::parameter::{K_A, K_D, K_S, Parameter, SHININESS};
-use crate::{Lobe, Spread};
+use crate::{Broadcast, Lobe};
 use luxel_math::{Lanes, elementary};
 
 pub(super) static MODEL: ReflectionModel = ReflectionModel {
@@ -70,7 +70,7 @@ const STEPS: Parameter = Parameter {
 ///
 /// Outlined, one copy per SIMD level, as [`microfacet::reflected`](super::microfacet::reflected) is.
 #[inline(never)]
-pub(crate) fn reflected<N: Lanes, K: Spread<N>>(
+pub(crate) fn reflected<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
     steps: f32,
@@ -82,7 +82,7 @@ pub(crate) fn reflected<N: Lanes, K: Spread<N>>(
 }
 
 #[inline(always)]
-fn in_steps<N: Lanes, K: Spread<N>>(
+fn in_steps<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,
     incidence: &Incidence<N>,
     steps: f32,

@@ -59,7 +59,7 @@ pub(crate) fn equation(
     point: &SurfacePoint<f32>,
     reflectance: &Reflectance<f32>,
     material: &Material,
-    surroundings: &LightingEnvironment<'_>,
+    lighting: &LightingEnvironment<'_>,
 ) -> Naive {
     let n = wide(point.normal.lane(0));
     let v = wide(point.view.lane(0));
@@ -73,10 +73,10 @@ pub(crate) fn equation(
         wide(reflectance.emission.lane(0))
     };
     let dark = if unlit { 0.0 } else { 1.0 };
-    let scene_ambient = times(product(o_a, wide(surroundings.scene_ambient())), dark);
+    let scene_ambient = times(product(o_a, wide(lighting.scene_ambient())), dark);
     let mut color = plus(emission, scene_ambient);
     let mut lights = Vec::new();
-    for placed in surroundings.lights() {
+    for placed in lighting.lights() {
         let light = placed.light();
         let axis = wide(placed.direction());
         let (to_light, attenuation) = if light.kind == LightKind::Directional {
@@ -106,7 +106,7 @@ pub(crate) fn equation(
         }
         lights.push(terms);
     }
-    if let Some(fog) = surroundings.fog() {
+    if let Some(fog) = lighting.fog() {
         let s = fog_factor(fog, f64::from(point.depth));
         color = plus(times(color, s), times(wide(fog.color), 1.0 - s));
     }

@@ -212,7 +212,7 @@ impl SplitLanes for Cut<'_> {
             (forms, corners)
         };
         let (x, y) = (simd.load(&asked.x, first).to_f64(), simd.load(&asked.y, first).to_f64());
-        let (mut weights, outside) = forms.told(x, y);
+        let (mut weights, outside) = forms.barycentrics(x, y);
         simd.visit(
             outside.bits() & lanes,
             #[inline(always)]

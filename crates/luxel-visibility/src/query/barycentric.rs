@@ -224,11 +224,11 @@ impl<D: F64Lanes> Forms<D> {
         self.linear.weights(x, y)
     }
 
-    /// The barycentrics at window position (x, y) in pixels: see [`LinearForms::told`].
+    /// The barycentrics at window position (x, y) in pixels: see [`LinearForms::barycentrics`].
     #[inline(always)]
     #[must_use]
-    pub fn told(&self, x: D, y: D) -> ([D::F32; 3], <D::F32 as Lanes>::Mask) {
-        self.linear.told(x, y)
+    pub fn barycentrics(&self, x: D, y: D) -> ([D::F32; 3], <D::F32 as Lanes>::Mask) {
+        self.linear.barycentrics(x, y)
     }
 
     /// The barycentrics one pixel to the right and one below: see [`LinearForms::beside`].
@@ -264,7 +264,7 @@ impl<D: F64Lanes> LinearForms<D> {
     /// to answer.
     #[inline(always)]
     #[must_use]
-    pub fn told(&self, x: D, y: D) -> ([D::F32; 3], <D::F32 as Lanes>::Mask) {
+    pub fn barycentrics(&self, x: D, y: D) -> ([D::F32; 3], <D::F32 as Lanes>::Mask) {
         let [w0, w1, w2] = self.weights(x, y);
         let scale = x.constant(1.0) / (w0 + w1 + w2);
         let [b0, b1, b2] = [(w0 * scale).to_f32(), (w1 * scale).to_f32(), (w2 * scale).to_f32()];
@@ -424,7 +424,7 @@ impl Forms {
     #[must_use]
     pub fn exact_barycentric(&self, rays: &WindowRays, position: [i32; 2]) -> [f32; 3] {
         let [x, y] = position.map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
-        let (barycentric, outside) = self.told(x, y);
+        let (barycentric, outside) = self.barycentrics(x, y);
         if outside { self.nearest_on_edges(rays, x, y) } else { barycentric }
     }
 
