@@ -29,8 +29,8 @@ fn light_blocks<S: Simd>(simd: S, material: &Material, lighting: &LightingEnviro
     };
     let mut sum = f32x16::splat(simd, 0.0);
     for block in 0..BLOCKS {
-        let x = broadcast(|at| (at % 251) as f32 / 251.0 - 0.5, block);
-        let y = broadcast(|at| (at % 239) as f32 / 239.0 - 0.5, block);
+        let x = spread(|at| (at % 251) as f32 / 251.0 - 0.5, block);
+        let y = spread(|at| (at % 239) as f32 / 239.0 - 0.5, block);
         let normal = Vec3::new(x, y, f32x16::splat(simd, 0.8)).normalized_or_zero();
         let position = normal + Vec3::splat(x, [0.0, 0.0, -3.0]);
         let view = (-position).normalized_or_zero();
