@@ -62,7 +62,7 @@ mod warnings;
 )]
 mod weld;
 
-pub use error::{Error, ErrorKind, Place};
+pub use error::{Error, ErrorKind, Hint, Place, UnknownFormat};
 pub use format::{Format, Loaded};
 pub use limits::{Limits, Progress};
 pub use open::{open, read};
@@ -71,3 +71,4 @@ pub use scene_toml::{
     Key, SceneModels, SceneText, Section, Setting, SettingValue, Shape, SurfaceChange,
     scene_settings, sections,
 };
+pub use warnings::Warning;
