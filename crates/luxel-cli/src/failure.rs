@@ -1,8 +1,13 @@
-//! What ends the program before its work is done, and with which status.
+//! Failures of the program, and the exit status of each.
 
+use crate::flag_words::error_text;
 use luxel::formats::{Error, ErrorKind, Place};
 use std::path::Path;
 use std::process::ExitCode;
+
+/// The status of a program that was interrupted, as shells report it: 128 and the number of the
+/// signal.
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Why the work was not done.
 #[derive(Debug)]
@@ -13,14 +18,14 @@ pub(crate) enum Failure {
     Work {
         /// What is wrong, with its place.
         what: String,
-        /// What to do about it; empty if `what` says it.
+        /// The remedy; empty if `what` contains it.
         remedy: String,
     },
-    /// A check has found something, and told it: status 3.
+    /// A check has reported findings: status 3.
     Findings,
-    /// Whoever reads the standard output has heard enough: no error at all.
-    Unheard,
-    /// A signal has ended the program, which has left everything in order: status 130.
+    /// The reader of the standard output has closed it: no error.
+    OutputClosed,
+    /// A signal has interrupted the program, which has cleaned up: status 130.
     #[cfg(feature = "viewer")]
     Interrupted,
 }
@@ -42,7 +47,7 @@ impl Failure {
     /// The standard output failed.
     pub(crate) fn standard_output(error: &std::io::Error) -> Self {
         if error.kind() == std::io::ErrorKind::BrokenPipe {
-            Self::Unheard
+            Self::OutputClosed
         } else {
             Self::work(format!("standard output: {error}"), "free what it is written to")
         }
@@ -54,9 +59,9 @@ impl Failure {
             Self::Usage(_) => ExitCode::from(2),
             Self::Work { .. } => ExitCode::FAILURE,
             Self::Findings => ExitCode::from(3),
-            Self::Unheard => ExitCode::SUCCESS,
+            Self::OutputClosed => ExitCode::SUCCESS,
             #[cfg(feature = "viewer")]
-            Self::Interrupted => ExitCode::from(crate::output::INTERRUPTED),
+            Self::Interrupted => ExitCode::from(INTERRUPTED),
         }
     }
 
@@ -66,7 +71,7 @@ impl Failure {
             Self::Usage(what) => vec![what, "for more, try `luxel help`"],
             Self::Work { what, remedy } if remedy.is_empty() => vec![what],
             Self::Work { what, remedy } => vec![what, remedy],
-            Self::Findings | Self::Unheard => Vec::new(),
+            Self::Findings | Self::OutputClosed => Vec::new(),
             #[cfg(feature = "viewer")]
             Self::Interrupted => Vec::new(),
         }
@@ -90,10 +95,12 @@ impl From<Error> for Failure {
                 "the file is damaged or written wrongly: export it again"
             }
             ErrorKind::Truncated(_) => "the file is incomplete: copy or export it again",
-            ErrorKind::Unsupported(_) => "export it in another way: glb, gltf, obj, stl or ply",
-            // The message says what to do.
+            ErrorKind::Unsupported(_) | ErrorKind::UnknownFormat(_) => {
+                "export it in another way: glb, gltf, obj, stl or ply"
+            }
+            // The message contains the remedy.
             _ => "",
         };
-        Self::work(error.to_string(), remedy)
+        Self::work(error_text(&error), remedy)
     }
 }

@@ -1,21 +1,18 @@
 //! The flags that a scene file brings: `[render]` read by the table of options of the command line.
 //!
 //! The keys of `[render]` are the flags of `luxel render`, and their values are read by the flags'
-//! own parsers: what the file says is put onto the command line, behind which nobody can tell where
-//! a flag came from. Flags that the user gives win, and so do flags that exclude one of the file's.
+//! own parsers: the settings are inserted into the command line, so that no command knows where a
+//! flag came from. Flags that the user gives win, and so do flags that exclude one of the file's.
 
 pub(crate) mod flags;
-#[cfg(test)]
-mod page;
 pub(crate) mod schema;
 
-use crate::cli::Cli;
 use crate::failure::Failure;
 use crate::model;
 use clap::error::{ContextKind, ContextValue, ErrorKind as UsageKind};
 use clap::parser::ValueSource;
-use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory, FromArgMatches};
-use flags::{Answer, answer};
+use clap::{Arg, ArgAction, ArgMatches, Command};
+use flags::{Lookup, look_up};
 use luxel::formats::{
     Error, ErrorKind, Format, Limits, Place, Setting, SettingValue, scene_settings,
 };
@@ -23,10 +20,10 @@ use std::error::Error as _;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Why there is no command to run.
+/// Why the line has no command to run.
 #[derive(Debug)]
 pub(crate) enum Refusal {
-    /// What clap has to say: help, the version, or what is wrong with the line.
+    /// Clap's message: help, version, or an error in the line.
     Line(Box<clap::Error>),
     /// The scene file is wrong.
     File(Failure),
@@ -38,18 +35,21 @@ impl From<clap::Error> for Refusal {
     }
 }
 
-/// The command that a line asks for, with what its scene file says, if its model is one.
-pub(crate) fn command_of(line: &[OsString]) -> Result<Cli, Refusal> {
-    let mut program = Cli::command();
-    // Building tells the commands of the flags that all of them take.
+/// The command and the flags of a line, with the settings of its scene file, if its model is one.
+pub(crate) fn matches(of: fn() -> Command, line: &[OsString]) -> Result<ArgMatches, Refusal> {
+    let mut program = of();
+    // Building adds the global flags to the commands.
     program.build();
     let matches = program.try_get_matches_from_mut(line)?;
     let settings = match matches.subcommand() {
         Some((_, given)) => settings(given).map_err(Refusal::File)?,
         None => Vec::new(),
     };
-    let Some((name, given)) = matches.subcommand().filter(|_| !settings.is_empty()) else {
-        return Ok(Cli::from_arg_matches(&matches)?);
+    if settings.is_empty() {
+        return Ok(matches);
+    }
+    let Some((name, given)) = matches.subcommand() else {
+        return Ok(matches);
     };
     let file = given.get_one::<OsString>("model").cloned().unwrap_or_default();
     let in_file = |error: Error| Refusal::File(error.in_file(&file).into());
@@ -63,12 +63,11 @@ pub(crate) fn command_of(line: &[OsString]) -> Result<Cli, Refusal> {
     let (before, behind) = line.split_at(after);
     let longer: Vec<OsString> =
         before.iter().cloned().chain(flags).chain(behind.iter().cloned()).collect();
-    let matches = Cli::command().try_get_matches_from(longer)?;
-    Ok(Cli::from_arg_matches(&matches)?)
+    Ok(of().try_get_matches_from(longer)?)
 }
 
-/// What the model says about flags, if it is a scene file. One that can't be read is told of later,
-/// when it is opened.
+/// The settings of the model, if it is a scene file. A file that can't be read fails later, when it is
+/// opened.
 fn settings(given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
     let Ok(Some(name)) = given.try_get_one::<OsString>("model") else { return Ok(Vec::new()) };
     let format = given.try_get_one::<Format>("format").ok().flatten();
@@ -89,15 +88,15 @@ fn settings(given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
 
 /// The settings make sense, each by itself and all together: for `luxel render`, whatever the
 /// command is, so that a file is right or wrong for all of them.
-fn check(settings: &[Setting], render: &Command) -> Result<(), Error> {
+pub(crate) fn check(settings: &[Setting], render: &Command) -> Result<(), Error> {
     let mut all: Vec<OsString> = Vec::new();
     for setting in settings {
         let wrong = |place: &Place, message: String| {
             Error::at(place.clone(), ErrorKind::Malformed(message))
         };
-        let arg = match answer(&setting.name, render) {
-            Answer::Flag(arg) => arg,
-            Answer::No(message) => return Err(wrong(&setting.place, message)),
+        let arg = match look_up(&setting.name, render) {
+            Lookup::Flag(arg) => arg,
+            Lookup::Refused(message) => return Err(wrong(&setting.place, message)),
         };
         let at_value =
             |message: String| wrong(&setting.value_place, format!("{}: {message}", setting.name));
@@ -133,7 +132,7 @@ fn named<'s>(settings: &'s [Setting], flag: &str) -> Option<&'s Setting> {
     settings.iter().find(|setting| setting.name == name)
 }
 
-/// What `luxel render` would say to these flags.
+/// Parses these flags as `luxel render` would.
 fn try_render(render: &Command, words: &[OsString]) -> Result<(), clap::Error> {
     let line = ["render", "--output=x.png"].map(OsString::from).into_iter();
     let line = line.chain(words.iter().cloned());
@@ -157,7 +156,7 @@ fn value_error(error: &clap::Error) -> Option<String> {
     }
 }
 
-/// What a setting is on the command line.
+/// A setting as words of the command line.
 fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
     let name = &setting.name;
     let given = |value: &String| OsString::from(format!("--{name}={value}"));
@@ -172,9 +171,9 @@ fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
     }
 }
 
-/// What a setting adds to a command's line: nothing where the line already says it or something that
-/// excludes it, or where the command has no such flag.
-fn flags_for(setting: &Setting, command: &Command, given: &ArgMatches) -> Vec<OsString> {
+/// The words that a setting adds to a line: none if the line has the flag or one that excludes it, or
+/// if the command has no such flag.
+pub(crate) fn flags_for(setting: &Setting, command: &Command, given: &ArgMatches) -> Vec<OsString> {
     let on_line = |arg: &Arg| {
         let id = arg.get_id().as_str();
         given.try_contains_id(id).is_ok_and(|known| known)
@@ -190,6 +189,3 @@ fn flags_for(setting: &Setting, command: &Command, given: &ArgMatches) -> Vec<Os
     });
     if is_overruled { Vec::new() } else { words(setting, arg).unwrap_or_default() }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,10 +1,11 @@
-//! What is wrong with a file, and where.
+//! Errors with their place in the file.
 
 use std::fmt;
 use std::path::PathBuf;
 
-/// Where in a file.
+/// A place in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Place {
     /// The file as a whole.
     File,
@@ -24,14 +25,32 @@ pub enum Place {
 pub struct Error {
     /// The file, if it isn't the standard input.
     pub file: Option<PathBuf>,
-    /// Where in it.
+    /// The place in the file.
     pub place: Place,
-    /// What.
+    /// The cause.
     #[source]
     pub kind: ErrorKind,
+    /// The hint of another error whose message `kind` repeats.
+    pub(crate) hint: Option<Hint>,
 }
 
-/// What is wrong.
+/// What the caller may do about an error or a warning.
+///
+/// It is data: messages don't know how a program lets its users do it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Hint {
+    /// Allow more memory: [`Limits::max_memory`](crate::Limits::max_memory).
+    RaiseMemoryLimit,
+    /// Pass the format to [`read`](crate::read()): the name of the file has no extension.
+    PassFormat,
+    /// Scale the lights: the file has them in lux, and pictures have no exposure.
+    ScaleLights,
+    /// Build `luxel-formats` with this cargo feature.
+    EnableFeature(&'static str),
+}
+
+/// The cause of an [`Error`].
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ErrorKind {
@@ -54,29 +73,96 @@ pub enum ErrorKind {
         /// How many there are.
         count: u64,
     },
+    /// The extension of the file is no format that luxel reads.
+    #[error(transparent)]
+    UnknownFormat(#[from] UnknownFormat),
     /// The file needs something that luxel can't do.
     #[error("{0}")]
     Unsupported(String),
-    /// The file asks for more than the limits allow.
-    #[error("{what} would take {needed} bytes; the limit is {limit}: raise it with --max-memory")]
-    TooLarge {
-        /// What asks.
+    /// This build lacks what reads the file.
+    #[error("{what} can't be read: luxel-formats was built without its feature `{feature}`")]
+    MissingFeature {
+        /// What can't be read.
         what: String,
-        /// Bytes asked for.
+        /// The cargo feature that reads it.
+        feature: &'static str,
+    },
+    /// The file needs more memory than the limits allow.
+    #[error("{what} would take {needed} bytes; the limit is {limit}")]
+    TooLarge {
+        /// What needs it.
+        what: String,
+        /// Bytes needed.
         needed: u64,
         /// Bytes allowed.
         limit: u64,
     },
-    /// Whoever watches the reading has stopped it.
+    /// [`Progress::stop`](crate::Progress::stop) was called.
     #[error("reading was stopped")]
     Stopped,
+}
+
+/// Text that is not the name of a [`Format`](crate::Format).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownFormat {
+    /// The text; empty for a file name without an extension.
+    pub name: String,
+}
+
+impl fmt::Display for UnknownFormat {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name } = self;
+        if name.is_empty() {
+            return formatter.write_str("the name has no extension to tell the format");
+        }
+        write!(
+            formatter,
+            "`{name}` is no format that luxel reads: use glb, gltf, obj, stl, ply or toml"
+        )
+    }
+}
+
+impl std::error::Error for UnknownFormat {}
+
+impl UnknownFormat {
+    /// The remedy.
+    #[must_use]
+    pub fn hint(&self) -> Option<Hint> {
+        self.name.is_empty().then_some(Hint::PassFormat)
+    }
+}
+
+impl ErrorKind {
+    /// A remedy that the message leaves out.
+    #[must_use]
+    pub fn hint(&self) -> Option<Hint> {
+        match self {
+            Self::TooLarge { .. } => Some(Hint::RaiseMemoryLimit),
+            Self::MissingFeature { feature, .. } => Some(Hint::EnableFeature(feature)),
+            Self::UnknownFormat(unknown) => unknown.hint(),
+            _ => None,
+        }
+    }
 }
 
 impl Error {
     /// An error at a place of the input being read; [`Error::in_file`] adds the file.
     #[must_use]
     pub const fn at(place: Place, kind: ErrorKind) -> Self {
-        Self { file: None, place, kind }
+        Self { file: None, place, kind, hint: None }
+    }
+
+    /// A remedy that the message leaves out.
+    #[must_use]
+    pub fn hint(&self) -> Option<Hint> {
+        self.hint.or_else(|| self.kind.hint())
+    }
+
+    /// Adds the hint of another error whose message this one repeats.
+    #[cfg(feature = "gltf")]
+    pub(crate) const fn with_hint(mut self, hint: Option<Hint>) -> Self {
+        self.hint = hint;
+        self
     }
 
     /// Names the file, unless a nested file has been named already.
@@ -85,6 +171,12 @@ impl Error {
         self.file.get_or_insert_with(|| file.into());
         self
     }
+}
+
+/// The error of a build that lacks a reader.
+#[allow(dead_code, reason = "a build with all features lacks nothing")]
+pub(crate) fn missing_feature(what: impl Into<String>, feature: &'static str) -> ErrorKind {
+    ErrorKind::MissingFeature { what: what.into(), feature }
 }
 
 impl Place {

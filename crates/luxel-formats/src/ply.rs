@@ -12,7 +12,7 @@ mod header;
 mod source;
 mod vertices;
 
-use crate::files::Stored;
+use crate::block_reader::BlockReader;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
 use faces::Faces;
@@ -36,12 +36,12 @@ const HEAD: usize = 1 << 16;
 /// Reads a long binary file without holding it in memory: one of vertices and triangles alone.
 /// `None` for others.
 pub(crate) fn stream(
-    file: &Stored<'_>,
+    file: &BlockReader<'_>,
     name: &str,
     limits: &Limits,
 ) -> Result<Option<Loaded>, Error> {
-    let head = file.with(0, HEAD, Header::read);
-    file.sound()?;
+    let head = file.with_block(0, HEAD, Header::read);
+    file.check()?;
     let Ok(header) = head else { return Ok(None) };
     let is_table = |element: &Element| match element.name.as_str() {
         "edge" | "tristrips" => false,
@@ -51,11 +51,11 @@ pub(crate) fn stream(
     if header.encoding == Encoding::Text || !header.elements.iter().all(is_table) {
         return Ok(None);
     }
-    file.expect();
-    let source = Source::stored(file, header.body, header.encoding);
+    file.begin();
+    let source = Source::streamed(file, header.body, header.encoding);
     let content = read_body(&header, source, limits);
-    file.reached(file.length());
-    file.sound()?;
+    file.advance_to(file.length());
+    file.check()?;
     let content = content?;
     if content.faces.need_whole_file {
         return Ok(None);

@@ -1,7 +1,7 @@
 //! STL: triangles without connections, binary or text.
 //!
-//! The two kinds are told apart by content: a file of exactly 84 + 50 n bytes, n being the count
-//! after its header, is binary whatever the header says; otherwise text begins with `solid` and
+//! The content distinguishes the two: a file of exactly 84 + 50 n bytes, n being the count after its
+//! header, is binary whatever the header contains; otherwise text begins with `solid` and
 //! has a facet or an end before its first zero byte. Corners in the same place, bit for bit (-0 is
 //! 0), are welded, so that surfaces can be shaded smoothly. The normals of the file are left aside,
 //! since they say no more than the corners and are often wrong.
@@ -9,8 +9,8 @@
 mod ascii;
 mod binary;
 
-use crate::files::Stored;
-use crate::warnings::Warnings;
+use crate::block_reader::BlockReader;
+use crate::warnings::{Warnings, warn_of_faces_left_out};
 use crate::weld::{BYTES_PER_KEY, Welder};
 use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
 use luxel_scene::{DVec3, MaterialId, Mesh, MeshId, Node, Part, Scene, SceneMaterial};
@@ -31,7 +31,7 @@ pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, 
 
 /// Reads a long binary file without holding it in memory; `None` for others.
 pub(crate) fn stream(
-    file: &Stored<'_>,
+    file: &BlockReader<'_>,
     name: &str,
     limits: &Limits,
 ) -> Result<Option<Loaded>, Error> {
@@ -54,19 +54,10 @@ fn loaded(solids: Vec<(String, Facets)>, mut warnings: Warnings) -> Loaded {
     Loaded { scene, format: Format::Stl, warnings: warnings.finish() }
 }
 
-/// One warning for all faces that can't be drawn.
-pub(crate) fn warn_of_faces_left_out(count: u64, warnings: &mut Warnings) {
-    match count {
-        0 => {}
-        1 => warnings.push("1 face with a corner that is not finite was left out".to_owned()),
-        _ => warnings.push(format!("{count} faces with a corner that is not finite were left out")),
-    }
-}
-
 fn is_text(bytes: &[u8]) -> bool {
     // Keywords come soon: a name is seldom longer than this.
     const WITHIN: usize = 4096;
-    if binary::size_said(bytes) == Some(bytes.len() as u64) {
+    if binary::declared_size(bytes) == Some(bytes.len() as u64) {
         return false;
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
@@ -139,7 +130,7 @@ fn is_finite(corners: &[[f32; 3]; 3]) -> bool {
     corners.as_flattened().iter().all(|value| value.is_finite())
 }
 
-/// What tells corners apart. Adding 0 turns -0 into 0 and changes nothing else.
+/// The key by which corners are welded. Adding 0 turns -0 into 0 and changes nothing else.
 fn key(corner: [f32; 3]) -> [u32; 3] {
     corner.map(|value| (value + 0.0).to_bits())
 }

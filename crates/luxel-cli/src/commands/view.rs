@@ -6,6 +6,8 @@ use crate::options::{
 };
 #[cfg(not(feature = "viewer"))]
 use crate::{console::Console, failure::Failure};
+#[cfg(not(feature = "viewer"))]
+use clap::Command;
 use clap::{Args, ValueEnum};
 use luxel::navigation::Mode;
 use std::ffi::OsString;
@@ -89,7 +91,7 @@ enum ThemeName {
 
 #[cfg(not(feature = "viewer"))]
 impl ViewCommand {
-    pub(crate) fn run(self, _: Console) -> Result<(), Failure> {
+    pub(crate) fn run(self, _: Console, _: &[OsString], _: Command) -> Result<(), Failure> {
         let what = "this build of luxel has no window";
         Err(Failure::work(what, "build it with `--features viewer`, or use `luxel render`"))
     }
@@ -98,7 +100,7 @@ impl ViewCommand {
 #[cfg(feature = "viewer")]
 mod keys;
 #[cfg(feature = "viewer")]
-mod line;
+pub(crate) mod line;
 #[cfg(feature = "viewer")]
 mod saved;
 
@@ -108,13 +110,12 @@ mod window {
     use super::line::line;
     use super::saved;
     use super::{GraphicsName, ThemeName, ViewCommand};
-    use crate::cli::{Cli, with_command};
     use crate::console::Console;
     use crate::failure::Failure;
     use crate::options::InputOptions;
     use crate::{model, navigation, output, surface, view};
     use clap::parser::ValueSource;
-    use clap::{ArgMatches, CommandFactory};
+    use clap::{ArgMatches, Command};
     use luxel_viewer::{
         Graphics, GraphicsChoice, LoadProgress, Model, Options, Outcome, TerminalOptions,
         ThemeChoice, ViewerError, leave_terminal, view_in_terminal,
@@ -127,27 +128,33 @@ mod window {
     const WELCOME: &str = "demo:welcome";
 
     /// Whether the words of the command line name a model.
-    fn names_model(words: Vec<OsString>) -> bool {
-        let matches = Cli::command().try_get_matches_from(words).ok();
+    fn names_model(program: &Command, words: &[OsString]) -> bool {
+        let matches = program.clone().try_get_matches_from(words).ok();
         let matches = matches.as_ref().and_then(ArgMatches::subcommand);
         let source = matches.and_then(|(_, view)| view.value_source("model"));
         source.is_none_or(|source| source == ValueSource::CommandLine)
     }
 
-    /// Gives up what is not wanted any more; nobody hears of it.
+    /// Fails after a stop; the failure is not shown.
     fn stopped(progress: &LoadProgress) -> Result<(), Failure> {
         if progress.is_stopped() { Err(Failure::work("it was stopped", "")) } else { Ok(()) }
     }
 
-    /// Writes a file; says what is wrong, and nothing of flags, which named no such file.
+    /// Writes a file. The error leaves the remedy out, which names a flag.
     fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
         output::write_file(path, bytes)
             .map_err(|failure| failure.lines().first().copied().unwrap_or_default().to_owned())
     }
 
     impl ViewCommand {
-        pub(crate) fn run(mut self, console: Console) -> Result<(), Failure> {
-            if !names_model(with_command(std::env::args_os())) {
+        /// `words` is the whole command line, `program` its definition.
+        pub(crate) fn run(
+            mut self,
+            console: Console,
+            words: &[OsString],
+            program: Command,
+        ) -> Result<(), Failure> {
+            if !names_model(&program, words) {
                 self.input.model = WELCOME.into();
             }
             if self.input.model == "-" && self.replay.as_deref() == Some("-".as_ref()) {
@@ -157,6 +164,7 @@ mod window {
             if self.terminal {
                 return self.in_terminal(console);
             }
+            let words = words.to_vec();
             let files: Vec<_> = std::iter::once(&self.input.model).chain(&self.more).collect();
             for file in &files {
                 self.check_model(file, console)?;
@@ -179,8 +187,8 @@ mod window {
                 keys: keys::keys(self.keys.as_deref())?,
                 execution: view::execution(&self.execution),
                 write: Box::new(write),
-                print: Box::new(|file, seen| {
-                    let line = line(&with_command(std::env::args_os()), file, seen);
+                print: Box::new(move |file, seen| {
+                    let line = line(&program, &words, file, seen);
                     // Who reads it may be gone; the window is still there.
                     let _ = output::print(&format!("{line}\n"));
                     line
@@ -190,8 +198,8 @@ mod window {
                     write(&path, text.as_bytes())?;
                     Ok(path.display().to_string())
                 }),
-                on_interrupt: Box::new(output::when_interrupted),
-                notice: Box::new(move |what| console.tell(what)),
+                on_interrupt: Box::new(output::on_interrupt),
+                notice: Box::new(move |what| console.notice(what)),
                 detail: Box::new(move |what| console.detail(what)),
             };
             // What went wrong on the thread that loads.
@@ -251,7 +259,7 @@ mod window {
                 execution: view::execution(&self.execution),
                 write: Box::new(write),
             };
-            output::when_interrupted(Box::new(|| {
+            output::on_interrupt(Box::new(|| {
                 leave_terminal();
                 false
             }));
@@ -264,7 +272,7 @@ mod window {
             })
         }
 
-        /// Says before any window opens that there is no such file, or that it is a folder.
+        /// Fails before a window opens if there is no such file, or it is a folder.
         fn check_model(&self, model: &OsStr, console: Console) -> Result<(), Failure> {
             let is_file = model != "-" && !model.to_string_lossy().starts_with("demo:");
             if is_file && !std::fs::metadata(model).is_ok_and(|there| !there.is_dir()) {
@@ -273,7 +281,7 @@ mod window {
             Ok(())
         }
 
-        /// Another model, of the same format if that is told.
+        /// Another model, of the same format if `--format` is given.
         fn input(&self, model: &OsStr) -> InputOptions {
             InputOptions { model: model.to_owned(), format: self.input.format }
         }
@@ -285,8 +293,8 @@ mod window {
             progress: &LoadProgress,
         ) -> Result<Model, Failure> {
             let input = self.input(file);
-            let watch = Some(progress.reader.clone());
-            let mut model = model::load_watched(&input, &self.execution, console, watch)?;
+            let reading = Some(progress.reader.clone());
+            let mut model = model::load_with_progress(&input, &self.execution, console, reading)?;
             progress.file_parsed();
             stopped(progress)?;
             if model.scene.is_empty() {

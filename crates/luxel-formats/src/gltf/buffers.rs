@@ -1,7 +1,7 @@
 //! Buffers and the views into them: where the bytes of geometry and images come from.
 //!
-//! Both are read when something asks for them, so that what nothing uses may be missing: buffers
-//! that only stand in for compressed data are exactly that.
+//! Both are read on first use, so that unused ones may be missing, such as the fallback buffers of
+//! compressed data.
 
 use super::meshopt;
 use super::uri::{self, Target};
@@ -98,7 +98,7 @@ impl<'a> Buffers<'a> {
         let place = || Place::Pointer(format!("{pointer}/count"));
         self.memory.take("decompressed geometry", meshopt.count, meshopt.byte_stride, place())?;
         let bytes = meshopt::decompress(meshopt, stream)
-            .map_err(|message| malformed(&*pointer, message))?;
+            .map_err(|kind| Error::at(Place::Pointer(pointer.clone()), kind))?;
         Ok(cell.get_or_init(|| bytes))
     }
 
@@ -174,7 +174,8 @@ impl<'a> Buffers<'a> {
             return Err(because(&"it is no file"));
         }
         self.memory.take("a file beside the document", metadata.len(), 1, place())?;
-        files::read_file(&path, &self.memory.left()).map_err(|error| because(&error.kind))
+        files::read_file(&path, &self.memory.left())
+            .map_err(|error| because(&error.kind).with_hint(error.hint()))
     }
 
     /// The document that all this belongs to.

@@ -1,7 +1,7 @@
 //! From MTL's statements to materials of the scene.
 //!
-//! MTL is the lighting model of the equation, term by term; what a material doesn't say has the
-//! defaults of every file that says nothing. Beyond that:
+//! MTL has the terms of the lighting equation; missing statements get the defaults of materials without
+//! a file. Beyond that:
 //! - `illum 0` is unlit, 1 has no highlight, all others are Blinn-Phong.
 //! - `Kd` left out beside a `map_Kd` is white, and so for the other colours and their maps.
 //! - `Ka` with `map_Kd` but without `map_Ka`: the ambient colour is `Ka` times the diffuse texture,
@@ -18,7 +18,7 @@ use crate::image;
 use crate::memory::Memory;
 use crate::text::shown;
 use crate::warnings::Warnings;
-use crate::{Limits, Place, files};
+use crate::{Limits, Place, Warning, files};
 use luxel_lighting::Reflection;
 use luxel_scene::{
     AlphaMode, Encoding, Image, MaterialId, Sampler, SceneMaterial, Texture, TextureId, TextureUse,
@@ -205,12 +205,12 @@ impl<'a> Materials<'a> {
         texture.and_then(|texture| texture.image.levels.first()).map_or(&[], |level| &level.texels)
     }
 
-    /// Loads a texture, or what stands for it.
+    /// Loads a texture, or its stand-in.
     fn texture(&mut self, map: &Map, used: Use, warnings: &mut Warnings) -> TextureUse {
         let key = (map.name.clone(), used, map.clamp);
         let texture = self.loaded.get(&key).copied().unwrap_or_else(|| {
-            let image = self.image(&map.name, used).unwrap_or_else(|message| {
-                warnings.push(format!("texture `{}`: {message}", map.name));
+            let image = self.image(&map.name, used).unwrap_or_else(|warning| {
+                warnings.push(warning.at(format_args!("texture `{}`", map.name)));
                 match used {
                     Use::Color => Image::stand_in(map.name.clone()),
                     // Opaque and flat: nothing is to be seen of them.
@@ -234,15 +234,15 @@ impl<'a> Materials<'a> {
         TextureUse { transform, strength: map.strength, ..TextureUse::new(texture) }
     }
 
-    fn image(&self, name: &str, used: Use) -> Result<Image, String> {
+    fn image(&self, name: &str, used: Use) -> Result<Image, Warning> {
         let path = files::within(self.folder, name)?;
         let limits = self.memory.left();
-        let bytes = files::read_file(&path, &limits).map_err(|error| error.kind.to_string())?;
+        let bytes = files::read_file(&path, &limits).map_err(|error| Warning::from(error.kind))?;
         let encoding = if used == Use::Color { Encoding::Srgb } else { Encoding::Linear };
         let mut image = image::decode(name, &bytes, encoding, &limits)?;
         let texels = image.levels[0].texels.len() as u64;
         let taken = self.memory.take("the textures", texels, BYTES_PER_TEXEL, Place::File);
-        taken.map_err(|error| error.kind.to_string())?;
+        taken.map_err(|error| Warning::from(error.kind))?;
         if used == Use::Opacity && image.levels[0].texels.iter().any(|texel| texel[3] < 255) {
             // A picture with alpha that is named for its opacity means its alpha.
             for texel in image.levels.iter_mut().flat_map(|level| &mut level.texels) {
@@ -265,16 +265,16 @@ fn library_files(
     warnings: &mut Warnings,
 ) -> Vec<(String, Vec<u8>)> {
     let whole = String::from_utf8_lossy(line).into_owned();
-    let mut read = |name: &str, tell: bool| {
-        let bytes = files::within(folder, name).and_then(|path| {
-            files::read_file(&path, limits).map_err(|error| error.kind.to_string())
-        });
+    let mut read = |name: &str, warns: bool| {
+        let bytes = files::within(folder, name)
+            .map_err(Warning::from)
+            .and_then(|path| files::read_file(&path, limits).map_err(|error| error.kind.into()));
         match bytes {
             Ok(bytes) => Some((name.to_owned(), bytes)),
-            Err(message) => {
-                if tell {
+            Err(warning) => {
+                if warns {
                     let what = "its materials are left out";
-                    warnings.push(format!("library `{name}`: {what}: {message}"));
+                    warnings.push(warning.at(format_args!("library `{name}`: {what}")));
                 }
                 None
             }

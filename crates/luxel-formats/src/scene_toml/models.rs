@@ -6,7 +6,7 @@ use super::nodes::Nodes;
 use super::transform::transform;
 use crate::memory::Memory;
 use crate::warnings::Warnings;
-use crate::{Error, ErrorKind, Format, files, open};
+use crate::{Error, ErrorKind, Format, files, model_file};
 use luxel_scene::{
     MaterialId, Mesh, MeshId, Node, NodeId, Placement, Scene, SceneCamera, SceneLight, TextureId,
     demos,
@@ -14,7 +14,7 @@ use luxel_scene::{
 use std::collections::HashMap;
 use std::path::Path;
 
-/// All models, with what is told about them elsewhere.
+/// All models, with what other tables need of them.
 pub(super) struct Models {
     /// Meshes, materials, textures and nodes of all models.
     pub(super) scene: Scene,
@@ -33,7 +33,7 @@ pub(super) struct Model {
     pub(super) name: String,
     /// Its nodes, first and last but one.
     pub(super) nodes: std::ops::Range<usize>,
-    /// The material for all of it, and where that is said.
+    /// The material for all of it, and the place of its key.
     pub(super) material: Option<(String, crate::Place)>,
 }
 
@@ -76,7 +76,7 @@ pub(super) fn read(
     Ok(models)
 }
 
-/// Reads what a name stands for.
+/// Reads the file or demo that a name refers to.
 fn open_source(
     table: &Table<'_>,
     name: &str,
@@ -96,8 +96,8 @@ fn open_source(
         let message = format!("`{name}` is a scene file, and these don't hold one another");
         return Err(table.error_at("source", message));
     }
-    let loaded = open(&path, &memory.left()).map_err(|error| match error.kind {
-        // What is missing is told where it is asked for.
+    let loaded = model_file::open(&path, &memory.left()).map_err(|error| match error.kind {
+        // A missing file is an error of the key that names it.
         ErrorKind::Io(io) if error.file.as_deref() == Some(&path) => {
             table.error_at("source", format!("{}: {io}", path.display()))
         }
@@ -105,7 +105,7 @@ fn open_source(
     })?;
     debug_assert!(loaded.format != Format::Toml, "scene files don't hold one another");
     for warning in loaded.warnings {
-        warnings.push(format!("{name}: {warning}"));
+        warnings.push(warning.at(name));
     }
     Ok(loaded.scene)
 }

@@ -1,8 +1,7 @@
-//! Values as text: how a point, a colour, a light or a model of reflection is written, on the
-//! command line and in scene files.
+//! Text forms of points, colours, lights and models of reflection, as scene files and command lines
+//! have them.
 //!
-//! A parser answers wrong text with one sentence that says what would be right; whoever asked adds
-//! where the text stands.
+//! Errors are one sentence that says what is right; callers add where the text stands.
 
 mod fields;
 mod fog;
@@ -15,11 +14,13 @@ mod vector;
 
 pub use fields::{FieldError, Fields};
 pub use fog::{fog, fog_of};
+#[cfg(feature = "gltf")]
 pub(crate) use light::LEAST_CONE_EDGE;
 pub use light::{LightSpec, cos_cutoff, cutoff_degrees, light, light_of, light_text, light_usage};
 pub use nearest::nearest;
 pub use number::{degrees, far_plane, finite, fov, non_negative_f32, positive, unit_interval};
 pub use reflection::{parameter, reflection, reflection_choices, reflection_text};
 pub use surroundings::{Surroundings, surroundings};
+#[cfg(feature = "toml")]
 pub(crate) use vector::numbers;
 pub use vector::{background, color, direction, intrinsics, point, reflectance, up, view_matrix};

@@ -2,9 +2,10 @@
 //!
 //! `LUXEL_BLESS=1` writes page and schema instead of comparing them.
 
-use super::{flags, schema};
-use crate::cli::Cli;
+use super::Cli;
 use crate::commands;
+use crate::flag_words::with_flags;
+use crate::scene_file::{flags, schema};
 use clap::CommandFactory;
 use luxel::formats::{Key, Section, Shape, sections};
 use luxel::lighting::{REFLECTION_MODELS, ReflectionModel};
@@ -29,7 +30,7 @@ fn assert_is_up_to_date(name: &str, expected: &str) {
 
 #[test]
 fn the_schema_says_what_scene_files_may_say() {
-    assert_is_up_to_date("scene.schema.json", &commands::schema::text());
+    assert_is_up_to_date("scene.schema.json", &commands::schema::text(Cli::command()));
 }
 
 #[test]
@@ -82,7 +83,7 @@ fn table(section: &Section, text: &mut String) {
         (name, true) => format!("`[[{name}]]`"),
         (name, false) => format!("`[{name}]`"),
     };
-    write!(text, "\n### {title}\n\n{}.\n\n", section.about).unwrap();
+    write!(text, "\n### {title}\n\n{}.\n\n", with_flags(section.about)).unwrap();
     text.push_str("| key | meaning | for example |\n| --- | --- | --- |\n");
     for Key { name, shape, required, about, example } in section.keys {
         let mark = if *required { " (needed)" } else { "" };
