@@ -57,6 +57,14 @@ pub enum ErrorKind {
     /// The file needs something that luxel can't do.
     #[error("{0}")]
     Unsupported(String),
+    /// This build lacks what reads the file.
+    #[error("{what} can't be read: luxel-formats was built without its feature `{feature}`")]
+    MissingFeature {
+        /// What can't be read.
+        what: String,
+        /// The cargo feature that reads it.
+        feature: &'static str,
+    },
     /// The file asks for more than the limits allow.
     #[error("{what} would take {needed} bytes; the limit is {limit}: raise it with --max-memory")]
     TooLarge {
@@ -85,6 +93,12 @@ impl Error {
         self.file.get_or_insert_with(|| file.into());
         self
     }
+}
+
+/// What a file needs, and this build lacks.
+#[allow(dead_code, reason = "a build with all features lacks nothing")]
+pub(crate) fn missing_feature(what: impl Into<String>, feature: &'static str) -> ErrorKind {
+    ErrorKind::MissingFeature { what: what.into(), feature }
 }
 
 impl Place {

@@ -1,18 +1,17 @@
 //! Files in: whole, in parallel blocks, and never more than the limits allow.
 
-use crate::{Error, ErrorKind, Limits, Place, Progress};
+use crate::{Error, Limits, Place, Progress};
 use luxel_parallel::each;
-use std::cell::RefCell;
 use std::fs::{File, Metadata};
 use std::io::{Read, Seek, SeekFrom};
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::path::Path;
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+use std::path::PathBuf;
 
 /// What one thread reads at a time.
 const BLOCK: usize = 4 << 20;
 /// Shorter files are read in one go.
-const LONG: u64 = 2 * BLOCK as u64;
+pub(crate) const LONG: u64 = 2 * BLOCK as u64;
 
 /// Reads a file.
 pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> {
@@ -37,7 +36,7 @@ pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> 
 }
 
 /// What the system says of a file that may be read.
-fn checked(path: &Path, limits: &Limits) -> Result<Metadata, Error> {
+pub(crate) fn checked(path: &Path, limits: &Limits) -> Result<Metadata, Error> {
     let in_file = |kind| Error::at(Place::File, kind).in_file(path);
     let metadata = std::fs::metadata(path).map_err(|error| in_file(error.into()))?;
     if metadata.is_dir() {
@@ -47,95 +46,6 @@ fn checked(path: &Path, limits: &Limits) -> Result<Metadata, Error> {
     let fits = limits.check("the file", metadata.len(), 1, Place::File);
     fits.map_err(|error| error.in_file(path))?;
     Ok(metadata)
-}
-
-/// A long file, read where and when its bytes are wanted, into memory that is used again: it needs no
-/// room of its own, and the system no time to make that.
-pub(crate) struct Stored<'a> {
-    path: &'a Path,
-    length: u64,
-    watch: Option<&'a Progress>,
-    /// The bytes that whoever watches knows of.
-    reached: AtomicU64,
-    /// The first failure to read.
-    failure: Mutex<Option<std::io::Error>>,
-}
-
-thread_local! {
-    static READ: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
-}
-
-impl<'a> Stored<'a> {
-    /// `None` for short files, and for pipes.
-    pub(crate) fn open(path: &'a Path, limits: &'a Limits) -> Result<Option<Self>, Error> {
-        let metadata = checked(path, limits)?;
-        let length = metadata.len();
-        if !metadata.is_file() || length < LONG {
-            return Ok(None);
-        }
-        let watch = limits.watch.as_ref();
-        Ok(Some(Self {
-            path,
-            length,
-            watch,
-            reached: AtomicU64::new(0),
-            failure: Mutex::new(None),
-        }))
-    }
-
-    pub(crate) const fn length(&self) -> u64 {
-        self.length
-    }
-
-    /// Looks at some bytes; at none if they can't be read, and then the file is [unsound](Self::sound).
-    pub(crate) fn with<R>(&self, start: u64, length: usize, look: impl FnOnce(&[u8]) -> R) -> R {
-        READ.with_borrow_mut(|bytes| {
-            bytes.resize(bytes.len().max(length), 0);
-            let bytes = &mut bytes[..length];
-            // What is not wanted any more ends at the next check of the limits.
-            if self.watch.is_some_and(Progress::is_stopped) {
-                return look(&[]);
-            }
-            let read = File::open(self.path).and_then(|mut file| {
-                file.seek(SeekFrom::Start(start))?;
-                file.read_exact(bytes)
-            });
-            match read {
-                Ok(()) => look(bytes),
-                Err(error) => {
-                    let mut failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner);
-                    failure.get_or_insert(error);
-                    look(&[])
-                }
-            }
-        })
-    }
-
-    /// Tells whoever watches that the file is going to be read.
-    pub(crate) fn expect(&self) {
-        if let Some(watch) = self.watch {
-            watch.expect(self.length);
-        }
-    }
-
-    /// Tells whoever watches that the bytes before this one have been read.
-    pub(crate) fn reached(&self, byte: u64) {
-        if let Some(watch) = self.watch {
-            watch.advance(byte - self.reached.swap(byte, Ordering::Relaxed));
-        }
-    }
-
-    /// Whether all that was looked at was there.
-    pub(crate) fn sound(&self) -> Result<(), Error> {
-        let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
-        if let Some(error) = failure {
-            return Err(Error::at(Place::File, error.into()));
-        }
-        if self.watch.is_some_and(Progress::is_stopped) {
-            return Err(Error::at(Place::File, ErrorKind::Stopped));
-        }
-        Ok(())
-    }
 }
 
 fn read_stream(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
@@ -169,6 +79,7 @@ fn read_blocks(path: &Path, length: u64, watch: Option<&Progress>) -> std::io::R
 
 /// The file that a name in a model file refers to: within the model's folder, whatever the system
 /// writes between folders. What is wrong with the name is told in a sentence.
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
 pub(crate) fn within(folder: Option<&Path>, name: &str) -> Result<PathBuf, String> {
     let folder = folder.ok_or_else(|| {
         format!("`{name}` isn't read: a model from the standard input has no folder beside it")

@@ -11,12 +11,14 @@ mod buffers;
 mod cameras;
 mod container;
 mod document;
+#[cfg_attr(not(feature = "draco"), path = "gltf/no_draco.rs")]
 mod draco;
 mod extensions;
 mod instancing;
 mod lights;
 mod materials;
 mod mesh;
+#[cfg_attr(not(feature = "meshopt"), path = "gltf/no_meshopt.rs")]
 mod meshopt;
 mod pose;
 mod scene;

@@ -2,30 +2,71 @@
 //!
 //! Every reader takes bytes from anywhere, checks counts and indices before it allocates or reads,
 //! and answers damaged input with an [`Error`] that names the place. None panics.
+//!
+//! # Features
+//!
+//! All are on by default. What needs a feature that is off ends with [`ErrorKind::MissingFeature`],
+//! which names it; a texture is replaced by a stand-in, with a warning.
+//!
+//! - `gltf` reads glTF 2.0 and GLB.
+//! - `draco` reads glTF geometry compressed by `KHR_draco_mesh_compression`, and turns `gltf` on.
+//! - `meshopt` reads glTF geometry compressed by `EXT_meshopt_compression`, and turns `gltf` on.
+//! - `obj` reads OBJ with MTL.
+//! - `ply` reads PLY, text and binary.
+//! - `stl` reads STL, text and binary.
+//! - `toml` reads and writes scene files.
+//! - `png` decodes PNG textures of glTF and MTL.
+//! - `jpeg` decodes JPEG textures of glTF and MTL.
 
 #![forbid(unsafe_code)]
 
+#[cfg(any(feature = "ply", feature = "stl"))]
+mod block_reader;
+#[cfg(any(feature = "obj", feature = "ply"))]
 mod color;
+#[cfg(any(feature = "obj", feature = "ply"))]
 mod direction;
 mod error;
 mod files;
+mod format;
+#[cfg(feature = "gltf")]
 mod gltf;
+#[cfg(any(feature = "gltf", feature = "obj"))]
 mod image;
 mod limits;
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
 mod memory;
+mod model_file;
+#[cfg(feature = "obj")]
 mod obj;
 mod open;
+#[cfg(feature = "ply")]
 mod ply;
+#[cfg(feature = "toml")]
 mod scene_toml;
+#[cfg(feature = "stl")]
 mod stl;
+#[cfg(any(feature = "obj", feature = "ply", feature = "stl"))]
+#[cfg_attr(
+    not(all(feature = "obj", feature = "ply", feature = "stl")),
+    allow(dead_code, reason = "each reader uses a part of it")
+)]
 mod text;
 pub mod values;
+#[cfg(any(feature = "gltf", feature = "obj", feature = "ply", feature = "stl", feature = "toml"))]
 mod warnings;
+#[cfg(any(feature = "obj", feature = "stl"))]
+#[cfg_attr(
+    not(all(feature = "obj", feature = "stl")),
+    allow(dead_code, reason = "each reader uses a part of it")
+)]
 mod weld;
 
 pub use error::{Error, ErrorKind, Place};
+pub use format::{Format, Loaded};
 pub use limits::{Limits, Progress};
-pub use open::{Format, Loaded, open, read};
+pub use open::{open, read};
+#[cfg(feature = "toml")]
 pub use scene_toml::{
     Key, SceneModels, SceneText, Section, Setting, SettingValue, Shape, SurfaceChange,
     scene_settings, sections,

@@ -12,7 +12,7 @@ mod header;
 mod source;
 mod vertices;
 
-use crate::files::Stored;
+use crate::block_reader::BlockReader;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
 use faces::Faces;
@@ -36,7 +36,7 @@ const HEAD: usize = 1 << 16;
 /// Reads a long binary file without holding it in memory: one of vertices and triangles alone.
 /// `None` for others.
 pub(crate) fn stream(
-    file: &Stored<'_>,
+    file: &BlockReader<'_>,
     name: &str,
     limits: &Limits,
 ) -> Result<Option<Loaded>, Error> {
@@ -52,7 +52,7 @@ pub(crate) fn stream(
         return Ok(None);
     }
     file.expect();
-    let source = Source::stored(file, header.body, header.encoding);
+    let source = Source::streamed(file, header.body, header.encoding);
     let content = read_body(&header, source, limits);
     file.reached(file.length());
     file.sound()?;

@@ -9,8 +9,8 @@
 mod ascii;
 mod binary;
 
-use crate::files::Stored;
-use crate::warnings::Warnings;
+use crate::block_reader::BlockReader;
+use crate::warnings::{Warnings, warn_of_faces_left_out};
 use crate::weld::{BYTES_PER_KEY, Welder};
 use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
 use luxel_scene::{DVec3, MaterialId, Mesh, MeshId, Node, Part, Scene, SceneMaterial};
@@ -31,7 +31,7 @@ pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, 
 
 /// Reads a long binary file without holding it in memory; `None` for others.
 pub(crate) fn stream(
-    file: &Stored<'_>,
+    file: &BlockReader<'_>,
     name: &str,
     limits: &Limits,
 ) -> Result<Option<Loaded>, Error> {
@@ -52,15 +52,6 @@ fn loaded(solids: Vec<(String, Facets)>, mut warnings: Warnings) -> Loaded {
     }
     scene.materials.push(SceneMaterial::default());
     Loaded { scene, format: Format::Stl, warnings: warnings.finish() }
-}
-
-/// One warning for all faces that can't be drawn.
-pub(crate) fn warn_of_faces_left_out(count: u64, warnings: &mut Warnings) {
-    match count {
-        0 => {}
-        1 => warnings.push("1 face with a corner that is not finite was left out".to_owned()),
-        _ => warnings.push(format!("{count} faces with a corner that is not finite were left out")),
-    }
 }
 
 fn is_text(bytes: &[u8]) -> bool {

@@ -31,3 +31,13 @@ impl Warnings {
         self.list
     }
 }
+
+/// One warning for all faces that can't be drawn.
+#[cfg(any(feature = "obj", feature = "ply", feature = "stl"))]
+pub(crate) fn warn_of_faces_left_out(count: u64, warnings: &mut Warnings) {
+    match count {
+        0 => {}
+        1 => warnings.push("1 face with a corner that is not finite was left out".to_owned()),
+        _ => warnings.push(format!("{count} faces with a corner that is not finite were left out")),
+    }
+}

@@ -26,6 +26,16 @@
 //! | [`report`] | the light of a pixel term by term, and picks, as text, JSON, LaTeX, HTML |
 //! | [`navigation`] | from mouse and keys to the camera, without a window |
 //! | [`math`] | numbers with the same bits everywhere |
+//!
+//! # Features
+//!
+//! All are on by default; `luxel = { default-features = false, features = ["gltf"] }` reads glTF alone.
+//!
+//! - `readers` turns on all features below.
+//! - `gltf` reads glTF 2.0 and GLB; `draco` and `meshopt` read its compressed geometry, too.
+//! - `obj` reads OBJ with MTL, `ply` PLY, `stl` STL, `toml` scene files.
+//! - `png` and `jpeg` decode textures.
+//! - `avx512` adds kernels for AVX-512; without them such machines run AVX2's.
 
 #![forbid(unsafe_code)]
 

@@ -98,7 +98,7 @@ impl<'a> Buffers<'a> {
         let place = || Place::Pointer(format!("{pointer}/count"));
         self.memory.take("decompressed geometry", meshopt.count, meshopt.byte_stride, place())?;
         let bytes = meshopt::decompress(meshopt, stream)
-            .map_err(|message| malformed(&*pointer, message))?;
+            .map_err(|kind| Error::at(Place::Pointer(pointer.clone()), kind))?;
         Ok(cell.get_or_init(|| bytes))
     }
 

@@ -9,8 +9,7 @@ use luxel_gltf::{Draco, Primitive};
 /// A decompressed primitive.
 pub(crate) struct Decoded {
     mesh: Mesh,
-    /// The corners of its triangles.
-    pub(crate) triangles: Vec<[u32; 3]>,
+    triangles: Vec<[u32; 3]>,
 }
 
 /// Decompresses the geometry of a primitive.
@@ -46,6 +45,11 @@ pub(crate) fn decode(
 }
 
 impl Decoded {
+    /// The corners of its triangles.
+    pub(crate) fn into_triangles(self) -> Vec<[u32; 3]> {
+        self.triangles
+    }
+
     /// How many vertices there are.
     pub(crate) fn vertices(&self) -> usize {
         self.mesh.num_points()

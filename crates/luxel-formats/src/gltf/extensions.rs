@@ -1,5 +1,6 @@
 //! Which extensions a picture shows.
 
+use crate::error::missing_feature;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
 use luxel_gltf::Document;
@@ -17,6 +18,12 @@ const SUPPORTED: &[&str] = &[
     "KHR_texture_transform",
 ];
 
+/// Extensions that a cargo feature reads, with its name and whether this build has it.
+const OPTIONAL: &[(&str, &str, bool)] = &[
+    ("EXT_meshopt_compression", "meshopt", cfg!(feature = "meshopt")),
+    ("KHR_draco_mesh_compression", "draco", cfg!(feature = "draco")),
+];
+
 /// Refuses a document that requires what luxel can't do; warns of what is only wished for.
 pub(crate) fn check(document: &Document, warnings: &mut Warnings) -> Result<(), Error> {
     let supported = |name: &String| SUPPORTED.contains(&name.as_str());
@@ -27,6 +34,14 @@ pub(crate) fn check(document: &Document, warnings: &mut Warnings) -> Result<(), 
         );
         let place = Place::Pointer(format!("/extensionsRequired/{index}"));
         return Err(Error::at(place, ErrorKind::Unsupported(message)));
+    }
+    for (index, name) in document.extensions_required.iter().enumerate() {
+        let optional = OPTIONAL.iter().find(|(optional, ..)| optional == name);
+        if let Some((_, feature, false)) = optional {
+            let what = format!("{name}, which the file requires,");
+            let place = Place::Pointer(format!("/extensionsRequired/{index}"));
+            return Err(Error::at(place, missing_feature(what, feature)));
+        }
     }
     for (index, name) in document.extensions_used.iter().enumerate() {
         if !supported(name) {

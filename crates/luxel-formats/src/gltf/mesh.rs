@@ -78,7 +78,7 @@ pub(crate) fn build(
                         format!("the Draco stream has {wanted} vertices, but positions {there}");
                     return Err(malformed(pointer, message));
                 }
-                joined.add_triangles(draco.triangles, run, material, &pointer, warnings);
+                joined.add_triangles(draco.into_triangles(), run, material, &pointer, warnings);
             }
             None => {
                 let corners = corners(&source, mode, run.count, &pointer, warnings)?;

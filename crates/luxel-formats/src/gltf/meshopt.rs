@@ -5,11 +5,17 @@ mod attributes;
 mod filters;
 mod indices;
 
+use crate::ErrorKind;
 use luxel_gltf::Meshopt;
 
-/// Decompresses a buffer view; what is wrong with the stream is told in a sentence. The caller has
-/// checked that `count` elements of `byte_stride` may be allocated.
-pub(crate) fn decompress(view: &Meshopt, stream: &[u8]) -> Result<Vec<u8>, String> {
+/// Decompresses a buffer view. The caller has checked that `count` elements of `byte_stride` may be
+/// allocated.
+pub(crate) fn decompress(view: &Meshopt, stream: &[u8]) -> Result<Vec<u8>, ErrorKind> {
+    decode(view, stream).map_err(ErrorKind::Malformed)
+}
+
+/// Decompresses a buffer view, or says in a sentence what is wrong with the stream.
+fn decode(view: &Meshopt, stream: &[u8]) -> Result<Vec<u8>, String> {
     let count = usize::try_from(view.count).map_err(|_| "the count is too large")?;
     let stride = usize::try_from(view.byte_stride).map_err(|_| "the stride is too large")?;
     let indices_of = |indices: Vec<u32>| {

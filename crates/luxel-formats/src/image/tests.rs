@@ -1,10 +1,11 @@
 use super::*;
+use ::png::{BitDepth, ColorType};
 
 const LIMITS: Limits = Limits { max_memory: 1 << 20, max_depth: 8, watch: None };
 
 fn png(width: u32, height: u32, color: ColorType, depth: BitDepth, rows: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    let mut encoder = ::png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(color);
     encoder.set_depth(depth);
     if color == ColorType::Indexed {

@@ -2,9 +2,8 @@
 
 use super::document::{Document, Kind, NONE};
 use super::materials::Materials;
-use crate::stl::warn_of_faces_left_out;
 use crate::text::shown;
-use crate::warnings::Warnings;
+use crate::warnings::{Warnings, warn_of_faces_left_out};
 use crate::weld::Welder;
 use luxel_scene::{
     Lines, MaterialId, Mesh, MeshId, Node, NormalFault, Part, Points, Scene, triangulate,

@@ -5,7 +5,7 @@ use luxel_scene::{AlphaMode, Mesh};
 use proptest::prelude::*;
 
 fn load(text: &str) -> Result<Loaded, Error> {
-    crate::read(text.as_bytes(), Format::Obj, "stem", None, &Limits::default())
+    read(text.as_bytes(), "stem", None, &Limits::default())
 }
 
 fn scene(text: &str) -> Scene {
@@ -40,8 +40,7 @@ impl Folder {
     }
 
     fn load(&self, text: &str) -> Loaded {
-        crate::read(text.as_bytes(), Format::Obj, "stem", Some(&self.0), &Limits::default())
-            .unwrap()
+        read(text.as_bytes(), "stem", Some(&self.0), &Limits::default()).unwrap()
     }
 }
 

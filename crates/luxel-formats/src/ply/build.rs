@@ -5,8 +5,7 @@ use super::faces::{Faces, Polygons};
 use super::source::RUN;
 use super::vertices::Vertices;
 use crate::direction::unit;
-use crate::stl::warn_of_faces_left_out;
-use crate::warnings::Warnings;
+use crate::warnings::{Warnings, warn_of_faces_left_out};
 use crate::{Error, ErrorKind, Place};
 use luxel_parallel::{any, fill};
 use luxel_scene::{

@@ -87,7 +87,7 @@ impl Faces {
         {
             return Ok(());
         }
-        if source.is_stored() {
+        if source.is_streamed() {
             self.need_whole_file = true;
             return Ok(());
         }

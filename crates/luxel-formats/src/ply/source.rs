@@ -2,7 +2,7 @@
 
 use super::header::{Element, Encoding, Kind, Scalar};
 use super::vertices::Column;
-use crate::files::Stored;
+use crate::block_reader::BlockReader;
 use crate::text::{integer, is_blank, line_of, number, shown, single};
 use crate::{Error, ErrorKind, Place};
 use luxel_parallel::each;
@@ -12,7 +12,7 @@ pub(super) struct Source<'a> {
     /// The whole file, or its beginning.
     file: &'a [u8],
     /// Where the rest lies, if that is only the beginning; then there are tables alone.
-    stored: Option<&'a Stored<'a>>,
+    reader: Option<&'a BlockReader<'a>>,
     at: usize,
     encoding: Encoding,
 }
@@ -109,16 +109,20 @@ fn explain(fault: Fault, element: &Element, row: u64, source: &Source<'_>) -> Er
 impl<'a> Source<'a> {
     /// `body` is where in the file the values begin.
     pub(super) const fn new(file: &'a [u8], body: usize, encoding: Encoding) -> Self {
-        Self { file, stored: None, at: body, encoding }
+        Self { file, reader: None, at: body, encoding }
     }
 
     /// Of a file that isn't in memory: tables are read where they lie.
-    pub(super) const fn stored(stored: &'a Stored<'a>, body: usize, encoding: Encoding) -> Self {
-        Self { file: &[], stored: Some(stored), at: body, encoding }
+    pub(super) const fn streamed(
+        reader: &'a BlockReader<'a>,
+        body: usize,
+        encoding: Encoding,
+    ) -> Self {
+        Self { file: &[], reader: Some(reader), at: body, encoding }
     }
 
-    pub(super) const fn is_stored(&self) -> bool {
-        self.stored.is_some()
+    pub(super) const fn is_streamed(&self) -> bool {
+        self.reader.is_some()
     }
 
     /// The next value. All types fit into f64.
@@ -161,7 +165,7 @@ impl<'a> Source<'a> {
 
     /// How many bytes the whole file has.
     pub(super) fn length(&self) -> u64 {
-        self.stored.map_or(self.file.len() as u64, Stored::length)
+        self.reader.map_or(self.file.len() as u64, BlockReader::length)
     }
 
     /// Where the last value was.
@@ -191,8 +195,8 @@ impl<'a> Source<'a> {
         if self.encoding == Encoding::Text || stride == 0 || size as u64 > self.bytes_left() {
             return None;
         }
-        let bytes = match self.stored {
-            Some(stored) => Bytes::Stored(stored, self.at as u64),
+        let bytes = match self.reader {
+            Some(reader) => Bytes::Stream(reader, self.at as u64),
             None => Bytes::Here(self.file.get(self.at..self.at + size)?),
         };
         Some(Table { bytes, count, stride, order: self.encoding })
@@ -201,8 +205,8 @@ impl<'a> Source<'a> {
     /// Goes on behind a table.
     pub(super) fn skip(&mut self, table: &Table<'_>) {
         self.at += table.count * table.stride;
-        if let Some(stored) = self.stored {
-            stored.reached(self.at as u64);
+        if let Some(reader) = self.reader {
+            reader.reached(self.at as u64);
         }
     }
 }
@@ -221,7 +225,7 @@ pub(super) struct Table<'a> {
 /// Bytes in memory, or those of a file from some place on.
 enum Bytes<'a> {
     Here(&'a [u8]),
-    Stored(&'a Stored<'a>, u64),
+    Stream(&'a BlockReader<'a>, u64),
 }
 
 impl Table<'_> {
@@ -258,7 +262,7 @@ impl Table<'_> {
         let (at, size) = (self.row_at(start), count * self.stride);
         match self.bytes {
             Bytes::Here(bytes) => look(&bytes[at..at + size]),
-            Bytes::Stored(stored, first) => stored.with(first + at as u64, size, look),
+            Bytes::Stream(reader, first) => reader.with(first + at as u64, size, look),
         }
     }
 

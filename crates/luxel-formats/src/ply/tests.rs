@@ -3,7 +3,7 @@ use luxel_scene::{AlphaMode, Mesh};
 use proptest::prelude::*;
 
 fn load(bytes: &[u8]) -> Result<Loaded, Error> {
-    crate::read(bytes, Format::Ply, "stem", None, &Limits::default())
+    read(bytes, "stem", &Limits::default())
 }
 
 fn mesh(text: &str) -> Mesh {
@@ -215,76 +215,4 @@ proptest! {
         file.extend(&bytes);
         let _ = load(&file);
     }
-}
-
-/// A file too long to be held: so many vertices, and as many faces of `corners` corners each.
-fn long_file(corners: u8, wrong_index: bool) -> Vec<u8> {
-    const COUNT: u32 = 260_000;
-    let mut bytes = format!(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {COUNT}\nproperty float x\n\
-         property float y\nproperty float z\nproperty float nx\nproperty float ny\n\
-         property float nz\nelement face {COUNT}\nproperty list uchar int vertex_indices\n\
-         end_header\n"
-    )
-    .into_bytes();
-    for vertex in 0..COUNT {
-        let position = [vertex % 512, vertex / 512, vertex % 7].map(|value| value as f32);
-        for value in position.into_iter().chain([0.0, 0.0, 1.0]) {
-            bytes.extend(value.to_le_bytes());
-        }
-    }
-    for face in 0..COUNT {
-        bytes.push(corners);
-        for corner in 0..u32::from(corners) {
-            let is_wrong = wrong_index && face == COUNT - 2 && corner == 1;
-            let index = if is_wrong { COUNT } else { (face + corner * corner) % COUNT };
-            bytes.extend(index.to_le_bytes());
-        }
-    }
-    bytes
-}
-
-#[test]
-fn a_file_read_piece_by_piece_gives_what_its_bytes_give() {
-    let path = std::env::temp_dir().join(format!("luxel-long-{}.ply", std::process::id()));
-    let whole = long_file(3, false);
-    let cut = whole[..whole.len() - 1000].to_vec();
-    for (what, bytes) in [
-        ("triangles", whole),
-        ("quadrangles, for which the file must be read whole", long_file(4, false)),
-        ("an index out of range", long_file(3, true)),
-        ("a file that ends too early", cut),
-    ] {
-        std::fs::write(&path, &bytes).unwrap();
-        let watch = crate::Progress::default();
-        let limits = Limits { watch: Some(watch.clone()), ..Limits::default() };
-        let stored = crate::open(&path, &limits);
-        let held = read(&bytes, &path.file_stem().unwrap().to_string_lossy(), &Limits::default());
-        match (stored, held) {
-            (Ok(stored), Ok(held)) => {
-                assert!(stored.scene.meshes == held.scene.meshes, "{what}");
-                assert_eq!(stored.warnings, held.warnings, "{what}");
-                let (read, all) = watch.bytes();
-                assert_eq!(read, all, "{what}: whoever watches would wait for ever");
-            }
-            (stored, held) => {
-                let stored = stored.unwrap_err().to_string();
-                let held = held.unwrap_err().in_file(&path).to_string();
-                assert!(stored == held, "{what}: `{stored}`, but `{held}`");
-            }
-        }
-    }
-    std::fs::remove_file(&path).unwrap();
-}
-
-#[test]
-fn a_long_file_that_nobody_wants_any_more_is_left() {
-    let path = std::env::temp_dir().join(format!("luxel-left-{}.ply", std::process::id()));
-    std::fs::write(&path, long_file(3, false)).unwrap();
-    let watch = crate::Progress::default();
-    watch.stop();
-    let limits = Limits { watch: Some(watch), ..Limits::default() };
-    let error = crate::open(&path, &limits).unwrap_err();
-    assert!(matches!(error.kind, ErrorKind::Stopped), "{error}");
-    std::fs::remove_file(&path).unwrap();
 }

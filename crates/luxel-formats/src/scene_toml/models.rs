@@ -6,7 +6,7 @@ use super::nodes::Nodes;
 use super::transform::transform;
 use crate::memory::Memory;
 use crate::warnings::Warnings;
-use crate::{Error, ErrorKind, Format, files, open};
+use crate::{Error, ErrorKind, Format, files, model_file};
 use luxel_scene::{
     MaterialId, Mesh, MeshId, Node, NodeId, Placement, Scene, SceneCamera, SceneLight, TextureId,
     demos,
@@ -96,7 +96,7 @@ fn open_source(
         let message = format!("`{name}` is a scene file, and these don't hold one another");
         return Err(table.error_at("source", message));
     }
-    let loaded = open(&path, &memory.left()).map_err(|error| match error.kind {
+    let loaded = model_file::open(&path, &memory.left()).map_err(|error| match error.kind {
         // What is missing is told where it is asked for.
         ErrorKind::Io(io) if error.file.as_deref() == Some(&path) => {
             table.error_at("source", format!("{}: {io}", path.display()))

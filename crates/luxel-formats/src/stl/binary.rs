@@ -1,7 +1,7 @@
 //! Binary STL: 80 bytes of anything, a count, and 50 bytes for each triangle, all little-endian.
 
 use super::{Facets, check_count};
-use crate::files::Stored;
+use crate::block_reader::BlockReader;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place};
 
@@ -53,7 +53,7 @@ const TOGETHER: u64 = 1 << 15;
 
 /// Reads a long file without holding it in memory: the next triangles while the last ones are welded.
 /// `None` if the file isn't binary, or longer or shorter than it says.
-pub(super) fn stream(file: &Stored<'_>, limits: &Limits) -> Result<Option<Facets>, Error> {
+pub(super) fn stream(file: &BlockReader<'_>, limits: &Limits) -> Result<Option<Facets>, Error> {
     let size = file.with(0, PREFACE, size_said);
     file.sound()?;
     if size != Some(file.length()) {

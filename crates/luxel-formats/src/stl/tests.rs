@@ -2,7 +2,7 @@ use super::*;
 use proptest::prelude::*;
 
 fn load(bytes: &[u8]) -> Result<Loaded, Error> {
-    crate::read(bytes, Format::Stl, "stem", None, &Limits::default())
+    read(bytes, "stem", &Limits::default())
 }
 
 fn binary(header: &[u8], triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
@@ -65,35 +65,6 @@ fn a_cut_binary_file_names_the_byte_where_it_ends() {
     assert_eq!(error.place, Place::Byte(183));
     assert!(error.to_string().contains("triangle 1: the file says it has 2"), "{error}");
     assert!(load(&bytes[..50]).is_err());
-}
-
-#[test]
-fn a_long_file_is_read_where_it_lies_as_it_is_from_memory() {
-    // More than are read at a time, with corners that come again much later, and one that isn't finite.
-    let triangles: Vec<_> = (0..170_000_u32)
-        .map(|number| {
-            let [x, y] = [number % 251, number % 83].map(|part| part as f32);
-            let z = if number == 99_999 { f32::NAN } else { 1.0 };
-            [[x, y, 0.0], [y, x, -0.0], [x, y, z]]
-        })
-        .collect();
-    let bytes = binary(b"", &triangles);
-    let folder = std::env::temp_dir();
-    let open = |bytes: &[u8]| {
-        let path = folder.join(format!("luxel-long-{}.stl", std::process::id()));
-        std::fs::write(&path, bytes).unwrap();
-        let loaded = crate::open(&path, &Limits::default()).unwrap();
-        std::fs::remove_file(&path).unwrap();
-        loaded
-    };
-    let (stored, held) = (open(&bytes), load(&bytes).unwrap());
-    assert_eq!(stored.warnings, held.warnings);
-    assert_eq!(stored.warnings, ["1 face with a corner that is not finite was left out"]);
-    let [stored, held] = [&stored.scene.meshes[0], &held.scene.meshes[0]];
-    assert_eq!(stored.triangles, held.triangles);
-    assert_eq!(stored.positions, held.positions);
-    // Longer than it says: a warning, as from memory.
-    assert_eq!(open(&[bytes, b"more".to_vec()].concat()).warnings.len(), 2);
 }
 
 #[test]

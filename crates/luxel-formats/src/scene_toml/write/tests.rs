@@ -1,12 +1,12 @@
 use super::*;
-use crate::{Format, read};
+use crate::scene_toml::read;
 use glam::DMat4;
 use luxel_lighting::{Light, Reflection, own_parameters};
 use luxel_scene::{Camera, NodeId, Scene, SceneMaterial};
 use proptest::prelude::*;
 
 fn loaded(text: &str) -> Scene {
-    let read = read(text.as_bytes(), Format::Toml, "scene", None, &Limits::default());
+    let read = read(text.as_bytes(), None, &Limits::default());
     read.unwrap_or_else(|error| panic!("{error}\n{text}")).scene
 }
 

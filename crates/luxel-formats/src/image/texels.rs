@@ -1,0 +1,63 @@
+//! What the decoders share: checks of dimensions, and RGBA texels.
+#![cfg_attr(
+    not(any(feature = "jpeg", feature = "png")),
+    allow(dead_code, reason = "this build has no decoder")
+)]
+
+use crate::Limits;
+
+/// What one texel takes at most: in the decoder's own format, as RGBA, and in the mipmaps.
+const BYTES_PER_TEXEL: u64 = 8 + 4 + 2;
+
+/// A picture can't be wider or higher than this: the bound of PNG viewers and of graphics APIs.
+pub(super) const LONGEST_SIDE: u32 = 65_535;
+
+/// A decoded picture.
+pub(super) struct Decoded {
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) texels: Vec<[u8; 4]>,
+}
+
+/// Checks dimensions before anything is allocated by them. `bytes_needed` is what the file must
+/// at least have for them.
+pub(super) fn check(
+    width: u32,
+    height: u32,
+    bytes: &[u8],
+    bytes_needed: u64,
+    limits: &Limits,
+) -> Result<(), String> {
+    if width == 0 || height == 0 || width.max(height) > LONGEST_SIDE {
+        return Err(format!("the picture says it is {width}x{height}"));
+    }
+    if bytes_needed > bytes.len() as u64 {
+        let length = bytes.len();
+        return Err(format!(
+            "the picture says it is {width}x{height}, but has only {length} bytes"
+        ));
+    }
+    let needed = u64::from(width) * u64::from(height) * BYTES_PER_TEXEL;
+    if needed > limits.max_memory {
+        let limit = limits.max_memory;
+        return Err(format!(
+            "a picture of {width}x{height} would take {needed} bytes; the limit is {limit}: \
+             raise it with --max-memory"
+        ));
+    }
+    Ok(())
+}
+
+/// A texel without alpha.
+pub(super) fn opaque(rgb: &[u8]) -> [u8; 4] {
+    [rgb[0], rgb[1], rgb[2], 255]
+}
+
+/// The picture, if it has as many texels as its dimensions say.
+pub(super) fn whole(width: u32, height: u32, texels: Vec<[u8; 4]>) -> Result<Decoded, String> {
+    if texels.len() as u64 == u64::from(width) * u64::from(height) {
+        Ok(Decoded { width, height, texels })
+    } else {
+        Err("the picture's channels are of a kind that luxel doesn't read".to_owned())
+    }
+}

@@ -1,0 +1,98 @@
+//! Model files of all formats: whatever a scene file may name.
+
+#[cfg(any(feature = "ply", feature = "stl"))]
+use crate::block_reader::BlockReader;
+use crate::{Error, ErrorKind, Format, Limits, Loaded, Place, files};
+use std::path::Path;
+
+/// The format that a file's extension names.
+pub(crate) fn format_of(path: &Path) -> Result<Format, String> {
+    path.extension().unwrap_or_default().to_string_lossy().parse()
+}
+
+/// Reads a model file, but for scene files; its extension tells the format.
+pub(crate) fn open(path: &Path, limits: &Limits) -> Result<Loaded, Error> {
+    let format = format_of(path);
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    if let Ok(format) = format
+        && let Some(loaded) = stream(path, format, &stem, limits)?
+    {
+        return Ok(loaded);
+    }
+    let bytes = files::read_file(path, limits)?;
+    let unknown = |message| Error::at(Place::File, ErrorKind::Unsupported(message)).in_file(path);
+    let format = format.map_err(unknown)?;
+    read(&bytes, format, &stem, path.parent(), limits).map_err(|error| error.in_file(path))
+}
+
+/// Reads a long binary file block by block; `None` for all others.
+#[cfg(any(feature = "ply", feature = "stl"))]
+fn stream(
+    path: &Path,
+    format: Format,
+    stem: &str,
+    limits: &Limits,
+) -> Result<Option<Loaded>, Error> {
+    let streams: fn(&BlockReader<'_>, &str, &Limits) -> Result<Option<Loaded>, Error> = match format
+    {
+        #[cfg(feature = "ply")]
+        Format::Ply => crate::ply::stream,
+        #[cfg(feature = "stl")]
+        Format::Stl => crate::stl::stream,
+        _ => return Ok(None),
+    };
+    let Some(file) = BlockReader::open(path, limits)? else { return Ok(None) };
+    streams(&file, stem, limits).map_err(|error| error.in_file(path))
+}
+
+/// No reader of this build streams.
+#[cfg(not(any(feature = "ply", feature = "stl")))]
+fn stream(_: &Path, _: Format, _: &str, _: &Limits) -> Result<Option<Loaded>, Error> {
+    Ok(None)
+}
+
+/// Reads a model from bytes, as [`crate::read`], but for scene files.
+#[cfg_attr(
+    not(all(feature = "gltf", feature = "obj", feature = "ply", feature = "stl")),
+    allow(unused_variables, reason = "some readers are left out of this build")
+)]
+pub(crate) fn read(
+    bytes: &[u8],
+    format: Format,
+    name: &str,
+    folder: Option<&Path>,
+    limits: &Limits,
+) -> Result<Loaded, Error> {
+    check_not_empty(bytes)?;
+    match format {
+        #[cfg(feature = "gltf")]
+        Format::Gltf | Format::Glb => crate::gltf::read(bytes, format, name, folder, limits),
+        #[cfg(feature = "obj")]
+        Format::Obj => crate::obj::read(bytes, name, folder, limits),
+        #[cfg(feature = "stl")]
+        Format::Stl => crate::stl::read(bytes, name, limits),
+        #[cfg(feature = "ply")]
+        Format::Ply => crate::ply::read(bytes, name, limits),
+        #[cfg(feature = "toml")]
+        Format::Toml => {
+            let message = "scene files don't hold one another".to_owned();
+            Err(Error::at(Place::File, ErrorKind::Unsupported(message)))
+        }
+        #[cfg(not(all(
+            feature = "gltf",
+            feature = "obj",
+            feature = "ply",
+            feature = "stl",
+            feature = "toml"
+        )))]
+        format => Err(Error::at(Place::File, format.missing_feature())),
+    }
+}
+
+/// Refuses a file without bytes.
+pub(crate) fn check_not_empty(bytes: &[u8]) -> Result<(), Error> {
+    if bytes.is_empty() {
+        return Err(Error::at(Place::File, ErrorKind::Malformed("the file is empty".to_owned())));
+    }
+    Ok(())
+}
