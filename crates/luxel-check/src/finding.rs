@@ -155,7 +155,7 @@ impl Kind {
         }
     }
 
-    /// The remedy.
+    /// The remedy. Settings of the renderer stand in backticks, as `` `shading phong` ``.
     #[must_use]
     pub const fn cure(self) -> &'static str {
         match self {
@@ -168,20 +168,20 @@ impl Kind {
             Self::TJunction => "split the neighbour's edge at the corner",
             Self::Crack => "merge the vertices on both sides of the gap",
             Self::DuplicateVertex => "merge vertices with equal attributes",
-            Self::UndefinedNormal => "compute normals anew (--normals area-angle)",
+            Self::UndefinedNormal => "compute normals anew (`normals area-angle`)",
             Self::NonUnitNormal => "normalise them",
             Self::NormalBehindFace => {
-                "compute normals anew (--normals area-angle), or split vertices at sharp edges"
+                "compute normals anew (`normals area-angle`), or split vertices at sharp edges"
             }
             Self::UnrepresentativeNormals => {
-                "split vertices at sharp edges (--normals area-angle --crease 40), or refine the \
+                "split vertices at sharp edges (`normals area-angle` `crease 40`), or refine the \
                  mesh"
             }
-            Self::HiddenFold => "split vertices at sharp edges (--normals area-angle --crease 40)",
+            Self::HiddenFold => "split vertices at sharp edges (`normals area-angle` `crease 40`)",
             Self::Sliver => "divide them across, or flip the diagonals of their neighbours",
-            Self::MissedHighlight => "shade per pixel (--shading phong), or refine the mesh",
+            Self::MissedHighlight => "shade per pixel (`shading phong`), or refine the mesh",
             Self::ScreenDrift => {
-                "interpolate in space (--interpolation perspective), or refine the mesh"
+                "interpolate in space (`interpolation perspective`), or refine the mesh"
             }
             Self::FacetedSilhouette => "refine the mesh, or draw it smaller",
         }

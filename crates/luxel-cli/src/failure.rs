@@ -1,5 +1,6 @@
 //! What ends the program before its work is done, and with which status.
 
+use crate::flag_words::error_text;
 use luxel::formats::{Error, ErrorKind, Place};
 use std::path::Path;
 use std::process::ExitCode;
@@ -90,10 +91,12 @@ impl From<Error> for Failure {
                 "the file is damaged or written wrongly: export it again"
             }
             ErrorKind::Truncated(_) => "the file is incomplete: copy or export it again",
-            ErrorKind::Unsupported(_) => "export it in another way: glb, gltf, obj, stl or ply",
+            ErrorKind::Unsupported(_) | ErrorKind::UnknownFormat(_) => {
+                "export it in another way: glb, gltf, obj, stl or ply"
+            }
             // The message says what to do.
             _ => "",
         };
-        Self::work(error.to_string(), remedy)
+        Self::work(error_text(&error), remedy)
     }
 }

@@ -10,6 +10,7 @@ mod cli;
 mod commands;
 mod console;
 mod failure;
+mod flag_words;
 mod model;
 mod navigation;
 mod options;

@@ -2,6 +2,7 @@
 
 use crate::console::Console;
 use crate::failure::Failure;
+use crate::flag_words::warning_text;
 use crate::options::{ExecutionOptions, InputOptions};
 use luxel::formats::{self, Error, ErrorKind, Format, Limits, Loaded, Place, Progress};
 use luxel::scene::{Scene, demos};
@@ -27,6 +28,7 @@ pub(crate) struct Model {
 impl From<Loaded> for Model {
     fn from(loaded: Loaded) -> Self {
         let Loaded { scene, format, warnings } = loaded;
+        let warnings = warnings.iter().map(warning_text).collect();
         Self { scene, format: format.name(), warnings }
     }
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 /// Where in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Place {
     /// The file as a whole.
     File,
@@ -29,6 +30,24 @@ pub struct Error {
     /// What.
     #[source]
     pub kind: ErrorKind,
+    /// The hint of an error that `kind` repeats as text.
+    pub(crate) hint: Option<Hint>,
+}
+
+/// What the caller may do about an error or a warning.
+///
+/// It is data: messages don't know how a program lets its users do it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Hint {
+    /// Allow more memory: [`Limits::max_memory`](crate::Limits::max_memory).
+    RaiseMemoryLimit,
+    /// Pass the format to [`read`](crate::read()): the name of the file has no extension.
+    PassFormat,
+    /// Scale the lights: the file has them in lux, and pictures have no exposure.
+    ScaleLights,
+    /// Build `luxel-formats` with this cargo feature.
+    EnableFeature(&'static str),
 }
 
 /// What is wrong.
@@ -54,6 +73,9 @@ pub enum ErrorKind {
         /// How many there are.
         count: u64,
     },
+    /// The name of the file doesn't tell a format that luxel reads.
+    #[error(transparent)]
+    UnknownFormat(#[from] UnknownFormat),
     /// The file needs something that luxel can't do.
     #[error("{0}")]
     Unsupported(String),
@@ -66,7 +88,7 @@ pub enum ErrorKind {
         feature: &'static str,
     },
     /// The file asks for more than the limits allow.
-    #[error("{what} would take {needed} bytes; the limit is {limit}: raise it with --max-memory")]
+    #[error("{what} would take {needed} bytes; the limit is {limit}")]
     TooLarge {
         /// What asks.
         what: String,
@@ -80,11 +102,67 @@ pub enum ErrorKind {
     Stopped,
 }
 
+/// Text that is not the name of a [`Format`](crate::Format).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownFormat {
+    /// The text; empty for a file name without an extension.
+    pub name: String,
+}
+
+impl fmt::Display for UnknownFormat {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name } = self;
+        if name.is_empty() {
+            return formatter.write_str("the name has no extension to tell the format");
+        }
+        write!(
+            formatter,
+            "`{name}` is no format that luxel reads: use glb, gltf, obj, stl, ply or toml"
+        )
+    }
+}
+
+impl std::error::Error for UnknownFormat {}
+
+impl UnknownFormat {
+    /// What may be done about it.
+    #[must_use]
+    pub fn hint(&self) -> Option<Hint> {
+        self.name.is_empty().then_some(Hint::PassFormat)
+    }
+}
+
+impl ErrorKind {
+    /// What may be done about it, where the message doesn't say that.
+    #[must_use]
+    pub fn hint(&self) -> Option<Hint> {
+        match self {
+            Self::TooLarge { .. } => Some(Hint::RaiseMemoryLimit),
+            Self::MissingFeature { feature, .. } => Some(Hint::EnableFeature(feature)),
+            Self::UnknownFormat(unknown) => unknown.hint(),
+            _ => None,
+        }
+    }
+}
+
 impl Error {
     /// An error at a place of the input being read; [`Error::in_file`] adds the file.
     #[must_use]
     pub const fn at(place: Place, kind: ErrorKind) -> Self {
-        Self { file: None, place, kind }
+        Self { file: None, place, kind, hint: None }
+    }
+
+    /// What may be done about it, where the message doesn't say that.
+    #[must_use]
+    pub fn hint(&self) -> Option<Hint> {
+        self.hint.or_else(|| self.kind.hint())
+    }
+
+    /// Adds the hint of an error that the message repeats.
+    #[cfg(feature = "gltf")]
+    pub(crate) const fn with_hint(mut self, hint: Option<Hint>) -> Self {
+        self.hint = hint;
+        self
     }
 
     /// Names the file, unless a nested file has been named already.

@@ -8,11 +8,13 @@
     feature = "toml"
 )))]
 use crate::ErrorKind;
+use crate::{UnknownFormat, Warning};
 use luxel_scene::Scene;
 use std::str::FromStr;
 
 /// A file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Format {
     /// glTF 2.0 as JSON.
     Gltf,
@@ -28,15 +30,15 @@ pub enum Format {
     Toml,
 }
 
-/// A scene with what was said on reading it.
+/// A scene, and what its file has that isn't in it.
 #[derive(Clone, Debug)]
 pub struct Loaded {
     /// What the file holds.
     pub scene: Scene,
     /// Its format.
     pub format: Format,
-    /// What was left out or replaced, a sentence each with its place.
-    pub warnings: Vec<String>,
+    /// What was left out or replaced.
+    pub warnings: Vec<Warning>,
 }
 
 impl Format {
@@ -86,17 +88,12 @@ impl Format {
 }
 
 impl FromStr for Format {
-    type Err = String;
+    type Err = UnknownFormat;
 
     fn from_str(name: &str) -> Result<Self, Self::Err> {
         [Self::Gltf, Self::Glb, Self::Obj, Self::Stl, Self::Ply, Self::Toml]
             .into_iter()
             .find(|format| format.name().eq_ignore_ascii_case(name))
-            .ok_or_else(|| match name {
-                "" => "the name has no extension to tell the format: say it with --format".into(),
-                _ => format!(
-                    "`{name}` is no format that luxel reads: use glb, gltf, obj, stl, ply or toml"
-                ),
-            })
+            .ok_or_else(|| UnknownFormat { name: name.to_owned() })
     }
 }

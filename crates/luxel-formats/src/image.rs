@@ -9,9 +9,9 @@ mod jpeg;
 mod png;
 mod texels;
 
-use crate::Limits;
 #[cfg(not(all(feature = "jpeg", feature = "png")))]
 use crate::error::missing_feature;
+use crate::{Limits, Warning};
 use luxel_scene::{Encoding, Image};
 #[cfg(not(all(feature = "jpeg", feature = "png")))]
 use texels::Decoded;
@@ -22,15 +22,15 @@ pub(crate) fn decode(
     bytes: &[u8],
     encoding: Encoding,
     limits: &Limits,
-) -> Result<Image, String> {
+) -> Result<Image, Warning> {
     let decoded = if bytes.starts_with(b"\x89PNG") {
         png(bytes, limits)?
     } else if bytes.starts_with(&[0xff, 0xd8]) {
         jpeg(bytes, limits)?
     } else if bytes.is_empty() {
-        return Err("the picture is empty".to_owned());
+        return Err("the picture is empty".into());
     } else {
-        return Err("the picture is neither PNG nor JPEG: convert it to one of these".to_owned());
+        return Err("the picture is neither PNG nor JPEG: convert it to one of these".into());
     };
     Ok(Image::new(name, encoding, decoded.width, decoded.height, decoded.texels))
 }
@@ -39,16 +39,16 @@ pub(crate) fn decode(
 use self::png::decode as png;
 
 #[cfg(not(feature = "png"))]
-fn png(_: &[u8], _: &Limits) -> Result<Decoded, String> {
-    Err(missing_feature("PNG images", "png").to_string())
+fn png(_: &[u8], _: &Limits) -> Result<Decoded, Warning> {
+    Err(missing_feature("PNG images", "png").into())
 }
 
 #[cfg(feature = "jpeg")]
 use self::jpeg::decode as jpeg;
 
 #[cfg(not(feature = "jpeg"))]
-fn jpeg(_: &[u8], _: &Limits) -> Result<Decoded, String> {
-    Err(missing_feature("JPEG images", "jpeg").to_string())
+fn jpeg(_: &[u8], _: &Limits) -> Result<Decoded, Warning> {
+    Err(missing_feature("JPEG images", "jpeg").into())
 }
 
 #[cfg(feature = "png")]

@@ -53,7 +53,16 @@ mod stl;
 )]
 mod text;
 pub mod values;
-#[cfg(any(feature = "gltf", feature = "obj", feature = "ply", feature = "stl", feature = "toml"))]
+#[cfg_attr(
+    not(any(
+        feature = "gltf",
+        feature = "obj",
+        feature = "ply",
+        feature = "stl",
+        feature = "toml"
+    )),
+    allow(dead_code, reason = "this build has no reader")
+)]
 mod warnings;
 #[cfg(any(feature = "obj", feature = "stl"))]
 #[cfg_attr(
@@ -62,7 +71,7 @@ mod warnings;
 )]
 mod weld;
 
-pub use error::{Error, ErrorKind, Place};
+pub use error::{Error, ErrorKind, Hint, Place, UnknownFormat};
 pub use format::{Format, Loaded};
 pub use limits::{Limits, Progress};
 pub use open::{open, read};
@@ -71,3 +80,4 @@ pub use scene_toml::{
     Key, SceneModels, SceneText, Section, Setting, SettingValue, Shape, SurfaceChange,
     scene_settings, sections,
 };
+pub use warnings::Warning;

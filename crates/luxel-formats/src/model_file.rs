@@ -2,11 +2,11 @@
 
 #[cfg(any(feature = "ply", feature = "stl"))]
 use crate::block_reader::BlockReader;
-use crate::{Error, ErrorKind, Format, Limits, Loaded, Place, files};
+use crate::{Error, ErrorKind, Format, Limits, Loaded, Place, UnknownFormat, files};
 use std::path::Path;
 
 /// The format that a file's extension names.
-pub(crate) fn format_of(path: &Path) -> Result<Format, String> {
+pub(crate) fn format_of(path: &Path) -> Result<Format, UnknownFormat> {
     path.extension().unwrap_or_default().to_string_lossy().parse()
 }
 
@@ -20,8 +20,7 @@ pub(crate) fn open(path: &Path, limits: &Limits) -> Result<Loaded, Error> {
         return Ok(loaded);
     }
     let bytes = files::read_file(path, limits)?;
-    let unknown = |message| Error::at(Place::File, ErrorKind::Unsupported(message)).in_file(path);
-    let format = format.map_err(unknown)?;
+    let format = format.map_err(|unknown| Error::at(Place::File, unknown.into()).in_file(path))?;
     read(&bytes, format, &stem, path.parent(), limits).map_err(|error| error.in_file(path))
 }
 

@@ -1,9 +1,9 @@
 //! Scene files: models, materials, lights, cameras and what surrounds them, in a TOML of luxel's own.
 //!
-//! What a file may say is a table of its own (`keys`), out of which the readers take their keys, and
-//! of which the schema and the page about scene files are made. Values are read by the parsers of
-//! the flags that say the same ([`values`](crate::values)): a light's keys are the fields of
-//! `--light`. What `[render]` says are flags; the reader hands them on as [`Setting`]s.
+//! `keys` lists all sections and keys: readers, the JSON schema and the documentation use that table.
+//! Values are parsed by [`values`](crate::values): the keys of a light are the fields of
+//! [`values::light`](crate::values::light()). `[render]` holds settings of the program that draws;
+//! [`scene_settings`] returns them as [`Setting`]s.
 
 mod cameras;
 mod document;

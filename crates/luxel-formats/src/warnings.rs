@@ -1,18 +1,72 @@
 //! What was left out or replaced.
 
-/// How many warnings are kept: a file of a million faults needn't tell each.
+use crate::{ErrorKind, Hint};
+use std::fmt;
+
+/// What of a file was left out or replaced.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Warning {
+    /// A sentence, with the place in the file.
+    pub message: String,
+    /// What may be done about it, where the message doesn't say that.
+    pub hint: Option<Hint>,
+}
+
+impl Warning {
+    /// The warning behind a place or a file.
+    #[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+    pub(crate) fn at(self, place: impl fmt::Display) -> Self {
+        let message = format!("{place}: {}", self.message);
+        Self { message, ..self }
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message)
+    }
+}
+
+/// Compares the message.
+impl PartialEq<&str> for Warning {
+    fn eq(&self, message: &&str) -> bool {
+        self.message == *message
+    }
+}
+
+impl From<String> for Warning {
+    fn from(message: String) -> Self {
+        Self { message, hint: None }
+    }
+}
+
+impl From<&str> for Warning {
+    fn from(message: &str) -> Self {
+        message.to_owned().into()
+    }
+}
+
+impl From<ErrorKind> for Warning {
+    fn from(kind: ErrorKind) -> Self {
+        Self { message: kind.to_string(), hint: kind.hint() }
+    }
+}
+
+/// How many warnings are kept: a file may have a million faults.
 const MOST: usize = 64;
 
-/// Sentences for whoever opened the file, each with its place.
+/// Collects warnings.
 #[derive(Debug, Default)]
 pub(crate) struct Warnings {
-    list: Vec<String>,
+    list: Vec<Warning>,
     dropped: u64,
 }
 
 impl Warnings {
-    /// Tells something, once.
-    pub(crate) fn push(&mut self, warning: String) {
+    /// Adds a warning, unless it is there already.
+    pub(crate) fn push(&mut self, warning: impl Into<Warning>) {
+        let warning = warning.into();
         if self.list.contains(&warning) {
             return;
         }
@@ -24,9 +78,9 @@ impl Warnings {
     }
 
     /// All of them, with the number of those beyond the first few.
-    pub(crate) fn finish(mut self) -> Vec<String> {
+    pub(crate) fn finish(mut self) -> Vec<Warning> {
         if self.dropped > 0 {
-            self.list.push(format!("{} more warnings", self.dropped));
+            self.list.push(format!("{} more warnings", self.dropped).into());
         }
         self.list
     }

@@ -70,7 +70,7 @@ fn no_model_is_warned_of_but_the_one_with_a_glaring_sun() {
         let Some(loaded) = load(model) else { return };
         let glaring = model == "DepthOfFieldExample.glb";
         assert_eq!(loaded.warnings.len(), usize::from(glaring), "{model}: {:?}", loaded.warnings);
-        assert!(loaded.warnings.iter().all(|warning| warning.contains("6830 lux")));
+        assert!(loaded.warnings.iter().all(|warning| warning.message.contains("6830 lux")));
     }
 }
 

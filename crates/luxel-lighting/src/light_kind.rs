@@ -75,7 +75,7 @@ pub struct LightKindDescription {
     pub has_direction: bool,
     /// The numbers that only this kind has.
     pub fields: &'static [LightField],
-    /// What `--light` takes for the kind behind position and direction; empty if nothing.
+    /// The fields of its text form behind position and direction; empty if there are none.
     pub usage: &'static str,
 }
 

@@ -21,7 +21,7 @@ pub fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
     })
 }
 
-/// An instruction set by name, as `--simd` takes it.
+/// An instruction set.
 ///
 /// The levels differ in speed only: pixels are the same at all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -51,7 +51,8 @@ const DEMOS: [Demo; 6] = [
     },
 ];
 
-/// The names of the built-in scenes with a line about each.
+/// The names of the built-in scenes with a line about each. Settings of the renderer that the line
+/// names stand in backticks, as `` `shading gouraud` ``.
 #[must_use]
 pub fn names() -> Vec<(&'static str, &'static str)> {
     demos().map(|demo| (demo.name, demo.about)).collect()

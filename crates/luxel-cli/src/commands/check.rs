@@ -3,6 +3,7 @@
 use crate::camera;
 use crate::console::{Console, printable};
 use crate::failure::Failure;
+use crate::flag_words::with_flags;
 use crate::model::{self, Model};
 use crate::options::{
     ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
@@ -156,7 +157,7 @@ fn to_json(report: &Report, model: &Model) -> Value {
             "count": finding.count,
             "severity": finding.severity,
             "places": finding.places.iter().map(place).collect::<Value>(),
-            "cure": finding.kind.cure(),
+            "cure": with_flags(finding.kind.cure()),
         });
         if let Some(pixels) = finding.pixels {
             entry["pixels"] = json!(pixels);
@@ -213,7 +214,7 @@ fn write_text(report: &Report, model: &Model, name: &str, text: &mut String) -> 
             let triangle = place.triangle.map(|number| format!(" triangle {number}"));
             writeln!(text, "  at {x} {y} {z}: {path}{}", triangle.unwrap_or_default())?;
         }
-        writeln!(text, "  cure: {}", kind.cure())?;
+        writeln!(text, "  cure: {}", with_flags(kind.cure()))?;
     }
     Ok(())
 }

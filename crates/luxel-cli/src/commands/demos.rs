@@ -1,6 +1,7 @@
 //! `luxel demos`: the scenes built into the program.
 
 use crate::failure::Failure;
+use crate::flag_words::with_flags;
 use crate::output;
 use clap::Args;
 use luxel::scene::demos;
@@ -16,9 +17,10 @@ pub(crate) struct DemosCommand {
 
 impl DemosCommand {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let names = demos::names();
+        let names: Vec<_> =
+            demos::names().into_iter().map(|(name, about)| (name, with_flags(about))).collect();
         if self.json {
-            let entry = |(name, about): &(&str, &str)| json!({ "name": name, "about": about });
+            let entry = |(name, about): &(&str, String)| json!({ "name": name, "about": about });
             return output::print_json(&names.iter().map(entry).collect());
         }
         let width = names.iter().map(|(name, _)| name.len()).max().unwrap_or(0);

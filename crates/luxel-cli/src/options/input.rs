@@ -1,5 +1,6 @@
 //! What is read.
 
+use crate::flag_words::unknown_format_text;
 use clap::Args;
 use luxel::formats::Format;
 use std::ffi::OsString;
@@ -14,7 +15,7 @@ pub(crate) struct InputOptions {
     pub(crate) model: OsString,
 
     /// The input's format, whatever its name: glb, gltf, obj, stl, ply, toml
-    #[arg(long, value_name = "EXT", required_if_eq("model", "-"))]
+    #[arg(long, value_name = "EXT", value_parser = format, required_if_eq("model", "-"))]
     pub(crate) format: Option<Format>,
 }
 
@@ -23,4 +24,8 @@ impl InputOptions {
     pub(crate) fn name(&self) -> String {
         self.model.to_string_lossy().into_owned()
     }
+}
+
+fn format(text: &str) -> Result<Format, String> {
+    text.parse().map_err(|error| unknown_format_text(&error))
 }

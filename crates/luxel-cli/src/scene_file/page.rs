@@ -5,6 +5,7 @@
 use super::{flags, schema};
 use crate::cli::Cli;
 use crate::commands;
+use crate::flag_words::with_flags;
 use clap::CommandFactory;
 use luxel::formats::{Key, Section, Shape, sections};
 use luxel::lighting::{REFLECTION_MODELS, ReflectionModel};
@@ -82,7 +83,7 @@ fn table(section: &Section, text: &mut String) {
         (name, true) => format!("`[[{name}]]`"),
         (name, false) => format!("`[{name}]`"),
     };
-    write!(text, "\n### {title}\n\n{}.\n\n", section.about).unwrap();
+    write!(text, "\n### {title}\n\n{}.\n\n", with_flags(section.about)).unwrap();
     text.push_str("| key | meaning | for example |\n| --- | --- | --- |\n");
     for Key { name, shape, required, about, example } in section.keys {
         let mark = if *required { " (needed)" } else { "" };

@@ -1,6 +1,7 @@
 //! The JSON schema of scene files, made of the tables of keys and options.
 
 use super::flags;
+use crate::flag_words::with_flags;
 use clap::{Arg, ArgAction, Command};
 use luxel::formats::{Key, Section, Shape, sections};
 use serde_json::{Map, Value, json};
@@ -12,7 +13,7 @@ pub(crate) fn schema(render: &Command) -> Value {
     for section in tables {
         let table = table_of(section);
         let value = if section.repeated {
-            json!({ "type": "array", "items": table, "description": section.about })
+            json!({ "type": "array", "items": table, "description": with_flags(section.about) })
         } else {
             table
         };
@@ -43,7 +44,7 @@ pub(crate) fn schema(render: &Command) -> Value {
 fn table_of(section: &Section) -> Value {
     json!({
         "type": "object",
-        "description": section.about,
+        "description": with_flags(section.about),
         "properties": properties_of(section),
         "required": required_of(section),
         "additionalProperties": false,

@@ -174,7 +174,8 @@ impl<'a> Buffers<'a> {
             return Err(because(&"it is no file"));
         }
         self.memory.take("a file beside the document", metadata.len(), 1, place())?;
-        files::read_file(&path, &self.memory.left()).map_err(|error| because(&error.kind))
+        files::read_file(&path, &self.memory.left())
+            .map_err(|error| because(&error.kind).with_hint(error.hint()))
     }
 
     /// The document that all this belongs to.

@@ -5,8 +5,8 @@
 //! unit light gives 1. So intensities are divided by pi here, once.
 
 use super::buffers::malformed;
-use crate::Error;
 use crate::values::LEAST_CONE_EDGE;
+use crate::{Error, Hint, Warning};
 use luxel_gltf::Light as FileLight;
 use luxel_lighting::{Attenuation, Cone, Light, LightKind};
 
@@ -43,13 +43,10 @@ pub(crate) fn convert(light: &FileLight, index: u32) -> Result<Light, Error> {
 const GLARING_LUX: f32 = 100.0;
 
 /// What to say about a light that is given in the lux of the real world, such as the sun.
-pub(crate) fn glare(light: &FileLight) -> Option<String> {
+pub(crate) fn glare(light: &FileLight) -> Option<Warning> {
     let lux = light.intensity.filter(|&lux| light.kind == "directional" && lux > GLARING_LUX)?;
-    // Exporters turn watts into lumens by 683 lm/W.
-    Some(format!(
-        "{lux} lux burn the picture out, which is drawn without exposure: see --light-scale, such \
-         as 0.00146 (1/683) for lights that were watts"
-    ))
+    let message = format!("{lux} lux burn the picture out, which is drawn without exposure");
+    Some(Warning { message, hint: Some(Hint::ScaleLights) })
 }
 
 fn cone(light: &FileLight, pointer: &str) -> Result<Cone, Error> {

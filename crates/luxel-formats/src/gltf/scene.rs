@@ -106,7 +106,7 @@ impl Builder<'_, '_> {
             let file_light = item(lights, number, "light", &pointer)?;
             let light = lights::convert(file_light, number)?;
             if let Some(warning) = lights::glare(file_light) {
-                self.warnings.push(format!("{}: {warning}", pointer()));
+                self.warnings.push(warning.at(pointer()));
             }
             self.scene.lights.push(SceneLight {
                 name: self.name_of_guest(&file_light.name, node, || format!("light_{number}")),

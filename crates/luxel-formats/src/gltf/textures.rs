@@ -2,7 +2,7 @@
 
 use super::buffers::{Buffers, item};
 use crate::warnings::Warnings;
-use crate::{Error, Limits, Place, image};
+use crate::{Error, Limits, Place, Warning, image};
 use luxel_gltf::{Index, Sampler as FileSampler};
 use luxel_scene::{
     Encoding, Filter, Image, Sampler, SceneMaterial, Texture, TextureId, TextureUse, Wrap,
@@ -99,8 +99,8 @@ impl<'b, 'd> Textures<'b, 'd> {
         let images: Vec<_> = named
             .zip(decoded)
             .map(|((&(index, _), name), decoded)| {
-                Arc::new(decoded.unwrap_or_else(|message| {
-                    warnings.push(format!("/images/{index}: a stand-in is shown: {message}"));
+                Arc::new(decoded.unwrap_or_else(|warning| {
+                    warnings.push(warning.at(format_args!("/images/{index}: a stand-in is shown")));
                     Image::stand_in(name)
                 }))
             })
@@ -113,7 +113,7 @@ impl<'b, 'd> Textures<'b, 'd> {
 
     /// Decodes the images, a few at once, each within its share of the memory that is left. What
     /// doesn't fit into a share is tried alone, so that the outcome doesn't hang on the threads.
-    fn decoded(&self, names: &[String]) -> Vec<Result<Image, String>> {
+    fn decoded(&self, names: &[String]) -> Vec<Result<Image, Warning>> {
         let memory = self.buffers.memory();
         let at_once = 4 * luxel_parallel::threads();
         let mut decoded = Vec::with_capacity(names.len());
@@ -134,7 +134,7 @@ impl<'b, 'd> Textures<'b, 'd> {
                 decoded.push(image.and_then(|image| {
                     let texels = image.levels.iter().map(|level| level.texels.len() as u64).sum();
                     let taken = memory.take("an image", texels, 4, Place::File);
-                    taken.map(|()| image).map_err(|error| error.kind.to_string())
+                    taken.map(|()| image).map_err(|error| error.kind.into())
                 }));
             }
         }
@@ -155,7 +155,7 @@ impl<'b, 'd> Textures<'b, 'd> {
     }
 
     /// The bytes of an image file.
-    fn encoded(&self, index: Index) -> Result<Cow<'_, [u8]>, String> {
+    fn encoded(&self, index: Index) -> Result<Cow<'_, [u8]>, Warning> {
         let image = &self.buffers.document().images[index as usize];
         let pointer = format!("/images/{index}");
         let bytes = match (&image.uri, image.buffer_view) {
@@ -163,9 +163,9 @@ impl<'b, 'd> Textures<'b, 'd> {
             (None, Some(view)) => {
                 self.buffers.view(view, &|| pointer.clone()).map(|view| Cow::Borrowed(view.bytes))
             }
-            (None, None) => return Err("it has neither `uri` nor `bufferView`".to_owned()),
+            (None, None) => return Err("it has neither `uri` nor `bufferView`".into()),
         };
-        bytes.map_err(|error| error.kind.to_string())
+        bytes.map_err(|error| Warning { hint: error.hint(), ..error.kind.into() })
     }
 }
 

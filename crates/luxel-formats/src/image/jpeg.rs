@@ -1,7 +1,7 @@
 //! JPEG, baseline and progressive.
 
 use super::texels::{Decoded, LONGEST_SIDE, check, opaque, whole};
-use crate::Limits;
+use crate::{Limits, Warning};
 use zune_core::bytestream::ZCursor;
 use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
@@ -10,7 +10,7 @@ use zune_jpeg::JpegDecoder;
 /// The first scan of a JPEG spends at least a bit on each block of 8x8 texels.
 const BLOCKS_PER_BYTE: u64 = 8;
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, String> {
+pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Warning> {
     let said = |error: zune_jpeg::errors::DecodeErrors| format!("the JPEG is damaged: {error:?}");
     let options = DecoderOptions::new_safe()
         .set_max_width(LONGEST_SIDE as usize)

@@ -1,14 +1,14 @@
 //! PNG, of every colour type and depth.
 
 use super::texels::{Decoded, check, opaque, whole};
-use crate::Limits;
+use crate::{Limits, Warning};
 use ::png::{BitDepth, ColorType, Transformations};
 use std::io::Cursor;
 
 /// Deflate's shortest code stands for 258 bytes in two bits.
 const BYTES_PER_BYTE: u64 = 1032;
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, String> {
+pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Warning> {
     let said = |error: ::png::DecodingError| format!("the PNG is damaged: {error}");
     let within = usize::try_from(limits.max_memory).unwrap_or(usize::MAX);
     let mut decoder =
@@ -35,7 +35,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, String> {
             &narrowed
         }
         // The transformation above leaves no other.
-        depth => return Err(format!("the PNG has {depth:?} bits a channel")),
+        depth => return Err(format!("the PNG has {depth:?} bits a channel").into()),
     };
     let texels: Vec<_> = match frame.color_type {
         ColorType::Grayscale => rows.iter().map(|&y| [y, y, y, 255]).collect(),
@@ -44,7 +44,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, String> {
         }
         ColorType::Rgb => rows.chunks_exact(3).map(opaque).collect(),
         ColorType::Rgba => rows.as_chunks().0.to_vec(),
-        ColorType::Indexed => return Err("the PNG's palette is missing".to_owned()),
+        ColorType::Indexed => return Err("the PNG's palette is missing".into()),
     };
     whole(width, height, texels)
 }

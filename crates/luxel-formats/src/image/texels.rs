@@ -4,7 +4,7 @@
     allow(dead_code, reason = "this build has no decoder")
 )]
 
-use crate::Limits;
+use crate::{ErrorKind, Limits, Warning};
 
 /// What one texel takes at most: in the decoder's own format, as RGBA, and in the mipmaps.
 const BYTES_PER_TEXEL: u64 = 8 + 4 + 2;
@@ -27,23 +27,21 @@ pub(super) fn check(
     bytes: &[u8],
     bytes_needed: u64,
     limits: &Limits,
-) -> Result<(), String> {
+) -> Result<(), Warning> {
     if width == 0 || height == 0 || width.max(height) > LONGEST_SIDE {
-        return Err(format!("the picture says it is {width}x{height}"));
+        return Err(format!("the picture says it is {width}x{height}").into());
     }
     if bytes_needed > bytes.len() as u64 {
         let length = bytes.len();
         return Err(format!(
             "the picture says it is {width}x{height}, but has only {length} bytes"
-        ));
+        )
+        .into());
     }
     let needed = u64::from(width) * u64::from(height) * BYTES_PER_TEXEL;
     if needed > limits.max_memory {
-        let limit = limits.max_memory;
-        return Err(format!(
-            "a picture of {width}x{height} would take {needed} bytes; the limit is {limit}: \
-             raise it with --max-memory"
-        ));
+        let what = format!("a picture of {width}x{height}");
+        return Err(ErrorKind::TooLarge { what, needed, limit: limits.max_memory }.into());
     }
     Ok(())
 }
@@ -54,10 +52,10 @@ pub(super) fn opaque(rgb: &[u8]) -> [u8; 4] {
 }
 
 /// The picture, if it has as many texels as its dimensions say.
-pub(super) fn whole(width: u32, height: u32, texels: Vec<[u8; 4]>) -> Result<Decoded, String> {
+pub(super) fn whole(width: u32, height: u32, texels: Vec<[u8; 4]>) -> Result<Decoded, Warning> {
     if texels.len() as u64 == u64::from(width) * u64::from(height) {
         Ok(Decoded { width, height, texels })
     } else {
-        Err("the picture's channels are of a kind that luxel doesn't read".to_owned())
+        Err("the picture's channels are of a kind that luxel doesn't read".into())
     }
 }

@@ -18,7 +18,7 @@ use crate::image;
 use crate::memory::Memory;
 use crate::text::shown;
 use crate::warnings::Warnings;
-use crate::{Limits, Place, files};
+use crate::{Limits, Place, Warning, files};
 use luxel_lighting::Reflection;
 use luxel_scene::{
     AlphaMode, Encoding, Image, MaterialId, Sampler, SceneMaterial, Texture, TextureId, TextureUse,
@@ -209,8 +209,8 @@ impl<'a> Materials<'a> {
     fn texture(&mut self, map: &Map, used: Use, warnings: &mut Warnings) -> TextureUse {
         let key = (map.name.clone(), used, map.clamp);
         let texture = self.loaded.get(&key).copied().unwrap_or_else(|| {
-            let image = self.image(&map.name, used).unwrap_or_else(|message| {
-                warnings.push(format!("texture `{}`: {message}", map.name));
+            let image = self.image(&map.name, used).unwrap_or_else(|warning| {
+                warnings.push(warning.at(format_args!("texture `{}`", map.name)));
                 match used {
                     Use::Color => Image::stand_in(map.name.clone()),
                     // Opaque and flat: nothing is to be seen of them.
@@ -234,15 +234,15 @@ impl<'a> Materials<'a> {
         TextureUse { transform, strength: map.strength, ..TextureUse::new(texture) }
     }
 
-    fn image(&self, name: &str, used: Use) -> Result<Image, String> {
+    fn image(&self, name: &str, used: Use) -> Result<Image, Warning> {
         let path = files::within(self.folder, name)?;
         let limits = self.memory.left();
-        let bytes = files::read_file(&path, &limits).map_err(|error| error.kind.to_string())?;
+        let bytes = files::read_file(&path, &limits).map_err(|error| Warning::from(error.kind))?;
         let encoding = if used == Use::Color { Encoding::Srgb } else { Encoding::Linear };
         let mut image = image::decode(name, &bytes, encoding, &limits)?;
         let texels = image.levels[0].texels.len() as u64;
         let taken = self.memory.take("the textures", texels, BYTES_PER_TEXEL, Place::File);
-        taken.map_err(|error| error.kind.to_string())?;
+        taken.map_err(|error| Warning::from(error.kind))?;
         if used == Use::Opacity && image.levels[0].texels.iter().any(|texel| texel[3] < 255) {
             // A picture with alpha that is named for its opacity means its alpha.
             for texel in image.levels.iter_mut().flat_map(|level| &mut level.texels) {
@@ -266,15 +266,15 @@ fn library_files(
 ) -> Vec<(String, Vec<u8>)> {
     let whole = String::from_utf8_lossy(line).into_owned();
     let mut read = |name: &str, tell: bool| {
-        let bytes = files::within(folder, name).and_then(|path| {
-            files::read_file(&path, limits).map_err(|error| error.kind.to_string())
-        });
+        let bytes = files::within(folder, name)
+            .map_err(Warning::from)
+            .and_then(|path| files::read_file(&path, limits).map_err(|error| error.kind.into()));
         match bytes {
             Ok(bytes) => Some((name.to_owned(), bytes)),
-            Err(message) => {
+            Err(warning) => {
                 if tell {
                     let what = "its materials are left out";
-                    warnings.push(format!("library `{name}`: {what}: {message}"));
+                    warnings.push(warning.at(format_args!("library `{name}`: {what}")));
                 }
                 None
             }

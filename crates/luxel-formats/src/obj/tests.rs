@@ -220,10 +220,10 @@ fn what_is_missing_or_leads_out_of_the_folder_gets_a_stand_in() {
     let loaded = folder.load(&quad("mtllib m.mtl\nusemtl a\nf 1 2 3\n"));
     assert_eq!(loaded.scene.textures.len(), 4);
     assert_eq!(loaded.warnings.len(), 4, "{:?}", loaded.warnings);
-    assert!(loaded.warnings[0].contains("leads out"), "{:?}", loaded.warnings);
+    assert!(loaded.warnings[0].message.contains("leads out"), "{:?}", loaded.warnings);
     assert!(load(&quad("mtllib m.mtl\nusemtl a\nf 1 2 3\n")).unwrap().warnings.len() == 2);
     let loaded = folder.load(&quad("mtllib ../m.mtl\nf 1 2 3\n"));
-    assert!(loaded.warnings[0].contains("leads out"), "{:?}", loaded.warnings);
+    assert!(loaded.warnings[0].message.contains("leads out"), "{:?}", loaded.warnings);
 }
 
 proptest! {

@@ -1,4 +1,4 @@
-//! `[[cameras]]`: where eyes stand and what their lenses do, by the keys of the flags.
+//! `[[cameras]]`: placement and lens.
 
 use super::document::{Document, Table};
 use super::keys::CAMERAS;

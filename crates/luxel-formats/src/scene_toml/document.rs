@@ -200,7 +200,7 @@ impl<'a> Table<'a> {
         Place::in_text(self.text, self.get(key).map_or(self.start, |value| value.span().start))
     }
 
-    /// A value as the command line would have it, read by the parser of the flag.
+    /// A value, parsed from its text form.
     pub(super) fn value<T>(
         &self,
         key: &str,
@@ -263,7 +263,7 @@ impl<'a> Table<'a> {
         entries.into_iter().map(|(key, value)| (&**key.get_ref(), value.get_ref())).collect()
     }
 
-    /// All keys but some, each with its value as the command line would have it.
+    /// All keys but some, each with the text form of its value.
     pub(super) fn fields(&self, but: &[&str]) -> Result<Vec<(&'a str, String)>, Error> {
         let mut entries: Vec<_> =
             self.entries.iter().filter(|(key, _)| !but.contains(&key.get_ref().as_ref())).collect();
@@ -278,7 +278,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// A value as it would be written after a flag: numbers as they are, lists with commas.
+/// The text form of a value: numbers as they are, lists with commas.
 pub(super) fn as_text<'v>(value: &'v DeValue<'_>) -> Result<Cow<'v, str>, String> {
     match value {
         DeValue::String(text) => Ok(Cow::Borrowed(text)),

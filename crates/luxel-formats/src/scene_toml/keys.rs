@@ -16,7 +16,7 @@ pub struct Section {
     pub name: &'static str,
     /// Whether there may be many: `[[name]]` instead of `[name]`.
     pub repeated: bool,
-    /// What it is, in a line.
+    /// What it is, in a line. Names of settings of a program stand in backticks.
     pub about: &'static str,
     /// What may stand in it.
     pub keys: &'static [Key],
@@ -25,7 +25,7 @@ pub struct Section {
 /// A key with what may stand behind it.
 #[derive(Clone, Copy, Debug)]
 pub struct Key {
-    /// The key; where a flag says the same, the flag's name.
+    /// The key; where a program has a setting for it, the name of that.
     pub name: &'static str,
     /// The kind of value.
     pub shape: Shape,
@@ -270,7 +270,7 @@ pub(crate) static OVERRIDES: Section = Section {
 pub(crate) static LIGHTS: LazyLock<Section> = LazyLock::new(|| Section {
     name: "lights",
     repeated: true,
-    about: "Lights, instead of the models' own, in the order in which they are added up; the keys are the fields of --light",
+    about: "Lights, instead of the models' own, in the order in which they are added up; the keys are the fields of `light`",
     keys: kept(light_keys()),
 });
 
@@ -357,7 +357,7 @@ const LIGHT_INTENSITIES: [Key; 7] = [
 pub(crate) static CAMERAS: Section = Section {
     name: "cameras",
     repeated: true,
-    about: "Cameras, before the models' own; the first one is used unless --camera names another",
+    about: "Cameras, before the models' own; the first one is used unless `camera` names another",
     keys: &[
         required(key("name", Shape::Text, "its name", "\"front\"")),
         key("eye", Shape::Numbers(3), "where the eye stands", "[4, 3, 8]"),
@@ -394,7 +394,7 @@ pub(crate) static CAMERAS: Section = Section {
 pub(crate) static FOG: Section = Section {
     name: "fog",
     repeated: false,
-    about: "Depth cueing; the keys are the fields of --fog",
+    about: "Depth cueing; the keys are the fields of `fog`",
     keys: &[
         key(
             "law",
@@ -427,10 +427,10 @@ pub(crate) static FOG: Section = Section {
     ],
 };
 
-/// The name of the table whose keys are the flags of `luxel render`.
+/// The name of the table whose keys are settings of the program that draws.
 pub(crate) const RENDER: &str = "render";
 
-/// Everything that a scene file may say, but for `[render]`, whose keys are flags: first what
+/// Everything that a scene file may say, but for `[render]`, whose keys are the program's: first what
 /// stands outside all tables, then the tables.
 #[must_use]
 pub fn sections() -> [&'static Section; 8] {

@@ -1,4 +1,4 @@
-//! `[[lights]]`: the fields of `--light`, as keys.
+//! `[[lights]]`: the fields of a light, as keys.
 
 use super::document::{Document, Table};
 use super::keys::LIGHTS;

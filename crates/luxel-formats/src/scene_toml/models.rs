@@ -105,7 +105,7 @@ fn open_source(
     })?;
     debug_assert!(loaded.format != Format::Toml, "scene files don't hold one another");
     for warning in loaded.warnings {
-        warnings.push(format!("{name}: {warning}"));
+        warnings.push(warning.at(name));
     }
     Ok(loaded.scene)
 }

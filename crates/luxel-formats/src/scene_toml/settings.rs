@@ -1,4 +1,4 @@
-//! `[render]`: what the flags of the command line would say, for whoever has these flags.
+//! `[render]`: settings of the program that draws.
 
 use super::document::{Document, as_text};
 use super::keys::RENDER;
@@ -7,32 +7,32 @@ use crate::{Error, ErrorKind, Limits, Place};
 use std::borrow::Cow;
 use toml::de::DeValue;
 
-/// A flag that a scene file gives.
+/// A setting of a scene file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// The flag's name, without dashes.
+    /// Its name.
     pub name: String,
     /// Where it is written.
     pub place: Place,
-    /// What it says.
+    /// Its value.
     pub value: SettingValue,
-    /// Where that is written.
+    /// Where the value is written.
     pub value_place: Place,
 }
 
-/// What a scene file says about a flag.
+/// The value of a setting.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SettingValue {
-    /// The flag is given, or not.
+    /// On or off.
     Switch(bool),
-    /// One value, as it would be written after the flag.
+    /// One value, as text.
     One(String),
-    /// Several: numbers with commas between them, or values of a flag that may be repeated.
+    /// Several: the numbers of a vector, or values of a setting that may be repeated.
     Many(Vec<String>),
 }
 
-/// The settings of a scene file, in order: what its `[render]` says. What their names and values
-/// mean is for the command line to know.
+/// The settings in `[render]` of a scene file, in order. Names and values are not checked: they are
+/// the program's.
 ///
 /// # Errors
 /// [`Error`] with its line and column, if this is no scene file or `[render]` no table of values.

@@ -37,7 +37,7 @@ pub struct SceneText<'a> {
     pub lights: Vec<(SceneLight, Vec<String>)>,
     /// The cameras; those that hang on nodes are left out.
     pub cameras: Vec<SceneCamera>,
-    /// Flags of `luxel render`.
+    /// Settings of the program that draws, for `[render]`.
     pub settings: Vec<(String, SettingValue)>,
 }
 

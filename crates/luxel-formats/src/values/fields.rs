@@ -1,9 +1,9 @@
-//! `KEY=VALUE:...`: what is said of a thing, field by field, on the command line or in a table.
+//! `KEY=VALUE:...`: fields in one text, or from a table.
 
 /// Keys and values, each taken once.
 #[derive(Clone, Debug, Default)]
 pub struct Fields<'a> {
-    /// What nobody has taken yet, in the order in which it was said.
+    /// Fields that are not taken yet, in order.
     left: Vec<(&'a str, &'a str)>,
 }
 
@@ -25,7 +25,7 @@ impl FieldError {
 }
 
 impl<'a> Fields<'a> {
-    /// Fields as they stand on the command line.
+    /// Fields of one text.
     ///
     /// # Errors
     /// A field without a value, or one that is given twice.

@@ -5,7 +5,7 @@ use super::number::{finite, non_negative_f32, unit_interval};
 use super::vector::color;
 use luxel_lighting::{Fog, FogLaw};
 
-/// Depth cueing on the command line.
+/// Depth cueing in one text.
 ///
 /// # Errors
 /// As [`fog_of`], and fields that are given twice.

@@ -34,7 +34,7 @@ impl LightSpec {
     }
 }
 
-/// A light on the command line.
+/// A light in one text.
 ///
 /// # Errors
 /// As [`light_of`], and fields that are given twice.

@@ -1,8 +1,7 @@
-//! Values as text: how a point, a colour, a light or a model of reflection is written, on the
-//! command line and in scene files.
+//! Text forms of points, colours, lights and models of reflection, as scene files and command lines
+//! have them.
 //!
-//! A parser answers wrong text with one sentence that says what would be right; whoever asked adds
-//! where the text stands.
+//! Errors are one sentence that says what is right; callers add where the text stands.
 
 mod fields;
 mod fog;

@@ -52,12 +52,12 @@ pub(super) const DEMOS: [Demo; 11] = [
     },
     Demo {
         name: "lab-perspective",
-        about: "a floor of one polygon: its texture slides with --interpolation screen",
+        about: "a floor of one polygon: its texture slides with `interpolation screen`",
         make: || floor("lab-perspective", 1),
     },
     Demo {
         name: "lab-rolling",
-        about: "a quad of four colours: they change as it rolls with --interpolation scanline",
+        about: "a quad of four colours: they change as it rolls with `interpolation scanline`",
         make: || quad("lab-rolling", 1),
     },
     Demo {
@@ -77,22 +77,22 @@ pub(super) const DEMOS: [Demo; 11] = [
     },
     Demo {
         name: "lab-corrugated",
-        about: "a folded sheet that averaged normals make flat; --normals mean unfolds it",
+        about: "a folded sheet that averaged normals make flat; `normals mean` unfolds it",
         make: || corrugated("lab-corrugated"),
     },
     Demo {
         name: "lab-lamp",
-        about: "a lamp before a panel of one polygon: --shading gouraud misses the highlight",
+        about: "a lamp before a panel of one polygon: `shading gouraud` misses the highlight",
         make: || panel("lab-lamp", 1),
     },
     Demo {
         name: "lab-highlight",
-        about: "a glossy ball of 24 faces round, chalky with --shading gouraud",
+        about: "a glossy ball of 24 faces round, chalky with `shading gouraud`",
         make: || ball("lab-highlight", MIDDLING, SHININESS),
     },
     Demo {
         name: "lab-mach",
-        about: "a column of 12 faces: Mach bands with --shading flat and gouraud",
+        about: "a column of 12 faces: Mach bands with `shading flat` and gouraud",
         make: || column("lab-mach", COARSE),
     },
 ];
