@@ -1,8 +1,11 @@
 //! The command line: commands and the flags that all of them take.
 
 use crate::commands::{
-    bench, check, completions, demos, explain, gallery, info, navigate, pick, render, view,
+    bench, check, completions, demos, explain, gallery, info, manual, navigate, pick, render,
+    schema, view,
 };
+use crate::console::Console;
+use crate::failure::Failure;
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 
@@ -51,11 +54,37 @@ pub(crate) enum Command {
     Man,
 }
 
+impl Command {
+    /// Runs the command.
+    pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+        match self {
+            Self::View(command) => command.run(console, &words(), Cli::command()),
+            Self::Render(command) => command.run(console),
+            Self::Pick(command) => command.run(console),
+            Self::Explain(command) => command.run(console),
+            Self::Info(command) => command.run(console),
+            Self::Bench(command) => command.run(console),
+            Self::Navigate(command) => command.run(console),
+            Self::Check(command) => command.run(console),
+            Self::Gallery(command) => command.run(console),
+            Self::Demos(command) => command.run(),
+            Self::Completions(command) => command.run(Cli::command()),
+            Self::Schema => schema::run(Cli::command()),
+            Self::Man => manual::run(Cli::command()),
+        }
+    }
+}
+
+/// The words of the command line, as [`with_command`] completes them.
+pub(crate) fn words() -> Vec<OsString> {
+    with_command(std::env::args_os())
+}
+
 /// The words of the command line, with `view` put in where they name no command.
 ///
 /// Only what stands before the first word that is no flag of all commands counts: `luxel info`
 /// asks for the command, `luxel view info` for a file of that name.
-pub(crate) fn with_command(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
+fn with_command(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut words: Vec<_> = words.into_iter().collect();
     let of_all = ["-q", "--quiet", "-v", "--verbose"];
     let first = words.iter().skip(1).position(|word| !of_all.iter().any(|flag| word == flag));
@@ -71,6 +100,13 @@ pub(crate) fn with_command(words: impl IntoIterator<Item = OsString>) -> Vec<OsS
     }
     words
 }
+
+#[cfg(test)]
+mod scene_file_page;
+#[cfg(test)]
+mod scene_file_tests;
+#[cfg(all(test, feature = "viewer"))]
+mod view_line_tests;
 
 #[cfg(test)]
 mod tests {

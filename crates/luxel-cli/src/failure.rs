@@ -5,6 +5,10 @@ use luxel::formats::{Error, ErrorKind, Place};
 use std::path::Path;
 use std::process::ExitCode;
 
+/// The status of a program that was interrupted, as shells report it: 128 and the number of the
+/// signal.
+pub(crate) const INTERRUPTED: u8 = 130;
+
 /// Why the work was not done.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -57,7 +61,7 @@ impl Failure {
             Self::Findings => ExitCode::from(3),
             Self::Unheard => ExitCode::SUCCESS,
             #[cfg(feature = "viewer")]
-            Self::Interrupted => ExitCode::from(crate::output::INTERRUPTED),
+            Self::Interrupted => ExitCode::from(INTERRUPTED),
         }
     }
 

@@ -22,6 +22,8 @@ mod values;
 mod view;
 
 use clap::error::ErrorKind;
+use clap::{CommandFactory, FromArgMatches};
+use cli::Cli;
 use console::Console;
 use failure::Failure;
 use scene_file::Refusal;
@@ -40,14 +42,14 @@ fn main() -> ExitCode {
 }
 
 fn run() -> ExitCode {
-    let line = cli::with_command(std::env::args_os());
-    let cli = match scene_file::command_of(&line) {
+    let read = scene_file::matches(Cli::command, &cli::words());
+    let cli = match read.and_then(|matches| Ok(Cli::from_arg_matches(&matches)?)) {
         Ok(cli) => cli,
         Err(Refusal::Line(error)) => return answer(&error),
         Err(Refusal::File(failure)) => return end(&failure),
     };
     let console = Console::new(cli.quiet, cli.verbose);
-    match commands::run(cli.command, console) {
+    match cli.command.run(console) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => end(&failure),
     }

@@ -1,6 +1,6 @@
 //! Results: the standard output, and files that appear whole or not at all.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, INTERRUPTED};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -32,10 +32,6 @@ static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 type Last = Box<dyn FnOnce() -> bool + Send>;
 static LAST: Mutex<Option<Last>> = Mutex::new(None);
 static INTERRUPTS: Once = Once::new();
-
-/// What a program that was interrupted ends with, as shells report it: 128 and the number of the
-/// signal.
-pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Writes a file: under another name first, then renamed, so that it is there whole or not at all.
 /// What is there already and no regular file (a pipe, a device) is written to as it is.

@@ -5,16 +5,13 @@
 //! a flag came from. Flags that the user gives win, and so do flags that exclude one of the file's.
 
 pub(crate) mod flags;
-#[cfg(test)]
-mod page;
 pub(crate) mod schema;
 
-use crate::cli::Cli;
 use crate::failure::Failure;
 use crate::model;
 use clap::error::{ContextKind, ContextValue, ErrorKind as UsageKind};
 use clap::parser::ValueSource;
-use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory, FromArgMatches};
+use clap::{Arg, ArgAction, ArgMatches, Command};
 use flags::{Answer, answer};
 use luxel::formats::{
     Error, ErrorKind, Format, Limits, Place, Setting, SettingValue, scene_settings,
@@ -38,9 +35,9 @@ impl From<clap::Error> for Refusal {
     }
 }
 
-/// The command that a line asks for, with what its scene file says, if its model is one.
-pub(crate) fn command_of(line: &[OsString]) -> Result<Cli, Refusal> {
-    let mut program = Cli::command();
+/// The command and the flags of a line, with the settings of its scene file, if its model is one.
+pub(crate) fn matches(of: fn() -> Command, line: &[OsString]) -> Result<ArgMatches, Refusal> {
+    let mut program = of();
     // Building tells the commands of the flags that all of them take.
     program.build();
     let matches = program.try_get_matches_from_mut(line)?;
@@ -48,8 +45,11 @@ pub(crate) fn command_of(line: &[OsString]) -> Result<Cli, Refusal> {
         Some((_, given)) => settings(given).map_err(Refusal::File)?,
         None => Vec::new(),
     };
-    let Some((name, given)) = matches.subcommand().filter(|_| !settings.is_empty()) else {
-        return Ok(Cli::from_arg_matches(&matches)?);
+    if settings.is_empty() {
+        return Ok(matches);
+    }
+    let Some((name, given)) = matches.subcommand() else {
+        return Ok(matches);
     };
     let file = given.get_one::<OsString>("model").cloned().unwrap_or_default();
     let in_file = |error: Error| Refusal::File(error.in_file(&file).into());
@@ -63,8 +63,7 @@ pub(crate) fn command_of(line: &[OsString]) -> Result<Cli, Refusal> {
     let (before, behind) = line.split_at(after);
     let longer: Vec<OsString> =
         before.iter().cloned().chain(flags).chain(behind.iter().cloned()).collect();
-    let matches = Cli::command().try_get_matches_from(longer)?;
-    Ok(Cli::from_arg_matches(&matches)?)
+    Ok(of().try_get_matches_from(longer)?)
 }
 
 /// What the model says about flags, if it is a scene file. One that can't be read is told of later,
@@ -89,7 +88,7 @@ fn settings(given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
 
 /// The settings make sense, each by itself and all together: for `luxel render`, whatever the
 /// command is, so that a file is right or wrong for all of them.
-fn check(settings: &[Setting], render: &Command) -> Result<(), Error> {
+pub(crate) fn check(settings: &[Setting], render: &Command) -> Result<(), Error> {
     let mut all: Vec<OsString> = Vec::new();
     for setting in settings {
         let wrong = |place: &Place, message: String| {
@@ -174,7 +173,7 @@ fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
 
 /// What a setting adds to a command's line: nothing where the line already says it or something that
 /// excludes it, or where the command has no such flag.
-fn flags_for(setting: &Setting, command: &Command, given: &ArgMatches) -> Vec<OsString> {
+pub(crate) fn flags_for(setting: &Setting, command: &Command, given: &ArgMatches) -> Vec<OsString> {
     let on_line = |arg: &Arg| {
         let id = arg.get_id().as_str();
         given.try_contains_id(id).is_ok_and(|known| known)
@@ -190,6 +189,3 @@ fn flags_for(setting: &Setting, command: &Command, given: &ArgMatches) -> Vec<Os
     });
     if is_overruled { Vec::new() } else { words(setting, arg).unwrap_or_default() }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,9 +1,8 @@
 //! `luxel completions`: what a shell wants to know.
 
-use crate::cli::Cli;
 use crate::failure::Failure;
 use crate::output;
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::Shell;
 
 /// Print completions for a shell
@@ -16,9 +15,9 @@ pub(crate) struct CompletionsCommand {
 }
 
 impl CompletionsCommand {
-    pub(crate) fn run(self) -> Result<(), Failure> {
+    pub(crate) fn run(self, mut program: Command) -> Result<(), Failure> {
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut Cli::command(), "luxel", &mut script);
+        clap_complete::generate(self.shell, &mut program, "luxel", &mut script);
         output::print_bytes(&script)
     }
 }

@@ -1,21 +1,20 @@
 //! `luxel man`: the manual page, made of the same table of options as the command line.
 
-use crate::cli::Cli;
 use crate::failure::Failure;
 use crate::output;
-use clap::{Command, CommandFactory};
+use clap::Command;
 use clap_mangen::Man;
 use std::io::{self, Write};
 
 /// Prints the manual page.
-pub(crate) fn run() -> Result<(), Failure> {
+pub(crate) fn run(program: Command) -> Result<(), Failure> {
     let mut page = Vec::new();
-    render(&mut page).map_err(|error| Failure::standard_output(&error))?;
+    render(program, &mut page).map_err(|error| Failure::standard_output(&error))?;
     output::print_bytes(&page)
 }
 
-fn render(page: &mut dyn Write) -> io::Result<()> {
-    let mut program = Cli::command().disable_help_subcommand(true);
+fn render(program: Command, page: &mut dyn Write) -> io::Result<()> {
+    let mut program = program.disable_help_subcommand(true);
     program.build();
     let man = Man::new(program.clone());
     man.render_title(page)?;

@@ -1,18 +1,16 @@
 //! `luxel schema`: what a scene file may say, for editors.
 
-use crate::cli::Cli;
 use crate::failure::Failure;
 use crate::{output, scene_file};
-use clap::CommandFactory;
+use clap::Command;
 
 /// Prints the JSON schema of scene files.
-pub(crate) fn run() -> Result<(), Failure> {
-    output::print(&text())
+pub(crate) fn run(program: Command) -> Result<(), Failure> {
+    output::print(&text(program))
 }
 
 /// The schema as the file has it.
-pub(crate) fn text() -> String {
-    let mut program = Cli::command();
+pub(crate) fn text(mut program: Command) -> String {
     program.build();
     let render = program.find_subcommand("render").unwrap_or(&program);
     let schema = scene_file::schema::schema(render);

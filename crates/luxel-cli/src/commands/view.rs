@@ -6,6 +6,8 @@ use crate::options::{
 };
 #[cfg(not(feature = "viewer"))]
 use crate::{console::Console, failure::Failure};
+#[cfg(not(feature = "viewer"))]
+use clap::Command;
 use clap::{Args, ValueEnum};
 use luxel::navigation::Mode;
 use std::ffi::OsString;
@@ -89,7 +91,7 @@ enum ThemeName {
 
 #[cfg(not(feature = "viewer"))]
 impl ViewCommand {
-    pub(crate) fn run(self, _: Console) -> Result<(), Failure> {
+    pub(crate) fn run(self, _: Console, _: &[OsString], _: Command) -> Result<(), Failure> {
         let what = "this build of luxel has no window";
         Err(Failure::work(what, "build it with `--features viewer`, or use `luxel render`"))
     }
@@ -98,7 +100,7 @@ impl ViewCommand {
 #[cfg(feature = "viewer")]
 mod keys;
 #[cfg(feature = "viewer")]
-mod line;
+pub(crate) mod line;
 #[cfg(feature = "viewer")]
 mod saved;
 
@@ -108,13 +110,12 @@ mod window {
     use super::line::line;
     use super::saved;
     use super::{GraphicsName, ThemeName, ViewCommand};
-    use crate::cli::{Cli, with_command};
     use crate::console::Console;
     use crate::failure::Failure;
     use crate::options::InputOptions;
     use crate::{model, navigation, output, surface, view};
     use clap::parser::ValueSource;
-    use clap::{ArgMatches, CommandFactory};
+    use clap::{ArgMatches, Command};
     use luxel_viewer::{
         Graphics, GraphicsChoice, LoadProgress, Model, Options, Outcome, TerminalOptions,
         ThemeChoice, ViewerError, leave_terminal, view_in_terminal,
@@ -127,8 +128,8 @@ mod window {
     const WELCOME: &str = "demo:welcome";
 
     /// Whether the words of the command line name a model.
-    fn names_model(words: Vec<OsString>) -> bool {
-        let matches = Cli::command().try_get_matches_from(words).ok();
+    fn names_model(program: &Command, words: &[OsString]) -> bool {
+        let matches = program.clone().try_get_matches_from(words).ok();
         let matches = matches.as_ref().and_then(ArgMatches::subcommand);
         let source = matches.and_then(|(_, view)| view.value_source("model"));
         source.is_none_or(|source| source == ValueSource::CommandLine)
@@ -146,8 +147,14 @@ mod window {
     }
 
     impl ViewCommand {
-        pub(crate) fn run(mut self, console: Console) -> Result<(), Failure> {
-            if !names_model(with_command(std::env::args_os())) {
+        /// `words` is the whole command line, `program` its definition.
+        pub(crate) fn run(
+            mut self,
+            console: Console,
+            words: &[OsString],
+            program: Command,
+        ) -> Result<(), Failure> {
+            if !names_model(&program, words) {
                 self.input.model = WELCOME.into();
             }
             if self.input.model == "-" && self.replay.as_deref() == Some("-".as_ref()) {
@@ -157,6 +164,7 @@ mod window {
             if self.terminal {
                 return self.in_terminal(console);
             }
+            let words = words.to_vec();
             let files: Vec<_> = std::iter::once(&self.input.model).chain(&self.more).collect();
             for file in &files {
                 self.check_model(file, console)?;
@@ -179,8 +187,8 @@ mod window {
                 keys: keys::keys(self.keys.as_deref())?,
                 execution: view::execution(&self.execution),
                 write: Box::new(write),
-                print: Box::new(|file, seen| {
-                    let line = line(&with_command(std::env::args_os()), file, seen);
+                print: Box::new(move |file, seen| {
+                    let line = line(&program, &words, file, seen);
                     // Who reads it may be gone; the window is still there.
                     let _ = output::print(&format!("{line}\n"));
                     line

@@ -14,7 +14,7 @@ pub(crate) enum Answer<'a> {
 }
 
 /// Flags that stand elsewhere in a scene file, and where; so do those of parameters of reflection.
-const ELSEWHERE: [(&str, &str); 9] = [
+pub(crate) const ELSEWHERE: [(&str, &str); 9] = [
     ("light", "[[lights]]"),
     ("fog", "[fog]"),
     ("ambient", "`ambient` above all tables"),
@@ -27,7 +27,7 @@ const ELSEWHERE: [(&str, &str); 9] = [
 ];
 
 /// Flags that say where results go and how the work is done: a file says what to draw.
-const ON_THE_LINE: [&str; 13] = [
+pub(crate) const ON_THE_LINE: [&str; 13] = [
     "output",
     "output-format",
     "format",
@@ -75,23 +75,4 @@ pub(crate) fn answer<'a>(name: &str, render: &'a Command) -> Answer<'a> {
 pub(crate) fn keys(render: &Command) -> impl Iterator<Item = &Arg> {
     let is_key = |name: &str| !ON_THE_LINE.contains(&name) && elsewhere(name).is_none();
     render.get_arguments().filter(move |arg| arg.get_long().is_some_and(is_key))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::cli::Cli;
-    use clap::CommandFactory;
-
-    #[test]
-    fn what_stands_elsewhere_or_on_the_line_is_a_flag() {
-        let mut program = Cli::command();
-        program.build();
-        let render = program.find_subcommand("render").unwrap();
-        let flags: Vec<_> = render.get_arguments().filter_map(Arg::get_long).collect();
-        for name in ELSEWHERE.iter().map(|(name, _)| *name).chain(ON_THE_LINE) {
-            // Commands have no version of their own.
-            assert!(flags.contains(&name) || name == "version", "{name}");
-        }
-    }
 }

@@ -1,4 +1,10 @@
-use super::*;
+//! Scene files and the flags of the program.
+
+use super::Cli;
+use crate::scene_file::flags::{ELSEWHERE, ON_THE_LINE};
+use crate::scene_file::{check, flags_for};
+use clap::{Arg, Command, CommandFactory};
+use luxel::formats::{Limits, Setting, scene_settings};
 
 fn render() -> Command {
     let mut program = Cli::command();
@@ -68,5 +74,17 @@ fn wrong_settings_are_told_with_their_line_and_column() {
     ] {
         let message = refused(file);
         assert!(message.contains(expected), "{file}: {message}");
+    }
+}
+
+#[test]
+fn what_stands_elsewhere_or_on_the_line_is_a_flag() {
+    let mut program = Cli::command();
+    program.build();
+    let render = program.find_subcommand("render").unwrap();
+    let flags: Vec<_> = render.get_arguments().filter_map(Arg::get_long).collect();
+    for name in ELSEWHERE.iter().map(|(name, _)| *name).chain(ON_THE_LINE) {
+        // Commands have no version of their own.
+        assert!(flags.contains(&name) || name == "version", "{name}");
     }
 }

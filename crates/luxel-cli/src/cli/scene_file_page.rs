@@ -2,10 +2,10 @@
 //!
 //! `LUXEL_BLESS=1` writes page and schema instead of comparing them.
 
-use super::{flags, schema};
-use crate::cli::Cli;
+use super::Cli;
 use crate::commands;
 use crate::flag_words::with_flags;
+use crate::scene_file::{flags, schema};
 use clap::CommandFactory;
 use luxel::formats::{Key, Section, Shape, sections};
 use luxel::lighting::{REFLECTION_MODELS, ReflectionModel};
@@ -30,7 +30,7 @@ fn assert_is_up_to_date(name: &str, expected: &str) {
 
 #[test]
 fn the_schema_says_what_scene_files_may_say() {
-    assert_is_up_to_date("scene.schema.json", &commands::schema::text());
+    assert_is_up_to_date("scene.schema.json", &commands::schema::text(Cli::command()));
 }
 
 #[test]
