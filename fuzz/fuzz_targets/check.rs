@@ -3,7 +3,7 @@
 use luxel_formats::{Format, Limits, read};
 
 /// Small enough for a lying count to be found before memory runs out.
-pub const LIMITS: Limits = Limits { max_memory: 64 << 20, max_depth: 64, watch: None };
+pub const LIMITS: Limits = Limits { max_memory: 64 << 20, max_depth: 64, progress: None };
 
 /// Reads bytes; whatever is accepted must hold together.
 pub fn check(bytes: &[u8], format: Format) {

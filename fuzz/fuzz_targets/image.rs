@@ -4,7 +4,7 @@
 
 use luxel_formats::{Format, Limits, read};
 
-const LIMITS: Limits = Limits { max_memory: 64 << 20, max_depth: 64, watch: None };
+const LIMITS: Limits = Limits { max_memory: 64 << 20, max_depth: 64, progress: None };
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let length = bytes.len();

@@ -1,4 +1,4 @@
-//! The camera that the flags and the scene ask for, by one rule for all commands.
+//! Chooses the camera from flags and scene, by one rule for all commands.
 
 use crate::failure::Failure;
 use crate::options::FrameOptions;
@@ -109,12 +109,12 @@ fn distance_from_all_sides(options: &FrameOptions, scene: &Scene, pivot: DVec3, 
     distance
 }
 
-/// Whether the flags say where the camera stands.
+/// Whether the flags place the camera.
 fn is_placed(options: &FrameOptions) -> bool {
     options.view_matrix.is_some() || options.eye.is_some()
 }
 
-/// From which side a model is looked at that brings no camera.
+/// The side from which a model without a camera is seen.
 fn viewpoint(options: &FrameOptions, up: DVec3) -> Viewpoint {
     Viewpoint {
         up,
@@ -126,7 +126,7 @@ fn viewpoint(options: &FrameOptions, up: DVec3) -> Viewpoint {
     }
 }
 
-/// The camera of the file that the flags leave in charge.
+/// The camera of the file, if no flag replaces it.
 fn file_camera<'a>(
     options: &FrameOptions,
     scene: &'a Scene,

@@ -82,8 +82,8 @@ pub(crate) fn words() -> Vec<OsString> {
 
 /// The words of the command line, with `view` put in where they name no command.
 ///
-/// Only what stands before the first word that is no flag of all commands counts: `luxel info`
-/// asks for the command, `luxel view info` for a file of that name.
+/// The first word that is no global flag decides: `luxel info` is the command, `luxel view info` a file
+/// of that name.
 fn with_command(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut words: Vec<_> = words.into_iter().collect();
     let of_all = ["-q", "--quiet", "-v", "--verbose"];
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn every_command_and_every_flag_is_told_about() {
+    fn every_command_and_every_flag_has_help() {
         let program = Cli::command();
         for command in program.get_subcommands() {
             assert!(command.get_about().is_some(), "{}", command.get_name());

@@ -1,14 +1,14 @@
-//! What the program says on the standard error, and how it looks on a terminal.
+//! Messages on the standard error, coloured on terminals.
 
 pub(crate) use luxel::report::printable;
 use std::io::{IsTerminal, Write};
 
-/// How much is said.
+/// Which messages appear.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Console {
     /// Errors only.
     quiet: bool,
-    /// What is done and how long it takes, too.
+    /// Also what is done and how long it takes.
     verbose: bool,
 }
 
@@ -24,22 +24,22 @@ impl Console {
         Self { quiet, verbose }
     }
 
-    /// Something was left out or replaced.
+    /// Prints a warning.
     pub(crate) fn warn(self, message: &str) {
         if !self.quiet {
-            say("warning", WARNING, &[message]);
+            print_message("warning", WARNING, &[message]);
         }
     }
 
-    /// Something was done that is worth a line.
+    /// Prints a notice of what was done.
     #[cfg(feature = "viewer")]
-    pub(crate) fn tell(self, message: &str) {
+    pub(crate) fn notice(self, message: &str) {
         if !self.quiet {
             write(&format!("luxel: {}\n", printable(message)));
         }
     }
 
-    /// Something for those who asked for it.
+    /// Prints a message if `--verbose` is given.
     pub(crate) fn detail(self, message: &str) {
         if self.verbose {
             write(&format!("luxel: {}\n", printable(message)));
@@ -53,12 +53,12 @@ impl Console {
     }
 }
 
-/// Says why the program ends: what and where on the first line, what to do below it.
+/// Prints an error: what and where on the first line, the remedy below it.
 pub(crate) fn error(lines: &[&str]) {
-    say("error", ERROR, lines);
+    print_message("error", ERROR, lines);
 }
 
-fn say(kind: &str, color: &str, lines: &[&str]) {
+fn print_message(kind: &str, color: &str, lines: &[&str]) {
     let (on, off) = if colored() { (color, RESET) } else { ("", "") };
     let mut text = format!("luxel: {on}{kind}:{off} ");
     for (place, line) in lines.iter().enumerate() {
@@ -71,7 +71,7 @@ fn say(kind: &str, color: &str, lines: &[&str]) {
     write(&text);
 }
 
-/// A standard error that is closed is no reason to stop working.
+/// Writes to the standard error; work goes on where it is closed.
 fn write(text: &str) {
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }

@@ -1,4 +1,4 @@
-//! What ends the program before its work is done, and with which status.
+//! Failures of the program, and the exit status of each.
 
 use crate::flag_words::error_text;
 use luxel::formats::{Error, ErrorKind, Place};
@@ -18,14 +18,14 @@ pub(crate) enum Failure {
     Work {
         /// What is wrong, with its place.
         what: String,
-        /// What to do about it; empty if `what` says it.
+        /// The remedy; empty if `what` contains it.
         remedy: String,
     },
-    /// A check has found something, and told it: status 3.
+    /// A check has reported findings: status 3.
     Findings,
-    /// Whoever reads the standard output has heard enough: no error at all.
-    Unheard,
-    /// A signal has ended the program, which has left everything in order: status 130.
+    /// The reader of the standard output has closed it: no error.
+    OutputClosed,
+    /// A signal has interrupted the program, which has cleaned up: status 130.
     #[cfg(feature = "viewer")]
     Interrupted,
 }
@@ -47,7 +47,7 @@ impl Failure {
     /// The standard output failed.
     pub(crate) fn standard_output(error: &std::io::Error) -> Self {
         if error.kind() == std::io::ErrorKind::BrokenPipe {
-            Self::Unheard
+            Self::OutputClosed
         } else {
             Self::work(format!("standard output: {error}"), "free what it is written to")
         }
@@ -59,7 +59,7 @@ impl Failure {
             Self::Usage(_) => ExitCode::from(2),
             Self::Work { .. } => ExitCode::FAILURE,
             Self::Findings => ExitCode::from(3),
-            Self::Unheard => ExitCode::SUCCESS,
+            Self::OutputClosed => ExitCode::SUCCESS,
             #[cfg(feature = "viewer")]
             Self::Interrupted => ExitCode::from(INTERRUPTED),
         }
@@ -71,7 +71,7 @@ impl Failure {
             Self::Usage(what) => vec![what, "for more, try `luxel help`"],
             Self::Work { what, remedy } if remedy.is_empty() => vec![what],
             Self::Work { what, remedy } => vec![what, remedy],
-            Self::Findings | Self::Unheard => Vec::new(),
+            Self::Findings | Self::OutputClosed => Vec::new(),
             #[cfg(feature = "viewer")]
             Self::Interrupted => Vec::new(),
         }
@@ -98,7 +98,7 @@ impl From<Error> for Failure {
             ErrorKind::Unsupported(_) | ErrorKind::UnknownFormat(_) => {
                 "export it in another way: glb, gltf, obj, stl or ply"
             }
-            // The message says what to do.
+            // The message contains the remedy.
             _ => "",
         };
         Self::work(error_text(&error), remedy)

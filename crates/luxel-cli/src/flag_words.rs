@@ -12,12 +12,12 @@ pub(crate) fn warning_text(warning: &Warning) -> String {
     format!("{warning}{}", hint_text(warning.hint))
 }
 
-/// What is wrong with the name of a format.
+/// An unknown format with its hint.
 pub(crate) fn unknown_format_text(error: &UnknownFormat) -> String {
     format!("{error}{}", hint_text(error.hint()))
 }
 
-/// What follows a message with a hint.
+/// The text that follows a message with a hint.
 fn hint_text(hint: Option<Hint>) -> &'static str {
     match hint {
         Some(Hint::RaiseMemoryLimit) => ": raise it with --max-memory",

@@ -37,7 +37,7 @@ fn main() -> ExitCode {
             "please report it with the command and the file that led here",
         ]);
     }));
-    // The hook has told what happened; an aborted process would tell more than anyone can use.
+    // The hook has printed the message; an abort would add nothing useful.
     std::panic::catch_unwind(run).unwrap_or(ExitCode::FAILURE)
 }
 
@@ -45,17 +45,18 @@ fn run() -> ExitCode {
     let read = scene_file::matches(Cli::command, &cli::words());
     let cli = match read.and_then(|matches| Ok(Cli::from_arg_matches(&matches)?)) {
         Ok(cli) => cli,
-        Err(Refusal::Line(error)) => return answer(&error),
-        Err(Refusal::File(failure)) => return end(&failure),
+        Err(Refusal::Line(error)) => return print_usage(&error),
+        Err(Refusal::File(failure)) => return report(&failure),
     };
     let console = Console::new(cli.quiet, cli.verbose);
     match cli.command.run(console) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => end(&failure),
+        Err(failure) => report(&failure),
     }
 }
 
-fn end(failure: &Failure) -> ExitCode {
+/// Prints a failure, and returns its status.
+fn report(failure: &Failure) -> ExitCode {
     let lines = failure.lines();
     if !lines.is_empty() {
         console::error(&lines);
@@ -63,14 +64,13 @@ fn end(failure: &Failure) -> ExitCode {
     failure.exit_code()
 }
 
-/// Prints what clap has to say: the help and the version on the standard output, else what is wrong
-/// with the flags.
-fn answer(error: &clap::Error) -> ExitCode {
+/// Prints clap's message: help and version on the standard output, errors on the standard error.
+fn print_usage(error: &clap::Error) -> ExitCode {
     let text = error.render().to_string();
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         return match output::print(&text) {
             Ok(()) => ExitCode::SUCCESS,
-            Err(failure) => end(&failure),
+            Err(failure) => report(&failure),
         };
     }
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {

@@ -1,4 +1,4 @@
-//! From the name on the command line to a scene.
+//! Reads the model of the command line.
 
 use crate::console::Console;
 use crate::failure::Failure;
@@ -14,7 +14,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 use std::time::Instant;
 
-/// A scene with what `info` tells about its reading.
+/// A scene, with the format and the warnings of its reader.
 #[derive(Debug)]
 pub(crate) struct Model {
     /// What the input holds.
@@ -33,25 +33,25 @@ impl From<Loaded> for Model {
     }
 }
 
-/// Reads what the command line names and tells its warnings.
+/// Reads the model of the command line and prints its warnings.
 pub(crate) fn load(
     input: &InputOptions,
     execution: &ExecutionOptions,
     console: Console,
 ) -> Result<Model, Failure> {
-    load_watched(input, execution, console, None)
+    load_with_progress(input, execution, console, None)
 }
 
-/// As [`load`], watched by somebody who may stop it.
-pub(crate) fn load_watched(
+/// As [`load`], with progress that another thread may display or stop.
+pub(crate) fn load_with_progress(
     input: &InputOptions,
     execution: &ExecutionOptions,
     console: Console,
-    watch: Option<Progress>,
+    progress: Option<Progress>,
 ) -> Result<Model, Failure> {
     let start = Instant::now();
     execution.limit_threads();
-    let limits = Limits { max_memory: execution.max_memory, watch, ..Limits::default() };
+    let limits = Limits { max_memory: execution.max_memory, progress, ..Limits::default() };
     let model = if let Some(name) = input.model.to_str().and_then(|name| name.strip_prefix("demo:"))
     {
         demo(name)?
@@ -84,7 +84,7 @@ fn demo(name: &str) -> Result<Model, Failure> {
     Ok(Model { scene, format: "demo", warnings: Vec::new() })
 }
 
-/// Reads a file whose name doesn't tell its format.
+/// Reads a file as a given format.
 fn open_as(path: &Path, format: Format, limits: &Limits) -> Result<Loaded, Error> {
     let in_file = |error: std::io::Error| Error::at(Place::File, error.into()).in_file(path);
     let mut file = File::open(path).map_err(in_file)?;
@@ -103,8 +103,7 @@ pub(crate) fn bytes_of(name: &OsStr, limits: &Limits) -> Result<Cow<'static, [u8
     read_all(&mut file, "the file", limits).map(Cow::Owned)
 }
 
-/// The standard input, which can be read only once but is asked for twice where it is a scene file:
-/// for its flags, and for its scene.
+/// The standard input, kept because a scene file is read twice: for its flags, and for its scene.
 fn standard_input(limits: &Limits) -> Result<&'static [u8], Error> {
     static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
     if let Some(bytes) = BYTES.get() {
@@ -114,7 +113,7 @@ fn standard_input(limits: &Limits) -> Result<&'static [u8], Error> {
     Ok(BYTES.get_or_init(|| bytes))
 }
 
-/// Reads to the end, unless there is more than the limits allow.
+/// Reads to the end, within the limits.
 fn read_all(input: &mut dyn Read, what: &str, limits: &Limits) -> Result<Vec<u8>, Error> {
     let at_file = |kind| Error::at(Place::File, kind);
     let mut bytes = Vec::new();

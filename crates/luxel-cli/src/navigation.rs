@@ -1,4 +1,4 @@
-//! From flags to the start of a navigation, and from a file to a log.
+//! Starts navigation from flags, and reads logs.
 
 use crate::camera;
 use crate::failure::Failure;

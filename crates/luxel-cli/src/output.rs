@@ -1,4 +1,4 @@
-//! Results: the standard output, and files that appear whole or not at all.
+//! Writes results: to the standard output, and to files, atomically.
 
 use crate::failure::{Failure, INTERRUPTED};
 use std::fs::{self, OpenOptions};
@@ -27,14 +27,13 @@ pub(crate) fn print_json(document: &serde_json::Value) -> Result<(), Failure> {
 
 /// The file being written, which an interrupt has to remove.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
-/// What is to be done when the program is interrupted; whether the program comes to its end by itself
-/// then.
-type Last = Box<dyn FnOnce() -> bool + Send>;
-static LAST: Mutex<Option<Last>> = Mutex::new(None);
+/// Runs on an interrupt; returns whether the program ends by itself then.
+type OnInterrupt = Box<dyn FnOnce() -> bool + Send>;
+static ON_INTERRUPT: Mutex<Option<OnInterrupt>> = Mutex::new(None);
 static INTERRUPTS: Once = Once::new();
 
-/// Writes a file: under another name first, then renamed, so that it is there whole or not at all.
-/// What is there already and no regular file (a pipe, a device) is written to as it is.
+/// Writes a file under another name first and renames it, so that it is complete or absent. An existing
+/// pipe or device is written to directly.
 pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let failure = |error: io::Error| Failure::writing(path, &error, "-o");
     match fs::metadata(path) {
@@ -47,7 +46,7 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     // A link stays a link: what it leads to is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let unfinished = unfinished_name(&target);
-    remove_when_interrupted(&unfinished);
+    remove_on_interrupt(&unfinished);
     let written = OpenOptions::new()
         .write(true)
         .create_new(true)
@@ -61,7 +60,7 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     written.map_err(failure)
 }
 
-/// Says before any work is done that there is no folder for a file that a flag names.
+/// Fails before any work is done if a file that a flag names has no folder.
 pub(crate) fn check_folder(path: &Path, flag: &str) -> Result<(), Failure> {
     if path.is_dir() {
         let remedy = format!("name a file in it with {flag}");
@@ -79,7 +78,7 @@ pub(crate) fn check_folder(path: &Path, flag: &str) -> Result<(), Failure> {
     }
 }
 
-/// Says before any work is done that a file that a flag names can't be written, and leaves all as it is.
+/// Fails before any work is done if a file that a flag names can't be written; changes nothing.
 #[cfg(feature = "viewer")]
 pub(crate) fn check_writable(path: &Path, flag: &str) -> Result<(), Failure> {
     check_folder(path, flag)?;
@@ -109,27 +108,27 @@ fn unfinished_name(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
-fn remove_when_interrupted(unfinished: &Path) {
+fn remove_on_interrupt(unfinished: &Path) {
     *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = Some(unfinished.to_owned());
-    hear_interrupts();
+    handle_interrupts();
 }
 
-/// Does something at last, if the program is interrupted from now on. If that says that the program comes
-/// to its end by itself, it is left alone, unless it is interrupted once more.
+/// Sets what runs on the next interrupt. If it returns true, the program ends by itself, and only a
+/// second interrupt ends it at once.
 #[cfg(feature = "viewer")]
-pub(crate) fn when_interrupted(last: Last) {
-    *LAST.lock().unwrap_or_else(PoisonError::into_inner) = Some(last);
-    hear_interrupts();
+pub(crate) fn on_interrupt(action: OnInterrupt) {
+    *ON_INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner) = Some(action);
+    handle_interrupts();
 }
 
-fn hear_interrupts() {
+fn handle_interrupts() {
     INTERRUPTS.call_once(|| {
         // Without a handler the system ends the program, which is right but for the unfinished file
         // and for terminals that are in use.
         #[cfg(not(target_family = "wasm"))]
         let _ = ctrlc::set_handler(|| {
-            let last = LAST.lock().unwrap_or_else(PoisonError::into_inner).take();
-            if last.is_some_and(|last| last()) {
+            let action = ON_INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner).take();
+            if action.is_some_and(|action| action()) {
                 return;
             }
             if let Some(path) = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).take() {

@@ -1,8 +1,8 @@
-//! A bar that tells how far long work is: on a terminal only, and only in builds that have it.
+//! A progress bar for long work: on terminals, in builds with the feature.
 
 use crate::console::Console;
 
-/// How far work of several steps is.
+/// The progress of work in several steps.
 pub(crate) struct Progress {
     #[cfg(feature = "progress")]
     bar: indicatif::ProgressBar,

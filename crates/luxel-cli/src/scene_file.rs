@@ -1,8 +1,8 @@
 //! The flags that a scene file brings: `[render]` read by the table of options of the command line.
 //!
 //! The keys of `[render]` are the flags of `luxel render`, and their values are read by the flags'
-//! own parsers: what the file says is put onto the command line, behind which nobody can tell where
-//! a flag came from. Flags that the user gives win, and so do flags that exclude one of the file's.
+//! own parsers: the settings are inserted into the command line, so that no command knows where a
+//! flag came from. Flags that the user gives win, and so do flags that exclude one of the file's.
 
 pub(crate) mod flags;
 pub(crate) mod schema;
@@ -12,7 +12,7 @@ use crate::model;
 use clap::error::{ContextKind, ContextValue, ErrorKind as UsageKind};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
-use flags::{Answer, answer};
+use flags::{Lookup, look_up};
 use luxel::formats::{
     Error, ErrorKind, Format, Limits, Place, Setting, SettingValue, scene_settings,
 };
@@ -20,10 +20,10 @@ use std::error::Error as _;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Why there is no command to run.
+/// Why the line has no command to run.
 #[derive(Debug)]
 pub(crate) enum Refusal {
-    /// What clap has to say: help, the version, or what is wrong with the line.
+    /// Clap's message: help, version, or an error in the line.
     Line(Box<clap::Error>),
     /// The scene file is wrong.
     File(Failure),
@@ -38,7 +38,7 @@ impl From<clap::Error> for Refusal {
 /// The command and the flags of a line, with the settings of its scene file, if its model is one.
 pub(crate) fn matches(of: fn() -> Command, line: &[OsString]) -> Result<ArgMatches, Refusal> {
     let mut program = of();
-    // Building tells the commands of the flags that all of them take.
+    // Building adds the global flags to the commands.
     program.build();
     let matches = program.try_get_matches_from_mut(line)?;
     let settings = match matches.subcommand() {
@@ -66,8 +66,8 @@ pub(crate) fn matches(of: fn() -> Command, line: &[OsString]) -> Result<ArgMatch
     Ok(of().try_get_matches_from(longer)?)
 }
 
-/// What the model says about flags, if it is a scene file. One that can't be read is told of later,
-/// when it is opened.
+/// The settings of the model, if it is a scene file. A file that can't be read fails later, when it is
+/// opened.
 fn settings(given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
     let Ok(Some(name)) = given.try_get_one::<OsString>("model") else { return Ok(Vec::new()) };
     let format = given.try_get_one::<Format>("format").ok().flatten();
@@ -94,9 +94,9 @@ pub(crate) fn check(settings: &[Setting], render: &Command) -> Result<(), Error>
         let wrong = |place: &Place, message: String| {
             Error::at(place.clone(), ErrorKind::Malformed(message))
         };
-        let arg = match answer(&setting.name, render) {
-            Answer::Flag(arg) => arg,
-            Answer::No(message) => return Err(wrong(&setting.place, message)),
+        let arg = match look_up(&setting.name, render) {
+            Lookup::Flag(arg) => arg,
+            Lookup::Refused(message) => return Err(wrong(&setting.place, message)),
         };
         let at_value =
             |message: String| wrong(&setting.value_place, format!("{}: {message}", setting.name));
@@ -132,7 +132,7 @@ fn named<'s>(settings: &'s [Setting], flag: &str) -> Option<&'s Setting> {
     settings.iter().find(|setting| setting.name == name)
 }
 
-/// What `luxel render` would say to these flags.
+/// Parses these flags as `luxel render` would.
 fn try_render(render: &Command, words: &[OsString]) -> Result<(), clap::Error> {
     let line = ["render", "--output=x.png"].map(OsString::from).into_iter();
     let line = line.chain(words.iter().cloned());
@@ -156,7 +156,7 @@ fn value_error(error: &clap::Error) -> Option<String> {
     }
 }
 
-/// What a setting is on the command line.
+/// A setting as words of the command line.
 fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
     let name = &setting.name;
     let given = |value: &String| OsString::from(format!("--{name}={value}"));
@@ -171,8 +171,8 @@ fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
     }
 }
 
-/// What a setting adds to a command's line: nothing where the line already says it or something that
-/// excludes it, or where the command has no such flag.
+/// The words that a setting adds to a line: none if the line has the flag or one that excludes it, or
+/// if the command has no such flag.
 pub(crate) fn flags_for(setting: &Setting, command: &Command, given: &ArgMatches) -> Vec<OsString> {
     let on_line = |arg: &Arg| {
         let id = arg.get_id().as_str();

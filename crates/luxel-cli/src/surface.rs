@@ -1,9 +1,9 @@
-//! What the flags make of a scene's surfaces: materials and normals.
+//! Applies the flags for materials and normals to a scene.
 
 use crate::options::{MaterialOptions, NormalsChoice, ShadingOptions};
 use luxel::scene::{DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource, Restyle, Scene};
 
-/// Replaces what the flags name, on all materials.
+/// Applies the flags to all materials.
 pub(crate) fn apply_material(options: &MaterialOptions, scene: &mut Scene) {
     let restyle = restyle(options);
     for material in &mut scene.materials {
@@ -11,7 +11,7 @@ pub(crate) fn apply_material(options: &MaterialOptions, scene: &mut Scene) {
     }
 }
 
-/// What the flags name of materials.
+/// The changes of materials that the flags ask for.
 pub(crate) fn restyle(options: &MaterialOptions) -> Restyle {
     let mut restyle = Restyle {
         color: options.color,
@@ -25,13 +25,13 @@ pub(crate) fn restyle(options: &MaterialOptions) -> Restyle {
     restyle
 }
 
-/// Gives every mesh the normals that the flags ask for, and tangents where normal maps need them.
+/// Computes normals by the flags, and tangents where normal maps need them.
 pub(crate) fn apply_normals(options: &ShadingOptions, scene: &mut Scene) {
     scene.compute_normals(&normal_options(options));
     scene.compute_tangents();
 }
 
-/// Where the flags say that normals come from.
+/// The source of normals, by the flags.
 pub(crate) fn normal_options(options: &ShadingOptions) -> NormalOptions {
     let source = match options.normals {
         NormalsChoice::File => NormalSource::File,

@@ -1,4 +1,4 @@
-//! From flags to what the renderer takes: what to draw, and how.
+//! Makes the view and the execution options of the renderer from flags.
 
 use crate::failure::Failure;
 use crate::options::{
@@ -10,7 +10,7 @@ use luxel::scene::{Camera, Scene, SceneLight};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
-/// What a picture of the scene shows.
+/// The view of a scene.
 ///
 /// # Errors
 /// [`Failure::Usage`], if two lights have one name, or shading flags don't go together.
@@ -73,7 +73,7 @@ fn environment(options: &LightOptions, scene: &Scene) -> EnvironmentChoice {
     )
 }
 
-/// How the work is done.
+/// The execution options.
 pub(crate) fn execution(options: &ExecutionOptions) -> Execution {
     Execution { threads: options.threads.unwrap_or(0), simd: options.simd, clock, one_frame: false }
 }

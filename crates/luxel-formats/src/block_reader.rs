@@ -9,14 +9,14 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// A long file, read where and when its bytes are wanted, into memory that is used again: it needs no
-/// room of its own, and the system no time to make that.
+/// Reads blocks of a long file on demand into a buffer that each thread keeps: the file needs no
+/// memory of its own, and the system zeroes no pages for it.
 pub(crate) struct BlockReader<'a> {
     path: &'a Path,
     length: u64,
-    watch: Option<&'a Progress>,
-    /// The bytes that whoever watches knows of.
-    reached: AtomicU64,
+    progress: Option<&'a Progress>,
+    /// Bytes that `progress` has counted.
+    reported: AtomicU64,
     /// The first failure to read.
     failure: Mutex<Option<std::io::Error>>,
 }
@@ -33,12 +33,12 @@ impl<'a> BlockReader<'a> {
         if !metadata.is_file() || length < LONG {
             return Ok(None);
         }
-        let watch = limits.watch.as_ref();
+        let progress = limits.progress.as_ref();
         Ok(Some(Self {
             path,
             length,
-            watch,
-            reached: AtomicU64::new(0),
+            progress,
+            reported: AtomicU64::new(0),
             failure: Mutex::new(None),
         }))
     }
@@ -47,51 +47,57 @@ impl<'a> BlockReader<'a> {
         self.length
     }
 
-    /// Looks at some bytes; at none if they can't be read, and then the file is [unsound](Self::sound).
-    pub(crate) fn with<R>(&self, start: u64, length: usize, look: impl FnOnce(&[u8]) -> R) -> R {
+    /// Calls `use_block` with `length` bytes from `start`, or with none if they can't be read;
+    /// [`check`](Self::check) returns the error.
+    pub(crate) fn with_block<R>(
+        &self,
+        start: u64,
+        length: usize,
+        use_block: impl FnOnce(&[u8]) -> R,
+    ) -> R {
         READ.with_borrow_mut(|bytes| {
             bytes.resize(bytes.len().max(length), 0);
             let bytes = &mut bytes[..length];
-            // What is not wanted any more ends at the next check of the limits.
-            if self.watch.is_some_and(Progress::is_stopped) {
-                return look(&[]);
+            // After a stop the next check of the limits ends reading.
+            if self.progress.is_some_and(Progress::is_stopped) {
+                return use_block(&[]);
             }
             let read = File::open(self.path).and_then(|mut file| {
                 file.seek(SeekFrom::Start(start))?;
                 file.read_exact(bytes)
             });
             match read {
-                Ok(()) => look(bytes),
+                Ok(()) => use_block(bytes),
                 Err(error) => {
                     let mut failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner);
                     failure.get_or_insert(error);
-                    look(&[])
+                    use_block(&[])
                 }
             }
         })
     }
 
-    /// Tells whoever watches that the file is going to be read.
-    pub(crate) fn expect(&self) {
-        if let Some(watch) = self.watch {
-            watch.expect(self.length);
+    /// Adds the file to the bytes expected by the progress.
+    pub(crate) fn begin(&self) {
+        if let Some(progress) = self.progress {
+            progress.expect(self.length);
         }
     }
 
-    /// Tells whoever watches that the bytes before this one have been read.
-    pub(crate) fn reached(&self, byte: u64) {
-        if let Some(watch) = self.watch {
-            watch.advance(byte - self.reached.swap(byte, Ordering::Relaxed));
+    /// Advances the progress to this byte.
+    pub(crate) fn advance_to(&self, byte: u64) {
+        if let Some(progress) = self.progress {
+            progress.advance(byte - self.reported.swap(byte, Ordering::Relaxed));
         }
     }
 
-    /// Whether all that was looked at was there.
-    pub(crate) fn sound(&self) -> Result<(), Error> {
+    /// The first error of reading.
+    pub(crate) fn check(&self) -> Result<(), Error> {
         let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
         if let Some(error) = failure {
             return Err(Error::at(Place::File, error.into()));
         }
-        if self.watch.is_some_and(Progress::is_stopped) {
+        if self.progress.is_some_and(Progress::is_stopped) {
             return Err(Error::at(Place::File, ErrorKind::Stopped));
         }
         Ok(())

@@ -1,6 +1,6 @@
-//! Directions as files give them.
+//! Normalization of directions.
 
-/// To unit length; 0 where there is no direction.
+/// The vector at unit length; 0 if it has no direction.
 pub(crate) fn unit(vector: [f32; 3]) -> [f32; 3] {
     let [x, y, z] = vector.map(f64::from);
     let length = (x * x + y * y + z * z).sqrt();

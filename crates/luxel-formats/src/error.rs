@@ -1,9 +1,9 @@
-//! What is wrong with a file, and where.
+//! Errors with their place in the file.
 
 use std::fmt;
 use std::path::PathBuf;
 
-/// Where in a file.
+/// A place in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
@@ -25,12 +25,12 @@ pub enum Place {
 pub struct Error {
     /// The file, if it isn't the standard input.
     pub file: Option<PathBuf>,
-    /// Where in it.
+    /// The place in the file.
     pub place: Place,
-    /// What.
+    /// The cause.
     #[source]
     pub kind: ErrorKind,
-    /// The hint of an error that `kind` repeats as text.
+    /// The hint of another error whose message `kind` repeats.
     pub(crate) hint: Option<Hint>,
 }
 
@@ -50,7 +50,7 @@ pub enum Hint {
     EnableFeature(&'static str),
 }
 
-/// What is wrong.
+/// The cause of an [`Error`].
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ErrorKind {
@@ -73,7 +73,7 @@ pub enum ErrorKind {
         /// How many there are.
         count: u64,
     },
-    /// The name of the file doesn't tell a format that luxel reads.
+    /// The extension of the file is no format that luxel reads.
     #[error(transparent)]
     UnknownFormat(#[from] UnknownFormat),
     /// The file needs something that luxel can't do.
@@ -87,17 +87,17 @@ pub enum ErrorKind {
         /// The cargo feature that reads it.
         feature: &'static str,
     },
-    /// The file asks for more than the limits allow.
+    /// The file needs more memory than the limits allow.
     #[error("{what} would take {needed} bytes; the limit is {limit}")]
     TooLarge {
-        /// What asks.
+        /// What needs it.
         what: String,
-        /// Bytes asked for.
+        /// Bytes needed.
         needed: u64,
         /// Bytes allowed.
         limit: u64,
     },
-    /// Whoever watches the reading has stopped it.
+    /// [`Progress::stop`](crate::Progress::stop) was called.
     #[error("reading was stopped")]
     Stopped,
 }
@@ -125,7 +125,7 @@ impl fmt::Display for UnknownFormat {
 impl std::error::Error for UnknownFormat {}
 
 impl UnknownFormat {
-    /// What may be done about it.
+    /// The remedy.
     #[must_use]
     pub fn hint(&self) -> Option<Hint> {
         self.name.is_empty().then_some(Hint::PassFormat)
@@ -133,7 +133,7 @@ impl UnknownFormat {
 }
 
 impl ErrorKind {
-    /// What may be done about it, where the message doesn't say that.
+    /// A remedy that the message leaves out.
     #[must_use]
     pub fn hint(&self) -> Option<Hint> {
         match self {
@@ -152,13 +152,13 @@ impl Error {
         Self { file: None, place, kind, hint: None }
     }
 
-    /// What may be done about it, where the message doesn't say that.
+    /// A remedy that the message leaves out.
     #[must_use]
     pub fn hint(&self) -> Option<Hint> {
         self.hint.or_else(|| self.kind.hint())
     }
 
-    /// Adds the hint of an error that the message repeats.
+    /// Adds the hint of another error whose message this one repeats.
     #[cfg(feature = "gltf")]
     pub(crate) const fn with_hint(mut self, hint: Option<Hint>) -> Self {
         self.hint = hint;
@@ -173,7 +173,7 @@ impl Error {
     }
 }
 
-/// What a file needs, and this build lacks.
+/// The error of a build that lacks a reader.
 #[allow(dead_code, reason = "a build with all features lacks nothing")]
 pub(crate) fn missing_feature(what: impl Into<String>, feature: &'static str) -> ErrorKind {
     ErrorKind::MissingFeature { what: what.into(), feature }

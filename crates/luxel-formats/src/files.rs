@@ -1,4 +1,4 @@
-//! Files in: whole, in parallel blocks, and never more than the limits allow.
+//! Reads whole files within the limits, long ones in parallel.
 
 use crate::{Error, Limits, Place, Progress};
 use luxel_parallel::each;
@@ -16,26 +16,26 @@ pub(crate) const LONG: u64 = 2 * BLOCK as u64;
 /// Reads a file.
 pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> {
     let metadata = checked(path, limits)?;
-    if let Some(watch) = &limits.watch {
-        watch.expect(metadata.len());
+    if let Some(progress) = &limits.progress {
+        progress.expect(metadata.len());
     }
     let in_file = |error: Error| error.in_file(path);
     let read = if metadata.is_file() && metadata.len() >= LONG {
-        read_blocks(path, metadata.len(), limits.watch.as_ref())
+        read_blocks(path, metadata.len(), limits.progress.as_ref())
     } else {
         read_stream(path, limits)
     };
     let bytes = read.map_err(|error| in_file(Error::at(Place::File, error.into())))?;
-    // Where the blocks have not counted by themselves.
-    if let Some(watch) = limits.watch.as_ref().filter(|_| (bytes.len() as u64) < LONG) {
-        watch.advance(metadata.len());
+    // `read_blocks` counts by itself.
+    if let Some(progress) = limits.progress.as_ref().filter(|_| (bytes.len() as u64) < LONG) {
+        progress.advance(metadata.len());
     }
-    // Pipes don't tell their length beforehand.
+    // The length of a pipe isn't known beforehand.
     limits.check("the file", bytes.len() as u64, 1, Place::File).map_err(in_file)?;
     Ok(bytes)
 }
 
-/// What the system says of a file that may be read.
+/// The metadata of a file that exists, is no folder and fits the limits.
 pub(crate) fn checked(path: &Path, limits: &Limits) -> Result<Metadata, Error> {
     let in_file = |kind| Error::at(Place::File, kind).in_file(path);
     let metadata = std::fs::metadata(path).map_err(|error| in_file(error.into()))?;
@@ -55,18 +55,18 @@ fn read_stream(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
 }
 
 /// Several threads copy from the page cache faster than one.
-fn read_blocks(path: &Path, length: u64, watch: Option<&Progress>) -> std::io::Result<Vec<u8>> {
+fn read_blocks(path: &Path, length: u64, progress: Option<&Progress>) -> std::io::Result<Vec<u8>> {
     let too_long = |_| std::io::Error::from(std::io::ErrorKind::FileTooLarge);
     let mut bytes = vec![0; usize::try_from(length).map_err(too_long)?];
     let read = |index: usize, block: &mut [u8]| {
         let mut file = File::open(path)?;
         file.seek(SeekFrom::Start((index * BLOCK) as u64))?;
-        // What is not wanted any more ends at the next check of the limits.
-        if watch.is_none_or(|watch| !watch.is_stopped()) {
+        // After a stop the next check of the limits ends reading.
+        if progress.is_none_or(|progress| !progress.is_stopped()) {
             file.read_exact(block)?;
         }
-        if let Some(watch) = watch {
-            watch.advance(block.len() as u64);
+        if let Some(progress) = progress {
+            progress.advance(block.len() as u64);
         }
         Ok(())
     };
@@ -77,8 +77,10 @@ fn read_blocks(path: &Path, length: u64, watch: Option<&Progress>) -> std::io::R
     failures.into_iter().flatten().next().map_or(Ok(bytes), Err)
 }
 
-/// The file that a name in a model file refers to: within the model's folder, whatever the system
-/// writes between folders. What is wrong with the name is told in a sentence.
+/// The path of a file that a model refers to: within the model's folder, with either separator.
+///
+/// # Errors
+/// A sentence that says what is wrong with the name.
 #[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
 pub(crate) fn within(folder: Option<&Path>, name: &str) -> Result<PathBuf, String> {
     let folder = folder.ok_or_else(|| {

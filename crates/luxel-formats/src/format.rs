@@ -30,7 +30,7 @@ pub enum Format {
     Toml,
 }
 
-/// A scene, and what its file has that isn't in it.
+/// A scene, with the warnings of its reader.
 #[derive(Clone, Debug)]
 pub struct Loaded {
     /// What the file holds.

@@ -1,10 +1,9 @@
 //! glTF 2.0 and GLB (Khronos, ISO/IEC 12113:2022).
 //!
-//! The way through the files: `container` takes the file apart, `document` reads and checks its
-//! JSON into the structures of `schema`, `tree` orders the nodes, and `scene` asks for what they
-//! show: `mesh` (from `vertices`, `accessor`, `buffers`), `materials`, `textures`, `lights` and
-//! `cameras`. Animations are at rest: nodes stand where the file puts them, morph targets have their
-//! default weights, skins follow their joints.
+//! The pipeline: `container` splits the file, `document` parses and checks its JSON, `tree` orders
+//! the nodes, and `scene` builds what they show: `mesh` (from `vertices`, `accessor`, `buffers`),
+//! `materials`, `textures`, `lights` and `cameras`. Animations are at rest: nodes stand where the file
+//! puts them, morph targets have their default weights, skins follow their joints.
 
 mod accessor;
 mod buffers;

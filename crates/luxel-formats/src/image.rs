@@ -1,4 +1,4 @@
-//! Pictures: PNG and JPEG become 8-bit texels.
+//! Decodes PNG and JPEG into 8-bit texels.
 //!
 //! Dimensions are checked against the limits, and against what so many bytes can hold at all,
 //! before texels are allocated: a header can claim anything.
@@ -16,7 +16,7 @@ use luxel_scene::{Encoding, Image};
 #[cfg(not(all(feature = "jpeg", feature = "png")))]
 use texels::Decoded;
 
-/// Decodes a picture; its first bytes tell the format. What is wrong is told in a sentence.
+/// Decodes a picture, whose format is known from its first bytes.
 pub(crate) fn decode(
     name: &str,
     bytes: &[u8],

@@ -1,12 +1,12 @@
-//! Model files in: what a file says becomes a [`Scene`](luxel_scene::Scene).
+//! Reads model files into a [`Scene`](luxel_scene::Scene).
 //!
-//! Every reader takes bytes from anywhere, checks counts and indices before it allocates or reads,
-//! and answers damaged input with an [`Error`] that names the place. None panics.
+//! Readers accept untrusted bytes: they check counts and indices before they allocate or index, and
+//! return an [`Error`] with its place for damaged input. None panics.
 //!
 //! # Features
 //!
-//! All are on by default. What needs a feature that is off ends with [`ErrorKind::MissingFeature`],
-//! which names it; a texture is replaced by a stand-in, with a warning.
+//! All are on by default. A file that needs a feature which is off fails with
+//! [`ErrorKind::MissingFeature`]; a texture is replaced by a stand-in, with a [`Warning`].
 //!
 //! - `gltf` reads glTF 2.0 and GLB.
 //! - `draco` reads glTF geometry compressed by `KHR_draco_mesh_compression`, and turns `gltf` on.

@@ -1,10 +1,10 @@
-//! The bound on what one model may take, summed over everything that is read for it.
+//! The memory budget of one model, with all files that it refers to.
 
 use crate::{Error, Limits, Place};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Counts bytes before they are allocated. Nothing is given back, so what is only passing through
-/// counts too: a bound on the work as well.
+/// Counts bytes before they are allocated. Freed bytes count too, so that the budget bounds the work
+/// as well.
 #[derive(Debug)]
 pub(crate) struct Memory<'a> {
     limits: &'a Limits,
@@ -16,7 +16,7 @@ impl<'a> Memory<'a> {
         Self { limits, taken: AtomicU64::new(0) }
     }
 
-    /// Announces `count` things of `bytes_each`.
+    /// Reserves `count` elements of `bytes_each`.
     pub(crate) fn take(
         &self,
         what: &str,

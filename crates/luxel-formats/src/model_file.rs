@@ -10,7 +10,7 @@ pub(crate) fn format_of(path: &Path) -> Result<Format, UnknownFormat> {
     path.extension().unwrap_or_default().to_string_lossy().parse()
 }
 
-/// Reads a model file, but for scene files; its extension tells the format.
+/// Reads a model file, but for scene files; its extension is the format.
 pub(crate) fn open(path: &Path, limits: &Limits) -> Result<Loaded, Error> {
     let format = format_of(path);
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -5,10 +5,10 @@ use crate::{Error, Format, Limits, Loaded, model_file};
 use crate::{files, scene_toml};
 use std::path::Path;
 
-/// Reads a model file; its extension tells the format.
+/// Reads a model file; its extension is the format.
 ///
 /// # Errors
-/// [`Error`] with file and place, if the file can't be read, is damaged or asks for too much.
+/// [`Error`] with file and place, if the file can't be read, is damaged or exceeds the limits.
 pub fn open(path: &Path, limits: &Limits) -> Result<Loaded, Error> {
     #[cfg(feature = "toml")]
     if model_file::format_of(path) == Ok(Format::Toml) {
@@ -19,11 +19,11 @@ pub fn open(path: &Path, limits: &Limits) -> Result<Loaded, Error> {
     model_file::open(path, limits)
 }
 
-/// Reads a model from bytes. `name` stands for objects that the file doesn't name; files that it
-/// refers to are looked for in `folder`, or refused without one.
+/// Reads a model from bytes. `name` is the name of objects without one; files that the model
+/// refers to are read from `folder`, or refused without one.
 ///
 /// # Errors
-/// [`Error`] with its place, if the input is damaged or asks for too much.
+/// [`Error`] with its place, if the input is damaged or exceeds the limits.
 pub fn read(
     bytes: &[u8],
     format: Format,
@@ -49,7 +49,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_model_file_is_told_with_its_name() {
+    fn errors_name_the_file() {
         let folder = std::env::temp_dir().join(format!("luxel-open-{}", std::process::id()));
         std::fs::create_dir_all(folder.join("folder.obj")).unwrap();
         let write = |name: &str, bytes: &[u8]| {

@@ -40,8 +40,8 @@ pub(crate) fn stream(
     name: &str,
     limits: &Limits,
 ) -> Result<Option<Loaded>, Error> {
-    let head = file.with(0, HEAD, Header::read);
-    file.sound()?;
+    let head = file.with_block(0, HEAD, Header::read);
+    file.check()?;
     let Ok(header) = head else { return Ok(None) };
     let is_table = |element: &Element| match element.name.as_str() {
         "edge" | "tristrips" => false,
@@ -51,11 +51,11 @@ pub(crate) fn stream(
     if header.encoding == Encoding::Text || !header.elements.iter().all(is_table) {
         return Ok(None);
     }
-    file.expect();
+    file.begin();
     let source = Source::streamed(file, header.body, header.encoding);
     let content = read_body(&header, source, limits);
-    file.reached(file.length());
-    file.sound()?;
+    file.advance_to(file.length());
+    file.check()?;
     let content = content?;
     if content.faces.need_whole_file {
         return Ok(None);

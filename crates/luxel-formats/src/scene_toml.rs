@@ -1,4 +1,4 @@
-//! Scene files: models, materials, lights, cameras and what surrounds them, in a TOML of luxel's own.
+//! Scene files: TOML that places models, materials, lights and cameras.
 //!
 //! `keys` lists all sections and keys: readers, the JSON schema and the documentation use that table.
 //! Values are parsed by [`values`](crate::values): the keys of a light are the fields of
@@ -35,7 +35,7 @@ pub(crate) fn read(bytes: &[u8], folder: Option<&Path>, limits: &Limits) -> Resu
     let root = document.root()?;
     let mut models = models::read(&document, folder, &memory, &mut warnings)?;
     materials::apply(&document, &mut models, &memory)?;
-    surround(&document, &root, &mut models.scene)?;
+    read_surroundings(&document, &root, &mut models.scene)?;
     let lights = lights::read(&document, &models.nodes, &models.scene)?;
     let cameras = cameras::read(&document, &models.nodes, &models.scene)?;
     let mut scene = models.scene;
@@ -48,8 +48,12 @@ pub(crate) fn read(bytes: &[u8], folder: Option<&Path>, limits: &Limits) -> Resu
     Ok(Loaded { scene, format: Format::Toml, warnings: warnings.finish() })
 }
 
-/// What stands outside the models: up, ambient light, environment, background, fog.
-fn surround(document: &Document<'_>, root: &Table<'_>, scene: &mut Scene) -> Result<(), Error> {
+/// Reads what no model owns: up, ambient light, environment, background, fog.
+fn read_surroundings(
+    document: &Document<'_>,
+    root: &Table<'_>,
+    scene: &mut Scene,
+) -> Result<(), Error> {
     scene.up = root.value("up", up)?.unwrap_or(scene.up);
     scene.ambient = root.value("ambient", color)?.or(scene.ambient);
     let environment = root.value("environment", surroundings)?;

@@ -1,7 +1,7 @@
 //! STL: triangles without connections, binary or text.
 //!
-//! The two kinds are told apart by content: a file of exactly 84 + 50 n bytes, n being the count
-//! after its header, is binary whatever the header says; otherwise text begins with `solid` and
+//! The content distinguishes the two: a file of exactly 84 + 50 n bytes, n being the count after its
+//! header, is binary whatever the header contains; otherwise text begins with `solid` and
 //! has a facet or an end before its first zero byte. Corners in the same place, bit for bit (-0 is
 //! 0), are welded, so that surfaces can be shaded smoothly. The normals of the file are left aside,
 //! since they say no more than the corners and are often wrong.
@@ -57,7 +57,7 @@ fn loaded(solids: Vec<(String, Facets)>, mut warnings: Warnings) -> Loaded {
 fn is_text(bytes: &[u8]) -> bool {
     // Keywords come soon: a name is seldom longer than this.
     const WITHIN: usize = 4096;
-    if binary::size_said(bytes) == Some(bytes.len() as u64) {
+    if binary::declared_size(bytes) == Some(bytes.len() as u64) {
         return false;
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
@@ -130,7 +130,7 @@ fn is_finite(corners: &[[f32; 3]; 3]) -> bool {
     corners.as_flattened().iter().all(|value| value.is_finite())
 }
 
-/// What tells corners apart. Adding 0 turns -0 into 0 and changes nothing else.
+/// The key by which corners are welded. Adding 0 turns -0 into 0 and changes nothing else.
 fn key(corner: [f32; 3]) -> [u32; 3] {
     corner.map(|value| (value + 0.0).to_bits())
 }

@@ -1,6 +1,6 @@
-//! Words and numbers of text formats, straight from bytes.
+//! Parses words and numbers of text formats from bytes.
 
-/// Words of a line, apart by blanks.
+/// The words of a line, separated by blanks.
 #[derive(Clone, Debug)]
 pub(crate) struct Words<'a> {
     rest: &'a [u8],
@@ -40,7 +40,7 @@ pub(crate) const fn is_blank(byte: u8) -> bool {
     byte <= b' '
 }
 
-/// A number; what C libraries write for numbers that aren't finite counts as one.
+/// A number, in the spellings of C libraries for infinities and NaN, too.
 pub(crate) fn number(word: &[u8]) -> Option<f64> {
     fast_float2::parse(word).ok().or_else(|| odd_number(word))
 }

@@ -1,20 +1,20 @@
-//! What was left out or replaced.
+//! Warnings of readers.
 
 use crate::{ErrorKind, Hint};
 use std::fmt;
 
-/// What of a file was left out or replaced.
+/// A part of a file that was left out or replaced.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Warning {
     /// A sentence, with the place in the file.
     pub message: String,
-    /// What may be done about it, where the message doesn't say that.
+    /// A remedy that the message leaves out.
     pub hint: Option<Hint>,
 }
 
 impl Warning {
-    /// The warning behind a place or a file.
+    /// Prefixes the place or the file.
     #[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
     pub(crate) fn at(self, place: impl fmt::Display) -> Self {
         let message = format!("{place}: {}", self.message);

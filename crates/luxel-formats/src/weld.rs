@@ -1,9 +1,9 @@
-//! Equal keys get one number.
+//! Welding: equal keys get one number.
 
 /// A table from keys of three words to numbers, in the order in which the keys come first.
 ///
 /// Open addressing with linear probing; a slot holds part of the hash, so that unequal keys are
-/// seldom compared. The order of numbers hangs on the order of keys alone.
+/// seldom compared. Numbers depend on the order of keys alone.
 #[derive(Debug)]
 pub(crate) struct Welder {
     /// 0 for free, else the upper half of the hash over the number plus one.
@@ -27,8 +27,8 @@ impl Welder {
         self.insert_hashed(key, hash(key))
     }
 
-    /// The numbers of several keys. Slots of tables of millions are far from the processor: all of
-    /// them are sent for before the first is waited for.
+    /// The numbers of several keys. Slots of large tables miss the cache: all are loaded before
+    /// the first is used.
     #[inline]
     pub(crate) fn insert_all<const N: usize>(&mut self, keys: [[u32; 3]; N]) -> [u32; N] {
         let hashes = keys.map(hash);

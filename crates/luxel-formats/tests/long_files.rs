@@ -21,7 +21,7 @@ fn binary_stl(triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
     bytes
 }
 
-/// A file too long to be held: so many vertices, and as many faces of `corners` corners each.
+/// A PLY of 260,000 vertices and as many faces of `corners` corners.
 fn long_file(corners: u8, wrong_index: bool) -> Vec<u8> {
     const COUNT: u32 = 260_000;
     let mut bytes = format!(
@@ -49,7 +49,7 @@ fn long_file(corners: u8, wrong_index: bool) -> Vec<u8> {
 }
 
 #[test]
-fn a_long_file_is_read_where_it_lies_as_it_is_from_memory() {
+fn an_stl_read_in_blocks_equals_one_read_from_memory() {
     // More than are read at a time, with corners that come again much later, and one that isn't finite.
     let triangles: Vec<_> = (0..170_000_u32)
         .map(|number| {
@@ -79,7 +79,7 @@ fn a_long_file_is_read_where_it_lies_as_it_is_from_memory() {
 }
 
 #[test]
-fn a_file_read_piece_by_piece_gives_what_its_bytes_give() {
+fn a_ply_read_in_blocks_equals_one_read_from_memory() {
     let path = std::env::temp_dir().join(format!("luxel-long-{}.ply", std::process::id()));
     let whole = long_file(3, false);
     let cut = whole[..whole.len() - 1000].to_vec();
@@ -90,16 +90,16 @@ fn a_file_read_piece_by_piece_gives_what_its_bytes_give() {
         ("a file that ends too early", cut),
     ] {
         std::fs::write(&path, &bytes).unwrap();
-        let watch = Progress::default();
-        let limits = Limits { watch: Some(watch.clone()), ..Limits::default() };
+        let progress = Progress::default();
+        let limits = Limits { progress: Some(progress.clone()), ..Limits::default() };
         let stored = open(&path, &limits);
         let held = read_bytes(&bytes, Format::Ply, &path);
         match (stored, held) {
             (Ok(stored), Ok(held)) => {
                 assert!(stored.scene.meshes == held.scene.meshes, "{what}");
                 assert_eq!(stored.warnings, held.warnings, "{what}");
-                let (read, all) = watch.bytes();
-                assert_eq!(read, all, "{what}: whoever watches would wait for ever");
+                let (read, all) = progress.bytes();
+                assert_eq!(read, all, "{what}: the progress would never reach its end");
             }
             (stored, held) => {
                 let stored = stored.unwrap_err().to_string();
@@ -112,12 +112,12 @@ fn a_file_read_piece_by_piece_gives_what_its_bytes_give() {
 }
 
 #[test]
-fn a_long_file_that_nobody_wants_any_more_is_left() {
+fn a_stopped_reader_fails() {
     let path = std::env::temp_dir().join(format!("luxel-left-{}.ply", std::process::id()));
     std::fs::write(&path, long_file(3, false)).unwrap();
-    let watch = Progress::default();
-    watch.stop();
-    let limits = Limits { watch: Some(watch), ..Limits::default() };
+    let progress = Progress::default();
+    progress.stop();
+    let limits = Limits { progress: Some(progress), ..Limits::default() };
     let error = open(&path, &limits).unwrap_err();
     assert!(matches!(error.kind, ErrorKind::Stopped), "{error}");
     std::fs::remove_file(&path).unwrap();

@@ -141,7 +141,7 @@ impl BenchCommand {
         Ok(timings)
     }
 
-    /// Microseconds that a pick takes, everything told, where there is something.
+    /// Microseconds of a pick that hits, with the whole answer.
     fn picks(&self, scene: &Arc<Scene>, camera: Camera) -> Result<Spread, Failure> {
         let failed = |error: PickError| Failure::work(error.to_string(), "");
         check_memory(scene, Quality::Thorough, self.execution.max_memory)?;

@@ -28,7 +28,7 @@ pub(crate) struct ExplainCommand {
     #[command(flatten)]
     input: InputOptions,
     #[command(flatten)]
-    asked: AskedOptions,
+    query: QueryOptions,
     #[command(flatten)]
     frame: FrameOptions,
     #[command(flatten)]
@@ -45,10 +45,10 @@ pub(crate) struct ExplainCommand {
     execution: ExecutionOptions,
 }
 
-/// What is asked, and how it is told.
+/// The question, and the form of the answer.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Question and answer")]
-struct AskedOptions {
+struct QueryOptions {
     /// The pixel with all its samples (whole numbers), or one sample at a point (decimals)
     #[arg(long, value_name = "X,Y", value_parser = at, allow_hyphen_values = true)]
     at: At,
@@ -72,7 +72,7 @@ struct AskedOptions {
 
 impl ExplainCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
-        let file = self.asked.output.as_deref().filter(|name| *name != "-").map(Path::new);
+        let file = self.query.output.as_deref().filter(|name| *name != "-").map(Path::new);
         if let Some(path) = file {
             output::check_folder(path, "-o")?;
         }
@@ -89,7 +89,7 @@ impl ExplainCommand {
         let execution = Execution { one_frame: true, ..view::execution(&self.execution) };
         let renderer = Renderer::new(Arc::clone(scene), &execution)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
-        let explanation = renderer.explain(&view, self.asked.at).map_err(|error| match error {
+        let explanation = renderer.explain(&view, self.query.at).map_err(|error| match error {
             RenderError::Outside(_) => Failure::Usage(format!("--at: {error}")),
             other => Failure::work(other.to_string(), ""),
         })?;
@@ -100,11 +100,11 @@ impl ExplainCommand {
             .with_model(&model)
             .with_unseen(&unseen)
             .with_hint_text(flag_of);
-        let text = if self.asked.json {
+        let text = if self.query.json {
             format!("{}\n", report.to_json())
-        } else if self.asked.latex {
+        } else if self.query.latex {
             report.to_latex()
-        } else if self.asked.html {
+        } else if self.query.html {
             let pictures = Pictures::draw(&renderer, &view, explanation.pixel)
                 .map_err(|error| Failure::work(error.to_string(), ""))?;
             report.with_pictures(&pictures).to_html()

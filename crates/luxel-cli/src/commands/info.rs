@@ -34,7 +34,7 @@ pub(crate) struct InfoCommand {
     execution: ExecutionOptions,
 }
 
-/// What is counted once and told in both ways.
+/// Counts for text and JSON.
 struct Survey<'a> {
     scene: &'a Scene,
     objects: Vec<(Object, Bounds)>,

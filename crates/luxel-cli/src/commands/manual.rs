@@ -36,7 +36,7 @@ fn describe(command: &Command, page: &mut dyn Write) -> io::Result<()> {
     for paragraph in about.map(ToString::to_string).unwrap_or_default().split("\n\n") {
         writeln!(page, ".PP\n{}", plain(paragraph))?;
     }
-    // Global options are told once, above.
+    // Global options are listed once, above.
     let own = command.clone().mut_args(|arg| {
         let hide = arg.is_global_set();
         arg.hide(hide)

@@ -26,7 +26,7 @@ pub(crate) struct PickCommand {
     #[command(flatten)]
     input: InputOptions,
     #[command(flatten)]
-    asked: AskedOptions,
+    query: QueryOptions,
     #[command(flatten)]
     frame: FrameOptions,
     #[command(flatten)]
@@ -37,10 +37,10 @@ pub(crate) struct PickCommand {
     execution: ExecutionOptions,
 }
 
-/// What is asked, and how it is told.
+/// The question, and the form of the answer.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Question and answer")]
-struct AskedOptions {
+struct QueryOptions {
     #[command(flatten)]
     place: PlaceOptions,
 
@@ -79,8 +79,8 @@ struct AskedOptions {
 struct PlaceOptions {
     /// The centre of a pixel (whole numbers), or a point of the window (decimals); `-` reads a
     /// position a line from the standard input
-    #[arg(long, value_name = "X,Y", value_parser = asked_at, allow_hyphen_values = true)]
-    at: Option<AskedAt>,
+    #[arg(long, value_name = "X,Y", value_parser = positions, allow_hyphen_values = true)]
+    at: Option<Positions>,
 
     /// Everything in a rectangle: its upper left corner and size in pixels
     #[arg(long, value_name = "X,Y,W,H", value_parser = rectangle, allow_hyphen_values = true)]
@@ -91,9 +91,9 @@ struct PlaceOptions {
     lasso: Option<Lasso>,
 }
 
-/// A position, or many.
+/// One position, or one a line of the standard input.
 #[derive(Clone, Copy, Debug)]
-enum AskedAt {
+enum Positions {
     One(At),
     Many,
 }
@@ -112,13 +112,13 @@ enum SnapChoice {
     Face,
 }
 
-/// The widest: each pixel around the place is asked.
+/// The largest distance, since each pixel around the place is picked.
 const MOST_WITHIN: f64 = 100.0;
-/// How far snapping looks unless told.
+/// The default distance of snapping.
 const SNAP_WITHIN: f64 = 8.0;
 
-fn asked_at(text: &str) -> Result<AskedAt, String> {
-    if text == "-" { Ok(AskedAt::Many) } else { position(text).map(AskedAt::One) }
+fn positions(text: &str) -> Result<Positions, String> {
+    if text == "-" { Ok(Positions::Many) } else { position(text).map(Positions::One) }
 }
 
 fn within(text: &str) -> Result<f64, String> {
@@ -132,15 +132,15 @@ fn within(text: &str) -> Result<f64, String> {
 
 impl PickCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
-        let many = matches!(self.asked.place.at, Some(AskedAt::Many));
+        let many = matches!(self.query.place.at, Some(Positions::Many));
         if many && self.input.model == "-" {
             let message = "the standard input can't give both the model and the positions";
             return Err(Failure::Usage(message.to_owned()));
         }
         let mut model = model::load(&self.input, &self.execution, console)?;
         surface::apply_material(&self.material, &mut model.scene);
-        // Regions tell no normals.
-        if self.asked.place.at.is_some() {
+        // Regions report no normals.
+        if self.query.place.at.is_some() {
             surface::apply_normals(&self.shading, &mut model.scene);
         }
         let scene = &Arc::new(model.scene);
@@ -152,10 +152,10 @@ impl PickCommand {
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         let view = PickView::new(&picker, camera, self.frame.size, self.frame.cull.into())
             .map_err(|error| Failure::work(error.to_string(), ""))?;
-        match self.asked.place.at {
-            Some(AskedAt::One(at)) => self.asked.one(&view, at),
-            Some(AskedAt::Many) => self.asked.many(&view),
-            None => self.asked.region(&view),
+        match self.query.place.at {
+            Some(Positions::One(at)) => self.query.one(&view, at),
+            Some(Positions::Many) => self.query.many(&view),
+            None => self.query.region(&view),
         }
     }
 }
@@ -175,7 +175,7 @@ pub(super) fn check_memory(scene: &Scene, quality: Quality, limit: u64) -> Resul
     ))
 }
 
-impl AskedOptions {
+impl QueryOptions {
     fn inclusion(&self) -> Inclusion {
         if self.enclosed { Inclusion::Enclosed } else { Inclusion::Touching }
     }

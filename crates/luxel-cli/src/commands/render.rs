@@ -130,18 +130,18 @@ impl OutputOptions {
 
 impl RenderCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
-        let mut watch = Stopwatch::start();
+        let mut stopwatch = Stopwatch::start();
         let target = Target::of(&self.output)?;
         check_memory(&self, &target)?;
 
         let mut model = model::load(&self.input, &self.execution, console)?;
-        watch.lap("read");
+        stopwatch.lap("read");
         if model.scene.is_empty() {
             return Err(model::nothing_to_draw(&self.input.name()));
         }
         surface::apply_material(&self.material, &mut model.scene);
         surface::apply_normals(&self.shading, &mut model.scene);
-        watch.lap("normals");
+        stopwatch.lap("normals");
         let scene = &Arc::new(model.scene);
         let cameras = match self.output.path.cameras(&self.frame, &self.execution, scene)? {
             Some(cameras) => cameras,
@@ -150,12 +150,12 @@ impl RenderCommand {
                 camera::turntable(&self.frame, scene, frames)?
             }
         };
-        watch.lap("camera");
+        stopwatch.lap("camera");
         let one_frame = cameras.len() == 1;
         let execution = Execution { one_frame, ..view::execution(&self.execution) };
         let renderer = Renderer::new(Arc::clone(scene), &execution)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
-        watch.lap("prepare");
+        stopwatch.lap("prepare");
 
         let progress = Progress::new(console, cameras.len(), "pictures");
         let mut files = Vec::new();
@@ -171,20 +171,20 @@ impl RenderCommand {
         for (number, &camera) in cameras.iter().enumerate() {
             let view =
                 view::view(&self.frame, &self.light, &mode, &self.picture, edges, camera, scene)?;
-            let drawn = self.draw(&renderer, &view, target.format, &mut watch)?;
+            let drawn = self.draw(&renderer, &view, target.format, &mut stopwatch)?;
             if let Some(file) = target.write(number as u32, &drawn.bytes)? {
                 files.push(file);
             }
             legend = drawn.legend;
             subdivision = subdivision.or(drawn.subdivision);
             vectors = vectors.or(drawn.svg);
-            watch.lap("write");
+            stopwatch.lap("write");
             progress.step();
         }
         progress.finish();
-        console.detail(&watch.to_string());
-        if let Some(told) = subdivision {
-            let Subdivision { triangles, largest_error, beyond, beyond_pixels } = told;
+        console.detail(&stopwatch.to_string());
+        if let Some(subdivision) = subdivision {
+            let Subdivision { triangles, largest_error, beyond, beyond_pixels } = subdivision;
             console.detail(&format!(
                 "subdivided into {triangles} triangles, at most {largest_error:.2} steps of 255 from \
                  phong; {beyond} of them, {beyond_pixels:.2} pixels in all, are beyond the tolerance"
@@ -195,19 +195,19 @@ impl RenderCommand {
                 .detail(&format!("{faces} faces in {pieces} pieces of one colour, {paths} paths"));
         }
         if self.output.json {
-            let mut report = self.report(&renderer, scene, &cameras[0], &files, &watch);
-            if let Some(told) = subdivision {
-                let told = json!({
-                    "triangles": told.triangles,
-                    "largest_error": told.largest_error,
-                    "beyond": told.beyond,
-                    "beyond_pixels": told.beyond_pixels,
+            let mut report = self.report(&renderer, scene, &cameras[0], &files, &stopwatch);
+            if let Some(subdivision) = subdivision {
+                let entry = json!({
+                    "triangles": subdivision.triangles,
+                    "largest_error": subdivision.largest_error,
+                    "beyond": subdivision.beyond,
+                    "beyond_pixels": subdivision.beyond_pixels,
                 });
-                report.insert("subdivision".into(), told);
+                report.insert("subdivision".into(), entry);
             }
             if let Some([faces, pieces, paths]) = vectors {
-                let told = json!({ "faces": faces, "pieces": pieces, "paths": paths });
-                report.insert("svg".into(), told);
+                let entry = json!({ "faces": faces, "pieces": pieces, "paths": paths });
+                report.insert("svg".into(), entry);
             }
             report.insert("warnings".into(), json!(model.warnings));
             if let Some(legend) = &legend {
@@ -225,7 +225,7 @@ impl RenderCommand {
         renderer: &Renderer,
         view: &View,
         format: Format,
-        watch: &mut Stopwatch,
+        stopwatch: &mut Stopwatch,
     ) -> Result<Drawn, Failure> {
         let mut drawn = Drawn::default();
         let format = match format {
@@ -241,7 +241,7 @@ impl RenderCommand {
                         .min(usize::try_from(pieces).unwrap_or(usize::MAX)),
                 };
                 let svg = renderer.svg(view, &options).map_err(cannot_draw)?;
-                watch.lap("frame");
+                stopwatch.lap("frame");
                 drawn.svg = Some([svg.faces, svg.pieces, svg.paths]);
                 drawn.bytes = svg.text.into_bytes();
                 return Ok(drawn);
@@ -251,7 +251,7 @@ impl RenderCommand {
         let size = view.size;
         if !self.output.layers.is_empty() {
             let values = renderer.layers(view, &self.output.layers).map_err(cannot_draw)?;
-            watch.lap("frame");
+            stopwatch.lap("frame");
             let image = |(layer, values): (&Layer, _)| LayerImage {
                 name: layer.name(),
                 channels: layer.channels(),
@@ -261,20 +261,20 @@ impl RenderCommand {
             *legend = write_layers(format, size, &images, bytes).map_err(cannot_encode)?;
         } else if format.is_linear() || self.output.bits == 16 {
             let picture = renderer.linear(view).map_err(cannot_draw)?;
-            watch.lap("frame");
-            watch.add_stages(&picture.stages);
+            stopwatch.lap("frame");
+            stopwatch.add_stages(&picture.stages);
             *subdivision = picture.subdivision;
             write_linear(format, size, &picture.pixels, view.encoding, bytes)
                 .map_err(cannot_encode)?;
         } else {
             let picture = renderer.rgba8(view).map_err(cannot_draw)?;
-            watch.lap("frame");
-            watch.add_stages(&picture.stages);
+            stopwatch.lap("frame");
+            stopwatch.add_stages(&picture.stages);
             *subdivision = picture.subdivision;
             write_rgba8(format, size, &picture.pixels, view.encoding, bytes)
                 .map_err(cannot_encode)?;
         }
-        watch.lap("encode");
+        stopwatch.lap("encode");
         Ok(drawn)
     }
 
@@ -284,7 +284,7 @@ impl RenderCommand {
         scene: &Scene,
         camera: &Camera,
         files: &[String],
-        watch: &Stopwatch,
+        stopwatch: &Stopwatch,
     ) -> Map<String, Value> {
         let Size { width, height } = self.frame.size;
         let mut report = Map::new();
@@ -293,7 +293,7 @@ impl RenderCommand {
             report.insert("files".into(), json!(files));
         }
         report.insert("size".into(), json!([width, height]));
-        report.insert("ms".into(), watch.to_json());
+        report.insert("ms".into(), stopwatch.to_json());
         report.insert("triangles".into(), json!(scene.triangle_count()));
         report.insert("simd".into(), json!(luxel::math::SimdLevel::name_of(renderer.level())));
         report.insert("threads".into(), json!(renderer.threads()));

@@ -1,4 +1,4 @@
-//! `luxel schema`: what a scene file may say, for editors.
+//! `luxel schema`: the JSON schema of scene files, for editors.
 
 use crate::failure::Failure;
 use crate::{output, scene_file};

@@ -135,12 +135,12 @@ mod window {
         source.is_none_or(|source| source == ValueSource::CommandLine)
     }
 
-    /// Gives up what is not wanted any more; nobody hears of it.
+    /// Fails after a stop; the failure is not shown.
     fn stopped(progress: &LoadProgress) -> Result<(), Failure> {
         if progress.is_stopped() { Err(Failure::work("it was stopped", "")) } else { Ok(()) }
     }
 
-    /// Writes a file; says what is wrong, and nothing of flags, which named no such file.
+    /// Writes a file. The error leaves the remedy out, which names a flag.
     fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
         output::write_file(path, bytes)
             .map_err(|failure| failure.lines().first().copied().unwrap_or_default().to_owned())
@@ -198,8 +198,8 @@ mod window {
                     write(&path, text.as_bytes())?;
                     Ok(path.display().to_string())
                 }),
-                on_interrupt: Box::new(output::when_interrupted),
-                notice: Box::new(move |what| console.tell(what)),
+                on_interrupt: Box::new(output::on_interrupt),
+                notice: Box::new(move |what| console.notice(what)),
                 detail: Box::new(move |what| console.detail(what)),
             };
             // What went wrong on the thread that loads.
@@ -259,7 +259,7 @@ mod window {
                 execution: view::execution(&self.execution),
                 write: Box::new(write),
             };
-            output::when_interrupted(Box::new(|| {
+            output::on_interrupt(Box::new(|| {
                 leave_terminal();
                 false
             }));
@@ -272,7 +272,7 @@ mod window {
             })
         }
 
-        /// Says before any window opens that there is no such file, or that it is a folder.
+        /// Fails before a window opens if there is no such file, or it is a folder.
         fn check_model(&self, model: &OsStr, console: Console) -> Result<(), Failure> {
             let is_file = model != "-" && !model.to_string_lossy().starts_with("demo:");
             if is_file && !std::fs::metadata(model).is_ok_and(|there| !there.is_dir()) {
@@ -281,7 +281,7 @@ mod window {
             Ok(())
         }
 
-        /// Another model, of the same format if that is told.
+        /// Another model, of the same format if `--format` is given.
         fn input(&self, model: &OsStr) -> InputOptions {
             InputOptions { model: model.to_owned(), format: self.input.format }
         }
@@ -293,8 +293,8 @@ mod window {
             progress: &LoadProgress,
         ) -> Result<Model, Failure> {
             let input = self.input(file);
-            let watch = Some(progress.reader.clone());
-            let mut model = model::load_watched(&input, &self.execution, console, watch)?;
+            let reading = Some(progress.reader.clone());
+            let mut model = model::load_with_progress(&input, &self.execution, console, reading)?;
             progress.file_parsed();
             stopped(progress)?;
             if model.scene.is_empty() {

@@ -5,12 +5,12 @@ use luxel::formats::values::nearest;
 use luxel::lighting::parameters;
 use std::borrow::Cow;
 
-/// Whether a key of `[render]` is a flag.
-pub(crate) enum Answer<'a> {
-    /// This one.
+/// The result of looking up a key of `[render]`.
+pub(crate) enum Lookup<'a> {
+    /// It is this flag.
     Flag(&'a Arg),
-    /// It isn't: why, and what to write instead.
-    No(String),
+    /// It may not stand there: why, and what to write instead.
+    Refused(String),
 }
 
 /// Flags that stand elsewhere in a scene file, and where; so do those of parameters of reflection.
@@ -26,7 +26,7 @@ pub(crate) const ELSEWHERE: [(&str, &str); 9] = [
     ("reflection", "`reflection` in [material]"),
 ];
 
-/// Flags that say where results go and how the work is done: a file says what to draw.
+/// Flags for the destination of results and for the execution; a file describes what to draw.
 pub(crate) const ON_THE_LINE: [&str; 13] = [
     "output",
     "output-format",
@@ -53,19 +53,19 @@ fn elsewhere(name: &str) -> Option<Cow<'static, str>> {
 }
 
 /// Looks a key of `[render]` up.
-pub(crate) fn answer<'a>(name: &str, render: &'a Command) -> Answer<'a> {
+pub(crate) fn look_up<'a>(name: &str, render: &'a Command) -> Lookup<'a> {
     if let Some(place) = elsewhere(name) {
-        return Answer::No(format!("`{name}` is no setting: write {place}"));
+        return Lookup::Refused(format!("`{name}` is no setting: write {place}"));
     }
     if ON_THE_LINE.contains(&name) {
         let why = "a file says what to draw, not where it goes and how it is done";
-        return Answer::No(format!("`{name}` is for the command line: {why}"));
+        return Lookup::Refused(format!("`{name}` is for the command line: {why}"));
     }
     if let Some(arg) = keys(render).find(|arg| arg.get_long() == Some(name)) {
-        return Answer::Flag(arg);
+        return Lookup::Flag(arg);
     }
     let known: Vec<&str> = keys(render).filter_map(Arg::get_long).collect();
-    Answer::No(match nearest(name, known.iter().copied()) {
+    Lookup::Refused(match nearest(name, known.iter().copied()) {
         Some(meant) => format!("`{name}` is unknown here: did you mean `{meant}`?"),
         None => format!("`{name}` is unknown here: use {}", known.join(", ")),
     })

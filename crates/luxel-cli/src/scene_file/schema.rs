@@ -105,7 +105,7 @@ fn numbers(least: usize, most: usize) -> Value {
     })
 }
 
-/// What may stand behind a flag, as far as the table of options says it.
+/// The schema of the value of a flag.
 fn value_of_flag(arg: &Arg) -> Value {
     let mut value = if matches!(arg.get_action(), ArgAction::SetTrue) {
         json!({ "type": "boolean" })
@@ -129,7 +129,7 @@ fn value_of_flag(arg: &Arg) -> Value {
     value
 }
 
-/// What the help says about a flag, in one line.
+/// The help of a flag, in one line.
 pub(crate) fn help_of(arg: &Arg) -> String {
     let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
     let mut help = help.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -12,7 +12,7 @@ pub(crate) fn samples(text: &str) -> Result<u32, String> {
     }
 }
 
-/// The most threads that can be asked for: far above any machine, far below what would exhaust one.
+/// The largest number of threads: more than any machine has, and few enough not to exhaust one.
 const MAX_THREADS: usize = 1024;
 
 /// A number of threads.

@@ -1,7 +1,6 @@
-//! What may stand after a flag: each kind of value with its parser.
+//! Parsers for the values of flags.
 //!
-//! A parser answers wrong text with one sentence that says what would be right; clap adds the flag
-//! and ends with status 2.
+//! Errors are one sentence that says what is right; clap adds the flag and ends with status 2.
 
 mod at;
 mod choice;

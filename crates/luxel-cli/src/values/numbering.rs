@@ -17,7 +17,7 @@ impl Numbering {
     /// Finds the place of the number.
     ///
     /// # Errors
-    /// A sentence that says what would be right.
+    /// A sentence that says what is right.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let wrong = || {
             format!("`{text}` needs one place for the number: {{n}}, or {{n:3}} for three digits")

@@ -39,7 +39,7 @@ fn flags_of_the_window_are_checked() {
 
 #[test]
 fn without_a_terminal_it_is_said_what_works() {
-    luxel("view demo:plane --terminal").failed(1, "this is no terminal");
+    luxel("view demo:plane --terminal").failed(1, "this is not a terminal");
     luxel("view demo:plane --graphics sixel").failed(2, "--terminal");
 }
 

@@ -1,7 +1,7 @@
 //! Buffers and the views into them: where the bytes of geometry and images come from.
 //!
-//! Both are read when something asks for them, so that what nothing uses may be missing: buffers
-//! that only stand in for compressed data are exactly that.
+//! Both are read on first use, so that unused ones may be missing, such as the fallback buffers of
+//! compressed data.
 
 use super::meshopt;
 use super::uri::{self, Target};

@@ -17,15 +17,14 @@ pub(crate) struct Container<'a> {
     pub(crate) json: &'a [u8],
     /// The byte of the file where it begins.
     pub(crate) json_start: u64,
-    /// Whether places are told as bytes (GLB) or lines (plain JSON).
+    /// Whether errors have bytes (GLB) or lines (plain JSON) as places.
     pub(crate) is_binary: bool,
     /// The first binary chunk.
     pub(crate) binary: Option<&'a [u8]>,
 }
 
 impl<'a> Container<'a> {
-    /// Takes a file apart. Which of the two wrappings it is, the first bytes tell, whatever the
-    /// file's name.
+    /// Splits a file into its parts. Its first bytes choose the wrapping, whatever its name is.
     pub(crate) fn open(bytes: &'a [u8]) -> Result<Self, Error> {
         if bytes.starts_with(MAGIC) {
             return Self::open_binary(bytes);

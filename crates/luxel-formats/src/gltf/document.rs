@@ -12,7 +12,7 @@ use luxel_gltf::{Document, Fault, ReadError};
 const BYTES_PER_OBJECT: u64 = 640;
 const BYTES_PER_VALUE: u64 = 32;
 
-/// Reads the document and makes sure that luxel can show what it requires.
+/// Parses the document and checks its version and required extensions.
 pub(crate) fn parse(
     container: &Container<'_>,
     memory: &Memory<'_>,
@@ -25,7 +25,7 @@ pub(crate) fn parse(
     // GLB pads the text with spaces, but zeros are common.
     let end = container.json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
     let json = &container.json[..end];
-    let document = luxel_gltf::read(json).map_err(|error| told(container, error))?;
+    let document = luxel_gltf::read(json).map_err(|error| json_error(container, error))?;
     check_version(&document)?;
     extensions::check(&document, warnings)?;
     Ok(document)
@@ -51,8 +51,8 @@ fn check_version(document: &Document) -> Result<(), Error> {
     Ok(())
 }
 
-/// A value of the wrong type is told by its pointer, bad syntax by its line or byte.
-fn told(container: &Container<'_>, error: ReadError) -> Error {
+/// The error of a value, with its pointer, or of bad syntax, with its line or byte.
+fn json_error(container: &Container<'_>, error: ReadError) -> Error {
     let ReadError { fault, message } = error;
     let (line, column, is_end) = match fault {
         Fault::Value { pointer } => {

@@ -56,7 +56,7 @@ impl Decoded {
     }
 
     /// The values of an attribute, `width` for each vertex; `None` if it isn't in the stream.
-    /// Integers are scaled as the accessor that the attribute stands for says.
+    /// Normalized integers are scaled by the type of the accessor.
     pub(crate) fn values(
         &self,
         buffers: &Buffers<'_>,

@@ -42,7 +42,7 @@ pub(crate) fn convert(light: &FileLight, index: u32) -> Result<Light, Error> {
 /// Directional light beyond this many lux leaves nothing of a picture that is drawn without exposure.
 const GLARING_LUX: f32 = 100.0;
 
-/// What to say about a light that is given in the lux of the real world, such as the sun.
+/// A warning for directional light in the lux of the real world, such as sunlight.
 pub(crate) fn glare(light: &FileLight) -> Option<Warning> {
     let lux = light.intensity.filter(|&lux| light.kind == "directional" && lux > GLARING_LUX)?;
     let message = format!("{lux} lux burn the picture out, which is drawn without exposure");

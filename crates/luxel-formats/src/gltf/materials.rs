@@ -10,7 +10,7 @@ use luxel_gltf::{Index, Material as FileMaterial, MetallicRoughness, TextureTran
 use luxel_lighting::{Material, Reflection};
 use luxel_scene::{AlphaMode, Encoding, SceneMaterial, Sides, TextureUse};
 
-/// Alpha below this is a hole, where a mask doesn't say.
+/// The default cutoff of masks.
 const DEFAULT_CUTOFF: f32 = 0.5;
 
 /// What the members of the different texture objects have in common.
@@ -130,17 +130,16 @@ pub(crate) fn convert(
     Ok(converted)
 }
 
-/// The materials of primitives that name none, in the order in which they were asked for.
+/// The materials of primitives that name none, in the order of their first use.
 pub(crate) fn defaults(used: &DefaultMaterials) -> Vec<SceneMaterial> {
-    // The file says nothing of colour and gloss, so luxel's own material stands in; that a face is
-    // seen from the front only, the format says (section 3.9.6).
+    // The default of the format is one-sided (section 3.9.6); colour and gloss are luxel's own.
     let plain = SceneMaterial { sides: Sides::Front, ..SceneMaterial::default() };
     let mut colored = plain.clone();
     "vertex colors".clone_into(&mut colored.name);
     colored.constants.diffuse = [1.0; 3];
-    let mut asked: Vec<_> = used.used.into_iter().zip([plain, colored]).collect();
-    asked.sort_by_key(|&(id, _)| id);
-    asked.into_iter().filter(|(id, _)| id.is_some()).map(|(_, material)| material).collect()
+    let mut requested: Vec<_> = used.used.into_iter().zip([plain, colored]).collect();
+    requested.sort_by_key(|&(id, _)| id);
+    requested.into_iter().filter(|(id, _)| id.is_some()).map(|(_, material)| material).collect()
 }
 
 fn name(material: &FileMaterial, index: usize) -> String {

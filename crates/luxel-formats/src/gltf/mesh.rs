@@ -21,7 +21,7 @@ use std::collections::{BTreeMap, HashMap};
 pub(crate) struct DefaultMaterials {
     /// How many the file has.
     pub(crate) in_file: u32,
-    /// Whether one was asked for, plain and for vertices with colours of their own.
+    /// The materials in use: plain, and for vertices with colours of their own.
     pub(crate) used: [Option<MaterialId>; 2],
 }
 
@@ -137,7 +137,7 @@ struct Run {
     count: u32,
 }
 
-/// What tells the vertices of a primitive: its attributes and morph targets.
+/// Identifies the vertices of a primitive: its attributes and morph targets.
 type Key<'k> = (&'k BTreeMap<String, Index>, &'k Vec<BTreeMap<String, Index>>);
 
 /// Primitives that have been put together.

@@ -14,7 +14,10 @@ pub(crate) fn decompress(view: &Meshopt, stream: &[u8]) -> Result<Vec<u8>, Error
     decode(view, stream).map_err(ErrorKind::Malformed)
 }
 
-/// Decompresses a buffer view, or says in a sentence what is wrong with the stream.
+/// Decompresses a buffer view.
+///
+/// # Errors
+/// A sentence that says what is wrong with the stream.
 fn decode(view: &Meshopt, stream: &[u8]) -> Result<Vec<u8>, String> {
     let count = usize::try_from(view.count).map_err(|_| "the count is too large")?;
     let stride = usize::try_from(view.byte_stride).map_err(|_| "the stride is too large")?;
@@ -53,7 +56,7 @@ struct Cursor<'a> {
     rest: &'a [u8],
 }
 
-/// What a stream that ends too early says.
+/// The message for a stream that ends too early.
 const ENDS_EARLY: &str = "the compressed stream ends too early";
 
 impl<'a> Cursor<'a> {

@@ -92,7 +92,8 @@ impl Builder<'_, '_> {
             let pointer = || format!("/nodes/{index}/camera");
             let file_camera = item(&document.cameras, camera, "camera", &pointer)?;
             let (lens, planes) = cameras::convert(file_camera, camera)?;
-            let name = self.name_of_guest(&file_camera.name, node, || format!("camera_{camera}"));
+            let name =
+                self.name_of_attached(&file_camera.name, node, || format!("camera_{camera}"));
             let planes = Some(planes);
             let node = Some(id);
             let view_from_node = DMat4::IDENTITY;
@@ -109,7 +110,7 @@ impl Builder<'_, '_> {
                 self.warnings.push(warning.at(pointer()));
             }
             self.scene.lights.push(SceneLight {
-                name: self.name_of_guest(&file_light.name, node, || format!("light_{number}")),
+                name: self.name_of_attached(&file_light.name, node, || format!("light_{number}")),
                 light,
                 placement: Placement::Node(id),
                 position: DVec3::ZERO,
@@ -120,7 +121,7 @@ impl Builder<'_, '_> {
     }
 
     /// What a camera or light is called: as itself, else as its node, else by its number.
-    fn name_of_guest(
+    fn name_of_attached(
         &self,
         own: &Option<String>,
         node: &FileNode,

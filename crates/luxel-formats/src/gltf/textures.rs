@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The textures that materials have asked for.
+/// The textures that materials use.
 pub(crate) struct Textures<'b, 'd> {
     buffers: &'b Buffers<'d>,
     /// Images by number and encoding, in the order of the first use.

@@ -28,7 +28,10 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
         .with_decode_allow_trailing_bits(true),
 );
 
-/// Reads a URI; what is wrong with it is told in a sentence.
+/// Decodes a URI.
+///
+/// # Errors
+/// A sentence that says what is wrong.
 pub(crate) fn resolve(uri: &str) -> Result<Target, String> {
     if let Some(data) = strip_prefix_ignoring_case(uri, "data:") {
         let (kind, data) =
@@ -45,8 +48,10 @@ pub(crate) fn resolve(uri: &str) -> Result<Target, String> {
     Ok(Target::File { decoded, literal: uri.to_owned() })
 }
 
-/// The file that a relative target names: decoded, or as written if only that exists. What is wrong
-/// with the name is told in a sentence.
+/// The file that a relative target names: decoded, or as written if only that exists.
+///
+/// # Errors
+/// A sentence that says what is wrong with the name.
 pub(crate) fn file_in(
     folder: Option<&Path>,
     decoded: &str,
@@ -57,7 +62,7 @@ pub(crate) fn file_in(
     Ok(if !path.is_file() && as_written.is_file() { as_written } else { path })
 }
 
-/// Sentences are told whole unless the name in them is monstrous.
+/// Cuts messages that contain very long names.
 fn shortened(name: &str) -> String {
     const MOST: usize = 400;
     if name.chars().count() <= MOST {

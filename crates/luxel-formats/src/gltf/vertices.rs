@@ -76,7 +76,7 @@ impl Source<'_, '_> {
         self.of_length(values, name, count)
     }
 
-    /// Colours have three or four components; alpha is 1 where it isn't told.
+    /// Colours have three or four components; missing alpha is 1.
     fn colors(&self, count: usize) -> Result<Vec<[f32; 4]>, Error> {
         const NAME: &str = "COLOR_0";
         let opaque = |[red, green, blue]: [f32; 3]| [red, green, blue, 1.0];

@@ -1,6 +1,6 @@
 //! PNG, of every colour type and depth.
 
-use super::texels::{Decoded, check, opaque, whole};
+use super::texels::{Decoded, check, checked_picture, opaque};
 use crate::{Limits, Warning};
 use ::png::{BitDepth, ColorType, Transformations};
 use std::io::Cursor;
@@ -9,21 +9,21 @@ use std::io::Cursor;
 const BYTES_PER_BYTE: u64 = 1032;
 
 pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Warning> {
-    let said = |error: ::png::DecodingError| format!("the PNG is damaged: {error}");
+    let damaged = |error: ::png::DecodingError| format!("the PNG is damaged: {error}");
     let within = usize::try_from(limits.max_memory).unwrap_or(usize::MAX);
     let mut decoder =
         ::png::Decoder::new_with_limits(Cursor::new(bytes), ::png::Limits { bytes: within });
     decoder.set_transformations(Transformations::EXPAND);
-    let header = decoder.read_header_info().map_err(said)?;
+    let header = decoder.read_header_info().map_err(damaged)?;
     let (width, height) = (header.width, header.height);
     // Sides of 32 bits each are refused below, but multiplied here.
     let texels = u64::from(width) * u64::from(height);
     let bits = texels.saturating_mul(header.bits_per_pixel() as u64);
     check(width, height, bytes, bits / 8 / BYTES_PER_BYTE, limits)?;
-    let mut reader = decoder.read_info().map_err(said)?;
+    let mut reader = decoder.read_info().map_err(damaged)?;
     let size = reader.output_buffer_size().ok_or("the PNG is too large")?;
     let mut rows = vec![0; size];
-    let frame = reader.next_frame(&mut rows).map_err(said)?;
+    let frame = reader.next_frame(&mut rows).map_err(damaged)?;
     // An animation's first frame may cover only a part; the still picture covers all of it.
     let (width, height) = (frame.width, frame.height);
     let rows = rows.get(..frame.buffer_size()).unwrap_or(&rows);
@@ -46,7 +46,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Warning> 
         ColorType::Rgba => rows.as_chunks().0.to_vec(),
         ColorType::Indexed => return Err("the PNG's palette is missing".into()),
     };
-    whole(width, height, texels)
+    checked_picture(width, height, texels)
 }
 
 /// The nearest of 256 steps to one of 65,536.

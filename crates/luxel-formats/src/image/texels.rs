@@ -1,4 +1,4 @@
-//! What the decoders share: checks of dimensions, and RGBA texels.
+//! Checks of dimensions, and RGBA texels, for all decoders.
 #![cfg_attr(
     not(any(feature = "jpeg", feature = "png")),
     allow(dead_code, reason = "this build has no decoder")
@@ -19,8 +19,8 @@ pub(super) struct Decoded {
     pub(super) texels: Vec<[u8; 4]>,
 }
 
-/// Checks dimensions before anything is allocated by them. `bytes_needed` is what the file must
-/// at least have for them.
+/// Checks dimensions before texels are allocated. A file of fewer than `bytes_needed` bytes can't
+/// hold them.
 pub(super) fn check(
     width: u32,
     height: u32,
@@ -51,8 +51,12 @@ pub(super) fn opaque(rgb: &[u8]) -> [u8; 4] {
     [rgb[0], rgb[1], rgb[2], 255]
 }
 
-/// The picture, if it has as many texels as its dimensions say.
-pub(super) fn whole(width: u32, height: u32, texels: Vec<[u8; 4]>) -> Result<Decoded, Warning> {
+/// The picture, if the number of texels fits its dimensions.
+pub(super) fn checked_picture(
+    width: u32,
+    height: u32,
+    texels: Vec<[u8; 4]>,
+) -> Result<Decoded, Warning> {
     if texels.len() as u64 == u64::from(width) * u64::from(height) {
         Ok(Decoded { width, height, texels })
     } else {

@@ -1,4 +1,4 @@
-//! What an OBJ file says, before it is sorted into objects.
+//! The statements of an OBJ file, before they are sorted into objects.
 
 use luxel_scene::NormalFault;
 

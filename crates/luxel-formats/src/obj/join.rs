@@ -202,8 +202,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Everything that a file says, or what is wrong with it.
-    fn told(text: &[u8], block: usize) -> String {
+    /// The parsed document or the error, as text.
+    fn describe(text: &[u8], block: usize) -> String {
         let mut warnings = Warnings::default();
         let document = read(text, block, &Limits::default(), &mut warnings);
         format!("{document:?} {:?}", warnings.finish())
@@ -249,9 +249,9 @@ mod tests {
                 lines.insert(at.min(lines.len()), line);
             }
             let text = lines.join(ends);
-            let whole = told(text.as_bytes(), usize::MAX);
+            let whole = describe(text.as_bytes(), usize::MAX);
             for block in [1, 7, 40, 300] {
-                prop_assert_eq!(&told(text.as_bytes(), block), &whole, "blocks of {}", block);
+                prop_assert_eq!(&describe(text.as_bytes(), block), &whole, "blocks of {}", block);
             }
         }
     }

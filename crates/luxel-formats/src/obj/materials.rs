@@ -1,7 +1,7 @@
 //! From MTL's statements to materials of the scene.
 //!
-//! MTL is the lighting model of the equation, term by term; what a material doesn't say has the
-//! defaults of every file that says nothing. Beyond that:
+//! MTL has the terms of the lighting equation; missing statements get the defaults of materials without
+//! a file. Beyond that:
 //! - `illum 0` is unlit, 1 has no highlight, all others are Blinn-Phong.
 //! - `Kd` left out beside a `map_Kd` is white, and so for the other colours and their maps.
 //! - `Ka` with `map_Kd` but without `map_Ka`: the ambient colour is `Ka` times the diffuse texture,
@@ -205,7 +205,7 @@ impl<'a> Materials<'a> {
         texture.and_then(|texture| texture.image.levels.first()).map_or(&[], |level| &level.texels)
     }
 
-    /// Loads a texture, or what stands for it.
+    /// Loads a texture, or its stand-in.
     fn texture(&mut self, map: &Map, used: Use, warnings: &mut Warnings) -> TextureUse {
         let key = (map.name.clone(), used, map.clamp);
         let texture = self.loaded.get(&key).copied().unwrap_or_else(|| {
@@ -265,14 +265,14 @@ fn library_files(
     warnings: &mut Warnings,
 ) -> Vec<(String, Vec<u8>)> {
     let whole = String::from_utf8_lossy(line).into_owned();
-    let mut read = |name: &str, tell: bool| {
+    let mut read = |name: &str, warns: bool| {
         let bytes = files::within(folder, name)
             .map_err(Warning::from)
             .and_then(|path| files::read_file(&path, limits).map_err(|error| error.kind.into()));
         match bytes {
             Ok(bytes) => Some((name.to_owned(), bytes)),
             Err(warning) => {
-                if tell {
+                if warns {
                     let what = "its materials are left out";
                     warnings.push(warning.at(format_args!("library `{name}`: {what}")));
                 }

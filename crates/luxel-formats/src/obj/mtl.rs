@@ -4,7 +4,7 @@ use super::lines::Lines;
 use crate::text::{Words, integer, shown, single};
 use crate::warnings::Warnings;
 
-/// A material as it is written; what isn't said is `None`.
+/// A material as it is written; missing statements are `None`.
 #[derive(Debug, Default)]
 pub(super) struct Definition {
     pub(super) name: Vec<u8>,
@@ -44,7 +44,7 @@ pub(super) struct Map {
     pub(super) strength: f32,
 }
 
-/// Reads a library. What can't be read in it is told in a warning, and ignored.
+/// Reads a library. Invalid statements are ignored, with a warning.
 pub(super) fn read(bytes: &[u8], file: &str, warnings: &mut Warnings) -> Vec<Definition> {
     let mut definitions: Vec<Definition> = Vec::new();
     let mut lines = Lines::new(bytes);

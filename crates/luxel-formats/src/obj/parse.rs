@@ -1,5 +1,5 @@
-//! From lines to statements, block by block: what a block says hangs on those before it only by what
-//! they leave, the count of vertices above all, which is put in when blocks are [joined](super::join).
+//! Parses blocks of lines in parallel. A block depends on earlier ones only by the state at its start,
+//! mostly the number of vertices, which is added when blocks are [joined](super::join).
 
 use super::document::{Beginning, Document, Element, Kind, NONE};
 use super::lines::Lines;
@@ -34,7 +34,7 @@ const SILENT: [&[u8]; 11] = [
     b"usemap",
 ];
 
-/// What the lines of a block say.
+/// The parsed statements of a block.
 pub(super) struct Block<'a> {
     /// Numbers of corners, materials and elements begin anew with the block; so do lines.
     pub(super) document: Document<'a>,
@@ -55,7 +55,7 @@ pub(super) struct Block<'a> {
 /// How the reading of a block ended.
 pub(super) struct Parsed<'a> {
     pub(super) block: Result<Block<'a>, Error>,
-    /// Whether it can't be told without the counts of the blocks before.
+    /// Whether the result depends on the counts of the blocks before.
     pub(super) asks_before: bool,
 }
 

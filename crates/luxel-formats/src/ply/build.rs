@@ -33,7 +33,7 @@ pub(super) fn scene(content: Content, name: &str, warnings: &mut Warnings) -> Re
     Ok(scene)
 }
 
-/// Whether alpha says anything: writers that fill it with zeros don't mean an invisible surface.
+/// Whether alpha is meaningful: writers that fill it with zeros don't mean an invisible surface.
 fn lets_light_through(colors: &[[f32; 4]]) -> bool {
     let has = |is: fn(f32) -> bool| {
         any(colors.len(), RUN, &|run| colors[run].iter().any(|color| is(color[3])))

@@ -206,7 +206,7 @@ impl<'a> Source<'a> {
     pub(super) fn skip(&mut self, table: &Table<'_>) {
         self.at += table.count * table.stride;
         if let Some(reader) = self.reader {
-            reader.reached(self.at as u64);
+            reader.advance_to(self.at as u64);
         }
     }
 }
@@ -229,7 +229,7 @@ enum Bytes<'a> {
 }
 
 impl Table<'_> {
-    /// What each row's bytes say, by all threads.
+    /// Decodes each row, on all threads.
     pub(super) fn read<T: Clone + Send>(
         &self,
         nothing: T,
@@ -262,7 +262,7 @@ impl Table<'_> {
         let (at, size) = (self.row_at(start), count * self.stride);
         match self.bytes {
             Bytes::Here(bytes) => look(&bytes[at..at + size]),
-            Bytes::Stream(reader, first) => reader.with(first + at as u64, size, look),
+            Bytes::Stream(reader, first) => reader.with_block(first + at as u64, size, look),
         }
     }
 

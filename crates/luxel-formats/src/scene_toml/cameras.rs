@@ -9,7 +9,7 @@ use glam::DMat4;
 use luxel_scene::{Camera, Lens, Scene, SceneCamera};
 use std::collections::HashSet;
 
-/// Angle of view from bottom to top where nothing is said, in degrees.
+/// The default angle of view from bottom to top, in degrees.
 const DEFAULT_FOV_DEGREES: f64 = 45.0;
 
 /// The cameras of the file, in order.

@@ -1,4 +1,4 @@
-//! From text to tables whose keys are known, with the place of everything.
+//! Parses the text into tables, checks their keys, and keeps the place of every value.
 
 use super::keys::{FORMAT, Key, RENDER, ROOT, Section, sections};
 use crate::memory::Memory;
@@ -12,13 +12,13 @@ use toml::de::{DeTable, DeValue};
 /// by what it takes to write one.
 const BYTES_PER_BYTE: u64 = 96;
 
-/// A scene file that says what it is.
+/// A scene file whose header was checked.
 pub(super) struct Document<'a> {
     text: &'a str,
     root: Spanned<DeTable<'a>>,
 }
 
-/// A table of the file with the keys that may stand in it.
+/// A table of the file, with the section that lists its keys.
 #[derive(Clone, Copy)]
 pub(super) struct Table<'a> {
     text: &'a str,
@@ -41,7 +41,7 @@ fn unknown(name: &str, known: &[&'static str]) -> String {
 }
 
 impl<'a> Document<'a> {
-    /// Reads the text and makes sure that it is a scene file of a version that luxel knows.
+    /// Parses the text and checks format and version.
     pub(super) fn parse(bytes: &'a [u8], memory: &Memory<'_>) -> Result<Self, Error> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         memory.take("the scene file", bytes.len() as u64, BYTES_PER_BYTE, Place::File)?;
@@ -84,7 +84,7 @@ impl<'a> Document<'a> {
         }
     }
 
-    /// The keys outside all tables; tables must be known by name.
+    /// The keys outside all tables; checks the names of tables.
     pub(super) fn root(&'a self) -> Result<Table<'a>, Error> {
         let sections = sections();
         let tables = sections.iter().map(|section| section.name).filter(|name| !name.is_empty());
@@ -114,7 +114,7 @@ impl<'a> Document<'a> {
         value.get_ref().as_array().ok_or_else(wrong)?.iter().map(table).collect()
     }
 
-    /// A table whose keys are checked by someone else: each with its value, and the place of both.
+    /// A table whose keys the caller checks: each with its value, and the place of both.
     pub(super) fn entries(&'a self, name: &str) -> Result<Vec<Entry<'a>>, Error> {
         let Some(value) = self.root.get_ref().get(name) else { return Ok(Vec::new()) };
         let table = value.get_ref().as_table().ok_or_else(|| {
@@ -152,14 +152,15 @@ impl<'a> Table<'a> {
         Ok(table)
     }
 
-    /// Every key is in the section or among `more`, and none that is needed is missing.
+    /// Checks that every key is in the section or in `more`, and that no required key is missing.
     fn check_keys(&self, more: &[&'static str]) -> Result<(), Error> {
         let own = self.section.keys.iter().map(|key| key.name);
         let known: Vec<&'static str> = own.chain(more.iter().copied()).collect();
-        let strangers = self.entries.keys().filter(|key| !known.contains(&key.get_ref().as_ref()));
-        if let Some(stranger) = strangers.min_by_key(|key| key.span().start) {
-            let message = unknown(stranger.get_ref(), &known);
-            return Err(malformed(self.text, stranger.span().start, message));
+        let unknown_keys =
+            self.entries.keys().filter(|key| !known.contains(&key.get_ref().as_ref()));
+        if let Some(key) = unknown_keys.min_by_key(|key| key.span().start) {
+            let message = unknown(key.get_ref(), &known);
+            return Err(malformed(self.text, key.span().start, message));
         }
         let missing = |key: &&Key| key.required && self.get(key.name).is_none();
         match self.section.keys.iter().find(missing) {
@@ -179,17 +180,17 @@ impl<'a> Table<'a> {
         self.entries.get(key)
     }
 
-    /// Whether the file says it.
+    /// Whether the table has the key.
     pub(super) fn has(&self, key: &str) -> bool {
         self.get(key).is_some()
     }
 
-    /// What is wrong with the table as a whole.
+    /// An error of the table as a whole.
     pub(super) fn error(&self, message: impl Into<String>) -> Error {
         malformed(self.text, self.start, message)
     }
 
-    /// What is wrong with a value.
+    /// An error of a value.
     pub(super) fn error_at(&self, key: &str, message: impl Into<String>) -> Error {
         let start = self.get(key).map_or(self.start, |value| value.span().start);
         malformed(self.text, start, message)

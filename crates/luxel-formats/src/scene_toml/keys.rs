@@ -1,6 +1,5 @@
-//! The table of what a scene file may say. Readers take keys out of it, the schema and the page
-//! about scene files are made of it. What other crates describe (parameters of reflection, kinds of
-//! light) is read from their tables.
+//! The sections and keys of scene files. Readers, the JSON schema and the documentation use this table.
+//! Parameters of reflection and kinds of light come from the tables of `luxel-lighting`.
 
 use crate::values::reflection_choices;
 use luxel_lighting::{
@@ -75,7 +74,7 @@ const fn required(key: Key) -> Key {
     Key { required: true, ..key }
 }
 
-/// The value of `format`: what tells a scene file from any other TOML.
+/// The value of `format`, which distinguishes scene files from other TOML.
 pub(crate) const FORMAT: &str = "luxel-scene";
 
 const AXES: Shape = Shape::NumbersOr(&["X", "Y", "Z", "-X", "-Y", "-Z"]);
@@ -430,8 +429,8 @@ pub(crate) static FOG: Section = Section {
 /// The name of the table whose keys are settings of the program that draws.
 pub(crate) const RENDER: &str = "render";
 
-/// Everything that a scene file may say, but for `[render]`, whose keys are the program's: first what
-/// stands outside all tables, then the tables.
+/// All sections but `[render]`, whose keys are the program's: first the keys outside all tables, then
+/// the tables.
 #[must_use]
 pub fn sections() -> [&'static Section; 8] {
     [&ROOT, &MODELS, &MATERIAL, &MATERIALS, &OVERRIDES, &LIGHTS, &CAMERAS, &FOG]

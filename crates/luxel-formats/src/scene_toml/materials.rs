@@ -29,7 +29,7 @@ struct Rule {
 /// Most overrides, so that a file can't keep a machine busy for ever.
 const MAX_OVERRIDES: usize = 4096;
 
-/// Changes the materials of all models as the file says.
+/// Applies the materials and changes of the file to all models.
 pub(super) fn apply(
     document: &Document<'_>,
     models: &mut Models,

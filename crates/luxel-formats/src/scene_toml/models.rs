@@ -14,7 +14,7 @@ use luxel_scene::{
 use std::collections::HashMap;
 use std::path::Path;
 
-/// All models, with what is told about them elsewhere.
+/// All models, with what other tables need of them.
 pub(super) struct Models {
     /// Meshes, materials, textures and nodes of all models.
     pub(super) scene: Scene,
@@ -33,7 +33,7 @@ pub(super) struct Model {
     pub(super) name: String,
     /// Its nodes, first and last but one.
     pub(super) nodes: std::ops::Range<usize>,
-    /// The material for all of it, and where that is said.
+    /// The material for all of it, and the place of its key.
     pub(super) material: Option<(String, crate::Place)>,
 }
 
@@ -76,7 +76,7 @@ pub(super) fn read(
     Ok(models)
 }
 
-/// Reads what a name stands for.
+/// Reads the file or demo that a name refers to.
 fn open_source(
     table: &Table<'_>,
     name: &str,
@@ -97,7 +97,7 @@ fn open_source(
         return Err(table.error_at("source", message));
     }
     let loaded = model_file::open(&path, &memory.left()).map_err(|error| match error.kind {
-        // What is missing is told where it is asked for.
+        // A missing file is an error of the key that names it.
         ErrorKind::Io(io) if error.file.as_deref() == Some(&path) => {
             table.error_at("source", format!("{}: {io}", path.display()))
         }

@@ -73,7 +73,7 @@ impl Nodes {
         }
     }
 
-    /// What to say where there is no node of this name.
+    /// The message for a name that no node has.
     pub(super) fn missing(&self, path: &[String]) -> String {
         let name = path.join("/");
         match nearest(&name, self.by_name.keys().map(String::as_str)) {

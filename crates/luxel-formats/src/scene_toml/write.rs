@@ -1,6 +1,6 @@
-//! Scene files, written: what a file says comes back out of it, value by value.
+//! Writes scene files that read back value by value.
 //!
-//! Numbers have as many digits as it takes to read the same number again, and no more.
+//! Numbers have the fewest digits that parse to the same number.
 
 use super::document::Document;
 use super::keys::{MATERIAL, MATERIALS, MODELS, OVERRIDES, Section};
@@ -19,7 +19,7 @@ use toml::de::DeValue;
 /// A scene file to be written.
 #[derive(Clone, Debug)]
 pub struct SceneText<'a> {
-    /// The models, and what is said about their surfaces.
+    /// The models and their materials.
     pub models: SceneModels<'a>,
     /// Further changes to surfaces, on top of all others.
     pub changes: Vec<SurfaceChange>,
@@ -27,7 +27,7 @@ pub struct SceneText<'a> {
     pub up: DVec3,
     /// I_a: the scene's own ambient light.
     pub ambient: [f32; 3],
-    /// What mirrors and metals see; nothing is said if there is nothing here.
+    /// What mirrors and metals see; the file has no key for `None`.
     pub environment: Option<EnvironmentChoice>,
     /// Linear red, green, blue, and alpha, where nothing is.
     pub background: [f32; 4],
@@ -47,11 +47,11 @@ pub enum SceneModels<'a> {
     /// One file in the scene file's folder or below it, or `demo:NAME`. Its first node is called as the
     /// file is, without its ending.
     One(&'a str),
-    /// Those of another scene file: what it says about models and surfaces stays.
+    /// Those of another scene file, whose models and materials are copied.
     AsIn(&'a [u8]),
 }
 
-/// A change to the surfaces that fit what is said here.
+/// A change to the surfaces that match.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceChange {
     /// The path of the objects, if not all are meant.
@@ -111,7 +111,7 @@ impl SceneText<'_> {
         Ok(page.text)
     }
 
-    /// Models, and what is said about their surfaces.
+    /// Writes models and their materials.
     fn models(&self, page: &mut Page) -> Result<(), Error> {
         let mut names = Vec::new();
         match &self.models {

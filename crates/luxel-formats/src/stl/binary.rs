@@ -12,7 +12,7 @@ const PREFACE: usize = 84;
 const RECORD: usize = 50;
 
 /// How long the file should be by the count it holds; `None` if it is too short to hold one.
-pub(super) fn size_said(bytes: &[u8]) -> Option<u64> {
+pub(super) fn declared_size(bytes: &[u8]) -> Option<u64> {
     let (_, count) = bytes.get(..PREFACE)?.split_last_chunk::<4>()?;
     Some(PREFACE as u64 + RECORD as u64 * u64::from(u32::from_le_bytes(*count)))
 }
@@ -23,7 +23,7 @@ pub(super) fn read(
     warnings: &mut Warnings,
 ) -> Result<Facets, Error> {
     let end = Place::Byte(bytes.len() as u64);
-    let Some(size) = size_said(bytes) else {
+    let Some(size) = declared_size(bytes) else {
         let what = "the 84 bytes that every binary STL begins with (nor is it a text STL, which \
                     begins with `solid` and has facets)";
         return Err(Error::at(end, ErrorKind::Truncated(what.to_owned())));
@@ -54,18 +54,18 @@ const TOGETHER: u64 = 1 << 15;
 /// Reads a long file without holding it in memory: the next triangles while the last ones are welded.
 /// `None` if the file isn't binary, or longer or shorter than it says.
 pub(super) fn stream(file: &BlockReader<'_>, limits: &Limits) -> Result<Option<Facets>, Error> {
-    let size = file.with(0, PREFACE, size_said);
-    file.sound()?;
+    let size = file.with_block(0, PREFACE, declared_size);
+    file.check()?;
     if size != Some(file.length()) {
         return Ok(None);
     }
     let count = (file.length() - PREFACE as u64) / RECORD as u64;
     check_count(count, limits, Place::Byte(80))?;
-    file.expect();
+    file.begin();
     let start_of = |triangle: u64| PREFACE as u64 + triangle * RECORD as u64;
     let read = |first: u64| {
         let length = count.saturating_sub(first).min(TOGETHER) as usize * RECORD;
-        file.with(start_of(first), length, |bytes| {
+        file.with_block(start_of(first), length, |bytes| {
             bytes.as_chunks().0.iter().map(corners).collect::<Vec<_>>()
         })
     };
@@ -73,15 +73,15 @@ pub(super) fn stream(file: &BlockReader<'_>, limits: &Limits) -> Result<Option<F
     let mut next = read(0);
     let mut first = 0;
     while first < count {
-        file.sound()?;
-        file.reached(start_of(first));
+        file.check()?;
+        file.advance_to(start_of(first));
         first += TOGETHER;
         let last = std::mem::take(&mut next);
         let weld = || facets.push_all(&last);
         (next, ()) = luxel_parallel::join(|| read(first), weld);
     }
-    file.reached(file.length());
-    file.sound()?;
+    file.advance_to(file.length());
+    file.check()?;
     Ok(Some(facets))
 }
 

@@ -1,13 +1,13 @@
 //! `KEY=VALUE:...`: fields in one text, or from a table.
 
-/// Keys and values, each taken once.
+/// Keys and values; parsers take each field once.
 #[derive(Clone, Debug, Default)]
 pub struct Fields<'a> {
     /// Fields that are not taken yet, in order.
     left: Vec<(&'a str, &'a str)>,
 }
 
-/// What is wrong with a field, or with all of them together.
+/// An error in a field, or in all fields together.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}{message}", key.as_deref().map_or_else(String::new, |key| format!("{key}: ")))]
 pub struct FieldError {
@@ -18,7 +18,7 @@ pub struct FieldError {
 }
 
 impl FieldError {
-    /// Something that is wrong with no field alone.
+    /// An error of no single field.
     pub(crate) fn new(message: impl Into<String>) -> Self {
         Self { key: None, message: message.into() }
     }
@@ -43,7 +43,7 @@ impl<'a> Fields<'a> {
         Ok(Self { left })
     }
 
-    /// Takes a field, if it is there.
+    /// Takes a field, if it exists, and parses its value.
     pub(crate) fn take<T>(
         &mut self,
         key: &str,
@@ -57,8 +57,8 @@ impl<'a> Fields<'a> {
         parse(value).map(Some).map_err(at_key)
     }
 
-    /// A field that nobody knows, if one is left.
-    pub(crate) fn stranger(&self) -> Option<&'a str> {
+    /// The key of the first field that no parser took.
+    pub(crate) fn unknown_key(&self) -> Option<&'a str> {
         self.left.first().map(|(key, _)| *key)
     }
 }
@@ -80,7 +80,7 @@ mod tests {
         let mut fields = Fields::parse("a=1:b=2").unwrap();
         assert_eq!(fields.take("b", finite), Ok(Some(2.0)));
         assert_eq!(fields.take("b", finite), Ok(None));
-        assert_eq!(fields.stranger(), Some("a"));
+        assert_eq!(fields.unknown_key(), Some("a"));
     }
 
     #[test]

@@ -28,7 +28,7 @@ pub fn fog_of(mut fields: Fields<'_>) -> Result<Fog, FieldError> {
         Law::Linear => return Ok(Fog { color, law: depth_cue(fields)? }),
         Law::Exp | Law::Exp2 => {
             let density = fields.take("density", non_negative_f32)?;
-            if let Some(key) = fields.stranger() {
+            if let Some(key) = fields.unknown_key() {
                 let message = format!("`{key}` is not for this law: use density, color");
                 return Err(FieldError::new(message));
             }
@@ -65,7 +65,7 @@ fn depth_cue(mut fields: Fields<'_>) -> Result<FogLaw, FieldError> {
     let far = fields.take("far", finite)?;
     let front = fields.take("front", unit_interval)?;
     let back = fields.take("back", unit_interval)?;
-    if let Some(key) = fields.stranger() {
+    if let Some(key) = fields.unknown_key() {
         let message = format!("`{key}` is unknown: use law, near, far, front, back, color");
         return Err(FieldError::new(message));
     }

@@ -77,7 +77,7 @@ pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldEr
         light.attenuation = attenuation_of(&mut fields)?;
         light
     };
-    match fields.stranger() {
+    match fields.unknown_key() {
         Some(key) => Err(FieldError::new(format!("a light of kind `{kind}` has no `{key}`"))),
         None => Ok(LightSpec { name, light, placement, position, direction: towards }),
     }
@@ -226,8 +226,8 @@ pub fn cos_cutoff(degrees: f64) -> Option<f32> {
 }
 
 /// The half-angle, with as few digits as it takes, of which [`cos_cutoff`] makes this cosine; 180 for
-/// what is below 0. Cosines below 1e-8 are taken as that of a right angle, next to which degrees can't
-/// tell them.
+/// what is below 0. Cosines below 1e-8 are taken as that of a right angle, from which degrees
+/// can't tell them apart.
 #[must_use]
 pub fn cutoff_degrees(cosine: f32) -> f64 {
     if cosine < 0.0 {

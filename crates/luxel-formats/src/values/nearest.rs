@@ -1,4 +1,4 @@
-//! What someone may have meant who wrote a name that nobody knows.
+//! Suggestions for misspelt names.
 
 /// The known name nearest to one, if it is near enough to be a slip of the pen: at most a third of
 /// its letters differ.
@@ -13,7 +13,7 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     (distance_to(&nearest) <= most).then_some(nearest)
 }
 
-/// Names longer than this are nobody's slip.
+/// Longer names get no suggestion.
 const LONGEST: usize = 64;
 
 /// How many letters have to be changed, left out, put in or swapped with their neighbour (the

@@ -87,7 +87,7 @@ mod tests {
         std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
         let progress = LoadProgress::default();
         assert_eq!((progress.step(), progress.fraction()), (0, 0.0));
-        let limits = Limits { watch: Some(progress.reader.clone()), ..Limits::default() };
+        let limits = Limits { progress: Some(progress.reader.clone()), ..Limits::default() };
         open(&path, &limits).unwrap();
         let length = std::fs::metadata(&path).unwrap().len();
         assert_eq!(progress.reader.bytes(), (length, length));

@@ -1,6 +1,6 @@
 //! Places of the window: one from the line, or as many as the standard input gives.
 
-use super::{AskedOptions, SNAP_WITHIN, SnapChoice};
+use super::{QueryOptions, SNAP_WITHIN, SnapChoice};
 use crate::failure::Failure;
 use crate::output;
 use crate::values::at as position;
@@ -24,7 +24,7 @@ struct Found {
     snapped: Option<Option<Snapped>>,
 }
 
-impl AskedOptions {
+impl QueryOptions {
     /// Answers for one place.
     pub(super) fn one(&self, view: &PickView<'_>, at: At) -> Result<(), Failure> {
         let found = self.find(view, at);
@@ -107,7 +107,7 @@ impl AskedOptions {
         }
         // The camera is the same for all: written once.
         let camera = camera_to_json(view.camera(), view.size()).to_string();
-        let told = luxel_parallel::gather(places.len(), RUN, &|run, bytes| {
+        let answers = luxel_parallel::gather(places.len(), RUN, &|run, bytes| {
             for &at in &places[run] {
                 let found = self.find(view, at);
                 let report = found.report(view);
@@ -118,7 +118,7 @@ impl AskedOptions {
                 }
             }
         });
-        (told, failure)
+        (answers, failure)
     }
 
     fn find(&self, view: &PickView<'_>, at: At) -> Found {

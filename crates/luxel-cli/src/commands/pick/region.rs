@@ -1,13 +1,13 @@
 //! Rectangles and polygons of the window.
 
-use super::AskedOptions;
+use super::QueryOptions;
 use crate::failure::Failure;
 use crate::output;
 use luxel::pick::{PickView, Region};
 use luxel::report::RegionReport;
 use std::collections::BTreeMap;
 
-impl AskedOptions {
+impl QueryOptions {
     /// Answers for a part of the window.
     pub(super) fn region(&self, view: &PickView<'_>) -> Result<(), Failure> {
         let region = match (&self.place.rect, &self.place.lasso) {

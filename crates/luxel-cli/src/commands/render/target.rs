@@ -44,7 +44,7 @@ enum Place {
 }
 
 impl Target {
-    /// Checks what was asked for, before any work is done.
+    /// Checks the flags before any work is done.
     pub(super) fn of(options: &OutputOptions) -> Result<Self, Failure> {
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
         let to_standard_output = options.output == "-";

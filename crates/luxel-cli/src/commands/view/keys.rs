@@ -1,4 +1,4 @@
-//! Which keys do what: the file that says so, if there is one.
+//! The file of key bindings, if there is one.
 
 use crate::failure::Failure;
 use luxel_viewer::Keys;
@@ -9,10 +9,10 @@ use std::path::{Path, PathBuf};
 /// More than any table of keys takes.
 const MOST_BYTES: u64 = 1 << 20;
 
-/// The keys that a file says, or the user's own one; those by default without any.
+/// The bindings of a file, or of the user's own; the default ones without either.
 ///
 /// # Errors
-/// [`Failure::Work`] with the line, if the file can't be read or says what makes no sense.
+/// [`Failure::Work`] with the line, if the file can't be read or is invalid.
 pub(super) fn keys(file: Option<&OsStr>) -> Result<Keys, Failure> {
     let own = own_file(std::env::var_os("XDG_CONFIG_HOME"), std::env::var_os("HOME"));
     match (file, own) {
@@ -35,7 +35,7 @@ fn own_file(
 
 fn read(path: &Path) -> Result<Keys, Failure> {
     let remedy = "correct the line; docs/viewer.md lists what keys can do";
-    let told = |what: String| Failure::work(format!("{}{what}", path.display()), remedy);
+    let invalid = |what: String| Failure::work(format!("{}{what}", path.display()), remedy);
     let mut text = String::new();
     let opened = std::fs::File::open(path);
     let taken = opened.and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text));
@@ -45,9 +45,9 @@ fn read(path: &Path) -> Result<Keys, Failure> {
             Err(Failure::work(what, "name a file of keys, as docs/viewer.md describes it"))
         }
         Ok(taken) if taken as u64 > MOST_BYTES => {
-            Err(told(": this is too long for keys".to_owned()))
+            Err(invalid(": this is too long for keys".to_owned()))
         }
-        Ok(_) => Keys::read(&text).map_err(|error| told(error.to_string())),
+        Ok(_) => Keys::read(&text).map_err(|error| invalid(error.to_string())),
     }
 }
 

@@ -58,7 +58,7 @@ pub(crate) fn line(
         None => {}
         Some(edges) => line.push(if edges.wireframe { "--wireframe" } else { "--edges" }.into()),
     }
-    // A scene file may say otherwise than the program does by default.
+    // A scene file may override the defaults.
     let is_scene = Path::new(file).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
     let shaded = shading_flags(view, is_scene).into_iter();
     line.extend(shaded.map(|(name, value)| format!("--{name}={value}")));

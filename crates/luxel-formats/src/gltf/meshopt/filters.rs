@@ -65,7 +65,7 @@ fn from_octahedron(x: f32, y: f32, one: f32, full: f32) -> [f32; 3] {
     [x, y, z].map(|value| rounded(value * scale))
 }
 
-/// A quaternion of which the largest component is left out, and its place told by two bits.
+/// A quaternion of which the largest component is left out; two bits give its place.
 fn from_largest_component(words: [i16; 4]) -> [i16; 4] {
     let [x, y, z, last] = words;
     let scale = std::f32::consts::FRAC_1_SQRT_2 / f32::from(last | 3);
