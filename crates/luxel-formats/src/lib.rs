@@ -53,7 +53,16 @@ mod stl;
 )]
 mod text;
 pub mod values;
-#[cfg(any(feature = "gltf", feature = "obj", feature = "ply", feature = "stl", feature = "toml"))]
+#[cfg_attr(
+    not(any(
+        feature = "gltf",
+        feature = "obj",
+        feature = "ply",
+        feature = "stl",
+        feature = "toml"
+    )),
+    allow(dead_code, reason = "this build has no reader")
+)]
 mod warnings;
 #[cfg(any(feature = "obj", feature = "stl"))]
 #[cfg_attr(
