@@ -111,7 +111,7 @@ pub(crate) fn block_at(words: &[u32], start: usize) -> Option<Block<'_>> {
     words.get(start..)?.first_chunk().map(Block)
 }
 
-/// A window of eight words from `WIDTH - count` on masks the lanes that have a triangle.
+/// A window of eight words from `WIDTH - count` on masks the first `count` lanes.
 const LANE_MASK: [u32; 2 * WIDTH] = {
     let mut mask = [0; 2 * WIDTH];
     let mut lane = 0;
@@ -121,6 +121,15 @@ const LANE_MASK: [u32; 2 * WIDTH] = {
     }
     mask
 };
+
+/// All bits in the first `count` of eight words, none in the others.
+#[inline(always)]
+pub(crate) fn lane_mask(count: usize) -> [u32; WIDTH] {
+    let mut mask = [0; WIDTH];
+    let start = WIDTH - count.min(WIDTH);
+    mask.copy_from_slice(&LANE_MASK[start..start + WIDTH]);
+    mask
+}
 
 impl Block<'_> {
     #[inline(always)]
@@ -202,9 +211,7 @@ impl Block<'_> {
     /// subnormal numbers, with which some processors take a hundred times as long.
     #[inline(always)]
     pub(crate) fn triangle_words<S: Simd>(&self, simd: S) -> u32x8<S> {
-        let mut mask = [0; WIDTH];
-        let start = WIDTH - self.count();
-        mask.copy_from_slice(&LANE_MASK[start..start + WIDTH]);
+        let mask = lane_mask(self.count());
         let [_, a, b, c, d, e, f, g, h, ..] = *self.0;
         u32x8::simd_from(simd, [a, b, c, d, e, f, g, h]) & u32x8::simd_from(simd, mask)
     }
