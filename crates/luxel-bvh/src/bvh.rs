@@ -147,6 +147,9 @@ impl Bvh {
 }
 
 #[cfg(test)]
+mod mapped_blocks;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::build::MOST_BYTES;
