@@ -257,8 +257,8 @@ macro_rules! __try_level {
     };
 }
 
-/// The same with AVX-512. What a macro says of features is asked of the crate that calls it, hence
-/// two macros.
+/// The same with AVX-512. A feature in a macro's body is one of the crate that calls it, hence two
+/// macros.
 #[cfg(all(
     any(target_arch = "x86", target_arch = "x86_64"),
     feature = "avx512",

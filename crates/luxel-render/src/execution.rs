@@ -13,8 +13,8 @@ pub struct Execution {
     /// The time since some fixed moment, for the figures of stages. The default doesn't look at any
     /// clock, as not every machine has one.
     pub clock: fn() -> Duration,
-    /// Whether a single frame is all that is asked for: meshes are made ready in a fraction of the time
-    /// and of the memory, and a frame takes somewhat longer. Pictures are the same.
+    /// Whether a single frame is drawn: meshes are prepared in a fraction of the time and of the memory,
+    /// and a frame takes somewhat longer. Pictures are the same.
     pub one_frame: bool,
 }
 
