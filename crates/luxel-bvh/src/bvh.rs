@@ -147,13 +147,11 @@ impl Bvh {
 }
 
 #[cfg(test)]
-mod mapped_blocks;
-
-#[cfg(test)]
 mod tests {
     use super::*;
     use crate::build::MOST_BYTES;
-    use crate::tree::BLOCK;
+    use crate::tree::{BLOCK, Block, VertexMap};
+    use luxel_math::{Level, Simd, dispatch_long, f32x8, prelude::*};
 
     /// A sheet of two triangles a cell, row by row.
     fn sheet(side: u32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
@@ -202,5 +200,49 @@ mod tests {
         let (positions, triangles) = unshared(&positions, &triangles);
         let [shared, apart, numbers] = kinds(&positions, &triangles, Quality::Thorough);
         assert!(shared == 0 && apart > 100 && numbers > 100, "{shared} {apart} {numbers}");
+    }
+
+    /// Leaves vertices as they are.
+    struct Identity;
+
+    impl VertexMap<3> for Identity {
+        #[inline(always)]
+        fn map<S: Simd>(&self, position: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
+            position
+        }
+    }
+
+    /// The first vertices of a block and all corners, axis by axis.
+    fn lanes(block: Block<'_>, positions: &[[f32; 3]]) -> ([[f32; 8]; 3], [[[f32; 8]; 3]; 3]) {
+        let (mut vertices, mut corners) = ([[0.0; 8]; 3], [[[0.0; 8]; 3]; 3]);
+        dispatch_long!(Level::baseline(), simd => {
+            let mapped = block.map_corners(simd, positions, &Identity);
+            let first = block.vertices(simd, 0);
+            for axis in 0..3 {
+                first[axis].store_slice(&mut vertices[axis]);
+                for corner in 0..3 {
+                    mapped[corner][axis].store_slice(&mut corners[corner][axis]);
+                }
+            }
+        });
+        (vertices, corners)
+    }
+
+    #[test]
+    fn lanes_are_zero_beyond_vertices_and_corners_are_those_of_the_mesh() {
+        let (positions, triangles) = sheet(30);
+        let apart = unshared(&positions, &triangles);
+        for (positions, triangles) in [(positions, triangles), apart] {
+            let bvh = Bvh::build(&positions, &triangles, Quality::Thorough).expect("there are few");
+            bvh.view().visit_blocks(Node::occupied, |block| {
+                let (vertices, corners) = lanes(block, &positions);
+                let length = block.header().row_length();
+                assert!(vertices.iter().all(|row| row[length..].iter().all(|&x| x == 0.0)));
+                for lane in 0..block.count() {
+                    let found = corners.map(|corner| corner.map(|row| row[lane]));
+                    assert_eq!(found, block.corners(lane, &positions));
+                }
+            });
+        }
     }
 }

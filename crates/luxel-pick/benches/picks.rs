@@ -1,4 +1,5 @@
-//! Times picks and slivers on a bumpy sphere of 100 000, a million and five million triangles.
+//! Times picks, one by one and many at once, and slivers on a bumpy sphere of a thousand, 100 000, a
+//! million and five million triangles. `RAYON_NUM_THREADS=1` compares one thread with one.
 //!
 //! `cargo bench -p luxel-pick [-- FILTER]`; a filter is part of a row's name. Prints the median and the
 //! least of some rounds, and the number of hits.
@@ -13,7 +14,7 @@ use luxel_scene::{
 use luxel_visibility::Cull;
 use std::time::Instant;
 
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 15;
 const SIZE: Size = Size { width: 1280, height: 720 };
 
 fn bumpy_sphere(frequency: u32) -> Mesh {
@@ -34,6 +35,22 @@ fn camera() -> Camera {
     Camera { view_from_world, projection: Projection { lens, near: 0.5, far: 10.0 } }
 }
 
+/// 10 000 places at random all over the window.
+fn scattered() -> Vec<[f64; 2]> {
+    let mut state = 12_345_u64;
+    let mut random = |side: u32| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f64 / f64::from(1 << 24) * f64::from(side)
+    };
+    (0..10_000).map(|_| [random(SIZE.width), random(SIZE.height)]).collect()
+}
+
+/// The pixels of a square of 100x100 on the sphere.
+fn dense() -> Vec<[f64; 2]> {
+    (0..10_000).map(|at| [590.5 + f64::from(at % 100), 310.5 + f64::from(at / 100)]).collect()
+}
+
 /// Median and least of some rounds, in seconds.
 fn time(mut work: impl FnMut()) -> (f64, f64) {
     let mut times: Vec<f64> = (0..ROUNDS)
@@ -51,10 +68,10 @@ fn main() {
     let filter: Option<String> =
         std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
     let wanted = |name: &str| filter.as_ref().is_none_or(|filter| name.contains(filter.as_str()));
-    for (triangles, frequency) in [("100k", 71), ("1M", 224), ("5M", 500)] {
+    for (triangles, frequency) in [("1k", 7), ("100k", 71), ("1M", 224), ("5M", 500)] {
         // A filter that names another size wants none of this one's rows.
         let names_size = |size: &str| filter.as_ref().is_some_and(|filter| filter.contains(size));
-        if ["100k", "1M", "5M"].into_iter().any(names_size) && !names_size(triangles) {
+        if ["1k", "100k", "1M", "5M"].into_iter().any(names_size) && !names_size(triangles) {
             continue;
         }
         let mesh = bumpy_sphere(frequency);
@@ -82,6 +99,22 @@ fn main() {
             let (median, least) =
                 time(|| hits = places.iter().filter_map(|&place| view.owner_at(place)).count());
             report(&name, places.len(), median, least, hits);
+        }
+        for (kind, places) in [("scattered", scattered()), ("dense", dense())] {
+            let row = |way: &str, pick: &dyn Fn() -> usize| {
+                let name = format!("{triangles} 10 000 {kind}, {way}");
+                if wanted(&name) {
+                    let mut hits = 0;
+                    let (median, least) = time(|| hits = pick());
+                    report(&name, places.len(), median, least, hits);
+                }
+            };
+            row("one by one", &|| places.iter().filter_map(|&place| view.at(place)).count());
+            row("at once", &|| view.at_many(&places).iter().flatten().count());
+            row("owners one by one", &|| {
+                places.iter().filter_map(|&place| view.owner_at(place)).count()
+            });
+            row("owners at once", &|| view.owner_at_many(&places).iter().flatten().count());
         }
         let name = format!("{triangles} sliver of 5x5 pixels");
         if wanted(&name) {

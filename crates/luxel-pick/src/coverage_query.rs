@@ -13,7 +13,7 @@ use glam::DVec3;
 use luxel_bvh::{Block, Child, Node, SlabTest, Subtree, VertexMap, WIDTH};
 use luxel_math::{Lanes, Mask, SUBPIXELS, Simd, dispatch_long, f32x8, prelude::*};
 use luxel_scene::Mesh;
-use luxel_visibility::{Coverage, Probe};
+use luxel_visibility::{Coverage, Probe, ProbedTriangle};
 use std::cell::RefCell;
 
 /// A triangle that covers a sample.
@@ -57,17 +57,24 @@ impl PickView<'_> {
         let mut best: Option<CoveringTriangle> = None;
         for number in self.instances_at(position.map(|steps| steps.div_euclid(SUBPIXELS))) {
             let least = best.map_or(0.0, |best| best.depth);
-            let mut visit = |covering: CoveringTriangle| {
-                if best.is_none_or(|best| covering.occludes(&best))
-                    && !self.is_hole(&covering, position)
-                {
-                    best = Some(covering);
-                }
-                best.map_or(0.0, |best| best.depth)
-            };
+            let mut visit = |covering| self.see(&mut best, covering, position);
             self.visit_covering(number, position, &mut visit, least);
         }
         best
+    }
+
+    /// Keeps the nearer of two triangles that cover a sample; returns the depth below which others are
+    /// hidden.
+    pub(crate) fn see(
+        &self,
+        best: &mut Option<CoveringTriangle>,
+        covering: CoveringTriangle,
+        position: [i32; 2],
+    ) -> f32 {
+        if best.is_none_or(|best| covering.occludes(&best)) && !self.is_hole(&covering, position) {
+            *best = Some(covering);
+        }
+        best.map_or(0.0, |best| best.depth)
     }
 
     /// All triangles that cover a sample, nearest first.
@@ -95,7 +102,7 @@ impl PickView<'_> {
 
     /// Visits the triangles of an instance that cover a sample; `visit` returns the depth below which
     /// triangles are ignored.
-    fn visit_covering(
+    pub(crate) fn visit_covering(
         &self,
         place: usize,
         position: [i32; 2],
@@ -103,27 +110,39 @@ impl PickView<'_> {
         least: f32,
     ) {
         let instance = &self.trees[place];
-        let parts = &self.placed.instances()[place].parts;
         let geometry = self.geometry(place);
         let Some(ray) = self.thick_ray(instance, position) else { return };
-        let mesh = geometry.mesh;
         let mut found = |block: Block<'_>, lane: usize| {
-            let triangle = block.triangle(lane);
-            let part = part_of(&geometry, triangle);
-            let corners = if instance.bounds_tell_depth {
-                // The leaf's copies, already in the cache.
-                block.corners(lane, &mesh.positions)
-            } else {
-                positions(mesh, triangle)
-            };
-            let cull = parts[part].cull;
-            let depth = instance.probe.covers(corners, cull, position)?;
-            Some(visit(CoveringTriangle { instance: place, triangle, corners, depth }))
+            let (mut covering, set_up) = self.triangle_in(place, &geometry, block, lane);
+            covering.depth = set_up.covers(position)?;
+            Some(visit(covering))
         };
         STACK.with_borrow_mut(|stack| {
             dispatch_long!(self.picker.level, simd =>
                 traverse(simd, instance, &geometry, &ray, least, stack, &mut found));
         });
+    }
+
+    /// A triangle of a leaf, its depth still to be found, and the same set up by the fill rule.
+    #[inline(always)]
+    pub(crate) fn triangle_in(
+        &self,
+        place: usize,
+        geometry: &Geometry<'_>,
+        block: Block<'_>,
+        lane: usize,
+    ) -> (CoveringTriangle, ProbedTriangle) {
+        let instance = &self.trees[place];
+        let triangle = block.triangle(lane);
+        let corners = if instance.bounds_tell_depth {
+            // The leaf's copies, already in the cache.
+            block.corners(lane, &geometry.mesh.positions)
+        } else {
+            positions(geometry.mesh, triangle)
+        };
+        let cull = self.placed.instances()[place].parts[part_of(geometry, triangle)].cull;
+        let covering = CoveringTriangle { instance: place, triangle, corners, depth: 0.0 };
+        (covering, instance.probe.triangle(corners, cull))
     }
 
     /// The thick ray through a sample in the coordinates of an instance's tree; `None` if it misses the
@@ -252,18 +271,35 @@ fn candidates<S: Simd>(
     instance: &InstanceTree,
     sample: [f32; 2],
 ) -> u32 {
-    let probe = &instance.probe;
-    let corners = block.map_corners(simd, &geometry.mesh.positions, &SnapToSubPixels(probe));
+    let corners = snapped_corners(simd, block, geometry, instance);
     let at = sample.map(|steps| f32x8::splat(simd, steps));
-    // Both are whole numbers below 2^24: the difference is exact.
+    may_cover(corners, at).bits()
+}
+
+/// The snapped corners of a block's triangles, NaN where they are unknown.
+#[inline(always)]
+pub(crate) fn snapped_corners<S: Simd>(
+    simd: S,
+    block: Block<'_>,
+    geometry: &Geometry<'_>,
+    instance: &InstanceTree,
+) -> [[f32x8<S>; 2]; 3] {
+    block.map_corners(simd, &geometry.mesh.positions, &SnapToSubPixels(&instance.probe))
+}
+
+/// Whether triangles may cover samples: no sample lies to the left of one snapped edge and to the right of
+/// another. Of triangles without area, and where corners are NaN, nothing is known.
+#[inline(always)]
+pub(crate) fn may_cover<N: Lanes>(corners: [[N; 2]; 3], [x, y]: [N; 2]) -> N::Mask {
+    // All are whole numbers below 2^24: differences are exact.
     let [a, b, c] = corners.map(
         #[inline(always)]
-        |[x, y]| [x - at[0], y - at[1]],
+        |corner| [corner[0] - x, corner[1] - y],
     );
     let [left_a, right_a] = sides_of_edge(a, b);
     let [left_b, right_b] = sides_of_edge(b, c);
     let [left_c, right_c] = sides_of_edge(c, a);
-    !((left_a | left_b | left_c) & (right_a | right_b | right_c)).bits()
+    !((left_a | left_b | left_c) & (right_a | right_b | right_c))
 }
 
 /// Whether the origin lies certainly to the left of an edge, and whether certainly to the right. Rounding
@@ -287,7 +323,7 @@ impl VertexMap<2> for SnapToSubPixels<'_> {
 impl InstanceTree {
     /// An upper bound of the depth of any sample inside each child of a node.
     #[inline(always)]
-    fn nearest<S: Simd>(&self, simd: S, node: &Node) -> [f32; WIDTH] {
+    pub(crate) fn nearest<S: Simd>(&self, simd: S, node: &Node) -> [f32; WIDTH] {
         let mut depths = [f32::INFINITY; WIDTH];
         if self.bounds_tell_depth {
             let [x, y, z] = node.planes();
@@ -300,7 +336,7 @@ impl InstanceTree {
 }
 
 #[inline(always)]
-fn planes<S: Simd>(simd: S, of: &[[f32; WIDTH]; 2], side: usize) -> f32x8<S> {
+pub(crate) fn planes<S: Simd>(simd: S, of: &[[f32; WIDTH]; 2], side: usize) -> f32x8<S> {
     f32x8::simd_from(simd, of[side])
 }
 

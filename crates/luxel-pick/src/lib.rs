@@ -6,6 +6,7 @@
 //! | --- | --- |
 //! | closest, any and all hits of rays through one mesh | [`Bvh`], [`MeshRays`], from [`luxel_bvh`] |
 //! | the surface that a frame shows at a pixel, and those behind it | [`Picker`], [`PickView`] |
+//! | the same for thousands of places at once | [`PickView::at_many`], [`PickView::owner_at_many`] |
 //! | objects that reach into a rectangle or polygon of the window, and their depths | [`Region`], [`PickView::sliver`] |
 //! | objects visible there, and their pixels | [`PickView::visible_in`], [`VisibleIds`] |
 //! | selection with names and a pick matrix, as in OpenGL | [`Selection`] |
@@ -72,9 +73,11 @@
 
 mod coverage_query;
 mod frustum;
+mod pick_many;
 mod picker;
 mod region;
 mod region_raster;
+mod sample_group;
 mod selection_mode;
 mod sliver;
 mod snapping;

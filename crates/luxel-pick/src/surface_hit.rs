@@ -6,7 +6,9 @@ use crate::window::PhysicalPosition;
 use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
-use luxel_visibility::{Forms, InstanceSpace, interpolate, interpolate_corners, sides};
+use luxel_visibility::{
+    Forms, InstanceSpace, TileForms, interpolate, interpolate_corners, sides, tile_of,
+};
 
 /// A surface at a window position.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,7 +101,7 @@ impl PickView<'_> {
     }
 
     /// A window position in steps of 1/256 pixel.
-    fn steps(&self, PhysicalPosition { x, y }: PhysicalPosition) -> Option<[i32; 2]> {
+    pub(crate) fn steps(&self, PhysicalPosition { x, y }: PhysicalPosition) -> Option<[i32; 2]> {
         let inside = |at: f64, side: u32| at >= 0.0 && at < f64::from(side);
         if !inside(x, self.size().width) || !inside(y, self.size().height) {
             return None;
@@ -132,105 +134,134 @@ impl PickView<'_> {
 
     /// The attributes of a triangle at a sample that it covers.
     pub(crate) fn surface_hit(&self, covering: &CoveringTriangle, position: [i32; 2]) -> PickHit {
-        let &CoveringTriangle { triangle, .. } = covering;
-        let space = &self.placed.instances()[covering.instance].space;
-        let geometry = self.geometry(covering.instance);
+        self.surface_of(covering, tile_of(position)).hit(position)
+    }
+
+    /// What the samples of a triangle in a tile share.
+    #[inline]
+    pub(crate) fn surface_of(
+        &self,
+        covering: &CoveringTriangle,
+        tile: [i32; 2],
+    ) -> TriangleSurface<'_> {
+        let &CoveringTriangle { instance, triangle, .. } = covering;
+        let space = &self.placed.instances()[instance].space;
+        let geometry = self.geometry(instance);
         let mesh = geometry.mesh;
         let attributes = mesh.attribute_corners()[triangle as usize].map(|at| at as usize);
         let in_mesh = InstanceSpace::normals_in_mesh(mesh, attributes);
         let forms = self.forms(covering);
         let in_view = forms.corners();
-        let weights = forms.barycentric(&self.rays, position);
-
         let corners = in_view.map(|corner| corner.to_array());
         let [second, third] = sides(&corners);
         let first = space.about_eye(corners[0]);
-        let (second, third) = (space.along_world(second), space.along_world(third));
+        let normals = space.facing_normals([second, third], forms.towards_eye(), in_mesh);
+        let [a, b, c] = in_view.map(|corner| space.world_from_view * corner);
+        let plane = (b - a).cross(c - a).normalize_or_zero();
+        let to_eye = if space.parallel { space.world_from_view.z_axis } else { -a };
+        let plane = if plane.dot(to_eye) < 0.0 { -plane } else { plane };
+        let (object, element) = self.element_of(instance, triangle);
+        TriangleSurface {
+            view: self,
+            mesh,
+            space,
+            attributes,
+            in_tile: forms.in_tile(&self.rays, tile),
+            forms,
+            first,
+            sides: [space.along_world(second), space.along_world(third)],
+            normals: normals.map(|normal| normal.lane(0)),
+            plane: plane.as_vec3().to_array(),
+            material: mesh.parts[part_of(&geometry, triangle)].material,
+            object,
+            element,
+        }
+    }
+}
+
+/// A triangle of an instance before the camera, for its samples in one tile.
+pub(crate) struct TriangleSurface<'v> {
+    view: &'v PickView<'v>,
+    mesh: &'v Mesh,
+    space: &'v InstanceSpace,
+    attributes: [usize; 3],
+    forms: Forms,
+    in_tile: TileForms<f32>,
+    /// The first corner about the eye, and the ways to the others, along the world's axes.
+    first: Vec3<f32>,
+    sides: [Vec3<f32>; 2],
+    /// Of the corners, facing the eye.
+    normals: [[f32; 3]; 3],
+    plane: [f32; 3],
+    material: MaterialId,
+    object: usize,
+    element: Element,
+}
+
+impl TriangleSurface<'_> {
+    /// The attributes at a sample that the triangle covers.
+    #[inline]
+    pub(crate) fn hit(&self, position: [i32; 2]) -> PickHit {
+        let &Self { view, mesh, attributes, first, sides: [second, third], .. } = self;
+        let weights = self.forms.barycentric_within(&self.in_tile, &view.rays, position);
         let about_eye = Vec3::new(
             interpolate(first.x, [second.x, third.x], &weights),
             interpolate(first.y, [second.y, third.y], &weights),
             interpolate(first.z, [second.z, third.z], &weights),
         );
-        let along = self.camera().direction().as_vec3().to_array();
+        let along = view.camera().direction().as_vec3().to_array();
         let z = Vec3::new(about_eye.x, about_eye.y, about_eye.z)
             .dot(Vec3::new(along[0], along[1], along[2]));
-        let normals = space.facing_normals(sides(&corners), forms.towards_eye(), in_mesh);
-        let [nx, ny, nz] = interpolate_corners(&normals.map(|normal| normal.lane(0)), &weights);
+        let [nx, ny, nz] = interpolate_corners(&self.normals, &weights);
         let at = position.map(|steps| steps as f32 / SUBPIXELS as f32);
-        let (normal, _) = self.view_rays.unit_vectors(at, Vec3::new(nx, ny, nz));
-        let material = mesh.parts[part_of(&geometry, triangle)].material;
-        let normal =
-            self.mapped(mesh, space, attributes, material, &forms, position, weights, normal);
-        let [a, b, c] = in_view.map(|corner| space.world_from_view * corner);
-        let plane = (b - a).cross(c - a).normalize_or_zero();
-        let to_eye = if space.parallel { space.world_from_view.z_axis } else { -a };
-        let plane = if plane.dot(to_eye) < 0.0 { -plane } else { plane };
+        let (normal, _) = view.view_rays.unit_vectors(at, Vec3::new(nx, ny, nz));
+        let normal = self.mapped(position, weights, normal);
 
-        let eye = self.camera().eye();
+        let eye = view.camera().eye();
         let position = {
             let Vec3 { x, y, z } = about_eye;
             DVec3::new(f64::from(x), f64::from(y), f64::from(z))
         };
-        let (object, element) = self.element_of(covering.instance, triangle);
-        let is_triangle = matches!(element, Element::Triangle(_));
+        let is_triangle = matches!(self.element, Element::Triangle(_));
         let colors = |at: usize| mesh.colors.get(at).copied().unwrap_or([1.0; 4]);
         PickHit {
-            object,
-            element,
-            material,
+            object: self.object,
+            element: self.element,
+            material: self.material,
             barycentric: if is_triangle { weights } else { [1.0, 0.0, 0.0] },
             position: eye + position,
             normal: [normal.x, normal.y, normal.z],
-            geometric_normal: plane.as_vec3().to_array(),
+            geometric_normal: self.plane,
             uv: (!mesh.uvs[0].is_empty()).then(|| uv(mesh, 0, attributes, weights)),
             color: (!mesh.colors.is_empty())
                 .then(|| interpolate_corners(&attributes.map(colors), &weights)),
             distance: position.length(),
             z,
-            depth: self.camera().projection.window_depth(f64::from(z)),
+            depth: view.camera().projection.window_depth(f64::from(z)),
         }
     }
 
     /// Applies the material's normal map.
-    #[expect(clippy::too_many_arguments, reason = "texture sampling depends on all of them")]
-    fn mapped(
-        &self,
-        mesh: &Mesh,
-        space: &InstanceSpace,
-        attributes: [usize; 3],
-        material: MaterialId,
-        forms: &Forms,
-        position: [i32; 2],
-        weights: [f32; 3],
-        normal: Vec3<f32>,
-    ) -> Vec3<f32> {
-        let scene = &self.picker.scene;
-        let material = &scene.materials[material.index()];
+    fn mapped(&self, position: [i32; 2], weights: [f32; 3], normal: Vec3<f32>) -> Vec3<f32> {
+        let &Self { mesh, space, attributes, .. } = self;
+        let material = &self.view.picker.scene.materials[self.material.index()];
         let Some(used) = material.normal.filter(|_| !mesh.tangents.is_empty()) else {
             return normal;
         };
         let tangents = attributes.map(|at| space.tangent(mesh, at));
         let [x, y, z, sign] = interpolate_corners(&tangents, &weights);
-        let [r, g, b, _] = self.texel(mesh, &used, attributes, forms, position, weights);
+        let [r, g, b, _] = self.texel(&used, position, weights);
         mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
     }
 
     /// Samples a texture, filtered over the pixel's footprint.
-    fn texel(
-        &self,
-        mesh: &Mesh,
-        used: &TextureUse,
-        attributes: [usize; 3],
-        forms: &Forms,
-        position: [i32; 2],
-        weights: [f32; 3],
-    ) -> [f32; 4] {
-        let [right, below] = forms.neighbours(&self.rays, position);
+    fn texel(&self, used: &TextureUse, position: [i32; 2], weights: [f32; 3]) -> [f32; 4] {
+        let [right, below] = self.forms.neighbours(&self.view.rays, position);
         let set = usize::from(used.uv_set & 1);
         let [here, right, below] = [weights, right, below]
-            .map(|weights| used.transformed(uv(mesh, set, attributes, weights)));
+            .map(|weights| used.transformed(uv(self.mesh, set, self.attributes, weights)));
         let along = |to: [f32; 2]| [to[0] - here[0], to[1] - here[1]];
-        let texture = &self.picker.scene.textures[used.texture.index()];
+        let texture = &self.view.picker.scene.textures[used.texture.index()];
         texture.sample(here, along(right), along(below), 1)
     }
 }

@@ -200,6 +200,17 @@ impl<'p> PickView<'p> {
         self.cells.at(pixel)
     }
 
+    /// Appends the instances that may cover samples between two positions, in order.
+    pub(crate) fn instances_between(
+        &self,
+        first: [i32; 2],
+        last: [i32; 2],
+        instances: &mut Vec<usize>,
+    ) {
+        let pixel = |position: [i32; 2]| position.map(|steps| steps.div_euclid(SUBPIXELS));
+        self.cells.between(pixel(first), pixel(last), instances);
+    }
+
     /// The pixels that an instance may cover, `None` for none: the corners of its box, or all where
     /// it comes up to the eye.
     fn place_in_window(&self, number: usize) -> Option<[f64; 4]> {

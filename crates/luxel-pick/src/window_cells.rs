@@ -58,10 +58,29 @@ impl WindowCells {
         cells
     }
 
-    pub(crate) fn at(&self, [x, y]: [i32; 2]) -> impl Iterator<Item = usize> + '_ {
-        let column = (x / self.side[0]).clamp(0, self.across as i32 - 1) as usize;
-        let row = (y / self.side[1]).clamp(0, self.down as i32 - 1) as usize;
+    pub(crate) fn at(&self, pixel: [i32; 2]) -> impl Iterator<Item = usize> + '_ {
+        let [column, row] = self.cell(pixel);
         let own = &self.lists[row * self.across + column];
         self.everywhere.iter().chain(own).map(|&number| number as usize)
+    }
+
+    /// Appends those that may cover a pixel between two, each once, in order.
+    pub(crate) fn between(&self, first: [i32; 2], last: [i32; 2], numbers: &mut Vec<usize>) {
+        let ([left, top], [right, bottom]) = (self.cell(first), self.cell(last));
+        numbers.extend(self.everywhere.iter().map(|&number| number as usize));
+        for row in top..=bottom {
+            for own in &self.lists[row * self.across + left..=row * self.across + right] {
+                numbers.extend(own.iter().map(|&number| number as usize));
+            }
+        }
+        numbers.sort_unstable();
+        numbers.dedup();
+    }
+
+    /// Column and row of a pixel's cell.
+    fn cell(&self, [x, y]: [i32; 2]) -> [usize; 2] {
+        let column = (x / self.side[0]).clamp(0, self.across as i32 - 1) as usize;
+        let row = (y / self.side[1]).clamp(0, self.down as i32 - 1) as usize;
+        [column, row]
     }
 }

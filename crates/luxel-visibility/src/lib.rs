@@ -41,8 +41,8 @@ pub use luxel_view::Cull;
 pub use placed_scene::{CoveragePolicy, PlacedInstance, PlacedScene, SurfaceRules};
 pub use query::{
     Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, POINT_SIZE, PackedForms, Probe,
-    Reach, SeenCluster, ShadingCorners, Strokes, TILE_FORMS, TileForms, ViewFromLocal, ViewRays,
-    WindowRays, interpolate, interpolate_corners, sides, strokes,
+    ProbedTriangle, Reach, SeenCluster, ShadingCorners, Strokes, TILE_FORMS, TileForms,
+    ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners, sides, strokes, tile_of,
 };
 pub use raster::{Plane, Tile};
 pub use types::{

@@ -11,7 +11,9 @@ mod view_rays;
 pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
 pub use instance_transform::{InstanceSpace, ViewFromLocal, sides};
 pub use lines_points::{LINE_WIDTH, POINT_SIZE, Strokes, strokes};
-pub use point_coverage::{Probe, Reach};
+pub use point_coverage::{Probe, ProbedTriangle, Reach};
 pub use seen_cluster::{SeenCluster, ShadingCorners};
-pub use tile_forms::{Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners};
+pub use tile_forms::{
+    Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners, tile_of,
+};
 pub use view_rays::ViewRays;

@@ -2,7 +2,7 @@
 //! edge functions and depth as a frame's, so the same answer.
 
 use crate::raster::{Triangle, clip};
-use crate::types::{CullFaces, GUARD_BAND, Region, WindowTransform};
+use crate::types::{CullFaces, GUARD_BAND, Region, WindowTransform, snap};
 use glam::DMat4;
 use luxel_math::{Lanes, SUBPIXELS};
 use luxel_scene::{Mesh, Projection, Size};
@@ -37,20 +37,22 @@ impl Probe {
         cull: CullFaces,
         position: [i32; 2],
     ) -> Option<f32> {
+        self.triangle(corners, cull).covers(position)
+    }
+
+    /// A triangle, given by its positions about the mesh's origin, set up for several samples.
+    #[inline]
+    #[must_use]
+    pub fn triangle(&self, corners: [[f32; 3]; 3], cull: CullFaces) -> ProbedTriangle {
         let transform = &self.transform;
         let corners = corners.map(|corner| transform.clip(corner));
         if corners.iter().all(|&corner| transform.holds(corner)) {
-            let triangle = Triangle::new(corners.map(|corner| transform.window(corner)), cull)?;
-            return covered(&triangle, position);
+            let corners = corners.map(|corner| transform.window(corner));
+            return ProbedTriangle(Pieces::One(Triangle::new(corners, cull)));
         }
-        let mut nearest: Option<f32> = None;
-        for piece in clip(corners, transform).triangles() {
-            let depth = Triangle::new(piece, cull).and_then(|piece| covered(&piece, position));
-            if let Some(depth) = depth {
-                nearest = Some(nearest.map_or(depth, |nearest| nearest.max(depth)));
-            }
-        }
-        nearest
+        let polygon = clip(corners, transform);
+        let pieces = polygon.triangles().filter_map(|piece| Triangle::new(piece, cull));
+        ProbedTriangle(Pieces::Clipped(pieces.collect()))
     }
 
     /// Where vertices, given by positions about the mesh's origin, are snapped to in the window, in
@@ -78,6 +80,38 @@ impl Probe {
         (z_high / divisor).select(is_before, zero.constant(f32::INFINITY))
     }
 
+    /// A rectangle of the window, from the least x and y to the greatest in steps of 1/256 pixel, that holds
+    /// all samples of triangles within a box about the mesh's origin, given by its low planes and its high
+    /// ones. NaN where triangles may have to be clipped: compare so that NaN counts as inside.
+    #[inline(always)]
+    #[must_use]
+    pub fn window_bounds<N: Lanes>(&self, low: [N; 3], high: [N; 3]) -> [[N; 2]; 2] {
+        // As in `nearest`, the operations of vertices in their order.
+        let [across, down, depth, w] = &self.transform.rows;
+        let (w_low, w_high) = (extreme(w, low, high), extreme(w, high, low));
+        let zero = w_low.zero();
+        let mut held = zero.less(w_low) & zero.less_or_equal(w_low - extreme(depth, high, low));
+        let mut bounds = [[zero; 2]; 2];
+        let guard = GUARD_BAND as f32;
+        for (axis, (row, centre)) in
+            [across, down].into_iter().zip(self.transform.centre).enumerate()
+        {
+            let (least, most) = (extreme(row, low, high), extreme(row, high, low));
+            // A quotient is least where the divisor brings it farthest from, or nearest to, zero.
+            let least = snap(least, w_low.select(least.less(zero), w_high), centre);
+            let most = snap(most, w_high.select(most.less(zero), w_low), centre);
+            held = held
+                & zero.constant(centre - guard).less_or_equal(least)
+                & most.less_or_equal(zero.constant(centre + guard));
+            (bounds[0][axis], bounds[1][axis]) = (least, most);
+        }
+        let nan = zero.constant(f32::NAN);
+        bounds.map(
+            #[inline(always)]
+            |[x, y]| [x.select(held, nan), y.select(held, nan)],
+        )
+    }
+
     /// How far from a triangle the ray of a sample may pass that it covers, across and down the
     /// window in steps of 1/256 pixel: `constant + by_distance / w` at the distance w along the
     /// viewing axis (1 for parallel rays), for positions up to `largest` about the mesh's origin.
@@ -100,6 +134,33 @@ impl Probe {
         Reach {
             constant: 0.5 + 4.0 * ROUNDING * guard + 2.0,
             by_distance: [x, y].map(|row| rounding * magnitude(row) + of_w),
+        }
+    }
+}
+
+/// A triangle set up by the fill rule, for one sample after the other.
+#[derive(Clone, Debug)]
+pub struct ProbedTriangle(Pieces);
+
+#[derive(Clone, Debug)]
+enum Pieces {
+    /// `None` for a triangle that is culled or has no area.
+    One(Option<Triangle>),
+    /// What clipping leaves.
+    Clipped(Vec<Triangle>),
+}
+
+impl ProbedTriangle {
+    /// The reversed depth with which the triangle covers a sample, see [`Probe::covers`].
+    #[inline]
+    #[must_use]
+    pub fn covers(&self, position: [i32; 2]) -> Option<f32> {
+        match &self.0 {
+            Pieces::One(triangle) => covered(triangle.as_ref()?, position),
+            Pieces::Clipped(pieces) => {
+                let depths = pieces.iter().filter_map(|piece| covered(piece, position));
+                depths.reduce(f32::max)
+            }
         }
     }
 }

@@ -359,8 +359,20 @@ impl Forms {
     /// What a frame's lanes hold, bit for bit.
     #[must_use]
     pub fn barycentric(&self, rays: &WindowRays, position: [i32; 2]) -> [f32; 3] {
-        let (tile, [x, y]) = within_tile(position);
-        let found = self.in_tile(rays, tile).at(x, y);
+        self.barycentric_within(&self.in_tile(rays, tile_of(position)), rays, position)
+    }
+
+    /// [`Self::barycentric`] from the forms within the tile that holds the position ([`tile_of`]), which
+    /// samples of one triangle share.
+    #[must_use]
+    pub fn barycentric_within(
+        &self,
+        in_tile: &TileForms<f32>,
+        rays: &WindowRays,
+        position: [i32; 2],
+    ) -> [f32; 3] {
+        let (_, [x, y]) = within_tile(position);
+        let found = in_tile.at(x, y);
         if found.inexact.any() { self.exact_barycentric(rays, position) } else { found.weights }
     }
 
@@ -376,6 +388,12 @@ impl Forms {
             forms.neighbours(x, y)
         }
     }
+}
+
+/// The first pixel of the tile that holds a position in steps of 1/256 pixel.
+#[must_use]
+pub fn tile_of(position: [i32; 2]) -> [i32; 2] {
+    within_tile(position).0
 }
 
 /// The first pixel of the tile that holds a position in steps of 1/256 pixel, and how far the position

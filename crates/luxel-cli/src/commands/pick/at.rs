@@ -27,7 +27,8 @@ struct Found {
 impl QueryOptions {
     /// Answers for one place.
     pub(super) fn one(&self, view: &PickView<'_>, at: At) -> Result<(), Failure> {
-        let found = self.find(view, at);
+        let hits = view.at(point(at)).into_iter().collect();
+        let found = self.find(view, at, hits);
         let report = found.report(view);
         if self.json {
             output::print_json(&report.to_json())
@@ -107,9 +108,11 @@ impl QueryOptions {
         }
         // The camera is the same for all: written once.
         let camera = camera_to_json(view.camera(), view.size()).to_string();
+        let points: Vec<[f64; 2]> = places.iter().map(|&at| point(at)).collect();
+        let nearest = if self.through { vec![None; places.len()] } else { view.at_many(&points) };
         let answers = luxel_parallel::gather(places.len(), RUN, &|run, bytes| {
-            for &at in &places[run] {
-                let found = self.find(view, at);
+            for (&at, hit) in places[run.clone()].iter().zip(&nearest[run]) {
+                let found = self.find(view, at, hit.iter().cloned().collect());
                 let report = found.report(view);
                 if self.json {
                     report.append_json_line(&camera, bytes);
@@ -121,14 +124,13 @@ impl QueryOptions {
         (answers, failure)
     }
 
-    fn find(&self, view: &PickView<'_>, at: At) -> Found {
-        let [x, y] = match at {
-            At::Pixel([x, y]) => [f64::from(x) + 0.5, f64::from(y) + 0.5],
-            At::Point(point) => point,
-        };
+    /// Completes what the nearest surface at a place answers, if there is one.
+    fn find(&self, view: &PickView<'_>, at: At, mut hits: Vec<PickHit>) -> Found {
+        let [x, y] = point(at);
         let stroke = self.within.and_then(|within| view.stroke_near([x, y], within));
-        let mut hits: Vec<PickHit> =
-            if self.through { view.through([x, y]) } else { view.at([x, y]).into_iter().collect() };
+        if self.through {
+            hits = view.through([x, y]);
+        }
         if let Some(stroke) = stroke {
             if self.through {
                 hits.retain(|hit| (hit.object, hit.element) != (stroke.object, stroke.element));
@@ -156,6 +158,14 @@ impl Found {
             Some(snapped) => report.with_snap(snapped.as_ref()),
             None => report,
         }
+    }
+}
+
+/// A place in pixels, the middle for a whole pixel.
+fn point(at: At) -> [f64; 2] {
+    match at {
+        At::Pixel([x, y]) => [f64::from(x) + 0.5, f64::from(y) + 0.5],
+        At::Point(point) => point,
     }
 }
 
