@@ -2,7 +2,7 @@
 
 use super::sample::{Triangles, term};
 use super::witness::LayerWitness;
-use crate::context::{AttributeMask, Heard, ShadingContext, needs};
+use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
 use crate::frame::{
@@ -10,9 +10,9 @@ use crate::frame::{
     TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, place_in_tile,
     put_block,
 };
-use crate::interpolate::Batch;
+use crate::interpolate::{Batch, Fragments};
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels};
-use crate::shade::{BlockWitness, ThreadCache, point_of, shade, surface_fragments};
+use crate::shade::{BlockWitness, ThreadCache, all_fragments, point_of, shade};
 use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
 use luxel_scene::{Projection, SceneLight};
@@ -468,15 +468,8 @@ fn hear<N: Lanes>(
     witness: &mut LayerWitness<'_, N>,
 ) {
     let mut materials = [0; LANES];
-    let found = surface_fragments::<N, { needs::ALL }>(
-        simd,
-        scene,
-        batch,
-        cache,
-        seen,
-        true,
-        &mut materials,
-    );
+    let mut found = Fragments::nothing(simd);
+    all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
 }
