@@ -262,7 +262,9 @@ impl<N: Lanes> Fragments<N> {
         );
         let at_sample = forms.at(x, y);
         let mut weights = at_sample.weights;
-        let inexact = at_sample.inexact.bits() & lanes;
+        // Bits cost more than the question whether there are any, and there seldom are.
+        let any_inexact = at_sample.inexact.any();
+        let inexact = if any_inexact { at_sample.inexact.bits() & lanes } else { 0 };
         if inexact != 0 {
             weights = exact_weights(scene, batch, inexact, weights);
         }
