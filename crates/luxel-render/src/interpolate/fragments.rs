@@ -180,8 +180,7 @@ impl<N: Lanes> Fragments<N> {
         scene: &ShadingContext<'_>,
         batch: &Batch,
         cache: &mut SetupCache,
-        seen: u32,
-        wanted: Wanted,
+        (seen, wanted): (u32, Wanted),
         materials: &mut [u32; LANES],
     ) {
         let ids = &batch.ids;

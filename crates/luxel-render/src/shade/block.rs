@@ -136,7 +136,7 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         };
         cache.setup.begin_tile(batch.tile);
         let setup = &mut cache.setup;
-        found.interpolate::<NEEDS>(simd, scene, batch, setup, seen, wanted, &mut materials);
+        found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), &mut materials);
     }
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
@@ -216,7 +216,14 @@ pub(crate) fn all_fragments<N: Lanes>(
             };
             cache.setup.begin_tile(batch.tile);
             let setup = &mut cache.setup;
-            found.interpolate::<{ needs::ALL }>(simd, scene, batch, setup, seen, wanted, materials);
+            found.interpolate::<{ needs::ALL }>(
+                simd,
+                scene,
+                batch,
+                setup,
+                (seen, wanted),
+                materials,
+            );
             if is_studied(&scene.shading) {
                 study(scene, batch, cache, seen, found);
             }
