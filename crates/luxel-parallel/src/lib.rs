@@ -12,6 +12,7 @@
 //! | [`any`], [`first`] | whether something is there, and where |
 //! | [`each`], [`tasks`] | nothing: work on pieces that are ready, on numbers |
 //! | [`join`] | two things done side by side |
+//! | [`pool`], [`install`] | threads of one's own, and what is done by them |
 //! | [`sort_u32`], [`sort_u64`], [`sort_u128`] | keys in order |
 //!
 //! What is done with a run is a `&dyn Fn`: the loop over its elements is the caller's own code,
@@ -39,4 +40,4 @@ mod thread;
 
 pub use run::{any, each, fill, first, gather, map};
 pub use sort::{sort_u32, sort_u64, sort_u128};
-pub use thread::{join, limit_threads, tasks, threads};
+pub use thread::{install, join, limit_threads, pool, tasks, threads};

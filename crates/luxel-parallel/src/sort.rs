@@ -1,20 +1,21 @@
 //! Keys in order. One instance of the sort for each kind of key, for all crates.
 
+use crate::thread::install;
 use rayon::slice::ParallelSliceMut;
 
 /// Sorts on all threads.
 pub fn sort_u32(keys: &mut [u32]) {
-    keys.par_sort_unstable();
+    install(None, || keys.par_sort_unstable());
 }
 
 /// Sorts on all threads.
 pub fn sort_u64(keys: &mut [u64]) {
-    keys.par_sort_unstable();
+    install(None, || keys.par_sort_unstable());
 }
 
 /// Sorts on all threads.
 pub fn sort_u128(keys: &mut [u128]) {
-    keys.par_sort_unstable();
+    install(None, || keys.par_sort_unstable());
 }
 
 #[cfg(test)]

@@ -1,18 +1,64 @@
 //! Who does the work: the threads of the current pool.
 
 use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The threads for work outside of pools; `None` where the system refuses to create threads.
+static OUTSIDE: OnceLock<Option<ThreadPool>> = OnceLock::new();
 
 /// How many threads the current pool has.
 #[must_use]
 pub fn threads() -> usize {
-    rayon::current_num_threads()
+    if rayon::current_thread_index().is_some() {
+        return rayon::current_num_threads();
+    }
+    outside(0).map_or(1, ThreadPool::current_num_threads)
 }
 
 /// Gives work outside of pools as many threads as this; changes nothing once there has been some.
 pub fn limit_threads(count: usize) {
-    // Fails only where the threads run already.
-    let _ = rayon::ThreadPoolBuilder::new().num_threads(count).build_global();
+    outside(count);
+}
+
+/// A pool of threads, 0 for one a processor; `None` where the system refuses to create them: see
+/// [`install`].
+#[must_use]
+pub fn pool(count: usize) -> Option<ThreadPool> {
+    if cfg!(target_family = "wasm") {
+        return None;
+    }
+    ThreadPoolBuilder::new().num_threads(count).build().ok()
+}
+
+/// Does work in a pool; without one, in the current pool, or outside of pools on as many threads as the
+/// system has granted, one at least.
+///
+/// # Panics
+/// If the work does.
+pub fn install<R: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> R + Send) -> R {
+    match pool {
+        Some(pool) => pool.install(work),
+        None if rayon::current_thread_index().is_some() => work(),
+        None => match outside(0) {
+            Some(pool) => pool.install(work),
+            None => work(),
+        },
+    }
+}
+
+fn outside(count: usize) -> Option<&'static ThreadPool> {
+    let start = || {
+        let pool = pool(count);
+        if pool.is_none() {
+            // What runs nevertheless takes the current thread. Fails where the program has started this
+            // pool itself.
+            let _ = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
+        }
+        pool
+    };
+    OUTSIDE.get_or_init(start).as_ref()
 }
 
 /// Calls `work` with every number below `count`, in no order. Each should be worth a thread's while:
@@ -36,7 +82,7 @@ pub(crate) fn until_done(most: usize, step: &(dyn Fn() -> bool + Sync)) {
         while step() {}
         return;
     }
-    (0..workers).into_par_iter().with_max_len(1).for_each(|_| while step() {});
+    install(None, || (0..workers).into_par_iter().with_max_len(1).for_each(|_| while step() {}));
 }
 
 /// Does two things, side by side if a thread is free.
@@ -55,7 +101,9 @@ pub fn join<A: Send, B: Send>(
 }
 
 fn both(one: &mut (dyn FnMut() + Send), other: &mut (dyn FnMut() + Send)) {
-    rayon::join(one, other);
+    install(None, || {
+        rayon::join(one, other);
+    });
 }
 
 #[cfg(test)]

@@ -199,6 +199,9 @@ impl<'s> PlacedScene<'s> {
             view_from_mesh: instance.view_from_mesh,
             parts: instance.parts.clone(),
         });
-        Frame::new(instances.collect(), &self.camera.projection, self.size, samples, level)
+        let (instances, projection) = (instances.collect(), &self.camera.projection);
+        luxel_parallel::install(None, || {
+            Frame::new(instances, projection, self.size, samples, level)
+        })
     }
 }

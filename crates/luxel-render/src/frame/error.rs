@@ -29,9 +29,6 @@ pub enum RenderError {
     /// The machine lacks the instruction set.
     #[error("{0}")]
     Simd(String),
-    /// The system gives no threads.
-    #[error("can't start threads: {0}")]
-    Threads(String),
 }
 
 impl From<UnavailableSimdLevel> for RenderError {

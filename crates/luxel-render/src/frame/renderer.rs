@@ -55,12 +55,7 @@ impl Renderer {
     pub fn new(scene: impl Into<Arc<Scene>>, execution: &Execution) -> Result<Self, RenderError> {
         let scene = scene.into();
         let level = execution.simd.resolve()?;
-        let pool = if cfg!(target_family = "wasm") {
-            None
-        } else {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(execution.threads).build();
-            Some(pool.map_err(|error| RenderError::Threads(error.to_string()))?)
-        };
+        let pool = luxel_parallel::pool(execution.threads);
         let frames = if execution.one_frame { Frames::One } else { Frames::Many };
         let mut renderer = Self {
             objects: scene.objects(),
@@ -91,7 +86,7 @@ impl Renderer {
     /// The threads that work.
     #[must_use]
     pub fn threads(&self) -> usize {
-        self.pool.as_ref().map_or(1, rayon::ThreadPool::current_num_threads)
+        self.install(luxel_parallel::threads)
     }
 
     /// The instruction set that runs.
@@ -364,10 +359,7 @@ impl Renderer {
     /// Does work on one of the renderer's threads. Many frames in a row are drawn faster from there:
     /// none of them has to be handed over to these threads, and its end waited for.
     pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
-        match &self.pool {
-            Some(pool) => pool.install(work),
-            None => work(),
-        }
+        luxel_parallel::install(self.pool.as_ref(), work)
     }
 }
 
