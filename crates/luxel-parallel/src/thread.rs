@@ -15,8 +15,8 @@ pub fn limit_threads(count: usize) {
     let _ = rayon::ThreadPoolBuilder::new().num_threads(count).build_global();
 }
 
-/// Calls `work` with every number below `count`, in no order. Each should be worth a thread's while:
-/// ten microseconds at least.
+/// Calls `work` with every number below `count`, in no order. Each should be worth a thread's
+/// while: ten microseconds at least.
 pub fn tasks(count: usize, work: &(dyn Fn(usize) + Sync)) {
     let next = AtomicUsize::new(0);
     until_done(count, &|| {
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn tasks_may_have_tasks_of_their_own() {
+    fn tasks_may_be_nested() {
         let sum = AtomicUsize::new(0);
         tasks(50, &|outer| {
             tasks(50, &|inner| {
