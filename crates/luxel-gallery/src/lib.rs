@@ -1,9 +1,9 @@
 //! The picture book: every problem of shading beside its cure, with the errors measured, and plots
 //! of light and reflection.
 //!
-//! [`Gallery::make`] draws all of it: pictures (PNG, one of them animated), plots (SVG) and one page
-//! of HTML that explains them. All is drawn by luxel's own renderer and lit by its own equation; the
-//! words on the page follow the numbers.
+//! [`Gallery::make`] draws all of it: pictures (PNG, one of them animated), plots (SVG) and one
+//! page of HTML that explains them. All is drawn by luxel's own renderer and lit by its own
+//! equation; the words on the page follow the numbers.
 //!
 //! The same bytes come out on every machine.
 
@@ -69,7 +69,7 @@ impl Gallery {
     /// Makes all of it; `step` is called after each of [`Gallery::STEPS`].
     ///
     /// # Errors
-    /// [`GalleryError`] if the machine can't do what `execution` asks.
+    /// [`GalleryError`] if the machine doesn't support `execution`.
     pub fn make(execution: &Execution, mut step: impl FnMut()) -> Result<Self, GalleryError> {
         let studio = Studio { execution: *execution };
         let mut chapters = Vec::with_capacity(CHAPTERS.len());

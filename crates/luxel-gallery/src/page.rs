@@ -143,7 +143,7 @@ fn tabulate(html: &mut String, table: &Table) {
     html.push_str("</tbody>\n</table></div>\n");
 }
 
-/// What the numbers of a pair come to, in words.
+/// The result of a pair, in words.
 fn verdict(pair: &Pair) -> String {
     let Pair { measure, problem, cure, because, .. } = pair;
     let [largest, mean] = pair.times_better();

@@ -8,7 +8,7 @@ use crate::shot::{Shot, Studio, both, ready};
 use luxel::render::ShadingMode;
 use luxel::scene::{Scene, demos::lab};
 
-/// Faces round the ball that stands for the true one.
+/// Faces around the reference ball.
 const REFERENCE: u32 = 256;
 /// The exponents of the table.
 const EXPONENTS: [f32; 4] = [5.0, 20.0, 60.0, 200.0];

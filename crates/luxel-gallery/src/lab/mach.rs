@@ -1,4 +1,4 @@
-//! Mach bands: what the eye makes of steps and of kinks.
+//! Mach bands: the perception of steps and kinks.
 
 use crate::GalleryError;
 use crate::chapter::{Chapter, Pair, steps};
@@ -9,7 +9,7 @@ use luxel::render::{Renderer, ShadingMode};
 use luxel::scene::{Scene, demos::lab};
 use std::collections::BTreeMap;
 
-/// Faces round the column that stands for the true one.
+/// Faces around the reference column.
 const REFERENCE: u32 = 360;
 
 /// The intensity along a row.
@@ -25,7 +25,7 @@ impl Row {
         self.values.windows(2).map(slope).collect()
     }
 
-    /// By how much more the slope changes from pixel to pixel than along the true column: what the
+    /// How much more the slope changes from pixel to pixel than along the true column: what the
     /// eye sees as a band.
     fn kinks(&self, truth: &Self) -> Error {
         let changes = |row: &Self| -> Vec<(i32, f64)> {

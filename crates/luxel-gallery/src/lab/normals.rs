@@ -1,4 +1,4 @@
-//! Normals at the vertices that say nothing of what lies between them.
+//! Vertex normals that don't represent the surface between them.
 
 use crate::GalleryError;
 use crate::chapter::{Chapter, Pair};
@@ -6,7 +6,7 @@ use crate::shot::{Shot, Studio, ready};
 use luxel::render::ShadingMode;
 use luxel::scene::{NormalSource, demos::lab};
 
-/// Polygons along each side of the panel that stands for the true one.
+/// Polygons along each side of the reference panel.
 const REFERENCE: u32 = 160;
 
 pub(crate) fn missed_geometry(studio: &Studio) -> Result<Chapter, GalleryError> {

@@ -6,7 +6,7 @@ use crate::compare::{Error, error};
 use crate::shot::{Shot, Studio, ready};
 use luxel::scene::demos::lab;
 
-/// Faces round the ball that stands for the true one: its outline is off by 0.004 pixels.
+/// Faces around the reference ball: its silhouette is off by 0.004 pixels.
 const REFERENCE: u32 = 384;
 
 pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {

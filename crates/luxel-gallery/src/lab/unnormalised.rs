@@ -6,7 +6,7 @@ use crate::shot::{Shot, Studio, both, ready};
 use luxel::render::NormalLength;
 use luxel::scene::demos::lab;
 
-/// Faces round the ball that stands for the true one.
+/// Faces around the reference ball.
 const REFERENCE: u32 = 256;
 
 pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {

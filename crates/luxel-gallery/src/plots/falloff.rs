@@ -8,7 +8,7 @@ use crate::svg::{Anchor, Axes, Ink, Svg};
 use luxel::lighting::{Attenuation, Cone, Fog, FogLaw, Light, LightKind};
 use std::f64::consts::PI;
 
-/// A curve with its name, which stands at a value of x, shifted by so many pixels.
+/// A curve with its label, placed at a value of x and shifted by so many pixels.
 struct Curve {
     name: String,
     label: (f64, [f64; 2], Anchor),
@@ -169,7 +169,7 @@ fn plot(
     axes.draw(&mut svg, scale.x_ticks, scale.y_ticks, scale.names);
     let [from, to] = scale.x;
     for (curve, ink) in curves.iter().zip(Ink::SERIES) {
-        // From where the curve enters the plot: what lies above it isn't drawn.
+        // From the point where the curve enters the plot.
         let values = (0..=POINTS).map(|step| {
             let x = from + (to - from) * f64::from(step) / f64::from(POINTS);
             [x, (curve.of)(x)]
