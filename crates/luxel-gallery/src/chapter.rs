@@ -126,7 +126,7 @@ impl Chapter {
         let findings = check(&scene, &setup).findings;
         let told: Vec<_> = findings.iter().map(found).collect();
         let told = if told.is_empty() { "nothing".to_owned() } else { told.join("; ") };
-        self.text(format!("<code>luxel check</code>, asked with the same flags, finds {told}."));
+        self.text(format!("With the same flags, <code>luxel check</code> finds {told}."));
         self.blocks.push(Block::Command(shot.check_command()));
     }
 

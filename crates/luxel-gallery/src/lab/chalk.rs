@@ -75,8 +75,8 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         problem: problem_error,
         cure: error(&pieces, &reference, &inside),
         because: Some(
-            "divided triangles come as near to Phong shading as they are asked to, and share what it is \
-             off on this mesh",
+            "subdivision stops at the given tolerance against Phong shading, and inherits Phong's \
+         error on this mesh",
         ),
     });
 

@@ -77,11 +77,11 @@ fn middle_row(studio: &Studio, shot: &Shot, scene: &Scene) -> Result<Row, Galler
 pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     let mut chapter = Chapter::new("mach-bands", "Mach bands");
     chapter.text(
-        "The eye sharpens what it sees. Beside a step of intensity it sees a dark band on the dark \
-         side and a bright one on the bright side (Mach 1865), and where the intensity has no step \
-         but a kink, because its slope changes all at once, it sees a band along the kink. A faceted \
-         column has steps. Gouraud shading takes the steps away and leaves a kink at every edge: the \
-         bands stay, and show the mesh. Phong shading leaves the slope nearly whole.",
+        "The eye amplifies contrast. Next to a step of intensity it sees a dark band on the \
+         dark side and a bright one on the bright side (Mach 1865), and at a kink, where the \
+         slope of the intensity changes abruptly, it sees a band along the kink. A faceted \
+         column has steps. Gouraud shading replaces the steps by a kink at every edge: the \
+         bands stay, and show the mesh. Phong shading keeps the slope nearly continuous.",
     );
     let cure = Shot::of("lab-mach");
     let [flat, gouraud] =

@@ -59,9 +59,9 @@ pub(crate) fn missed_highlight(studio: &Studio) -> Result<Chapter, GalleryError>
     let mut chapter =
         Chapter::new("missed-highlight", "Unrepresentative normals: missed highlight");
     chapter.text(
-        "A lamp hangs close before a glossy panel of one polygon. At none of the four corners does it \
-         mirror into the eye, and Gouraud shading asks nowhere else: what it interpolates between \
-         four dim corners is dim everywhere. Phong shading asks at every pixel.",
+        "A lamp is close to a glossy panel of one polygon. None of the four corners reflects it \
+         to the eye, and Gouraud shading evaluates light nowhere else: the interpolation of \
+         four dim corners is dim everywhere. Phong shading evaluates every pixel.",
     );
     let cure = Shot::of("lab-lamp");
     let problem = cure.clone().mode(ShadingMode::Gouraud);

@@ -87,9 +87,9 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         because: None,
     });
     chapter.text(
-        "Two triangles are steady, but they aren't what the four corners ask for: each of them knows \
-         three. Cutting the quad into small ones before it is drawn cures both, by either way of \
-         interpolating. Compared with the bilinear mixture of the four corners, at a roll of 45 \
+        "Two triangles are steady, but they don't interpolate all four corners: each uses \
+         three. Cutting the quad into small ones before rendering cures both, with either \
+         interpolation. Compared with the bilinear mixture of the four corners, at a roll of 45 \
          degrees:",
     );
     let tilted = |shot: &Shot| shot.clone().up([-1.0, 1.0]);

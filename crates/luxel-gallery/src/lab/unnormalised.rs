@@ -61,8 +61,8 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         problem: problem_error,
         cure: cure_error,
         because: Some(
-            "what is left is the mesh's: towards the outline, interpolated normals of a ball of few faces \
-             aren't quite those of the true one",
+            "the rest is the error of the mesh: near the silhouette, interpolated normals of a \
+         ball of few faces deviate from the true ones",
         ),
     });
     Ok(chapter)
