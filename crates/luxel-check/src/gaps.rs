@@ -105,6 +105,21 @@ impl Boundary<'_, '_> {
         junctions.into_iter().map(|key| ((key >> 32) as u32, key as HalfEdge)).collect()
     }
 
+    /// Whether the surface itself lies between two boundary edges: the first one's triangle, thin as it is,
+    /// reaches no farther than the other edge, on that edge's side.
+    ///
+    /// A strip has two boundary edges close to each other, as a gap has, but no gap.
+    fn bounds_strip(&self, half_edge: HalfEdge, other: HalfEdge) -> bool {
+        /// The width of the strip may be rounded.
+        const TOLERANCE: f64 = 1.01;
+        let [from, to] = self.surface.ends(half_edge).map(|place| self.surface.at(place));
+        let Some(axis) = (to - from).try_normalize() else { return false };
+        let from_edge = |place: DVec3| (place - from).reject_from_normalized(axis);
+        let apex = from_edge(self.surface.at(self.surface.apex(half_edge)));
+        let ends = self.surface.ends(other).map(|place| from_edge(self.surface.at(place)));
+        ends.into_iter().any(|end| apex.dot(end) > 0.0 && apex.length() <= TOLERANCE * end.length())
+    }
+
     fn cracks(&self) -> Vec<(HalfEdge, HalfEdge)> {
         let of_edge = |half_edge: HalfEdge, found: &mut Vec<u32>| {
             let [from, to] = self.surface.ends(half_edge);
@@ -123,7 +138,10 @@ impl Boundary<'_, '_> {
                 let ends = [self.surface.at(other_from), self.surface.at(other_to)];
                 let across = is_narrow([at_from, ends[1]]) && is_narrow([at_to, ends[0]]);
                 let along = is_narrow([at_from, ends[0]]) && is_narrow([at_to, ends[1]]);
-                *other != half_edge && (across || along)
+                *other != half_edge
+                    && (across || along)
+                    && !self.bounds_strip(half_edge, *other)
+                    && !self.bounds_strip(*other, half_edge)
             };
             let near = found.iter().flat_map(|&place| self.at(place));
             let partner = near.filter(is_beyond_gap).min();

@@ -79,6 +79,12 @@ impl<'m> Surface<'m> {
         let k = (half_edge % 3) as usize;
         [corners[k], corners[(k + 1) % 3]]
     }
+
+    /// The place opposite a half-edge in its triangle.
+    #[inline]
+    pub(crate) fn apex(&self, half_edge: HalfEdge) -> u32 {
+        self.triangles[(half_edge / 3) as usize][(half_edge as usize % 3 + 2) % 3]
+    }
 }
 
 impl Edges {

@@ -203,6 +203,18 @@ fn the_studio_is_bright_above_dark_below_and_blurred_by_roughness() {
 }
 
 #[test]
+fn a_mix_of_one_model_is_that_model() {
+    for model in REFLECTION_MODELS {
+        let reflection = model.reflection.clone();
+        assert_eq!(Reflection::mixed(vec![(reflection.clone(), 1.0)]), reflection);
+        let inner = Reflection::mixed(vec![(reflection.clone(), 0.5)]);
+        assert_eq!(Reflection::mixed(vec![(inner, 2.0)]), reflection, "{}", model.name);
+    }
+    let half = vec![(Reflection::Unlit, 0.5)];
+    assert_eq!(Reflection::mixed(half.clone()), Reflection::Mixed(half));
+}
+
+#[test]
 fn a_mix_within_a_mix_is_dissolved_with_its_weight() {
     let inner = Reflection::mixed(vec![(Reflection::Phong, 0.5), (Reflection::Retro, 0.25)]);
     let mixed = Reflection::mixed(vec![(inner, 0.5), (Reflection::Mirror, 1.0)]);

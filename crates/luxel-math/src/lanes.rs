@@ -54,6 +54,10 @@ pub trait Lanes:
     /// The `f64` beside it.
     type F64: F64Lanes<F32 = Self>;
 
+    /// Whether a long kernel is worth a second copy for its frequent case: see
+    /// [`is_specialized`](crate::is_specialized); single lanes are not.
+    const IS_SPECIALIZED: bool;
+
     /// The same value as an `f64`, exactly.
     fn to_f64(self) -> Self::F64;
     /// `value` in every lane; `self` selects the lane type.

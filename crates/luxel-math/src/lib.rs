@@ -43,7 +43,8 @@ pub use fixed::{SUBPIXELS, SubPixel};
 pub use lanes::{F64Lanes, F64x8, F64x16, Lanes, Mask, SplitLanes};
 pub use permute::permuted;
 pub use simd_level::{
-    LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel, has_wide_registers, lanes_of,
+    LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel, has_wide_registers,
+    is_specialized, lanes_of,
 };
 pub use vector::{Rgb, Vec3};
 

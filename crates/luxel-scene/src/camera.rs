@@ -155,11 +155,12 @@ impl Projection {
 
 impl Camera {
     /// The rotation and translation of a camera at `eye` that looks to `target`, `up` pointing up
-    /// in the picture (`gluLookAt`). If `up` is parallel to the view, another axis replaces it.
+    /// in the image (`gluLookAt`), its axes orthonormal to 1e-15. If `up` is parallel to the view,
+    /// another axis replaces it.
     #[must_use]
     pub fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> DMat4 {
         let back = (eye - target).normalize_or(DVec3::Z);
-        let right = up.cross(back).try_normalize().unwrap_or_else(|| back.any_orthonormal_vector());
+        let right = perpendicular(up.cross(back), back);
         let up = back.cross(right);
         let world_from_view =
             DMat4::from_cols(right.extend(0.0), up.extend(0.0), back.extend(0.0), eye.extend(1.0));
@@ -179,6 +180,26 @@ impl Camera {
     }
 }
 
+/// The direction of `cross`, a product with the unit vector `axis`, perpendicular to the axis to 1e-15; any
+/// perpendicular one where the product holds nothing but rounding.
+///
+/// A product of vectors that are nearly parallel is short, and its rounding large beside it: what lies
+/// along the axis is taken away (Gram and Schmidt), as long as there is any.
+fn perpendicular(cross: DVec3, axis: DVec3) -> DVec3 {
+    const NOTICEABLE: f64 = 5e-16;
+    let mut direction = cross.try_normalize();
+    for _ in 0..3 {
+        let Some(unit) = direction else { break };
+        let along = unit.dot(axis);
+        if along.abs() <= NOTICEABLE {
+            return unit;
+        }
+        let rest = unit - axis * along;
+        direction = if along.abs() < 0.5 { rest.try_normalize() } else { None };
+    }
+    direction.unwrap_or_else(|| axis.any_orthonormal_vector())
+}
+
 /// The inverse of a rotation and translation: transpose the one, turn the other round.
 fn rigid_inverse(matrix: &DMat4) -> DMat4 {
     let [x, y, z] = [0, 1, 2].map(|row| matrix.row(row).truncate());
@@ -190,6 +211,28 @@ fn rigid_inverse(matrix: &DMat4) -> DMat4 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn axes_are_orthonormal_however_near_the_view_is_to_the_up_axis() {
+        let mut worst = 0.0_f64;
+        for step in 0..4_000_u32 {
+            let off = libm::pow(10.0, -f64::from(step) / 200.0);
+            let turn = f64::from(step) * 2.399_963;
+            let aside = DVec3::new(libm::cos(turn), 0.0, libm::sin(turn)) * off;
+            for up in [DVec3::Y, DVec3::new(0.3, 1.7, -0.6)] {
+                let eye = DVec3::new(0.7, -3.1, 12.9);
+                let view = Camera::look_at(eye, eye + (up + aside) * 7.3, up);
+                let [x, y, z] = [0, 1, 2].map(|row| view.row(row).truncate());
+                for (a, b) in [(x, y), (y, z), (z, x)] {
+                    worst = worst.max(a.dot(b).abs());
+                }
+                for axis in [x, y, z] {
+                    worst = worst.max((axis.length() - 1.0).abs());
+                }
+            }
+        }
+        assert!(worst <= 1e-15, "{worst:e}");
+    }
 
     #[test]
     fn looking_down_minus_z_from_the_origin_changes_nothing() {

@@ -16,13 +16,17 @@
 
 use robust::{Coord, orient2d};
 
-/// How many tests "does this corner block the ear?" are made for each corner of a polygon,
-/// on average, before ears are cut without asking. A comb of a hundred thousand teeth needs about
-/// ten; the bound is there for files made to take time.
-const QUESTIONS_PER_CORNER: usize = 1_000;
+/// The number of tests whether a corner lies in an ear, per corner of a polygon on average, before
+/// ears are cut without that test. A comb of a hundred thousand teeth needs about ten, a long spiral
+/// hundreds; the bound is there for polygons that cross themselves.
+const TESTS_PER_CORNER: usize = 1_000;
 
-/// Below this, a polygon is too small for the average to mean anything.
-const QUESTIONS_AT_LEAST: usize = 1_000_000;
+/// How many ears are examined, for each corner on average, before corners are cut without any
+/// examination. A polygon that doesn't cross itself needs about four.
+const EARS_PER_CORNER: usize = 64;
+
+/// Polygons with fewer corners than this get the bounds of one with so many.
+const LEAST_CORNERS: usize = 10_000;
 
 /// Cuts a polygon into triangles, named by its corners, and appends them: exactly n - 2 for n
 /// corners, with the polygon's orientation; none for fewer than three corners.
@@ -134,7 +138,10 @@ struct Clipping<'a> {
     /// Corners to be looked at.
     candidates: Vec<u32>,
     is_candidate: Vec<bool>,
-    questions_left: usize,
+    /// The tests of corners that are left: see [`TESTS_PER_CORNER`].
+    tests_left: usize,
+    /// The examinations of ears that are left: see [`EARS_PER_CORNER`].
+    ears_left: usize,
 }
 
 impl<'a> Clipping<'a> {
@@ -149,7 +156,8 @@ impl<'a> Clipping<'a> {
             // The last one is looked at first: ears are then cut in the order of corners.
             candidates: (0..count).rev().collect(),
             is_candidate: vec![true; flat.len()],
-            questions_left: flat.len().saturating_mul(QUESTIONS_PER_CORNER).max(QUESTIONS_AT_LEAST),
+            tests_left: flat.len().max(LEAST_CORNERS).saturating_mul(TESTS_PER_CORNER),
+            ears_left: flat.len().max(LEAST_CORNERS).saturating_mul(EARS_PER_CORNER),
         };
         clipping.blunt = (0..count).map(|corner| clipping.turn(corner) <= 0.0).collect();
         clipping.sorted = (0..count).filter(|&corner| clipping.blunt[corner as usize]).collect();
@@ -166,7 +174,10 @@ impl<'a> Clipping<'a> {
         while left > 3 {
             let Some(corner) = self.candidates.pop() else {
                 // Everything left was looked at in vain.
-                demand = if self.questions_left == 0 { Demand::Convex } else { demand.next() };
+                demand = demand.next();
+                if self.tests_left == 0 {
+                    demand = demand.max(Demand::Convex);
+                }
                 self.look_at_all_again(some_corner, left);
                 continue;
             };
@@ -185,15 +196,20 @@ impl<'a> Clipping<'a> {
                 self.sorted.retain(|&corner| self.blunt[corner as usize]);
                 cuts_since_compacted = 0;
             }
-            if demand == Demand::Any {
-                demand = Demand::Convex;
-            } else if self.questions_left > 0 {
-                demand = Demand::Clear;
-            }
+            demand = self.first_demand();
         }
         let (before, after) =
             (self.previous[some_corner as usize], self.next[some_corner as usize]);
         triangles.push([before, some_corner, after]);
+    }
+
+    /// What an ear has to meet first, after another one was cut.
+    fn first_demand(&self) -> Demand {
+        match (self.ears_left, self.tests_left) {
+            (0, _) => Demand::Any,
+            (_, 0) => Demand::Convex,
+            _ => Demand::Clear,
+        }
     }
 
     /// Takes a corner out; its neighbours' ears may have changed, nobody else's have.
@@ -233,6 +249,10 @@ impl<'a> Clipping<'a> {
     }
 
     fn is_ear(&mut self, corner: u32, demand: Demand) -> bool {
+        self.ears_left = self.ears_left.saturating_sub(1);
+        if self.ears_left == 0 {
+            return true;
+        }
         let turn = self.turn(corner);
         match demand {
             Demand::Any => true,
@@ -254,10 +274,10 @@ impl<'a> Clipping<'a> {
         for index in start..self.sorted.len() {
             let corner = self.sorted[index];
             let place = self.place(corner);
-            if place.x > right || self.questions_left == 0 {
+            if place.x > right || self.tests_left == 0 {
                 return false;
             }
-            self.questions_left -= 1;
+            self.tests_left -= 1;
             if place.y < low
                 || place.y > high
                 || !self.blunt[corner as usize]

@@ -9,7 +9,9 @@ use super::stack::{STACKS, TURNS, TraversalStack};
 use super::target::RayTarget;
 use crate::intersect::PACKET;
 use crate::ray::Ray;
-use luxel_math::{Simd, dispatch_long, f32x8, f32x16, has_wide_registers, prelude::*};
+use luxel_math::{
+    Simd, dispatch_long, f32x8, f32x16, has_wide_registers, is_specialized, prelude::*,
+};
 use luxel_parallel::fill;
 use std::cell::RefCell;
 
@@ -41,7 +43,8 @@ pub(crate) fn trace_batch<Q: RayQuery>(
     });
 }
 
-/// Traces rays in groups as wide as the machine's registers.
+/// Traces rays in groups as wide as the machine's registers; all of them singly where packets aren't
+/// [worth their code](is_specialized).
 #[inline(always)]
 fn trace_run<S: Simd, Q: RayQuery>(
     simd: S,
@@ -51,7 +54,9 @@ fn trace_run<S: Simd, Q: RayQuery>(
     packet: &mut Packet,
     stacks: &[TraversalStack; TURNS],
 ) {
-    if has_wide_registers(simd) {
+    if const { !is_specialized::<S>() } {
+        trace_rest::<S, Q>(simd, target, rays, 0..rays.len(), answers, stacks);
+    } else if has_wide_registers(simd) {
         let lanes = f32x16::splat(simd, 0.0);
         trace_in_packets::<S, _, Q>(simd, lanes, target, rays, answers, packet, stacks);
     } else {

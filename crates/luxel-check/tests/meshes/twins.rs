@@ -212,6 +212,46 @@ fn gaps_between_edges_are_counted_and_wide_ones_are_meant() {
 }
 
 #[test]
+fn thin_strips_are_no_gaps_but_slits_in_a_surface_are() {
+    let strip = |places: &[[f32; 3]], triangles: &[[u32; 3]]| Mesh {
+        positions: places.to_vec(),
+        triangles: triangles.to_vec(),
+        ..Mesh::default()
+    };
+    for width in [0.009, 1e-3, 1e-5] {
+        let [a, b] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
+        let [c, d] = [[1.0, width, 0.0], [0.0, width, 0.0]];
+        let (middle, far) = ([0.0, width * 0.5, 0.0], [0.5, width, 0.0]);
+        for (what, mesh) in [
+            ("a quad", strip(&[a, b, c, d], &[[0, 1, 2], [0, 2, 3]])),
+            ("its other diagonal", strip(&[a, b, c, d], &[[0, 1, 3], [1, 2, 3]])),
+            ("a needle", strip(&[a, b, c], &[[0, 1, 2]])),
+            (
+                "a corner at its end",
+                strip(&[a, b, c, d, middle], &[[0, 1, 4], [1, 2, 4], [2, 3, 4]]),
+            ),
+            ("a corner at its side", strip(&[a, b, c, d, far], &[[0, 1, 4], [1, 2, 4], [0, 4, 3]])),
+        ] {
+            let kinds: Vec<_> = counts(mesh).into_iter().map(|(kind, _)| kind).collect();
+            assert!(!kinds.contains(&Kind::Crack), "{what} of width {width}: {kinds:?}");
+        }
+        // Two quads with a slit between them, that another one closes at its end.
+        let wide = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 1.0, 0.3],
+            [0.0, 1.0, 0.3],
+            [0.0, -width, 0.0],
+            [1.0, -width, 0.0],
+            [1.0, -1.0, 0.3],
+            [0.0, -1.0, 0.3],
+        ];
+        let slit = strip(&wide, &[[0, 1, 2], [0, 2, 3], [5, 4, 6], [4, 7, 6]]);
+        assert!(counts(slit).contains(&(Kind::Crack, 1)), "a slit of width {width}");
+    }
+}
+
+#[test]
 fn repeated_vertices_count_where_they_cut_a_smooth_surface() {
     let soup = |mesh: &Mesh| Mesh {
         positions: mesh

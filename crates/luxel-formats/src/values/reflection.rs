@@ -25,7 +25,7 @@ pub fn reflection(text: &str) -> Result<Reflection, String> {
             .ok_or_else(|| format!("`{part}` has no weight: use NAME=WEIGHT"))?;
         models.push((single(name)?, non_negative_f32(weight)?));
     }
-    Ok(Reflection::Mixed(models))
+    Ok(Reflection::mixed(models))
 }
 
 fn single(name: &str) -> Result<Reflection, String> {

@@ -76,7 +76,8 @@ pub enum Reflection {
 }
 
 impl Reflection {
-    /// A weighted sum of models; mixes among them are dissolved into their parts.
+    /// A weighted sum of models; mixes among them are dissolved into their parts. One part of weight 1 is
+    /// that model itself, with its ambient light, emission and environment.
     #[must_use]
     pub fn mixed(parts: Vec<(Self, f32)>) -> Self {
         let mut simple = Vec::with_capacity(parts.len());
@@ -89,7 +90,13 @@ impl Reflection {
                 simple_part => simple.push((simple_part, weight)),
             }
         }
-        Self::Mixed(simple)
+        match simple.pop() {
+            Some((only, 1.0)) if simple.is_empty() => only,
+            last => {
+                simple.extend(last);
+                Self::Mixed(simple)
+            }
+        }
     }
 
     /// The description of the model; `None` for a mix.

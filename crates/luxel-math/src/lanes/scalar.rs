@@ -25,6 +25,7 @@ impl Mask for bool {
 impl Lanes for f32 {
     type Mask = bool;
     type F64 = f64;
+    const IS_SPECIALIZED: bool = false;
 
     #[inline(always)]
     fn to_f64(self) -> f64 {

@@ -1,7 +1,7 @@
 //! Sixteen `f32`, and eight, as lanes of a vector.
 
 use super::{EXPONENT_BIAS, F64x8, F64x16, Lanes, MANTISSA_BITS, Mask, SQRT_HALF_BITS, SplitLanes};
-use crate::simd_level::{LANES, has_wide_registers};
+use crate::simd_level::{LANES, has_wide_registers, is_specialized};
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use fearless_simd::Level;
 use fearless_simd::{
@@ -58,6 +58,7 @@ macro_rules! vector_lanes {
         impl<S: Simd> Lanes for $Lanes<S> {
             type Mask = $Mask<S>;
             type F64 = $F64Lanes<S>;
+            const IS_SPECIALIZED: bool = is_specialized::<S>();
 
             #[inline(always)]
             fn to_f64(self) -> $F64Lanes<S> {

@@ -154,79 +154,6 @@ impl<N: Lanes> Source<N> for Transposed<N> {
     }
 }
 
-/// Interpolates what the samples of `seen` lanes see, whose triangles `cache` may lack yet. Other lanes
-/// hold anything. `materials` gets each sample's material, by number: apart from the fragments, as
-/// an index that is known only at run time would keep all of them in memory. `NEEDS` says which
-/// attributes count.
-#[inline(always)]
-pub(crate) fn fragments<N: Lanes, const NEEDS: u8>(
-    simd: N,
-    scene: &ShadingContext<'_>,
-    batch: &Batch,
-    cache: &mut SetupCache,
-    seen: u32,
-    wanted: Wanted,
-    materials: &mut [u32; LANES],
-) -> Fragments<N> {
-    let ids = &batch.ids;
-    let place = [simd.load(&batch.x, 0), simd.load(&batch.y, 0)];
-    let mut found = Fragments::nothing(simd);
-    let id = ids[seen.trailing_zeros() as usize & (LANES - 1)];
-    if batch.is_single || simd.eq_mask(ids, id) & seen == seen {
-        // One triangle, the most frequent case, apart from the loop: what a loop carries from triangle to
-        // triangle is memory.
-        cache.require(simd, scene, ids, seen & seen.wrapping_neg());
-        let Prepared { setup, extras } = cache.get(id);
-        let source = Broadcast { simd, setup, extras };
-        let of = Of { lanes: seen, wanted, has: cache.reads(id) };
-        found.take::<NEEDS, true>(&source, scene, batch, place, of);
-        *materials = [cache.material(id); LANES];
-        return found;
-    }
-    let begins = simd.run_starts(ids) & seen;
-    let mut left = seen;
-    if NEEDS != needs::ALL && begins.count_ones() > SHARED && !cache.has_all(ids, begins) {
-        while left != 0
-            && let Some((lanes, columns)) = cache.prepare_columns(simd, scene, ids, left, materials)
-        {
-            let source = Columns { simd, numbers: columns };
-            let of = Of { lanes, wanted, has: AttributeMask::NONE };
-            found.take::<NEEDS, false>(&source, scene, batch, place, of);
-            left &= !lanes;
-        }
-    }
-    while left != 0 {
-        cache.require(simd, scene, ids, begins & left);
-        if (begins & left).count_ones() <= FEW {
-            let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
-            let lanes = simd.eq_mask(ids, id) & left;
-            if !cache.has(id) {
-                cache.require(simd, scene, ids, lanes & lanes.wrapping_neg());
-            }
-            let Prepared { setup, extras } = cache.get(id);
-            let source = Broadcast { simd, setup, extras };
-            let of = Of { lanes, wanted, has: cache.reads(id) };
-            found.take::<NEEDS, false>(&source, scene, batch, place, of);
-            put_material(materials, lanes, cache.material(id));
-            left &= !lanes;
-        } else {
-            let mut of = Of { lanes: 0, wanted, has: AttributeMask::NONE };
-            for lane in lanes_of(left) {
-                let id = ids[lane & (LANES - 1)];
-                if cache.has(id) {
-                    of.lanes |= 1 << lane;
-                    of.has = of.has.or(cache.reads(id));
-                    materials[lane & (LANES - 1)] = cache.material(id);
-                }
-            }
-            let source = Transposed::new::<NEEDS>(simd, cache, ids, of);
-            found.take::<NEEDS, false>(&source, scene, batch, place, of);
-            left &= !of.lanes;
-        }
-    }
-    found
-}
-
 /// Lanes and what they take of their triangles.
 #[derive(Clone, Copy)]
 struct Of {
@@ -238,8 +165,80 @@ struct Of {
 
 impl<N: Lanes> Fragments<N> {
     #[inline(always)]
-    fn nothing(simd: N) -> Self {
+    pub(crate) fn nothing(simd: N) -> Self {
         Self { weights: [simd.zero(); 3], attributes: Attributes::nothing(simd) }
+    }
+
+    /// Interpolates what the samples of `seen` lanes see, whose triangles `cache` may lack yet. Other lanes
+    /// hold anything. `materials` gets each sample's material, by number: apart from the fragments, as
+    /// an index that is known only at run time would keep all of them in memory. `NEEDS` says which
+    /// attributes count.
+    #[inline(always)]
+    pub(crate) fn interpolate<const NEEDS: u8>(
+        &mut self,
+        simd: N,
+        scene: &ShadingContext<'_>,
+        batch: &Batch,
+        cache: &mut SetupCache,
+        (seen, wanted): (u32, Wanted),
+        materials: &mut [u32; LANES],
+    ) {
+        let ids = &batch.ids;
+        let place = [simd.load(&batch.x, 0), simd.load(&batch.y, 0)];
+        let id = ids[seen.trailing_zeros() as usize & (LANES - 1)];
+        if batch.is_single || simd.eq_mask(ids, id) & seen == seen {
+            // One triangle, the most frequent case, apart from the loop: what a loop carries from triangle to
+            // triangle is memory.
+            cache.require(simd, scene, ids, seen & seen.wrapping_neg());
+            let Prepared { setup, extras } = cache.get(id);
+            let source = Broadcast { simd, setup, extras };
+            let of = Of { lanes: seen, wanted, has: cache.reads(id) };
+            self.take::<NEEDS, true>(&source, scene, batch, place, of);
+            *materials = [cache.material(id); LANES];
+            return;
+        }
+        let begins = simd.run_starts(ids) & seen;
+        let mut left = seen;
+        if NEEDS != needs::ALL && begins.count_ones() > SHARED && !cache.has_all(ids, begins) {
+            while left != 0
+                && let Some((lanes, columns)) =
+                    cache.prepare_columns(simd, scene, ids, left, materials)
+            {
+                let source = Columns { simd, numbers: columns };
+                let of = Of { lanes, wanted, has: AttributeMask::NONE };
+                self.take::<NEEDS, false>(&source, scene, batch, place, of);
+                left &= !lanes;
+            }
+        }
+        while left != 0 {
+            cache.require(simd, scene, ids, begins & left);
+            if (begins & left).count_ones() <= FEW {
+                let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
+                let lanes = simd.eq_mask(ids, id) & left;
+                if !cache.has(id) {
+                    cache.require(simd, scene, ids, lanes & lanes.wrapping_neg());
+                }
+                let Prepared { setup, extras } = cache.get(id);
+                let source = Broadcast { simd, setup, extras };
+                let of = Of { lanes, wanted, has: cache.reads(id) };
+                self.take::<NEEDS, false>(&source, scene, batch, place, of);
+                put_material(materials, lanes, cache.material(id));
+                left &= !lanes;
+            } else {
+                let mut of = Of { lanes: 0, wanted, has: AttributeMask::NONE };
+                for lane in lanes_of(left) {
+                    let id = ids[lane & (LANES - 1)];
+                    if cache.has(id) {
+                        of.lanes |= 1 << lane;
+                        of.has = of.has.or(cache.reads(id));
+                        materials[lane & (LANES - 1)] = cache.material(id);
+                    }
+                }
+                let source = Transposed::new::<NEEDS>(simd, cache, ids, of);
+                self.take::<NEEDS, false>(&source, scene, batch, place, of);
+                left &= !of.lanes;
+            }
+        }
     }
 
     /// Takes what lanes see of the triangles of a source.
@@ -262,7 +261,9 @@ impl<N: Lanes> Fragments<N> {
         );
         let at_sample = forms.at(x, y);
         let mut weights = at_sample.weights;
-        let inexact = at_sample.inexact.bits() & lanes;
+        // Bits cost more than the question whether there are any, and there seldom are.
+        let any_inexact = at_sample.inexact.any();
+        let inexact = if any_inexact { at_sample.inexact.bits() & lanes } else { 0 };
         if inexact != 0 {
             weights = exact_weights(scene, batch, inexact, weights);
         }

@@ -4,4 +4,4 @@ mod batch;
 mod fragments;
 
 pub(crate) use batch::Batch;
-pub(crate) use fragments::{Fragments, SHARED, Wanted, fragments};
+pub(crate) use fragments::{Fragments, SHARED, Wanted};

@@ -6,5 +6,6 @@
 //! sample a pixel and nothing that blends, it comes from the same pass.
 
 mod pass;
+mod planes;
 mod sample;
 mod witness;

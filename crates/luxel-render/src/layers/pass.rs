@@ -1,24 +1,24 @@
 //! The one pass that fills all layers, and the picture where both see the same.
 
+use super::planes::{BlockValues, Plane, TileValues, background, stored};
 use super::sample::{Triangles, term};
 use super::witness::LayerWitness;
-use crate::context::{AttributeMask, Heard, ShadingContext, needs};
+use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
 use crate::frame::{
     AHEAD, ALL_BLOCKS, Bands, BusyWorker, Picture, RenderError, Renderer, Stages, Subdivision,
-    TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, place_in_tile,
-    put_block,
+    TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
 };
-use crate::interpolate::Batch;
+use crate::interpolate::{Batch, Fragments};
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels};
-use crate::shade::{BlockWitness, ThreadCache, point_of, shade, surface_fragments};
+use crate::shade::{BlockWitness, ThreadCache, all_fragments, point_of, shade};
 use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
 use luxel_scene::{Projection, SceneLight};
 use luxel_view::{Layer, LayerValues};
 use luxel_view::{ShadingMode, View};
-use luxel_visibility::{BLOCK, CoveragePolicy, TILE, TriangleId};
+use luxel_visibility::{CoveragePolicy, TILE, TriangleId};
 use std::ops::Range;
 use std::sync::Mutex;
 
@@ -86,16 +86,8 @@ impl Renderer {
             let mut pixels = picture.as_mut().map(|picture| &mut picture.pixels);
             values.resize_with(layers.len(), || LayerValues::F32(Vec::new()));
             values.truncate(layers.len());
-            let planes = layers.iter().zip(values).map(|(layer, values)| {
-                let channels = layer.channels();
-                let values = if layer.is_id() {
-                    let values = numbers_u32(values);
-                    PlaneValues::U32(Bands::new(values, view.size, channels))
-                } else {
-                    PlaneValues::F32(Bands::new(numbers_f32(values), view.size, channels))
-                };
-                Plane { layer, channels, values }
-            });
+            let planes = layers.iter().zip(values);
+            let planes = planes.map(|(layer, values)| Plane::new(layer, values, view.size));
             let with_terms = layers.iter().any(Layer::is_lit);
             let at_pixels = scene.shading.mode == ShadingMode::Phong;
             let pass = Pass {
@@ -122,40 +114,6 @@ impl Renderer {
             }
         })
     }
-}
-
-/// The list of a layer's numbers, in the memory of these if they are such.
-fn numbers_f32(values: &mut LayerValues) -> &mut Vec<f32> {
-    if matches!(values, LayerValues::U32(_)) {
-        *values = LayerValues::F32(Vec::new());
-    }
-    match values {
-        LayerValues::F32(numbers) => numbers,
-        LayerValues::U32(_) => unreachable!("it was replaced"),
-    }
-}
-
-/// The list of a layer's whole numbers, in the memory of these if they are such.
-fn numbers_u32(values: &mut LayerValues) -> &mut Vec<u32> {
-    if matches!(values, LayerValues::F32(_)) {
-        *values = LayerValues::U32(Vec::new());
-    }
-    match values {
-        LayerValues::U32(numbers) => numbers,
-        LayerValues::F32(_) => unreachable!("it was replaced"),
-    }
-}
-
-/// A layer that is being filled.
-struct Plane<'p> {
-    layer: &'p Layer,
-    channels: usize,
-    values: PlaneValues<'p>,
-}
-
-enum PlaneValues<'p> {
-    F32(Bands<'p, f32>),
-    U32(Bands<'p, u32>),
 }
 
 /// What the pass reads beside the scene.
@@ -189,14 +147,6 @@ struct LayerWorker<'w> {
     of_lights: Vec<[[f32; LANES]; 3]>,
 }
 
-enum TileValues {
-    F32(Vec<f32>),
-    U32(Vec<u32>),
-}
-
-/// Three numbers for each pixel of a block, of which a layer shows as many as it has channels.
-type BlockValues = [[f32; LANES]; 3];
-
 impl<'w> TileWork<LayerWorker<'w>> for Pass<'w> {
     fn draw(&self, worker: &mut LayerWorker<'w>, tile: usize) {
         let level = self.renderer.level();
@@ -214,11 +164,7 @@ impl<'w> TileWork<LayerWorker<'w>> for Pass<'w> {
             pixels.put(tile, worker.pixels.as_slice());
         }
         for (plane, drawn) in self.planes.iter().zip(&worker.tiles) {
-            match (&plane.values, drawn) {
-                (PlaneValues::F32(bands), TileValues::F32(drawn)) => bands.put(tile, drawn),
-                (PlaneValues::U32(bands), TileValues::U32(drawn)) => bands.put(tile, drawn),
-                _ => {}
-            }
+            plane.put(tile, drawn);
         }
     }
 
@@ -227,36 +173,17 @@ impl<'w> TileWork<LayerWorker<'w>> for Pass<'w> {
             pixels.fill(band, columns, self.finish().pixel(empty_pixel(self.scene)));
         }
         for plane in &self.planes {
-            match &plane.values {
-                PlaneValues::F32(bands) => bands.fill(band, columns, background(plane.layer)),
-                PlaneValues::U32(bands) => bands.fill(band, columns, u32::MAX),
-            }
+            plane.fill(band, columns);
         }
-    }
-}
-
-/// What a layer of numbers shows where nothing is.
-fn background(layer: &Layer) -> f32 {
-    match layer {
-        Layer::Depth => 1.0,
-        Layer::Z => f32::INFINITY,
-        _ => 0.0,
     }
 }
 
 impl<'p> Pass<'p> {
     fn worker(&self) -> LayerWorker<'p> {
-        let tile = |plane: &Plane<'_>| {
-            let count = (TILE * TILE) as usize * plane.channels;
-            match plane.values {
-                PlaneValues::F32(_) => TileValues::F32(vec![0.0; count]),
-                PlaneValues::U32(_) => TileValues::U32(vec![0; count]),
-            }
-        };
         LayerWorker {
             worker: self.renderer.worker(self.scene.frame.samples()),
             pixels: Box::new([[0; 4]; (TILE * TILE) as usize]),
-            tiles: self.planes.iter().map(tile).collect(),
+            tiles: self.planes.iter().map(Plane::tile).collect(),
             of_lights: vec![[[0.0; LANES]; 3]; self.lights.len()],
         }
     }
@@ -293,11 +220,7 @@ impl<'p> Pass<'p> {
             pixels[run.clone()].fill(self.finish().pixel(empty_pixel(self.scene)));
         }
         for (plane, values) in self.planes.iter().zip(tiles) {
-            let run = run.start * plane.channels..run.end * plane.channels;
-            match values {
-                TileValues::F32(values) => values[run].fill(background(plane.layer)),
-                TileValues::U32(values) => values[run].fill(u32::MAX),
-            }
+            plane.fill_run(values, &run);
         }
     }
 
@@ -308,15 +231,7 @@ impl<'p> Pass<'p> {
             put_block(pixels, block, &[self.finish().pixel(empty_pixel(self.scene)); LANES]);
         }
         for (plane, values) in self.planes.iter().zip(tiles) {
-            match values {
-                TileValues::F32(values) => {
-                    let nothing = [[background(plane.layer); LANES]; 3];
-                    put_values(values, block, plane.channels, &nothing);
-                }
-                TileValues::U32(values) => {
-                    put_values(values, block, plane.channels, &[[u32::MAX; LANES]; 3]);
-                }
-            }
+            plane.fill_block(values, block);
         }
     }
 
@@ -358,7 +273,7 @@ impl<'p> Pass<'p> {
                         Layer::Object => &of_triangles.objects,
                         _ => &of_triangles.triangles,
                     };
-                    put_values(values, block, plane.channels, &[*ids; 3]);
+                    plane.put_values(values, block, &[*ids; 3]);
                 }
                 TileValues::F32(values) => {
                     let found = if self.terms_one_by_one && plane.layer.is_lit() {
@@ -366,7 +281,7 @@ impl<'p> Pass<'p> {
                     } else {
                         self.values(plane.layer, &witness, seen)
                     };
-                    put_values(values, block, plane.channels, &found);
+                    plane.put_values(values, block, &found);
                 }
             }
         }
@@ -468,44 +383,8 @@ fn hear<N: Lanes>(
     witness: &mut LayerWitness<'_, N>,
 ) {
     let mut materials = [0; LANES];
-    let found = surface_fragments::<N, { needs::ALL }>(
-        simd,
-        scene,
-        batch,
-        cache,
-        seen,
-        true,
-        &mut materials,
-    );
+    let mut found = Fragments::nothing(simd);
+    all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
-}
-
-/// Numbers in memory, with the background where nothing is seen.
-#[inline(always)]
-fn stored<N: Lanes>(numbers: [N; 3], seen: N::Mask, background: f32) -> BlockValues {
-    let mut values = [[0.0; LANES]; 3];
-    for (values, number) in values.iter_mut().zip(numbers) {
-        number.select(seen, number.constant(background)).store(values, 0);
-    }
-    values
-}
-
-/// Writes a block's values among the rows of its tile.
-#[inline(always)]
-fn put_values<T: Copy>(into: &mut [T], block: usize, channels: usize, values: &[[T; LANES]; 3]) {
-    if channels == 1 {
-        const SIDE: usize = BLOCK as usize;
-        for (row, values) in values[0].as_chunks::<SIDE>().0.iter().enumerate() {
-            let at = place_in_tile(block, row * SIDE);
-            into[at..at + SIDE].copy_from_slice(values);
-        }
-        return;
-    }
-    for lane in 0..LANES {
-        let at = place_in_tile(block, lane) * channels;
-        for (into, values) in into[at..at + channels].iter_mut().zip(values) {
-            *into = values[lane];
-        }
-    }
 }

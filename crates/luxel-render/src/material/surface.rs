@@ -31,10 +31,29 @@ impl<N> SurfaceWitness<N> for Silent {
     const HEARS_SURFACES: bool = false;
 }
 
-/// Samples the first `C` channels of a texture at the lanes whose bit is set. Compiled once a level, not
-/// into its callers.
-#[inline(never)]
+/// Samples the first `C` channels of a texture at the lanes whose bit is set.
+///
+/// All four are sampled where a copy for each number of channels isn't [worth its
+/// code](Lanes::IS_SPECIALIZED).
+#[inline(always)]
 fn sample<N: Lanes, const C: usize>(
+    scene: &ShadingContext<'_>,
+    used: &TextureUse,
+    varying: &Attributes<N>,
+    lanes: u32,
+) -> [N; C] {
+    if N::IS_SPECIALIZED {
+        return sample_channels(scene, used, varying, lanes);
+    }
+    let channels: [N; 4] = sample_channels(scene, used, varying, lanes);
+    let mut first = [channels[0]; C];
+    first.copy_from_slice(&channels[..C]);
+    first
+}
+
+/// Outlined: one copy per lane type and number of channels.
+#[inline(never)]
+fn sample_channels<N: Lanes, const C: usize>(
     scene: &ShadingContext<'_>,
     used: &TextureUse,
     varying: &Attributes<N>,

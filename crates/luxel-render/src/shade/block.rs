@@ -2,7 +2,7 @@
 
 use crate::context::{ShadingContext, needs};
 use crate::coverage::edge_distance;
-use crate::interpolate::{Batch, Fragments, Wanted, fragments};
+use crate::interpolate::{Batch, Fragments, Wanted};
 use crate::material::{Attributes, lit, lit_elsewhere};
 use crate::setup::SetupCache;
 use crate::shade::lit_triangle::LitTriangles;
@@ -58,7 +58,10 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
                     simd.constant(alpha),
                 ];
             }
-            if W::HEARS_SURFACES || !is_plain(simd, scene, batch, &mut cache.setup, seen) {
+            if !N::IS_SPECIALIZED
+                || W::HEARS_SURFACES
+                || !is_plain(simd, scene, batch, &mut cache.setup, seen)
+            {
                 shade_outlined::<N, W, { needs::ALL }>(simd, scene, batch, cache, witness, seen)
             } else if W::HEARS_FRAGMENTS || !scene.needs_normals_alone {
                 shade_outlined::<N, W, { needs::PLACES }>(simd, scene, batch, cache, witness, seen)
@@ -120,9 +123,21 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     seen: u32,
 ) -> [N; 4] {
     let mut materials = [0; LANES];
-    let heard = W::HEARS_FRAGMENTS;
-    let found =
-        surface_fragments::<N, NEEDS>(simd, scene, batch, cache, seen, heard, &mut materials);
+    let mut found = Fragments::nothing(simd);
+    if NEEDS == needs::ALL {
+        all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
+    } else {
+        let wanted = Wanted {
+            position: NEEDS != needs::NORMALS && scene.needs_positions,
+            normal: NEEDS == needs::NORMALS
+                || scene.shading.mode == ShadingMode::Phong
+                || W::HEARS_FRAGMENTS,
+            light: NEEDS != needs::NORMALS && scene.shading.mode == ShadingMode::Gouraud,
+        };
+        cache.setup.begin_tile(batch.tile);
+        let setup = &mut cache.setup;
+        found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), &mut materials);
+    }
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
     let [r, g, b, alpha] = scene.background;
@@ -177,31 +192,43 @@ pub(crate) fn point_of<N: Lanes>(
     scene.point_at_sample([x, y], position, normal)
 }
 
-/// The fragments of a batch, as the view interpolates and lights them; all attributes where they are
-/// `heard` by a witness.
-#[inline(always)]
-pub(crate) fn surface_fragments<N: Lanes, const NEEDS: u8>(
+/// All attributes of a batch, as the view interpolates and lights them. Other lanes than `seen` hold
+/// anything.
+///
+/// Outlined: one copy per lane type, for drawing and for layers.
+#[inline(never)]
+pub(crate) fn all_fragments<N: Lanes>(
     simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
     cache: &mut ThreadCache,
     seen: u32,
-    heard: bool,
+    found: &mut Fragments<N>,
     materials: &mut [u32; LANES],
-) -> Fragments<N> {
-    let mode = scene.shading.mode;
-    let wanted = Wanted {
-        position: NEEDS != needs::NORMALS && scene.needs_positions,
-        normal: NEEDS == needs::NORMALS || mode == ShadingMode::Phong || heard,
-        light: NEEDS != needs::NORMALS && mode == ShadingMode::Gouraud,
-    };
-    cache.setup.begin_tile(batch.tile);
-    let mut found =
-        fragments::<N, NEEDS>(simd, scene, batch, &mut cache.setup, seen, wanted, materials);
-    if NEEDS == needs::ALL && is_studied(&scene.shading) {
-        study(scene, batch, cache, seen, &mut found);
-    }
-    found
+) {
+    simd.vectorized(
+        #[inline(always)]
+        || {
+            let wanted = Wanted {
+                position: scene.needs_positions,
+                normal: true,
+                light: scene.shading.mode == ShadingMode::Gouraud,
+            };
+            cache.setup.begin_tile(batch.tile);
+            let setup = &mut cache.setup;
+            found.interpolate::<{ needs::ALL }>(
+                simd,
+                scene,
+                batch,
+                setup,
+                (seen, wanted),
+                materials,
+            );
+            if is_studied(&scene.shading) {
+                study(scene, batch, cache, seen, found);
+            }
+        },
+    );
 }
 
 /// Whether light is computed elsewhere than at pixels and corners, or attributes are interpolated in the

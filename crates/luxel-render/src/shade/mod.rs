@@ -8,6 +8,6 @@ mod screen_interpolation;
 mod witness;
 
 pub(crate) use adaptive_subdivision::encoded;
-pub(crate) use block::{ThreadCache, is_studied, point_of, shade, surface_fragments};
+pub(crate) use block::{ThreadCache, all_fragments, is_studied, point_of, shade};
 pub(crate) use lit_triangle::LitTriangle;
 pub(crate) use witness::BlockWitness;

@@ -192,6 +192,27 @@ fn combs_and_spirals_of_many_corners_are_tiled_quickly() {
     }
 }
 
+#[test]
+fn outlines_that_cross_themselves_end_with_their_count_of_triangles() {
+    let mut state = 1_u64;
+    let mut random = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as f64 / f64::from(1_u32 << 31)
+    };
+    for count in [4, 5, 7, 50, 460, 500, 3_000, 100_000] {
+        for _ in 0..(500 / count).max(1) {
+            let corners: Vec<_> = (0..count).map(|_| [random(), random(), random()]).collect();
+            assert_eq!(cut(&corners).len(), count - 2, "{count} corners");
+        }
+    }
+    // Forth and back along a line, with a little area: hardly an ear is convex.
+    let folded: Vec<_> = (0..20_000)
+        .map(|corner| [f64::from(corner * 7_919 % 20_000), f64::from(corner % 2)])
+        .collect();
+    assert_eq!(cut(&flat_polygon(&folded)).len(), 19_998);
+}
+
 proptest! {
     #[test]
     fn star_shaped_polygons_are_tiled(radii in prop::collection::vec(0.05_f64..10.0, 3..60)) {
