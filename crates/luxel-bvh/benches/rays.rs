@@ -1,7 +1,7 @@
 //! Times building and rays on a bumpy sphere of 100 000, a million and five million triangles.
 //!
-//! `cargo bench -p luxel-bvh [-- FILTER]`; a filter is part of a row's name. Prints the median and the
-//! least of some rounds (one ray at a time at every SIMD level too), and for rays a checksum of
+//! `cargo bench -p luxel-bvh [-- FILTER]`; a filter is part of a row's name. Prints the median and
+//! the least of some rounds (one ray at a time at every SIMD level too), and for rays a checksum of
 //! triangles and distances, which only a change of results may change.
 
 #![allow(clippy::unwrap_used, reason = "a benchmark")]
@@ -133,7 +133,7 @@ fn main() {
             let mut seen = Vec::new();
             for level in SimdLevel::available() {
                 let level = level.resolve().unwrap();
-                // What a name stands for may be another level.
+                // A name may stand for another level.
                 let simd = SimdLevel::name_of(level);
                 let name = format!("{triangles} rays {kind} at {simd}");
                 if seen.contains(&simd) || !wanted(&name) {

@@ -1,6 +1,6 @@
 //! Any-hit queries against brute force in f64, and against the closest hit.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod common;
 
@@ -10,8 +10,8 @@ use luxel_math::SimdLevel;
 use luxel_scene::Mesh;
 use proptest::prelude::*;
 
-/// Whether a ray hits any triangle, by testing all of them; `None` where rounding decides, at an edge
-/// or at an end of the range.
+/// Whether a ray hits any triangle, by testing all of them; `None` where rounding decides, at an
+/// edge or at an end of the range.
 fn brute_force(mesh: &Mesh, ray: &Ray) -> Option<bool> {
     let [nearest, farthest] = ray.range.map(f64::from);
     let mut certain = Some(false);
@@ -112,7 +112,7 @@ fn both_ends_of_the_range_count() {
 
 proptest! {
     #[test]
-    fn triangle_soups_occlude_where_brute_force_says(
+    fn occlusion_of_triangle_soups_agrees_with_brute_force(
         points in prop::collection::vec(prop::array::uniform3(-3.0..3.0_f32), 3..200),
         size in prop::sample::select(vec![0.02_f32, 0.5, 4.0]),
         from in prop::array::uniform3(-5.0..5.0_f32),

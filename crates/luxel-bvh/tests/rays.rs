@@ -1,6 +1,6 @@
 //! Rays against brute force: every triangle, in f64.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod common;
 
@@ -347,7 +347,7 @@ fn nothing_is_hit_in_an_empty_mesh_or_by_what_is_no_ray() {
 
 proptest! {
     #[test]
-    fn triangle_soups_are_hit_where_brute_force_says(
+    fn hits_of_triangle_soups_agree_with_brute_force(
         points in prop::collection::vec(prop::array::uniform3(-3.0..3.0_f32), 3..200),
         size in prop::sample::select(vec![0.02_f32, 0.5, 4.0]),
         scale in prop::sample::select(vec![1.0_f32, 1e-6, 1e6]),

@@ -97,95 +97,112 @@ impl Kind {
     pub const fn about(self) -> &'static str {
         match self {
             Self::DegenerateFace => "triangles without area: they have no normal",
-            Self::DuplicateFace => "triangles in the place of another one",
+            Self::DuplicateFace => "triangles that repeat another one",
             Self::InconsistentWinding => {
-                "triangles wound the other way round than their neighbours: averages of normals \
-                 cancel out"
+                "triangles wound against their neighbours: averaged normals cancel out"
             }
             Self::FlippedWinding => {
-                "triangles whose front is behind their normals or inside their solid: culling \
-                 takes the wrong ones"
+                "triangles that face away from their normals or into their solid: culling drops \
+                 the wrong ones"
             }
-            Self::OneSidedSurface => "edges at which a surface with only one side turns over",
+            Self::OneSidedSurface => "edges where a one-sided surface flips its orientation",
             Self::NonManifoldEdge => {
-                "edges with three triangles or more: their normals are an average over surfaces \
-                 that don't go on into one another"
+                "edges of three or more triangles: their normals average over unrelated surfaces"
             }
             Self::TJunction => {
                 "corners in the middle of a neighbour's edge: the two sides interpolate different \
-                 colours, and the background may shine through"
+                 colours, and the background may show through"
             }
             Self::Crack => "edges with a narrow gap to the edge that they should meet",
             Self::DuplicateVertex => {
                 "vertices that repeat another one on a smooth surface: programs that average \
-                 normals by number show a seam here (luxel goes by place)"
+                 normals by index show a seam here (luxel averages by position)"
             }
             Self::UndefinedNormal => "vertex normals that are zero or not a number",
             Self::NonUnitNormal => {
-                "vertex normals of another length than 1: programs that don't normalise light them \
-                 too bright or too dark"
+                "vertex normals not of unit length: programs that don't normalize them compute \
+                 too much or too little light"
             }
             Self::NormalBehindFace => {
-                "vertices whose normal points behind one of their faces: it is lit from the wrong \
-                 side"
+                "vertices with a normal that points behind one of their faces, which is lit from \
+                 the wrong side"
             }
             Self::UnrepresentativeNormals => {
-                "triangles that face another way than the average of their vertex normals: shading \
-                 shows a shape that isn't there"
+                "triangles that deviate from the average of their vertex normals: shading shows a \
+                 shape that isn't there"
             }
-            Self::HiddenFold => {
-                "edges at which faces turn sharply while their vertex normals don't: shading shows \
-                 a smooth sheet"
-            }
+            Self::HiddenFold => "sharp edges with smooth vertex normals: shading hides the fold",
             Self::Sliver => {
-                "long thin triangles whose corners disagree with the edge that they almost lie in, \
+                "long thin triangles with a corner normal that contradicts the edge next to it, \
                  or thinner than a thousandth of their length: they show as streaks or dots"
             }
             Self::MissedHighlight => {
-                "triangles that hold, or can hold, a highlight which none of their vertices sees: \
-                 shading per vertex loses it"
+                "triangles with a possible highlight that none of their vertices sees: shading \
+                 per vertex misses it"
             }
             Self::ScreenDrift => {
-                "triangles that reach so far into the depth that colours and textures slide over \
-                 them where they are interpolated in the window"
+                "triangles of such depth that colours and textures slide over them under \
+                 screen-linear interpolation"
             }
-            Self::FacetedSilhouette => {
-                "edges of the outline that are straight where the surface is curved"
-            }
+            Self::FacetedSilhouette => "straight silhouette edges of a curved surface",
         }
     }
 
-    /// The remedy. Settings of the renderer stand in backticks, as `` `shading phong` ``.
+    /// A renderer setting that avoids the fault.
+    #[must_use]
+    pub const fn hint(self) -> Option<Hint> {
+        match self {
+            Self::UndefinedNormal | Self::NormalBehindFace => Some(Hint::ComputeNormals),
+            Self::UnrepresentativeNormals | Self::HiddenFold => {
+                Some(Hint::ComputeNormalsWithCreases)
+            }
+            Self::MissedHighlight => Some(Hint::ShadePerPixel),
+            Self::ScreenDrift => Some(Hint::InterpolateInSpace),
+            _ => None,
+        }
+    }
+
+    /// The remedy.
     #[must_use]
     pub const fn cure(self) -> &'static str {
         match self {
             Self::DegenerateFace => "delete them, or merge their corners",
             Self::DuplicateFace => "delete all but one of each",
-            Self::InconsistentWinding => "make the winding consistent, and compute normals anew",
+            Self::InconsistentWinding => "make the winding consistent, and recompute normals",
             Self::FlippedWinding => "reverse the order of their corners",
             Self::OneSidedSurface => "cut the surface there, and give each half its own vertices",
             Self::NonManifoldEdge => "split the vertices there, one for each surface",
             Self::TJunction => "split the neighbour's edge at the corner",
             Self::Crack => "merge the vertices on both sides of the gap",
             Self::DuplicateVertex => "merge vertices with equal attributes",
-            Self::UndefinedNormal => "compute normals anew (`normals area-angle`)",
-            Self::NonUnitNormal => "normalise them",
-            Self::NormalBehindFace => {
-                "compute normals anew (`normals area-angle`), or split vertices at sharp edges"
-            }
+            Self::UndefinedNormal => "recompute normals",
+            Self::NonUnitNormal => "normalize them",
+            Self::NormalBehindFace => "recompute normals, or split vertices at sharp edges",
             Self::UnrepresentativeNormals => {
-                "split vertices at sharp edges (`normals area-angle` `crease 40`), or refine the \
+                "split vertices at sharp edges, or refine the \
                  mesh"
             }
-            Self::HiddenFold => "split vertices at sharp edges (`normals area-angle` `crease 40`)",
-            Self::Sliver => "divide them across, or flip the diagonals of their neighbours",
-            Self::MissedHighlight => "shade per pixel (`shading phong`), or refine the mesh",
-            Self::ScreenDrift => {
-                "interpolate in space (`interpolation perspective`), or refine the mesh"
-            }
-            Self::FacetedSilhouette => "refine the mesh, or draw it smaller",
+            Self::HiddenFold => "split vertices at sharp edges",
+            Self::Sliver => "split them across, or flip the diagonals of their neighbours",
+            Self::MissedHighlight => "shade per pixel, or refine the mesh",
+            Self::ScreenDrift => "interpolate in space, or refine the mesh",
+            Self::FacetedSilhouette => "refine the mesh, or render it smaller",
         }
     }
+}
+
+/// A renderer setting that avoids a fault. It is data: each program words it as its setting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Hint {
+    /// Compute normals, weighted by area and angle.
+    ComputeNormals,
+    /// Compute them, and keep sharp edges.
+    ComputeNormalsWithCreases,
+    /// Phong shading.
+    ShadePerPixel,
+    /// Perspective-correct interpolation.
+    InterpolateInSpace,
 }
 
 /// The place of a finding.

@@ -1,12 +1,12 @@
 //! Finds mesh faults that spoil shading: where they are, how severe, and how to fix them.
 //!
 //! [`check`] examines a [`Scene`](luxel_scene::Scene) as loaded, for faults that a renderer can't
-//! repair: triangles without area, inconsistent winding, gaps, normals that contradict the faces, and
-//! meshes too coarse for the view. `docs/check.md` describes each kind with its formula and thresholds.
-//! [`Report::marked`] makes a scene that shows all findings.
+//! repair: triangles without area, inconsistent winding, gaps, normals that contradict the faces,
+//! and meshes too coarse for the view. `docs/check.md` describes each kind with its formula and
+//! thresholds. [`Report::marked`] makes a scene that shows all findings.
 //!
-//! The severity of a finding is measured: the mesh is rendered as it is and with the finding repaired,
-//! and the pictures are compared ([`Finding::severity`]).
+//! The severity of a finding is measured: the mesh is rendered as it is and with the finding
+//! repaired, and the pictures are compared ([`Finding::severity`]).
 //!
 //! Neighbours are found by sorting edges, points near edges by a k-d tree, so that the time grows
 //! little faster than the mesh.
@@ -32,5 +32,5 @@ mod surface;
 mod winding;
 
 pub use examination::check;
-pub use finding::{Finding, Kind, Place};
+pub use finding::{Finding, Hint, Kind, Place};
 pub use report::{Report, Setup};

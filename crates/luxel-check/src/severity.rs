@@ -1,9 +1,9 @@
 //! Severity: pictures of the mesh as it is and repaired, compared.
 
-use luxel_render::{Cull, EnvironmentChoice, Execution, Renderer, View};
+use luxel_render::{Execution, Renderer, View};
 use luxel_scene::{
-    Camera, DEFAULT_AMBIENT, DMat4, DVec3, Lens, Mesh, MeshId, Node, NormalOptions, Projection,
-    Scene, SceneMaterial, Size, default_lights,
+    Camera, DMat4, DVec3, Lens, Mesh, MeshId, Node, NormalOptions, Projection, Scene,
+    SceneMaterial, Size,
 };
 
 /// The directions from which a mesh is rendered, with their up vectors.
@@ -69,15 +69,6 @@ impl Pictures {
                 },
             )
             .with_samples(1)
-            .with_cull(Cull::Auto)
-            .with_lights(default_lights())
-            .with_ambient(DEFAULT_AMBIENT)
-            .with_environment(EnvironmentChoice::default())
-            .with_fog(None)
-            .with_background([0.0; 4])
-            .with_encoding(luxel_lighting::PictureEncoding::Srgb)
-            .with_edges(None)
-            .with_shading(luxel_render::Shading::default())
         };
         let draw = |side| renderer.rgba8(&view(side)).map(|picture| picture.pixels);
         let pixels = SIDES.into_iter().map(draw).collect::<Result<_, _>>().ok()?;

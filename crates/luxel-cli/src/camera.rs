@@ -12,7 +12,7 @@ use luxel::scene::{
 /// fitted into the view.
 ///
 /// # Errors
-/// [`Failure`], if the flags contradict each other or the scene has no camera of that name.
+/// [`Failure`] if the flags contradict each other, or the scene has no camera of that name.
 pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Failure> {
     if options.target.is_some() && options.eye.is_none() {
         return Err(Failure::Usage("--target needs --eye".to_owned()));
@@ -23,7 +23,7 @@ pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Fa
     if !is_placed(options) && of_file.is_none() {
         let camera = fit_view(scene, &viewpoint(options, up), lens, options.size);
         if options.near.is_none() && options.far.is_none() {
-            // Its planes are fitted by the same rule; large scenes needn't be measured again.
+            // Its planes are fitted by the same rule; this avoids another pass over a large scene.
             return Ok(camera);
         }
         return with_planes(options, &scene.bounds(), camera.view_from_world, lens);
@@ -34,7 +34,7 @@ pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Fa
     } else if let Some(eye) = options.eye {
         let target = options.target.unwrap_or_else(|| middle(&bounds));
         if eye == target {
-            let message = "the eye stands at its target: move --eye or --target";
+            let message = "eye and target are the same point: move --eye or --target";
             return Err(Failure::Usage(message.to_owned()));
         }
         Camera::look_at(eye, target, up)
@@ -44,7 +44,7 @@ pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Fa
     with_planes(options, &bounds, view_from_world, lens)
 }
 
-/// A camera in a given place, with the clipping planes of the line, else those that fit.
+/// A camera with this transform, and the clipping planes of the command line, else fitted ones.
 ///
 /// # Errors
 /// [`Failure::Usage`], if the planes contradict each other.
@@ -58,8 +58,8 @@ pub(crate) fn with_planes(
     Ok(Camera { view_from_world, projection: Projection { lens, near, far } })
 }
 
-/// Cameras for pictures from all around: the chosen one turned about what it looks at, towards the
-/// right, once around in `count` equal steps.
+/// Cameras of a turntable: the chosen one rotated about its target, towards the
+/// right, in `count` equal steps of a full turn.
 ///
 /// # Errors
 /// As [`choose`].
@@ -95,9 +95,9 @@ pub(crate) fn turntable(
     (0..count).map(turned).collect()
 }
 
-/// How far the eye has to stand from the middle so that the model fits from every side.
+/// The distance from the centre at which the model fits the view from every side.
 fn distance_from_all_sides(options: &FrameOptions, scene: &Scene, pivot: DVec3, lens: Lens) -> f64 {
-    /// Enough that nothing sticks out far between two of them.
+    /// Enough views that little exceeds the frame between two of them.
     const SIDES: u32 = 12;
     let mut viewpoint = viewpoint(options, options.up.unwrap_or(scene.up));
     let mut distance: f64 = 0.0;
@@ -114,7 +114,7 @@ fn is_placed(options: &FrameOptions) -> bool {
     options.view_matrix.is_some() || options.eye.is_some()
 }
 
-/// The side from which a model without a camera is seen.
+/// The default view direction of a model without a camera.
 fn viewpoint(options: &FrameOptions, up: DVec3) -> Viewpoint {
     Viewpoint {
         up,
@@ -136,7 +136,7 @@ fn file_camera<'a>(
         return found.map(Some).ok_or_else(|| {
             let names: Vec<_> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
             let remedy = if names.is_empty() {
-                "the file has no camera: leave --camera out".to_owned()
+                "the file has no camera: remove --camera".to_owned()
             } else {
                 format!("use {}", names.join(", "))
             };
@@ -183,12 +183,12 @@ fn planes(
         return usage("--far must be above 0 for a perspective");
     }
     if orthographic && options.far.is_some_and(f64::is_infinite) {
-        return usage("parallel rays need a finite --far");
+        return usage("an orthographic camera needs a finite --far");
     }
     if let (Some(near), Some(far)) = (options.near, options.far)
         && near >= far
     {
-        return usage("--near must lie before --far");
+        return usage("--near must be less than --far");
     }
     let (fitted_near, fitted_far) = fit_planes(bounds, view_from_world);
     Ok(match (options.near, options.far) {

@@ -1,4 +1,4 @@
-//! The command line: commands and the flags that all of them take.
+//! The command line: commands and global flags.
 
 use crate::commands::{
     bench, check, completions, demos, explain, gallery, info, manual, navigate, pick, render,
@@ -9,20 +9,20 @@ use crate::failure::Failure;
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 
-/// Light, draw and pick 3D models on the CPU, with the same bytes everywhere.
+/// Renders 3D models on the CPU, with the same bytes on every machine.
 ///
-/// luxel reads a model file and lights it as the lectures teach it: local reflection, without cast
-/// shadows and global light. It needs no GPU and no display.
+/// luxel reads a model file and shades it with the classic local reflection models, without cast
+/// shadows or global illumination. It needs no GPU and no display.
 #[derive(Parser, Debug)]
 #[command(name = "luxel", version, args_override_self = true)]
 #[command(subcommand_required = true)]
 #[command(infer_long_args = false, max_term_width = 100)]
 pub(crate) struct Cli {
-    /// Say nothing but errors
+    /// Print errors only
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     pub(crate) quiet: bool,
 
-    /// Say what is done and how long it takes
+    /// Print what luxel does, with timings
     #[arg(short, long, global = true)]
     pub(crate) verbose: bool,
 
@@ -30,7 +30,7 @@ pub(crate) struct Cli {
     pub(crate) command: Command,
 }
 
-/// What to do.
+/// The commands.
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
     View(Box<view::ViewCommand>),
@@ -75,15 +75,15 @@ impl Command {
     }
 }
 
-/// The words of the command line, as [`with_command`] completes them.
+/// The arguments of the process, completed by [`with_command`].
 pub(crate) fn words() -> Vec<OsString> {
     with_command(std::env::args_os())
 }
 
-/// The words of the command line, with `view` put in where they name no command.
+/// The arguments, with `view` inserted if they name no command.
 ///
-/// The first word that is no global flag decides: `luxel info` is the command, `luxel view info` a file
-/// of that name.
+/// The first word that is not a global flag decides: `luxel info` is the command, `luxel view info`
+/// opens a file of that name.
 fn with_command(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut words: Vec<_> = words.into_iter().collect();
     let of_all = ["-q", "--quiet", "-v", "--verbose"];
@@ -113,7 +113,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn without_a_command_it_is_view() {
+    fn the_default_command_is_view() {
         for (line, expected) in [
             ("luxel", "luxel view"),
             ("luxel a.glb --size 3x3", "luxel view a.glb --size 3x3"),
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_of_options_is_sound() {
+    fn clap_accepts_the_table_of_options() {
         Cli::command().debug_assert();
     }
 
@@ -141,6 +141,17 @@ mod tests {
             assert!(command.get_about().is_some(), "{}", command.get_name());
             for flag in command.get_arguments() {
                 assert!(flag.get_help().is_some(), "{} {}", command.get_name(), flag.get_id());
+            }
+        }
+    }
+
+    #[test]
+    fn the_flags_in_remedies_of_findings_exist() {
+        for kind in luxel::check::Kind::ALL {
+            if let Some((_, flags)) = crate::flag_words::cure(kind).split_once("in luxel: ") {
+                let line = ["luxel", "render", "x.obj", "-o", "x.png"];
+                let words = line.into_iter().chain(flags.split(' '));
+                assert!(Cli::command().try_get_matches_from(words).is_ok(), "{flags}");
             }
         }
     }

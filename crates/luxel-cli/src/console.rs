@@ -8,7 +8,7 @@ use std::io::{IsTerminal, Write};
 pub(crate) struct Console {
     /// Errors only.
     quiet: bool,
-    /// Also what is done and how long it takes.
+    /// Also the work done, with timings.
     verbose: bool,
 }
 
@@ -16,7 +16,7 @@ pub(crate) struct Console {
 const ERROR: &str = "\x1b[1;31m";
 /// Bold yellow, for `warning`.
 const WARNING: &str = "\x1b[1;33m";
-/// Back to normal.
+/// Resets the colour.
 const RESET: &str = "\x1b[0m";
 
 impl Console {
@@ -31,7 +31,7 @@ impl Console {
         }
     }
 
-    /// Prints a notice of what was done.
+    /// Prints a notice of work done.
     #[cfg(feature = "viewer")]
     pub(crate) fn notice(self, message: &str) {
         if !self.quiet {
@@ -39,7 +39,7 @@ impl Console {
         }
     }
 
-    /// Prints a message if `--verbose` is given.
+    /// Prints a message with `--verbose`.
     pub(crate) fn detail(self, message: &str) {
         if self.verbose {
             write(&format!("luxel: {}\n", printable(message)));
@@ -53,7 +53,7 @@ impl Console {
     }
 }
 
-/// Prints an error: what and where on the first line, the remedy below it.
+/// Prints an error: the problem and its place on the first line, the remedy below.
 pub(crate) fn error(lines: &[&str]) {
     print_message("error", ERROR, lines);
 }
@@ -71,12 +71,12 @@ fn print_message(kind: &str, color: &str, lines: &[&str]) {
     write(&text);
 }
 
-/// Writes to the standard error; work goes on where it is closed.
+/// Writes to the standard error; ignores a closed one.
 fn write(text: &str) {
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// Colours appear on a terminal that has them, unless `NO_COLOR` is set to anything
+/// Colours need a terminal that supports them and an unset `NO_COLOR`
 /// (<https://no-color.org>).
 fn colored() -> bool {
     std::io::stderr().is_terminal()

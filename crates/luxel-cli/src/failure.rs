@@ -9,38 +9,38 @@ use std::process::ExitCode;
 /// signal.
 pub(crate) const INTERRUPTED: u8 = 130;
 
-/// Why the work was not done.
+/// The reason of a failure.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// The flags make no sense together: status 2.
+    /// Contradictory flags: status 2.
     Usage(String),
-    /// The work could not be done: status 1.
+    /// The work failed: status 1.
     Work {
-        /// What is wrong, with its place.
+        /// The problem, with its place.
         what: String,
         /// The remedy; empty if `what` contains it.
         remedy: String,
     },
-    /// A check has reported findings: status 3.
+    /// A check reported findings: status 3.
     Findings,
-    /// The reader of the standard output has closed it: no error.
+    /// The reader closed the standard output: not an error.
     OutputClosed,
-    /// A signal has interrupted the program, which has cleaned up: status 130.
+    /// A signal interrupted the program, which cleaned up: status 130.
     #[cfg(feature = "viewer")]
     Interrupted,
 }
 
 impl Failure {
-    /// Work that could not be done.
+    /// A failure of the work.
     pub(crate) fn work(what: impl Into<String>, remedy: impl Into<String>) -> Self {
         Self::Work { what: what.into(), remedy: remedy.into() }
     }
 
-    /// A file that a flag names, and that could not be written.
+    /// A failure to write the file that a flag names.
     pub(crate) fn writing(path: &Path, error: &std::io::Error, flag: &str) -> Self {
         Self::work(
             format!("{}: can't be written: {error}", path.display()),
-            format!("choose another place with {flag}, or free the one chosen"),
+            format!("choose another file with {flag}, or make this one writable"),
         )
     }
 
@@ -49,11 +49,14 @@ impl Failure {
         if error.kind() == std::io::ErrorKind::BrokenPipe {
             Self::OutputClosed
         } else {
-            Self::work(format!("standard output: {error}"), "free what it is written to")
+            Self::work(
+                format!("standard output: {error}"),
+                "check the program or device that receives it",
+            )
         }
     }
 
-    /// The status with which the program ends.
+    /// The exit status of the program.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Usage(_) => ExitCode::from(2),
@@ -65,7 +68,7 @@ impl Failure {
         }
     }
 
-    /// The lines for the standard error.
+    /// The lines to print to the standard error.
     pub(crate) fn lines(&self) -> Vec<&str> {
         match self {
             Self::Usage(what) => vec![what, "for more, try `luxel help`"],
@@ -82,21 +85,21 @@ impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         let remedy = match &error.kind {
             ErrorKind::Io(io) if io.kind() == std::io::ErrorKind::NotFound => {
-                "check the name; `luxel demos` lists the scenes that need no file"
+                "check the name; `luxel demos` lists the built-in scenes"
             }
             ErrorKind::Io(io) if io.kind() == std::io::ErrorKind::IsADirectory => {
                 "choose a model file in it"
             }
-            ErrorKind::Io(_) => "check that it is a file that you may read",
+            ErrorKind::Io(_) => "check that it is a file that you have permission to read",
             ErrorKind::Malformed(_) if matches!(error.place, Place::LineColumn(..)) => {
-                "docs/scene-files.md and `luxel schema` say what may stand in a scene file"
+                "docs/scene-files.md and `luxel schema` describe scene files"
             }
             ErrorKind::Malformed(_) | ErrorKind::OutOfRange { .. } => {
-                "the file is damaged or written wrongly: export it again"
+                "the file is damaged or its exporter is faulty: export it again"
             }
             ErrorKind::Truncated(_) => "the file is incomplete: copy or export it again",
             ErrorKind::Unsupported(_) | ErrorKind::UnknownFormat(_) => {
-                "export it in another way: glb, gltf, obj, stl or ply"
+                "export it in another format or with other settings: glb, gltf, obj, stl or ply"
             }
             // The message contains the remedy.
             _ => "",

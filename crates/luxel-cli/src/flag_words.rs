@@ -1,6 +1,7 @@
-//! Errors, warnings and advice of the libraries, worded as flags.
+//! Words the hints of library errors, warnings and advice as flags.
 
-use luxel::formats::{Error, Hint, UnknownFormat, Warning};
+use luxel::check::{Hint as MeshHint, Kind};
+use luxel::formats::{Error, Hint, Section, UnknownFormat, Warning};
 
 /// An error with its hint.
 pub(crate) fn error_text(error: &Error) -> String {
@@ -21,7 +22,8 @@ pub(crate) fn unknown_format_text(error: &UnknownFormat) -> String {
 fn hint_text(hint: Option<Hint>) -> &'static str {
     match hint {
         Some(Hint::RaiseMemoryLimit) => ": raise it with --max-memory",
-        Some(Hint::PassFormat) => ": say it with --format",
+        Some(Hint::PassFormat) => ": set it with --format",
+        Some(Hint::ListNames) => ": `luxel info` lists the objects and materials of a model",
         Some(Hint::ScaleLights) => {
             ": see --light-scale, such as 0.00146 (1/683) for lights that were watts"
         }
@@ -29,24 +31,23 @@ fn hint_text(hint: Option<Hint>) -> &'static str {
     }
 }
 
-/// A text whose settings in backticks become flags: `` `shading flat` `` is `--shading flat`.
-pub(crate) fn with_flags(text: &str) -> String {
-    let parts = text.split('`').enumerate();
-    parts
-        .map(|(place, part)| if place % 2 == 1 { format!("--{part}") } else { part.into() })
-        .collect()
+/// The help of a section of scene files.
+pub(crate) fn about(section: &Section) -> String {
+    let Section { about, setting, .. } = section;
+    setting.map_or_else(
+        || (*about).to_owned(),
+        |setting| format!("{about}; the keys are the fields of --{setting}"),
+    )
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn settings_become_flags() {
-        assert_eq!(
-            with_flags("try (`normals mean` `crease 4`)"),
-            "try (--normals mean --crease 4)"
-        );
-        assert_eq!(with_flags("nothing"), "nothing");
-    }
+/// The remedy of a finding, with the flags that apply it.
+pub(crate) fn cure(kind: Kind) -> String {
+    let flags = match kind.hint() {
+        Some(MeshHint::ComputeNormals) => "--normals area-angle",
+        Some(MeshHint::ComputeNormalsWithCreases) => "--normals area-angle --crease 40",
+        Some(MeshHint::ShadePerPixel) => "--shading phong",
+        Some(MeshHint::InterpolateInSpace) => "--interpolation perspective",
+        _ => return kind.cure().to_owned(),
+    };
+    format!("{}; in luxel: {flags}", kind.cure())
 }

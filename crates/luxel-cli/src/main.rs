@@ -1,7 +1,7 @@
-//! The program `luxel`: model files to lit pictures, from the command line.
+//! The program `luxel` renders 3D models from the command line.
 //!
-//! Results go to the standard output, everything else to the standard error. Status 0: done; 1: the
-//! work could not be done; 2: wrong usage; 3: a check has found something.
+//! Results go to the standard output, all else to the standard error. Status 0: success; 1: the
+//! work failed; 2: wrong usage; 3: a check has findings.
 
 #![forbid(unsafe_code)]
 
@@ -34,10 +34,10 @@ fn main() -> ExitCode {
         let place = panic.location().map(ToString::to_string).unwrap_or_default();
         console::error(&[
             &format!("this is a bug in luxel ({place})"),
-            "please report it with the command and the file that led here",
+            "please report it with the command and the file that caused it",
         ]);
     }));
-    // The hook has printed the message; an abort would add nothing useful.
+    // The panic hook has already printed the message.
     std::panic::catch_unwind(run).unwrap_or(ExitCode::FAILURE)
 }
 

@@ -17,11 +17,11 @@ use std::time::Instant;
 /// A scene, with the format and the warnings of its reader.
 #[derive(Debug)]
 pub(crate) struct Model {
-    /// What the input holds.
+    /// The content of the input.
     pub(crate) scene: Scene,
-    /// The format's name, `demo` for a scene of the program's own.
+    /// The format's name, `demo` for a built-in scene.
     pub(crate) format: &'static str,
-    /// What was left out or replaced.
+    /// The parts left out or replaced.
     pub(crate) warnings: Vec<String>,
 }
 
@@ -42,7 +42,7 @@ pub(crate) fn load(
     load_with_progress(input, execution, console, None)
 }
 
-/// As [`load`], with progress that another thread may display or stop.
+/// Like [`load`], with progress that another thread may display or cancel.
 pub(crate) fn load_with_progress(
     input: &InputOptions,
     execution: &ExecutionOptions,
@@ -84,7 +84,7 @@ fn demo(name: &str) -> Result<Model, Failure> {
     Ok(Model { scene, format: "demo", warnings: Vec::new() })
 }
 
-/// Reads a file as a given format.
+/// Reads a file in a given format.
 fn open_as(path: &Path, format: Format, limits: &Limits) -> Result<Loaded, Error> {
     let in_file = |error: std::io::Error| Error::at(Place::File, error.into()).in_file(path);
     let mut file = File::open(path).map_err(in_file)?;
@@ -126,7 +126,7 @@ fn read_all(input: &mut dyn Read, what: &str, limits: &Limits) -> Result<Vec<u8>
     Ok(bytes)
 }
 
-/// A sound file that holds nothing to be seen.
+/// A valid file without anything to draw.
 pub(crate) fn nothing_to_draw(name: &str) -> Failure {
-    Failure::work(format!("{name}: nothing to draw"), "it holds no triangles, lines or points")
+    Failure::work(format!("{name}: nothing to draw"), "the file has no triangles, lines or points")
 }

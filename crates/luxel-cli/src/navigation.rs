@@ -8,8 +8,8 @@ use luxel::scene::{Camera, DVec3, Scene};
 use std::ffi::OsStr;
 use std::io::Read;
 
-/// Where a navigation begins: the camera that the flags ask for, about the target, else about the
-/// middle of the scene.
+/// The initial state of navigation: the camera of the flags, orbiting the target, else the
+/// centre of the scene.
 ///
 /// # Errors
 /// As [`camera::choose`].
@@ -39,13 +39,10 @@ pub(crate) fn read_log(path: &OsStr, max_memory: u64) -> Result<(Log, Vec<usize>
         (path.to_string_lossy(), file.and_then(|file| read_text(file, max_memory)))
     };
     let text = text.map_err(|error| {
-        Failure::work(
-            format!("{name}: {error}"),
-            "name a log of events, as docs/navigation.md says",
-        )
+        Failure::work(format!("{name}: {error}"), "docs/navigation.md describes the log format")
     })?;
     Log::with_lines(&text).map_err(|error| {
-        let remedy = "correct the line; docs/navigation.md lists what may stand there";
+        let remedy = "correct the line; docs/navigation.md describes the log format";
         Failure::work(format!("{name}: {error}"), remedy)
     })
 }

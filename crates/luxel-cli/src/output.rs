@@ -11,7 +11,7 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
     print_bytes(text.as_bytes())
 }
 
-/// Prints bytes as they are.
+/// Prints bytes verbatim.
 pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut output = io::stdout().lock();
     output
@@ -20,19 +20,19 @@ pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
         .map_err(|error| Failure::standard_output(&error))
 }
 
-/// Prints a JSON document on a line of its own.
+/// Prints a JSON document as one line.
 pub(crate) fn print_json(document: &serde_json::Value) -> Result<(), Failure> {
     print(&format!("{document}\n"))
 }
 
-/// The file being written, which an interrupt has to remove.
+/// The file being written, which an interrupt must remove.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
-/// Runs on an interrupt; returns whether the program ends by itself then.
+/// Runs on an interrupt; returns whether the program then exits by itself.
 type OnInterrupt = Box<dyn FnOnce() -> bool + Send>;
 static ON_INTERRUPT: Mutex<Option<OnInterrupt>> = Mutex::new(None);
 static INTERRUPTS: Once = Once::new();
 
-/// Writes a file under another name first and renames it, so that it is complete or absent. An existing
+/// Writes a file under another name and renames it, so that it is complete or absent. An existing
 /// pipe or device is written to directly.
 pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let failure = |error: io::Error| Failure::writing(path, &error, "-o");
@@ -43,7 +43,7 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         }
         _ => {}
     }
-    // A link stays a link: what it leads to is replaced.
+    // Follows links: their target is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let unfinished = unfinished_name(&target);
     remove_on_interrupt(&unfinished);
@@ -60,7 +60,7 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     written.map_err(failure)
 }
 
-/// Fails before any work is done if a file that a flag names has no folder.
+/// Fails before any work if the folder of a flag's file is missing.
 pub(crate) fn check_folder(path: &Path, flag: &str) -> Result<(), Failure> {
     if path.is_dir() {
         let remedy = format!("name a file in it with {flag}");
@@ -74,16 +74,16 @@ pub(crate) fn check_folder(path: &Path, flag: &str) -> Result<(), Failure> {
         Ok(())
     } else {
         let what = format!("{}: there is no folder {}", path.display(), folder.display());
-        Err(Failure::work(what, format!("make it first, or choose another place with {flag}")))
+        Err(Failure::work(what, format!("create it, or choose another file with {flag}")))
     }
 }
 
-/// Fails before any work is done if a file that a flag names can't be written; changes nothing.
+/// Fails before any work if a flag's file can't be written; changes nothing.
 #[cfg(feature = "viewer")]
 pub(crate) fn check_writable(path: &Path, flag: &str) -> Result<(), Failure> {
     check_folder(path, flag)?;
     if fs::metadata(path).is_ok_and(|there| !there.is_file()) {
-        // To open a pipe would be to wait for its reader.
+        // Opening a pipe would wait for its reader.
         return Ok(());
     }
     let unfinished = unfinished_name(&fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()));
@@ -98,11 +98,11 @@ pub(crate) fn check_writable(path: &Path, flag: &str) -> Result<(), Failure> {
         .map_err(|error| Failure::writing(path, &error, flag))
 }
 
-/// A name beside the file's, so that renaming stays within one file system.
+/// A name in the same folder, so that renaming stays within one file system.
 fn unfinished_name(path: &Path) -> PathBuf {
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().unwrap_or_default());
-    // WebAssembly's programs have no numbers, and asking for one ends them.
+    // WebAssembly has no process ids, and querying one aborts.
     let number = if cfg!(target_family = "wasm") { 0 } else { std::process::id() };
     name.push(format!(".{number}.part"));
     path.with_file_name(name)
@@ -113,8 +113,8 @@ fn remove_on_interrupt(unfinished: &Path) {
     handle_interrupts();
 }
 
-/// Sets what runs on the next interrupt. If it returns true, the program ends by itself, and only a
-/// second interrupt ends it at once.
+/// Sets the handler of the next interrupt. If it returns true, the program exits by itself, and
+/// only a second interrupt ends it at once.
 #[cfg(feature = "viewer")]
 pub(crate) fn on_interrupt(action: OnInterrupt) {
     *ON_INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner) = Some(action);
@@ -123,8 +123,8 @@ pub(crate) fn on_interrupt(action: OnInterrupt) {
 
 fn handle_interrupts() {
     INTERRUPTS.call_once(|| {
-        // Without a handler the system ends the program, which is right but for the unfinished file
-        // and for terminals that are in use.
+        // Without a handler the system ends the program, which is right except for the unfinished
+        // file and for terminals in raw mode.
         #[cfg(not(target_family = "wasm"))]
         let _ = ctrlc::set_handler(|| {
             let action = ON_INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner).take();

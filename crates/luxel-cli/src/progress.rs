@@ -1,4 +1,4 @@
-//! A progress bar for long work: on terminals, in builds with the feature.
+//! A progress bar, on terminals and in builds with the feature.
 
 use crate::console::Console;
 
@@ -10,7 +10,7 @@ pub(crate) struct Progress {
 
 #[cfg(feature = "progress")]
 impl Progress {
-    /// Nothing is shown for a single step.
+    /// A single step shows no bar.
     pub(crate) fn new(console: Console, steps: usize, unit: &str) -> Self {
         use indicatif::{ProgressBar, ProgressStyle};
         if steps < 2 || !console.shows_progress() {
@@ -24,12 +24,12 @@ impl Progress {
         }
     }
 
-    /// One more step is done.
+    /// Advances by one step.
     pub(crate) fn step(&self) {
         self.bar.inc(1);
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub(crate) fn finish(&self) {
         self.bar.finish_and_clear();
     }

@@ -1,8 +1,8 @@
-//! The flags that a scene file brings: `[render]` read by the table of options of the command line.
+//! Merges the `[render]` settings of a scene file into the command line.
 //!
-//! The keys of `[render]` are the flags of `luxel render`, and their values are read by the flags'
-//! own parsers: the settings are inserted into the command line, so that no command knows where a
-//! flag came from. Flags that the user gives win, and so do flags that exclude one of the file's.
+//! The keys of `[render]` are the flags of `luxel render`, and the flags' parsers read their
+//! values: the settings are inserted into the command line, so that commands don't distinguish the
+//! two. Flags on the command line override settings, and drop settings that they conflict with.
 
 pub(crate) mod flags;
 pub(crate) mod schema;
@@ -20,12 +20,12 @@ use std::error::Error as _;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Why the line has no command to run.
+/// The reason why no command runs.
 #[derive(Debug)]
 pub(crate) enum Refusal {
-    /// Clap's message: help, version, or an error in the line.
+    /// Clap's message: help, version, or an error in the command line.
     Line(Box<clap::Error>),
-    /// The scene file is wrong.
+    /// The scene file is invalid.
     File(Failure),
 }
 
@@ -35,7 +35,7 @@ impl From<clap::Error> for Refusal {
     }
 }
 
-/// The command and the flags of a line, with the settings of its scene file, if its model is one.
+/// The command and its flags, with the settings of the scene file, if the model is one.
 pub(crate) fn matches(of: fn() -> Command, line: &[OsString]) -> Result<ArgMatches, Refusal> {
     let mut program = of();
     // Building adds the global flags to the commands.
@@ -66,7 +66,7 @@ pub(crate) fn matches(of: fn() -> Command, line: &[OsString]) -> Result<ArgMatch
     Ok(of().try_get_matches_from(longer)?)
 }
 
-/// The settings of the model, if it is a scene file. A file that can't be read fails later, when it is
+/// The settings of the model, if it is a scene file. An unreadable file fails later, when it is
 /// opened.
 fn settings(given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
     let Ok(Some(name)) = given.try_get_one::<OsString>("model") else { return Ok(Vec::new()) };
@@ -86,8 +86,8 @@ fn settings(given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
     })
 }
 
-/// The settings make sense, each by itself and all together: for `luxel render`, whatever the
-/// command is, so that a file is right or wrong for all of them.
+/// Checks the settings, each by itself and all together, against `luxel render` whatever the
+/// command, so that a file is valid or invalid for all commands.
 pub(crate) fn check(settings: &[Setting], render: &Command) -> Result<(), Error> {
     let mut all: Vec<OsString> = Vec::new();
     for setting in settings {
@@ -126,7 +126,7 @@ pub(crate) fn check(settings: &[Setting], render: &Command) -> Result<(), Error>
     }
 }
 
-/// The setting that a flag as clap writes it, `--fov <DEG>`, came from.
+/// The setting behind a flag in clap's notation, `--fov <DEG>`.
 fn named<'s>(settings: &'s [Setting], flag: &str) -> Option<&'s Setting> {
     let name = flag.split([' ', '=']).next()?.trim_start_matches('-');
     settings.iter().find(|setting| setting.name == name)
@@ -139,24 +139,24 @@ fn try_render(render: &Command, words: &[OsString]) -> Result<(), clap::Error> {
     render.clone().no_binary_name(false).try_get_matches_from(line).map(|_| ())
 }
 
-/// What is wrong with a value, in the words of its parser; `None` if something else is wrong.
+/// The parser's message about a value; `None` if the error is another one.
 fn value_error(error: &clap::Error) -> Option<String> {
     match error.kind() {
         UsageKind::ValueValidation => error.source().map(ToString::to_string),
         UsageKind::InvalidValue => {
             let Some(ContextValue::Strings(choices)) = error.get(ContextKind::ValidValue) else {
-                return Some("this means nothing here".to_owned());
+                return Some("not allowed here".to_owned());
             };
             Some(format!("use {}", choices.join(", ")))
         }
         UsageKind::UnknownArgument | UsageKind::TooManyValues | UsageKind::WrongNumberOfValues => {
-            Some("this means nothing here".to_owned())
+            Some("not allowed here".to_owned())
         }
         _ => None,
     }
 }
 
-/// A setting as words of the command line.
+/// A setting as command line arguments.
 fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
     let name = &setting.name;
     let given = |value: &String| OsString::from(format!("--{name}={value}"));
@@ -164,15 +164,17 @@ fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
         (ArgAction::SetTrue, SettingValue::Switch(true)) => Ok(vec![format!("--{name}").into()]),
         (ArgAction::SetTrue, SettingValue::Switch(false)) => Ok(Vec::new()),
         (ArgAction::SetTrue, _) => Err("use true or false".to_owned()),
-        (_, SettingValue::Switch(_)) => Err("true and false mean nothing here".to_owned()),
+        (_, SettingValue::Switch(_)) => {
+            Err("expected a number or a string, found a boolean".to_owned())
+        }
         (_, SettingValue::One(value)) => Ok(vec![given(value)]),
         (ArgAction::Append, SettingValue::Many(values)) => Ok(values.iter().map(given).collect()),
         (_, SettingValue::Many(values)) => Ok(vec![given(&values.join(","))]),
     }
 }
 
-/// The words that a setting adds to a line: none if the line has the flag or one that excludes it, or
-/// if the command has no such flag.
+/// The arguments that a setting adds: none if the command line has the flag or a conflicting one,
+/// or if the command has no such flag.
 pub(crate) fn flags_for(setting: &Setting, command: &Command, given: &ArgMatches) -> Vec<OsString> {
     let on_line = |arg: &Arg| {
         let id = arg.get_id().as_str();

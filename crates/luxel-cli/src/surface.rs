@@ -11,7 +11,7 @@ pub(crate) fn apply_material(options: &MaterialOptions, scene: &mut Scene) {
     }
 }
 
-/// The changes of materials that the flags ask for.
+/// The changes of materials by flags.
 pub(crate) fn restyle(options: &MaterialOptions) -> Restyle {
     let mut restyle = Restyle {
         color: options.color,
@@ -25,13 +25,13 @@ pub(crate) fn restyle(options: &MaterialOptions) -> Restyle {
     restyle
 }
 
-/// Computes normals by the flags, and tangents where normal maps need them.
+/// Computes normals as the flags specify, and tangents for normal maps.
 pub(crate) fn apply_normals(options: &ShadingOptions, scene: &mut Scene) {
     scene.compute_normals(&normal_options(options));
     scene.compute_tangents();
 }
 
-/// The source of normals, by the flags.
+/// The source of normals from the flags.
 pub(crate) fn normal_options(options: &ShadingOptions) -> NormalOptions {
     let source = match options.normals {
         NormalsChoice::File => NormalSource::File,

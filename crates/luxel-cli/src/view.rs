@@ -1,9 +1,7 @@
-//! Makes the view and the execution options of the renderer from flags.
+//! Builds the renderer's view and execution options from flags.
 
 use crate::failure::Failure;
-use crate::options::{
-    EncodingChoice, ExecutionOptions, FrameOptions, LightOptions, ModeOptions, PictureOptions,
-};
+use crate::options::{EncodingChoice, ExecutionOptions, LightOptions, ViewOptions};
 use luxel::lighting::PictureEncoding;
 use luxel::render::{Edges, EnvironmentChoice, Execution, View};
 use luxel::scene::{Camera, Scene, SceneLight};
@@ -13,16 +11,14 @@ use std::time::{Duration, Instant};
 /// The view of a scene.
 ///
 /// # Errors
-/// [`Failure::Usage`], if two lights have one name, or shading flags don't go together.
+/// [`Failure::Usage`] if two lights share a name, or shading flags conflict.
 pub(crate) fn view(
-    frame: &FrameOptions,
-    light: &LightOptions,
-    mode: &ModeOptions,
-    picture: &PictureOptions,
+    options: &ViewOptions,
     edges: Option<Edges>,
     camera: Camera,
     scene: &Scene,
 ) -> Result<View, Failure> {
+    let ViewOptions { frame, light, mode, picture, .. } = options;
     let (mut lights, mut ambient) = lights(light, scene)?;
     if let Some(scale) = light.light_scale {
         lights.iter_mut().for_each(|light| light.light.scale(scale));
@@ -44,8 +40,8 @@ pub(crate) fn view(
         .with_shading(mode.shading()?))
 }
 
-/// The lights and the scene's ambient light: those of the line, else of the file, else the default
-/// ones. Ambient light alone takes no other away.
+/// The lights and the scene's ambient light: from the command line, else the file, else the default
+/// ones. Ambient light alone replaces no other light.
 fn lights(options: &LightOptions, scene: &Scene) -> Result<(Vec<SceneLight>, [f32; 3]), Failure> {
     let ambient = options.ambient.or(scene.ambient);
     if !options.lights.is_empty() {
@@ -53,7 +49,7 @@ fn lights(options: &LightOptions, scene: &Scene) -> Result<(Vec<SceneLight>, [f3
         let lights: Vec<_> = named.map(|(place, light)| light.clone().named(place)).collect();
         for (place, light) in lights.iter().enumerate() {
             if lights[..place].iter().any(|other| other.name == light.name) {
-                let message = format!("two lights are called `{}`: rename one", light.name);
+                let message = format!("two lights have the name `{}`: rename one", light.name);
                 return Err(Failure::Usage(message));
             }
         }

@@ -1,4 +1,4 @@
-//! Long files, read block by block.
+//! Block-wise reading of long files.
 
 use crate::files::{LONG, checked};
 use crate::{Error, ErrorKind, Limits, Place, Progress};
@@ -9,15 +9,15 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Reads blocks of a long file on demand into a buffer that each thread keeps: the file needs no
-/// memory of its own, and the system zeroes no pages for it.
+/// Reads blocks of a long file on demand into a per-thread buffer: the file isn't
+/// held in memory, and the system zeroes no pages for it.
 pub(crate) struct BlockReader<'a> {
     path: &'a Path,
     length: u64,
     progress: Option<&'a Progress>,
     /// Bytes that `progress` has counted.
     reported: AtomicU64,
-    /// The first failure to read.
+    /// The first read error.
     failure: Mutex<Option<std::io::Error>>,
 }
 

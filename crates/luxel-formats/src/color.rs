@@ -1,6 +1,6 @@
 //! Vertex colours, which files encode in sRGB.
 
-/// The linear value of an sRGB-encoded one (IEC 61966-2-1): v / 12.92 up to 0.04045, else
+/// Decodes sRGB to linear (IEC 61966-2-1): v / 12.92 up to 0.04045, else
 /// ((v + 0.055) / 1.055)^2.4. Values outside 0 to 1 are clamped; NaN becomes 0.
 pub(crate) fn linear(v: f64) -> f32 {
     let v = if v > 0.0 { v.min(1.0) } else { 0.0 };

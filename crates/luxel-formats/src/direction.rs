@@ -1,6 +1,6 @@
 //! Normalization of directions.
 
-/// The vector at unit length; 0 if it has no direction.
+/// The normalized vector; 0 if it has no direction.
 pub(crate) fn unit(vector: [f32; 3]) -> [f32; 3] {
     let [x, y, z] = vector.map(f64::from);
     let length = (x * x + y * y + z * z).sqrt();

@@ -34,9 +34,9 @@ pub struct Error {
     pub(crate) hint: Option<Hint>,
 }
 
-/// What the caller may do about an error or a warning.
+/// A remedy for an error or a warning.
 ///
-/// It is data: messages don't know how a program lets its users do it.
+/// Hints are data: each program words them with its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Hint {
@@ -46,6 +46,8 @@ pub enum Hint {
     PassFormat,
     /// Scale the lights: the file has them in lux, and pictures have no exposure.
     ScaleLights,
+    /// List the objects and materials of the models: the file names one that they lack.
+    ListNames,
     /// Build `luxel-formats` with this cargo feature.
     EnableFeature(&'static str),
 }
@@ -63,26 +65,26 @@ pub enum ErrorKind {
     /// The file ends too early.
     #[error("the file ends here, in the middle of {0}")]
     Truncated(String),
-    /// A number points to something that isn't there.
+    /// An index is out of range.
     #[error("{what} {index} doesn't exist: there are {count}")]
     OutOfRange {
-        /// What kind of thing.
+        /// The kind of item.
         what: &'static str,
-        /// The number as the file counts.
+        /// The index as written in the file.
         index: i64,
         /// How many there are.
         count: u64,
     },
-    /// The extension of the file is no format that luxel reads.
+    /// The extension of the file is not a format that luxel reads.
     #[error(transparent)]
     UnknownFormat(#[from] UnknownFormat),
     /// The file needs something that luxel can't do.
     #[error("{0}")]
     Unsupported(String),
-    /// This build lacks what reads the file.
+    /// This build lacks a reader that the file needs.
     #[error("{what} can't be read: luxel-formats was built without its feature `{feature}`")]
     MissingFeature {
-        /// What can't be read.
+        /// The unreadable part.
         what: String,
         /// The cargo feature that reads it.
         feature: &'static str,
@@ -90,7 +92,7 @@ pub enum ErrorKind {
     /// The file needs more memory than the limits allow.
     #[error("{what} would take {needed} bytes; the limit is {limit}")]
     TooLarge {
-        /// What needs it.
+        /// The purpose of the memory.
         what: String,
         /// Bytes needed.
         needed: u64,
@@ -98,7 +100,7 @@ pub enum ErrorKind {
         limit: u64,
     },
     /// [`Progress::stop`](crate::Progress::stop) was called.
-    #[error("reading was stopped")]
+    #[error("reading was cancelled")]
     Stopped,
 }
 
@@ -113,11 +115,12 @@ impl fmt::Display for UnknownFormat {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name } = self;
         if name.is_empty() {
-            return formatter.write_str("the name has no extension to tell the format");
+            return formatter
+                .write_str("the file name has no extension, which would give the format");
         }
         write!(
             formatter,
-            "`{name}` is no format that luxel reads: use glb, gltf, obj, stl, ply or toml"
+            "`{name}` is not a format that luxel reads: use glb, gltf, obj, stl, ply or toml"
         )
     }
 }
@@ -159,7 +162,7 @@ impl Error {
     }
 
     /// Adds the hint of another error whose message this one repeats.
-    #[cfg(feature = "gltf")]
+    #[cfg(any(feature = "gltf", feature = "toml"))]
     pub(crate) const fn with_hint(mut self, hint: Option<Hint>) -> Self {
         self.hint = hint;
         self

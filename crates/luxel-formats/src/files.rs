@@ -8,9 +8,9 @@ use std::path::Path;
 #[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
 use std::path::PathBuf;
 
-/// What one thread reads at a time.
+/// Bytes per read of one thread.
 const BLOCK: usize = 4 << 20;
-/// Shorter files are read in one go.
+/// Shorter files are read in one call.
 pub(crate) const LONG: u64 = 2 * BLOCK as u64;
 
 /// Reads a file.
@@ -26,7 +26,7 @@ pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> 
         read_stream(path, limits)
     };
     let bytes = read.map_err(|error| in_file(Error::at(Place::File, error.into())))?;
-    // `read_blocks` counts by itself.
+    // `read_blocks` counts the bytes itself.
     if let Some(progress) = limits.progress.as_ref().filter(|_| (bytes.len() as u64) < LONG) {
         progress.advance(metadata.len());
     }
@@ -35,7 +35,7 @@ pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> 
     Ok(bytes)
 }
 
-/// The metadata of a file that exists, is no folder and fits the limits.
+/// The metadata of a file that exists, is not a folder and fits the limits.
 pub(crate) fn checked(path: &Path, limits: &Limits) -> Result<Metadata, Error> {
     let in_file = |kind| Error::at(Place::File, kind).in_file(path);
     let metadata = std::fs::metadata(path).map_err(|error| in_file(error.into()))?;
@@ -80,17 +80,17 @@ fn read_blocks(path: &Path, length: u64, progress: Option<&Progress>) -> std::io
 /// The path of a file that a model refers to: within the model's folder, with either separator.
 ///
 /// # Errors
-/// A sentence that says what is wrong with the name.
+/// A message about the name.
 #[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
 pub(crate) fn within(folder: Option<&Path>, name: &str) -> Result<PathBuf, String> {
     let folder = folder.ok_or_else(|| {
-        format!("`{name}` isn't read: a model from the standard input has no folder beside it")
+        format!("`{name}` is not read: a model from standard input has no folder")
     })?;
     let parts = || name.split(['/', '\\']);
     // A drive letter, a scheme, or a stream of NTFS.
     let foreign = name.contains([':', '\0']);
     if name.is_empty() || foreign || name.starts_with(['/', '\\']) || parts().any(|p| p == "..") {
-        return Err(format!("`{name}` isn't read: it leads out of the model's folder"));
+        return Err(format!("`{name}` is not read: it leads out of the model's folder"));
     }
     Ok(folder.join(parts().filter(|part| *part != ".").collect::<PathBuf>()))
 }

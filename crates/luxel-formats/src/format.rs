@@ -1,14 +1,6 @@
 //! File formats, and a scene that was read from one of them.
 
-#[cfg(not(all(
-    feature = "gltf",
-    feature = "obj",
-    feature = "ply",
-    feature = "stl",
-    feature = "toml"
-)))]
-use crate::ErrorKind;
-use crate::{UnknownFormat, Warning};
+use crate::{ErrorKind, UnknownFormat, Warning};
 use luxel_scene::Scene;
 use std::str::FromStr;
 
@@ -26,18 +18,18 @@ pub enum Format {
     Stl,
     /// Stanford polygons, binary or ASCII.
     Ply,
-    /// A scene file of luxel's own: models, materials, lights, cameras.
+    /// A luxel scene file: models, materials, lights, cameras.
     Toml,
 }
 
 /// A scene, with the warnings of its reader.
 #[derive(Clone, Debug)]
 pub struct Loaded {
-    /// What the file holds.
+    /// The content of the file.
     pub scene: Scene,
     /// Its format.
     pub format: Format,
-    /// What was left out or replaced.
+    /// The parts left out or replaced.
     pub warnings: Vec<Warning>,
 }
 
@@ -68,13 +60,6 @@ impl Format {
     }
 
     /// The error of a build without its reader.
-    #[cfg(not(all(
-        feature = "gltf",
-        feature = "obj",
-        feature = "ply",
-        feature = "stl",
-        feature = "toml"
-    )))]
     pub(crate) fn missing_feature(self) -> ErrorKind {
         let (what, feature) = match self {
             Self::Gltf | Self::Glb => ("glTF", "gltf"),

@@ -1,9 +1,9 @@
 //! glTF 2.0 and GLB (Khronos, ISO/IEC 12113:2022).
 //!
-//! The pipeline: `container` splits the file, `document` parses and checks its JSON, `tree` orders
-//! the nodes, and `scene` builds what they show: `mesh` (from `vertices`, `accessor`, `buffers`),
-//! `materials`, `textures`, `lights` and `cameras`. Animations are at rest: nodes stand where the file
-//! puts them, morph targets have their default weights, skins follow their joints.
+//! The pipeline: `container` splits the file, `document` parses and checks its JSON, `tree` sorts
+//! the nodes, and `scene` builds their content: `mesh` (from `vertices`, `accessor`, `buffers`),
+//! `materials`, `textures`, `lights` and `cameras`. Animations are ignored: nodes have the file's
+//! transforms, morph targets their default weights, and skins follow their joints.
 
 mod accessor;
 mod buffers;
@@ -32,8 +32,8 @@ use crate::warnings::Warnings;
 use crate::{Error, Format, Limits, Loaded};
 use std::path::Path;
 
-/// Reads a document, in either wrapping. Nodes without names are called by their mesh, else by
-/// their number.
+/// Reads a document in either container. A node without a name takes that of its mesh, else
+/// its number.
 pub(crate) fn read(
     bytes: &[u8],
     format: Format,

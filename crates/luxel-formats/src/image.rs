@@ -1,6 +1,6 @@
 //! Decodes PNG and JPEG into 8-bit texels.
 //!
-//! Dimensions are checked against the limits, and against what so many bytes can hold at all,
+//! Dimensions are checked against the limits, and against the most that so many bytes can encode,
 //! before texels are allocated: a header can claim anything.
 
 #[cfg(feature = "jpeg")]
@@ -16,7 +16,7 @@ use luxel_scene::{Encoding, Image};
 #[cfg(not(all(feature = "jpeg", feature = "png")))]
 use texels::Decoded;
 
-/// Decodes a picture, whose format is known from its first bytes.
+/// Decodes an image; the first bytes decide its format.
 pub(crate) fn decode(
     name: &str,
     bytes: &[u8],
@@ -28,9 +28,9 @@ pub(crate) fn decode(
     } else if bytes.starts_with(&[0xff, 0xd8]) {
         jpeg(bytes, limits)?
     } else if bytes.is_empty() {
-        return Err("the picture is empty".into());
+        return Err("the image is empty".into());
     } else {
-        return Err("the picture is neither PNG nor JPEG: convert it to one of these".into());
+        return Err("the image is neither PNG nor JPEG: convert it to one of them".into());
     };
     Ok(Image::new(name, encoding, decoded.width, decoded.height, decoded.texels))
 }

@@ -6,7 +6,7 @@
 //! # Features
 //!
 //! All are on by default. A file that needs a feature which is off fails with
-//! [`ErrorKind::MissingFeature`]; a texture is replaced by a stand-in, with a [`Warning`].
+//! [`ErrorKind::MissingFeature`]; a placeholder replaces a texture, with a [`Warning`].
 //!
 //! - `gltf` reads glTF 2.0 and GLB.
 //! - `draco` reads glTF geometry compressed by `KHR_draco_mesh_compression`, and turns `gltf` on.

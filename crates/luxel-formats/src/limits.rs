@@ -1,4 +1,4 @@
-//! Limits of what a file may allocate, and the progress of reading.
+//! Limits of allocation, and the progress of reading.
 
 use crate::{Error, ErrorKind, Place};
 use std::sync::Arc;
@@ -11,11 +11,11 @@ pub struct Limits {
     pub max_memory: u64,
     /// How deep nodes, groups or JSON values may nest.
     pub max_depth: u32,
-    /// Reports how far reading has come, and stops it on request.
+    /// Reports progress, and cancels reading on request.
     pub progress: Option<Progress>,
 }
 
-/// How far reading has come. Clones share the counts, so that another thread can display them.
+/// The progress of reading. Clones share the counts, so that another thread can display them.
 #[derive(Clone, Debug, Default)]
 pub struct Progress(Arc<Counts>);
 
@@ -56,7 +56,7 @@ impl Progress {
     }
 }
 
-/// All are equal: progress is no limit.
+/// Always equal: progress is not a limit.
 impl PartialEq for Progress {
     fn eq(&self, _: &Self) -> bool {
         true
@@ -75,9 +75,8 @@ impl Default for Limits {
 impl Limits {
     /// Checks that `count` elements of `bytes_each` fit.
     ///
-    /// # Errors
-    /// [`ErrorKind::TooLarge`] if they don't, also where the product overflows; [`ErrorKind::Stopped`]
-    /// if [`Progress::stop`] was called.
+    /// # Errors [`ErrorKind::TooLarge`] if they don't, also where the product overflows;
+    /// [`ErrorKind::Stopped`] if [`Progress::stop`] was called.
     pub fn check(
         &self,
         what: &str,

@@ -3,8 +3,8 @@
 use crate::{Error, Limits, Place};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Counts bytes before they are allocated. Freed bytes count too, so that the budget bounds the work
-/// as well.
+/// Counts bytes before they are allocated. Freed bytes count too, so that the budget bounds the
+/// work as well.
 #[derive(Debug)]
 pub(crate) struct Memory<'a> {
     limits: &'a Limits,
@@ -31,7 +31,7 @@ impl<'a> Memory<'a> {
         Ok(())
     }
 
-    /// The limits, with what is left of the memory.
+    /// The limits, with the remaining memory.
     pub(crate) fn left(&self) -> Limits {
         let taken = self.taken.load(Ordering::Relaxed);
         let max_memory = self.limits.max_memory.saturating_sub(taken);

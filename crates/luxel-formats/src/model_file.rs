@@ -1,4 +1,4 @@
-//! Model files of all formats: whatever a scene file may name.
+//! Model files of all formats that a scene file may use.
 
 #[cfg(any(feature = "ply", feature = "stl"))]
 use crate::block_reader::BlockReader;
@@ -10,7 +10,7 @@ pub(crate) fn format_of(path: &Path) -> Result<Format, UnknownFormat> {
     path.extension().unwrap_or_default().to_string_lossy().parse()
 }
 
-/// Reads a model file, but for scene files; its extension is the format.
+/// Reads a model file other than a scene file; its extension decides the format.
 pub(crate) fn open(path: &Path, limits: &Limits) -> Result<Loaded, Error> {
     let format = format_of(path);
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -50,7 +50,7 @@ fn stream(_: &Path, _: Format, _: &str, _: &Limits) -> Result<Option<Loaded>, Er
     Ok(None)
 }
 
-/// Reads a model from bytes, as [`crate::read`], but for scene files.
+/// Reads a model other than a scene file from bytes, like [`crate::read`].
 #[cfg_attr(
     not(all(feature = "gltf", feature = "obj", feature = "ply", feature = "stl")),
     allow(unused_variables, reason = "some readers are left out of this build")
@@ -74,21 +74,15 @@ pub(crate) fn read(
         Format::Ply => crate::ply::read(bytes, name, limits),
         #[cfg(feature = "toml")]
         Format::Toml => {
-            let message = "scene files don't hold one another".to_owned();
+            let message = "scene files can't contain scene files".to_owned();
             Err(Error::at(Place::File, ErrorKind::Unsupported(message)))
         }
-        #[cfg(not(all(
-            feature = "gltf",
-            feature = "obj",
-            feature = "ply",
-            feature = "stl",
-            feature = "toml"
-        )))]
+        #[allow(unreachable_patterns, reason = "a build with all features has all readers")]
         format => Err(Error::at(Place::File, format.missing_feature())),
     }
 }
 
-/// Refuses a file without bytes.
+/// Refuses an empty file.
 pub(crate) fn check_not_empty(bytes: &[u8]) -> Result<(), Error> {
     if bytes.is_empty() {
         return Err(Error::at(Place::File, ErrorKind::Malformed("the file is empty".to_owned())));

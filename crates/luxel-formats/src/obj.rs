@@ -1,10 +1,10 @@
 //! OBJ with MTL, Wavefront's text format.
 //!
-//! An object is what follows an `o`; in a file without any, what follows a `g`; else the whole
-//! file. What comes before the first one, and what has no name, is called by the file's stem. A
-//! name that comes again goes on with its object only while that is the current one; later it is
-//! another object of the same name, as most readers have it. Objects without elements are left
-//! out. Vertex colours are sRGB; positions are shared within an object, and split attributes
+//! Each `o` begins an object; in a file without `o`, each `g` does; a file with neither is one
+//! object. Elements before the first statement, and objects without a name, take the file's stem.
+//! A repeated name continues its object only while that is the current one; later it begins
+//! another object of the same name, as in most readers. Objects without elements are left
+//! out. Vertex colours are sRGB; an object shares its positions, and split attributes
 //! (texture coordinates, normals) don't split them.
 
 mod build;

@@ -1,11 +1,11 @@
-//! Reading a path or bytes into a scene.
+//! Reads a path or bytes into a scene.
 
 use crate::{Error, Format, Limits, Loaded, model_file};
 #[cfg(feature = "toml")]
 use crate::{files, scene_toml};
 use std::path::Path;
 
-/// Reads a model file; its extension is the format.
+/// Reads a model file; its extension decides the format.
 ///
 /// # Errors
 /// [`Error`] with file and place, if the file can't be read, is damaged or exceeds the limits.
@@ -61,8 +61,8 @@ mod tests {
             (folder.join("missing.obj"), "missing.obj: "),
             (folder.join("folder.obj"), "folder.obj: this is a folder"),
             (write("empty.PLY", b""), "empty.PLY: the file is empty"),
-            (write("model", b"x"), "model: the name has no extension"),
-            (write("model.xyz", b"x"), "`xyz` is no format that luxel reads"),
+            (write("model", b"x"), "model: the file name has no extension"),
+            (write("model.xyz", b"x"), "`xyz` is not a format that luxel reads"),
         ] {
             let message = message(&path, &limits);
             assert!(message.contains(expected), "{message}");

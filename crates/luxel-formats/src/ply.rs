@@ -1,9 +1,9 @@
 //! PLY, the Stanford polygon format: a header that declares elements and their properties, then
 //! their values as text or bytes (Turk 1994).
 //!
-//! What is understood: `vertex` with positions, normals, colours and texture coordinates under
+//! Supported: `vertex` with positions, normals, colours and texture coordinates under
 //! their usual names; `face` with polygons and colours; `tristrips`; `edge`. Other elements and
-//! properties are skipped. Where both vertices and faces have colours, the vertices' count, unless
+//! properties are skipped. If both vertices and faces have colours, the vertices' win, unless
 //! they are all the same.
 
 mod build;
@@ -20,7 +20,7 @@ use header::{Element, Encoding, Header};
 use source::Source;
 use vertices::Vertices;
 
-/// Reads a PLY file, which is one object, called `name`.
+/// Reads a PLY file as one object called `name`.
 pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, Error> {
     let header = Header::read(bytes)?;
     let mut warnings = Warnings::default();
@@ -30,10 +30,10 @@ pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, 
     Ok(Loaded { scene, format: Format::Ply, warnings: warnings.finish() })
 }
 
-/// Bytes of a file that hold its header, or it isn't one that [`stream`] reads.
+/// Longest header that [`stream`] reads, in bytes.
 const HEAD: usize = 1 << 16;
 
-/// Reads a long binary file without holding it in memory: one of vertices and triangles alone.
+/// Reads a long binary file of vertices and triangles without holding it in memory.
 /// `None` for others.
 pub(crate) fn stream(
     file: &BlockReader<'_>,
@@ -65,7 +65,7 @@ pub(crate) fn stream(
     Ok(Some(Loaded { scene, format: Format::Ply, warnings: warnings.finish() }))
 }
 
-/// What a body holds.
+/// The content of a body.
 #[derive(Default)]
 struct Content {
     vertices: Vertices,
@@ -75,11 +75,11 @@ struct Content {
 
 fn read_body(header: &Header, mut source: Source<'_>, limits: &Limits) -> Result<Content, Error> {
     let vertex = header.elements.iter().find(|element| element.name == "vertex");
-    // Rows without values are none: they take no space in the file.
+    // Rows without values take no space in the file, so they don't count.
     let with_values = vertex.filter(|element| !element.properties.is_empty());
     let vertex_count = with_values.map_or(0, |element| element.count);
     if u32::try_from(vertex_count).is_err() {
-        let message = format!("{vertex_count} vertices are more than 32 bits can number");
+        let message = format!("{vertex_count} vertices are more than 32 bits can index");
         let line = vertex.map_or(1, |element| element.line);
         return Err(Error::at(Place::Line(line), ErrorKind::Unsupported(message)));
     }
@@ -104,13 +104,13 @@ fn read_body(header: &Header, mut source: Source<'_>, limits: &Limits) -> Result
     Ok(content)
 }
 
-/// Checks a count against what follows and against the limits, before anything is allocated.
+/// Checks a count against the bytes that follow and the limits, before allocating.
 fn check(element: &Element, source: &Source<'_>, limits: &Limits) -> Result<(), Error> {
     let place = || Place::Line(element.line);
     let left = source.bytes_left();
     if element.count.saturating_mul(source.least_bytes(element)) > left {
         let what = format!(
-            "element `{}`: the header says it has {} rows, but only {left} bytes follow",
+            "element `{}`: the header declares {} rows, but only {left} bytes follow",
             element.name, element.count
         );
         return Err(Error::at(Place::Byte(source.length()), ErrorKind::Truncated(what)));

@@ -1,8 +1,8 @@
-//! Scene files: TOML that places models, materials, lights and cameras.
+//! Scene files: TOML that combines models, materials, lights and cameras.
 //!
-//! `keys` lists all sections and keys: readers, the JSON schema and the documentation use that table.
-//! Values are parsed by [`values`](crate::values): the keys of a light are the fields of
-//! [`values::light`](crate::values::light()). `[render]` holds settings of the program that draws;
+//! `keys` lists all sections and keys: readers, the JSON schema and the documentation use that
+//! table. Values are parsed by [`values`](crate::values): the keys of a light are the fields of
+//! [`values::light`](crate::values::light()). `[render]` holds settings of the rendering program;
 //! [`scene_settings`] returns them as [`Setting`]s.
 
 mod cameras;
@@ -48,7 +48,7 @@ pub(crate) fn read(bytes: &[u8], folder: Option<&Path>, limits: &Limits) -> Resu
     Ok(Loaded { scene, format: Format::Toml, warnings: warnings.finish() })
 }
 
-/// Reads what no model owns: up, ambient light, environment, background, fog.
+/// Reads the scene-wide keys: up, ambient light, environment, background, fog.
 fn read_surroundings(
     document: &Document<'_>,
     root: &Table<'_>,

@@ -1,10 +1,10 @@
 //! STL: triangles without connections, binary or text.
 //!
-//! The content distinguishes the two: a file of exactly 84 + 50 n bytes, n being the count after its
-//! header, is binary whatever the header contains; otherwise text begins with `solid` and
-//! has a facet or an end before its first zero byte. Corners in the same place, bit for bit (-0 is
-//! 0), are welded, so that surfaces can be shaded smoothly. The normals of the file are left aside,
-//! since they say no more than the corners and are often wrong.
+//! The content distinguishes the two: a file of exactly 84 + 50 n bytes, n being the count after
+//! the header, is binary whatever the header contains; otherwise text begins with `solid` and has
+//! `facet` or `endsolid` before its first zero byte. Bitwise equal corners (-0 equals 0) are
+//! welded, so that surfaces can be shaded smoothly. The file's normals are ignored: they follow
+//! from the corners, and are often wrong.
 
 mod ascii;
 mod binary;
@@ -18,7 +18,7 @@ use luxel_scene::{DVec3, MaterialId, Mesh, MeshId, Node, Part, Scene, SceneMater
 /// A triangle's three indices, and up to three new positions with their keys.
 const BYTES_PER_TRIANGLE: u64 = 12 + 3 * (12 + BYTES_PER_KEY);
 
-/// Reads an STL file. Each solid is an object; `name` stands for solids without a name.
+/// Reads an STL file. Each solid is an object; solids without a name are called `name`.
 pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, Error> {
     let mut warnings = Warnings::default();
     let solids = if is_text(bytes) {
@@ -55,7 +55,7 @@ fn loaded(solids: Vec<(String, Facets)>, mut warnings: Warnings) -> Loaded {
 }
 
 fn is_text(bytes: &[u8]) -> bool {
-    // Keywords come soon: a name is seldom longer than this.
+    // Names are seldom longer than this, so a keyword comes before.
     const WITHIN: usize = 4096;
     if binary::declared_size(bytes) == Some(bytes.len() as u64) {
         return false;
@@ -67,7 +67,7 @@ fn is_text(bytes: &[u8]) -> bool {
     head.starts_with(b"solid") && (head.len() == bytes.len() || has(b"facet") || has(b"endsolid"))
 }
 
-/// Triangles whose corners are being welded.
+/// Welds the corners of triangles.
 struct Facets {
     welder: Welder,
     triangles: Vec<[u32; 3]>,
@@ -93,7 +93,7 @@ impl Facets {
         }
     }
 
-    /// Welds several triangles.
+    /// Welds a batch of triangles.
     fn push_all(&mut self, triangles: &[[[f32; 3]; 3]]) {
         let (eights, rest) = triangles.as_chunks::<8>();
         for eight in eights {
@@ -130,15 +130,15 @@ fn is_finite(corners: &[[f32; 3]; 3]) -> bool {
     corners.as_flattened().iter().all(|value| value.is_finite())
 }
 
-/// The key by which corners are welded. Adding 0 turns -0 into 0 and changes nothing else.
+/// The welding key of a corner. Adding 0 turns -0 into 0 and changes nothing else.
 fn key(corner: [f32; 3]) -> [u32; 3] {
     corner.map(|value| (value + 0.0).to_bits())
 }
 
-/// Checks that so many triangles can be numbered and held.
+/// Checks that indices and memory suffice for so many triangles.
 fn check_count(triangles: u64, limits: &Limits, place: Place) -> Result<(), Error> {
     if triangles > u64::from(u32::MAX) / 3 {
-        let message = format!("{triangles} triangles are more than 32 bits can number");
+        let message = format!("{triangles} triangles are more than 32 bits can index");
         return Err(Error::at(place, ErrorKind::Unsupported(message)));
     }
     limits.check("the triangles", triangles, BYTES_PER_TRIANGLE, place)

@@ -11,12 +11,12 @@ impl<'a> Words<'a> {
         Self { rest: line }
     }
 
-    /// How many bytes follow the last word.
+    /// The number of bytes after the last word.
     pub(crate) const fn unread(&self) -> usize {
         self.rest.len()
     }
 
-    /// All that follows, without blanks around it.
+    /// The rest of the line, trimmed.
     pub(crate) fn rest(&self) -> &'a [u8] {
         self.rest.trim_ascii()
     }
@@ -40,7 +40,7 @@ pub(crate) const fn is_blank(byte: u8) -> bool {
     byte <= b' '
 }
 
-/// A number, in the spellings of C libraries for infinities and NaN, too.
+/// A number; accepts the spellings of infinities and NaN of C libraries.
 pub(crate) fn number(word: &[u8]) -> Option<f64> {
     fast_float2::parse(word).ok().or_else(|| odd_number(word))
 }
@@ -87,7 +87,7 @@ pub(crate) fn integer(word: &[u8]) -> Option<i64> {
     Some(if negative { -value } else { value })
 }
 
-/// Bytes as text for messages and names; bytes that are no UTF-8 are replaced.
+/// Bytes as text for messages and names; bytes that are not UTF-8 are replaced.
 pub(crate) fn shown(bytes: &[u8]) -> String {
     const LONGEST: usize = 200;
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(LONGEST)]);
@@ -98,7 +98,7 @@ pub(crate) fn shown(bytes: &[u8]) -> String {
     text
 }
 
-/// The number of the line that a byte is in, from 1.
+/// The line number of a byte, from 1.
 pub(crate) fn line_of(bytes: &[u8], position: usize) -> u64 {
     let before = &bytes[..position.min(bytes.len())];
     before.iter().filter(|&&byte| byte == b'\n').count() as u64 + 1
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn words_are_apart_by_any_blanks() {
+    fn any_whitespace_separates_words() {
         let words: Vec<_> = Words::new(b"\t a  bc\r\n").collect();
         assert_eq!(words, [b"a".as_slice(), b"bc"]);
         let mut words = Words::new(b"newmtl\ta b \t");

@@ -7,7 +7,7 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Warning {
-    /// A sentence, with the place in the file.
+    /// The message, with the place in the file.
     pub message: String,
     /// A remedy that the message leaves out.
     pub hint: Option<Hint>,
@@ -53,7 +53,7 @@ impl From<ErrorKind> for Warning {
     }
 }
 
-/// How many warnings are kept: a file may have a million faults.
+/// Maximum number of warnings: a file may have a million faults.
 const MOST: usize = 64;
 
 /// Collects warnings.
@@ -64,7 +64,7 @@ pub(crate) struct Warnings {
 }
 
 impl Warnings {
-    /// Adds a warning, unless it is there already.
+    /// Adds a warning unless the list has it.
     pub(crate) fn push(&mut self, warning: impl Into<Warning>) {
         let warning = warning.into();
         if self.list.contains(&warning) {
@@ -77,7 +77,7 @@ impl Warnings {
         }
     }
 
-    /// All of them, with the number of those beyond the first few.
+    /// All warnings; the last one counts those beyond the limit.
     pub(crate) fn finish(mut self) -> Vec<Warning> {
         if self.dropped > 0 {
             self.list.push(format!("{} more warnings", self.dropped).into());

@@ -1,33 +1,33 @@
-//! Welding: equal keys get one number.
+//! Welding: equal keys get one index.
 
-/// A table from keys of three words to numbers, in the order in which the keys come first.
+/// A table from keys of three words to indices, in order of first occurrence.
 ///
 /// Open addressing with linear probing; a slot holds part of the hash, so that unequal keys are
-/// seldom compared. Numbers depend on the order of keys alone.
+/// seldom compared. Indices depend on the order of keys alone.
 #[derive(Debug)]
 pub(crate) struct Welder {
-    /// 0 for free, else the upper half of the hash over the number plus one.
+    /// 0 if free, else the upper half of the hash above the index plus one.
     slots: Vec<u64>,
     keys: Vec<[u32; 3]>,
 }
 
-/// Bytes that a key takes at most: itself, and slots for it before and after the table has grown.
+/// Maximum bytes of a key: itself, and its slots before and after the table grows.
 pub(crate) const BYTES_PER_KEY: u64 = 12 + 8 * 4;
 
 impl Welder {
-    /// A table that has room for about so many keys before it must grow.
+    /// A table with room for about so many keys before it grows.
     pub(crate) fn with_room_for(count: usize) -> Self {
         let slots = if count == 0 { 0 } else { (count * 3 / 2).max(16).next_power_of_two() };
         Self { slots: vec![0; slots], keys: Vec::with_capacity(count) }
     }
 
-    /// The number of a key, and whether it is new.
+    /// The index of a key, and whether it is new.
     #[inline]
     pub(crate) fn insert(&mut self, key: [u32; 3]) -> (u32, bool) {
         self.insert_hashed(key, hash(key))
     }
 
-    /// The numbers of several keys. Slots of large tables miss the cache: all are loaded before
+    /// The indices of several keys. Slots of large tables miss the cache: all are loaded before
     /// the first is used.
     #[inline]
     pub(crate) fn insert_all<const N: usize>(&mut self, keys: [[u32; 3]; N]) -> [u32; N] {
@@ -66,12 +66,12 @@ impl Welder {
         (index, true)
     }
 
-    /// The keys, by number, alone.
+    /// The keys by index, without the table.
     pub(crate) fn into_keys(self) -> Vec<[u32; 3]> {
         self.keys
     }
 
-    /// The keys, by number.
+    /// The keys by index.
     pub(crate) fn keys(&self) -> &[[u32; 3]] {
         &self.keys
     }

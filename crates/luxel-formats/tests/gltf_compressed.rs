@@ -2,7 +2,7 @@
 //! and by the one of Draco (npm `@gltf-transform/core` 4 with `meshoptimizer` 1.3.0 and
 //! `draco3dgltf`), has to come out the same.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel_formats::{Format, Limits, read};
 use luxel_scene::{DVec3, Scene};

@@ -1,4 +1,4 @@
-//! Damaged glTF: an error that tells the place, within the limits, and never a panic.
+//! Damaged glTF gives an error with its place, within the limits, and never a panic.
 
 mod documents;
 
@@ -15,7 +15,7 @@ fn text(json: &str) -> Result<(), Error> {
 }
 
 #[test]
-fn bad_syntax_is_told_by_line_or_byte() {
+fn syntax_errors_have_their_line_or_byte() {
     let error = text("{\n  \"asset\": }").unwrap_err();
     assert_eq!(error.place, Place::Line(2));
     let mut glb = Document::triangle().glb();
@@ -25,7 +25,7 @@ fn bad_syntax_is_told_by_line_or_byte() {
 }
 
 #[test]
-fn a_value_of_the_wrong_type_is_told_by_its_pointer() {
+fn a_value_of_the_wrong_type_is_an_error_with_its_pointer() {
     for (json, pointer) in [
         (r#"{"asset":{"version":"2.0"},"nodes":[{},{"children":[0,-1]}]}"#, "/nodes/1/children/1"),
         (r#"{"asset":{"version":"2.0"},"accessors":[{"count":"many"}]}"#, "/accessors/0/count"),
@@ -45,7 +45,7 @@ fn other_versions_are_refused() {
         assert!(documents::is_unsupported(&text(json).unwrap_err()), "{json}");
     }
     assert!(text("{}").is_err());
-    assert!(text(r#"{"asset":{"version":"2.0"}}"#).is_ok(), "nothing to draw is no damage");
+    assert!(text(r#"{"asset":{"version":"2.0"}}"#).is_ok(), "an empty document is valid");
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn json_may_not_nest_without_end() {
 type Fault = (fn(&mut Document), &'static str);
 
 #[test]
-fn faults_of_accessors_are_told_by_pointer() {
+fn errors_of_accessors_have_their_pointer() {
     let faults: &[Fault] = &[
         (
             |d| d.primitive()["attributes"]["POSITION"] = json!(7),
@@ -157,7 +157,7 @@ fn counts_are_checked_before_memory_is_taken() {
         json!({"componentType": 5126, "count": 4_000_000_000_u64, "type": "VEC3"});
     let error = document.read().unwrap_err();
     assert!(matches!(error.kind, ErrorKind::TooLarge { .. }), "{error}");
-    // What is asked for again and again counts again and again.
+    // Every request counts, also a repeated one.
     let mut document = Document::triangle();
     let zeros =
         document.push("accessors", json!({"componentType": 5126, "count": 9999, "type": "VEC3"}));
@@ -170,7 +170,7 @@ fn counts_are_checked_before_memory_is_taken() {
     assert!(matches!(error.kind, ErrorKind::TooLarge { .. }), "{error}");
 }
 
-/// A document with most of what the reader knows.
+/// A document with most features that the reader supports.
 fn rich() -> Document {
     let mut document = Document::triangle();
     let joints = document.accessor("VEC4", 5121, 3, &[0; 12]);

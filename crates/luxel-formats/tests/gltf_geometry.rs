@@ -99,7 +99,7 @@ fn a_stride_skips_what_lies_between() {
 }
 
 #[test]
-fn quantized_attributes_mean_what_the_extension_says() {
+fn quantized_attributes_are_scaled_as_the_extension_defines() {
     let mut document = Document::new();
     document.json["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
     document.json["nodes"][0]["scale"] = json!([0.5, 0.5, 0.5]);

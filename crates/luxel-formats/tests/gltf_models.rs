@@ -1,4 +1,4 @@
-//! Real models against what other programs say of them.
+//! Real models against the results of other programs.
 //!
 //! The folder is named by `LUXEL_TEST_MODELS`; its `expected.json` holds the counts and bounds that
 //! trimesh, gltf-transform and the Khronos validator agree on.

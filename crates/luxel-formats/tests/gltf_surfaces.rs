@@ -62,7 +62,7 @@ fn an_empty_material_has_the_specifications_defaults() {
 }
 
 #[test]
-fn alpha_modes_are_told_apart() {
+fn alpha_modes_are_distinguished() {
     let mode = |material| load(material).scene.materials[0].alpha_mode;
     assert_eq!(mode(json!({"alphaMode": "MASK"})), AlphaMode::Mask { cutoff: 0.5 });
     let cut = json!({"alphaMode": "MASK", "alphaCutoff": 0.25});

@@ -1,6 +1,6 @@
-//! Files too long to be held in memory: reading them block by block gives what their bytes give.
+//! Long files: reading them block by block gives the same as reading their bytes.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel_formats::{Error, ErrorKind, Format, Limits, Loaded, Progress, open, read};
 use std::path::Path;
@@ -50,7 +50,8 @@ fn long_file(corners: u8, wrong_index: bool) -> Vec<u8> {
 
 #[test]
 fn an_stl_read_in_blocks_equals_one_read_from_memory() {
-    // More than are read at a time, with corners that come again much later, and one that isn't finite.
+    // More than are read at a time, with corners that come again much later, and one that isn't
+    // finite.
     let triangles: Vec<_> = (0..170_000_u32)
         .map(|number| {
             let [x, y] = [number % 251, number % 83].map(|part| part as f32);
@@ -74,7 +75,7 @@ fn an_stl_read_in_blocks_equals_one_read_from_memory() {
     let [stored, held] = [&stored.scene.meshes[0], &held.scene.meshes[0]];
     assert_eq!(stored.triangles, held.triangles);
     assert_eq!(stored.positions, held.positions);
-    // Longer than it says: a warning, as from memory.
+    // Longer than declared: a warning, as from memory.
     assert_eq!(stream(&[bytes, b"more".to_vec()].concat()).warnings.len(), 2);
 }
 

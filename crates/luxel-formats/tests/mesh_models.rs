@@ -37,7 +37,7 @@ fn counts_and_bounds_are_those_of_other_programs() {
         let triangles = model["triangles_by_peer"]["assimp"].as_u64().unwrap();
         assert_eq!(loaded.scene.triangle_count(), triangles, "{name}");
         let bounds = loaded.scene.bounds();
-        // trimesh misreads negative indices; assimp tells six digits.
+        // trimesh misreads negative indices; assimp prints six digits.
         let truth = &model["assimp"];
         let size = (bounds.max - bounds.min).max_element();
         for (own, key) in [(bounds.min, "bbox_min"), (bounds.max, "bbox_max")] {

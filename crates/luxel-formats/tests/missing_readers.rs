@@ -1,6 +1,7 @@
-//! Builds without some readers: `cargo test -p luxel-formats --no-default-features --test missing_readers`.
+//! Builds without some readers: `cargo test -p luxel-formats --no-default-features --test
+//! missing_readers`.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel_formats::{ErrorKind, Format, Limits, open, read};
 

@@ -1,4 +1,4 @@
-//! What a chapter of the book is made of.
+//! The elements of a chapter.
 
 use crate::GalleryError;
 use crate::compare::{Error, error, error_picture};
@@ -13,7 +13,7 @@ use luxel::scene::{NormalOptions, Size, demos};
 pub struct Pair {
     /// The chapter and the measure, for machines: `silhouette`.
     pub name: &'static str,
-    /// What is measured, in words.
+    /// The measured quantity, in words.
     pub measure: String,
     /// How far the problem is off.
     pub problem: Error,
@@ -45,7 +45,7 @@ impl Pair {
 
 /// A chapter of the page.
 pub(crate) struct Chapter {
-    /// What links to it: short, without spaces.
+    /// The anchor of links: short, without spaces.
     pub(crate) id: &'static str,
     pub(crate) title: &'static str,
     pub(crate) blocks: Vec<Block>,
@@ -68,12 +68,12 @@ pub(crate) struct Figure {
     pub(crate) file: String,
     /// In pixels of the page.
     pub(crate) size: Size,
-    /// What it shows, for those who don't see it.
+    /// The alternative text.
     pub(crate) alt: String,
     pub(crate) caption: String,
-    /// What draws it.
+    /// The command that draws it.
     pub(crate) command: Option<Vec<String>>,
-    /// What stands beside the rows and above the columns of a table of pictures.
+    /// The labels of rows and columns in a table of images.
     pub(crate) headings: Option<[Vec<String>; 2]>,
 }
 
@@ -111,13 +111,13 @@ impl Chapter {
         self.blocks.push(Block::Figures(figures));
     }
 
-    /// A measured pair; says on the page what it comes to.
+    /// Adds a measured pair, with a sentence about the result.
     pub(crate) fn pair(&mut self, pair: Pair) {
         self.pairs.push(pair.clone());
         self.blocks.push(Block::Pair(pair));
     }
 
-    /// What `luxel check` says of a scene, asked with a picture's flags.
+    /// Adds the findings of `luxel check` for a scene, with an image's flags.
     pub(crate) fn checked(&mut self, studio: &Studio, shot: &Shot) {
         let shot = Shot { samples: 4, ..shot.clone().size(640, 480) };
         let scene = demos::demo(shot.demo).unwrap_or_default();
@@ -126,7 +126,7 @@ impl Chapter {
         let findings = check(&scene, &setup).findings;
         let told: Vec<_> = findings.iter().map(found).collect();
         let told = if told.is_empty() { "nothing".to_owned() } else { told.join("; ") };
-        self.text(format!("<code>luxel check</code>, asked with the same flags, finds {told}."));
+        self.text(format!("With the same flags, <code>luxel check</code> finds {told}."));
         self.blocks.push(Block::Command(shot.check_command()));
     }
 
@@ -204,7 +204,7 @@ impl Chapter {
     }
 }
 
-/// A number of 8-bit steps, rounded to what it means.
+/// A number of 8-bit steps, rounded to significant digits.
 pub(crate) fn steps(value: f64) -> String {
     if value == 0.0 {
         "0".to_owned()
@@ -230,7 +230,7 @@ pub(crate) fn times(value: f64) -> String {
     }
 }
 
-/// What was found, how often and how bad.
+/// The findings, with count and severity.
 fn found(finding: &Finding) -> String {
     let Finding { kind, count, severity, pixels, .. } = finding;
     let pixels = pixels.map(|pixels| format!("up to {pixels:.1} pixels off"));

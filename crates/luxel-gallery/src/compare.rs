@@ -1,9 +1,9 @@
-//! How far a picture is from what it should be.
+//! The error of an image against its reference.
 
 use crate::picture::Picture;
 
-/// The difference of two pictures in steps of 8 bits, the largest of the three channels counting for
-/// a pixel.
+/// The difference of two pictures in steps of 8 bits, the largest of the three channels counting
+/// for a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Error {
     /// Of the worst pixel.
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn the_worst_channel_of_a_pixel_counts_and_only_where_it_is_asked() {
+    fn the_error_is_that_of_the_worst_channel_within_the_mask() {
         let a = picture(vec![[10, 20, 30], [0, 0, 0], [200, 0, 0]]);
         let b = picture(vec![[12, 15, 30], [0, 0, 0], [0, 0, 0]]);
         let found = error(&a, &b, &[true, true, false]);

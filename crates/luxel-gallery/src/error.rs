@@ -2,7 +2,7 @@
 
 use luxel::render::RenderError;
 
-/// Why there is no gallery.
+/// The reason why the gallery can't be built.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GalleryError {

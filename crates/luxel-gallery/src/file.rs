@@ -5,11 +5,11 @@
 pub struct File {
     /// Its name, without folders.
     pub name: String,
-    /// What is in it.
+    /// The content.
     pub bytes: Vec<u8>,
 }
 
-/// What a command line draws into a file.
+/// The image that a command line draws into a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reproduced {
     /// The file of the gallery.

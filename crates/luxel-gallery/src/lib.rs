@@ -1,11 +1,9 @@
-//! The picture book: every problem of shading beside its cure, with the errors measured, and plots
-//! of light and reflection.
+//! The gallery: shading errors, each beside its cure with both errors measured, and plots of light
+//! and reflection.
 //!
-//! [`Gallery::make`] draws all of it: pictures (PNG, one of them animated), plots (SVG) and one page
-//! of HTML that explains them. All is drawn by luxel's own renderer and lit by its own equation; the
-//! words on the page follow the numbers.
-//!
-//! The same bytes come out on every machine.
+//! [`Gallery::make`] draws images (PNG, one of them animated), plots (SVG) and an HTML page that
+//! explains them, all with luxel's renderer and lighting equation; the text of the page depends on
+//! the measurements. The bytes are the same on every machine.
 
 #![forbid(unsafe_code)]
 
@@ -29,18 +27,18 @@ use chapter::Chapter;
 use luxel::render::Execution;
 use shot::Studio;
 
-/// Pictures, plots, and the page that explains them.
+/// Images, plots, and the page that explains them.
 #[derive(Clone, Debug)]
 pub struct Gallery {
-    /// All files: `index.html` first, then those that it shows, in the order of the page.
+    /// All files: `index.html` first, then its images, in the order of the page.
     pub files: Vec<File>,
     /// Every problem with its cure.
     pub pairs: Vec<Pair>,
-    /// The pictures that are the result of a command line.
+    /// The images that a command line reproduces.
     pub reproduced: Vec<Reproduced>,
 }
 
-/// Makes a chapter.
+/// Builds a chapter.
 type Make = fn(&Studio) -> Result<Chapter, GalleryError>;
 
 const CHAPTERS: [Make; 16] = [
@@ -69,7 +67,7 @@ impl Gallery {
     /// Makes all of it; `step` is called after each of [`Gallery::STEPS`].
     ///
     /// # Errors
-    /// [`GalleryError`] if the machine can't do what `execution` asks.
+    /// [`GalleryError`] if the machine doesn't support `execution`.
     pub fn make(execution: &Execution, mut step: impl FnMut()) -> Result<Self, GalleryError> {
         let studio = Studio { execution: *execution };
         let mut chapters = Vec::with_capacity(CHAPTERS.len());

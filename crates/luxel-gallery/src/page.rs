@@ -17,26 +17,25 @@ pub(crate) fn page(chapters: &[Chapter]) -> String {
     let mut html = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta \
          name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta \
-         name=\"color-scheme\" content=\"light dark\">\n<title>Light and shade: what goes wrong, and \
-         what cures it</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<header>\n<h1>Light \
-         and shade</h1>\n<p class=\"lede\">Every problem of classical shading beside its cure, with \
-         the error of both; and what the models of light and reflection look like as curves. \
+         name=\"color-scheme\" content=\"light dark\">\n<title>Light and shade: shading errors and \
+         their cures</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<header>\n<h1>Light \
+         and shade</h1>\n<p class=\"lede\">The problems of classical shading, each beside its cure, with \
+         both errors measured; and plots of the light and reflection models. \
          Drawn, measured and written by <code>luxel gallery</code>, with the renderer and the equation \
          that <code>luxel render</code> uses.</p>\n"
     );
     contents(&mut html, chapters);
     html.push_str(
-        "<p>Errors are differences of 8-bit values (sRGB, of 255), the largest of red, green and blue \
-         counting for a pixel; the reference is a picture in which the problem can't arise. In pictures of \
-         errors amber is an error of 32 and white one of 64 or more. The command below a picture \
-         draws just that picture.</p>\n</header>\n",
+        "<p>Errors are differences of 8-bit values (sRGB, of 255), the maximum of red, green and blue \
+         for each pixel; the reference is an image without the problem. In error images, amber is an \
+         error of 32 and white one of 64 or more. The command below an image reproduces it.</p>\n</header>\n",
     );
     let mut is_lab = true;
-    html.push_str("<h2 class=\"part\">The lab of problems</h2>\n");
+    html.push_str("<h2 class=\"part\">Shading errors</h2>\n");
     for chapter in chapters {
         if chapter.id == FIRST_PLOT && is_lab {
             is_lab = false;
-            html.push_str("<h2 class=\"part\">The models, as curves</h2>\n");
+            html.push_str("<h2 class=\"part\">Plots of the models</h2>\n");
         }
         section(&mut html, chapter);
     }
@@ -143,7 +142,7 @@ fn tabulate(html: &mut String, table: &Table) {
     html.push_str("</tbody>\n</table></div>\n");
 }
 
-/// What the numbers of a pair come to, in words.
+/// The result of a pair, in words.
 fn verdict(pair: &Pair) -> String {
     let Pair { measure, problem, cure, because, .. } = pair;
     let [largest, mean] = pair.times_better();

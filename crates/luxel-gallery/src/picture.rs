@@ -12,7 +12,7 @@ pub(crate) struct Picture {
     pub(crate) pixels: Vec<[u8; 3]>,
 }
 
-/// How long each picture of an animation stands: 1/16 s.
+/// Duration of each frame of an animation: 1/16 s.
 const PICTURES_A_SECOND: u16 = 16;
 
 impl Picture {
@@ -27,7 +27,7 @@ impl Picture {
         self.pixels[(y * self.size.width + x) as usize]
     }
 
-    /// Puts a smaller picture into this one.
+    /// Copies a smaller image into this one.
     pub(crate) fn put(&mut self, other: &Self, left: u32, top: u32) {
         for y in 0..other.size.height {
             for x in 0..other.size.width {

@@ -3,7 +3,7 @@
 use crate::GalleryError;
 use crate::picture::Picture;
 use luxel::formats::values::reflection_text;
-use luxel::lighting::{Light, LightKind, Reflection};
+use luxel::lighting::{Light, LightKind, Reflection, SHININESS};
 use luxel::render::{Execution, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
 use luxel::scene::{
     Camera, DVec3, Lens, NormalOptions, NormalSource, Placement, Projection, Restyle, Scene,
@@ -12,7 +12,7 @@ use luxel::scene::{
 use std::fmt::Write;
 use std::sync::Arc;
 
-/// What draws.
+/// The program that draws.
 pub(crate) struct Studio {
     pub(crate) execution: Execution,
 }
@@ -20,7 +20,7 @@ pub(crate) struct Studio {
 /// The size of most pictures.
 pub(crate) const SIZE: Size = Size { width: 320, height: 240 };
 
-/// What a command line says of a picture.
+/// The image settings of a command line.
 #[derive(Clone, Debug)]
 pub(crate) struct Shot {
     /// The name of the built-in scene.
@@ -48,7 +48,7 @@ pub(crate) struct Rolled {
     pub(crate) fov: f64,
 }
 
-/// Where a rolled camera stands.
+/// The position of a rolled camera.
 const ROLLED_EYE: f64 = 7.0;
 
 impl Shot {
@@ -100,10 +100,13 @@ impl Shot {
         scene
     }
 
-    /// Changes a scene as the command line says.
+    /// Changes a scene by the command line.
     pub(crate) fn restyle(&self, scene: &mut Scene) {
         let Self { color, shininess, reflection, .. } = self.clone();
-        let restyle = Restyle { color, shininess, reflection, ..Restyle::default() };
+        let mut restyle = Restyle { color, reflection, ..Restyle::default() };
+        if let Some(shininess) = shininess {
+            restyle.set_parameter(&SHININESS, shininess);
+        }
         for material in &mut scene.materials {
             restyle.apply(material);
         }
@@ -112,7 +115,7 @@ impl Shot {
         scene.compute_tangents();
     }
 
-    /// The view of a scene as the command line says.
+    /// The view of a scene by the command line.
     pub(crate) fn view(&self, scene: &Scene) -> View {
         let camera = if let Some(Rolled { up: [x, y], fov }) = self.rolled {
             let eye = DVec3::Z * ROLLED_EYE;
@@ -145,7 +148,7 @@ impl Shot {
         words(&format!("luxel render {} --samples {samples} -o {file}", self.flags()))
     }
 
-    /// The words of the command line that checks the scene for what spoils this picture.
+    /// The command line that checks the scene with this image's settings.
     pub(crate) fn check_command(&self) -> Vec<String> {
         words(&format!("luxel check {}", self.flags()))
     }
@@ -208,7 +211,7 @@ impl Studio {
         self.stage(shot.scene())?.shoot(shot)
     }
 
-    /// Draws a scene as a command line says.
+    /// Renders a scene by a command line.
     pub(crate) fn shoot_scene(&self, shot: &Shot, scene: &Scene) -> Result<Picture, GalleryError> {
         self.stage(scene.clone())?.shoot(shot)
     }
@@ -225,7 +228,7 @@ pub(crate) struct Stage {
 }
 
 impl Stage {
-    /// Draws the scene as a command line says.
+    /// Renders the scene by a command line.
     pub(crate) fn shoot(&self, shot: &Shot) -> Result<Picture, GalleryError> {
         let drawn = self.renderer.rgba8(&shot.view(self.renderer.scene()))?;
         let pixels = drawn.pixels.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
@@ -235,14 +238,14 @@ impl Stage {
     /// Where the scene covers pixels wholly.
     pub(crate) fn covered(&self, shot: &Shot) -> Result<Vec<bool>, GalleryError> {
         let mut view = shot.view(self.renderer.scene()).with_background([0.0; 4]);
-        // What is there is there however it is lit.
+        // Coverage doesn't depend on light.
         view.lights.clear();
         view.shading = Shading::default();
         Ok(self.renderer.rgba8(&view)?.pixels.iter().map(|pixel| pixel[3] == 255).collect())
     }
 }
 
-/// A scene made ready as the program makes it ready.
+/// A scene prepared like in the program.
 pub(crate) fn ready(mut scene: Scene) -> Scene {
     scene.compute_normals(&NormalOptions::default());
     scene.compute_tangents();

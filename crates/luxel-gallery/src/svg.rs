@@ -9,7 +9,7 @@ pub(crate) struct Svg {
     body: String,
 }
 
-/// A colour of a series, by what it stands for in luxel's other pictures. Each is a class of the
+/// A colour of a series, by its meaning in luxel's other images. Each is a class of the
 /// style sheet, which knows it in dark and in light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ink {
@@ -25,7 +25,7 @@ pub(crate) enum Ink {
 }
 
 impl Ink {
-    /// Colours of lines that are told apart, in order.
+    /// Distinguishable colours of lines, in order.
     pub(crate) const SERIES: [Self; 6] =
         [Self::Blue, Self::Amber, Self::Pink, Self::Teal, Self::Violet, Self::Orange];
 
@@ -44,7 +44,7 @@ impl Ink {
     }
 }
 
-/// How a text stands to its place.
+/// The alignment of a text to its position.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Anchor {
     Start,
@@ -152,7 +152,7 @@ impl Svg {
         );
     }
 
-    /// The file; `title` says what the drawing shows.
+    /// The file; `title` describes the drawing.
     pub(crate) fn finish(self, title: &str) -> Vec<u8> {
         let Size { width, height } = self.size;
         let (body, title) = (self.body, escaped(title));

@@ -1,8 +1,8 @@
-//! The gallery: its claims, its page, and that what is kept of it under `docs/` is what is made.
+//! The gallery: its claims, its page, and that the copy under `docs/` is up to date.
 //!
 //! `LUXEL_BLESS=1` writes `docs/gallery` and the hashes of the pictures instead of comparing them.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel::render::Execution;
 use luxel_gallery::{File, Gallery};
@@ -58,12 +58,12 @@ fn pixels(file: &File) -> Vec<u8> {
 }
 
 #[test]
-fn every_cure_is_five_times_better_or_says_why_not() {
+fn every_cure_is_five_times_better_or_explains_why_not() {
     for pair in &gallery().pairs {
         let [largest, mean] = pair.times_better();
         let told = format!("{}: {:?} to {:?}", pair.name, pair.problem, pair.cure);
-        assert!(largest > 1.0 && mean > 1.0, "{told}: the cure is no better");
-        // Mach bands are what the eye makes of next to nothing.
+        assert!(largest > 1.0 && mean > 1.0, "{told}: the cure does not improve it");
+        // Mach bands are tiny differences that the eye amplifies.
         let is_seen = pair.problem.largest >= 8.0 || pair.name.starts_with("mach-bands");
         assert!(is_seen, "{told}: there is hardly a problem");
         // A reason that isn't needed any more would be a lie about the numbers.
@@ -87,7 +87,7 @@ fn every_cure_is_five_times_better_or_says_why_not() {
 }
 
 #[test]
-fn the_page_tells_the_numbers_that_were_measured() {
+fn the_page_has_the_measured_numbers() {
     for pair in &gallery().pairs {
         let at = page().find(&pair.measure).unwrap_or_else(|| panic!("{} isn't told", pair.name));
         let row = &page()[at..];

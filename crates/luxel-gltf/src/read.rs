@@ -4,7 +4,7 @@ use crate::Document;
 use serde_path_to_error::{Path, Segment};
 use std::fmt;
 
-/// Text that is no document.
+/// Text that is not a glTF document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadError {
     /// What kind of fault, and where.
@@ -16,7 +16,7 @@ pub struct ReadError {
 /// What can be wrong with a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// It is no JSON.
+    /// The text is not JSON.
     Syntax {
         /// The line, from 1.
         line: usize,
@@ -48,7 +48,7 @@ impl std::error::Error for ReadError {}
 /// Reads a document.
 ///
 /// # Errors
-/// [`ReadError`] if the text is no JSON, or a value has the wrong type.
+/// [`ReadError`] if the text is not JSON, or a value has the wrong type.
 pub fn read(json: &[u8]) -> Result<Document, ReadError> {
     let mut deserializer = serde_json::Deserializer::from_slice(json);
     let document = serde_path_to_error::deserialize(&mut deserializer)

@@ -1,9 +1,9 @@
-//! Times the lighting equation over sixteen lanes, for each kind of reflection, with one light and with
-//! five, at every SIMD level.
+//! Times the lighting equation over sixteen lanes, for each kind of reflection, with one light and
+//! with five, at every SIMD level.
 //!
-//! `cargo bench -p luxel-lighting --bench equation [-- FILTER]`; a filter is part of a row's name. Prints
-//! the median and the least of some rounds, in nanoseconds a point, and the sum of all light, which only
-//! a change of the equation may change.
+//! `cargo bench -p luxel-lighting --bench equation [-- FILTER]`; a filter is part of a row's name.
+//! Prints the median and the least of some rounds, in nanoseconds a point, and the sum of all
+//! light, which only a change of the equation may change.
 
 #![allow(clippy::unwrap_used, reason = "a benchmark")]
 
@@ -55,7 +55,7 @@ fn main() {
     let mut seen = Vec::new();
     for level in SimdLevel::available() {
         let level = level.resolve().unwrap();
-        // What a name stands for may be another level.
+        // A name may stand for another level.
         let told = SimdLevel::name_of(level);
         if seen.contains(&told) {
             continue;

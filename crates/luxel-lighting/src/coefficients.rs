@@ -1,12 +1,12 @@
-//! What the equation takes of a material: each k O, brought within bounds once.
+//! The material coefficients of the equation: each k O, clamped once.
 //!
-//! Where textures change it, it comes in lanes; else it is one value for all points of the material,
-//! broadcast to the lanes where it is used: sixteen values of everything would be more than there are
-//! registers.
+//! Where textures change it, it comes in lanes; else it is one value for all points of the
+//! material, broadcast to the lanes where it is used: sixteen values of everything would be more
+//! than there are registers.
 
 use luxel_math::{Lanes, Rgb};
 
-/// What a surface reflects and sends, whatever its normal and whoever looks: each coefficient times
+/// The direction-independent part of reflection and emission: each coefficient times
 /// its colour, not negative, not huge, not NaN.
 ///
 /// Of a material without textures it is the same at all its points: `Coefficients<Uniform>`.

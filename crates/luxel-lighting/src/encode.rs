@@ -12,7 +12,7 @@ pub enum PictureEncoding {
     /// By the curve of sRGB.
     #[default]
     Srgb,
-    /// As it is.
+    /// Linear.
     None,
 }
 
@@ -85,14 +85,15 @@ fn scaled_unit<S: Simd>(linear: f32x16<S>) -> f32x16<S> {
     linear.clamped(0.0, 1.0) * linear.constant(255.0)
 }
 
-/// The nearest whole number in the lowest bits, ties to even, below the exponent of [`FRACTIONLESS`].
+/// The nearest whole number in the lowest bits, ties to even, below the exponent of
+/// [`FRACTIONLESS`].
 #[inline(always)]
 fn shifted<S: Simd>(scaled: f32x16<S>) -> u32x16<S> {
     (scaled + scaled.constant(FRACTIONLESS)).bitcast()
 }
 
-/// Whether a product lies halfway between whole numbers: rounded to `f32` it may have become a tie that
-/// it was not. Nothing else can change its byte.
+/// Whether a product is halfway between integers: rounded to `f32` it may have become a tie
+/// that it was not. Nothing else can change its byte.
 #[inline(always)]
 fn may_be_tie<S: Simd>(scaled: f32x16<S>) -> mask32x16<S> {
     let whole = scaled + scaled.constant(FRACTIONLESS) - scaled.constant(FRACTIONLESS);
@@ -131,7 +132,7 @@ pub fn unit_to_byte(linear: f32) -> u8 {
     (f64::from(unit(linear)) * 255.0 + WHOLE - WHOLE) as u8
 }
 
-/// What leaves no digits behind the point of an `f64`: added, it rounds, without a call where
+/// Adding it rounds an `f64` to an integer, without a call where
 /// processors have no instruction for that. In f64 the product with 255 is exact.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
@@ -140,9 +141,9 @@ const FRACTIONLESS: f32 = 8_388_608.0;
 
 /// round(255 encode(clamp(v, 0, 1))), ties to even; 0 for NaN.
 ///
-/// Exact for every `f32`: 255 thresholds, each the smallest `f32` whose byte is this or more, decide.
-/// (No `f32` lies on a tie: in the straight part of the curve a tie is (2 k - 1) / 6589.2, no
-/// dyadic fraction for k up to 10; in the other part it is irrational.)
+/// Exact for every `f32`: 255 thresholds, each the smallest `f32` whose byte is this or more,
+/// decide. (No `f32` lies on a tie: in the straight part of the curve a tie is (2 k - 1) / 6589.2,
+/// no dyadic fraction for k up to 10; in the other part it is irrational.)
 #[inline]
 #[must_use]
 pub fn srgb_to_byte(linear: f32) -> u8 {
@@ -153,8 +154,8 @@ pub fn srgb_to_byte(linear: f32) -> u8 {
 const LEAST_BITS: u32 = (127 - 13) << 23;
 /// Light from 1 on has the byte of this.
 const BELOW_ONE: f32 = 1.0_f32.next_down();
-/// Cells to each doubling, as a power of 2: 128, so that no cell holds two thresholds (the curve has
-/// 84 steps in an octave at most, at its lower end, if the octave went on as it begins).
+/// Cells to each doubling, as a power of 2: 128, so that no cell holds two thresholds (the curve
+/// has 84 steps in an octave at most, at its lower end, if the octave went on as it begins).
 const CELL_BITS: u32 = 7;
 const CELL_SHIFT: u32 = 23 - CELL_BITS;
 /// More than the 13 octaves take: a power of 2.
@@ -165,8 +166,8 @@ const WITHIN_CELL: u32 = (1 << CELL_SHIFT) - 1;
 
 /// The bytes by the top bits of a float.
 struct SrgbTable {
-    /// For each cell the byte of its least value, times 2^16, plus what a float's lower bits lack at
-    /// least to carry over where they reach the cell's threshold; 0 where it has none.
+    /// For each cell the byte of its least value, times 2^16, plus what a float's lower bits lack
+    /// at least to carry over where they reach the cell's threshold; 0 where it has none.
     cells: [u32; CELLS],
 }
 
@@ -201,7 +202,7 @@ impl SrgbTable {
 
     #[inline]
     fn byte(&self, linear: f32) -> u8 {
-        // Comparisons with NaN are false. What is brought to an end of the range has its byte.
+        // Comparisons with NaN are false. Clamped values have the byte of that end of the range.
         let least = f32::from_bits(LEAST_BITS);
         let inside = if linear > least { linear } else { least };
         let bits = if inside < BELOW_ONE { inside } else { BELOW_ONE }.to_bits();

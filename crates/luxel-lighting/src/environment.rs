@@ -1,4 +1,4 @@
-//! What mirrors and metals see.
+//! The environment that mirrors and metals reflect.
 
 use crate::light::bounded;
 use luxel_math::{Lanes, Rgb, Vec3};
@@ -42,8 +42,8 @@ impl Environment {
     /// The light that arrives from `direction` (of unit length), averaged over the lobe of a
     /// surface of this perceptual roughness.
     ///
-    /// The studio is a gradient over h, the sine of elevation, that is steep about the horizon; what
-    /// a rougher surface sees is the same gradient with a wider horizon. With
+    /// The studio is a gradient over h, the sine of elevation, that is steep about the horizon; a
+    /// rougher surface reflects the same gradient with a wider horizon. With
     /// t = h / (0.12 + 1.4 roughness^2) limited to -1..1 and s = 1/2 + (3 t - t^3) / 4, the light is
     /// (1 - s) below + s above, where `above` and `below` go from the horizon's colours to the
     /// zenith's and to the nadir's with |h| (1 - roughness^2 / 2).
@@ -69,18 +69,18 @@ impl Environment {
     }
 }
 
-/// The part of the light of its surroundings that a microfacet surface reflects, F0 A + B, the second
-/// factor of the split sum (Karis, *Real Shading in Unreal Engine 4*, 2013). Returns (A, B).
+/// The part of the light of its surroundings that a microfacet surface reflects, F0 A + B, the
+/// second factor of the split sum (Karis, *Real Shading in Unreal Engine 4*, 2013). Returns (A, B).
 ///
 /// With r the perceptual roughness and u = 1 - N.V:
 ///
-/// - A + B, what a white metal reflects, is 1 - r^2 (p0 + p1 r + p2 r^2), each p a combination of
-///   1, u and u^4;
+/// - A + B, the reflectance of a white metal, is 1 - r^2 (p0 + p1 r + p2 r^2), each p a combination
+///   of 1, u and u^4;
 /// - B is u^5 + r (q0 + q1 r + q2 r^2), each q a combination of u^2 and u^5.
 ///
-/// Fitted by least squares to the integrals over GGX with height-correlated masking and Schlick's F,
-/// for N.V and r from 0.05 to 1; the error is 0.015 in the mean square and 0.09 at most, at grazing
-/// angles. Light that is reflected more than once is missing, as in the integrals.
+/// Fitted by least squares to the integrals over GGX with height-correlated masking and Schlick's
+/// F, for N.V and r from 0.05 to 1; the error is 0.015 in the mean square and 0.09 at most, at
+/// grazing angles. Light that is reflected more than once is missing, as in the integrals.
 #[inline(always)]
 pub(crate) fn split_sum<N: Lanes>(n_dot_v: N, roughness: N) -> (N, N) {
     let one = roughness.one();

@@ -9,7 +9,8 @@ use crate::{
 };
 use luxel_math::{Lanes, Rgb};
 
-/// What shines on a surface, and what lies between it and the eye: the same for all points of a material.
+/// The lights on a surface, and the fog between it and the eye: the same for all points of a
+/// material.
 #[derive(Clone, Copy, Debug)]
 pub struct LightingEnvironment<'a> {
     lights: &'a [PlacedLight],
@@ -20,10 +21,10 @@ pub struct LightingEnvironment<'a> {
 }
 
 impl<'a> LightingEnvironment<'a> {
-    /// Directional, point and spot lights (ambient ones are passed over: their sum is `scene_ambient`,
-    /// I_a), what mirrors and metals see, and the fog, if any.
+    /// Directional, point and spot lights (ambient ones are passed over: their sum is
+    /// `scene_ambient`, I_a), the environment, and the fog, if any.
     ///
-    /// I_a is kept within 1e10, so that no later product overflows; 0 stands for NaN.
+    /// I_a is clamped to 1e10, so that no later product overflows; NaN becomes 0.
     #[must_use]
     pub fn new(
         lights: &'a [PlacedLight],
@@ -46,7 +47,7 @@ impl<'a> LightingEnvironment<'a> {
         self.scene_ambient
     }
 
-    /// What mirrors and metals see.
+    /// The environment that mirrors and metals reflect.
     #[must_use]
     pub fn environment(&self) -> Environment {
         self.environment
@@ -70,10 +71,10 @@ impl<'a> LightingEnvironment<'a> {
 /// I' = s I + (1 - s) I_dc
 /// ```
 ///
-/// (Foley et al., *Computer Graphics: Principles and Practice*, 1990, section 16.1, with the ambient
-/// intensity of each light and its cone from OpenGL 1.x.) This is the equation for Phong's and
-/// Blinn's highlights; the other kinds of [`Reflection`] replace the diffuse and the specular term.
-/// A light at the surface itself adds nothing.
+/// (Foley et al., *Computer Graphics: Principles and Practice*, 1990, section 16.1, with the
+/// ambient intensity of each light and its cone from OpenGL 1.x.) This is the equation for Phong's
+/// and Blinn's highlights; the other kinds of [`Reflection`] replace the diffuse and the specular
+/// term. A light at the surface itself adds nothing.
 #[inline(always)]
 pub fn lit<N: Lanes, W: Witness<N>>(
     point: &SurfacePoint<N>,
@@ -86,7 +87,7 @@ pub fn lit<N: Lanes, W: Witness<N>>(
     lit_by(point, &coefficients, &material.reflection, lighting, witness)
 }
 
-/// [`lit`], for a surface whose coefficients are known.
+/// [`lit`], for a surface with known coefficients.
 #[inline(always)]
 pub fn lit_by<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
@@ -159,7 +160,7 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     let environment = match reflection {
         Reflection::Unlit => Rgb::black(simd),
         _ if lighting.environment.is_none() => Rgb::black(simd),
-        // Made anew, as what others get to see has to be written to memory: only here.
+        // A copy, because a witness needs its arguments in memory, and only here.
         _ => Surface::new(point, coefficients).mirrored(reflection, &lighting.environment, witness),
     };
     let sum = finite(sum + environment);

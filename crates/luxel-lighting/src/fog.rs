@@ -23,9 +23,9 @@ pub enum FogLaw {
     /// front plane; here it is a distance, so that the cue doesn't depend on the clipping planes.
     /// `front` 1 and `back` 0 are the linear fog of OpenGL 1.x.
     DepthCue {
-        /// z_f: where the front plane stands.
+        /// z_f: the front plane.
         near: f32,
-        /// z_b: where the back plane stands.
+        /// z_b: the back plane.
         far: f32,
         /// s_f: the scale factor up to the front plane.
         front: f32,

@@ -1,21 +1,21 @@
-//! What a lit surface point sends to the eye.
+//! The light that a surface point sends to the eye.
 //!
-//! The lighting equation stands here once ([`lit`]), generic over the number (one pixel, or
-//! sixteen) and over a [`Witness`] that hears every term as it is computed: for drawing it is
-//! [`Silent`] and costs nothing, for explaining it is a [`Ledger`] that writes the terms down.
+//! The only implementation of the lighting equation ([`lit`]), generic over the number (one pixel,
+//! or sixteen) and over a [`Witness`] that observes every term as it is computed: for rendering it
+//! is [`Silent`] and costs nothing, for explaining it is a [`Ledger`] that writes the terms down.
 //!
 //! Places and directions are those of the world, with the eye as the origin, so that scenes far
-//! from the world's origin don't shake. Light is linear and of any intensity; what becomes of it in
-//! a picture's bytes is the business of [`PictureEncoding`].
+//! from the world's origin don't shake. Light is linear and of any intensity; [`PictureEncoding`]
+//! converts it to bytes.
 //!
 //! | subject | here |
 //! | --- | --- |
-//! | what shines | [`Light`], [`LightKind`], [`LIGHT_KINDS`], [`PlacedLight`], [`Environment`] |
-//! | how surfaces reflect | [`Reflection`], [`REFLECTION_MODELS`], [`ReflectionModel`], [`Parameter`] |
-//! | what is shone upon | [`Material`], [`Reflectance`], [`Coefficients`], [`SurfacePoint`] |
-//! | what the eye gets | [`lit`], [`lit_by`], [`reflected`], [`Fog`] |
-//! | who hears the terms | [`Witness`], [`Silent`], [`Ledger`] |
-//! | how it is stored | [`PictureEncoding`], [`srgb_to_byte`] |
+//! | light | [`Light`], [`LightKind`], [`LIGHT_KINDS`], [`PlacedLight`], [`Environment`] |
+//! | reflection | [`Reflection`], [`REFLECTION_MODELS`], [`ReflectionModel`], [`Parameter`] |
+//! | surface | [`Material`], [`Reflectance`], [`Coefficients`], [`SurfacePoint`] |
+//! | result | [`lit`], [`lit_by`], [`reflected`], [`Fog`] |
+//! | observers | [`Witness`], [`Silent`], [`Ledger`] |
+//! | encoding | [`PictureEncoding`], [`srgb_to_byte`] |
 
 #![forbid(unsafe_code)]
 
@@ -42,7 +42,10 @@ pub use environment::Environment;
 pub use equation::{LightingEnvironment, lit, lit_by, reflected};
 pub use fog::{Fog, FogLaw};
 pub use light::{Attenuation, Light};
-pub use light_kind::{Cone, LIGHT_KINDS, LightField, LightKind, LightKindDescription};
+pub use light_kind::{
+    CUTOFF, Cone, EXPONENT, INNER, LIGHT_KINDS, LightField, LightKind, LightKindDescription,
+    LightNumber,
+};
 pub use material::Material;
 pub use parameter::{K_A, K_D, K_S, METALLIC, Parameter, ROUGHNESS, SHARED, SHININESS};
 pub use placed::PlacedLight;

@@ -1,4 +1,4 @@
-//! Light sources: what they are, apart from where they stand.
+//! Light sources, without position and direction.
 
 use crate::LightKind;
 
@@ -11,7 +11,7 @@ use crate::LightKind;
 pub struct Light {
     /// How the light spreads.
     pub kind: LightKind,
-    /// I_a: what the light adds to the ambient term, 0 by default.
+    /// I_a: the intensity for the ambient term, 0 by default.
     pub ambient: [f32; 3],
     /// I_d: the intensity for diffuse reflection.
     pub diffuse: [f32; 3],
@@ -24,9 +24,9 @@ pub struct Light {
 /// Attenuation min(1 / (c1 + c2 d + c3 d^2), limit) over the distance d to the light, with glTF's
 /// window.
 ///
-/// OpenGL 1.x has no limit (section 2.13.1), and so the default is none; Foley et al. cut the factor
-/// at 1 (*Computer Graphics: Principles and Practice*, 1990, section 16.1.2), so that no light is
-/// brighter nearby than at its source.
+/// OpenGL 1.x has no limit (section 2.13.1), and so the default is none; Foley et al. cut the
+/// factor at 1 (*Computer Graphics: Principles and Practice*, 1990, section 16.1.2), so that no
+/// light is brighter nearby than at its source.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attenuation {
     /// c1, c2, c3; not all 0.

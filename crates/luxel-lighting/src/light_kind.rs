@@ -1,5 +1,5 @@
-//! How lights spread, and what each kind says of itself: flags, scene files, the window and the
-//! documents read it.
+//! The kinds of light, each with a description that flags, scene files, the viewer and the
+//! documents read.
 
 /// How a light spreads.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +16,7 @@ pub enum LightKind {
 }
 
 impl LightKind {
-    /// Whether what arrives depends on the distance and direction of a place.
+    /// Whether the incident light depends on the position of the surface.
     #[must_use]
     pub const fn has_place(self) -> bool {
         self.description().has_position
@@ -28,7 +28,13 @@ impl LightKind {
         self.description().name
     }
 
-    /// What it says of itself.
+    /// The values of the fields that only this kind has.
+    pub fn fields(self) -> impl Iterator<Item = (&'static LightField, LightNumber)> {
+        let fields = self.description().fields.iter();
+        fields.filter_map(move |field| Some((*field, (field.value)(self)?)))
+    }
+
+    /// The description of the kind.
     #[must_use]
     pub const fn description(self) -> &'static LightKindDescription {
         match self {
@@ -40,7 +46,8 @@ impl LightKind {
     }
 }
 
-/// The cone of a spot light; angle t is between the light's direction and the way to the surface.
+/// The cone of a spot light; t is the angle between the light's direction and the direction to the
+/// surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cone {
     /// max(cos t, 0)^exponent inside the cutoff, 0 outside (OpenGL 1.x, section 2.13.1). A cosine
@@ -48,7 +55,7 @@ pub enum Cone {
     Exponent {
         /// Cosine of the half-angle.
         cos_cutoff: f32,
-        /// How the light concentrates along the axis; below 0 is taken as 0.
+        /// Concentration along the axis; negative values count as 0.
         exponent: f32,
     },
     /// 1 inside the inner cone, 0 outside the outer one, between them
@@ -61,35 +68,82 @@ pub enum Cone {
     },
 }
 
-/// What a kind of light says of itself.
+/// The description of a kind of light.
 #[derive(Debug)]
 pub struct LightKindDescription {
-    /// A light of the kind as the window adds it.
+    /// The default light of the kind, as the viewer adds it.
     pub kind: LightKind,
     /// Its name, as flags and scene files have it.
     pub name: &'static str,
-    /// How it spreads, in a line.
+    /// One line of help.
     pub help: &'static str,
-    /// Whether it stands somewhere, so that its light comes from there and may weaken on its way.
+    /// Whether it has a position, and attenuation with distance.
     pub has_position: bool,
-    /// Whether it shines in a direction.
+    /// Whether it has a direction.
     pub has_direction: bool,
-    /// The numbers that only this kind has.
-    pub fields: &'static [LightField],
-    /// The fields of its text form behind position and direction; empty if there are none.
+    /// The fields that only this kind has.
+    pub fields: &'static [&'static LightField],
+    /// The fields of its text form after position and direction; empty if none.
     pub usage: &'static str,
 }
 
-/// A number that only one kind of light has.
+/// A field that only one kind of light has.
 #[derive(Clone, Copy, Debug)]
 pub struct LightField {
     /// Its key.
     pub name: &'static str,
-    /// What it means, in a line.
+    /// One line of help.
     pub help: &'static str,
-    /// A value, as scene files write it.
+    /// An example value, as in scene files.
     pub example: &'static str,
+    /// The value in a light; `None` if the light lacks the field.
+    value: fn(LightKind) -> Option<LightNumber>,
 }
+
+/// The value of a [`LightField`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LightNumber {
+    /// The cosine of a half-angle, which users give in degrees.
+    HalfAngle(f32),
+    /// A number without unit.
+    Plain(f32),
+}
+
+/// The half-angle of a spot light's cone, of either kind.
+pub static CUTOFF: LightField = LightField {
+    name: "cutoff",
+    help: "half-angle of the cone, 0 to 90, or 180 for none (spot) [default: 180]",
+    example: "30",
+    value: |kind| match kind {
+        LightKind::Spot(Cone::Exponent { cos_cutoff: cosine, .. })
+        | LightKind::Spot(Cone::Smooth { cos_outer: cosine, .. }) => {
+            Some(LightNumber::HalfAngle(cosine))
+        }
+        _ => None,
+    },
+};
+
+/// The exponent of a [`Cone::Exponent`].
+pub static EXPONENT: LightField = LightField {
+    name: "exponent",
+    help: "concentration along the axis (spot) [default: 0]",
+    example: "8",
+    value: |kind| match kind {
+        LightKind::Spot(Cone::Exponent { exponent, .. }) => Some(LightNumber::Plain(exponent)),
+        _ => None,
+    },
+};
+
+/// The inner half-angle of a [`Cone::Smooth`].
+pub static INNER: LightField = LightField {
+    name: "inner",
+    help: "instead of an exponent: the half-angle of full intensity, as in glTF (spot)",
+    example: "20",
+    value: |kind| match kind {
+        LightKind::Spot(Cone::Smooth { cos_inner, .. }) => Some(LightNumber::HalfAngle(cos_inner)),
+        _ => None,
+    },
+};
 
 /// All kinds, in the order of lists.
 pub static LIGHT_KINDS: [&LightKindDescription; 4] = [&DIRECTIONAL, &POINT, &SPOT, &AMBIENT];
@@ -123,23 +177,7 @@ static SPOT: LightKindDescription = LightKindDescription {
     help: "from a point into a cone",
     has_position: true,
     has_direction: true,
-    fields: &[
-        LightField {
-            name: "cutoff",
-            help: "half-angle of the cone, 0 to 90, or 180 for none (spot) [default: 180]",
-            example: "30",
-        },
-        LightField {
-            name: "exponent",
-            help: "how it concentrates along the axis (spot) [default: 0]",
-            example: "8",
-        },
-        LightField {
-            name: "inner",
-            help: "instead of an exponent: the half-angle up to which it is not weakened, as in glTF (spot)",
-            example: "20",
-        },
-    ],
+    fields: &[&CUTOFF, &EXPONENT, &INNER],
     usage: "cutoff=DEG:exponent=E (or :inner=DEG, a soft edge)",
 };
 
@@ -153,8 +191,20 @@ static AMBIENT: LightKindDescription = LightKindDescription {
     usage: "color=R,G,B",
 };
 
+impl Cone {
+    /// The smallest difference between the cosines of a smooth cone's angles: the lower bound of
+    /// the divisor in the reference code of glTF's `KHR_lights_punctual`.
+    const LEAST_EDGE: f32 = 0.001;
+
+    /// A smooth cone, with an edge wide enough to divide by.
+    #[must_use]
+    pub const fn smooth(cos_inner: f32, cos_outer: f32) -> Self {
+        Self::Smooth { cos_inner: cos_inner.max(cos_outer + Self::LEAST_EDGE), cos_outer }
+    }
+}
+
 impl LightKindDescription {
-    /// The kind of a name.
+    /// The kind with a name.
     #[must_use]
     pub fn by_name(name: &str) -> Option<&'static Self> {
         LIGHT_KINDS.into_iter().find(|kind| kind.name == name)
@@ -164,6 +214,16 @@ impl LightKindDescription {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_spot_light_has_the_fields_of_its_cone() {
+        let names =
+            |cone| LightKind::Spot(cone).fields().map(|(field, _)| field.name).collect::<Vec<_>>();
+        let with_exponent = names(Cone::Exponent { cos_cutoff: 0.5, exponent: 2.0 });
+        assert_eq!(with_exponent, ["cutoff", "exponent"]);
+        assert_eq!(names(Cone::smooth(0.9, 0.5)), ["cutoff", "inner"]);
+        assert_eq!(LightKind::Point.fields().count(), 0);
+    }
 
     #[test]
     fn a_kind_is_found_by_its_name_and_described_by_its_own_description() {

@@ -3,7 +3,7 @@
 use crate::Reflection;
 use crate::parameter::{K_A, K_D, K_S, METALLIC, Parameter, ROUGHNESS, SHININESS};
 
-/// The constants of a surface's reflection; what textures and vertex colours multiply.
+/// The reflection constants of a surface, which textures and vertex colours multiply.
 ///
 /// Colours are linear.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,7 +16,7 @@ pub struct Material {
     pub diffuse: [f32; 3],
     /// O_s.
     pub specular: [f32; 3],
-    /// O_e: light of its own.
+    /// O_e: emitted light.
     pub emission: [f32; 3],
     /// k_a
     pub k_a: f32,
@@ -33,8 +33,8 @@ pub struct Material {
 }
 
 impl Default for Material {
-    /// A warm light grey (sRGB 0.80, 0.78, 0.75), slightly glossy, for files that say nothing: form
-    /// is read from shading alone.
+    /// A warm light grey (sRGB 0.80, 0.78, 0.75), slightly glossy, for files without materials:
+    /// form is visible from shading alone.
     fn default() -> Self {
         Self {
             reflection: Reflection::BlinnPhong,
@@ -56,15 +56,30 @@ impl Material {
     /// The value of a parameter; the default of one that its reflection model lacks.
     #[must_use]
     pub fn value(&self, parameter: &Parameter) -> f32 {
-        match parameter.name {
-            "ka" => self.k_a,
-            "kd" => self.k_d,
-            "ks" => self.k_s,
-            "shininess" => self.shininess,
-            "metallic" => self.metallic,
-            "roughness" => self.roughness,
-            own => self.reflection.own(own).unwrap_or(parameter.default),
+        let own = || self.reflection.own(parameter.name).unwrap_or(parameter.default);
+        // The copy lets reading and writing share one table of fields.
+        self.clone().shared(parameter.name).map_or_else(own, |value| *value)
+    }
+
+    /// Sets the parameter with a name; one that the reflection model lacks stays out.
+    pub fn set_value(&mut self, name: &str, value: f32) {
+        match self.shared(name) {
+            Some(field) => *field = value,
+            None => self.reflection.set_own(name, value),
         }
+    }
+
+    /// The field of a shared parameter.
+    fn shared(&mut self, name: &str) -> Option<&mut f32> {
+        let fields = [
+            (K_A.name, &mut self.k_a),
+            (K_D.name, &mut self.k_d),
+            (K_S.name, &mut self.k_s),
+            (SHININESS.name, &mut self.shininess),
+            (METALLIC.name, &mut self.metallic),
+            (ROUGHNESS.name, &mut self.roughness),
+        ];
+        fields.into_iter().find(|(key, _)| *key == name).map(|(_, field)| field)
     }
 }
 
@@ -86,5 +101,10 @@ mod tests {
         };
         let values = SHARED.map(|parameter| material.value(parameter));
         assert_eq!(values, [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]);
+        let mut copy = Material::default();
+        for parameter in SHARED {
+            copy.set_value(parameter.name, material.value(parameter));
+        }
+        assert_eq!(copy, material);
     }
 }

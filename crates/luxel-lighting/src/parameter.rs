@@ -2,14 +2,14 @@
 
 /// A number that a reflection model depends on.
 ///
-/// Scene files, flags, sliders and pages read what they need of it.
+/// Scene files, flags, sliders and documents use it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
     /// Its key in scene files: `ka`.
     pub name: &'static str,
     /// As the equation writes it: `k_a`.
     pub symbol: &'static str,
-    /// What it means, in a line.
+    /// One line of help.
     pub help: &'static str,
     /// The smallest and the largest value.
     pub range: [f32; 2],
@@ -17,11 +17,11 @@ pub struct Parameter {
     pub is_whole: bool,
     /// The largest value that sliders offer.
     pub slider_end: f32,
-    /// Its value in a material that says nothing.
+    /// The default value.
     pub default: f32,
-    /// A value that shows what it does, as scene files write it.
+    /// An example value, as in scene files.
     pub example: &'static str,
-    /// What the help of its flag writes for the value; `None`: no flag sets it for all surfaces.
+    /// The placeholder of its flag's value in help; `None` if it has no flag.
     pub placeholder: Option<&'static str>,
 }
 
@@ -39,7 +39,7 @@ impl Parameter {
         Self { range, placeholder: None, ..Self::coefficient(name, name, help) }
     }
 
-    /// The nearest value that it may have; its default for NaN.
+    /// The nearest valid value; the default for NaN.
     #[must_use]
     pub fn nearest(&self, value: f32) -> f32 {
         let [low, high] = self.range;
@@ -89,5 +89,5 @@ pub const ROUGHNESS: Parameter = Parameter {
     ..Parameter::share("roughness", "0 to 1, for microfacet and oren-nayar; drops the same texture")
 };
 
-/// The parameters that every material has, whatever its model: those of files.
+/// The parameters of every material, whatever its reflection model.
 pub static SHARED: [&Parameter; 6] = [&K_A, &K_D, &K_S, &SHININESS, &ROUGHNESS, &METALLIC];

@@ -14,21 +14,21 @@ pub struct PlacedLight {
     direction: [f32; 3],
 }
 
-/// What arrives of a light at a point.
+/// The incident light of one source at a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightSample<N> {
-    /// L: towards the light, of unit length; 0 where the light stands at the point itself.
+    /// L: the unit vector towards the light; 0 if the light is at the point itself.
     pub(crate) to_light: Vec3<N>,
     /// d; `None` for directional lights.
     pub(crate) distance: Option<N>,
     /// min(1 / (c1 + c2 d + c3 d^2), limit) times the window of the range.
     pub(crate) attenuation: N,
-    /// How much of the cone's light goes this way.
+    /// The spot factor of this direction.
     pub(crate) spot: N,
 }
 
 impl<N: Lanes> LightSample<N> {
-    /// What is left of an intensity on the way: f I with f = attenuation x spot, which is 1 for
+    /// The attenuated intensity: f I with f = attenuation x spot, which is 1 for
     /// lights without a place.
     #[inline(always)]
     pub(crate) fn attenuated(&self, intensity: Rgb<N>) -> Rgb<N> {
@@ -64,7 +64,7 @@ impl PlacedLight {
         Self { light, has_ambient, position, direction }
     }
 
-    /// What it is.
+    /// Kind, intensities and attenuation.
     #[must_use]
     pub fn light(&self) -> &Light {
         &self.light
@@ -75,7 +75,7 @@ impl PlacedLight {
         self.has_ambient
     }
 
-    /// Where it stands, relative to the eye.
+    /// The position, relative to the eye.
     #[must_use]
     pub fn position(&self) -> [f32; 3] {
         self.position
@@ -87,7 +87,7 @@ impl PlacedLight {
         self.direction
     }
 
-    /// What arrives at `position`.
+    /// The incident light at `position`.
     #[inline(always)]
     pub(crate) fn sample<N: Lanes>(&self, position: Vec3<N>) -> LightSample<N> {
         let simd = position.x;
@@ -143,7 +143,7 @@ fn window<N: Lanes>(distance: N, range: f32) -> N {
 }
 
 impl Cone {
-    /// The part of the light that goes where the angle to the axis has this cosine.
+    /// The spot factor at this cosine of the angle to the axis.
     #[inline(always)]
     fn brightness<N: Lanes>(self, cosine: N) -> N {
         match self {

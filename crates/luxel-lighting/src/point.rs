@@ -13,6 +13,6 @@ pub struct SurfacePoint<N> {
     pub normal: Vec3<N>,
     /// V: towards the eye, of unit length; against the viewing direction for parallel projections.
     pub view: Vec3<N>,
-    /// The distance from the eye along the viewing axis, which fog goes by.
+    /// The distance from the eye along the viewing axis, for fog.
     pub depth: N,
 }

@@ -1,4 +1,4 @@
-//! What a surface reflects at a point: its material, with what textures make of it.
+//! The reflectance of a surface at a point: its material, modulated by textures.
 
 use crate::coefficients::limited;
 use crate::{Coefficients, Material, Reflection, Uniform};
@@ -7,7 +7,7 @@ use luxel_math::{Lanes, Rgb};
 /// Coefficients of reflection beyond this are taken as this, so that no product overflows.
 const COEFFICIENT_LIMIT: f32 = 1e8;
 
-/// What textures and vertex colours made of a [`Material`] at one point.
+/// A [`Material`] modulated by textures and vertex colours at one point.
 ///
 /// The equation takes these in the place of the material's own; k_a, k_d and k_s it takes from the
 /// material.
@@ -61,7 +61,7 @@ impl<N: Lanes> Reflectance<N> {
 }
 
 impl<N: Lanes> Coefficients<N> {
-    /// Of what textures and vertex colours made of a material.
+    /// The coefficients of a textured material.
     #[inline(always)]
     pub fn new(reflectance: &Reflectance<N>, material: &Material) -> Self {
         let occlusion = reflectance.occlusion.clamped(0.0, 1.0);
@@ -81,7 +81,7 @@ impl<N: Lanes> Coefficients<N> {
 }
 
 impl Coefficients<Uniform> {
-    /// Of what a material reflects that has no textures.
+    /// The coefficients of a material without textures.
     #[must_use]
     pub fn uniform(material: &Material) -> Self {
         let of = Coefficients::new(&Reflectance::of(0.0, material), material);
@@ -106,7 +106,7 @@ fn coefficient<N: Lanes>(color: Rgb<N>, k: f32) -> Rgb<N> {
     limited(color * color.r.constant(k), COEFFICIENT_LIMIT)
 }
 
-/// What the surface sends of its own: O_e. If it isn't lit, k_d O_d instead; in a mix, both.
+/// The emitted light: O_e. For an unlit model, k_d O_d instead; in a mixture, both.
 #[inline(always)]
 fn emitted_light<N: Lanes>(diffuse: Rgb<N>, emission: Rgb<N>, reflection: &Reflection) -> Rgb<N> {
     match reflection {

@@ -1,8 +1,8 @@
-//! Who hears the terms of the equation as they are computed.
+//! Observers of the terms of the equation.
 
 use luxel_math::{Rgb, Vec3};
 
-/// What one light adds, factor by factor.
+/// The contribution of one light, factor by factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightTerms<N> {
     /// L: towards the light, of unit length.
@@ -26,7 +26,7 @@ pub struct LightTerms<N> {
     pub specular: Rgb<N>,
 }
 
-/// What a model of reflection makes of one light, before the light's intensity and its fading.
+/// The reflection of one light by one model, before intensity and attenuation.
 ///
 /// A mix has several parts, all other models one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +48,7 @@ pub struct PartTerms<N> {
 pub enum Lobe<N> {
     /// Nothing beyond cosines and their powers.
     Plain,
-    /// What stands in the place of the cosines: a factor of I_d, and one of I_s.
+    /// Factors that replace the cosines: one of I_d, one of I_s.
     Factors {
         /// The factor of the diffuse term.
         diffuse: N,
@@ -63,12 +63,12 @@ pub enum Lobe<N> {
         pi_d: N,
         /// V: masking and shadowing, over 4 (N.L) (N.V).
         visibility: N,
-        /// F: what they reflect.
+        /// F: the Fresnel reflectance.
         fresnel: Rgb<N>,
     },
 }
 
-/// What a model mirrors of the environment, before k_s O_s.
+/// The environment reflected by one model, before k_s O_s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MirrorTerms<N> {
     /// w: how much of it is in the mix; 1 outside of mixes.
@@ -82,11 +82,11 @@ pub struct MirrorTerms<N> {
 /// The terms that belong to no single light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Terms<N> {
-    /// What the surface sends of its own.
+    /// The emitted light.
     pub emission: Rgb<N>,
     /// I_a k_a O_a
     pub scene_ambient: Rgb<N>,
-    /// What the surface mirrors of the environment.
+    /// The reflected environment.
     pub environment: Rgb<N>,
     /// ((emission + scene_ambient) + every light's ambient, diffuse and specular) + environment,
     /// from left to right.
@@ -95,7 +95,7 @@ pub struct Terms<N> {
 
 /// Hears every term of the equation. Each method does nothing unless it is written.
 pub trait Witness<N> {
-    /// A part of the model, by its place in the mix, for the light that [`Self::light`] tells of
+    /// A part of the model, by its index in the mixture, for the light that [`Self::light`] reports
     /// next.
     #[inline(always)]
     fn part(&mut self, index: usize, terms: &PartTerms<N>) {
@@ -126,7 +126,7 @@ pub trait Witness<N> {
         let _ = (factor, color);
     }
 
-    /// What goes to the eye.
+    /// The sum, after fog.
     #[inline(always)]
     fn color(&mut self, color: Rgb<N>) {
         let _ = color;
@@ -142,32 +142,32 @@ impl<N> Witness<N> for Silent {}
 /// Writes every term of one point down.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ledger {
-    /// What each light adds, in the order of the list.
+    /// The contribution of each light, in the order of the list.
     pub lights: Vec<LedgerLight>,
-    /// What is mirrored of the environment, by the parts of the model.
+    /// The reflected environment, by parts of the model.
     pub mirrors: Vec<(usize, MirrorTerms<f32>)>,
     /// The parts of the light that comes next.
     parts: Vec<(usize, PartTerms<f32>)>,
-    /// What the surface sends of its own.
+    /// The emitted light.
     pub emission: [f32; 3],
     /// I_a k_a O_a
     pub scene_ambient: [f32; 3],
-    /// What the surface mirrors of the environment.
+    /// The reflected environment.
     pub environment: [f32; 3],
     /// The sum of all terms.
     pub sum: [f32; 3],
     /// s and I_dc, where there is fog.
     pub fog: Option<(f32, [f32; 3])>,
-    /// What goes to the eye.
+    /// The sum, after fog.
     pub color: [f32; 3],
 }
 
-/// What one light adds, in a [`Ledger`].
+/// The contribution of one light in a [`Ledger`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct LedgerLight {
     /// The place in the list of lights.
     pub index: usize,
-    /// What the parts of the model make of it, by their place in the mix.
+    /// The parts of the model, by their index in the mixture.
     pub parts: Vec<(usize, PartTerms<f32>)>,
     /// The terms.
     pub terms: LightTerms<f32>,

@@ -126,7 +126,7 @@ fn a_model_describes_the_parameters_that_change_its_light_and_no_others() {
 }
 
 #[test]
-fn a_light_behind_the_surface_adds_no_highlight_and_its_cosine_is_told() {
+fn a_light_behind_the_surface_adds_no_highlight_and_reports_its_cosine() {
     let light = Light::new(LightKind::Directional, [1.0; 3]);
     let lights = [PlacedLight::new(light, [0.0; 3], [0.1, 0.0, 1.0])];
     for reflection in models() {
@@ -359,7 +359,7 @@ fn any_material() -> impl Strategy<Value = Material> {
         })
 }
 
-/// What acceptance asks of every term: 2e-4 of its value, or 2e-5.
+/// The required accuracy of every term: 2e-4 relative, or 2e-5 absolute.
 fn close(value: [f32; 3], exact: naive::V) -> bool {
     wide(value).into_iter().zip(exact).all(|(value, exact)| {
         let error = (value - exact).abs();
@@ -480,7 +480,7 @@ proptest! {
             attenuation: Attenuation { coefficients: attenuation, limit: numbers[5], range },
         };
         let lights = [PlacedLight::new(light, places[0], places[1])];
-        // The contract asks for unit vectors; 0 is what degenerate ones become.
+        // The contract requires unit vectors; degenerate ones become 0.
         let point = SurfacePoint {
             position: vec3(places[2]),
             normal: sound_unit(places[3]),

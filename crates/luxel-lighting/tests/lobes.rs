@@ -1,4 +1,4 @@
-//! The factors that a model tells of are those whose product its terms are.
+//! The terms of a model are the products of the factors that it reports.
 
 use luxel_lighting::*;
 use luxel_math::Vec3;
@@ -33,7 +33,7 @@ fn model() -> impl Strategy<Value = Reflection> {
 
 proptest! {
     #[test]
-    fn the_terms_are_the_products_of_the_factors_told(
+    fn the_terms_are_the_products_of_the_reported_factors(
         reflection in model(),
         to_light in towards(),
         view in towards(),
@@ -98,7 +98,7 @@ proptest! {
             }
         }
 
-        // So is what is mirrored.
+        // So is the reflected environment.
         let mirrored = ledger.mirrors.iter().fold(zero, |sum, (_, mirror)| {
             plus(sum, (mirror.share * mirror.radiance * mirror.weight).lane(0))
         });

@@ -1,4 +1,4 @@
-//! What nature and the papers promise: reciprocity, energy, the fit of the split sum, the studio.
+//! Physical laws and published claims: reciprocity, energy, the fit of the split sum, the studio.
 
 use luxel_lighting::*;
 use luxel_math::Vec3;
@@ -102,15 +102,15 @@ fn no_surface_sends_more_than_it_gets() {
             let [diffuse, _] = albedo(&rough, n_dot_v);
             // The qualitative model is a fit, which is a little too bright at grazing angles.
             assert!(diffuse < 1.02 && diffuse > 0.5, "Oren-Nayar {roughness} {n_dot_v}: {diffuse}");
-            // A white metal: F = 1. What is missing would be reflected more than once.
+            // A white metal: F = 1. The missing energy would be reflected more than once.
             let metal = material(Reflection::Microfacet, roughness, 1.0, 1.0);
             let [diffuse, specular] = albedo(&metal, n_dot_v);
             assert_eq!(diffuse, 0.0);
             assert!(specular < 1.005, "metal {roughness} {n_dot_v}: {specular}");
             let least = if roughness < 0.3 { 0.92 } else { 0.3 };
             assert!(specular > least, "metal {roughness} {n_dot_v}: {specular}");
-            // glTF promises it of specular light alone: at grazing angles its diffuse light, weakened
-            // by F at V.H and not at N.V, comes on top.
+            // glTF promises it of specular light alone: at grazing angles its diffuse light,
+            // weakened by F at V.H and not at N.V, comes on top.
             let plastic = material(Reflection::Microfacet, roughness, 0.0, 1.0);
             let [diffuse, specular] = albedo(&plastic, n_dot_v);
             assert!(specular < 0.7 && diffuse < 0.97, "plastic {roughness} {n_dot_v}");
@@ -123,7 +123,7 @@ fn no_surface_sends_more_than_it_gets() {
     assert!((albedo(&white, 0.5)[0] - 1.0).abs() < 1e-4);
 }
 
-/// What a surface mirrors of a white world.
+/// The reflection of a white environment.
 fn mirrored(material: &Material, n_dot_v: f64) -> f64 {
     let lighting = LightingEnvironment::new(&[], [0.0; 3], Environment::Constant([1.0; 3]), None);
     let mut ledger = Ledger::default();

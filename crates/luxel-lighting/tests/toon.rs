@@ -12,7 +12,7 @@ fn material(steps: f32, k_s: f32) -> Material {
     Material { reflection, diffuse: [1.0; 3], k_s, shininess: 8.0, ..Material::default() }
 }
 
-/// What a point that faces the eye sends of a light of intensity 1 from this direction.
+/// The reflected light of intensity 1 from this direction, at a point that faces the eye.
 fn sent(material: &Material, to_light: V) -> [f32; 3] {
     let facing = Vec3::new(0.0, 0.0, 1.0);
     let position = Vec3::new(0.0, 0.0, -5.0);

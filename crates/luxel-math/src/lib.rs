@@ -48,7 +48,7 @@ pub use simd_level::{
 };
 pub use vector::{Rgb, Vec3};
 
-/// What code over sixteen lanes wants in scope.
+/// The items that code over sixteen lanes needs.
 pub mod prelude {
     pub use crate::lanes::{F64Lanes, Lanes, Mask};
     pub use fearless_simd::prelude::*;

@@ -131,8 +131,8 @@ impl SimdLevel {
     }
 }
 
-/// Whether one register holds sixteen lanes, and there are thirty-two of them: with AVX-512. Elsewhere
-/// sixteen lanes of a few numbers fill all registers.
+/// Whether one register holds sixteen lanes, and there are thirty-two of them: with AVX-512.
+/// Elsewhere sixteen lanes of a few numbers fill all registers.
 #[inline(always)]
 pub fn has_wide_registers<S: Simd>(simd: S) -> bool {
     match simd.level() {
@@ -180,14 +180,14 @@ impl FromStr for SimdLevel {
     }
 }
 
-/// A name that is no [`SimdLevel`].
+/// A name that is not a [`SimdLevel`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseSimdLevelError(String);
 
 impl fmt::Display for ParseSimdLevelError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names: Vec<_> = LEVELS.iter().map(|level| level.name()).collect();
-        write!(formatter, "`{}` is no SIMD level: use auto, {}", self.0, names.join(", "))
+        write!(formatter, "`{}` is not a SIMD level: use auto, {}", self.0, names.join(", "))
     }
 }
 
@@ -313,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn no_level_is_offered_whose_kernels_are_left_out() {
+    fn levels_without_compiled_kernels_are_not_offered() {
         let offered = SimdLevel::available();
         assert!(cfg!(feature = "avx512") || !offered.contains(&SimdLevel::Avx512));
         for level in offered {

@@ -61,8 +61,8 @@ fn outside(count: usize) -> Option<&'static ThreadPool> {
     OUTSIDE.get_or_init(start).as_ref()
 }
 
-/// Calls `work` with every number below `count`, in no order. Each should be worth a thread's while:
-/// ten microseconds at least.
+/// Calls `work` with every number below `count`, in no order. Each should be worth a thread's
+/// while: ten microseconds at least.
 pub fn tasks(count: usize, work: &(dyn Fn(usize) + Sync)) {
     let next = AtomicUsize::new(0);
     until_done(count, &|| {
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn tasks_may_have_tasks_of_their_own() {
+    fn tasks_may_be_nested() {
         let sum = AtomicUsize::new(0);
         tasks(50, &|outer| {
             tasks(50, &|inner| {

@@ -1,6 +1,6 @@
 //! Picks of many places at once, against picks of each alone.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel_math::SimdLevel;
 use luxel_pick::{Element, PickView, Picker, Quality};
@@ -33,8 +33,8 @@ fn bumpy_sphere(frequency: u32) -> Mesh {
     mesh
 }
 
-/// Spheres, mirrored, stretched, flattened and twice in one place, points and lines, and a floor that
-/// reaches behind the eye.
+/// Spheres, mirrored, stretched, flattened and twice in one place, points and lines, and a floor
+/// that reaches behind the eye.
 fn scene(origin: DVec3, frequency: u32) -> Scene {
     let mut sphere = bumpy_sphere(frequency);
     sphere.origin = origin;

@@ -1,6 +1,7 @@
-//! Selection with names against asking every primitive by itself, and points and lines near a place.
+//! Selection with names against asking every primitive by itself, and points and lines near a
+//! place.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel_pick::{Element, HitRecord, PickView, Picker, Selection, Viewport, pick_matrix};
 use luxel_scene::{

@@ -1,6 +1,6 @@
 //! Slivers against the simple truth: every triangle cut, one side after the other, by hand.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel_pick::{Inclusion, PhysicalPosition, PickView, Picker, Region, SnapTo, SnappedTo};
 use luxel_scene::{
@@ -151,7 +151,7 @@ proptest! {
 }
 
 #[test]
-fn a_lasso_of_a_rectangle_s_corners_tells_what_the_rectangle_does() {
+fn a_lasso_of_a_rectangle_s_corners_equals_the_rectangle() {
     let scene = scene();
     let picker = Picker::new(scene.clone()).unwrap();
     for camera in cameras() {

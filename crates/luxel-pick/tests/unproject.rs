@@ -1,6 +1,6 @@
 //! Between world and window, against the formulas of GLU's manual and against the fill rule's rays.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel_pick::{Viewport, flip_y, pick_matrix, project, unproject, unproject4, window_ray};
 use luxel_scene::{Camera, DMat4, DVec2, DVec3, DVec4, Lens, Projection, Size};

@@ -1,6 +1,6 @@
 //! Rays through scenes of several objects, against asking every triangle of every object in f64.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel_pick::{Picker, WorldRay};
 use luxel_scene::{DMat4, DVec3, MaterialId, MeshId, Node, Part, Scene, SceneMaterial, primitives};

@@ -1,4 +1,4 @@
-//! What a pixel shows and why, written for readers: the ledger of a pixel as text, JSON, LaTeX and
+//! Reports for readers: the ledger of a pixel as text, JSON, LaTeX and
 //! HTML, and the answers of picks as text and JSON.
 //!
 //! [`Report`] writes an [`Explanation`](luxel_render::Explanation), the light of one pixel term by
@@ -8,10 +8,13 @@
 //! use luxel_render::{At, Execution, Renderer};
 //! # use luxel_render::{Cull, EnvironmentChoice, Shading, View};
 //! # use luxel_lighting::PictureEncoding;
-//! # use luxel_scene::{DEFAULT_AMBIENT, DVec3, Lens, Scene, Size, Viewpoint, default_lights, demos, fit_view};
+//! # use luxel_scene::{DEFAULT_AMBIENT, DVec3, Lens, Scene, Size, Viewpoint, default_lights, demos,
+//! fit_view};
 //! # fn default_view(scene: &Scene, size: Size) -> View {
 //! #     let viewpoint = Viewpoint { up: DVec3::Y, azimuth_radians: 0.5, elevation_radians: 0.3 };
-//! #     View::new(size, fit_view(scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 }, size)).with_samples(4).with_cull(Cull::Auto).with_lights(default_lights()).with_ambient(DEFAULT_AMBIENT).with_environment(EnvironmentChoice::StudioForMicrofacets).with_fog(None).with_background([0.0; 4]).with_encoding(PictureEncoding::Srgb).with_edges(None).with_shading(Shading::default())
+//! #     View::new(size, fit_view(scene, &viewpoint, Lens::Perspective { fov_y_radians: 0.8 },
+//! size)).with_samples(4).with_cull(Cull::Auto).with_lights(default_lights()).with_ambient(DEFAULT_AMBIENT).with_environment(EnvironmentChoice::StudioForMicrofacets).with_fog(None).with_background([0.0;
+//! 4]).with_encoding(PictureEncoding::Srgb).with_edges(None).with_shading(Shading::default())
 //! # }
 //! use luxel_report::Report;
 //! use std::sync::Arc;
@@ -29,21 +32,22 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`Report::with_unseen`] adds the surfaces that the pixel doesn't show, [`Report::with_pictures`] the
-//! picture around it. [`ledger_lines`] gives the equation line by line, for panels. [`PickReport`] and
-//! [`RegionReport`] write what a [`PickView`](luxel_pick::PickView) finds.
+//! [`Report::with_unseen`] adds the surfaces that the pixel doesn't show, [`Report::with_pictures`]
+//! the picture around it. [`ledger_lines`] gives the equation line by line, for panels.
+//! [`PickReport`] and [`RegionReport`] write the results of a [`PickView`](luxel_pick::PickView).
 //!
 //! # Symbols
 //!
 //! | symbol | meaning |
 //! | --- | --- |
-//! | N, L, V, R, H | unit vectors in world space: the normal, to the light, to the eye, L mirrored at N, halfway between L and V |
+//! | N, L, V, R, H | unit vectors in world space: the normal, to the light, to the eye, L mirrored
+//! at N, halfway between L and V |
 //! | I_a, I_d, I_s | ambient, diffuse and specular intensity of a light, linear red, green, blue |
 //! | k_a, k_d, k_s | the material's constants of reflection |
 //! | O_a, O_d, O_s, O_e | the material's ambient, diffuse, specular and emitted colour |
 //! | n | the material's shininess |
 //! | f | attenuation by distance times the cone of a spot light |
-//! | I, I' | the sum of all terms, and what fog leaves of it |
+//! | I, I' | the sum of all terms, before and after fog |
 
 #![forbid(unsafe_code)]
 

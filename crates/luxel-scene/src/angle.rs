@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn arc_tangents_are_as_good_as_said() {
+    fn arc_tangents_are_within_the_documented_error() {
         for step in 0..=10_000 {
             let angle = f64::from(step + 1) / 10_001.0 * std::f64::consts::FRAC_PI_2;
             let found = arc_tangent_of_ratio(libm::sin(angle), libm::cos(angle).max(0.0));

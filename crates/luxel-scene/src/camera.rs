@@ -1,4 +1,4 @@
-//! Cameras: where the eye stands, and how the world falls onto the window.
+//! Cameras: position of the eye, and projection onto the window.
 
 use crate::NodeId;
 use glam::{DMat4, DVec3, DVec4};
@@ -12,7 +12,7 @@ pub struct Size {
     pub height: u32,
 }
 
-/// What the lens does, apart from the clipping planes.
+/// The projection, without the clipping planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lens {
     /// A symmetric perspective.
@@ -59,7 +59,7 @@ pub struct Projection {
     pub far: f64,
 }
 
-/// A camera: what a picture is taken with.
+/// A camera: view transform, lens and clipping planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// From world space to the camera's own, which looks along -Z with +Y up: a rotation and a
@@ -74,7 +74,7 @@ pub struct Camera {
 pub struct SceneCamera {
     /// Its name.
     pub name: String,
-    /// The node; `None` stands for the world.
+    /// The node; `None` is the world.
     pub node: Option<NodeId>,
     /// From the node's coordinates (the world's without one) to the camera's own: a rotation and a
     /// translation.
@@ -155,8 +155,8 @@ impl Projection {
 
 impl Camera {
     /// The rotation and translation of a camera at `eye` that looks to `target`, `up` pointing up
-    /// in the picture (`gluLookAt`), its axes orthonormal to 1e-15. Where `up` runs along the view,
-    /// another axis stands in.
+    /// in the image (`gluLookAt`), its axes orthonormal to 1e-15. If `up` is parallel to the view,
+    /// another axis replaces it.
     #[must_use]
     pub fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> DMat4 {
         let back = (eye - target).normalize_or(DVec3::Z);

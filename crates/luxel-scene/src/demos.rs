@@ -11,7 +11,7 @@ mod welcome;
 
 use crate::Scene;
 
-/// A built-in scene: its name, one line about it, and what makes it.
+/// A built-in scene: name, one line of help, and constructor.
 struct Demo {
     name: &'static str,
     about: &'static str,
@@ -26,7 +26,7 @@ const DEMOS: [Demo; 6] = [
     },
     Demo {
         name: "spheres",
-        about: "rows of spheres, one for each model of reflection",
+        about: "rows of spheres, one per reflection model",
         make: spheres::scene,
     },
     Demo {
@@ -36,23 +36,22 @@ const DEMOS: [Demo; 6] = [
     },
     Demo {
         name: "plane",
-        about: "a coloured ground plane with named things standing on it",
+        about: "a coloured ground plane with named objects on it",
         make: plane::scene,
     },
     Demo {
         name: "welcome",
-        about: "the teapot on the coloured ground, which a window shows first",
+        about: "the teapot on the coloured ground, the default of the viewer",
         make: welcome::scene,
     },
     Demo {
         name: "blob",
-        about: "a bumpy ball of a million triangles, to measure with",
+        about: "a bumpy ball of a million triangles, for benchmarks",
         make: blob::scene,
     },
 ];
 
-/// The names of the built-in scenes with a line about each. Settings of the renderer that the line
-/// names stand in backticks, as `` `shading gouraud` ``.
+/// The names of the built-in scenes, each with one line of help.
 #[must_use]
 pub fn names() -> Vec<(&'static str, &'static str)> {
     demos().map(|demo| (demo.name, demo.about)).collect()

@@ -69,7 +69,7 @@ const fn srgb_to_linear(v: f64) -> f64 {
 /// The largest linear value in the whole numbers that mipmaps are averaged in.
 pub(crate) const LINEAR_STEPS: u16 = u16::MAX;
 
-/// What mipmaps are averaged in: linear light in whole numbers, so that sums are exact.
+/// The number type of mipmap averages: linear light in integers, so that sums are exact.
 pub(crate) struct WholeNumbers {
     /// From a byte to 0..=[`LINEAR_STEPS`].
     pub(crate) linear: [u16; 256],

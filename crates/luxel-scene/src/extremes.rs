@@ -1,12 +1,12 @@
-//! The outermost of many points: exact maxima over all drawn points of objects, of which a search looks
-//! at few.
+//! The outermost of many points: exact maxima over all drawn points of objects, of which a search
+//! looks at few.
 //!
-//! A maximum doesn't depend on the order of its points. So points may be left out once it is certain
-//! that none of them reaches the best value so far, and the result has the same bits as a walk over
-//! all points: those that may reach it are transformed and measured as a walk does it.
+//! A maximum doesn't depend on the order of its points. So points may be left out once it is
+//! certain that none of them reaches the best value so far, and the result has the same bits as a
+//! walk over all points: those that may reach it are transformed and measured as a walk does it.
 //!
-//! Each [`Measure`] is searched for itself, from the place where a similar one was highest. Searches of
-//! several measures at once would open what any of them needs.
+//! Each [`Measure`] is searched for itself, from the place where a similar one was highest.
+//! Searching several measures at once would open the nodes that any of them needs.
 
 mod cut;
 mod measure;
@@ -26,7 +26,7 @@ pub(crate) struct Place {
     leaf: usize,
 }
 
-/// Points in a space of their own.
+/// Points in a local space.
 #[derive(Debug)]
 pub(crate) struct Extremes<'a> {
     objects: Vec<Object<'a>>,
@@ -39,7 +39,7 @@ struct Object<'a> {
     mesh: &'a Mesh,
     tree: &'a PointTree,
     target_from_mesh: DMat4,
-    /// What the coordinates of its points are sums of, at most.
+    /// The largest terms of its points' coordinates.
     magnitudes: DVec3,
     /// The largest coordinates of its points in the mesh.
     largest: DVec3,
@@ -74,8 +74,9 @@ impl<'a> Extremes<'a> {
     /// The bounds of all points; `places` learns where they are highest and lowest along each axis.
     pub(crate) fn bounds(&self, places: &mut [Option<Place>; 6]) -> Bounds {
         let mut highest = |axis: usize, sign: f64, place: usize| {
-            // Transformed zeros are positive, unless the translation has a negative zero, which products
-            // of matrices don't have. Adding zero makes the opposite of a zero positive, too.
+            // Transformed zeros are positive, unless the translation has a negative zero, which
+            // products of matrices don't have. Adding zero makes the opposite of a zero positive,
+            // too.
             sign * self.highest(Coordinate { axis, sign }, &mut places[place]).0 + 0.0
         };
         let max = DVec3::new(highest(0, 1.0, 0), highest(1, 1.0, 2), highest(2, 1.0, 4));
@@ -114,7 +115,7 @@ fn is_higher(value: (f64, f64), than: (f64, f64)) -> bool {
     value.0 > than.0 || value.0 == than.0 && value.1 > than.1
 }
 
-/// The child that reaches farthest among some, whose bits are set.
+/// The child that reaches farthest, among those with a set bit.
 fn farthest(reaches: &[f32; WIDTH], among: u32) -> usize {
     let (mut farthest, mut highest) = (among.trailing_zeros() as usize, f32::NEG_INFINITY);
     for (child, &reach) in reaches.iter().enumerate() {

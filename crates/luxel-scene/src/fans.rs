@@ -23,7 +23,7 @@ pub(crate) struct Fans<T> {
 impl<T: Copy + Send + Sync> Fans<T> {
     /// Asks for the fans of every place: `find(place, corners, scratch, values, fan_of_corner)`
     /// appends the values of the place's fans and names each corner's, by its number in `values`.
-    /// The scratch is what one thread uses again from place to place.
+    /// The scratch memory that one thread reuses for all positions.
     pub(crate) fn gather<S: Default>(
         topology: &Topology,
         find: impl Fn(u32, &[u32], &mut S, &mut Vec<T>, &mut [u32]) + Sync,
@@ -109,7 +109,7 @@ impl<T: Copy + Send + Sync> Fans<T> {
     }
 }
 
-/// Gives the corners of clashes attribute vertices of their own; tells of which each is a copy.
+/// Gives clashing corners new attribute vertices; returns the original of each copy.
 /// The work is bounded by sorting, whatever the file.
 fn split(mesh: &mut Mesh, fan_of_vertex: &mut Vec<u32>, mut clashes: Vec<u128>) -> Vec<u32> {
     sort_u128(&mut clashes);

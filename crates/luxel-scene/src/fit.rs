@@ -19,7 +19,7 @@ const PLANE_MARGIN: f64 = 1e-3;
 /// solid things are several times as far; this is for lines seen end on.
 const LEAST_DISTANCE: f64 = 0.1;
 
-/// How often the view is centred again at most; each round about squares what is off.
+/// Maximum iterations of centring the view; each about squares the error.
 const ROUNDS_OF_CENTRING: usize = 8;
 
 /// Right, left, top and bottom of the picture: axis and sign.
@@ -73,11 +73,11 @@ impl Viewpoint {
 /// down, whichever is filled first.
 ///
 /// For perspectives the eye is as near as possible. With the picture's axes as coordinates and
-/// slopes l, r of the sides to fill, a point at (x, z) is inside for an eye at (e, h) if
-/// l (h - z) <= x - e <= r (h - z); for all points that is h (r - l) >= max(x + r z) - min(x + l z),
-/// and likewise up and down. The direction that isn't filled is then centred. Orthographic lenses
-/// keep their height; a height of 0 becomes the one that fits. Near and far are those of
-/// [`fit_planes`]. A scene without anything to see is looked at from the side all the same.
+/// slopes l, r of the sides to fill, a point at (x, z) is inside for an eye at (e, h) if l (h - z)
+/// <= x - e <= r (h - z); for all points that is h (r - l) >= max(x + r z) - min(x + l z), and
+/// likewise up and down. The direction that isn't filled is then centred. Orthographic lenses keep
+/// their height; a height of 0 becomes the one that fits. Near and far are those of [`fit_planes`].
+/// A scene without anything to see is looked at from the side all the same.
 #[must_use]
 pub fn fit_view(scene: &Scene, viewpoint: &Viewpoint, lens: Lens, size: Size) -> Camera {
     fit_along(scene, viewpoint.axes(), lens, size)
@@ -239,7 +239,7 @@ fn fitted_eye(
         }
     }
     for axis in 0..2 {
-        // The middle of what is allowed: exact where the direction is filled, a start elsewhere.
+        // The middle of the allowed range: exact where the direction is filled, a start elsewhere.
         let least = support[2 * axis] - slopes.high[axis] * height;
         let most = -support[2 * axis + 1] - slopes.low[axis] * height;
         eye[axis] = (least + most) * 0.5;

@@ -1,4 +1,4 @@
-//! What there is: meshes, nodes with names and paths, cameras, lights, materials and textures.
+//! Scenes: meshes, nodes with names and paths, cameras, lights, materials and textures.
 //!
 //! World space is right-handed. Matrices are column-major, act on column vectors, and are named
 //! target-from-source, so that products read themselves: `clip_from_view * view_from_world`.
@@ -9,6 +9,7 @@ mod angle;
 mod camera;
 pub mod demos;
 mod encoding;
+mod environment;
 mod extremes;
 mod fans;
 mod fit;
@@ -31,6 +32,7 @@ mod triangulate;
 
 pub use camera::{CLIP_VOLUME, Camera, Lens, Projection, SceneCamera, Size};
 pub use encoding::Encoding;
+pub use environment::{EnvironmentChoice, NamedEnvironment};
 pub use fit::{Viewpoint, fit_along, fit_box, fit_planes, fit_view};
 pub use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 pub use light::{DEFAULT_AMBIENT, Placement, SceneLight, default_lights};
@@ -42,7 +44,7 @@ pub use normal_map::mapped_normal;
 pub use normals::{DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource};
 pub use opacity::{OpacityCorners, OpacityLanes};
 pub use restyle::Restyle;
-pub use scene::{EnvironmentChoice, Object, Scene};
+pub use scene::{Object, Scene};
 pub use texture::{Filter, Image, MipLevel, Sampler, Texture, Wrap};
 pub use topology::{Topology, weld};
 pub use triangulate::triangulate;

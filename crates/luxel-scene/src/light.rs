@@ -21,18 +21,19 @@ pub enum Placement {
 pub struct SceneLight {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Kind, intensities and attenuation.
     pub light: Light,
     /// The coordinates of `position` and `direction`.
     pub placement: Placement,
-    /// Where it stands (point and spot lights).
+    /// The position (point and spot lights).
     pub position: DVec3,
     /// The direction in which its light travels, of any length but 0 (directional and spot lights).
     pub direction: DVec3,
 }
 
 impl SceneLight {
-    /// A directional light of one colour, shining along `direction` (any length but 0) in world space.
+    /// A directional light of one colour, shining along `direction` (any length but 0) in world
+    /// space.
     #[must_use]
     pub fn directional(direction: DVec3, color: [f32; 3]) -> Self {
         Self { direction, ..Self::of(LightKind::Directional, color) }
@@ -45,8 +46,8 @@ impl SceneLight {
         Self { position, ..Self::of(LightKind::Point, color) }
     }
 
-    /// A spot light of one colour at `position`, shining along `direction` in world space: even within
-    /// `cutoff_radians` of its axis, nothing beyond.
+    /// A spot light of one colour at `position`, shining along `direction` in world space: even
+    /// within `cutoff_radians` of its axis, nothing beyond.
     #[must_use]
     pub fn spot(position: DVec3, direction: DVec3, cutoff_radians: f64, color: [f32; 3]) -> Self {
         let cos_cutoff = libm::cos(cutoff_radians) as f32;
@@ -83,10 +84,10 @@ impl SceneLight {
     }
 }
 
-/// I_a where nothing else is said: no part of a model is wholly black.
+/// The default I_a: no part of a model is entirely black.
 pub const DEFAULT_AMBIENT: [f32; 3] = [0.115, 0.12, 0.13];
 
-/// The lights where nothing else is said, beside [`DEFAULT_AMBIENT`]: a soft white key from the upper
+/// The default lights, besides [`DEFAULT_AMBIENT`]: a soft white key from the upper
 /// left of the camera, and a weak cool fill from its right, about 1 : 0.25.
 ///
 /// The brightest spot of the default material is at 0.9 of white: 0.6 (1 + 0.12) and 0.2 of

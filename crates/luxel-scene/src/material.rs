@@ -4,7 +4,7 @@ use crate::TextureId;
 use luxel_lighting::Material;
 use luxel_math::Lanes;
 
-/// A material: what the equation multiplies, and the textures that it multiplies with.
+/// A material: the constants of the equation, and the textures that modulate them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneMaterial {
     /// Its name.
@@ -13,7 +13,7 @@ pub struct SceneMaterial {
     pub constants: Material,
     /// Alpha of the whole surface: the base colour's alpha, or MTL's `d`.
     pub opacity: f32,
-    /// What alpha does.
+    /// The use of alpha.
     pub alpha_mode: AlphaMode,
     /// Which sides are drawn.
     pub sides: Sides,
@@ -69,7 +69,7 @@ impl TextureUse {
     }
 }
 
-/// What a surface's alpha does.
+/// The use of a surface's alpha.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum AlphaMode {
     /// Nothing.
@@ -80,7 +80,7 @@ pub enum AlphaMode {
         /// Alpha below this is not drawn.
         cutoff: f32,
     },
-    /// The surface lets through what is behind it.
+    /// The surface is transparent.
     Blend,
 }
 

@@ -23,7 +23,7 @@ pub struct Mesh {
     pub attribute_corners: Option<Vec<[u32; 3]>>,
     /// Unit normals of the attribute vertices; empty if the file has none.
     pub normals: Vec<[f32; 3]>,
-    /// What was wrong with the file's normals before they were mended, in order of positions.
+    /// The faults of the file's normals before their repair, in order of positions.
     pub normal_faults: Vec<NormalFault>,
     /// Unit tangents, with the bitangent's sign; empty if there are none.
     pub tangents: Vec<[f32; 4]>,
@@ -37,26 +37,26 @@ pub struct Mesh {
     pub smoothing_groups: Option<Vec<u32>>,
     /// Runs of triangles that share a material, in order and without gaps.
     pub parts: Vec<Part>,
-    /// Points, which are no triangles.
+    /// Points.
     pub points: Vec<Points>,
-    /// Line segments, which are no triangles.
+    /// Line segments.
     pub lines: Vec<Lines>,
 }
 
 /// A normal that is none, or not of unit length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct NormalFault {
-    /// The position that it stands at.
+    /// The index of its position.
     pub position: u32,
     /// Whether it is zero or not finite; else its length isn't 1.
     pub undefined: bool,
 }
 
 impl NormalFault {
-    /// How far from 1 a length may be: beyond what normals in signed bytes have.
+    /// Tolerance of the length: more than the error of normals in signed bytes.
     const TOLERANCE: f64 = 0.02;
 
-    /// What is wrong with a normal, if something is.
+    /// The fault of a normal, if any.
     #[must_use]
     pub fn of(position: u32, normal: [f32; 3]) -> Option<Self> {
         let [x, y, z] = normal.map(f64::from);
@@ -196,7 +196,7 @@ impl Bounds {
     /// The bounds of nothing.
     pub const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
 
-    /// Whether nothing lies within.
+    /// Whether the bounds are empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         !self.min.cmple(self.max).all()

@@ -1,4 +1,4 @@
-//! The meshes of a scene, with what is measured of them.
+//! The meshes of a scene, with cached measurements.
 
 use crate::extremes::Extremes;
 use crate::point_tree::PointTree;
@@ -8,11 +8,11 @@ use std::fmt;
 use std::ops::{Deref, DerefMut};
 use std::sync::{Arc, OnceLock};
 
-/// The meshes of a scene: a `Vec` of them that keeps what was measured.
+/// The meshes of a scene: a `Vec` with cached measurements.
 ///
-/// Bounds and fitted views need the outermost points of meshes. The first of them builds a small tree of
-/// boxes for each mesh, of 2 to 6 bytes a position; the next find the same bits by it in some
-/// microseconds. Copies share the trees.
+/// Bounds and fitted views need the outermost points of meshes. The first of them builds a small
+/// tree of boxes for each mesh, of 2 to 6 bytes a position; the next find the same bits by it in
+/// some microseconds. Copies share the trees.
 ///
 /// It is used as the `Vec` that it derefs to. Whoever borrows that mutably, for whatever purpose,
 /// drops all trees, and nothing else can change a mesh: trees always fit.
@@ -75,7 +75,7 @@ impl Deref for Meshes {
 }
 
 impl DerefMut for Meshes {
-    /// Drops what was measured.
+    /// Drops the cached measurements.
     fn deref_mut(&mut self) -> &mut Vec<Mesh> {
         self.trees = OnceLock::new();
         &mut self.list
@@ -134,7 +134,7 @@ impl<'a> IntoIterator for &'a mut Meshes {
     type Item = &'a mut Mesh;
     type IntoIter = std::slice::IterMut<'a, Mesh>;
 
-    /// Drops what was measured.
+    /// Drops the cached measurements.
     fn into_iter(self) -> Self::IntoIter {
         (**self).iter_mut()
     }

@@ -48,11 +48,11 @@ id!(
 pub struct Node {
     /// The file's name, or one made of the node's number or the file's stem.
     pub name: String,
-    /// The node that this one hangs on; its number may be higher or lower. Never part of a cycle.
+    /// The parent; its index may be higher or lower. Never part of a cycle.
     pub parent: Option<NodeId>,
     /// From this node's coordinates to its parent's (to the world's, for a root).
     pub parent_from_node: DMat4,
-    /// What is drawn here.
+    /// The mesh to draw.
     pub mesh: Option<MeshId>,
 }
 

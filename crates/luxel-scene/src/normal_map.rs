@@ -1,4 +1,4 @@
-//! What a normal map's texel makes of a normal.
+//! Applies a normal map's texel to a normal.
 
 use luxel_math::{Lanes, Vec3};
 

@@ -24,13 +24,13 @@
 //!   15 degrees (two edges of all are between 15 and 45), true edges lie at 85 to 105 and are 29,
 //!   32 and 67 % of all, chamfers at 45.
 //! - Modelled surfaces that are meant to be smooth: 99.0 % of the Utah teapot's edges and 99.2 % of
-//!   a cow's lie below 40; what lies above are rims and joints.
+//!   a cow's lie below 40; those above are rims and joints.
 //! - Scans: 99.5 % of the Stanford bunny's and 99.6 % of the dragon's lie below 40. The rest is
 //!   noise, which looks no worse with edges, while a cube from a PLY file looks wrong without; so
 //!   formats with shared positions are treated alike.
 //!
 //! A regular prism of n sides has 360/n degrees at its edges: 45 at the octagon, which is meant to
-//! have edges, 36 at the decagon, which usually stands for a cylinder. 40 lies between.
+//! have edges, 36 at the decagon, which usually represents a cylinder. 40 lies between.
 
 mod around;
 mod faces;
@@ -43,14 +43,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// How many normals one thread takes at a time.
 const RUN: usize = 1 << 12;
 
-/// Below this angle between two faces the edge that they share is smooth, unless asked otherwise;
-/// the module's page says how it was found.
+/// By default, edges between faces at less than this angle are smooth;
+/// the module documentation describes its derivation.
 pub const DEFAULT_CREASE_DEGREES: f64 = 40.0;
 
-/// Where vertex normals come from.
+/// The source of vertex normals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum NormalSource {
-    /// The file; what it lacks is computed as for `AreaAngle`.
+    /// The file; missing normals are computed as for `AreaAngle`.
     #[default]
     File,
     /// The plain average of the abutting polygons' normals.
@@ -156,7 +156,7 @@ impl Mesh {
 /// The normal of a vertex without any sound face.
 const NO_DIRECTION: [f32; 3] = [0.0, 0.0, 1.0];
 
-/// The unit vector in a direction; `None` for zero and what isn't finite.
+/// The normalized vector; `None` for zero and non-finite ones.
 fn unit([x, y, z]: [f64; 3]) -> Option<[f32; 3]> {
     let largest = x.abs().max(y.abs()).max(z.abs());
     // Also false if one is not a number: sums of such are none.

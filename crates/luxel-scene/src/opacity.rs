@@ -1,17 +1,17 @@
-//! Where a surface isn't there: texels cut away, and what is wholly transparent.
+//! Holes in surfaces: texels below the alpha cutoff, and fully transparent ones.
 
 use crate::{AlphaMode, Mesh, Scene, SceneMaterial, TextureUse};
 use luxel_math::{Lanes, Mask};
 
-/// What a triangle's opacity is mixed from: its corners, as rows that lanes can be read from.
+/// The inputs of a triangle's opacity: its corners, as rows to load lanes from.
 ///
-/// Three texture coordinates of the base colour's set and the opacities of two colours; three of the
-/// opacity map's set, that of the third colour, and 1 if there are colours.
+/// Three texture coordinates of the base colour's set and the opacities of two colours; three of
+/// the opacity map's set, that of the third colour, and 1 if there are colours.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OpacityCorners([[f32; 8]; 2]);
 
 impl OpacityCorners {
-    /// The corners of a triangle of a mesh; what the mesh lacks is 0.
+    /// The corners of a triangle of a mesh; missing attributes are 0.
     ///
     /// # Panics
     /// If the mesh has no such triangle.

@@ -1,9 +1,9 @@
 //! A shallow tree over the drawn points of a mesh, for exact searches of the outermost ones.
 //!
-//! Leaves hold [`LEAF`] points, nodes [`WIDTH`] children with a [`Dop`] of each: 1.9 bytes a point in
-//! all. Points are taken in the mesh's own order, which in most files keeps neighbours together, so
-//! that nothing is sorted and no list of points is needed. Where it doesn't, or where some positions
-//! aren't drawn, a list of 4 bytes a point gives the order.
+//! Leaves hold [`LEAF`] points, nodes [`WIDTH`] children with a [`Dop`] of each: 1.9 bytes a point
+//! in all. Points are taken in the mesh's own order, which in most files keeps neighbours together,
+//! so that nothing is sorted and no list of points is needed. Where it doesn't, or where some
+//! positions aren't drawn, a list of 4 bytes a point gives the order.
 
 mod dop;
 
@@ -105,8 +105,8 @@ impl PointTree {
         self.bounds
     }
 
-    /// From the parents of leaves up to the root; child `c` of node `n` is node, or leaf, `WIDTH n +
-    /// c` of the level below. Without levels there is one leaf at most.
+    /// From the parents of leaves up to the root; child `c` of node `n` is node, or leaf,
+    /// `WIDTH n + c` of the level below. Without levels there is one leaf at most.
     pub(crate) fn levels(&self) -> &[Vec<Node>] {
         &self.levels
     }
@@ -161,8 +161,8 @@ fn is_scattered(leaves: &[Dop], bounds: [[f32; 3]; 2]) -> bool {
     leaves.len() >= LEAST_SORTED && sum > SCATTERED * size(bounds) * leaves.len() as f64
 }
 
-/// The points along Morton's curve through the cells of a grid, sorted by counting: as many cells as
-/// points at most, of which a surface fills few.
+/// The points along Morton's curve through the cells of a grid, sorted by counting: as many cells
+/// as points at most, of which a surface fills few.
 fn along_a_curve(mesh: &Mesh, order: Option<Vec<u32>>, [low, high]: [[f32; 3]; 2]) -> Vec<u32> {
     /// Of a cell's number along an axis, at most: 8 MB of counters.
     const BITS: u32 = 7;
@@ -174,7 +174,7 @@ fn along_a_curve(mesh: &Mesh, order: Option<Vec<u32>>, [low, high]: [[f32; 3]; 2
         let position = mesh.positions[number as usize];
         let mut cell = 0;
         for axis in 0..3 {
-            // Saturates, and takes what is not a number as 0.
+            // Saturates; NaN becomes 0.
             let along = ((position[axis] - low[axis]) * cells_by_length) as u32;
             cell |= spread(along.min((1 << bits) - 1)) << axis;
         }

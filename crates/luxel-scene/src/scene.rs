@@ -2,20 +2,11 @@
 
 use crate::extremes::Extremes;
 use crate::{
-    Bounds, MeshId, Meshes, Node, NodeId, SceneCamera, SceneLight, SceneMaterial, Texture,
+    Bounds, EnvironmentChoice, MeshId, Meshes, Node, NodeId, SceneCamera, SceneLight,
+    SceneMaterial, Texture,
 };
 use glam::{DMat4, DVec3};
-use luxel_lighting::{Environment, Fog};
-
-/// What mirrors and metals see.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum EnvironmentChoice {
-    /// The studio for microfacet materials, nothing for others.
-    #[default]
-    StudioForMicrofacets,
-    /// The same for every material.
-    Always(Environment),
-}
+use luxel_lighting::Fog;
 
 /// Everything that can be drawn, lit and picked.
 ///
@@ -35,13 +26,13 @@ pub struct Scene {
     pub cameras: Vec<SceneCamera>,
     /// Lights, in the file's order.
     pub lights: Vec<SceneLight>,
-    /// What mirrors and metals see, if the scene says so.
+    /// The environment, if the scene has one.
     pub environment: Option<EnvironmentChoice>,
-    /// I_a: the scene's own ambient light, if the scene says so.
+    /// I_a: the scene's ambient light, if it has one.
     pub ambient: Option<[f32; 3]>,
     /// Depth cueing, if there is any.
     pub fog: Option<Fog>,
-    /// Linear red, green, blue, and alpha, where nothing is, if the scene says so.
+    /// The background, if the scene has one: linear red, green, blue, and alpha.
     pub background: Option<[f32; 4]>,
     /// The direction that is up: +Y, +Z for STL.
     pub up: DVec3,
@@ -65,7 +56,7 @@ impl Default for Scene {
     }
 }
 
-/// A node with a mesh: what info lists, layers number and picking finds.
+/// A node with a mesh: the unit that `info` lists, layers number and picks return.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     /// The node.
@@ -136,7 +127,7 @@ impl Scene {
         self.bounds_of(&self.objects())
     }
 
-    /// The bounds of what some objects draw, in world space.
+    /// The bounds of some objects in world space.
     pub(crate) fn bounds_of(&self, objects: &[Object]) -> Bounds {
         let points = Extremes::of_objects(objects.iter().map(|object| {
             let (mesh, tree) = self.meshes.with_tree(object.mesh);

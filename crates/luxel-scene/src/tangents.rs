@@ -54,7 +54,7 @@ impl Mesh {
     }
 }
 
-/// What the corners of a fan have in common: normal, texture coordinates and mirroring, as bits.
+/// The common key of a fan's corners: normal, texture coordinates and mirroring, as bits.
 type Key = ([u32; 5], bool);
 
 /// Lists that are used again from place to place.
@@ -120,7 +120,7 @@ impl Source<'_> {
     }
 
     fn uv(&self, corner: u32) -> [f64; 2] {
-        // What isn't a number would spread to the neighbours.
+        // NaN would spread to the neighbours.
         self.uvs[self.vertex(corner)]
             .map(|value| if value.is_finite() { value.into() } else { 0.0 })
     }

@@ -9,10 +9,10 @@ mod sampler;
 
 pub use sampler::{Filter, Sampler, Wrap};
 
-/// A picture with all its mipmap levels, 8 bits a channel.
+/// A picture with all its mipmap levels, 8 bits per channel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
-    /// What the file or material calls it.
+    /// The name in the file or material.
     pub name: String,
     /// How its bytes stand for light.
     pub encoding: Encoding,
@@ -54,7 +54,7 @@ impl Image {
         Self { name: name.into(), encoding, levels: mip_chain(base, encoding) }
     }
 
-    /// What stands for an image that can't be read: a checker of two quiet greys, which shows that
+    /// The placeholder of an unreadable image: a checker of two quiet greys, which shows that
     /// something is missing and still lets form be seen.
     #[must_use]
     pub fn stand_in(name: impl Into<String>) -> Self {

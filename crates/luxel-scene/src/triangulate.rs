@@ -1,7 +1,7 @@
 //! From a polygon to triangles: fans where they serve, ears cut off where they don't.
 //!
 //! Any polygon of n corners gives exactly n - 2 triangles with its orientation, so that triangle
-//! numbers can be told from the file alone. A polygon is looked at along the axis in which its
+//! indices follow from the file alone. A polygon is projected along the axis in which its
 //! normal (Newell's; Sutherland, Sproull and Schumacker 1974, appendix) is longest: that leaves
 //! coordinates as they are, so orientation tests can be exact (Shewchuk 1997).
 //!
@@ -16,9 +16,9 @@
 
 use robust::{Coord, orient2d};
 
-/// How many corners are tested for lying in an ear, for each corner of a polygon on average, before ears
-/// are cut without that test. A comb of a hundred thousand teeth needs about ten, a long spiral hundreds; the bound is there for
-/// polygons that cross themselves.
+/// The number of tests whether a corner lies in an ear, per corner of a polygon on average, before
+/// ears are cut without that test. A comb of a hundred thousand teeth needs about ten, a long spiral
+/// hundreds; the bound is there for polygons that cross themselves.
 const TESTS_PER_CORNER: usize = 1_000;
 
 /// How many ears are examined, for each corner on average, before corners are cut without any
@@ -99,7 +99,7 @@ fn fan_is_valid(corners: &[[f64; 3]], axes: [usize; 2]) -> bool {
     (2..corners.len()).all(|corner| orient2d(place(0), place(corner - 1), place(corner)) > 0.0)
 }
 
-/// What is asked of an ear; later ones are allowed only when nothing better is left.
+/// The requirements of an ear; later ones apply only if no better ear is left.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Demand {
     /// Counter-clockwise, and no corner in or on it.
@@ -262,7 +262,7 @@ impl<'a> Clipping<'a> {
         }
     }
 
-    /// Whether a corner stands in the way of cutting off the ear at `tip`. `touching` counts those
+    /// Whether a corner blocks cutting off the ear at `tip`. `touching` counts those
     /// that lie on its edges, too.
     fn is_blocked(&mut self, tip: u32, touching: bool) -> bool {
         let ear = [self.previous[tip as usize], tip, self.next[tip as usize]];

@@ -3,7 +3,7 @@
 /// Which faces a view leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Cull {
-    /// As the material says.
+    /// As the material specifies.
     #[default]
     Auto,
     /// None.

@@ -1,9 +1,9 @@
-//! What layers there are: names, channels, and the values of one.
+//! Layers: names, channels and values.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// What a layer shows. Exhaustive, so that no renderer forgets a new one.
+/// The content of a layer. Exhaustive, so that no renderer forgets a new one.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Layer {
     /// Window depth, 0 at the near plane, 1 at the far one and where nothing is.
@@ -23,20 +23,20 @@ pub enum Layer {
     /// Texture coordinates of the first set; 0 where there are none.
     Uv,
     /// The ambient terms of the scene and of all lights. Terms are linear light, times the fog's
-    /// factor s; 0 where nothing is. `Ambient`, `Diffuse`, `Specular`, `Emission`, `Environment` and
-    /// `Fog` add up to the colour before clamping.
+    /// factor s; 0 where nothing is. `Ambient`, `Diffuse`, `Specular`, `Emission`, `Environment`
+    /// and `Fog` add up to the colour before clamping.
     Ambient,
     /// The diffuse terms of all lights.
     Diffuse,
     /// The specular terms of all lights.
     Specular,
-    /// What surfaces send of their own.
+    /// Emitted light.
     Emission,
-    /// What surfaces mirror of the environment.
+    /// The reflected environment.
     Environment,
-    /// What the fog adds: (1 - s) I_dc.
+    /// The fog term: (1 - s) I_dc.
     Fog,
-    /// N.L of the first directional, point or spot light, negative where it stands behind; 0 where
+    /// N.L of the first directional, point or spot light, negative where it is behind; 0 where
     /// nothing is.
     NDotL,
     /// The ambient, diffuse and specular term of the light of this name.
@@ -141,14 +141,14 @@ impl Layer {
     }
 }
 
-/// A name that is no layer.
+/// A name that is not a layer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseLayerError(String);
 
 impl fmt::Display for ParseLayerError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names = Layer::ALL.map(|layer| layer.name()).join(", ");
-        write!(formatter, "`{}` is no layer: use {names} or {LIGHT}NAME", self.0)
+        write!(formatter, "`{}` is not a layer: use {names} or {LIGHT}NAME", self.0)
     }
 }
 
@@ -166,5 +166,5 @@ impl FromStr for Layer {
     }
 }
 
-/// What the names of single lights' layers begin with.
+/// The prefix of the layers of single lights.
 const LIGHT: &str = "light:";

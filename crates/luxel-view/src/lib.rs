@@ -1,11 +1,11 @@
-//! What a picture of a scene shows, apart from the scene: a question that any renderer can answer.
+//! The view of a scene, independent of any renderer.
 //!
 //! | item | subject |
 //! | --- | --- |
 //! | [`View`] | size, camera, samples, lights, background, encoding, edges |
 //! | [`Shading`] | where light is computed, and how it gets to the pixels between |
 //! | [`Cull`] | which faces are left out |
-//! | [`Layer`], [`LayerValues`] | what pixels hold beside colour: depth, normals, ids, terms of light |
+//! | [`Layer`], [`LayerValues`] | pixel data besides colour: depth, normals, ids, terms of light |
 //!
 //! `luxel-render` answers on the CPU. Nothing here knows how.
 

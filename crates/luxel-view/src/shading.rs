@@ -1,25 +1,46 @@
-//! Where light is computed, and how it gets to the pixels between: each choice with its name, which
-//! flags, scene files and the window read.
+//! Shading mode and interpolation. Flags, scene files and the viewer use the names of the choices.
 
-/// Where light is computed, and how it gets to the pixels between.
+/// Names the variants of a choice: `VARIANT => NAME, HELP;`.
+macro_rules! named {
+    ($type:ident: $($variant:pat => $name:literal, $help:literal;)*) => {
+        impl $type {
+            /// The name, as flags and scene files have it.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $($variant => $name,)*
+                }
+            }
+
+            /// A few words of help.
+            #[must_use]
+            pub const fn help(self) -> &'static str {
+                match self {
+                    $($variant => $help,)*
+                }
+            }
+        }
+    };
+}
+
+/// Shading mode and interpolation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shading {
     /// Where light is computed.
     pub mode: ShadingMode,
-    /// How normals, texture coordinates, colours and intensities get from corners to pixels.
+    /// The interpolation of normals, texture coordinates, colours and intensities.
     pub interpolation: Interpolation,
-    /// Where intensities are brought into 0..1.
+    /// Where intensities are clamped to 0..1.
     pub clamp: Clamp,
-    /// Whether interpolated normals are brought to unit length.
+    /// Whether interpolated normals are normalized.
     pub normal_length: NormalLength,
 }
 
 /// Where light is computed.
 ///
-/// In all modes but `Phong`, what is computed elsewhere is the light of the surface without the
-/// texture of its base colour; that multiplies it at the pixel, as `GL_MODULATE` does in OpenGL
-/// 1.x, and fog comes last. Normal maps count in `Phong` only; other textures are looked up where
-/// the light is computed.
+/// All modes but `Phong` compute light without the base colour texture, which multiplies it at the
+/// pixel, like `GL_MODULATE` in OpenGL 1.x; fog comes last. Only `Phong` uses normal maps; other
+/// textures are sampled where light is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum ShadingMode {
     /// Once for each polygon: at its centroid, with its own normal (Bouknight 1970).
@@ -27,15 +48,15 @@ pub enum ShadingMode {
     /// At the corners; the intensity is interpolated (Gouraud, *Continuous Shading of Curved
     /// Surfaces*, 1971).
     Gouraud,
-    /// At every pixel; the normal is interpolated and brought to unit length (Phong, *Illumination
+    /// At every pixel; the normal is interpolated and normalized (Phong, *Illumination
     /// for Computer Generated Pictures*, 1975).
     #[default]
     Phong,
-    /// At the corners of smaller triangles, into which those that are seen are divided until
-    /// interpolating the intensity gives what `Phong` gives, to the tolerance. Within a small
-    /// triangle the intensity is interpolated with perspective.
+    /// At the corners of smaller triangles: visible triangles are subdivided until interpolated
+    /// intensities agree with `Phong`, within the tolerance. Within a small triangle the intensity
+    /// is interpolated with perspective.
     Subdivided {
-        /// The difference that is left, in steps of 8 bits after encoding.
+        /// The maximum difference, in 8-bit steps after encoding.
         tolerance: f32,
     },
 }
@@ -44,36 +65,22 @@ impl ShadingMode {
     /// All modes, subdivision to one step of 8 bits.
     pub const ALL: [Self; 4] =
         [Self::Flat, Self::Gouraud, Self::Phong, Self::Subdivided { tolerance: 1.0 }];
-
-    /// The name, as flags and scene files have it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        self.words().0
-    }
-
-    /// What it means, in a few words.
-    #[must_use]
-    pub const fn help(self) -> &'static str {
-        self.words().1
-    }
-
-    const fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Flat => ("flat", "at polygons' centroids"),
-            Self::Gouraud => ("gouraud", "at corners"),
-            Self::Phong => ("phong", "at pixels"),
-            Self::Subdivided { .. } => ("subdivided", "at corners of ever smaller triangles"),
-        }
-    }
 }
 
-/// How what corners carry gets to the pixels between.
+named! { ShadingMode:
+    Self::Flat => "flat", "at polygons' centroids";
+    Self::Gouraud => "gouraud", "at corners";
+    Self::Phong => "phong", "at pixels";
+    Self::Subdivided { .. } => "subdivided", "at corners of ever smaller triangles";
+}
+
+/// The interpolation of vertex attributes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
-    /// Linearly in space, which is right.
+    /// Linearly in space: correct.
     #[default]
     Perspective,
-    /// Linearly in the window, over the triangle: things slide where the surface slants away.
+    /// Linearly in the window, over the triangle: textures slide on slanted surfaces.
     Screen,
     /// Linearly in the window along the edges of the *polygon* and then along the row between them:
     /// colours within change as the polygon turns (Foley et al., *Computer Graphics: Principles and
@@ -83,31 +90,17 @@ pub enum Interpolation {
 }
 
 impl Interpolation {
-    /// All ways.
+    /// All interpolations.
     pub const ALL: [Self; 3] = [Self::Perspective, Self::Screen, Self::Scanline];
-
-    /// The name, as flags and scene files have it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        self.words().0
-    }
-
-    /// What it means, in a few words.
-    #[must_use]
-    pub const fn help(self) -> &'static str {
-        self.words().1
-    }
-
-    const fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Perspective => ("perspective", "linear in space"),
-            Self::Screen => ("screen", "linear in the window"),
-            Self::Scanline => ("scanline", "along edges and rows of polygons"),
-        }
-    }
 }
 
-/// Where intensities that are computed at corners are brought into 0..1.
+named! { Interpolation:
+    Self::Perspective => "perspective", "linear in space";
+    Self::Screen => "screen", "linear in the window";
+    Self::Scanline => "scanline", "along edges and rows of polygons";
+}
+
+/// Where intensities computed at corners are clamped to 0..1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Clamp {
     /// At the corners, as fixed-function OpenGL does.
@@ -120,58 +113,30 @@ pub enum Clamp {
 impl Clamp {
     /// All places.
     pub const ALL: [Self; 2] = [Self::Vertex, Self::End];
+}
 
-    /// The name, as flags and scene files have it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        self.words().0
-    }
-
-    /// What it means, in a few words.
-    #[must_use]
-    pub const fn help(self) -> &'static str {
-        self.words().1
-    }
-
-    const fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Vertex => ("vertex", "at the vertex"),
-            Self::End => ("end", "at the end"),
-        }
-    }
+named! { Clamp:
+    Self::Vertex => "vertex", "at the vertex";
+    Self::End => "end", "at the end";
 }
 
 /// The length of the normals that pixels are lit with. At corners it is 1 always.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum NormalLength {
-    /// 1, as the equation wants it (Phong 1975).
+    /// 1, as the equation requires (Phong 1975).
     #[default]
     Unit,
     /// As interpolation left it: less than 1 between corners, by the more the farther apart their
-    /// normals point. It shows what becomes of highlights then.
+    /// normals point. It shows the effect on highlights.
     Interpolated,
 }
 
 impl NormalLength {
     /// All lengths.
     pub const ALL: [Self; 2] = [Self::Unit, Self::Interpolated];
+}
 
-    /// The name, as flags and scene files have it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        self.words().0
-    }
-
-    /// What it means, in a few words.
-    #[must_use]
-    pub const fn help(self) -> &'static str {
-        self.words().1
-    }
-
-    const fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Unit => ("unit", "1"),
-            Self::Interpolated => ("interpolated", "as it is between corners"),
-        }
-    }
+named! { NormalLength:
+    Self::Unit => "unit", "1";
+    Self::Interpolated => "interpolated", "as it is between corners";
 }

@@ -1,15 +1,15 @@
-//! What a picture shows.
+//! The view of a scene.
 
 use crate::{Cull, EnvironmentChoice, Shading};
 use luxel_lighting::{Fog, PictureEncoding};
 use luxel_scene::{Camera, DEFAULT_AMBIENT, SceneLight, Size, default_lights};
 
-/// Samples a pixel where nothing else is said.
+/// The default number of samples per pixel.
 pub const DEFAULT_SAMPLES: u32 = 4;
 
-/// What a picture shows, apart from the scene.
+/// The view of a scene: camera, lights, shading, output size.
 ///
-/// [`View::new`] takes what no view can do without; all else is set field by field, or in a chain:
+/// [`View::new`] takes the required fields; all others are set by field, or by chained methods:
 ///
 /// ```
 /// use luxel_scene::{DVec3, Lens, SceneLight, Size, Viewpoint, demos, fit_view};
@@ -32,31 +32,31 @@ pub struct View {
     pub size: Size,
     /// The camera.
     pub camera: Camera,
-    /// Samples a pixel: 1, 2, 4, 8 or 16.
+    /// Samples per pixel: 1, 2, 4, 8 or 16.
     pub samples: u32,
-    /// Which faces are left out.
+    /// The faces to cull.
     pub cull: Cull,
     /// The lights, in the order in which they are added up.
     pub lights: Vec<SceneLight>,
-    /// I_a: the scene's own ambient light.
+    /// I_a: the scene's ambient light.
     pub ambient: [f32; 3],
-    /// What mirrors and metals see.
+    /// The environment that mirrors and metals reflect.
     pub environment: EnvironmentChoice,
     /// Depth cueing.
     pub fog: Option<Fog>,
-    /// Linear red, green, blue, and alpha, where nothing is.
+    /// The background: linear red, green, blue, and alpha.
     pub background: [f32; 4],
-    /// How light becomes bytes.
+    /// The encoding of pixels.
     pub encoding: PictureEncoding,
     /// Edges of polygons, drawn or nothing but them.
     pub edges: Option<Edges>,
-    /// Where light is computed, and how it gets to the pixels between.
+    /// Shading mode and interpolation.
     pub shading: Shading,
 }
 
 impl View {
-    /// A view with the default lights and ambient light, a studio for microfacet materials, transparent
-    /// background, four samples a pixel, sRGB, and light computed at every pixel.
+    /// A view with the default lights and ambient light, a studio for microfacet materials,
+    /// transparent background, four samples a pixel, sRGB, and light computed at every pixel.
     #[must_use]
     pub fn new(size: Size, camera: Camera) -> Self {
         Self {
@@ -87,13 +87,13 @@ impl View {
         Self { camera, ..self }
     }
 
-    /// Samples a pixel: 1, 2, 4, 8 or 16.
+    /// Samples per pixel: 1, 2, 4, 8 or 16.
     #[must_use]
     pub fn with_samples(self, samples: u32) -> Self {
         Self { samples, ..self }
     }
 
-    /// Which faces are left out.
+    /// The faces to cull.
     #[must_use]
     pub fn with_cull(self, cull: Cull) -> Self {
         Self { cull, ..self }
@@ -111,7 +111,7 @@ impl View {
         Self { ambient, ..self }
     }
 
-    /// What mirrors and metals see.
+    /// The environment that mirrors and metals reflect.
     #[must_use]
     pub fn with_environment(self, environment: EnvironmentChoice) -> Self {
         Self { environment, ..self }
@@ -123,13 +123,13 @@ impl View {
         Self { fog, ..self }
     }
 
-    /// Linear red, green, blue, and alpha, where nothing is.
+    /// The background: linear red, green, blue, and alpha.
     #[must_use]
     pub fn with_background(self, background: [f32; 4]) -> Self {
         Self { background, ..self }
     }
 
-    /// How light becomes bytes.
+    /// The encoding of pixels.
     #[must_use]
     pub fn with_encoding(self, encoding: PictureEncoding) -> Self {
         Self { encoding, ..self }
@@ -141,7 +141,7 @@ impl View {
         Self { edges, ..self }
     }
 
-    /// Where light is computed, and how it gets to the pixels between.
+    /// Shading mode and interpolation.
     #[must_use]
     pub fn with_shading(self, shading: Shading) -> Self {
         Self { shading, ..self }

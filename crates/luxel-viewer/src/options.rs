@@ -21,7 +21,7 @@ pub struct Options {
     pub record: Option<PathBuf>,
     /// A log to replay first, in real time.
     pub replay: Option<Log>,
-    /// The window's colours.
+    /// The colour theme.
     pub theme: ThemeChoice,
     /// Key bindings.
     pub keys: Keys,
@@ -41,8 +41,8 @@ pub struct Options {
     pub detail: Box<dyn Fn(&str)>,
 }
 
-/// Registers a handler for interrupts of the program. The handler closes the window; it returns false
-/// if the window is gone already.
+/// Registers a handler for interrupts of the program. The handler closes the window; it returns
+/// false if the window is gone already.
 pub type OnInterrupt = Box<dyn Fn(Box<dyn FnOnce() -> bool + Send>)>;
 
 /// Prints the command line that draws the current view of a file, and returns it.
@@ -52,15 +52,15 @@ pub type PrintCommand = Box<dyn Fn(&OsStr, &ShownView<'_>) -> String>;
 pub struct ShownView<'a> {
     /// The view.
     pub view: &'a View,
-    /// Its lights in world or camera coordinates, if they or the scene's ambient light differ from those
-    /// of the file and the command line.
+    /// Its lights in world or camera coordinates, if they or the scene's ambient light differ from
+    /// those of the file and the command line.
     pub lights: Option<Vec<SceneLight>>,
     /// Whether the environment differs from that of the file and the command line.
     pub is_environment_changed: bool,
 }
 
-/// Saves the current scene and view of a file as a scene file; returns its name, or an error for the
-/// user.
+/// Saves the current scene and view of a file as a scene file; returns its name, or an error for
+/// the user.
 pub type SaveScene = Box<dyn Fn(&OsStr, &ShownScene<'_>) -> Result<String, String>>;
 
 /// The scene and view that a window shows.

@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn text_is_told_from_what_it_stands_on() {
+    fn text_contrasts_with_its_background() {
         for theme in [&DARK, &LIGHT] {
             for text in [theme.text, theme.quiet, theme.heading] {
                 for ground in [theme.panel, theme.field] {
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn a_system_that_says_nothing_gets_the_dark_theme() {
+    fn an_unknown_system_theme_gives_the_dark_theme() {
         assert_eq!(ThemeChoice::Auto.theme(None), &DARK);
         assert_eq!(ThemeChoice::Auto.theme(Some(true)), &LIGHT);
         assert_eq!(ThemeChoice::Dark.theme(Some(true)), &DARK);

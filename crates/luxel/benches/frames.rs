@@ -1,9 +1,10 @@
-//! Times frames on one thread, by stage: a bumpy ball of 100 000 triangles, by the ways to shade, with a
-//! texture, and with holes cut by it, with one light and with five, with one sample a pixel and with four,
-//! at every SIMD level.
+//! Times frames on one thread, by stage: a bumpy ball of 100 000 triangles, by the ways to shade,
+//! with a texture, and with holes cut by it, with one light and with five, with one sample a pixel
+//! and with four, at every SIMD level.
 //!
-//! `cargo bench -p luxel --bench frames [-- FILTER]`; a filter is part of a row's name. Prints medians of
-//! some frames, in milliseconds, and a hash of the pixels, which is the same at all levels.
+//! `cargo bench -p luxel --bench frames [-- FILTER]`; a filter is part of a row's name. Prints
+//! medians of some frames, in milliseconds, and a hash of the pixels, which is the same at all
+//! levels.
 
 #![allow(clippy::unwrap_used, reason = "a benchmark")]
 
@@ -38,8 +39,8 @@ fn bumpy_ball() -> Scene {
     }
 }
 
-/// The same scene, noise spread over its meshes: along the axis that it is spread by, footprints are
-/// as long as they get.
+/// The same scene, noise spread over its meshes: along the axis that it is spread by, footprints
+/// are as long as they get.
 fn textured(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     const SIDE: u32 = 512;
@@ -102,7 +103,7 @@ fn main() {
     let masked = masked(&textured);
     let mut levels: Vec<SimdLevel> = Vec::new();
     for level in SimdLevel::available() {
-        // What a name stands for may be another level.
+        // A name may stand for another level.
         let told = |level: SimdLevel| level.resolve().map(SimdLevel::name_of).ok();
         if !levels.iter().any(|one| told(*one) == told(level)) {
             levels.push(level);

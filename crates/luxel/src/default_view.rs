@@ -1,4 +1,4 @@
-//! How a scene is looked at and lit where nothing else is said.
+//! The default camera, lights and environment of a scene.
 
 use luxel_lighting::Environment;
 use luxel_scene::{

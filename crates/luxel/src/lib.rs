@@ -9,20 +9,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! To choose camera, light or background, take [`default_view`], change its fields, and give it to a
-//! [`render::Renderer`], which makes a scene ready once and draws it as often as you like.
+//! To choose camera, light or background, take [`default_view`], change its fields, and give it to
+//! a [`render::Renderer`], which makes a scene ready once and draws it as often as you like.
 //!
 //! This crate is the one to depend on: it gathers the others, each with one subject.
 //!
 //! | module | subject |
 //! | --- | --- |
 //! | [`formats`] | files in: glTF, OBJ, STL, PLY, with limits and errors that name their place |
-//! | [`scene`] | what there is: meshes, nodes, cameras, lights, textures, the built-in demos |
-//! | [`lighting`] | what a lit surface point sends to the eye |
-//! | [`check`] | what in a mesh spoils its shading |
+//! | [`scene`] | scenes: meshes, nodes, cameras, lights, textures, the built-in demos |
+//! | [`lighting`] | the lighting equation |
+//! | [`check`] | mesh defects that spoil shading |
 //! | [`bvh`] | rays against triangles: closest, any and all hits |
-//! | [`pick`] | what is under the mouse: rays, pixels, rectangles |
-//! | [`view`] | what a picture shows: camera, lights, shading, layers |
+//! | [`pick`] | picking: rays, pixels, rectangles |
+//! | [`view`] | views: camera, lights, shading, layers |
 //! | [`render`] | pictures and layers of a scene |
 //! | [`report`] | the light of a pixel term by term, and picks, as text, JSON, LaTeX, HTML |
 //! | [`navigation`] | from mouse and keys to the camera, without a window |
@@ -30,7 +30,8 @@
 //!
 //! # Features
 //!
-//! All are on by default; `luxel = { default-features = false, features = ["gltf"] }` reads glTF alone.
+//! All are on by default; `luxel = { default-features = false, features = ["gltf"] }` reads glTF
+//! alone.
 //!
 //! - `readers` turns on all features below.
 //! - `gltf` reads glTF 2.0 and GLB; `draco` and `meshopt` read its compressed geometry, too.
@@ -63,7 +64,7 @@ pub use luxel_scene as scene;
 pub use luxel_view as view;
 pub use luxel_view::DEFAULT_SAMPLES;
 
-/// What most programs want in scope.
+/// The types that most programs need.
 pub mod prelude {
     pub use crate::{default_view, draw, load, write_png};
     pub use luxel_formats::{Format, Limits, Loaded};

@@ -1,6 +1,6 @@
-//! A pick tells what a frame shows: at every pixel, of scenes of all kinds.
+//! Picks agree with frames at every pixel, in scenes of all kinds.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel::formats::{Limits, open};
 use luxel::pick::{Element, PhysicalPosition, PickView, Picker, Region, VisibleIds};

@@ -1,6 +1,6 @@
 //! Renderers and pickers share a scene, and let go of it.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel::pick::{PickView, Picker};
 use luxel::prelude::*;

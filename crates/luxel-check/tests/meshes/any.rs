@@ -10,9 +10,9 @@ use luxel_scene::Mesh;
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(10))]
 
-    /// Whatever a mesh is like, checking ends, and says the same again.
+    /// Checking any mesh terminates, with the same result twice.
     #[test]
-    fn any_mesh_is_checked_and_says_the_same_twice(
+    fn checking_any_mesh_gives_the_same_result_twice(
         positions in prop::collection::vec(prop::array::uniform3(-2..3_i8), 3..30),
         corners in prop::collection::vec(prop::array::uniform3(0..30_u32), 0..60),
         has_normals in any::<bool>(),

@@ -1,11 +1,10 @@
 //! Meshes by formula, and how they are checked.
 
 use luxel_check::{Kind, Report, Setup, check};
-use luxel_lighting::PictureEncoding;
-use luxel_render::{Cull, EnvironmentChoice, Execution, Shading, View};
+use luxel_render::{Execution, View};
 use luxel_scene::{
-    DEFAULT_AMBIENT, Lens, MaterialId, Mesh, MeshId, Node, NormalOptions, Part, Scene,
-    SceneMaterial, Size, Viewpoint, default_lights, fit_view,
+    Lens, MaterialId, Mesh, MeshId, Node, NormalOptions, Part, Scene, SceneMaterial, Size,
+    Viewpoint, fit_view,
 };
 
 /// A scene that shows a mesh.
@@ -35,17 +34,7 @@ pub(crate) fn setup(scene: &Scene) -> Setup {
     };
     let lens = Lens::Perspective { fov_y_radians: 45_f64.to_radians() };
     let size = Size { width: 1280, height: 720 };
-    let view = View::new(size, fit_view(scene, &viewpoint, lens, size))
-        .with_samples(1)
-        .with_cull(Cull::Auto)
-        .with_lights(default_lights())
-        .with_ambient(DEFAULT_AMBIENT)
-        .with_environment(EnvironmentChoice::default())
-        .with_fog(None)
-        .with_background([0.0; 4])
-        .with_encoding(PictureEncoding::Srgb)
-        .with_edges(None)
-        .with_shading(Shading::default());
+    let view = View::new(size, fit_view(scene, &viewpoint, lens, size)).with_samples(1);
     Setup { view, normals: NormalOptions::default(), execution: Execution::default() }
 }
 

@@ -1,6 +1,6 @@
 //! For each kind of finding a mesh with a known number of them, and its twin without.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod any;
 mod made;

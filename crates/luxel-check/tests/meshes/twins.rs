@@ -90,7 +90,7 @@ fn faces_behind_their_normals_are_flipped() {
     assert_eq!(counts(mesh.clone()), []);
     mesh.triangles.iter_mut().for_each(|corners| corners.swap(0, 1));
     assert_eq!(counts(mesh.clone()), [(Kind::FlippedWinding, 128)]);
-    // Seen from both sides, luxel shows it as it is meant; with culling it would be gone.
+    // luxel shows both sides, so it looks right; with culling it would disappear.
     assert_eq!(severity(&checked(mesh.clone()), Kind::FlippedWinding), 0.0);
     let mut scene = scene_of(mesh);
     scene.materials[0].sides = Sides::Front;
@@ -149,7 +149,7 @@ fn edges_of_three_faces_are_counted() {
 fn side_by_side(n: u32, m: u32, height: impl Fn(f32, f32) -> f32 + Copy) -> Mesh {
     let mut mesh = field(n, height);
     let right = field(n * m, |x, z| height(x + 1.0, z));
-    // What is at the same place is the same position.
+    // Equal coordinates count as the same position.
     let mut number = Vec::new();
     for &[x, y, z] in &right.positions {
         let position = [x + 1.0, y, z];
@@ -191,7 +191,7 @@ fn gaps_between_edges_are_counted_and_wide_ones_are_meant() {
             let [x, y, z] = mesh.positions[corner];
             mesh.positions.push([x + width, y, z]);
         }
-        // The right half of the field hangs on copies of the middle column.
+        // The right half of the field uses copies of the middle column.
         for corners in &mut mesh.triangles {
             let is_right = corners.iter().any(|&corner| corner % 9 > 4);
             if is_right {
@@ -283,7 +283,7 @@ fn normals_that_are_none_or_too_long_are_counted() {
     for vertex in [7, 8, 9] {
         mesh.normals[vertex] = mesh.normals[vertex].map(|x| 1.1 * x);
     }
-    // What bytes can hold is unit enough.
+    // Normals rounded to bytes count as unit.
     mesh.normals[10] = mesh.normals[10].map(|x| 1.007 * x);
     assert_eq!(counts(mesh), [(Kind::UndefinedNormal, 2), (Kind::NonUnitNormal, 3)]);
 }
@@ -445,7 +445,7 @@ fn things_slide_over_triangles_that_reach_into_the_depth() {
 }
 
 #[test]
-fn coarse_outlines_are_told_in_pixels() {
+fn coarse_silhouettes_are_reported_in_pixels() {
     let ball = |level| {
         let mesh = luxel_scene::primitives::icosphere(1.0, level);
         let scene = scene_of(mesh);
@@ -457,13 +457,13 @@ fn coarse_outlines_are_told_in_pixels() {
     // 576 pixels across, edges of 31.7 and 36 degrees: r (1 - cos 18 degrees) is 14 pixels.
     let pixels = finding.pixels.unwrap();
     assert!((9.0..16.0).contains(&pixels), "{pixels}");
-    // A cube has edges, but no outline that stands for a curve.
+    // A cube has sharp edges, but no silhouette of a curve.
     let cube = luxel_scene::primitives::cuboid([1.0; 3].into());
     assert_eq!(counts(cube), []);
 }
 
 #[test]
-fn a_mesh_of_several_objects_is_told_of_once() {
+fn a_mesh_of_several_objects_is_reported_once() {
     let mut mesh = hill(8);
     mesh.triangles[5].swap(0, 1);
     let mut scene = scene_of(mesh);

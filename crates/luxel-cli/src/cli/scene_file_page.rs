@@ -1,10 +1,10 @@
-//! The tables of `docs/scene-files.md`, made of the tables of keys and options.
+//! The tables of `docs/scene-files.md`, generated from the tables of keys and options.
 //!
 //! `LUXEL_BLESS=1` writes page and schema instead of comparing them.
 
 use super::Cli;
 use crate::commands;
-use crate::flag_words::with_flags;
+use crate::flag_words::about;
 use crate::scene_file::{flags, schema};
 use clap::CommandFactory;
 use luxel::formats::{Key, Section, Shape, sections};
@@ -25,11 +25,11 @@ fn assert_is_up_to_date(name: &str, expected: &str) {
         std::fs::write(docs(name), expected).unwrap();
     }
     let is = std::fs::read_to_string(docs(name)).unwrap_or_default();
-    assert!(is == expected, "docs/{name} is behind: run this test with LUXEL_BLESS=1");
+    assert!(is == expected, "docs/{name} is out of date: run this test with LUXEL_BLESS=1");
 }
 
 #[test]
-fn the_schema_says_what_scene_files_may_say() {
+fn the_committed_schema_is_up_to_date() {
     assert_is_up_to_date("scene.schema.json", &commands::schema::text(Cli::command()));
 }
 
@@ -49,7 +49,7 @@ fn tables() -> String {
     let mut program = Cli::command();
     program.build();
     text.push_str(
-        "\n### `[render]`\n\nFlags of `luxel render`; those on the command line win.\n\n",
+        "\n### `[render]`\n\nFlags of `luxel render`; the command line overrides them.\n\n",
     );
     text.push_str("| key | meaning |\n| --- | --- |\n");
     for arg in flags::keys(program.find_subcommand("render").unwrap()) {
@@ -79,14 +79,14 @@ fn models(text: &mut String) {
 
 fn table(section: &Section, text: &mut String) {
     let title = match (section.name, section.repeated) {
-        ("", _) => "Above all tables".to_owned(),
+        ("", _) => "Top level".to_owned(),
         (name, true) => format!("`[[{name}]]`"),
         (name, false) => format!("`[{name}]`"),
     };
-    write!(text, "\n### {title}\n\n{}.\n\n", with_flags(section.about)).unwrap();
-    text.push_str("| key | meaning | for example |\n| --- | --- | --- |\n");
+    write!(text, "\n### {title}\n\n{}.\n\n", about(section)).unwrap();
+    text.push_str("| key | meaning | example |\n| --- | --- | --- |\n");
     for Key { name, shape, required, about, example } in section.keys {
-        let mark = if *required { " (needed)" } else { "" };
+        let mark = if *required { " (required)" } else { "" };
         writeln!(text, "| `{name}`{mark} | {about} | `{name} = {example}` |").unwrap();
         if let Shape::Table(inner) = shape {
             for key in inner.keys {

@@ -17,7 +17,7 @@ fn settings_of(text: &str) -> Vec<Setting> {
     scene_settings(file.as_bytes(), &Limits::default()).unwrap()
 }
 
-/// What is put onto the line of `luxel render` behind these words.
+/// The arguments that a scene file adds to `luxel render` with these words.
 #[track_caller]
 fn added(file: &str, line: &str) -> Vec<String> {
     let command = render();
@@ -44,13 +44,13 @@ fn settings_are_flags() {
 }
 
 #[test]
-fn the_line_wins() {
+fn the_command_line_overrides_the_file() {
     assert_eq!(added("fov = 30\nsamples = 8", "--fov 40"), ["--samples=8"]);
     assert_eq!(added("layer = \"z\"", "--layer depth"), [""; 0]);
 }
 
 #[test]
-fn what_the_line_excludes_is_left_out_whichever_of_both_says_so() {
+fn settings_that_conflict_with_the_command_line_are_dropped() {
     assert_eq!(added("ortho = 3", "--fov 40"), [""; 0]);
     assert_eq!(added("fov = 40", "--ortho 3"), [""; 0]);
     assert_eq!(added("eye = [1, 2, 3]\ntarget = [0, 0, 0]", "--azimuth 10"), [""; 0]);
@@ -59,17 +59,17 @@ fn what_the_line_excludes_is_left_out_whichever_of_both_says_so() {
 }
 
 #[test]
-fn wrong_settings_are_told_with_their_line_and_column() {
+fn invalid_settings_are_errors_with_line_and_column() {
     for (file, expected) in [
-        ("fov = 200", ":4:7: fov: it must lie between 0 and 180 degrees"),
+        ("fov = 200", ":4:7: fov: it must be between 0 and 180 degrees"),
         ("fovv = 20", ":4:1: `fovv` is unknown here: did you mean `fov`?"),
         ("samples = 4\nsize = [1, 2, 3]", ":5:8: size: use WIDTHxHEIGHT"),
         ("normals = \"flat\"", ":4:11: normals: use file, mean"),
         ("wireframe = 1", ":4:13: wireframe: use true or false"),
-        ("fov = true", ":4:7: fov: true and false mean nothing here"),
+        ("fov = true", ":4:7: fov: expected a number or a string, found a boolean"),
         ("fov = 20\northo = 1", "exclude each other"),
         ("output = \"x.png\"", ":4:1: `output` is for the command line"),
-        ("fog = \"near=1:far=2\"", ":4:1: `fog` is no setting: write [fog]"),
+        ("fog = \"near=1:far=2\"", ":4:1: `fog` is not a setting: write [fog]"),
         ("far = nan", "finite"),
     ] {
         let message = refused(file);
@@ -78,7 +78,7 @@ fn wrong_settings_are_told_with_their_line_and_column() {
 }
 
 #[test]
-fn what_stands_elsewhere_or_on_the_line_is_a_flag() {
+fn the_tables_of_refused_settings_name_existing_flags() {
     let mut program = Cli::command();
     program.build();
     let render = program.find_subcommand("render").unwrap();

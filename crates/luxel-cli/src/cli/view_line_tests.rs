@@ -1,4 +1,4 @@
-//! The line of `luxel render` that draws what a window shows.
+//! The `luxel render` command line that reproduces the window's view.
 
 use super::{Cli, Command};
 use crate::commands::view::line::line;
@@ -10,7 +10,7 @@ use luxel_viewer::ShownView;
 use std::ffi::{OsStr, OsString};
 
 #[test]
-fn the_line_draws_the_view_with_the_flags_that_are_the_picture_s() {
+fn the_command_line_keeps_only_flags_that_affect_the_image() {
     let scene = demos::demo("plane").unwrap();
     let size = Size { width: 641, height: 333 };
     let mut view = luxel::default_view(&scene, size);
@@ -41,7 +41,7 @@ fn the_line_draws_the_view_with_the_flags_that_are_the_picture_s() {
 }
 
 #[test]
-fn light_and_shading_that_were_changed_take_the_place_of_those_of_the_line() {
+fn edited_light_and_shading_replace_those_of_the_command_line() {
     let scene = demos::demo("plane").unwrap();
     let mut view = luxel::default_view(&scene, Size { width: 64, height: 48 });
     view.shading.mode = ShadingMode::Subdivided { tolerance: 2.5 };
@@ -62,7 +62,7 @@ fn light_and_shading_that_were_changed_take_the_place_of_those_of_the_line() {
     let dark =
         draw(&ShownView { view: &view, lights: Some(vec![]), is_environment_changed: false });
     assert!(dark.contains("--light=ambient:color=0,0,0"), "{dark}");
-    // A scene file's own shading gives way, too.
+    // They replace a scene file's shading, too.
     view.shading.mode = ShadingMode::Phong;
     let seen = ShownView { view: &view, lights: None, is_environment_changed: false };
     assert!(line(&Cli::command(), &[], OsStr::new("a.toml"), &seen).contains(" --shading=phong "));

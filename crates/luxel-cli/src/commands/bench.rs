@@ -1,14 +1,11 @@
-//! `luxel bench`: how long frames and picks take.
+//! `luxel bench`: timings of frames and picks.
 
 use super::pick::check_memory;
 use crate::camera;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::model;
-use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
-    PictureOptions, ShadingOptions,
-};
+use crate::options::{InputOptions, ViewOptions};
 use crate::output;
 use crate::surface;
 use crate::view;
@@ -26,22 +23,23 @@ use std::time::{Duration, Instant};
 
 /// Time frames of an orbiting camera
 ///
-/// Each frame is drawn from nothing into finished 8-bit pixels in memory, from another side than the
-/// one before. Then places of the window are picked, with the tree built. For example: luxel bench model.ply --size 1920x1080 --samples 1 --frames 100
+/// Each frame is rendered from scratch to 8-bit pixels in memory, from another side than the one
+/// before. Then positions in the image are picked, with the tree built. For example: luxel bench
+/// model.ply --size 1920x1080 --samples 1 --frames 100
 #[derive(Args, Debug)]
 pub(crate) struct BenchCommand {
     #[command(flatten)]
     input: InputOptions,
 
-    /// How many frames are timed; a tenth as many warm the machine up before
+    /// Number of timed frames; a tenth as many warm up first
     #[arg(long, value_name = "N", default_value = "60")]
     frames: NonZeroU32,
 
-    /// Keep the camera where it is; nothing is skipped for that
+    /// Keep the camera still; luxel still renders every frame in full
     #[arg(long)]
     still: bool,
 
-    /// Time frames with this layer, too; repeat it for several
+    /// Also time frames with this layer; may be repeated
     #[arg(long = "layer", value_name = "NAME")]
     layers: Vec<Layer>,
 
@@ -50,22 +48,10 @@ pub(crate) struct BenchCommand {
     json: bool,
 
     #[command(flatten)]
-    frame: FrameOptions,
-    #[command(flatten)]
-    light: LightOptions,
-    #[command(flatten)]
-    material: MaterialOptions,
-    #[command(flatten)]
-    shading: ShadingOptions,
-    #[command(flatten)]
-    mode: ModeOptions,
-    #[command(flatten)]
-    picture: PictureOptions,
-    #[command(flatten)]
-    execution: ExecutionOptions,
+    view: ViewOptions,
 }
 
-/// What was measured, in milliseconds.
+/// The measurements, in milliseconds.
 struct Timings {
     frames: Vec<f64>,
     stages: [(&'static str, Vec<f64>); 3],
@@ -73,20 +59,18 @@ struct Timings {
 
 impl BenchCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
-        let mut model = model::load(&self.input, &self.execution, console)?;
-        surface::apply_material(&self.material, &mut model.scene);
-        surface::apply_normals(&self.shading, &mut model.scene);
+        let mut model = model::load(&self.input, &self.view.execution, console)?;
+        surface::apply_material(&self.view.material, &mut model.scene);
+        surface::apply_normals(&self.view.shading, &mut model.scene);
         let scene = &Arc::new(model.scene);
-        let renderer = Renderer::new(Arc::clone(scene), &view::execution(&self.execution))
+        let renderer = Renderer::new(Arc::clone(scene), &view::execution(&self.view.execution))
             .map_err(|error| Failure::work(error.to_string(), ""))?;
 
         let sides = if self.still { 1 } else { self.frames.get() };
-        let cameras = camera::turntable(&self.frame, scene, sides)?;
+        let cameras = camera::turntable(&self.view.frame, scene, sides)?;
         let views = cameras
             .into_iter()
-            .map(|camera| {
-                view::view(&self.frame, &self.light, &self.mode, &self.picture, None, camera, scene)
-            })
+            .map(|camera| view::view(&self.view, None, camera, scene))
             .collect::<Result<Vec<_>, _>>()?;
 
         let timings = renderer
@@ -95,7 +79,7 @@ impl BenchCommand {
 
         let picks = self.picks(scene, views[0].camera)?;
         let simd = SimdLevel::name_of(renderer.level());
-        let Size { width, height } = self.frame.size;
+        let Size { width, height } = self.view.frame.size;
         if self.json {
             let mut report = timings.to_json();
             report["pick_us"] = json!(picks.median);
@@ -103,7 +87,7 @@ impl BenchCommand {
             report["simd"] = json!(simd);
             report["triangles"] = json!(scene.triangle_count());
             report["size"] = json!([width, height]);
-            report["samples"] = json!(self.frame.samples);
+            report["samples"] = json!(self.view.frame.samples);
             report["layers"] = self.layers.iter().map(Layer::name).collect();
             return output::print_json(&report);
         }
@@ -111,7 +95,7 @@ impl BenchCommand {
             "{}: {} triangles, {width}x{height}, samples {}, threads {}, {simd}\n",
             self.input.name(),
             scene.triangle_count(),
-            self.frame.samples,
+            self.view.frame.samples,
             renderer.threads(),
         );
         text.push_str(&timings.to_text());
@@ -120,7 +104,7 @@ impl BenchCommand {
         output::print(&text)
     }
 
-    /// Draws the views in turns.
+    /// Renders the views in turn.
     fn time_frames(&self, renderer: &Renderer, views: &[View]) -> Result<Timings, RenderError> {
         let (mut picture, mut values) = (Picture::default(), Vec::new());
         let mut timings = Timings::new();
@@ -141,17 +125,18 @@ impl BenchCommand {
         Ok(timings)
     }
 
-    /// Microseconds of a pick that hits, with the whole answer.
+    /// Microseconds of a pick that hits, with the complete answer.
     fn picks(&self, scene: &Arc<Scene>, camera: Camera) -> Result<Spread, Failure> {
         let failed = |error: PickError| Failure::work(error.to_string(), "");
-        check_memory(scene, Quality::Thorough, self.execution.max_memory)?;
-        let picker = Picker::with(Arc::clone(scene), Quality::Thorough, self.execution.simd)
+        check_memory(scene, Quality::Thorough, self.view.execution.max_memory)?;
+        let picker = Picker::with(Arc::clone(scene), Quality::Thorough, self.view.execution.simd)
             .map_err(failed)?;
-        let size = self.frame.size;
-        let view = PickView::new(&picker, camera, size, self.frame.cull.into()).map_err(failed)?;
+        let size = self.view.frame.size;
+        let view =
+            PickView::new(&picker, camera, size, self.view.frame.cull.into()).map_err(failed)?;
         let mut times = [Vec::new(), Vec::new()];
         for number in 0..PICKS {
-            // Far from one another, and everywhere: both steps are primes.
+            // Prime steps spread the positions, far from one another.
             let place = PhysicalPosition::centre_of(
                 number.wrapping_mul(7919) % size.width,
                 number.wrapping_mul(104_729) % size.height,
@@ -165,7 +150,7 @@ impl BenchCommand {
     }
 }
 
-/// Places that are picked.
+/// Number of positions to pick.
 const PICKS: u32 = 4000;
 
 impl Timings {
@@ -183,7 +168,7 @@ impl Timings {
         }
     }
 
-    /// The stages but `bin` are added up over threads.
+    /// Stages other than `bin` are summed over threads.
     fn to_json(&self) -> Value {
         let frames = Spread::of(&self.frames);
         let stages: Value = self
@@ -209,7 +194,7 @@ impl Timings {
             frames.p95,
         );
         for (name, times) in &self.stages {
-            let note = if *name == "bin" { "" } else { ", added up over threads" };
+            let note = if *name == "bin" { "" } else { ", summed over threads" };
             // Writing to a string can't fail.
             let _ = writeln!(text, "{name:<11} {:9.3} ms median{note}", Spread::of(times).median);
         }
@@ -217,7 +202,7 @@ impl Timings {
     }
 }
 
-/// How times are spread.
+/// The distribution of times.
 struct Spread {
     least: f64,
     median: f64,

@@ -1,14 +1,11 @@
-//! `luxel check`: what in a mesh spoils its shading.
+//! `luxel check`: mesh defects that spoil shading.
 
 use crate::camera;
 use crate::console::{Console, printable};
 use crate::failure::Failure;
-use crate::flag_words::with_flags;
+use crate::flag_words::cure;
 use crate::model::{self, Model};
-use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
-    PictureOptions, ShadingOptions,
-};
+use crate::options::{InputOptions, ViewOptions};
 use crate::output;
 use crate::surface;
 use crate::view;
@@ -24,21 +21,21 @@ use std::fmt::Write;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Tell what in the mesh spoils its shading
+/// Find the mesh defects that spoil shading
 ///
-/// Winding, degenerate faces, T-junctions, cracks, normals and more: how often, how bad in steps of
-/// the picture's 8 bits, where, and what helps. Ends with status 0 where nothing is found, else
+/// Winding, degenerate faces, T-junctions, cracks, normals and more: how many, how visible in steps
+/// of 8-bit pixels, where, and how to fix them. Exits with status 0 if nothing is found, else
 /// with 3. For example: luxel check model.obj -o marks.png
 #[derive(Args, Debug)]
 pub(crate) struct CheckCommand {
     #[command(flatten)]
     input: InputOptions,
 
-    /// A picture of the model in grey with everything that is found in colours: .png or .ppm
+    /// Write an image of the model in grey with the findings in colour: .png or .ppm
     #[arg(short, long, value_name = "FILE")]
     output: Option<OsString>,
 
-    /// Only this kind of finding is marked, such as t-junction; may be repeated [default: all]
+    /// Mark only this kind of finding, such as t-junction; may be repeated [default: all]
     #[arg(long = "layer", value_name = "KIND", value_parser = kind, requires = "output")]
     layers: Vec<Kind>,
 
@@ -47,32 +44,19 @@ pub(crate) struct CheckCommand {
     json: bool,
 
     #[command(flatten)]
-    frame: FrameOptions,
-    #[command(flatten)]
-    light: LightOptions,
-    #[command(flatten)]
-    material: MaterialOptions,
-    #[command(flatten)]
-    mode: ModeOptions,
-    #[command(flatten)]
-    shading: ShadingOptions,
-    #[command(flatten)]
-    picture: PictureOptions,
-    #[command(flatten)]
-    execution: ExecutionOptions,
+    view: ViewOptions,
 }
 
 impl CheckCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
         let format = self.output.as_ref().map(format_of).transpose()?;
-        let mut model = model::load(&self.input, &self.execution, console)?;
-        surface::apply_material(&self.material, &mut model.scene);
+        let mut model = model::load(&self.input, &self.view.execution, console)?;
+        surface::apply_material(&self.view.material, &mut model.scene);
         let scene = &model.scene;
-        let camera = camera::choose(&self.frame, scene)?;
-        let execution = view::execution(&self.execution);
-        let (light, picture) = (&self.light, &self.picture);
-        let view = view::view(&self.frame, light, &self.mode, picture, None, camera, scene)?;
-        let setup = Setup { view, normals: surface::normal_options(&self.shading), execution };
+        let camera = camera::choose(&self.view.frame, scene)?;
+        let execution = view::execution(&self.view.execution);
+        let view = view::view(&self.view, None, camera, scene)?;
+        let setup = Setup { view, normals: surface::normal_options(&self.view.shading), execution };
         let report = check(scene, &setup);
         if let (Some(path), Some(format)) = (&self.output, format) {
             self.draw(&report, scene, camera, Path::new(path), format)?;
@@ -85,7 +69,7 @@ impl CheckCommand {
         if report.findings.is_empty() { Ok(()) } else { Err(Failure::Findings) }
     }
 
-    /// Draws where everything is.
+    /// Renders the model with its findings marked.
     fn draw(
         &self,
         report: &Report,
@@ -100,13 +84,13 @@ impl CheckCommand {
             [] => report.marked(scene),
             only => report.marked_only(scene, only),
         };
-        surface::apply_normals(&self.shading, &mut marked);
+        surface::apply_normals(&self.view.shading, &mut marked);
         let marked = Arc::new(marked);
-        let execution = view::execution(&self.execution);
+        let execution = view::execution(&self.view.execution);
         let renderer = Renderer::new(Arc::clone(&marked), &execution)
             .map_err(|error| failure(error.to_string()))?;
-        let mut view = luxel::default_view_from(&marked, camera, self.frame.size);
-        view.samples = self.frame.samples;
+        let mut view = luxel::default_view_from(&marked, camera, self.view.frame.size);
+        view.samples = self.view.frame.samples;
         let picture = renderer.rgba8(&view).map_err(|error| failure(error.to_string()))?;
         let mut bytes = Vec::new();
         write_rgba8(format, view.size, &picture.pixels, PictureEncoding::Srgb, &mut bytes)
@@ -115,17 +99,17 @@ impl CheckCommand {
     }
 }
 
-/// A kind of finding by its name.
+/// Parses a kind of finding.
 fn kind(name: &str) -> Result<Kind, String> {
     let names = Kind::ALL.map(Kind::name);
     let found = Kind::ALL.into_iter().find(|kind| kind.name() == name);
     found.ok_or_else(|| match nearest(name, names) {
-        Some(meant) => format!("it is no kind of finding: did you mean `{meant}`?"),
-        None => format!("it is no kind of finding: use {}", names.join(", ")),
+        Some(meant) => format!("unknown kind of finding: did you mean `{meant}`?"),
+        None => format!("unknown kind of finding: use {}", names.join(", ")),
     })
 }
 
-/// The format of the marks, by their file's name.
+/// The format of the marked image, by its file name.
 fn format_of(name: &OsString) -> Result<PictureFormat, Failure> {
     let extension = Path::new(name).extension().unwrap_or_default().to_string_lossy();
     let format = extension.parse().map_err(|error: ParsePictureFormatError| {
@@ -134,7 +118,7 @@ fn format_of(name: &OsString) -> Result<PictureFormat, Failure> {
     })?;
     match format {
         PictureFormat::Png | PictureFormat::Ppm => Ok(format),
-        _ => Err(Failure::Usage("marks are drawn into .png or .ppm".to_owned())),
+        _ => Err(Failure::Usage("the marked image must be .png or .ppm".to_owned())),
     }
 }
 
@@ -156,7 +140,7 @@ fn to_json(report: &Report, model: &Model) -> Value {
             "count": finding.count,
             "severity": finding.severity,
             "places": finding.places.iter().map(place).collect::<Value>(),
-            "cure": with_flags(finding.kind.cure()),
+            "cure": cure(finding.kind),
         });
         if let Some(pixels) = finding.pixels {
             entry["pixels"] = json!(pixels);
@@ -172,7 +156,7 @@ fn to_json(report: &Report, model: &Model) -> Value {
 
 fn to_text(report: &Report, model: &Model, name: &str) -> String {
     let mut text = String::new();
-    // Writing to a string cannot fail.
+    // Writing to a string can't fail.
     let _ = write_text(report, model, name, &mut text);
     text
 }
@@ -200,7 +184,7 @@ fn write_text(report: &Report, model: &Model, name: &str, text: &mut String) -> 
                 format!(", up to {pixels:.1} pixels off and {} of 255", steps(most))
             }
             (None, Some(pixels)) => format!(", up to {pixels:.1} pixels off"),
-            (Some(0.0), _) => ", not to be seen in luxel".to_owned(),
+            (Some(0.0), _) => ", not visible in luxel".to_owned(),
             (Some(most), _) => format!(", up to {} of 255", steps(most)),
             _ => String::new(),
         };
@@ -213,7 +197,7 @@ fn write_text(report: &Report, model: &Model, name: &str, text: &mut String) -> 
             let triangle = place.triangle.map(|number| format!(" triangle {number}"));
             writeln!(text, "  at {x} {y} {z}: {path}{}", triangle.unwrap_or_default())?;
         }
-        writeln!(text, "  cure: {}", with_flags(kind.cure()))?;
+        writeln!(text, "  cure: {}", cure(*kind))?;
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! `luxel completions`: what a shell wants to know.
+//! `luxel completions`: shell completions.
 
 use crate::failure::Failure;
 use crate::output;

@@ -1,13 +1,12 @@
-//! `luxel demos`: the scenes built into the program.
+//! `luxel demos`: the built-in scenes.
 
 use crate::failure::Failure;
-use crate::flag_words::with_flags;
 use crate::output;
 use clap::Args;
 use luxel::scene::demos;
 use serde_json::json;
 
-/// List the scenes built into the program
+/// List the built-in scenes
 #[derive(Args, Debug)]
 pub(crate) struct DemosCommand {
     /// Print a JSON document
@@ -17,10 +16,9 @@ pub(crate) struct DemosCommand {
 
 impl DemosCommand {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let names: Vec<_> =
-            demos::names().into_iter().map(|(name, about)| (name, with_flags(about))).collect();
+        let names: Vec<_> = demos::names();
         if self.json {
-            let entry = |(name, about): &(&str, String)| json!({ "name": name, "about": about });
+            let entry = |(name, about): &(&str, &str)| json!({ "name": name, "about": about });
             return output::print_json(&names.iter().map(entry).collect());
         }
         let width = names.iter().map(|(name, _)| name.len()).max().unwrap_or(0);

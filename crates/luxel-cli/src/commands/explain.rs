@@ -1,13 +1,10 @@
-//! `luxel explain`: why a pixel has its colour, term by term.
+//! `luxel explain`: the lighting equation of a pixel, term by term.
 
 use crate::camera;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::model;
-use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
-    PictureOptions, ShadingOptions,
-};
+use crate::options::{InputOptions, ViewOptions};
 use crate::output;
 use crate::surface;
 use crate::values::at;
@@ -30,26 +27,14 @@ pub(crate) struct ExplainCommand {
     #[command(flatten)]
     query: QueryOptions,
     #[command(flatten)]
-    frame: FrameOptions,
-    #[command(flatten)]
-    light: LightOptions,
-    #[command(flatten)]
-    material: MaterialOptions,
-    #[command(flatten)]
-    shading: ShadingOptions,
-    #[command(flatten)]
-    mode: ModeOptions,
-    #[command(flatten)]
-    picture: PictureOptions,
-    #[command(flatten)]
-    execution: ExecutionOptions,
+    view: ViewOptions,
 }
 
-/// The question, and the form of the answer.
+/// The position, and the output format.
 #[derive(Args, Clone, Debug)]
-#[command(next_help_heading = "Question and answer")]
+#[command(next_help_heading = "Query and output")]
 struct QueryOptions {
-    /// The pixel with all its samples (whole numbers), or one sample at a point (decimals)
+    /// The pixel with all its samples (integers), or one sample at a point (decimals)
     #[arg(long, value_name = "X,Y", value_parser = at, allow_hyphen_values = true)]
     at: At,
 
@@ -57,15 +42,15 @@ struct QueryOptions {
     #[arg(long, conflicts_with_all = ["latex", "html"])]
     json: bool,
 
-    /// Print a fragment of LaTeX, for a document with amsmath
+    /// Print a LaTeX fragment, for a document with amsmath
     #[arg(long, conflicts_with = "html")]
     latex: bool,
 
-    /// Print a page of HTML, with the pixel's neighbourhood and its vectors drawn
+    /// Print an HTML page with drawings of the pixel's neighbourhood and vectors
     #[arg(long)]
     html: bool,
 
-    /// Where that goes; `-` is the standard output [default: -]
+    /// The output file; `-` is the standard output [default: -]
     #[arg(short, long, value_name = "FILE")]
     output: Option<OsString>,
 }
@@ -76,17 +61,16 @@ impl ExplainCommand {
         if let Some(path) = file {
             output::check_folder(path, "-o")?;
         }
-        let mut model = model::load(&self.input, &self.execution, console)?;
+        let mut model = model::load(&self.input, &self.view.execution, console)?;
         if model.scene.is_empty() {
             return Err(model::nothing_to_draw(&self.input.name()));
         }
-        surface::apply_material(&self.material, &mut model.scene);
-        surface::apply_normals(&self.shading, &mut model.scene);
+        surface::apply_material(&self.view.material, &mut model.scene);
+        surface::apply_normals(&self.view.shading, &mut model.scene);
         let scene = &Arc::new(model.scene);
-        let camera = camera::choose(&self.frame, scene)?;
-        let view =
-            view::view(&self.frame, &self.light, &self.mode, &self.picture, None, camera, scene)?;
-        let execution = Execution { one_frame: true, ..view::execution(&self.execution) };
+        let camera = camera::choose(&self.view.frame, scene)?;
+        let view = view::view(&self.view, None, camera, scene)?;
+        let execution = Execution { one_frame: true, ..view::execution(&self.view.execution) };
         let renderer = Renderer::new(Arc::clone(scene), &execution)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         let explanation = renderer.explain(&view, self.query.at).map_err(|error| match error {
@@ -120,15 +104,15 @@ impl ExplainCommand {
     }
 }
 
-/// A hint as the flag that it is about.
+/// Words a hint as a flag.
 fn flag_of(hint: Hint) -> &'static str {
     match hint {
-        Hint::ViewCullsBackFaces => "--cull back leaves such faces out",
+        Hint::ViewCullsBackFaces => "--cull back hides such faces",
         other => other.text(),
     }
 }
 
-/// Colours appear on a terminal that has them, unless `NO_COLOR` is set to anything.
+/// Colours need a terminal that supports them and an unset `NO_COLOR`.
 fn has_colors() -> bool {
     std::io::stdout().is_terminal()
         && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())

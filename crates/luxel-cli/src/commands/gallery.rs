@@ -1,4 +1,4 @@
-//! `luxel gallery`: the picture book.
+//! `luxel gallery`: the gallery of shading errors and plots.
 
 #[cfg(feature = "gallery")]
 mod book;
@@ -9,14 +9,14 @@ use crate::{console::Console, failure::Failure};
 use clap::Args;
 use std::ffi::OsString;
 
-/// Write the picture book
+/// Write the gallery of shading errors and plots
 ///
-/// What shading does wrong, each problem beside its cure with the errors measured, and plots of
-/// light and reflection: pictures, and a page, index.html, that explains them. For example:
+/// Shading errors, each beside its cure with both errors measured, and plots of
+/// light and reflection: images, and a page, index.html, that explains them. For example:
 /// luxel gallery -o gallery
 #[derive(Args, Debug)]
 pub(crate) struct GalleryCommand {
-    /// The folder to write into; it is made if there is none
+    /// The output folder; created if missing
     #[arg(short, long, value_name = "DIR")]
     output: OsString,
 
@@ -32,6 +32,6 @@ pub(crate) struct GalleryCommand {
 impl GalleryCommand {
     pub(crate) fn run(self, _: Console) -> Result<(), Failure> {
         let what = "this build of luxel has no gallery";
-        Err(Failure::work(what, "build it with `--features gallery`"))
+        Err(Failure::work(what, "build luxel with `--features gallery`"))
     }
 }

@@ -1,4 +1,4 @@
-//! `luxel info`: what is in a file.
+//! `luxel info`: the contents of a file.
 
 use crate::camera;
 use crate::console::{Console, printable};
@@ -15,7 +15,7 @@ use luxel::scene::{
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
-/// Tell what is in a file
+/// Summarize a file
 ///
 /// Objects, triangles, bounds, materials, lights and cameras, and the camera that `render` would
 /// use with the same flags.
@@ -155,7 +155,7 @@ impl<'a> Survey<'a> {
 
     fn to_text(&self, name: &str, format: &str, camera: &Camera) -> String {
         let mut text = String::new();
-        // Writing to a string cannot fail.
+        // Writing to a string can't fail.
         let _ = self.write_text(&mut text, name, format, camera);
         text
     }
@@ -275,7 +275,7 @@ fn material_to_json(material: &SceneMaterial) -> Value {
     value
 }
 
-/// A whole number with commas between thousands.
+/// An integer with commas between thousands.
 fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() * 4 / 3);
@@ -288,7 +288,7 @@ fn grouped(number: u64) -> String {
     text
 }
 
-/// A number with the five digits that a reader wants.
+/// A number rounded to five digits.
 fn short(number: f64) -> String {
     if number != 0.0 && !(1e-4..1e6).contains(&number.abs()) {
         return format!("{number:.4e}");
@@ -307,7 +307,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn thousands_are_set_apart() {
+    fn commas_separate_thousands() {
         assert_eq!(grouped(0), "0");
         assert_eq!(grouped(999), "999");
         assert_eq!(grouped(1_000), "1,000");

@@ -1,4 +1,4 @@
-//! `luxel man`: the manual page, made of the same table of options as the command line.
+//! `luxel man`: the manual page, generated from the definition of the command line.
 
 use crate::failure::Failure;
 use crate::output;
@@ -28,7 +28,7 @@ fn render(program: Command, page: &mut dyn Write) -> io::Result<()> {
     page.write_all(ENDING.as_bytes())
 }
 
-/// A section for a command: the words and options of its help.
+/// A section for a command: its help and options.
 fn describe(command: &Command, page: &mut dyn Write) -> io::Result<()> {
     let title = format!("luxel {}", command.get_name()).to_uppercase();
     writeln!(page, ".SH \"{title}\"")?;
@@ -53,7 +53,7 @@ fn describe(command: &Command, page: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// Text that troff takes as it is.
+/// Escapes text for troff.
 fn plain(text: &str) -> String {
     text.replace('\\', "\\e").replace('-', "\\-").replace("\n.", "\n\\&.")
 }
@@ -64,15 +64,15 @@ const ENDING: &str = r#".SH "EXIT STATUS"
 done
 .TP
 1
-the work could not be done: input that is missing, malformed or not supported, or a failure to read or write
+failure: missing, malformed or unsupported input, or an input/output error
 .TP
 2
 wrong usage
 .TP
 3
-a check has found something
+a check has findings
 .SH ENVIRONMENT
 .TP
 NO_COLOR
-set to anything: messages have no colours
+disables colours in messages if set
 "#;

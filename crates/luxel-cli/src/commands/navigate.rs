@@ -1,4 +1,4 @@
-//! `luxel navigate`: a log of events, played without a display.
+//! `luxel navigate`: replays a log of events without a display.
 
 use crate::camera;
 use crate::console::Console;
@@ -14,10 +14,10 @@ use serde_json::json;
 use std::ffi::OsString;
 use std::fmt::Write;
 
-/// Play a log of events and print the camera after each
+/// Replay a log of events and print the camera after each
 ///
 /// Prints a line for each event: view_from_world, 16 numbers column by column, as --view-matrix
-/// takes them. docs/navigation.md says what a log holds.
+/// takes them. docs/navigation.md describes the log format.
 ///
 /// For example: luxel navigate demo:teapot --mode rolling-ball --replay hand.log
 #[derive(Args, Debug)]
@@ -25,12 +25,12 @@ pub(crate) struct NavigateCommand {
     #[command(flatten)]
     input: InputOptions,
 
-    /// The way to navigate at the start: absolute, look-at, rolling-ball, flying, mouselook,
+    /// The initial navigation mode: absolute, look-at, rolling-ball, flying, mouselook,
     /// turntable
     #[arg(long, value_name = "MODE", default_value = "turntable")]
     mode: Mode,
 
-    /// The log; `-` for the standard input
+    /// The log; `-` is the standard input
     #[arg(long, value_name = "FILE", required = true)]
     replay: OsString,
 
@@ -47,7 +47,7 @@ pub(crate) struct NavigateCommand {
 impl NavigateCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
         if self.input.model == "-" && self.replay == "-" {
-            let message = "model and log can't both come from the standard input: use a file";
+            let message = "model and log can't both be the standard input: use a file";
             return Err(Failure::Usage(message.to_owned()));
         }
         let (log, lines) = navigation::read_log(&self.replay, self.execution.max_memory)?;
@@ -72,7 +72,7 @@ impl NavigateCommand {
                 }));
             } else {
                 let numbers: Vec<_> = view.iter().map(ToString::to_string).collect();
-                // Writing into a string doesn't fail.
+                // Writing to a string can't fail.
                 let _ = writeln!(text, "{}", numbers.join(","));
             }
         }

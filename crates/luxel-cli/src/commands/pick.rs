@@ -1,4 +1,4 @@
-//! `luxel pick`: what is under a place of the window, and in a part of it.
+//! `luxel pick`: the objects at a position or in a region of the image.
 
 mod at;
 mod region;
@@ -18,7 +18,7 @@ use luxel::render::At;
 use luxel::scene::Scene;
 use std::sync::Arc;
 
-/// Tell what is under a place of the window, or in a part of it
+/// Find the objects at a position, or in a region of the image
 ///
 /// For example: luxel pick model.glb --at 640,360
 #[derive(Args, Debug)]
@@ -37,61 +37,61 @@ pub(crate) struct PickCommand {
     execution: ExecutionOptions,
 }
 
-/// The question, and the form of the answer.
+/// The position, and the output format.
 #[derive(Args, Clone, Debug)]
-#[command(next_help_heading = "Question and answer")]
+#[command(next_help_heading = "Query and output")]
 struct QueryOptions {
     #[command(flatten)]
     place: PlaceOptions,
 
-    /// Everything under the place, nearest first
+    /// List all hits at the position, nearest first
     #[arg(long, conflicts_with_all = ["rect", "lasso"])]
     through: bool,
 
-    /// Only what owns pixels of the rectangle or polygon, with their number
+    /// List only objects visible in the region, with their number of pixels
     #[arg(long, conflicts_with = "at")]
     visible: bool,
 
-    /// Only what lies inside of the rectangle or polygon as a whole
+    /// List only objects entirely inside the region
     #[arg(long, conflicts_with = "at")]
     enclosed: bool,
 
-    /// The nearest vertex, edge or face that is seen around the place: vertex, edge, face
+    /// Snap to the nearest visible vertex, edge or face around the position: vertex, edge, face
     #[arg(long, value_name = "KIND", hide_possible_values = true)]
     #[arg(conflicts_with_all = ["rect", "lasso"])]
     snap: Option<SnapChoice>,
 
-    /// Points and lines seen within so many pixels of the place count as hit; and how far --snap
-    /// looks [default: 0; 8 for --snap]
+    /// Points and lines within this many pixels of the position count as hits; also the reach of
+    /// --snap [default: 0; 8 with --snap]
     #[arg(long, value_name = "PIXELS", value_parser = within, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["rect", "lasso"])]
     within: Option<f64>,
 
-    /// Print a JSON document; a document a line for positions from the standard input
+    /// Print a JSON document; with positions from the standard input, one document per line
     #[arg(long)]
     json: bool,
 }
 
-/// Where: one of these.
+/// The position or region: one of these.
 #[derive(Args, Clone, Debug)]
-#[command(next_help_heading = "Question and answer")]
+#[command(next_help_heading = "Query and output")]
 #[group(required = true, multiple = false)]
 struct PlaceOptions {
-    /// The centre of a pixel (whole numbers), or a point of the window (decimals); `-` reads a
-    /// position a line from the standard input
+    /// The centre of a pixel (integers), or a point of the image (decimals); `-` reads one
+    /// position per line from the standard input
     #[arg(long, value_name = "X,Y", value_parser = positions, allow_hyphen_values = true)]
     at: Option<Positions>,
 
-    /// Everything in a rectangle: its upper left corner and size in pixels
+    /// A rectangle: its upper left corner and size in pixels
     #[arg(long, value_name = "X,Y,W,H", value_parser = rectangle, allow_hyphen_values = true)]
     rect: Option<Rectangle>,
 
-    /// Everything in a polygon of the window, by its corners
+    /// A polygon in the image, by its corners in pixels
     #[arg(long, value_name = "X,Y,X,Y,...", value_parser = lasso, allow_hyphen_values = true)]
     lasso: Option<Lasso>,
 }
 
-/// One position, or one a line of the standard input.
+/// One position, or one per line of the standard input.
 #[derive(Clone, Copy, Debug)]
 enum Positions {
     One(At),
@@ -112,9 +112,9 @@ enum SnapChoice {
     Face,
 }
 
-/// The largest distance, since each pixel around the place is picked.
+/// The largest distance: luxel picks each pixel around the position.
 const MOST_WITHIN: f64 = 100.0;
-/// The default distance of snapping.
+/// The default reach of snapping.
 const SNAP_WITHIN: f64 = 8.0;
 
 fn positions(text: &str) -> Result<Positions, String> {
@@ -126,7 +126,7 @@ fn within(text: &str) -> Result<f64, String> {
     if (0.0..=MOST_WITHIN).contains(&pixels) {
         Ok(pixels)
     } else {
-        Err(format!("it must lie between 0 and {MOST_WITHIN} pixels"))
+        Err(format!("it must be between 0 and {MOST_WITHIN} pixels"))
     }
 }
 
@@ -134,7 +134,7 @@ impl PickCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
         let many = matches!(self.query.place.at, Some(Positions::Many));
         if many && self.input.model == "-" {
-            let message = "the standard input can't give both the model and the positions";
+            let message = "model and positions can't both be the standard input: use a file";
             return Err(Failure::Usage(message.to_owned()));
         }
         let mut model = model::load(&self.input, &self.execution, console)?;
@@ -145,7 +145,7 @@ impl PickCommand {
         }
         let scene = &Arc::new(model.scene);
         let camera = camera::choose(&self.frame, scene)?;
-        // A single question is answered sooner by a tree that is made quickly.
+        // A single query finishes sooner with a tree that builds fast.
         let quality = if many { Quality::Thorough } else { Quality::InOrder };
         check_memory(scene, quality, self.execution.max_memory)?;
         let picker = Picker::with(Arc::clone(scene), quality, self.execution.simd)
@@ -160,7 +160,7 @@ impl PickCommand {
     }
 }
 
-/// Ends the work before memory is taken for trees that is not allowed.
+/// Fails before allocating trees beyond the memory limit.
 pub(super) fn check_memory(scene: &Scene, quality: Quality, limit: u64) -> Result<(), Failure> {
     let triangles = scene.meshes.iter().map(|mesh| mesh.triangles.len() as u64).sum::<u64>();
     let needed = triangles.saturating_mul(quality.bytes_a_triangle() as u64);

@@ -1,4 +1,4 @@
-//! `luxel render`: a picture, or the layers it is made of.
+//! `luxel render`: an image, or its layers.
 
 mod path;
 mod stopwatch;
@@ -8,10 +8,7 @@ use crate::camera;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::model;
-use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
-    PictureOptions, ShadingOptions,
-};
+use crate::options::{InputOptions, ViewOptions};
 use crate::output;
 use crate::progress::Progress;
 use crate::surface;
@@ -29,7 +26,7 @@ use std::sync::Arc;
 use stopwatch::Stopwatch;
 use target::{Format, Target};
 
-/// Draw a picture
+/// Render an image
 ///
 /// For example: luxel render model.glb -o picture.png --size 1920x1080
 #[derive(Args, Debug)]
@@ -40,59 +37,48 @@ pub(crate) struct RenderCommand {
     #[command(flatten)]
     output: OutputOptions,
     #[command(flatten)]
-    frame: FrameOptions,
-    #[command(flatten)]
-    light: LightOptions,
-    #[command(flatten)]
-    material: MaterialOptions,
-    #[command(flatten)]
-    shading: ShadingOptions,
-    #[command(flatten)]
-    mode: ModeOptions,
-    #[command(flatten)]
-    picture: PictureOptions,
-    #[command(flatten)]
-    execution: ExecutionOptions,
+    view: ViewOptions,
 }
 
 #[cfg(all(test, feature = "viewer"))]
 impl RenderCommand {
-    pub(crate) fn frame(&self) -> &FrameOptions {
-        &self.frame
+    pub(crate) fn frame(&self) -> &crate::options::FrameOptions {
+        &self.view.frame
     }
 }
 
-/// What is written, and where.
+/// The output files and their content.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Output")]
 struct OutputOptions {
-    /// The picture's file: .png, .exr, .ppm, .npy, or .svg for vectors; `-` for the standard output
+    /// The image file: .png, .exr, .ppm, .npy, or .svg for vectors; `-` is the standard output
     #[arg(short, long, value_name = "FILE")]
     output: OsString,
 
-    /// The output's format, whatever its name: png, exr, ppm, npy, svg [default for `-`: png]
+    /// The output format, regardless of the file name: png, exr, ppm, npy, svg [default for `-`:
+    /// png]
     #[arg(long, value_name = "EXT")]
     output_format: Option<Format>,
 
-    /// Bits of the channels of a PNG or PPM: 8 or 16
+    /// Bits per channel of a PNG or PPM: 8 or 16
     #[arg(long, value_name = "N", default_value = "8", value_parser = bits)]
     bits: u8,
 
-    /// A layer instead of the picture: depth, z, normal, position, object, triangle, barycentric,
-    /// uv, ambient, diffuse, specular, emission, environment, fog, n_dot_l, light:NAME; may be
-    /// repeated for an EXR
+    /// Write a layer instead of the image: depth, z, normal, position, object, triangle,
+    /// barycentric, uv, ambient, diffuse, specular, emission, environment, fog, n_dot_l,
+    /// light:NAME; may be repeated for an EXR
     #[arg(long = "layer", value_name = "NAME")]
     layers: Vec<Layer>,
 
-    /// Draw nothing but the edges of polygons
+    /// Draw only the edges of polygons
     #[arg(long, conflicts_with = "edges")]
     wireframe: bool,
 
-    /// Draw the edges of polygons over the faces
+    /// Draw the edges of polygons on top of the faces
     #[arg(long)]
     edges: bool,
 
-    /// Draw N pictures from all around, into files numbered by their name, as f_{n:3}.png for three
+    /// Render N views around the target into numbered files, such as f_{n:3}.png for three
     /// digits
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     turntable: Option<NonZeroU32>,
@@ -100,7 +86,7 @@ struct OutputOptions {
     #[command(flatten)]
     path: path::PathOptions,
 
-    /// Print a JSON document about what was done
+    /// Print a JSON document about the work done
     #[arg(long)]
     json: bool,
 }
@@ -114,7 +100,7 @@ fn bits(text: &str) -> Result<u8, String> {
 }
 
 impl OutputOptions {
-    /// Whether there are several pictures, each with a number in its name.
+    /// Whether the output is several numbered images.
     fn is_numbered(&self) -> bool {
         self.turntable.is_some() || self.path.is_given()
     }
@@ -134,25 +120,26 @@ impl RenderCommand {
         let target = Target::of(&self.output)?;
         check_memory(&self, &target)?;
 
-        let mut model = model::load(&self.input, &self.execution, console)?;
+        let mut model = model::load(&self.input, &self.view.execution, console)?;
         stopwatch.lap("read");
         if model.scene.is_empty() {
             return Err(model::nothing_to_draw(&self.input.name()));
         }
-        surface::apply_material(&self.material, &mut model.scene);
-        surface::apply_normals(&self.shading, &mut model.scene);
+        surface::apply_material(&self.view.material, &mut model.scene);
+        surface::apply_normals(&self.view.shading, &mut model.scene);
         stopwatch.lap("normals");
         let scene = &Arc::new(model.scene);
-        let cameras = match self.output.path.cameras(&self.frame, &self.execution, scene)? {
-            Some(cameras) => cameras,
-            None => {
-                let frames = self.output.turntable.map_or(1, NonZeroU32::get);
-                camera::turntable(&self.frame, scene, frames)?
-            }
-        };
+        let cameras =
+            match self.output.path.cameras(&self.view.frame, &self.view.execution, scene)? {
+                Some(cameras) => cameras,
+                None => {
+                    let frames = self.output.turntable.map_or(1, NonZeroU32::get);
+                    camera::turntable(&self.view.frame, scene, frames)?
+                }
+            };
         stopwatch.lap("camera");
         let one_frame = cameras.len() == 1;
-        let execution = Execution { one_frame, ..view::execution(&self.execution) };
+        let execution = Execution { one_frame, ..view::execution(&self.view.execution) };
         let renderer = Renderer::new(Arc::clone(scene), &execution)
             .map_err(|error| Failure::work(error.to_string(), ""))?;
         stopwatch.lap("prepare");
@@ -164,13 +151,13 @@ impl RenderCommand {
         let mut vectors = None;
         let edges = self.output.edges();
         // Vectors have a tolerance in every mode.
-        let mut mode = self.mode.clone();
+        let mut options = self.view.clone();
+        let mode = &mut options.mode;
         if target.format == Format::Svg && !matches!(mode.shading, ShadingMode::Subdivided { .. }) {
             mode.tolerance = None;
         }
         for (number, &camera) in cameras.iter().enumerate() {
-            let view =
-                view::view(&self.frame, &self.light, &mode, &self.picture, edges, camera, scene)?;
+            let view = view::view(&options, edges, camera, scene)?;
             let drawn = self.draw(&renderer, &view, target.format, &mut stopwatch)?;
             if let Some(file) = target.write(number as u32, &drawn.bytes)? {
                 files.push(file);
@@ -191,8 +178,9 @@ impl RenderCommand {
             ));
         }
         if let Some([faces, pieces, paths]) = vectors {
-            console
-                .detail(&format!("{faces} faces in {pieces} pieces of one colour, {paths} paths"));
+            console.detail(&format!(
+                "{faces} faces in {pieces} pieces of uniform colour, {paths} paths"
+            ));
         }
         if self.output.json {
             let mut report = self.report(&renderer, scene, &cameras[0], &files, &stopwatch);
@@ -219,7 +207,7 @@ impl RenderCommand {
         Ok(())
     }
 
-    /// Draws a view and encodes it.
+    /// Renders a view and encodes it.
     fn draw(
         &self,
         renderer: &Renderer,
@@ -232,10 +220,10 @@ impl RenderCommand {
             Format::Pixels(format) => format,
             Format::Svg => {
                 let defaults = SvgOptions::default();
-                // Half of the memory for pieces, half for the text of their paths.
-                let pieces = self.execution.max_memory / 600;
+                // Half of the memory is for pieces, half for the text of their paths.
+                let pieces = self.view.execution.max_memory / 600;
                 let options = SvgOptions {
-                    tolerance: self.mode.tolerance.map_or(defaults.tolerance, |t| t as f32),
+                    tolerance: self.view.mode.tolerance.map_or(defaults.tolerance, |t| t as f32),
                     max_pieces: defaults
                         .max_pieces
                         .min(usize::try_from(pieces).unwrap_or(usize::MAX)),
@@ -286,7 +274,7 @@ impl RenderCommand {
         files: &[String],
         stopwatch: &Stopwatch,
     ) -> Map<String, Value> {
-        let Size { width, height } = self.frame.size;
+        let Size { width, height } = self.view.frame.size;
         let mut report = Map::new();
         report.insert("file".into(), json!(files.first()));
         if self.output.is_numbered() {
@@ -297,20 +285,20 @@ impl RenderCommand {
         report.insert("triangles".into(), json!(scene.triangle_count()));
         report.insert("simd".into(), json!(luxel::math::SimdLevel::name_of(renderer.level())));
         report.insert("threads".into(), json!(renderer.threads()));
-        report.insert("camera".into(), camera::to_json(camera, self.frame.size));
+        report.insert("camera".into(), camera::to_json(camera, self.view.frame.size));
         report
     }
 }
 
-/// A picture as a file has it.
+/// An encoded image.
 #[derive(Default)]
 struct Drawn {
     bytes: Vec<u8>,
-    /// What the 16 bits of a layer mean.
+    /// The meaning of a layer's 16-bit values.
     legend: Option<Legend>,
-    /// What subdividing took.
+    /// Statistics of subdivision.
     subdivision: Option<Subdivision>,
-    /// Faces, pieces and paths of vectors.
+    /// Faces, pieces and paths of vector output.
     svg: Option<[usize; 3]>,
 }
 
@@ -322,7 +310,7 @@ fn cannot_encode(error: PictureError) -> Failure {
     Failure::work(error.to_string(), "choose another format with -o")
 }
 
-/// What the numbers or colours in the picture of a layer mean.
+/// The meaning of the numbers or colours in a layer's image.
 fn legend_to_json(legend: &Legend, layer: &Layer, scene: &Scene) -> Value {
     match legend {
         Legend::Scaled(ranges) => json!({ "from_0_to_65535": ranges }),
@@ -342,11 +330,11 @@ fn legend_to_json(legend: &Legend, layer: &Layer, scene: &Scene) -> Value {
     }
 }
 
-/// Ends the work before memory is taken that is not allowed.
+/// Fails before allocating beyond the memory limit.
 fn check_memory(command: &RenderCommand, target: &Target) -> Result<(), Failure> {
-    let Size { width, height } = command.frame.size;
+    let Size { width, height } = command.view.frame.size;
     let pixels = u64::from(width) * u64::from(height);
-    // Pixels as they are drawn and as they are encoded.
+    // The rendered and the encoded pixels.
     let bytes_each: u64 = if !command.output.layers.is_empty() {
         command.output.layers.iter().map(|layer| 12 + 8 * layer.channels() as u64).sum()
     } else {
@@ -357,12 +345,12 @@ fn check_memory(command: &RenderCommand, target: &Target) -> Result<(), Failure>
         }
     };
     let needed = pixels.saturating_mul(bytes_each);
-    let limit = command.execution.max_memory;
+    let limit = command.view.execution.max_memory;
     if needed <= limit {
         return Ok(());
     }
     Err(Failure::work(
-        format!("a picture of {width}x{height} would take {needed} bytes; the limit is {limit}"),
-        "make it smaller with --size, or raise the limit with --max-memory",
+        format!("an image of {width}x{height} would take {needed} bytes; the limit is {limit}"),
+        "use a smaller --size, or raise the limit with --max-memory",
     ))
 }

@@ -9,7 +9,7 @@ pub(crate) fn run(program: Command) -> Result<(), Failure> {
     output::print(&text(program))
 }
 
-/// The schema as the file has it.
+/// The schema as text.
 pub(crate) fn text(mut program: Command) -> String {
     program.build();
     let render = program.find_subcommand("render").unwrap_or(&program);

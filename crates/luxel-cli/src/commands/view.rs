@@ -1,9 +1,6 @@
-//! `luxel view`: a window.
+//! `luxel view`: the interactive viewer.
 
-use crate::options::{
-    ExecutionOptions, FrameOptions, InputOptions, LightOptions, MaterialOptions, ModeOptions,
-    PictureOptions, ShadingOptions,
-};
+use crate::options::{InputOptions, ViewOptions};
 #[cfg(not(feature = "viewer"))]
 use crate::{console::Console, failure::Failure};
 #[cfg(not(feature = "viewer"))]
@@ -12,7 +9,7 @@ use clap::{Args, ValueEnum};
 use luxel::navigation::Mode;
 use std::ffi::OsString;
 
-/// Open a window and look at a model
+/// View a model in a window
 ///
 /// For example: luxel view model.glb --mode rolling-ball
 #[derive(Args, Debug)]
@@ -20,20 +17,20 @@ pub(crate) struct ViewCommand {
     #[command(flatten)]
     input: InputOptions,
 
-    /// More models, seen by the arrow keys
+    /// More models; the arrow keys switch between them
     #[arg(value_name = "MODEL")]
     more: Vec<OsString>,
 
-    /// The way to navigate at the start: absolute, look-at, rolling-ball, flying, mouselook,
+    /// The initial navigation mode: absolute, look-at, rolling-ball, flying, mouselook,
     /// turntable
     #[arg(long, value_name = "MODE", default_value = "turntable")]
     mode: Mode,
 
-    /// Write a log of what is done in the window, when it is closed
+    /// Write a log of the session's events when the window closes
     #[arg(long, value_name = "FILE")]
     record: Option<OsString>,
 
-    /// Play a log of events in the window first
+    /// Replay a log of events in the window first
     #[arg(long, value_name = "FILE")]
     replay: Option<OsString>,
 
@@ -41,37 +38,25 @@ pub(crate) struct ViewCommand {
     #[arg(long, conflicts_with_all = ["record", "replay", "more"])]
     terminal: bool,
 
-    /// By what the terminal shows pictures; auto is the best that it is known to have, and blocks are
-    /// two pixels in each of its cells
+    /// How the terminal displays images: auto picks the best that it is known to support; blocks
+    /// show two pixels per cell
     #[arg(long, value_enum, value_name = "HOW", default_value = "auto", requires = "terminal")]
     graphics: GraphicsName,
 
-    /// The window's colours; auto is as the system's, where it tells
+    /// The colour theme; auto follows the system
     #[arg(long, value_enum, value_name = "THEME", default_value = "auto")]
     theme: ThemeName,
 
-    /// A file that says which keys do what [default: luxel/keys.toml in the user's configuration,
-    /// if there is one]
+    /// A file of key bindings [default: luxel/keys.toml in the user's configuration folder,
+    /// if it exists]
     #[arg(long, value_name = "FILE")]
     keys: Option<OsString>,
 
     #[command(flatten)]
-    frame: FrameOptions,
-    #[command(flatten)]
-    light: LightOptions,
-    #[command(flatten)]
-    material: MaterialOptions,
-    #[command(flatten)]
-    shading: ShadingOptions,
-    #[command(flatten)]
-    shade: ModeOptions,
-    #[command(flatten)]
-    picture: PictureOptions,
-    #[command(flatten)]
-    execution: ExecutionOptions,
+    view: ViewOptions,
 }
 
-/// By what a terminal shows pictures.
+/// How a terminal displays images.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum GraphicsName {
     Auto,
@@ -81,7 +66,7 @@ enum GraphicsName {
     Blocks,
 }
 
-/// The window's colours.
+/// The colour theme.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum ThemeName {
     Auto,
@@ -93,7 +78,7 @@ enum ThemeName {
 impl ViewCommand {
     pub(crate) fn run(self, _: Console, _: &[OsString], _: Command) -> Result<(), Failure> {
         let what = "this build of luxel has no window";
-        Err(Failure::work(what, "build it with `--features viewer`, or use `luxel render`"))
+        Err(Failure::work(what, "build luxel with `--features viewer`, or use `luxel render`"))
     }
 }
 
@@ -124,10 +109,10 @@ mod window {
     use std::path::{Path, PathBuf};
     use std::sync::{Arc, Mutex, PoisonError};
 
-    /// What is shown where no model is named: the teapot, on the coloured ground.
+    /// The default model: the teapot on the coloured ground.
     const WELCOME: &str = "demo:welcome";
 
-    /// Whether the words of the command line name a model.
+    /// Whether the command line names a model.
     fn names_model(program: &Command, words: &[OsString]) -> bool {
         let matches = program.clone().try_get_matches_from(words).ok();
         let matches = matches.as_ref().and_then(ArgMatches::subcommand);
@@ -140,7 +125,7 @@ mod window {
         if progress.is_stopped() { Err(Failure::work("it was stopped", "")) } else { Ok(()) }
     }
 
-    /// Writes a file. The error leaves the remedy out, which names a flag.
+    /// Writes a file. The error omits the remedy, which names a flag.
     fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
         output::write_file(path, bytes)
             .map_err(|failure| failure.lines().first().copied().unwrap_or_default().to_owned())
@@ -158,7 +143,7 @@ mod window {
                 self.input.model = WELCOME.into();
             }
             if self.input.model == "-" && self.replay.as_deref() == Some("-".as_ref()) {
-                let message = "model and log can't both come from the standard input: use a file";
+                let message = "model and log can't both be the standard input: use a file";
                 return Err(Failure::Usage(message.to_owned()));
             }
             if self.terminal {
@@ -174,22 +159,23 @@ mod window {
             if let Some(path) = &record {
                 output::check_writable(path, "--record")?;
             }
-            let most = self.execution.max_memory;
+            let most = self.view.execution.max_memory;
             let replay = self.replay.as_ref().map(|path| navigation::read_log(path, most));
-            let (restyle, shading) = (surface::restyle(&self.material), self.shading.clone());
+            let (restyle, shading) =
+                (surface::restyle(&self.view.material), self.view.shading.clone());
             let options = Options {
                 files,
-                size: self.frame.size,
+                size: self.view.frame.size,
                 mode: self.mode,
                 record,
                 replay: replay.transpose()?.map(|(log, _)| log),
                 theme: self.theme(),
                 keys: keys::keys(self.keys.as_deref())?,
-                execution: view::execution(&self.execution),
+                execution: view::execution(&self.view.execution),
                 write: Box::new(write),
                 print: Box::new(move |file, seen| {
                     let line = line(&program, &words, file, seen);
-                    // Who reads it may be gone; the window is still there.
+                    // The reader may be gone; the window stays open.
                     let _ = output::print(&format!("{line}\n"));
                     line
                 }),
@@ -202,7 +188,7 @@ mod window {
                 notice: Box::new(move |what| console.notice(what)),
                 detail: Box::new(move |what| console.detail(what)),
             };
-            // What went wrong on the thread that loads.
+            // The error of the loading thread.
             let failure = Arc::new(Mutex::new(None));
             let kept = Arc::clone(&failure);
             let load = move |file: &OsStr, progress: &LoadProgress| {
@@ -220,7 +206,7 @@ mod window {
                 }
                 Ok(Outcome::Interrupted) => Err(Failure::Interrupted),
                 Err(error @ ViewerError::Record(_)) => {
-                    Err(Failure::work(error.to_string(), "choose another place with --record"))
+                    Err(Failure::work(error.to_string(), "choose another file with --record"))
                 }
                 Err(error @ ViewerError::NoDisplay(_)) => Err(Failure::work(
                     error.to_string(),
@@ -238,7 +224,7 @@ mod window {
             }
         }
 
-        /// Shows the model in the terminal.
+        /// Runs the viewer in the terminal.
         fn in_terminal(&self, console: Console) -> Result<(), Failure> {
             let keys = keys::keys(self.keys.as_deref())?;
             let graphics = match self.graphics {
@@ -256,7 +242,7 @@ mod window {
                 keys,
                 theme: self.theme(),
                 graphics,
-                execution: view::execution(&self.execution),
+                execution: view::execution(&self.view.execution),
                 write: Box::new(write),
             };
             output::on_interrupt(Box::new(|| {
@@ -272,11 +258,11 @@ mod window {
             })
         }
 
-        /// Fails before a window opens if there is no such file, or it is a folder.
+        /// Fails before a window opens if the file is missing or a folder.
         fn check_model(&self, model: &OsStr, console: Console) -> Result<(), Failure> {
             let is_file = model != "-" && !model.to_string_lossy().starts_with("demo:");
             if is_file && !std::fs::metadata(model).is_ok_and(|there| !there.is_dir()) {
-                return model::load(&self.input(model), &self.execution, console).map(|_| ());
+                return model::load(&self.input(model), &self.view.execution, console).map(|_| ());
             }
             Ok(())
         }
@@ -294,33 +280,26 @@ mod window {
         ) -> Result<Model, Failure> {
             let input = self.input(file);
             let reading = Some(progress.reader.clone());
-            let mut model = model::load_with_progress(&input, &self.execution, console, reading)?;
+            let mut model =
+                model::load_with_progress(&input, &self.view.execution, console, reading)?;
             progress.file_parsed();
             stopped(progress)?;
             if model.scene.is_empty() {
                 return Err(model::nothing_to_draw(&input.name()));
             }
-            surface::apply_material(&self.material, &mut model.scene);
-            surface::apply_normals(&self.shading, &mut model.scene);
+            surface::apply_material(&self.view.material, &mut model.scene);
+            surface::apply_normals(&self.view.shading, &mut model.scene);
             progress.normals_computed();
             stopped(progress)?;
             let scene = model.scene;
-            let (state, settings, camera) = navigation::start(&self.frame, &scene, self.mode)?;
-            let view = view::view(
-                &self.frame,
-                &self.light,
-                &self.shade,
-                &self.picture,
-                None,
-                camera,
-                &scene,
-            )?;
+            let (state, settings, camera) = navigation::start(&self.view.frame, &scene, self.mode)?;
+            let view = view::view(&self.view, None, camera, &scene)?;
             Ok(Model {
                 scene: Arc::new(scene),
                 view,
                 up: settings.up,
                 pivot: state.pivot(),
-                planes: [self.frame.near, self.frame.far],
+                planes: [self.view.frame.near, self.view.frame.far],
             })
         }
     }

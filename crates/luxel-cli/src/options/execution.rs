@@ -1,14 +1,14 @@
-//! How the work is done: nothing here changes a byte of a picture.
+//! Options of execution, which never change a byte of an image.
 
 use crate::values::{memory, threads};
 use clap::Args;
 use luxel::math::SimdLevel;
 
-/// Threads, vectors, memory.
+/// Threads, SIMD, memory.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Execution")]
 pub(crate) struct ExecutionOptions {
-    /// Threads [default: all cores]
+    /// Number of threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub(crate) threads: Option<usize>,
 
@@ -16,14 +16,14 @@ pub(crate) struct ExecutionOptions {
     #[arg(long, value_name = "LEVEL", default_value = "auto", value_parser = simd_level)]
     pub(crate) simd: SimdLevel,
 
-    /// The most memory that a model or a picture may take, as 512M or 2G
+    /// Memory limit of a model or an image, such as 512M or 2G
     #[arg(long, value_name = "SIZE", default_value = "8G", value_parser = memory)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) max_memory: u64,
 }
 
 impl ExecutionOptions {
-    /// Gives the readers as many threads as the line allows; the renderer has its own.
+    /// Limits the threads of the readers; the renderer has its own pool.
     pub(crate) fn limit_threads(&self) {
         if let Some(count) = self.threads {
             luxel_parallel::limit_threads(count);
@@ -31,7 +31,7 @@ impl ExecutionOptions {
     }
 }
 
-/// A level that this machine has.
+/// A level that this machine supports.
 fn simd_level(text: &str) -> Result<SimdLevel, String> {
     let level: SimdLevel = text.parse().map_err(|error| format!("{error}"))?;
     level.resolve().map(|_| level).map_err(|error| error.to_string())

@@ -1,4 +1,4 @@
-//! The frame and the camera: the same flags for every command that has a window.
+//! The flags of frame and camera, shared by all commands with a view.
 
 use crate::values::{
     far_plane, finite, fov, intrinsics, point, positive, samples, size, up, view_matrix,
@@ -11,32 +11,32 @@ use luxel::scene::{DMat4, DVec3, Size};
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Frame and camera")]
 pub(crate) struct FrameOptions {
-    /// Pixels across and down, at most 16384 each
+    /// Width and height in pixels, at most 16384 each
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) size: Size,
 
-    /// Where the eye stands
+    /// Position of the eye
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["camera", "azimuth", "elevation", "view_matrix"])]
     pub(crate) eye: Option<DVec3>,
 
-    /// Where the eye looks [default: the middle of the scene's bounds]
+    /// Point that the eye looks at [default: the centre of the scene's bounds]
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["camera", "azimuth", "elevation", "view_matrix"])]
     pub(crate) target: Option<DVec3>,
 
-    /// What is up, and the axis of azimuth and elevation: a vector, X, Y or Z [default: Y; Z for
+    /// Up direction, and axis of azimuth and elevation: a vector, X, Y or Z [default: Y; Z for
     /// STL]
     #[arg(long, value_name = "AXIS", value_parser = up, allow_hyphen_values = true)]
     pub(crate) up: Option<DVec3>,
 
-    /// The angle of view from bottom to top [default: the file camera's, else 45]
+    /// Vertical field of view in degrees [default: the file camera's, else 45]
     #[arg(long, value_name = "DEG", value_parser = fov, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["ortho", "intrinsics"])]
     pub(crate) fov: Option<f64>,
 
-    /// Parallel rays; world units from bottom to top
+    /// Orthographic projection: visible height in world units
     #[arg(long, value_name = "HEIGHT", value_parser = positive, allow_hyphen_values = true)]
     #[arg(conflicts_with = "intrinsics")]
     pub(crate) ortho: Option<f64>,
@@ -49,16 +49,16 @@ pub(crate) struct FrameOptions {
     #[arg(long, value_name = "D", value_parser = far_plane, allow_hyphen_values = true)]
     pub(crate) far: Option<f64>,
 
-    /// From world to camera space: 16 numbers, column by column
+    /// View matrix, from world to camera space: 16 numbers, column by column
     #[arg(long, value_name = "M00,...", value_parser = view_matrix, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["camera", "azimuth", "elevation"])]
     pub(crate) view_matrix: Option<DMat4>,
 
-    /// A calibrated lens: focal lengths and principal point, in pixels
+    /// Calibrated camera: focal lengths and principal point, in pixels
     #[arg(long, value_name = "FX,FY,CX,CY", value_parser = intrinsics, allow_hyphen_values = true)]
     pub(crate) intrinsics: Option<[f64; 4]>,
 
-    /// A camera of the file, by name [default: its first]
+    /// Camera of the file, by name [default: its first]
     #[arg(long, value_name = "NAME", conflicts_with_all = ["azimuth", "elevation"])]
     pub(crate) camera: Option<String>,
 
@@ -71,20 +71,20 @@ pub(crate) struct FrameOptions {
     #[arg(long, value_name = "DEG", value_parser = elevation, allow_hyphen_values = true)]
     pub(crate) elevation: Option<f64>,
 
-    /// Samples a pixel: 1, 2, 4, 8 or 16
+    /// Samples per pixel: 1, 2, 4, 8 or 16
     #[arg(long, value_name = "N", default_value = "4", value_parser = samples)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) samples: u32,
 
-    /// Which back faces are left out: auto (as the material says), none, back
+    /// Faces to cull: auto (by material), none, back
     #[arg(long, value_name = "SIDES", default_value = "auto", hide_possible_values = true)]
     pub(crate) cull: CullChoice,
 }
 
-/// Which faces are left out.
+/// The faces to cull.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum CullChoice {
-    /// As the material says.
+    /// As the material specifies.
     Auto,
     /// None.
     None,
@@ -108,6 +108,6 @@ fn elevation(text: &str) -> Result<f64, String> {
     if degrees.abs() <= 90.0 {
         Ok(degrees)
     } else {
-        Err("it must lie between -90 and 90 degrees".to_owned())
+        Err("it must be between -90 and 90 degrees".to_owned())
     }
 }

@@ -1,4 +1,4 @@
-//! What is read.
+//! The input.
 
 use crate::flag_words::unknown_format_text;
 use clap::Args;
@@ -9,18 +9,18 @@ use std::ffi::OsString;
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Input")]
 pub(crate) struct InputOptions {
-    /// A model file (.glb .gltf .obj .stl .ply), a scene file (.toml), `-` for the standard input (with --format), or
-    /// `demo:NAME` for a scene built into the program
+    /// A model file (.glb .gltf .obj .stl .ply), a scene file (.toml), `-` for the standard input
+    /// (with --format), or `demo:NAME` for a built-in scene
     #[arg(default_value = "demo:teapot")]
     pub(crate) model: OsString,
 
-    /// The input's format, whatever its name: glb, gltf, obj, stl, ply, toml
+    /// The input format, regardless of the file name: glb, gltf, obj, stl, ply, toml
     #[arg(long, value_name = "EXT", value_parser = format, required_if_eq("model", "-"))]
     pub(crate) format: Option<Format>,
 }
 
 impl InputOptions {
-    /// The model's name, for people.
+    /// The model's name, for messages.
     pub(crate) fn name(&self) -> String {
         self.model.to_string_lossy().into_owned()
     }

@@ -5,6 +5,7 @@ use crate::values::{
 };
 use clap::Args;
 use luxel::lighting::Fog;
+use luxel::scene::NamedEnvironment;
 
 /// Sources, environment, depth cueing.
 #[derive(Args, Clone, Debug)]
@@ -18,21 +19,30 @@ pub(crate) struct LightOptions {
     ))]
     pub(crate) lights: Vec<LightSpec>,
 
-    /// The scene's ambient light
+    /// Ambient light of the scene
     #[arg(long, value_name = "R,G,B", value_parser = color, allow_hyphen_values = true)]
     pub(crate) ambient: Option<[f32; 3]>,
 
-    /// All lights, the ambient one too, this many times as strong: for files whose lights are in lux
+    /// Factor for all lights, including ambient: for files with lights in lux
     #[arg(long, value_name = "S", value_parser = non_negative_f32, allow_hyphen_values = true)]
     pub(crate) light_scale: Option<f32>,
 
-    /// What mirrors and metals see: none, studio, microfacet (the studio, for microfacet materials
-    /// alone) or R,G,B [default: microfacet where the file has no lights, else none]
     #[arg(long, value_name = "WHAT", value_parser = surroundings, allow_hyphen_values = true)]
+    #[arg(help = environment_help())]
     pub(crate) environment: Option<Surroundings>,
 
     /// Depth cueing: near=Z:far=Z:front=S:back=S:color=R,G,B, or fog:
     /// law=exp|exp2:density=D:color=R,G,B
     #[arg(long, value_name = "SPEC", value_parser = fog)]
     pub(crate) fog: Option<Fog>,
+}
+
+fn environment_help() -> String {
+    let choice = |one: NamedEnvironment| format!("{} ({})", one.name(), one.help());
+    let choices = NamedEnvironment::ALL.map(choice).join(", ");
+    let [none, _, microfacet] = NamedEnvironment::NAMES;
+    format!(
+        "Environment that mirrors and metals reflect: {choices} or R,G,B [default: {microfacet} if \
+         the file has no lights, else {none}]"
+    )
 }

@@ -1,11 +1,11 @@
-//! Material: constants of reflection that replace the file's.
+//! Material: reflection constants that replace the file's.
 
 use super::parameter::ParameterOptions;
 use crate::values::{reflectance, reflection, reflection_choices};
 use clap::Args;
 use luxel::lighting::Reflection;
 
-/// Constants of reflection for all surfaces.
+/// Reflection constants for all surfaces.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Material (for all surfaces, instead of the file's)")]
 pub(crate) struct MaterialOptions {
@@ -16,7 +16,7 @@ pub(crate) struct MaterialOptions {
     #[command(flatten)]
     pub(crate) shared: ParameterOptions<false>,
 
-    /// Light of the surface's own
+    /// Emitted light
     #[arg(long, value_name = "R,G,B", value_parser = reflectance, allow_hyphen_values = true)]
     pub(crate) emission: Option<[f32; 3]>,
 
@@ -24,7 +24,7 @@ pub(crate) struct MaterialOptions {
         long,
         value_name = "MODEL",
         value_parser = reflection,
-        help = format!("The model of reflection: {}", reflection_choices())
+        help = format!("Reflection model: {}", reflection_choices())
     )]
     pub(crate) reflection: Option<Reflection>,
 

@@ -1,6 +1,6 @@
-//! The table of options: what the commands share, each flag written once.
+//! The options that commands share, each defined once.
 //!
-//! The command line, the completions and the manual page are all made of these structs.
+//! The command line, the completions and the manual page derive from these structs.
 
 mod execution;
 mod frame;
@@ -11,6 +11,7 @@ mod mode;
 mod parameter;
 mod picture;
 mod shading;
+mod view;
 
 pub(crate) use execution::ExecutionOptions;
 pub(crate) use frame::FrameOptions;
@@ -20,3 +21,4 @@ pub(crate) use material::MaterialOptions;
 pub(crate) use mode::ModeOptions;
 pub(crate) use picture::{EncodingChoice, PictureOptions};
 pub(crate) use shading::{NormalsChoice, ShadingOptions};
+pub(crate) use view::ViewOptions;

@@ -1,11 +1,11 @@
-//! Where light is computed, and how it gets to the pixels between.
+//! Shading mode and interpolation.
 
 use crate::failure::Failure;
 use crate::values::{choice, positive};
 use clap::Args;
 use luxel::render::{Clamp, Interpolation, NormalLength, Shading, ShadingMode};
 
-/// Where light is computed, and how it gets to the pixels between.
+/// Shading mode and interpolation.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Shading")]
 pub(crate) struct ModeOptions {
@@ -15,21 +15,21 @@ pub(crate) struct ModeOptions {
         default_value = ShadingMode::default().name(),
         hide_possible_values = true,
         value_parser = choice(&ShadingMode::ALL, ShadingMode::name, ShadingMode::help),
-        help = format!("Where light is computed: {}", modes()),
+        help = format!("Where lighting is computed: {}", modes()),
     )]
     pub(crate) shading: ShadingMode,
 
-    /// How far subdivided shading may be from phong, or the colours of an .svg from the picture's, in
+    /// Tolerance of subdivided shading against phong, or of .svg colours against pixels, in
     /// 8-bit steps [default: 1; for .svg 2]
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) tolerance: Option<f64>,
 
-    /// Where the intensities of corners are brought into 0..1: at the vertex, or at the end
+    /// Where vertex intensities are clamped to 0..1: at the vertex, or at the end
     #[arg(long, value_name = "WHERE", default_value = Clamp::default().name())]
     #[arg(value_parser = choice(&Clamp::ALL, Clamp::name, Clamp::help), hide_possible_values = true)]
     pub(crate) clamp: Clamp,
 
-    /// How corners' values get to the pixels between: perspective, screen (linear in the window),
+    /// Interpolation of vertex values: perspective, screen (linear in the image),
     /// scanline (along edges and rows of polygons)
     #[arg(
         long,
@@ -40,8 +40,8 @@ pub(crate) struct ModeOptions {
     )]
     pub(crate) interpolation: Interpolation,
 
-    /// The length of the normals that phong lights pixels with: unit, or interpolated (as it is
-    /// between corners, to see what that spoils)
+    /// Length of the normals in phong shading: unit, or interpolated (not normalized,
+    /// to show the resulting error)
     #[arg(
         long,
         value_name = "LENGTH",
@@ -53,10 +53,10 @@ pub(crate) struct ModeOptions {
 }
 
 impl ModeOptions {
-    /// What the renderer takes.
+    /// The renderer's settings.
     ///
     /// # Errors
-    /// [`Failure::Usage`], if there is a tolerance for a mode that has none.
+    /// [`Failure::Usage`] for a tolerance in a mode without one.
     pub(crate) fn shading(&self) -> Result<Shading, Failure> {
         let mode = match self.shading {
             ShadingMode::Subdivided { tolerance } => {

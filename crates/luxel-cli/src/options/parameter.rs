@@ -1,18 +1,18 @@
-//! Flags of the parameters of reflection, made of their descriptions.
+//! Flags of the reflection parameters, built from their descriptions.
 
 use crate::values::parameter;
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
 use luxel::lighting::{Parameter, SHARED, own_parameters};
 
-/// Parameters of reflection for all surfaces: those that all materials have or, if `OWN`, those that
-/// only one reflection model has.
+/// Reflection parameters for all surfaces: those of all materials or, if `OWN`, those of
+/// a single reflection model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ParameterOptions<const OWN: bool> {
     /// The parameters on the command line, with their values.
     pub(crate) values: Vec<(&'static Parameter, f32)>,
 }
 
-/// The parameters with a flag, each with what its help writes for the value.
+/// The parameters with a flag, each with the placeholder of its value.
 fn flags(own: bool) -> impl Iterator<Item = (&'static Parameter, &'static str)> {
     let all: Vec<&'static Parameter> =
         if own { own_parameters().map(|own| &own.parameter).collect() } else { SHARED.into() };

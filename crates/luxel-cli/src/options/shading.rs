@@ -1,29 +1,29 @@
-//! Shading: where normals come from.
+//! The source of normals.
 
 use crate::values::finite;
 use clap::{Args, ValueEnum};
 
-/// Where normals come from.
+/// The source of normals.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Shading")]
 pub(crate) struct ShadingOptions {
-    /// Vertex normals: file, or averages of the abutting polygons: mean (plain), area, angle,
-    /// area-angle [default: file, and area-angle where it has none]
+    /// Source of vertex normals: file, or averages of the adjacent polygons: mean (unweighted),
+    /// area, angle, area-angle [default: file, else area-angle]
     #[arg(long, value_name = "SOURCE", default_value = "file", hide_default_value = true)]
     #[arg(hide_possible_values = true)]
     pub(crate) normals: NormalsChoice,
 
-    /// Edges sharper than this stay sharp where normals are computed
+    /// Edges sharper than this stay sharp when computing normals
     #[arg(long, value_name = "DEG", value_parser = crease, allow_hyphen_values = true)]
     pub(crate) crease: Option<f64>,
 }
 
-/// Where vertex normals come from.
+/// The source of vertex normals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum NormalsChoice {
-    /// The file, where it has them.
+    /// The file, if it has them.
     File,
-    /// The plain average of the abutting polygons.
+    /// The unweighted average of the adjacent polygons.
     Mean,
     /// Weighted by area.
     Area,
@@ -39,6 +39,6 @@ fn crease(text: &str) -> Result<f64, String> {
     if (0.0..=180.0).contains(&degrees) {
         Ok(degrees)
     } else {
-        Err("it must lie between 0 and 180 degrees".to_owned())
+        Err("it must be between 0 and 180 degrees".to_owned())
     }
 }

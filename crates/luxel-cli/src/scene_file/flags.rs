@@ -1,4 +1,4 @@
-//! Which flags of `luxel render` may stand in `[render]`.
+//! The flags of `luxel render` that are settings of `[render]`.
 
 use clap::{Arg, Command};
 use luxel::formats::values::nearest;
@@ -9,24 +9,24 @@ use std::borrow::Cow;
 pub(crate) enum Lookup<'a> {
     /// It is this flag.
     Flag(&'a Arg),
-    /// It may not stand there: why, and what to write instead.
+    /// Not a setting: the reason, and the replacement.
     Refused(String),
 }
 
-/// Flags that stand elsewhere in a scene file, and where; so do those of parameters of reflection.
+/// Flags with another place in a scene file, besides those of reflection parameters.
 pub(crate) const ELSEWHERE: [(&str, &str); 9] = [
     ("light", "[[lights]]"),
     ("fog", "[fog]"),
-    ("ambient", "`ambient` above all tables"),
-    ("environment", "`environment` above all tables"),
-    ("background", "`background` above all tables"),
-    ("up", "`up` above all tables"),
+    ("ambient", "`ambient` at the top level"),
+    ("environment", "`environment` at the top level"),
+    ("background", "`background` at the top level"),
+    ("up", "`up` at the top level"),
     ("color", "`color` in [material]"),
     ("emission", "`emission` in [material]"),
     ("reflection", "`reflection` in [material]"),
 ];
 
-/// Flags for the destination of results and for the execution; a file describes what to draw.
+/// Flags of output and execution, which don't describe the scene.
 pub(crate) const ON_THE_LINE: [&str; 13] = [
     "output",
     "output-format",
@@ -43,7 +43,7 @@ pub(crate) const ON_THE_LINE: [&str; 13] = [
     "version",
 ];
 
-/// Where else in a scene file a flag stands.
+/// The other place of a flag in a scene file.
 fn elsewhere(name: &str) -> Option<Cow<'static, str>> {
     let listed = ELSEWHERE.iter().find(|(flag, _)| *flag == name);
     listed.map(|(_, place)| Cow::Borrowed(*place)).or_else(|| {
@@ -52,13 +52,13 @@ fn elsewhere(name: &str) -> Option<Cow<'static, str>> {
     })
 }
 
-/// Looks a key of `[render]` up.
+/// Looks up a key of `[render]`.
 pub(crate) fn look_up<'a>(name: &str, render: &'a Command) -> Lookup<'a> {
     if let Some(place) = elsewhere(name) {
-        return Lookup::Refused(format!("`{name}` is no setting: write {place}"));
+        return Lookup::Refused(format!("`{name}` is not a setting: write {place}"));
     }
     if ON_THE_LINE.contains(&name) {
-        let why = "a file says what to draw, not where it goes and how it is done";
+        let why = "a scene file has no settings of output and execution";
         return Lookup::Refused(format!("`{name}` is for the command line: {why}"));
     }
     if let Some(arg) = keys(render).find(|arg| arg.get_long() == Some(name)) {
@@ -71,7 +71,7 @@ pub(crate) fn look_up<'a>(name: &str, render: &'a Command) -> Lookup<'a> {
     })
 }
 
-/// The flags that may stand in `[render]`, in the order of the table of options.
+/// The flags that are settings of `[render]`, in the order of the options.
 pub(crate) fn keys(render: &Command) -> impl Iterator<Item = &Arg> {
     let is_key = |name: &str| !ON_THE_LINE.contains(&name) && elsewhere(name).is_none();
     render.get_arguments().filter(move |arg| arg.get_long().is_some_and(is_key))

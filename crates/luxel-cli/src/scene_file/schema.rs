@@ -1,19 +1,19 @@
-//! The JSON schema of scene files, made of the tables of keys and options.
+//! The JSON schema of scene files, generated from the tables of keys and options.
 
 use super::flags;
-use crate::flag_words::with_flags;
+use crate::flag_words::about;
 use clap::{Arg, ArgAction, Command};
 use luxel::formats::{Key, Section, Shape, sections};
 use serde_json::{Map, Value, json};
 
-/// The schema (JSON Schema, draft 2020-12), for editors that check TOML as it is written.
+/// The schema (JSON Schema, draft 2020-12), for editors that check TOML.
 pub(crate) fn schema(render: &Command) -> Value {
     let [root, tables @ ..] = sections();
     let mut properties = properties_of(root);
     for section in tables {
         let table = table_of(section);
         let value = if section.repeated {
-            json!({ "type": "array", "items": table, "description": with_flags(section.about) })
+            json!({ "type": "array", "items": table, "description": about(section) })
         } else {
             table
         };
@@ -26,14 +26,14 @@ pub(crate) fn schema(render: &Command) -> Value {
         "render".to_owned(),
         json!({
             "type": "object",
-            "description": "Flags of `luxel render`; those on the command line win",
+            "description": "Flags of `luxel render`; the command line overrides them",
             "properties": settings,
             "additionalProperties": false,
         }),
     );
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "Scene file of luxel, version 1",
+        "title": "luxel scene file, version 1",
         "type": "object",
         "properties": properties,
         "required": required_of(root),
@@ -44,7 +44,7 @@ pub(crate) fn schema(render: &Command) -> Value {
 fn table_of(section: &Section) -> Value {
     json!({
         "type": "object",
-        "description": with_flags(section.about),
+        "description": about(section),
         "properties": properties_of(section),
         "required": required_of(section),
         "additionalProperties": false,

@@ -1,8 +1,8 @@
-//! One of a few names.
+//! Parses one of a list of names.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-/// A parser of the names that another crate gives its choices; completions show `help`.
+/// A parser for another crate's named choices; completions show `help`.
 pub(crate) fn choice<T: Copy + Send + Sync + 'static>(
     all: &'static [T],
     name: fn(T) -> &'static str,
@@ -12,7 +12,7 @@ pub(crate) fn choice<T: Copy + Send + Sync + 'static>(
         all.iter().map(move |one| PossibleValue::new(name(*one)).help(capital(help(*one))));
     PossibleValuesParser::new(values).try_map(move |text| {
         let found = all.iter().copied().find(|one| name(*one) == text);
-        found.ok_or("it is none of the possible values")
+        found.ok_or("not one of the possible values")
     })
 }
 

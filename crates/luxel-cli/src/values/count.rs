@@ -1,6 +1,6 @@
-//! Whole numbers: samples of a pixel, threads.
+//! Integers: samples per pixel, threads.
 
-/// Samples a pixel.
+/// Samples per pixel.
 pub(crate) fn samples(text: &str) -> Result<u32, String> {
     match text {
         "1" => Ok(1),
@@ -15,7 +15,7 @@ pub(crate) fn samples(text: &str) -> Result<u32, String> {
 /// The largest number of threads: more than any machine has, and few enough not to exhaust one.
 const MAX_THREADS: usize = 1024;
 
-/// A number of threads.
+/// The number of threads.
 pub(crate) fn threads(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(count @ 1..=MAX_THREADS) => Ok(count),
@@ -28,7 +28,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ranges_are_kept() {
+    fn numbers_out_of_range_are_refused() {
         assert!(samples("3").is_err() && samples("16").is_ok() && samples("32").is_err());
         assert!(threads("0").is_err() && threads("-1").is_err() && threads("7").is_ok());
         assert!(threads("99999999999999999999").is_err());

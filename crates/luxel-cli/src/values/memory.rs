@@ -1,8 +1,8 @@
 //! Amounts of memory: `512M`, `2GiB`, `1000000`.
 
-/// Bytes. `K`, `M`, `G` and `T` are powers of 1024, with or without `B` or `iB` behind them.
+/// Bytes. `K`, `M`, `G` and `T` are powers of 1024; `B` or `iB` may follow.
 pub(crate) fn memory(text: &str) -> Result<u64, String> {
-    let wrong = || format!("`{text}` is no amount of memory: use bytes, or as 512M or 2G");
+    let wrong = || format!("`{text}` is not an amount of memory: use bytes, or 512M or 2G");
     let digits_end = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
     let (number, unit) = text.split_at(digits_end);
     let unit = unit.trim_start().to_ascii_uppercase();
@@ -16,7 +16,7 @@ pub(crate) fn memory(text: &str) -> Result<u64, String> {
     };
     let number: f64 = number.parse().map_err(|_| wrong())?;
     let bytes = number * (1_u64 << shift) as f64;
-    // 2^63: beyond it lies no machine, and below it sums of a few amounts cannot overflow.
+    // 2^63: more than any machine has, and sums of a few amounts below it cannot overflow.
     if (1.0..9_223_372_036_854_775_808.0).contains(&bytes) {
         Ok(bytes as u64)
     } else {

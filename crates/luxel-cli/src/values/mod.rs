@@ -1,6 +1,6 @@
 //! Parsers for the values of flags.
 //!
-//! Errors are one sentence that says what is right; clap adds the flag and ends with status 2.
+//! Errors are one sentence that describes the expected value; clap adds the flag and exits with 2.
 
 mod at;
 mod choice;

@@ -1,4 +1,4 @@
-//! `f_{n:3}.png`: file names that are numbered.
+//! `f_{n:3}.png`: numbered file names.
 
 use std::path::PathBuf;
 
@@ -10,14 +10,14 @@ pub(crate) struct Numbering {
     after: String,
 }
 
-/// The widest number: no turntable has more pictures.
+/// The widest number: enough for any turntable.
 const MAX_WIDTH: usize = 9;
 
 impl Numbering {
-    /// Finds the place of the number.
+    /// Parses the pattern.
     ///
     /// # Errors
-    /// A sentence that says what is right.
+    /// A sentence that describes the expected value.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let wrong = || {
             format!("`{text}` needs one place for the number: {{n}}, or {{n:3}} for three digits")
@@ -29,7 +29,9 @@ impl Numbering {
             Some(digits) => match digits.parse() {
                 Ok(width @ 1..=MAX_WIDTH) => width,
                 _ => {
-                    return Err(format!("`{digits}` is no number of digits from 1 to {MAX_WIDTH}"));
+                    return Err(format!(
+                        "`{digits}` is not a number of digits from 1 to {MAX_WIDTH}"
+                    ));
                 }
             },
             None => return Err(wrong()),

@@ -1,4 +1,4 @@
-//! Parts of the window: `X,Y,W,H` and `X,Y,X,Y,...`.
+//! Regions of the image: `X,Y,W,H` and `X,Y,X,Y,...`.
 
 use luxel::formats::values::finite;
 
@@ -19,7 +19,7 @@ fn numbers(text: &str) -> Result<Vec<f64>, String> {
 pub(crate) fn rectangle(text: &str) -> Result<Rectangle, String> {
     let numbers = numbers(text)?;
     let [x, y, width, height] = numbers[..] else {
-        return Err("use four numbers with commas between them: X,Y,W,H".to_owned());
+        return Err("use four numbers separated by commas: X,Y,W,H".to_owned());
     };
     if width > 0.0 && height > 0.0 {
         Ok(Rectangle { x, y, width, height })
@@ -35,7 +35,7 @@ pub(crate) fn lasso(text: &str) -> Result<Vec<[f64; 2]>, String> {
     if rest.is_empty() && corners.len() >= 3 {
         Ok(corners.to_vec())
     } else {
-        Err("use three corners or more, with commas between all numbers: X,Y,X,Y,X,Y".to_owned())
+        Err("use at least three corners, all numbers separated by commas: X,Y,X,Y,X,Y".to_owned())
     }
 }
 

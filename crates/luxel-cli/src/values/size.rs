@@ -1,15 +1,15 @@
-//! `WxH`: a picture's size.
+//! `WxH`: the size of an image.
 
 use luxel::scene::Size;
 
-/// The longest side of a picture, in pixels.
+/// The longest side of an image, in pixels.
 const MAX_SIDE: u32 = 16_384;
 
-/// Pixels across and down.
+/// Parses width and height.
 pub(crate) fn size(text: &str) -> Result<Size, String> {
     let (width, height) = text
         .split_once(['x', 'X'])
-        .ok_or_else(|| "use WIDTHxHEIGHT in pixels, as 1280x720".to_owned())?;
+        .ok_or_else(|| "use WIDTHxHEIGHT in pixels, such as 1280x720".to_owned())?;
     Ok(Size { width: side(width)?, height: side(height)? })
 }
 
@@ -18,7 +18,7 @@ fn side(text: &str) -> Result<u32, String> {
     match text.parse() {
         Ok(side @ 1..=MAX_SIDE) if digits => Ok(side),
         _ if digits => Err(format!("a side has 1 to {MAX_SIDE} pixels, not {text}")),
-        _ => Err(format!("`{text}` is no whole number of pixels")),
+        _ => Err(format!("`{text}` is not a whole number of pixels")),
     }
 }
 
@@ -27,14 +27,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes_up_to_the_limit_are_taken() {
+    fn sizes_up_to_the_limit_are_accepted() {
         assert_eq!(size("640x480"), Ok(Size { width: 640, height: 480 }));
         assert_eq!(size("1x1"), Ok(Size { width: 1, height: 1 }));
         assert_eq!(size("16384x16384"), Ok(Size { width: 16_384, height: 16_384 }));
     }
 
     #[test]
-    fn other_sizes_are_refused() {
+    fn invalid_and_excessive_sizes_are_refused() {
         for text in [
             "",
             "640",

@@ -1,8 +1,8 @@
-//! How the work is done never changes a byte.
+//! Execution options never change a byte.
 
 use crate::program::Folder;
 
-/// Every level of the machine.
+/// All SIMD levels of the machine.
 fn levels() -> Vec<&'static str> {
     luxel::math::SimdLevel::available().into_iter().map(luxel::math::SimdLevel::name).collect()
 }

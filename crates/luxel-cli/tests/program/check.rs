@@ -1,10 +1,10 @@
-//! Checking meshes: what is told, and with which status the program ends.
+//! `luxel check`: reports and exit status.
 
 use crate::program::{Folder, SQUARE_PLY, luxel};
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// A square of two triangles of which one is wound the wrong way.
+/// A square of two triangles with opposite winding.
 const TWISTED_PLY: &str = "\
 ply
 format ascii 1.0
@@ -24,7 +24,7 @@ end_header
 ";
 
 #[test]
-fn a_sound_mesh_ends_with_0_and_a_faulty_one_with_3() {
+fn check_exits_with_0_for_a_valid_mesh_and_3_for_a_faulty_one() {
     let folder = Folder::new();
     folder.write("sound.ply", SQUARE_PLY);
     folder.write("twisted.ply", TWISTED_PLY);
@@ -34,7 +34,7 @@ fn a_sound_mesh_ends_with_0_and_a_faulty_one_with_3() {
     assert_eq!((run.status, run.stderr.as_str()), (Some(3), ""));
     let text = String::from_utf8(run.stdout).unwrap();
     assert!(text.starts_with("twisted.ply: 1 kind of finding in 2 triangles\n"), "{text}");
-    assert!(text.contains("\ninconsistent-winding  1, not to be seen in luxel\n"), "{text}");
+    assert!(text.contains("\ninconsistent-winding  1, not visible in luxel\n"), "{text}");
     assert!(text.contains("  cure: make the winding consistent"), "{text}");
 }
 
@@ -51,7 +51,7 @@ fn the_document_has_every_key_that_scripts_rely_on() {
     let finding = &document["findings"][0];
     assert_eq!(finding["kind"], "inconsistent-winding");
     assert_eq!(finding["count"], 1);
-    // Between faces wound against each other luxel has an edge: on a flat square none shows.
+    // luxel splits normals between opposite windings: on a flat square nothing shows.
     assert_eq!(finding["severity"], 0.0);
     assert!(finding["cure"].as_str().unwrap().len() > 10);
     let place = &finding["places"][0];
@@ -62,7 +62,7 @@ fn the_document_has_every_key_that_scripts_rely_on() {
 }
 
 #[test]
-fn normals_that_readers_mend_are_told() {
+fn check_reports_normals_that_readers_repair() {
     let folder = Folder::new();
     let with_normals = |normals: &str| {
         let head = SQUARE_PLY.replace(
@@ -101,7 +101,7 @@ fn normals_that_readers_mend_are_told() {
 }
 
 #[test]
-fn marks_are_a_picture() {
+fn marks_are_written_as_an_image() {
     let folder = Folder::new();
     folder.write("twisted.ply", TWISTED_PLY);
     let run = folder.run(["check", "twisted.ply", "-o", "marks.ppm", "--size", "60x40"]);
@@ -112,7 +112,7 @@ fn marks_are_a_picture() {
     let is_grey = |pixel: &&&[u8]| pixel[0] > 30 && pixel[0].abs_diff(pixel[2]) < 20;
     assert!(pixels.iter().filter(is_red).count() > 100);
     assert!(pixels.iter().filter(is_grey).count() > 100);
-    // Of one kind alone: others leave the model grey.
+    // Only one kind is marked: with others the model stays grey.
     let only = |kind: &str| {
         let line = ["check", "twisted.ply", "-o", "marks.ppm", "--size", "60x40", "--layer", kind];
         assert_eq!(folder.run(line).status, Some(3));
@@ -131,11 +131,11 @@ fn marks_are_a_picture() {
 }
 
 #[test]
-fn what_cannot_be_read_ends_with_1() {
+fn check_of_an_unreadable_file_exits_with_1() {
     luxel("check missing.obj").failed(1, "missing.obj");
 }
 
-/// What is found in public models, each of which `docs/check.md` defends.
+/// The findings in public models; `docs/check.md` explains each.
 const MODELS: &[(&str, &[&str])] = &[
     ("DepthOfFieldExample.glb", &[]),
     ("VertexColorTest/VertexColorTest.gltf", &[]),
@@ -151,7 +151,7 @@ const MODELS: &[(&str, &[&str])] = &[
 ];
 
 #[test]
-fn public_models_have_the_faults_that_they_have() {
+fn the_findings_in_public_models_are_the_known_ones() {
     let Some(folder) = std::env::var_os("LUXEL_TEST_MODELS").map(PathBuf::from) else {
         eprintln!("SKIPPED: LUXEL_TEST_MODELS names no folder of models");
         return;

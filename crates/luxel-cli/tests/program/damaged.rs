@@ -1,12 +1,13 @@
-//! Damaged and hostile input ends soon, with status 1, with its place, and without a file.
+//! Damaged and hostile input fails fast, with status 1, an error with its place, and no output
+//! file.
 
 use crate::program::{Folder, SQUARE_PLY, luxel};
 use std::time::{Duration, Instant};
 
-/// The longest that a refusal may take, on a busy machine.
+/// Time limit of a refusal, on a busy machine.
 const SOON: Duration = Duration::from_secs(20);
 
-/// Both commands refuse the file, naming it and what is expected.
+/// Both commands refuse the file with an error that names it.
 #[track_caller]
 fn refused(name: &str, bytes: impl AsRef<[u8]>, expected: &str) {
     let folder = Folder::new();
@@ -21,7 +22,7 @@ fn refused(name: &str, bytes: impl AsRef<[u8]>, expected: &str) {
 }
 
 #[test]
-fn what_is_not_there_is_named() {
+fn the_error_of_a_missing_file_names_it() {
     luxel("info nosuch.glb").failed(1, "nosuch.glb");
     luxel("render nosuch.ply -o a.png").failed(1, "nosuch.ply");
     let folder = Folder::new();
@@ -40,7 +41,7 @@ fn empty_files_of_strict_formats_are_refused() {
 }
 
 #[test]
-fn indices_out_of_range_are_told_with_their_line() {
+fn indices_out_of_range_are_errors_with_their_line() {
     refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "a.obj:4");
     refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "a.obj:4");
     refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "a.obj:4");
@@ -51,7 +52,7 @@ fn indices_out_of_range_are_told_with_their_line() {
 }
 
 #[test]
-fn lying_counts_are_refused_before_memory_is_taken() {
+fn false_counts_are_refused_before_allocation() {
     let ply = |format: &str| {
         format!(
             "ply\nformat {format} 1.0\nelement vertex 4000000000\nproperty float x\n\
@@ -81,7 +82,7 @@ fn truncated_binaries_are_refused() {
 }
 
 #[test]
-fn broken_gltf_documents_are_told_with_a_pointer() {
+fn errors_in_gltf_documents_have_a_json_pointer() {
     let document = |rest: &str| format!(r#"{{"asset":{{"version":"2.0"}},{rest}}}"#);
     let cycle = r#""scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"children":[0]}]"#;
     refused("a.gltf", document(cycle), "/nodes/");
@@ -110,7 +111,7 @@ fn a_uri_that_leads_out_of_the_folder_is_refused() {
 }
 
 #[test]
-fn faces_with_corners_that_are_no_numbers_are_left_out() {
+fn faces_with_nan_corners_are_left_out() {
     let folder = Folder::new();
     let faces = "3 0 1 2\n3 0 2 3\n3 0 1 4\n3 0 1 5\n";
     let vertices = "0 1 0\ninf 0 0\n0 nan 0\n";
@@ -124,7 +125,7 @@ fn faces_with_corners_that_are_no_numbers_are_left_out() {
 }
 
 #[test]
-fn a_file_beyond_the_memory_allowed_is_refused() {
+fn a_file_beyond_the_memory_limit_is_refused() {
     let folder = Folder::new();
     let long =
         SQUARE_PLY.replace("end_header", &format!("comment {}\nend_header", "x".repeat(9999)));
@@ -136,7 +137,7 @@ fn a_file_beyond_the_memory_allowed_is_refused() {
 }
 
 #[test]
-fn random_bytes_end_with_a_status_whatever_they_are_called() {
+fn random_bytes_never_crash_a_reader() {
     let folder = Folder::new();
     let mut state = 0x2545_f491_4f6c_dd1d_u64;
     for round in 0..8 {

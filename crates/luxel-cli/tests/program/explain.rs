@@ -1,5 +1,5 @@
-//! The ledger as the program prints it: the text alone must give the pixel again, and agree with the
-//! equation computed anew in f64.
+//! The ledger as the program prints it: the text alone must give the pixel again, and agree with
+//! the equation computed anew in f64.
 
 use crate::program::{Folder, luxel};
 use serde_json::Value;
@@ -30,15 +30,15 @@ fn sum_of_terms(entry: &Value) -> Rgb {
     plus(sum, rgb(&entry["environment"]))
 }
 
-/// How a run is to be read.
+/// How to interpret a run.
 #[derive(Clone, Copy)]
 struct Reading {
     clamped_at_vertices: bool,
-    /// The weights of corners are the ones that were used, and not products of those.
+    /// The weights of corners are those used, not products of them.
     exact: bool,
 }
 
-/// Checks one surface's sum and colour; its colour and alpha.
+/// Checks one surface's sum and colour; returns its colour and alpha.
 fn surface(entry: &Value, reading: Reading) -> (Rgb, f32) {
     let alpha = number(&entry["alpha"]);
     let color = rgb(&entry["color"]);
@@ -64,7 +64,8 @@ fn surface(entry: &Value, reading: Reading) -> (Rgb, f32) {
         let texture = rgb(&entry["texture"]);
         let mixed = mixed.unwrap();
         let made: Rgb = [0, 1, 2].map(|channel| mixed[channel] * texture[channel]);
-        // Between the corners of a triangle: the first one's light and what the others differ from it.
+        // Interpolated over a triangle: the first corner's light plus the differences of the
+        // others.
         let between: Option<Rgb> = match lights[..] {
             [(first, _), (second, b1), (third, b2)] => Some([0, 1, 2].map(|at| {
                 let mixed =
@@ -76,7 +77,7 @@ fn surface(entry: &Value, reading: Reading) -> (Rgb, f32) {
         if reading.exact {
             assert!(made == sum || between == Some(sum), "{made:?}, {between:?}: {entry}");
         }
-        // The terms, too, add up, but for rounding.
+        // The terms add up, too, up to rounding.
         let terms = sum_of_terms(entry);
         for channel in 0..3 {
             let off =
@@ -109,7 +110,7 @@ fn byte(value: f32) -> u64 {
     (encoded * 255.0).round_ties_even() as u64
 }
 
-/// Makes the pixel again from the document alone.
+/// Recomputes the pixel from the document alone.
 fn made_again(document: &Value, reading: Reading) -> [u64; 4] {
     let entries = document["samples"].as_array().unwrap();
     let layered = entries.iter().any(|entry| entry["layers"].is_array());
@@ -209,7 +210,8 @@ newmtl wall
 Kd 0.5 0.6 0.4
 ";
 
-/// Runs the program on a model and pixel with flags; the document and the pixel that `render` writes.
+/// Runs the program on a model and pixel with flags; the document and the pixel that `render`
+/// writes.
 fn explained(folder: &Folder, model: &str, flags: &str, [x, y]: [u64; 2]) -> (Value, [u64; 4]) {
     let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
     let line = format!("render {model} --size 40x30 -o picture.png {flags}");
@@ -237,7 +239,7 @@ fn check(folder: &Folder, model: &str, flags: &str, pixel: [u64; 2]) -> Value {
 }
 
 #[test]
-fn the_text_alone_gives_the_pixel_again() {
+fn the_terms_of_the_document_add_up_to_the_pixel() {
     let folder = Folder::new();
     folder.write("glass.obj", GLASS_OBJ);
     folder.write("glass.mtl", GLASS_MTL);
@@ -316,7 +318,7 @@ fn transparent_surfaces_are_listed_nearest_first() {
 }
 
 #[test]
-fn a_place_outside_of_the_picture_is_wrong_usage() {
+fn a_position_outside_the_image_is_wrong_usage() {
     luxel("explain --size 20x10 --at 20,3").failed(2, "outside of the picture");
     luxel("explain --at 3").failed(2, "two numbers");
     luxel("explain --size 20x10 --at 3,-1").failed(2, "pixel");
@@ -325,7 +327,7 @@ fn a_place_outside_of_the_picture_is_wrong_usage() {
 }
 
 #[test]
-fn text_names_every_light_and_says_why_one_adds_nothing() {
+fn text_lists_every_light_and_why_one_adds_nothing() {
     let text = luxel(
         "explain --size 64x36 --at 30,18 --light directional:dir=0,0,1:name=behind --light \
          spot:pos=0,9,0:dir=0,1,0:cutoff=10:name=up --light point:pos=3,5,9:name=lamp",

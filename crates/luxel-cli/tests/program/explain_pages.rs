@@ -1,11 +1,11 @@
-//! The ledger's pages: what isn't seen and why, LaTeX, HTML, files.
+//! The formats of the ledger: hidden surfaces, LaTeX, HTML, files.
 
 use crate::explain::rgb;
 use crate::explain_terms::close;
 use crate::program::{Folder, luxel};
 use serde_json::Value;
 
-/// A wall, a wall before it that shows its back, and one behind it.
+/// A wall, one in front of it with its back to the eye, and one behind it.
 const WALLS_OBJ: &str = "\
 o back
 v -1 -1 1
@@ -39,7 +39,7 @@ fn objects(entries: &Value) -> Vec<(&str, u64)> {
 }
 
 #[test]
-fn what_is_culled_and_what_is_hidden_is_told() {
+fn culled_and_hidden_surfaces_are_listed() {
     let folder = Folder::new();
     folder.write("walls.obj", WALLS_OBJ);
     let ask = |more: &str| {
@@ -74,7 +74,7 @@ fn what_is_culled_and_what_is_hidden_is_told() {
 }
 
 #[test]
-fn a_pixel_that_nothing_covers_tells_what_is_nearest() {
+fn an_uncovered_pixel_lists_the_nearest_objects() {
     let folder = Folder::new();
     folder.write("walls.obj", WALLS_OBJ);
     let ask = |more: &str| {
@@ -95,7 +95,7 @@ fn a_pixel_that_nothing_covers_tells_what_is_nearest() {
 }
 
 #[test]
-fn a_light_that_does_not_reach_says_why() {
+fn a_light_without_effect_has_a_reason() {
     let folder = Folder::new();
     folder.write("walls.obj", WALLS_OBJ);
     let line = format!(
@@ -130,9 +130,9 @@ fn a_light_that_does_not_reach_says_why() {
     assert!(rgb(&lights[6]["diffuse"])[1] > 0.9);
 }
 
-/// A page's names can't be commands: of LaTeX, of HTML.
+/// Names can't inject LaTeX or HTML.
 #[test]
-fn pages_escape_names_and_hold_what_the_text_says() {
+fn pages_escape_names_and_contain_the_terms_of_the_text() {
     let folder = Folder::new();
     let nasty = WALLS_OBJ.replace("o front", "o <script>_$\\input{x}&\"'\u{6728}");
     folder.write("walls.obj", &nasty);
@@ -182,7 +182,7 @@ fn pages_escape_names_and_hold_what_the_text_says() {
         let open = count(&html, &format!("<{tag}>")) + count(&html, &format!("<{tag} "));
         assert_eq!(open, count(&html, &format!("</{tag}>")), "{tag}");
     }
-    // All say the same numbers.
+    // All formats have the same numbers.
     let document = ask("--json").json();
     let [r, g, b] = [0, 1, 2].map(|channel| document["rgba8"][channel].as_u64().unwrap());
     assert!(latex.contains(&format!("red {r}, green {g}, blue {b}")), "{latex}");
@@ -195,7 +195,7 @@ fn pages_escape_names_and_hold_what_the_text_says() {
 }
 
 #[test]
-fn pages_go_to_a_file_whole_or_not_at_all() {
+fn pages_are_written_completely_or_not_at_all() {
     let folder = Folder::new();
     for (flag, begin) in
         [("--html", "<!doctype"), ("--latex", "% "), ("--json", "{"), ("", "pixel")]
@@ -214,7 +214,7 @@ fn pages_go_to_a_file_whole_or_not_at_all() {
 }
 
 #[test]
-fn light_computed_at_corners_is_told_corner_by_corner() {
+fn vertex_lighting_is_explained_corner_by_corner() {
     let line = "explain --size 64x36 --at 30,18 --shading gouraud";
     let text = luxel(line).text();
     for expected in ["corner 1 of 3 weighs", "corner 3 of 3 weighs", "= light here"] {

@@ -1,4 +1,4 @@
-//! Each term of the ledger against the equation, computed anew in f64 from what stands on the line.
+//! Each term of the ledger against the equation in f64, with the values of the command line.
 
 use crate::explain::Random;
 use crate::program::{Folder, luxel};
@@ -24,14 +24,14 @@ fn parsed(text: &str) -> V {
     [numbers[0], numbers[1], numbers[2]]
 }
 
-/// Equal to 2e-4, or to 2e-5 of nothing.
+/// Equal to 2e-4 relative, or 2e-5 absolute.
 #[track_caller]
 pub(crate) fn close(what: &str, told: f64, expected: f64) {
     let off = (told - expected).abs();
     assert!(off <= 2e-5 || off <= 2e-4 * expected.abs(), "{what}: {told}, not {expected}");
 }
 
-/// A light as it stands on the line.
+/// A light of the command line.
 struct LampOnTheLine {
     kind: &'static str,
     place: V,
@@ -83,7 +83,7 @@ impl LampOnTheLine {
     }
 }
 
-/// What a surface is, as it stands on the line.
+/// The surface of the command line.
 struct Optics {
     k_d: f64,
     k_s: f64,
@@ -185,7 +185,7 @@ const MODELS: [&str; 9] = [
 ];
 
 #[test]
-fn every_term_is_that_of_the_equation_in_double_precision() {
+fn every_term_equals_the_equation_in_double_precision() {
     let mut random = Random(99);
     let models = [("demo:teapot", "0,1.2,0"), ("demo:plane", "0,0.5,0"), ("demo:spheres", "0,0,0")];
     let mut compared = 0;

@@ -1,4 +1,4 @@
-//! The picture book: what is written where, and that its commands draw its pictures.
+//! `luxel gallery`: its files, and that its commands reproduce its images.
 
 use crate::program::Folder;
 use std::collections::BTreeSet;
@@ -16,7 +16,7 @@ fn colors(bytes: &[u8]) -> Vec<[u8; 3]> {
 }
 
 #[test]
-fn every_command_of_the_page_draws_its_picture() {
+fn every_command_of_the_gallery_reproduces_its_image() {
     let folder = Folder::new();
     let told = folder.run(["gallery", "-o", "book", "--json"]).json();
     let written: BTreeSet<_> = fs::read_dir(folder.path("book"))
@@ -48,10 +48,10 @@ fn every_command_of_the_page_draws_its_picture() {
 }
 
 #[test]
-fn a_gallery_needs_a_folder_that_can_be() {
+fn a_gallery_without_a_writable_folder_is_an_error() {
     let folder = Folder::new();
     folder.write("file", "");
-    folder.run(["gallery", "-o", "file"]).failed(1, "is no folder");
+    folder.run(["gallery", "-o", "file"]).failed(1, "is not a folder");
     folder.run(["gallery", "-o", "no/such"]).failed(1, "there is no folder no");
     folder.run(["gallery", "-o", "-"]).failed(2, "name a folder");
     folder.run(["gallery"]).failed(2, "--output");
@@ -59,7 +59,7 @@ fn a_gallery_needs_a_folder_that_can_be() {
 }
 
 #[test]
-fn the_junctions_of_the_lab_are_found_and_none_in_its_cure() {
+fn check_finds_the_t_junctions_of_the_lab_and_none_in_its_cure() {
     let folder = Folder::new();
     let count = |demo: &str| {
         let run = folder.run(["check", demo, "--json"]);

@@ -1,4 +1,4 @@
-//! `luxel info`: what is in a file, and the camera that `render` would use.
+//! `luxel info`: the contents of a file, and the camera that `render` would use.
 
 use crate::program::{Folder, SQUARE_PLY, luxel};
 use serde_json::{Value, json};
@@ -39,7 +39,7 @@ fn the_document_has_every_key_that_scripts_rely_on() {
 }
 
 #[test]
-fn the_camera_is_the_one_on_the_line_column_by_column() {
+fn info_prints_the_camera_of_the_flags_column_by_column() {
     let flags = "--size 200x100 --eye 0,0,5 --target 0,0,0 --fov 90 --near 1 --far 3";
     let info = luxel(&format!("info demo:cornell --json {flags}")).json();
     assert_near(
@@ -54,7 +54,7 @@ fn the_camera_is_the_one_on_the_line_column_by_column() {
 }
 
 #[test]
-fn without_a_far_plane_the_matrix_is_its_limit() {
+fn an_infinite_far_plane_gives_the_limit_of_the_matrix() {
     let flags = "--eye 0,0,5 --target 0,0,0 --near 1 --far infinity --size 1x1 --fov 90";
     let info = luxel(&format!("info demo:cornell --json {flags}")).json();
     assert_near(
@@ -74,7 +74,7 @@ fn parallel_rays_have_the_matrix_of_gl_ortho() {
 }
 
 #[test]
-fn a_view_matrix_comes_back_as_it_was_given() {
+fn a_view_matrix_is_printed_unchanged() {
     let matrix = "0,0,1,0,0,1,0,0,-1,0,0,0,.25,-3,1e-3,1";
     let info = luxel(&format!("info demo:cornell --json --view-matrix {matrix}")).json();
     let expected = [0., 0., 1., 0., 0., 1., 0., 0., -1., 0., 0., 0., 0.25, -3., 1e-3, 1.];
@@ -82,7 +82,7 @@ fn a_view_matrix_comes_back_as_it_was_given() {
 }
 
 #[test]
-fn the_file_s_camera_is_used_unless_a_flag_says_otherwise() {
+fn the_file_s_camera_is_used_unless_a_flag_overrides_it() {
     let view = |flags: &str| {
         luxel(&format!("info demo:cornell --json {flags}")).json()["camera"]["view_from_world"]
             .clone()
@@ -106,7 +106,7 @@ fn near_and_far_are_fitted_to_the_scene() {
 }
 
 #[test]
-fn nothing_to_draw_is_still_something_to_tell() {
+fn info_summarizes_a_file_without_geometry() {
     let folder = Folder::new();
     folder.write(
         "empty.ply",
@@ -125,7 +125,7 @@ fn nothing_to_draw_is_still_something_to_tell() {
 }
 
 #[test]
-fn warnings_are_listed_and_told_on_the_standard_error() {
+fn warnings_are_in_the_document_and_on_the_standard_error() {
     let folder = Folder::new();
     folder.write("nan.ply", SQUARE_PLY.replace("1 0 0\n", "nan 0 0\n").replace("4 0", "3 0"));
     let run = folder.run(["info", "nan.ply", "--json"]);

@@ -1,7 +1,7 @@
-//! The program as its users meet it: what it is given, what it prints, with which status it ends,
-//! and which files it leaves.
+//! The program from the outside: arguments, output, exit status
+//! and written files.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod bytes;
 mod check;

@@ -1,10 +1,10 @@
-//! The models of a folder beside the repository, against what other programs say of them.
+//! Public models, against the results of other programs.
 
 use crate::program::Folder;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// The folder, named by the environment; tests that need it are left out without it.
+/// The folder from the environment; tests that need it are skipped without it.
 fn models() -> Option<PathBuf> {
     let folder = std::env::var_os("LUXEL_TEST_MODELS").map(PathBuf::from);
     if folder.is_none() {
@@ -13,7 +13,7 @@ fn models() -> Option<PathBuf> {
     folder
 }
 
-/// Each model's path with its triangles and its bounds, as independent programs count them.
+/// Each model's path with its triangles and bounds, from independent programs.
 fn expectations(folder: &Path) -> Vec<(String, u64, [Vec<f64>; 2])> {
     let text = std::fs::read(folder.join("expected.json")).unwrap();
     let expected: Value = serde_json::from_slice(&text).unwrap();
@@ -40,7 +40,7 @@ fn expectations(folder: &Path) -> Vec<(String, u64, [Vec<f64>; 2])> {
 }
 
 #[test]
-fn triangles_and_bounds_are_those_that_other_programs_find() {
+fn triangles_and_bounds_agree_with_other_programs() {
     let Some(models) = models() else { return };
     let folder = Folder::new();
     for (name, triangles, bounds) in expectations(&models) {
@@ -60,7 +60,7 @@ fn triangles_and_bounds_are_those_that_other_programs_find() {
 }
 
 #[test]
-fn every_model_becomes_a_picture_with_something_on_it() {
+fn every_model_renders_a_nonempty_image() {
     let Some(models) = models() else { return };
     let folder = Folder::new();
     for (name, ..) in expectations(&models) {

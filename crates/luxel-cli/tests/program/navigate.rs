@@ -3,7 +3,7 @@
 use crate::program::{Folder, luxel};
 use serde_json::Value;
 
-/// A quarter turn to the right with the rolling ball, then two steps of nothing.
+/// A quarter turn to the right with the rolling ball, then two steps without effect.
 const LOG: &str = "\
 luxel-navigation 1
 # 50 pi pixels over a radius of 100 are a quarter turn
@@ -32,11 +32,11 @@ fn assert_near(found: &[f64], expected: [f64; 16]) {
     }
 }
 
-/// The scene's x goes to -z, z to x; the origin stays five before the eye.
+/// The scene's x becomes -z, z becomes x; the origin stays five units in front of the eye.
 const QUARTER: [f64; 16] = [0., 0., -1., 0., 0., 1., 0., 0., 1., 0., 0., 0., 0., 0., -5., 1.];
 
 #[test]
-fn a_log_gives_a_line_for_each_event_that_the_view_matrix_takes() {
+fn a_log_prints_a_line_per_event_that_view_matrix_accepts() {
     let folder = folder_with(LOG);
     let line = "navigate demo:plane --mode rolling-ball --replay hand.log \
                 --view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,-5,1";
@@ -53,7 +53,7 @@ fn a_log_gives_a_line_for_each_event_that_the_view_matrix_takes() {
 }
 
 #[test]
-fn as_json_each_event_has_its_line_and_the_projection_is_untouched() {
+fn json_has_the_line_of_each_event_and_the_same_projection() {
     let folder = folder_with(LOG);
     let line = "navigate demo:plane --eye 0,0,5 --target 0,0,0 --mode rolling-ball --json \
                 --replay hand.log --near 0.5 --far 20";
@@ -69,7 +69,7 @@ fn as_json_each_event_has_its_line_and_the_projection_is_untouched() {
 }
 
 #[test]
-fn every_mode_can_be_asked_for() {
+fn every_mode_is_accepted() {
     let folder = folder_with("luxel-navigation 1\ngrab turn 9 9\ndrag 50 20\ntap orbit-left\n");
     for mode in ["absolute", "look-at", "rolling-ball", "flying", "mouselook", "turntable"] {
         let line = format!("navigate demo:plane --mode {mode} --replay hand.log");
@@ -83,7 +83,7 @@ fn every_mode_can_be_asked_for() {
 }
 
 #[test]
-fn what_is_wrong_with_a_log_is_told_with_its_line() {
+fn errors_in_a_log_have_their_line() {
     let folder = folder_with("luxel-navigation 1\n\njump\n");
     folder
         .run(["navigate", "demo:plane", "--replay", "hand.log"])
@@ -92,7 +92,7 @@ fn what_is_wrong_with_a_log_is_told_with_its_line() {
     folder.write("none.log", "luxel-navigation 1\nplace 1 0 0 0 0 1 0 0 0 0 1 0 0 nan -5 1\n");
     for line in ["navigate demo:plane --replay", "render demo:plane -o {n}.png --path"] {
         let line = line.split(' ').chain(["none.log"]);
-        folder.run(line).failed(1, "none.log: line 2: `nan` is no finite number");
+        folder.run(line).failed(1, "none.log: line 2: `nan` is not a finite number");
     }
     let program = env!("CARGO_BIN_EXE_luxel");
     folder.run(["navigate", "--replay", program]).failed(1, "UTF-8");
@@ -103,14 +103,14 @@ fn what_is_wrong_with_a_log_is_told_with_its_line() {
 }
 
 #[test]
-fn a_path_gives_a_picture_after_each_event() {
+fn a_path_renders_an_image_after_each_event() {
     let folder = folder_with(&LOG.replace("pivot 0 0 0", "mode rolling-ball"));
     let line = "render demo:plane --eye 0,0,5 --target 0,0,0 --size 48x27 --path hand.log --json \
                 -o frame_{n:4}.png";
     let report = folder.run(line.split_whitespace()).json();
     let names = ["frame_0000.png", "frame_0001.png", "frame_0002.png", "frame_0003.png"];
     assert_eq!(report["files"], Value::from(names.to_vec()));
-    // What is seen is what the camera that `navigate` prints sees.
+    // The image is that of the camera that `navigate` prints.
     assert_eq!(folder.read(names[0]), folder.read(names[1]));
     assert_ne!(folder.read(names[1]), folder.read(names[2]));
     let navigated = "navigate demo:plane --eye 0,0,5 --target 0,0,0 --replay hand.log";
@@ -122,7 +122,7 @@ fn a_path_gives_a_picture_after_each_event() {
 }
 
 #[test]
-fn a_path_at_a_rate_gives_pictures_by_time() {
+fn a_path_with_fps_renders_images_by_time() {
     let folder = folder_with(LOG);
     let line = "render demo:plane --size 16x9 --path hand.log --fps 8 -o {n}.ppm";
     folder.run(line.split(' ')).done();
@@ -134,17 +134,17 @@ fn a_path_at_a_rate_gives_pictures_by_time() {
 }
 
 #[test]
-fn paths_that_make_no_pictures_are_refused() {
+fn paths_without_images_are_refused() {
     let folder = folder_with("luxel-navigation 1\n+1e9 wait\n");
     let render = |flags: &str| {
         let line = format!("render demo:plane --size 4x4 {flags}");
         folder.run(line.split_whitespace())
     };
     render("--path hand.log -o a.png").failed(2, "one place for the number");
-    render("--path hand.log -o -").failed(2, "several pictures need files");
+    render("--path hand.log -o -").failed(2, "several images need numbered files");
     render("--path hand.log --turntable 3 -o {n}.png").failed(2, "--turntable");
     render("--fps 3 -o {n}.png").failed(2, "--path");
-    render("--path hand.log --fps 30 -o {n}.png").failed(1, "more than 1000000 pictures");
+    render("--path hand.log --fps 30 -o {n}.png").failed(1, "more than 1000000 images");
     folder.write("empty.log", "luxel-navigation 1\nset up 0 0 1\n");
     render("--path empty.log -o {n}.png").failed(1, "no events");
 }

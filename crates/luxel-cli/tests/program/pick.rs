@@ -1,9 +1,10 @@
-//! `luxel pick`: what is under a place of the window, in a part of it, and for places by the million.
+//! `luxel pick`: what is under a place of the window, in a part of it, and for places by the
+//! million.
 
 use crate::program::{Folder, SQUARE_PLY, luxel};
 use serde_json::{Value, json};
 
-/// The square fills the window's middle: 100 pixels a unit, its lower left corner at (150, 150).
+/// The square fills the window's centre: 100 pixels per unit, its lower left corner at (150, 150).
 const FLAGS: &str =
     "--size 400x300 --eye 0.5,0,2 --target 0.5,0,0 --ortho 3 --near 1 --far 5 --cull none";
 
@@ -49,13 +50,13 @@ fn a_hit_has_every_key_that_scripts_rely_on() {
     let distance = f64::sqrt(4.0 + 0.195 * 0.195 + 0.295 * 0.295);
     assert_near(&json!([hit["distance"]]), &[distance]);
     assert_eq!(document["camera"]["view_from_world"].as_array().unwrap().len(), 16);
-    // A point of the window is that point, not a pixel's centre.
+    // Decimals give that point, not the centre of a pixel.
     let document = run(&folder, "pick square.ply --at 180.0,120 --json").json();
     assert_near(&document["hits"][0]["position"], &[0.3, 0.3, 0.0]);
 }
 
 #[test]
-fn nothing_under_a_place_is_no_error() {
+fn a_pick_without_hits_succeeds() {
     let folder = square();
     for at in ["20,20", "-5.5,3.5", "399,299", "400,5", "1e9,1e9"] {
         let document = run(&folder, &format!("pick square.ply --json --at {at}")).json();
@@ -67,7 +68,7 @@ fn nothing_under_a_place_is_no_error() {
 }
 
 #[test]
-fn every_pixel_is_picked_as_the_layers_of_render_show_it() {
+fn picks_agree_with_the_layers_of_render() {
     let folder = Folder::new();
     let (width, height) = (97, 71);
     for demo in ["spheres", "cornell"] {
@@ -98,7 +99,7 @@ fn every_pixel_is_picked_as_the_layers_of_render_show_it() {
             assert_eq!(told, [u64::from(layers[0][at]), u64::from(layers[1][at])], "pixel {at}");
             assert_eq!(document["camera"]["clip_from_view"].as_array().unwrap().len(), 16);
         }
-        // What is visible in a part of the window is what the layers show there.
+        // The visible objects in a region are those of the layers there.
         let (left, top, wide, high) = (20, 11, 51, 40);
         let line = format!("pick {flags} --rect {left},{top},{wide},{high} --visible --json");
         let document = folder.run(line.split_whitespace()).json();
@@ -120,14 +121,14 @@ fn every_pixel_is_picked_as_the_layers_of_render_show_it() {
 }
 
 #[test]
-fn a_benchmark_tells_what_a_pick_takes() {
+fn a_benchmark_reports_the_time_of_picks() {
     let report = luxel("bench demo:spheres --size 64x48 --frames 1 --json").json();
     assert!(report["pick_us"].as_f64().unwrap() > 0.0, "{report}");
     assert!(luxel("bench demo:spheres --size 64x48 --frames 1").text().contains("pick"));
 }
 
 #[test]
-fn answers_come_in_the_order_of_lines_up_to_one_that_cannot_be_read() {
+fn answers_follow_the_order_of_lines_up_to_an_invalid_one() {
     let folder = square();
     let args = ["pick", "square.ply", "--at", "-"];
     let args = args.into_iter().chain(FLAGS.split_whitespace());
@@ -138,11 +139,11 @@ fn answers_come_in_the_order_of_lines_up_to_one_that_cannot_be_read() {
     assert!(lines.lines().nth(1) == Some("nothing"), "{lines}");
     assert!(run.stderr.contains("line 4"), "{}", run.stderr);
     let args = ["pick", "-", "--format", "ply", "--at", "-"];
-    folder.run_with_input(args, b"").failed(2, "both the model and the positions");
+    folder.run_with_input(args, b"").failed(2, "model and positions can't both be");
 }
 
 #[test]
-fn everything_under_a_place_comes_nearest_first() {
+fn all_hits_at_a_position_are_listed_nearest_first() {
     let document =
         luxel("pick demo:cornell --size 200x150 --at 100,75 --through --cull none --json").json();
     let depths: Vec<f64> = document["hits"]
@@ -155,7 +156,7 @@ fn everything_under_a_place_comes_nearest_first() {
 }
 
 #[test]
-fn a_rectangle_tells_depths_and_triangles_of_what_reaches_inside() {
+fn a_rectangle_lists_depths_and_triangles_of_the_objects_it_overlaps() {
     let folder = square();
     let document = run(&folder, "pick square.ply --rect 160,60,5,5 --json").json();
     let hit = &document["hits"][0];
@@ -174,7 +175,7 @@ fn a_rectangle_tells_depths_and_triangles_of_what_reaches_inside() {
 }
 
 #[test]
-fn far_and_near_clip_rectangles_and_places() {
+fn near_and_far_planes_clip_rectangles_and_positions() {
     let folder = square();
     for planes in ["--near 0.5 --far 1.9", "--near 2.1 --far 5"] {
         let flags = format!("{FLAGS} {planes}");
@@ -187,7 +188,7 @@ fn far_and_near_clip_rectangles_and_places() {
 }
 
 #[test]
-fn a_cursor_snaps_to_the_corner_nearby() {
+fn a_position_snaps_to_the_nearest_vertex() {
     let folder = square();
     let document = run(&folder, "pick square.ply --at 153.5,146.5 --snap vertex --json").json();
     assert_near(&document["snap"]["position"], &[0.0, 0.0, 0.0]);
@@ -201,7 +202,7 @@ fn a_cursor_snaps_to_the_corner_nearby() {
 }
 
 #[test]
-fn questions_that_make_no_sense_are_refused() {
+fn contradictory_queries_are_refused() {
     for (line, expected) in [
         ("pick", "--at"),
         ("pick --at 1,2 --rect 1,2,3,4", "--rect"),
@@ -219,7 +220,7 @@ fn questions_that_make_no_sense_are_refused() {
 }
 
 #[test]
-fn trees_beyond_the_memory_allowed_are_refused_before_they_are_built() {
+fn trees_beyond_the_memory_limit_are_refused_before_building() {
     luxel("pick demo:plane --at 1,1 --max-memory 100K").failed(1, "tree");
     luxel("pick demo:plane --at 1,1 --max-memory 10M").done();
 }

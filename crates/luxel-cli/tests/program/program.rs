@@ -1,4 +1,4 @@
-//! Runs the program in a folder of its own.
+//! Runs the program in a temporary folder.
 
 use serde_json::Value;
 use std::ffi::OsStr;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// A folder that goes away with the test.
+/// A folder that is removed with the test.
 pub(crate) struct Folder(PathBuf);
 
 impl Folder {
@@ -55,7 +55,7 @@ impl Folder {
         let mut child = Command::new(env!("CARGO_BIN_EXE_luxel"))
             .args(args)
             .current_dir(&self.0)
-            // No test opens a window on the desk of whoever runs it.
+            // Tests never open a window on the developer's desktop.
             .env_remove("DISPLAY")
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
@@ -64,7 +64,7 @@ impl Folder {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        // A program that has heard enough closes its end.
+        // The program may close its end early.
         let _ = child.stdin.take().unwrap().write_all(input);
         let output = child.wait_with_output().unwrap();
         Run {
@@ -81,7 +81,7 @@ impl Drop for Folder {
     }
 }
 
-/// What a run left.
+/// The result of a run.
 #[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) status: Option<i32>,
@@ -90,7 +90,7 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    /// The run is done, and has said nothing but its results.
+    /// Asserts success without messages; returns the output.
     #[track_caller]
     pub(crate) fn done(self) -> Self {
         assert_eq!(self.status, Some(0), "{}", self.stderr);
@@ -98,7 +98,7 @@ impl Run {
         self
     }
 
-    /// The run has ended with a status, one sober message that names what is expected, and nothing
+    /// Asserts an exit status, one message that contains `expected`, and nothing
     /// on the standard output.
     #[track_caller]
     pub(crate) fn failed(self, status: i32, expected: &str) -> Self {
@@ -125,7 +125,7 @@ impl Run {
     }
 }
 
-/// Runs the program in a folder of its own, which is left empty.
+/// Runs the program in a temporary folder, which must stay empty.
 #[track_caller]
 pub(crate) fn luxel(line: &str) -> Run {
     let folder = Folder::new();

@@ -1,10 +1,10 @@
-//! `luxel render`: pictures and layers in every format.
+//! `luxel render`: images and layers in every format.
 
 use crate::program::{Folder, SQUARE_PLY, luxel};
 use serde_json::Value;
 use std::io::Cursor;
 
-/// A camera that sees the square of `SQUARE_PLY` fill the middle half of the window.
+/// A camera in which the square of `SQUARE_PLY` fills the middle half of the window.
 const CAMERA: &str = "--size 64x64 --eye .5,.5,5 --target .5,.5,0 --ortho 2";
 const WHITE: &str = "--light directional:dir=0,0,-1 --color 1,1,1 --reflection lambert";
 
@@ -47,7 +47,7 @@ fn a_white_surface_facing_a_unit_light_is_white_on_transparent_black() {
 }
 
 #[test]
-fn half_the_light_is_encoded_by_the_curve_or_as_it_is() {
+fn half_the_light_is_encoded_by_srgb_or_linearly() {
     let at = |flags: &str| {
         let folder = square(&format!("-o a.ppm --color .5,.5,.5 {flags}"));
         let bytes = folder.read("a.ppm");
@@ -66,7 +66,7 @@ fn a_background_fills_what_nothing_covers() {
 }
 
 #[test]
-fn sixteen_bits_have_room_for_more_than_eight() {
+fn sixteen_bits_are_finer_than_eight() {
     let folder = square("-o a.png --bits 16 --color .5,.5,.5 --encoding none");
     let (_, _, pixels, info) = png(&folder.read("a.png"));
     assert_eq!(info.bit_depth, png::BitDepth::Sixteen);
@@ -75,7 +75,7 @@ fn sixteen_bits_have_room_for_more_than_eight() {
 }
 
 #[test]
-fn linear_formats_hold_the_light_itself() {
+fn exr_and_npy_have_linear_light() {
     let folder = square("-o a.npy --color .25,2,.5");
     let bytes = folder.read("a.npy");
     let (header, data) = npy(&bytes);
@@ -89,7 +89,7 @@ fn linear_formats_hold_the_light_itself() {
 }
 
 #[test]
-fn layers_tell_depth_and_numbers_at_the_pixel_s_centre() {
+fn layers_sample_depth_and_ids_at_the_pixel_centre() {
     let folder = square("-o depth.npy --layer depth --near 4 --far 8");
     let bytes = folder.read("depth.npy");
     let (header, data) = npy(&bytes);
@@ -113,7 +113,7 @@ fn layers_tell_depth_and_numbers_at_the_pixel_s_centre() {
 }
 
 #[test]
-fn one_exr_holds_several_layers() {
+fn an_exr_has_several_layers() {
     let folder = square("-o a.exr --layer depth --layer normal --layer object");
     let bytes = folder.read("a.exr");
     assert_eq!(bytes[..4], 20_000_630_u32.to_le_bytes());
@@ -165,7 +165,7 @@ fn a_minus_writes_to_the_standard_output() {
 }
 
 #[test]
-fn a_turntable_goes_once_around_and_begins_with_the_picture() {
+fn a_turntable_starts_at_the_image_and_makes_a_full_turn() {
     let folder = Folder::new();
     let run = |flags: &str| {
         let line = format!("render demo:teapot --size 48x32 {flags}");
@@ -182,7 +182,7 @@ fn a_turntable_goes_once_around_and_begins_with_the_picture() {
 }
 
 #[test]
-fn wires_cover_less_than_faces_and_edges_darken_them() {
+fn a_wireframe_covers_less_than_faces_and_edges_darken_them() {
     let covered = |flags: &str| {
         let (_, _, pixels, _) = png(&square(&format!("-o a.png {flags}")).read("a.png"));
         let (mut alpha, mut light) = (0_u64, 0_u64);
@@ -201,7 +201,7 @@ fn wires_cover_less_than_faces_and_edges_darken_them() {
 }
 
 #[test]
-fn a_finished_file_is_replaced_and_nothing_else_is_left() {
+fn an_existing_file_is_replaced_without_leftovers() {
     let folder = Folder::new();
     folder.write("a.png", "old");
     folder.run("render demo:cornell --size 8x8 -o a.png".split_whitespace()).done();
@@ -223,7 +223,7 @@ fn links_are_followed_and_devices_are_written_to() {
 }
 
 #[test]
-fn places_that_cannot_be_written_to_are_told_before_the_work() {
+fn unwritable_outputs_are_errors_before_any_work() {
     luxel("render demo:cornell -o nosuch/a.png").failed(1, "nosuch");
     luxel("render demo:cornell --turntable 3 -o nosuch/{n}.png").failed(1, "nosuch");
     let folder = Folder::new();
@@ -232,7 +232,7 @@ fn places_that_cannot_be_written_to_are_told_before_the_work() {
 }
 
 #[test]
-fn a_picture_beyond_the_memory_allowed_is_refused() {
+fn an_image_beyond_the_memory_limit_is_refused() {
     luxel("render demo:cornell --size 16384x16384 --max-memory 100M -o a.png")
         .failed(1, "--max-memory");
     luxel("render demo:cornell --size 4000x4000 --max-memory 100M -o a.exr")
@@ -240,7 +240,7 @@ fn a_picture_beyond_the_memory_allowed_is_refused() {
 }
 
 #[test]
-fn lights_are_scaled_on_the_line() {
+fn light_scale_multiplies_the_lights() {
     let light = "-o a.png --light directional:dir=0,0,-1:ambient=.5,.5,.5 --ambient .25,.25,.25";
     let scaled = square(&format!("{light} --light-scale 0.5"));
     let half = "directional:dir=0,0,-1:ambient=.25,.25,.25:diffuse=.5,.5,.5";
@@ -252,7 +252,7 @@ fn lights_are_scaled_on_the_line() {
 fn an_unlit_scene_is_its_ambient_light() {
     let folder = square("-o a.png --light ambient:color=.5,.5,.5 --encoding none --samples 1");
     let (_, _, pixels, _) = png(&folder.read("a.png"));
-    // The line's first light shines too: 1 + 0.5 is white.
+    // The first light counts, too: 1 + 0.5 is white.
     assert_eq!(pixels[4 * (32 * 64 + 32)], 255);
     let only = Folder::new();
     only.write("square.ply", SQUARE_PLY);
@@ -267,7 +267,7 @@ fn an_unlit_scene_is_its_ambient_light() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn names_that_are_no_unicode_are_names() {
+fn file_names_may_be_invalid_unicode() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
     let folder = Folder::new();
@@ -281,7 +281,7 @@ fn names_that_are_no_unicode_are_names() {
 
 #[cfg(unix)]
 #[test]
-fn an_interrupt_leaves_whole_files_only() {
+fn an_interrupt_leaves_no_partial_file() {
     use std::process::{Command, Stdio};
     use std::time::Duration;
     let folder = Folder::new();
@@ -305,7 +305,7 @@ fn an_interrupt_leaves_whole_files_only() {
 }
 
 #[test]
-fn vectors_are_the_square_in_its_colour_on_the_background() {
+fn an_svg_of_a_square_has_its_colour_and_the_background() {
     let folder = square("-o a.svg --background 0,0,1 --json");
     let text = String::from_utf8(folder.read("a.svg")).unwrap();
     let expected = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"64\" height=\"64\" \
@@ -315,15 +315,15 @@ fn vectors_are_the_square_in_its_colour_on_the_background() {
 }
 
 #[test]
-fn vectors_take_a_tolerance_and_refuse_what_they_cannot_show() {
+fn svg_accepts_a_tolerance_and_refuses_edges_and_layers() {
     let folder = Folder::new();
     folder.write("square.ply", SQUARE_PLY);
     let run =
         |flags: &str| folder.run(format!("render square.ply -o a.svg {flags}").split_whitespace());
     run("--tolerance 8").done();
     assert_eq!(run("--json --size 64x64").json()["svg"]["paths"], 1);
-    run("--edges").failed(2, "without edges");
-    run("--wireframe").failed(2, "without edges");
+    run("--edges").failed(2, "has no edges");
+    run("--wireframe").failed(2, "has no edges");
     run("--bits 16").failed(2, "8 bits");
-    run("--layer depth").failed(2, "layers are pixels");
+    run("--layer depth").failed(2, "layers need a pixel format");
 }

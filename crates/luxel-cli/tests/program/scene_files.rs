@@ -1,11 +1,11 @@
-//! Scene files say what flags say, with the same bytes.
+//! Scene files give the same bytes as flags.
 
 use crate::program::{Folder, SQUARE_PLY};
 use std::path::Path;
 
 const HEADER: &str = "format = \"luxel-scene\"\nversion = 1\n";
 
-/// The bytes of a picture that a scene file makes, and of the one that flags make of its model.
+/// Renders a scene file, and its model with flags, and compares the bytes.
 #[track_caller]
 fn assert_equal(scene: &str, flags: &str) {
     let folder = Folder::new();
@@ -19,7 +19,7 @@ fn assert_equal(scene: &str, flags: &str) {
 }
 
 #[test]
-fn a_scene_file_and_the_equal_flags_make_equal_bytes() {
+fn a_scene_file_and_the_same_flags_give_equal_bytes() {
     assert_equal(
         "ambient = [0.05, 0.06, 0.07]\nbackground = [0.1, 0.2, 0.3, 0.5]\n\
          environment = \"studio\"\n\
@@ -46,7 +46,7 @@ fn a_scene_file_and_the_equal_flags_make_equal_bytes() {
 }
 
 #[test]
-fn laws_of_light_and_fog_in_a_scene_file_are_those_of_the_flags() {
+fn lights_and_fog_of_a_scene_file_equal_those_of_the_flags() {
     assert_equal(
         "[[models]]\nsource = \"demo:plane\"\n\
          [[lights]]\nkind = \"point\"\npos = [1, 3, 2]\nattenuation = [0, 0, 0.3]\nlimit = 0.4\n\
@@ -61,7 +61,7 @@ fn laws_of_light_and_fog_in_a_scene_file_are_those_of_the_flags() {
 }
 
 #[test]
-fn a_camera_of_the_file_is_the_camera_of_the_flags() {
+fn a_camera_of_a_scene_file_equals_the_same_flags() {
     assert_equal(
         "[[models]]\nsource = \"demo:teapot\"\n[render]\nsize = \"160x120\"\n\
          [[cameras]]\nname = \"c\"\neye = [3.3, 2.7, 6.1]\ntarget = [0.2, 0.9, 0.1]\nfov = 33\n",
@@ -75,7 +75,7 @@ fn a_camera_of_the_file_is_the_camera_of_the_flags() {
 }
 
 #[test]
-fn a_scene_file_of_one_model_is_the_model() {
+fn a_scene_file_with_one_model_renders_like_the_model() {
     for name in ["cornell", "spheres", "plane"] {
         let scene = format!("[[models]]\nsource = \"demo:{name}\"\n[render]\nsize = \"160x90\"\n");
         assert_equal(&scene, &format!("demo:{name} --size 160x90"));
@@ -83,7 +83,7 @@ fn a_scene_file_of_one_model_is_the_model() {
 }
 
 #[test]
-fn flags_win_over_the_file() {
+fn flags_override_the_file() {
     let folder = Folder::new();
     folder.write(
         "scene.toml",
@@ -118,7 +118,7 @@ fn the_standard_input_may_be_a_scene_file() {
 }
 
 #[test]
-fn info_lists_a_scene_file_and_heeds_its_settings() {
+fn info_summarizes_a_scene_file_with_its_settings() {
     let folder = Folder::new();
     folder.write("square.ply", SQUARE_PLY);
     folder.write(
@@ -146,14 +146,14 @@ fn info_lists_a_scene_file_and_heeds_its_settings() {
 }
 
 #[test]
-fn what_is_wrong_in_a_scene_file_is_told_with_its_place() {
+fn errors_in_a_scene_file_have_their_place() {
     let folder = Folder::new();
     folder.write("square.ply", SQUARE_PLY);
     for (scene, expected) in [
-        ("[render]\nfov = 200\n", "scene.toml:4:7: fov: it must lie between 0 and 180"),
+        ("[render]\nfov = 200\n", "scene.toml:4:7: fov: it must be between 0 and 180"),
         ("[render]\nfoo = 1\n", "scene.toml:4:1: `foo` is unknown here"),
         ("[render]\nthreads = 1\n", "scene.toml:4:1: `threads` is for the command line"),
-        ("[render]\nlight = \"x\"\n", "scene.toml:4:1: `light` is no setting: write [[lights]]"),
+        ("[render]\nlight = \"x\"\n", "scene.toml:4:1: `light` is not a setting: write [[lights]]"),
         ("[render]\nfov = 20\northo = 2\n", "exclude each other"),
         ("[[models]]\nsurce = \"x\"\n", "scene.toml:4:1: `surce` is unknown here: did you mean"),
         ("[[models]]\nsource = \"no.obj\"\n", "scene.toml:4:10: no.obj: "),
@@ -171,7 +171,7 @@ fn what_is_wrong_in_a_scene_file_is_told_with_its_place() {
 }
 
 #[test]
-fn a_file_cannot_lift_the_limits_it_is_read_with() {
+fn a_scene_file_cannot_raise_its_own_limits() {
     let folder = Folder::new();
     folder.write(
         "scene.toml",

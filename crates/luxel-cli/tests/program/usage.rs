@@ -1,8 +1,8 @@
-//! Wrong usage ends with status 2 and says what would be right; right usage of odd values doesn't.
+//! Wrong usage exits with status 2 and a message about valid values; unusual valid values work.
 
 use crate::program::{Folder, SQUARE_PLY, luxel};
 
-/// Flags with values that are wrong, and a word of the message.
+/// Flags with invalid values, and a part of the message.
 const WRONG: [(&str, &str); 66] = [
     ("--size 0x10", "1 to 16384"),
     ("--size 10x0", "1 to 16384"),
@@ -14,13 +14,13 @@ const WRONG: [(&str, &str); 66] = [
     ("--size 1.5x2", "whole number"),
     ("--eye 1,2", "3 numbers"),
     ("--eye 1,2,3,4", "3 numbers"),
-    ("--eye a,b,c", "no number"),
+    ("--eye a,b,c", "is not a number"),
     ("--eye nan,0,0", "finite"),
     ("--eye 0,-inf,0", "finite"),
     ("--eye 0,1e999,0", "finite"),
     ("--eye", "value"),
     ("--target 0,0,0", "--eye"),
-    ("--eye 1,2,3 --target 1,2,3", "stands at its target"),
+    ("--eye 1,2,3 --target 1,2,3", "eye and target are the same point"),
     ("--eye 1,2,3 --target 0,nan,0", "finite"),
     ("--eye 1,2,3 --camera c", "cannot be used with"),
     ("--eye 1,2,3 --azimuth 3", "cannot be used with"),
@@ -42,8 +42,8 @@ const WRONG: [(&str, &str); 66] = [
     ("--far 0", "above 0"),
     ("--far -infinity", "finite"),
     ("--far nan", "finite"),
-    ("--near 5 --far 5", "before --far"),
-    ("--near 6 --far 5", "before --far"),
+    ("--near 5 --far 5", "less than --far"),
+    ("--near 6 --far 5", "less than --far"),
     ("--view-matrix 1,2,3", "16 numbers"),
     ("--view-matrix 2,0,0,0,0,2,0,0,0,0,2,0,0,0,0,1", "rotation"),
     ("--view-matrix 1,0,0,1,0,1,0,1,0,0,1,1,0,0,0,1", "last row"),
@@ -62,26 +62,26 @@ const WRONG: [(&str, &str); 66] = [
     ("--threads -1", "1 to 1024"),
     ("--threads 1.5", "1 to 1024"),
     ("--threads 99999999999999999999", "1 to 1024"),
-    ("--simd mmx", "no SIMD level"),
+    ("--simd mmx", "not a SIMD level"),
     ("--simd simd128", "this machine"),
     ("--max-memory 0", "amount of memory"),
     ("--max-memory -1G", "amount of memory"),
     ("--max-memory lots", "amount of memory"),
-    ("--format docx", "no format"),
+    ("--format docx", "not a format"),
     ("--quiet --verbose", "cannot be used with"),
     ("--nonsense", "--nonsense"),
 ];
 
 /// The same for flags of `render` only.
 const WRONG_FOR_RENDER: [(&str, &str); 45] = [
-    ("-o a.gif", "no format for pictures"),
-    ("-o a", "needs an ending"),
+    ("-o a.gif", "not an image format"),
+    ("-o a", "needs an extension"),
     ("-o", "value"),
-    ("-o a.png --output-format gif", "no format for pictures"),
+    ("-o a.png --output-format gif", "not an image format"),
     ("-o - --json", "standard output"),
     ("-o a.png --bits 12", "8 or 16"),
     ("-o a.exr --bits 16", "--bits"),
-    ("-o a.png --layer nosuch", "no layer"),
+    ("-o a.png --layer nosuch", "not a layer"),
     ("-o a.png --layer depth --layer object", "EXR"),
     ("-o a.npy --layer depth --layer object", "EXR"),
     ("-o a.png --wireframe --edges", "cannot be used with"),
@@ -90,8 +90,8 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
     ("-o {n:0}.png --turntable 4", "digits"),
     ("-o {n}.png --turntable 0", "--turntable"),
     ("-o {n}.png --turntable -3", "--turntable"),
-    ("-o - --turntable 3", "need files"),
-    ("-o a.png --light sun", "no kind of light"),
+    ("-o - --turntable 3", "need numbered files"),
+    ("-o a.png --light sun", "not a kind of light"),
     ("-o a.png --light directional", "dir=X,Y,Z"),
     ("-o a.png --light directional:dir=0,0,0", "length 0"),
     ("-o a.png --light directional:dir=nan,0,0", "finite"),
@@ -104,19 +104,19 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
     ("-o a.png --light ambient:color=1,1", "3 numbers"),
     (
         "-o a.png --light point:pos=1,2,3:name=a --light point:pos=1,2,3:name=a",
-        "two lights are called `a`",
+        "two lights have the name `a`",
     ),
     ("-o a.png --ambient 1", "3 numbers"),
     ("-o a.png --ambient nan,0,0", "finite"),
     ("-o a.png --environment hdri", "none, studio, microfacet or R,G,B"),
     ("-o a.png --fog near=1", "far=Z"),
-    ("-o a.png --fog near=2:far=1", "before far"),
+    ("-o a.png --fog near=2:far=1", "less than far"),
     ("-o a.png --fog near=1:far=2:front=3", "0 to 1"),
     ("-o a.png --color 1,2", "3 numbers"),
     ("-o a.png --color -1,0,0", "below 0"),
     ("-o a.png --ks -1", "below 0"),
     ("-o a.png --shininess inf", "finite"),
-    ("-o a.png --reflection plastic", "no model of reflection"),
+    ("-o a.png --reflection plastic", "is not a reflection model"),
     ("-o a.png --normals guess", "guess"),
     ("-o a.png --crease 181", "between 0 and 180"),
     ("-o a.png --background 1", "3"),
@@ -125,7 +125,7 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
 ];
 
 #[test]
-fn wrong_values_are_wrong_usage_for_info_and_render_alike() {
+fn invalid_values_are_wrong_usage_for_info_and_render() {
     for (flags, expected) in WRONG {
         luxel(&format!("info demo:cornell {flags}")).failed(2, expected);
         luxel(&format!("render demo:cornell -o a.png {flags}")).failed(2, expected);
@@ -136,11 +136,11 @@ fn wrong_values_are_wrong_usage_for_info_and_render_alike() {
 }
 
 #[test]
-fn commands_that_are_not_there_are_wrong_usage() {
+fn incomplete_and_unknown_commands_are_wrong_usage() {
     luxel("render demo:cornell").failed(2, "--output");
     luxel("info a.ply b.ply").failed(2, "b.ply");
     luxel("completions tcsh").failed(2, "tcsh");
-    // Words that name no command are models to be viewed.
+    // Words other than commands are models to view.
     luxel("rendr a.glb -o a.png").failed(2, "-o");
     luxel("rendr a.glb").failed(1, "rendr");
 }
@@ -157,7 +157,7 @@ fn the_standard_input_needs_its_format() {
 }
 
 #[test]
-fn odd_but_sound_values_are_taken() {
+fn unusual_valid_values_are_accepted() {
     for flags in [
         "--eye -1,.5,1e1 --target -.5,-0,1e-7 --up -z",
         "--near .5 --far infinity",
@@ -176,7 +176,7 @@ fn odd_but_sound_values_are_taken() {
 }
 
 #[test]
-fn help_and_version_are_results() {
+fn help_and_version_go_to_the_standard_output() {
     assert!(luxel("--version").text().starts_with("luxel "));
     assert!(luxel("--help").text().contains("render"));
     assert!(luxel("render --help").text().contains("--turntable"));
@@ -197,7 +197,7 @@ fn completions_and_manual_name_every_command_and_flag() {
 }
 
 #[test]
-fn demos_are_listed_and_each_can_be_shown() {
+fn every_listed_demo_opens() {
     let list = luxel("demos").text();
     let names: Vec<_> = list.lines().filter_map(|line| line.split_whitespace().next()).collect();
     for name in ["demo:teapot", "demo:spheres", "demo:cornell", "demo:plane"] {
@@ -213,9 +213,9 @@ fn demos_are_listed_and_each_can_be_shown() {
 
 #[cfg(unix)]
 #[test]
-fn a_reader_that_has_heard_enough_is_no_error() {
+fn a_closed_standard_output_is_not_an_error() {
     use std::process::{Command, Stdio};
-    // The manual is longer than a pipe holds.
+    // The manual exceeds the buffer of a pipe.
     let mut child = Command::new(env!("CARGO_BIN_EXE_luxel"))
         .args(["completions", "zsh"])
         .stdout(Stdio::piped())

@@ -20,7 +20,7 @@ pub(crate) enum Component {
 }
 
 impl Component {
-    /// From the constants that OpenGL gave the types.
+    /// Maps OpenGL's constants, which glTF uses.
     pub(crate) fn from_code(code: u32) -> Option<Self> {
         Some(match code {
             5120 => Self::I8,
@@ -45,7 +45,7 @@ impl Component {
         matches!(self, Self::U8 | Self::U16 | Self::U32)
     }
 
-    /// The value that stands first in the bytes, of which there have to be enough.
+    /// The first value in `bytes`, which must be long enough.
     #[inline]
     fn value(self, bytes: &[u8]) -> f64 {
         match self {
@@ -58,7 +58,7 @@ impl Component {
         }
     }
 
-    /// What a stored value is divided by if it is normalized (section 3.6.2.2).
+    /// The divisor of a normalized value (section 3.6.2.2).
     pub(crate) const fn full_scale(self) -> f64 {
         match self {
             Self::I8 => 127.0,
@@ -71,7 +71,7 @@ impl Component {
     }
 }
 
-/// The elements of an accessor, found and checked, not read yet.
+/// The elements of an accessor: located and checked, not yet read.
 #[derive(Debug)]
 pub(crate) struct Elements<'b> {
     bytes: Cow<'b, [u8]>,
@@ -86,7 +86,7 @@ pub(crate) struct Elements<'b> {
     pub(crate) normalized: bool,
 }
 
-/// How many components an element of a type has.
+/// The number of components of an element type.
 fn width_of(kind: &str) -> Option<usize> {
     Some(match kind {
         "SCALAR" => 1,
@@ -99,7 +99,7 @@ fn width_of(kind: &str) -> Option<usize> {
     })
 }
 
-/// Finds the elements of accessor `index`, which is named at `referrer`.
+/// Locates the elements of accessor `index`; `referrer` points to the value that names it.
 pub(crate) fn elements<'b>(
     buffers: &'b Buffers<'_>,
     index: u32,
@@ -109,12 +109,12 @@ pub(crate) fn elements<'b>(
     let pointer = || format!("/accessors/{index}");
     let component = component_of(accessor.component_type, &pointer)?;
     let width = width_of(&accessor.kind).ok_or_else(|| {
-        let message = format!("`{}` is no accessor type: use SCALAR, VEC3, ...", accessor.kind);
+        let message = format!("`{}` is not an accessor type: use SCALAR, VEC3, ...", accessor.kind);
         malformed(format!("{}/type", pointer()), message)
     })?;
     let padded = accessor.kind.starts_with("MAT") && component != Component::F32;
     if padded {
-        let message = "matrices of integers are not used by anything that luxel shows";
+        let message = "luxel uses no accessor with matrices of integers";
         return Err(malformed(pointer(), message));
     }
     let element_bytes = component.bytes() * width as u64;
@@ -161,12 +161,12 @@ pub(crate) fn elements<'b>(
 
 fn component_of(code: u32, pointer: &dyn Fn() -> String) -> Result<Component, Error> {
     Component::from_code(code).ok_or_else(|| {
-        let message = format!("{code} is no component type: use 5120 to 5123, 5125 or 5126");
+        let message = format!("{code} is not a component type: use 5120 to 5123, 5125 or 5126");
         malformed(format!("{}/componentType", pointer()), message)
     })
 }
 
-/// The bytes from the first element to the end of the last, and the stride, if all lie within.
+/// The bytes from the first element to the end of the last, and the stride, if in range.
 fn checked_range<'b>(
     view: View<'b>,
     offset: u64,
@@ -198,7 +198,7 @@ fn checked_range<'b>(
     Ok((&view.bytes[offset as usize..end as usize], stride as usize))
 }
 
-/// Writes the values of a sparse accessor over the others.
+/// Overwrites the values that a sparse accessor replaces.
 fn replace(
     buffers: &Buffers<'_>,
     sparse: &Sparse,
@@ -237,7 +237,7 @@ fn replace(
 }
 
 impl Elements<'_> {
-    /// Elements of `N` numbers, as the accessor means them. It has to have `N` components.
+    /// Elements of `N` numbers, normalized if the accessor is; `N` must be its width.
     pub(crate) fn vectors<const N: usize>(&self) -> Result<Vec<[f64; N]>, String> {
         self.check_width(N)?;
         let scale = if self.normalized { self.component.full_scale() } else { 1.0 };
@@ -249,7 +249,7 @@ impl Elements<'_> {
         Ok(self.map(|bytes| std::array::from_fn(|place| value(&bytes[place * size..]))))
     }
 
-    /// The same in f32.
+    /// Like [`Self::vectors`], in `f32`.
     pub(crate) fn vectors_f32<const N: usize>(&self) -> Result<Vec<[f32; N]>, String> {
         if self.component == Component::F32 {
             self.check_width(N)?;
@@ -262,19 +262,19 @@ impl Elements<'_> {
         Ok(vectors.into_iter().map(|vector| vector.map(|value| value as f32)).collect())
     }
 
-    /// Indices: plain unsigned integers, of which -1 is none (it restarts primitives in OpenGL).
+    /// Unsigned indices. OpenGL's primitive restart (-1) isn't special: glTF forbids it.
     pub(crate) fn indices(&self) -> Result<Vec<u32>, String> {
         self.check_width(1)?;
         if !self.component.is_unsigned() {
-            return Err("indices have to be unsigned integers".to_owned());
+            return Err("indices must be unsigned integers".to_owned());
         }
         Ok(self.map(|bytes| self.component.value(bytes) as u32))
     }
 
-    /// Small unsigned integers in fours: the joints of a skin.
+    /// Four unsigned integers per element: the joints of a skin.
     pub(crate) fn joints(&self) -> Result<Vec<[u32; 4]>, String> {
         if !self.component.is_unsigned() {
-            return Err("joints have to be unsigned integers".to_owned());
+            return Err("joints must be unsigned integers".to_owned());
         }
         let vectors = self.vectors::<4>()?;
         Ok(vectors.into_iter().map(|vector| vector.map(|value| value as u32)).collect())

@@ -28,7 +28,7 @@ pub(crate) struct Buffers<'a> {
 pub(crate) struct View<'b> {
     /// The bytes.
     pub(crate) bytes: &'b [u8],
-    /// From one element to the next; `None` for elements without gaps.
+    /// Bytes from one element to the next; `None` if tightly packed.
     pub(crate) stride: Option<u64>,
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn malformed(pointer: impl Into<String>, message: impl Into<String>) 
     Error::at(Place::Pointer(pointer.into()), ErrorKind::Malformed(message.into()))
 }
 
-/// The thing that an index names, or an error at the place where the index stands.
+/// Item `index` of a list, or an error at the pointer of the index.
 pub(crate) fn item<'d, T>(
     list: &'d [T],
     index: u32,
@@ -142,7 +142,7 @@ impl<'a> Buffers<'a> {
         let there = bytes.len() as u64;
         if there < buffer.byte_length {
             let message =
-                format!("{} bytes are announced, but there are {there}", buffer.byte_length);
+                format!("`byteLength` is {}, but the file has {there} bytes", buffer.byte_length);
             return Err(malformed(format!("{pointer}/byteLength"), message));
         }
         let wanted = buffer.byte_length as usize;
@@ -171,19 +171,19 @@ impl<'a> Buffers<'a> {
         };
         let metadata = std::fs::metadata(&path).map_err(|error| because(&error))?;
         if !metadata.is_file() {
-            return Err(because(&"it is no file"));
+            return Err(because(&"it is not a file"));
         }
         self.memory.take("a file beside the document", metadata.len(), 1, place())?;
         files::read_file(&path, &self.memory.left())
             .map_err(|error| because(&error.kind).with_hint(error.hint()))
     }
 
-    /// The document that all this belongs to.
+    /// The document that owns the buffers.
     pub(crate) const fn document(&self) -> &'a Document {
         self.document
     }
 
-    /// What may still be taken.
+    /// The remaining memory budget.
     pub(crate) const fn memory(&self) -> &'a Memory<'a> {
         self.memory
     }

@@ -1,4 +1,4 @@
-//! The two wrappings of a glTF document: plain JSON, and GLB, a header with chunks
+//! The two containers of a glTF document: plain JSON, and GLB, a header with chunks
 //! (glTF 2.0 specification, section 4.4).
 
 use crate::{Error, ErrorKind, Place};
@@ -10,21 +10,21 @@ const CHUNK_HEADER_BYTES: usize = 8;
 const JSON_CHUNK: &[u8] = b"JSON";
 const BINARY_CHUNK: &[u8] = b"BIN\0";
 
-/// A document's JSON text and the binary part that may come with it.
+/// A document's JSON text and its optional binary chunk.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Container<'a> {
     /// The text, in UTF-8.
     pub(crate) json: &'a [u8],
-    /// The byte of the file where it begins.
+    /// Byte offset of the text in the file.
     pub(crate) json_start: u64,
-    /// Whether errors have bytes (GLB) or lines (plain JSON) as places.
+    /// Whether errors give a byte offset (GLB) instead of a line (plain JSON).
     pub(crate) is_binary: bool,
     /// The first binary chunk.
     pub(crate) binary: Option<&'a [u8]>,
 }
 
 impl<'a> Container<'a> {
-    /// Splits a file into its parts. Its first bytes choose the wrapping, whatever its name is.
+    /// Splits a file into its parts. The first bytes decide the container, not the file name.
     pub(crate) fn open(bytes: &'a [u8]) -> Result<Self, Error> {
         if bytes.starts_with(MAGIC) {
             return Self::open_binary(bytes);
@@ -47,14 +47,15 @@ impl<'a> Container<'a> {
         };
         let version = word(bytes, 4).ok_or_else(|| truncated("the GLB header"))?;
         if version != 2 {
-            let message = format!("GLB version {version} is not read: export it as glTF 2.0");
+            let message =
+                format!("GLB version {version} is not supported: export the file as glTF 2.0");
             return Err(Error::at(Place::Byte(4), ErrorKind::Unsupported(message)));
         }
         let length = word(bytes, 8).ok_or_else(|| truncated("the GLB header"))? as usize;
         if length > bytes.len() {
-            return Err(truncated(&format!("the {length} bytes that the GLB header announces")));
+            return Err(truncated(&format!("the {length} bytes declared in the GLB header")));
         }
-        // Bytes after the announced end are padding of whoever stored the file.
+        // Bytes after the declared end are padding from storage or transfer.
         let bytes = &bytes[..length];
         let mut json = None;
         let mut binary = None;
@@ -67,8 +68,7 @@ impl<'a> Container<'a> {
             let rest = bytes.len() - start;
             let length = length as usize;
             if length > rest {
-                let message =
-                    format!("a chunk of {length} bytes is announced, but {rest} are left");
+                let message = format!("a chunk declares {length} bytes, but only {rest} are left");
                 return Err(malformed(at, message));
             }
             let chunk = &bytes[start..start + length];
@@ -76,10 +76,10 @@ impl<'a> Container<'a> {
                 JSON_CHUNK if json.is_none() => json = Some((chunk, start as u64)),
                 BINARY_CHUNK if binary.is_none() => binary = Some(chunk),
                 _ if json.is_none() => {
-                    let message = "the first chunk has to be JSON".to_owned();
+                    let message = "the first chunk must be JSON".to_owned();
                     return Err(malformed(at + 4, message));
                 }
-                // Chunks of other kinds belong to extensions and may be skipped.
+                // Extensions define other kinds of chunk; readers may skip them.
                 _ => {}
             }
             at = start + length;
@@ -99,7 +99,7 @@ fn word(bytes: &[u8], at: usize) -> Option<u32> {
 mod tests {
     use super::*;
 
-    /// A GLB of chunks that are as long as they say.
+    /// A GLB whose chunks have the length that they declare.
     fn glb(version: u32, chunks: &[(&[u8; 4], &[u8])]) -> Vec<u8> {
         let length = 12 + chunks.iter().map(|(_, data)| 8 + data.len()).sum::<usize>();
         let mut bytes = b"glTF".to_vec();
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn trailing_bytes_are_no_harm() {
+    fn trailing_bytes_are_ignored() {
         let mut bytes = glb(2, &[(b"JSON", b"{}")]);
         bytes.extend([0; 9]);
         assert!(Container::open(&bytes).is_ok());
@@ -147,14 +147,14 @@ mod tests {
     }
 
     #[test]
-    fn a_chunk_that_claims_too_much_is_named() {
+    fn a_chunk_longer_than_the_file_is_an_error_at_its_header() {
         let mut bytes = glb(2, &[(b"JSON", b"{}  "), (b"BIN\0", b"1234")]);
         bytes[24..28].copy_from_slice(&u32::MAX.to_le_bytes());
         assert_eq!(place(&bytes), Place::Byte(24));
     }
 
     #[test]
-    fn another_version_is_refused() {
+    fn glb_version_1_is_refused() {
         let error = Container::open(&glb(1, &[(b"JSON", b"{}")])).unwrap_err();
         assert!(matches!(error.kind, ErrorKind::Unsupported(_)));
     }

@@ -7,8 +7,8 @@ use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
 use luxel_gltf::{Document, Fault, ReadError};
 
-/// What an object, and what a value, of the JSON text may take in memory once it is read: larger
-/// than the largest structure of the schema divided by what it takes to write one.
+/// Upper bounds of the memory that a JSON object and a JSON value take once parsed: more than the
+/// size of the largest structure of the schema, divided by the shortest text that makes one.
 const BYTES_PER_OBJECT: u64 = 640;
 const BYTES_PER_VALUE: u64 = 32;
 
@@ -22,7 +22,7 @@ pub(crate) fn parse(
     memory.take("the JSON document", count(b'{'), BYTES_PER_OBJECT, Place::File)?;
     memory.take("the JSON document", count(b','), BYTES_PER_VALUE, Place::File)?;
     memory.take("the JSON document", container.json.len() as u64, 1, Place::File)?;
-    // GLB pads the text with spaces, but zeros are common.
+    // GLB pads the text with spaces, but some exporters write zeros.
     let end = container.json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
     let json = &container.json[..end];
     let document = luxel_gltf::read(json).map_err(|error| json_error(container, error))?;
@@ -36,22 +36,23 @@ fn check_version(document: &Document) -> Result<(), Error> {
         Err(Error::at(Place::Pointer(pointer.to_owned()), ErrorKind::Unsupported(message)))
     };
     let Some(asset) = &document.asset else {
-        let message = "`asset` with its `version` is missing: this is no glTF document";
+        let message = "`asset` with its `version` is missing: this is not a glTF document";
         return Err(Error::at(Place::Pointer(String::new()), ErrorKind::Malformed(message.into())));
     };
-    // A later minor version promises to be readable by what reads 2.0, unless it says otherwise.
+    // Later minor versions stay readable by 2.0 readers unless `minVersion` asks for more.
     if asset.version.split('.').next() != Some("2") {
-        let message = format!("glTF {} is not read: export it as glTF 2.0", asset.version);
+        let message =
+            format!("glTF {} is not supported: export the file as glTF 2.0", asset.version);
         return unsupported("/asset/version", message);
     }
     if let Some(least) = asset.min_version.as_deref().filter(|&least| least != "2.0") {
-        let message = format!("the file asks for glTF {least}; 2.0 is what luxel reads");
+        let message = format!("the file requires glTF {least}; luxel reads 2.0");
         return unsupported("/asset/minVersion", message);
     }
     Ok(())
 }
 
-/// The error of a value, with its pointer, or of bad syntax, with its line or byte.
+/// An error at the JSON pointer of a wrong value, or at the line or byte of bad syntax.
 fn json_error(container: &Container<'_>, error: ReadError) -> Error {
     let ReadError { fault, message } = error;
     let (line, column, is_end) = match fault {
@@ -71,7 +72,7 @@ fn json_error(container: &Container<'_>, error: ReadError) -> Error {
     let kind = if is_end {
         ErrorKind::Truncated(format!("the JSON document ({message})"))
     } else {
-        ErrorKind::Malformed(format!("this is no JSON document: {message}"))
+        ErrorKind::Malformed(format!("this is not a JSON document: {message}"))
     };
     Error::at(place, kind)
 }

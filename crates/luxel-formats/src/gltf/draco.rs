@@ -21,7 +21,7 @@ pub(crate) fn decode(
     let pointer = || format!("{}/extensions/KHR_draco_mesh_compression", pointer());
     let stream = buffers.view(draco.buffer_view, &pointer)?.bytes;
     let memory = buffers.memory();
-    // A face or a point takes at least so much while it is decoded and kept.
+    // Lower bound of the memory of one decoded face or point.
     const LEAST_BYTES: u64 = 24;
     let most = memory.left().max_memory;
     let limits = DecodeLimits::default()
@@ -39,13 +39,16 @@ pub(crate) fn decode(
     let triangles: Vec<_> = mesh.faces().iter().map(|face| face.map(|point| point.0)).collect();
     let points = mesh.num_points();
     if triangles.iter().flatten().any(|&corner| corner as usize >= points) {
-        return Err(malformed(pointer(), "the Draco stream names points that it doesn't have"));
+        return Err(malformed(
+            pointer(),
+            "the Draco stream refers to points that it doesn't contain",
+        ));
     }
     Ok(Decoded { mesh, triangles })
 }
 
 impl Decoded {
-    /// The corners of its triangles.
+    /// The corners of the triangles.
     pub(crate) fn into_triangles(self) -> Vec<[u32; 3]> {
         self.triangles
     }
@@ -55,8 +58,8 @@ impl Decoded {
         self.mesh.num_points()
     }
 
-    /// The values of an attribute, `width` for each vertex; `None` if it isn't in the stream.
-    /// Normalized integers are scaled by the type of the accessor.
+    /// The values of an attribute, `width` per vertex; `None` if the stream lacks it.
+    /// Normalized integers are scaled by the accessor's component type.
     pub(crate) fn values(
         &self,
         buffers: &Buffers<'_>,

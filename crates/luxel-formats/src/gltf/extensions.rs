@@ -1,11 +1,11 @@
-//! Which extensions a picture shows.
+//! Which glTF extensions luxel supports.
 
 use crate::error::missing_feature;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
 use luxel_gltf::Document;
 
-/// Extensions that are read and seen.
+/// Extensions that luxel reads and renders.
 const SUPPORTED: &[&str] = &[
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
@@ -18,13 +18,13 @@ const SUPPORTED: &[&str] = &[
     "KHR_texture_transform",
 ];
 
-/// Extensions that a cargo feature reads, with its name and whether this build has it.
+/// Extensions behind a cargo feature: extension, feature, whether this build has it.
 const OPTIONAL: &[(&str, &str, bool)] = &[
     ("EXT_meshopt_compression", "meshopt", cfg!(feature = "meshopt")),
     ("KHR_draco_mesh_compression", "draco", cfg!(feature = "draco")),
 ];
 
-/// Refuses a document that requires what luxel can't do; warns of what is only wished for.
+/// Refuses a document that requires an unsupported extension; warns of optional ones.
 pub(crate) fn check(document: &Document, warnings: &mut Warnings) -> Result<(), Error> {
     let supported = |name: &String| SUPPORTED.contains(&name.as_str());
     let required = document.extensions_required.iter().enumerate();

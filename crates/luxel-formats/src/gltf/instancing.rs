@@ -1,4 +1,4 @@
-//! Copies of one mesh in many places: `EXT_mesh_gpu_instancing`.
+//! Instances of one mesh: `EXT_mesh_gpu_instancing`.
 
 use super::accessor;
 use super::buffers::{Buffers, malformed};
@@ -6,7 +6,7 @@ use crate::{Error, Place};
 use glam::{DMat4, DQuat, DVec3};
 use luxel_gltf::Instancing;
 
-/// What an instance takes as a node of the scene, with its name.
+/// Memory of one instance as a scene node, with its name.
 const BYTES_PER_INSTANCE: u64 = 512;
 
 /// From each instance to the node.

@@ -5,12 +5,11 @@
 //! unit light gives 1. So intensities are divided by pi here, once.
 
 use super::buffers::malformed;
-use crate::values::LEAST_CONE_EDGE;
 use crate::{Error, Hint, Warning};
 use luxel_gltf::Light as FileLight;
 use luxel_lighting::{Attenuation, Cone, Light, LightKind};
 
-/// The light, as it stands at its node and shines along the node's -Z.
+/// The light, at its node's origin and shining along the node's -Z.
 pub(crate) fn convert(light: &FileLight, index: u32) -> Result<Light, Error> {
     let pointer = format!("/extensions/KHR_lights_punctual/lights/{index}");
     let kind = match light.kind.as_str() {
@@ -18,18 +17,19 @@ pub(crate) fn convert(light: &FileLight, index: u32) -> Result<Light, Error> {
         "point" => LightKind::Point,
         "spot" => LightKind::Spot(cone(light, &pointer)?),
         other => {
-            let message = format!("`{other}` is no light: use directional, point or spot");
+            let message =
+                format!("`{other}` is not a kind of light: use directional, point or spot");
             return Err(malformed(format!("{pointer}/type"), message));
         }
     };
     let intensity = light.intensity.unwrap_or(1.0) / std::f32::consts::PI;
     let color = light.color.unwrap_or([1.0; 3]).map(|channel| channel * intensity);
     if !color.iter().all(|&channel| channel.is_finite() && channel >= 0.0) {
-        let message = "colour and intensity have to be finite and not negative";
+        let message = "colour and intensity must be finite and not negative";
         return Err(malformed(pointer, message));
     }
     let attenuation = if kind.has_place() {
-        // A range that isn't positive is no range.
+        // A range that isn't positive means unlimited.
         let range = light.range.filter(|&range| range > 0.0 && range.is_finite());
         Attenuation { range, ..Attenuation::INVERSE_SQUARE }
     } else {
@@ -38,13 +38,13 @@ pub(crate) fn convert(light: &FileLight, index: u32) -> Result<Light, Error> {
     Ok(Light { attenuation, ..Light::new(kind, color) })
 }
 
-/// Directional light beyond this many lux leaves nothing of a picture that is drawn without exposure.
+/// Directional light above this many lux saturates the whole image: there is no exposure control.
 const GLARING_LUX: f32 = 100.0;
 
-/// A warning for directional light in the lux of the real world, such as sunlight.
+/// A warning for directional light in physical lux, such as sunlight.
 pub(crate) fn glare(light: &FileLight) -> Option<Warning> {
     let lux = light.intensity.filter(|&lux| light.kind == "directional" && lux > GLARING_LUX)?;
-    let message = format!("{lux} lux burn the picture out, which is drawn without exposure");
+    let message = format!("{lux} lux overexpose the image: luxel has no exposure control");
     Some(Warning { message, hint: Some(Hint::ScaleLights) })
 }
 
@@ -58,6 +58,5 @@ fn cone(light: &FileLight, pointer: &str) -> Result<Cone, Error> {
         return Err(malformed(format!("{pointer}/spot"), message));
     }
     let cos_outer = libm::cos(outer) as f32;
-    let cos_inner = (libm::cos(inner) as f32).max(cos_outer + LEAST_CONE_EDGE);
-    Ok(Cone::Smooth { cos_inner, cos_outer })
+    Ok(Cone::smooth(libm::cos(inner) as f32, cos_outer))
 }

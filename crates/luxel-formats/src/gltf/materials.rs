@@ -13,7 +13,7 @@ use luxel_scene::{AlphaMode, Encoding, SceneMaterial, Sides, TextureUse};
 /// The default cutoff of masks.
 const DEFAULT_CUTOFF: f32 = 0.5;
 
-/// What the members of the different texture objects have in common.
+/// The members that the kinds of texture object share.
 struct Reference<'r> {
     index: Index,
     tex_coord: u32,
@@ -130,9 +130,9 @@ pub(crate) fn convert(
     Ok(converted)
 }
 
-/// The materials of primitives that name none, in the order of their first use.
+/// The materials of primitives without one, in the order of first use.
 pub(crate) fn defaults(used: &DefaultMaterials) -> Vec<SceneMaterial> {
-    // The default of the format is one-sided (section 3.9.6); colour and gloss are luxel's own.
+    // One-sided as the format requires (section 3.9.6); colour and gloss are luxel's defaults.
     let plain = SceneMaterial { sides: Sides::Front, ..SceneMaterial::default() };
     let mut colored = plain.clone();
     "vertex colors".clone_into(&mut colored.name);
@@ -155,13 +155,13 @@ fn alpha_mode(material: &FileMaterial, pointer: &str) -> Result<AlphaMode, Error
             Ok(AlphaMode::Mask { cutoff: material.alpha_cutoff.unwrap_or(DEFAULT_CUTOFF) })
         }
         Some(other) => {
-            let message = format!("`{other}` is no alpha mode: use OPAQUE, MASK or BLEND");
+            let message = format!("`{other}` is not an alpha mode: use OPAQUE, MASK or BLEND");
             Err(malformed(format!("{pointer}/alphaMode"), message))
         }
     }
 }
 
-/// A texture in its place on the surface; `None` where there is nothing to show.
+/// A texture with its transform; `None` if its image can't be shown.
 fn texture_use(
     reference: &Reference<'_>,
     encoding: Encoding,
@@ -174,7 +174,7 @@ fn texture_use(
     let texture = textures.get(reference.index, encoding, &|| pointer.to_owned(), warnings)?;
     let Some(uv_set) = u8::try_from(set).ok().filter(|&set| set < 2) else {
         warnings.push(format!(
-            "{pointer}: left out, since only TEXCOORD_0 and TEXCOORD_1 are read, not TEXCOORD_{set}"
+            "{pointer}: left out: luxel reads TEXCOORD_0 and TEXCOORD_1, not TEXCOORD_{set}"
         ));
         return Ok(None);
     };
@@ -197,7 +197,7 @@ fn matrix(transform: &TextureTransform) -> [f32; 6] {
         .map(|entry| entry as f32)
 }
 
-/// JSON knows no infinity, but numbers may be too large for f32.
+/// JSON has no infinity, but its numbers may overflow `f32`.
 fn check(material: &SceneMaterial, pointer: &str) -> Result<(), Error> {
     let constants = &material.constants;
     let cutoff = match material.alpha_mode {

@@ -16,12 +16,12 @@ use luxel_gltf::{Index, Primitive};
 use luxel_scene::{Lines, MaterialId, Mesh, Part, Points};
 use std::collections::{BTreeMap, HashMap};
 
-/// The materials that primitives without one get; they follow the file's own.
+/// Materials for primitives without one; they follow the file's materials.
 #[derive(Debug, Default)]
 pub(crate) struct DefaultMaterials {
-    /// How many the file has.
+    /// Number of materials in the file.
     pub(crate) in_file: u32,
-    /// The materials in use: plain, and for vertices with colours of their own.
+    /// The default materials in use: without and with vertex colours.
     pub(crate) used: [Option<MaterialId>; 2],
 }
 
@@ -47,7 +47,7 @@ pub(crate) fn build(
         let pointer = format!("/meshes/{index}/primitives/{number}");
         let mode = primitive.mode.unwrap_or(4);
         let Some(mode) = Mode::from_code(mode) else {
-            let message = format!("{mode} is no mode: 0 to 6 are");
+            let message = format!("{mode} is not a mode: use 0 to 6");
             return Err(malformed(format!("{pointer}/mode"), message));
         };
         let material = match primitive.material {
@@ -66,7 +66,7 @@ pub(crate) fn build(
         };
         let source = Source { buffers, primitive, pointer: &pointer, draco: draco.as_ref() };
         let Some(run) = joined.vertices_of(&source, pose)? else {
-            warnings.push(format!("{pointer}: left out, since it has no POSITION"));
+            warnings.push(format!("{pointer}: left out: it has no POSITION"));
             continue;
         };
         match draco {
@@ -89,7 +89,7 @@ pub(crate) fn build(
     Ok(joined.finish())
 }
 
-/// The numbers of the vertices that a primitive connects, in order.
+/// The vertex indices of a primitive, in order.
 fn corners(
     source: &Source<'_, '_>,
     mode: Mode,
@@ -97,7 +97,7 @@ fn corners(
     pointer: &str,
     warnings: &mut Warnings,
 ) -> Result<Vec<u32>, Error> {
-    // The index itself, what is made of it, and a copy while the mesh grows.
+    // The index, the decoded index, and a copy while the mesh grows.
     const BYTES_PER_CORNER: u64 = 32;
     let memory = source.buffers.memory();
     let corners = match source.primitive.indices {
@@ -125,12 +125,14 @@ fn corners(
     };
     let left_over = mode.left_over(corners.len());
     if left_over > 0 {
-        warnings.push(format!("{pointer}: {left_over} corners are left over and make nothing"));
+        warnings.push(format!(
+            "{pointer}: the last {left_over} corners complete no primitive and are ignored"
+        ));
     }
     Ok(corners)
 }
 
-/// A primitive's vertices among all.
+/// A primitive's range of vertices in the mesh.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     first: u32,
@@ -140,7 +142,7 @@ struct Run {
 /// Identifies the vertices of a primitive: its attributes and morph targets.
 type Key<'k> = (&'k BTreeMap<String, Index>, &'k Vec<BTreeMap<String, Index>>);
 
-/// Primitives that have been put together.
+/// Primitives joined into one mesh.
 #[derive(Default)]
 struct Joined<'k> {
     mesh: Mesh,
@@ -149,11 +151,11 @@ struct Joined<'k> {
 }
 
 impl<'k> Joined<'k> {
-    /// Reads a primitive's vertices, or finds them again.
+    /// Reads a primitive's vertices, or reuses those of an earlier primitive.
     fn vertices_of(&mut self, source: &Source<'_, 'k>, pose: &Pose) -> Result<Option<Run>, Error> {
         let primitive: &'k Primitive = source.primitive;
         let key = (&primitive.attributes, &primitive.targets);
-        // Compressed vertices are numbered by their own stream.
+        // Draco streams number their vertices themselves.
         let is_shared = source.draco.is_none();
         if let Some(&run) = self.runs.get(&key).filter(|_| is_shared) {
             return Ok(Some(run));
@@ -276,7 +278,7 @@ impl<'k> Joined<'k> {
         }
     }
 
-    /// Whether a position can be kept in f32.
+    /// Whether a position is finite in `f32`.
     fn is_finite(&self, vertex: u32) -> bool {
         let most = f64::from(f32::MAX);
         self.positions[vertex as usize].iter().all(|coordinate| coordinate.abs() <= most)
@@ -284,7 +286,7 @@ impl<'k> Joined<'k> {
 
     fn finish(mut self) -> Mesh {
         self.mesh.set_positions(&self.positions);
-        // Nothing draws the positions that aren't finite; later stages needn't know of them.
+        // No face uses the positions that aren't finite; zeros spare later stages the check.
         for position in &mut self.mesh.positions {
             if !position.iter().all(|coordinate| coordinate.is_finite()) {
                 *position = [0.0; 3];

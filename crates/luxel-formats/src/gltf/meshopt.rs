@@ -17,7 +17,7 @@ pub(crate) fn decompress(view: &Meshopt, stream: &[u8]) -> Result<Vec<u8>, Error
 /// Decompresses a buffer view.
 ///
 /// # Errors
-/// A sentence that says what is wrong with the stream.
+/// A message that describes the damage.
 fn decode(view: &Meshopt, stream: &[u8]) -> Result<Vec<u8>, String> {
     let count = usize::try_from(view.count).map_err(|_| "the count is too large")?;
     let stride = usize::try_from(view.byte_stride).map_err(|_| "the stride is too large")?;
@@ -47,11 +47,11 @@ fn decode(view: &Meshopt, stream: &[u8]) -> Result<Vec<u8>, String> {
             is_index("INDICES")?;
             Ok(indices_of(indices::decode_sequence(stream, count)?))
         }
-        mode => Err(format!("`{mode}` is no mode: use ATTRIBUTES, TRIANGLES or INDICES")),
+        mode => Err(format!("`{mode}` is not a mode: use ATTRIBUTES, TRIANGLES or INDICES")),
     }
 }
 
-/// Reads a stream from its front, never beyond its end.
+/// Reads a stream from the front, with bounds checks.
 struct Cursor<'a> {
     rest: &'a [u8],
 }

@@ -1,11 +1,11 @@
-//! Stands in for `draco` in builds without the feature.
+//! Replaces `draco` in builds without the feature.
 
 use super::buffers::Buffers;
 use crate::error::missing_feature;
 use crate::{Error, Place};
 use luxel_gltf::{Draco, Primitive};
 
-/// There are none.
+/// Never constructed.
 pub(crate) enum Decoded {}
 
 /// Refuses the primitive.

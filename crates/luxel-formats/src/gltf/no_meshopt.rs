@@ -1,4 +1,4 @@
-//! Stands in for `meshopt` in builds without the feature.
+//! Replaces `meshopt` in builds without the feature.
 
 use crate::ErrorKind;
 use crate::error::missing_feature;

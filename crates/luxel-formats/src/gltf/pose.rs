@@ -1,4 +1,4 @@
-//! The rest pose: morph targets at their default weights, and skins at the joints' places
+//! The rest pose: morph targets at their default weights, skins bound to their joints' nodes
 //! (glTF 2.0 specification, sections 3.7.2.2 and 3.7.3).
 
 use super::buffers::malformed;
@@ -6,13 +6,13 @@ use super::vertices::{Source, Vertices};
 use crate::Error;
 use luxel_scene::{DMat3, DMat4, DVec3};
 
-/// What deforms a mesh where a node shows it.
+/// The deformation of a mesh at one node.
 #[derive(Debug, Default)]
 pub(crate) struct Pose {
     /// The weights of the morph targets.
     pub(crate) weights: Vec<f64>,
     /// For each joint, from the mesh's coordinates in the bind pose to the node's; `None` without
-    /// a skin. The node's own place is taken out again, since it doesn't move a skinned mesh.
+    /// a skin. Excludes the node's transform, which doesn't apply to a skinned mesh.
     pub(crate) joints: Option<Vec<DMat4>>,
 }
 
@@ -60,7 +60,7 @@ pub(crate) fn morph(
     Ok(())
 }
 
-/// Moves the vertices with the joints: the weighted mean of the places where each joint takes them.
+/// Linear blend skinning: the weighted mean of each vertex under its joints' transforms.
 pub(crate) fn skin(
     vertices: &mut Vertices,
     joints: &[DMat4],
@@ -77,7 +77,8 @@ pub(crate) fn skin(
                 let Some(matrix) = joints.get(joint as usize) else {
                     let pointer = format!("{}/attributes/JOINTS_{set}", source.pointer);
                     let there = joints.len();
-                    let message = format!("joint {joint} of vertex {vertex} is none of {there}");
+                    let message =
+                        format!("vertex {vertex} uses joint {joint}, but the skin has {there}");
                     return Err(malformed(pointer, message));
                 };
                 let weight = f64::from(weight);
@@ -116,7 +117,7 @@ fn widened(vector: [f32; 3]) -> DVec3 {
     DVec3::from_array(vector.map(f64::from))
 }
 
-/// The unit vector along another; zero, which means missing, where it has no direction.
+/// The normalized vector, or zero, which marks a missing one.
 fn unit(vector: DVec3) -> [f32; 3] {
     vector.normalize_or_zero().as_vec3().to_array()
 }

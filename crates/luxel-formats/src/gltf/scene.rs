@@ -1,4 +1,4 @@
-//! From the document to the scene: the shown nodes with what hangs on them.
+//! From the document to the scene: the shown nodes with their meshes, cameras and lights.
 
 use super::buffers::{Buffers, item, malformed};
 use super::instancing;
@@ -30,7 +30,7 @@ pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Sc
         },
         warnings,
     };
-    // The nodes first, so that instances, which come after, don't change their numbers.
+    // Nodes come first, so that instances don't shift their numbers.
     for shown in &tree.shown {
         let file_node = &document.nodes[shown.node as usize];
         builder.scene.nodes.push(Node {
@@ -53,7 +53,7 @@ pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Sc
     Ok(scene)
 }
 
-/// The node's name, else its mesh's, else one made of its number.
+/// The node's name, else its mesh's, else `node` with its number.
 fn name(buffers: &Buffers<'_>, node: &FileNode, index: Index) -> String {
     let meshes = &buffers.document().meshes;
     let of_mesh = || node.mesh.and_then(|mesh| meshes.get(mesh as usize)?.name.clone());
@@ -66,14 +66,14 @@ struct Builder<'b, 'd> {
     buffers: &'b Buffers<'d>,
     tree: &'b Tree,
     scene: Scene,
-    /// Meshes in their plain form, which nodes share.
+    /// Undeformed meshes, which nodes share.
     shared_meshes: HashMap<Index, MeshId>,
     default_materials: DefaultMaterials,
     warnings: &'b mut Warnings,
 }
 
 impl Builder<'_, '_> {
-    /// Hangs mesh, camera and light on a node.
+    /// Attaches mesh, camera and light to a node.
     fn fill(&mut self, id: NodeId, index: Index) -> Result<(), Error> {
         let document = self.buffers.document();
         let node = &document.nodes[index as usize];
@@ -120,7 +120,7 @@ impl Builder<'_, '_> {
         Ok(())
     }
 
-    /// What a camera or light is called: as itself, else as its node, else by its number.
+    /// The name of a camera or light, else of its node, else its number.
     fn name_of_attached(
         &self,
         own: &Option<String>,
@@ -132,7 +132,7 @@ impl Builder<'_, '_> {
         name.cloned().unwrap_or_else(by_number)
     }
 
-    /// The mesh of a node, in the pose that it has there.
+    /// The mesh of a node, in that node's pose.
     fn mesh(&mut self, node: &FileNode, index: Index, number: Index) -> Result<MeshId, Error> {
         let meshes = &self.buffers.document().meshes;
         let pointer = || format!("/nodes/{index}/mesh");
@@ -182,7 +182,7 @@ impl Builder<'_, '_> {
         let world_from_node = self.tree.world_from_nodes[node as usize];
         let node_from_world = world_from_node.inverse();
         if !node_from_world.is_finite() {
-            let message = "the skin is left out, since the node's place has no inverse";
+            let message = "the skin is left out: the node's transform has no inverse";
             self.warnings.push(format!("/nodes/{node}: {message}"));
             return Ok(None);
         }
@@ -197,7 +197,7 @@ impl Builder<'_, '_> {
         Ok(Some(matrices))
     }
 
-    /// Copies of a mesh below a node, one for each place.
+    /// Instances of a mesh below a node, one per transform.
     fn add_instances(&mut self, parent: NodeId, mesh: MeshId, places: &[DMat4]) {
         let name = self.scene.nodes[parent.index()].name.clone();
         let nodes = places.iter().enumerate().map(|(number, &parent_from_node)| Node {

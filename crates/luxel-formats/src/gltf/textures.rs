@@ -1,4 +1,4 @@
-//! Textures: images, decoded once for each encoding in which they are used, with their samplers.
+//! Textures: images, decoded once per encoding in use, with their samplers.
 
 use super::buffers::{Buffers, item};
 use crate::warnings::Warnings;
@@ -16,9 +16,9 @@ pub(crate) struct Textures<'b, 'd> {
     buffers: &'b Buffers<'d>,
     /// Images by number and encoding, in the order of the first use.
     images: Vec<(Index, Encoding)>,
-    /// For each texture, its image's place in the list above, and how it is sampled.
+    /// For each texture, the index of its image above, and its sampler.
     textures: Vec<(usize, Sampler)>,
-    /// Where in the lists above an image (and whether it is sRGB), and a texture, are.
+    /// Indices into the lists above, by image (and whether it is sRGB) and by texture.
     image_places: HashMap<(Index, bool), usize>,
     texture_places: HashMap<(usize, Option<Index>), TextureId>,
 }
@@ -48,7 +48,7 @@ impl<'b, 'd> Textures<'b, 'd> {
             item(&document.textures, index, "texture", &|| format!("{}/index", referrer()))?;
         let pointer = || format!("/textures/{index}");
         let Some(source) = texture.source else {
-            warnings.push(format!("{}: left out, since luxel can't read its image", pointer()));
+            warnings.push(format!("{}: left out: luxel can't read its image", pointer()));
             return Ok(None);
         };
         item(&document.images, source, "image", &|| format!("{}/source", pointer()))?;
@@ -72,10 +72,10 @@ impl<'b, 'd> Textures<'b, 'd> {
         })))
     }
 
-    /// Reads and decodes the images, several at a time. Those that can't be read get a stand-in.
+    /// Reads and decodes the images in parallel. A placeholder replaces an unreadable one.
     ///
-    /// A stand-in shows where a colour is missing; bumps and roughness made of it would be lies, so
-    /// materials lose the textures of that kind.
+    /// A placeholder shows where a colour is missing; as bumps or roughness it would mislead, so
+    /// materials lose textures of those kinds.
     pub(crate) fn load(
         self,
         materials: &mut [SceneMaterial],
@@ -100,7 +100,8 @@ impl<'b, 'd> Textures<'b, 'd> {
             .zip(decoded)
             .map(|((&(index, _), name), decoded)| {
                 Arc::new(decoded.unwrap_or_else(|warning| {
-                    warnings.push(warning.at(format_args!("/images/{index}: a stand-in is shown")));
+                    warnings
+                        .push(warning.at(format_args!("/images/{index}: a placeholder is shown")));
                     Image::stand_in(name)
                 }))
             })
@@ -111,8 +112,8 @@ impl<'b, 'd> Textures<'b, 'd> {
             .collect()
     }
 
-    /// Decodes the images, a few at once, each within its share of the memory that is left. What
-    /// doesn't fit into a share is tried alone, so that the outcome doesn't hang on the threads.
+    /// Decodes the images in parallel, each within a share of the memory left. An image that
+    /// exceeds its share is retried alone, so that the result doesn't depend on the thread count.
     fn decoded(&self, names: &[String]) -> Vec<Result<Image, Warning>> {
         let memory = self.buffers.memory();
         let at_once = 4 * luxel_parallel::threads();
@@ -169,7 +170,7 @@ impl<'b, 'd> Textures<'b, 'd> {
     }
 }
 
-/// The rules of a sampler; what it leaves open is repeated and filtered as smoothly as possible.
+/// The sampler's settings; by default textures repeat, with the smoothest filter.
 fn convert(sampler: &FileSampler) -> Sampler {
     let wrap = |code| match code {
         Some(33_071) => Wrap::ClampToEdge,

@@ -14,7 +14,7 @@ pub(crate) enum Mode {
 }
 
 impl Mode {
-    /// From the constants of OpenGL.
+    /// Maps OpenGL's constants, which glTF uses.
     pub(crate) const fn from_code(code: u32) -> Option<Self> {
         Some(match code {
             0 => Self::Points,
@@ -33,7 +33,7 @@ impl Mode {
         matches!(self, Self::Triangles | Self::TriangleStrip | Self::TriangleFan)
     }
 
-    /// How many vertices are left over: a corner or two that complete nothing.
+    /// Number of trailing vertices that complete no primitive.
     pub(crate) const fn left_over(self, vertices: usize) -> usize {
         match self {
             Self::Points => 0,
@@ -85,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_second_triangle_of_a_strip_is_turned() {
+    fn every_second_triangle_of_a_strip_swaps_two_corners() {
         let strip = triangles(Mode::TriangleStrip, &[5, 6, 7, 8, 9]);
         assert_eq!(strip, [[5, 6, 7], [6, 8, 7], [7, 8, 9]]);
     }
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn too_few_vertices_make_nothing() {
+    fn incomplete_primitives_are_dropped() {
         for mode in (0..7).filter_map(Mode::from_code) {
             assert!(triangles(mode, &[1, 2]).is_empty());
             assert!(segments(mode, &[1]).is_empty());

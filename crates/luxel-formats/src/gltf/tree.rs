@@ -1,4 +1,4 @@
-//! The tree of nodes of the scene that is shown (glTF 2.0 specification, section 3.5).
+//! The node hierarchy of the shown scene (glTF 2.0 specification, section 3.5).
 
 use super::buffers::{item, malformed};
 use crate::warnings::Warnings;
@@ -9,20 +9,20 @@ use luxel_gltf::{Document, Index, Node};
 /// The document's nodes, checked: each has one parent at most, and none is its own ancestor.
 #[derive(Debug)]
 pub(crate) struct Tree {
-    /// From each node of the document to the world.
+    /// Each node's transform to the world.
     pub(crate) world_from_nodes: Vec<DMat4>,
-    /// From each node of the document to its parent.
+    /// Each node's transform to its parent.
     pub(crate) parent_from_nodes: Vec<DMat4>,
-    /// The nodes of the scene that is shown, parents before their children.
+    /// The nodes of the shown scene, parents before children.
     pub(crate) shown: Vec<Shown>,
 }
 
-/// A node of the scene that is shown.
+/// A node of the shown scene.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shown {
     /// Its number in the document.
     pub(crate) node: Index,
-    /// Its parent's place in the list.
+    /// Its parent's index in the list.
     pub(crate) parent: Option<u32>,
 }
 
@@ -35,7 +35,7 @@ impl Tree {
         let mut parents = parents(document)?;
         let order = parents_first(&parents, limits)?;
         let roots = roots(document, &parents, warnings)?;
-        // A root of the scene stands in the world, whatever else claims it as a child.
+        // A root of the scene has no parent, even if another node lists it as a child.
         for &root in &roots {
             parents[root as usize] = None;
         }
@@ -53,7 +53,7 @@ impl Tree {
         let shown = walk(document, &roots, &parents);
         for &Shown { node, .. } in &shown {
             if !world_from_nodes[node as usize].is_finite() {
-                let message = "the node's place in the world is not finite";
+                let message = "the node's world transform is not finite";
                 return Err(malformed(format!("/nodes/{node}"), message));
             }
         }
@@ -70,7 +70,7 @@ fn parents(document: &Document) -> Result<Vec<Option<Index>>, Error> {
             item(&document.nodes, child, "node", &pointer)?;
             if let Some(other) = parents[child as usize].replace(index as Index) {
                 let message = format!(
-                    "node {child} hangs on node {other} already: a node has one parent at most"
+                    "node {child} is already a child of node {other}: a node has at most one parent"
                 );
                 return Err(malformed(pointer(), message));
             }
@@ -79,7 +79,7 @@ fn parents(document: &Document) -> Result<Vec<Option<Index>>, Error> {
     Ok(parents)
 }
 
-/// The roots of the scene that is shown: the default one, else the first, else every root.
+/// The roots of the default scene, else of the first, else of the document.
 fn roots(
     document: &Document,
     parents: &[Option<Index>],
@@ -102,12 +102,13 @@ fn roots(
             roots.push(node);
         }
     }
-    // A node that is listed next to its ancestor would be shown twice.
+    // A node listed beside its ancestor would be drawn twice.
     let covered = ancestors_listed(parents, &is_listed);
     roots.retain(|&root| {
         let is_covered = covered[root as usize];
         if is_covered {
-            warnings.push(format!("/scenes/{index}/nodes: node {root} hangs on another one"));
+            warnings
+                .push(format!("/scenes/{index}/nodes: node {root} is below another listed node"));
         }
         !is_covered
     });
@@ -151,7 +152,7 @@ fn parents_first(parents: &[Option<Index>], limits: &Limits) -> Result<Vec<Index
                 depth = known + 1;
                 break;
             }
-            // More steps up than there are nodes: the way leads in a circle.
+            // More steps up than nodes: the hierarchy has a cycle.
             if chain.len() >= parents.len() {
                 let message = format!("node {node} is its own ancestor");
                 return Err(malformed(format!("/nodes/{node}/children"), message));
@@ -173,7 +174,7 @@ fn parents_first(parents: &[Option<Index>], limits: &Limits) -> Result<Vec<Index
     Ok(order)
 }
 
-/// The nodes of the scene in the order of a walk: a node, then its children one after another.
+/// The nodes of the scene in depth-first order.
 fn walk(document: &Document, roots: &[Index], parents: &[Option<Index>]) -> Vec<Shown> {
     let mut shown = Vec::new();
     let mut waiting: Vec<Shown> =
@@ -182,7 +183,7 @@ fn walk(document: &Document, roots: &[Index], parents: &[Option<Index>]) -> Vec<
         let parent = Some(shown.len() as u32);
         shown.push(next);
         let children = document.nodes[next.node as usize].children.iter().rev();
-        // A child that is a root of the scene is shown there.
+        // A child that is also a root is drawn as a root.
         let own = children.filter(|&&child| parents[child as usize] == Some(next.node));
         waiting.extend(own.map(|&node| Shown { node, parent }));
     }
@@ -195,12 +196,14 @@ fn placement(node: &Node, index: usize, warnings: &mut Warnings) -> DMat4 {
         return DMat4::from_cols_array(matrix);
     }
     let rotation = node.rotation.map_or(DQuat::IDENTITY, DQuat::from_array);
-    // Exporters round, so that few quaternions are of exactly unit length.
+    // Exporters round: few quaternions have exactly unit length.
     let length = rotation.length();
     let rotation = if length > 0.0 && length.is_finite() {
         rotation / length
     } else {
-        warnings.push(format!("/nodes/{index}/rotation: it has no direction and is ignored"));
+        warnings.push(format!(
+            "/nodes/{index}/rotation: the quaternion has length zero and is ignored"
+        ));
         DQuat::IDENTITY
     };
     let scale = node.scale.map_or(DVec3::ONE, DVec3::from_array);

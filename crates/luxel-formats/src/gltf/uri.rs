@@ -1,4 +1,4 @@
-//! Where a document's parts lie: data within the URI, or a file within the document's folder
+//! URIs of buffers and images: embedded data, or a file within the document's folder
 //! (glTF 2.0 specification, section 2.8).
 
 use crate::files;
@@ -6,16 +6,16 @@ use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use std::path::{Path, PathBuf};
 
-/// What a URI refers to.
+/// The target of a URI.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Target {
-    /// Bytes written into the URI itself.
+    /// Bytes embedded in the URI.
     Data(Vec<u8>),
     /// A file, relative to the document.
     File {
         /// With `%20` as a space.
         decoded: String,
-        /// As it stands, for exporters that don't encode.
+        /// Verbatim, for exporters that don't percent-encode.
         literal: String,
     },
 }
@@ -31,7 +31,7 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
 /// Decodes a URI.
 ///
 /// # Errors
-/// A sentence that says what is wrong.
+/// A message about the URI.
 pub(crate) fn resolve(uri: &str) -> Result<Target, String> {
     if let Some(data) = strip_prefix_ignoring_case(uri, "data:") {
         let (kind, data) =
@@ -44,14 +44,14 @@ pub(crate) fn resolve(uri: &str) -> Result<Target, String> {
         return Ok(Target::Data(bytes));
     }
     let decoded = String::from_utf8(percent_decoded(uri))
-        .map_err(|_| format!("`{}` is no UTF-8 file name", shortened(uri)))?;
+        .map_err(|_| format!("`{}` is not a UTF-8 file name", shortened(uri)))?;
     Ok(Target::File { decoded, literal: uri.to_owned() })
 }
 
-/// The file that a relative target names: decoded, or as written if only that exists.
+/// The file of a relative target: percent-decoded, or verbatim if only that file exists.
 ///
 /// # Errors
-/// A sentence that says what is wrong with the name.
+/// A message about the name.
 pub(crate) fn file_in(
     folder: Option<&Path>,
     decoded: &str,
@@ -62,7 +62,7 @@ pub(crate) fn file_in(
     Ok(if !path.is_file() && as_written.is_file() { as_written } else { path })
 }
 
-/// Cuts messages that contain very long names.
+/// Shortens very long names for messages.
 fn shortened(name: &str) -> String {
     const MOST: usize = 400;
     if name.chars().count() <= MOST {
@@ -76,8 +76,8 @@ fn strip_prefix_ignoring_case<'a>(text: &'a str, prefix: &str) -> Option<&'a str
     head.eq_ignore_ascii_case(prefix).then(|| &text[prefix.len()..])
 }
 
-/// Turns `%20` into a space, and so on (RFC 3986, section 2.1); a `%` that begins no such code
-/// stands for itself.
+/// Percent-decodes (RFC 3986, section 2.1); a `%` without two hexadecimal digits
+/// stays as it is.
 fn percent_decoded(text: &str) -> Vec<u8> {
     let digit = |byte: u8| char::from(byte).to_digit(16).map(|digit| digit as u8);
     let mut rest = text.as_bytes();
@@ -105,7 +105,7 @@ mod tests {
             Target::File { decoded, literal } => {
                 file_in(Some(Path::new("folder")), &decoded, &literal)
             }
-            Target::Data(_) => panic!("{uri} is no data URI"),
+            Target::Data(_) => panic!("{uri} is not a data URI"),
         }
     }
 
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn what_leads_out_of_the_folder_is_refused() {
+    fn paths_out_of_the_folder_are_refused() {
         for uri in [
             "../x.bin",
             "a/../../x.bin",
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_data_are_an_error() {
+    fn damaged_base64_is_an_error() {
         assert!(resolve("data:;base64,A*ID").is_err());
         assert!(resolve("data:nothing").is_err());
     }

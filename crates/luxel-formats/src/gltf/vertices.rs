@@ -1,4 +1,4 @@
-//! The vertices of one primitive: its attributes, read and brought into luxel's types.
+//! The vertex attributes of one primitive, converted to luxel's types.
 
 use super::accessor::{self, Elements};
 use super::buffers::{Buffers, malformed};
@@ -7,7 +7,7 @@ use crate::{Error, Place};
 use luxel_gltf::{Index, Primitive};
 use std::collections::BTreeMap;
 
-/// What a vertex takes while it is read and once it is kept, in bytes, at the most.
+/// Upper bound of the bytes per vertex, while reading and in the mesh.
 const BYTES_PER_VERTEX: u64 = 160;
 
 /// Attributes, each empty or as long as the positions.
@@ -18,18 +18,18 @@ pub(crate) struct Vertices {
     pub(crate) tangents: Vec<[f32; 4]>,
     pub(crate) uvs: [Vec<[f32; 2]>; 2],
     pub(crate) colors: Vec<[f32; 4]>,
-    /// Joints with their weights, in sets of four.
+    /// Joints and weights, in sets of four.
     pub(crate) influences: Vec<Influences>,
 }
 
-/// Up to four joints that move each vertex, and how much each counts.
+/// Up to four joints per vertex, with their weights.
 #[derive(Debug)]
 pub(crate) struct Influences {
     pub(crate) joints: Vec<[u32; 4]>,
     pub(crate) weights: Vec<[f32; 4]>,
 }
 
-/// Where the attributes of a primitive come from.
+/// The source of a primitive's attributes.
 pub(crate) struct Source<'s, 'd> {
     pub(crate) buffers: &'s Buffers<'d>,
     pub(crate) primitive: &'d Primitive,
@@ -38,7 +38,7 @@ pub(crate) struct Source<'s, 'd> {
 }
 
 impl Source<'_, '_> {
-    /// Reads all attributes; `None` if there are no positions, without which nothing is drawn.
+    /// Reads all attributes; `None` without positions, which drawing needs.
     pub(crate) fn vertices(&self) -> Result<Option<Vertices>, Error> {
         let Some(positions) = self.positions()? else { return Ok(None) };
         let count = positions.len();
@@ -65,7 +65,7 @@ impl Source<'_, '_> {
         elements.vectors().map(Some).map_err(|message| malformed(pointer(), message))
     }
 
-    /// An attribute of `count` vertices; empty if the primitive doesn't have it.
+    /// An attribute of `count` vertices; empty if the primitive lacks it.
     fn attribute<const N: usize>(&self, name: &str, count: usize) -> Result<Vec<[f32; N]>, Error> {
         if let Some(values) = self.compressed(name, N)? {
             return self.of_length(values.as_chunks::<N>().0.to_vec(), name, count);
@@ -124,7 +124,7 @@ impl Source<'_, '_> {
         draco.values(self.buffers, self.primitive, name)
     }
 
-    /// The values of an attribute in the compressed stream, if it is there.
+    /// The values of an attribute in the Draco stream, if present.
     fn compressed(&self, name: &str, wanted: usize) -> Result<Option<Vec<f32>>, Error> {
         let Some((width, values)) = self.draco.and_then(|draco| self.decompressed(draco, name))
         else {
@@ -144,7 +144,7 @@ impl Source<'_, '_> {
 
     fn of_length<T>(&self, mut values: Vec<T>, name: &str, count: usize) -> Result<Vec<T>, Error> {
         if values.len() < count {
-            let message = format!("there are {} of them for {count} positions", values.len());
+            let message = format!("there are {} values for {count} positions", values.len());
             return Err(malformed(self.attribute_pointer(name), message));
         }
         values.truncate(count);
@@ -155,7 +155,7 @@ impl Source<'_, '_> {
         format!("{}/attributes/{name}", self.pointer)
     }
 
-    /// The displacements of a morph target, if it moves the attribute.
+    /// The displacements of an attribute by a morph target, if it has any.
     pub(crate) fn displacements(
         &self,
         target: &BTreeMap<String, Index>,
@@ -170,7 +170,7 @@ impl Source<'_, '_> {
         self.buffers.memory().take("morph targets", elements.count as u64, 24, place())?;
         let values = elements.vectors().map_err(|message| malformed(pointer(), message))?;
         if values.len() < count {
-            let message = format!("there are {} of them for {count} positions", values.len());
+            let message = format!("there are {} values for {count} positions", values.len());
             return Err(malformed(pointer(), message));
         }
         Ok(Some(values))

@@ -5,7 +5,7 @@ use crate::{Limits, Warning};
 use ::png::{BitDepth, ColorType, Transformations};
 use std::io::Cursor;
 
-/// Deflate's shortest code stands for 258 bytes in two bits.
+/// Deflate encodes at most 258 bytes in two bits.
 const BYTES_PER_BYTE: u64 = 1032;
 
 pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Warning> {
@@ -24,7 +24,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Warning> 
     let size = reader.output_buffer_size().ok_or("the PNG is too large")?;
     let mut rows = vec![0; size];
     let frame = reader.next_frame(&mut rows).map_err(damaged)?;
-    // An animation's first frame may cover only a part; the still picture covers all of it.
+    // An animation's first frame may cover only a part; the still image covers all.
     let (width, height) = (frame.width, frame.height);
     let rows = rows.get(..frame.buffer_size()).unwrap_or(&rows);
     let narrowed;
@@ -34,8 +34,8 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Warning> 
             narrowed = rows.chunks_exact(2).map(narrow).collect::<Vec<_>>();
             &narrowed
         }
-        // The transformation above leaves no other.
-        depth => return Err(format!("the PNG has {depth:?} bits a channel").into()),
+        // The transformation above excludes other depths.
+        depth => return Err(format!("the PNG has {depth:?} bits per channel").into()),
     };
     let texels: Vec<_> = match frame.color_type {
         ColorType::Grayscale => rows.iter().map(|&y| [y, y, y, 255]).collect(),

@@ -52,7 +52,7 @@ fn every_png_colour_type_becomes_rgba() {
 }
 
 #[test]
-fn dimensions_that_lie_fail_before_texels_are_allocated() {
+fn false_dimensions_fail_before_texels_are_allocated() {
     let mut bytes = png(2, 1, ColorType::Grayscale, BitDepth::Eight, &[0, 0]);
     // Width in IHDR, with its checksum left wrong or not: either way no allocation.
     bytes[16..20].copy_from_slice(&60_000_u32.to_be_bytes());
@@ -71,7 +71,7 @@ fn dimensions_that_lie_fail_before_texels_are_allocated() {
 }
 
 #[test]
-fn cut_and_foreign_files_are_told_and_never_panic() {
+fn truncated_and_foreign_images_are_errors() {
     let bytes = png(2, 1, ColorType::Rgb, BitDepth::Eight, &[1, 2, 3, 4, 5, 6]);
     for length in 0..bytes.len() - 16 {
         assert!(decode("x", &bytes[..length], Encoding::Srgb, &LIMITS).is_err(), "{length}");

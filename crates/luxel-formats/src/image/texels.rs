@@ -6,13 +6,13 @@
 
 use crate::{ErrorKind, Limits, Warning};
 
-/// What one texel takes at most: in the decoder's own format, as RGBA, and in the mipmaps.
+/// Maximum bytes of a texel: in the decoder's format, as RGBA, and in the mipmaps.
 const BYTES_PER_TEXEL: u64 = 8 + 4 + 2;
 
-/// A picture can't be wider or higher than this: the bound of PNG viewers and of graphics APIs.
+/// Maximum width and height of an image, as in PNG viewers and graphics APIs.
 pub(super) const LONGEST_SIDE: u32 = 65_535;
 
-/// A decoded picture.
+/// A decoded image.
 pub(super) struct Decoded {
     pub(super) width: u32,
     pub(super) height: u32,
@@ -29,18 +29,18 @@ pub(super) fn check(
     limits: &Limits,
 ) -> Result<(), Warning> {
     if width == 0 || height == 0 || width.max(height) > LONGEST_SIDE {
-        return Err(format!("the picture says it is {width}x{height}").into());
+        return Err(format!("the image declares {width}x{height} texels").into());
     }
     if bytes_needed > bytes.len() as u64 {
         let length = bytes.len();
         return Err(format!(
-            "the picture says it is {width}x{height}, but has only {length} bytes"
+            "the image declares {width}x{height} texels, but has only {length} bytes"
         )
         .into());
     }
     let needed = u64::from(width) * u64::from(height) * BYTES_PER_TEXEL;
     if needed > limits.max_memory {
-        let what = format!("a picture of {width}x{height}");
+        let what = format!("an image of {width}x{height}");
         return Err(ErrorKind::TooLarge { what, needed, limit: limits.max_memory }.into());
     }
     Ok(())
@@ -51,7 +51,7 @@ pub(super) fn opaque(rgb: &[u8]) -> [u8; 4] {
     [rgb[0], rgb[1], rgb[2], 255]
 }
 
-/// The picture, if the number of texels fits its dimensions.
+/// The image, if the number of texels fits its dimensions.
 pub(super) fn checked_picture(
     width: u32,
     height: u32,
@@ -60,6 +60,6 @@ pub(super) fn checked_picture(
     if texels.len() as u64 == u64::from(width) * u64::from(height) {
         Ok(Decoded { width, height, texels })
     } else {
-        Err("the picture's channels are of a kind that luxel doesn't read".into())
+        Err("the image has a channel layout that luxel doesn't read".into())
     }
 }

@@ -1,4 +1,4 @@
-//! From statements to objects: a mesh each, with positions and attributes of its own.
+//! Builds one mesh per object, with its positions and attributes, from the statements.
 
 use super::document::{Document, Kind, NONE};
 use super::materials::Materials;
@@ -10,7 +10,7 @@ use luxel_scene::{
 };
 use std::ops::Range;
 
-/// Sorts the elements into objects; those without any are left out.
+/// Groups the elements into objects; drops objects without elements.
 pub(super) fn objects(
     document: &Document<'_>,
     stem: &str,
@@ -37,12 +37,12 @@ pub(super) fn objects(
     warn_of_faces_left_out(builder.left_out, warnings);
     if builder.too_small > 0 {
         let count = builder.too_small;
-        warnings.push(format!("faces of fewer than three corners were left out: {count}"));
+        warnings.push(format!("faces with fewer than three corners were left out: {count}"));
     }
 }
 
-/// The elements of each object, with its name. Objects are those of `o`, or of `g` in a file
-/// without `o`; beginning the current one anew goes on with it.
+/// The elements of each object, with its name. Objects come from `o`, or from `g` in a file
+/// without `o`; a statement that repeats the current name continues the object.
 fn ranges<'a>(document: &Document<'a>) -> Vec<(&'a [u8], Range<usize>)> {
     let by_object = document.beginnings.iter().any(|beginning| beginning.is_object);
     let mut ranges: Vec<(&[u8], Range<usize>)> = vec![(b"", 0..0)];
@@ -52,7 +52,7 @@ fn ranges<'a>(document: &Document<'a>) -> Vec<(&'a [u8], Range<usize>)> {
         {
             range.end = at;
             if *name != beginning.name {
-                // What has no elements is no object.
+                // An object without elements is left out.
                 ranges.pop_if(|(_, range)| range.start == range.end);
                 ranges.push((beginning.name, at..at));
             }
@@ -75,17 +75,17 @@ struct Builder<'a> {
     too_small: u64,
 }
 
-/// What is collected for an object.
+/// The data collected for one object.
 #[derive(Default)]
 struct Object {
-    /// Its positions, as the file numbers them.
+    /// Its positions, as indices of the file.
     used: Vec<u32>,
     triangles: Vec<[u32; 3]>,
-    /// The corners of the triangles, positions included, as the file numbers them.
+    /// The corners of the triangles, positions included, as indices of the file.
     corners: Vec<[[u32; 3]; 3]>,
     polygons: Vec<u32>,
     smoothing: Vec<u32>,
-    /// Materials by the file's number, with how many triangles in a row have them.
+    /// Runs of triangles with one material: its number in the file, and the count.
     runs: Vec<(u32, u32)>,
     segments: Vec<(u32, [u32; 2])>,
     points: Vec<(u32, u32)>,
@@ -165,13 +165,13 @@ impl Builder<'_> {
         Some(mesh)
     }
 
-    /// Positions beyond single precision are nowhere as well.
+    /// Positions beyond single precision count as not finite.
     fn is_placed(&self, position: u32) -> bool {
         let position = self.document.positions[position as usize];
         position.iter().all(|&value| (value as f32).is_finite())
     }
 
-    /// Cuts a face of three corners or more into triangles of its corners.
+    /// Triangulates a face of three corners or more.
     fn cut(&mut self, corners: &[[u32; 3]]) {
         self.pieces.clear();
         if corners.len() == 3 {
@@ -185,7 +185,7 @@ impl Builder<'_> {
     }
 }
 
-/// The number of a position in its object.
+/// The index of a position in its object.
 fn number(local: &mut [u32], used: &mut Vec<u32>, position: u32) -> u32 {
     let number = &mut local[position as usize];
     if *number == NONE {
@@ -257,8 +257,8 @@ fn set_attributes(
     mesh.attribute_corners = attributes;
 }
 
-/// The keys by their positions, if each of `count` positions has one and they come first in the order
-/// of their numbers: then one numbering serves positions and attributes.
+/// The keys by position, if each of `count` positions has exactly one and the order of first use is
+/// the order of the positions: then one index serves positions and attributes.
 fn one_for_each_position(
     keys: impl Iterator<Item = [u32; 3]>,
     count: usize,
@@ -303,7 +303,7 @@ fn set_materials(
     }
 }
 
-/// What is wrong with the normals that an object uses. The document's faults are in the order of its
+/// The fault of the normals that an object uses. The document lists faults in the order of its
 /// normals.
 fn faults_of(mesh: &Mesh, document: &Document, corners: &[[u32; 3]]) -> Vec<NormalFault> {
     let fault = |(&position, corner): (&u32, &[u32; 3])| {

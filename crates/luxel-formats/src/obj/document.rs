@@ -15,18 +15,18 @@ pub(super) struct Document<'a> {
     pub(super) uvs: Vec<[f32; 2]>,
     /// Of unit length, or 0.
     pub(super) normals: Vec<[f32; 3]>,
-    /// What is wrong with them, each by its place in `normals`, in order.
+    /// The faults of the normals, each with its index in `normals`, in order.
     pub(super) normal_faults: Vec<NormalFault>,
-    /// Position, texture coordinates and normal of the corners of one element after the other.
+    /// Position, texture coordinates and normal of each corner, element by element.
     pub(super) corners: Vec<[u32; 3]>,
     pub(super) elements: Vec<Element>,
     /// Where objects and groups begin.
     pub(super) beginnings: Vec<Beginning<'a>>,
-    /// What `usemtl` names, each once.
+    /// The distinct names after `usemtl`.
     pub(super) materials: Vec<&'a [u8]>,
-    /// The lines of `mtllib`, without the word.
+    /// The arguments of each `mtllib`.
     pub(super) libraries: Vec<&'a [u8]>,
-    /// Whether smoothing groups are given at all.
+    /// Whether the file has smoothing groups.
     pub(super) has_smoothing: bool,
 }
 
@@ -40,9 +40,9 @@ pub(super) enum Kind {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Element {
     pub(super) kind: Kind,
-    /// Where its corners end; they begin where those of the element before end.
+    /// End of its corners; they begin at the end of the previous element's.
     pub(super) end: u32,
-    /// Which of the materials, or [`NONE`].
+    /// Index into the materials, or [`NONE`].
     pub(super) material: u32,
     pub(super) smoothing: u32,
 }
@@ -57,16 +57,16 @@ pub(super) struct Beginning<'a> {
 }
 
 impl Document<'_> {
-    /// Bytes that a corner takes in what follows: itself, its share of triangles, and an
+    /// Bytes that a corner takes in the later stages: itself, its share of triangles, and an
     /// attribute vertex.
     const BYTES_PER_CORNER: u64 = 12 + 12 + 8 + crate::weld::BYTES_PER_KEY + 36;
 
-    /// How many vertices, texture coordinates and normals there are.
+    /// The numbers of vertices, texture coordinates and normals.
     pub(super) const fn counts(&self) -> [usize; 3] {
         [self.positions.len(), self.uvs.len(), self.normals.len()]
     }
 
-    /// About how much memory the document and the meshes made of it take.
+    /// An estimate of the memory of the document and its meshes.
     pub(super) fn bytes(&self) -> u64 {
         self.positions.len() as u64 * (24 + 24 + 4)
             + self.colors.len() as u64 * 12

@@ -1,4 +1,4 @@
-//! A file in blocks that all threads read, joined in its order.
+//! Parses a file's blocks on all threads, and joins them in order.
 
 use super::document::{Document, NONE};
 use super::lines::Lines;
@@ -8,9 +8,9 @@ use crate::{Error, ErrorKind, Limits, Place};
 use luxel_scene::NormalFault;
 use std::collections::HashMap;
 
-/// Bytes of a block, at least: a millisecond's work or more.
+/// Minimum bytes of a block: a millisecond of work or more.
 const BLOCK: usize = 1 << 19;
-/// Blocks that are read before they are joined, and before memory is compared with the limit.
+/// Blocks parsed before they are joined, and before memory is checked against the limit.
 const TOGETHER: usize = 16;
 
 /// Reads a file's statements.
@@ -43,17 +43,17 @@ fn read<'a>(
     }
 }
 
-/// Reads blocks side by side; `before` is what comes before the first.
+/// Parses blocks in parallel; `before` is the state at the start of the first.
 fn parse_all<'a>(blocks: &[Lines<'a>], before: [usize; 3], limits: &Limits) -> Vec<Parsed<'a>> {
     let mut parsed: Vec<Option<Parsed<'a>>> = luxel_parallel::map(blocks.len(), 1, &|run| {
         Some(parse(blocks[run.start].clone(), limits, (run.start == 0).then_some(before)))
     });
-    // Those that count backwards are read again once it is known from where.
+    // Blocks with relative indices are parsed again once the counts before them are known.
     let mut counts = before;
     let mut starts = Vec::with_capacity(blocks.len());
     for parsed in parsed.iter().flatten() {
         starts.push(counts);
-        // What comes after a block with an error doesn't matter.
+        // The first error ends the file.
         let Ok(block) = &parsed.block else { continue };
         for (count, more) in counts.iter_mut().zip(block.document.counts()) {
             *count += more;
@@ -67,12 +67,12 @@ fn parse_all<'a>(blocks: &[Lines<'a>], before: [usize; 3], limits: &Limits) -> V
     parsed.into_iter().flatten().collect()
 }
 
-/// What has been joined so far.
+/// The blocks joined so far.
 #[derive(Default)]
 struct Joined<'a> {
     document: Document<'a>,
     material_numbers: HashMap<&'a [u8], u32>,
-    /// The material and the smoothing group that go on; no material before the first.
+    /// The current material and smoothing group; no material before the first.
     current: Option<[u32; 2]>,
     highest: [(i64, u64); 3],
     understood: u64,
@@ -82,7 +82,7 @@ struct Joined<'a> {
 }
 
 impl<'a> Joined<'a> {
-    /// An error with its line counted from the file's first.
+    /// An error with its line number in the file.
     fn in_file(&self, mut error: Error) -> Error {
         if let Place::Line(line) = &mut error.place {
             *line += self.lines;
@@ -125,7 +125,7 @@ impl<'a> Joined<'a> {
         Ok(())
     }
 
-    /// Elements with their corners, and what they name.
+    /// Elements with their corners and names.
     fn join_elements(&mut self, block: &mut Block<'a>) -> Result<(), Error> {
         let document = &mut self.document;
         let more = &mut block.document;
@@ -182,11 +182,14 @@ impl<'a> Joined<'a> {
         }
         if let Some((line, word)) = self.unknown {
             if self.understood == 0 {
-                let message = format!("`{word}` is no statement of OBJ, nor is any other line");
+                let message = format!(
+                    "`{word}` is not an OBJ statement, nor is the first word of any other line"
+                );
                 return Err(Error::at(Place::Line(line), ErrorKind::Malformed(message)));
             }
-            warnings
-                .push(format!("line {line}: `{word}` is no statement of OBJ: such are ignored"));
+            warnings.push(format!(
+                "line {line}: `{word}` is not an OBJ statement: such lines are ignored"
+            ));
         }
         if let Some(line) = self.free_form {
             let what = "free-form curves and surfaces are left out: convert them to polygons";
@@ -209,7 +212,7 @@ mod tests {
         format!("{document:?} {:?}", warnings.finish())
     }
 
-    /// Lines that hang on those before them, and some that are wrong.
+    /// Lines that depend on earlier ones, and some invalid ones.
     const LINES: [&str; 24] = [
         "v 0 0 0",
         "v 1 0 0 .1 .2 .3",
@@ -239,7 +242,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_file_says_the_same_however_it_is_cut_into_blocks(
+        fn the_result_does_not_depend_on_the_division_into_blocks(
             lines in prop::collection::vec(0..LINES.len(), 0..60),
             odd in prop::collection::vec((0..60_usize, prop::sample::select(vec!["f 0", "v x", "f -99", "f 1 99"])), 0..2),
             ends in prop::sample::select(vec!["\n", "\r\n", "\r"]),
@@ -257,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn more_blocks_than_are_read_together_make_one_file() {
+    fn a_file_of_many_batches_of_blocks_is_joined() {
         let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\n".repeat(TOGETHER * 3);
         let document =
             read(text.as_bytes(), 8, &Limits::default(), &mut Warnings::default()).unwrap();

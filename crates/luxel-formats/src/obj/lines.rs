@@ -2,13 +2,13 @@
 
 use std::borrow::Cow;
 
-/// Lines, those that end in a backslash joined with what follows.
+/// Lines; one that ends in a backslash is joined with the next.
 #[derive(Clone)]
 pub(super) struct Lines<'a> {
     rest: &'a [u8],
-    /// What ends a line: LF, perhaps after CR; in very old files CR alone.
+    /// The line terminator: LF, perhaps after CR; in very old files CR alone.
     end: u8,
-    /// The number of the last line given, its first if it was joined.
+    /// The number of the last line returned; for a joined one, of its first.
     pub(super) number: u64,
     next_number: u64,
 }
@@ -20,8 +20,8 @@ impl<'a> Lines<'a> {
         Self { rest, end, number: 0, next_number: 1 }
     }
 
-    /// The lines of the next block: at least so many bytes, to the end of a line that isn't joined
-    /// with what follows. `None` at the end.
+    /// The lines of the next block: at least `least` bytes, to the end of a line that isn't joined
+    /// with the next. `None` at the end.
     pub(super) fn block(&mut self, at_least: usize) -> Option<Self> {
         if self.rest.is_empty() {
             return None;
@@ -40,7 +40,7 @@ impl<'a> Lines<'a> {
         Some(Self { rest: block, end: self.end, number: 0, next_number: 1 })
     }
 
-    /// How many lines of the file have been given.
+    /// The number of lines returned so far.
     pub(super) const fn given(&self) -> u64 {
         self.next_number - 1
     }

@@ -1,11 +1,11 @@
-//! From MTL's statements to materials of the scene.
+//! Converts MTL statements into materials.
 //!
-//! MTL has the terms of the lighting equation; missing statements get the defaults of materials without
-//! a file. Beyond that:
+//! MTL has the terms of the lighting equation; missing statements get the defaults of materials
+//! without a file. Beyond that:
 //! - `illum 0` is unlit, 1 has no highlight, all others are Blinn-Phong.
 //! - `Kd` left out beside a `map_Kd` is white, and so for the other colours and their maps.
 //! - `Ka` with `map_Kd` but without `map_Ka`: the ambient colour is `Ka` times the diffuse texture,
-//!   or textured things would lose their texture in the shade.
+//!   or textured objects would lose their texture in the shade.
 //! - `Ns 0` has no highlight: exporters write it for "none", and (N.H)^0 would be a highlight over
 //!   the whole lit side.
 //! - `Tr 1` without `d` is opaque, because MeshLab and others write opacity there, and nobody
@@ -31,7 +31,7 @@ use std::sync::Arc;
 /// Bytes that a texel takes with its mipmaps.
 const BYTES_PER_TEXEL: u64 = 6;
 
-/// The materials of the scene, made when they are first used.
+/// The materials of the scene, built on first use.
 pub(super) struct Materials<'a> {
     folder: Option<&'a Path>,
     memory: Memory<'a>,
@@ -39,13 +39,13 @@ pub(super) struct Materials<'a> {
     definitions: HashMap<Vec<u8>, Definition>,
     pub(super) list: Vec<SceneMaterial>,
     pub(super) textures: Vec<Texture>,
-    /// Materials made, by the file's number; those that aren't defined also by whether they are
+    /// Built materials, by the file's number; undefined ones also by whether they are
     /// for vertices with colours.
     made: HashMap<(u32, bool), MaterialId>,
     loaded: HashMap<(String, Use, bool), TextureId>,
 }
 
-/// What the texels of an image are used for, which decides how they are read.
+/// The use of an image, which decides how its texels are decoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Use {
     Color,
@@ -66,7 +66,7 @@ impl<'a> Materials<'a> {
         for line in libraries {
             for (name, bytes) in library_files(line, folder, limits, warnings) {
                 for definition in mtl::read(&bytes, &name, warnings) {
-                    // The first definition holds, as with files that are searched in order.
+                    // The first definition wins: libraries are searched in order.
                     definitions.entry(definition.name.clone()).or_insert(definition);
                 }
             }
@@ -83,7 +83,7 @@ impl<'a> Materials<'a> {
         }
     }
 
-    /// The material that the file numbers so, for a mesh with or without vertex colours.
+    /// A material of the file, for a mesh with or without vertex colours.
     pub(super) fn get(
         &mut self,
         number: u32,
@@ -100,7 +100,8 @@ impl<'a> Materials<'a> {
             (None, name) => {
                 if let Some(name) = name {
                     let name = shown(name);
-                    warnings.push(format!("material `{name}` is in no library: a default is used"));
+                    warnings
+                        .push(format!("no library has the material `{name}`: a default is used"));
                 }
                 SceneMaterial::default()
             }
@@ -109,7 +110,7 @@ impl<'a> Materials<'a> {
             material.name = shown(name);
         }
         if definition.is_none() && is_colored {
-            // A vertex colour is the colour.
+            // The vertex colour replaces the material's.
             material.constants.diffuse = [1.0; 3];
         }
         let id = MaterialId(self.list.len() as u32);
@@ -184,7 +185,7 @@ impl<'a> Materials<'a> {
             } else {
                 let name = shown(&definition.name);
                 warnings.push(format!(
-                    "material `{name}`: heights of a bump map aren't drawn, only normals (`norm`)"
+                    "material `{name}`: bump maps of heights are ignored: use a normal map (`norm`)"
                 ));
             }
         }
@@ -205,7 +206,7 @@ impl<'a> Materials<'a> {
         texture.and_then(|texture| texture.image.levels.first()).map_or(&[], |level| &level.texels)
     }
 
-    /// Loads a texture, or its stand-in.
+    /// Loads a texture, or a placeholder.
     fn texture(&mut self, map: &Map, used: Use, warnings: &mut Warnings) -> TextureUse {
         let key = (map.name.clone(), used, map.clamp);
         let texture = self.loaded.get(&key).copied().unwrap_or_else(|| {
@@ -213,7 +214,7 @@ impl<'a> Materials<'a> {
                 warnings.push(warning.at(format_args!("texture `{}`", map.name)));
                 match used {
                     Use::Color => Image::stand_in(map.name.clone()),
-                    // Opaque and flat: nothing is to be seen of them.
+                    // A placeholder would be opaque and flat, so these are dropped.
                     Use::Opacity => one_texel(&map.name, [255; 4]),
                     Use::Normal => one_texel(&map.name, [128, 128, 255, 255]),
                 }
@@ -244,7 +245,7 @@ impl<'a> Materials<'a> {
         let taken = self.memory.take("the textures", texels, BYTES_PER_TEXEL, Place::File);
         taken.map_err(|error| Warning::from(error.kind))?;
         if used == Use::Opacity && image.levels[0].texels.iter().any(|texel| texel[3] < 255) {
-            // A picture with alpha that is named for its opacity means its alpha.
+            // An image with alpha that is used as opacity map gives its alpha.
             for texel in image.levels.iter_mut().flat_map(|level| &mut level.texels) {
                 texel[0] = texel[3];
             }
@@ -288,7 +289,7 @@ fn library_files(
     }
 }
 
-/// What an image's alpha means: nothing if it is full, holes if it is all but black and white.
+/// The use of an image's alpha: none if opaque everywhere, a mask if nearly black and white.
 fn alpha_mode(texels: &[[u8; 4]], alpha: impl Fn(&[u8; 4]) -> u8) -> AlphaMode {
     let below = |limit: u8| texels.iter().filter(|texel| alpha(texel) < limit).count();
     let (low, partly, not_full) = (below(16), below(240), below(255));

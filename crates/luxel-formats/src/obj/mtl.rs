@@ -1,10 +1,10 @@
-//! MTL: what the materials of an OBJ file reflect (Wavefront, "MTL material format", 1995).
+//! MTL: the materials of OBJ files (Wavefront, "MTL material format", 1995).
 
 use super::lines::Lines;
 use crate::text::{Words, integer, shown, single};
 use crate::warnings::Warnings;
 
-/// A material as it is written; missing statements are `None`.
+/// A material as written; missing statements are `None`.
 #[derive(Debug, Default)]
 pub(super) struct Definition {
     pub(super) name: Vec<u8>,
@@ -23,7 +23,7 @@ pub(super) struct Definition {
     pub(super) specular_map: Option<Map>,
     pub(super) emission_map: Option<Map>,
     pub(super) opacity_map: Option<Map>,
-    /// `map_Bump` and its like: heights, though many files name normals here.
+    /// `map_Bump` or `bump`: heights, though many files put normal maps here.
     pub(super) bump_map: Option<Map>,
     /// `norm`
     pub(super) normal_map: Option<Map>,
@@ -60,7 +60,7 @@ pub(super) fn read(bytes: &[u8], file: &str, warnings: &mut Warnings) -> Vec<Def
             let line = lines.number;
             let rest = shown(words.rest());
             warnings.push(format!(
-                "{file}:{line}: `{} {rest}` isn't understood, so it is ignored",
+                "{file}:{line}: `{} {rest}` is not valid and is ignored",
                 shown(keyword)
             ));
         }
@@ -69,7 +69,7 @@ pub(super) fn read(bytes: &[u8], file: &str, warnings: &mut Warnings) -> Vec<Def
 }
 
 impl Definition {
-    /// Whether the statement was understood, or is one that no picture here shows.
+    /// Whether the statement is valid, or is one that luxel doesn't render.
     fn statement(&mut self, keyword: &[u8], words: Words<'_>) -> bool {
         fn set<T>(place: &mut Option<T>, value: Option<T>) -> bool {
             let is_some = value.is_some();
@@ -110,7 +110,7 @@ fn intensity(word: &[u8]) -> Option<f32> {
     single(word).filter(|value| value.is_finite()).map(|value| value.max(0.0))
 }
 
-/// The first number; options such as `-halo` may stand before it.
+/// The first number; options such as `-halo` may precede it.
 fn value(words: Words<'_>) -> Option<f32> {
     words.into_iter().find(|word| word.first() != Some(&b'-')).and_then(intensity)
 }
@@ -143,7 +143,7 @@ fn map(mut words: Words<'_>) -> Option<Map> {
     Some(map)
 }
 
-/// One to three numbers, of which two are of use; missing ones stay as they are.
+/// One to three numbers, of which two count; missing ones keep their defaults.
 fn read_pair(words: &mut Words<'_>, pair: &mut [f32; 2]) {
     for index in 0..3 {
         let mut ahead = words.clone();

@@ -1,5 +1,5 @@
-//! Parses blocks of lines in parallel. A block depends on earlier ones only by the state at its start,
-//! mostly the number of vertices, which is added when blocks are [joined](super::join).
+//! Parses blocks of lines in parallel. A block depends on earlier ones only by the state at its
+//! start, mostly the number of vertices, which is added when blocks are [joined](super::join).
 
 use super::document::{Beginning, Document, Element, Kind, NONE};
 use super::lines::Lines;
@@ -10,16 +10,16 @@ use luxel_scene::NormalFault;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-/// After how many lines memory is compared with the limit.
+/// Memory is checked against the limit once in so many lines.
 const LINES_BETWEEN_CHECKS: u64 = 1 << 14;
 
-/// Statements of free-form curves and surfaces, and of display, which no picture here shows.
+/// Statements of free-form curves and surfaces, which luxel doesn't render.
 const LEFT_OUT: [&[u8]; 17] = [
     b"vp", b"cstype", b"deg", b"bmat", b"step", b"curv", b"curv2", b"surf", b"parm", b"trim",
     b"hole", b"scrv", b"sp", b"end", b"con", b"call", b"csh",
 ];
 
-/// Statements that change nothing that is shown.
+/// Statements without effect on the image.
 const SILENT: [&[u8]; 11] = [
     b"mg",
     b"bevel",
@@ -36,31 +36,31 @@ const SILENT: [&[u8]; 11] = [
 
 /// The parsed statements of a block.
 pub(super) struct Block<'a> {
-    /// Numbers of corners, materials and elements begin anew with the block; so do lines.
+    /// Indices of corners, materials and elements count from the start of the block; so do lines.
     pub(super) document: Document<'a>,
-    /// Up to which element the material, and the smoothing group, is the one that the blocks before
-    /// leave; all, if the block doesn't name one.
+    /// The number of leading elements that inherit the material, and the smoothing group, of the
+    /// previous blocks; all, if the block sets none.
     pub(super) inherits: [Option<usize>; 2],
-    /// The material and the smoothing group at the end, if the block names any.
+    /// The material and the smoothing group at the end, if the block sets any.
     pub(super) leaves: [u32; 2],
-    /// The highest number that a corner has for each kind, counted from 1, with its line.
+    /// The highest index of each kind in a corner, counted from 1, with its line.
     pub(super) highest: [(i64, u64); 3],
     pub(super) understood: u64,
-    /// The first statement that isn't known, and the first one that isn't drawn.
+    /// The first unknown statement, and the first one that isn't rendered.
     pub(super) unknown: Option<(u64, String)>,
     pub(super) free_form: Option<u64>,
     pub(super) lines: u64,
 }
 
-/// How the reading of a block ended.
+/// The result of parsing a block.
 pub(super) struct Parsed<'a> {
     pub(super) block: Result<Block<'a>, Error>,
     /// Whether the result depends on the counts of the blocks before.
     pub(super) asks_before: bool,
 }
 
-/// Reads a block's statements. `before` is how many vertices, texture coordinates and normals come
-/// before it, where that is known.
+/// Parses a block's statements. `before` is the number of vertices, texture coordinates and normals
+/// before it, if known.
 pub(super) fn parse<'a>(
     mut lines: Lines<'a>,
     limits: &Limits,
@@ -114,7 +114,7 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// `lasting` is the line if it lies in the file as it is: names are taken from there.
+    /// `lasting` is the line if it is contiguous in the file: names borrow from it.
     fn statement(&mut self, line: &[u8], lasting: Option<&'a [u8]>) -> Result<(), Error> {
         let mut words = Words::new(line);
         let Some(keyword) = words.next() else { return Ok(()) };
@@ -181,7 +181,7 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// Up to N numbers, at least so many, the others 0.
+    /// Up to `N` numbers, at least `at_least`, the others 0.
     fn values<const N: usize>(
         &self,
         words: &mut Words<'_>,
@@ -198,8 +198,8 @@ impl<'a> Parser<'a> {
         Ok(values)
     }
 
-    /// `v x y z`, `v x y z w`, `v x y z r g b` or `v x y z w r g b`; the weight means something
-    /// for free-form surfaces only.
+    /// `v x y z`, `v x y z w`, `v x y z r g b` or `v x y z w r g b`; the weight matters
+    /// to free-form surfaces only.
     fn position(&mut self, words: Words<'_>) -> Result<(), Error> {
         let mut values = [0.0_f64; 7];
         let mut count = 0;
@@ -253,7 +253,7 @@ impl<'a> Parser<'a> {
         Ok(corner)
     }
 
-    /// From an index as the file counts, from 1, or from the last one backwards, to one from 0.
+    /// Converts an index of the file, from 1 or, if negative, from the end, to one from 0.
     fn resolve(&mut self, kind: usize, number: i64) -> Result<u32, Error> {
         if number > 0 && number <= i64::from(NONE) {
             if number > self.block.highest[kind].0 {
@@ -274,12 +274,15 @@ impl<'a> Parser<'a> {
 
     #[cold]
     fn no_number(&self, word: &[u8]) -> Error {
-        self.malformed(format!("`{}` is no number", shown(word)))
+        self.malformed(format!("`{}` is not a number", shown(word)))
     }
 
     #[cold]
     fn no_index(&self, word: &[u8]) -> Error {
-        self.malformed(format!("`{}` is no corner: write v, v/vt, v//vn or v/vt/vn", shown(word)))
+        self.malformed(format!(
+            "`{}` is not a corner: write v, v/vt, v//vn or v/vt/vn",
+            shown(word)
+        ))
     }
 
     #[cold]
@@ -298,7 +301,7 @@ fn finite(value: f32) -> f32 {
 
 #[cold]
 pub(super) fn too_many_corners(line: u64) -> Error {
-    let message = "more corners than 32 bits can number".to_owned();
+    let message = "more corners than 32 bits can index".to_owned();
     Error::at(Place::Line(line), ErrorKind::Unsupported(message))
 }
 

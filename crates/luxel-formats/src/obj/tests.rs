@@ -26,7 +26,7 @@ fn one(rest: &str) -> Mesh {
     scene(&quad(rest)).meshes.remove(0)
 }
 
-/// A folder of its own for a test, removed in the end.
+/// A temporary folder for one test, removed at its end.
 struct Folder(std::path::PathBuf);
 
 impl Folder {
@@ -62,7 +62,7 @@ fn objects_are_o_else_g_else_the_stem() {
 }
 
 #[test]
-fn corners_count_from_one_or_backwards_and_lines_go_on() {
+fn indices_count_from_one_or_backwards_across_joined_lines() {
     let mesh = one("f -4 \\\r\n -3 \\\n -2\r\nf\t1 3 4\n");
     assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);
     assert_eq!(mesh.polygons, None);
@@ -110,7 +110,7 @@ fn colours_lines_and_points_are_read() {
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_line() {
+fn errors_name_their_line() {
     let error = |rest: &str| load(&quad(rest)).unwrap_err();
     assert_eq!(error("f 1 2 5\n").to_string(), "<input>:5: vertex 5 doesn't exist: there are 4");
     assert_eq!(error("f 1 2 -5\n").to_string(), "<input>:5: vertex -5 doesn't exist: there are 4");
@@ -128,7 +128,7 @@ fn faces_may_come_before_their_vertices() {
 }
 
 #[test]
-fn faces_with_corners_nowhere_are_left_out_and_counted() {
+fn faces_with_infinite_corners_are_left_out_and_counted() {
     let loaded =
         load(&quad("v nan 0 0\nv 1e300 0 0\nf 1 2 5\nf 1 2 3 6\nf 1 2 3\nf 1 2\n")).unwrap();
     assert_eq!(loaded.scene.triangle_count(), 1);
@@ -136,13 +136,13 @@ fn faces_with_corners_nowhere_are_left_out_and_counted() {
         loaded.warnings,
         [
             "2 faces with a corner that is not finite were left out",
-            "faces of fewer than three corners were left out: 1",
+            "faces with fewer than three corners were left out: 1",
         ]
     );
 }
 
 #[test]
-fn a_file_without_elements_is_sound() {
+fn a_file_without_elements_is_valid() {
     let loaded = load(QUAD).unwrap();
     assert!(loaded.scene.nodes.is_empty() && loaded.warnings.is_empty());
 }
@@ -174,7 +174,7 @@ fn mtl_is_the_equation_term_by_term() {
     assert_eq!((meshlab.constants.k_s, meshlab.opacity), (0.0, 1.0));
     assert_eq!(glass.opacity, 0.25);
     assert_eq!(other.constants, SceneMaterial::default().constants);
-    assert_eq!(loaded.warnings, ["material `other` is in no library: a default is used"]);
+    assert_eq!(loaded.warnings, ["no library has the material `other`: a default is used"]);
     assert_eq!(loaded.scene.meshes[0].parts.len(), 7);
 }
 
@@ -214,7 +214,7 @@ fn textures_are_found_with_spaces_options_and_backslashes() {
 }
 
 #[test]
-fn what_is_missing_or_leads_out_of_the_folder_gets_a_stand_in() {
+fn missing_textures_and_paths_out_of_the_folder_get_placeholders() {
     let mtl = b"newmtl a\nmap_Kd ../up.png\nmap_Ks /etc/passwd\nmap_d gone.png\nbump m.mtl\n";
     let folder = Folder::new("outside", &[("m.mtl", mtl)]);
     let loaded = folder.load(&quad("mtllib m.mtl\nusemtl a\nf 1 2 3\n"));
@@ -257,7 +257,7 @@ proptest! {
             for (corner, &original) in corners.iter().zip(face) {
                 let position = mesh.position(*corner).as_vec3().to_array();
                 for axis in 0..3 {
-                    // Kept about an origin: as exact as the largest coordinate is.
+                    // Positions are relative to an origin: as exact as the largest coordinate.
                     let sizes = positions.iter().map(|position| position[axis].abs());
                     let error = (position[axis] - positions[original as usize][axis]).abs();
                     prop_assert!(error <= f32::EPSILON * sizes.fold(0.0, f32::max), "{error}");

@@ -1,4 +1,4 @@
-//! From what the file holds to a scene of one object.
+//! Builds a scene of one object from the file's elements.
 
 use super::Content;
 use super::faces::{Faces, Polygons};
@@ -19,7 +19,7 @@ pub(super) fn scene(content: Content, name: &str, warnings: &mut Warnings) -> Re
     let mesh = mesh(content, warnings)?;
     let mut material = SceneMaterial::default();
     if !mesh.colors.is_empty() {
-        // A vertex colour is the colour.
+        // The vertex colour replaces the material's.
         material.constants.diffuse = [1.0; 3];
         if lets_light_through(&mesh.colors) {
             material.alpha_mode = AlphaMode::Blend;
@@ -33,7 +33,7 @@ pub(super) fn scene(content: Content, name: &str, warnings: &mut Warnings) -> Re
     Ok(scene)
 }
 
-/// Whether alpha is meaningful: writers that fill it with zeros don't mean an invisible surface.
+/// Whether to use alpha: writers that fill it with zeros don't intend an invisible surface.
 fn lets_light_through(colors: &[[f32; 4]]) -> bool {
     let has = |is: fn(f32) -> bool| {
         any(colors.len(), RUN, &|run| colors[run].iter().any(|color| is(color[3])))
@@ -78,7 +78,7 @@ fn mesh(content: Content, warnings: &mut Warnings) -> Result<Mesh, Error> {
     Ok(mesh)
 }
 
-/// Cuts polygons into triangles; for each, its polygon.
+/// Triangulates polygons; returns the polygon of each triangle, too.
 fn cut(polygons: &Polygons, mesh: &Mesh) -> Result<(Vec<[u32; 3]>, Vec<u32>), Error> {
     let mut triangles = Vec::with_capacity(polygons.corners.len());
     let mut of_polygon = Vec::with_capacity(polygons.corners.len());
@@ -101,7 +101,7 @@ fn cut(polygons: &Polygons, mesh: &Mesh) -> Result<(Vec<[u32; 3]>, Vec<u32>), Er
         of_polygon.resize(triangles.len(), polygon as u32);
     }
     if u32::try_from(triangles.len()).is_err() {
-        let message = format!("{} triangles are more than 32 bits can number", triangles.len());
+        let message = format!("{} triangles are more than 32 bits can index", triangles.len());
         return Err(Error::at(Place::File, ErrorKind::Unsupported(message)));
     }
     Ok((triangles, of_polygon))
@@ -117,7 +117,7 @@ fn leave_out_unplaced(faces: &mut Faces, mesh: &mut Mesh, warnings: &mut Warning
         Some(polygons) => polygons[triangle],
         None => triangle as u32,
     };
-    // A polygon goes as a whole.
+    // A polygon is dropped as a whole.
     let mut unplaced = Vec::new();
     for (triangle, corners) in faces.triangles.iter().enumerate() {
         if !corners.iter().all(|&corner| is_placed(&mesh.positions[corner as usize])) {
@@ -156,7 +156,7 @@ fn set_attributes(
     }
     if mesh.normal_faults.iter().any(|fault| fault.undefined) {
         warnings.push(
-            "normals without a direction are in use, so normals are computed instead".to_owned(),
+            "some normals in use have length zero: all normals are computed instead".to_owned(),
         );
         mesh.normals = Vec::new();
     }
@@ -168,7 +168,7 @@ fn set_attributes(
         }
     });
     mesh.colors = vertices.colors;
-    // Writers that have both fill the ones that weren't set with a single colour.
+    // Writers with both kinds fill the unused kind with a single colour.
     let first = mesh.colors.first().copied();
     let colors = &mesh.colors;
     let tells_something =
@@ -178,7 +178,7 @@ fn set_attributes(
     }
 }
 
-/// Brings normals to unit length, 0 where they have no direction; what was wrong with them, in order.
+/// Normalizes normals, zero where they have no direction; returns their faults in order.
 fn bring_to_unit_length(normals: &mut [[f32; 3]]) -> Vec<NormalFault> {
     let faults = Mutex::new(Vec::new());
     fill(normals, RUN, &|start, run| {
@@ -196,7 +196,7 @@ fn bring_to_unit_length(normals: &mut [[f32; 3]]) -> Vec<NormalFault> {
     faults
 }
 
-/// Gives every corner an attribute vertex of its own, which has its face's colour.
+/// Gives every corner a separate attribute vertex with its face's colour.
 fn color_faces(mesh: &mut Mesh, face_colors: &[[f32; 4]]) {
     let corners = mesh.triangles.as_flattened();
     let of_corner = |index: &u32| *index as usize;

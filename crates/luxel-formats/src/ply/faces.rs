@@ -8,42 +8,42 @@ use luxel_parallel::first;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What a corner of a polygon takes: its number, its share of a triangle, and of the list's end.
+/// Bytes of a polygon's corner: its index, its share of a triangle and of the list's end.
 const BYTES_PER_CORNER: u64 = 4 + 12 + 4;
 
 /// Faces in the file's order.
 #[derive(Default)]
 pub(super) struct Faces {
-    /// The corners of all faces, as long as they are triangles.
+    /// The corners of all faces, if all are triangles.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// All faces, once one isn't a triangle.
+    /// All faces, if one isn't a triangle.
     pub(super) polygons: Option<Polygons>,
     /// A linear colour for each face; empty if they have none.
     pub(super) colors: Vec<[f32; 4]>,
     vertex_count: u64,
     corners_left: u64,
     max_memory: u64,
-    /// Whether faces can't be read as a table, and so not out of a file that isn't in memory.
+    /// Whether faces form no table, and so can't be streamed from a file.
     pub(super) need_whole_file: bool,
 }
 
-/// Polygons of any number of corners.
+/// Polygons with any number of corners.
 #[derive(Default)]
 pub(super) struct Polygons {
-    /// The corners of one after the other.
+    /// The corners, polygon by polygon.
     pub(super) corners: Vec<u32>,
-    /// Where the corners of each end.
+    /// The end of each polygon's corners.
     pub(super) ends: Vec<u32>,
 }
 
-/// Bytes that a triangle takes in memory, and a larger face at least.
+/// Bytes of a triangle in memory, and the minimum of a larger face.
 pub(super) fn bytes_each(element: &Element) -> u64 {
     if ColorColumns::of(element).is_some() { 12 + 16 + 3 * (12 + 16) } else { 12 }
 }
 
-/// Checks the number of a vertex.
+/// Checks a vertex index.
 pub(super) fn vertex_index(value: f64, vertex_count: u64) -> Result<u32, ErrorKind> {
-    // What isn't whole, or no number, changes on the way to an integer and back.
+    // Fractions and NaN change on the way to an integer and back.
     let index = value as u32;
     if f64::from(index) == value && u64::from(index) < vertex_count {
         return Ok(index);
@@ -51,7 +51,7 @@ pub(super) fn vertex_index(value: f64, vertex_count: u64) -> Result<u32, ErrorKi
     Err(ErrorKind::OutOfRange { what: "vertex", index: value as i64, count: vertex_count })
 }
 
-/// The place of the list that holds the vertices of a face, and its types.
+/// The position and types of the list property with a face's vertices.
 fn index_list(element: &Element) -> Option<(usize, Scalar, Scalar)> {
     element.properties.iter().enumerate().find_map(|(index, property)| match property.kind {
         Kind::List { count, item }
@@ -106,8 +106,8 @@ impl Faces {
         })
     }
 
-    /// Reads triangle strips, which -1 interrupts: each corner from the third on makes a triangle
-    /// with the two before it, every other one turned over.
+    /// Reads triangle strips, which -1 restarts: each corner from the third on forms a triangle
+    /// with the two before it; every second triangle swaps two corners.
     pub(super) fn read_strips(
         &mut self,
         element: &Element,
@@ -163,7 +163,7 @@ impl Faces {
         Ok(())
     }
 
-    /// Reads triangles at fixed distances, several at a time; `false` if a face is no triangle.
+    /// Reads triangles at a fixed stride in batches; `false` if a face is not a triangle.
     fn read_records(
         &mut self,
         records: &Records<'_>,
@@ -183,7 +183,7 @@ impl Faces {
         let corner_at = |corner: usize| records.first_item + corner * records.item.size();
         let index = |row: &[u8], corner| table.value(row, corner_at(corner), records.item);
         let checked = |value: f64| vertex_index(value, self.vertex_count).unwrap_or(u32::MAX);
-        // As unsigned ones, negative numbers are larger than all others.
+        // As unsigned integers, negative ones exceed every index.
         let words = [(Scalar::I32, 1 << 31), (Scalar::U32, u32::MAX)];
         let words =
             words.into_iter().find(|&(scalar, _)| table.has_words_of(scalar, &[records.item]));
@@ -205,7 +205,7 @@ impl Faces {
             self.triangles = Vec::new();
             return Ok(false);
         }
-        // No vertex has the last number, since there are fewer.
+        // There are fewer vertices, so no vertex has this index.
         let wrong = |corners: &[u32; 3]| corners.contains(&u32::MAX);
         let wrong_of_run = |run: Range<usize>| {
             self.triangles[run.clone()].iter().position(wrong).map(|at| run.start + at)
@@ -239,22 +239,22 @@ impl Polygons {
     }
 }
 
-/// Rows of one list of three items each, which therefore take the same number of bytes.
+/// Rows with one list of three items each, which have a fixed size.
 struct Records<'a> {
-    /// The place of the list among the properties.
+    /// The position of the list among the properties.
     list: usize,
     /// Bytes of the count and the three items.
     list_size: usize,
     /// The type of the count.
     count: Scalar,
-    /// The type of the items, and where the first is in a row.
+    /// The type of the items, and the offset of the first in a row.
     item: Scalar,
     first_item: usize,
     table: Table<'a>,
 }
 
 impl<'a> Records<'a> {
-    /// If the source is binary and has room for as many triangles; whether they are, their rows tell.
+    /// `Some` if the source is binary and long enough; each row shows whether it is a triangle.
     fn of(
         element: &Element,
         list: usize,

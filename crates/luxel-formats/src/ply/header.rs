@@ -3,7 +3,7 @@
 use crate::text::{Words, integer, shown};
 use crate::{Error, ErrorKind, Place};
 
-/// How the body's values are written.
+/// The encoding of the body's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Text,
@@ -39,7 +39,7 @@ impl Scalar {
         })
     }
 
-    /// Bytes that a value takes in a binary body.
+    /// Bytes of a value in a binary body.
     pub(super) const fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -54,7 +54,7 @@ impl Scalar {
     }
 }
 
-/// One value, or a count and as many values.
+/// One value, or a list: a count and as many values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Scalar(Scalar),
@@ -67,7 +67,7 @@ pub(super) struct Property {
     pub(super) kind: Kind,
 }
 
-/// A table of rows that all have the same properties.
+/// A table of rows with the same properties.
 #[derive(Debug)]
 pub(super) struct Element {
     pub(super) name: String,
@@ -78,14 +78,14 @@ pub(super) struct Element {
 }
 
 impl Element {
-    /// The place of the first property of a name that is one value.
+    /// The index of the first scalar property with a name.
     pub(super) fn scalar(&self, name: &str) -> Option<usize> {
         self.properties
             .iter()
             .position(|property| property.name == name && matches!(property.kind, Kind::Scalar(_)))
     }
 
-    /// Bytes of a row in a binary body, if all rows take the same.
+    /// Bytes of a row in a binary body, if all rows have the same size.
     pub(super) fn stride(&self) -> Option<usize> {
         let size = |property: &Property| match property.kind {
             Kind::Scalar(scalar) => Some(scalar.size()),
@@ -99,7 +99,7 @@ impl Element {
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
-    /// Where the body begins.
+    /// Byte offset of the body.
     pub(super) body: usize,
 }
 
@@ -107,7 +107,7 @@ impl Header {
     pub(super) fn read(bytes: &[u8]) -> Result<Self, Error> {
         let mut lines = Lines { bytes, at: 0, number: 0 };
         if lines.next().map(<[u8]>::trim_ascii) != Some(b"ply") {
-            let message = "a PLY file begins with a line that says `ply`".to_owned();
+            let message = "a PLY file begins with the line `ply`".to_owned();
             return Err(Error::at(Place::Line(1), ErrorKind::Malformed(message)));
         }
         let mut encoding = None;
@@ -125,7 +125,11 @@ impl Header {
                         Some(b"ascii") => Encoding::Text,
                         Some(b"binary_little_endian") => Encoding::Little,
                         Some(b"binary_big_endian") => Encoding::Big,
-                        _ => return Err(wrong("the format is none that PLY knows")),
+                        _ => {
+                            return Err(wrong(
+                                "unknown format: PLY has ascii, binary_little_endian and binary_big_endian",
+                            ));
+                        }
                     });
                 }
                 Some(b"element") => {
@@ -142,9 +146,8 @@ impl Header {
                     });
                 }
                 Some(b"property") => {
-                    let property = property(&mut words).ok_or_else(|| {
-                        wrong("a property needs a type that PLY knows and a name")
-                    })?;
+                    let property = property(&mut words)
+                        .ok_or_else(|| wrong("a property needs a PLY type and a name"))?;
                     let element: &mut Element =
                         elements.last_mut().ok_or_else(|| wrong("a property needs an element"))?;
                     element.properties.push(property);

@@ -7,23 +7,23 @@ use crate::text::{integer, is_blank, line_of, number, shown, single};
 use crate::{Error, ErrorKind, Place};
 use luxel_parallel::each;
 
-/// Where values come from.
+/// The source of the values.
 pub(super) struct Source<'a> {
     /// The whole file, or its beginning.
     file: &'a [u8],
-    /// Where the rest lies, if that is only the beginning; then there are tables alone.
+    /// The rest of the file, if `file` is only its beginning; then only tables can be read.
     reader: Option<&'a BlockReader<'a>>,
     at: usize,
     encoding: Encoding,
 }
 
-/// What can be wrong with a value.
+/// The fault of a value.
 pub(super) enum Fault {
     End,
     NotANumber(String),
 }
 
-/// A row: its values by property, and the items of one of its lists.
+/// A row: its values by property, and the items of one list.
 #[derive(Default)]
 pub(super) struct Row {
     /// 0 for lists.
@@ -31,8 +31,8 @@ pub(super) struct Row {
     pub(super) items: Vec<f64>,
 }
 
-/// Reads an element's rows one by one; the items of the property `list` are kept, those of other
-/// lists are skipped.
+/// Reads an element's rows one by one; collects the items of the property `list` and skips
+/// other lists.
 pub(super) fn each_row(
     element: &Element,
     source: &mut Source<'_>,
@@ -83,7 +83,7 @@ fn skip_list(source: &mut Source<'_>, count: Scalar, item: Scalar) -> Result<f64
 
 fn list_length(source: &mut Source<'_>, count: Scalar) -> Result<u64, Fault> {
     let count = source.scalar(count)?;
-    // Items take at least a byte each, so a length that lies runs into the file's end.
+    // Items take at least a byte each, so a false length runs into the end of the file.
     if count >= 0.0 && count.fract() == 0.0 {
         Ok(count as u64)
     } else {
@@ -96,7 +96,7 @@ fn explain(fault: Fault, element: &Element, row: u64, source: &Source<'_>) -> Er
     let name = &element.name;
     let kind = match fault {
         Fault::End => ErrorKind::Truncated(format!(
-            "row {row} of element `{name}`, which says it has {}",
+            "row {row} of element `{name}`, which declares {}",
             element.count
         )),
         Fault::NotANumber(message) => {
@@ -107,12 +107,12 @@ fn explain(fault: Fault, element: &Element, row: u64, source: &Source<'_>) -> Er
 }
 
 impl<'a> Source<'a> {
-    /// `body` is where in the file the values begin.
+    /// `body` is the byte offset of the values in the file.
     pub(super) const fn new(file: &'a [u8], body: usize, encoding: Encoding) -> Self {
         Self { file, reader: None, at: body, encoding }
     }
 
-    /// Of a file that isn't in memory: tables are read where they lie.
+    /// Streams a file that isn't in memory: tables only.
     pub(super) const fn streamed(
         reader: &'a BlockReader<'a>,
         body: usize,
@@ -125,7 +125,7 @@ impl<'a> Source<'a> {
         self.reader.is_some()
     }
 
-    /// The next value. All types fit into f64.
+    /// The next value. `f64` represents all types exactly.
     #[inline]
     fn scalar(&mut self, scalar: Scalar) -> Result<f64, Fault> {
         match self.encoding {
@@ -142,7 +142,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The next word: they stand apart by blanks, wherever lines end.
+    /// The next word; any whitespace separates words.
     fn word(&mut self, scalar: Scalar) -> Result<f64, Fault> {
         let rest = &self.file[self.at..];
         let start = rest.iter().position(|&byte| !is_blank(byte)).ok_or(Fault::End)?;
@@ -155,20 +155,20 @@ impl<'a> Source<'a> {
             Scalar::F64 => number(word),
             _ => integer(word).map(|value| value as f64).or_else(|| number(word)),
         };
-        value.ok_or_else(|| Fault::NotANumber(format!("`{}` is no number", shown(word))))
+        value.ok_or_else(|| Fault::NotANumber(format!("`{}` is not a number", shown(word))))
     }
 
-    /// How many bytes haven't been read.
+    /// The number of unread bytes.
     pub(super) fn bytes_left(&self) -> u64 {
         self.length().saturating_sub(self.at as u64)
     }
 
-    /// How many bytes the whole file has.
+    /// The size of the whole file in bytes.
     pub(super) fn length(&self) -> u64 {
         self.reader.map_or(self.file.len() as u64, BlockReader::length)
     }
 
-    /// Where the last value was.
+    /// The place of the last value.
     pub(super) fn place(&self) -> Place {
         match self.encoding {
             Encoding::Text => Place::Line(line_of(self.file, self.at.saturating_sub(1))),
@@ -176,8 +176,8 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The least bytes that a row takes: of text, a digit for each value, and a blank between two;
-    /// the last one may be missing.
+    /// The minimum bytes of a row: in text, a digit per value and a blank between two;
+    /// the last blank may be missing.
     pub(super) fn least_bytes(&self, element: &Element) -> u64 {
         let least = |kind: Kind| match kind {
             Kind::Scalar(scalar) | Kind::List { count: scalar, .. } => scalar.size() as u64,
@@ -188,7 +188,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The next `count` rows of `stride` bytes each; text has none, nor has a file that ends before.
+    /// The next `count` rows of `stride` bytes each; `None` for text and for a shorter file.
     pub(super) fn table(&self, count: u64, stride: usize) -> Option<Table<'a>> {
         let count = usize::try_from(count).ok()?;
         let size = stride.checked_mul(count)?;
@@ -202,7 +202,7 @@ impl<'a> Source<'a> {
         Some(Table { bytes, count, stride, order: self.encoding })
     }
 
-    /// Goes on behind a table.
+    /// Skips a table.
     pub(super) fn skip(&mut self, table: &Table<'_>) {
         self.at += table.count * table.stride;
         if let Some(reader) = self.reader {
@@ -211,10 +211,10 @@ impl<'a> Source<'a> {
     }
 }
 
-/// Rows that one thread takes at a time.
+/// Rows per task.
 pub(super) const RUN: usize = 1 << 12;
 
-/// Binary rows that all take the same number of bytes.
+/// Binary rows of a fixed size.
 pub(super) struct Table<'a> {
     bytes: Bytes<'a>,
     count: usize,
@@ -222,14 +222,14 @@ pub(super) struct Table<'a> {
     order: Encoding,
 }
 
-/// Bytes in memory, or those of a file from some place on.
+/// Bytes in memory, or bytes of a file from an offset.
 enum Bytes<'a> {
     Here(&'a [u8]),
     Stream(&'a BlockReader<'a>, u64),
 }
 
 impl Table<'_> {
-    /// Decodes each row, on all threads.
+    /// Decodes each row in parallel.
     pub(super) fn read<T: Clone + Send>(
         &self,
         nothing: T,
@@ -238,7 +238,7 @@ impl Table<'_> {
         self.read_two((nothing, ()), |row| (of_row(row), ())).0
     }
 
-    /// As [`Table::read`], two lists at once.
+    /// Like [`Table::read`], with two lists at once.
     pub(super) fn read_two<A: Clone + Send, B: Clone + Send>(
         &self,
         (nothing, none): (A, B),
@@ -257,7 +257,7 @@ impl Table<'_> {
         (first, second)
     }
 
-    /// Looks at the bytes of some rows; at none if they can't be read.
+    /// Calls a function with the bytes of some rows; with none if they can't be read.
     fn with_rows<R>(&self, start: usize, count: usize, look: impl FnOnce(&[u8]) -> R) -> R {
         let (at, size) = (self.row_at(start), count * self.stride);
         match self.bytes {
@@ -266,7 +266,7 @@ impl Table<'_> {
         }
     }
 
-    /// Some columns of each row, in single precision.
+    /// The given columns of each row, in single precision.
     pub(super) fn singles<const N: usize>(&self, columns: [Column; N]) -> Vec<[f32; N]> {
         if self.has_words_of(Scalar::F32, &columns.map(|column| column.scalar)) {
             return self.read([0.0; N], |row| singles_of(row, columns));
@@ -277,7 +277,7 @@ impl Table<'_> {
         })
     }
 
-    /// The same for two sets of columns, in one go where they are stored in single precision.
+    /// Two sets of columns, in one pass if both are stored in single precision.
     pub(super) fn singles_of_two(
         &self,
         columns: [[Column; 3]; 2],
@@ -291,17 +291,17 @@ impl Table<'_> {
         (self.singles(first), self.singles(second))
     }
 
-    /// Whether these values can be taken out of rows as they stand.
+    /// Whether these values can be copied from rows without conversion.
     pub(super) fn has_words_of(&self, scalar: Scalar, scalars: &[Scalar]) -> bool {
         self.order == Encoding::Little && scalars.iter().all(|&other| other == scalar)
     }
 
-    /// Where a row begins, from the beginning of the table.
+    /// Byte offset of a row in the table.
     pub(super) const fn row_at(&self, row: usize) -> usize {
         row * self.stride
     }
 
-    /// Looks at the bytes of one row.
+    /// Calls a function with the bytes of one row.
     pub(super) fn with_row<R>(&self, row: usize, look: impl FnOnce(&[u8]) -> R) -> R {
         self.with_rows(row, 1, look)
     }
@@ -312,7 +312,7 @@ impl Table<'_> {
     }
 }
 
-/// Columns of a row that are stored in single precision, the lowest byte first.
+/// Columns of a row stored in single precision, little-endian.
 #[inline]
 fn singles_of<const N: usize>(row: &[u8], columns: [Column; N]) -> [f32; N] {
     columns.map(|column| f32::from_le_bytes(word(row, column.offset)))
@@ -324,7 +324,7 @@ pub(super) fn word(row: &[u8], at: usize) -> [u8; 4] {
     row.get(at..).and_then(<[u8]>::first_chunk).copied().unwrap_or_default()
 }
 
-/// `bytes` has the scalar's size at least; otherwise the value is 0.
+/// The value is 0 if `bytes` is shorter than the scalar.
 #[inline]
 fn decode(bytes: &[u8], scalar: Scalar, order: Encoding) -> f64 {
     fn first<const N: usize>(bytes: &[u8], order: Encoding) -> [u8; N] {

@@ -21,7 +21,7 @@ fn with_faces(count: usize, list: &str, faces: &str) -> String {
 }
 
 #[test]
-fn polygons_are_cut_into_triangles_that_follow_one_another() {
+fn the_triangles_of_a_polygon_are_consecutive() {
     let mesh = mesh(&with_faces(2, "uchar int", "4 0 1 2 3\n3 2 1 0\n"));
     assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3], [2, 1, 0]]);
     assert_eq!(mesh.polygons, Some(vec![0, 0, 1]));
@@ -41,7 +41,7 @@ fn any_order_type_and_line_end_is_read() {
 }
 
 #[test]
-fn strips_turn_every_other_triangle_and_minus_one_interrupts_them() {
+fn strips_swap_every_second_triangle_and_minus_one_restarts_them() {
     let text = format!(
         "{HEAD}element tristrips 1\nproperty list int int vertex_indices\nend_header\n{QUAD}\
          8 0 1 2 3 -1 3 1 0\n"
@@ -81,14 +81,14 @@ fn a_face_colour_fills_its_face_alone() {
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_line() {
+fn errors_name_their_line() {
     let error = |text: &str| load(text.as_bytes()).unwrap_err().to_string();
     let text = with_faces(1, "uchar int", "3 0 1 4\n");
     assert_eq!(error(&text), "<input>:14: vertex 4 doesn't exist: there are 4");
     let text = with_faces(1, "uchar int", "3 0 1 -1\n");
     assert_eq!(error(&text), "<input>:14: vertex -1 doesn't exist: there are 4");
     let text = with_faces(1, "uchar int", "3 0 x 1\n");
-    assert_eq!(error(&text), "<input>:14: row 0 of element `face`: `x` is no number");
+    assert_eq!(error(&text), "<input>:14: row 0 of element `face`: `x` is not a number");
     let text = with_faces(2, "uchar int", "3 0 1 2\n3 1 2");
     assert!(error(&text).contains("row 1 of element `face`"));
     assert!(error("ply\nformat ascii 1.0\n").contains("`end_header` is missing"));
@@ -97,7 +97,7 @@ fn what_is_wrong_is_told_with_its_line() {
 }
 
 #[test]
-fn counts_that_lie_fail_before_memory_is_taken() {
+fn false_counts_fail_before_memory_is_allocated() {
     for count in ["4000000000", "9223372036854775807", "999999999999999999"] {
         for format in ["ascii", "binary_little_endian", "binary_big_endian"] {
             let text = format!(
@@ -105,7 +105,7 @@ fn counts_that_lie_fail_before_memory_is_taken() {
             );
             assert!(load(text.as_bytes()).is_err(), "{text}");
             let text = format!("ply\nformat {format} 1.0\nelement vertex {count}\nend_header\n1");
-            // Rows of nothing: no vertex, or too many to be numbered.
+            // Rows without values: no vertex, or too many to index.
             if let Ok(loaded) = load(text.as_bytes()) {
                 assert!(loaded.scene.meshes.is_empty());
             }
@@ -117,7 +117,7 @@ fn counts_that_lie_fail_before_memory_is_taken() {
 }
 
 #[test]
-fn faces_with_corners_nowhere_are_left_out_and_counted() {
+fn faces_with_infinite_corners_are_left_out_and_counted() {
     let text = with_faces(2, "uchar int", "4 0 1 2 3\n3 0 2 3\n").replace("1 0 0", "inf 0 0");
     let loaded = load(text.as_bytes()).unwrap();
     assert_eq!(loaded.scene.meshes[0].triangles, [[0, 2, 3]]);

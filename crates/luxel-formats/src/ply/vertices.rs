@@ -5,22 +5,22 @@ use super::source::{Source, Table, each_row};
 use crate::{Error, color};
 use luxel_scene::Encoding;
 
-/// Attributes of the vertices; those that the file lacks are empty.
+/// Attributes of the vertices; missing ones are empty.
 #[derive(Default)]
 pub(super) struct Vertices {
     /// Positions, if the file has them in single precision.
     pub(super) singles: Vec<[f32; 3]>,
     /// Positions, if the file has them in another type.
     pub(super) doubles: Vec<[f64; 3]>,
-    /// As they stand in the file.
+    /// As in the file.
     pub(super) normals: Vec<[f32; 3]>,
-    /// As they stand in the file, the second coordinate pointing up.
+    /// As in the file: the second coordinate points up.
     pub(super) uvs: Vec<[f32; 2]>,
     /// Linear, with alpha.
     pub(super) colors: Vec<[f32; 4]>,
 }
 
-/// A property that is one value: its place among them, its type, and its place in a binary row
+/// A scalar property: its index, its type, and its offset in a binary row
 /// without lists.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Column {
@@ -58,7 +58,7 @@ fn columns<const N: usize>(element: &Element, names: [&str; N]) -> Option<[Colum
 }
 
 impl ColorColumns {
-    /// The columns under the names that writers use.
+    /// The colour columns, under the names that writers use.
     pub(super) fn of(element: &Element) -> Option<Self> {
         let rgb = [
             ["red", "green", "blue"],
@@ -82,8 +82,8 @@ impl ColorColumns {
     }
 }
 
-/// From 0 to 1, by the type: floats as they are, whole numbers as shares of 255, or of 65,535 if
-/// they are unsigned ones of 16 bits.
+/// Maps to 0 to 1 by type: floats unchanged, integers divided by 255, or by 65,535 if
+/// they are unsigned 16-bit integers.
 fn unit(scalar: Scalar, value: f64) -> f64 {
     let value = match scalar {
         Scalar::F32 | Scalar::F64 => value,
@@ -104,13 +104,13 @@ impl Columns {
         }
     }
 
-    /// Whether positions are kept as they are.
+    /// Whether positions are kept in single precision.
     fn single(&self) -> bool {
         self.position.is_none_or(|columns| columns.iter().all(|c| c.scalar == Scalar::F32))
     }
 }
 
-/// Bytes that a vertex takes in memory.
+/// Bytes of a vertex in memory.
 pub(super) fn bytes_each(element: &Element) -> u64 {
     let columns = Columns::of(element);
     let position = if columns.single() { 12 } else { 36 };
@@ -121,7 +121,7 @@ pub(super) fn bytes_each(element: &Element) -> u64 {
 }
 
 impl Vertices {
-    /// Reads the element; a vertex without coordinates lies at the origin.
+    /// Reads the element; a vertex without coordinates is at the origin.
     pub(super) fn read(&mut self, element: &Element, source: &mut Source<'_>) -> Result<(), Error> {
         let columns = Columns::of(element);
         match element.stride().and_then(|stride| source.table(element.count, stride)) {

@@ -23,7 +23,7 @@ pub(super) fn read(
     for table in document.tables(&CAMERAS)? {
         let name = table.text("name")?.unwrap_or_default().to_owned();
         if !names.insert(name.clone()) {
-            let message = format!("two cameras are called `{name}`: rename one");
+            let message = format!("two cameras have the name `{name}`: rename one");
             return Err(table.error_at("name", message));
         }
         let node = match table.path("node")? {
@@ -49,7 +49,7 @@ fn pose(table: &Table<'_>, scene: &Scene) -> Result<DMat4, Error> {
     let up = table.value("up", up)?.unwrap_or(scene.up);
     match (eye, target) {
         (Some(eye), Some(target)) if eye == target => {
-            Err(table.error_at("eye", "the eye stands at its target: move one of them"))
+            Err(table.error_at("eye", "eye and target are the same point: move one of them"))
         }
         (Some(eye), Some(target)) => Ok(Camera::look_at(eye, target, up)),
         (None, None) if table.has("node") => Ok(DMat4::IDENTITY),

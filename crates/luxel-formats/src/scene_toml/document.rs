@@ -1,18 +1,18 @@
-//! Parses the text into tables, checks their keys, and keeps the place of every value.
+//! Parses the text into tables, checks their keys, and records the place of every value.
 
 use super::keys::{FORMAT, Key, RENDER, ROOT, Section, sections};
 use crate::memory::Memory;
 use crate::values::nearest;
-use crate::{Error, ErrorKind, Place};
+use crate::{Error, ErrorKind, Hint, Place};
 use serde_spanned::Spanned;
 use std::borrow::Cow;
 use toml::de::{DeTable, DeValue};
 
-/// What a byte of the text may take in memory once it is read: the smallest value with its place,
-/// by what it takes to write one.
+/// Upper bound of memory per byte of text: the smallest value with its place,
+/// divided by the shortest text of one.
 const BYTES_PER_BYTE: u64 = 96;
 
-/// A scene file whose header was checked.
+/// A scene file with a valid header.
 pub(super) struct Document<'a> {
     text: &'a str,
     root: Spanned<DeTable<'a>>,
@@ -47,7 +47,7 @@ impl<'a> Document<'a> {
         memory.take("the scene file", bytes.len() as u64, BYTES_PER_BYTE, Place::File)?;
         let text = std::str::from_utf8(bytes).map_err(|error| {
             let place = Place::Byte(error.valid_up_to() as u64);
-            Error::at(place, ErrorKind::Malformed("a scene file is text in UTF-8".to_owned()))
+            Error::at(place, ErrorKind::Malformed("a scene file must be UTF-8 text".to_owned()))
         })?;
         let root = DeTable::parse(text).map_err(|error| {
             let message = error.message().lines().next().unwrap_or_default();
@@ -61,11 +61,11 @@ impl<'a> Document<'a> {
     fn check_header(&self) -> Result<(), Error> {
         let header = |name: &str| self.root.get_ref().get(name);
         let wrong = |message: String| Error::at(Place::File, ErrorKind::Unsupported(message));
-        let form = format!("a scene file says format = \"{FORMAT}\" and version = 1");
+        let form = format!("a scene file begins with format =  \"{FORMAT}\" and version = 1");
         match header("format") {
             Some(format) if format.get_ref().as_str() == Some(FORMAT) => {}
             Some(format) => return Err(malformed(self.text, format.span().start, form)),
-            None => return Err(wrong(format!("this is no scene file: {form}"))),
+            None => return Err(wrong(format!("this is not a scene file: {form}"))),
         }
         let Some(version) = header("version") else {
             return Err(wrong(format!("the version is missing: {form}")));
@@ -76,15 +76,13 @@ impl<'a> Document<'a> {
             Some(other) => Err(malformed(
                 self.text,
                 version.span().start,
-                format!(
-                    "version {other} is not read here: use a luxel that knows it, or version 1"
-                ),
+                format!("version {other} is not supported: use version 1, or a newer luxel"),
             )),
             None => Err(malformed(self.text, version.span().start, form)),
         }
     }
 
-    /// The keys outside all tables; checks the names of tables.
+    /// The top-level keys; checks the names of tables.
     pub(super) fn root(&'a self) -> Result<Table<'a>, Error> {
         let sections = sections();
         let tables = sections.iter().map(|section| section.name).filter(|name| !name.is_empty());
@@ -166,7 +164,8 @@ impl<'a> Table<'a> {
         match self.section.keys.iter().find(missing) {
             Some(key) => {
                 let Key { name, example, .. } = key;
-                Err(self.error(format!("`{name}` is missing: as {name} = {example}")))
+                Err(self
+                    .error(format!("`{name}` is missing: write, for example, {name} = {example}")))
             }
             None => Ok(()),
         }
@@ -196,6 +195,21 @@ impl<'a> Table<'a> {
         malformed(self.text, start, message)
     }
 
+    /// An error of a value that names an unknown thing, with a suggestion or a hint.
+    pub(super) fn unknown_name<'n>(
+        &self,
+        key: &str,
+        what: &str,
+        name: &str,
+        known: impl IntoIterator<Item = &'n str>,
+    ) -> Error {
+        let message = format!("there is no {what} `{name}`");
+        match nearest(name, known) {
+            Some(meant) => self.error_at(key, format!("{message}: did you mean `{meant}`?")),
+            None => self.error_at(key, message).with_hint(Some(Hint::ListNames)),
+        }
+    }
+
     /// The place of a value.
     pub(super) fn place_of(&self, key: &str) -> Place {
         Place::in_text(self.text, self.get(key).map_or(self.start, |value| value.span().start))
@@ -216,7 +230,7 @@ impl<'a> Table<'a> {
     pub(super) fn text(&self, key: &str) -> Result<Option<&'a str>, Error> {
         let Some(value) = self.get(key) else { return Ok(None) };
         let text = value.get_ref().as_str();
-        text.map(Some).ok_or_else(|| self.error_at(key, format!("{key}: use a text in quotes")))
+        text.map(Some).ok_or_else(|| self.error_at(key, format!("{key}: use a quoted string")))
     }
 
     /// `true` or `false`.
@@ -226,7 +240,7 @@ impl<'a> Table<'a> {
         switch.map(Some).ok_or_else(|| self.error_at(key, format!("{key}: use true or false")))
     }
 
-    /// A name or a path: a text, with `/` between names, or a list of names.
+    /// A name or a path: a string with `/` between names, or a list of names.
     pub(super) fn path(&self, key: &str) -> Result<Option<Vec<String>>, Error> {
         let Some(value) = self.get(key) else { return Ok(None) };
         let names = match value.get_ref() {
@@ -290,14 +304,14 @@ pub(super) fn as_text<'v>(value: &'v DeValue<'_>) -> Result<Cow<'v, str>, String
         DeValue::Float(number) => Ok(Cow::Borrowed(number.as_str())),
         DeValue::Array(items) => {
             let flat = |item: &'v Spanned<DeValue<'_>>| match item.get_ref() {
-                DeValue::Array(_) => Err("a list within a list means nothing here".to_owned()),
+                DeValue::Array(_) => Err("expected a number or a string, found a list".to_owned()),
                 item => as_text(item),
             };
             let items: Vec<_> = items.iter().map(flat).collect::<Result<_, _>>()?;
             Ok(Cow::Owned(items.join(",")))
         }
-        DeValue::Boolean(_) => Err("true and false mean nothing here".to_owned()),
-        DeValue::Datetime(_) => Err("a date means nothing here".to_owned()),
-        DeValue::Table(_) => Err("a table means nothing here".to_owned()),
+        DeValue::Boolean(_) => Err("expected a number or a string, found a boolean".to_owned()),
+        DeValue::Datetime(_) => Err("expected a number or a string, found a date".to_owned()),
+        DeValue::Table(_) => Err("expected a number or a string, found a table".to_owned()),
     }
 }

@@ -1,38 +1,41 @@
-//! The sections and keys of scene files. Readers, the JSON schema and the documentation use this table.
-//! Parameters of reflection and kinds of light come from the tables of `luxel-lighting`.
+//! The sections and keys of scene files. Readers, the JSON schema and the documentation use this
+//! table. Parameters of reflection and kinds of light come from the tables of `luxel-lighting`.
 
 use crate::values::reflection_choices;
 use luxel_lighting::{
     K_A, K_D, K_S, LIGHT_KINDS, LightKindDescription, METALLIC, Parameter, ROUGHNESS, SHININESS,
     own_parameters,
 };
+use luxel_scene::NamedEnvironment;
 use std::sync::LazyLock;
 
-/// A table of a scene file, or the keys outside all tables.
+/// A table of a scene file, or the top-level keys.
 #[derive(Clone, Copy, Debug)]
 pub struct Section {
-    /// The table's name; empty for what stands outside all tables.
+    /// The table's name; empty for the top level.
     pub name: &'static str,
-    /// Whether there may be many: `[[name]]` instead of `[name]`.
+    /// Whether it may be repeated: `[[name]]` instead of `[name]`.
     pub repeated: bool,
-    /// What it is, in a line. Names of settings of a program stand in backticks.
+    /// One line of help.
     pub about: &'static str,
-    /// What may stand in it.
+    /// The program's setting whose value has these keys as fields, if there is one.
+    pub setting: Option<&'static str>,
+    /// Its keys.
     pub keys: &'static [Key],
 }
 
-/// A key with what may stand behind it.
+/// A key with its values.
 #[derive(Clone, Copy, Debug)]
 pub struct Key {
-    /// The key; where a program has a setting for it, the name of that.
+    /// The key, named like the program's setting if there is one.
     pub name: &'static str,
     /// The kind of value.
     pub shape: Shape,
-    /// Whether it can't be left out.
+    /// Whether it is required.
     pub required: bool,
-    /// What it means, in a line.
+    /// One line of help.
     pub about: &'static str,
-    /// A value, as the file writes it.
+    /// An example value.
     pub example: &'static str,
 }
 
@@ -40,29 +43,29 @@ pub struct Key {
 /// line.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
-    /// One text.
+    /// One fixed string.
     Exactly(&'static str),
     /// The whole number 1.
     One,
-    /// Any text.
+    /// Any string.
     Text,
-    /// One of some texts.
+    /// One of these strings.
     Choice(&'static [&'static str]),
     /// A number.
     Number,
-    /// As many numbers.
+    /// This many numbers.
     Numbers(usize),
     /// Three or four numbers.
     ThreeOrFour,
-    /// Three numbers, or one of some texts.
+    /// Three numbers, or one of these strings.
     NumbersOr(&'static [&'static str]),
     /// One number for all axes, or three.
     OneOrThree,
     /// `true` or `false`.
     Switch,
-    /// The name of a node, the end of its path with `/` between the names, or a list of these names.
+    /// The name of a node, the end of its path with `/` between names, or a list of these names.
     Node,
-    /// A table of its own.
+    /// A nested table.
     Table(&'static Section),
 }
 
@@ -79,31 +82,32 @@ pub(crate) const FORMAT: &str = "luxel-scene";
 
 const AXES: Shape = Shape::NumbersOr(&["X", "Y", "Z", "-X", "-Y", "-Z"]);
 
-/// Keys outside all tables.
+/// Top-level keys.
 pub(crate) static ROOT: Section = Section {
     name: "",
     repeated: false,
-    about: "What the file is, and what surrounds the models",
+    about: "The file's format, and the surroundings of the models",
+    setting: None,
     keys: &[
         required(key(
             "format",
             Shape::Exactly(FORMAT),
-            "that this is a scene file",
+            "marks the file as a scene file",
             "\"luxel-scene\"",
         )),
-        required(key("version", Shape::One, "the version of what is described here", "1")),
-        key("up", AXES, "what is up [default: as the first model has it]", "\"Z\""),
+        required(key("version", Shape::One, "the version of the format", "1")),
+        key("up", AXES, "the up direction [default: the first model's]", "\"Z\""),
         key("ambient", Shape::Numbers(3), "the scene's ambient light", "[0.1, 0.1, 0.12]"),
         key(
             "environment",
-            Shape::NumbersOr(&["none", "studio", "microfacet"]),
-            "what mirrors and metals see",
+            Shape::NumbersOr(&NamedEnvironment::NAMES),
+            "the environment that mirrors and metals reflect",
             "\"studio\"",
         ),
         key(
             "background",
             Shape::ThreeOrFour,
-            "linear colour where nothing is, with alpha if you like",
+            "linear background colour, with optional alpha",
             "[0.02, 0.02, 0.03]",
         ),
     ],
@@ -112,13 +116,14 @@ pub(crate) static ROOT: Section = Section {
 pub(crate) static ROTATE: Section = Section {
     name: "rotate",
     repeated: false,
-    about: "A turn about an axis through the origin",
+    about: "A rotation about an axis through the origin",
+    setting: None,
     keys: &[
         required(key("axis", AXES, "the axis", "\"Y\"")),
         required(key(
             "degrees",
             Shape::Number,
-            "how far, counter-clockwise seen from its tip",
+            "the angle, counter-clockwise seen from the axis's tip",
             "30",
         )),
     ],
@@ -127,7 +132,8 @@ pub(crate) static ROTATE: Section = Section {
 pub(crate) static MODELS: Section = Section {
     name: "models",
     repeated: true,
-    about: "Models, in the order in which their objects are numbered. Each hangs on a node of its own",
+    about: "Models, in the order in which their objects are numbered. Each gets a node as its parent",
+    setting: None,
     keys: &[
         required(key(
             "source",
@@ -138,42 +144,37 @@ pub(crate) static MODELS: Section = Section {
         key(
             "name",
             Shape::Text,
-            "the name of its node [default: the file's, without its ending]",
+            "the name of its node [default: the file name without extension]",
             "\"pot\"",
         ),
         key(
             "parent",
             Shape::Node,
-            "the node that it hangs on, of a model above it [default: the world]",
+            "its parent, a node of a model above it [default: the world]",
             "\"pot\"",
         ),
-        key("scale", Shape::OneOrThree, "its size, done first; a minus mirrors", "2.5"),
+        key("scale", Shape::OneOrThree, "scale, applied first; negative factors mirror", "2.5"),
         key(
             "rotate",
             Shape::Table(&ROTATE),
-            "a turn, done second",
+            "rotation, applied second",
             "{ axis = \"Y\", degrees = 30 }",
         ),
-        key("translate", Shape::Numbers(3), "a move, done last", "[0, 1.5, 0]"),
+        key("translate", Shape::Numbers(3), "translation, applied last", "[0, 1.5, 0]"),
         key(
             "matrix",
             Shape::Numbers(16),
-            "from its coordinates to its parent's, column by column, instead of the three",
+            "transform to its parent, column by column, instead of the three",
             "[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]",
         ),
-        key("material", Shape::Text, "one of [[materials]], for all of it", "\"glaze\""),
+        key("material", Shape::Text, "one of [[materials]], for the whole model", "\"glaze\""),
         key(
             "lights",
             Shape::Switch,
-            "whether its own lights shine where the file has no [[lights]] [default: true]",
+            "whether to use its lights if the file has no [[lights]] [default: true]",
             "false",
         ),
-        key(
-            "cameras",
-            Shape::Switch,
-            "whether its own cameras can be used [default: true]",
-            "false",
-        ),
+        key("cameras", Shape::Switch, "whether to add its cameras [default: true]", "false"),
     ],
 };
 
@@ -181,7 +182,8 @@ pub(crate) static MODELS: Section = Section {
 pub(crate) static MATERIALS: LazyLock<Section> = LazyLock::new(|| Section {
     name: "materials",
     repeated: true,
-    about: "Changes to surfaces, by name: what is said replaces, what isn't stays as the model has it",
+    about: "Named changes to surfaces: keys that are given replace the model's values, others keep them",
+    setting: None,
     keys: kept([NAME, REPLACE].into_iter().chain(material_keys())),
 });
 
@@ -189,19 +191,20 @@ pub(crate) static MATERIALS: LazyLock<Section> = LazyLock::new(|| Section {
 pub(crate) static MATERIAL: LazyLock<Section> = LazyLock::new(|| Section {
     name: "material",
     repeated: false,
-    about: "A change to all surfaces, before any other",
+    about: "A change to all surfaces, applied before all others",
+    setting: None,
     keys: kept(material_keys()),
 });
 
-/// Keys that are made of tables of other crates, as long as the program runs.
+/// Keys built from the tables of other crates; built once and leaked.
 fn kept(keys: impl Iterator<Item = Key>) -> &'static [Key] {
     keys.collect::<Vec<_>>().leak()
 }
 
-/// The constants of reflection: with a flag or of all materials in the order of the help, then the
+/// The reflection constants: the shared ones in the order of the help, then the
 /// parameters that only one model has.
 fn material_keys() -> impl Iterator<Item = Key> {
-    let about = format!("the model of reflection: {}", reflection_choices()).leak();
+    let about = format!("reflection model: {}", reflection_choices()).leak();
     let model = key("reflection", Shape::Text, about, "\"phong\"");
     [COLOR, AMBIENT, SPECULAR]
         .into_iter()
@@ -232,7 +235,7 @@ const COLOR: Key = key(
 const AMBIENT: Key = key(
     "ambient",
     Shape::Numbers(3),
-    "ambient colour, where it isn't the diffuse one",
+    "ambient colour, if it differs from the diffuse one",
     "[0.1, 0.1, 0.1]",
 );
 const SPECULAR: Key = key(
@@ -241,49 +244,53 @@ const SPECULAR: Key = key(
     "colour of the highlight, instead of a texture",
     "[1, 0.9, 0.6]",
 );
-const EMISSION: Key = key(
-    "emission",
-    Shape::Numbers(3),
-    "light of the surface's own, instead of a texture",
-    "[0, 0, 0.1]",
-);
-const OPACITY: Key = key(
-    "opacity",
-    Shape::Number,
-    "0 to 1; below 1 the surface lets through what is behind it",
-    "0.5",
-);
+const EMISSION: Key =
+    key("emission", Shape::Numbers(3), "emitted light, instead of a texture", "[0, 0, 0.1]");
+const OPACITY: Key =
+    key("opacity", Shape::Number, "opacity from 0 to 1; below 1 the surface is transparent", "0.5");
 
 pub(crate) static OVERRIDES: Section = Section {
     name: "overrides",
     repeated: true,
-    about: "Which surfaces get which of [[materials]]: those that fit all of model, object and surface. Later ones come on top of earlier ones",
+    about: "Assigns one of [[materials]] to the surfaces that match model, object and surface. Later overrides apply on top of earlier ones",
+    setting: None,
     keys: &[
         required(key("material", Shape::Text, "one of [[materials]]", "\"glaze\"")),
-        key("model", Shape::Text, "of the model of this name", "\"pot\""),
-        key("object", Shape::Node, "of the objects of this name or path", "\"lid\""),
-        key("surface", Shape::Text, "those whose material is called so in the model", "\"glaze\""),
+        key("model", Shape::Text, "only in the model with this name", "\"pot\""),
+        key(
+            "object",
+            Shape::Node,
+            "only objects with this name or path, and those below them",
+            "\"lid\"",
+        ),
+        key(
+            "surface",
+            Shape::Text,
+            "only surfaces whose material has this name in the model",
+            "\"glaze\"",
+        ),
     ],
 };
 
 pub(crate) static LIGHTS: LazyLock<Section> = LazyLock::new(|| Section {
     name: "lights",
     repeated: true,
-    about: "Lights, instead of the models' own, in the order in which they are added up; the keys are the fields of `light`",
+    about: "Lights, instead of the models' lights, in the order of summation",
+    setting: Some("light"),
     keys: kept(light_keys()),
 });
 
 fn light_keys() -> impl Iterator<Item = Key> {
     let names = LIGHT_KINDS.map(|kind| kind.name).to_vec().leak();
-    let kind = required(key("kind", Shape::Choice(names), "how it spreads", "\"point\""));
+    let kind = required(key("kind", Shape::Choice(names), "the kind of light", "\"point\""));
     let of = |has: fn(&LightKindDescription) -> bool| {
         let names: Vec<_> =
             LIGHT_KINDS.iter().filter(|kind| has(kind)).map(|kind| kind.name).collect();
         names.join(", ")
     };
-    let position = format!("where it stands ({})", of(|kind| kind.has_position)).leak();
+    let position = format!("position ({})", of(|kind| kind.has_position)).leak();
     let direction =
-        format!("the direction in which its light travels ({})", of(|kind| kind.has_direction))
+        format!("the direction in which the light travels ({})", of(|kind| kind.has_direction))
             .leak();
     let own = LIGHT_KINDS.iter().flat_map(|kind| kind.fields);
     [kind]
@@ -308,29 +315,29 @@ const LIGHT_PLACEMENT: [Key; 3] = [
     key(
         "node",
         Shape::Node,
-        "the node whose coordinates they are instead: the light moves with it",
+        "the node that pos and dir are relative to: the light moves with it",
         "\"pot\"",
     ),
 ];
 
 const LIGHT_INTENSITIES: [Key; 7] = [
-    key("color", Shape::Numbers(3), "its intensity (ambient)", "[0.1, 0.1, 0.1]"),
+    key("color", Shape::Numbers(3), "intensity (ambient)", "[0.1, 0.1, 0.1]"),
     key(
         "ambient",
         Shape::Numbers(3),
-        "what it adds to the ambient term [default: 0, 0, 0]",
+        "intensity for the ambient term [default: 0, 0, 0]",
         "[0.05, 0.05, 0.05]",
     ),
     key(
         "diffuse",
         Shape::Numbers(3),
-        "its intensity for diffuse reflection [default: 1, 1, 1]",
+        "intensity for diffuse reflection [default: 1, 1, 1]",
         "[1, 0.9, 0.8]",
     ),
     key(
         "specular",
         Shape::Numbers(3),
-        "its intensity for the highlight [default: as diffuse]",
+        "intensity for the highlight [default: as diffuse]",
         "[1, 1, 1]",
     ),
     key(
@@ -342,13 +349,13 @@ const LIGHT_INTENSITIES: [Key; 7] = [
     key(
         "limit",
         Shape::Number,
-        "what that is cut at, 1 as in Foley et al. [default: it is not cut]",
+        "upper limit of the attenuation, 1 as in Foley et al. [default: none]",
         "1",
     ),
     key(
         "range",
         Shape::Number,
-        "where its light ends, faded out as in glTF [default: nowhere]",
+        "distance at which the light fades to 0, as in glTF [default: none]",
         "20",
     ),
 ];
@@ -356,12 +363,13 @@ const LIGHT_INTENSITIES: [Key; 7] = [
 pub(crate) static CAMERAS: Section = Section {
     name: "cameras",
     repeated: true,
-    about: "Cameras, before the models' own; the first one is used unless `camera` names another",
+    about: "Cameras, before those of the models; the first one is the default",
+    setting: None,
     keys: &[
         required(key("name", Shape::Text, "its name", "\"front\"")),
-        key("eye", Shape::Numbers(3), "where the eye stands", "[4, 3, 8]"),
-        key("target", Shape::Numbers(3), "where it looks", "[0, 1, 0]"),
-        key("up", AXES, "what is up [default: the scene's]", "\"Y\""),
+        key("eye", Shape::Numbers(3), "the position of the eye", "[4, 3, 8]"),
+        key("target", Shape::Numbers(3), "the point it looks at", "[0, 1, 0]"),
+        key("up", AXES, "the up direction [default: the scene's]", "\"Y\""),
         key(
             "view-matrix",
             Shape::Numbers(16),
@@ -371,20 +379,15 @@ pub(crate) static CAMERAS: Section = Section {
         key(
             "node",
             Shape::Node,
-            "the node whose coordinates these are, instead of the world's",
+            "the node that the coordinates are relative to, instead of the world",
             "\"pot\"",
         ),
-        key(
-            "fov",
-            Shape::Number,
-            "the angle of view from bottom to top, in degrees [default: 45]",
-            "35",
-        ),
-        key("ortho", Shape::Number, "parallel rays; world units from bottom to top", "4"),
+        key("fov", Shape::Number, "vertical field of view in degrees [default: 45]", "35"),
+        key("ortho", Shape::Number, "orthographic projection: visible height in world units", "4"),
         key(
             "intrinsics",
             Shape::Numbers(4),
-            "a calibrated lens: focal lengths and principal point, in pixels",
+            "a calibrated camera: focal lengths and principal point, in pixels",
             "[900, 900, 640, 360]",
         ),
     ],
@@ -393,7 +396,8 @@ pub(crate) static CAMERAS: Section = Section {
 pub(crate) static FOG: Section = Section {
     name: "fog",
     repeated: false,
-    about: "Depth cueing; the keys are the fields of `fog`",
+    about: "Depth cueing",
+    setting: Some("fog"),
     keys: &[
         key(
             "law",
@@ -405,31 +409,31 @@ pub(crate) static FOG: Section = Section {
         key(
             "near",
             Shape::Number,
-            "the distance along the view where the fog begins (linear)",
+            "the distance along the view axis at which the fog begins (linear)",
             "4",
         ),
-        key("far", Shape::Number, "where it ends (linear)", "20"),
-        key("density", Shape::Number, "how thick it is (exp, exp2)", "0.1"),
+        key("far", Shape::Number, "the distance at which it ends (linear)", "20"),
+        key("density", Shape::Number, "density (exp, exp2)", "0.1"),
         key(
             "front",
             Shape::Number,
-            "the share of the surface's own light at near (linear) [default: 1]",
+            "the weight of the surface's light at near (linear) [default: 1]",
             "1",
         ),
-        key("back", Shape::Number, "its share at far (linear) [default: 0]", "0.2"),
+        key("back", Shape::Number, "the weight at far (linear) [default: 0]", "0.2"),
         key(
             "color",
             Shape::Numbers(3),
-            "what the surfaces fade to [default: 0, 0, 0]",
+            "the colour that surfaces fade to [default: 0, 0, 0]",
             "[0.5, 0.6, 0.7]",
         ),
     ],
 };
 
-/// The name of the table whose keys are settings of the program that draws.
+/// The table with settings of the rendering program.
 pub(crate) const RENDER: &str = "render";
 
-/// All sections but `[render]`, whose keys are the program's: first the keys outside all tables, then
+/// All sections but `[render]`, whose keys belong to the program: first the top-level keys, then
 /// the tables.
 #[must_use]
 pub fn sections() -> [&'static Section; 8] {

@@ -18,7 +18,7 @@ pub(super) fn read(
     for (place, table) in document.tables(&LIGHTS)?.into_iter().enumerate() {
         let light = light(&table, place, nodes, scene)?;
         if !names.insert(light.name.clone()) {
-            let message = format!("two lights are called `{}`: rename one", light.name);
+            let message = format!("two lights have the name `{}`: rename one", light.name);
             return Err(table.error_at("name", message));
         }
         lights.push(light);

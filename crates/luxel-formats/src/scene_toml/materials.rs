@@ -1,4 +1,4 @@
-//! `[material]`, `[[materials]]`, `[[overrides]]`: which surface gets which constants of reflection.
+//! `[material]`, `[[materials]]`, `[[overrides]]`: the reflection constants of each surface.
 
 use super::document::{Document, Table};
 use super::keys::{MATERIAL, MATERIALS, OVERRIDES};
@@ -18,15 +18,15 @@ struct Named {
     restyle: Restyle,
 }
 
-/// What an override applies to.
+/// The surfaces that an override applies to.
 struct Rule {
-    /// The change, by its place among the named ones.
+    /// The change, by its index among the named ones.
     change: usize,
-    /// The material's name in the model, if it matters.
+    /// The material's name in the model, if restricted to one.
     surface: Option<String>,
 }
 
-/// Most overrides, so that a file can't keep a machine busy for ever.
+/// Maximum number of overrides, which bounds the time that a file can take.
 const MAX_OVERRIDES: usize = 4096;
 
 /// Applies the materials and changes of the file to all models.
@@ -65,14 +65,14 @@ fn restyle(table: &Table<'_>) -> Result<Restyle, Error> {
     Ok(restyle)
 }
 
-/// The named changes, and the place of each name among them.
+/// The named changes, and the index of each name.
 fn named(document: &Document<'_>) -> Result<(BTreeMap<String, usize>, Vec<Named>), Error> {
     let mut names = BTreeMap::new();
     let mut changes = Vec::new();
     for table in document.tables(&MATERIALS)? {
         let name = table.text("name")?.unwrap_or_default();
         if names.insert(name.to_owned(), changes.len()).is_some() {
-            let message = format!("two materials are called `{name}`: rename one");
+            let message = format!("two materials have the name `{name}`: rename one");
             return Err(table.error_at("name", message));
         }
         let replace = table.switch("replace")?.unwrap_or_default();
@@ -81,15 +81,15 @@ fn named(document: &Document<'_>) -> Result<(BTreeMap<String, usize>, Vec<Named>
     Ok((names, changes))
 }
 
-/// The place of a change by its name.
+/// The index of a change by name.
 fn change_of(names: &BTreeMap<String, usize>, name: &str) -> Result<usize, String> {
     names.get(name).copied().ok_or_else(|| match nearest(name, names.keys().map(String::as_str)) {
         Some(meant) => format!("there is no material `{name}`: did you mean `{meant}`?"),
-        None => format!("there is no material `{name}`: describe it under [[materials]]"),
+        None => format!("there is no material `{name}`: add it under [[materials]]"),
     })
 }
 
-/// What applies to each node, in order.
+/// The overrides of each node, in order.
 fn rules(
     document: &Document<'_>,
     models: &Models,
@@ -109,7 +109,7 @@ fn rules(
     let children = children(scene);
     let tables = document.tables(&OVERRIDES)?;
     if let Some(table) = tables.get(MAX_OVERRIDES) {
-        return Err(table.error(format!("at most {MAX_OVERRIDES} overrides are read")));
+        return Err(table.error(format!("too many overrides: the limit is {MAX_OVERRIDES}")));
     }
     for table in tables {
         let name = table.text("material")?.unwrap_or_default();
@@ -121,11 +121,7 @@ fn rules(
             && !scene.materials.iter().any(|material| material.name == *surface)
         {
             let known = scene.materials.iter().map(|material| material.name.as_str());
-            let message = match nearest(surface, known) {
-                Some(meant) => format!("no surface is `{surface}`: did you mean `{meant}`?"),
-                None => format!("no surface is `{surface}` (`luxel info` lists the materials)"),
-            };
-            return Err(table.error_at("surface", message));
+            return Err(table.unknown_name("surface", "surface", surface, known));
         }
         for node in nodes {
             rules[node].push(Rule { change, surface: surface.clone() });
@@ -144,7 +140,7 @@ fn children(scene: &Scene) -> Vec<Vec<usize>> {
     children
 }
 
-/// The nodes that an override is about: of its model, and at or below its object.
+/// The nodes that an override applies to: in its model, and at or below its object.
 fn chosen(
     table: &Table<'_>,
     models: &Models,
@@ -158,8 +154,8 @@ fn chosen(
             if nodes.is_empty() {
                 let known = models.list.iter().map(|model| model.name.as_str());
                 let message = match nearest(name, known) {
-                    Some(meant) => format!("no model is `{name}`: did you mean `{meant}`?"),
-                    None => format!("no model is `{name}`: give it this name under [[models]]"),
+                    Some(meant) => format!("there is no model `{name}`: did you mean `{meant}`?"),
+                    None => format!("there is no model `{name}`: name it under [[models]]"),
                 };
                 return Err(table.error_at("model", message));
             }
@@ -172,7 +168,7 @@ fn chosen(
         let mut left: Vec<usize> =
             found.iter().map(|node| node.index()).filter(|node| chosen.contains(node)).collect();
         if left.is_empty() {
-            return Err(table.error_at("object", models.nodes.missing(&path)));
+            return Err(models.nodes.missing(table, "object", &path));
         }
         let mut below = BTreeSet::new();
         while let Some(node) = left.pop() {
@@ -185,19 +181,19 @@ fn chosen(
     Ok(chosen)
 }
 
-/// Gives every object its materials. Meshes that several objects show in different materials are
-/// copied, and so are materials that only some surfaces keep.
+/// Assigns each object its materials. Meshes that objects share in different materials are
+/// copied, and so are materials that only some surfaces change.
 fn dress(
     scene: &mut Scene,
     rules: &[Vec<Rule>],
     changes: &[Named],
     memory: &Memory<'_>,
 ) -> Result<(), Error> {
-    // A material and the changes on top of it, in order, and which material that makes.
+    // From a material and its changes, in order, to the resulting material.
     let mut dressed: HashMap<(u32, Vec<usize>), MaterialId> = HashMap::new();
     let originals = scene.materials.clone();
     let mut is_taken = vec![false; originals.len()];
-    // Which mesh, in which materials, and which mesh that makes.
+    // From a mesh and its materials to the resulting mesh.
     let mut meshes: HashMap<(MeshId, Vec<MaterialId>), MeshId> = HashMap::new();
     let mut is_first_use = vec![true; scene.meshes.len()];
     for (node, rules) in rules.iter().enumerate() {
@@ -210,7 +206,7 @@ fn dress(
             let key = (material.0, on_top);
             let id = dressed.get(&key).copied().unwrap_or_else(|| {
                 let worn = worn(original, &key.1, changes);
-                // The first to change a material changes it in its place.
+                // The first change of a material happens in place.
                 let id = if std::mem::replace(&mut is_taken[material.index()], true) {
                     scene.materials.push(worn);
                     MaterialId(scene.materials.len() as u32 - 1)
@@ -227,7 +223,7 @@ fn dress(
         let id = match meshes.get(&key) {
             Some(&id) => id,
             None if std::mem::replace(&mut is_first_use[mesh.index()], false) => {
-                // Its own materials are still needed to dress its other uses.
+                // Its other uses still need the original materials.
                 meshes.insert(key, mesh);
                 mesh
             }
@@ -270,7 +266,7 @@ fn materials_of(mesh: &Mesh) -> Vec<MaterialId> {
     parts.chain(points).chain(lines).collect()
 }
 
-/// Gives them other ones, in the same order.
+/// Replaces the materials, in the same order.
 fn wear(mesh: &mut Mesh, made: &[MaterialId]) {
     let parts = mesh.parts.iter_mut().map(|part| &mut part.material);
     let points = mesh.points.iter_mut().map(|points| &mut points.material);

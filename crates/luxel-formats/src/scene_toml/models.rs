@@ -1,4 +1,4 @@
-//! `[[models]]`: files and demos put together into one scene.
+//! `[[models]]`: joins files and demos into one scene.
 
 use super::document::{Document, Table};
 use super::keys::MODELS;
@@ -14,35 +14,35 @@ use luxel_scene::{
 use std::collections::HashMap;
 use std::path::Path;
 
-/// All models, with what other tables need of them.
+/// All models, with the data that other tables need.
 pub(super) struct Models {
     /// Meshes, materials, textures and nodes of all models.
     pub(super) scene: Scene,
     /// Its nodes by their names.
     pub(super) nodes: Nodes,
-    /// Each model's nodes, and the material for all of it.
+    /// Each model's nodes, and its material.
     pub(super) list: Vec<Model>,
-    /// The models' own lights and cameras, as far as they are wanted.
+    /// The lights and cameras of the models that enable them.
     pub(super) lights: Vec<SceneLight>,
     pub(super) cameras: Vec<SceneCamera>,
 }
 
 /// One model in the scene.
 pub(super) struct Model {
-    /// The name of its first node, on which all others hang.
+    /// The name of its first node, the ancestor of all others.
     pub(super) name: String,
-    /// Its nodes, first and last but one.
+    /// The range of its nodes, end exclusive.
     pub(super) nodes: std::ops::Range<usize>,
-    /// The material for all of it, and the place of its key.
+    /// The material for the whole model, and the place of its key.
     pub(super) material: Option<(String, crate::Place)>,
 }
 
-/// A file or demo that has been read: what each of its uses adds to the scene.
+/// A file or demo, read once: the part that each of its uses adds to the scene.
 struct Source {
     nodes: Vec<Node>,
     lights: Vec<SceneLight>,
     cameras: Vec<SceneCamera>,
-    /// The number of its first mesh in the scene.
+    /// The index of its first mesh in the scene.
     first_mesh: u32,
 }
 
@@ -93,24 +93,25 @@ fn open_source(
     }
     let path = files::within(folder, name).map_err(|message| table.error_at("source", message))?;
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
-        let message = format!("`{name}` is a scene file, and these don't hold one another");
+        let message =
+            format!("`{name}` is a scene file, and scene files can't contain scene files");
         return Err(table.error_at("source", message));
     }
     let loaded = model_file::open(&path, &memory.left()).map_err(|error| match error.kind {
-        // A missing file is an error of the key that names it.
+        // The error of a missing file points to the key that names it.
         ErrorKind::Io(io) if error.file.as_deref() == Some(&path) => {
             table.error_at("source", format!("{}: {io}", path.display()))
         }
         kind => Error { kind, ..error },
     })?;
-    debug_assert!(loaded.format != Format::Toml, "scene files don't hold one another");
+    debug_assert!(loaded.format != Format::Toml, "scene files can't contain scene files");
     for warning in loaded.warnings {
         warnings.push(warning.at(name));
     }
     Ok(loaded.scene)
 }
 
-/// What a scene takes in memory.
+/// The memory of a scene in bytes.
 fn bytes_of(scene: &Scene) -> u64 {
     let mesh = |mesh: &Mesh| {
         let words = 3 * (mesh.positions.len() + mesh.triangles.len() + mesh.normals.len())
@@ -128,7 +129,7 @@ fn bytes_of(scene: &Scene) -> u64 {
 }
 
 impl Models {
-    /// Takes the meshes, materials and textures of a scene; the rest is what its uses add.
+    /// Moves a scene's meshes, materials and textures; returns the rest, which its uses add.
     fn take(&mut self, read: Scene, is_first: bool) -> Source {
         let scene = &mut self.scene;
         if is_first {
@@ -158,7 +159,7 @@ impl Models {
         Source { nodes: read.nodes, lights: read.lights, cameras: read.cameras, first_mesh }
     }
 
-    /// Puts a model into the scene.
+    /// Adds a model to the scene.
     fn place(
         &mut self,
         table: &Table<'_>,
@@ -188,7 +189,7 @@ impl Models {
             self.lights.extend(source.lights.iter().map(|light| {
                 let placement = match light.placement {
                     Placement::Node(node) => Placement::Node(moved(node)),
-                    // What the model's file places in the world moves with the model.
+                    // Lights in the world space of the model's file move with the model.
                     Placement::World => Placement::Node(NodeId(root as u32)),
                     Placement::Camera => Placement::Camera,
                 };

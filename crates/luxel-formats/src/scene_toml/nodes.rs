@@ -1,29 +1,28 @@
-//! Nodes by their names and paths.
+//! Looks up nodes by name and path.
 
 use super::document::Table;
 use crate::Error;
-use crate::values::nearest;
 use luxel_scene::{NodeId, Scene};
 use std::collections::BTreeMap;
 
-/// The nodes of a scene by their names.
+/// The nodes of a scene by name.
 #[derive(Default)]
 pub(super) struct Nodes {
     by_name: BTreeMap<String, Vec<NodeId>>,
 }
 
 impl Nodes {
-    /// Lists the nodes from `first` on.
+    /// Indexes the nodes from `first` on.
     pub(super) fn add(&mut self, scene: &Scene, first: usize) {
         for (index, node) in scene.nodes.iter().enumerate().skip(first) {
             self.by_name.entry(node.name.clone()).or_default().push(NodeId(index as u32));
         }
     }
 
-    /// All nodes of this name, or whose path ends with these names.
+    /// All nodes with this name, or with a path that ends in these names.
     pub(super) fn all(&self, scene: &Scene, path: &[String]) -> Vec<NodeId> {
         let split: Vec<&str> = match path {
-            // A name may hold a `/` itself.
+            // A name may contain a `/`.
             [name] if !self.by_name.contains_key(name) => name.split('/').collect(),
             names => names.iter().map(String::as_str).collect(),
         };
@@ -42,7 +41,7 @@ impl Nodes {
         candidates.iter().filter(fits).copied().collect()
     }
 
-    /// The one node of this name or path.
+    /// The only node with this name or path.
     pub(super) fn find(
         &self,
         scene: &Scene,
@@ -51,7 +50,7 @@ impl Nodes {
         path: &[String],
     ) -> Result<NodeId, Error> {
         let mut nodes = self.all(scene, path);
-        // Who gives a whole path leaves no doubt.
+        // A complete path is unambiguous.
         let names = path.iter().flat_map(|name| name.split('/')).count();
         let is_whole = |node: &&NodeId| scene.path(**node).len() == names;
         if let (Some(&node), true) =
@@ -61,11 +60,11 @@ impl Nodes {
         }
         match nodes[..] {
             [node] => Ok(node),
-            [] => Err(table.error_at(key, self.missing(path))),
+            [] => Err(self.missing(table, key, path)),
             [one, other, ..] => {
                 let [one, other] = [one, other].map(|node| scene.path(node).join("/"));
                 let message = format!(
-                    "{key}: `{}` is both {one} and {other}: name the node above it too",
+                    "{key}: `{}` may be {one} or {other}: add the name of its parent",
                     path.join("/")
                 );
                 Err(table.error_at(key, message))
@@ -73,12 +72,9 @@ impl Nodes {
         }
     }
 
-    /// The message for a name that no node has.
-    pub(super) fn missing(&self, path: &[String]) -> String {
-        let name = path.join("/");
-        match nearest(&name, self.by_name.keys().map(String::as_str)) {
-            Some(meant) => format!("there is no `{name}`: did you mean `{meant}`?"),
-            None => format!("there is no `{name}` (`luxel info` lists the objects of a model)"),
-        }
+    /// The error for an unknown node name.
+    pub(super) fn missing(&self, table: &Table<'_>, key: &str, path: &[String]) -> Error {
+        let known = self.by_name.keys().map(String::as_str);
+        table.unknown_name(key, "node", &path.join("/"), known)
     }
 }

@@ -1,4 +1,4 @@
-//! `[render]`: settings of the program that draws.
+//! `[render]`: settings of the rendering program.
 
 use super::document::{Document, as_text};
 use super::keys::RENDER;
@@ -12,11 +12,11 @@ use toml::de::DeValue;
 pub struct Setting {
     /// Its name.
     pub name: String,
-    /// Where it is written.
+    /// The place of the key.
     pub place: Place,
     /// Its value.
     pub value: SettingValue,
-    /// Where the value is written.
+    /// The place of the value.
     pub value_place: Place,
 }
 
@@ -27,15 +27,15 @@ pub enum SettingValue {
     Switch(bool),
     /// One value, as text.
     One(String),
-    /// Several: the numbers of a vector, or values of a setting that may be repeated.
+    /// Several: the numbers of a vector, or the values of a repeatable setting.
     Many(Vec<String>),
 }
 
-/// The settings in `[render]` of a scene file, in order. Names and values are not checked: they are
-/// the program's.
+/// The settings in `[render]` of a scene file, in order. Names and values are not checked: that is
+/// up to the program.
 ///
-/// # Errors
-/// [`Error`] with its line and column, if this is no scene file or `[render]` no table of values.
+/// # Errors [`Error`] with its line and column, if this is not a scene file or `[render]` is not a
+/// table of values.
 pub fn scene_settings(bytes: &[u8], limits: &Limits) -> Result<Vec<Setting>, Error> {
     let document = Document::parse(bytes, &Memory::new(limits))?;
     let setting = |entry: super::document::Entry<'_>| {

@@ -20,7 +20,7 @@ fn refused(rest: &str) -> String {
     load_in(None, rest).err().unwrap().to_string()
 }
 
-/// A folder of its own for a test, removed in the end.
+/// A temporary folder for one test, removed at its end.
 struct Folder(std::path::PathBuf);
 
 impl Folder {
@@ -47,12 +47,12 @@ impl Drop for Folder {
 }
 
 #[test]
-fn every_key_takes_its_example_and_no_key_is_for_show() {
+fn every_key_accepts_its_example_and_has_an_effect() {
     let needed = |section: &Section, but: &str| {
         let keys = section.keys.iter().filter(|key| key.required && key.name != but);
         keys.map(|key| format!("{} = {}\n", key.name, key.example)).collect::<String>()
     };
-    // What the examples refer to.
+    // The models and materials that the examples refer to.
     let around = "[[models]]\nsource = \"demo:teapot\"\nname = \"pot\"\n\
                   [[materials]]\nname = \"glaze\"\n";
     for section in sections() {
@@ -121,7 +121,7 @@ fn every_key_takes_its_example_and_no_key_is_for_show() {
 }
 
 #[test]
-fn models_hang_on_nodes_of_their_own_in_order() {
+fn each_model_gets_its_own_node_in_order() {
     let scene = scene(
         "[[models]]\nsource = \"demo:teapot\"\n\
          [[models]]\nsource = \"demo:teapot\"\nname = \"small\"\nparent = \"teapot/lid\"\n\
@@ -132,7 +132,7 @@ fn models_hang_on_nodes_of_their_own_in_order() {
     assert_eq!(scene.path(objects[0].node), ["teapot", "teapot", "body"]);
     let small = scene.path(objects[4].node);
     assert_eq!(small, ["teapot", "teapot", "lid", "small", "teapot", "body"]);
-    assert_eq!(objects[0].mesh, objects[4].mesh, "a model that is named twice is read once");
+    assert_eq!(objects[0].mesh, objects[4].mesh, "a model used twice is read once");
     let placed = objects[4].world_from_mesh * objects[0].world_from_mesh.inverse();
     // Scale, then rotate, then translate: (1, 0, 0) becomes (0, 0.5, 0), then moves.
     let at = placed.transform_point3(DVec3::X);
@@ -152,17 +152,17 @@ fn a_matrix_is_read_column_by_column() {
 }
 
 #[test]
-fn files_are_looked_for_beside_the_scene_file_and_nowhere_else() {
+fn models_are_read_only_from_the_folder_of_the_scene_file() {
     let folder = Folder::new("beside");
     let scene = folder.load("[[models]]\nsource = \"parts/two.obj\"\n").unwrap().scene;
     let names: Vec<_> = scene.nodes.iter().map(|node| node.name.as_str()).collect();
     assert_eq!(names, ["two", "left", "right"]);
     for (source, expected) in [
-        ("../parts/two.obj", ":4:10: `../parts/two.obj` isn't read: it leads out"),
+        ("../parts/two.obj", ":4:10: `../parts/two.obj` is not read: it leads out"),
         ("/etc/passwd", "leads out"),
         ("C:/x.obj", "leads out"),
         ("missing.obj", "missing.obj: "),
-        ("other.toml", "don't hold one another"),
+        ("other.toml", "can't contain scene files"),
         ("two.xyz", ":4:10: "),
         ("demo:nothing", "there is no demo `nothing`: use teapot"),
     ] {
@@ -192,7 +192,7 @@ fn lights_have_the_fields_of_the_flag() {
 }
 
 #[test]
-fn models_bring_their_lights_and_cameras_and_take_them_along() {
+fn lights_and_cameras_of_a_model_move_with_it() {
     let with = |rest: &str| {
         scene(&format!("[[models]]\nsource = \"demo:cornell\"\ntranslate = [9, 0, 0]\n{rest}"))
     };
@@ -206,7 +206,7 @@ fn models_bring_their_lights_and_cameras_and_take_them_along() {
 }
 
 #[test]
-fn surroundings_are_those_of_the_flags() {
+fn surroundings_read_as_on_the_command_line() {
     let scene = scene(
         "up = \"Z\"\nambient = [0.1, 0.2, 0.3]\nenvironment = \"studio\"\n\
          background = [0.5, 0.5, 0.5]\n[fog]\nnear = 1\nfar = 5\nback = 0.25\n",
@@ -221,7 +221,7 @@ fn surroundings_are_those_of_the_flags() {
 }
 
 #[test]
-fn cameras_stand_where_they_are_put() {
+fn cameras_have_the_position_of_the_file() {
     let scene = scene(
         "[[models]]\nsource = \"demo:teapot\"\nname = \"pot\"\n\
          [[cameras]]\nname = \"a\"\neye = [0, 0, 5]\ntarget = [0, 0, 0]\northo = 3\n\
@@ -234,7 +234,7 @@ fn cameras_stand_where_they_are_put() {
 }
 
 #[test]
-fn materials_change_what_they_say_on_the_surfaces_that_are_meant() {
+fn materials_change_only_the_given_keys_of_the_matching_surfaces() {
     let folder = Folder::new("materials");
     let scene = folder
         .load(
@@ -264,7 +264,7 @@ fn materials_change_what_they_say_on_the_surfaces_that_are_meant() {
 }
 
 #[test]
-fn an_override_reaches_all_below_its_object_and_only_its_surface() {
+fn an_override_applies_below_its_object_and_only_to_its_surface() {
     let scene = scene(
         "[[models]]\nsource = \"demo:plane\"\n[[materials]]\nname = \"m\"\nreflection = \"phong\"\n\
          [[overrides]]\nobject = \"stack\"\nsurface = \"torus\"\nmaterial = \"m\"\n",
@@ -278,32 +278,35 @@ fn an_override_reaches_all_below_its_object_and_only_its_surface() {
 }
 
 #[test]
-fn what_is_wrong_is_told_with_line_column_and_a_guess() {
+fn errors_have_line_column_and_suggestion() {
     let teapot = "[[models]]\nsource = \"demo:teapot\"\n";
     for (rest, expected) in [
         ("lihgts = 1\n", ":3:1: `lihgts` is unknown here: did you mean `lights`?"),
         ("[models]\nsource = \"demo:teapot\"\n", ":3:1: `models` is a table: write [[models]]"),
         ("[[models]]\nname = \"x\"\n", ":3:1: `source` is missing"),
-        ("[[models]]\nsource = 5\n", ":4:10: source: use a text in quotes"),
-        ("[[lights]]\nkind = \"sun\"\n", ":4:8: `sun` is no kind of light"),
+        ("[[models]]\nsource = 5\n", ":4:10: source: use a quoted string"),
+        ("[[lights]]\nkind = \"sun\"\n", ":4:8: `sun` is not a kind of light"),
         ("[[lights]]\nkind = \"point\"\n", "needs pos"),
-        ("[[lights]]\nkind = \"point\"\npos = [1, 2]\n", ":5:7: pos: it takes 3 numbers"),
-        ("[[lights]]\nkind = \"point\"\npos = [1, 2, 3]\nnode = \"x\"\n", "there is no `x`"),
+        ("[[lights]]\nkind = \"point\"\npos = [1, 2]\n", ":5:7: pos: expected 3 numbers"),
+        ("[[lights]]\nkind = \"point\"\npos = [1, 2, 3]\nnode = \"x\"\n", "there is no node `x`"),
         (
             "[[lights]]\nkind = \"point\"\npos = [1,2,3]\nname = \"x\"\n\
           [[lights]]\nkind = \"point\"\npos = [1,2,3]\nname = \"x\"\n",
-            "two lights are called `x`",
+            "two lights have the name `x`",
         ),
         ("ambient = [1, 2, nan]\n", ":3:11: ambient: `nan` is not a finite number"),
-        ("ambient = [[1, 2, 3]]\n", "a list within a list"),
-        ("up = 1979-05-27\n", "a date means nothing here"),
+        ("ambient = [[1, 2, 3]]\n", "found a list"),
+        ("up = 1979-05-27\n", "expected a number or a string, found a date"),
         ("[fog]\nnear = 3\n", ":3:1: it needs far=Z"),
         ("[fog]\nlaw = \"exp\"\ndensity = -1\n", ":5:11: density: it must not be below 0"),
-        ("[fog]\nnear = 3\nfar = 2\n", ":3:1: near must lie before far"),
+        ("[fog]\nnear = 3\nfar = 2\n", ":3:1: near must be less than far"),
         ("[[cameras]]\nname = \"c\"\n", "needs eye and target"),
-        ("[[cameras]]\nname = \"c\"\neye=[1,1,1]\ntarget=[1,1,1]\n", "stands at its target"),
+        (
+            "[[cameras]]\nname = \"c\"\neye=[1,1,1]\ntarget=[1,1,1]\n",
+            "eye and target are the same point",
+        ),
         ("[[cameras]]\nname = \"c\"\neye=[1,1,1]\ntarget=[0,1,1]\nfov=9\northo=1\n", "exclude"),
-        ("[[overrides]]\nmaterial = \"m\"\n", "describe it under [[materials]]"),
+        ("[[overrides]]\nmaterial = \"m\"\n", "add it under [[materials]]"),
         ("a = 1\na = 2\n", ":4:1: "),
         ("a = \n", ":3:5: "),
     ] {
@@ -311,15 +314,15 @@ fn what_is_wrong_is_told_with_line_column_and_a_guess() {
         assert!(message.contains(expected), "{rest}: {message}");
     }
     for (rest, expected) in [
-        ("scale = 0\n", ":5:9: scale: nothing is left"),
+        ("scale = 0\n", ":5:9: scale: the scale must not be 0"),
         ("rotate = 30\n", ":5:10: rotate: use { axis = "),
         ("rotate = { axis = \"Y\", angle = 1 }\n", "`angle` is unknown here"),
         ("scale = 2\nmatrix = [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]\n", "exclude each other"),
-        ("matrix = [1,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1]\n", "must not flatten"),
+        ("matrix = [1,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1]\n", "must be invertible"),
         (
             "[[overrides]]\nmaterial = \"m\"\n[[materials]]\nname = \"m\"\n[[overrides]]\n\
           material = \"m\"\nobject = \"lidd\"\n",
-            "there is no `lidd`: did you mean `lid`?",
+            "there is no node `lidd`: did you mean `lid`?",
         ),
         (
             "[[materials]]\nname = \"m\"\n[[overrides]]\nmaterial = \"m\"\nsurface = \"glase\"\n",
@@ -328,7 +331,7 @@ fn what_is_wrong_is_told_with_line_column_and_a_guess() {
         (
             "[[models]]\nsource = \"demo:teapot\"\n[[models]]\nsource = \"demo:teapot\"\n\
           parent = \"lid\"\n",
-            "name the node above it too",
+            "add the name of its parent",
         ),
     ] {
         let message = refused(&format!("{teapot}{rest}"));
@@ -348,11 +351,11 @@ fn columns_are_counted_in_characters() {
 #[test]
 fn other_files_and_other_versions_are_refused() {
     for (text, expected) in [
-        ("", "this is no scene file"),
-        ("[package]\nname = \"x\"\n", "this is no scene file"),
-        ("format = \"other\"\nversion = 1\n", ":1:10: a scene file says format"),
+        ("", "this is not a scene file"),
+        ("[package]\nname = \"x\"\n", "this is not a scene file"),
+        ("format = \"other\"\nversion = 1\n", ":1:10: a scene file begins with format"),
         ("format = \"luxel-scene\"\n", "the version is missing"),
-        ("format = \"luxel-scene\"\nversion = 2\n", ":2:11: version 2 is not read here"),
+        ("format = \"luxel-scene\"\nversion = 2\n", ":2:11: version 2 is not supported"),
         ("format = \"luxel-scene\"\nversion = \"1\"\n", ":2:11: "),
     ] {
         let error = read(text.as_bytes(), None, &Limits::default()).unwrap_err().to_string();

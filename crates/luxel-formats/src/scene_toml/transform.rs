@@ -1,4 +1,4 @@
-//! Where a model stands: scale, rotate, translate, or a matrix.
+//! The transform of a model: scale, rotate, translate, or a matrix.
 
 use super::document::Table;
 use super::keys::ROTATE;
@@ -6,7 +6,7 @@ use crate::Error;
 use crate::values::{finite, numbers, point, up};
 use glam::{DMat4, DVec3};
 
-/// From a model's coordinates to its parent's.
+/// A model's transform to its parent.
 pub(super) fn transform(table: &Table<'_>) -> Result<DMat4, Error> {
     if let Some(matrix) = table.value("matrix", affine)? {
         if let Some(other) = ["scale", "rotate", "translate"].into_iter().find(|key| table.has(key))
@@ -28,17 +28,17 @@ pub(super) fn transform(table: &Table<'_>) -> Result<DMat4, Error> {
     Ok(DMat4::from_translation(translation) * rotation * DMat4::from_scale(scale))
 }
 
-/// One factor for all axes or one for each, none of them 0.
+/// One factor for all axes or one per axis, none of them 0.
 fn scale(text: &str) -> Result<DVec3, String> {
     let factors = if text.contains(',') { point(text)? } else { DVec3::splat(finite(text)?) };
     if factors.to_array().contains(&0.0) {
-        Err("nothing is left of a model of size 0".to_owned())
+        Err("the scale must not be 0".to_owned())
     } else {
         Ok(factors)
     }
 }
 
-/// An affine matrix that can be turned back.
+/// An invertible affine matrix.
 fn affine(text: &str) -> Result<DMat4, String> {
     let matrix = DMat4::from_cols_array(&numbers(text)?);
     if matrix.row(3) != DMat4::IDENTITY.row(3) {
@@ -46,7 +46,7 @@ fn affine(text: &str) -> Result<DMat4, String> {
     }
     let determinant = matrix.determinant();
     if determinant == 0.0 || !determinant.is_finite() {
-        return Err("it must not flatten a model".to_owned());
+        return Err("the matrix must be invertible".to_owned());
     }
     Ok(matrix)
 }

@@ -5,60 +5,57 @@
 use super::document::Document;
 use super::keys::{MATERIAL, MATERIALS, MODELS, OVERRIDES, Section};
 use crate::memory::Memory;
-use crate::values::{cutoff_degrees, degrees, reflection_text};
+use crate::values::{FieldValue, degrees, light_fields, reflection_text};
 use crate::{Error, Limits, SettingValue};
 use glam::DVec3;
-use luxel_lighting::{
-    Attenuation, Cone, Environment, Fog, FogLaw, K_A, K_D, K_S, LightKind, LightKindDescription,
-    METALLIC, ROUGHNESS, SHININESS,
-};
+use luxel_lighting::{Environment, Fog, FogLaw, parameters};
 use luxel_scene::{EnvironmentChoice, Lens, Placement, Restyle, SceneCamera, SceneLight};
 use std::fmt::Write as _;
 use toml::de::DeValue;
 
-/// A scene file to be written.
+/// The content of a scene file to write.
 #[derive(Clone, Debug)]
 pub struct SceneText<'a> {
     /// The models and their materials.
     pub models: SceneModels<'a>,
-    /// Further changes to surfaces, on top of all others.
+    /// Further changes to surfaces, applied after all others.
     pub changes: Vec<SurfaceChange>,
-    /// What is up.
+    /// The up direction.
     pub up: DVec3,
-    /// I_a: the scene's own ambient light.
+    /// I_a: the scene's ambient light.
     pub ambient: [f32; 3],
-    /// What mirrors and metals see; the file has no key for `None`.
+    /// The environment; the file has no key for `None`.
     pub environment: Option<EnvironmentChoice>,
-    /// Linear red, green, blue, and alpha, where nothing is.
+    /// The background: linear red, green, blue, and alpha.
     pub background: [f32; 4],
     /// Depth cueing.
     pub fog: Option<Fog>,
     /// The lights, each with the path of its node, if it has one.
     pub lights: Vec<(SceneLight, Vec<String>)>,
-    /// The cameras; those that hang on nodes are left out.
+    /// The cameras; those attached to nodes are left out.
     pub cameras: Vec<SceneCamera>,
-    /// Settings of the program that draws, for `[render]`.
+    /// Settings of the rendering program, for `[render]`.
     pub settings: Vec<(String, SettingValue)>,
 }
 
-/// Where the models of a scene file come from.
+/// The source of a scene file's models.
 #[derive(Clone, Debug)]
 pub enum SceneModels<'a> {
-    /// One file in the scene file's folder or below it, or `demo:NAME`. Its first node is called as the
-    /// file is, without its ending.
+    /// One file in the scene file's folder or below it, or `demo:NAME`. Its first node is named
+    /// after the file, without extension.
     One(&'a str),
-    /// Those of another scene file, whose models and materials are copied.
+    /// Copies the models and materials of another scene file.
     AsIn(&'a [u8]),
 }
 
 /// A change to the surfaces that match.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceChange {
-    /// The path of the objects, if not all are meant.
+    /// The path of the objects; `None` for all.
     pub object: Option<Vec<String>>,
-    /// What the material is called in the model, if not all are meant.
+    /// The material's name in the model; `None` for all.
     pub surface: Option<String>,
-    /// What becomes of it.
+    /// The change.
     pub restyle: Restyle,
 }
 
@@ -66,26 +63,19 @@ impl SceneText<'_> {
     /// The text of the file.
     ///
     /// # Errors
-    /// [`Error`], if the other scene file that it takes its models from is none.
+    /// [`Error`] if the scene file whose models it copies is not valid.
     pub fn write(&self) -> Result<String, Error> {
         let mut page = Page::default();
         page.line("format", "\"luxel-scene\"");
         page.line("version", "1");
         page.line("up", &vector(self.up));
         page.line("ambient", &color(self.ambient));
-        match self.environment {
-            None => {}
-            Some(EnvironmentChoice::StudioForMicrofacets) => {
-                page.line("environment", "\"microfacet\"");
-            }
-            Some(EnvironmentChoice::Always(environment)) => {
-                let text = match environment {
-                    Environment::None => "\"none\"".to_owned(),
-                    Environment::Studio { .. } => "\"studio\"".to_owned(),
-                    Environment::Constant(light) => color(light),
-                };
-                page.line("environment", &text);
-            }
+        if let Some(named) = self.environment.and_then(|environment| environment.named()) {
+            page.line("environment", &quoted(named.name()));
+        } else if let Some(EnvironmentChoice::Always(Environment::Constant(light))) =
+            self.environment
+        {
+            page.line("environment", &color(light));
         }
         let [r, g, b, alpha] = self.background.map(single);
         page.line("background", &format!("[{r}, {g}, {b}, {alpha}]"));
@@ -170,7 +160,7 @@ struct Page {
 
 impl Page {
     fn table(&mut self, head: &str) {
-        // Writing to a text can't fail.
+        // Writing to a string can't fail.
         let _ = write!(self.text, "\n{head}\n");
     }
 
@@ -179,7 +169,7 @@ impl Page {
     }
 }
 
-/// Copies a section of another file, whatever way it was written there.
+/// Copies a section of another file, in any TOML spelling.
 fn copy(document: &Document<'_>, section: &'static Section, page: &mut Page) -> Result<(), Error> {
     for table in document.tables(section)? {
         let Section { name, repeated, .. } = section;
@@ -220,54 +210,21 @@ fn as_toml(value: &DeValue<'_>) -> String {
 }
 
 fn write_light(page: &mut Page, light: &SceneLight, node: &[String]) {
-    let SceneLight { name, light, placement, position, direction } = light;
-    let LightKindDescription { name: kind, has_position, has_direction, .. } =
-        light.kind.description();
-    page.line("kind", &quoted(kind));
-    page.line("name", &quoted(name));
-    match placement {
+    page.line("kind", &quoted(light.light.kind.name()));
+    page.line("name", &quoted(&light.name));
+    match light.placement {
         Placement::World => {}
         Placement::Camera => page.line("in", "\"camera\""),
         Placement::Node(_) => page.line("node", &list(node)),
     }
-    if light.kind == LightKind::Ambient {
-        page.line("color", &color(light.ambient));
-        return;
-    }
-    if *has_position {
-        page.line("pos", &vector(*position));
-    }
-    if *has_direction {
-        page.line("dir", &vector(*direction));
-    }
-    match light.kind {
-        LightKind::Spot(Cone::Exponent { cos_cutoff, exponent }) => {
-            page.line("cutoff", &number(cutoff_degrees(cos_cutoff)));
-            page.line("exponent", &single(exponent));
-        }
-        LightKind::Spot(Cone::Smooth { cos_inner, cos_outer }) => {
-            page.line("cutoff", &number(cutoff_degrees(cos_outer)));
-            page.line("inner", &number(cutoff_degrees(cos_inner)));
-        }
-        _ => {}
-    }
-    if light.ambient != [0.0; 3] {
-        page.line("ambient", &color(light.ambient));
-    }
-    page.line("diffuse", &color(light.diffuse));
-    if light.specular != light.diffuse {
-        page.line("specular", &color(light.specular));
-    }
-    let Attenuation { coefficients, limit, range } = light.attenuation;
-    let none = Attenuation::NONE;
-    if coefficients != none.coefficients {
-        page.line("attenuation", &color(coefficients));
-    }
-    if limit < Attenuation::NO_LIMIT {
-        page.line("limit", &single(limit));
-    }
-    if let Some(range) = range {
-        page.line("range", &single(range));
+    for (key, value) in light_fields(light) {
+        let text = match value {
+            FieldValue::Vector(value) => vector(value),
+            FieldValue::Color(value) => color(value),
+            FieldValue::Degrees(value) => number(value),
+            FieldValue::Number(value) => single(value),
+        };
+        page.line(key, &text);
     }
 }
 
@@ -312,18 +269,14 @@ fn write_restyle(page: &mut Page, restyle: &Restyle) {
             page.line(key, &color(*value));
         }
     }
-    let shared = [&K_A, &K_D, &K_S, &SHININESS, &METALLIC, &ROUGHNESS];
-    let numbers = shared.map(|one| (one.name, restyle.parameter(one)));
-    for (key, value) in numbers.into_iter().chain([("opacity", restyle.opacity)]) {
-        if let Some(value) = value {
-            page.line(key, &single(value));
-        }
-    }
     if let Some(reflection) = reflection {
         page.line("reflection", &quoted(&reflection_text(reflection)));
     }
-    for (name, value) in &restyle.own {
-        page.line(name, &single(*value));
+    let numbers = parameters().map(|one| (one.name, restyle.parameter(one)));
+    for (key, value) in numbers.chain([("opacity", restyle.opacity)]) {
+        if let Some(value) = value {
+            page.line(key, &single(value));
+        }
     }
 }
 
@@ -374,14 +327,14 @@ fn color(color: [f32; 3]) -> String {
     format!("[{}]", color.map(single).join(", "))
 }
 
-/// A number that is read as this one.
+/// A number that reads back as this one.
 fn number(value: f64) -> String {
     let plain = value.to_string();
-    // Digits without end are not read more easily.
+    // Longer digits are not more readable.
     if plain.len() > 24 { format!("{value:e}") } else { plain }
 }
 
-/// A number that is read, by way of double precision, as this one.
+/// A number that reads back, through double precision, as this one.
 fn single(value: f32) -> String {
     let plain = value.to_string();
     let text = if plain.len() > 16 { format!("{value:e}") } else { plain };

@@ -32,12 +32,12 @@ struct Reader<'a> {
     bytes: &'a [u8],
     at: usize,
     solids: Vec<(String, Facets)>,
-    /// Whether a solid has begun and not ended.
+    /// Whether a solid is open.
     inside: bool,
 }
 
 impl<'a> Reader<'a> {
-    /// The next word, wherever lines end.
+    /// The next word, across line ends.
     #[inline]
     fn word(&mut self) -> Option<&'a [u8]> {
         let mut words = Words::new(&self.bytes[self.at..]);
@@ -67,7 +67,7 @@ impl<'a> Reader<'a> {
         } else if word.eq_ignore_ascii_case(b"solid") {
             let given = self.line();
             let name = if given.is_empty() { name.to_owned() } else { shown(given) };
-            // Solids without facets are no objects; a file may hold millions of them.
+            // Solids without facets don't count as objects; a file may hold millions of them.
             self.solids.pop_if(|(_, facets)| facets.is_empty());
             self.solids.push((name, Facets::with_room_for(0)));
             self.inside = true;
@@ -80,7 +80,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// What follows `facet`: a normal, which is left aside, and three corners.
+    /// The rest of a facet: a normal, which is ignored, and three corners.
     fn facet(&mut self) -> Result<[[f32; 3]; 3], Error> {
         self.keyword(b"normal")?;
         for _ in 0..3 {
@@ -114,7 +114,7 @@ impl<'a> Reader<'a> {
     }
 
     fn unexpected(&self, word: &[u8], expected: &str) -> Error {
-        let message = format!("{expected} is expected, not `{}`", shown(word));
+        let message = format!("expected {expected}, found `{}`", shown(word));
         let line = line_of(self.bytes, self.at.saturating_sub(1));
         Error::at(Place::Line(line), ErrorKind::Malformed(message))
     }

@@ -1,4 +1,4 @@
-//! Binary STL: 80 bytes of anything, a count, and 50 bytes for each triangle, all little-endian.
+//! Binary STL: 80 arbitrary bytes, a count, and 50 bytes per triangle, little-endian.
 
 use super::{Facets, check_count};
 use crate::block_reader::BlockReader;
@@ -11,7 +11,7 @@ const PREFACE: usize = 84;
 /// A normal, three corners, and two bytes of attributes.
 const RECORD: usize = 50;
 
-/// How long the file should be by the count it holds; `None` if it is too short to hold one.
+/// The file size that the count implies; `None` if the file is too short for a count.
 pub(super) fn declared_size(bytes: &[u8]) -> Option<u64> {
     let (_, count) = bytes.get(..PREFACE)?.split_last_chunk::<4>()?;
     Some(PREFACE as u64 + RECORD as u64 * u64::from(u32::from_le_bytes(*count)))
@@ -32,7 +32,7 @@ pub(super) fn read(
     let records = &bytes[PREFACE..];
     if size > bytes.len() as u64 {
         let whole = records.len() / RECORD;
-        let what = format!("triangle {whole}: the file says it has {count}");
+        let what = format!("triangle {whole}: the file declares {count}");
         return Err(Error::at(end, ErrorKind::Truncated(what)));
     }
     check_count(count, limits, Place::Byte(80))?;
@@ -48,11 +48,11 @@ pub(super) fn read(
     Ok(facets)
 }
 
-/// Triangles of a long file that are read at a time.
+/// Triangles of a long file per block.
 const TOGETHER: u64 = 1 << 15;
 
-/// Reads a long file without holding it in memory: the next triangles while the last ones are welded.
-/// `None` if the file isn't binary, or longer or shorter than it says.
+/// Reads a long file without holding it in memory: reads the next block while welding the last.
+/// `None` if the file isn't binary, or its size differs from what its count implies.
 pub(super) fn stream(file: &BlockReader<'_>, limits: &Limits) -> Result<Option<Facets>, Error> {
     let size = file.with_block(0, PREFACE, declared_size);
     file.check()?;

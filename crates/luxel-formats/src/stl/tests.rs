@@ -52,18 +52,18 @@ fn a_binary_file_whose_header_says_solid_is_binary() {
 }
 
 #[test]
-fn corners_in_one_place_are_welded_and_minus_zero_is_zero() {
+fn equal_corners_are_welded_and_minus_zero_is_zero() {
     let mesh = &load(&binary(b"", &QUAD)).unwrap().scene.meshes[0];
     assert_eq!(mesh.positions.len(), 4);
     assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);
 }
 
 #[test]
-fn a_cut_binary_file_names_the_byte_where_it_ends() {
+fn the_error_of_a_truncated_binary_file_names_its_last_byte() {
     let bytes = binary(b"", &QUAD);
     let error = load(&bytes[..bytes.len() - 1]).unwrap_err();
     assert_eq!(error.place, Place::Byte(183));
-    assert!(error.to_string().contains("triangle 1: the file says it has 2"), "{error}");
+    assert!(error.to_string().contains("triangle 1: the file declares 2"), "{error}");
     assert!(load(&bytes[..50]).is_err());
 }
 
@@ -77,7 +77,7 @@ fn bytes_after_the_last_triangle_are_a_warning() {
 }
 
 #[test]
-fn a_count_that_lies_fails_before_memory_is_taken() {
+fn a_false_count_fails_before_memory_is_allocated() {
     let mut bytes = binary(b"", &QUAD);
     bytes[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
     assert!(matches!(load(&bytes).unwrap_err().kind, ErrorKind::Truncated(_)));
@@ -97,17 +97,17 @@ fn text_solids_are_objects_in_any_case_and_layout() {
 }
 
 #[test]
-fn errors_in_text_name_their_line() {
+fn errors_in_text_files_name_their_line() {
     let text = TEXT.replace("1e0", "one");
     let error = load(text.as_bytes()).unwrap_err();
-    assert_eq!(error.to_string(), "<input>:5: a number is expected, not `one`");
+    assert_eq!(error.to_string(), "<input>:5: expected a number, found `one`");
     let error = load(&TEXT.as_bytes()[..60]).unwrap_err();
     assert_eq!(error.place, Place::Line(4));
     assert!(matches!(error.kind, ErrorKind::Truncated(_)));
 }
 
 #[test]
-fn a_file_without_facets_is_sound() {
+fn a_file_without_facets_is_valid() {
     let loaded = load(b"solid nothing\nendsolid nothing\n").unwrap();
     assert!(loaded.scene.nodes.is_empty());
     assert!(load(&binary(b"", &[])).unwrap().scene.nodes.is_empty());

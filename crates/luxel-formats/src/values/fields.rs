@@ -1,40 +1,40 @@
-//! `KEY=VALUE:...`: fields in one text, or from a table.
+//! `KEY=VALUE:...` fields, from one string or from a table.
 
 /// Keys and values; parsers take each field once.
 #[derive(Clone, Debug, Default)]
 pub struct Fields<'a> {
-    /// Fields that are not taken yet, in order.
+    /// Fields not yet taken, in order.
     left: Vec<(&'a str, &'a str)>,
 }
 
-/// An error in a field, or in all fields together.
+/// An error in one field, or in their combination.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}{message}", key.as_deref().map_or_else(String::new, |key| format!("{key}: ")))]
 pub struct FieldError {
-    /// The field whose value is wrong; `None` if it is something else.
+    /// The field with the wrong value; `None` if several are at fault.
     pub key: Option<String>,
-    /// What would be right.
+    /// A description of valid values.
     pub message: String,
 }
 
 impl FieldError {
-    /// An error of no single field.
+    /// An error that concerns no single field.
     pub(crate) fn new(message: impl Into<String>) -> Self {
         Self { key: None, message: message.into() }
     }
 }
 
 impl<'a> Fields<'a> {
-    /// Fields of one text.
+    /// Parses fields from one string.
     ///
     /// # Errors
-    /// A field without a value, or one that is given twice.
+    /// A field without a value, or a duplicate field.
     pub fn parse(text: &'a str) -> Result<Self, FieldError> {
         let mut left: Vec<(&str, &str)> = Vec::new();
         for field in text.split(':') {
-            let (key, value) = field.split_once('=').ok_or_else(|| {
-                FieldError::new(format!("`{field}` lacks a value: use KEY=VALUE"))
-            })?;
+            let (key, value) = field
+                .split_once('=')
+                .ok_or_else(|| FieldError::new(format!("`{field}` has no value: use KEY=VALUE")))?;
             if left.iter().any(|(known, _)| *known == key) {
                 return Err(FieldError::new(format!("`{key}` is given twice")));
             }
@@ -43,7 +43,7 @@ impl<'a> Fields<'a> {
         Ok(Self { left })
     }
 
-    /// Takes a field, if it exists, and parses its value.
+    /// Removes a field, if present, and parses its value.
     pub(crate) fn take<T>(
         &mut self,
         key: &str,
@@ -64,7 +64,7 @@ impl<'a> Fields<'a> {
 }
 
 impl<'a> FromIterator<(&'a str, &'a str)> for Fields<'a> {
-    /// Fields as they stand in a table, which has each key once.
+    /// Fields from a table, whose keys are unique.
     fn from_iter<I: IntoIterator<Item = (&'a str, &'a str)>>(pairs: I) -> Self {
         Self { left: pairs.into_iter().collect() }
     }
@@ -87,7 +87,7 @@ mod tests {
     fn errors_name_the_field() {
         let mut fields = Fields::parse("near=x").unwrap();
         let error = fields.take("near", finite).unwrap_err();
-        assert_eq!(error.to_string(), "near: `x` is no number");
+        assert_eq!(error.to_string(), "near: `x` is not a number");
         for text in ["", "a", "a=1:", "a=1:a=2"] {
             assert!(Fields::parse(text).is_err(), "{text}");
         }

@@ -5,22 +5,22 @@ use super::number::{finite, non_negative_f32, unit_interval};
 use super::vector::color;
 use luxel_lighting::{Fog, FogLaw};
 
-/// Depth cueing in one text.
+/// Parses fog from one string.
 ///
 /// # Errors
-/// As [`fog_of`], and fields that are given twice.
+/// As [`fog_of`], and duplicate fields.
 pub fn fog(text: &str) -> Result<Fog, String> {
     let fields = Fields::parse(text).map_err(|error| error.to_string())?;
     fog_of(fields).map_err(|error| error.to_string())
 }
 
-/// Depth cueing, I' = s I + (1 - s) color, s going from `front` at `near` to `back` at `far`, which
-/// are distances along the viewing axis. `near` and `far` are needed; `front` is 1, `back` 0, the
+/// Depth cueing, I' = s I + (1 - s) color, with s from `front` at `near` to `back` at `far`, which
+/// are distances along the viewing axis. `near` and `far` are required; `front` is 1, `back` 0, the
 /// colour black by default. With `law=exp` or `law=exp2` s is exp(-density z) or
-/// exp(-(density z)^2) instead, and `density` is needed.
+/// exp(-(density z)^2) instead, and `density` is required.
 ///
 /// # Errors
-/// Fields that are missing, unknown or wrong.
+/// Missing, unknown or wrong fields.
 pub fn fog_of(mut fields: Fields<'_>) -> Result<Fog, FieldError> {
     let law = fields.take("law", law)?.unwrap_or_default();
     let color = fields.take("color", color)?.unwrap_or_default();
@@ -42,7 +42,7 @@ pub fn fog_of(mut fields: Fields<'_>) -> Result<Fog, FieldError> {
     Ok(Fog { color, law })
 }
 
-/// How s falls.
+/// How s falls with distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Law {
     #[default]
@@ -56,7 +56,7 @@ fn law(text: &str) -> Result<Law, String> {
         "linear" => Ok(Law::Linear),
         "exp" => Ok(Law::Exp),
         "exp2" => Ok(Law::Exp2),
-        _ => Err(format!("`{text}` is no law of fog: use linear, exp or exp2")),
+        _ => Err(format!("`{text}` is not a fog law: use linear, exp or exp2")),
     }
 }
 
@@ -69,11 +69,11 @@ fn depth_cue(mut fields: Fields<'_>) -> Result<FogLaw, FieldError> {
         let message = format!("`{key}` is unknown: use law, near, far, front, back, color");
         return Err(FieldError::new(message));
     }
-    // In single precision, as the pixels have it.
+    // In single precision, as shading uses it.
     let near = near.ok_or_else(|| FieldError::new("it needs near=Z"))? as f32;
     let far = far.ok_or_else(|| FieldError::new("it needs far=Z"))? as f32;
     if near >= far {
-        return Err(FieldError::new("near must lie before far"));
+        return Err(FieldError::new("near must be less than far"));
     }
     Ok(FogLaw::DepthCue { near, far, front: front.unwrap_or(1.0), back: back.unwrap_or(0.0) })
 }
@@ -83,14 +83,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_part_is_read() {
+    fn every_field_of_fog_is_read() {
         let all = fog("near=1:far=5:front=.9:back=.1:color=.5,.6,.7").unwrap();
         let law = FogLaw::DepthCue { near: 1.0, far: 5.0, front: 0.9, back: 0.1 };
         assert_eq!(all, Fog { color: [0.5, 0.6, 0.7], law });
     }
 
     #[test]
-    fn what_is_left_out_fades_to_black() {
+    fn by_default_fog_fades_to_black() {
         let law = FogLaw::DepthCue { near: -1.0, far: 5.0, front: 1.0, back: 0.0 };
         assert_eq!(fog("far=5:near=-1"), Ok(Fog { color: [0.0; 3], law }));
     }
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_fogs_are_refused() {
+    fn invalid_fog_is_refused() {
         for text in [
             "",
             "near=1",

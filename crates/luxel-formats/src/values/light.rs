@@ -1,16 +1,15 @@
 //! `KIND:KEY=VALUE:...`: a light.
 
 use super::fields::{FieldError, Fields};
+use super::light_text::cos_cutoff;
 use super::number::{finite, non_negative_f32, positive, single};
 use super::vector::{color, direction, numbers, point};
-use luxel_lighting::{Attenuation, Cone, LIGHT_KINDS, Light, LightKind, LightKindDescription};
+use luxel_lighting::{
+    Attenuation, CUTOFF, Cone, EXPONENT, INNER, LIGHT_KINDS, Light, LightKind, LightKindDescription,
+};
 use luxel_scene::{DVec3, Placement, SceneLight};
 
-/// The smallest difference between the cosines of a soft cone's angles: what the reference code of
-/// glTF's `KHR_lights_punctual` divides by at least.
-pub(crate) const LEAST_CONE_EDGE: f32 = 0.001;
-
-/// A light as the user wrote it; lights without a name are numbered later.
+/// A parsed light; lights without a name are numbered later.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightSpec {
     name: Option<String>,
@@ -21,7 +20,7 @@ pub struct LightSpec {
 }
 
 impl LightSpec {
-    /// The light, called `light1` and so on by its place on the line if it has no name.
+    /// The light; one without a name is called `light1` and so on, by its place.
     #[must_use]
     pub fn named(self, place: usize) -> SceneLight {
         SceneLight {
@@ -34,20 +33,20 @@ impl LightSpec {
     }
 }
 
-/// A light in one text.
+/// Parses a light from one string.
 ///
 /// # Errors
-/// As [`light_of`], and fields that are given twice.
+/// As [`light_of`], and duplicate fields.
 pub fn light(text: &str) -> Result<LightSpec, String> {
     let (kind, rest) = text.split_once(':').unwrap_or((text, ""));
     let fields = if rest.is_empty() { Ok(Fields::default()) } else { Fields::parse(rest) };
     fields.and_then(|fields| light_of(kind, fields)).map_err(|error| error.to_string())
 }
 
-/// A light of a kind, by its fields.
+/// Builds a light from its kind and fields.
 ///
 /// # Errors
-/// A kind that is none, fields that are missing, unknown or wrong.
+/// An unknown kind; missing, unknown or wrong fields.
 pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldError> {
     let name = fields.take("name", light_name)?;
     let placement = fields.take("in", placement)?.unwrap_or_default();
@@ -56,7 +55,7 @@ pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldEr
     let mut position = DVec3::ZERO;
     let mut towards = DVec3::NEG_Z;
     let description = LightKindDescription::by_name(kind).ok_or_else(|| {
-        FieldError::new(format!("`{kind}` is no kind of light: use {}", light_kind_names()))
+        FieldError::new(format!("`{kind}` is not a kind of light: use {}", light_kind_names()))
     })?;
     let light = if description.kind == LightKind::Ambient {
         Light::ambient(fields.take("color", color)?.ok_or_else(|| needs("color=R,G,B"))?)
@@ -88,7 +87,7 @@ fn light_kind_names() -> String {
     either(LIGHT_KINDS.iter().map(|kind| kind.name.to_owned()))
 }
 
-/// What [`light`] reads of each kind, but for the fields that may be left out.
+/// The form of each kind for [`light`], without optional fields.
 #[must_use]
 pub fn light_usage() -> String {
     either(LIGHT_KINDS.iter().map(|kind| {
@@ -108,94 +107,36 @@ fn either(choices: impl Iterator<Item = String>) -> String {
     if choices.is_empty() { last } else { format!("{} or {last}", choices.join(", ")) }
 }
 
-/// A light as [`light`] reads it; `None`, if it is placed by a node. What a name can't have there is left
-/// out of it.
-#[must_use]
-pub fn light_text(light: &SceneLight) -> Option<String> {
-    let SceneLight { name, light, placement, position, direction } = light;
-    let list = |numbers: &[f32]| numbers.iter().map(f32::to_string).collect::<Vec<_>>().join(",");
-    let vector = |v: &DVec3| format!("{},{},{}", v.x, v.y, v.z);
-    let LightKindDescription { name: kind, has_position, has_direction, .. } =
-        light.kind.description();
-    let mut text = (*kind).to_owned();
-    let mut field = |key: &str, value: &str| text.extend([":", key, "=", value]);
-    if light.kind == LightKind::Ambient {
-        field("color", &list(&light.ambient));
-    } else {
-        if *has_position {
-            field("pos", &vector(position));
-        }
-        if *has_direction {
-            field("dir", &vector(direction));
-        }
-        match light.kind {
-            LightKind::Spot(Cone::Exponent { cos_cutoff, exponent }) => {
-                field("cutoff", &cutoff_degrees(cos_cutoff).to_string());
-                field("exponent", &exponent.to_string());
-            }
-            LightKind::Spot(Cone::Smooth { cos_inner, cos_outer }) => {
-                field("cutoff", &cutoff_degrees(cos_outer).to_string());
-                field("inner", &cutoff_degrees(cos_inner).to_string());
-            }
-            _ => {}
-        }
-        if light.ambient != [0.0; 3] {
-            field("ambient", &list(&light.ambient));
-        }
-        field("diffuse", &list(&light.diffuse));
-        if light.specular != light.diffuse {
-            field("specular", &list(&light.specular));
-        }
-        let Attenuation { coefficients, limit, range } = light.attenuation;
-        let none = Attenuation::NONE;
-        if coefficients != none.coefficients {
-            field("attenuation", &list(&coefficients));
-        }
-        if limit < Attenuation::NO_LIMIT {
-            field("limit", &limit.to_string());
-        }
-        if let Some(range) = range {
-            field("range", &range.to_string());
-        }
-    }
-    match placement {
-        Placement::World => {}
-        Placement::Camera => field("in", "camera"),
-        Placement::Node(_) => return None,
-    }
-    let name: String = name.chars().filter(|letter| *letter != ':').collect();
-    if !name.is_empty() {
-        field("name", &name);
-    }
-    Some(text)
-}
-
 fn light_name(text: &str) -> Result<String, String> {
-    if text.is_empty() { Err("a name has at least one letter".to_owned()) } else { Ok(text.into()) }
+    if text.is_empty() {
+        Err("a name needs at least one letter".to_owned())
+    } else {
+        Ok(text.into())
+    }
 }
 
 fn placement(text: &str) -> Result<Placement, String> {
     match text {
         "world" => Ok(Placement::World),
         "camera" => Ok(Placement::Camera),
-        _ => Err(format!("`{text}` is no space: use world or camera")),
+        _ => Err(format!("`{text}` is not a space: use world or camera")),
     }
 }
 
 fn cone(fields: &mut Fields<'_>) -> Result<Cone, FieldError> {
-    let cos_cutoff = fields.take("cutoff", cos_cutoff_of)?.unwrap_or(-1.0);
-    let exponent = fields.take("exponent", non_negative_f32)?;
-    let Some(inner) = fields.take("inner", cos_cutoff_of)? else {
+    let cos_cutoff = fields.take(CUTOFF.name, cos_cutoff_of)?.unwrap_or(-1.0);
+    let exponent = fields.take(EXPONENT.name, non_negative_f32)?;
+    let Some(inner) = fields.take(INNER.name, cos_cutoff_of)? else {
         return Ok(Cone::Exponent { cos_cutoff, exponent: exponent.unwrap_or(0.0) });
     };
-    let refused = |message: &str| FieldError { key: Some("inner".into()), message: message.into() };
+    let refused =
+        |message: &str| FieldError { key: Some(INNER.name.into()), message: message.into() };
     if exponent.is_some() {
-        Err(refused("a cone has either an inner angle or an exponent"))
+        Err(refused("use either an inner angle or an exponent"))
     } else if cos_cutoff < 0.0 || inner < cos_cutoff {
-        Err(refused("the inner angle lies between 0 and the cutoff, which has to be given"))
+        Err(refused("the inner angle needs a cutoff, and must be between 0 and it"))
     } else {
-        let cos_inner = inner.max(cos_cutoff + LEAST_CONE_EDGE);
-        Ok(Cone::Smooth { cos_inner, cos_outer: cos_cutoff })
+        Ok(Cone::smooth(inner, cos_cutoff))
     }
 }
 
@@ -209,39 +150,6 @@ fn attenuation_of(fields: &mut Fields<'_>) -> Result<Attenuation, FieldError> {
     Ok(law)
 }
 
-/// The cosine of a cone's half-angle of 0 to 90 degrees; -1 for 180, which is no cone; `None` for
-/// other angles.
-#[must_use]
-pub fn cos_cutoff(degrees: f64) -> Option<f32> {
-    if degrees == 180.0 {
-        Some(-1.0)
-    } else if degrees == 90.0 {
-        // The cosine of the f64 next to pi / 2 is not quite 0.
-        Some(0.0)
-    } else if (0.0..90.0).contains(&degrees) {
-        Some(libm::cos(degrees.to_radians()) as f32)
-    } else {
-        None
-    }
-}
-
-/// The half-angle, with as few digits as it takes, of which [`cos_cutoff`] makes this cosine; 180 for
-/// what is below 0. Cosines below 1e-8 are taken as that of a right angle, from which degrees
-/// can't tell them apart.
-#[must_use]
-pub fn cutoff_degrees(cosine: f32) -> f64 {
-    if cosine < 0.0 {
-        return 180.0;
-    }
-    if cosine < 1e-8 {
-        return 90.0;
-    }
-    let degrees = libm::acos(f64::from(cosine.min(1.0))).to_degrees();
-    let rounded = [1.0, 1e3, 1e6, 1e9].map(|unit| (degrees * unit).round() / unit);
-    let is_same = |angle: &f64| cos_cutoff(*angle) == Some(cosine);
-    rounded.into_iter().find(is_same).unwrap_or(degrees)
-}
-
 fn cos_cutoff_of(text: &str) -> Result<f32, String> {
     cos_cutoff(finite(text)?).ok_or_else(|| "use 0 to 90 degrees, or 180 for no cone".to_owned())
 }
@@ -250,7 +158,7 @@ fn attenuation(text: &str) -> Result<Attenuation, String> {
     let coefficients: [f64; 3] = numbers(text)?;
     let single = coefficients.map(|coefficient| coefficient as f32);
     if single.iter().any(|coefficient| !coefficient.is_finite() || *coefficient < 0.0) {
-        Err("coefficients are finite and not below 0".to_owned())
+        Err("coefficients must not be below 0".to_owned())
     } else if single == [0.0; 3] {
         Err("the coefficients are all 0: the light would be infinitely bright".to_owned())
     } else {
@@ -261,6 +169,7 @@ fn attenuation(text: &str) -> Result<Attenuation, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::values::light_text;
 
     fn parsed(text: &str) -> SceneLight {
         light(text).unwrap().named(0)
@@ -337,22 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn every_cosine_is_that_of_its_angle() {
-        for degrees in 0..=90 {
-            let degrees = f64::from(degrees);
-            assert_eq!(cutoff_degrees(cos_cutoff(degrees).unwrap()), degrees);
-        }
-        for bits in
-            (1e-8_f32.to_bits()..1_f32.to_bits()).step_by(99_991).chain([1_f32.to_bits() - 1])
-        {
-            let cosine = f32::from_bits(bits);
-            assert_eq!(cos_cutoff(cutoff_degrees(cosine)), Some(cosine), "{cosine}");
-        }
-        assert_eq!(cutoff_degrees(-1.0), 180.0);
-    }
-
-    #[test]
-    fn what_is_written_of_a_light_is_read_as_the_same_one() {
+    fn a_written_light_reads_back_as_the_same() {
         for text in [
             "ambient:color=0.1,0.2,0.3:name=sky",
             "directional:dir=0,-1,0:diffuse=1,0.5,0.25:in=camera:name=sun",
@@ -375,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_lights_are_refused() {
+    fn invalid_lights_are_refused() {
         for text in [
             "",
             "sun",

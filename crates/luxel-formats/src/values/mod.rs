@@ -1,11 +1,12 @@
-//! Text forms of points, colours, lights and models of reflection, as scene files and command lines
-//! have them.
+//! The text forms of points, colours, lights and reflection models in scene files and on command
+//! lines.
 //!
-//! Errors are one sentence that says what is right; callers add where the text stands.
+//! Errors are one sentence that describes the expected value; callers add the place.
 
 mod fields;
 mod fog;
 mod light;
+mod light_text;
 mod nearest;
 mod number;
 mod reflection;
@@ -14,9 +15,10 @@ mod vector;
 
 pub use fields::{FieldError, Fields};
 pub use fog::{fog, fog_of};
-#[cfg(feature = "gltf")]
-pub(crate) use light::LEAST_CONE_EDGE;
-pub use light::{LightSpec, cos_cutoff, cutoff_degrees, light, light_of, light_text, light_usage};
+pub use light::{LightSpec, light, light_of, light_usage};
+#[cfg(feature = "toml")]
+pub(crate) use light_text::{FieldValue, light_fields};
+pub use light_text::{cos_cutoff, cutoff_degrees, light_text};
 pub use nearest::nearest;
 pub use number::{degrees, far_plane, finite, fov, non_negative_f32, positive, unit_interval};
 pub use reflection::{parameter, reflection, reflection_choices, reflection_text};

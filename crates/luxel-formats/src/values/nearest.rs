@@ -1,6 +1,6 @@
 //! Suggestions for misspelt names.
 
-/// The known name nearest to one, if it is near enough to be a slip of the pen: at most a third of
+/// The known name nearest to a misspelt one, if it is near enough to be a typo: at most a third of
 /// its letters differ.
 #[must_use]
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
@@ -8,7 +8,7 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     let most = (name.len() / 3).max(1);
     let distance_to = |other: &&str| distance(&name, &other.chars().collect::<Vec<_>>());
     let near = |other: &&str| name.len() <= LONGEST && other.chars().count() <= LONGEST;
-    // Of equally near ones the first.
+    // The first of equally near names.
     let nearest = known.into_iter().filter(near).min_by_key(distance_to)?;
     (distance_to(&nearest) <= most).then_some(nearest)
 }
@@ -16,7 +16,7 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
 /// Longer names get no suggestion.
 const LONGEST: usize = 64;
 
-/// How many letters have to be changed, left out, put in or swapped with their neighbour (the
+/// The number of letters to change, delete, insert or swap with their neighbour (the
 /// optimal string alignment distance).
 fn distance(from: &[char], to: &[char]) -> usize {
     let mut before_last = vec![0; to.len() + 1];
@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn slips_are_understood_and_other_words_are_not() {
+    fn typos_get_a_suggestion_and_other_words_do_not() {
         let known = ["shininess", "color", "ks", "kd"];
         assert_eq!(nearest("shinines", known), Some("shininess"));
         assert_eq!(nearest("colour", known), Some("color"));
@@ -52,7 +52,7 @@ mod tests {
     }
 
     #[test]
-    fn swapped_neighbours_are_one_slip() {
+    fn swapping_two_neighbours_counts_once() {
         let letters = |text: &str| text.chars().collect::<Vec<_>>();
         for (from, to, expected) in
             [("", "", 0), ("abc", "abc", 0), ("abc", "acb", 1), ("abc", "bd", 2), ("", "ab", 2)]

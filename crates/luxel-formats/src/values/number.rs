@@ -6,7 +6,7 @@
 /// Anything else.
 pub fn finite(text: &str) -> Result<f64, String> {
     let text = text.trim();
-    let number: f64 = text.parse().map_err(|_| format!("`{text}` is no number"))?;
+    let number: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
     if number.is_finite() { Ok(number) } else { Err(format!("`{text}` is not a finite number")) }
 }
 
@@ -33,7 +33,7 @@ pub fn non_negative_f32(text: &str) -> Result<f32, String> {
     single(non_negative(text)?)
 }
 
-/// The number in single precision, if it has room there.
+/// The number in single precision, unless it overflows.
 pub(super) fn single(number: f64) -> Result<f32, String> {
     let single = number as f32;
     if single.is_finite() { Ok(single) } else { Err(format!("{number:e} is too large")) }
@@ -59,11 +59,11 @@ pub fn fov(text: &str) -> Result<f64, String> {
     if degrees > 0.0 && degrees < 180.0 {
         Ok(degrees)
     } else {
-        Err("it must lie between 0 and 180 degrees".to_owned())
+        Err("it must be between 0 and 180 degrees".to_owned())
     }
 }
 
-/// The degrees, with as few digits as it takes, that are these radians, bit by bit if there are any.
+/// The fewest digits of degrees that give these radians, bitwise equal if possible.
 #[must_use]
 pub fn degrees(radians: f64) -> f64 {
     let near = radians.to_degrees();
@@ -89,7 +89,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn numbers_without_leading_digit_and_with_exponents_are_numbers() {
+    fn the_leading_digit_is_optional_and_exponents_are_read() {
         assert_eq!(finite(".5"), Ok(0.5));
         assert_eq!(finite("-.5"), Ok(-0.5));
         assert_eq!(finite("1e-7"), Ok(1e-7));
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn nan_infinity_and_overflow_are_no_numbers() {
+    fn nan_infinity_and_overflow_are_refused() {
         for text in ["nan", "NaN", "-nan", "inf", "-inf", "infinity", "1e999", "", "x", "0x10"] {
             assert!(finite(text).is_err(), "{text}");
         }
@@ -122,14 +122,14 @@ mod tests {
     }
 
     #[test]
-    fn ranges_are_kept() {
+    fn numbers_out_of_range_are_refused() {
         assert!(fov("0").is_err() && fov("180").is_err() && fov("179.9").is_ok());
         assert!(positive("0").is_err() && non_negative("0").is_ok() && non_negative("-1").is_err());
     }
 
     proptest! {
         #[test]
-        fn an_angle_said_in_degrees_is_found_bit_by_bit(angle in 0.0..360.0_f64) {
+        fn an_angle_in_degrees_is_recovered_bit_for_bit(angle in 0.0..360.0_f64) {
             let radians = angle.to_radians();
             prop_assert_eq!(degrees(radians).to_radians(), radians);
         }

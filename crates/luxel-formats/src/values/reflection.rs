@@ -1,19 +1,19 @@
-//! `blinn-phong`, `mixed:lambert=.7,mirror=.3`: a model of reflection by name, and its parameters.
+//! `blinn-phong`, `mixed:lambert=.7,mirror=.3`: a reflection model by name, and its parameters.
 
 use super::number::{non_negative_f32, unit_interval};
 use luxel_lighting::{Parameter, REFLECTION_MODELS, Reflection};
 
-/// All that [`reflection`] reads, in words: the names of the models and the form of a mix.
+/// The values that [`reflection`] accepts: the names of the models and the form of a mixture.
 #[must_use]
 pub fn reflection_choices() -> String {
     let names: Vec<&str> = REFLECTION_MODELS.iter().map(|model| model.name).collect();
     format!("{} or mixed:NAME=W,...", names.join(", "))
 }
 
-/// A model of reflection.
+/// Parses a reflection model.
 ///
 /// # Errors
-/// A name that is none, a weight below 0.
+/// An unknown name, a weight below 0.
 pub fn reflection(text: &str) -> Result<Reflection, String> {
     let Some(parts) = text.strip_prefix("mixed:") else {
         return single(text);
@@ -22,7 +22,7 @@ pub fn reflection(text: &str) -> Result<Reflection, String> {
     for part in parts.split(',') {
         let (name, weight) = part
             .split_once('=')
-            .ok_or_else(|| format!("`{part}` lacks a weight: use NAME=WEIGHT"))?;
+            .ok_or_else(|| format!("`{part}` has no weight: use NAME=WEIGHT"))?;
         models.push((single(name)?, non_negative_f32(weight)?));
     }
     Ok(Reflection::mixed(models))
@@ -30,13 +30,13 @@ pub fn reflection(text: &str) -> Result<Reflection, String> {
 
 fn single(name: &str) -> Result<Reflection, String> {
     Reflection::by_name(name)
-        .ok_or_else(|| format!("`{name}` is no model of reflection: use {}", reflection_choices()))
+        .ok_or_else(|| format!("`{name}` is not a reflection model: use {}", reflection_choices()))
 }
 
-/// A value of a parameter of reflection.
+/// Parses the value of a reflection parameter.
 ///
 /// # Errors
-/// What is no number, or lies outside of the parameter's range.
+/// Text that is not a number, or a number outside the parameter's range.
 pub fn parameter(of: &Parameter, text: &str) -> Result<f32, String> {
     let [low, high] = of.range;
     let value = match (low, high) {
@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_models_are_refused() {
+    fn invalid_models_are_refused() {
         for text in [
             "",
             "Phong",

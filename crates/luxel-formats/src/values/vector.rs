@@ -1,22 +1,22 @@
-//! Numbers with commas between them: points, directions, colours, matrices.
+//! Comma-separated numbers: points, directions, colours, matrices.
 
 use super::number::{finite, single};
 use luxel_scene::{DMat4, DVec3, DVec4};
 
-/// How far a view matrix may be from a rotation: what six printed digits leave.
+/// How far a view matrix may be from a rotation: the rounding error of six printed digits.
 const RIGID_TOLERANCE: f64 = 1e-4;
 
-/// `N` finite numbers with commas between them.
+/// `N` finite numbers, separated by commas.
 pub(crate) fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let numbers: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
     let count = numbers.len();
     numbers.try_into().map_err(|_| {
         let noun = if count == 1 { "number" } else { "numbers" };
-        format!("it takes {N} numbers with commas between them; here is {count} {noun}")
+        format!("expected {N} numbers separated by commas, found {count} {noun}")
     })
 }
 
-/// A place.
+/// A point.
 ///
 /// # Errors
 /// Anything but three finite numbers.
@@ -24,17 +24,17 @@ pub fn point(text: &str) -> Result<DVec3, String> {
     numbers(text).map(DVec3::from_array)
 }
 
-/// A direction of any length but 0, brought to length 1.
+/// A direction of any length but 0, normalized.
 ///
 /// # Errors
-/// Anything but three finite numbers, and length 0.
+/// Anything but three finite numbers, or length 0.
 pub fn direction(text: &str) -> Result<DVec3, String> {
     let vector = point(text)?;
     let largest = vector.abs().max_element();
     if largest == 0.0 {
-        return Err("a direction of length 0 points nowhere".to_owned());
+        return Err("a direction must not have length 0".to_owned());
     }
-    // What is of unit length already comes back as it was written.
+    // A unit vector is returned as written.
     if (vector.length_squared() - 1.0).abs() < 1e-15 {
         return Ok(vector);
     }
@@ -42,7 +42,7 @@ pub fn direction(text: &str) -> Result<DVec3, String> {
     Ok((vector / largest).normalize())
 }
 
-/// What is up: an axis by name, or a direction.
+/// The up direction: an axis by name, or a vector.
 ///
 /// # Errors
 /// Anything but an axis or a direction.
@@ -61,7 +61,7 @@ pub fn up(text: &str) -> Result<DVec3, String> {
 /// Linear red, green and blue of any intensity.
 ///
 /// # Errors
-/// Anything but three numbers that single precision has room for.
+/// Anything but three numbers in the range of single precision.
 pub fn color(text: &str) -> Result<[f32; 3], String> {
     let [r, g, b] = numbers(text)?;
     Ok([single(r)?, single(g)?, single(b)?])
@@ -80,10 +80,10 @@ pub fn reflectance(text: &str) -> Result<[f32; 3], String> {
     }
 }
 
-/// Linear red, green and blue, with or without alpha from 0 to 1 (1 if it is left out).
+/// Linear red, green and blue, with optional alpha from 0 to 1 (default 1).
 ///
 /// # Errors
-/// Anything but a colour with or without such an alpha.
+/// Anything but a colour with or without alpha.
 pub fn background(text: &str) -> Result<[f32; 4], String> {
     if text.split(',').count() == 3 {
         let [r, g, b] = color(text)?;
@@ -93,14 +93,14 @@ pub fn background(text: &str) -> Result<[f32; 4], String> {
     if (0.0..=1.0).contains(&alpha) {
         Ok([single(r)?, single(g)?, single(b)?, single(alpha)?])
     } else {
-        Err("alpha must lie between 0 and 1".to_owned())
+        Err("alpha must be between 0 and 1".to_owned())
     }
 }
 
 /// Focal lengths and principal point in pixels: fx, fy above 0, cx, cy anywhere.
 ///
 /// # Errors
-/// Anything but such four numbers.
+/// Anything else.
 pub fn intrinsics(text: &str) -> Result<[f64; 4], String> {
     let [fx, fy, cx, cy] = numbers(text)?;
     if fx > 0.0 && fy > 0.0 {
@@ -129,7 +129,7 @@ pub fn view_matrix(text: &str) -> Result<DMat4, String> {
         z.dot(x),
         x.cross(y).dot(z) - 1.0,
     ];
-    // Written so that an overflow to NaN is refused too.
+    // The comparison refuses NaN from overflow, too.
     if deviation.iter().all(|error| error.abs() <= RIGID_TOLERANCE) {
         Ok(rigid(&matrix))
     } else {
@@ -137,7 +137,7 @@ pub fn view_matrix(text: &str) -> Result<DMat4, String> {
     }
 }
 
-/// The rigid matrix next to one that printing has rounded; the eye stays where it was.
+/// The rigid matrix nearest to one rounded by printing; keeps the position of the eye.
 fn rigid(matrix: &DMat4) -> DMat4 {
     let eye = matrix.inverse().w_axis.truncate();
     let x = matrix.x_axis.truncate().normalize();
@@ -147,7 +147,7 @@ fn rigid(matrix: &DMat4) -> DMat4 {
     let translation = -(x * eye.x + y * eye.y + z * eye.z);
     let near =
         DMat4::from_cols(x.extend(0.0), y.extend(0.0), z.extend(0.0), translation.extend(1.0));
-    // Digits that are rigid already come back as they were written.
+    // A rigid matrix is returned as written.
     let is_rotation = |one: &DMat4, other: &DMat4| {
         [(one.x_axis, other.x_axis), (one.y_axis, other.y_axis), (one.z_axis, other.z_axis)]
             .into_iter()
@@ -192,14 +192,14 @@ mod tests {
     }
 
     #[test]
-    fn a_background_has_alpha_one_unless_it_says_otherwise() {
+    fn the_alpha_of_a_background_is_1_by_default() {
         assert_eq!(background("1,0,0"), Ok([1.0, 0.0, 0.0, 1.0]));
         assert_eq!(background("1,0,0,.25"), Ok([1.0, 0.0, 0.0, 0.25]));
         assert!(background("1,0,0,2").is_err() && background("1,0").is_err());
     }
 
     #[test]
-    fn surfaces_reflect_no_negative_light() {
+    fn reflectance_is_not_negative() {
         assert_eq!(reflectance("2,0,0"), Ok([2.0, 0.0, 0.0]));
         assert!(reflectance("-0.1,0,0").is_err());
         assert!(color("1e39,0,0").is_err(), "single precision would make it infinite");

@@ -121,12 +121,12 @@ impl Document {
         glb
     }
 
-    /// What luxel makes of it.
+    /// The loaded document.
     pub(crate) fn read(&self) -> Result<Loaded, Error> {
         read(&self.glb(), Format::Glb, "test", None, &Limits::default())
     }
 
-    /// What luxel makes of it, which has to be sound.
+    /// The loaded document, which must be valid.
     pub(crate) fn load(&self) -> Loaded {
         self.read().unwrap_or_else(|error| panic!("{error}"))
     }
@@ -141,7 +141,7 @@ impl Document {
     }
 }
 
-/// Whether an error says that something isn't supported.
+/// Whether an error is about an unsupported feature.
 pub(crate) fn is_unsupported(error: &Error) -> bool {
     matches!(error.kind, ErrorKind::Unsupported(_))
 }

@@ -8,7 +8,7 @@ use crate::shot::{Shot, Studio, both, ready};
 use luxel::render::ShadingMode;
 use luxel::scene::{Scene, demos::lab};
 
-/// Faces round the ball that stands for the true one.
+/// Faces around the reference ball.
 const REFERENCE: u32 = 256;
 /// The exponents of the table.
 const EXPONENTS: [f32; 4] = [5.0, 20.0, 60.0, 200.0];
@@ -75,8 +75,8 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         problem: problem_error,
         cure: error(&pieces, &reference, &inside),
         because: Some(
-            "divided triangles come as near to Phong shading as they are asked to, and share what it is \
-             off on this mesh",
+            "subdivision stops at the given tolerance against Phong shading, and inherits Phong's \
+         error on this mesh",
         ),
     });
 

@@ -1,4 +1,4 @@
-//! Mach bands: what the eye makes of steps and of kinks.
+//! Mach bands: the perception of steps and kinks.
 
 use crate::GalleryError;
 use crate::chapter::{Chapter, Pair, steps};
@@ -9,7 +9,7 @@ use luxel::render::{Renderer, ShadingMode};
 use luxel::scene::{Scene, demos::lab};
 use std::collections::BTreeMap;
 
-/// Faces round the column that stands for the true one.
+/// Faces around the reference column.
 const REFERENCE: u32 = 360;
 
 /// The intensity along a row.
@@ -25,7 +25,7 @@ impl Row {
         self.values.windows(2).map(slope).collect()
     }
 
-    /// By how much more the slope changes from pixel to pixel than along the true column: what the
+    /// How much more the slope changes from pixel to pixel than along the true column: what the
     /// eye sees as a band.
     fn kinks(&self, truth: &Self) -> Error {
         let changes = |row: &Self| -> Vec<(i32, f64)> {
@@ -77,11 +77,11 @@ fn middle_row(studio: &Studio, shot: &Shot, scene: &Scene) -> Result<Row, Galler
 pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     let mut chapter = Chapter::new("mach-bands", "Mach bands");
     chapter.text(
-        "The eye sharpens what it sees. Beside a step of intensity it sees a dark band on the dark \
-         side and a bright one on the bright side (Mach 1865), and where the intensity has no step \
-         but a kink, because its slope changes all at once, it sees a band along the kink. A faceted \
-         column has steps. Gouraud shading takes the steps away and leaves a kink at every edge: the \
-         bands stay, and show the mesh. Phong shading leaves the slope nearly whole.",
+        "The eye amplifies contrast. Next to a step of intensity it sees a dark band on the \
+         dark side and a bright one on the bright side (Mach 1865), and at a kink, where the \
+         slope of the intensity changes abruptly, it sees a band along the kink. A faceted \
+         column has steps. Gouraud shading replaces the steps by a kink at every edge: the \
+         bands stay, and show the mesh. Phong shading keeps the slope nearly continuous.",
     );
     let cure = Shot::of("lab-mach");
     let [flat, gouraud] =

@@ -1,4 +1,4 @@
-//! Normals at the vertices that say nothing of what lies between them.
+//! Vertex normals that don't represent the surface between them.
 
 use crate::GalleryError;
 use crate::chapter::{Chapter, Pair};
@@ -6,7 +6,7 @@ use crate::shot::{Shot, Studio, ready};
 use luxel::render::ShadingMode;
 use luxel::scene::{NormalSource, demos::lab};
 
-/// Polygons along each side of the panel that stands for the true one.
+/// Polygons along each side of the reference panel.
 const REFERENCE: u32 = 160;
 
 pub(crate) fn missed_geometry(studio: &Studio) -> Result<Chapter, GalleryError> {
@@ -59,9 +59,9 @@ pub(crate) fn missed_highlight(studio: &Studio) -> Result<Chapter, GalleryError>
     let mut chapter =
         Chapter::new("missed-highlight", "Unrepresentative normals: missed highlight");
     chapter.text(
-        "A lamp hangs close before a glossy panel of one polygon. At none of the four corners does it \
-         mirror into the eye, and Gouraud shading asks nowhere else: what it interpolates between \
-         four dim corners is dim everywhere. Phong shading asks at every pixel.",
+        "A lamp is close to a glossy panel of one polygon. None of the four corners reflects it \
+         to the eye, and Gouraud shading evaluates light nowhere else: the interpolation of \
+         four dim corners is dim everywhere. Phong shading evaluates every pixel.",
     );
     let cure = Shot::of("lab-lamp");
     let problem = cure.clone().mode(ShadingMode::Gouraud);

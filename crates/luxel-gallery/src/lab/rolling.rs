@@ -1,4 +1,4 @@
-//! A quad whose colours change as it rolls.
+//! A quad that changes its colours as it rolls.
 
 use crate::GalleryError;
 use crate::chapter::{Chapter, Pair, steps};
@@ -13,7 +13,7 @@ use luxel::scene::{DVec2, Scene, Size, demos::lab};
 const PICTURES: u32 = 24;
 /// Places within the quad at which colours are compared, along each side.
 const PLACES: i32 = 31;
-/// Polygons along each side of the quad that stands for the true one.
+/// Polygons along each side of the reference quad.
 const REFERENCE: u32 = 96;
 /// Pixels of a side of an animated picture.
 const SIDE: u32 = 176;
@@ -29,7 +29,7 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     let scan = |demo| Shot::of(demo).interpolation(Interpolation::Scanline);
     let (problem, steady, cut) =
         (scan("lab-rolling"), Shot::of("lab-rolling"), scan("lab-rolling-cured"));
-    // What an upright quad shows by scan lines is bilinear: as so many small quads show it.
+    // An upright quad is bilinear under scan-line interpolation, like so many small quads.
     let bilinear = ready(lab::quad("quad", REFERENCE));
 
     let mut changes = Vec::new();
@@ -87,9 +87,9 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         because: None,
     });
     chapter.text(
-        "Two triangles are steady, but they aren't what the four corners ask for: each of them knows \
-         three. Cutting the quad into small ones before it is drawn cures both, by either way of \
-         interpolating. Compared with the bilinear mixture of the four corners, at a roll of 45 \
+        "Two triangles are steady, but they don't interpolate all four corners: each uses \
+         three. Cutting the quad into small ones before rendering cures both, with either \
+         interpolation. Compared with the bilinear mixture of the four corners, at a roll of 45 \
          degrees:",
     );
     let tilted = |shot: &Shot| shot.clone().up([-1.0, 1.0]);
@@ -146,7 +146,7 @@ fn roll(studio: &Studio, shot: &Shot) -> Result<(Vec<Picture>, Error), GalleryEr
         let (sin, cos) = libm::sincos(angle);
         let shot = shot.clone().size(SIDE, SIDE).up([-sin, cos]);
         let view = shot.view(&scene);
-        // Before rounding, so that what changes isn't the rounding.
+        // Before rounding, so that rounding doesn't count as change.
         let light = stage.renderer.linear(&view)?.pixels;
         let byte = |value: f32| PictureEncoding::Srgb.byte(value);
         let pixels = light.iter().map(|&[r, g, b, _]| [r, g, b].map(byte)).collect();

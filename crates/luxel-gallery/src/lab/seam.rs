@@ -7,7 +7,7 @@ use luxel::render::{Layer, LayerValues, Renderer, ShadingMode};
 use luxel::scene::demos::lab::{self, Seam};
 use std::sync::Arc;
 
-/// Cells of the sheet that stands for the true one.
+/// Cells of the reference sheet.
 const REFERENCE: u32 = 112;
 
 pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {

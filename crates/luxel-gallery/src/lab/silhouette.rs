@@ -6,16 +6,16 @@ use crate::compare::{Error, error};
 use crate::shot::{Shot, Studio, ready};
 use luxel::scene::demos::lab;
 
-/// Faces round the ball that stands for the true one: its outline is off by 0.004 pixels.
+/// Faces around the reference ball: its silhouette is off by 0.004 pixels.
 const REFERENCE: u32 = 384;
 
 pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     let mut chapter = Chapter::new("silhouette", "The polygonal silhouette");
     chapter.text(
-        "Phong shading makes a ball of few polygons look round, because it interpolates the normals \
-         and every pixel within is lit as if the surface were curved. The outline doesn't take \
-         part: it is where the polygons end, and stays a polygon. Nothing that is done at pixels \
-         helps; there have to be more polygons where the surface turns away.",
+        "Phong shading makes a ball of few polygons look round, because it interpolates the \
+         normals and shades every pixel inside as if the surface were curved. The silhouette \
+         doesn't benefit: it follows the polygons and stays a polygon. No work per pixel helps; \
+         the mesh needs more polygons where the surface turns away.",
     );
     let [problem, cure] = ["lab-silhouette", "lab-silhouette-cured"].map(Shot::of);
     let reference = studio.shoot_scene(&problem, &ready(lab::ball("ball", REFERENCE, 20.0)))?;

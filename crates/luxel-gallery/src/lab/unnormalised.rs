@@ -6,7 +6,7 @@ use crate::shot::{Shot, Studio, both, ready};
 use luxel::render::NormalLength;
 use luxel::scene::demos::lab;
 
-/// Faces round the ball that stands for the true one.
+/// Faces around the reference ball.
 const REFERENCE: u32 = 256;
 
 pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
@@ -61,8 +61,8 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         problem: problem_error,
         cure: cure_error,
         because: Some(
-            "what is left is the mesh's: towards the outline, interpolated normals of a ball of few faces \
-             aren't quite those of the true one",
+            "the rest is the error of the mesh: near the silhouette, interpolated normals of a \
+         ball of few faces deviate from the true ones",
         ),
     });
     Ok(chapter)

@@ -18,10 +18,10 @@ fn white() -> Material {
 pub(crate) fn chapter(_: &Studio) -> Result<Chapter, GalleryError> {
     let mut chapter = Chapter::new("beam", "Lambert's law: the cross-section of a beam");
     chapter.text(
-        "A beam of a given width brings a given power. Where it falls straight down it lights a patch \
-         as wide as itself; where it slants by &theta;, the patch is 1/cos &theta; as wide, and each \
-         part of it gets cos &theta; = N.L as much. The numbers are what luxel's equation gives a \
-         white matte surface.",
+        "A beam of a given width carries a given power. At perpendicular incidence it lights a \
+         patch as wide as itself; at an angle &theta; the patch is 1/cos &theta; as wide, and \
+         each part of it receives cos &theta; = N.L as much. The numbers come from luxel's \
+         equation, for a white matte surface.",
     );
     let mut svg = Svg::new(660, 190);
     for (place, angle) in ANGLES.into_iter().enumerate() {

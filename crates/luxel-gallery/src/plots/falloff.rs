@@ -8,7 +8,7 @@ use crate::svg::{Anchor, Axes, Ink, Svg};
 use luxel::lighting::{Attenuation, Cone, Fog, FogLaw, Light, LightKind};
 use std::f64::consts::PI;
 
-/// A curve with its name, which stands at a value of x, shifted by so many pixels.
+/// A curve with its label, placed at a value of x and shifted by so many pixels.
 struct Curve {
     name: String,
     label: (f64, [f64; 2], Anchor),
@@ -26,10 +26,10 @@ fn curve(
 pub(crate) fn chapter(_: &Studio) -> Result<Chapter, GalleryError> {
     let mut chapter = Chapter::new("falloff", "How light falls off");
     chapter.text(
-        "The power of a lamp spreads over spheres, whose area is 4 &pi; r<sup>2</sup>: at twice the \
+        "The power of a lamp spreads over spheres of area 4 &pi; r<sup>2</sup>: at twice the \
          distance a quarter arrives. The other laws are those of fixed-function graphics and of \
-         glTF; they are what the light's <code>attenuation</code>, its cone and the fog give on a \
-         white matte surface that faces the light.",
+         glTF: the light's <code>attenuation</code>, its cone and the fog, on a white matte \
+         surface that faces the light.",
     );
     let mut figures = vec![spreading(&mut chapter)];
     let at = |light: Light| move |distance: f64| arriving(&light, distance, 0.0)[0];
@@ -41,7 +41,7 @@ pub(crate) fn chapter(_: &Studio) -> Result<Chapter, GalleryError> {
     figures.push(plot(
         &mut chapter,
         "falloff-sphere",
-        "The light of a lamp of power 1: 1/(4 &pi; r<sup>2</sup>). It has no bound near the lamp.",
+        "The light of a lamp of power 1: 1/(4 &pi; r<sup>2</sup>). It is unbounded near the lamp.",
         "Plot: a curve that falls steeply from the left and flattens.",
         Scale {
             x: [0.25, 3.0],
@@ -169,7 +169,7 @@ fn plot(
     axes.draw(&mut svg, scale.x_ticks, scale.y_ticks, scale.names);
     let [from, to] = scale.x;
     for (curve, ink) in curves.iter().zip(Ink::SERIES) {
-        // From where the curve enters the plot: what lies above it isn't drawn.
+        // From the point where the curve enters the plot.
         let values = (0..=POINTS).map(|step| {
             let x = from + (to - from) * f64::from(step) / f64::from(POINTS);
             [x, (curve.of)(x)]

@@ -7,7 +7,7 @@ use crate::shot::Studio;
 use crate::svg::{Anchor, Ink, Svg};
 use luxel::lighting::{Environment, Material, Reflection};
 
-/// Where the light stands: degrees from the normal, to the left.
+/// The direction of the light: degrees from the normal, to the left.
 const LIGHT: f64 = -45.0;
 
 /// A curve of a plot.
@@ -16,7 +16,7 @@ struct Lobe {
     values: Vec<[f64; 2]>,
 }
 
-/// What is reflected at all angles of the eye.
+/// The reflection over all angles of the eye.
 fn lobe(name: impl Into<String>, of: impl Fn(f64) -> f64) -> Lobe {
     let degrees = (-180..=180).map(|step| f64::from(step) * 0.5);
     Lobe { name: name.into(), values: degrees.map(|angle| [angle, of(angle)]).collect() }

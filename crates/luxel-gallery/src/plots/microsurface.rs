@@ -1,4 +1,4 @@
-//! An explicit micro-surface with rays bounced off it, beside the model that stands for it.
+//! An explicit micro-surface with traced rays, beside its statistical model.
 
 use super::point::sent;
 use crate::GalleryError;
@@ -43,7 +43,7 @@ impl Surface {
         if normal.z < 0.0 { -normal } else { normal }
     }
 
-    /// What each ray meets first.
+    /// The first hit of each ray.
     fn meet(&self, rays: &[[DVec3; 2]]) -> Vec<Option<RayHit>> {
         let follow = MeshRays::new(&self.tree, &self.positions);
         let rays: Vec<_> = rays
@@ -59,7 +59,7 @@ impl Surface {
     fn bounced(&self, [origin, direction]: [DVec3; 2], hit: &RayHit) -> [DVec3; 2] {
         let normal = self.normal(hit.triangle);
         let away = direction - normal * (2.0 * direction.dot(normal));
-        // Off the surface by little, or the ray would meet where it stands.
+        // Slightly off the surface, or the ray would hit its origin.
         [origin + direction * f64::from(hit.t) + normal * OFF, away]
     }
 }
@@ -124,7 +124,7 @@ fn drawing(chapter: &mut Chapter) -> Result<Figure, GalleryError> {
     body.extend([[place(profile[profile.len() - 1])[0], 186.0], [place(profile[0])[0], 186.0]]);
     svg.area(Ink::Quiet, 0.18, &body);
 
-    // What the light reaches, piece by piece.
+    // The lit parts, piece by piece.
     let (mut lit, mut facing) = (0_u32, 0_u32);
     for edge in profile.windows(2) {
         const PIECES: u32 = 24;
@@ -244,7 +244,7 @@ fn areas() -> Result<Vec<Surface>, GalleryError> {
     (0..AREAS).map(area).collect()
 }
 
-/// What becomes of rays that fall on a surface from one direction.
+/// The paths of rays that fall on a surface from one direction.
 struct Bounced {
     /// The light that goes to the eye at each angle in the plane of incidence, as the equation
     /// counts it.
@@ -360,7 +360,7 @@ fn polar_plot(chapter: &mut Chapter, light: f64, bounced: &Bounced, model: &[[f6
     svg.arrow(Ink::Amber, 1.5, polar(-light, REACH + 22.0), polar(-light, REACH - 28.0));
     let [x, y] = polar(light, REACH);
     svg.note(Ink::Quiet, Anchor::Start, [x + 4.0, y - 2.0], "R");
-    // What lies beyond the outer ring isn't drawn.
+    // Points beyond the outer ring are not drawn.
     let is_inside = |value: &&[f64; 2]| value[1] <= LARGEST * 1.02 && value[0].abs() < 86.0;
     let place = |&[at, value]: &[f64; 2]| polar(at, value / LARGEST * REACH);
     let points: Vec<_> = model.iter().filter(is_inside).map(place).collect();
@@ -390,7 +390,7 @@ mod tests {
     use luxel::lighting::{Material, Reflection};
 
     #[test]
-    fn mirrors_that_are_really_there_send_what_the_model_says() {
+    fn traced_microfacets_reflect_as_the_model_predicts() {
         let areas = areas().unwrap_or_default();
         assert_eq!(areas.len(), AREAS as usize);
         let metal = Material {

@@ -1,4 +1,4 @@
-//! One surface point at the origin, facing up, and what it sends to the eye.
+//! The light that a surface point at the origin, facing up, sends to the eye.
 
 use luxel::lighting::{
     Attenuation, Environment, Fog, Ledger, Light, LightKind, LightingEnvironment, Material,
@@ -6,7 +6,7 @@ use luxel::lighting::{
 };
 use luxel::math::Vec3;
 
-/// Where something stands in a plane through the normal: the angle to the normal in degrees,
+/// A position in a plane through the normal: the angle to the normal in degrees,
 /// towards the right.
 fn direction(degrees: f64) -> [f32; 3] {
     let (sin, cos) = libm::sincos(degrees.to_radians());
@@ -20,16 +20,16 @@ pub(crate) fn sent(material: &Material, light_degrees: f64, eye_degrees: f64) ->
     ledger(material, &[light], Environment::None, eye_degrees, 1.0, None).color[1].into()
 }
 
-/// What a point mirrors of its surroundings.
+/// The environment that a point reflects.
 pub(crate) fn mirrored(material: &Material, environment: Environment, eye_degrees: f64) -> f64 {
     ledger(material, &[], environment, eye_degrees, 1.0, None).environment[1].into()
 }
 
-/// What arrives of a light straight above a point, at a distance: the factors of attenuation and of
+/// The incident light from straight above a point, at a distance: the factors of attenuation and of
 /// the cone, and the light that a white matte surface there sends.
 pub(crate) fn arriving(light: &Light, distance: f64, axis_degrees: f64) -> [f64; 3] {
     let eye = [0.0, 1.0, 0.0];
-    // From the eye, the point is one unit below; the light stands above the point.
+    // The point is one unit below the eye; the light is above the point.
     let position = [0.0, distance as f32 - eye[1], 0.0];
     let down = direction(axis_degrees).map(|part| -part);
     let placed = PlacedLight::new(light.clone(), position, down);

@@ -51,9 +51,10 @@ const PHASES: [f64; 6] = [0.0, 30.0, 60.0, 90.0, 120.0, 150.0];
 pub(crate) fn phases(studio: &Studio) -> Result<Chapter, GalleryError> {
     let mut chapter = Chapter::new("phases", "A Lambertian sphere from all sides");
     chapter.text(
-        "What a matte surface sends doesn't depend on where the eye stands, so a picture of a matte \
-         sphere says only where the light is: walking round it shows the phases of the moon. (The \
-         moon itself isn't Lambertian: full, it is as bright at its edge as in its middle.)",
+        "The light of a matte surface doesn't depend on the position of the eye, so an image of \
+         a matte sphere shows only the direction of the light: walking around it shows the \
+         phases of the moon. (The moon itself isn't Lambertian: when full, it is as bright at \
+         its edge as in its middle.)",
     );
     let mut pictures = Vec::new();
     let mut middle = None;

@@ -1,4 +1,4 @@
-//! What a reflection model says of itself: all that names, lists, sliders and pages are made of.
+//! The description of a reflection model, from which names, lists, sliders and documents derive.
 
 use super::Reflection;
 use crate::{Lobe, Parameter};
@@ -10,9 +10,9 @@ pub struct ReflectionModel {
     pub reflection: Reflection,
     /// Its name, on the command line and in scene files.
     pub name: &'static str,
-    /// What it shows, in a line.
+    /// One line of help.
     pub help: &'static str,
-    /// What it sends of a light, over I_d and I_s.
+    /// The formula of its diffuse and specular term.
     pub formula: &'static str,
     /// Where the formula is from.
     pub source: &'static str,
@@ -20,7 +20,7 @@ pub struct ReflectionModel {
     pub parameters: &'static [&'static Parameter],
     /// Parameters that no other model has: fields of its variant.
     pub own: &'static [OwnParameter],
-    /// The vector that its highlight goes by, if that is not a vector of the surface or of the light.
+    /// The vector of its highlight, if it depends on both surface and light.
     pub highlight: Option<HighlightVector>,
     /// The factors of its diffuse term behind k_d O_d, as `explain` writes them.
     pub diffuse: &'static [ModelFactor],
@@ -31,13 +31,13 @@ pub struct ReflectionModel {
 /// A parameter that only one model has.
 #[derive(Clone, Debug)]
 pub struct OwnParameter {
-    /// What it is.
+    /// The description.
     pub parameter: Parameter,
     /// The field of the model's variant; `None` in other variants.
     pub field: fn(&mut Reflection) -> Option<&mut f32>,
 }
 
-/// The vector that a highlight goes by.
+/// The vector of a highlight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HighlightVector {
     /// R = 2 (N.L) N - L
@@ -51,11 +51,11 @@ pub enum HighlightVector {
 pub struct ModelFactor {
     /// How the equation writes it.
     pub symbol: Symbol,
-    /// What it is.
+    /// The quantity that it stands for.
     pub quantity: Quantity,
 }
 
-/// What a factor is.
+/// The kind of a factor.
 #[derive(Clone, Copy, Debug)]
 pub enum Quantity {
     /// max(N.L, 0)

@@ -20,7 +20,7 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
 };
 
 /// k_d O_d max(N.L, 0) (Lambert, *Photometria*, 1760): a beam spreads over the more surface the
-/// more it slants, and the surface sends what it gets equally into all directions.
+/// more it slants, and the surface reflects equally into all directions.
 #[inline(always)]
 pub(crate) fn diffuse<N: Lanes, K: Broadcast<N>>(
     surface: &Surface<'_, N, K>,

@@ -4,9 +4,9 @@
 //! attenuation; the equation does the rest. No hidden factors: where physics has a BRDF f, the
 //! factor is pi f (N.L), so that a white Lambert surface facing a light of intensity 1 sends 1.
 //!
-//! Each model has a file with its formula and its [`ReflectionModel`]: its name, what it shows, its
-//! parameters, and the factors of its terms. Flags, scene files, sliders, `explain` and the documents
-//! read them from [`REFLECTION_MODELS`].
+//! Each model has a file with its formula and its [`ReflectionModel`]: its name, help, its
+//! parameters, and the factors of its terms. Flags, scene files, sliders, `explain` and the
+//! documents read them from [`REFLECTION_MODELS`].
 
 mod blinn_phong;
 mod description;

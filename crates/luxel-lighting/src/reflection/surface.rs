@@ -1,4 +1,4 @@
-//! What a surface reflects of each light and of the environment, whatever its model.
+//! Reflection of lights and environment, for all models.
 
 use super::microfacet;
 use crate::coefficients::broadcast;
@@ -9,18 +9,18 @@ use crate::{
 };
 use luxel_math::{Lanes, Mask, Rgb, Vec3};
 
-/// What a surface reflects at one point, prepared once for all lights.
+/// A surface point, prepared once for all lights.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surface<'a, N, K> {
     /// N
     pub(crate) normal: Vec3<N>,
     /// V
     pub(crate) view: Vec3<N>,
-    /// What it reflects, whatever N and V.
+    /// The coefficients, independent of N and V.
     pub(crate) of: &'a Coefficients<K>,
 }
 
-/// Which part of a light's intensity goes to the eye.
+/// The reflected fraction of a light's intensity.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reflected<N> {
     /// Of I_d.
@@ -94,7 +94,7 @@ impl<'a, N: Lanes, K: Broadcast<N>> Surface<'a, N, K> {
         self.of.metallic.broadcast(self.simd())
     }
 
-    /// What goes to the eye of a light.
+    /// The light of one source reflected to the eye.
     #[inline(always)]
     pub(crate) fn reflected<W: Witness<N>>(
         &self,
@@ -108,14 +108,14 @@ impl<'a, N: Lanes, K: Broadcast<N>> Surface<'a, N, K> {
             witness.part(0, &terms);
             return whole;
         }
-        // Copies: what others get to see has to be written to memory, and only here.
+        // Copies, because a witness needs its arguments in memory, and only here.
         let (surface, incidence) = (*self, *incidence);
         let mut whole = Reflected::nothing(self.simd());
         surface.sum_parts(reflection, &incidence, witness, &mut whole);
         whole
     }
 
-    /// Adds what the parts of a model reflect. Much code: compiled once, not into its callers, where
+    /// Sums the parts of a model. Outlined, because it is much code: inlined into its callers,
     /// it would take the registers of simpler models.
     #[inline(never)]
     fn sum_parts<W: Witness<N>>(
@@ -146,7 +146,7 @@ impl<'a, N: Lanes, K: Broadcast<N>> Surface<'a, N, K> {
         );
     }
 
-    /// What the surface mirrors of its surroundings.
+    /// The reflection of the environment.
     ///
     /// An ideal mirror: k_s O_s E(R), R = 2 N (N.V) - V. A microfacet surface: k_s O_s (F0 A + B)
     /// E(R) with E blurred by its roughness (see [`split_sum`]). All of it occluded.
@@ -197,7 +197,7 @@ impl<'a, N: Lanes, K: Broadcast<N>> Surface<'a, N, K> {
         mirrored * self.specular() * self.of.occlusion.broadcast(simd)
     }
 
-    /// The part of ambient light that goes to the eye: k_a O_a.
+    /// The coefficient of ambient light: k_a O_a.
     ///
     /// Of a microfacet surface that has an environment to mirror, only (1 - metallic) k_a O_a: a
     /// metal reflects its surroundings as a mirror does and not as paper does, and the environment

@@ -4,31 +4,31 @@ use super::{OwnParameter, REFLECTION_MODELS, Reflection};
 use crate::parameter::{Parameter, SHARED};
 use std::slice;
 
-/// The parameters that only one model has, in the order of the models.
+/// The model-specific parameters, in the order of the models.
 pub fn own_parameters() -> impl Iterator<Item = &'static OwnParameter> {
     REFLECTION_MODELS.iter().flat_map(|model| model.own)
 }
 
-/// All parameters of reflection: those of all materials, then those of single models.
+/// All reflection parameters: the shared ones, then the model-specific ones.
 pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
     SHARED.into_iter().chain(own_parameters().map(|own| &own.parameter))
 }
 
 impl Reflection {
-    /// The model of a name, its own parameters at their defaults. A mix has no name that says all.
+    /// The model with a name, with default parameters. Mixtures have no complete name.
     #[must_use]
     pub fn by_name(name: &str) -> Option<Self> {
         let model = REFLECTION_MODELS.iter().find(|model| model.name == name)?;
         Some(model.reflection.clone())
     }
 
-    /// The name of the model; `mixed` for a mix.
+    /// The name of the model; `mixed` for a mixture.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.model().map_or("mixed", |model| model.name)
     }
 
-    /// The models that are summed; of all but a mix, the model itself.
+    /// The parts of a mixture; of other models, the model itself.
     pub fn models(&self) -> impl Iterator<Item = &Self> {
         let mixed = match self {
             Self::Mixed(parts) => &parts[..],
@@ -38,7 +38,7 @@ impl Reflection {
         alone.into_iter().chain(mixed.iter().map(|(part, _)| part))
     }
 
-    /// Whether a parameter changes what it reflects.
+    /// Whether the model uses a parameter.
     #[must_use]
     pub fn heeds(&self, parameter: &Parameter) -> bool {
         self.models().filter_map(Self::model).any(|model| {
@@ -47,14 +47,14 @@ impl Reflection {
         })
     }
 
-    /// The value of a parameter that only one model has; `None` in all others.
+    /// The value of a model-specific parameter; `None` if the model lacks it.
     #[must_use]
     pub fn own(&self, name: &str) -> Option<f32> {
         let own = own_parameters().find(|own| own.parameter.name == name)?;
         self.models().find_map(|model| (own.field)(&mut model.clone()).copied())
     }
 
-    /// Sets a parameter that only one model has, in a mix too; nothing happens in all others.
+    /// Sets a model-specific parameter, also in a mixture; other models ignore it.
     pub fn set_own(&mut self, name: &str, value: f32) {
         let Some(own) = own_parameters().find(|own| own.parameter.name == name) else { return };
         let parts = match self {
@@ -75,7 +75,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     #[test]
-    fn every_model_and_parameter_has_a_name_of_its_own() {
+    fn names_of_models_and_parameters_are_unique() {
         let names: BTreeSet<_> = REFLECTION_MODELS.iter().map(|model| model.name).collect();
         assert_eq!(names.len(), REFLECTION_MODELS.len());
         let names: BTreeSet<_> = parameters().map(|parameter| parameter.name).collect();
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn defaults_lie_within_their_ranges() {
+    fn defaults_are_within_their_ranges() {
         for parameter in parameters() {
             assert_eq!(parameter.nearest(parameter.default), parameter.default, "{parameter:?}");
             assert!(parameter.slider_end <= parameter.range[1], "{parameter:?}");
@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn own_parameters_are_fields_of_their_model_alone_and_stay_within_their_range() {
+    fn a_model_specific_parameter_exists_in_its_model_only_and_is_clamped() {
         for model in REFLECTION_MODELS {
             for own in model.own {
                 let Parameter { name, range: [low, high], default, .. } = own.parameter;

@@ -41,7 +41,7 @@ pub enum LogErrorKind {
     #[error("`{0}` is too much")]
     TooMuch(String),
     /// Not a finite number.
-    #[error("`{0}` is no finite number")]
+    #[error("`{0}` is not a finite number")]
     NoNumber(String),
     /// A number out of range.
     #[error("{what} can't be {value}")]
@@ -52,7 +52,7 @@ pub enum LogErrorKind {
         value: String,
     },
     /// A matrix with scale, shear or mirror.
-    #[error("the matrix is no rotation and translation, column by column")]
+    #[error("the matrix is not a rotation and translation, column by column")]
     NotRigid,
 }
 

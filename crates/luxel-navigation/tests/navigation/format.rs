@@ -142,9 +142,9 @@ fn errors_name_their_line() {
         ("luxel-navigation 1\nwait\ngrab turn 1\n", 3, "a place's y is missing"),
         ("luxel-navigation 1\ngrab hold 1 2\n", 2, "no gesture `hold`"),
         ("luxel-navigation 1\ndrag 1 2 3\n", 2, "`3` is too much"),
-        ("luxel-navigation 1\ndrag 1 nan\n", 2, "`nan` is no finite number"),
-        ("luxel-navigation 1\ndrag 1e999 1\n", 2, "`1e999` is no finite number"),
-        ("luxel-navigation 1\n+x drag 1 1\n", 2, "`x` is no finite number"),
+        ("luxel-navigation 1\ndrag 1 nan\n", 2, "`nan` is not a finite number"),
+        ("luxel-navigation 1\ndrag 1e999 1\n", 2, "`1e999` is not a finite number"),
+        ("luxel-navigation 1\n+x drag 1 1\n", 2, "`x` is not a finite number"),
         ("luxel-navigation 1\n+-1 drag 1 1\n", 2, "time can't be -1"),
         ("luxel-navigation 1\n+1\n", 2, "an event is missing"),
         ("luxel-navigation 1\ntap jump\n", 2, "no command `jump`"),
@@ -156,7 +156,7 @@ fn errors_name_their_line() {
         ("luxel-navigation 1\nset lens perspective 3.2\n", 2, "can't be 3.2"),
         ("luxel-navigation 1\nset lens fisheye 1\n", 2, "no lens `fisheye`"),
         ("luxel-navigation 1\nfit 1 1 1 0 0 0\n", 2, "a box can't be upside down"),
-        ("luxel-navigation 1\nplace 2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1\n", 2, "no rotation"),
+        ("luxel-navigation 1\nplace 2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1\n", 2, "not a rotation"),
         ("luxel-navigation 1\nplace 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0\n", 2, "16 numbers is missing"),
     ] {
         let found = error(text);

@@ -1,4 +1,4 @@
-//! Pan, zoom, inertia: what the hand expects.
+//! Pan, zoom and inertia follow the pointer.
 
 use crate::stage::{LENS, SIZE, assert_near, play, seen, settings, somewhere};
 use glam::{DVec2, DVec3};
@@ -107,7 +107,7 @@ fn the_pivot_is_never_passed_by_zooming() {
 }
 
 #[test]
-fn inertia_goes_on_as_far_as_its_formula_says() {
+fn inertia_covers_the_distance_of_its_formula() {
     let settings = settings(LENS).with(Number::Inertia, 0.5).with(Number::BallRadius, 100.0);
     let mut state = crate::stage::before_origin(Mode::RollingBall);
     let mut at = DVec2::new(100.0, 100.0);

@@ -1,7 +1,7 @@
-//! Navigation as its users meet it: what modes promise, logs with results found by hand, logs that
+//! Navigation through its API: guarantees of modes, logs with results computed by hand, logs that
 //! read back.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 #![allow(clippy::disallowed_methods, reason = "the measure may come from the platform")]
 
 mod by_hand;

@@ -1,4 +1,4 @@
-//! What holds in every mode.
+//! Guarantees of all modes.
 
 use crate::stage::{
     LENS, MODES, assert_near, before_origin, deviation, play, pulled, settings, somewhere,

@@ -1,4 +1,4 @@
-//! The rolling ball against what is known of rolling balls.
+//! The rolling ball against known theorems.
 
 use crate::stage::{LENS, assert_near, before_origin, pulled, settings, somewhere};
 use glam::{DMat3, DMat4, DVec2, DVec3};

@@ -2,11 +2,12 @@
 //!
 //! All numbers are those that made the pixel, bit for bit, so that it can be made again from them:
 //!
-//! 1. Where light was computed at the pixel, `sum` = ((emission + scene_ambient) + each light's ambient, then diffuse, then specular, light
-//!    by light) + environment, from left to right in `f32`. Where it was computed elsewhere, the same
-//!    holds for the `sum` of each place in `evaluated_at`; `light` is that clamped to 0..1 (or as it
-//!    is), and the pixel's `sum` = (the places' light x weight, from left to right) x `texture`.
-//!    (Along edges and rows of polygons, weights are products, and right to rounding.)
+//! 1. Where light was computed at the pixel, `sum` = ((emission + scene_ambient) + each light's
+//!    ambient, then diffuse, then specular, light by light) + environment, from left to right in
+//!    `f32`. Where it was computed elsewhere, the same holds for the `sum` of each place in
+//!    `evaluated_at`; `light` is that clamped to 0..1 (or as it is), and the pixel's `sum` = (the
+//!    places' light x weight, from left to right) x `texture`. (Along edges and rows of polygons,
+//!    weights are products, and right to rounding.)
 //! 2. `color` = s sum + (1 - s) I_dc where there is fog, else `sum`.
 //! 3. An entry that sees several surfaces gathers them nearest first: light += t alpha color,
 //!    t *= 1 - alpha, from light = 0 and t = 1. Its `alpha` is 1 - t and its `color` light / alpha.
@@ -100,11 +101,11 @@ pub struct ExplainedSurface {
     pub ambient_light: [f32; 3],
     /// What each directional, point and spot light adds, in the order of the view.
     pub lights: Vec<ExplainedLight>,
-    /// What the surface sends of its own.
+    /// The emitted light.
     pub emission: [f32; 3],
     /// I_a k_a O_a
     pub scene_ambient: [f32; 3],
-    /// What the surface mirrors of the environment.
+    /// The reflected environment.
     pub environment: [f32; 3],
     /// What the parts of the model mirror, by their place in the mix; empty where light is
     /// interpolated between other places.
@@ -113,7 +114,7 @@ pub struct ExplainedSurface {
     pub sum: [f32; 3],
     /// s and I_dc, where there is fog.
     pub fog: Option<(f32, [f32; 3])>,
-    /// What goes to the eye.
+    /// The sum, after fog.
     pub color: [f32; 3],
     /// How much of what lies behind is covered.
     pub alpha: f32,
@@ -134,11 +135,11 @@ pub struct EvaluatedAt {
     pub reflectance: Reflectance<f32>,
     /// What each light adds.
     pub lights: Vec<ExplainedLight>,
-    /// What the surface sends of its own.
+    /// The emitted light.
     pub emission: [f32; 3],
     /// I_a k_a O_a
     pub scene_ambient: [f32; 3],
-    /// What the surface mirrors of the environment.
+    /// The reflected environment.
     pub environment: [f32; 3],
     /// What the parts of the model mirror, by their place in the mix; empty where light is
     /// interpolated between other places.

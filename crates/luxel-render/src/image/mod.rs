@@ -58,9 +58,9 @@ impl PictureFormat {
     }
 }
 
-/// A name that is no format for pictures.
+/// A name that is not an image format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no format for pictures: use png, ppm, exr or npy")]
+#[error("`{0}` is not an image format: use png, ppm, exr or npy")]
 pub struct ParsePictureFormatError(String);
 
 impl FromStr for PictureFormat {
@@ -84,7 +84,7 @@ pub enum PictureError {
     #[error("writing the picture failed: {0}")]
     Io(#[from] io::Error),
     /// The values don't fill the picture, or overfill it.
-    #[error("a picture of {width}x{height} doesn't have {values} values")]
+    #[error("an image of {width}x{height} doesn't have {values} values")]
     Values {
         /// Pixels across.
         width: u32,

@@ -1,4 +1,4 @@
-//! What is known of one light at one point, in words.
+//! The contribution of one light at one point, in words.
 
 use super::point::ShadingPoint;
 use crate::words::number;
@@ -36,7 +36,7 @@ pub(crate) fn highlight_vector(
     light.highlight(&point.constants.reflection, point.normal, point.view)
 }
 
-/// What weakens a light, in words.
+/// The attenuation of a light, in words.
 pub(crate) fn reach(light: &ExplainedLight) -> Option<String> {
     let Light { kind, attenuation, .. } = &light.light;
     let terms = &light.terms;

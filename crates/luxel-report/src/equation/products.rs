@@ -23,7 +23,7 @@ pub(crate) struct PointTerms<'a> {
     /// Emission and ambient light.
     pub(crate) own: Vec<Term>,
     pub(crate) lights: Vec<LightEntry<'a>>,
-    /// What the parts of a mix mirror of the environment.
+    /// The environment reflected by the parts of a mixture.
     pub(crate) mirrors: Vec<PartTerm>,
     pub(crate) environment: Option<Term>,
 }
@@ -117,7 +117,7 @@ fn ambient_factors(point: &ShadingPoint<'_>, intensity: Factor) -> Vec<Factor> {
     factors
 }
 
-/// What is mirrored of the environment, if that is any light.
+/// The reflected environment, if it has any light.
 fn environment_term(point: &ShadingPoint<'_>) -> Option<Term> {
     if point.environment == [0.0; 3] {
         return None;
@@ -142,7 +142,7 @@ fn environment_term(point: &ShadingPoint<'_>) -> Option<Term> {
     Some(Term { kind, name, factors, value: point.environment })
 }
 
-/// What the parts of a mix mirror.
+/// The environment reflected by each part of a mixture.
 fn mirror_terms(point: &ShadingPoint<'_>) -> Vec<PartTerm> {
     let Reflection::Mixed(_) = point.constants.reflection else { return Vec::new() };
     let part = |(index, terms): &(usize, MirrorTerms<f32>)| {
@@ -159,7 +159,7 @@ fn mirror_terms(point: &ShadingPoint<'_>) -> Vec<PartTerm> {
     point.mirrors.iter().map(part).collect()
 }
 
-/// What one model mirrors, but for k_s O_s.
+/// The environment reflected by one model, without k_s O_s.
 fn mirrored(model: &Reflection, terms: &MirrorTerms<f32>) -> Vec<Factor> {
     let share = Factor::Color(SPLIT_SUM, terms.share.lane(0));
     let radiance = Factor::Color(E_OF_R, terms.radiance.lane(0));
@@ -198,7 +198,7 @@ fn mixed(parts: &[(usize, PartTerms<f32>)], of: impl Fn(&PartTerms<f32>) -> Rgb<
     sum.lane(0)
 }
 
-/// The parts of a mix: what each sends of I_d, then of I_s.
+/// The parts of a mixture: the factors of I_d, then of I_s, of each.
 fn part_terms(point: &ShadingPoint<'_>, light: &ExplainedLight) -> Vec<PartTerm> {
     let Reflection::Mixed(_) = point.constants.reflection else { return Vec::new() };
     let model = |index: usize| point.constants.reflection.part(index).0;
@@ -219,7 +219,7 @@ fn part_terms(point: &ShadingPoint<'_>, light: &ExplainedLight) -> Vec<PartTerm>
     diffuse.chain(specular).collect()
 }
 
-/// What one model sends of I_d.
+/// The factors of I_d of one model.
 fn diffuse_share(
     point: &ShadingPoint<'_>,
     light: &ExplainedLight,
@@ -234,7 +234,7 @@ fn diffuse_share(
     factors
 }
 
-/// What one model sends of I_s; `None` where it has no highlight.
+/// The factors of I_s of one model; `None` without a highlight.
 fn specular_share(
     point: &ShadingPoint<'_>,
     light: &ExplainedLight,

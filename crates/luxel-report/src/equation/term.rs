@@ -2,7 +2,7 @@
 
 use luxel_lighting::Symbol;
 
-/// What a term is; formats give each kind one colour.
+/// The kind of a term; formats give each kind a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum TermKind {
@@ -10,7 +10,7 @@ pub enum TermKind {
     Ambient,
     /// Light reflected to all sides: f I_d k_d O_d max(N.L, 0).
     Diffuse,
-    /// A highlight: f I_s k_s O_s max(N.H, 0)^n, or what the reflection model has in its place.
+    /// A highlight: f I_s k_s O_s max(N.H, 0)^n, or the term that replaces it in other models.
     Specular,
     /// The surface's own light.
     Emission,

@@ -7,10 +7,10 @@ use luxel_pick::{Element, NearEdge, NearVertex, PickHit, PickView, Snapped, Snap
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
-/// What lies under a point of the window, to be written as text or JSON.
+/// The hits at a point of the window, for output as text or JSON.
 ///
-/// Positions and normals are in world space, `distance` is that from the eye, `depth` is window depth
-/// (0 near, 1 far), barycentrics weight the triangle's first, second and third corner.
+/// Positions and normals are in world space, `distance` is that from the eye, `depth` is window
+/// depth (0 near, 1 far), barycentrics weight the triangle's first, second and third corner.
 #[derive(Clone, Copy)]
 pub struct PickReport<'a> {
     view: &'a PickView<'a>,
@@ -20,14 +20,14 @@ pub struct PickReport<'a> {
 }
 
 impl<'a> PickReport<'a> {
-    /// The hits of a view at a point, nearest first. The point is in pixels from the upper left corner
-    /// of the window, y down.
+    /// The hits of a view at a point, nearest first. The point is in pixels from the upper left
+    /// corner of the window, y down.
     #[must_use]
     pub fn new(view: &'a PickView<'a>, at: [f64; 2], hits: &'a [PickHit]) -> Self {
         Self { view, at, hits, snapped: None }
     }
 
-    /// Adds what the point snaps to; `None` if there is nothing near.
+    /// Adds the snapped feature; `None` if there is none nearby.
     #[must_use]
     pub fn with_snap(self, snapped: Option<&'a Snapped>) -> Self {
         Self { snapped: Some(snapped), ..self }
@@ -73,8 +73,8 @@ impl<'a> PickReport<'a> {
         Value::Object(document)
     }
 
-    /// Appends the answer as a line of JSON, for many answers of one view: `camera` is its camera as
-    /// JSON ([`camera_to_json`]), written once for all.
+    /// Appends the answer as a line of JSON, for many answers of one view: `camera` is its camera
+    /// as JSON ([`camera_to_json`]), written once for all.
     pub fn append_json_line(&self, camera: &str, out: &mut Vec<u8>) {
         let document = Value::Object(self.document()).to_string();
         // Without its opening brace; there is always a list of hits.

@@ -1,9 +1,9 @@
-//! What a reader may want to change.
+//! Hints at settings.
 
 use luxel_render::Cull;
 
-/// A setting that explains why something isn't seen. It is data: whoever shows a report says how the
-/// setting is changed there, by a flag or a button ([`Report::with_hint_text`](crate::Report::with_hint_text)).
+/// A setting that explains why something is invisible. It is data: programs word it as their
+/// flag or button ([`Report::with_hint_text`](crate::Report::with_hint_text)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Hint {

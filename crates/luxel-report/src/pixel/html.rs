@@ -98,7 +98,7 @@ impl Page {
         let mut sentences = why_not_seen(index, report);
         sentences.extend(nearest(report).map(|text| ("empty", text)));
         if !sentences.is_empty() {
-            self.push("<h3>What isn’t seen here</h3>\n<dl>\n");
+            self.push("<h3>Not visible here</h3>\n<dl>\n");
             for (label, text) in sentences {
                 self.push(format_args!("<dt>{label}</dt><dd>{}</dd>\n", escaped(&text)));
             }
@@ -145,7 +145,7 @@ impl Page {
         self.ending(surface, &points);
     }
 
-    /// What becomes of the light of the points: interpolated, in fog.
+    /// The later steps of the light: interpolation, fog.
     fn ending(&mut self, surface: &ExplainedSurface, points: &[ShadingPoint<'_>]) {
         let Interpolation { parts, texture } = Interpolation::of(surface, points);
         if parts.is_empty() && surface.fog.is_none() {
@@ -262,7 +262,7 @@ impl Page {
         self.total(term.name, term.value, term.kind, &equation);
     }
 
-    /// A line of the table: what it is, its three channels, and how it came about (HTML).
+    /// A row of the table: label, three channels, and derivation (HTML).
     fn total(&mut self, name: &str, value: [f32; 3], kind: TermKind, equation: &str) {
         let [r, g, b] = value.map(in_column);
         let total = if kind == TermKind::Sum { " total" } else { "" };

@@ -86,7 +86,7 @@ fn below(surface: &SurfaceBelow, scene: &Scene) -> Map<String, Value> {
 /// The keys that belong to one surface's light.
 const TERMS: &[&str] = &["emission", "scene_ambient", "lights", "environment", "sum", "fog"];
 
-/// What is seen, as an entry of its own.
+/// The visible surface, as an entry.
 fn seen(seen: &Seen, scene: &Scene) -> Map<String, Value> {
     let value = match seen {
         Seen::Background { color, alpha } => json!({
@@ -192,7 +192,7 @@ fn lights(lights: &[ExplainedLight], constants: &Material) -> Value {
     lights.iter().map(|one| light(one, constants)).collect()
 }
 
-/// What a part of the model reflects of a light: factors of I_d and I_s.
+/// The reflection of a light by a part of the model: factors of I_d and I_s.
 fn part(index: usize, part: &PartTerms<f32>, constants: &Material) -> Value {
     let (reflection, _) = constants.reflection.part(index);
     let mut value = json!({
@@ -214,7 +214,7 @@ fn part(index: usize, part: &PartTerms<f32>, constants: &Material) -> Value {
     value
 }
 
-/// What the parts of the model mirror.
+/// The environment reflected by the parts of the model.
 fn mirrors(mirrors: &[(usize, MirrorTerms<f32>)], constants: &Material) -> Value {
     let mirror = |(index, mirror): &(usize, MirrorTerms<f32>)| {
         json!({

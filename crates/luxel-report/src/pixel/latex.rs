@@ -28,7 +28,7 @@ impl Page {
         self.text.push('\n');
     }
 
-    /// Text of its own, which begins a paragraph.
+    /// Plain text that begins a paragraph.
     fn paragraph(&mut self, text: &str) {
         self.line(&format!("\\par\\smallskip {text}"));
     }

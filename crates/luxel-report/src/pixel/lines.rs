@@ -20,7 +20,7 @@ pub enum LedgerLine {
     },
     /// A term of the sum I, or a factor of one.
     Term {
-        /// What it is.
+        /// The kind.
         kind: TermKind,
         /// Its name.
         name: String,
@@ -36,7 +36,7 @@ pub enum LedgerLine {
     },
     /// Why a light adds nothing.
     Note(String),
-    /// What the terms above add up to.
+    /// The sum of the terms above.
     Sum {
         /// [`TermKind::Sum`], or [`TermKind::Fog`] for the light that fog lets through.
         kind: TermKind,

@@ -1,4 +1,4 @@
-//! The pictures of a page: where the pixel lies, and what is around it.
+//! The images of a page: the position of the pixel, and its neighbourhood.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -38,7 +38,8 @@ pub enum PicturesError {
 }
 
 impl Pictures {
-    /// Draws both pictures. `pixel` is column and row of [`Explanation::pixel`](luxel_render::Explanation::pixel).
+    /// Draws both pictures. `pixel` is column and row of
+    /// [`Explanation::pixel`](luxel_render::Explanation::pixel).
     ///
     /// # Errors
     /// [`PicturesError`] if the view can't be drawn.

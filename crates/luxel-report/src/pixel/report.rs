@@ -1,4 +1,4 @@
-//! What a report is made from.
+//! The input of a report.
 
 use super::hint::Hint;
 use super::pictures::Pictures;
@@ -7,9 +7,9 @@ use luxel_scene::Scene;
 
 /// The ledger of one pixel, to be written as text, JSON, LaTeX or HTML.
 ///
-/// All formats write the same terms from the same [`Explanation`]; none computes light again. Colours
-/// and light are linear red, green, blue; positions and unit vectors are in world space; `z` is the
-/// distance along the viewing axis.
+/// All formats write the same terms from the same [`Explanation`]; none computes light again.
+/// Colours and light are linear red, green, blue; positions and unit vectors are in world space;
+/// `z` is the distance along the viewing axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Report<'a> {
     pub(crate) explanation: &'a Explanation,
@@ -45,7 +45,7 @@ impl<'a> Report<'a> {
         Self { model, ..self }
     }
 
-    /// Adds what lies at the pixel and isn't seen, and what is nearest to an empty one.
+    /// Adds the invisible surfaces at the pixel, and the objects nearest to an empty one.
     #[must_use]
     pub fn with_unseen(self, unseen: &'a Unseen) -> Self {
         Self { unseen: Some(unseen), ..self }

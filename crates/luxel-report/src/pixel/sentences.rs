@@ -1,4 +1,4 @@
-//! What all formats say in the same words.
+//! The sentences that all formats share.
 
 use super::hint::Hint;
 use super::report::Report;
@@ -28,7 +28,7 @@ fn path_of(object: usize, scene: &Scene) -> Option<String> {
     objects.get(object).map(|object| scene.path(object.node).join(" / "))
 }
 
-/// What of an object it is: `triangle 12 of `.
+/// The part of an object: `triangle 12 of `.
 pub(crate) fn part_of(triangle: Option<u32>) -> String {
     match triangle {
         Some(triangle) => format!("triangle {triangle} of "),
@@ -46,7 +46,8 @@ fn below(surface: &SurfaceBelow, scene: &Scene) -> String {
     format!("{}{path}, {} away", part_of(surface.triangle), number(surface.z as f32))
 }
 
-/// The surfaces that the samples of an entry don't show, sentence by sentence: a label and the rest.
+/// The surfaces that the samples of an entry don't show, sentence by sentence: a label and the
+/// rest.
 pub(crate) fn why_not_seen(index: usize, report: &Report<'_>) -> Vec<(&'static str, String)> {
     let mut sentences = Vec::new();
     let Some(hidden) = report.unseen.and_then(|unseen| unseen.entries.get(index)) else {
@@ -70,7 +71,7 @@ pub(crate) fn why_not_seen(index: usize, report: &Report<'_>) -> Vec<(&'static s
     sentences
 }
 
-/// What lies next to a pixel that nothing covers.
+/// The objects next to an uncovered pixel.
 pub(crate) fn nearest(report: &Report<'_>) -> Option<String> {
     let surface = |seen: &Seen| seen.surface().is_some();
     if report.explanation.samples.iter().any(|entry| entry.seen.iter().any(surface)) {
@@ -111,7 +112,7 @@ pub(crate) fn encoded(value: f32, encoding: PictureEncoding) -> f64 {
         }
 }
 
-/// What a surface is made of.
+/// The material of a surface.
 pub(crate) fn material(surface: &ExplainedSurface) -> String {
     let material = &surface.material;
     let mut text =

@@ -34,7 +34,7 @@ pub(crate) fn color([r, g, b]: [f32; 3]) -> String {
     }
 }
 
-/// A coordinate of a unit vector with three decimals; what rounds to 0 has no sign.
+/// A coordinate of a unit vector with three decimals; 0 has no sign.
 pub(crate) fn coordinate(value: f32) -> String {
     let text = format!("{value:.3}");
     if text == "-0.000" { "0.000".to_owned() } else { text }

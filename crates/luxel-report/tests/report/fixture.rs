@@ -39,7 +39,7 @@ pub(crate) fn view_from(scene: &Scene, elevation_radians: f64) -> View {
         .with_shading(Shading::default())
 }
 
-/// What a pixel of the view shows, and what it hides.
+/// The ledger of a pixel, with its hidden surfaces.
 pub(crate) fn explain(scene: &Scene, view: &View, pixel: [u32; 2]) -> (Explanation, Unseen) {
     let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
     let explanation = renderer.explain(view, At::Pixel(pixel)).unwrap();

@@ -1,4 +1,4 @@
-//! The formats of the ledger: each is sound by itself, and all say the same.
+//! The formats of the ledger: each is well-formed, and all agree.
 
 use crate::fixture::{ON_THE_TEAPOT, SIZE, explain, teapot, view, view_from};
 use luxel_lighting::Reflection;
@@ -72,7 +72,7 @@ fn what_is_not_given_is_null_and_not_empty() {
 }
 
 #[test]
-fn text_is_plain_unless_asked_for_colours() {
+fn text_has_no_colours_by_default() {
     let (scene, view) = nasty();
     let (explanation, unseen) = explain(&scene, &view, ON_THE_TEAPOT);
     let report = Report::new(&explanation, &scene, &view).with_unseen(&unseen).with_model(NASTY);
@@ -145,7 +145,7 @@ fn check_nesting(page: &str) {
 }
 
 #[test]
-fn html_is_nested_and_asks_for_nothing() {
+fn html_is_well_formed_and_self_contained() {
     let (scene, view) = nasty();
     let (explanation, unseen) = explain(&scene, &view, ON_THE_TEAPOT);
     let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();

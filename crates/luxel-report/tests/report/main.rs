@@ -1,6 +1,6 @@
 //! The formats through the public interface.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod fixture;
 mod ledger;

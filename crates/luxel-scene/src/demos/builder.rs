@@ -1,4 +1,4 @@
-//! A scene put together piece by piece.
+//! Builds a scene piece by piece.
 
 use crate::{
     Camera, CameraId, DMat4, DVec3, Lens, MaterialId, Mesh, MeshId, Node, NodeId, Placement, Scene,
@@ -30,7 +30,7 @@ impl SceneBuilder {
         MaterialId(self.scene.materials.len() as u32 - 1)
     }
 
-    /// Adds a mesh whose triangles are all of one material.
+    /// Adds a mesh with a single material.
     pub(super) fn mesh(&mut self, mut mesh: Mesh, material: MaterialId) -> MeshId {
         for part in &mut mesh.parts {
             part.material = material;
@@ -98,7 +98,7 @@ impl SceneBuilder {
         self.scene.lights.push(SceneLight { name, light, placement, position, direction });
     }
 
-    /// Adds a camera at `eye` that looks to `target`, on a node of its own.
+    /// Adds a camera at `eye` that looks at `target`, with its own node.
     pub(super) fn camera(
         &mut self,
         parent: NodeId,

@@ -4,7 +4,7 @@
 //! 1984, *Modeling the Interaction of Light Between Diffuse Surfaces*; dimensions and camera as
 //! published with the box's photographs, 1998). Here it is lit by local reflection only: a lamp
 //! without a shadow below the ceiling's opening, and a faint cool light from the viewer instead of
-//! what the walls would send each other.
+//! indirect light between the walls.
 
 use super::builder::{SceneBuilder, srgb};
 use crate::primitives::MeshBuilder;
@@ -99,7 +99,7 @@ fn wall(
 }
 
 impl Block {
-    /// The top and the four sides; it stands on the floor.
+    /// The top and the four sides; the bottom is on the floor.
     fn mesh(&self) -> Mesh {
         let mut builder = MeshBuilder::default();
         let corner = |index: usize, y: f64| {

@@ -1,7 +1,7 @@
 //! The lab of problems: small scenes, each of which shows one thing that shading does wrong, and
 //! those beside them in which it is cured by another mesh.
 //!
-//! What a scene is made of can be chosen, so that a cure can be tried at many sizes; the built-in
+//! The resolution of each scene is a parameter, so that a cure can be tried at many; the built-in
 //! demos are those sizes at which the problem is seen best. All stand before the same quiet ground.
 
 mod ball;
@@ -26,11 +26,11 @@ use crate::primitives::{MeshBuilder, SurfacePoint};
 use crate::{DVec2, DVec3, MaterialId, Mesh};
 use luxel_lighting::Material;
 
-/// Faces round the ball whose outline has corners.
+/// Faces around a ball with a polygonal silhouette.
 pub const COARSE: u32 = 12;
-/// Faces round the ball whose outline has none to be seen.
+/// Faces around a ball with a smooth silhouette.
 pub const FINE: u32 = 192;
-/// Faces round the ball whose highlight smears.
+/// Faces around a ball with a smeared highlight.
 pub const MIDDLING: u32 = 24;
 /// The exponent of the smearing highlight.
 pub const SHININESS: f32 = 24.0;
@@ -42,22 +42,22 @@ pub const CUT: u32 = 16;
 pub(super) const DEMOS: [Demo; 11] = [
     Demo {
         name: "lab-silhouette",
-        about: "a ball of 12 faces round: smooth within, its outline a polygon",
+        about: "a ball of 12 faces round: smooth inside, with a polygonal silhouette",
         make: || ball("lab-silhouette", COARSE, 20.0),
     },
     Demo {
         name: "lab-silhouette-cured",
-        about: "the same of 192 faces round",
+        about: "the same with 192 faces round",
         make: || ball("lab-silhouette-cured", FINE, 20.0),
     },
     Demo {
         name: "lab-perspective",
-        about: "a floor of one polygon: its texture slides with `interpolation screen`",
+        about: "a floor of one polygon: its texture slides under screen-linear interpolation",
         make: || floor("lab-perspective", 1),
     },
     Demo {
         name: "lab-rolling",
-        about: "a quad of four colours: they change as it rolls with `interpolation scanline`",
+        about: "a quad of four colours: they change as it rolls under scan-line interpolation",
         make: || quad("lab-rolling", 1),
     },
     Demo {
@@ -67,7 +67,7 @@ pub(super) const DEMOS: [Demo; 11] = [
     },
     Demo {
         name: "lab-t-junction",
-        about: "a sheet whose left half doesn't know the corners on its seam",
+        about: "a sheet whose left half lacks the corners on the seam",
         make: || seam("lab-t-junction", Seam::Forgotten, CELLS),
     },
     Demo {
@@ -77,27 +77,27 @@ pub(super) const DEMOS: [Demo; 11] = [
     },
     Demo {
         name: "lab-corrugated",
-        about: "a folded sheet that averaged normals make flat; `normals mean` unfolds it",
+        about: "a folded sheet that looks flat with averaged normals",
         make: || corrugated("lab-corrugated"),
     },
     Demo {
         name: "lab-lamp",
-        about: "a lamp before a panel of one polygon: `shading gouraud` misses the highlight",
+        about: "a lamp before a panel of one polygon: gouraud shading misses the highlight",
         make: || panel("lab-lamp", 1),
     },
     Demo {
         name: "lab-highlight",
-        about: "a glossy ball of 24 faces round, chalky with `shading gouraud`",
+        about: "a glossy ball of 24 faces round, chalky with gouraud shading",
         make: || ball("lab-highlight", MIDDLING, SHININESS),
     },
     Demo {
         name: "lab-mach",
-        about: "a column of 12 faces: Mach bands with `shading flat` and gouraud",
+        about: "a column of 12 faces: Mach bands with flat and gouraud shading",
         make: || column("lab-mach", COARSE),
     },
 ];
 
-/// What is behind all of it.
+/// The background.
 const GROUND: u32 = 0x1c_1f23;
 
 /// A scene of one object under a root of the scene's name, before the ground.

@@ -53,7 +53,7 @@ pub(super) fn ground(builder: &mut SceneBuilder, root: NodeId) {
     builder.object("ground", root, DMat4::IDENTITY, mesh);
 }
 
-/// The sun stands to the upper left behind the eye, the sky fills in from the right.
+/// The sun is to the upper left behind the eye, and the sky fills in from the right.
 pub(super) fn daylight(builder: &mut SceneBuilder) {
     builder.sun("sun", DVec3::new(0.55, -1.0, -0.62), [0.86, 0.82, 0.74]);
     builder.sun("sky", DVec3::new(-0.9, -0.45, -0.35), [0.15, 0.18, 0.24]);
@@ -66,7 +66,7 @@ pub(super) fn standing(place: [f64; 3], turn_degrees: f64) -> DMat4 {
         * DMat4::from_rotation_y(turn_degrees.to_radians())
 }
 
-/// Adds a thing with a material of its own, in its parent's coordinates.
+/// Adds an object with a new material, in its parent's coordinates.
 fn add(
     builder: &mut SceneBuilder,
     parent: NodeId,

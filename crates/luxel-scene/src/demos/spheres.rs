@@ -77,7 +77,7 @@ fn glossy() -> Vec<Named> {
     ]
 }
 
-/// What has a roughness: metals from polished to rough, plastic.
+/// Materials with roughness: metals from polished to rough, plastic.
 fn physical() -> Vec<Named> {
     // Reflectances at normal incidence under daylight, from the metals' optical constants (Johnson
     // and Christy 1972).

@@ -101,7 +101,7 @@ pub(super) fn glaze() -> Material {
     }
 }
 
-/// The teapot alone, seen and lit as any model that says nothing about it.
+/// The teapot with the default camera and lights.
 pub(super) fn scene() -> Scene {
     let mut builder = SceneBuilder::default();
     let material = builder.material("glaze", glaze());

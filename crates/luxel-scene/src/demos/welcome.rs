@@ -1,4 +1,4 @@
-//! The teapot on the coloured ground: what a window shows before anything is opened.
+//! The teapot on the coloured ground: the default scene of the viewer.
 
 use super::builder::SceneBuilder;
 use super::{plane, teapot};

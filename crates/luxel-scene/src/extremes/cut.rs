@@ -1,17 +1,18 @@
 //! Which boxes and points a search may leave out.
 //!
-//! The points where a measure reaches a value lie in a half-space: (x - e) / (h - z) >= b is x - e - b
-//! (h - z) >= 0 in front of the eye. Its normal is brought into the coordinates of the mesh, where
-//! three products say how far a point, or whatever is bounded, reaches along it.
+//! The points where a measure reaches a value lie in a half-space: (x - e) / (h - z) >= b is
+//! x - e - b (h - z) >= 0 in front of the eye. Its normal is transformed into the coordinates of the
+//! mesh, where three products give how far a point or a bound reaches along it.
 //!
 //! **Rounding.** Let A be the sum of magnitudes |m| |p| + |t| that a transformed coordinate is made
 //! of, for the largest point of the object. The transformed coordinate is off by less than 5 u A,
-//! with u = 2^-53; the measures round at most 5 times more, the half-space at most 16 times, each in
-//! proportion to such magnitudes. [`ROUNDING`] allows for 64 u of all magnitudes together.
+//! with u = 2^-53; the measures round at most 5 times more, the half-space at most 16 times, each
+//! in proportion to such magnitudes. [`ROUNDING`] allows for 64 u of all magnitudes together.
 //!
-//! Reaches are computed in `f32`, of which a vector holds twice as many as of `f64`, from coordinates
-//! without the mesh's origin. They are sums of three products with at most 4 roundings on the way to
-//! each factor, in proportion to |n| |p|: [`REACH_ROUNDING`] allows for 16 times 2^-24.
+//! Reaches are computed in `f32`, of which a vector holds twice as many as of `f64`, from
+//! coordinates without the mesh's origin. They are sums of three products with at most 4 roundings
+//! on the way to each factor, in proportion to |n| |p|: [`REACH_ROUNDING`] allows for 16 times
+//! 2^-24.
 //!
 //! Where magnitudes aren't finite, nothing is left out.
 
@@ -20,22 +21,22 @@ use super::measure::{HalfSpace, Measure};
 use crate::point_tree::{Node, WIDTH, nearest_sides};
 use glam::DVec3;
 
-/// What rounding may take, as a part of all magnitudes involved.
+/// Bound of the rounding error, relative to all magnitudes involved.
 const ROUNDING: f64 = 64.0 * (f64::EPSILON / 2.0);
 /// More than products lose that are too small for `f64`, if 1e151 of it count.
 const UNDERFLOW: f64 = 1e-150;
 /// Magnitudes from here on may overflow on the way.
 const LARGE: f64 = 1e300;
 
-/// What rounding may take from reaches, as a part of |n| |p|.
+/// Bound of the rounding error of reaches, relative to |n| |p|.
 const REACH_ROUNDING: f64 = 16.0 * (f32::EPSILON as f64 / 2.0);
 /// More than reaches lose where numbers are too small for `f32`, as a part of |p|.
 const REACH_UNDERFLOW: f64 = 1e-40;
 /// Reaches from here on may overflow.
 const REACH_LARGE: f64 = 1e38;
 
-/// A half-space in the coordinates of a mesh, without its origin: what doesn't reach so far is outside
-/// of it.
+/// A half-space in the coordinates of a mesh, without its origin: points that reach less far are
+/// outside of it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cut {
     /// 1 along its longest axis.
@@ -64,7 +65,7 @@ impl Cut {
         let slack =
             REACH_ROUNDING * largest + REACH_UNDERFLOW * (1.0 + object.largest.element_sum());
         let least_reach = (least_reach * scale - slack) as f32;
-        // False for what is not a number, and where the normal is zero.
+        // False for NaN, and for a zero normal.
         let is_certain =
             magnitude < LARGE && object.largest.element_sum() < REACH_LARGE && scale < LARGE;
         let least_reach = if is_certain { least_reach } else { f32::NEG_INFINITY };
@@ -73,7 +74,7 @@ impl Cut {
     }
 
     pub(super) fn is_reached(&self, reach: f32) -> bool {
-        // What is not a number may be anything.
+        // NaN may be anything.
         reach >= self.least_reach || reach.is_nan()
     }
 

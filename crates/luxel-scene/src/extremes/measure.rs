@@ -1,4 +1,4 @@
-//! What is searched for its maximum.
+//! The measures to maximize.
 
 use glam::DVec3;
 
@@ -64,8 +64,8 @@ impl Measure for Along {
     }
 }
 
-/// x over the distance along z, as the eye sees it, or its opposite; or y instead of x. Of equal ones
-/// the farthest.
+/// x over the distance along z, as the eye sees it, or its opposite; or y instead of x. Of equal
+/// ones the farthest.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slope {
     pub(crate) axis: usize,

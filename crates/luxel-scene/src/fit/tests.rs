@@ -66,7 +66,7 @@ fn the_frame_turns_with_the_axis_that_is_up() {
 }
 
 #[test]
-fn a_sphere_is_as_far_as_its_tangent_cone_says() {
+fn the_distance_to_a_sphere_follows_from_its_tangent_cone() {
     let scene =
         scene_of(primitives::icosphere(2.0, 48), DMat4::from_translation(DVec3::splat(5.0)));
     let camera = fit_view(&scene, &viewpoint(30.0, 20.0), LENS, SIZE);

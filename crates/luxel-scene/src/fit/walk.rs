@@ -4,7 +4,7 @@ use super::*;
 use crate::{Lines, MaterialId, Mesh, MeshId, Node, NodeId, Points};
 use proptest::prelude::*;
 
-/// What is drawn, in the order of the objects, each in the space that `target_from_mesh` leads to.
+/// The drawn points, in the order of the objects, each in the target space of `target_from_mesh`.
 fn points(scene: &Scene, target_from_mesh: impl Fn(&Object) -> DMat4) -> Vec<DVec3> {
     let mut points = Vec::new();
     for object in scene.objects() {
@@ -45,7 +45,7 @@ fn highest<const N: usize>(
     highest
 }
 
-/// What [`fit_along`] does, by walks.
+/// [`fit_along`] by walks over all points.
 fn walked(scene: &Scene, axes: [DVec3; 3], lens: Lens, size: Size) -> Camera {
     let picture_from_world = picture_from_world(axes);
     let points = points(scene, |object| picture_from_world * object.world_from_mesh);
@@ -137,7 +137,8 @@ impl Random {
         values[self.below(values.len())]
     }
 
-    /// A few or many positions: in clouds and on surfaces, in rows and at random, equal, large and small.
+    /// A few or many positions: in clouds and on surfaces, in rows and at random, equal, large and
+    /// small.
     fn positions(&mut self) -> Vec<[f32; 3]> {
         let count = self.of(&[0, 1, 3, 64, 65, 300, 600, 2500]);
         let kind = self.below(6);

@@ -60,7 +60,7 @@ fn copies_share_what_was_measured_until_they_differ() {
     copy[0].origin.x = 4.0;
     assert!(original.has_trees() && !copy.has_trees());
     assert_eq!((right(&original), right(&copy)), (1.0, 5.0));
-    // What a copy measures first, after the other has changed.
+    // The first measurement of a copy, after the other has changed.
     let mut original: Meshes = vec![primitives::cuboid(DVec3::splat(2.0)); 2].into();
     assert_eq!(original.bounds_of(MeshId(1), &DMat4::IDENTITY).max.x, 1.0);
     let copy = original.clone();

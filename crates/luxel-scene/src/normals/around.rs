@@ -6,7 +6,7 @@ use crate::fans::Fans;
 use crate::{Mesh, Topology};
 
 /// At an edge of so many faces all pairs are compared; at more, each with the next in file order,
-/// so that a file in which everything hangs on one edge takes no time.
+/// so that a file with all faces on one edge stays fast.
 const FACES_COMPARED_IN_PAIRS: usize = 8;
 
 /// Faces within this angle of their mean are averaged without asking how they hang together, which
@@ -17,7 +17,7 @@ const ALIKE_DEGREES: f64 = 20.0;
 /// Sums shorter than this, compared with the sum of the lengths, have lost their direction.
 const CANCELLED: f64 = 1e-6;
 
-/// How faces are put together.
+/// How faces are grouped.
 enum Rule<'a> {
     /// All of a place.
     All,
@@ -70,7 +70,7 @@ struct Scratch {
 struct Sum {
     vector: [f64; 3],
     weights: f64,
-    /// What stands in where everything cancels.
+    /// The fallback if all terms cancel.
     some_face: [f32; 3],
 }
 
@@ -196,7 +196,7 @@ impl Around<'_> {
         let key = |&corner: &u32| {
             let triangle = corner as usize / 3;
             match (groups[triangle], &self.mesh.polygons) {
-                // Faceted: each polygon is a group of its own.
+                // Faceted: each polygon is a separate group.
                 (0, Some(polygons)) => u64::from(polygons[triangle]),
                 (0, None) => triangle as u64,
                 (group, _) => 1 << 32 | u64::from(group),
@@ -230,7 +230,7 @@ impl Around<'_> {
             borrowed.push(self.face(corner).normal);
         }
         edges.sort_unstable();
-        // A face without area stands between its neighbours as one of them does.
+        // A face without area takes the normal of one of its neighbours.
         for edge in edges.chunk_by(|a, b| a.0 == b.0) {
             for pair in edge.windows(2) {
                 let [a, b] = [pair[0].1 as usize, pair[1].1 as usize];

@@ -1,4 +1,4 @@
-//! What each triangle adds to the normals at its corners.
+//! The contribution of each triangle to the normals at its corners.
 
 use super::NormalSource;
 use crate::Mesh;
@@ -154,7 +154,7 @@ impl Shape {
     }
 
     /// The angles at the corners, by tan(t/2) = |a x b| / (|a| |b| + a.b); 0 without area. The
-    /// third is what is left of a half turn.
+    /// third is the rest of a half turn.
     fn angles(&self) -> [f64; 3] {
         let [a, b, c] = self.0;
         let cross = cross(a, b);

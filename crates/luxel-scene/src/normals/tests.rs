@@ -58,7 +58,7 @@ fn assert_radial(mesh: &Mesh, tolerance: f64) {
     }
 }
 
-/// Every triangle with positions and attributes of its own, as in an STL file.
+/// Every triangle with separate positions and attributes, as in an STL file.
 fn torn_apart(mesh: &Mesh) -> Mesh {
     let corner = |&position: &u32| mesh.positions[position as usize];
     let positions: Vec<_> = mesh.triangles.as_flattened().iter().map(corner).collect();
@@ -290,7 +290,7 @@ fn tiny_and_huge_meshes_are_treated_like_others() {
 
 #[test]
 fn attributes_shared_by_many_positions_are_split_where_needed() {
-    // One texture coordinate for the whole cube, as an OBJ file may say it.
+    // One texture coordinate for the whole cube, as an OBJ file may have it.
     let mut mesh = cube();
     mesh.attribute_corners = Some(vec![[0; 3]; 12]);
     mesh.uvs[0] = vec![[0.25, 0.75]];

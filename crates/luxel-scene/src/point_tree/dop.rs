@@ -1,8 +1,8 @@
 //! Discrete oriented polytopes of 26 sides (26-DOPs): how far points reach along the axes and the
 //! diagonals.
 //!
-//! A direction with components a >= b >= c >= 0 along three axes is a - b of the first axis, b - c of
-//! the diagonal of the first two, and c of the diagonal of all three. So three sides bound the
+//! A direction with components a >= b >= c >= 0 along three axes is a - b of the first axis, b - c
+//! of the diagonal of the first two, and c of the diagonal of all three. So three sides bound the
 //! points along any direction. A box along the axes does it with three numbers, too, but
 //! overestimates by about its size, and a search that ends at a smooth surface opens many leaves in
 //! vain: 47 of 16 points in the mean, in a bumpy ball of 50 000, where these open 8 of 64.
@@ -13,7 +13,7 @@ use std::array::from_fn;
 /// How many directions there are: each component is -1, 0 or 1, and not all are 0.
 pub(crate) const SIDES: usize = 26;
 
-/// What a component adds to a direction's code.
+/// The contribution of a component to a direction's code.
 const DIGITS: [usize; 3] = [1, 3, 9];
 /// The code of no direction.
 const CENTRE: usize = 13;
@@ -79,7 +79,7 @@ impl Default for Dop {
 }
 
 impl Dop {
-    /// Of a leaf's points. What is not a number doesn't count.
+    /// The bounds of a leaf's points. NaN doesn't count.
     pub(crate) fn of(points: &[[f32; 3]]) -> Self {
         /// Enough for two vectors.
         const LANES: usize = 8;

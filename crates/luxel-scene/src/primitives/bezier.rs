@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 pub(crate) struct Patch(pub(crate) [[DVec3; 4]; 4]);
 
 impl Patch {
-    /// Adds the patch as `steps` x `steps` quadrilaterals; `uv` tells its texture coordinates
+    /// Adds the patch as `steps` x `steps` quadrilaterals; `uv` gives its texture coordinates
     /// from (s, t).
     pub(crate) fn tessellate(
         &self,
@@ -42,7 +42,7 @@ impl Patch {
         let along_t = weighted(derivative(t), rows.map(|row| weighted(cubic(s), row)));
         let along_s = weighted(cubic(t), rows.map(|row| weighted(derivative(s), row)));
         let normal = along_t.cross(along_s);
-        // Relative to the tangent's possible length, far below what a sound patch has.
+        // Relative to the tangent's possible length, far below that of a regular patch.
         const VANISHING: f64 = 1e-12;
         if along_s.length_squared() > VANISHING * along_t.length_squared() {
             return normal;

@@ -4,7 +4,7 @@ use crate::{MaterialId, Mesh, Part};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
-/// A point of a surface with what shading needs there.
+/// A surface point with its shading attributes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SurfacePoint {
     pub(crate) position: DVec3,
@@ -20,7 +20,7 @@ pub(crate) struct MeshBuilder {
     /// The position of each attribute vertex.
     position_of: Vec<u32>,
     attribute_corners: Vec<[u32; 3]>,
-    /// Only asked, never walked: its order reaches nothing.
+    /// Never iterated, so that its order has no effect.
     positions_by_bits: HashMap<[u32; 3], u32>,
 }
 
@@ -77,8 +77,8 @@ impl MeshBuilder {
         }
     }
 
-    /// Adds a flat quadrilateral: corners counter-clockwise from the front, a whole texture from the
-    /// first one (upper left) to the third.
+    /// Adds a flat quadrilateral: corners counter-clockwise from the front, a whole texture from
+    /// the first one (upper left) to the third.
     pub(crate) fn quadrilateral(&mut self, corners: [DVec3; 4]) {
         let [upper_left, lower_left, lower_right, upper_right] = corners;
         let normal = (lower_right - upper_left).cross(upper_right - lower_left);

@@ -115,7 +115,7 @@ impl LatticePoint {
     }
 }
 
-/// Adds a triangle, with vertices of its own where it crosses the seam or touches a pole.
+/// Adds a triangle, with separate vertices where it crosses the seam or touches a pole.
 fn add(builder: &mut MeshBuilder, corners: [LatticePoint; 3]) {
     let mut u = corners.map(|corner| corner.point.uv.x);
     let off_pole = || (0..3).filter(|&corner| !corners[corner].at_pole);

@@ -29,7 +29,7 @@ fn half(level: &MipLevel, encoding: Encoding) -> Option<MipLevel> {
     let (width, height) = ((level.width / 2).max(1), (level.height / 2).max(1));
     let mut texels = vec![[0; 4]; width as usize * height as usize];
     let numbers = WholeNumbers::of(encoding);
-    // Colours without opacity are no colours; but data that happens to lie beside a fourth channel
+    // Colours without opacity don't count; but data that happens to lie beside a fourth channel
     // isn't weighted by it.
     let by_alpha = encoding == Encoding::Srgb;
     let fill = |(y, row): (usize, &mut [[u8; 4]])| {

@@ -1,6 +1,6 @@
 //! From texture coordinates to light: wrapping, filtering, level of detail.
 //!
-//! As OpenGL 4.6 says (core profile, section 8.14), with the footprint of a pixel taken from the
+//! As in OpenGL 4.6 (core profile, section 8.14), with the footprint of a pixel taken from the
 //! derivatives of the texture coordinates. Where the footprint is long and thin, up to
 //! [`MOST_PROBES`] probes lie along it (after `GL_EXT_texture_filter_anisotropic`), each from the
 //! level that fits its width, so that floors stay sharp towards the horizon.
@@ -17,11 +17,11 @@ const MOST_PROBES: f32 = 8.0;
 /// footprints that are nearly square need no second probe.
 const STRETCH_TOLERATED: f32 = 0.125;
 
-/// Beyond so many texels across or down there are numbers between which an `f32` can't tell; the rest
-/// of so large an image isn't looked at.
+/// Beyond so many texels across or down there are numbers between which an `f32` can't tell; the
+/// rest of so large an image isn't looked at.
 const MOST_TEXELS: u32 = 1 << 24;
 
-/// What happens outside 0..1.
+/// The wrapping outside 0..1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wrap {
     /// The picture repeats.
@@ -59,7 +59,7 @@ pub struct Sampler {
 }
 
 impl Sampler {
-    /// Repeating, trilinear: what files that say nothing get.
+    /// Repeating, trilinear: the default of files.
     #[must_use]
     pub const fn trilinear() -> Self {
         Self {
@@ -74,9 +74,9 @@ impl Sampler {
 
 impl Texture {
     /// The first `C` of linear red, green, blue and alpha at (u, v), (0, 0) being the image's upper
-    /// left, seen through a pixel over which the coordinates change by `per_pixel_x` = (du/dx, dv/dx)
-    /// from left to right and by `per_pixel_y` from top to bottom. That is for the lanes whose bit is
-    /// set; what the others get means nothing.
+    /// left, seen through a pixel over which the coordinates change by `per_pixel_x` = (du/dx,
+    /// dv/dx) from left to right and by `per_pixel_y` from top to bottom. That is for the lanes
+    /// whose bit is set; the other lanes are undefined.
     ///
     /// With P_x, P_y the lengths of the two in texels of level 0, P_max and P_min the longer and
     /// the shorter, there are N = ceil(P_max / max(P_min, 1)) probes (at most 8) along the longer
@@ -151,8 +151,8 @@ impl Texture {
     }
 
     /// `C` channels from the `FIRST` on of level 0 at (u, v), for questions that must not depend on
-    /// the pixel, such as alpha masks: filtered as where a texel covers more than a pixel. That is for
-    /// the lanes whose bit is set; what the others get means nothing.
+    /// the pixel, such as alpha masks: filtered as where a texel covers more than a pixel. That is
+    /// for the lanes whose bit is set; the other lanes are undefined.
     #[must_use]
     #[inline(always)]
     pub fn sample_base<N: Lanes, const FIRST: usize, const C: usize>(
@@ -167,7 +167,7 @@ impl Texture {
         }
     }
 
-    /// What to look at for a level of detail, which may lie between two levels.
+    /// The levels to sample for a level of detail, which may be between two.
     #[inline(always)]
     fn detail<N: Lanes>(&self, level: N, between: Filter, lanes: u32) -> Detail<N> {
         let Sampler { magnify, minify, .. } = self.sampler;
@@ -361,7 +361,7 @@ fn key(level: u32, filter: Filter) -> u32 {
     level << 1 | u32::from(filter == Filter::Linear)
 }
 
-/// What each lane looks at: one level, or two and how far it is from the first to the second.
+/// The levels that each lane samples: one, or two with their blend factor.
 struct Detail<N> {
     first: Levels,
     second: Levels,
@@ -370,7 +370,7 @@ struct Detail<N> {
     fraction: N,
 }
 
-/// The squared length, in texels, of what coordinates change by.
+/// The squared length, in texels, of a change of coordinates.
 #[inline(always)]
 fn squared_length<N: Lanes>([du, dv]: [N; 2], [width, height]: [N; 2]) -> N {
     let (across, down) = (du * width, dv * height);
@@ -379,12 +379,12 @@ fn squared_length<N: Lanes>([du, dv]: [N; 2], [width, height]: [N; 2]) -> N {
     squared.minimum(du.constant(1e30)).masked(du.zero().less(squared))
 }
 
-/// The coordinate brought to 0..=1 by the rule for what lies outside.
+/// The coordinate wrapped to 0..=1.
 #[inline(always)]
 fn folded<N: Lanes>(coordinate: N, wrap: Wrap) -> N {
     /// From here on, coordinates are whole numbers.
     const NO_FRACTION: f32 = 8_388_608.0;
-    // False for what isn't a number, too.
+    // False for NaN, too.
     let has_fraction = coordinate.abs().less(coordinate.constant(NO_FRACTION));
     let coordinate = coordinate.masked(has_fraction);
     match wrap {

@@ -117,6 +117,7 @@ pub(crate) fn materials_of_mesh(scene: &Scene, mesh: usize) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use luxel::lighting::K_D;
     use luxel::scene::demos;
 
     #[test]
@@ -124,7 +125,7 @@ mod tests {
         let scene = demos::demo("plane").unwrap();
         let mut overrides = MaterialOverrides::default();
         assert_eq!(overrides.all(&scene), None);
-        overrides.edit(0).k_d = Some(0.25);
+        overrides.edit(0).set_parameter(&K_D, 0.25);
         let edited = overrides.all(&scene).unwrap();
         assert_eq!(edited[0].constants.k_d, 0.25);
         assert_eq!(edited[0].constants.k_s, scene.materials[0].constants.k_s);
@@ -137,11 +138,11 @@ mod tests {
     fn edits_are_saved_by_material_or_by_object_or_refused() {
         let mut scene = demos::demo("spheres").unwrap();
         let mut overrides = MaterialOverrides::default();
-        overrides.edit(1).k_d = Some(0.5);
+        overrides.edit(1).set_parameter(&K_D, 0.5);
         let changes = overrides.surface_changes(&scene, &scene.objects()).unwrap();
         assert_eq!(changes.len(), 1);
         assert_eq!(changes[0].surface.as_ref(), Some(&scene.materials[1].name));
-        assert_eq!((&changes[0].object, changes[0].restyle.k_d), (&None, Some(0.5)));
+        assert_eq!((&changes[0].object, changes[0].restyle.parameter(&K_D)), (&None, Some(0.5)));
         // Two materials with the same name, on different objects.
         scene.materials[0].name = scene.materials[1].name.clone();
         let changes = overrides.surface_changes(&scene, &scene.objects()).unwrap();

@@ -1,4 +1,5 @@
 use super::*;
+use luxel::lighting::K_D;
 use luxel::navigation::{Gesture, Log};
 use luxel::scene::{DVec2, demos};
 use std::sync::Arc;
@@ -81,7 +82,7 @@ fn a_reloaded_model_keeps_camera_edits_and_selection_where_they_still_apply() {
         display.view_mut().lights[0].light.scale(0.5);
         display.set_enabled(1, false);
     });
-    session.edit_materials(|overrides| overrides.edit(0).k_d = Some(0.5));
+    session.edit_materials(|overrides| overrides.edit(0).set_parameter(&K_D, 0.5));
     session.selection.select([1], SelectMode::Replace);
     let (place, view) = (session.state.view_from_world(), session.view());
     session.reload(first.clone());
@@ -128,7 +129,7 @@ fn changed_lights_are_given_in_coordinates_that_need_no_scene() {
     assert_eq!(lights[0].placement, Placement::World);
     assert!(session.light_spaces().world_pose(&lights[0]).1.abs_diff_eq(pose.1, 1e-12));
     assert!(!session.is_environment_changed() && !session.has_surface_changes());
-    session.edit_materials(|overrides| overrides.edit(0).k_d = Some(0.25));
+    session.edit_materials(|overrides| overrides.edit(0).set_parameter(&K_D, 0.25));
     assert!(session.has_surface_changes());
 }
 

@@ -241,17 +241,11 @@ fn every_constant_of_a_reflection_model_is_changed_by_its_slider() {
         let mut stage = Stage::new("teapot", (920, 2000));
         let at = stage.session.material_uses.iter().position(|uses| *uses > 0).unwrap();
         let reflection = luxel::formats::values::reflection(model).unwrap();
-        let half = Restyle {
-            reflection: Some(reflection),
-            k_a: Some(0.5),
-            k_d: Some(0.5),
-            k_s: Some(0.5),
-            shininess: Some(9.0),
-            roughness: Some(0.5),
-            metallic: Some(0.5),
-            opacity: Some(0.5),
-            ..Restyle::default()
-        };
+        let mut half =
+            Restyle { reflection: Some(reflection), opacity: Some(0.5), ..Restyle::default() };
+        for parameter in luxel::lighting::SHARED {
+            half.set_parameter(parameter, if parameter.name == "shininess" { 9.0 } else { 0.5 });
+        }
         stage.session.edit_materials(|overrides| *overrides.edit(at) = half);
         let values = |stage: &Stage| {
             let material =

@@ -1,10 +1,10 @@
 //! Imports run one way: from crates and modules that stand later to those that stand earlier.
 //!
 //! [`CRATES`] orders the crates, [`MODULES`] the top modules of each. The test reads every path in
-//! `src` that begins with `crate` or `super`, in `use` lines and elsewhere, tests included. A name that
-//! `lib.rs` re-exports counts as an import of the module that defines it.
+//! `src` that begins with `crate` or `super`, in `use` lines and elsewhere, tests included. A name
+//! that `lib.rs` re-exports counts as an import of the module that defines it.
 
-#![allow(clippy::unwrap_used, reason = "what fails here is a failed test")]
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod order;
 

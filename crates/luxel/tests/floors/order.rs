@@ -66,6 +66,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
         &[
             "angle",
             "encoding",
+            "environment",
             "node",
             "camera",
             "light",

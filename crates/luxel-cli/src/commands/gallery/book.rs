@@ -1,4 +1,4 @@
-//! The picture book, made and written.
+//! Builds and writes the gallery.
 
 use super::GalleryCommand;
 use crate::console::Console;
@@ -15,7 +15,7 @@ use std::path::Path;
 impl GalleryCommand {
     pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
         if self.output == "-" {
-            let message = "a gallery is many files: name a folder with -o";
+            let message = "a gallery has many files: name a folder with -o";
             return Err(Failure::Usage(message.to_owned()));
         }
         let folder = Path::new(&self.output);
@@ -28,12 +28,12 @@ impl GalleryCommand {
         if !folder.is_dir() {
             fs::create_dir(folder).map_err(|error| Failure::writing(folder, &error, "-o"))?;
         }
-        // The page last: whoever sees it finds all that it shows.
+        // The page comes last, so that all its images exist when it does.
         for file in gallery.files.iter().rev() {
             output::write_file(&folder.join(&file.name), &file.bytes)?;
         }
         let page = folder.join("index.html");
-        console.detail(&format!("{} files, begin with {}", gallery.files.len(), page.display()));
+        console.detail(&format!("{} files, start at {}", gallery.files.len(), page.display()));
         if self.json {
             output::print_json(&to_json(&gallery, folder))?;
         }
@@ -41,13 +41,13 @@ impl GalleryCommand {
     }
 }
 
-/// Says before any work is done that nothing can be written there.
+/// Fails before any work if the folder can't be written.
 fn check(folder: &Path) -> Result<(), Failure> {
     match fs::metadata(folder) {
         Ok(there) if there.is_dir() => Ok(()),
         Ok(_) => {
-            let what = format!("{}: is no folder", folder.display());
-            Err(Failure::work(what, "choose another place with -o"))
+            let what = format!("{}: is not a folder", folder.display());
+            Err(Failure::work(what, "choose another folder with -o"))
         }
         Err(error) if error.kind() == io::ErrorKind::NotFound => output::check_folder(folder, "-o"),
         Err(error) => Err(Failure::writing(folder, &error, "-o")),
@@ -62,7 +62,7 @@ fn to_json(gallery: &Gallery, folder: &Path) -> Value {
     let drawn = |picture: &Reproduced| json!({ "file": picture.file, "command": picture.command });
     let error = |error: &Error| json!({ "largest": error.largest, "mean": error.mean });
     let pair = |pair: &Pair| {
-        // Where nothing is left of an error there is no number.
+        // An error of 0 has no ratio.
         let [largest, mean] = pair.times_better().map(|times| times.is_finite().then_some(times));
         json!({
             "name": pair.name,

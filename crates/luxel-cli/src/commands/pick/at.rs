@@ -1,4 +1,4 @@
-//! Places of the window: one from the line, or as many as the standard input gives.
+//! Picks positions: one from the command line, or one per line of the standard input.
 
 use super::{QueryOptions, SNAP_WITHIN, SnapChoice};
 use crate::failure::Failure;
@@ -9,23 +9,23 @@ use luxel::render::At;
 use luxel::report::{PickReport, camera_to_json};
 use std::io::{self, BufRead, Write};
 
-/// Bytes of positions that are answered together, at most.
+/// Maximum bytes of positions per batch.
 const BATCH: usize = 1 << 20;
-/// Positions that one thread takes.
+/// Positions per task.
 const RUN: usize = 64;
 
-/// What lies at a place.
+/// The hits at a position.
 struct Found {
-    /// The place, in pixels.
+    /// The position, in pixels.
     at: [f64; 2],
     /// Nearest first.
     hits: Vec<PickHit>,
-    /// Where it snaps to, if snapping is requested.
+    /// The snapped feature, if snapping is requested.
     snapped: Option<Option<Snapped>>,
 }
 
 impl QueryOptions {
-    /// Answers for one place.
+    /// Picks one position.
     pub(super) fn one(&self, view: &PickView<'_>, at: At) -> Result<(), Failure> {
         let hits = view.at(point(at)).into_iter().collect();
         let found = self.find(view, at, hits);
@@ -37,7 +37,8 @@ impl QueryOptions {
         }
     }
 
-    /// Answers for each line of the standard input, as soon as it can be read, in order.
+    /// Picks each line of the standard input as soon as it arrives, and prints the answers in
+    /// order.
     pub(super) fn many(&self, view: &PickView<'_>) -> Result<(), Failure> {
         let mut input = io::stdin().lock();
         let mut output = io::stdout().lock();
@@ -60,7 +61,7 @@ impl QueryOptions {
             }
             let Some(end) = left.iter().rposition(|&byte| byte == b'\n') else {
                 if left.len() > BATCH {
-                    return Err(unreadable(line + 1, "a line without end"));
+                    return Err(unreadable(line + 1, "the line is too long"));
                 }
                 if ended {
                     return Ok(());
@@ -82,7 +83,7 @@ impl QueryOptions {
         }
     }
 
-    /// The answers for whole lines, up to the first that can't be read.
+    /// The answers for complete lines, up to the first invalid one.
     fn answers(
         &self,
         view: &PickView<'_>,
@@ -106,7 +107,7 @@ impl QueryOptions {
                 }
             }
         }
-        // The camera is the same for all: written once.
+        // All answers share the camera, so it is formatted once.
         let camera = camera_to_json(view.camera(), view.size()).to_string();
         let points: Vec<[f64; 2]> = places.iter().map(|&at| point(at)).collect();
         let nearest = if self.through { vec![None; places.len()] } else { view.at_many(&points) };
@@ -124,7 +125,7 @@ impl QueryOptions {
         (answers, failure)
     }
 
-    /// Completes what the nearest surface at a place answers, if there is one.
+    /// Completes the answer of the nearest surface at a position, if any.
     fn find(&self, view: &PickView<'_>, at: At, mut hits: Vec<PickHit>) -> Found {
         let [x, y] = point(at);
         let stroke = self.within.and_then(|within| view.stroke_near([x, y], within));
@@ -161,7 +162,7 @@ impl Found {
     }
 }
 
-/// A place in pixels, the middle for a whole pixel.
+/// The position in pixels; for a whole pixel, its centre.
 fn point(at: At) -> [f64; 2] {
     match at {
         At::Pixel([x, y]) => [f64::from(x) + 0.5, f64::from(y) + 0.5],
@@ -172,6 +173,6 @@ fn point(at: At) -> [f64; 2] {
 fn unreadable(line: usize, message: &str) -> Failure {
     Failure::work(
         format!("standard input, line {line}: {message}"),
-        "give a position a line, as 640,360",
+        "write one position per line, such as 640,360",
     )
 }

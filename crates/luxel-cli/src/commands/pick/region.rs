@@ -1,4 +1,4 @@
-//! Rectangles and polygons of the window.
+//! Rectangles and polygons in the image.
 
 use super::QueryOptions;
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use luxel::report::RegionReport;
 use std::collections::BTreeMap;
 
 impl QueryOptions {
-    /// Answers for a part of the window.
+    /// Picks a region.
     pub(super) fn region(&self, view: &PickView<'_>) -> Result<(), Failure> {
         let region = match (&self.place.rect, &self.place.lasso) {
             (Some(rect), _) => Region::rectangle(rect.x, rect.y, rect.width, rect.height),

@@ -1,4 +1,4 @@
-//! Cameras along a path: a log of events, played into pictures.
+//! Cameras along a path: renders a log of events.
 
 use crate::camera;
 use crate::failure::Failure;
@@ -10,21 +10,21 @@ use luxel::navigation::{Entry, Event, Mode, Settings, State, advance};
 use luxel::scene::{Camera, Scene};
 use std::ffi::OsString;
 
-/// The path and its pace.
+/// The path and its frame rate.
 #[derive(Args, Clone, Debug)]
 pub(super) struct PathOptions {
-    /// Play a log of events, as `luxel navigate` does, and draw a picture after each, into files
-    /// numbered by their name, as frame_{n:4}.png
+    /// Replay a log of events, like `luxel navigate`, and render an image after each, into
+    /// numbered files, such as frame_{n:4}.png
     #[arg(long, value_name = "FILE", conflicts_with = "turntable")]
     path: Option<OsString>,
 
-    /// With --path: this many pictures a second of the log's time, instead of one after each event
+    /// With --path: images per second of log time, instead of one after each event
     #[arg(long, value_name = "N", value_parser = positive, allow_hyphen_values = true)]
     #[arg(requires = "path")]
     fps: Option<f64>,
 }
 
-/// Most pictures of one path: more than four hours at 60 a second.
+/// Maximum images of one path: more than four hours at 60 per second.
 const MAX_FRAMES: usize = 1_000_000;
 
 impl PathOptions {
@@ -35,7 +35,7 @@ impl PathOptions {
     /// The cameras along the path, if there is one.
     ///
     /// # Errors
-    /// [`Failure`], if the log can't be read or has no or too many pictures.
+    /// [`Failure`] if the log can't be read, or gives no images or too many.
     pub(super) fn cameras(
         &self,
         frame: &FrameOptions,
@@ -50,12 +50,12 @@ impl PathOptions {
             Some(fps) => at_rate(state, settings, &log.entries, fps),
         };
         if moments.is_empty() {
-            let remedy = "put events into it, as docs/navigation.md says";
+            let remedy = "docs/navigation.md describes the log format";
             return Err(Failure::work(format!("{}: no events", path.to_string_lossy()), remedy));
         }
         if moments.len() > MAX_FRAMES {
-            let what = format!("{}: more than {MAX_FRAMES} pictures", path.to_string_lossy());
-            return Err(Failure::work(what, "choose a lower --fps, or cut the log"));
+            let what = format!("{}: more than {MAX_FRAMES} images", path.to_string_lossy());
+            return Err(Failure::work(what, "use a lower --fps, or shorten the log"));
         }
         let bounds = scene.bounds();
         let camera = |(state, settings): &(State, Settings)| {
@@ -66,7 +66,7 @@ impl PathOptions {
     }
 }
 
-/// What is seen after each event.
+/// The camera after each event.
 fn after_events(
     mut state: State,
     mut settings: Settings,
@@ -85,9 +85,9 @@ fn after_events(
     moments
 }
 
-/// What is seen at times 0, 1 / fps, 2 / fps, ... until the last event: an event that happens at such
-/// a time has happened. Moments between events are looked at from the side, so that they leave the
-/// bits after events as they are.
+/// The cameras at times 0, 1 / fps, 2 / fps, ... until the last event, including events at exactly
+/// that time. Times between events are evaluated on a copy, so that they don't change the
+/// state after later events.
 fn at_rate(
     mut state: State,
     mut settings: Settings,

@@ -1,11 +1,11 @@
-//! What the stages of the work took.
+//! Times of the stages of work.
 
 use luxel::render::Stages;
 use serde_json::{Map, Value, json};
 use std::fmt;
 use std::time::{Duration, Instant};
 
-/// A clock with a hand for each stage. A stage that comes again is added up.
+/// A stopwatch per stage; repeated stages are summed.
 #[derive(Debug)]
 pub(super) struct Stopwatch {
     start: Instant,
@@ -19,14 +19,14 @@ impl Stopwatch {
         Self { start: now, lap: now, stages: Vec::new() }
     }
 
-    /// Gives the time since the last lap to a stage.
+    /// Adds the time since the last lap to a stage.
     pub(super) fn lap(&mut self, stage: &'static str) {
         let now = Instant::now();
         self.add(stage, now - self.lap);
         self.lap = now;
     }
 
-    /// Adds the stages of a frame, which lie within the lap `frame`.
+    /// Adds the stages of a frame, which are part of the lap `frame`.
     pub(super) fn add_stages(&mut self, stages: &Stages) {
         self.add("frame_bin", stages.bin);
         self.add("frame_visibility", stages.visibility);

@@ -1,4 +1,4 @@
-//! Where pictures go, and in which format.
+//! The destination and format of images.
 
 use super::OutputOptions;
 use crate::failure::Failure;
@@ -7,14 +7,14 @@ use crate::values::Numbering;
 use luxel::render::{ParsePictureFormatError, PictureFormat};
 use std::path::{Path, PathBuf};
 
-/// Where pictures go, and in which format.
+/// The destination and format of images.
 #[derive(Debug)]
 pub(super) struct Target {
     pub(super) format: Format,
     place: Place,
 }
 
-/// What a picture becomes.
+/// The kind of output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
     /// Pixels.
@@ -31,7 +31,7 @@ impl std::str::FromStr for Format {
             return Ok(Self::Svg);
         }
         extension.parse().map(Self::Pixels).map_err(|_: ParsePictureFormatError| {
-            format!("`{extension}` is no format for pictures: use png, exr, ppm, npy or svg")
+            format!("`{extension}` is not an image format: use png, exr, ppm, npy or svg")
         })
     }
 }
@@ -44,7 +44,7 @@ enum Place {
 }
 
 impl Target {
-    /// Checks the flags before any work is done.
+    /// Checks the flags before any work.
     pub(super) fn of(options: &OutputOptions) -> Result<Self, Failure> {
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
         let to_standard_output = options.output == "-";
@@ -55,31 +55,29 @@ impl Target {
         match format {
             Format::Pixels(format) => {
                 if options.bits == 16 && format.is_linear() {
-                    return usage("--bits is for PNG and PPM: EXR and NPY hold 32 bits");
+                    return usage("--bits is for PNG and PPM: EXR and NPY have 32 bits");
                 }
                 if options.layers.len() > 1 && format != PictureFormat::Exr {
                     return usage(
-                        "only an EXR holds several layers: use -o FILE.exr, or one --layer",
+                        "only EXR supports several layers: use -o FILE.exr, or a single --layer",
                     );
                 }
             }
             Format::Svg => {
                 if options.bits == 16 {
-                    return usage("--bits is for PNG and PPM: SVG has colours of 8 bits");
+                    return usage("--bits is for PNG and PPM: SVG colours have 8 bits");
                 }
                 if !options.layers.is_empty() {
-                    return usage("layers are pixels: use -o FILE.exr, .png, .ppm or .npy");
+                    return usage("layers need a pixel format: use .exr, .png, .ppm or .npy");
                 }
                 if options.wireframe || options.edges {
-                    return usage(
-                        "SVG shows faces without edges: leave --wireframe or --edges out",
-                    );
+                    return usage("SVG output has no edges: remove --wireframe or --edges");
                 }
             }
         }
         let place = match options.is_numbered() {
             true if to_standard_output => {
-                return usage("several pictures need files: use -o f_{n:3}.png");
+                return usage("several images need numbered files: use -o f_{n:3}.png");
             }
             true => {
                 let numbering =
@@ -99,7 +97,7 @@ impl Target {
         Ok(Self { format, place })
     }
 
-    /// Writes a picture; answers with the name of its file.
+    /// Writes an image and returns its file name.
     pub(super) fn write(&self, number: u32, bytes: &[u8]) -> Result<Option<String>, Failure> {
         let path = match &self.place {
             Place::StandardOutput => {
@@ -124,7 +122,7 @@ fn format(options: &OutputOptions) -> Result<Format, Failure> {
     let extension = Path::new(&options.output).extension().unwrap_or_default().to_string_lossy();
     if extension.is_empty() {
         let message =
-            "--output needs an ending: .png, .exr, .ppm, .npy or .svg (or --output-format)";
+            "--output needs an extension: .png, .exr, .ppm, .npy or .svg (or --output-format)";
         return Err(Failure::Usage(message.to_owned()));
     }
     extension.parse().map_err(|error: String| {

@@ -1,4 +1,4 @@
-//! The file of key bindings, if there is one.
+//! The file of key bindings.
 
 use crate::failure::Failure;
 use luxel_viewer::Keys;
@@ -6,10 +6,10 @@ use std::ffi::OsStr;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// More than any table of keys takes.
+/// Maximum size of a file of key bindings.
 const MOST_BYTES: u64 = 1 << 20;
 
-/// The bindings of a file, or of the user's own; the default ones without either.
+/// The bindings of a file, else of the user's file, else the default ones.
 ///
 /// # Errors
 /// [`Failure::Work`] with the line, if the file can't be read or is invalid.
@@ -22,8 +22,8 @@ pub(super) fn keys(file: Option<&OsStr>) -> Result<Keys, Failure> {
     }
 }
 
-/// The user's own file, as the XDG base directory specification has it: an empty or relative folder
-/// counts as none.
+/// The user's file by the XDG base directory specification: an empty or relative folder
+/// counts as unset.
 fn own_file(
     config: Option<impl Into<PathBuf>>,
     home: Option<impl Into<PathBuf>>,
@@ -34,7 +34,7 @@ fn own_file(
 }
 
 fn read(path: &Path) -> Result<Keys, Failure> {
-    let remedy = "correct the line; docs/viewer.md lists what keys can do";
+    let remedy = "correct the line; docs/viewer.md lists the actions of keys";
     let invalid = |what: String| Failure::work(format!("{}{what}", path.display()), remedy);
     let mut text = String::new();
     let opened = std::fs::File::open(path);
@@ -42,10 +42,10 @@ fn read(path: &Path) -> Result<Keys, Failure> {
     match taken {
         Err(error) => {
             let what = format!("{}: {error}", path.display());
-            Err(Failure::work(what, "name a file of keys, as docs/viewer.md describes it"))
+            Err(Failure::work(what, "docs/viewer.md describes files of key bindings"))
         }
         Ok(taken) if taken as u64 > MOST_BYTES => {
-            Err(invalid(": this is too long for keys".to_owned()))
+            Err(invalid(": the file is too large for key bindings".to_owned()))
         }
         Ok(_) => Keys::read(&text).map_err(|error| invalid(error.to_string())),
     }
@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_user_s_own_file_is_where_the_specification_has_it() {
+    fn the_key_file_follows_the_xdg_specification() {
         let of = |config: Option<&str>, home: Option<&str>| own_file(config, home);
         let at = |path: &str| Some(PathBuf::from(path));
         assert_eq!(of(Some("/c"), Some("/h")), at("/c/luxel/keys.toml"));

@@ -1,4 +1,4 @@
-//! The line of `luxel render` that draws what a window shows.
+//! The `luxel render` command line that reproduces the window's view.
 
 use super::saved::{dark, shading_flags};
 use clap::Command;
@@ -11,7 +11,7 @@ use luxel_viewer::ShownView;
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
 
-/// Flags for which the window has values of its own.
+/// Flags that the window overrides.
 const OF_THE_WINDOW: [&str; 18] = [
     "size",
     "samples",
@@ -32,11 +32,11 @@ const OF_THE_WINDOW: [&str; 18] = [
     "clamp",
     "normal-length",
 ];
-/// Flags that are the window's where its light is not the file's.
+/// Flags that the window overrides if its light differs from the file's.
 const OF_LIGHT: [&str; 3] = ["light", "ambient", "light-scale"];
 
-/// The line that draws what is seen of a file as `luxel view` with these words shows it: its flags, but
-/// for camera, size, samples, edges and shading, and for light as far as that was changed.
+/// The command line that reproduces the view of a file in `luxel view` with these words: its flags,
+/// except for camera, size, samples, edges and shading, and for edited light.
 pub(crate) fn line(
     program: &Command,
     words: &[OsString],
@@ -73,11 +73,11 @@ pub(crate) fn line(
     line.join(" ")
 }
 
-/// The flags of light, as far as it was changed.
+/// The flags of edited light.
 fn light(seen: &ShownView<'_>) -> Vec<String> {
     let mut flags = Vec::new();
     if let Some(lights) = &seen.lights {
-        // Without any, the file's would count.
+        // Without a light, the file's would apply.
         let none = if lights.is_empty() { vec![dark()] } else { Vec::new() };
         let texts = lights.iter().chain(&none).filter_map(light_text);
         flags.extend(texts.map(|text| quoted(&format!("--light={text}"))));
@@ -85,18 +85,17 @@ fn light(seen: &ShownView<'_>) -> Vec<String> {
         flags.push(format!("--ambient={r},{g},{b}"));
     }
     if seen.is_environment_changed {
-        let what = match seen.view.environment {
-            EnvironmentChoice::StudioForMicrofacets => "microfacet".to_owned(),
-            EnvironmentChoice::Always(Environment::None) => "none".to_owned(),
-            EnvironmentChoice::Always(Environment::Studio { .. }) => "studio".to_owned(),
-            EnvironmentChoice::Always(Environment::Constant([r, g, b])) => format!("{r},{g},{b}"),
-        };
-        flags.push(format!("--environment={what}"));
+        let environment = seen.view.environment;
+        if let Some(named) = environment.named() {
+            flags.push(format!("--environment={}", named.name()));
+        } else if let EnvironmentChoice::Always(Environment::Constant([r, g, b])) = environment {
+            flags.push(format!("--environment={r},{g},{b}"));
+        }
     }
     flags
 }
 
-/// The flags among the words that `render` takes too, but for those of the window.
+/// The flags among the words that `render` accepts, too, except for those of the window.
 fn given(
     program: &Command,
     words: &[OsString],
@@ -127,7 +126,7 @@ fn given(
     flags
 }
 
-/// A word as shells read it.
+/// Quotes a word for a shell.
 fn quoted(word: &str) -> String {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "-_=./:,+@%".contains(letter);
     if !word.is_empty() && word.chars().all(is_plain) {

@@ -1,4 +1,4 @@
-//! What a window shows, as a scene file: `luxel render` draws the same bytes of it.
+//! The window's view as a scene file, which `luxel render` draws with the same bytes.
 
 use crate::options::{NormalsChoice, ShadingOptions};
 use clap::ValueEnum;
@@ -10,22 +10,21 @@ use luxel_viewer::ShownScene;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-/// A scene file's place and text for what a window shows of a file; what went wrong, if that can't be
-/// said in one.
+/// The path and text of a scene file for the window's view of a file.
 pub(super) fn saved(
     file: &OsStr,
     shown: &ShownScene<'_>,
     restyle: Restyle,
     shading: &ShadingOptions,
 ) -> Result<(PathBuf, String), String> {
-    let name = file.to_str().ok_or("the file's name is no text that a scene file can hold")?;
+    let name = file.to_str().ok_or("the file name is not valid UTF-8, which scene files need")?;
     if name == "-" {
-        return Err("what came from the standard input has no name to be saved by".to_owned());
+        return Err("a model from the standard input has no file name to save under".to_owned());
     }
     let path = Path::new(name);
     let is_scene = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
     let bytes;
-    // Paths in the scene file begin with the model's own node.
+    // Paths in the scene file begin with the model's node.
     let (models, root, stem) = if let Some(demo) = name.strip_prefix("demo:") {
         (SceneModels::One(name), vec![demo.to_owned()], PathBuf::from(demo))
     } else {
@@ -47,7 +46,7 @@ pub(super) fn saved(
         PathBuf::from(numbered)
     });
     let free = numbered.into_iter().find(|path| !path.exists());
-    Ok((free.ok_or("no name is free for a scene file")?, text))
+    Ok((free.ok_or("all names for the scene file are taken")?, text))
 }
 
 fn text<'a>(
@@ -64,7 +63,7 @@ fn text<'a>(
         .iter()
         .cloned()
         .map(|change| SurfaceChange { object: change.object.map(below), ..change });
-    // What the flags change of all surfaces comes first.
+    // Changes to all surfaces by flags come first.
     let is_any = restyle != Restyle::default();
     let of_flags = is_any.then_some(SurfaceChange { object: None, surface: None, restyle });
     let node_of = |light: &SceneLight| match light.placement {
@@ -74,7 +73,7 @@ fn text<'a>(
     let mut lights: Vec<_> =
         view.lights.iter().map(|light| (light.clone(), node_of(light))).collect();
     if lights.is_empty() {
-        // Without any, the model's own would count.
+        // Without a light, the model's would apply.
         lights.push((dark(), Vec::new()));
     }
     let camera = SceneCamera {
@@ -98,7 +97,7 @@ fn text<'a>(
     }
 }
 
-/// A light that adds nothing.
+/// A light without effect.
 pub(super) fn dark() -> SceneLight {
     SceneLight {
         name: "none".to_owned(),
@@ -109,8 +108,8 @@ pub(super) fn dark() -> SceneLight {
     }
 }
 
-/// The flags that say where light is computed, and how it gets to the pixels between: those that are not
-/// as by default, or all.
+/// The flags of shading and interpolation: those that differ
+/// from the defaults, or all.
 pub(super) fn shading_flags(view: &View, is_all: bool) -> Vec<(&'static str, String)> {
     let Shading { mode, interpolation, clamp, normal_length } = view.shading;
     let by_default = Shading::default();
@@ -130,7 +129,7 @@ pub(super) fn shading_flags(view: &View, is_all: bool) -> Vec<(&'static str, Str
     flags
 }
 
-/// The flags of `luxel render`, as far as they are not those by default.
+/// The flags of `luxel render` that differ from the defaults.
 fn settings(
     view: &View,
     [near, far]: [Option<f64>; 2],

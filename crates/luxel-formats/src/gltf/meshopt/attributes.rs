@@ -1,17 +1,17 @@
-//! The attribute codec: bytes as differences from the element before, packed in groups of sixteen.
+//! The attribute codec: byte-wise deltas from the previous element, packed in groups of sixteen.
 
 use super::Cursor;
 
 /// Version 0 of the codec, the one that the extension allows.
 const HEADER: u8 = 0xa0;
 const GROUP: usize = 16;
-/// The first element follows the blocks; short ones are padded in front.
+/// The first element follows the blocks; the tail is padded in front to this length.
 const LEAST_TAIL: usize = 32;
 
 /// Decodes `count` elements of `stride` bytes.
 pub(super) fn decode(stream: &[u8], count: usize, stride: usize) -> Result<Vec<u8>, String> {
     if stride == 0 || stride > 256 || !stride.is_multiple_of(4) {
-        return Err(format!("a stride of {stride} bytes is no multiple of 4 up to 256"));
+        return Err(format!("a stride of {stride} bytes is not a multiple of 4 up to 256"));
     }
     let mut cursor = Cursor { rest: stream };
     match cursor.byte()? {
@@ -64,7 +64,7 @@ fn decode_group(cursor: &mut Cursor<'_>, mode: u8, sixteen: &mut [u8]) -> Result
     let packed = cursor.bytes(GROUP * bits / 8)?;
     let per_byte = 8 / bits;
     for (index, difference) in sixteen.iter_mut().enumerate() {
-        // The first value lies in the highest bits.
+        // The highest bits hold the first value.
         let shift = 8 - bits * (index % per_byte + 1);
         let value = packed[index / per_byte] >> shift & escape;
         *difference = if value == escape { cursor.byte()? } else { value };

@@ -1,8 +1,8 @@
-//! The filters: what turns decoded integers into normals, rotations and floats.
+//! The filters, which turn decoded integers into normals, rotations and floats.
 
 /// Applies a filter to elements of `stride` bytes, in place.
 pub(super) fn apply(filter: &str, bytes: &mut [u8], stride: usize) -> Result<(), String> {
-    let wants = |strides: &str| Err(format!("{filter} wants a stride of {strides}, not {stride}"));
+    let wants = |strides: &str| Err(format!("{filter} needs a stride of {strides}, not {stride}"));
     match (filter, stride) {
         ("NONE", _) => {}
         ("OCTAHEDRAL", 4) => {
@@ -33,7 +33,7 @@ pub(super) fn apply(filter: &str, bytes: &mut [u8], stride: usize) -> Result<(),
                 *word = exponential(i32::from_le_bytes(*word)).to_le_bytes();
             }
         }
-        _ => return Err(format!("`{filter}` is no filter of the extension")),
+        _ => return Err(format!("`{filter}` is not a filter of the extension")),
     }
     Ok(())
 }

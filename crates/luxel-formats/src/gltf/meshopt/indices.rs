@@ -4,12 +4,12 @@ use super::{Cursor, unzigzag};
 
 const TRIANGLES_HEADER: u8 = 0xe1;
 const SEQUENCE_HEADER: u8 = 0xd1;
-/// Codes for pairs of corners close a triangle stream.
+/// Length of the table of corner codes that ends a triangle stream.
 const TRIANGLES_TAIL: usize = 16;
 const SEQUENCE_TAIL: usize = 4;
 const ESCAPE: u8 = 15;
 
-/// The last sixteen things seen, the latest at 0.
+/// The last sixteen entries, the latest at 0.
 struct Recent<T> {
     ring: [T; 16],
     next: usize,
@@ -25,20 +25,20 @@ impl<T: Copy> Recent<T> {
         self.next = self.next.wrapping_add(1);
     }
 
-    /// What was pushed `age + 1` steps ago.
+    /// The entry pushed `age + 1` steps ago.
     fn get(&self, age: u8) -> T {
         self.ring[self.next.wrapping_sub(1 + usize::from(age)) & 15]
     }
 }
 
-/// The state that both sides of the triangle codec keep.
+/// The state that encoder and decoder of triangles share.
 struct Triangles<'a> {
     data: Cursor<'a>,
     edges: Recent<[u32; 2]>,
     vertices: Recent<u32>,
     /// The lowest vertex that hasn't been used.
     next: u32,
-    /// The last one that was written out.
+    /// The last index written explicitly.
     last: u32,
 }
 
@@ -54,7 +54,8 @@ impl Triangles<'_> {
         Ok(self.last)
     }
 
-    /// A triangle that shares an edge: the edge in the upper half of the code, the corner in the lower.
+    /// A triangle that shares an edge: the edge in the upper half of the code, the corner in the
+    /// lower.
     fn across_edge(&mut self, code: u8) -> Result<[u32; 3], String> {
         let [a, b] = self.edges.get(code >> 4);
         let (c, is_new) = match code & 15 {
@@ -78,10 +79,10 @@ impl Triangles<'_> {
         Ok([a, b, c])
     }
 
-    /// A triangle of its own: how each corner is found.
+    /// A triangle that shares no edge: how each corner is coded.
     fn alone(&mut self, first: u8, others: u8) -> Result<[u32; 3], String> {
         let codes = [first, others >> 4, others & 15];
-        // Vertices are looked up as they were before this triangle; explicit ones follow in order.
+        // Lookups use the vertices from before this triangle; explicit ones follow in order.
         let mut corners = [0; 3];
         for (corner, &code) in corners.iter_mut().zip(&codes) {
             *corner = match code {
@@ -111,7 +112,7 @@ impl Triangles<'_> {
 /// Decodes a list of `count` indices, three for each triangle.
 pub(super) fn decode_triangles(stream: &[u8], count: usize) -> Result<Vec<u32>, String> {
     if !count.is_multiple_of(3) {
-        return Err(format!("{count} indices are no whole number of triangles"));
+        return Err(format!("{count} indices are not a whole number of triangles"));
     }
     let mut cursor = Cursor { rest: stream };
     check_header(cursor.byte()?, TRIANGLES_HEADER)?;
@@ -144,7 +145,7 @@ pub(super) fn decode_triangles(stream: &[u8], count: usize) -> Result<Vec<u32>, 
     Ok(indices)
 }
 
-/// Decodes a sequence of `count` indices: differences from one of two that are kept.
+/// Decodes a sequence of `count` indices: deltas from one of two running values.
 pub(super) fn decode_sequence(stream: &[u8], count: usize) -> Result<Vec<u32>, String> {
     let mut cursor = Cursor { rest: stream };
     check_header(cursor.byte()?, SEQUENCE_HEADER)?;

@@ -1,5 +1,5 @@
-//! Streams written by the extension's reference encoder (npm `meshoptimizer` 1.3.0), with what its
-//! decoder makes of them.
+//! Streams from the extension's reference encoder (npm `meshoptimizer` 1.3.0), with the output of
+//! its decoder.
 
 use super::*;
 use proptest::prelude::*;
@@ -102,7 +102,7 @@ fn streams_that_end_early_or_late_are_refused() {
 }
 
 #[test]
-fn what_the_extension_does_not_know_is_refused() {
+fn unknown_modes_filters_and_strides_are_refused() {
     let stream = bytes_of(ATTRIBUTES);
     for (mode, filter, stride) in [
         ("VERTICES", None, 12),

@@ -1,7 +1,7 @@
 use super::*;
 use crate::scene_toml::read;
 use glam::DMat4;
-use luxel_lighting::{Light, Reflection, own_parameters};
+use luxel_lighting::{Attenuation, Cone, Light, LightKind, Reflection, SHARED, own_parameters};
 use luxel_scene::{Camera, NodeId, Scene, SceneMaterial};
 use proptest::prelude::*;
 
@@ -25,7 +25,7 @@ fn plain() -> SceneText<'static> {
     }
 }
 
-/// The ground's path and its node's number, in the scene that is read.
+/// The path and the node index of the ground in the scene read back.
 fn ground() -> Vec<String> {
     let plane = luxel_scene::demos::demo("plane").unwrap();
     let at = plane.nodes.iter().position(|node| node.name == "ground").unwrap();
@@ -87,7 +87,7 @@ fn light() -> impl Strategy<Value = SceneLight> {
         .prop_map(|(what, attenuation, placement, position, direction, name)| {
             let (kind, ambient, diffuse, specular) = what;
             let light = Light { kind, ambient, diffuse, specular, attenuation };
-            // What a kind does not have is as the reader leaves it.
+            // Fields that a kind lacks have the reader's defaults.
             let position = if kind == LightKind::Directional { DVec3::ZERO } else { position };
             let direction = if kind == LightKind::Point { DVec3::NEG_Z } else { direction };
             SceneLight { name, light, placement, position, direction }
@@ -108,23 +108,25 @@ fn restyle() -> impl Strategy<Value = Restyle> {
         .prop_map(|(colors, [k_a, k_d, k_s, shininess], shares, reflection)| {
             let (color, ambient, specular, emission) = colors;
             let [metallic, roughness, opacity] = shares;
-            Restyle {
+            let mut restyle = Restyle {
                 color,
                 ambient,
                 specular,
                 emission,
-                k_a,
-                k_d,
-                k_s,
-                shininess,
-                metallic,
-                roughness,
                 opacity,
                 reflection,
-                own: own_parameters()
-                    .map(|own| (own.parameter.name, own.parameter.default))
-                    .collect(),
+                ..Restyle::default()
+            };
+            for own in own_parameters() {
+                restyle.set_parameter(&own.parameter, own.parameter.default);
             }
+            let shared = [k_a, k_d, k_s, shininess, roughness, metallic];
+            for (parameter, value) in SHARED.into_iter().zip(shared) {
+                if let Some(value) = value {
+                    restyle.set_parameter(parameter, value);
+                }
+            }
+            restyle
         })
 }
 
@@ -134,7 +136,7 @@ fn option<S: Strategy>(strategy: S) -> impl Strategy<Value = Option<S::Value>> {
 
 fn camera() -> impl Strategy<Value = SceneCamera> {
     let lens = prop_oneof![
-        // Whatever angle was said in degrees.
+        // Any angle in degrees.
         (0.01..179.9_f64)
             .prop_map(|degrees| Lens::Perspective { fov_y_radians: degrees.to_radians() }),
         (1e-6..1e6_f64).prop_map(|height| Lens::Orthographic { height }),
@@ -231,7 +233,7 @@ proptest! {
 }
 
 #[test]
-fn another_scene_file_s_models_and_surfaces_stay_whatever_way_they_were_written() {
+fn models_and_materials_are_copied_in_any_toml_spelling() {
     let other = "format = \"luxel-scene\"\nversion = 1\n\
         models = [{ source = 'demo:teapot', name = \"a \\\"pot\\\"\", rotate = { axis = \"Y\", degrees = 3_0 } },\n\
         { source = \"demo:plane\", scale = 0x2, translate = [1, -.5e0, 0] }]\n\
@@ -246,7 +248,7 @@ fn another_scene_file_s_models_and_surfaces_stay_whatever_way_they_were_written(
 }
 
 #[test]
-fn settings_are_told_as_they_were() {
+fn settings_read_back() {
     let one = |text: &str| SettingValue::One(text.to_owned());
     let settings = vec![
         ("size".to_owned(), one("640x480")),
@@ -261,7 +263,7 @@ fn settings_are_told_as_they_were() {
 }
 
 #[test]
-fn cameras_far_away_keep_their_bits() {
+fn distant_cameras_read_back_bit_for_bit() {
     let view_from_node =
         DMat4::from_rotation_y(0.3) * DMat4::from_translation(DVec3::new(4.5e6, -1.0 / 3.0, 1e-7));
     let lens = Lens::Perspective { fov_y_radians: 0.7 };

@@ -9,13 +9,13 @@ use std::fmt::Write;
 /// A term that reaches the eye.
 struct Part {
     kind: TermKind,
-    /// What it is, in full and in short.
+    /// The label, long and short.
     name: String,
     short: &'static str,
     value: [f32; 3],
 }
 
-/// What reaches the eye of a surface, term by term, channel by channel.
+/// The light of a surface, by term and channel.
 pub(crate) fn terms(surface: &ExplainedSurface) -> String {
     let parts = parts(surface);
     let sum = |channel: usize| parts.iter().map(|part| part.value[channel].max(0.0)).sum::<f32>();

@@ -1,5 +1,5 @@
-//! The vectors of one light, drawn in the plane of N and L: there their angles are true. What leaves
-//! that plane is drawn where it falls onto it, shortened and dashed.
+//! The vectors of one light, drawn in the plane of N and L: there their angles are true. What
+//! leaves that plane is drawn where it falls onto it, shortened and dashed.
 
 use super::escape::escaped;
 use crate::equation::{LightEntry, ShadingPoint, highlight_vector};
@@ -37,7 +37,7 @@ fn degrees(a: Vector, b: Vector) -> f64 {
     libm::acos(dot(a, b).clamp(-1.0, 1.0)).to_degrees()
 }
 
-/// What is left of a vector across another.
+/// The component of a vector perpendicular to another.
 fn across(vector: Vector, axis: Vector) -> Vector {
     let along = dot(vector, axis);
     std::array::from_fn(|side| vector[side] - along * axis[side])
@@ -192,7 +192,7 @@ mod tests {
         let plane = [tangent(n, l, [0.0, 1.0, 0.0]), n];
         assert!((length_in_plane(l, plane) - 1.0).abs() < 1e-12);
         assert!((dot(l, plane[0]) - (1.0 - dot(l, n) * dot(l, n)).sqrt()).abs() < 1e-12);
-        // What stands across it has no length there.
+        // A perpendicular vector has no length there.
         assert!(length_in_plane(cross(plane[0], n), plane) < 1e-12);
     }
 

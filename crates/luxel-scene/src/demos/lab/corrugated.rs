@@ -1,4 +1,4 @@
-//! A folded sheet whose folds averaged normals hide.
+//! A folded sheet; averaged normals hide its folds.
 
 use super::{grid, stage};
 use crate::demos::builder::srgb;

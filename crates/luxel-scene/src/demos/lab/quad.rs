@@ -1,4 +1,4 @@
-//! A quad with a colour of its own at each corner.
+//! A quad with a different colour at each corner.
 
 use super::{grid, stage};
 use crate::demos::builder::srgb;
@@ -9,7 +9,7 @@ use luxel_lighting::{Material, Reflection};
 const CORNERS: [f64; 4] = [1.0, 0.02, 0.05, 0.55];
 
 /// A square of `cells` x `cells` polygons that isn't lit; the brightness at its corners is that of
-/// the four corners of the whole, and bilinear between: what an upright quad shows by scan lines.
+/// the four corners of the whole, and bilinear between: the scan-line result of an upright quad.
 #[must_use]
 pub fn quad(name: &str, cells: u32) -> Scene {
     let own =

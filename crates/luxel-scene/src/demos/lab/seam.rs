@@ -6,7 +6,7 @@ use crate::primitives::{MeshBuilder, SurfacePoint};
 use crate::{DVec2, DVec3, Mesh, Scene};
 use luxel_lighting::{Material, Reflection};
 
-/// What the left side of the seam knows of the corners on it.
+/// The corners of the seam on its left side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seam {
     /// All of them.

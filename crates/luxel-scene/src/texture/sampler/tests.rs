@@ -212,7 +212,7 @@ fn between_levels_lies_their_mean() {
 }
 
 #[test]
-fn the_nearest_level_is_chosen_as_opengl_says() {
+fn the_nearest_level_is_chosen_as_in_opengl() {
     let sampler =
         Sampler { minify: Filter::Nearest, mipmap: Some(Filter::Nearest), ..Sampler::trilinear() };
     let texture = texture(64, 64, noise(64, 64), sampler);

@@ -6,9 +6,9 @@ use crate::theme;
 use crate::ui::focus;
 use egui::{RichText, Ui};
 use luxel::formats::values::{cos_cutoff, cutoff_degrees};
-use luxel::lighting::{Cone, Environment, LIGHT_KINDS, LightKind};
+use luxel::lighting::{CUTOFF, Cone, EXPONENT, Environment, INNER, LIGHT_KINDS, LightKind};
 use luxel::render::EnvironmentChoice;
-use luxel::scene::{Placement, SceneLight};
+use luxel::scene::{NamedEnvironment, Placement, SceneLight};
 
 /// All lights; the chosen one with its settings.
 pub(super) fn lights(ui: &mut Ui, session: &mut Session, chosen: &mut Option<usize>) {
@@ -49,49 +49,23 @@ pub(super) fn lights(ui: &mut Ui, session: &mut Session, chosen: &mut Option<usi
 /// The environment that mirrors and metals reflect.
 pub(super) fn environment(ui: &mut Ui, session: &mut Session) {
     heading(ui, "Environment");
-    let up = session.model.scene.up.as_vec3().to_array();
+    let up = session.model.scene.up;
     let before = session.display().view().environment;
-    let mut kind = match before {
-        EnvironmentChoice::Always(Environment::None) => EnvironmentKind::None,
-        EnvironmentChoice::Always(Environment::Studio { .. }) => EnvironmentKind::Studio,
-        EnvironmentChoice::StudioForMicrofacets => EnvironmentKind::StudioForMicrofacets,
-        EnvironmentChoice::Always(Environment::Constant(_)) => EnvironmentKind::Constant,
-    };
+    let mut named = before.named();
     let mut mode = before;
-    let kinds = [
-        (EnvironmentKind::None, "none"),
-        (EnvironmentKind::Studio, "studio"),
-        (EnvironmentKind::StudioForMicrofacets, "microfacet"),
-        (EnvironmentKind::Constant, "colour"),
-    ];
-    if ui.horizontal(|ui| one_of(ui, &mut kind, &kinds)).inner {
-        mode = match kind {
-            EnvironmentKind::None => EnvironmentChoice::Always(Environment::None),
-            EnvironmentKind::Studio => EnvironmentChoice::Always(Environment::Studio { up }),
-            EnvironmentKind::StudioForMicrofacets => EnvironmentChoice::StudioForMicrofacets,
-            EnvironmentKind::Constant => EnvironmentChoice::Always(Environment::Constant([0.5; 3])),
-        };
+    let mut kinds = NamedEnvironment::ALL.map(|one| (Some(one), one.name())).to_vec();
+    kinds.push((None, "colour"));
+    if ui.horizontal(|ui| one_of(ui, &mut named, &kinds)).inner {
+        mode = named.map_or(EnvironmentChoice::Always(Environment::Constant([0.5; 3])), |named| {
+            named.choice(up)
+        });
     }
     if let EnvironmentChoice::Always(Environment::Constant(color)) = &mut mode {
         intensity(ui, "all around", color);
     }
-    let about = match kind {
-        EnvironmentKind::None => "Mirrors and metals see nothing.",
-        EnvironmentKind::Studio => "Bright above, a soft horizon, dark below.",
-        EnvironmentKind::StudioForMicrofacets => "The studio, for microfacet materials alone.",
-        EnvironmentKind::Constant => "The same light from everywhere.",
-    };
+    let about = named.map_or("uniform light from all directions", NamedEnvironment::help);
     ui.label(RichText::new(about).small().weak());
     session.change_display(|display| display.view_mut().environment = mode);
-}
-
-/// An environment's kind.
-#[derive(Clone, Copy, PartialEq)]
-enum EnvironmentKind {
-    None,
-    Studio,
-    StudioForMicrofacets,
-    Constant,
 }
 
 /// A light's name. Typing renames the light whenever the text is an unused name.
@@ -273,15 +247,15 @@ fn cone(ui: &mut Ui, cone: &mut Cone) -> bool {
     };
     match cone {
         Cone::Exponent { cos_cutoff, exponent } => {
-            angle(ui, "cutoff", cos_cutoff, 90.0);
-            row(ui, "exponent", |ui| changed |= slider_f32(ui, exponent, 0.0..=64.0, 1));
+            angle(ui, CUTOFF.name, cos_cutoff, 90.0);
+            row(ui, EXPONENT.name, |ui| changed |= slider_f32(ui, exponent, 0.0..=64.0, 1));
         }
         Cone::Smooth { cos_inner, cos_outer } => {
-            angle(ui, "cutoff", cos_outer, 90.0);
+            angle(ui, CUTOFF.name, cos_outer, 90.0);
             let most = cutoff_degrees(*cos_outer).max(1.0);
-            angle(ui, "inner", cos_inner, most);
+            angle(ui, INNER.name, cos_inner, most);
             // The inner angle stays within the outer one.
-            *cos_inner = cos_inner.max(*cos_outer + 0.001);
+            *cone = Cone::smooth(*cos_inner, *cos_outer);
         }
     }
     changed

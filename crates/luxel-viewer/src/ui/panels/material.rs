@@ -65,9 +65,8 @@ fn merge(edit: &mut Restyle, change: Restyle) {
     if change.color.is_some() {
         edit.ambient = None;
     }
-    take!(color, k_a, k_d, k_s, shininess, emission, reflection);
-    take!(ambient, specular, metallic, roughness, opacity);
-    edit.own.extend(change.own);
+    take!(color, emission, reflection, ambient, specular, opacity);
+    edit.parameters.extend(change.parameters);
 }
 
 /// The constants that the reflection model uses; edits go into `change`.
@@ -170,13 +169,18 @@ fn surface_color(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use luxel::lighting::{K_D, K_S};
 
     #[test]
     fn later_changes_win_and_a_colour_replaces_the_ambient_one() {
-        let mut change = Restyle { k_d: Some(0.5), ambient: Some([1.0; 3]), ..Restyle::default() };
-        merge(&mut change, Restyle { k_s: Some(0.1), k_d: Some(0.6), ..Restyle::default() });
+        let mut change = Restyle { ambient: Some([1.0; 3]), ..Restyle::default() };
+        change.set_parameter(&K_D, 0.5);
+        let mut later = Restyle::default();
+        later.set_parameter(&K_D, 0.6);
+        later.set_parameter(&K_S, 0.1);
+        merge(&mut change, later);
         assert_eq!(
-            (change.k_d, change.k_s, change.ambient),
+            (change.parameter(&K_D), change.parameter(&K_S), change.ambient),
             (Some(0.6), Some(0.1), Some([1.0; 3]))
         );
         merge(&mut change, Restyle { color: Some([0.2; 3]), ..Restyle::default() });

@@ -1,0 +1,98 @@
+//! The choice of an environment, by name.
+
+use glam::DVec3;
+use luxel_lighting::Environment;
+
+/// The environment that mirrors and metals reflect.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum EnvironmentChoice {
+    /// The studio for microfacet materials, nothing for others.
+    #[default]
+    StudioForMicrofacets,
+    /// The same for every material.
+    Always(Environment),
+}
+
+/// An environment with a name: all but uniform light of some colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NamedEnvironment {
+    /// Nothing.
+    None,
+    /// An analytic gradient.
+    Studio,
+    /// That gradient for microfacet materials, nothing for others.
+    StudioForMicrofacets,
+}
+
+impl NamedEnvironment {
+    /// All environments with a name, in the order of lists.
+    pub const ALL: [Self; 3] = [Self::None, Self::Studio, Self::StudioForMicrofacets];
+
+    /// All names, in the same order.
+    pub const NAMES: [&'static str; 3] =
+        [Self::None.name(), Self::Studio.name(), Self::StudioForMicrofacets.name()];
+
+    /// The environment with a name.
+    #[must_use]
+    pub fn by_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|environment| environment.name() == name)
+    }
+
+    /// The name, as flags and scene files have it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Studio => "studio",
+            Self::StudioForMicrofacets => "microfacet",
+        }
+    }
+
+    /// One line of help.
+    #[must_use]
+    pub const fn help(self) -> &'static str {
+        match self {
+            Self::None => "no reflections",
+            Self::Studio => "bright above, a soft horizon, dark below",
+            Self::StudioForMicrofacets => "the studio, for microfacet materials only",
+        }
+    }
+
+    /// The environment in a scene with this up direction.
+    #[must_use]
+    pub fn choice(self, up: DVec3) -> EnvironmentChoice {
+        match self {
+            Self::None => EnvironmentChoice::Always(Environment::None),
+            Self::Studio => {
+                EnvironmentChoice::Always(Environment::Studio { up: up.as_vec3().to_array() })
+            }
+            Self::StudioForMicrofacets => EnvironmentChoice::StudioForMicrofacets,
+        }
+    }
+}
+
+impl EnvironmentChoice {
+    /// The environment's name; `None` for uniform light.
+    #[must_use]
+    pub const fn named(&self) -> Option<NamedEnvironment> {
+        match self {
+            Self::StudioForMicrofacets => Some(NamedEnvironment::StudioForMicrofacets),
+            Self::Always(Environment::None) => Some(NamedEnvironment::None),
+            Self::Always(Environment::Studio { .. }) => Some(NamedEnvironment::Studio),
+            Self::Always(Environment::Constant(_)) => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_named_environment_is_found_by_its_name_and_its_choice() {
+        for (environment, name) in NamedEnvironment::ALL.into_iter().zip(NamedEnvironment::NAMES) {
+            assert_eq!(NamedEnvironment::by_name(name), Some(environment));
+            assert_eq!(environment.choice(DVec3::Z).named(), Some(environment));
+        }
+    }
+}
