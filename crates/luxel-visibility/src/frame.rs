@@ -57,8 +57,8 @@ impl<'a> Frame<'a> {
             rays: WindowRays::new(projection, size),
             instances,
             places,
-            opaque: Bins::new(opaque, size),
-            blended: Bins::new(blended, size),
+            opaque: Bins::new(&opaque, size),
+            blended: Bins::new(&blended, size),
         })
     }
 
@@ -104,7 +104,7 @@ impl<'a> Frame<'a> {
     pub fn tiles_by_load(&self) -> Vec<u32> {
         let [across, down] = self.tiles();
         let mut tiles: Vec<u32> = (0..(across * down) as u32).collect();
-        tiles.sort_by_key(|&tile| std::cmp::Reverse(self.load(tile as usize)));
+        tiles.sort_by_cached_key(|&tile| std::cmp::Reverse(self.load(tile as usize)));
         tiles
     }
 
