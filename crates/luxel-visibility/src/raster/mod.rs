@@ -1,7 +1,10 @@
 //! Clusters into the visibility buffer of a tile.
 
+mod block_rows;
 mod buffer;
 mod clip;
+mod occlusion;
+mod rules;
 mod sample_cull;
 mod setup;
 mod small_triangles;

@@ -6,9 +6,9 @@
 //! small enough for i32 without a shift, and the depth plane has its one formula.
 
 use super::buffer::{Plane, Tile};
+use super::rules::{self, Rules};
 use super::sample_cull::{Corners, SIZES, in_lanes};
 use super::transform::ClusterVertices;
-use super::triangles::{self, Rules};
 use crate::types::{BLOCK, BLOCKS, TILE, TriangleId};
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*};
 
@@ -243,20 +243,20 @@ fn put<S: Simd>(
     if let Some(holes) = rules.holes {
         for number in lanes_of(left) {
             let id = queue.ids[number];
-            let wins = triangles::wins(id, depths[number], place(number), rules, tile, sample);
+            let wins = rules::wins(id, depths[number], place(number), rules, tile, sample);
             left &= !(u32::from(!wins) << number);
         }
         if left != 0 {
             let [offset_x, offset_y] = rules.offsets[sample];
             let position = [x * SUBPIXELS + offset_x, y * SUBPIXELS + offset_y];
-            left &= !triangles::ask(holes, queue.ids, position, left);
+            left &= !rules::ask(holes, queue.ids, position, left);
         }
     }
     // Two of them may want the same sample.
     for number in lanes_of(left) {
         let (id, z) = (queue.ids[number], depths[number]);
-        if triangles::wins(id, z, place(number), rules, tile, sample) {
-            triangles::put(id, z, place(number), tile, sample);
+        if rules::wins(id, z, place(number), rules, tile, sample) {
+            rules::put(id, z, place(number), tile, sample);
         }
     }
 }

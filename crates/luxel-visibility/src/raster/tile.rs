@@ -2,11 +2,12 @@
 
 use super::buffer::{Plane, Tile};
 use super::clip::clip;
+use super::rules::Rules;
 use super::sample_cull::{SIZES, SampleCull, TriangleGroup};
 use super::setup::Triangle;
 use super::small_triangles::Queues;
 use super::transform::{ClusterVertices, transform_cluster};
-use super::triangles::{Rules, draw_triangle};
+use super::triangles::draw_triangle;
 use crate::cluster::{Block, Instances, TransientBlock};
 use crate::cull::VisibleCluster;
 use crate::types::{
@@ -62,7 +63,11 @@ pub(crate) fn draw<'f, S: Simd>(
                 continue;
             }
             let id = visible.cluster;
-            draw_cluster(simd, &vertices, &block, id, part.cull, &rules, &mut queues, tile);
+            let waits =
+                draw_cluster(simd, &vertices, &block, id, part.cull, &rules, &mut queues, tile);
+            if waits {
+                tile.touch(bounds.pixels);
+            }
         }
     }
     queues.finish(simd, &rules, tile);
@@ -74,7 +79,7 @@ fn corners_of(word: u32) -> [usize; 3] {
     [(word & 255) as usize, (word >> 8 & 255) as usize, (word >> 16 & 255) as usize]
 }
 
-/// Draws a cluster that needs no clipping.
+/// Draws a cluster that needs no clipping; whether small triangles of it went into queues.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "the state of a loop, which has one caller")]
 fn draw_cluster<S: Simd>(
@@ -86,7 +91,8 @@ fn draw_cluster<S: Simd>(
     rules: &Rules<'_>,
     queues: &mut Queues,
     tile: &mut Tile,
-) {
+) -> bool {
+    let mut waits = false;
     let mut group = TriangleGroup::new();
     for (number, chunk) in block.triangles.chunks(LANES).enumerate() {
         // A loop of known length; lanes beyond the chunk are not looked at.
@@ -108,6 +114,7 @@ fn draw_cluster<S: Simd>(
             let corners = corners_of(words[lane]);
             let size = sizes[lane] as usize;
             if size < SIZES.len() {
+                waits = true;
                 if queues.push(size, vertices, corners, id) {
                     queues.draw(simd, size, rules, tile);
                 }
@@ -122,6 +129,7 @@ fn draw_cluster<S: Simd>(
             }
         }
     }
+    waits
 }
 
 /// Draws a cluster of which some triangles may reach the near plane or the guard band.
