@@ -9,6 +9,7 @@ mod sample_cull;
 mod setup;
 mod small_triangles;
 mod tile;
+mod tile_points;
 mod transform;
 mod triangles;
 

@@ -3,17 +3,16 @@
 use super::buffer::{Plane, Tile};
 use super::clip::clip;
 use super::rules::Rules;
-use super::sample_cull::{SIZES, SampleCull, TriangleGroup};
+use super::sample_cull::{SIZES, TriangleGroup};
 use super::setup::Triangle;
 use super::small_triangles::Queues;
+use super::tile_points;
 use super::transform::{ClusterVertices, transform_cluster};
 use super::triangles::draw_triangle;
 use crate::cluster::{Block, Instances, TransientBlock};
 use crate::cull::VisibleCluster;
-use crate::types::{
-    ClipVertex, Coverage, CullFaces, Holes, Samples, TriangleId, WindowTransform, WindowVertex,
-};
-use luxel_math::{LANES, Simd, lanes_of};
+use crate::types::{ClipVertex, Coverage, CullFaces, Holes, Samples, TriangleId, WindowTransform};
+use luxel_math::{LANES, Simd};
 
 /// Draws clusters, nearest first, into a tile.
 #[inline(always)]
@@ -38,6 +37,7 @@ pub(crate) fn draw<'f, S: Simd>(
     // Small triangles wait here across clusters, as long as the same rules hold for them.
     let mut queues = Queues::new();
     let mut rules = rules_for(false);
+    let middle = tile_points::middle_of(tile.region);
     for visible in clusters {
         let pixels = [visible.left, visible.top, visible.right, visible.bottom].map(i32::from);
         if tile.occludes(simd, pixels, visible.nearest) {
@@ -57,7 +57,7 @@ pub(crate) fn draw<'f, S: Simd>(
         if visible.clipped {
             draw_clipped(simd, transform, &block, visible.cluster, part.cull, &rules, tile);
         } else {
-            let bounds = transform_cluster(simd, transform, block.vertices, &mut vertices);
+            let bounds = transform_cluster(simd, transform, block.vertices, middle, &mut vertices);
             // Bounds of the vertices themselves are tighter than those of the cluster's box.
             if tile.occludes(simd, bounds.pixels, bounds.nearest) {
                 continue;
@@ -103,27 +103,25 @@ fn draw_cluster<S: Simd>(
         });
         for (lane, &word) in words.iter().enumerate() {
             let [a, b, c] = corners_of(word);
-            group.corners[0][lane] = vertices.xy[a];
-            group.corners[1][lane] = vertices.xy[b];
-            group.corners[2][lane] = vertices.xy[c];
+            group.corners[0][lane] = vertices.points[a];
+            group.corners[1][lane] = vertices.points[b];
+            group.corners[2][lane] = vertices.points[c];
         }
-        let SampleCull { held, sizes } =
-            group.may_hold_samples(simd, tile.region, rules.offsets, cull);
-        for lane in lanes_of(held & ((1 << chunk.len()) - 1)) {
+        let held = group.may_hold_samples(simd, tile.region, rules.offsets, cull);
+        let mut left = held & ((1 << chunk.len()) - 1);
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize & (LANES - 1);
+            left &= left - 1;
             let id = TriangleId::new(cluster, number * LANES + lane);
-            let corners = corners_of(words[lane]);
-            let size = sizes[lane] as usize;
-            if size < SIZES.len() {
+            let size = group.size(lane);
+            if size < SIZES {
                 waits = true;
-                if queues.push(size, vertices, corners, id) {
+                if queues.push(size, &group.corners, lane, id) {
                     queues.draw(simd, size, rules, tile);
                 }
                 continue;
             }
-            let corners = corners.map(|corner| {
-                let [x, y] = vertices.xy[corner];
-                WindowVertex { x, y, z: vertices.z[corner] }
-            });
+            let corners = corners_of(words[lane]).map(|corner| vertices.vertex(corner));
             if let Some(triangle) = Triangle::new(corners, cull) {
                 draw_triangle(simd, &triangle, id, rules, tile);
             }
