@@ -7,3 +7,4 @@ mod tile_lists;
 
 pub(crate) use bin::Bins;
 pub(crate) use cluster_cull::{VisibleCluster, visible_clusters};
+pub(crate) use tile_lists::{TileLists, Tiles, nearest_first};

@@ -3,6 +3,7 @@
 mod block_rows;
 mod buffer;
 mod clip;
+mod large_clusters;
 mod occlusion;
 mod rules;
 mod sample_cull;
@@ -15,5 +16,6 @@ mod triangles;
 
 pub use buffer::{Plane, Tile};
 pub(crate) use clip::clip;
+pub(crate) use large_clusters::LargeClusters;
 pub(crate) use setup::Triangle;
-pub(crate) use tile::draw;
+pub(crate) use tile::{View, draw};

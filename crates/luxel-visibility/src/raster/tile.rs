@@ -2,6 +2,7 @@
 
 use super::buffer::{Plane, Tile};
 use super::clip::clip;
+use super::large_clusters::LargeTriangle;
 use super::rules::Rules;
 use super::sample_cull::{SIZES, TriangleGroup};
 use super::setup::Triangle;
@@ -14,17 +15,25 @@ use crate::cull::VisibleCluster;
 use crate::types::{ClipVertex, Coverage, CullFaces, Holes, Samples, TriangleId, WindowTransform};
 use luxel_math::{LANES, Simd};
 
-/// Draws clusters, nearest first, into a tile.
+/// What clusters are drawn by.
+pub(crate) struct View<'f> {
+    pub(crate) instances: &'f Instances<'f>,
+    pub(crate) samples: Samples,
+    pub(crate) holes: &'f dyn Holes,
+    /// Only what lies behind these samples counts.
+    pub(crate) behind: Option<&'f [Plane]>,
+}
+
+/// Draws large triangles and clusters, each nearest first, into a tile.
 #[inline(always)]
 pub(crate) fn draw<'f, S: Simd>(
     simd: S,
-    instances: &Instances<'_>,
-    samples: Samples,
+    view: &View<'f>,
+    large: impl Iterator<Item = &'f LargeTriangle>,
     clusters: impl Iterator<Item = &'f VisibleCluster>,
-    holes: &dyn Holes,
-    behind: Option<&[Plane]>,
     tile: &mut Tile,
 ) {
+    let &View { instances, samples, holes, behind } = view;
     let submitted = |id: TriangleId| instances.submitted(id);
     let rules_for = |has_holes: bool| Rules {
         offsets: samples.positions(),
@@ -32,6 +41,9 @@ pub(crate) fn draw<'f, S: Simd>(
         holes: has_holes.then_some(holes),
         behind,
     };
+    for LargeTriangle { id, has_holes, triangle, .. } in large {
+        draw_triangle(simd, triangle, *id, &rules_for(*has_holes), tile);
+    }
     let mut transient = TransientBlock::new();
     let mut vertices = ClusterVertices::new();
     // Small triangles wait here across clusters, as long as the same rules hold for them.
@@ -75,7 +87,7 @@ pub(crate) fn draw<'f, S: Simd>(
 
 /// The three corner numbers of a triangle's word.
 #[inline(always)]
-fn corners_of(word: u32) -> [usize; 3] {
+pub(super) fn corners_of(word: u32) -> [usize; 3] {
     [(word & 255) as usize, (word >> 8 & 255) as usize, (word >> 16 & 255) as usize]
 }
 
