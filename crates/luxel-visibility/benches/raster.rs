@@ -1,4 +1,4 @@
-//! Times the tile stage on one thread, from binned clusters to depth and ids: a bumpy sphere of
+//! Times the tile stage on one thread, from binned clusters to depth and ids: a bumpy sphere of 980, of
 //! 100 000 and of a million triangles, at two sizes of the window, at every SIMD level.
 //!
 //! `cargo bench -p luxel-visibility --bench raster [-- FILTER]`; a filter is part of a row's name.
@@ -47,7 +47,7 @@ fn main() {
             levels.push(level);
         }
     }
-    for (triangles, frequency) in [("100k", 71), ("1M", 224)] {
+    for (triangles, frequency) in [("1k", 7), ("100k", 71), ("1M", 224)] {
         let mesh = bumpy_sphere(frequency);
         let clusters = Clusters::new(&mesh, Frames::Many);
         for (width, height) in [(640, 480), (1920, 1080)] {

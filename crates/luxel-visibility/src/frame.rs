@@ -1,9 +1,9 @@
 //! One view of a list of instances: culled and binned once, then drawn tile by tile.
 
 use crate::cluster::{Instance, Instances, TooManyTriangles, TriangleOf};
-use crate::cull::{Bins, visible_clusters};
+use crate::cull::{Bins, VisibleCluster, visible_clusters};
 use crate::query::{Forms, SeenCluster, ViewFromLocal, WindowRays};
-use crate::raster::{self, Plane, Tile};
+use crate::raster::{self, LargeClusters, Plane, Tile};
 use crate::types::{Coverage, Holes, MAX_SIDE, PartUse, Samples, TILE, TriangleId};
 use glam::DVec3;
 use luxel_math::{Level, dispatch};
@@ -16,8 +16,39 @@ pub struct Frame<'a> {
     rays: WindowRays,
     instances: Instances<'a>,
     places: Vec<ViewFromLocal>,
-    opaque: Bins,
-    blended: Bins,
+    opaque: Binned,
+    blended: Binned,
+}
+
+/// What may be seen, tile by tile.
+struct Binned {
+    /// Clusters that reach many tiles, by their triangles.
+    large: LargeClusters,
+    /// All others.
+    clusters: Bins,
+}
+
+impl Binned {
+    fn new(
+        mut clusters: Vec<VisibleCluster>,
+        instances: &Instances<'_>,
+        size: Size,
+        samples: Samples,
+        level: Level,
+    ) -> Self {
+        let large = LargeClusters::taken_from(&mut clusters, instances, size, samples, level);
+        Self { large, clusters: Bins::new(&clusters, size) }
+    }
+
+    /// What a tile's work is estimated by; 0 if nothing reaches it. A cluster that is drawn takes as long
+    /// as some four large triangles.
+    fn load(&self, tile: usize) -> u32 {
+        self.clusters.load(tile).saturating_mul(4).saturating_add(self.large.load(tile))
+    }
+
+    fn is_empty(&self) -> bool {
+        self.clusters.is_empty() && self.large.is_empty()
+    }
 }
 
 impl<'a> Frame<'a> {
@@ -51,14 +82,16 @@ impl<'a> Frame<'a> {
             visible_clusters(&instances, projection, size, level).partition(|visible| {
                 instances.part_use(visible.cluster).coverage == Coverage::Blended
             });
+        let binned = |clusters| Binned::new(clusters, &instances, size, samples, level);
+        let (opaque, blended) = (binned(opaque), binned(blended));
         Ok(Self {
             size,
             samples,
             rays: WindowRays::new(projection, size),
             instances,
             places,
-            opaque: Bins::new(opaque, size),
-            blended: Bins::new(blended, size),
+            opaque,
+            blended,
         })
     }
 
@@ -104,11 +137,11 @@ impl<'a> Frame<'a> {
     pub fn tiles_by_load(&self) -> Vec<u32> {
         let [across, down] = self.tiles();
         let mut tiles: Vec<u32> = (0..(across * down) as u32).collect();
-        tiles.sort_by_key(|&tile| std::cmp::Reverse(self.load(tile as usize)));
+        tiles.sort_by_cached_key(|&tile| std::cmp::Reverse(self.load(tile as usize)));
         tiles
     }
 
-    /// What a tile's work is estimated by: how many clusters it has to look at.
+    /// What a tile's work is estimated by.
     fn load(&self, tile: usize) -> u32 {
         self.opaque.load(tile).saturating_add(self.blended.load(tile))
     }
@@ -159,16 +192,16 @@ impl<'a> Frame<'a> {
     fn draw(
         &self,
         level: Level,
-        bins: &Bins,
+        binned: &Binned,
         number: usize,
         holes: &dyn Holes,
         behind: Option<&[Plane]>,
         tile: &mut Tile,
     ) {
-        let clusters = bins.of_tile(number);
-        dispatch!(level, simd => {
-            raster::draw(simd, &self.instances, self.samples, clusters, holes, behind, tile);
-        });
+        let view =
+            raster::View { instances: &self.instances, samples: self.samples, holes, behind };
+        let (large, clusters) = (binned.large.of_tile(number), binned.clusters.of_tile(number));
+        dispatch!(level, simd => raster::draw(simd, &view, large, clusters, tile));
     }
 
     /// What a scene calls the triangle of an id; `None` for [`TriangleId::NONE`].

@@ -1,7 +1,8 @@
 //! The visibility buffer of one tile: for every sample the nearest depth and the triangle's id.
 
-use crate::types::{BLOCK, BLOCKS, BLOCKS_OF_TILE, LANE_X, LANE_Y, Region, TILE, TriangleId};
-use luxel_math::{LANES, Simd, f32x16, i32x16, prelude::*};
+use super::occlusion::BlockSummary;
+use crate::types::{BLOCK, BLOCKS, BLOCKS_OF_TILE, Region, TILE, TriangleId};
+use luxel_math::{LANES, lanes_of};
 use luxel_scene::Size;
 
 /// One sample of each pixel of a tile, in blocks of 4x4 pixels, row by row.
@@ -22,9 +23,14 @@ impl Plane {
         }
     }
 
-    fn clear(&mut self) {
-        self.depth.as_flattened_mut().fill(0.0);
-        self.ids.as_flattened_mut().fill(TriangleId::NONE.0);
+    /// Clears rows of blocks, a bit each.
+    fn clear(&mut self, rows: u32) {
+        let depth = self.depth.as_chunks_mut::<BLOCKS_OF_ROW>().0;
+        let ids = self.ids.as_chunks_mut::<BLOCKS_OF_ROW>().0;
+        for row in lanes_of(rows) {
+            depth[row].as_flattened_mut().fill(0.0);
+            ids[row].as_flattened_mut().fill(TriangleId::NONE.0);
+        }
     }
 
     /// Keeps everything out of the pixels from column `width` and from row `height` on.
@@ -47,14 +53,18 @@ pub struct Tile {
     /// The tile's pixels that lie in the window.
     pub(crate) region: Region,
     pub(crate) planes: Vec<Plane>,
+    /// What is known of blocks, so that less is cleared and asked.
+    pub(super) summary: BlockSummary,
 }
+
+const BLOCKS_OF_ROW: usize = BLOCKS as usize;
 
 impl Tile {
     /// A buffer for tiles of `samples` samples a pixel.
     #[must_use]
     pub fn new(samples: usize) -> Self {
         let region = Region { x: 0, y: 0, width: TILE, height: TILE };
-        Self { region, planes: vec![Plane::new(); samples] }
+        Self { region, planes: vec![Plane::new(); samples], summary: BlockSummary::new() }
     }
 
     /// The first pixel: column and row.
@@ -90,49 +100,22 @@ impl Tile {
         let height = TILE.min(window.height as i32 - y);
         self.region = Region { x, y, width, height };
         for plane in &mut self.planes {
-            plane.clear();
+            plane.clear(self.summary.touched_rows());
             plane.close(width, height);
+        }
+        self.summary.clear();
+        if [width, height] != [TILE; 2] {
+            self.summary.touch([0, 0, TILE - 1, TILE - 1]);
         }
     }
 
     /// Takes over another tile's content.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.region = other.region;
+        self.summary.clone_from(&other.summary);
         for (plane, source) in self.planes.iter_mut().zip(&other.planes) {
             plane.depth.copy_from_slice(source.depth.as_slice());
             plane.ids.copy_from_slice(source.ids.as_slice());
         }
-    }
-
-    /// Whether everything drawn so far in the pixels left..=right, top..=bottom of the window is
-    /// nearer than `nearest`, as far as they are the tile's.
-    #[inline(always)]
-    pub(crate) fn occludes<S: Simd>(
-        &self,
-        simd: S,
-        [left, top, right, bottom]: [i32; 4],
-        nearest: f32,
-    ) -> bool {
-        let Region { x, y, .. } = self.region;
-        let (left, right) = ((left - x).max(0), (right - x).min(TILE - 1));
-        let (top, bottom) = ((top - y).max(0), (bottom - y).min(TILE - 1));
-        let lane_x = i32x16::simd_from(simd, LANE_X);
-        let lane_y = i32x16::simd_from(simd, LANE_Y);
-        for row in top / BLOCK..=bottom / BLOCK {
-            let y = lane_y + row * BLOCK;
-            let above_or_below = y.simd_lt(top) | y.simd_gt(bottom);
-            for column in left / BLOCK..=right / BLOCK {
-                let x = lane_x + column * BLOCK;
-                let outside = above_or_below | x.simd_lt(left) | x.simd_gt(right);
-                let block = (row * BLOCKS + column) as usize & (BLOCKS_OF_TILE - 1);
-                for plane in &self.planes {
-                    let depth = f32x16::from_slice(simd, &plane.depth[block]);
-                    if !(outside | depth.simd_gt(nearest)).all_true() {
-                        return false;
-                    }
-                }
-            }
-        }
-        true
     }
 }

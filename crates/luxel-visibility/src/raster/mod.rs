@@ -1,15 +1,21 @@
 //! Clusters into the visibility buffer of a tile.
 
+mod block_rows;
 mod buffer;
 mod clip;
+mod large_clusters;
+mod occlusion;
+mod rules;
 mod sample_cull;
 mod setup;
 mod small_triangles;
 mod tile;
+mod tile_points;
 mod transform;
 mod triangles;
 
 pub use buffer::{Plane, Tile};
 pub(crate) use clip::clip;
+pub(crate) use large_clusters::LargeClusters;
 pub(crate) use setup::Triangle;
-pub(crate) use tile::draw;
+pub(crate) use tile::{View, draw};

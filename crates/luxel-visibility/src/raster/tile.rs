@@ -2,29 +2,38 @@
 
 use super::buffer::{Plane, Tile};
 use super::clip::clip;
-use super::sample_cull::{SIZES, SampleCull, TriangleGroup};
+use super::large_clusters::LargeTriangle;
+use super::rules::Rules;
+use super::sample_cull::{SIZES, TriangleGroup};
 use super::setup::Triangle;
 use super::small_triangles::Queues;
+use super::tile_points;
 use super::transform::{ClusterVertices, transform_cluster};
-use super::triangles::{Rules, draw_triangle};
+use super::triangles::draw_triangle;
 use crate::cluster::{Block, Instances, TransientBlock};
 use crate::cull::VisibleCluster;
-use crate::types::{
-    ClipVertex, Coverage, CullFaces, Holes, Samples, TriangleId, WindowTransform, WindowVertex,
-};
-use luxel_math::{LANES, Simd, lanes_of};
+use crate::types::{ClipVertex, Coverage, CullFaces, Holes, Samples, TriangleId, WindowTransform};
+use luxel_math::{LANES, Simd};
 
-/// Draws clusters, nearest first, into a tile.
+/// What clusters are drawn by.
+pub(crate) struct View<'f> {
+    pub(crate) instances: &'f Instances<'f>,
+    pub(crate) samples: Samples,
+    pub(crate) holes: &'f dyn Holes,
+    /// Only what lies behind these samples counts.
+    pub(crate) behind: Option<&'f [Plane]>,
+}
+
+/// Draws large triangles and clusters, each nearest first, into a tile.
 #[inline(always)]
 pub(crate) fn draw<'f, S: Simd>(
     simd: S,
-    instances: &Instances<'_>,
-    samples: Samples,
+    view: &View<'f>,
+    large: impl Iterator<Item = &'f LargeTriangle>,
     clusters: impl Iterator<Item = &'f VisibleCluster>,
-    holes: &dyn Holes,
-    behind: Option<&[Plane]>,
     tile: &mut Tile,
 ) {
+    let &View { instances, samples, holes, behind } = view;
     let submitted = |id: TriangleId| instances.submitted(id);
     let rules_for = |has_holes: bool| Rules {
         offsets: samples.positions(),
@@ -32,11 +41,15 @@ pub(crate) fn draw<'f, S: Simd>(
         holes: has_holes.then_some(holes),
         behind,
     };
+    for LargeTriangle { id, has_holes, triangle, .. } in large {
+        draw_triangle(simd, triangle, *id, &rules_for(*has_holes), tile);
+    }
     let mut transient = TransientBlock::new();
     let mut vertices = ClusterVertices::new();
     // Small triangles wait here across clusters, as long as the same rules hold for them.
     let mut queues = Queues::new();
     let mut rules = rules_for(false);
+    let middle = tile_points::middle_of(tile.region);
     for visible in clusters {
         let pixels = [visible.left, visible.top, visible.right, visible.bottom].map(i32::from);
         if tile.occludes(simd, pixels, visible.nearest) {
@@ -56,13 +69,17 @@ pub(crate) fn draw<'f, S: Simd>(
         if visible.clipped {
             draw_clipped(simd, transform, &block, visible.cluster, part.cull, &rules, tile);
         } else {
-            let bounds = transform_cluster(simd, transform, block.vertices, &mut vertices);
+            let bounds = transform_cluster(simd, transform, block.vertices, middle, &mut vertices);
             // Bounds of the vertices themselves are tighter than those of the cluster's box.
             if tile.occludes(simd, bounds.pixels, bounds.nearest) {
                 continue;
             }
             let id = visible.cluster;
-            draw_cluster(simd, &vertices, &block, id, part.cull, &rules, &mut queues, tile);
+            let waits =
+                draw_cluster(simd, &vertices, &block, id, part.cull, &rules, &mut queues, tile);
+            if waits {
+                tile.touch(bounds.pixels);
+            }
         }
     }
     queues.finish(simd, &rules, tile);
@@ -70,11 +87,11 @@ pub(crate) fn draw<'f, S: Simd>(
 
 /// The three corner numbers of a triangle's word.
 #[inline(always)]
-fn corners_of(word: u32) -> [usize; 3] {
+pub(super) fn corners_of(word: u32) -> [usize; 3] {
     [(word & 255) as usize, (word >> 8 & 255) as usize, (word >> 16 & 255) as usize]
 }
 
-/// Draws a cluster that needs no clipping.
+/// Draws a cluster that needs no clipping; whether small triangles of it went into queues.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "the state of a loop, which has one caller")]
 fn draw_cluster<S: Simd>(
@@ -86,7 +103,8 @@ fn draw_cluster<S: Simd>(
     rules: &Rules<'_>,
     queues: &mut Queues,
     tile: &mut Tile,
-) {
+) -> bool {
+    let mut waits = false;
     let mut group = TriangleGroup::new();
     for (number, chunk) in block.triangles.chunks(LANES).enumerate() {
         // A loop of known length; lanes beyond the chunk are not looked at.
@@ -97,31 +115,31 @@ fn draw_cluster<S: Simd>(
         });
         for (lane, &word) in words.iter().enumerate() {
             let [a, b, c] = corners_of(word);
-            group.corners[0][lane] = vertices.xy[a];
-            group.corners[1][lane] = vertices.xy[b];
-            group.corners[2][lane] = vertices.xy[c];
+            group.corners[0][lane] = vertices.points[a];
+            group.corners[1][lane] = vertices.points[b];
+            group.corners[2][lane] = vertices.points[c];
         }
-        let SampleCull { held, sizes } =
-            group.may_hold_samples(simd, tile.region, rules.offsets, cull);
-        for lane in lanes_of(held & ((1 << chunk.len()) - 1)) {
+        let held = group.may_hold_samples(simd, tile.region, rules.offsets, cull);
+        let mut left = held & ((1 << chunk.len()) - 1);
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize & (LANES - 1);
+            left &= left - 1;
             let id = TriangleId::new(cluster, number * LANES + lane);
-            let corners = corners_of(words[lane]);
-            let size = sizes[lane] as usize;
-            if size < SIZES.len() {
-                if queues.push(size, vertices, corners, id) {
+            let size = group.size(lane);
+            if size < SIZES {
+                waits = true;
+                if queues.push(size, &group.corners, lane, id) {
                     queues.draw(simd, size, rules, tile);
                 }
                 continue;
             }
-            let corners = corners.map(|corner| {
-                let [x, y] = vertices.xy[corner];
-                WindowVertex { x, y, z: vertices.z[corner] }
-            });
+            let corners = corners_of(words[lane]).map(|corner| vertices.vertex(corner));
             if let Some(triangle) = Triangle::new(corners, cull) {
                 draw_triangle(simd, &triangle, id, rules, tile);
             }
         }
     }
+    waits
 }
 
 /// Draws a cluster of which some triangles may reach the near plane or the guard band.

@@ -24,3 +24,11 @@ pub(crate) struct Region {
     pub(crate) width: i32,
     pub(crate) height: i32,
 }
+
+impl Region {
+    /// The first and the last pixels: left, top, right and bottom.
+    #[inline(always)]
+    pub(crate) fn sides(self) -> [i32; 4] {
+        [self.x, self.y, self.x + self.width - 1, self.y + self.height - 1]
+    }
+}

@@ -67,7 +67,8 @@ pub(crate) fn scene(
     coverages: &'static [Coverage],
     triangles: usize,
 ) -> impl Strategy<Value = Scene> {
-    let sizes = [[1, 1], [5, 3], [63, 17], [64, 64], [65, 66], [130, 20], [90, 75]];
+    // The last has tiles enough for clusters of large triangles.
+    let sizes = [[1, 1], [5, 3], [63, 17], [64, 64], [65, 66], [130, 20], [90, 75], [330, 260]];
     (prop::sample::select(sizes.to_vec()), prop::sample::select(vec![1, 1, 2, 4, 8, 16]))
         .prop_flat_map(move |(size, samples)| {
             // An oracle asks every triangle at every sample.
