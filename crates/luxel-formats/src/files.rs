@@ -77,7 +77,44 @@ fn read_blocks(path: &Path, length: u64, progress: Option<&Progress>) -> std::io
     failures.into_iter().flatten().next().map_or(Ok(bytes), Err)
 }
 
-/// The path of a file that a model refers to: within the model's folder, with either separator.
+/// The path of a file that a model refers to: a regular file within the model's folder, also after
+/// symbolic links are followed. A pipe or a device could block for ever; a link could show files that
+/// the model's author must not see. Whether the file exists is left to its reader.
+///
+/// # Errors
+/// A message about the name.
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+pub(crate) fn referenced(folder: Option<&Path>, name: &str) -> Result<PathBuf, String> {
+    let path = within(folder, name)?;
+    check_reference(folder, &path, name)?;
+    Ok(path)
+}
+
+/// Checks a path from [`within`] as [`referenced`] does.
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+pub(crate) fn check_reference(
+    folder: Option<&Path>,
+    path: &Path,
+    name: &str,
+) -> Result<(), String> {
+    let folder = folder.filter(|folder| !folder.as_os_str().is_empty());
+    let (Ok(folder), Ok(resolved)) =
+        (folder.unwrap_or(Path::new(".")).canonicalize(), path.canonicalize())
+    else {
+        return Ok(());
+    };
+    if !resolved.starts_with(folder) {
+        return Err(format!("`{name}` is not read: a link leads out of the model's folder"));
+    }
+    match std::fs::metadata(&resolved) {
+        Ok(metadata) if !metadata.is_file() => {
+            Err(format!("`{name}` is not read: it is not a regular file"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The path of a name in the model's folder, with either separator.
 ///
 /// # Errors
 /// A message about the name.

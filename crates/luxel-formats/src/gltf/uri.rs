@@ -59,7 +59,13 @@ pub(crate) fn file_in(
 ) -> Result<PathBuf, String> {
     let path = files::within(folder, decoded).map_err(|message| shortened(&message))?;
     let as_written = files::within(folder, literal).map_err(|message| shortened(&message))?;
-    Ok(if !path.is_file() && as_written.is_file() { as_written } else { path })
+    let (path, name) = if !path.is_file() && as_written.is_file() {
+        (as_written, literal)
+    } else {
+        (path, decoded)
+    };
+    files::check_reference(folder, &path, name).map_err(|message| shortened(&message))?;
+    Ok(path)
 }
 
 /// Shortens very long names for messages.

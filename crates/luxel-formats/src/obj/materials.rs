@@ -18,14 +18,14 @@ use crate::image;
 use crate::memory::Memory;
 use crate::text::shown;
 use crate::warnings::Warnings;
-use crate::{Limits, Place, Warning, files};
+use crate::{Error, Limits, Place, Warning, files};
 use luxel_lighting::Reflection;
 use luxel_scene::{
     AlphaMode, Encoding, Image, MaterialId, Sampler, SceneMaterial, Texture, TextureId, TextureUse,
     Wrap,
 };
-use std::collections::HashMap;
-use std::path::Path;
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Bytes that a texel takes with its mipmaps.
@@ -63,17 +63,21 @@ impl<'a> Materials<'a> {
         warnings: &mut Warnings,
     ) -> Self {
         let mut definitions = HashMap::new();
+        let used: HashSet<&[u8]> = names.iter().copied().collect();
+        let mut files = Libraries { folder, memory: Memory::new(limits), seen: HashSet::new() };
         for line in libraries {
-            for (name, bytes) in library_files(line, folder, limits, warnings) {
-                for definition in mtl::read(&bytes, &name, warnings) {
+            for (name, bytes) in files.of_line(line, warnings) {
+                mtl::read(&bytes, &name, warnings, &mut |definition| {
                     // The first definition wins: libraries are searched in order.
-                    definitions.entry(definition.name.clone()).or_insert(definition);
-                }
+                    if used.contains(definition.name.as_slice()) {
+                        definitions.entry(definition.name.clone()).or_insert(definition);
+                    }
+                });
             }
         }
         Self {
             folder,
-            memory: Memory::new(limits),
+            memory: files.memory,
             names: names.to_vec(),
             definitions,
             list: Vec::new(),
@@ -236,7 +240,7 @@ impl<'a> Materials<'a> {
     }
 
     fn image(&self, name: &str, used: Use) -> Result<Image, Warning> {
-        let path = files::within(self.folder, name)?;
+        let path = files::referenced(self.folder, name)?;
         let limits = self.memory.left();
         let bytes = files::read_file(&path, &limits).map_err(|error| Warning::from(error.kind))?;
         let encoding = if used == Use::Color { Encoding::Srgb } else { Encoding::Linear };
@@ -258,20 +262,27 @@ fn one_texel(name: &str, texel: [u8; 4]) -> Image {
     Image::new(name, Encoding::Linear, 1, 1, vec![texel])
 }
 
-/// The files that a `mtllib` line names: one whose name has spaces, or several.
-fn library_files(
-    line: &[u8],
-    folder: Option<&Path>,
-    limits: &Limits,
-    warnings: &mut Warnings,
-) -> Vec<(String, Vec<u8>)> {
-    let whole = String::from_utf8_lossy(line).into_owned();
-    let mut read = |name: &str, warns: bool| {
-        let bytes = files::within(folder, name)
-            .map_err(Warning::from)
-            .and_then(|path| files::read_file(&path, limits).map_err(|error| error.kind.into()));
-        match bytes {
-            Ok(bytes) => Some((name.to_owned(), bytes)),
+/// Material libraries, each read once however often it is named.
+struct Libraries<'a> {
+    folder: Option<&'a Path>,
+    memory: Memory<'a>,
+    seen: HashSet<PathBuf>,
+}
+
+/// What became of a name after `mtllib`.
+enum Library {
+    Read(Vec<u8>),
+    /// Another line has named the same file.
+    Known,
+}
+
+impl Libraries<'_> {
+    /// The files that a `mtllib` line names: one whose name has spaces, or several.
+    fn of_line(&mut self, line: &[u8], warnings: &mut Warnings) -> Vec<(String, Vec<u8>)> {
+        let whole = String::from_utf8_lossy(line).into_owned();
+        let names: Vec<_> = whole.split_ascii_whitespace().collect();
+        let mut read = |name: &str, warns: bool| match self.read(name) {
+            Ok(library) => Some((name.to_owned(), library)),
             Err(warning) => {
                 if warns {
                     let what = "its materials are left out";
@@ -279,13 +290,30 @@ fn library_files(
                 }
                 None
             }
+        };
+        let read = match read(&whole, names.len() < 2) {
+            Some(file) => vec![file],
+            None if names.len() < 2 => Vec::new(),
+            None => names.into_iter().filter_map(|name| read(name, true)).collect(),
+        };
+        let files = read.into_iter().filter_map(|(name, library)| match library {
+            Library::Read(bytes) => Some((name, bytes)),
+            Library::Known => None,
+        });
+        files.collect()
+    }
+
+    fn read(&mut self, name: &str) -> Result<Library, Warning> {
+        let path = files::referenced(self.folder, name)?;
+        if self.seen.contains(&path) {
+            return Ok(Library::Known);
         }
-    };
-    let names: Vec<_> = whole.split_ascii_whitespace().collect();
-    match read(&whole, names.len() < 2) {
-        Some(file) => vec![file],
-        None if names.len() < 2 => Vec::new(),
-        None => names.into_iter().filter_map(|name| read(name, true)).collect(),
+        let because = |error: Error| Warning::from(error.kind);
+        let bytes = files::read_file(&path, &self.memory.left()).map_err(because)?;
+        let taken = self.memory.take("the libraries", bytes.len() as u64, 1, Place::File);
+        taken.map_err(because)?;
+        self.seen.insert(path);
+        Ok(Library::Read(bytes))
     }
 }
 

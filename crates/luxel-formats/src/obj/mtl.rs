@@ -44,17 +44,24 @@ pub(super) struct Map {
     pub(super) strength: f32,
 }
 
-/// Reads a library. Invalid statements are ignored, with a warning.
-pub(super) fn read(bytes: &[u8], file: &str, warnings: &mut Warnings) -> Vec<Definition> {
-    let mut definitions: Vec<Definition> = Vec::new();
+/// Reads a library: `put` gets its materials in order. Invalid statements are ignored, with a warning.
+pub(super) fn read(
+    bytes: &[u8],
+    file: &str,
+    warnings: &mut Warnings,
+    put: &mut dyn FnMut(Definition),
+) {
+    let mut current: Option<Definition> = None;
     let mut lines = Lines::new(bytes);
     while let Some(line) = lines.next() {
         let mut words = Words::new(&line);
         let Some(keyword) = words.next() else { continue };
         if keyword == b"newmtl" {
             let name = words.rest().to_vec();
-            definitions.push(Definition { name, ..Definition::default() });
-        } else if let Some(definition) = definitions.last_mut()
+            if let Some(before) = current.replace(Definition { name, ..Definition::default() }) {
+                put(before);
+            }
+        } else if let Some(definition) = &mut current
             && !definition.statement(keyword, words.clone())
         {
             let line = lines.number;
@@ -65,7 +72,9 @@ pub(super) fn read(bytes: &[u8], file: &str, warnings: &mut Warnings) -> Vec<Def
             ));
         }
     }
-    definitions
+    if let Some(last) = current {
+        put(last);
+    }
 }
 
 impl Definition {

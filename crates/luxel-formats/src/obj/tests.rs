@@ -279,6 +279,46 @@ proptest! {
     ) {
         let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n{}", words.join(" "));
         let _ = load(&text);
-        let _ = mtl::read(text.replace("v 0", "newmtl").as_bytes(), "x.mtl", &mut Warnings::default());
+        let _ = mtl::read(text.replace("v 0", "newmtl").as_bytes(), "x.mtl", &mut Warnings::default(), &mut |_| {});
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn references_to_what_is_no_regular_file_or_leads_out_are_warnings_and_never_block() {
+    let secret = Folder::new("secret", &[("secret.mtl", b"newmtl m\nKd 1 0 0\n")]);
+    let folder = Folder::new("references", &[]);
+    let at = |name: &str| folder.0.join(name);
+    let made = std::process::Command::new("mkfifo").arg(at("pipe.mtl")).status();
+    assert!(made.is_ok_and(|status| status.success()), "mkfifo");
+    std::fs::create_dir(at("folder.mtl")).unwrap();
+    std::os::unix::fs::symlink("/dev/zero", at("device.mtl")).unwrap();
+    std::os::unix::fs::symlink(secret.0.join("secret.mtl"), at("outside.mtl")).unwrap();
+    std::fs::write(at("own.mtl"), "newmtl m\nKd 0 1 0\n").unwrap();
+    std::os::unix::fs::symlink("own.mtl", at("inside.mtl")).unwrap();
+    for (library, what) in [
+        ("pipe.mtl", "it is not a regular file"),
+        ("folder.mtl", "it is not a regular file"),
+        ("device.mtl", "a link leads out of the model's folder"),
+        ("outside.mtl", "a link leads out of the model's folder"),
+    ] {
+        let loaded = folder.load(&quad(&format!("mtllib {library}\nusemtl m\nf 1 2 3\n")));
+        let messages: Vec<_> = loaded.warnings.iter().map(ToString::to_string).collect();
+        assert!(messages[0].contains(what), "{library}: {messages:?}");
+    }
+    let loaded = folder.load(&quad("mtllib inside.mtl\nusemtl m\nf 1 2 3\n"));
+    assert_eq!(loaded.scene.materials[0].constants.diffuse, [0.0, 1.0, 0.0]);
+}
+
+#[test]
+fn a_library_is_read_once_however_often_it_is_named() {
+    let unused = "newmtl other\nKd nothing\n".repeat(3);
+    let text = format!("newmtl m\nKd 1 0 0\n{unused}");
+    let folder = Folder::new("named-often", &[("a.mtl", text.as_bytes())]);
+    let lines = "mtllib a.mtl\nmtllib a.mtl a.mtl\n".repeat(100);
+    let loaded = folder.load(&quad(&format!("{lines}usemtl m\nf 1 2 3\n")));
+    assert_eq!(loaded.scene.materials.len(), 1);
+    assert_eq!(loaded.scene.materials[0].constants.diffuse, [1.0, 0.0, 0.0]);
+    // One for each line of the library that isn't valid.
+    assert!(loaded.warnings.len() <= 3, "{:?}", loaded.warnings);
 }
