@@ -156,3 +156,23 @@ fn random_bytes_never_crash_a_reader() {
         }
     }
 }
+
+#[test]
+fn copies_of_a_triangle_that_fills_the_window_take_no_minutes() {
+    let folder = Folder::new();
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    folder.write("one.obj", format!("{corners}f 1 2 3\n"));
+    folder.write("same.obj", format!("{corners}{}", "f 1 2 3\n".repeat(1_000_000)));
+    let groups: String = (0..50_000).map(|group| format!("g {group}\nf 1 2 3\n")).collect();
+    folder.write("groups.obj", format!("{corners}{groups}"));
+    let draw = |name: &str| {
+        let flags = ["--size", "320x240", "--color", ".8,.7,.6", "-o", "-"];
+        folder.run(["render", name].into_iter().chain(flags)).done().stdout
+    };
+    let expected = draw("one.obj");
+    for name in ["same.obj", "groups.obj"] {
+        let start = std::time::Instant::now();
+        assert!(draw(name) == expected, "{name} is not drawn as a single triangle");
+        assert!(start.elapsed().as_secs() < 60, "{name}: {:?}", start.elapsed());
+    }
+}

@@ -1,5 +1,6 @@
 //! The visibility buffer of one tile: for every sample the nearest depth and the triangle's id.
 
+use super::last_drawn::LastDrawn;
 use super::occlusion::BlockSummary;
 use crate::types::{BLOCK, BLOCKS, BLOCKS_OF_TILE, Region, TILE, TriangleId};
 use luxel_math::{LANES, lanes_of};
@@ -55,6 +56,7 @@ pub struct Tile {
     pub(crate) planes: Vec<Plane>,
     /// What is known of blocks, so that less is cleared and asked.
     pub(super) summary: BlockSummary,
+    pub(super) last_drawn: LastDrawn,
 }
 
 const BLOCKS_OF_ROW: usize = BLOCKS as usize;
@@ -64,7 +66,12 @@ impl Tile {
     #[must_use]
     pub fn new(samples: usize) -> Self {
         let region = Region { x: 0, y: 0, width: TILE, height: TILE };
-        Self { region, planes: vec![Plane::new(); samples], summary: BlockSummary::new() }
+        Self {
+            region,
+            planes: vec![Plane::new(); samples],
+            summary: BlockSummary::new(),
+            last_drawn: LastDrawn::default(),
+        }
     }
 
     /// The first pixel: column and row.
@@ -104,6 +111,7 @@ impl Tile {
             plane.close(width, height);
         }
         self.summary.clear();
+        self.last_drawn = LastDrawn::default();
         if [width, height] != [TILE; 2] {
             self.summary.touch([0, 0, TILE - 1, TILE - 1]);
         }
@@ -113,6 +121,7 @@ impl Tile {
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.region = other.region;
         self.summary.clone_from(&other.summary);
+        self.last_drawn = other.last_drawn;
         for (plane, source) in self.planes.iter_mut().zip(&other.planes) {
             plane.depth.copy_from_slice(source.depth.as_slice());
             plane.ids.copy_from_slice(source.ids.as_slice());

@@ -4,6 +4,7 @@ mod block_rows;
 mod buffer;
 mod clip;
 mod large_clusters;
+mod last_drawn;
 mod occlusion;
 mod rules;
 mod sample_cull;

@@ -13,7 +13,7 @@ use crate::types::{BLOCK, CullFaces, Region, WindowVertex};
 use luxel_math::{Lanes, SUBPIXELS};
 
 /// A triangle ready to be rasterized.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Triangle {
     /// Corners in an order that makes the inside positive.
     x: [i32; 3],
@@ -26,7 +26,7 @@ pub(crate) struct Triangle {
 ///
 /// This is the one formula of the depth test. Differences of snapped positions are exact in f32,
 /// so every path that reaches a sample computes the same bits.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct DepthPlane {
     pub(crate) x: i32,
     pub(crate) y: i32,

@@ -2,7 +2,7 @@
 
 use super::block_rows::{self, BlockRows};
 use super::buffer::Tile;
-use super::rules::{Rules, put, wins};
+use super::rules::{Rules, comes_first, put, wins};
 use super::setup::Triangle;
 use crate::types::{Asked, BLOCK, Region, TriangleId};
 use luxel_math::{SUBPIXELS, Simd};
@@ -22,6 +22,12 @@ pub(crate) fn draw_triangle<S: Simd>(
     rules: &Rules<'_>,
     tile: &mut Tile,
 ) {
+    if rules.holes.is_none()
+        && rules.behind.is_none()
+        && tile.last_drawn.repeats(triangle, id, |first| comes_first(first, id, rules))
+    {
+        return;
+    }
     simd.vectorize(
         #[inline(always)]
         || cover_samples(simd, triangle, id, rules, tile),
