@@ -12,6 +12,9 @@ use luxel_math::{LANES, Simd, f32x16, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{Tile, TriangleId};
 
 /// Up to so many lanes are packed; with more, they are lit where they are, beside their neighbours.
+///
+/// With 4, 8, 10, 12, 14 and 16, a frame of CesiumMilkTruck with four samples in 640x480 takes 103.6, 99.5,
+/// 99.3, 99.2, 99.2 and 105.2 million instructions (AVX2, one thread, `benches/rivals/instructions`).
 const MOST_PACKED: u32 = 12;
 
 /// Blocks that are lit together.

@@ -1,7 +1,7 @@
 //! A triangle into the blocks of a tile, row by row of blocks.
 //!
-//! Sixteen blocks side by side are asked at once whether the triangle may reach them and whether they
-//! are hidden; then sixteen pixels at a time are covered. Where more is asked of a sample than depth,
+//! Sixteen blocks side by side are tested at once: whether the triangle may reach them, and whether they
+//! are hidden; then sixteen pixels at a time are covered. Where more than depth decides at a sample,
 //! another copy does it, which leaves the registers to the plain one: a block takes 57 instructions,
 //! and 33 more where something is put, instead of 120.
 
@@ -54,7 +54,7 @@ pub(super) fn cover<S: Simd>(
     }
 }
 
-/// Covers blocks where more is asked of samples than depth: a function of its own, so that the
+/// Covers blocks where more than depth decides at samples: outlined, so that the
 /// common case has the registers for itself.
 #[inline(never)]
 fn cover_asked_rows<S: Simd>(
@@ -186,7 +186,7 @@ fn settle(
     }
 }
 
-/// Puts a triangle into one block of a plane, where it wins, whatever is asked.
+/// Puts a triangle into one block of a plane, where it wins, by all rules.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "the inner loop's state, kept in registers")]
 fn draw_block<S: Simd>(

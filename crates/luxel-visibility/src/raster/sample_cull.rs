@@ -11,7 +11,7 @@ use luxel_math::{LANES, SUBPIXELS, Simd, i16x32, i32x16, prelude::*};
 
 /// Classes of small triangles: less than 1, 2, 4 and 8 pixels wide and high.
 pub(crate) const SIZES: usize = 4;
-const _: () = assert!(SUBPIXELS == 1 << 8, "sizes are told by whole pixels, the bits above");
+const _: () = assert!(SUBPIXELS == 1 << 8, "sizes are whole pixels, the bits above");
 
 /// First corners of sixteen triangles, second ones and third ones, with their depths.
 pub(crate) type Corners = [PointsWith; 3];
