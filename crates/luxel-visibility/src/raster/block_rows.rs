@@ -50,14 +50,14 @@ pub(super) fn cover<S: Simd>(
     if rules.behind.is_none() && rules.holes.is_none() {
         cover_rows::<S, true>(simd, rows, plane, id, rules, tile);
     } else {
-        cover_asked_rows(simd, rows, plane, id, rules, tile);
+        cover_by_all_rules(simd, rows, plane, id, rules, tile);
     }
 }
 
 /// Covers blocks where more than depth decides at samples: outlined, so that the
 /// common case has the registers for itself.
 #[inline(never)]
-fn cover_asked_rows<S: Simd>(
+fn cover_by_all_rules<S: Simd>(
     simd: S,
     rows: &BlockRows,
     plane: &DepthPlane,
