@@ -83,7 +83,7 @@ fn read_blocks(path: &Path, length: u64, progress: Option<&Progress>) -> std::io
 ///
 /// # Errors
 /// A message about the name.
-#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+#[cfg(any(feature = "obj", feature = "toml"))]
 pub(crate) fn referenced(folder: Option<&Path>, name: &str) -> Result<PathBuf, String> {
     let path = within(folder, name)?;
     check_reference(folder, &path, name)?;
