@@ -251,3 +251,19 @@ fn instances_are_nodes_below_theirs() {
     assert_eq!(scene.path(objects[1].node), ["tree", "tree_1"]);
     assert_eq!(scene.bounds().max.x, 6.0);
 }
+
+#[test]
+fn ten_million_instances_declared_without_data_are_refused() {
+    let mut document = Document::triangle();
+    document.json["accessors"].as_array_mut().unwrap().push(json!({
+        "componentType": 5126, "count": 10_000_000, "type": "VEC3",
+    }));
+    let places = document.json["accessors"].as_array().unwrap().len() - 1;
+    document.json["nodes"][0] = json!({
+        "mesh": 0,
+        "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": places}}},
+    });
+    let error = document.read().unwrap_err().to_string();
+    assert!(error.contains("/nodes/0/extensions/EXT_mesh_gpu_instancing"), "{error}");
+    assert!(error.contains("10000000 instances without data"), "{error}");
+}

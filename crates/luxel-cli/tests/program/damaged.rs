@@ -165,14 +165,32 @@ fn copies_of_a_triangle_that_fills_the_window_take_no_minutes() {
     folder.write("same.obj", format!("{corners}{}", "f 1 2 3\n".repeat(1_000_000)));
     let groups: String = (0..50_000).map(|group| format!("g {group}\nf 1 2 3\n")).collect();
     folder.write("groups.obj", format!("{corners}{groups}"));
+    // Two thousand nodes show a mesh of two thousand primitives, all of one triangle: four million draws.
+    let primitive = r#"{"attributes":{"POSITION":0}}"#;
+    let positions = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+    let gltf = |nodes: usize, primitives: usize| {
+        let numbers: Vec<_> = (0..nodes).map(|node| node.to_string()).collect();
+        format!(
+            r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],
+            "meshes":[{{"primitives":[{}]}}],"buffers":[{{"byteLength":36,
+            "uri":"data:application/octet-stream;base64,{positions}"}}],
+            "bufferViews":[{{"buffer":0,"byteLength":36}}],"accessors":[{{"bufferView":0,
+            "componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}}]}}"#,
+            numbers.join(","),
+            vec![r#"{"mesh":0}"#; nodes].join(","),
+            vec![primitive; primitives].join(","),
+        )
+    };
+    folder.write("one.gltf", gltf(1, 1));
+    folder.write("nodes.gltf", gltf(2000, 2000));
     let draw = |name: &str| {
         let flags = ["--size", "320x240", "--color", ".8,.7,.6", "-o", "-"];
         folder.run(["render", name].into_iter().chain(flags)).done().stdout
     };
-    let expected = draw("one.obj");
-    for name in ["same.obj", "groups.obj"] {
+    let expected = [draw("one.obj"), draw("one.gltf")];
+    for (name, of) in [("same.obj", 0), ("groups.obj", 0), ("nodes.gltf", 1)] {
         let start = Instant::now();
-        assert!(draw(name) == expected, "{name} is not drawn as a single triangle");
+        assert!(draw(name) == expected[of], "{name} is not drawn as a single triangle");
         assert!(start.elapsed().as_secs() < 60, "{name}: {:?}", start.elapsed());
     }
 }

@@ -1,13 +1,16 @@
 //! Instances of one mesh: `EXT_mesh_gpu_instancing`.
 
 use super::accessor;
-use super::buffers::{Buffers, malformed};
+use super::buffers::{Buffers, item, malformed};
 use crate::{Error, Place};
 use glam::{DMat4, DQuat, DVec3};
 use luxel_gltf::Instancing;
 
 /// Memory of one instance as a scene node, with its name.
 const BYTES_PER_INSTANCE: u64 = 512;
+/// Instances that a file may declare without data: an accessor without a buffer view, all zeros, takes a few
+/// bytes whatever its count.
+const MOST_DECLARED: u64 = 100_000;
 
 /// From each instance to the node.
 pub(crate) fn places(
@@ -48,8 +51,16 @@ fn attribute<const N: usize>(
 ) -> Result<Option<Vec<[f64; N]>>, Error> {
     let Some(&index) = instancing.attributes.get(name) else { return Ok(None) };
     let pointer = || format!("{pointer}/attributes/{name}");
+    let accessor = item(&buffers.document().accessors, index, "accessor", &pointer)?;
+    let count = accessor.count;
+    if accessor.buffer_view.is_none() && count > MOST_DECLARED {
+        let message = format!(
+            "{count} instances without data: an accessor without a buffer view gives at most {MOST_DECLARED}"
+        );
+        return Err(malformed(pointer(), message));
+    }
+    let place = Place::Pointer(pointer());
+    buffers.memory().take("instances", count, BYTES_PER_INSTANCE, place)?;
     let elements = accessor::elements(buffers, index, &pointer)?;
-    let place = || Place::Pointer(pointer());
-    buffers.memory().take("instances", elements.count as u64, BYTES_PER_INSTANCE, place())?;
     elements.vectors().map(Some).map_err(|message| malformed(pointer(), message))
 }

@@ -3,7 +3,7 @@
 //! Clusters are numbered through all instances; an id holds such a number and a slot.
 
 use super::clusters::Clusters;
-use crate::types::{PartUse, SLOT_BITS, TriangleId, WindowTransform};
+use crate::types::{Coverage, PartUse, SLOT_BITS, TriangleId, WindowTransform};
 use glam::DMat4;
 use luxel_scene::{Mesh, Projection, Size};
 
@@ -80,6 +80,21 @@ impl<'a> Instances<'a> {
             .map(|instance| WindowTransform::new(projection, size, &instance.view_from_local()))
             .collect();
         Ok(Self { list, transforms, first_clusters })
+    }
+
+    /// Whether an instance repeats the one before it where nothing shows through: it is hidden wherever it
+    /// is, as of equally near triangles the first one wins.
+    ///
+    /// So thousands of nodes that show one mesh in one place, a file of some kilobytes, cost one of them.
+    pub(crate) fn is_repeated(&self, instance: usize) -> bool {
+        let Some(before) = instance.checked_sub(1).map(|before| &self.list[before]) else {
+            return false;
+        };
+        let own = &self.list[instance];
+        std::ptr::eq(own.mesh, before.mesh)
+            && own.view_from_mesh == before.view_from_mesh
+            && own.parts == before.parts
+            && own.parts.iter().all(|part| part.coverage == Coverage::Opaque)
     }
 
     /// The instance that a cluster belongs to.

@@ -153,6 +153,7 @@ pub(crate) fn visible_clusters(
         .list
         .iter()
         .enumerate()
+        .filter(|&(number, _)| !instances.is_repeated(number))
         .flat_map(|(number, instance)| {
             let groups = instance.clusters.count().div_ceil(LANES);
             (0..groups).step_by(RUN).map(move |start| (number, start..groups.min(start + RUN)))
