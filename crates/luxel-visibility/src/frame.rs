@@ -2,11 +2,11 @@
 
 use crate::cluster::{Instance, Instances, TooManyTriangles, TriangleOf};
 use crate::cull::{Bins, VisibleCluster, visible_clusters};
-use crate::query::{Forms, SeenCluster, ViewFromLocal, WindowRays};
+use crate::query::{Forms, Probe, SeenCluster, ViewFromLocal, WindowRays};
 use crate::raster::{self, LargeClusters, Plane, Tile};
-use crate::types::{Coverage, Holes, MAX_SIDE, PartUse, Samples, TILE, TriangleId};
+use crate::types::{Asked, Coverage, Holes, MAX_SIDE, PartUse, Samples, TILE, TriangleId};
 use glam::DVec3;
-use luxel_math::{Level, dispatch};
+use luxel_math::{Level, SUBPIXELS, dispatch};
 use luxel_scene::{Projection, Size};
 
 /// A view, ready to be drawn tile by tile.
@@ -186,6 +186,41 @@ impl<'a> Frame<'a> {
         self.draw(level, &self.blended, number, holes, behind, tile);
         let changed = |(layer, opaque): (&Plane, &Plane)| layer.ids != opaque.ids;
         tile.planes().iter().zip(opaque.planes()).any(changed)
+    }
+
+    /// All blended triangles that cover a sample of a tile, at `position` in steps of 1/256 pixel: nearest
+    /// first, of equally near ones the first submitted.
+    ///
+    /// These are the layers that [`draw_layer`](Self::draw_layer) peels off there, found in one pass.
+    #[must_use]
+    pub fn blended_at(
+        &self,
+        number: usize,
+        position: [i32; 2],
+        holes: &dyn Holes,
+    ) -> Vec<TriangleId> {
+        let large = self.blended.large.of_tile(number).map(|large| large.id);
+        let pixel = position.map(|steps| (steps / SUBPIXELS) as u16);
+        let [x, y] = pixel;
+        let reaches = |cluster: &&VisibleCluster| {
+            (cluster.left..=cluster.right).contains(&x)
+                && (cluster.top..=cluster.bottom).contains(&y)
+        };
+        let clusters = self.blended.clusters.of_tile(number).filter(reaches);
+        let of_clusters = clusters.flat_map(|cluster| self.instances.triangles_of(cluster.cluster));
+        let mut covering: Vec<(f32, u64, TriangleId)> = large
+            .chain(of_clusters)
+            .filter_map(|id| {
+                let cluster = self.cluster(id);
+                let probe = Probe::of(self.instances.transforms[cluster.instance()]);
+                let cull = self.instances.part_use(id.cluster()).cull;
+                let depth = probe.covers(cluster.positions(id), cull, position)?;
+                let is_hole = holes.holes(&Asked::one(id, position)) != 0;
+                (!is_hole).then(|| (depth, self.instances.submitted(id), id))
+            })
+            .collect();
+        covering.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        covering.into_iter().map(|(.., id)| id).collect()
     }
 
     /// The one place where drawing meets the instruction set, so that it is compiled once a level.

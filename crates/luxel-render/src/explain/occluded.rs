@@ -88,23 +88,16 @@ impl Renderer {
                 let holes = cutouts.finder(frame, self.level());
                 let [across, _] = frame.tiles();
                 let number = (pixel[1] / TILE) as usize * across + (pixel[0] / TILE) as usize;
-                let (block, lane) = Tile::place(pixel[0] % TILE, pixel[1] % TILE);
-                let mut nothing = Tile::new(1);
-                frame.draw_opaque(self.level(), number, &holes, &mut nothing);
-                let (mut here, mut last) = (Tile::new(1), Tile::new(1));
-                let mut found = Vec::new();
-                while found.len() < MOST_BELOW {
-                    let behind = (!found.is_empty()).then_some(&last);
-                    frame.draw_layer(self.level(), number, &holes, &nothing, behind, &mut here);
-                    let id = TriangleId(here.planes()[0].ids[block][lane]);
-                    let Some(of) = frame.triangle(id) else { break };
+                let found = frame.blended_at(number, steps, &holes).into_iter().take(MOST_BELOW);
+                let surface = |id: TriangleId| {
+                    let of = frame.triangle(id)?;
                     let weights = frame.forms(of).barycentric(frame.rays(), steps);
                     let [a, b, c] = frame.corners_in_view(of);
                     let [_, second, third] = weights.map(f64::from);
                     let in_view = a + (b - a) * second + (c - a) * third;
                     let z = -in_view.z;
                     let object = scene.object(of.instance);
-                    found.push(SurfaceBelow {
+                    Some(SurfaceBelow {
                         object,
                         // Points and lines come after the objects' own instances and have no triangles.
                         triangle: (object == of.instance).then_some(of.triangle),
@@ -112,10 +105,9 @@ impl Renderer {
                             .to_array(),
                         z,
                         depth: view.camera.projection.window_depth(z),
-                    });
-                    std::mem::swap(&mut here, &mut last);
-                }
-                found
+                    })
+                };
+                found.filter_map(surface).collect()
             },
         )
     }

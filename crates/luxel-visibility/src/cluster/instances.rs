@@ -133,6 +133,13 @@ impl<'a> Instances<'a> {
         })
     }
 
+    /// The triangles of a cluster.
+    pub(crate) fn triangles_of(&self, cluster: u32) -> impl Iterator<Item = TriangleId> {
+        let number = self.of_cluster(cluster);
+        let header = &self.list[number].clusters.headers[self.within_instance(number, cluster)];
+        (0..usize::from(header.triangles)).map(move |slot| TriangleId::new(cluster, slot))
+    }
+
     /// The place of a triangle in the order in which triangles were submitted.
     pub(crate) fn submitted(&self, id: TriangleId) -> u64 {
         self.triangle(id).map_or(u64::MAX, |of| (of.instance as u64) << 32 | u64::from(of.triangle))

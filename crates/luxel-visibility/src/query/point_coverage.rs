@@ -25,6 +25,11 @@ impl Probe {
         Self { transform: WindowTransform::new(projection, size, &view_from_local) }
     }
 
+    /// For an instance of a frame.
+    pub(crate) fn of(transform: WindowTransform) -> Self {
+        Self { transform }
+    }
+
     /// The reversed depth with which a triangle, given by its positions about the mesh's origin,
     /// covers the sample at `position` (in steps of 1/256 pixel); `None` if it doesn't.
     ///
