@@ -6,8 +6,11 @@ use crate::commands::{
 };
 use crate::console::Console;
 use crate::failure::Failure;
+use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
+use luxel::formats::values::nearest;
 use std::ffi::OsString;
+use std::path::Path;
 
 /// Renders 3D models on the CPU, with the same bytes on every machine.
 ///
@@ -15,6 +18,7 @@ use std::ffi::OsString;
 /// shadows or global illumination. It needs no GPU and no display.
 #[derive(Parser, Debug)]
 #[command(name = "luxel", version, args_override_self = true)]
+#[command(override_usage = "luxel [MODEL] [OPTIONS]\n       luxel <COMMAND> [OPTIONS]")]
 #[command(subcommand_required = true)]
 #[command(infer_long_args = false, max_term_width = 100)]
 pub(crate) struct Cli {
@@ -75,30 +79,79 @@ impl Command {
     }
 }
 
-/// The arguments of the process, completed by [`with_command`].
-pub(crate) fn words() -> Vec<OsString> {
-    with_command(std::env::args_os())
+/// The arguments of the process.
+pub(crate) struct Line {
+    /// The arguments, with `view` inserted if they name no command.
+    pub(crate) words: Vec<OsString>,
+    /// The place of the command among them.
+    place: usize,
+    /// Whether `view` was inserted.
+    is_completed: bool,
 }
 
-/// The arguments, with `view` inserted if they name no command.
-///
-/// The first word that is not a global flag decides: `luxel info` is the command, `luxel view info`
-/// opens a file of that name.
-fn with_command(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
-    let mut words: Vec<_> = words.into_iter().collect();
-    let of_all = ["-q", "--quiet", "-v", "--verbose"];
-    let first = words.iter().skip(1).position(|word| !of_all.iter().any(|flag| word == flag));
-    let place = first.map_or(words.len(), |place| place + 1);
-    let names_one = words.get(place).is_some_and(|word| {
-        let about = ["help", "-h", "--help", "-V", "--version"];
-        let program = Cli::command();
-        about.iter().any(|name| word == name)
-            || program.get_subcommands().any(|command| word == command.get_name())
-    });
-    if !names_one {
-        words.insert(place.max(1).min(words.len()), "view".into());
+/// The arguments of the process, completed by a command.
+pub(crate) fn line() -> Line {
+    Line::new(std::env::args_os())
+}
+
+/// The words of [`line`].
+pub(crate) fn words() -> Vec<OsString> {
+    line().words
+}
+
+impl Line {
+    /// The first word that is not a global flag decides: `luxel info` is the command, `luxel view info`
+    /// opens a file of that name.
+    fn new(words: impl IntoIterator<Item = OsString>) -> Self {
+        let mut words: Vec<_> = words.into_iter().collect();
+        let of_all = ["-q", "--quiet", "-v", "--verbose"];
+        let first = words.iter().skip(1).position(|word| !of_all.iter().any(|flag| word == flag));
+        let place = first.map_or(words.len(), |place| place + 1);
+        let names_one = words.get(place).is_some_and(|word| {
+            let about = ["help", "-h", "--help", "-V", "--version"];
+            about.iter().any(|name| word == name)
+                || command_names().iter().any(|name| word == name.as_str())
+        });
+        let place = place.max(1).min(words.len());
+        if !names_one {
+            words.insert(place, "view".into());
+        }
+        Self { words, place, is_completed: !names_one }
     }
-    words
+
+    /// A message if the first word is neither a command nor a file, but nearly a command.
+    pub(crate) fn misspelt_command(&self) -> Option<String> {
+        let word = self.words.get(self.place + 1).filter(|_| self.is_completed)?;
+        let name = word.to_str().filter(|name| !Path::new(name).exists())?;
+        let names = command_names();
+        let meant = nearest(name, names.iter().map(String::as_str))?;
+        Some(format!("`{name}` is neither a command nor a file: did you mean `luxel {meant}`?"))
+    }
+
+    /// The line with the command that takes its flags, if `view`, which it doesn't name, does not:
+    /// `luxel x.obj -o a.png` is meant as `luxel render x.obj -o a.png`.
+    pub(crate) fn meant_command(&self, error: &clap::Error) -> Option<String> {
+        if !self.is_completed || error.kind() != ErrorKind::UnknownArgument {
+            return None;
+        }
+        let with = |command: &&str| {
+            let mut words = self.words.clone();
+            words[self.place] = command.into();
+            words
+        };
+        let takes_flags =
+            |words: &Vec<OsString>| Cli::command().try_get_matches_from(words).is_ok();
+        let words = ["render", "pick", "explain", "info", "check", "bench", "navigate"]
+            .iter()
+            .map(with)
+            .find(takes_flags)?;
+        let words: Vec<_> = words[1..].iter().map(|word| word.to_string_lossy()).collect();
+        Some(format!("luxel {}", words.join(" ")))
+    }
+}
+
+fn command_names() -> Vec<String> {
+    Cli::command().get_subcommands().map(|command| command.get_name().to_owned()).collect()
 }
 
 #[cfg(test)]
@@ -124,8 +177,8 @@ mod tests {
             ("luxel --help", "luxel --help"),
             ("luxel help", "luxel help"),
         ] {
-            let words = with_command(line.split(' ').map(OsString::from));
-            assert_eq!(words.join(" ".as_ref()), expected);
+            let line = Line::new(line.split(' ').map(OsString::from));
+            assert_eq!(line.words.join(" ".as_ref()), expected);
         }
     }
 

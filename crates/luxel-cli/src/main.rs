@@ -5,6 +5,7 @@
 
 #![forbid(unsafe_code)]
 
+mod batch;
 mod camera;
 mod cli;
 mod commands;
@@ -23,10 +24,11 @@ mod view;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches};
-use cli::Cli;
+use cli::{Cli, Command};
 use console::Console;
 use failure::Failure;
 use scene_file::Refusal;
+use std::ffi::OsStr;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -42,14 +44,28 @@ fn main() -> ExitCode {
 }
 
 fn run() -> ExitCode {
-    let read = scene_file::matches(Cli::command, &cli::words());
-    let cli = match read.and_then(|matches| Ok(Cli::from_arg_matches(&matches)?)) {
+    let line = cli::line();
+    if let Some(command) = line.misspelt_command() {
+        return report(&Failure::Usage(command));
+    }
+    let read = |model: Option<&OsStr>| {
+        let matches = scene_file::matches(Cli::command, &line.words, model)?;
+        Ok(Cli::from_arg_matches(&matches)?)
+    };
+    let cli = match read(None) {
         Ok(cli) => cli,
-        Err(Refusal::Line(error)) => return print_usage(&error),
+        Err(Refusal::Line(error)) => return print_usage(&error, line.meant_command(&error)),
         Err(Refusal::File(failure)) => return report(&failure),
     };
     let console = Console::new(cli.quiet, cli.verbose);
-    match cli.command.run(console) {
+    let done = match cli.command {
+        Command::Render(render) => match render.several() {
+            Some(models) => batch::run(&render, &models, console, |model| read(Some(model))),
+            None => render.run(console),
+        },
+        command => command.run(console),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => report(&failure),
     }
@@ -64,8 +80,9 @@ fn report(failure: &Failure) -> ExitCode {
     failure.exit_code()
 }
 
-/// Prints clap's message: help and version on the standard output, errors on the standard error.
-fn print_usage(error: &clap::Error) -> ExitCode {
+/// Prints clap's message: help and version on the standard output, errors on the standard error, with the
+/// line that was meant.
+fn print_usage(error: &clap::Error, meant: Option<String>) -> ExitCode {
     let text = error.render().to_string();
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         return match output::print(&text) {
@@ -77,6 +94,9 @@ fn print_usage(error: &clap::Error) -> ExitCode {
         eprint!("{text}");
     } else {
         eprint!("luxel: {text}");
+    }
+    if let Some(meant) = meant {
+        eprintln!("\n  tip: did you mean `{meant}`?");
     }
     ExitCode::from(2)
 }

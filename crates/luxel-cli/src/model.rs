@@ -56,11 +56,12 @@ pub(crate) fn load_with_progress(
     {
         demo(name)?
     } else if input.model == "-" {
-        let format = input.format.ok_or_else(|| {
-            let message = "the standard input needs --format: glb, gltf, obj, stl, ply or toml";
-            Failure::Usage(message.into())
+        let bytes = standard_input(&limits)?;
+        let format = input.format.or_else(|| Format::of_bytes(bytes)).ok_or_else(|| {
+            let what = "the standard input is no model that luxel knows by its first bytes";
+            Failure::work(what, "name its format with --format: glb, gltf, obj, stl, ply or toml")
         })?;
-        formats::read(standard_input(&limits)?, format, "stdin", None, &limits)?.into()
+        formats::read(bytes, format, "stdin", None, &limits)?.into()
     } else {
         let path = Path::new(&input.model);
         match input.format {

@@ -1,7 +1,8 @@
 //! Writes results: to the standard output, and to files, atomically.
 
 use crate::failure::{Failure, INTERRUPTED};
-use std::fs::{self, OpenOptions};
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, Once, PoisonError};
@@ -13,11 +14,44 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 
 /// Prints bytes verbatim.
 pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    print_whole(bytes).map_err(|error| Failure::standard_output(&error))
+}
+
+/// Prints the content of a file, of which a part is worth nothing: also a reader that goes away, and a
+/// standard output that was closed before the program began, are failures.
+pub(crate) fn print_file(bytes: &[u8]) -> Result<(), Failure> {
+    let failure = |what: &str| {
+        Err(Failure::work(format!("standard output: {what}"), "write to a file with -o FILE"))
+    };
+    if is_output_closed() {
+        return failure("it is closed");
+    }
+    match print_whole(bytes) {
+        Ok(()) => Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {
+            failure("its reader closed it before the end")
+        }
+        Err(error) => Err(Failure::standard_output(&error)),
+    }
+}
+
+fn print_whole(bytes: &[u8]) -> io::Result<()> {
     let mut output = io::stdout().lock();
-    output
-        .write_all(bytes)
-        .and_then(|()| output.flush())
-        .map_err(|error| Failure::standard_output(&error))
+    output.write_all(bytes)?;
+    output.flush()
+}
+
+/// Whether the standard output was closed when the program began, as far as the system tells. Rust then
+/// opens the null device in its place, for reading and writing; a shell opens it for writing only.
+fn is_output_closed() -> bool {
+    const READ_AND_WRITE: u32 = 2;
+    let is_null = fs::read_link("/proc/self/fd/1").is_ok_and(|file| file == Path::new("/dev/null"));
+    let access = || {
+        let about = fs::read_to_string("/proc/self/fdinfo/1").ok()?;
+        let flags = about.lines().find_map(|line| line.strip_prefix("flags:"))?;
+        u32::from_str_radix(flags.trim(), 8).ok().map(|flags| flags & 3)
+    };
+    is_null && access() == Some(READ_AND_WRITE)
 }
 
 /// Prints a JSON document as one line.
@@ -45,19 +79,49 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     }
     // Follows links: their target is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    remove_leftovers(&target);
     let unfinished = unfinished_name(&target);
     remove_on_interrupt(&unfinished);
-    let written = OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(&unfinished)
-        .and_then(|mut file| file.write_all(bytes))
-        .and_then(|()| fs::rename(&unfinished, &target));
+    let written = write_new(&unfinished, &target, bytes);
     if written.is_err() {
         let _ = fs::remove_file(&unfinished);
     }
     *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = None;
     written.map_err(failure)
+}
+
+/// Writes the unfinished file, with the permissions of the one that it replaces, and renames it.
+fn write_new(unfinished: &Path, target: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = OpenOptions::new().write(true).create_new(true).open(unfinished)?;
+    // Tells the file of a run at work from what a killed one left; not all file systems have locks.
+    let _ = file.try_lock();
+    if let Ok(replaced) = fs::metadata(target) {
+        file.set_permissions(replaced.permissions())?;
+    }
+    file.write_all(bytes)?;
+    fs::rename(unfinished, target)
+}
+
+/// Removes the unfinished files of killed runs that were to become this one.
+fn remove_leftovers(target: &Path) {
+    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let Ok(files) = fs::read_dir(folder.unwrap_or(Path::new("."))) else { return };
+    let begin = beginning_of_unfinished(target);
+    for file in files.filter_map(Result::ok) {
+        let name = file.file_name();
+        let name = name.as_encoded_bytes();
+        let number = name
+            .strip_prefix(begin.as_encoded_bytes())
+            .and_then(|rest| rest.strip_suffix(UNFINISHED_END.as_bytes()));
+        if number.is_none_or(|number| number.is_empty() || !number.iter().all(u8::is_ascii_digit)) {
+            continue;
+        }
+        let is_at_work = File::open(file.path())
+            .is_ok_and(|unfinished| matches!(unfinished.try_lock(), Err(TryLockError::WouldBlock)));
+        if !is_at_work {
+            let _ = fs::remove_file(file.path());
+        }
+    }
 }
 
 /// Fails before any work if the folder of a flag's file is missing.
@@ -100,12 +164,22 @@ pub(crate) fn check_writable(path: &Path, flag: &str) -> Result<(), Failure> {
 
 /// A name in the same folder, so that renaming stays within one file system.
 fn unfinished_name(path: &Path) -> PathBuf {
-    let mut name = std::ffi::OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
+    let mut name = beginning_of_unfinished(path);
     // WebAssembly has no process ids, and querying one aborts.
     let number = if cfg!(target_family = "wasm") { 0 } else { std::process::id() };
-    name.push(format!(".{number}.part"));
+    name.push(number.to_string());
+    name.push(UNFINISHED_END);
     path.with_file_name(name)
+}
+
+/// What follows the number of the process in the name of an unfinished file.
+const UNFINISHED_END: &str = ".part";
+
+fn beginning_of_unfinished(path: &Path) -> OsString {
+    let mut name = OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name.push(".");
+    name
 }
 
 fn remove_on_interrupt(unfinished: &Path) {
@@ -123,6 +197,11 @@ pub(crate) fn on_interrupt(action: OnInterrupt) {
 
 fn handle_interrupts() {
     INTERRUPTS.call_once(|| {
+        // A file beyond the limit of `ulimit -f` ends the program, unless someone hears the signal: then
+        // writing fails.
+        #[cfg(unix)]
+        let _ =
+            signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default());
         // Without a handler the system ends the program, which is right except for the unfinished
         // file and for terminals in raw mode.
         #[cfg(not(target_family = "wasm"))]

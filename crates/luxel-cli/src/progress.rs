@@ -29,6 +29,11 @@ impl Progress {
         self.bar.inc(1);
     }
 
+    /// Runs `action`, which prints, without the bar.
+    pub(crate) fn hidden<T>(&self, action: impl FnOnce() -> T) -> T {
+        self.bar.suspend(action)
+    }
+
     /// Removes the bar.
     pub(crate) fn finish(&self) {
         self.bar.finish_and_clear();
@@ -42,6 +47,10 @@ impl Progress {
     }
 
     pub(crate) fn step(&self) {}
+
+    pub(crate) fn hidden<T>(&self, action: impl FnOnce() -> T) -> T {
+        action()
+    }
 
     pub(crate) fn finish(&self) {}
 }

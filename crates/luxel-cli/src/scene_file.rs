@@ -17,7 +17,7 @@ use luxel::formats::{
     Error, ErrorKind, Format, Limits, Place, Setting, SettingValue, scene_settings,
 };
 use std::error::Error as _;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::path::Path;
 
 /// The reason why no command runs.
@@ -35,14 +35,22 @@ impl From<clap::Error> for Refusal {
     }
 }
 
-/// The command and its flags, with the settings of the scene file, if the model is one.
-pub(crate) fn matches(of: fn() -> Command, line: &[OsString]) -> Result<ArgMatches, Refusal> {
+/// The command and its flags, with the settings of the scene file, if the model is one: `model`, or that
+/// of the line.
+pub(crate) fn matches(
+    of: fn() -> Command,
+    line: &[OsString],
+    model: Option<&OsStr>,
+) -> Result<ArgMatches, Refusal> {
     let mut program = of();
     // Building adds the global flags to the commands.
     program.build();
     let matches = program.try_get_matches_from_mut(line)?;
     let settings = match matches.subcommand() {
-        Some((_, given)) => settings(given).map_err(Refusal::File)?,
+        Some((name, given)) => {
+            let model = model.or_else(|| model_of(name, given));
+            model.map_or(Ok(Vec::new()), |name| settings(name, given)).map_err(Refusal::File)?
+        }
         None => Vec::new(),
     };
     if settings.is_empty() {
@@ -51,8 +59,8 @@ pub(crate) fn matches(of: fn() -> Command, line: &[OsString]) -> Result<ArgMatch
     let Some((name, given)) = matches.subcommand() else {
         return Ok(matches);
     };
-    let file = given.get_one::<OsString>("model").cloned().unwrap_or_default();
-    let in_file = |error: Error| Refusal::File(error.in_file(&file).into());
+    let file = model.or_else(|| model_of(name, given)).unwrap_or_default();
+    let in_file = |error: Error| Refusal::File(error.in_file(file).into());
     let render = program.find_subcommand("render").unwrap_or(&program);
     check(&settings, render).map_err(in_file)?;
     let command = program.find_subcommand(name).unwrap_or(&program);
@@ -66,20 +74,31 @@ pub(crate) fn matches(of: fn() -> Command, line: &[OsString]) -> Result<ArgMatch
     Ok(of().try_get_matches_from(longer)?)
 }
 
+/// The model whose settings count: the first one; none if `render` has several, as each has its own.
+fn model_of<'m>(command: &str, given: &'m ArgMatches) -> Option<&'m OsStr> {
+    let has_more = || given.try_get_many::<OsString>("more").is_ok_and(|more| more.is_some());
+    let model = given.try_get_one::<OsString>("model").ok().flatten()?;
+    (command != "render" || !has_more()).then_some(model.as_os_str())
+}
+
 /// The settings of the model, if it is a scene file. An unreadable file fails later, when it is
 /// opened.
-fn settings(given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
-    let Ok(Some(name)) = given.try_get_one::<OsString>("model") else { return Ok(Vec::new()) };
+fn settings(name: &OsStr, given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
     let format = given.try_get_one::<Format>("format").ok().flatten();
     let by_name =
         || Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    if !format.map_or_else(by_name, |&format| format == Format::Toml) {
+    let is_scene_file = format.map_or_else(by_name, |&format| format == Format::Toml);
+    let is_any = format.is_none() && name == "-";
+    if !is_scene_file && !is_any {
         return Ok(Vec::new());
     }
     let max_memory = given.try_get_one::<u64>("max_memory").ok().flatten();
     let limits = max_memory
         .map_or_else(Limits::default, |&max_memory| Limits { max_memory, ..Limits::default() });
     let Ok(bytes) = model::bytes_of(name, &limits) else { return Ok(Vec::new()) };
+    if is_any && Format::of_bytes(&bytes) != Some(Format::Toml) {
+        return Ok(Vec::new());
+    }
     scene_settings(&bytes, &limits).map_err(|error| {
         let error = if name == "-" { error } else { error.in_file(name) };
         error.into()

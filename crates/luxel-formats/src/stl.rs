@@ -10,6 +10,7 @@ mod ascii;
 mod binary;
 
 use crate::block_reader::BlockReader;
+use crate::format::declared_stl_size;
 use crate::warnings::{Warnings, warn_of_faces_left_out};
 use crate::weld::{BYTES_PER_KEY, Welder};
 use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
@@ -57,7 +58,7 @@ fn loaded(solids: Vec<(String, Facets)>, mut warnings: Warnings) -> Loaded {
 fn is_text(bytes: &[u8]) -> bool {
     // Names are seldom longer than this, so a keyword comes before.
     const WITHIN: usize = 4096;
-    if binary::declared_size(bytes) == Some(bytes.len() as u64) {
+    if declared_stl_size(bytes) == Some(bytes.len() as u64) {
         return false;
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();

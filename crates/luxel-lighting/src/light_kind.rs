@@ -188,7 +188,7 @@ static AMBIENT: LightKindDescription = LightKindDescription {
     has_position: false,
     has_direction: false,
     fields: &[],
-    usage: "color=R,G,B",
+    usage: "color=COLOR",
 };
 
 impl Cone {

@@ -20,8 +20,9 @@ use luxel::render::{
 };
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Map, Value, json};
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::num::NonZeroU32;
+use std::path::Path;
 use std::sync::Arc;
 use stopwatch::Stopwatch;
 use target::{Format, Target};
@@ -33,6 +34,10 @@ use target::{Format, Target};
 pub(crate) struct RenderCommand {
     #[command(flatten)]
     input: InputOptions,
+
+    /// More models, each into a file of its own: `-o '{stem}.png'`
+    #[arg(value_name = "MODEL")]
+    more: Vec<OsString>,
 
     #[command(flatten)]
     output: OutputOptions,
@@ -51,7 +56,8 @@ impl RenderCommand {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Output")]
 struct OutputOptions {
-    /// The image file: .png, .exr, .ppm, .npy, or .svg for vectors; `-` is the standard output
+    /// The image file: .png, .exr, .ppm, .npy, or .svg for vectors; {stem} is the model's name
+    /// without its extension; `-` is the standard output
     #[arg(short, long, value_name = "FILE")]
     output: OsString,
 
@@ -78,8 +84,8 @@ struct OutputOptions {
     #[arg(long)]
     edges: bool,
 
-    /// Render N views around the target into numbered files, such as f_{n:3}.png for three
-    /// digits
+    /// Render N views around the target into numbered files: f_0.png, ... for f.png, or with
+    /// three digits for f_{n:3}.png
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     turntable: Option<NonZeroU32>,
 
@@ -90,6 +96,9 @@ struct OutputOptions {
     #[arg(long)]
     json: bool,
 }
+
+/// What stands for the model's name in the name of an output file.
+const STEM: &str = "{stem}";
 
 fn bits(text: &str) -> Result<u8, String> {
     match text {
@@ -105,6 +114,20 @@ impl OutputOptions {
         self.turntable.is_some() || self.path.is_given()
     }
 
+    /// The output file of a model: its stem takes the place of `{stem}`.
+    fn of_model(&self, model: &OsStr) -> OsString {
+        let pattern = self.output.to_string_lossy();
+        if !pattern.contains(STEM) {
+            return self.output.clone();
+        }
+        let stem = match model.to_str().and_then(|name| name.strip_prefix("demo:")) {
+            Some(name) => name.into(),
+            None if model == "-" => "stdin".into(),
+            None => Path::new(model).file_stem().unwrap_or_default().to_string_lossy(),
+        };
+        pattern.replace(STEM, &stem).into()
+    }
+
     fn edges(&self) -> Option<Edges> {
         if self.wireframe {
             Some(Edges::WIREFRAME)
@@ -115,8 +138,27 @@ impl OutputOptions {
 }
 
 impl RenderCommand {
-    pub(crate) fn run(self, console: Console) -> Result<(), Failure> {
+    /// All models, if there are several.
+    pub(crate) fn several(&self) -> Option<Vec<OsString>> {
+        let all = std::iter::once(&self.input.model).chain(&self.more).cloned();
+        (!self.more.is_empty()).then(|| all.collect())
+    }
+
+    /// The output file of a model.
+    pub(crate) fn output_of(&self, model: &OsStr) -> OsString {
+        self.output.of_model(model)
+    }
+
+    /// The same command for one model only.
+    pub(crate) fn with_model(mut self, model: &OsStr) -> Self {
+        self.input.model = model.to_owned();
+        self.more.clear();
+        self
+    }
+
+    pub(crate) fn run(mut self, console: Console) -> Result<(), Failure> {
         let mut stopwatch = Stopwatch::start();
+        self.output.output = self.output_of(&self.input.model);
         let target = Target::of(&self.output)?;
         check_memory(&self, &target)?;
 

@@ -9,13 +9,14 @@ use std::ffi::OsString;
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Input")]
 pub(crate) struct InputOptions {
-    /// A model file (.glb .gltf .obj .stl .ply), a scene file (.toml), `-` for the standard input
-    /// (with --format), or `demo:NAME` for a built-in scene
+    /// A model file (.glb .gltf .obj .stl .ply), a scene file (.toml), `-` for the standard input,
+    /// or `demo:NAME` for a built-in scene
     #[arg(default_value = "demo:teapot")]
     pub(crate) model: OsString,
 
-    /// The input format, regardless of the file name: glb, gltf, obj, stl, ply, toml
-    #[arg(long, value_name = "EXT", value_parser = format, required_if_eq("model", "-"))]
+    /// The input format, regardless of the file name or, of the standard input, its first bytes:
+    /// glb, gltf, obj, stl, ply, toml
+    #[arg(long, value_name = "EXT", value_parser = format)]
     pub(crate) format: Option<Format>,
 }
 

@@ -12,15 +12,15 @@ use luxel::scene::NamedEnvironment;
 #[command(next_help_heading = "Light")]
 pub(crate) struct LightOptions {
     #[arg(long = "light", value_name = "SPEC", value_parser = light, help = format!(
-        "A light, instead of the file's; may be repeated: {}, with optional :ambient=R,G,B \
-         :diffuse=R,G,B :specular=R,G,B :attenuation=C1,C2,C3 :limit=A (cuts the attenuation, at 1 \
+        "A light, instead of the file's; may be repeated: {}, with optional :ambient=COLOR \
+         :diffuse=COLOR :specular=COLOR :attenuation=C1,C2,C3 :limit=A (cuts the attenuation, at 1 \
          as in Foley et al.) :range=D :in=world|camera :name=NAME",
         light_usage()
     ))]
     pub(crate) lights: Vec<LightSpec>,
 
     /// Ambient light of the scene
-    #[arg(long, value_name = "R,G,B", value_parser = color, allow_hyphen_values = true)]
+    #[arg(long, value_name = "COLOR", value_parser = color, allow_hyphen_values = true)]
     pub(crate) ambient: Option<[f32; 3]>,
 
     /// Factor for all lights, including ambient: for files with lights in lux
@@ -31,8 +31,8 @@ pub(crate) struct LightOptions {
     #[arg(help = environment_help())]
     pub(crate) environment: Option<Surroundings>,
 
-    /// Depth cueing: near=Z:far=Z:front=S:back=S:color=R,G,B, or fog:
-    /// law=exp|exp2:density=D:color=R,G,B
+    /// Depth cueing: near=Z:far=Z:front=S:back=S:color=COLOR, or fog:
+    /// law=exp|exp2:density=D:color=COLOR
     #[arg(long, value_name = "SPEC", value_parser = fog)]
     pub(crate) fog: Option<Fog>,
 }
@@ -42,7 +42,7 @@ fn environment_help() -> String {
     let choices = NamedEnvironment::ALL.map(choice).join(", ");
     let [none, _, microfacet] = NamedEnvironment::NAMES;
     format!(
-        "Environment that mirrors and metals reflect: {choices} or R,G,B [default: {microfacet} if \
+        "Environment that mirrors and metals reflect: {choices} or a colour [default: {microfacet} if \
          the file has no lights, else {none}]"
     )
 }

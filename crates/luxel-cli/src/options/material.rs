@@ -9,15 +9,16 @@ use luxel::lighting::Reflection;
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Material (for all surfaces, instead of the file's)")]
 pub(crate) struct MaterialOptions {
-    /// Diffuse and ambient colour, instead of textures and vertex colours
-    #[arg(long, value_name = "R,G,B", value_parser = reflectance, allow_hyphen_values = true)]
+    /// Diffuse and ambient colour, instead of textures and vertex colours: R,G,B (linear), a CSS name, or
+    /// #rrggbb (sRGB)
+    #[arg(long, value_name = "COLOR", value_parser = reflectance, allow_hyphen_values = true)]
     pub(crate) color: Option<[f32; 3]>,
 
     #[command(flatten)]
     pub(crate) shared: ParameterOptions<false>,
 
     /// Emitted light
-    #[arg(long, value_name = "R,G,B", value_parser = reflectance, allow_hyphen_values = true)]
+    #[arg(long, value_name = "COLOR", value_parser = reflectance, allow_hyphen_values = true)]
     pub(crate) emission: Option<[f32; 3]>,
 
     #[arg(

@@ -7,8 +7,8 @@ use clap::{Args, ValueEnum};
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Picture")]
 pub(crate) struct PictureOptions {
-    /// Linear background colour, with optional alpha [default: transparent black]
-    #[arg(long, value_name = "R,G,B[,A]", value_parser = background, allow_hyphen_values = true)]
+    /// Background: R,G,B or R,G,B,A (linear), a CSS name, #rrggbb, or #rrggbbaa [default: transparent]
+    #[arg(long, value_name = "COLOR", value_parser = background, allow_hyphen_values = true)]
     pub(crate) background: Option<[f32; 4]>,
 
     /// Encoding of the pixels: srgb (the curve of IEC 61966-2-1) or none

@@ -1,6 +1,6 @@
 //! `f_{n:3}.png`: numbered file names.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A file name with one place for a number, `{n}` or `{n:WIDTH}`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,7 +14,8 @@ pub(crate) struct Numbering {
 const MAX_WIDTH: usize = 9;
 
 impl Numbering {
-    /// Parses the pattern.
+    /// Parses the pattern. A name without a place for the number gets one before its extension: `x.png`
+    /// is `x_{n}.png`.
     ///
     /// # Errors
     /// A sentence that describes the expected value.
@@ -22,6 +23,11 @@ impl Numbering {
         let wrong = || {
             format!("`{text}` needs one place for the number: {{n}}, or {{n:3}} for three digits")
         };
+        if !text.contains('{') {
+            let extension = Path::new(text).extension().map_or(0, |ending| ending.len() + 1);
+            let (before, after) = text.split_at(text.len() - extension);
+            return Ok(Self { before: format!("{before}_"), width: 0, after: after.to_owned() });
+        }
         let (before, rest) = text.split_once("{n").ok_or_else(wrong)?;
         let (width, after) = rest.split_once('}').ok_or_else(wrong)?;
         let width = match width.strip_prefix(':') {
@@ -65,9 +71,15 @@ mod tests {
     }
 
     #[test]
-    fn names_without_exactly_one_number_are_refused() {
-        for text in
-            ["f.png", "f_{n.png", "f_{m}.png", "{n}{n}", "{n:}", "{n:0}", "{n:x}", "{n:99}", "{nn}"]
+    fn a_name_without_a_place_gets_its_number_before_the_extension() {
+        assert_eq!(name("x.png", 0), "x_0.png");
+        assert_eq!(name("a.b/x.tar.png", 12), "a.b/x.tar_12.png");
+        assert_eq!(name("x", 3), "x_3");
+    }
+
+    #[test]
+    fn names_with_a_damaged_place_are_refused() {
+        for text in ["f_{n.png", "f_{m}.png", "{n}{n}", "{n:}", "{n:0}", "{n:x}", "{n:99}", "{nn}"]
         {
             assert!(Numbering::parse(text).is_err(), "{text}");
         }

@@ -192,7 +192,8 @@ fn copies_of_a_triangle_that_fills_the_window_take_no_minutes() {
         let start = Instant::now();
         assert!(draw(name) == expected[of], "{name} is not drawn as a single triangle");
         // Of a million triangles under a pixel, in one pass.
-        let explained = folder.run(["explain", name, "--at", "160,100", "--size", "320x240"]).done();
+        let explained =
+            folder.run(["explain", name, "--at", "160,100", "--size", "320x240"]).done();
         assert!(!explained.stdout.is_empty());
         assert!(start.elapsed().as_secs() < 60, "{name}: {:?}", start.elapsed());
     }

@@ -14,6 +14,7 @@ mod gallery;
 mod info;
 mod models;
 mod navigate;
+mod output;
 mod pick;
 mod program;
 mod render;

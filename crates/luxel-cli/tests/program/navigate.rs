@@ -140,7 +140,7 @@ fn paths_without_images_are_refused() {
         let line = format!("render demo:plane --size 4x4 {flags}");
         folder.run(line.split_whitespace())
     };
-    render("--path hand.log -o a.png").failed(2, "one place for the number");
+    render("--path hand.log -o a_{m}.png").failed(2, "one place for the number");
     render("--path hand.log -o -").failed(2, "several images need numbered files");
     render("--path hand.log --turntable 3 -o {n}.png").failed(2, "--turntable");
     render("--fps 3 -o {n}.png").failed(2, "--path");

@@ -58,13 +58,26 @@ fn a_hit_has_every_key_that_scripts_rely_on() {
 #[test]
 fn a_pick_without_hits_succeeds() {
     let folder = square();
-    for at in ["20,20", "-5.5,3.5", "399,299", "400,5", "1e9,1e9"] {
+    for at in ["20,20", "-0.001,3.5", "399,299", "399.998,5"] {
         let document = run(&folder, &format!("pick square.ply --json --at {at}")).json();
         assert_eq!(document["hits"], json!([]), "{at}");
     }
     assert_eq!(run(&folder, "pick square.ply --at 20,20").text(), "nothing\n");
     let document = run(&folder, "pick square.ply --json --rect 0,0,20,20").json();
     assert_eq!(document["hits"], json!([]));
+}
+
+#[test]
+fn a_position_outside_of_the_window_is_wrong_usage() {
+    let folder = square();
+    for at in ["-5.5,3.5", "-0.01,3.5", "400,5", "399.999,5", "5,300", "1e9,1e9"] {
+        run(&folder, &format!("pick square.ply --at {at}")).failed(2, "outside of the picture");
+    }
+    let line = ["pick", "square.ply", "--size", "400x300", "--at", "-"];
+    let run = folder.run_with_input(line, b"20,20\n400,5\n30,30\n");
+    assert_eq!(run.status, Some(2));
+    assert!(run.stderr.contains("400,5 lies outside of the picture"), "{}", run.stderr);
+    assert_eq!(run.stdout, b"nothing\n", "answers up to the wrong line");
 }
 
 #[test]

@@ -111,10 +111,12 @@ fn the_standard_input_may_be_a_scene_file() {
     let text = format!(
         "{HEADER}[[models]]\nsource = \"demo:teapot\"\n[render]\nsize = \"64x48\"\nsamples = 2\n"
     );
-    let line = "render - --format toml -o -";
-    let drawn = folder.run_with_input(line.split_whitespace(), text.as_bytes()).done().stdout;
     let expected = "render demo:teapot --size 64x48 --samples 2 -o -";
-    assert!(drawn == folder.run(expected.split_whitespace()).done().stdout);
+    let expected = folder.run(expected.split_whitespace()).done().stdout;
+    for line in ["render - --format toml -o -", "render - -o -"] {
+        let drawn = folder.run_with_input(line.split_whitespace(), text.as_bytes()).done().stdout;
+        assert!(drawn == expected, "{line}");
+    }
 }
 
 #[test]

@@ -85,7 +85,7 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
     ("-o a.png --layer depth --layer object", "EXR"),
     ("-o a.npy --layer depth --layer object", "EXR"),
     ("-o a.png --wireframe --edges", "cannot be used with"),
-    ("-o a.png --turntable 4", "{n}"),
+    ("-o a_{m}.png --turntable 4", "{n}"),
     ("-o {n}{n}.png --turntable 4", "{n}"),
     ("-o {n:0}.png --turntable 4", "digits"),
     ("-o {n}.png --turntable 0", "--turntable"),
@@ -100,7 +100,7 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
     ("-o a.png --light point:pos=1,2,3:in=moon", "world or camera"),
     ("-o a.png --light spot:pos=1,2,3:dir=1,0,0:cutoff=91", "0 to 90"),
     ("-o a.png --light spot:pos=1,2,3:dir=1,0,0:exponent=-1", "below 0"),
-    ("-o a.png --light ambient", "color=R,G,B"),
+    ("-o a.png --light ambient", "color=COLOR"),
     ("-o a.png --light ambient:color=1,1", "3 numbers"),
     (
         "-o a.png --light point:pos=1,2,3:name=a --light point:pos=1,2,3:name=a",
@@ -108,7 +108,7 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
     ),
     ("-o a.png --ambient 1", "3 numbers"),
     ("-o a.png --ambient nan,0,0", "finite"),
-    ("-o a.png --environment hdri", "none, studio, microfacet or R,G,B"),
+    ("-o a.png --environment hdri", "none, studio, microfacet, or a colour"),
     ("-o a.png --fog near=1", "far=Z"),
     ("-o a.png --fog near=2:far=1", "less than far"),
     ("-o a.png --fog near=1:far=2:front=3", "0 to 1"),
@@ -140,15 +140,33 @@ fn incomplete_and_unknown_commands_are_wrong_usage() {
     luxel("render demo:cornell").failed(2, "--output");
     luxel("info a.ply b.ply").failed(2, "b.ply");
     luxel("completions tcsh").failed(2, "tcsh");
-    // Words other than commands are models to view.
-    luxel("rendr a.glb -o a.png").failed(2, "-o");
-    luxel("rendr a.glb").failed(1, "rendr");
 }
 
 #[test]
-fn the_standard_input_needs_its_format() {
-    luxel("info -").failed(2, "--format");
+fn a_command_that_is_misspelt_or_left_out_is_suggested() {
+    luxel("rendr a.glb -o a.png").failed(2, "did you mean `luxel render`?");
+    luxel("-q chekc a.glb").failed(2, "did you mean `luxel check`?");
+    luxel("a.glb -o a.png").failed(2, "did you mean `luxel render a.glb -o a.png`?");
+    luxel("a.glb --at 3,4 --through")
+        .failed(2, "did you mean `luxel pick a.glb --at 3,4 --through`?");
+    // Other words are models to view, and so is a file of a command's name, nearly.
+    luxel("nothing-like-it").failed(1, "nothing-like-it");
     let folder = Folder::new();
+    folder.write("rendr", "");
+    folder.run(["rendr"]).failed(1, "window");
+}
+
+#[test]
+fn usage_shows_that_a_model_is_enough() {
+    assert!(luxel("--help").text().contains("luxel [MODEL]"));
+}
+
+#[test]
+fn the_standard_input_shows_its_format_by_its_first_bytes() {
+    let folder = Folder::new();
+    folder.run_with_input(["info", "-"], b"hello").failed(1, "--format");
+    let info = folder.run_with_input(["info", "-", "--json"], SQUARE_PLY.as_bytes()).json();
+    assert_eq!(info["format"], "ply");
     let run =
         folder.run_with_input(["info", "-", "--format", "ply", "--json"], SQUARE_PLY.as_bytes());
     let info = run.json();

@@ -2,6 +2,7 @@
 
 use super::{Facets, check_count};
 use crate::block_reader::BlockReader;
+use crate::format::declared_stl_size;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place};
 
@@ -11,19 +12,13 @@ const PREFACE: usize = 84;
 /// A normal, three corners, and two bytes of attributes.
 const RECORD: usize = 50;
 
-/// The file size that the count implies; `None` if the file is too short for a count.
-pub(super) fn declared_size(bytes: &[u8]) -> Option<u64> {
-    let (_, count) = bytes.get(..PREFACE)?.split_last_chunk::<4>()?;
-    Some(PREFACE as u64 + RECORD as u64 * u64::from(u32::from_le_bytes(*count)))
-}
-
 pub(super) fn read(
     bytes: &[u8],
     limits: &Limits,
     warnings: &mut Warnings,
 ) -> Result<Facets, Error> {
     let end = Place::Byte(bytes.len() as u64);
-    let Some(size) = declared_size(bytes) else {
+    let Some(size) = declared_stl_size(bytes) else {
         let what = "the 84 bytes that every binary STL begins with (nor is it a text STL, which \
                     begins with `solid` and has facets)";
         return Err(Error::at(end, ErrorKind::Truncated(what.to_owned())));
@@ -54,7 +49,7 @@ const TOGETHER: u64 = 1 << 15;
 /// Reads a long file without holding it in memory: reads the next block while welding the last.
 /// `None` if the file isn't binary, or its size differs from what its count implies.
 pub(super) fn stream(file: &BlockReader<'_>, limits: &Limits) -> Result<Option<Facets>, Error> {
-    let size = file.with_block(0, PREFACE, declared_size);
+    let size = file.with_block(0, PREFACE, declared_stl_size);
     file.check()?;
     if size != Some(file.length()) {
         return Ok(None);

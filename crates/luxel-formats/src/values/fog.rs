@@ -1,8 +1,8 @@
-//! `near=Z:far=Z:front=S:back=S:color=R,G,B`: depth cueing; `law=exp:density=D`: fog.
+//! `near=Z:far=Z:front=S:back=S:color=COLOR`: depth cueing; `law=exp:density=D`: fog.
 
+use super::color::color;
 use super::fields::{FieldError, Fields};
 use super::number::{finite, non_negative_f32, unit_interval};
-use super::vector::color;
 use luxel_lighting::{Fog, FogLaw};
 
 /// Parses fog from one string.

@@ -1,9 +1,10 @@
 //! `KIND:KEY=VALUE:...`: a light.
 
+use super::color::color;
 use super::fields::{FieldError, Fields};
 use super::light_text::cos_cutoff;
 use super::number::{finite, non_negative_f32, positive, single};
-use super::vector::{color, direction, numbers, point};
+use super::vector::{direction, numbers, point};
 use luxel_lighting::{
     Attenuation, CUTOFF, Cone, EXPONENT, INNER, LIGHT_KINDS, Light, LightKind, LightKindDescription,
 };
@@ -58,7 +59,7 @@ pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldEr
         FieldError::new(format!("`{kind}` is not a kind of light: use {}", light_kind_names()))
     })?;
     let light = if description.kind == LightKind::Ambient {
-        Light::ambient(fields.take("color", color)?.ok_or_else(|| needs("color=R,G,B"))?)
+        Light::ambient(fields.take("color", color)?.ok_or_else(|| needs("color=COLOR"))?)
     } else {
         let kind = match description.kind {
             LightKind::Spot(_) => LightKind::Spot(cone(&mut fields)?),

@@ -3,6 +3,7 @@
 //!
 //! Errors are one sentence that describes the expected value; callers add the place.
 
+mod color;
 mod fields;
 mod fog;
 mod light;
@@ -13,6 +14,7 @@ mod reflection;
 mod surroundings;
 mod vector;
 
+pub use color::{background, color, reflectance};
 pub use fields::{FieldError, Fields};
 pub use fog::{fog, fog_of};
 pub use light::{LightSpec, light, light_of, light_usage};
@@ -25,4 +27,4 @@ pub use reflection::{parameter, reflection, reflection_choices, reflection_text}
 pub use surroundings::{Surroundings, surroundings};
 #[cfg(feature = "toml")]
 pub(crate) use vector::numbers;
-pub use vector::{background, color, direction, intrinsics, point, reflectance, up, view_matrix};
+pub use vector::{direction, intrinsics, point, up, view_matrix};

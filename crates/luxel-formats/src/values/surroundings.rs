@@ -1,6 +1,6 @@
-//! `none`, `studio`, `microfacet`, `R,G,B`: the environment that mirrors and metals reflect.
+//! `none`, `studio`, `microfacet`, a colour: the environment that mirrors and metals reflect.
 
-use super::vector::reflectance;
+use super::color::reflectance;
 use luxel_lighting::Environment;
 use luxel_scene::{DVec3, EnvironmentChoice, NamedEnvironment};
 
@@ -35,7 +35,7 @@ pub fn surroundings(text: &str) -> Result<Surroundings, String> {
     let names = NamedEnvironment::NAMES.join(", ");
     reflectance(text)
         .map(Surroundings::Constant)
-        .map_err(|message| format!("use {names} or R,G,B: {message}"))
+        .map_err(|message| format!("use {names}, or a colour: {message}"))
 }
 
 #[cfg(test)]

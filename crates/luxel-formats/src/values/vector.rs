@@ -1,6 +1,6 @@
-//! Comma-separated numbers: points, directions, colours, matrices.
+//! Comma-separated numbers: points, directions, matrices.
 
-use super::number::{finite, single};
+use super::number::finite;
 use luxel_scene::{DMat4, DVec3, DVec4};
 
 /// How far a view matrix may be from a rotation: the rounding error of six printed digits.
@@ -55,45 +55,6 @@ pub fn up(text: &str) -> Result<DVec3, String> {
         "-Y" | "-y" => Ok(DVec3::NEG_Y),
         "-Z" | "-z" => Ok(DVec3::NEG_Z),
         _ => direction(text).map_err(|message| format!("{message}; or use X, Y or Z")),
-    }
-}
-
-/// Linear red, green and blue of any intensity.
-///
-/// # Errors
-/// Anything but three numbers in the range of single precision.
-pub fn color(text: &str) -> Result<[f32; 3], String> {
-    let [r, g, b] = numbers(text)?;
-    Ok([single(r)?, single(g)?, single(b)?])
-}
-
-/// Linear red, green and blue of a surface: none below 0.
-///
-/// # Errors
-/// Anything but a colour without negative components.
-pub fn reflectance(text: &str) -> Result<[f32; 3], String> {
-    let color = color(text)?;
-    if color.iter().all(|&component| component >= 0.0) {
-        Ok(color)
-    } else {
-        Err("a surface's colour must not be below 0".to_owned())
-    }
-}
-
-/// Linear red, green and blue, with optional alpha from 0 to 1 (default 1).
-///
-/// # Errors
-/// Anything but a colour with or without alpha.
-pub fn background(text: &str) -> Result<[f32; 4], String> {
-    if text.split(',').count() == 3 {
-        let [r, g, b] = color(text)?;
-        return Ok([r, g, b, 1.0]);
-    }
-    let [r, g, b, alpha] = numbers(text).map_err(|message| format!("{message} (or 3)"))?;
-    if (0.0..=1.0).contains(&alpha) {
-        Ok([single(r)?, single(g)?, single(b)?, single(alpha)?])
-    } else {
-        Err("alpha must be between 0 and 1".to_owned())
     }
 }
 
@@ -189,20 +150,6 @@ mod tests {
         assert_eq!(up("y"), Ok(DVec3::Y));
         assert_eq!(up("0,0,2"), Ok(DVec3::Z));
         assert!(up("W").is_err() && up("0,0,0").is_err());
-    }
-
-    #[test]
-    fn the_alpha_of_a_background_is_1_by_default() {
-        assert_eq!(background("1,0,0"), Ok([1.0, 0.0, 0.0, 1.0]));
-        assert_eq!(background("1,0,0,.25"), Ok([1.0, 0.0, 0.0, 0.25]));
-        assert!(background("1,0,0,2").is_err() && background("1,0").is_err());
-    }
-
-    #[test]
-    fn reflectance_is_not_negative() {
-        assert_eq!(reflectance("2,0,0"), Ok([2.0, 0.0, 0.0]));
-        assert!(reflectance("-0.1,0,0").is_err());
-        assert!(color("1e39,0,0").is_err(), "single precision would make it infinite");
     }
 
     #[test]

@@ -4,9 +4,11 @@ use super::{QueryOptions, SNAP_WITHIN, SnapChoice};
 use crate::failure::Failure;
 use crate::output;
 use crate::values::at as position;
+use luxel::math::SUBPIXELS;
 use luxel::pick::{PickHit, PickView, SnapTo, Snapped};
 use luxel::render::At;
 use luxel::report::{PickReport, camera_to_json};
+use luxel::scene::Size;
 use std::io::{self, BufRead, Write};
 
 /// Maximum bytes of positions per batch.
@@ -27,6 +29,7 @@ struct Found {
 impl QueryOptions {
     /// Picks one position.
     pub(super) fn one(&self, view: &PickView<'_>, at: At) -> Result<(), Failure> {
+        check_inside(at, view.size())?;
         let hits = view.at(point(at)).into_iter().collect();
         let found = self.find(view, at, hits);
         let report = found.report(view);
@@ -99,10 +102,11 @@ impl QueryOptions {
             if own.is_empty() {
                 continue;
             }
-            match position(own) {
+            let place = position(own).map_err(|message| unreadable(*line, &message));
+            match place.and_then(|at| check_inside(at, view.size()).map(|()| at)) {
                 Ok(at) => places.push(at),
-                Err(message) => {
-                    failure = Some(unreadable(*line, &message));
+                Err(refused) => {
+                    failure = Some(refused);
                     break;
                 }
             }
@@ -175,4 +179,22 @@ fn unreadable(line: usize, message: &str) -> Failure {
         format!("standard input, line {line}: {message}"),
         "write one position per line, such as 640,360",
     )
+}
+
+/// Refuses a position that lies, rounded to the steps of sample positions, outside of the image.
+fn check_inside(at: At, size: Size) -> Result<(), Failure> {
+    let Size { width, height } = size;
+    let [x, y] = point(at);
+    let is_inside = |position: f64, side: u32| {
+        let steps = f64::from(SUBPIXELS);
+        (0.0..f64::from(side) * steps).contains(&(position * steps).round())
+    };
+    if is_inside(x, width) && is_inside(y, height) {
+        return Ok(());
+    }
+    let at = match at {
+        At::Pixel([x, y]) => format!("{x},{y}"),
+        At::Point([x, y]) => format!("{x},{y}"),
+    };
+    Err(Failure::Usage(format!("{at} lies outside of the picture of {width}x{height} pixels")))
 }

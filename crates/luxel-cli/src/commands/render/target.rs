@@ -77,7 +77,7 @@ impl Target {
         }
         let place = match options.is_numbered() {
             true if to_standard_output => {
-                return usage("several images need numbered files: use -o f_{n:3}.png");
+                return usage("several images need numbered files: use -o f.png, or f_{n:3}.png");
             }
             true => {
                 let numbering =
@@ -101,7 +101,7 @@ impl Target {
     pub(super) fn write(&self, number: u32, bytes: &[u8]) -> Result<Option<String>, Failure> {
         let path = match &self.place {
             Place::StandardOutput => {
-                output::print_bytes(bytes)?;
+                output::print_file(bytes)?;
                 return Ok(None);
             }
             Place::File(path) => path.clone(),
