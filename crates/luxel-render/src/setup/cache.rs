@@ -52,6 +52,10 @@ struct Pending {
 pub(crate) struct Prepared<'c> {
     pub(crate) setup: &'c TriangleSetup,
     pub(crate) extras: &'c VertexExtras,
+    /// The number of its material.
+    pub(crate) material: u32,
+    /// The attributes that shading reads of it.
+    pub(crate) reads: AttributeMask,
 }
 
 impl SetupCache {
@@ -98,6 +102,15 @@ impl SetupCache {
     ) {
         if !self.has_all(ids, lanes) {
             self.request(ids, lanes);
+            self.prepare(simd, scene);
+        }
+    }
+
+    /// Prepares one triangle, if it isn't there yet.
+    #[inline(always)]
+    pub(crate) fn require_one<N: Lanes>(&mut self, simd: N, scene: &ShadingContext<'_>, id: u32) {
+        if !self.has(id) {
+            self.request(&[id; LANES], 1);
             self.prepare(simd, scene);
         }
     }
@@ -192,7 +205,7 @@ impl SetupCache {
         let place = self.place(id);
         let setup = self.setups.get(place).unwrap_or(&TriangleSetup::NOTHING);
         let extras = self.extras.get(place).unwrap_or(&VertexExtras::NOTHING);
-        Prepared { setup, extras }
+        Prepared { setup, extras, material: self.materials[place], reads: self.reads[place] }
     }
 
     /// The prepared triangles of these lanes; other lanes get one of them.
