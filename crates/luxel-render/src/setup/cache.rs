@@ -163,10 +163,7 @@ impl SetupCache {
         simd.vectorized(
             #[inline(always)]
             || {
-                let of = reader.read(simd, scene, ids, lanes, |_, _, _, _, _| {});
-                for lane in lanes_of(of.lanes) {
-                    materials[lane] = of.materials[lane];
-                }
+                let of = reader.read(simd, scene, (ids, lanes), materials, |_, _, _, _, _| {});
                 let (tile, into) = (*tile, Target::Columns(columns));
                 let lanes = of.lanes;
                 simd.in_parts(&mut Preparation { scene, tile, of, lit_as: None, into });
@@ -274,18 +271,24 @@ impl SetupCache {
         for (first, (ids, places)) in (0..pending.count).step_by(LANES).zip(sixteens) {
             let mut left = u32::MAX >> (32 - LANES.min(pending.count - first));
             while left != 0 {
-                let mut of =
-                    reader.read(simd, scene, ids, left, |lane, space, mesh, corners, reads| {
+                let mut of_lanes = [0; LANES];
+                let mut of = reader.read(
+                    simd,
+                    scene,
+                    (ids, left),
+                    &mut of_lanes,
+                    |lane, space, mesh, corners, reads| {
                         if extras.is_empty() {
                             extras.resize(PLACES, VertexExtras::NOTHING);
                         }
                         extras[places[lane]].read(space, mesh, corners, reads);
-                    });
+                    },
+                );
                 let mut lit_as = None;
                 if scene.shading.mode == ShadingMode::Gouraud {
                     let lane = of.lanes.trailing_zeros() as usize & (LANES - 1);
-                    let material = of.materials[lane];
-                    of.lanes &= simd.eq_mask(of.materials, material);
+                    let material = of_lanes[lane];
+                    of.lanes &= simd.eq_mask(&of_lanes, material);
                     lit_as = Some(material as usize);
                 }
                 left &= !of.lanes;
@@ -293,8 +296,9 @@ impl SetupCache {
                 for lane in lanes_of(of.lanes) {
                     let place = places[lane] % PLACES;
                     into[lane] = place;
-                    materials[place] = of.materials[lane];
-                    reads[place] = of.reads[lane];
+                    let material = of_lanes[lane];
+                    materials[place] = material;
+                    reads[place] = of.reads(scene, material);
                     if let Some(extras) = extras.get_mut(place).filter(|_| !reads[place].any()) {
                         *extras = VertexExtras::NOTHING;
                     }
@@ -304,13 +308,15 @@ impl SetupCache {
                 let into = Target::Places(into, setups);
                 simd.in_parts(&mut Preparation { scene, tile, of, lit_as, into });
                 if lit_as.is_some() {
-                    for lane in lanes_of(of.lanes).filter(|&lane| of.reads[lane].any()) {
+                    for lane in lanes_of(of.lanes) {
                         let place = places[lane] % PLACES;
+                        let (material, reads) = (materials[place], reads[place]);
+                        if !reads.any() {
+                            continue;
+                        }
                         let corners = corners_of(&setups[place], &extras[place]);
-                        let material = of.materials[lane];
-                        let light = corners.map(|corner| {
-                            light_at(scene, &corner, of.reads[lane], material, &mut Silent)
-                        });
+                        let light = corners
+                            .map(|corner| light_at(scene, &corner, reads, material, &mut Silent));
                         put_vector(&mut setups[place], LIGHT, light);
                     }
                 }
