@@ -105,15 +105,20 @@ struct Transposed<N> {
 impl<N: Lanes> Transposed<N> {
     /// The rows that lanes need. Written out row by row: an array that a loop fills would be memory.
     #[inline(always)]
-    fn new<const NEEDS: u8>(simd: N, cache: &SetupCache, ids: &[u32; LANES], of: Of) -> Self {
-        let setups = cache.rows(ids, of.lanes);
+    fn new<const NEEDS: u8>(
+        simd: N,
+        cache: &SetupCache,
+        ids: &[u32; LANES],
+        setups: &[&TriangleSetup; LANES],
+        of: Of,
+    ) -> Self {
         let zeros = [simd.zero(); 8];
         let numbers = [
-            setup_row(simd, &setups, 0),
-            setup_row(simd, &setups, 1),
-            setup_row(simd, &setups, 2),
-            if of.wanted.position { setup_row(simd, &setups, POSITION_ROW) } else { zeros },
-            if of.wanted.light { setup_row(simd, &setups, LIGHT_ROW) } else { zeros },
+            setup_row(simd, setups, 0),
+            setup_row(simd, setups, 1),
+            setup_row(simd, setups, 2),
+            if of.wanted.position { setup_row(simd, setups, POSITION_ROW) } else { zeros },
+            if of.wanted.light { setup_row(simd, setups, LIGHT_ROW) } else { zeros },
         ];
         if NEEDS != needs::ALL || !of.has.any() {
             return Self { numbers, extras: [zeros; 5] };
@@ -235,15 +240,19 @@ impl<N: Lanes> Fragments<N> {
                 left &= !lanes;
             } else {
                 let mut of = Of { lanes: 0, wanted, has: AttributeMask::NONE };
+                // Other lanes hold one of the triangles, too.
+                let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
+                let mut setups = [cache.get(id).setup; LANES];
                 for lane in lanes_of(left) {
-                    let id = ids[lane & (LANES - 1)];
-                    if cache.has(id) {
+                    let lane = lane & (LANES - 1);
+                    if let Some(prepared) = cache.find(ids[lane]) {
                         of.lanes |= 1 << lane;
-                        of.has = of.has.or(cache.reads(id));
-                        materials[lane & (LANES - 1)] = cache.material(id);
+                        of.has = of.has.or(prepared.reads);
+                        materials[lane] = prepared.material;
+                        setups[lane] = prepared.setup;
                     }
                 }
-                let source = Transposed::new::<NEEDS>(simd, cache, ids, of);
+                let source = Transposed::new::<NEEDS>(simd, cache, ids, &setups, of);
                 self.take::<NEEDS, false>(simd, &source, scene, batch, of);
                 left &= !of.lanes;
             }

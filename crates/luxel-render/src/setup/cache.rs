@@ -196,6 +196,15 @@ impl SetupCache {
         self.reads[self.place(id)]
     }
 
+    /// A triangle, if it is prepared.
+    #[inline(always)]
+    pub(crate) fn find(&self, id: u32) -> Option<Prepared<'_>> {
+        self.has(id).then(
+            #[inline(always)]
+            || self.get(id),
+        )
+    }
+
     /// A prepared triangle.
     #[inline(always)]
     pub(crate) fn get(&self, id: u32) -> Prepared<'_> {
@@ -203,21 +212,6 @@ impl SetupCache {
         let setup = self.setups.get(place).unwrap_or(&TriangleSetup::NOTHING);
         let extras = self.extras.get(place).unwrap_or(&VertexExtras::NOTHING);
         Prepared { setup, extras, material: self.materials[place], reads: self.reads[place] }
-    }
-
-    /// The prepared triangles of these lanes; other lanes get one of them.
-    #[inline(always)]
-    pub(crate) fn rows(&self, ids: &[u32; LANES], lanes: u32) -> [&TriangleSetup; LANES] {
-        let Ok(setups) = <&[TriangleSetup; PLACES]>::try_from(self.setups.as_slice()) else {
-            return [&TriangleSetup::NOTHING; LANES];
-        };
-        let first = ids[lanes.trailing_zeros() as usize & (LANES - 1)];
-        let mut rows = [&setups[0]; LANES];
-        for lane in 0..LANES {
-            let id = if lanes >> lane & 1 == 1 { ids[lane] } else { first };
-            rows[lane] = &setups[self.place(id)];
-        }
-        rows
     }
 
     #[inline(always)]
