@@ -3,7 +3,7 @@
 //! The curve of sRGB (IEC 61966-2-1:1999): encode(v) = 12.92 v up to 0.0031308, else
 //! 1.055 v^(1/2.4) - 0.055.
 
-use luxel_math::{F64Lanes, LANES, Lanes, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+use luxel_math::{F64Lanes, LANES, Lanes, Simd, f32x16, i32x16, prelude::*, u32x16};
 use std::sync::LazyLock;
 
 /// How a picture stores light.
@@ -36,7 +36,7 @@ impl PictureEncoding {
             Self::Srgb => SRGB.bytes_of_lanes(linear),
             Self::None => {
                 let scaled = scaled_unit(linear);
-                if may_be_tie(scaled).any() {
+                if from_whole(scaled).equal(scaled.constant(0.5)).any() {
                     let exact = linear.clamped(0.0, 1.0).to_f64();
                     let whole = exact.constant(WHOLE);
                     let rounded = exact * exact.constant(255.0) + whole - whole;
@@ -54,7 +54,8 @@ impl PictureEncoding {
         if self == Self::None {
             let [red, green, blue] = [scaled_unit(r), scaled_unit(g), scaled_unit(b)];
             // One question for the three: ties are rare.
-            if !(may_be_tie(red) | may_be_tie(green) | may_be_tie(blue)).any() {
+            let farthest = from_whole(red).maximum(from_whole(green)).maximum(from_whole(blue));
+            if !farthest.equal(farthest.constant(0.5)).any() {
                 let [red, green, blue] = [shifted(red), shifted(green), shifted(blue)];
                 // Of the sums' exponents, that of red alone is left in the word.
                 let exponent = FRACTIONLESS.to_bits();
@@ -92,12 +93,12 @@ fn shifted<S: Simd>(scaled: f32x16<S>) -> u32x16<S> {
     (scaled + scaled.constant(FRACTIONLESS)).bitcast()
 }
 
-/// Whether a product is halfway between integers: rounded to `f32` it may have become a tie
-/// that it was not. Nothing else can change its byte.
+/// How far a product is from the nearest integer, 0.5 at most. If that: rounded to `f32` it may have
+/// become a tie that it was not. Nothing else can change its byte.
 #[inline(always)]
-fn may_be_tie<S: Simd>(scaled: f32x16<S>) -> mask32x16<S> {
+fn from_whole<S: Simd>(scaled: f32x16<S>) -> f32x16<S> {
     let whole = scaled + scaled.constant(FRACTIONLESS) - scaled.constant(FRACTIONLESS);
-    Lanes::abs(scaled - whole).equal(scaled.constant(0.5))
+    Lanes::abs(scaled - whole)
 }
 
 /// encode(v) for v in 0..=1.

@@ -116,7 +116,7 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     witness: &mut W,
 ) -> Rgb<N> {
     let simd = point.depth;
-    let surface = Surface::new(point, coefficients);
+    let surface = Surface::new(point, coefficients, reflection);
     let emission = broadcast(coefficients.emitted, simd);
     let ambient_share = surface.ambient(reflection, &lighting.environment);
     let scene_ambient = ambient_share * Rgb::splat(simd, lighting.scene_ambient);
@@ -157,13 +157,15 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
             },
         );
     }
-    let environment = match reflection {
-        Reflection::Unlit => Rgb::black(simd),
-        _ if lighting.environment.is_none() => Rgb::black(simd),
+    // Adding black would change no bit: the sum begins with an emission that is never -0.
+    let mut environment = Rgb::black(simd);
+    if !lighting.environment.is_none() && !matches!(reflection, Reflection::Unlit) {
         // A copy, because a witness needs its arguments in memory, and only here.
-        _ => Surface::new(point, coefficients).mirrored(reflection, &lighting.environment, witness),
-    };
-    let sum = finite(sum + environment);
+        let surface = Surface::new(point, coefficients, reflection);
+        environment = surface.mirrored(reflection, &lighting.environment, witness);
+        sum = sum + environment;
+    }
+    let sum = finite(sum);
     witness.terms(&Terms { emission, scene_ambient, environment, sum });
     sum
 }

@@ -2,7 +2,10 @@
 //! documents read.
 
 /// How a light spreads.
+///
+/// Of a `u8`, as [`Reflection`](crate::Reflection) is.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(u8)]
 #[non_exhaustive]
 pub enum LightKind {
     /// From everywhere, equally: only the ambient intensity counts.

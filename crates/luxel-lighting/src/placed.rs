@@ -12,6 +12,8 @@ pub struct PlacedLight {
     has_ambient: bool,
     position: [f32; 3],
     direction: [f32; 3],
+    /// Against `direction`.
+    upstream: [f32; 3],
 }
 
 /// The incident light of one source at a point.
@@ -61,7 +63,8 @@ impl PlacedLight {
         let [x, y, z] = direction;
         let direction = Vec3::new(x, y, z).normalized_or_zero().lane(0);
         let has_ambient = light.ambient != [0.0; 3];
-        Self { light, has_ambient, position, direction }
+        let upstream = direction.map(|component| -component);
+        Self { light, has_ambient, position, direction, upstream }
     }
 
     /// Kind, intensities and attenuation.
@@ -93,7 +96,7 @@ impl PlacedLight {
         let simd = position.x;
         if matches!(self.light.kind, LightKind::Directional | LightKind::Ambient) {
             return LightSample {
-                to_light: -Vec3::splat(simd, self.direction),
+                to_light: Vec3::splat(simd, self.upstream),
                 distance: None,
                 attenuation: simd.one(),
                 spot: simd.one(),

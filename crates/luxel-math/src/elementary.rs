@@ -71,16 +71,25 @@ pub fn power_of_one_exponent<N: Lanes>(x: N, n: f32) -> N {
     if whole > MOST_MULTIPLIED || whole as f32 != n {
         return power(x, x.constant(n));
     }
+    if whole == 0 {
+        return x.one();
+    }
+    // Most exponents are powers of 2: squares alone.
+    let mut square = x;
     let mut left = whole;
-    let (mut result, mut square) = (x.one(), x);
-    while left > 1 {
-        if left & 1 == 1 {
-            result = result * square;
-        }
+    while left & 1 == 0 {
         square = square * square;
         left >>= 1;
     }
-    if left == 1 { result * square } else { result }
+    let mut result = square;
+    while left > 1 {
+        square = square * square;
+        left >>= 1;
+        if left & 1 == 1 {
+            result = result * square;
+        }
+    }
+    result
 }
 
 /// Above this exponent a logarithm has the smaller error.

@@ -117,14 +117,11 @@ pub trait Lanes:
     /// not be inlined into its callers. Mark the closure `#[inline(always)]`.
     fn vectorized<R>(self, work: impl FnOnce() -> R) -> R;
 
+    /// A bit for each lane; `self` selects the lane type.
+    fn all_lanes(self) -> u32;
+
     /// Runs `work` on all lanes, as two halves where a kernel with many live values would spill.
     fn in_parts(self, work: &mut impl SplitLanes);
-
-    /// A bit for each lane.
-    #[inline(always)]
-    fn all_lanes(self) -> u32 {
-        self.zero().equal(self.zero()).bits()
-    }
 
     /// 0 in every lane.
     #[inline(always)]

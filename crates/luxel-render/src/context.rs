@@ -108,13 +108,13 @@ impl ShadingContext<'_> {
             NormalLength::Unit => unit,
             NormalLength::Interpolated => normal,
         };
-        SurfacePoint { position, normal, view, depth: self.depth(position) }
-    }
-
-    /// The distance from the eye along the viewing axis.
-    #[inline(always)]
-    fn depth<N: Lanes>(&self, position: Vec3<N>) -> N {
-        position.dot(Vec3::splat(position.x, self.direction))
+        // The distance from the eye along the viewing axis.
+        let depth = if self.needs_positions {
+            position.dot(Vec3::splat(position.x, self.direction))
+        } else {
+            position.x.zero()
+        };
+        SurfacePoint { position, normal, view, depth }
     }
 }
 

@@ -250,6 +250,13 @@ impl<'a> Frame<'a> {
         self.instances.triangle_ids()
     }
 
+    /// The instance of a visible triangle, by its place in the list.
+    #[must_use]
+    #[inline]
+    pub fn instance_of(&self, id: TriangleId) -> usize {
+        self.instances.of_cluster(id.cluster())
+    }
+
     /// The cluster of a visible triangle, which finds several of its triangles faster than the frame.
     ///
     /// # Panics

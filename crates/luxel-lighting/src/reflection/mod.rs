@@ -47,7 +47,10 @@ pub static REFLECTION_MODELS: &[&ReflectionModel] = &[
 ];
 
 /// How a surface reflects.
+///
+/// Of a `u8`, so that kernels read which one, block by block, instead of finding out from what a mix has.
 #[derive(Clone, Debug, PartialEq)]
+#[repr(u8)]
 #[non_exhaustive]
 pub enum Reflection {
     /// Not at all: I = O_d k_d, the object's own intensity, whatever the lights.

@@ -32,5 +32,5 @@ pub(crate) fn r_dot_v<N: Lanes, K: Broadcast<N>>(
     incidence: &Incidence<N>,
 ) -> N {
     let n_dot_l = incidence.n_dot_l;
-    (n_dot_l + n_dot_l) * surface.n_dot_v() - incidence.to_light.dot(surface.view)
+    (n_dot_l + n_dot_l) * surface.phong_n_dot_v - incidence.to_light.dot(surface.view)
 }

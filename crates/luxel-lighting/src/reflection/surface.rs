@@ -16,6 +16,10 @@ pub(crate) struct Surface<'a, N, K> {
     pub(crate) normal: Vec3<N>,
     /// V
     pub(crate) view: Vec3<N>,
+    /// N.V as it is, for [`Reflection::Phong`], alone or in a mix; 0 for others.
+    ///
+    /// Computed light by light, the compiler would move it before the loop over lights, for all models.
+    pub(crate) phong_n_dot_v: N,
     /// The coefficients, independent of N and V.
     pub(crate) of: &'a Coefficients<K>,
 }
@@ -54,8 +58,17 @@ pub(crate) struct Incidence<N> {
 impl<'a, N: Lanes, K: Broadcast<N>> Surface<'a, N, K> {
     /// The surface at a point.
     #[inline(always)]
-    pub(crate) fn new(point: &SurfacePoint<N>, coefficients: &'a Coefficients<K>) -> Self {
-        Self { normal: point.normal, view: point.view, of: coefficients }
+    pub(crate) fn new(
+        point: &SurfacePoint<N>,
+        coefficients: &'a Coefficients<K>,
+        reflection: &Reflection,
+    ) -> Self {
+        let SurfacePoint { normal, view, .. } = *point;
+        let phong_n_dot_v = match reflection {
+            Reflection::Phong | Reflection::Mixed(_) => normal.dot(view),
+            _ => normal.x.zero(),
+        };
+        Self { normal, view, phong_n_dot_v, of: coefficients }
     }
 
     /// N.V as it is.

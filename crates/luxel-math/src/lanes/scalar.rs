@@ -135,6 +135,10 @@ impl Lanes for f32 {
         work()
     }
     #[inline(always)]
+    fn all_lanes(self) -> u32 {
+        1
+    }
+    #[inline(always)]
     fn in_parts(self, work: &mut impl SplitLanes) {
         work.part(self, 0);
     }

@@ -228,6 +228,10 @@ macro_rules! vector_lanes {
                 self.simd.vectorize(work)
             }
             #[inline(always)]
+            fn all_lanes(self) -> u32 {
+                (1 << $count) - 1
+            }
+            #[inline(always)]
             fn in_parts(self, work: &mut impl SplitLanes) {
                 if $count == LANES && !has_wide_registers(self.simd) {
                     let eight = f32x8::splat(self.simd, 0.0);

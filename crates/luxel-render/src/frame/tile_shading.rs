@@ -2,7 +2,7 @@
 
 use super::tiles::TilePixels;
 use crate::context::ShadingContext;
-use crate::interpolate::SHARED;
+use crate::interpolate::{SHARED, nearest_sample};
 use crate::resolve::{
     DistinctTriangles, Finish, LaneCompaction, Layered, empty_block, empty_pixel, even_block,
     single_triangle, uneven_block,
@@ -177,6 +177,7 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
 ) {
     let Worker { opaque, layered, compaction, cache, .. } = worker;
     let background = [finish.pixel(empty_pixel(scene)); LANES];
+    let within = nearest_sample(scene.frame.samples());
     for first in (0..ALL_BLOCKS).step_by(AHEAD) {
         let ahead = look_ahead(simd, scene, opaque, first, cache);
         if !has_layers && ahead.are_empty() {
@@ -200,7 +201,8 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
                     compaction.add(simd, scene, opaque, block, distinct, cache);
                     continue;
                 }
-                even_block(simd, scene, opaque, block, ahead.is_single(number), cache)
+                let is_single = ahead.is_single(number);
+                even_block(simd, scene, opaque, (block, is_single), within, cache)
             };
             if is_layered {
                 color = layered.finish_block(simd, scene, opaque, block, cache, color);

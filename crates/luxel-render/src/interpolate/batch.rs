@@ -46,19 +46,18 @@ impl Batch {
         batch
     }
 
-    /// The same sample of each pixel of a block.
+    /// The same sample of each pixel of a block, `within` the pixel.
     #[inline(always)]
     pub(crate) fn even(
         tile: &Tile,
         block: usize,
         ids: [u32; LANES],
-        sample: u8,
-        samples: Samples,
+        within: [f32; 2],
+        is_single: bool,
     ) -> Self {
-        let [x, y] = samples.positions()[usize::from(sample)];
         let [left, top] = block_corner(block);
-        let (left, top) = (left + x as f32 * STEP, top + y as f32 * STEP);
-        let mut batch = Self { ids, ..Self::nothing(tile.origin()) };
+        let (left, top) = (left + within[0], top + within[1]);
+        let mut batch = Self { ids, is_single, ..Self::nothing(tile.origin()) };
         for lane in 0..LANES {
             batch.x[lane] = left + LANE_X[lane];
             batch.y[lane] = top + LANE_Y[lane];
@@ -114,6 +113,12 @@ impl Batch {
             |pixel: i32, inside: f32| pixel * SUBPIXELS + (inside * SUBPIXELS as f32) as i32;
         [steps(self.tile[0], self.x[lane]), steps(self.tile[1], self.y[lane])]
     }
+}
+
+/// Where the sample nearest the centre lies in its pixel, in pixels.
+pub(crate) fn nearest_sample(samples: Samples) -> [f32; 2] {
+    let nearest = usize::from(samples.nearest_first()[0]);
+    samples.positions()[nearest].map(|steps| steps as f32 * STEP)
 }
 
 /// The first pixel of a block, within its tile.

@@ -105,15 +105,20 @@ struct Transposed<N> {
 impl<N: Lanes> Transposed<N> {
     /// The rows that lanes need. Written out row by row: an array that a loop fills would be memory.
     #[inline(always)]
-    fn new<const NEEDS: u8>(simd: N, cache: &SetupCache, ids: &[u32; LANES], of: Of) -> Self {
-        let setups = cache.rows(ids, of.lanes);
+    fn new<const NEEDS: u8>(
+        simd: N,
+        cache: &SetupCache,
+        ids: &[u32; LANES],
+        setups: &[&TriangleSetup; LANES],
+        of: Of,
+    ) -> Self {
         let zeros = [simd.zero(); 8];
         let numbers = [
-            setup_row(simd, &setups, 0),
-            setup_row(simd, &setups, 1),
-            setup_row(simd, &setups, 2),
-            if of.wanted.position { setup_row(simd, &setups, POSITION_ROW) } else { zeros },
-            if of.wanted.light { setup_row(simd, &setups, LIGHT_ROW) } else { zeros },
+            setup_row(simd, setups, 0),
+            setup_row(simd, setups, 1),
+            setup_row(simd, setups, 2),
+            if of.wanted.position { setup_row(simd, setups, POSITION_ROW) } else { zeros },
+            if of.wanted.light { setup_row(simd, setups, LIGHT_ROW) } else { zeros },
         ];
         if NEEDS != needs::ALL || !of.has.any() {
             return Self { numbers, extras: [zeros; 5] };
@@ -179,8 +184,9 @@ impl<N: Lanes> Fragments<N> {
 
     /// Interpolates what the samples of `seen` lanes see, whose triangles `cache` may lack yet. Other lanes
     /// hold anything. `materials` gets each sample's material, by number: apart from the fragments, as
-    /// an index that is known only at run time would keep all of them in memory. `NEEDS` says which
-    /// attributes count.
+    /// an index that is known only at run time would keep all of them in memory. The first sample's is
+    /// returned, and of one triangle is all that [`needs::NORMALS`] writes. `NEEDS` says which attributes
+    /// count.
     #[inline(always)]
     pub(crate) fn interpolate<const NEEDS: u8>(
         &mut self,
@@ -190,20 +196,22 @@ impl<N: Lanes> Fragments<N> {
         cache: &mut SetupCache,
         (seen, wanted): (u32, Wanted),
         materials: &mut [u32; LANES],
-    ) {
+    ) -> u32 {
         let ids = &batch.ids;
-        let place = [simd.load(&batch.x, 0), simd.load(&batch.y, 0)];
-        let id = ids[seen.trailing_zeros() as usize & (LANES - 1)];
+        let first = seen.trailing_zeros() as usize & (LANES - 1);
+        let id = ids[first];
         if batch.is_single || simd.eq_mask(ids, id) & seen == seen {
             // One triangle, the most frequent case, apart from the loop: what a loop carries from triangle to
             // triangle is memory.
-            cache.require(simd, scene, ids, seen & seen.wrapping_neg());
-            let Prepared { setup, extras } = cache.get(id);
+            cache.require_one(simd, scene, id);
+            let Prepared { setup, extras, material, reads } = cache.get(id);
             let source = Broadcast { simd, setup, extras };
-            let of = Of { lanes: seen, wanted, has: cache.reads(id) };
-            self.take::<NEEDS, true>(&source, scene, batch, place, of);
-            *materials = [cache.material(id); LANES];
-            return;
+            let of = Of { lanes: seen, wanted, has: reads };
+            self.take::<NEEDS, true>(simd, &source, scene, batch, of);
+            if NEEDS != needs::NORMALS {
+                *materials = [material; LANES];
+            }
+            return material;
         }
         let begins = simd.run_starts(ids) & seen;
         let mut left = seen;
@@ -214,7 +222,7 @@ impl<N: Lanes> Fragments<N> {
             {
                 let source = Columns { simd, numbers: columns };
                 let of = Of { lanes, wanted, has: AttributeMask::NONE };
-                self.take::<NEEDS, false>(&source, scene, batch, place, of);
+                self.take::<NEEDS, false>(simd, &source, scene, batch, of);
                 left &= !lanes;
             }
         }
@@ -223,30 +231,33 @@ impl<N: Lanes> Fragments<N> {
             if (begins & left).count_ones() <= FEW {
                 let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
                 let lanes = simd.eq_mask(ids, id) & left;
-                if !cache.has(id) {
-                    cache.require(simd, scene, ids, lanes & lanes.wrapping_neg());
-                }
-                let Prepared { setup, extras } = cache.get(id);
+                cache.require_one(simd, scene, id);
+                let Prepared { setup, extras, material, reads } = cache.get(id);
                 let source = Broadcast { simd, setup, extras };
-                let of = Of { lanes, wanted, has: cache.reads(id) };
-                self.take::<NEEDS, false>(&source, scene, batch, place, of);
-                put_material(materials, lanes, cache.material(id));
+                let of = Of { lanes, wanted, has: reads };
+                self.take::<NEEDS, false>(simd, &source, scene, batch, of);
+                put_material(materials, lanes, material);
                 left &= !lanes;
             } else {
                 let mut of = Of { lanes: 0, wanted, has: AttributeMask::NONE };
+                // Other lanes hold one of the triangles, too.
+                let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
+                let mut setups = [cache.get(id).setup; LANES];
                 for lane in lanes_of(left) {
-                    let id = ids[lane & (LANES - 1)];
-                    if cache.has(id) {
+                    let lane = lane & (LANES - 1);
+                    if let Some(prepared) = cache.find(ids[lane]) {
                         of.lanes |= 1 << lane;
-                        of.has = of.has.or(cache.reads(id));
-                        materials[lane & (LANES - 1)] = cache.material(id);
+                        of.has = of.has.or(prepared.reads);
+                        materials[lane] = prepared.material;
+                        setups[lane] = prepared.setup;
                     }
                 }
-                let source = Transposed::new::<NEEDS>(simd, cache, ids, of);
-                self.take::<NEEDS, false>(&source, scene, batch, place, of);
+                let source = Transposed::new::<NEEDS>(simd, cache, ids, &setups, of);
+                self.take::<NEEDS, false>(simd, &source, scene, batch, of);
                 left &= !of.lanes;
             }
         }
+        materials[first]
     }
 
     /// Takes what lanes see of the triangles of a source.
@@ -256,12 +267,13 @@ impl<N: Lanes> Fragments<N> {
     #[inline(always)]
     fn take<const NEEDS: u8, const WHOLE: bool>(
         &mut self,
+        simd: N,
         source: &impl Source<N>,
         scene: &ShadingContext<'_>,
         batch: &Batch,
-        [x, y]: [N; 2],
         of: Of,
     ) {
+        let (x, y) = (simd.load(&batch.x, 0), simd.load(&batch.y, 0));
         let Of { lanes, wanted, has } = of;
         let forms = TileForms::from_numbers(
             #[inline(always)]

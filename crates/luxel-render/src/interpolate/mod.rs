@@ -3,5 +3,5 @@
 mod batch;
 mod fragments;
 
-pub(crate) use batch::Batch;
+pub(crate) use batch::{Batch, nearest_sample};
 pub(crate) use fragments::{Fragments, SHARED, Wanted};

@@ -10,7 +10,7 @@ use crate::frame::{
     AHEAD, ALL_BLOCKS, Bands, BusyWorker, Picture, RenderError, Renderer, Stages, Subdivision,
     TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
 };
-use crate::interpolate::{Batch, Fragments};
+use crate::interpolate::{Batch, Fragments, nearest_sample};
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels};
 use crate::shade::{BlockWitness, ThreadCache, all_fragments, point_of, shade};
 use luxel_lighting::PictureEncoding;
@@ -247,10 +247,9 @@ impl<'p> Pass<'p> {
         let LayerWorker { worker, pixels, tiles, of_lights } = worker;
         let Worker { opaque: tile, cache, .. } = &mut **worker;
         let vector = f32x16::splat(simd, 0.0);
-        let samples = scene.frame.samples();
         let ids = tile.planes()[0].ids[block];
-        let mut batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
-        batch.is_single = is_single;
+        let within = nearest_sample(scene.frame.samples());
+        let batch = Batch::even(tile, block, ids, within, is_single);
         of_lights.fill([[0.0; LANES]; 3]);
         let needs = [self.maps_normals, self.with_terms];
         let mut witness = LayerWitness::new(vector, needs, of_lights);

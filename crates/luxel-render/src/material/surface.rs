@@ -147,8 +147,8 @@ fn base<N: Lanes, const NEEDS: u8>(
     let white = Rgb::splat(simd, [1.0; 3]);
     if NEEDS != needs::ALL {
         let is_blended = material.alpha_mode == AlphaMode::Blend;
-        let alpha = if is_blended { material.opacity } else { 1.0 };
-        return (white, simd.constant(alpha).clamped(0.0, 1.0));
+        let alpha = if is_blended { Lanes::clamped(material.opacity, 0.0, 1.0) } else { 1.0 };
+        return (white, simd.constant(alpha));
     }
     if material.alpha_mode != AlphaMode::Blend {
         let base = texel(scene, material.base_color, varying, lanes);

@@ -6,7 +6,7 @@ use crate::context::ShadingContext;
 use crate::interpolate::Batch;
 use crate::shade::{ThreadCache, shade};
 use luxel_lighting::Silent;
-use luxel_math::{LANES, Simd, f32x16, mask32x16, prelude::*, u32x16};
+use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
 use luxel_visibility::{Tile, TriangleId};
 
 /// Whether nothing is seen in a block.
@@ -17,9 +17,10 @@ pub(crate) fn is_empty(tile: &Tile, block: usize) -> bool {
 /// What all samples of a block see, if it is the same.
 #[inline(always)]
 pub(crate) fn single_triangle<S: Simd>(simd: S, tile: &Tile, block: usize) -> Option<u32> {
-    let id = tile.planes()[0].ids[block][0];
-    let mut same = mask32x16::splat(simd, true);
-    for plane in tile.planes() {
+    let [first, others @ ..] = tile.planes() else { return None };
+    let id = first.ids[block][0];
+    let mut same = u32x16::simd_from(simd, first.ids[block]).simd_eq(id);
+    for plane in others {
         same &= u32x16::simd_from(simd, plane.ids[block]).simd_eq(id);
     }
     same.all_true().then_some(id)
@@ -40,20 +41,17 @@ pub(crate) fn empty_block<S: Simd>(simd: S, scene: &ShadingContext<'_>) -> [f32x
 }
 
 /// The pixels of a block all samples of whose pixels see the same; `is_single`: the same triangle in all
-/// pixels.
+/// pixels. `within` a pixel lies the sample: [`nearest_sample`](crate::interpolate::nearest_sample).
 #[inline(always)]
 pub(crate) fn even_block<S: Simd>(
     simd: S,
     scene: &ShadingContext<'_>,
     tile: &Tile,
-    block: usize,
-    is_single: bool,
+    (block, is_single): (usize, bool),
+    within: [f32; 2],
     cache: &mut ThreadCache,
 ) -> [f32x16<S>; 4] {
-    let samples = scene.frame.samples();
-    let ids = tile.planes()[0].ids[block];
-    let mut batch = Batch::even(tile, block, ids, samples.nearest_first()[0], samples);
-    batch.is_single = is_single;
+    let batch = Batch::even(tile, block, tile.planes()[0].ids[block], within, is_single);
     let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, cache, &mut Silent);
     even_pixels(simd, lit)
 }

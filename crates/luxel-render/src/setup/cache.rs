@@ -52,6 +52,10 @@ struct Pending {
 pub(crate) struct Prepared<'c> {
     pub(crate) setup: &'c TriangleSetup,
     pub(crate) extras: &'c VertexExtras,
+    /// The number of its material.
+    pub(crate) material: u32,
+    /// The attributes that shading reads of it.
+    pub(crate) reads: AttributeMask,
 }
 
 impl SetupCache {
@@ -98,6 +102,15 @@ impl SetupCache {
     ) {
         if !self.has_all(ids, lanes) {
             self.request(ids, lanes);
+            self.prepare(simd, scene);
+        }
+    }
+
+    /// Prepares one triangle, if it isn't there yet.
+    #[inline(always)]
+    pub(crate) fn require_one<N: Lanes>(&mut self, simd: N, scene: &ShadingContext<'_>, id: u32) {
+        if !self.has(id) {
+            self.request(&[id; LANES], 1);
             self.prepare(simd, scene);
         }
     }
@@ -150,10 +163,7 @@ impl SetupCache {
         simd.vectorized(
             #[inline(always)]
             || {
-                let of = reader.read(simd, scene, ids, lanes, |_, _, _, _, _| {});
-                for lane in lanes_of(of.lanes) {
-                    materials[lane] = of.materials[lane];
-                }
+                let of = reader.read(simd, scene, (ids, lanes), materials, |_, _, _, _, _| {});
                 let (tile, into) = (*tile, Target::Columns(columns));
                 let lanes = of.lanes;
                 simd.in_parts(&mut Preparation { scene, tile, of, lit_as: None, into });
@@ -186,28 +196,22 @@ impl SetupCache {
         self.reads[self.place(id)]
     }
 
+    /// A triangle, if it is prepared.
+    #[inline(always)]
+    pub(crate) fn find(&self, id: u32) -> Option<Prepared<'_>> {
+        self.has(id).then(
+            #[inline(always)]
+            || self.get(id),
+        )
+    }
+
     /// A prepared triangle.
     #[inline(always)]
     pub(crate) fn get(&self, id: u32) -> Prepared<'_> {
         let place = self.place(id);
         let setup = self.setups.get(place).unwrap_or(&TriangleSetup::NOTHING);
         let extras = self.extras.get(place).unwrap_or(&VertexExtras::NOTHING);
-        Prepared { setup, extras }
-    }
-
-    /// The prepared triangles of these lanes; other lanes get one of them.
-    #[inline(always)]
-    pub(crate) fn rows(&self, ids: &[u32; LANES], lanes: u32) -> [&TriangleSetup; LANES] {
-        let Ok(setups) = <&[TriangleSetup; PLACES]>::try_from(self.setups.as_slice()) else {
-            return [&TriangleSetup::NOTHING; LANES];
-        };
-        let first = ids[lanes.trailing_zeros() as usize & (LANES - 1)];
-        let mut rows = [&setups[0]; LANES];
-        for lane in 0..LANES {
-            let id = if lanes >> lane & 1 == 1 { ids[lane] } else { first };
-            rows[lane] = &setups[self.place(id)];
-        }
-        rows
+        Prepared { setup, extras, material: self.materials[place], reads: self.reads[place] }
     }
 
     #[inline(always)]
@@ -261,18 +265,24 @@ impl SetupCache {
         for (first, (ids, places)) in (0..pending.count).step_by(LANES).zip(sixteens) {
             let mut left = u32::MAX >> (32 - LANES.min(pending.count - first));
             while left != 0 {
-                let mut of =
-                    reader.read(simd, scene, ids, left, |lane, space, mesh, corners, reads| {
+                let mut of_lanes = [0; LANES];
+                let mut of = reader.read(
+                    simd,
+                    scene,
+                    (ids, left),
+                    &mut of_lanes,
+                    |lane, space, mesh, corners, reads| {
                         if extras.is_empty() {
                             extras.resize(PLACES, VertexExtras::NOTHING);
                         }
                         extras[places[lane]].read(space, mesh, corners, reads);
-                    });
+                    },
+                );
                 let mut lit_as = None;
                 if scene.shading.mode == ShadingMode::Gouraud {
                     let lane = of.lanes.trailing_zeros() as usize & (LANES - 1);
-                    let material = of.materials[lane];
-                    of.lanes &= simd.eq_mask(of.materials, material);
+                    let material = of_lanes[lane];
+                    of.lanes &= simd.eq_mask(&of_lanes, material);
                     lit_as = Some(material as usize);
                 }
                 left &= !of.lanes;
@@ -280,8 +290,9 @@ impl SetupCache {
                 for lane in lanes_of(of.lanes) {
                     let place = places[lane] % PLACES;
                     into[lane] = place;
-                    materials[place] = of.materials[lane];
-                    reads[place] = of.reads[lane];
+                    let material = of_lanes[lane];
+                    materials[place] = material;
+                    reads[place] = of.reads(scene, material);
                     if let Some(extras) = extras.get_mut(place).filter(|_| !reads[place].any()) {
                         *extras = VertexExtras::NOTHING;
                     }
@@ -291,13 +302,15 @@ impl SetupCache {
                 let into = Target::Places(into, setups);
                 simd.in_parts(&mut Preparation { scene, tile, of, lit_as, into });
                 if lit_as.is_some() {
-                    for lane in lanes_of(of.lanes).filter(|&lane| of.reads[lane].any()) {
+                    for lane in lanes_of(of.lanes) {
                         let place = places[lane] % PLACES;
+                        let (material, reads) = (materials[place], reads[place]);
+                        if !reads.any() {
+                            continue;
+                        }
                         let corners = corners_of(&setups[place], &extras[place]);
-                        let material = of.materials[lane];
-                        let light = corners.map(|corner| {
-                            light_at(scene, &corner, of.reads[lane], material, &mut Silent)
-                        });
+                        let light = corners
+                            .map(|corner| light_at(scene, &corner, reads, material, &mut Silent));
                         put_vector(&mut setups[place], LIGHT, light);
                     }
                 }

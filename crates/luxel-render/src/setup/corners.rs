@@ -4,9 +4,7 @@ use crate::context::{AttributeMask, ShadingContext};
 use crate::setup::{COLOR, TANGENT, UVS, VertexExtras};
 use luxel_math::{LANES, Lanes, Vec3, lanes_of};
 use luxel_scene::Mesh;
-use luxel_visibility::{
-    Frame, InstanceSpace, SeenCluster, ShadingVertex, TriangleId, WindowRays, sides,
-};
+use luxel_visibility::{InstanceSpace, SeenCluster, ShadingVertex, TriangleId, WindowRays, sides};
 
 /// Triangles of one instance before the eye, one or one a lane.
 #[derive(Clone, Copy)]
@@ -53,60 +51,52 @@ impl<N: Lanes> PlacedCorners<N> {
     }
 }
 
-/// What lanes hold that read nothing.
+/// What lanes hold that have read nothing yet.
 const NOTHING: ShadingVertex = [0.0; 8];
 
 /// Reads the corners of up to sixteen triangles of one instance from memory.
 pub(crate) struct CornerReader {
-    /// Corners that no cluster keeps.
-    made: [[ShadingVertex; LANES]; 3],
-    materials: [u32; LANES],
-    reads: [AttributeMask; LANES],
+    /// What the corners of each lane's triangle carry: copies, so that lanes are transposed from places
+    /// that are known.
+    corners: [[ShadingVertex; LANES]; 3],
 }
 
 /// The corners of the triangles of one instance.
 #[derive(Clone, Copy)]
 pub(crate) struct ReadCorners<'c> {
-    /// The lanes that hold triangles.
+    /// The lanes that hold triangles; others hold triangles that were read before.
     pub(crate) lanes: u32,
     pub(crate) instance: usize,
-    /// Each lane's material, by number, and the attributes that shading reads of it.
-    pub(crate) materials: &'c [u32; LANES],
-    pub(crate) reads: &'c [AttributeMask; LANES],
-    corners: [[&'c ShadingVertex; LANES]; 3],
+    /// The attributes of the mesh beside positions and normals.
+    has: AttributeMask,
+    corners: &'c [[ShadingVertex; LANES]; 3],
 }
 
 impl CornerReader {
     pub(crate) fn new() -> Self {
-        Self {
-            made: [[NOTHING; LANES]; 3],
-            materials: [0; LANES],
-            reads: [AttributeMask::NONE; LANES],
-        }
+        Self { corners: [[NOTHING; LANES]; 3] }
     }
 
     /// Reads the triangle of the lowest of these lanes, and those of all others that are of the same
-    /// instance. `extras` gets their other attributes, by lane, where shading reads any.
+    /// instance; their materials, by number, into `materials`. `extras` gets their other attributes, by
+    /// lane, where shading reads any.
     ///
     /// Cluster by cluster: sixteen neighbouring samples see triangles of few clusters, in turns from row
     /// to row. Asking each lane for its cluster took three times the instructions.
     #[inline(always)]
-    pub(crate) fn read<'c, N: Lanes>(
-        &'c mut self,
+    pub(crate) fn read<N: Lanes>(
+        &mut self,
         simd: N,
-        scene: &ShadingContext<'c>,
-        ids: &[u32; LANES],
-        of_lanes: u32,
+        scene: &ShadingContext<'_>,
+        (ids, of_lanes): (&[u32; LANES], u32),
+        materials: &mut [u32; LANES],
         mut extras: impl FnMut(usize, &InstanceSpace, &Mesh, [u32; 3], AttributeMask),
-    ) -> ReadCorners<'c> {
+    ) -> ReadCorners<'_> {
         let id = |lane: usize| TriangleId(ids[lane & (LANES - 1)]);
-        let frame: &'c Frame<'c> = scene.frame;
-        let instance = frame.cluster(id(of_lanes.trailing_zeros() as usize)).instance();
+        let frame = scene.frame;
+        let instance = frame.instance_of(id(of_lanes.trailing_zeros() as usize));
         let mesh = frame.instances()[instance].mesh;
         let has = AttributeMask::of_mesh(mesh);
-        let mut corners: [[&ShadingVertex; LANES]; 3] = [[&NOTHING; LANES]; 3];
-        // The same for all triangles of a mesh.
-        let mut are_kept = true;
         let (mut lanes, mut left) = (0, of_lanes);
         while left != 0 {
             let first = id(left.trailing_zeros() as usize);
@@ -122,21 +112,20 @@ impl CornerReader {
             let material = mesh.parts[cluster.part()].material.0;
             let reads = has.and(scene.attributes_of_materials[material as usize]);
             let kept = cluster.shading_corners();
-            for lane in lanes_of(of_cluster) {
-                self.materials[lane & (LANES - 1)] = material;
-                self.reads[lane & (LANES - 1)] = reads;
-                if let Some(kept) = &kept {
+            if let Some(kept) = &kept {
+                for lane in lanes_of(of_cluster) {
                     let [a, b, c] = kept.of(id(lane));
-                    corners[0][lane & (LANES - 1)] = a;
-                    corners[1][lane & (LANES - 1)] = b;
-                    corners[2][lane & (LANES - 1)] = c;
+                    materials[lane] = material;
+                    self.corners[0][lane] = *a;
+                    self.corners[1][lane] = *b;
+                    self.corners[2][lane] = *c;
                 }
             }
-            are_kept = kept.is_some();
-            if reads.any() || !are_kept {
+            if reads.any() || kept.is_none() {
                 for lane in lanes_of(of_cluster) {
                     let attributes = mesh.attribute_corners()[cluster.triangle(id(lane)) as usize];
-                    if !are_kept {
+                    if kept.is_none() {
+                        materials[lane] = material;
                         self.read_corners(mesh, lane, cluster.positions(id(lane)), attributes);
                     }
                     if reads.any() {
@@ -145,15 +134,7 @@ impl CornerReader {
                 }
             }
         }
-        if !are_kept {
-            for corner in 0..3 {
-                for lane in 0..LANES {
-                    corners[corner][lane] = &self.made[corner][lane];
-                }
-            }
-        }
-        let Self { materials, reads, .. } = self;
-        ReadCorners { lanes, instance, materials, reads, corners }
+        ReadCorners { lanes, instance, has, corners: &self.corners }
     }
 
     #[inline(always)]
@@ -168,12 +149,18 @@ impl CornerReader {
             let [x, y, z] = positions[corner];
             let normal = mesh.normals.get(attributes[corner] as usize);
             let [nx, ny, nz] = normal.copied().unwrap_or_default();
-            self.made[corner][lane & (LANES - 1)] = [x, y, z, nx, ny, nz, 0.0, 0.0];
+            self.corners[corner][lane] = [x, y, z, nx, ny, nz, 0.0, 0.0];
         }
     }
 }
 
 impl ReadCorners<'_> {
+    /// The attributes that shading reads of a triangle, by its material's number.
+    #[inline(always)]
+    pub(crate) fn reads(&self, scene: &ShadingContext<'_>, material: u32) -> AttributeMask {
+        self.has.and(scene.attributes_of_materials[material as usize])
+    }
+
     /// Brings the triangles, from lane `first` on, before the eye; with the normals of their corners, `None`
     /// where the mesh has none.
     #[inline(always)]
@@ -200,7 +187,7 @@ impl ReadCorners<'_> {
         let vertices = &self.corners[corner];
         simd.load_transposed(
             #[inline(always)]
-            |lane| vertices[(first + lane) & (LANES - 1)],
+            |lane| &vertices[(first + lane) & (LANES - 1)],
         )
     }
 }

@@ -45,18 +45,14 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
     simd.vectorized(
         #[inline(always)]
         || {
+            // A token of its own: the one that the closure refers to is copied through memory.
+            let simd = simd.zero();
             let mut seen = simd.all_lanes();
             if !batch.is_single {
                 seen &= !simd.eq_mask(&batch.ids, TriangleId::NONE.0);
             }
             if seen == 0 {
-                let [r, g, b, alpha] = scene.background;
-                return [
-                    simd.constant(r),
-                    simd.constant(g),
-                    simd.constant(b),
-                    simd.constant(alpha),
-                ];
+                return background(simd, scene);
             }
             if !N::IS_SPECIALIZED
                 || W::HEARS_SURFACES
@@ -126,55 +122,83 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     let mut found = Fragments::nothing(simd);
     if NEEDS == needs::ALL {
         all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
-    } else {
-        let wanted = Wanted {
-            position: NEEDS != needs::NORMALS && scene.needs_positions,
-            normal: NEEDS == needs::NORMALS
-                || scene.shading.mode == ShadingMode::Phong
-                || W::HEARS_FRAGMENTS,
-            light: NEEDS != needs::NORMALS && scene.shading.mode == ShadingMode::Gouraud,
-        };
-        cache.setup.begin_tile(batch.tile);
-        let setup = &mut cache.setup;
-        found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), &mut materials);
+        let point = point_of(simd, scene, batch, &found);
+        witness.fragments(scene, &found, &materials, &point, seen);
+        let mut result = background(simd, scene);
+        let mut left = seen;
+        while left != 0 {
+            let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
+            let lanes = left & simd.eq_mask(&materials, number);
+            let color = light::<N, W, NEEDS>(scene, &found, &point, (number, lanes), witness);
+            if lanes == simd.all_lanes() {
+                result = color;
+                break;
+            }
+            result = color_where(simd, lanes, color, result);
+            left &= !lanes;
+        }
+        if scene.edges.is_some() {
+            return draw_edges(scene, batch, seen, result);
+        }
+        return result;
     }
+    let wanted = Wanted {
+        position: NEEDS != needs::NORMALS && scene.needs_positions,
+        normal: NEEDS == needs::NORMALS
+            || scene.shading.mode == ShadingMode::Phong
+            || W::HEARS_FRAGMENTS,
+        light: NEEDS != needs::NORMALS && scene.shading.mode == ShadingMode::Gouraud,
+    };
+    cache.setup.begin_tile(batch.tile);
+    let setup = &mut cache.setup;
+    let material =
+        found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), &mut materials);
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
+    let color = light::<N, W, NEEDS>(scene, &found, &point, (material, seen), witness);
+    if seen == simd.all_lanes() {
+        return color;
+    }
+    color_where(simd, seen, color, background(simd, scene))
+}
+
+/// The light of the lanes that see one material.
+#[inline(always)]
+fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
+    scene: &ShadingContext<'_>,
+    found: &Fragments<N>,
+    point: &SurfacePoint<N>,
+    (material, lanes): (u32, u32),
+    witness: &mut W,
+) -> [N; 4] {
+    let number = material as usize;
+    witness.lanes(lanes);
+    let attributes = &found.attributes;
+    if NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong {
+        lit::<N, W, NEEDS>(scene, attributes, point, number, lanes, witness)
+    } else {
+        lit_elsewhere::<N, W, NEEDS>(scene, attributes, point, number, lanes, witness)
+    }
+}
+
+/// The background in all lanes.
+#[inline(always)]
+fn background<N: Lanes>(simd: N, scene: &ShadingContext<'_>) -> [N; 4] {
     let [r, g, b, alpha] = scene.background;
-    let mut result = [simd.constant(r), simd.constant(g), simd.constant(b), simd.constant(alpha)];
-    let mut left = seen;
-    while left != 0 {
-        let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
-        let mut lanes = left;
-        if NEEDS == needs::ALL {
-            lanes &= simd.eq_mask(&materials, number);
-        }
-        let number = number as usize;
-        witness.lanes(lanes);
-        let attributes = &found.attributes;
-        let color = if NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong {
-            lit::<N, W, NEEDS>(scene, attributes, &point, number, lanes, witness)
-        } else {
-            lit_elsewhere::<N, W, NEEDS>(scene, attributes, &point, number, lanes, witness)
-        };
-        if lanes == simd.all_lanes() {
-            result = color;
-            break;
-        }
-        let mask = simd.mask_of(lanes);
-        for (result, channel) in result.iter_mut().zip(color) {
-            *result = channel.select(mask, *result);
-        }
-        left &= !lanes;
-        if NEEDS != needs::ALL {
-            // One material.
-            break;
-        }
-    }
-    if NEEDS == needs::ALL && scene.edges.is_some() {
-        return draw_edges(scene, batch, seen, result);
-    }
-    result
+    [simd.constant(r), simd.constant(g), simd.constant(b), simd.constant(alpha)]
+}
+
+/// One colour in the lanes whose bit is set, another elsewhere.
+#[inline(always)]
+fn color_where<N: Lanes>(simd: N, lanes: u32, color: [N; 4], other: [N; 4]) -> [N; 4] {
+    let mask = simd.mask_of(lanes);
+    let ([r, g, b, alpha], [other_r, other_g, other_b, other_alpha]) = (color, other);
+    [
+        r.select(mask, other_r),
+        g.select(mask, other_g),
+        b.select(mask, other_b),
+        alpha.select(mask, other_alpha),
+    ]
 }
 
 /// The surface points of a batch.

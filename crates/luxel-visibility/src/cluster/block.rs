@@ -15,8 +15,20 @@ pub(crate) const GROUP_WORDS: usize = 3 * LANES;
 pub(crate) struct Piece {
     /// Of each the vertex groups, then the triangles.
     pub(crate) words: Vec<u32>,
-    /// What vertices carry; empty where that isn't kept.
+    /// What vertices carry, and [as much again](Self::pad) as the longest block reads; empty where that
+    /// isn't kept.
     pub(crate) shading_vertices: Vec<ShadingVertex>,
+}
+
+impl Piece {
+    /// Ends the piece: each block has [`CLUSTER_VERTICES`] shading vertices from its first on, so that
+    /// corner numbers need no bounds.
+    pub(crate) fn pad(&mut self) {
+        if !self.shading_vertices.is_empty() {
+            let padded = self.shading_vertices.len() + CLUSTER_VERTICES;
+            self.shading_vertices.resize(padded, [0.0; 8]);
+        }
+    }
 }
 
 /// The submitted numbers of a cluster's triangles.
@@ -65,8 +77,8 @@ pub(crate) struct Block<'a> {
     pub(crate) vertices: &'a [[u32; GROUP_WORDS]],
     /// Corner numbers: eight bits each, the first corner lowest.
     pub(crate) triangles: &'a [u32],
-    /// What vertices carry, if that is kept.
-    pub(crate) shading_vertices: &'a [ShadingVertex],
+    /// What vertices carry, if that is kept, and those of the blocks behind.
+    pub(crate) shading_vertices: Option<&'a [ShadingVertex; CLUSTER_VERTICES]>,
 }
 
 impl<'a> Block<'a> {

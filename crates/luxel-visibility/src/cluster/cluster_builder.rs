@@ -151,7 +151,7 @@ impl<'a> ClusterBuilder<'a> {
             first_shading_vertex: piece.shading_vertices.len().saturating_sub(*vertices) as u32,
         });
         self.boxes.push(bounds(groups));
-        let block = Block { vertices: groups, triangles: corners, shading_vertices: &[] };
+        let block = Block { vertices: groups, triangles: corners, shading_vertices: None };
         self.cones.push(Cone::of((0..corners.len()).map(|slot| block.positions(slot))));
         piece.words.extend_from_slice(groups.as_flattened());
         piece.words.extend_from_slice(corners);

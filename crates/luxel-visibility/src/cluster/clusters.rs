@@ -10,7 +10,7 @@
 //! in few tiles, and hidden as a whole by what lies before it. A file's own order may be anything; for
 //! a single frame it is good enough where it keeps neighbours together.
 
-use super::block::{Block, CLUSTER_TRIANGLES, GROUP_WORDS, Header, Numbers, Piece};
+use super::block::{Block, CLUSTER_TRIANGLES, GROUP_WORDS, Header, Numbers, Piece, ShadingVertex};
 use super::cluster_builder::ClusterBuilder;
 use super::hilbert::{along_curve, is_local};
 use super::normal_cone::Cone;
@@ -85,6 +85,7 @@ impl Clusters {
             let mut builder = ClusterBuilder::new(mesh, piece as u32, part, first_number);
             builder.add(triangles);
             builder.close();
+            builder.piece.pad();
             Some(builder)
         });
         let (mut boxes, mut cones) = (Vec::new(), Vec::new());
@@ -161,8 +162,9 @@ impl Clusters {
         let (vertices, words) = words.split_at(usize::from(header.groups) * GROUP_WORDS);
         let (vertices, _) = vertices.as_chunks();
         let triangles = &words[..usize::from(header.triangles)];
-        let shading_vertices =
-            shading_vertices.get(header.first_shading_vertex as usize..).unwrap_or_default();
+        let shading_vertices = shading_vertices
+            .get(header.first_shading_vertex as usize..)
+            .and_then(<[ShadingVertex]>::first_chunk);
         Some(Block { vertices, triangles, shading_vertices })
     }
 

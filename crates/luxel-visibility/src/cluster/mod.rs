@@ -8,7 +8,7 @@ mod instances;
 mod normal_cone;
 mod transient_block;
 
-pub(crate) use block::{Block, CLUSTER_VERTICES, GROUP_WORDS, Numbers};
+pub(crate) use block::{Block, CLUSTER_VERTICES, GROUP_WORDS};
 pub use block::{CLUSTER_TRIANGLES, ShadingVertex};
 pub(crate) use clusters::BOUNDS_WORDS;
 pub use clusters::{Clusters, Frames};

@@ -52,7 +52,7 @@ impl TransientBlock {
         Block {
             vertices: chunks.as_flattened(),
             triangles: &TRIANGLES[..count],
-            shading_vertices: &[],
+            shading_vertices: None,
         }
     }
 }

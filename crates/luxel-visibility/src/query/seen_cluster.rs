@@ -1,6 +1,8 @@
 //! A cluster of which a sample sees a triangle.
 
-use crate::cluster::{Block, Instance, Instances, Numbers, ShadingVertex, corners};
+use crate::cluster::{
+    Block, CLUSTER_VERTICES, Clusters, Instance, Instances, ShadingVertex, corners,
+};
 use crate::types::TriangleId;
 use luxel_math::{LANES, Lanes};
 use luxel_scene::Mesh;
@@ -8,9 +10,10 @@ use luxel_scene::Mesh;
 /// A cluster of a frame, of which something is seen.
 pub struct SeenCluster<'f> {
     instance: usize,
-    part: usize,
-    numbers: Numbers<'f>,
     mesh: &'f Mesh,
+    clusters: &'f Clusters,
+    /// Its number among them.
+    within: usize,
     /// Where it is drawn from, if that is kept.
     block: Option<Block<'f>>,
 }
@@ -23,13 +26,7 @@ impl<'f> SeenCluster<'f> {
         let instance = instances.of_cluster(number);
         let within = instances.within_instance(instance, number);
         let Instance { mesh, clusters, .. } = instances.list[instance];
-        Self {
-            instance,
-            part: clusters.headers[within].part as usize,
-            numbers: clusters.numbers(within),
-            mesh,
-            block: clusters.kept(within),
-        }
+        Self { instance, mesh, clusters, within, block: clusters.kept(within) }
     }
 
     /// The lanes, as bits, whose triangles belong to the cluster of `id`; `simd` selects the lane type.
@@ -54,7 +51,7 @@ impl<'f> SeenCluster<'f> {
     #[must_use]
     #[inline(always)]
     pub fn part(&self) -> usize {
-        self.part
+        self.clusters.headers[self.within].part as usize
     }
 
     /// The place in the mesh of a triangle of it.
@@ -64,7 +61,7 @@ impl<'f> SeenCluster<'f> {
     #[must_use]
     #[inline(always)]
     pub fn triangle(&self, id: TriangleId) -> u32 {
-        self.numbers.of(id.slot())
+        self.clusters.numbers(self.within).of(id.slot())
     }
 
     /// The positions of the corners of a triangle of it, about the mesh's
@@ -86,8 +83,7 @@ impl<'f> SeenCluster<'f> {
     #[inline(always)]
     pub fn shading_corners(&self) -> Option<ShadingCorners<'f>> {
         let Block { triangles, shading_vertices, .. } = self.block?;
-        let vertices = shading_vertices;
-        (!vertices.is_empty()).then_some(ShadingCorners { triangles, vertices })
+        shading_vertices.map(|vertices| ShadingCorners { triangles, vertices })
     }
 }
 
@@ -95,7 +91,7 @@ impl<'f> SeenCluster<'f> {
 #[derive(Clone, Copy)]
 pub struct ShadingCorners<'f> {
     triangles: &'f [u32],
-    vertices: &'f [ShadingVertex],
+    vertices: &'f [ShadingVertex; CLUSTER_VERTICES],
 }
 
 impl<'f> ShadingCorners<'f> {
