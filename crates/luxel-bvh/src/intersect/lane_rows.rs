@@ -1,5 +1,6 @@
 //! Values of a packet's rays side by side, processed in groups as wide as the vectors.
 
+use super::sheared::ShearedRay;
 use crate::aabb::{higher, lower};
 use luxel_math::{LANES, Lanes};
 
@@ -16,6 +17,20 @@ pub(crate) const EMPTY_ROW: Row = [[0.0; LANES]; PACKET / LANES];
 pub(crate) struct ShearedRows {
     pub(crate) origin: [Row; 3],
     pub(crate) shear: [Row; 3],
+}
+
+impl ShearedRows {
+    /// One of the rays; all share their longest axis, `last`, and its sign.
+    #[inline(always)]
+    pub(crate) fn ray(&self, at: usize, last: usize, is_negative: bool) -> ShearedRay {
+        let ([x, y, z], [sx, sy, sz]) = (&self.origin, &self.shear);
+        ShearedRay {
+            last,
+            is_negative,
+            origin: [lane(x, at), lane(y, at), lane(z, at)],
+            shear: [lane(sx, at), lane(sy, at), lane(sz, at)],
+        }
+    }
 }
 
 /// Rays per group.

@@ -39,7 +39,7 @@ impl ShearedRay {
 
     /// Transforms three corners, whose axes are in the ray's order.
     #[inline(always)]
-    fn transform(&self, corners: [[f32; 3]; 3]) -> [[f32; 3]; 3] {
+    pub(super) fn transform(&self, corners: [[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let [ox, oy, oz] = self.origin;
         let [sx, sy, sz] = self.shear;
         let mut transformed = [[0.0; 3]; 3];

@@ -11,7 +11,7 @@
 //! from the edge alone, whichever triangle it belongs to, so that all hits have the same distance
 //! and the lowest triangle number wins.
 
-use super::lane_rows::{Row, ShearedRows, load};
+use super::lane_rows::{Row, ShearedRows, lane, load, width};
 use super::sheared::{ShearedRay, edge_functions};
 use crate::ray::axis_order;
 use crate::tree::{Block, Gathered, VertexRows, WIDTH, gather_corner, load_row};
@@ -49,29 +49,82 @@ fn on_edge(corners: [[f32; 3]; 3]) -> Option<f32> {
     Some(t as f32)
 }
 
-/// Repeats the test with [`on_edge`] for the pairs whose bit is set in `uncertain`; returns all hits.
-#[cold]
-#[inline(never)]
+/// Repeats the test with [`on_edge`] for the lanes whose bit is set in `uncertain`; returns all hits.
+/// `corners` yields a lane's corners in the frame of its ray.
+#[inline(always)]
 fn on_edges(
-    corners: &[[[f32; LANES]; 3]; 3],
-    range: &[[f32; LANES]; 2],
+    corners: impl Fn(usize) -> [[f32; 3]; 3],
+    range: impl Fn(usize) -> [f32; 2],
+    is_negative: bool,
     mut uncertain: u32,
-    distances: &mut [f32; LANES],
+    distances: &mut [f32],
     mut hits: u32,
 ) -> u32 {
     while uncertain != 0 {
-        let lane = uncertain.trailing_zeros() as usize & (LANES - 1);
+        let lane = uncertain.trailing_zeros() as usize;
         uncertain &= uncertain - 1;
         hits &= !(1 << lane);
-        if let Some(t) = on_edge(corners.map(|corner| corner.map(|row| row[lane])))
-            && range[0][lane] <= t
-            && t <= range[1][lane]
+        // The ends of edges are compared in this order, that of one winding.
+        let corners =
+            corners(lane).map(|[x, y, z]| if is_negative { [y, x, z] } else { [x, y, z] });
+        let [nearest, farthest] = range(lane);
+        if let Some(t) = on_edge(corners)
+            && nearest <= t
+            && t <= farthest
         {
             distances[lane] = t;
             hits |= 1 << lane;
         }
     }
     hits
+}
+
+/// [`on_edges`] for the triangles of a block.
+#[cold]
+#[inline(never)]
+fn on_edges_of_block(
+    block: Block<'_>,
+    positions: &[[f32; 3]],
+    ray: ShearedRay,
+    range: [f32; 2],
+    uncertain: u32,
+    (distances, hits): (&mut [f32; WIDTH], u32),
+) -> u32 {
+    let axes = axis_order(ray.last);
+    let corners = |lane| ray.transform(block.corners_by_axes(lane, positions, axes));
+    on_edges(corners, |_| range, ray.is_negative, uncertain, distances, hits)
+}
+
+/// [`on_edges`] for triangles whose vertices are gathered.
+#[cold]
+#[inline(never)]
+fn on_edges_of_gathered(
+    gathered: &Gathered,
+    ray: ShearedRay,
+    range: [f32; 2],
+    uncertain: u32,
+    (distances, hits): (&mut [f32; WIDTH], u32),
+) -> u32 {
+    let axes = axis_order(ray.last);
+    let corner = |corner: usize, lane: usize| axes.map(|axis| gathered[axis][corner][lane]);
+    let corners = |lane| ray.transform([0, 1, 2].map(|number| corner(number, lane)));
+    on_edges(corners, |_| range, ray.is_negative, uncertain, distances, hits)
+}
+
+/// [`on_edges`] for one triangle and the rays of a group, from `first` on.
+#[cold]
+#[inline(never)]
+fn on_edges_of_rays(
+    corners: [[f32; 3]; 3],
+    (rays, first): (&ShearedRows, usize),
+    is_negative: bool,
+    [start, end]: [&Row; 2],
+    uncertain: u32,
+    (distances, hits): (&mut [f32; LANES], u32),
+) -> u32 {
+    let transformed = |at: usize| rays.ray(first + at, 2, is_negative).transform(corners);
+    let range = |at: usize| [lane(start, first + at), lane(end, first + at)];
+    on_edges(transformed, range, is_negative, uncertain, distances, hits)
 }
 
 /// Pairs of a ray and a triangle, lane by lane: x, y and z of each corner in the ray's frame.
@@ -118,10 +171,14 @@ pub(crate) fn intersect_block<S: Simd>(
             }
         }
     }
-    let range = range.map(|t| f32x8::splat(simd, t));
+    let ends = range.map(|t| f32x8::splat(simd, t));
     let mut distances = [0.0; WIDTH];
-    let (t, hits) = intersect_lanes(&corners, ray.is_negative, range, (1 << head.count()) - 1);
+    let (t, mut hits, uncertain) = intersect_lanes(&corners, ends, (1 << head.count()) - 1);
     t.store_slice(&mut distances);
+    if uncertain != 0 {
+        let found = (&mut distances, hits);
+        hits = on_edges_of_block(block, positions, *ray, range, uncertain, found);
+    }
     (distances, hits)
 }
 
@@ -186,10 +243,14 @@ pub(crate) fn intersect_gathered<S: Simd>(
         let [x, y, z] = transform(row(x), row(y), row(z), ray);
         (corners[0][corner], corners[1][corner], corners[2][corner]) = (x, y, z);
     }
-    let range = range.map(|t| f32x8::splat(simd, t));
+    let ends = range.map(|t| f32x8::splat(simd, t));
     let mut distances = [0.0; WIDTH];
-    let (t, hits) = intersect_lanes(&corners, ray.is_negative, range, (1 << count) - 1);
+    let (t, mut hits, uncertain) = intersect_lanes(&corners, ends, (1 << count) - 1);
     t.store_slice(&mut distances);
+    if uncertain != 0 {
+        let found = (&mut distances, hits);
+        hits = on_edges_of_gathered(gathered, *ray, range, uncertain, found);
+    }
     (distances, hits)
 }
 
@@ -214,18 +275,27 @@ pub(crate) fn intersect_rays<N: Lanes>(
         transformed[1][corner] = at[1] - y - along * shear[1];
         transformed[2][corner] = along * shear[2];
     }
-    intersect_lanes(&transformed, is_negative, range.map(|row| load(lanes, row, group)), active)
+    let ends = range.map(|row| load(lanes, row, group));
+    let (mut t, mut hits, uncertain) = intersect_lanes(&transformed, ends, active);
+    if uncertain != 0 {
+        let mut distances = [0.0; LANES];
+        t.store(&mut distances, 0);
+        let (rays, found) = ((rays, group * width::<N>()), (&mut distances, hits));
+        hits = on_edges_of_rays(corners, rays, is_negative, range, uncertain, found);
+        t = t.load(&distances, 0);
+    }
+    (t, hits)
 }
 
-/// The test itself, in lanes: edge functions, the distance, and the exact repetition for lanes in which
-/// an edge function is 0.
+/// The test itself, in lanes: edge functions and the distance. Also returns a bit for each lane in which
+/// an edge function is 0, which [`on_edges`] repeats exactly. It computes the corners anew: if they were
+/// handed on, they would occupy registers here.
 #[inline(always)]
 fn intersect_lanes<N: Lanes>(
     [x, y, z]: &Transformed<N>,
-    is_negative: bool,
     range: [N; 2],
     counted: u32,
-) -> (N, u32) {
+) -> (N, u32, u32) {
     let u = x[2] * y[1] - y[2] * x[1];
     let v = x[0] * y[2] - y[0] * x[2];
     let w = x[1] * y[0] - y[1] * x[0];
@@ -235,29 +305,12 @@ fn intersect_lanes<N: Lanes>(
     let candidates = !(negative & positive);
     let counted = candidates.bits() & counted;
     if counted == 0 {
-        return (zero, 0);
+        return (zero, 0, 0);
     }
     let unknown = u.equal(zero) | v.equal(zero) | w.equal(zero);
     let sum = u + v + w;
-    let mut t = (u * z[0] + v * z[1] + w * z[2]) / sum;
+    let t = (u * z[0] + v * z[1] + w * z[2]) / sum;
     let within = range[0].less_or_equal(t) & t.less_or_equal(range[1]);
-    let unknown = unknown.bits() & counted;
-    let mut hits = within.bits() & counted & !unknown;
-    if unknown != 0 {
-        // Stored only here: everything else stays in registers.
-        let mut corners = [[[0.0; LANES]; 3]; 3];
-        let (mut ends, mut distances) = ([[0.0; LANES]; 2], [0.0; LANES]);
-        for corner in 0..3 {
-            // `on_edge` compares the ends of edges in this order, that of one winding.
-            x[corner].store(&mut corners[corner][usize::from(is_negative)], 0);
-            y[corner].store(&mut corners[corner][usize::from(!is_negative)], 0);
-            z[corner].store(&mut corners[corner][2], 0);
-        }
-        range[0].store(&mut ends[0], 0);
-        range[1].store(&mut ends[1], 0);
-        t.store(&mut distances, 0);
-        hits = on_edges(&corners, &ends, unknown, &mut distances, hits);
-        t = t.load(&distances, 0);
-    }
-    (t, hits)
+    let uncertain = unknown.bits() & counted;
+    (t, within.bits() & counted & !uncertain, uncertain)
 }

@@ -230,13 +230,7 @@ impl Packet {
     /// One of the rays.
     #[inline(always)]
     pub(crate) fn ray(&self, ray: usize) -> ShearedRay {
-        let ([x, y, z], [sx, sy, sz]) = (&self.sheared.origin, &self.sheared.shear);
-        ShearedRay {
-            last: self.longest,
-            is_negative: self.reversed[self.longest] != 0,
-            origin: [lane(x, ray), lane(y, ray), lane(z, ray)],
-            shear: [lane(sx, ray), lane(sy, ray), lane(sz, ray)],
-        }
+        self.sheared.ray(ray, self.longest, self.reversed[self.longest] != 0)
     }
 
     /// Records a hit of a ray if it is nearer than its nearest so far; returns whether it is. A ray

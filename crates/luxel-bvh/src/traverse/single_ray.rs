@@ -37,35 +37,41 @@ pub(crate) enum RaySetup {
     Hits(RaySlabs),
 }
 
+/// Gives a sign, a bit in each lane, to values that are not negative.
+#[inline(always)]
+fn with_sign<S: Simd>(values: f32x4<S>, sign: i32x4<S>) -> f32x4<S> {
+    (values.bitcast::<i32x4<S>>() | sign).bitcast()
+}
+
 /// Prepares a ray and tests it against the box around all. Rounding is monotone, so a ray that misses
 /// this box misses the boxes inside.
 #[inline(always)]
 pub(crate) fn set_up<S: Simd>(simd: S, target: &RayTarget<'_>, ray: &Ray) -> RaySetup {
-    let [ox, oy, oz] = ray.origin;
-    let [dx, dy, dz] = ray.direction;
-    let origin = f32x4::simd_from(simd, [ox, oy, oz, 0.0]);
-    let direction = f32x4::simd_from(simd, [dx, dy, dz, 0.0]);
+    let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin, ray.direction);
+    let [nearest, farthest] = ray.range;
+    // The fourth lanes are what follows in memory and don't count.
+    let origin = f32x4::simd_from(simd, [ox, oy, oz, dx]);
+    let direction = f32x4::simd_from(simd, [dx, dy, dz, nearest]);
     let (size, length) = (SimdBase::abs(origin), SimdBase::abs(direction));
     let bounded = size.simd_lt(f32::INFINITY) & length.simd_lt(USUAL_LENGTHS.end);
     let long = length.simd_ge(USUAL_LENGTHS.start);
-    if bounded.to_bitmask() != 0b1111 || long.to_bitmask() == 0 {
+    if bounded.to_bitmask() & 0b111 != 0b111 || long.to_bitmask() & 0b111 == 0 {
         return RaySetup::Unusual;
     }
+    let sign = direction.bitcast::<i32x4<S>>() & i32::MIN;
     let largest = f32x4::simd_from(simd, target.largest);
     let pad = padding(size, largest, f32x4::splat(simd, PADDING));
     let one = f32x4::splat(simd, 1.0);
-    let inverse = (one / length.max(f32x4::splat(simd, ALMOST_ZERO))).copysign(direction);
-    let [near_origin, far_origin] = shifted(origin, pad.copysign(direction));
+    let inverse = with_sign(one / length.max(f32x4::splat(simd, ALMOST_ZERO)), sign);
+    let [near_origin, far_origin] = shifted(origin, with_sign(pad, sign));
     let reversed = direction.bitcast::<i32x4<S>>().simd_lt(0);
     let low = f32x4::simd_from(simd, target.bounds[0]);
     let high = f32x4::simd_from(simd, target.bounds[1]);
     let (first, last) = (reversed.select(high, low), reversed.select(low, high));
     let near = (first - near_origin) * inverse;
     let far = (last - far_origin) * inverse;
-    let near = near.max(near.slide::<2>(near));
-    let far = far.min(far.slide::<2>(far));
-    let near = near.max(near.slide::<1>(near)).max(ray.range[0]);
-    let far = far.min(far.slide::<1>(far)).min(ray.range[1]);
+    let near = near.max(near.slide::<1>(near)).max(near.slide::<2>(near).max(nearest));
+    let far = far.min(far.slide::<1>(far)).min(far.slide::<2>(far).min(farthest));
     if near.simd_le(far).to_bitmask() & 1 == 0 || !ray.has_range() {
         return RaySetup::Misses;
     }
@@ -73,7 +79,7 @@ pub(crate) fn set_up<S: Simd>(simd: S, target: &RayTarget<'_>, ray: &Ray) -> Ray
         near_origin: near_origin.into(),
         far_origin: far_origin.into(),
         inverse: inverse.into(),
-        reversed: reversed.to_bitmask() as u32,
+        reversed: reversed.to_bitmask() as u32 & 0b111,
     })
 }
 
@@ -98,19 +104,14 @@ impl<S: Simd> Axis<S> {
         }
     }
 
-    /// Clips the ray's interval to the space between two planes, for each of eight boxes.
+    /// The ray's interval between two planes, for each of eight boxes.
     #[inline(always)]
-    fn clip(
-        &self,
-        simd: S,
-        planes: &[[f32; WIDTH]; 2],
-        [near, far]: [f32x8<S>; 2],
-    ) -> [f32x8<S>; 2] {
+    fn interval(&self, simd: S, planes: &[[f32; WIDTH]; 2]) -> [f32x8<S>; 2] {
         let near_plane = f32x8::simd_from(simd, planes[self.reversed & 1]);
         let far_plane = f32x8::simd_from(simd, planes[(self.reversed ^ 1) & 1]);
         [
-            ((near_plane - self.near_origin) * self.inverse).max(near),
-            ((far_plane - self.far_origin) * self.inverse).min(far),
+            (near_plane - self.near_origin) * self.inverse,
+            (far_plane - self.far_origin) * self.inverse,
         ]
     }
 }
@@ -185,9 +186,12 @@ impl<S: Simd> Traversal<S> {
         } else {
             let node = &target.tree.nodes[self.child.0 as usize];
             let [of_x, of_y, of_z] = &node.planes;
-            let interval = self.x.clip(simd, of_x, [self.start, self.farthest]);
-            let interval = self.y.clip(simd, of_y, interval);
-            let [near, far] = self.z.clip(simd, of_z, interval);
+            let [near_x, far_x] = self.x.interval(simd, of_x);
+            let [near_y, far_y] = self.y.interval(simd, of_y);
+            let [near_z, far_z] = self.z.interval(simd, of_z);
+            // In pairs: a chain of three would be waited for.
+            let near = near_x.max(near_y).max(near_z.max(self.start));
+            let far = far_x.min(far_y).min(far_z.min(self.farthest));
             let bits = near.simd_le(far).to_bitmask() as u32;
             if bits != 0 {
                 let slot = bits.trailing_zeros() as usize & (WIDTH - 1);

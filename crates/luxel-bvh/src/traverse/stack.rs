@@ -73,6 +73,9 @@ impl TraversalStack {
     }
 
     /// Pushes all of at least two children but the nearest, whose word it returns, and prefetches all.
+    ///
+    /// The second nearest ends on top; the order below it isn't exact, since branches that sort can't be
+    /// predicted.
     #[inline(always)]
     pub(crate) fn push_farther(
         &self,
@@ -82,18 +85,23 @@ impl TraversalStack {
         mut bits: u32,
         tree: TreeView<'_>,
     ) -> u32 {
-        let bottom = *top;
-        let mut nearest = take_key(words, distances, &mut bits);
-        tree.prefetch(Child(nearest as u32));
-        loop {
+        let first = take_key(words, distances, &mut bits);
+        tree.prefetch(Child(first as u32));
+        let second = take_key(words, distances, &mut bits);
+        tree.prefetch(Child(second as u32));
+        let (mut nearest, mut next) = (first.min(second), first.max(second));
+        while bits != 0 {
             let key = take_key(words, distances, &mut bits);
             tree.prefetch(Child(key as u32));
-            self.insert(bottom, top, nearest.max(key));
+            let farther = nearest.max(key);
             nearest = nearest.min(key);
-            if bits == 0 {
-                return nearest as u32;
-            }
+            self.set(*top, next.max(farther));
+            *top += 1;
+            next = next.min(farther);
         }
+        self.set(*top, next);
+        *top += 1;
+        nearest as u32
     }
 
     #[inline(always)]
