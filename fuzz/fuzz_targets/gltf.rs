@@ -1,13 +1,7 @@
-//! Any bytes as glTF, in JSON and in one binary file.
-
 #![no_main]
+#![allow(dead_code, reason = "each target calls one entry of its file")]
 
-#[path = "check.rs"]
-mod check;
+#[path = "../entries/formats.rs"]
+mod formats;
 
-use luxel_formats::Format;
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
-    let format = if bytes.starts_with(b"glTF") { Format::Glb } else { Format::Gltf };
-    check::check(bytes, format);
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| formats::gltf(bytes));

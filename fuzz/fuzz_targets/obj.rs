@@ -1,10 +1,7 @@
-//! Any bytes as OBJ.
-
 #![no_main]
+#![allow(dead_code, reason = "each target calls one entry of its file")]
 
-#[path = "check.rs"]
-mod check;
+#[path = "../entries/formats.rs"]
+mod formats;
 
-use luxel_formats::Format;
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| check::check(bytes, Format::Obj));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| formats::obj(bytes));

@@ -1,13 +1,7 @@
-//! Any bytes as a scene file.
-
 #![no_main]
+#![allow(dead_code, reason = "each target calls one entry of its file")]
 
-#[path = "check.rs"]
-mod check;
+#[path = "../entries/formats.rs"]
+mod formats;
 
-use luxel_formats::{Format, scene_settings};
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
-    check::check(bytes, Format::Toml);
-    let _ = scene_settings(bytes, &check::LIMITS);
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| formats::scene(bytes));

@@ -1,10 +1,7 @@
-//! Any bytes as STL.
-
 #![no_main]
+#![allow(dead_code, reason = "each target calls one entry of its file")]
 
-#[path = "check.rs"]
-mod check;
+#[path = "../entries/formats.rs"]
+mod formats;
 
-use luxel_formats::Format;
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| check::check(bytes, Format::Stl));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| formats::stl(bytes));

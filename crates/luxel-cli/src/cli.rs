@@ -102,7 +102,7 @@ pub(crate) fn words() -> Vec<OsString> {
 impl Line {
     /// The first word that is not a global flag decides: `luxel info` is the command, `luxel view info`
     /// opens a file of that name.
-    fn new(words: impl IntoIterator<Item = OsString>) -> Self {
+    pub(crate) fn new(words: impl IntoIterator<Item = OsString>) -> Self {
         let mut words: Vec<_> = words.into_iter().collect();
         let of_all = ["-q", "--quiet", "-v", "--verbose"];
         let first = words.iter().skip(1).position(|word| !of_all.iter().any(|flag| word == flag));

@@ -2,8 +2,10 @@
 //!
 //! - [`golden`] compares pictures with PNG files, and writes three files where they differ.
 //! - [`blessing`] writes what tests compare with, if `LUXEL_BLESS` is set, and fails them.
+//! - [`corpus`] passes what fuzzing has kept to the entries of fuzz targets.
 //! - [`models`] finds public models, and records the tests that are skipped without them.
 
 pub mod blessing;
+pub mod corpus;
 pub mod golden;
 pub mod models;

@@ -5,6 +5,7 @@
 
 mod bytes;
 mod check;
+mod corpus;
 mod damaged;
 mod explain;
 mod explain_pages;

@@ -5,6 +5,7 @@
 #![allow(clippy::disallowed_methods, reason = "the measure may come from the platform")]
 
 mod by_hand;
+mod corpus;
 mod format;
 mod hand;
 mod promises;

@@ -27,7 +27,7 @@ pub(crate) const CRATES: &[&str] = &[
 pub(crate) const MODULES: &[(&str, &[&str])] = &[
     ("luxel-math", &["simd_level", "lanes", "elementary", "fixed", "permute", "vector"]),
     ("luxel-parallel", &["thread", "run", "sort"]),
-    ("luxel-testing", &["blessing", "golden", "models"]),
+    ("luxel-testing", &["blessing", "corpus", "golden", "models"]),
     (
         "luxel-bvh",
         &[

@@ -1,0 +1,123 @@
+//! The program `luxel` renders 3D models from the command line. Internal: no other crate builds on it.
+//!
+//! Results go to the standard output, all else to the standard error. Status 0: success; 1: the
+//! work failed; 2: wrong usage; 3: a check has findings.
+
+#![forbid(unsafe_code)]
+
+mod batch;
+mod camera;
+mod cli;
+mod commands;
+mod console;
+mod failure;
+mod flag_words;
+mod model;
+mod navigation;
+mod options;
+mod output;
+mod progress;
+mod scene_file;
+mod surface;
+mod values;
+mod view;
+
+use clap::error::ErrorKind;
+use clap::{CommandFactory, FromArgMatches};
+use cli::{Cli, Command, Line};
+use console::Console;
+use failure::Failure;
+use scene_file::Refusal;
+use std::ffi::{OsStr, OsString};
+use std::process::ExitCode;
+
+/// The program, with the arguments of the process.
+#[must_use]
+pub fn main() -> ExitCode {
+    std::panic::set_hook(Box::new(|panic| {
+        let place = panic.location().map(ToString::to_string).unwrap_or_default();
+        console::error(&[
+            &format!("this is a bug in luxel ({place})"),
+            "please report it with the command and the file that caused it",
+        ]);
+    }));
+    // The panic hook has already printed the message.
+    std::panic::catch_unwind(run).unwrap_or(ExitCode::FAILURE)
+}
+
+/// The message for arguments that the program refuses; the first is its name. Runs no command.
+#[must_use]
+pub fn refusal(words: Vec<OsString>) -> Option<String> {
+    let line = Line::new(words);
+    if let Some(message) = line.misspelt_command() {
+        return Some(message);
+    }
+    match read(&line, None) {
+        Ok(_) => None,
+        Err(Refusal::Line(error)) => {
+            let meant = line.meant_command(&error).unwrap_or_default();
+            Some(format!("{}{meant}", error.render()))
+        }
+        Err(Refusal::File(failure)) => Some(failure.lines().concat()),
+    }
+}
+
+/// The command and its flags, completed by the scene file, if the model is one.
+fn read(line: &Line, model: Option<&OsStr>) -> Result<Cli, Refusal> {
+    let matches = scene_file::matches(Cli::command, &line.words, model)?;
+    Ok(Cli::from_arg_matches(&matches)?)
+}
+
+fn run() -> ExitCode {
+    let line = cli::line();
+    if let Some(command) = line.misspelt_command() {
+        return report(&Failure::Usage(command));
+    }
+    let cli = match read(&line, None) {
+        Ok(cli) => cli,
+        Err(Refusal::Line(error)) => return print_usage(&error, line.meant_command(&error)),
+        Err(Refusal::File(failure)) => return report(&failure),
+    };
+    let console = Console::new(cli.quiet, cli.verbose);
+    let done = match cli.command {
+        Command::Render(render) => match render.several() {
+            Some(models) => batch::run(&render, &models, console, |model| read(&line, Some(model))),
+            None => render.run(console),
+        },
+        command => command.run(console),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => report(&failure),
+    }
+}
+
+/// Prints a failure, and returns its status.
+fn report(failure: &Failure) -> ExitCode {
+    let lines = failure.lines();
+    if !lines.is_empty() {
+        console::error(&lines);
+    }
+    failure.exit_code()
+}
+
+/// Prints clap's message: help and version on the standard output, errors on the standard error, with the
+/// line that was meant.
+fn print_usage(error: &clap::Error, meant: Option<String>) -> ExitCode {
+    let text = error.render().to_string();
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        return match output::print(&text) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(failure) => report(&failure),
+        };
+    }
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        eprint!("{text}");
+    } else {
+        eprint!("luxel: {text}");
+    }
+    if let Some(meant) = meant {
+        eprintln!("\n  tip: did you mean `{meant}`?");
+    }
+    ExitCode::from(2)
+}
