@@ -18,6 +18,7 @@ mod output;
 mod pick;
 mod program;
 mod render;
+mod samples;
 mod scene_files;
 mod usage;
 mod view;
