@@ -5,8 +5,8 @@
 
 use luxel_formats::{Limits, Loaded, open};
 use luxel_scene::Lens;
+use luxel_testing::models::folder;
 use serde_json::Value;
-use std::path::PathBuf;
 
 const MODELS: [&str; 7] = [
     "CesiumMilkTruck.glb",
@@ -17,15 +17,6 @@ const MODELS: [&str; 7] = [
     "cakeBirthday.glb",
     "sphere_lights/sphere_lights.gltf",
 ];
-
-/// The folder of models, or a word that there is none.
-fn folder() -> Option<PathBuf> {
-    let folder = std::env::var_os("LUXEL_TEST_MODELS").map(PathBuf::from);
-    if folder.is_none() {
-        eprintln!("skipped: LUXEL_TEST_MODELS names no folder");
-    }
-    folder
-}
 
 fn load(model: &str) -> Option<Loaded> {
     let path = folder()?.join(model);

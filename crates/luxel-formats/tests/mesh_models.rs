@@ -3,16 +3,8 @@
 //! `LUXEL_TEST_MODELS` names the folder, which has the truth in `expected.json`.
 
 use luxel_formats::{Limits, Loaded, open};
+use luxel_testing::models::folder;
 use serde_json::Value;
-use std::path::PathBuf;
-
-fn folder() -> Option<PathBuf> {
-    let folder = std::env::var_os("LUXEL_TEST_MODELS").map(PathBuf::from);
-    if folder.is_none() {
-        eprintln!("skipped: LUXEL_TEST_MODELS names no folder of models");
-    }
-    folder
-}
 
 fn load(name: &str) -> Option<Loaded> {
     folder().map(|folder| open(&folder.join(name), &Limits::default()).expect("a sound file"))

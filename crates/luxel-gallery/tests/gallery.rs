@@ -1,11 +1,13 @@
 //! The gallery: its claims, its page, and that the copy under `docs/` is up to date.
 //!
-//! `LUXEL_BLESS=1` writes `docs/gallery` and the hashes of the pictures instead of comparing them.
+//! `LUXEL_BLESS=1` writes `docs/gallery` instead of comparing with it, and fails.
 
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 use luxel::render::Execution;
-use luxel_gallery::{File, Gallery};
+use luxel_gallery::Gallery;
+use luxel_testing::blessing;
+use luxel_testing::golden::{Golden, Pixels};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,35 +28,9 @@ fn page() -> &'static str {
     std::str::from_utf8(&page.bytes).unwrap()
 }
 
-fn is_blessing() -> bool {
-    std::env::var_os("LUXEL_BLESS").is_some()
-}
-
 /// The gallery that is kept with the source.
 fn kept() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/gallery")
-}
-
-/// FNV-1a (Fowler, Noll and Vo 1991), 64 bits.
-fn hash(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
-}
-
-/// The pixels of all pictures of a PNG, one after the other.
-fn pixels(file: &File) -> Vec<u8> {
-    let mut decoder = png::Decoder::new(std::io::Cursor::new(&file.bytes));
-    decoder.set_transformations(png::Transformations::EXPAND);
-    let mut reader = decoder.read_info().unwrap();
-    let pictures = reader.info().animation_control().map_or(1, |control| control.num_frames);
-    let mut pixels = Vec::new();
-    for _ in 0..pictures {
-        let mut picture = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut picture).unwrap();
-        pixels.extend_from_slice(&picture[..info.buffer_size()]);
-    }
-    pixels
 }
 
 #[test]
@@ -141,40 +117,42 @@ fn drawings_have_titles_and_no_broken_numbers() {
 
 #[test]
 fn pictures_look_as_they_did() {
-    let hashes: String = gallery()
-        .files
-        .iter()
-        .filter(|file| file.name.ends_with(".png"))
-        .map(|file| format!("{} {:016x}\n", file.name, hash(&pixels(file))))
-        .collect();
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/pictures.txt");
-    if is_blessing() {
-        fs::write(&path, &hashes).unwrap();
+    let mut golden = Golden::new(&kept(), &Path::new(env!("CARGO_TARGET_TMPDIR")).join("gallery"));
+    if blessing::is_blessing() {
+        return write_all();
     }
-    let expected = fs::read_to_string(&path).unwrap_or_default();
-    for line in hashes.lines() {
-        assert!(expected.lines().any(|other| other == line), "{line} has changed");
+    for file in gallery().files.iter().filter(|file| file.name.ends_with(".png")) {
+        let pixels = Pixels::of_png(&file.bytes).unwrap();
+        golden.compare(file.name.trim_end_matches(".png"), &pixels);
     }
-    assert_eq!(hashes, expected);
+    golden.finish();
 }
 
 #[test]
 fn the_gallery_that_is_kept_is_the_one_that_is_made() {
     let mut size = 0;
-    if is_blessing() {
-        let _ = fs::remove_dir_all(kept());
-        fs::create_dir_all(kept()).unwrap();
+    if blessing::is_blessing() {
+        return write_all();
     }
     for file in &gallery().files {
-        let path = kept().join(&file.name);
-        if is_blessing() {
-            fs::write(&path, &file.bytes).unwrap();
-        }
-        let there = fs::read(&path).unwrap_or_default();
+        let there = fs::read(kept().join(&file.name)).unwrap_or_default();
         assert!(there == file.bytes, "docs/gallery/{} is behind: use LUXEL_BLESS=1", file.name);
         size += file.bytes.len();
     }
     let count = fs::read_dir(kept()).unwrap().count();
     assert_eq!(count, gallery().files.len(), "docs/gallery holds files that aren't made any more");
     assert!(size < 1_500_000, "{size} bytes");
+}
+
+/// Writes `docs/gallery`, once for both tests that compare with it, and fails.
+fn write_all() {
+    static WRITTEN: OnceLock<()> = OnceLock::new();
+    WRITTEN.get_or_init(|| {
+        let _ = fs::remove_dir_all(kept());
+        fs::create_dir_all(kept()).unwrap();
+        for file in &gallery().files {
+            fs::write(kept().join(&file.name), &file.bytes).unwrap();
+        }
+    });
+    blessing::fail(&kept());
 }

@@ -9,7 +9,7 @@ use luxel::scene::{
     Camera, DMat4, DVec3, Lens, Lines, MaterialId, Mesh, MeshId, Node, NormalOptions, NormalSource,
     Part, Points, Projection, Scene, SceneMaterial, Sides, Size, Viewpoint, demos, fit_view,
 };
-use std::path::Path;
+use luxel_testing::models;
 
 const SIZE: Size = Size { width: 230, height: 170 };
 
@@ -127,7 +127,12 @@ fn every_pixel_is_picked_as_drawn_from_inside_with_planes_that_clip() {
             for (near, far) in [(0.001 * radius, 3.0 * radius), (0.3 * radius, 0.6 * radius)] {
                 let lens = Lens::Perspective { fov_y_radians: 1.4 };
                 let projection = Projection { lens, near, far };
-                compare(&scene, Camera { view_from_world, projection }, SIZE, Cull::Auto);
+                let camera = Camera { view_from_world, projection };
+                let seen = compare(&scene, camera, SIZE, Cull::Auto);
+                // The first near plane cuts nothing off the closed scene, the second opens it.
+                let all = (SIZE.width * SIZE.height) as usize;
+                let expected = if near < 0.01 * radius { all..=all } else { 200..=all - 1 };
+                assert!(expected.contains(&seen), "{name}, {target}, {near}: {seen}");
             }
         }
     }
@@ -212,11 +217,7 @@ fn every_pixel_of_an_awkward_scene_is_picked_as_drawn() {
 
 #[test]
 fn every_pixel_of_public_models_is_picked_as_drawn() {
-    let Some(folder) = std::env::var_os("LUXEL_TEST_MODELS") else {
-        println!("skipped: LUXEL_TEST_MODELS names no folder of models");
-        return;
-    };
-    let folder = Path::new(&folder);
+    let Some(folder) = models::folder() else { return };
     for name in [
         "bunny.ply",
         "CesiumMilkTruck.glb",
@@ -232,14 +233,17 @@ fn every_pixel_of_public_models_is_picked_as_drawn() {
         let mut path = folder.join(name);
         if path.is_dir() {
             let files = std::fs::read_dir(&path).unwrap();
-            let models = files.map(|file| file.unwrap().path()).find(|file| {
+            let found = files.map(|file| file.unwrap().path()).find(|file| {
                 file.extension().is_some_and(|ending| ending == "obj" || ending == "gltf")
             });
-            let Some(model) = models else { continue };
+            let Some(model) = found else {
+                models::skip(&format!("no model in {}", path.display()));
+                continue;
+            };
             path = model;
         }
         if !path.exists() {
-            println!("skipped: no {}", path.display());
+            models::skip(&format!("no {}", path.display()));
             continue;
         }
         let mut scene = open(&path, &Limits::default()).unwrap().scene;

@@ -1,6 +1,6 @@
 //! The tables of `docs/scene-files.md`, generated from the tables of keys and options.
 //!
-//! `LUXEL_BLESS=1` writes page and schema instead of comparing them.
+//! `LUXEL_BLESS=1` writes page and schema instead of comparing them, and fails.
 
 use super::Cli;
 use crate::commands;
@@ -9,6 +9,7 @@ use crate::scene_file::{flags, schema};
 use clap::CommandFactory;
 use luxel::formats::{Key, Section, Shape, sections};
 use luxel::lighting::{REFLECTION_MODELS, ReflectionModel};
+use luxel_testing::blessing;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -21,10 +22,13 @@ fn docs(name: &str) -> PathBuf {
 
 #[track_caller]
 fn assert_is_up_to_date(name: &str, expected: &str) {
-    if std::env::var_os("LUXEL_BLESS").is_some() {
+    let is = std::fs::read_to_string(docs(name)).unwrap_or_default();
+    if blessing::is_blessing() && is != expected {
         std::fs::write(docs(name), expected).unwrap();
     }
-    let is = std::fs::read_to_string(docs(name)).unwrap_or_default();
+    if blessing::is_blessing() {
+        blessing::fail(&docs(name));
+    }
     assert!(is == expected, "docs/{name} is out of date: run this test with LUXEL_BLESS=1");
 }
 

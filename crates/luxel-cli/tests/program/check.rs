@@ -1,8 +1,8 @@
 //! `luxel check`: reports and exit status.
 
 use crate::program::{Folder, SQUARE_PLY, luxel};
+use luxel_testing::models;
 use serde_json::Value;
-use std::path::PathBuf;
 
 /// A square of two triangles with opposite winding.
 const TWISTED_PLY: &str = "\
@@ -152,10 +152,7 @@ const MODELS: &[(&str, &[&str])] = &[
 
 #[test]
 fn the_findings_in_public_models_are_the_known_ones() {
-    let Some(folder) = std::env::var_os("LUXEL_TEST_MODELS").map(PathBuf::from) else {
-        eprintln!("SKIPPED: LUXEL_TEST_MODELS names no folder of models");
-        return;
-    };
+    let Some(folder) = models::folder() else { return };
     for (name, expected) in MODELS {
         let path = folder.join(name).into_os_string().into_string().unwrap();
         let run = luxel(&format!("check {path} --json -q"));

@@ -1,17 +1,9 @@
 //! Public models, against the results of other programs.
 
 use crate::program::Folder;
+use luxel_testing::models;
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-
-/// The folder from the environment; tests that need it are skipped without it.
-fn models() -> Option<PathBuf> {
-    let folder = std::env::var_os("LUXEL_TEST_MODELS").map(PathBuf::from);
-    if folder.is_none() {
-        eprintln!("skipped: LUXEL_TEST_MODELS names no folder of models");
-    }
-    folder
-}
+use std::path::Path;
 
 /// Each model's path with its triangles and bounds, from independent programs.
 fn expectations(folder: &Path) -> Vec<(String, u64, [Vec<f64>; 2])> {
@@ -41,7 +33,7 @@ fn expectations(folder: &Path) -> Vec<(String, u64, [Vec<f64>; 2])> {
 
 #[test]
 fn triangles_and_bounds_agree_with_other_programs() {
-    let Some(models) = models() else { return };
+    let Some(models) = models::folder() else { return };
     let folder = Folder::new();
     for (name, triangles, bounds) in expectations(&models) {
         let path = models.join(&name);
@@ -61,7 +53,7 @@ fn triangles_and_bounds_agree_with_other_programs() {
 
 #[test]
 fn every_model_renders_a_nonempty_image() {
-    let Some(models) = models() else { return };
+    let Some(models) = models::folder() else { return };
     let folder = Folder::new();
     for (name, ..) in expectations(&models) {
         let path = models.join(&name);

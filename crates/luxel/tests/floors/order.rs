@@ -4,6 +4,7 @@
 pub(crate) const CRATES: &[&str] = &[
     "luxel-math",
     "luxel-parallel",
+    "luxel-testing",
     "luxel-bvh",
     "luxel-gltf",
     "luxel-lighting",
@@ -26,6 +27,7 @@ pub(crate) const CRATES: &[&str] = &[
 pub(crate) const MODULES: &[(&str, &[&str])] = &[
     ("luxel-math", &["simd_level", "lanes", "elementary", "fixed", "permute", "vector"]),
     ("luxel-parallel", &["thread", "run", "sort"]),
+    ("luxel-testing", &["blessing", "golden", "models"]),
     (
         "luxel-bvh",
         &[

@@ -1,7 +1,6 @@
 use super::*;
 use crate::Bounds;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
 
 /// Positions at the end of which no triangle goes on, as closed walks along the open edges.
 fn open_loops(mesh: &Mesh) -> Vec<usize> {
@@ -148,11 +147,8 @@ fn no_seam_shows_where_patches_meet() {
 /// The file is another program's tessellation of the same patches, ten steps a side.
 #[test]
 fn the_tessellation_is_that_of_the_public_teapot_file() {
-    let Some(folder) = std::env::var_os("LUXEL_TEST_MODELS") else {
-        eprintln!("skipped: LUXEL_TEST_MODELS is not set");
-        return;
-    };
-    let text = std::fs::read_to_string(PathBuf::from(folder).join("teapot.obj")).unwrap();
+    let Some(folder) = luxel_testing::models::folder() else { return };
+    let text = std::fs::read_to_string(folder.join("teapot.obj")).unwrap();
     let theirs: Vec<DVec3> = text
         .lines()
         .filter_map(|line| line.strip_prefix("v "))
