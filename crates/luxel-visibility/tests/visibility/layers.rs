@@ -1,6 +1,6 @@
 //! Blended triangles in layers, and triangles with holes.
 
-use crate::oracle;
+use crate::oracle::{self, Hit};
 use crate::random::{cases, scene};
 use crate::scene::{Picture, Scene, Submitted, best, no_holes};
 use luxel_visibility::{Coverage, TriangleId};
@@ -30,27 +30,56 @@ fn check(scene: &Scene, with_holes: bool) -> Result<(), TestCaseError> {
     let layers = Picture::layers(&frame, best(), &hole);
     let mut most = 0;
     for (number, position) in scene.sample_positions() {
-        let mut hits = oracle::hits(scene, position, |_| true);
-        hits.retain(|&(_, submitted)| {
-            let may_have_holes = coverage(scene, submitted) != Coverage::Opaque;
-            !(with_holes && may_have_holes && is_hole(submitted, position))
+        let mut hits = oracle::hits(scene, position);
+        hits.retain(|hit| {
+            let may_have_holes = hit.coverage != Coverage::Opaque;
+            !(with_holes && may_have_holes && is_hole(hit.submitted, position))
         });
-        let solid =
-            hits.iter().position(|&(_, submitted)| coverage(scene, submitted) != Coverage::Blended);
-        let wall = solid.map(|place| hits[place]);
-        prop_assert_eq!(opaque.seen[number], wall, "opaque at {:?}", position);
-        let before = &hits[..solid.unwrap_or(hits.len())];
-        most = most.max(before.len());
-        for (depth, layer) in layers.iter().enumerate() {
-            let expected = before.get(depth).copied().or(wall);
-            // Tiles with fewer layers keep nothing of the later ones.
-            let seen = layer.seen[number];
-            let untouched = depth >= before.len() && seen.is_none();
-            prop_assert!(seen == expected || untouched, "layer {} at {:?}", depth, position);
-        }
+        let (blended, solid): (Vec<_>, Vec<_>) =
+            hits.into_iter().partition(|hit| hit.coverage == Coverage::Blended);
+        let wall = opaque.seen[number];
+        prop_assert_eq!(oracle::fault(wall, &solid), None, "opaque at {:?}", position);
+        let seen: Vec<_> = layers.iter().map(|layer| layer.seen[number]).collect();
+        let is_blended =
+            |seen: &Seen| seen.is_some_and(|of| coverage(scene, of.1) == Coverage::Blended);
+        let peeled = seen.iter().take_while(|seen| is_blended(seen)).count();
+        // Tiles with fewer layers keep nothing of the later ones.
+        let (peeled, behind) = seen.split_at(peeled);
+        prop_assert!(
+            behind.iter().all(|&seen| seen == wall || seen.is_none()),
+            "at {:?}",
+            position
+        );
+        let peeled: Vec<_> = peeled.iter().flatten().copied().collect();
+        most = most.max(peeled.len());
+        let fault = fault_of_layers(&peeled, wall, &blended);
+        prop_assert_eq!(fault, None, "layers at {:?}", position);
     }
     prop_assert_eq!(layers.len(), most);
     Ok(())
+}
+
+type Seen = Option<(f32, Submitted)>;
+
+/// What is wrong with the blended triangles that are peeled off before the wall, nearest first.
+fn fault_of_layers(peeled: &[(f32, Submitted)], wall: Seen, blended: &[Hit]) -> Option<String> {
+    for &(depth, submitted) in peeled {
+        let hit = blended.iter().find(|hit| hit.submitted == submitted);
+        if !hit.is_some_and(|hit| hit.has(depth)) {
+            return Some(format!("the depth {depth} of {submitted:?}, which is {hit:?}"));
+        }
+    }
+    // Equally near ones in the order of submission.
+    let in_order = |a: (f32, Submitted), b: (f32, Submitted)| a.0 > b.0 || a.0 == b.0 && a.1 < b.1;
+    let to_the_wall: Vec<_> = peeled.iter().copied().chain(wall).collect();
+    if !to_the_wall.windows(2).all(|pair| in_order(pair[0], pair[1])) {
+        return Some(format!("the order of {to_the_wall:?}"));
+    }
+    let is_missing = |hit: &&Hit| {
+        peeled.iter().all(|of| of.1 != hit.submitted)
+            && wall.is_none_or(|(depth, _)| hit.is_before(depth))
+    };
+    blended.iter().find(is_missing).map(|hit| format!("{hit:?} is missing"))
 }
 
 const ALL: &[Coverage] = &[Coverage::Opaque, Coverage::Cutout, Coverage::Blended];
