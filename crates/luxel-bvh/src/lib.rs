@@ -67,3 +67,8 @@ pub use rays::MeshRays;
 pub use tree::{
     Block, Child, LeafBlocks, MAX_TRIANGLES, Node, Subtree, TreeView, VertexMap, WIDTH,
 };
+
+/// The examples of `README.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

@@ -4,7 +4,7 @@
 
 use crate::cli::{Cli, Command};
 use crate::commands::render::RenderCommand;
-use crate::console::Console;
+use crate::console::{Console, report};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::scene_file::Refusal;
@@ -36,7 +36,7 @@ pub(crate) fn run(
             return done;
         }
         if let Err(failure) = done {
-            progress.hidden(|| crate::report(&failure));
+            progress.hidden(|| report(&failure));
             failed.push(model.to_string_lossy());
         }
         progress.step();

@@ -94,7 +94,7 @@ pub(crate) fn line() -> Line {
     Line::new(std::env::args_os())
 }
 
-/// The words of [`line`].
+/// The words of the line of the process.
 pub(crate) fn words() -> Vec<OsString> {
     line().words
 }

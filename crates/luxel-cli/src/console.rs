@@ -1,7 +1,9 @@
 //! Messages on the standard error, coloured on terminals.
 
+use crate::failure::Failure;
 pub(crate) use luxel::report::printable;
 use std::io::{IsTerminal, Write};
+use std::process::ExitCode;
 
 /// Which messages appear.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +53,15 @@ impl Console {
     pub(crate) fn shows_progress(self) -> bool {
         !self.quiet && std::io::stderr().is_terminal()
     }
+}
+
+/// Prints a failure, and returns its status.
+pub(crate) fn report(failure: &Failure) -> ExitCode {
+    let lines = failure.lines();
+    if !lines.is_empty() {
+        error(&lines);
+    }
+    failure.exit_code()
 }
 
 /// Prints an error: the problem and its place on the first line, the remedy below.

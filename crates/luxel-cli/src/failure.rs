@@ -84,6 +84,12 @@ impl Failure {
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         let remedy = match &error.kind {
+            ErrorKind::Io(io)
+                if io.kind() == std::io::ErrorKind::NotFound
+                    && matches!(error.place, Place::Pointer(_)) =>
+            {
+                "the model needs this file: put it where the name says, beside the model"
+            }
             ErrorKind::Io(io) if io.kind() == std::io::ErrorKind::NotFound => {
                 "check the name; `luxel demos` lists the built-in scenes"
             }

@@ -25,7 +25,7 @@ mod view;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches};
 use cli::{Cli, Command, Line};
-use console::Console;
+use console::{Console, report};
 use failure::Failure;
 use scene_file::Refusal;
 use std::ffi::{OsStr, OsString};
@@ -90,15 +90,6 @@ fn run() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => report(&failure),
     }
-}
-
-/// Prints a failure, and returns its status.
-fn report(failure: &Failure) -> ExitCode {
-    let lines = failure.lines();
-    if !lines.is_empty() {
-        console::error(&lines);
-    }
-    failure.exit_code()
 }
 
 /// Prints clap's message: help and version on the standard output, errors on the standard error, with the

@@ -189,7 +189,7 @@ fn remove_on_interrupt(unfinished: &Path) {
 
 /// Sets the handler of the next interrupt. If it returns true, the program exits by itself, and
 /// only a second interrupt ends it at once.
-#[cfg(feature = "viewer")]
+#[cfg(feature = "terminal")]
 pub(crate) fn on_interrupt(action: OnInterrupt) {
     *ON_INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner) = Some(action);
     handle_interrupts();

@@ -1,6 +1,6 @@
 //! File formats, and a scene that was read from one of them.
 
-use crate::{ErrorKind, UnknownFormat, Warning};
+use crate::{Error, ErrorKind, Place, UnknownFormat, Warning};
 use luxel_scene::Scene;
 use std::str::FromStr;
 
@@ -91,6 +91,24 @@ impl Format {
             Self::Ply => cfg!(feature = "ply"),
             Self::Toml => cfg!(feature = "toml"),
         }
+    }
+
+    /// Refuses text in UTF-16, by its byte order mark or the zeros in every other byte: all text formats
+    /// are ASCII or UTF-8.
+    pub(crate) fn check_not_utf16(self, bytes: &[u8]) -> Result<(), Error> {
+        let is_utf16 = match *bytes {
+            [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
+            [a, 0, b, 0, ..] | [0, a, 0, b, ..] => {
+                [a, b].iter().all(|byte| (b'\t'..=b'~').contains(byte))
+            }
+            _ => false,
+        };
+        let is_binary_stl = || declared_stl_size(bytes) == Some(bytes.len() as u64);
+        if !is_utf16 || self == Self::Stl && is_binary_stl() {
+            return Ok(());
+        }
+        let message = "the file is text in UTF-16: save it as UTF-8".to_owned();
+        Err(Error::at(Place::File, ErrorKind::Malformed(message)))
     }
 
     /// The error of a build without its reader.

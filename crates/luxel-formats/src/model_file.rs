@@ -63,6 +63,7 @@ pub(crate) fn read(
     limits: &Limits,
 ) -> Result<Loaded, Error> {
     check_not_empty(bytes)?;
+    format.check_not_utf16(bytes)?;
     match format {
         #[cfg(feature = "gltf")]
         Format::Gltf | Format::Glb => crate::gltf::read(bytes, format, name, folder, limits),

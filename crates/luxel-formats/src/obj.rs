@@ -4,7 +4,7 @@
 //! object. Elements before the first statement, and objects without a name, take the file's stem.
 //! A repeated name continues its object only while that is the current one; later it begins
 //! another object of the same name, as in most readers. Objects without elements are left
-//! out. Vertex colours are sRGB; an object shares its positions, and split attributes
+//! out; the vertices of a file without any elements are points. Vertex colours are sRGB; an object shares its positions, and split attributes
 //! (texture coordinates, normals) don't split them.
 
 mod build;
@@ -29,7 +29,8 @@ pub(crate) fn read(
     limits: &Limits,
 ) -> Result<Loaded, Error> {
     let mut warnings = Warnings::default();
-    let document = join::document(bytes, limits, &mut warnings)?;
+    let mut document = join::document(bytes, limits, &mut warnings)?;
+    document.show_bare_vertices();
     let mut materials =
         Materials::read(&document.libraries, &document.materials, folder, limits, &mut warnings);
     let mut scene = Scene::default();

@@ -23,7 +23,7 @@ use vertices::Vertices;
 /// Reads a PLY file as one object called `name`.
 pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, Error> {
     let header = Header::read(bytes)?;
-    let mut warnings = Warnings::default();
+    let mut warnings = warnings_of(&header);
     let source = Source::new(bytes, header.body, header.encoding);
     let content = read_body(&header, source, limits)?;
     let scene = build::scene(content, name, &mut warnings)?;
@@ -60,7 +60,7 @@ pub(crate) fn stream(
     if content.faces.need_whole_file {
         return Ok(None);
     }
-    let mut warnings = Warnings::default();
+    let mut warnings = warnings_of(&header);
     let scene = build::scene(content, name, &mut warnings)?;
     Ok(Some(Loaded { scene, format: Format::Ply, warnings: warnings.finish() }))
 }
@@ -102,6 +102,30 @@ fn read_body(header: &Header, mut source: Source<'_>, limits: &Limits) -> Result
         }
     }
     Ok(content)
+}
+
+/// Warns of lines that PLY doesn't have, and of properties that nothing is made of.
+fn warnings_of(header: &Header) -> Warnings {
+    let mut warnings = Warnings::default();
+    for (line, text) in &header.unknown {
+        warnings.push(format!("line {line}: `{text}` is not a header line of PLY and is ignored"));
+    }
+    let mut unused = Vec::new();
+    for element in header.elements.iter().filter(|element| element.count > 0) {
+        let used = match element.name.as_str() {
+            "vertex" => vertices::used_properties(element),
+            "face" | "tristrips" => faces::used_properties(element),
+            "edge" => {
+                ["vertex1", "vertex2"].into_iter().filter_map(|end| element.scalar(end)).collect()
+            }
+            _ => Vec::new(),
+        };
+        unused.extend(element.others(&used).map(|name| format!("{} {name}", element.name)));
+    }
+    if !unused.is_empty() {
+        warnings.push(format!("properties that are not used: {}", unused.join(", ")));
+    }
+    warnings
 }
 
 /// Checks a count against the bytes that follow and the limits, before allocating.

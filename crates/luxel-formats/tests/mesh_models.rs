@@ -2,7 +2,7 @@
 //!
 //! `LUXEL_TEST_MODELS` names the folder, which has the truth in `expected.json`.
 
-use luxel_formats::{Limits, Loaded, open};
+use luxel_formats::{Limits, Loaded, Warning, open};
 use luxel_testing::models::folder;
 use serde_json::Value;
 
@@ -38,7 +38,9 @@ fn counts_and_bounds_are_those_of_other_programs() {
                 assert!((own[axis] - other).abs() <= size * 2e-5, "{name} {key} {own} {other}");
             }
         }
-        assert!(loaded.warnings.is_empty(), "{name}: {:?}", loaded.warnings);
+        // Scanners write confidences, which nothing is made of.
+        let is_known = |one: &Warning| one.message.starts_with("properties that are not used");
+        assert!(loaded.warnings.iter().all(is_known), "{name}: {:?}", loaded.warnings);
         checked += 1;
     }
     assert!(checked >= 12);

@@ -18,3 +18,8 @@ mod schema;
 
 pub use read::{Fault, ReadError, read};
 pub use schema::*;
+
+/// The examples of `README.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

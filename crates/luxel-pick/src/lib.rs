@@ -101,3 +101,8 @@ pub use view::PickView;
 pub use visible_ids::{NO_ID, VisibleHit, VisibleIds};
 pub use window::{LogicalPosition, LogicalSize, PhysicalPosition, PhysicalSize, flip_y};
 pub use world_rays::{WorldHit, WorldRay};
+
+/// The examples of `README.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

@@ -7,7 +7,8 @@ use glam::DVec3;
 use luxel_math::{SUBPIXELS, SubPixel, Vec3};
 use luxel_scene::{MaterialId, Mesh, TextureUse, mapped_normal};
 use luxel_visibility::{
-    Forms, InstanceSpace, TileForms, interpolate, interpolate_corners, sides, tile_of,
+    Forms, InstanceSpace, TileForms, interpolate, interpolate_corners, interpolate_corners_step,
+    sides, tile_of,
 };
 
 /// A surface at a window position.
@@ -232,7 +233,8 @@ impl TriangleSurface<'_> {
             position: eye + position,
             normal: [normal.x, normal.y, normal.z],
             geometric_normal: self.plane,
-            uv: (!mesh.uvs[0].is_empty()).then(|| uv(mesh, 0, attributes, weights)),
+            uv: (!mesh.uvs[0].is_empty())
+                .then(|| interpolate_corners(&uvs(mesh, 0, attributes), &weights)),
             color: (!mesh.colors.is_empty())
                 .then(|| interpolate_corners(&attributes.map(colors), &weights)),
             distance: position.length(),
@@ -256,18 +258,17 @@ impl TriangleSurface<'_> {
 
     /// Samples a texture, filtered over the pixel's footprint.
     fn texel(&self, used: &TextureUse, position: [i32; 2], weights: [f32; 3]) -> [f32; 4] {
-        let [right, below] = self.forms.neighbours(&self.view.rays, position);
-        let set = usize::from(used.uv_set & 1);
-        let [here, right, below] = [weights, right, below]
-            .map(|weights| used.transformed(uv(self.mesh, set, self.attributes, weights)));
-        let along = |to: [f32; 2]| [to[0] - here[0], to[1] - here[1]];
+        let steps = self.forms.steps(&self.view.rays, position);
+        let at_corners = uvs(self.mesh, usize::from(used.uv_set & 1), self.attributes);
+        let here = used.transformed(interpolate_corners(&at_corners, &weights));
+        let [right, down] =
+            steps.map(|step| used.transformed_step(interpolate_corners_step(&at_corners, &step)));
         let texture = &self.view.picker.scene.textures[used.texture.index()];
-        texture.sample(here, along(right), along(below), 1)
+        texture.sample(here, right, down, 1)
     }
 }
 
-/// Texture coordinates; 0 if the mesh has none.
-fn uv(mesh: &Mesh, set: usize, attributes: [usize; 3], weights: [f32; 3]) -> [f32; 2] {
-    let at_corners = attributes.map(|at| mesh.uvs[set].get(at).copied().unwrap_or_default());
-    interpolate_corners(&at_corners, &weights)
+/// Texture coordinates of the corners; 0 if the mesh has none.
+fn uvs(mesh: &Mesh, set: usize, attributes: [usize; 3]) -> [[f32; 2]; 3] {
+    attributes.map(|at| mesh.uvs[set].get(at).copied().unwrap_or_default())
 }

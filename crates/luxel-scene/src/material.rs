@@ -67,6 +67,14 @@ impl TextureUse {
             u.constant(d) * u + u.constant(e) * v + u.constant(f),
         ]
     }
+
+    /// A difference of texture coordinates after the use's own transform.
+    #[must_use]
+    #[inline(always)]
+    pub fn transformed_step<N: Lanes>(&self, [u, v]: [N; 2]) -> [N; 2] {
+        let [a, b, _, d, e, _] = self.transform;
+        [u.constant(a) * u + u.constant(b) * v, u.constant(d) * u + u.constant(e) * v]
+    }
 }
 
 /// The use of a surface's alpha.

@@ -129,6 +129,13 @@ impl Layer {
         matches!(self, Self::Object | Self::Triangle)
     }
 
+    /// Whether it is a term of the colour: a sum over all surfaces that blend at a pixel, each by its alpha
+    /// and by what those before it let through.
+    #[must_use]
+    pub fn is_summed(&self) -> bool {
+        self.is_lit() && *self != Self::NDotL
+    }
+
     /// Whether it takes the lighting equation.
     #[must_use]
     pub fn is_lit(&self) -> bool {

@@ -42,7 +42,8 @@ pub use placed_scene::{CoveragePolicy, PlacedInstance, PlacedScene, SurfaceRules
 pub use query::{
     Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, POINT_SIZE, PackedForms, Probe,
     ProbedTriangle, Reach, SeenCluster, ShadingCorners, Strokes, TILE_FORMS, TileForms,
-    ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners, sides, strokes, tile_of,
+    ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners,
+    interpolate_corners_step, interpolate_step, sides, strokes, tile_of,
 };
 pub use raster::{Plane, Tile};
 pub use types::{

@@ -73,3 +73,8 @@ pub mod prelude {
     pub use luxel_render::{Execution, Layer, Renderer, View};
     pub use luxel_scene::{Camera, DMat4, DVec3, Lens, Placement, Projection, Scene, Size};
 }
+
+/// The examples of `README.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

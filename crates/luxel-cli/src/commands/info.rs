@@ -9,7 +9,7 @@ use crate::output;
 use clap::Args;
 use luxel::lighting::{Attenuation, Cone, LightKind, SHARED, own_parameters};
 use luxel::scene::{
-    AlphaMode, Bounds, Camera, Lens, Object, Placement, Scene, SceneCamera, SceneLight,
+    AlphaMode, Bounds, Camera, Lens, Mesh, Object, Placement, Scene, SceneCamera, SceneLight,
     SceneMaterial, Sides,
 };
 use serde_json::{Map, Value, json};
@@ -40,6 +40,8 @@ struct Survey<'a> {
     objects: Vec<(Object, Bounds)>,
     bounds: Bounds,
     vertices: u64,
+    points: u64,
+    lines: u64,
 }
 
 impl InfoCommand {
@@ -63,11 +65,13 @@ impl<'a> Survey<'a> {
         };
         let objects: Vec<_> = scene.objects().into_iter().map(of_object).collect();
         let bounds = objects.iter().fold(Bounds::EMPTY, |union, (_, bounds)| union.union(bounds));
-        let vertices = objects
-            .iter()
-            .map(|(object, _)| scene.meshes[object.mesh.index()].positions.len() as u64)
-            .sum();
-        Self { scene, objects, bounds, vertices }
+        let sum = |count: fn(&Mesh) -> usize| -> u64 {
+            objects.iter().map(|(object, _)| count(&scene.meshes[object.mesh.index()]) as u64).sum()
+        };
+        let vertices = sum(|mesh| mesh.positions.len());
+        let points = sum(|mesh| mesh.points.iter().map(|points| points.indices.len()).sum());
+        let lines = sum(|mesh| mesh.lines.iter().map(|lines| lines.segments.len()).sum());
+        Self { scene, objects, bounds, vertices, points, lines }
     }
 
     fn triangles(&self, object: &Object) -> usize {
@@ -86,6 +90,8 @@ impl<'a> Survey<'a> {
         json!({
             "format": model.format,
             "triangles": self.scene.triangle_count(),
+            "points": self.points,
+            "lines": self.lines,
             "vertices": self.vertices,
             "bounds": bounds_to_json(&self.bounds),
             "objects": self.objects.iter().map(object).collect::<Value>(),
@@ -170,6 +176,11 @@ impl<'a> Survey<'a> {
         let scene = self.scene;
         writeln!(text, "{}  ({format})", printable(name))?;
         writeln!(text, "triangles  {}", grouped(scene.triangle_count()))?;
+        for (what, count) in [("points", self.points), ("lines", self.lines)] {
+            if count > 0 {
+                writeln!(text, "{what:10} {}", grouped(count))?;
+            }
+        }
         writeln!(text, "vertices   {}", grouped(self.vertices))?;
         if self.bounds.is_empty() {
             writeln!(text, "bounds     none: there is nothing to draw")?;

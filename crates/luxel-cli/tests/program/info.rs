@@ -138,3 +138,74 @@ fn warnings_are_in_the_document_and_on_the_standard_error() {
     let told = folder.run(["info", "nan.ply", "-v"]);
     assert!(told.stderr.contains("read in"), "{}", told.stderr);
 }
+
+#[test]
+fn vertices_alone_are_points_that_are_counted_and_drawn() {
+    let folder = Folder::new();
+    folder.write("cloud.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nv 0 1 0\n");
+    folder.write(
+        "cloud.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+         property float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n",
+    );
+    for name in ["cloud.obj", "cloud.ply"] {
+        let info = folder.run(["info", name, "--json"]).json();
+        let counts = ["points", "lines", "triangles"].map(|what| info[what].as_u64());
+        assert_eq!(counts, [Some(3), Some(0), Some(0)], "{name}");
+        assert!(folder.run(["info", name]).text().contains("points     3"), "{name}");
+        folder.run(["render", name, "-o", "x.png", "--size", "40x30"]).done();
+    }
+    folder.write("path.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\np 2\n");
+    let info = folder.run(["info", "path.obj", "--json"]).json();
+    assert_eq!([&info["points"], &info["lines"]], [1, 2]);
+}
+
+#[test]
+fn lines_of_a_ply_header_without_a_keyword_are_warned_of_as_are_unused_properties() {
+    let folder = Folder::new();
+    let header = "ply\nformat ascii 1.0\nCreated by Blender 2.49\nelement vertex 3\n\
+                  property float x\nproperty float y\nproperty float z\nproperty float quality\n\
+                  element face 1\nproperty list uchar int vertex_indices\nproperty int flags\nend_header\n";
+    folder.write("old.ply", format!("{header}0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 9\n"));
+    let info = folder.run(["info", "old.ply", "--json", "-q"]).json();
+    assert_eq!(info["triangles"], 1);
+    let warnings = info["warnings"].as_array().unwrap();
+    let expected = [
+        "line 3: `Created by Blender 2.49` is not a header line of PLY and is ignored",
+        "properties that are not used: vertex quality, face flags",
+    ];
+    assert_eq!(warnings, &expected);
+}
+
+#[test]
+fn text_in_utf_16_is_named_as_such() {
+    let folder = Folder::new();
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let gltf = r#"{"asset":{"version":"2.0"}}"#;
+    let scene = "format = \"luxel-scene\"\nversion = 1\n";
+    let texts = [("a.obj", obj), ("a.ply", "ply\n"), ("a.stl", "solid\n"), ("a.gltf", gltf)];
+    for (name, text) in texts.into_iter().chain([("a.toml", scene)]) {
+        let units = || text.encode_utf16();
+        let little: Vec<u8> = units().flat_map(u16::to_le_bytes).collect();
+        let big: Vec<u8> = [0xfeff].into_iter().chain(units()).flat_map(u16::to_be_bytes).collect();
+        for bytes in [little, big] {
+            folder.write(name, bytes);
+            folder.run(["info", name]).failed(1, "text in UTF-16: save it as UTF-8");
+        }
+    }
+}
+
+#[test]
+fn a_missing_buffer_is_not_called_damage() {
+    let folder = Folder::new();
+    folder.write(
+        "a.gltf",
+        r#"{"asset":{"version":"2.0"},"buffers":[{"uri":"no.bin","byteLength":36}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}]}"#,
+    );
+    let run = folder.run(["info", "a.gltf"]).failed(1, "`no.bin` can't be read: No such file");
+    assert!(run.stderr.contains("the model needs this file"), "{}", run.stderr);
+    assert!(!run.stderr.contains("damaged"), "{}", run.stderr);
+}

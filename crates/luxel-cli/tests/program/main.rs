@@ -19,6 +19,7 @@ mod output;
 mod pick;
 mod program;
 mod render;
+mod samples;
 mod scene_files;
 mod usage;
 mod view;

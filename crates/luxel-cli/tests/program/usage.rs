@@ -245,3 +245,13 @@ fn a_closed_standard_output_is_not_an_error() {
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 }
+
+#[test]
+fn verbose_times_are_named_once_and_say_what_is_summed_over_threads() {
+    let folder = Folder::new();
+    let run = folder.run("render demo:plane --size 64x48 -o a.png -v".split(' '));
+    for (words, count) in [("read", 3), ("summed over threads", 2), ("bins", 1), ("total", 1)] {
+        // "threads" has a "read" in it.
+        assert_eq!(run.stderr.matches(words).count(), count, "{words}: {}", run.stderr);
+    }
+}

@@ -169,7 +169,10 @@ impl<'a> Buffers<'a> {
         let because = |what: &dyn std::fmt::Display| {
             malformed(pointer, format!("`{decoded}` can't be read: {what}"))
         };
-        let metadata = std::fs::metadata(&path).map_err(|error| because(&error))?;
+        let metadata = std::fs::metadata(&path).map_err(|error| {
+            let what = format!("`{decoded}` can't be read: {error}");
+            Error::at(place(), std::io::Error::new(error.kind(), what).into())
+        })?;
         if !metadata.is_file() {
             return Err(because(&"it is not a file"));
         }

@@ -77,6 +77,20 @@ impl Document<'_> {
             + (self.beginnings.len() + self.materials.len() + self.libraries.len()) as u64 * 400
     }
 
+    /// Makes points of all vertices, if there are no elements.
+    pub(super) fn show_bare_vertices(&mut self) {
+        if !self.elements.is_empty() {
+            return;
+        }
+        let is_placed = |position: &[f64; 3]| position.iter().all(|&v| (v as f32).is_finite());
+        let placed = (0..).zip(&self.positions).filter(|(_, position)| is_placed(position));
+        self.corners = placed.map(|(index, _)| [index, NONE, NONE]).collect();
+        if !self.corners.is_empty() {
+            let end = self.corners.len() as u32;
+            self.elements.push(Element { kind: Kind::Points, end, material: NONE, smoothing: 0 });
+        }
+    }
+
     /// The elements with their corners.
     pub(super) fn corners_of(&self, element: usize) -> &[[u32; 3]] {
         let start = if element == 0 { 0 } else { self.elements[element - 1].end };

@@ -142,9 +142,11 @@ fn faces_with_infinite_corners_are_left_out_and_counted() {
 }
 
 #[test]
-fn a_file_without_elements_is_valid() {
+fn the_vertices_of_a_file_without_elements_are_points() {
     let loaded = load(QUAD).unwrap();
-    assert!(loaded.scene.nodes.is_empty() && loaded.warnings.is_empty());
+    assert_eq!(loaded.scene.meshes[0].points[0].indices, [0, 1, 2, 3]);
+    assert!(loaded.warnings.is_empty());
+    assert!(load("# nothing\n").unwrap().scene.nodes.is_empty());
 }
 
 #[test]

@@ -63,6 +63,14 @@ fn index_list(element: &Element) -> Option<(usize, Scalar, Scalar)> {
     })
 }
 
+/// The indices of the properties of faces, or of strips, that are read.
+pub(super) fn used_properties(element: &Element) -> Vec<usize> {
+    let list = index_list(element).map(|(index, ..)| index);
+    let colors = ColorColumns::of(element).filter(|_| element.name == "face" && list.is_some());
+    let colors = colors.into_iter().flat_map(ColorColumns::columns).map(|column| column.property);
+    list.into_iter().chain(colors).collect()
+}
+
 impl Faces {
     pub(super) fn new(vertex_count: u64, limits: &Limits) -> Self {
         let max_memory = limits.max_memory;

@@ -85,6 +85,12 @@ impl Element {
             .position(|property| property.name == name && matches!(property.kind, Kind::Scalar(_)))
     }
 
+    /// The names of the properties that are not among those of these indices.
+    pub(super) fn others(&self, used: &[usize]) -> impl Iterator<Item = &str> {
+        let properties = self.properties.iter().enumerate();
+        properties.filter(|(index, _)| !used.contains(index)).map(|(_, own)| own.name.as_str())
+    }
+
     /// Bytes of a row in a binary body, if all rows have the same size.
     pub(super) fn stride(&self) -> Option<usize> {
         let size = |property: &Property| match property.kind {
@@ -101,7 +107,12 @@ pub(super) struct Header {
     pub(super) elements: Vec<Element>,
     /// Byte offset of the body.
     pub(super) body: usize,
+    /// Lines that PLY doesn't have, each with its number. Some exporters leave out `comment`.
+    pub(super) unknown: Vec<(u64, String)>,
 }
+
+/// A header with more unknown lines than these is none.
+const MOST_UNKNOWN: usize = 32;
 
 impl Header {
     pub(super) fn read(bytes: &[u8]) -> Result<Self, Error> {
@@ -112,6 +123,7 @@ impl Header {
         }
         let mut encoding = None;
         let mut elements = Vec::new();
+        let mut unknown = Vec::new();
         while let Some(line) = lines.next() {
             let number = lines.number;
             let wrong = |message: &str| {
@@ -156,9 +168,12 @@ impl Header {
                     let encoding = encoding.ok_or_else(|| {
                         wrong("the header needs a line `format` with ascii or a byte order")
                     })?;
-                    return Ok(Self { encoding, elements, body: lines.at });
+                    return Ok(Self { encoding, elements, body: lines.at, unknown });
                 }
                 None | Some(b"comment" | b"obj_info") => {}
+                Some(_) if unknown.len() < MOST_UNKNOWN => {
+                    unknown.push((number, shown(line.trim_ascii())));
+                }
                 Some(_) => return Err(wrong("PLY has no such header line")),
             }
         }

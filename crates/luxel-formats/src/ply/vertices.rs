@@ -70,6 +70,10 @@ impl ColorColumns {
         Some(Self(rgb, alpha))
     }
 
+    pub(super) fn columns(self) -> impl Iterator<Item = Column> {
+        self.0.into_iter().chain(self.1)
+    }
+
     /// The colour, linear.
     pub(super) fn decode(self, value: impl Fn(Column) -> f64) -> [f32; 4] {
         let channel = |column: Column| match column.scalar {
@@ -108,6 +112,16 @@ impl Columns {
     fn single(&self) -> bool {
         self.position.is_none_or(|columns| columns.iter().all(|c| c.scalar == Scalar::F32))
     }
+}
+
+/// The indices of the properties that are read.
+pub(super) fn used_properties(element: &Element) -> Vec<usize> {
+    let Columns { position, normal, uv, color } = Columns::of(element);
+    let used = position.into_iter().flatten().chain(normal.into_iter().flatten());
+    let used = used
+        .chain(uv.into_iter().flatten())
+        .chain(color.into_iter().flat_map(ColorColumns::columns));
+    used.map(|column| column.property).collect()
 }
 
 /// Bytes of a vertex in memory.

@@ -3,7 +3,7 @@
 use super::keys::{FORMAT, Key, RENDER, ROOT, Section, sections};
 use crate::memory::Memory;
 use crate::values::nearest;
-use crate::{Error, ErrorKind, Hint, Place};
+use crate::{Error, ErrorKind, Format, Hint, Place};
 use serde_spanned::Spanned;
 use std::borrow::Cow;
 use toml::de::{DeTable, DeValue};
@@ -43,6 +43,7 @@ fn unknown(name: &str, known: &[&'static str]) -> String {
 impl<'a> Document<'a> {
     /// Parses the text and checks format and version.
     pub(super) fn parse(bytes: &'a [u8], memory: &Memory<'_>) -> Result<Self, Error> {
+        Format::Toml.check_not_utf16(bytes)?;
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         memory.take("the scene file", bytes.len() as u64, BYTES_PER_BYTE, Place::File)?;
         let text = std::str::from_utf8(bytes).map_err(|error| {

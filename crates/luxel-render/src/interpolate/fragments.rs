@@ -17,7 +17,7 @@ use crate::setup::{
     TANGENT, TriangleSetup, UVS, VectorAt, VertexExtras,
 };
 use luxel_math::{LANES, Lanes, Mask, Rgb, Vec3, lanes_of};
-use luxel_visibility::{TileForms, TriangleId, interpolate};
+use luxel_visibility::{TileForms, TriangleId, interpolate, interpolate_step};
 
 /// Up to so many triangles a block are met one by one, each in all lanes; with more, one a lane.
 ///
@@ -308,20 +308,19 @@ impl<N: Lanes> Fragments<N> {
         }
         own.has = own.has.or(has);
         if has.has(AttributeMask::UVS[0].or(AttributeMask::UVS[1])) {
-            let [mut right, mut below] = forms.neighbours(x, y);
+            let [mut right, mut down] = forms.steps(x, y);
             if inexact != 0 {
-                [right, below] = exact_neighbours(scene, batch, inexact, [right, below]);
+                [right, down] = exact_steps(scene, batch, inexact, [right, down]);
             }
             for set in 0..2 {
-                let footprint: &mut Footprint<N> = &mut own.uv[set];
-                for (uv, weights) in footprint.iter_mut().zip([&weights, &right, &below]) {
-                    let [u, v] = [UVS[set], UVS[set] + 3];
-                    merge::<2, WHOLE, N>(
-                        uv,
-                        [extra(source, u, weights), extra(source, v, weights)],
-                        mask,
-                    );
-                }
+                let [here, to_right, to_below]: &mut Footprint<N> = &mut own.uv[set];
+                let [u, v] = [UVS[set], UVS[set] + 3];
+                let place = [extra(source, u, &weights), extra(source, v, &weights)];
+                merge::<2, WHOLE, N>(here, place, mask);
+                let step = [extra_step(source, u, &right), extra_step(source, v, &right)];
+                merge::<2, WHOLE, N>(to_right, step, mask);
+                let step = [extra_step(source, u, &down), extra_step(source, v, &down)];
+                merge::<2, WHOLE, N>(to_below, step, mask);
             }
         }
         if has.has(AttributeMask::TANGENTS) {
@@ -379,6 +378,12 @@ fn extra<N: Lanes>(source: &impl Source<N>, first: usize, weights: &[N; 3]) -> N
     interpolate(source.extra(first), differences, weights)
 }
 
+/// How a component of another attribute changes over a step.
+#[inline(always)]
+fn extra_step<N: Lanes>(source: &impl Source<N>, first: usize, step: &[N; 2]) -> N {
+    interpolate_step([source.extra(first + 1), source.extra(first + 2)], step)
+}
+
 /// The barycentrics of lanes whose triangles f32 can't tell.
 #[cold]
 #[inline(never)]
@@ -396,25 +401,25 @@ fn exact_weights<N: Lanes>(
     weights
 }
 
-/// The same one pixel to the right, and one below.
+/// How they change over a pixel to the right, and down.
 #[cold]
 #[inline(never)]
-fn exact_neighbours<N: Lanes>(
+fn exact_steps<N: Lanes>(
     scene: &ShadingContext<'_>,
     batch: &Batch,
     lanes: u32,
-    [mut right, mut below]: [[N; 3]; 2],
-) -> [[N; 3]; 2] {
+    [mut right, mut down]: [[N; 2]; 2],
+) -> [[N; 2]; 2] {
     for lane in lanes_of(lanes) {
         let Some(of) = scene.frame.triangle(TriangleId(batch.ids[lane])) else { continue };
-        let [own_right, own_below] = scene.frame.forms(of).exact_neighbours(batch.steps(lane));
+        let [own_right, own_down] = scene.frame.forms(of).exact_steps(batch.steps(lane));
         put_lane(&mut right, lane, own_right);
-        put_lane(&mut below, lane, own_below);
+        put_lane(&mut down, lane, own_down);
     }
-    [right, below]
+    [right, down]
 }
 
-fn put_lane<N: Lanes>(values: &mut [N; 3], lane: usize, new: [f32; 3]) {
+fn put_lane<N: Lanes, const C: usize>(values: &mut [N; C], lane: usize, new: [f32; C]) {
     for (value, new) in values.iter_mut().zip(new) {
         *value = value.with_lane(lane, new);
     }

@@ -65,6 +65,41 @@ impl Renderer {
         picture: Option<&mut Picture<[u8; 4]>>,
         values: &mut Vec<LayerValues>,
     ) -> Result<(), RenderError> {
+        if self.has_blended_materials() && layers.iter().any(Layer::is_summed) {
+            return self.layers_apart(view, layers, values);
+        }
+        self.one_pass(view, layers, picture, values, CoveragePolicy::NEAREST)
+    }
+
+    /// Terms of light from all layers of blended surfaces; all else from the nearest ones.
+    fn layers_apart(
+        &self,
+        view: &View,
+        layers: &[Layer],
+        values: &mut Vec<LayerValues>,
+    ) -> Result<(), RenderError> {
+        let (terms, others): (Vec<_>, Vec<_>) = layers.iter().cloned().partition(Layer::is_summed);
+        let (mut of_terms, mut of_others) = (Vec::new(), Vec::new());
+        self.one_pass(view, &terms, None, &mut of_terms, CoveragePolicy::DRAWN)?;
+        if !others.is_empty() {
+            self.one_pass(view, &others, None, &mut of_others, CoveragePolicy::NEAREST)?;
+        }
+        let (mut of_terms, mut of_others) = (of_terms.into_iter(), of_others.into_iter());
+        let next = |layer: &Layer| {
+            if layer.is_summed() { of_terms.next() } else { of_others.next() }
+        };
+        *values = layers.iter().filter_map(next).collect();
+        Ok(())
+    }
+
+    fn one_pass(
+        &self,
+        view: &View,
+        layers: &[Layer],
+        picture: Option<&mut Picture<[u8; 4]>>,
+        values: &mut Vec<LayerValues>,
+        coverage: CoveragePolicy,
+    ) -> Result<(), RenderError> {
         let lights = lights_with_terms(view);
         for layer in layers {
             if let Layer::Light(name) = layer
@@ -73,13 +108,12 @@ impl Renderer {
                 return Err(RenderError::NoSuchLight(name.clone()));
             }
         }
-        // Where nothing is let through but what is wholly transparent, the nearest surface counts.
         let view = view.clone().with_samples(1).with_edges(None);
         let has_uvs = layers.contains(&Layer::Uv);
         let attributes = if has_uvs { AttributeMask::UVS[0] } else { AttributeMask::NONE };
         let heard = Heard { positions: true, attributes };
         let start = self.now();
-        self.with_scene(&view, CoveragePolicy::NEAREST, None, heard, |scene, alpha_test| {
+        self.with_scene(&view, coverage, None, heard, |scene, alpha_test| {
             let bin = self.now() - start;
             let sums = Mutex::new(Stages::default());
             let mut picture = picture;
@@ -100,6 +134,7 @@ impl Renderer {
                 lights,
                 projection: view.camera.projection,
                 eye: view.camera.eye().to_array(),
+                is_blended: coverage == CoveragePolicy::DRAWN,
                 maps_normals: layers.contains(&Layer::Normal),
                 with_terms: with_terms && at_pixels,
                 terms_one_by_one: with_terms && !at_pixels,
@@ -117,11 +152,11 @@ impl Renderer {
 }
 
 /// What the pass reads beside the scene.
-struct Pass<'p> {
-    renderer: &'p Renderer,
-    scene: &'p ShadingContext<'p>,
-    alpha_test: &'p AlphaTest<'p>,
-    planes: Vec<Plane<'p>>,
+pub(super) struct Pass<'p> {
+    pub(super) renderer: &'p Renderer,
+    pub(super) scene: &'p ShadingContext<'p>,
+    pub(super) alpha_test: &'p AlphaTest<'p>,
+    pub(super) planes: Vec<Plane<'p>>,
     /// The picture, if it comes from this pass.
     pixels: Option<Bands<'p, [u8; 4]>>,
     /// What the stages take.
@@ -132,23 +167,32 @@ struct Pass<'p> {
     /// The eye's place in the world, f64, which positions are about.
     eye: [f64; 3],
     maps_normals: bool,
+    /// Whether layers are sums over blended surfaces.
+    is_blended: bool,
     /// Whether layers show terms of light that is computed at pixels.
     with_terms: bool,
     /// Whether layers show terms of light that is computed elsewhere.
-    terms_one_by_one: bool,
+    pub(super) terms_one_by_one: bool,
 }
 
 /// What one thread draws with.
-struct LayerWorker<'w> {
-    worker: BusyWorker<'w>,
+pub(super) struct LayerWorker<'w> {
+    pub(super) worker: BusyWorker<'w>,
     pixels: Box<TilePixels<[u8; 4]>>,
     /// A tile of each layer.
-    tiles: Vec<TileValues>,
-    of_lights: Vec<[[f32; LANES]; 3]>,
+    pub(super) tiles: Vec<TileValues>,
+    pub(super) of_lights: Vec<[[f32; LANES]; 3]>,
 }
 
 impl<'w> TileWork<LayerWorker<'w>> for Pass<'w> {
     fn draw(&self, worker: &mut LayerWorker<'w>, tile: usize) {
+        if self.is_blended {
+            self.draw_blended(worker, tile);
+            for (plane, drawn) in self.planes.iter().zip(&worker.tiles) {
+                plane.put(tile, drawn);
+            }
+            return;
+        }
         let level = self.renderer.level();
         let frame = self.scene.frame;
         let alpha_tester = self.alpha_test.finder(frame, level);
@@ -225,7 +269,7 @@ impl<'p> Pass<'p> {
     }
 
     /// Fills a block in which nothing is seen.
-    fn fill_block(&self, worker: &mut LayerWorker<'_>, block: usize) {
+    pub(super) fn fill_block(&self, worker: &mut LayerWorker<'_>, block: usize) {
         let LayerWorker { pixels, tiles, .. } = worker;
         if self.pixels.is_some() {
             put_block(pixels, block, &[self.finish().pixel(empty_pixel(self.scene)); LANES]);
@@ -288,7 +332,7 @@ impl<'p> Pass<'p> {
 
     /// The values of a layer of numbers.
     #[inline(always)]
-    fn values<N: Lanes>(
+    pub(super) fn values<N: Lanes>(
         &self,
         layer: &Layer,
         witness: &LayerWitness<'_, N>,
@@ -358,7 +402,12 @@ impl<'p> Pass<'p> {
 
     /// A term of light that is computed elsewhere than at the pixel, lane by lane.
     #[cold]
-    fn terms_of_lanes(&self, layer: &Layer, batch: &Batch, cache: &mut ThreadCache) -> BlockValues {
+    pub(super) fn terms_of_lanes(
+        &self,
+        layer: &Layer,
+        batch: &Batch,
+        cache: &mut ThreadCache,
+    ) -> BlockValues {
         let mut values = [[0.0; LANES]; 3];
         for lane in 0..LANES {
             let lit = Lit::of(self.scene, self.eye, &self.lights, &batch.only(lane), cache);

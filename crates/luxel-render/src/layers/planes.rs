@@ -120,6 +120,16 @@ impl<'p> Plane<'p> {
             }
         }
     }
+
+    /// Adds to a block's values among the rows of its tile.
+    pub(super) fn add_values(&self, tile: &mut [f32], block: usize, values: &BlockValues) {
+        for lane in 0..LANES {
+            let at = place_in_tile(block, lane) * self.channels;
+            for (sum, values) in tile[at..at + self.channels].iter_mut().zip(values) {
+                *sum += values[lane];
+            }
+        }
+    }
 }
 
 /// Numbers in memory, with the background where nothing is seen.

@@ -3,7 +3,7 @@
 use crate::context::AttributeMask;
 use luxel_math::{Lanes, Rgb, Vec3};
 
-/// Texture coordinates at a sample, one pixel to the right and one below.
+/// Texture coordinates at a sample, and how they change over a pixel to the right, and down.
 pub(crate) type Footprint<N> = [[N; 2]; 3];
 
 /// The surfaces that samples see.
@@ -83,7 +83,7 @@ impl Attributes<f32> {
             light: Rgb::new(r, g, b),
             has,
             tangent: corner.tangent,
-            uv: corner.uv.map(|uv| [uv; 3]),
+            uv: corner.uv.map(|uv| [uv, [0.0; 2], [0.0; 2]]),
             color: corner.color,
         }
     }

@@ -72,13 +72,10 @@ fn sample_lanes<N: Lanes, const C: usize>(
     varying: &Attributes<N>,
     lanes: u32,
 ) -> [N; C] {
-    let [here, right, below] = varying.uv[usize::from(used.uv_set & 1)];
+    let [here, right, down] = varying.uv[usize::from(used.uv_set & 1)];
     let texture = &scene.scene.textures[used.texture.index()];
-    let [here, right, below] =
-        [used.transformed(here), used.transformed(right), used.transformed(below)];
-    let along_x = [right[0] - here[0], right[1] - here[1]];
-    let along_y = [below[0] - here[0], below[1] - here[1]];
-    texture.sample(here, along_x, along_y, lanes)
+    let [right, down] = [used.transformed_step(right), used.transformed_step(down)];
+    texture.sample(used.transformed(here), right, down, lanes)
 }
 
 /// Samples a texture that a material may lack.

@@ -281,7 +281,12 @@ impl LitTriangle {
         let [x, y, z] = interpolate_corners(&self.corners.map(|at| at.position), &barycentric);
         Attributes {
             position: Vec3::new(x, y, z),
-            uv: [0, 1].map(|set| [here.uv[set], right.uv[set], below.uv[set]]),
+            uv: [0, 1].map(|set| {
+                let step = |to: &Corner| {
+                    [to.uv[set][0] - here.uv[set][0], to.uv[set][1] - here.uv[set][1]]
+                };
+                [here.uv[set], step(&right), step(&below)]
+            }),
             ..Attributes::at(&here, self.has)
         }
     }

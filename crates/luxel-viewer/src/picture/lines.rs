@@ -1,7 +1,7 @@
 //! World-space lines over the picture, hidden by nearer surfaces.
 
 use crate::projection::project_point;
-use egui::Color32;
+use ecolor::Color32;
 use luxel::scene::{Camera, DVec2, DVec3, Size};
 
 /// A line segment in world space.

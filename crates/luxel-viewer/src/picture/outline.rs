@@ -64,7 +64,7 @@ pub(crate) fn draw_outlines(
         *pixel = match *line {
             SELECTED => mixed(*pixel, theme.accent, 256),
             HOVERED => mixed(*pixel, theme.text, 150),
-            HALO => mixed(*pixel, egui::Color32::BLACK, 110),
+            HALO => mixed(*pixel, ecolor::Color32::BLACK, 110),
             _ => continue,
         };
     }
@@ -103,7 +103,7 @@ fn owners(
 }
 
 /// Mixes a colour over a pixel, 0RGB, by `part` 256ths.
-fn mixed(pixel: u32, color: egui::Color32, part: u32) -> u32 {
+fn mixed(pixel: u32, color: ecolor::Color32, part: u32) -> u32 {
     let [_, below @ ..] = pixel.to_be_bytes();
     let above = [color.r(), color.g(), color.b()];
     let mix = |at: usize| {

@@ -230,13 +230,6 @@ impl<D: F64Lanes> Forms<D> {
     pub fn barycentrics(&self, x: D, y: D) -> ([D::F32; 3], <D::F32 as Lanes>::Mask) {
         self.linear.barycentrics(x, y)
     }
-
-    /// The barycentrics one pixel to the right and one below: see [`LinearForms::beside`].
-    #[inline(always)]
-    #[must_use]
-    pub fn beside(&self, x: D, y: D) -> [[D::F32; 3]; 2] {
-        self.linear.beside(x, y)
-    }
 }
 
 impl<D: F64Lanes> LinearForms<D> {
@@ -277,15 +270,14 @@ impl<D: F64Lanes> LinearForms<D> {
         ([b0, b1, b2], !inside)
     }
 
-    /// The barycentrics one pixel to the right of (x, y), and one below, in the triangle's plane:
-    /// how textures learn what a pixel covers.
+    /// How the second and the third barycentric change from (x, y) to one pixel to the right, and to one
+    /// below, in the triangle's plane: what a pixel covers of a texture.
     #[inline(always)]
     #[must_use]
-    pub fn beside(&self, x: D, y: D) -> [[D::F32; 3]; 2] {
+    pub fn steps(&self, x: D, y: D) -> [[D::F32; 2]; 2] {
         let [w0, w1, w2] = self.weights(x, y);
-        let [a0, a1, a2] = self.a;
-        let [b0, b1, b2] = self.b;
-        [by_their_sum([w0 + a0, w1 + a1, w2 + a2]), by_their_sum([w0 + b0, w1 + b1, w2 + b2])]
+        let sum = w0 + w1 + w2;
+        [step([w1, w2], sum, self.a), step([w1, w2], sum, self.b)]
     }
 
     /// Each lane's own forms, from `packed(lane)`; `simd` selects the lane type. The closure
@@ -341,11 +333,12 @@ impl<D: F64Lanes> LinearForms<D> {
     }
 }
 
-/// Weights divided by their sum.
+/// See [`TileForms::steps`](super::TileForms::steps).
 #[inline(always)]
-fn by_their_sum<D: F64Lanes>([w0, w1, w2]: [D; 3]) -> [D::F32; 3] {
-    let scale = w0.constant(1.0) / (w0 + w1 + w2);
-    [(w0 * scale).to_f32(), (w1 * scale).to_f32(), (w2 * scale).to_f32()]
+fn step<D: F64Lanes>([w1, w2]: [D; 2], sum: D, [a0, a1, a2]: [D; 3]) -> [D::F32; 2] {
+    let more = a0 + a1 + a2;
+    let scale = sum.constant(1.0) / (sum * (sum + more));
+    [((a1 * sum - w1 * more) * scale).to_f32(), ((a2 * sum - w2 * more) * scale).to_f32()]
 }
 
 /// One triangle alone.
@@ -428,12 +421,12 @@ impl Forms {
         if outside { self.nearest_on_edges(rays, x, y) } else { barycentric }
     }
 
-    /// The barycentrics one pixel to the right of a position in steps of 1/256 pixel, and one below,
-    /// in f64.
+    /// How the second and the third barycentric change from a position in steps of 1/256 pixel to one
+    /// pixel to the right, and to one below, in f64.
     #[must_use]
-    pub fn exact_neighbours(&self, position: [i32; 2]) -> [[f32; 3]; 2] {
+    pub fn exact_steps(&self, position: [i32; 2]) -> [[f32; 2]; 2] {
         let [x, y] = position.map(|steps| f64::from(steps) / f64::from(SUBPIXELS));
-        self.beside(x, y)
+        self.linear.steps(x, y)
     }
 }
 

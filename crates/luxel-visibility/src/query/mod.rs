@@ -14,6 +14,7 @@ pub use lines_points::{LINE_WIDTH, POINT_SIZE, Strokes, strokes};
 pub use point_coverage::{Probe, ProbedTriangle, Reach};
 pub use seen_cluster::{SeenCluster, ShadingCorners};
 pub use tile_forms::{
-    Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners, tile_of,
+    Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners,
+    interpolate_corners_step, interpolate_step, tile_of,
 };
 pub use view_rays::ViewRays;

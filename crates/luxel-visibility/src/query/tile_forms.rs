@@ -259,17 +259,19 @@ impl<N: Lanes> TileForms<N> {
         Barycentrics { weights: [w0 * scale, w1 * scale, w2 * scale], inexact }
     }
 
-    /// The barycentrics one pixel to the right of (x, y), and one below, in the triangle's plane and
-    /// not brought into the triangle: a pixel's footprint on textures.
+    /// How the second and the third barycentric change from (x, y) to one pixel to the right, and to one
+    /// below, in the triangle's plane: a pixel's footprint on textures. For [`interpolate_step`].
+    ///
+    /// With the weights w_i, their sum S, and what a pixel adds to them, a_i and A: (w_i + a_i) / (S + A) -
+    /// w_i / S = (a_i S - w_i A) / (S (S + A)). The difference of two barycentrics would lose the digits
+    /// that they share, and a footprint decides how many probes a texture gets.
     #[inline(always)]
     #[must_use]
-    pub fn neighbours(&self, x: N, y: N) -> [[N; 3]; 2] {
+    pub fn steps(&self, x: N, y: N) -> [[N; 2]; 2] {
         let [w0, w1, w2] = self.weights(x, y);
         let Self { a, b, .. } = self;
-        [
-            by_their_sum([w0 + a[0], w1 + a[1], w2 + a[2]]),
-            by_their_sum([w0 + b[0], w1 + b[1], w2 + b[2]]),
-        ]
+        let sum = w0 + w1 + w2;
+        [step([w1, w2], sum, a), step([w1, w2], sum, b)]
     }
 }
 
@@ -319,11 +321,12 @@ fn scaled<D: F64Lanes>([x, y, z]: [D; 3], scale: D) -> [D::F32; 3] {
     [(x * scale).to_f32(), (y * scale).to_f32(), (z * scale).to_f32()]
 }
 
-/// Weights divided by their sum.
+/// See [`TileForms::steps`].
 #[inline(always)]
-fn by_their_sum<N: Lanes>([w0, w1, w2]: [N; 3]) -> [N; 3] {
-    let scale = w0.one() / (w0 + w1 + w2);
-    [w0 * scale, w1 * scale, w2 * scale]
+fn step<N: Lanes>([w1, w2]: [N; 2], sum: N, [a0, a1, a2]: &[N; 3]) -> [N; 2] {
+    let more = *a0 + *a1 + *a2;
+    let scale = sum.one() / (sum * (sum + more));
+    [(*a1 * sum - w1 * more) * scale, (*a2 * sum - w2 * more) * scale]
 }
 
 /// A value of a triangle's first corner and what the other two differ from it, at barycentrics:
@@ -332,6 +335,24 @@ fn by_their_sum<N: Lanes>([w0, w1, w2]: [N; 3]) -> [N; 3] {
 #[must_use]
 pub fn interpolate<N: Lanes>(first: N, differences: [N; 2], [_, b1, b2]: &[N; 3]) -> N {
     first + differences[0] * *b1 + differences[1] * *b2
+}
+
+/// How [`interpolate`] changes with the second and the third barycentric: a step of both.
+#[inline(always)]
+#[must_use]
+pub fn interpolate_step<N: Lanes>(differences: [N; 2], [b1, b2]: &[N; 2]) -> N {
+    differences[0] * *b1 + differences[1] * *b2
+}
+
+/// [`interpolate_step`] of several values given at the corners of one triangle.
+#[must_use]
+pub fn interpolate_corners_step<const C: usize>(
+    [first, second, third]: &[[f32; C]; 3],
+    step: &[f32; 2],
+) -> [f32; C] {
+    std::array::from_fn(|at| {
+        interpolate_step([second[at] - first[at], third[at] - first[at]], step)
+    })
 }
 
 /// [`interpolate`] of several values given at the corners of one triangle.
@@ -376,17 +397,13 @@ impl Forms {
         if found.inexact.any() { self.exact_barycentric(rays, position) } else { found.weights }
     }
 
-    /// The barycentrics one pixel to the right of a position in steps of 1/256 pixel, and one below, in
-    /// the triangle's plane. What a frame's lanes hold, bit for bit.
+    /// How the second and the third barycentric change from a position in steps of 1/256 pixel to one pixel
+    /// to the right, and to one below. What a frame's lanes hold, bit for bit.
     #[must_use]
-    pub fn neighbours(&self, rays: &WindowRays, position: [i32; 2]) -> [[f32; 3]; 2] {
+    pub fn steps(&self, rays: &WindowRays, position: [i32; 2]) -> [[f32; 2]; 2] {
         let (tile, [x, y]) = within_tile(position);
         let forms = self.in_tile(rays, tile);
-        if forms.at(x, y).inexact.any() {
-            self.exact_neighbours(position)
-        } else {
-            forms.neighbours(x, y)
-        }
+        if forms.at(x, y).inexact.any() { self.exact_steps(position) } else { forms.steps(x, y) }
     }
 }
 

@@ -243,6 +243,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "scene_file",
             "commands",
             "cli",
+            "batch",
         ],
     ),
 ];

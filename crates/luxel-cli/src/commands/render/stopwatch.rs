@@ -28,9 +28,11 @@ impl Stopwatch {
 
     /// Adds the stages of a frame, which are part of the lap `frame`.
     pub(super) fn add_stages(&mut self, stages: &Stages) {
-        self.add("frame_bin", stages.bin);
-        self.add("frame_visibility", stages.visibility);
-        self.add("frame_shade", stages.shade);
+        for ((name, _), duration) in
+            STAGES_OF_FRAMES.into_iter().zip([stages.bin, stages.visibility, stages.shade])
+        {
+            self.add(name, duration);
+        }
     }
 
     fn add(&mut self, stage: &'static str, duration: Duration) {
@@ -52,10 +54,30 @@ impl Stopwatch {
     }
 }
 
+/// Stages of frames, and what they are called below `frame`.
+const STAGES_OF_FRAMES: [(&str, &str); 3] = [
+    ("frame_bin", "bins"),
+    ("frame_visibility", "visibility, summed over threads,"),
+    ("frame_shade", "shading, summed over threads,"),
+];
+
+/// One stage after the other but for reading, of which its reader reports.
 impl fmt::Display for Stopwatch {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let of_frames = |stage: &str| STAGES_OF_FRAMES.iter().find(|(name, _)| *name == stage);
         for (name, duration) in &self.stages {
-            write!(formatter, "{name} {} ms, ", milliseconds(*duration))?;
+            if *name == "read" || of_frames(name).is_some() {
+                continue;
+            }
+            write!(formatter, "{name} {} ms", milliseconds(*duration))?;
+            let parts = self.stages.iter().filter(|_| *name == "frame");
+            let parts = parts.filter_map(|(part, sum)| Some((of_frames(part)?.1, sum)));
+            let parts: Vec<_> =
+                parts.map(|(part, sum)| format!("{part} {} ms", milliseconds(*sum))).collect();
+            if !parts.is_empty() {
+                write!(formatter, " ({})", parts.join("; "))?;
+            }
+            write!(formatter, ", ")?;
         }
         write!(formatter, "total {} ms", milliseconds(self.start.elapsed()))
     }

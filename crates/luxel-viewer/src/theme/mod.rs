@@ -1,8 +1,13 @@
-//! Colours, type and spacing of the window: a dark and a light theme.
+//! Colours of the viewer, type and spacing of the window: a dark and a light theme.
 
-use egui::{Color32, Context, CornerRadius, FontFamily, FontId, Stroke, Style, TextStyle, Visuals};
+#[cfg(feature = "window")]
+mod style;
 
-/// The colours of the window.
+use ecolor::Color32;
+#[cfg(feature = "window")]
+pub(crate) use style::of;
+
+/// The colours of the viewer.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Theme {
     /// Light text on dark panels.
@@ -97,75 +102,6 @@ impl ThemeChoice {
     }
 }
 
-/// The theme of a layout.
-pub(crate) fn of(context: &Context) -> &'static Theme {
-    if context.style().visuals.dark_mode { &DARK } else { &LIGHT }
-}
-
-impl Theme {
-    /// Text of 13 points, notes of 11; spacing in steps of 4 points; no animations.
-    pub(crate) fn style(&self) -> Style {
-        let mut style = Style::default();
-        let font = |size, family| FontId::new(size, family);
-        style.text_styles = [
-            (TextStyle::Heading, font(13.0, FontFamily::Proportional)),
-            (TextStyle::Body, font(13.0, FontFamily::Proportional)),
-            (TextStyle::Button, font(13.0, FontFamily::Proportional)),
-            (TextStyle::Small, font(11.0, FontFamily::Proportional)),
-            (TextStyle::Monospace, font(12.0, FontFamily::Monospace)),
-        ]
-        .into();
-        style.spacing.item_spacing = egui::vec2(8.0, 4.0);
-        style.spacing.button_padding = egui::vec2(8.0, 4.0);
-        style.spacing.interact_size.y = 24.0;
-        style.animation_time = 0.0;
-        style.scroll_animation = egui::style::ScrollAnimation::none();
-        // Labels aren't controls.
-        style.interaction.selectable_labels = false;
-        style.visuals = self.visuals();
-        style
-    }
-
-    fn visuals(&self) -> Visuals {
-        let mut visuals = if self.is_dark { Visuals::dark() } else { Visuals::light() };
-        visuals.panel_fill = self.panel;
-        visuals.window_fill = self.panel;
-        visuals.window_stroke = Stroke::new(1.0, self.line);
-        visuals.extreme_bg_color = self.field;
-        visuals.override_text_color = Some(self.text);
-        visuals.selection.bg_fill = self.accent.gamma_multiply(0.28);
-        visuals.selection.stroke = Stroke::new(1.0, self.accent);
-        visuals.window_shadow = egui::Shadow::NONE;
-        visuals.popup_shadow = egui::Shadow::NONE;
-        visuals.window_corner_radius = CornerRadius::same(4);
-        visuals.menu_corner_radius = CornerRadius::same(4);
-        visuals.slider_trailing_fill = true;
-        let widgets = &mut visuals.widgets;
-        for widget in [
-            &mut widgets.noninteractive,
-            &mut widgets.inactive,
-            &mut widgets.hovered,
-            &mut widgets.active,
-            &mut widgets.open,
-        ] {
-            widget.corner_radius = CornerRadius::same(4);
-            widget.expansion = 0.0;
-        }
-        widgets.noninteractive.bg_stroke = Stroke::new(1.0, self.line);
-        widgets.inactive.weak_bg_fill = self.button;
-        widgets.inactive.bg_fill = self.button;
-        widgets.hovered.weak_bg_fill = self.line;
-        widgets.hovered.bg_fill = self.line;
-        widgets.hovered.bg_stroke = Stroke::NONE;
-        widgets.active.weak_bg_fill = self.line;
-        widgets.active.bg_fill = self.line;
-        // Marks keyboard focus.
-        widgets.active.bg_stroke = Stroke::new(1.0, self.accent);
-        widgets.open.weak_bg_fill = self.line;
-        visuals
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -173,7 +109,7 @@ mod tests {
     /// WCAG 2.1, section 1.4.3.
     fn contrast(a: Color32, b: Color32) -> f64 {
         let luminance = |color: Color32| {
-            let [r, g, b, _] = egui::Rgba::from(color).to_array().map(f64::from);
+            let [r, g, b, _] = ecolor::Rgba::from(color).to_array().map(f64::from);
             0.2126 * r + 0.7152 * g + 0.0722 * b
         };
         let (a, b) = (luminance(a), luminance(b));

@@ -1,0 +1,67 @@
+//! What window and terminal share: the model with its first view, the theme, files that are written.
+
+use super::{ThemeName, ViewCommand};
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::options::InputOptions;
+use crate::{model, navigation, output, surface, view};
+use luxel_viewer::{LoadProgress, Model, ThemeChoice};
+use std::ffi::OsStr;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Fails after a stop; the failure is not shown.
+fn stopped(progress: &LoadProgress) -> Result<(), Failure> {
+    if progress.is_stopped() { Err(Failure::work("it was stopped", "")) } else { Ok(()) }
+}
+
+/// Writes a file. The error omits the remedy, which names a flag.
+pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
+    output::write_file(path, bytes)
+        .map_err(|failure| failure.lines().first().copied().unwrap_or_default().to_owned())
+}
+
+impl ViewCommand {
+    pub(super) fn theme(&self) -> ThemeChoice {
+        match self.theme {
+            ThemeName::Auto => ThemeChoice::Auto,
+            ThemeName::Dark => ThemeChoice::Dark,
+            ThemeName::Light => ThemeChoice::Light,
+        }
+    }
+
+    /// Another model, of the same format if `--format` is given.
+    pub(super) fn input(&self, model: &OsStr) -> InputOptions {
+        InputOptions { model: model.to_owned(), format: self.input.format }
+    }
+
+    pub(super) fn load(
+        &self,
+        file: &OsStr,
+        console: Console,
+        progress: &LoadProgress,
+    ) -> Result<Model, Failure> {
+        let input = self.input(file);
+        let reading = Some(progress.reader.clone());
+        let mut model = model::load_with_progress(&input, &self.view.execution, console, reading)?;
+        progress.file_parsed();
+        stopped(progress)?;
+        if model.scene.is_empty() {
+            return Err(model::nothing_to_draw(&input.name()));
+        }
+        surface::apply_material(&self.view.material, &mut model.scene);
+        surface::apply_normals(&self.view.shading, &mut model.scene);
+        progress.normals_computed();
+        stopped(progress)?;
+        let scene = model.scene;
+        let (state, settings, camera) = navigation::start(&self.view.frame, &scene, self.mode)?;
+        let view = view::view(&self.view, None, camera, &scene)?;
+        Ok(Model {
+            scene: Arc::new(scene),
+            view,
+            up: settings.up,
+            pivot: state.pivot(),
+            planes: [self.view.frame.near, self.view.frame.far],
+        })
+    }
+}
