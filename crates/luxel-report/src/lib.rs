@@ -38,6 +38,8 @@
 //!
 //! # Symbols
 //!
+//! [`meanings_in`] explains the symbols in a text:
+//!
 //! | symbol | meaning |
 //! | --- | --- |
 //! | N, L, V, R, H | unit vectors in world space: the normal, to the light, to the eye, L mirrored
@@ -56,7 +58,7 @@ mod pick;
 mod pixel;
 mod words;
 
-pub use equation::TermKind;
+pub use equation::{TermKind, meanings_in};
 pub use pick::{PickReport, RegionReport, camera_to_json};
-pub use pixel::{Hint, LedgerLine, Pictures, PicturesError, Report, ledger_lines};
-pub use words::printable;
+pub use pixel::{Hint, LedgerFactor, LedgerLine, Pictures, PicturesError, Report, ledger_lines};
+pub use words::{number, printable};

@@ -19,7 +19,12 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
     highlight: Some(HighlightVector::Halfway),
     diffuse: &[COSINE],
     specular: Some(&[ModelFactor {
-        symbol: Symbol::new("N.H", r"\mathbf N\cdot\mathbf H", "<b>N</b>·<b>H</b>"),
+        symbol: Symbol::new(
+            "N.H",
+            r"\mathbf N\cdot\mathbf H",
+            "<b>N</b>·<b>H</b>",
+            "N.H: the cosine of the angle between the normal and H, halfway between light and eye",
+        ),
         quantity: Quantity::Power,
     }]),
 };

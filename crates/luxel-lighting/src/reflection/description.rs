@@ -79,24 +79,41 @@ pub struct Symbol {
     pub latex: &'static str,
     /// For HTML.
     pub html: &'static str,
+    /// What it means: one line that begins with the symbol as plain text.
+    pub meaning: &'static str,
 }
 
 impl Symbol {
-    /// A symbol as plain text, LaTeX and HTML.
+    /// A symbol as plain text, LaTeX and HTML, and what it means.
     #[must_use]
-    pub const fn new(text: &'static str, latex: &'static str, html: &'static str) -> Self {
-        Self { text, latex, html }
+    pub const fn new(
+        text: &'static str,
+        latex: &'static str,
+        html: &'static str,
+        meaning: &'static str,
+    ) -> Self {
+        Self { text, latex, html, meaning }
     }
 }
 
 /// max(N.L, 0)
 pub(super) const COSINE: ModelFactor = ModelFactor {
-    symbol: Symbol::new("N.L", r"\mathbf N\cdot\mathbf L", "<b>N</b>·<b>L</b>"),
+    symbol: Symbol::new(
+        "N.L",
+        r"\mathbf N\cdot\mathbf L",
+        "<b>N</b>·<b>L</b>",
+        "N.L: the cosine of the angle between the normal and the direction to the light",
+    ),
     quantity: Quantity::Cosine,
 };
 
 /// 1 - metallic
 pub const NOT_METAL: ModelFactor = ModelFactor {
-    symbol: Symbol::new("(1 - metallic)", r"(1 - \mathrm{metallic})", "(1 − metallic)"),
+    symbol: Symbol::new(
+        "(1 - metallic)",
+        r"(1 - \mathrm{metallic})",
+        "(1 − metallic)",
+        "1 - metallic: the share of the surface that is no metal, which alone reflects diffusely",
+    ),
     quantity: Quantity::NotMetal,
 };

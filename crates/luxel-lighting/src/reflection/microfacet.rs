@@ -24,12 +24,17 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
 };
 
 const NOT_MIRRORED: ModelFactor = ModelFactor {
-    symbol: Symbol::new("(1 - F)", "(1 - F)", "(1 − F)"),
+    symbol: Symbol::new(
+        "(1 - F)",
+        "(1 - F)",
+        "(1 − F)",
+        "1 - F: the share of the light that the surface doesn't mirror",
+    ),
     quantity: Quantity::Color(None, |lobe| fresnel_of(lobe).map(|f| 1.0 - f)),
 };
 
 const PI_D: ModelFactor = ModelFactor {
-    symbol: Symbol::new("pi D", r"\pi D", "π D"),
+    symbol: Symbol::new("pi D", r"\pi D", "π D", "pi D: how many microfacets face H, times pi"),
     quantity: Quantity::Number("pi_d", |lobe| match *lobe {
         Lobe::Facets { pi_d, .. } => pi_d,
         _ => 0.0,
@@ -37,7 +42,12 @@ const PI_D: ModelFactor = ModelFactor {
 };
 
 const VISIBILITY: ModelFactor = ModelFactor {
-    symbol: Symbol::new("V", "V", "V"),
+    symbol: Symbol::new(
+        "V",
+        "V",
+        "V",
+        "V: the visibility of the microfacets, which shade and hide one another",
+    ),
     quantity: Quantity::Number("visibility", |lobe| match *lobe {
         Lobe::Facets { visibility, .. } => visibility,
         _ => 0.0,
@@ -45,7 +55,12 @@ const VISIBILITY: ModelFactor = ModelFactor {
 };
 
 const FRESNEL: ModelFactor = ModelFactor {
-    symbol: Symbol::new("F", "F", "F"),
+    symbol: Symbol::new(
+        "F",
+        "F",
+        "F",
+        "F: Fresnel's reflectance, the share of the light that the surface mirrors",
+    ),
     quantity: Quantity::Color(Some("fresnel"), fresnel_of),
 };
 

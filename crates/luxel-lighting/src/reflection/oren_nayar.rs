@@ -26,6 +26,8 @@ const ROUGH: ModelFactor = ModelFactor {
         "(A + B max(q, 0) / max(N.L, N.V))",
         r"\Bigl(A + B\,\tfrac{\max(q, 0)}{\max(\mathbf N\cdot\mathbf L,\,\mathbf N\cdot\mathbf V)}\Bigr)",
         "(A + B max(q, 0) / max(<b>N</b>·<b>L</b>, <b>N</b>·<b>V</b>))",
+        "A + B max(q, 0) / max(N.L, N.V): how roughness changes the diffuse light; A and B depend on \
+         it, q = V.L - (N.V) (N.L)",
     ),
     quantity: Quantity::Number("rough", |lobe| match *lobe {
         Lobe::Rough(factor) => factor,

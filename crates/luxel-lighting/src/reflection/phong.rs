@@ -19,7 +19,12 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
     highlight: Some(HighlightVector::Reflected),
     diffuse: &[COSINE],
     specular: Some(&[ModelFactor {
-        symbol: Symbol::new("R.V", r"\mathbf R\cdot\mathbf V", "<b>R</b>·<b>V</b>"),
+        symbol: Symbol::new(
+            "R.V",
+            r"\mathbf R\cdot\mathbf V",
+            "<b>R</b>·<b>V</b>",
+            "R.V: the cosine of the angle between the mirrored light and the direction to the eye",
+        ),
         quantity: Quantity::Power,
     }]),
 };

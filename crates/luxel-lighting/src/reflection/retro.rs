@@ -15,7 +15,12 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
     highlight: None,
     diffuse: &[COSINE],
     specular: Some(&[ModelFactor {
-        symbol: Symbol::new("V.L", r"\mathbf V\cdot\mathbf L", "<b>V</b>·<b>L</b>"),
+        symbol: Symbol::new(
+            "V.L",
+            r"\mathbf V\cdot\mathbf L",
+            "<b>V</b>·<b>L</b>",
+            "V.L: the cosine of the angle between the directions to the eye and to the light",
+        ),
         quantity: Quantity::Power,
     }]),
 };

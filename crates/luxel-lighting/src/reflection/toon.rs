@@ -29,6 +29,7 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
             "(floor(steps max(N.L, 0) + 1/2) / steps)",
             r"\tfrac{\lfloor\mathrm{steps}\,\max(\mathbf N\cdot\mathbf L,\,0) + 1/2\rfloor}{\mathrm{steps}}",
             "(⌊steps max(<b>N</b>·<b>L</b>, 0) + ½⌋ / steps)",
+            "floor(steps max(N.L, 0) + 1/2) / steps: the cosine N.L in steps",
         ),
         quantity: Quantity::Number("stepped_diffuse", |lobe| match *lobe {
             Lobe::Factors { diffuse, .. } => diffuse,
@@ -40,6 +41,7 @@ pub(super) static MODEL: ReflectionModel = ReflectionModel {
             "(floor(steps max(N.H, 0)^n + 1/2) / steps)",
             r"\tfrac{\lfloor\mathrm{steps}\,\max(\mathbf N\cdot\mathbf H,\,0)^n + 1/2\rfloor}{\mathrm{steps}}",
             "(⌊steps max(<b>N</b>·<b>H</b>, 0)<sup><i>n</i></sup> + ½⌋ / steps)",
+            "floor(steps max(N.H, 0)^n + 1/2) / steps: the highlight in steps",
         ),
         quantity: Quantity::Number("stepped_specular", |lobe| match *lobe {
             Lobe::Factors { specular, .. } => specular,

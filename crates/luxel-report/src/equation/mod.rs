@@ -11,5 +11,6 @@ pub(crate) use light::{highlight_vector, reach, why_not};
 pub(crate) use plain::{factor_text, interpolation_text, symbol_text};
 pub(crate) use point::{Interpolation, ShadingPoint, shading_points};
 pub(crate) use products::{LightEntry, point_terms};
+pub use symbols::meanings_in;
 pub use term::TermKind;
 pub(crate) use term::{Factor, PartTerm, Term};

@@ -24,10 +24,8 @@ pub enum LedgerLine {
         kind: TermKind,
         /// Its name.
         name: String,
-        /// The product in symbols: `f I_d k_d O_d max(N.L, 0)`.
-        symbols: String,
-        /// The product in numbers.
-        numbers: String,
+        /// The factors of the product: `f`, `I_d`, `k_d`, `O_d`, `max(N.L, 0)`.
+        factors: Vec<LedgerFactor>,
         /// Linear red, green, blue.
         value: [f32; 3],
         /// Whether it is a part of a factor of a later term (of a mix of reflection models), and so
@@ -47,6 +45,17 @@ pub enum LedgerLine {
         /// How it was clamped, interpolated or fogged; may be empty.
         note: String,
     },
+}
+
+/// A factor of a product.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LedgerFactor {
+    /// As the equation writes it.
+    pub symbol: String,
+    /// What it means: a line that begins with the symbol.
+    pub meaning: &'static str,
+    /// Its value.
+    pub number: String,
 }
 
 /// The lighting equation of a surface with its numbers filled in, line by line.
@@ -126,15 +135,16 @@ fn part(PartTerm { of, term: one }: &PartTerm) -> LedgerLine {
 }
 
 fn term(term: &Term, part_of: Option<&str>) -> LedgerLine {
-    let words = |of: fn(&Factor) -> String, between: &str| {
-        term.factors.iter().map(of).collect::<Vec<_>>().join(between)
+    let factor = |factor: &Factor| LedgerFactor {
+        symbol: symbol_text(factor),
+        meaning: factor.symbol().meaning,
+        number: factor_text(factor),
     };
     let name = part_of.map_or_else(|| term.name.to_owned(), |of| format!("{} in {of}", term.name));
     LedgerLine::Term {
         kind: term.kind,
         name,
-        symbols: words(symbol_text, " "),
-        numbers: words(factor_text, " x "),
+        factors: term.factors.iter().map(factor).collect(),
         value: term.value,
         is_part: part_of.is_some(),
     }

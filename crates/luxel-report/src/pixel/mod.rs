@@ -12,6 +12,6 @@ mod sentences;
 mod text;
 
 pub use hint::Hint;
-pub use lines::{LedgerLine, ledger_lines};
+pub use lines::{LedgerFactor, LedgerLine, ledger_lines};
 pub use pictures::{Pictures, PicturesError};
 pub use report::Report;

@@ -5,5 +5,6 @@ mod number;
 mod printable;
 
 pub(crate) use names::{capital, model_name};
-pub(crate) use number::{color, coordinate, in_column, number, vector};
+pub use number::number;
+pub(crate) use number::{color, coordinate, in_column, vector};
 pub use printable::printable;

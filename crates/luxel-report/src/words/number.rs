@@ -1,14 +1,15 @@
 //! Numbers, colours and vectors as text.
 
-/// A number with four digits that count; as it is where it needs no more.
-pub(crate) fn number(value: f32) -> String {
+/// A number with four significant digits; as it is where it needs no more.
+#[must_use]
+pub fn number(value: f32) -> String {
     let shortest = value.to_string();
     if value == 0.0 {
         return "0".to_owned();
     }
     let size = value.abs();
     let rounded = if (1e-3..1e5).contains(&size) {
-        format!("{value:.*}", 4_usize.saturating_sub(digits_before_point(size)))
+        format!("{value:.*}", 4 + leading_zeros(size) - digits_before_point(size).min(4))
     } else {
         format!("{value:.3e}")
     };
@@ -23,6 +24,11 @@ fn digits_before_point(value: f32) -> usize {
         digits += 1;
     }
     digits
+}
+
+/// Zeros behind the point of a number below 1.
+fn leading_zeros(value: f32) -> usize {
+    [0.1, 0.01].into_iter().filter(|power| value < *power).count()
 }
 
 /// A colour: one number where its three are equal.
@@ -69,6 +75,8 @@ mod tests {
             (12.345_67, "12.35"),
             (-1234.56, "-1235"),
             (2.5e-7, "2.500e-7"),
+            (0.012_345_6, "0.01235"),
+            (-0.001_234_56, "-0.001235"),
             (1e6, "1000000"),
         ] {
             assert_eq!(number(value), text);
