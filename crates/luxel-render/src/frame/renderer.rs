@@ -83,6 +83,13 @@ impl Renderer {
         &self.objects
     }
 
+    /// Draws only some of the scene's objects from now on, by their places in [`Scene::objects`]. Their
+    /// order stays, and layers number those that are left.
+    pub fn draw_only(&mut self, is_drawn: impl Fn(usize) -> bool) {
+        let objects = self.scene.objects().into_iter().enumerate();
+        self.objects = objects.filter(|(at, _)| is_drawn(*at)).map(|(_, object)| object).collect();
+    }
+
     /// The threads that work.
     #[must_use]
     pub fn threads(&self) -> usize {
