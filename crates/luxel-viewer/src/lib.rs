@@ -19,6 +19,7 @@
 mod display;
 mod keys;
 mod model;
+mod number;
 mod options;
 mod picture;
 mod projection;

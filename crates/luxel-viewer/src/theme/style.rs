@@ -1,6 +1,8 @@
 //! Type and spacing of the window's panels.
 
 use super::{DARK, LIGHT, Theme};
+use crate::number::number;
+use egui::style::NumberFormatter;
 use egui::{Context, CornerRadius, FontFamily, FontId, Stroke, Style, TextStyle, Visuals};
 
 /// The theme of a layout.
@@ -28,6 +30,8 @@ impl Theme {
         style.scroll_animation = egui::style::ScrollAnimation::none();
         // Labels aren't controls.
         style.interaction.selectable_labels = false;
+        // In fields and beside sliders.
+        style.number_formatter = NumberFormatter::new(|value, _| number(value));
         style.visuals = self.visuals();
         style
     }

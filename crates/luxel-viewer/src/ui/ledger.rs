@@ -1,8 +1,13 @@
 //! The lighting equation with its values, as lines of a panel.
 
+use crate::number::number;
 use crate::theme::{self, Theme};
-use egui::{Align, Color32, Label, Layout, RichText, Ui, vec2};
-use luxel::report::{LedgerLine, TermKind};
+use crate::ui::{names, symbols};
+use egui::{Align, Color32, FontId, Layout, RichText, Ui, vec2};
+use luxel::report::{LedgerFactor, LedgerLine, TermKind};
+
+/// The type size of symbols and notes.
+const NOTE_SIZE: f32 = 11.0;
 
 /// The colour of a kind of term, the same everywhere.
 pub(super) fn term_color(kind: TermKind, theme: &Theme) -> Color32 {
@@ -34,7 +39,7 @@ pub(super) fn equation(ui: &mut Ui, lines: &[LedgerLine]) {
                     quiet(ui, fact);
                 }
             }
-            LedgerLine::Term { kind, name, symbols, numbers, value, is_part } => {
+            LedgerLine::Term { kind, name, factors, value, is_part } => {
                 ui.add_space(4.0);
                 ui.spacing_mut().item_spacing.y = 0.0;
                 if *is_part {
@@ -42,9 +47,9 @@ pub(super) fn equation(ui: &mut Ui, lines: &[LedgerLine]) {
                 } else {
                     value_row(ui, Some(term_color(*kind, theme)), name, *value);
                 }
-                let symbols = RichText::new(format!("= {symbols}")).monospace().size(11.0);
-                ui.add(Label::new(symbols).wrap());
-                quiet(ui, &format!("= {numbers}"));
+                product(ui, factors);
+                let numbers: Vec<_> = factors.iter().map(|one| one.number.as_str()).collect();
+                quiet(ui, &format!("= {}", numbers.join(" x ")));
                 ui.spacing_mut().item_spacing.y = 4.0;
             }
             LedgerLine::Note(why) => quiet(ui, why),
@@ -60,9 +65,24 @@ pub(super) fn equation(ui: &mut Ui, lines: &[LedgerLine]) {
     }
 }
 
+/// A product in symbols, each with its meaning as tooltip.
+fn product(ui: &mut Ui, factors: &[LedgerFactor]) {
+    let (font, color) = (FontId::monospace(NOTE_SIZE), theme::of(ui.ctx()).text);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        ui.spacing_mut().interact_size.y = 0.0;
+        ui.label(symbols::layout("=", &font, color));
+        for factor in factors {
+            let label = ui.label(symbols::layout(&factor.symbol, &font, color));
+            symbols::with_meanings(label, &[factor.meaning]);
+        }
+    });
+}
+
 /// A secondary note, wrapped.
 fn quiet(ui: &mut Ui, text: &str) {
-    ui.add(Label::new(RichText::new(text).monospace().size(11.0).weak()).wrap());
+    let color = ui.visuals().weak_text_color();
+    symbols::label(ui, text, &FontId::monospace(NOTE_SIZE), color);
 }
 
 /// A row of a colour swatch, a name and three values in columns.
@@ -74,42 +94,13 @@ pub(super) fn value_row(ui: &mut Ui, color: Option<Color32>, name: &str, value: 
             ui.painter().rect_filled(rect, 2, color);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let [r, g, b] = value.map(column);
-            ui.monospace(format!("{r} {g} {b}"));
+            let [r, g, b] = value.map(|part| number(f64::from(part)));
+            ui.monospace(format!("{r:>7} {g:>7} {b:>7}"));
             let rest = vec2(ui.available_width(), ui.spacing().interact_size.y);
             ui.allocate_ui_with_layout(rest, Layout::left_to_right(Align::Center), |ui| {
-                ui.add(Label::new(name).truncate());
+                names::label(ui, name);
             });
         });
     });
     ui.spacing_mut().interact_size.y = height;
-}
-
-/// Formats a value in a column of six characters.
-fn column(value: f32) -> String {
-    if value == 0.0 || (1e-3..1e2).contains(&value.abs()) {
-        format!("{value:6.3}")
-    } else if value.abs() < 1e-3 {
-        format!("{value:6.0e}")
-    } else {
-        format!("{value:6.0}")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_fit_their_columns_and_small_ones_are_not_0() {
-        for (value, text) in [
-            (0.0, " 0.000"),
-            (0.5, " 0.500"),
-            (12.34567, "12.346"),
-            (2e-5, "  2e-5"),
-            (512.4, "   512"),
-        ] {
-            assert_eq!(column(value), text);
-        }
-    }
 }

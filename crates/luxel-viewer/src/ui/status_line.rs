@@ -2,14 +2,18 @@
 
 use super::overlays::PendingModel;
 use crate::keys::{Action, Keys};
+use crate::number::{count, number, percent};
 use crate::session::Session;
 use crate::theme;
-use egui::{Context, Frame, Margin};
+use crate::ui::names;
+use egui::{Context, Frame, Margin, TextStyle};
 
+/// The line's height, in points.
+pub(super) const HEIGHT: f32 = 28.0;
 /// The largest share of the line that the file's name takes.
 const NAME_SHARE: f32 = 0.4;
-/// The most characters of an object's name.
-const MAX_NAME_LENGTH: usize = 28;
+/// The most that an object's name takes, in points.
+const OBJECT_WIDTH: f32 = 200.0;
 
 /// The contents of the status line.
 #[derive(Clone, Debug, Default)]
@@ -32,15 +36,19 @@ pub(super) fn status_line(
     context: &Context,
     status: &Status,
     session: Option<&Session>,
-    keys: &Keys,
+    (keys, space): (&Keys, &str),
 ) {
     let frame = Frame::new().fill(theme::of(context).panel).inner_margin(Margin::symmetric(12, 4));
     let panel = egui::TopBottomPanel::bottom("status").frame(frame).show_separator_line(false);
-    panel.exact_height(28.0).show(context, |ui| {
+    panel.exact_height(HEIGHT).show(context, |ui| {
         let from_right = egui::Layout::right_to_left(egui::Align::Center);
         ui.with_layout(from_right, |ui| {
-            let (panels, help) = (keys.first_of(Action::Panels), keys.first_of(Action::Help));
-            ui.weak(format!("{panels} panels    {help} help"));
+            let hints =
+                [(Action::Explain, space), (Action::Panels, "panels"), (Action::Help, "help")];
+            let hints = hints.map(|(action, effect)| (keys.first_of(action), effect));
+            let hints = hints.iter().filter(|(key, _)| !key.is_empty());
+            let hints: Vec<_> = hints.map(|(key, effect)| format!("{key} {effect}")).collect();
+            ui.weak(hints.join("    "));
             let mut parts = Vec::new();
             if let Some([number, count]) = status.position {
                 parts.push(format!("{number} of {count}"));
@@ -49,8 +57,8 @@ pub(super) fn status_line(
                 (Some(note), _) => parts.push(note.clone()),
                 (None, Some(session)) if status.loading.is_none() => {
                     parts.push(match session.selection.hovered {
-                        Some(object) => hovered_object(session, object),
-                        None => format!("{} triangles", grouped(status.triangles)),
+                        Some(object) => hovered_object(ui, session, object),
+                        None => format!("{} triangles", count(status.triangles)),
                     });
                     let (selected, hidden) =
                         (session.selection.selected(), session.selection.hidden());
@@ -61,11 +69,12 @@ pub(super) fn status_line(
                     }
                     if let Some((milliseconds, scale)) = status.frame_time {
                         let resolution = if scale < 0.99 {
-                            format!(" at {:.0} %", scale * 100.0)
+                            format!(" at {}", percent(scale))
                         } else {
                             String::new()
                         };
-                        parts.push(format!("{milliseconds:.0} ms{resolution}"));
+                        let milliseconds = number(milliseconds.round());
+                        parts.push(format!("{milliseconds} ms{resolution}"));
                     }
                     parts.push(session.state.mode().to_string());
                 }
@@ -84,7 +93,7 @@ pub(super) fn status_line(
             ui.allocate_ui_with_layout(rest, from_left, |ui| {
                 ui.scope(|ui| {
                     ui.set_max_width(rest.x * NAME_SHARE);
-                    ui.add(egui::Label::new(&status.name).truncate());
+                    names::label(ui, &status.name);
                 });
                 let text = egui::RichText::new(parts.join("   ")).weak();
                 ui.add(egui::Label::new(text).truncate());
@@ -94,25 +103,12 @@ pub(super) fn status_line(
 }
 
 /// The hovered object's name and triangle count.
-fn hovered_object(session: &Session, object: usize) -> String {
+fn hovered_object(ui: &egui::Ui, session: &Session, object: usize) -> String {
     let Some(one) = session.objects.get(object) else { return String::new() };
     let scene = &session.model.scene;
+    let font = TextStyle::Body.resolve(ui.style());
     let name = &scene.nodes[one.node.index()].name;
+    let name = names::shortened(ui.painter(), name, &font, OBJECT_WIDTH);
     let triangles = scene.meshes[one.mesh.index()].triangles.len() as u64;
-    let short: String = name.chars().take(MAX_NAME_LENGTH).collect();
-    let dots = if short.len() < name.len() { "..." } else { "" };
-    format!("{short}{dots}, {} triangles", grouped(triangles))
-}
-
-/// A number with spaces between thousands.
-fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(' ');
-        }
-        text.push(digit);
-    }
-    text
+    format!("{name}, {} triangles", count(triangles))
 }

@@ -1,9 +1,10 @@
 //! Overlays of a comparison: the divider between both sides, or the scale of their difference.
 
 use crate::display::{Comparison, DisplaySettings};
+use crate::number::{number, percent};
 use crate::picture::{DIFFERENCE_SCALE, PictureDifference};
 use crate::theme;
-use crate::ui::focus;
+use crate::ui::{focus, names};
 use egui::{Align2, Area, Color32, Context, FontId, Id, Order, Rect, Sense, Stroke, pos2, vec2};
 
 /// Half the width of the divider's grab area, in points.
@@ -52,7 +53,10 @@ pub(crate) fn divider(context: &Context, comparison: &mut Comparison, display: &
     for (at, (display, align, aside)) in sides.into_iter().enumerate() {
         let is_set = (at == 1) == comparison.is_right_active;
         let color = if is_set { theme.heading } else { theme.text };
-        let text = painter.layout_no_wrap(display.summary(), FontId::proportional(13.0), color);
+        let room = if at == 0 { x - free.left() } else { free.right() - x } - 24.0;
+        let font = FontId::proportional(13.0);
+        let text = names::shortened(&painter, &display.summary(), &font, room);
+        let text = painter.layout_no_wrap(text, font, color);
         let rect = align.anchor_size(pos2(x + aside, free.top() + 12.0), text.size());
         painter.rect_filled(rect.expand2(vec2(6.0, 3.0)), 4, theme.panel.gamma_multiply(0.85));
         painter.galley(rect.min, text, color);
@@ -76,7 +80,8 @@ pub(crate) fn difference_scale(context: &Context, difference: &PictureDifference
         "no pixel differs".to_owned()
     } else {
         let PictureDifference { largest, mean, share } = *difference;
-        format!("{} of pixels differ, by {largest} at most, {mean:.2} in the mean", percent(share))
+        let (share, mean) = (percent(share), number(mean));
+        format!("{share} of pixels differ, by {largest} at most, {mean} in the mean")
     };
     text(rect.left_top(), Align2::LEFT_TOP, summary, 13.0, theme.text);
     for (at, (_, name, [r, g, b])) in DIFFERENCE_SCALE.into_iter().enumerate() {
@@ -85,37 +90,5 @@ pub(crate) fn difference_scale(context: &Context, difference: &PictureDifference
         painter.rect_filled(cell, 0, Color32::from_rgb(r, g, b));
         let place = cell.center_bottom() + vec2(0.0, 4.0);
         text(place, Align2::CENTER_TOP, name.to_owned(), 11.0, theme.quiet);
-    }
-}
-
-/// Formats a fraction: never 0 for some, nor 100 for less than all.
-fn percent(share: f64) -> String {
-    let percent = share * 100.0;
-    if percent < 0.1 && percent > 0.0 {
-        "under 0.1 %".to_owned()
-    } else if percent < 10.0 {
-        format!("{percent:.1} %")
-    } else if percent < 100.0 {
-        format!("{:.0} %", percent.min(99.0))
-    } else {
-        "100 %".to_owned()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn fractions_are_rounded_neither_to_none_nor_to_all() {
-        for (share, text) in [
-            (0.0, "0.0 %"),
-            (1e-6, "under 0.1 %"),
-            (0.052, "5.2 %"),
-            (0.999, "99 %"),
-            (1.0, "100 %"),
-        ] {
-            assert_eq!(percent(share), text);
-        }
     }
 }

@@ -4,7 +4,7 @@
 use crate::projection::{project_point, unproject_point};
 use crate::session::Session;
 use crate::theme::{self, Theme};
-use crate::ui::focus;
+use crate::ui::{focus, names};
 use egui::{
     Align2, Area, Color32, Context, FontId, Id, Order, Painter, Pos2, Rgba, Sense, Stroke, vec2,
 };
@@ -16,6 +16,8 @@ const HALF: f32 = 9.0;
 const SPHERE_RADIUS: f32 = 0.3;
 /// The step of an arrow key, in points.
 const STEP: f32 = 8.0;
+/// The most that a light's name takes, in points.
+const NAME_WIDTH: f32 = 160.0;
 /// The relative change of a handle's distance for each point dragged upwards with Shift.
 const DEPTH_RATE: f64 = 0.006;
 
@@ -295,7 +297,9 @@ fn show(
     if !is_lit {
         return;
     }
-    let text = painter.layout_no_wrap(light.name.clone(), FontId::proportional(11.0), ink);
+    let font = FontId::proportional(11.0);
+    let name = names::shortened(painter, &light.name, &font, NAME_WIDTH);
+    let text = painter.layout_no_wrap(name, font, ink);
     let rect = Align2::LEFT_CENTER.anchor_size(at + vec2(HALF + 10.0, 0.0), text.size());
     painter.rect_filled(rect.expand2(vec2(4.0, 2.0)), 4, theme.panel.gamma_multiply(0.8));
     painter.galley(rect.min, text, ink);

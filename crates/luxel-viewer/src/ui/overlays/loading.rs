@@ -2,8 +2,9 @@
 
 use crate::keys::{Action, Keys};
 use crate::model::LoadProgress;
+use crate::number::number;
 use crate::theme;
-use crate::ui::UiCommand;
+use crate::ui::{UiCommand, names};
 use egui::{Align, Align2, Context, Frame, Id, Label, Layout, Margin, RichText, Stroke, vec2};
 use std::time::{Duration, Instant};
 
@@ -56,7 +57,7 @@ pub(crate) fn loading_bar(
                     }
                     let rest = vec2(ui.available_width(), ui.spacing().interact_size.y);
                     ui.allocate_ui_with_layout(rest, Layout::left_to_right(Align::Center), |ui| {
-                        ui.add(Label::new(&pending.name).truncate());
+                        names::label(ui, &pending.name);
                     });
                 });
             });
@@ -65,8 +66,8 @@ pub(crate) fn loading_bar(
             ui.painter().rect_filled(rect, 2, theme.line);
             let done = vec2(rect.width() * pending.progress.fraction().max(0.02), rect.height());
             ui.painter().rect_filled(egui::Rect::from_min_size(rect.min, done), 2, theme.accent);
-            let seconds = elapsed.as_secs_f64();
-            let status = format!("{}, {seconds:.1} s", pending.progress.status());
+            let seconds = number((elapsed.as_secs_f64() * 10.0).round() / 10.0);
+            let status = format!("{}, {seconds} s", pending.progress.status());
             ui.label(RichText::new(status).small().weak());
         });
     });

@@ -1,7 +1,8 @@
 //! The measurement in the picture: its points, the line between them and its length.
 
+use crate::number::number;
 use crate::projection::project_line;
-use crate::session::{Measurement, Session, format_length};
+use crate::session::{Measurement, Session};
 use crate::theme;
 use egui::{Align2, Context, FontId, Stroke, vec2};
 
@@ -23,7 +24,7 @@ pub(crate) fn measurement(context: &Context, session: &Session) {
         painter.circle(end, 4.0, theme.text, Stroke::new(1.5, theme.halo));
     }
     let (text, color) = match session.measurement {
-        Measurement::Between([from, to]) => (format_length(from.distance(to)), theme.text),
+        Measurement::Between([from, to]) => (number(from.distance(to)), theme.text),
         _ => ("from here".to_owned(), theme.quiet),
     };
     let font = FontId::monospace(12.0);

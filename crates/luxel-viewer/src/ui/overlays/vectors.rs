@@ -1,5 +1,6 @@
 //! The vectors of the lighting equation at the explained point: N, V, L and the highlight's.
 
+use crate::number::degrees;
 use crate::session::Session;
 use crate::theme::{self, Theme};
 use crate::ui::ledger::luminance;
@@ -37,13 +38,13 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
         painter.circle_filled(to, 3.0, color);
         tips.push((name.to_owned(), color, to));
     };
-    let angle = |cosine: f32| libm::acos(f64::from(cosine.clamp(-1.0, 1.0))).to_degrees();
+    let angle = |cosine: f32| degrees(libm::acos(f64::from(cosine.clamp(-1.0, 1.0))).to_degrees());
     let dot = |a: [f32; 3], b: [f32; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
     let n_dot_v = dot(surface.normal, surface.view);
-    arrow(&format!("V {:.0}\u{b0}", angle(n_dot_v)), theme.vectors[2], surface.view);
+    arrow(&format!("V {}", angle(n_dot_v)), theme.vectors[2], surface.view);
     let lit = || surface.lights.iter().filter(|light| light.unlit().is_none());
     for light in lit() {
-        let name = format!("L {:.0}\u{b0}", angle(light.terms.n_dot_l));
+        let name = format!("L {}", angle(light.terms.n_dot_l));
         arrow(&name, theme.vectors[1], light.terms.to_light.lane(0));
     }
     // R or H of the light with the strongest highlight only: one for each would hide the rest.
@@ -54,7 +55,7 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
         && let Some((name, vector)) =
             light.highlight(&surface.material.constants.reflection, surface.normal, surface.view)
     {
-        arrow(&format!("{name} {:.0}\u{b0}", angle(cosine)), theme.vectors[3], vector);
+        arrow(&format!("{name} {}", angle(cosine)), theme.vectors[3], vector);
     }
     arrow("N", theme.vectors[0], surface.normal);
     painter.circle(from, 4.0, theme.halo, Stroke::new(1.5, theme.accent));

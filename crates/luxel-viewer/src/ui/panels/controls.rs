@@ -1,7 +1,8 @@
 //! Controls of the panels: headings, labelled rows, sliders, colours, vectors.
 
 use crate::theme;
-use egui::{Align, DragValue, Layout, RichText, Slider, Ui, vec2};
+use crate::ui::symbols;
+use egui::{Align, Color32, DragValue, Layout, RichText, Slider, TextStyle, Ui, vec2};
 use luxel::scene::DVec3;
 use std::ops::RangeInclusive;
 
@@ -19,7 +20,10 @@ pub(super) fn row<R>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui) -> R) ->
         let size = vec2(LABEL_WIDTH, ui.spacing().interact_size.y);
         ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(LABEL_WIDTH);
-            ui.label(RichText::new(name).small().weak());
+            let font = TextStyle::Small.resolve(ui.style());
+            let color = ui.visuals().weak_text_color();
+            let label = ui.label(symbols::layout(name, &font, color));
+            symbols::explained(label, name);
         });
         add(ui)
     })
@@ -27,7 +31,7 @@ pub(super) fn row<R>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui) -> R) ->
 }
 
 /// What the value beside a slider takes.
-const VALUE_WIDTH: f32 = 48.0;
+const VALUE_WIDTH: f32 = 64.0;
 
 /// A slider over the rest of the row, followed by its value.
 pub(super) fn slider(
@@ -110,7 +114,11 @@ pub(super) fn one_of<T: PartialEq + Clone>(
     ui.spacing_mut().button_padding.x = 6.0;
     let mut changed = false;
     for (mode, name) in choices {
-        changed |= ui.selectable_value(value, mode.clone(), *name).changed();
+        let font = TextStyle::Button.resolve(ui.style());
+        let shown = symbols::layout(name, &font, Color32::PLACEHOLDER);
+        let button = ui.selectable_value(value, mode.clone(), shown);
+        changed |= button.changed();
+        symbols::explained(button, name);
     }
     changed
 }

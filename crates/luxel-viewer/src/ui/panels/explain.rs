@@ -1,8 +1,9 @@
 //! The explanation of the pixel under the pointer: its lighting terms, the equation with its values, and
 //! hidden surfaces.
 
+use crate::number::{number, percent};
 use crate::render::ExplainedPixel;
-use crate::session::{Session, format_length};
+use crate::session::Session;
 use crate::theme;
 use crate::ui::ledger::{self, luminance, term_color, value_row};
 use egui::{Color32, RichText, pos2, vec2};
@@ -51,7 +52,7 @@ pub(super) fn explanation(
     };
     ui.label(what);
     if sample.weight < 1.0 {
-        let share = format!("{:.0} % of the pixel's samples", sample.weight * 100.0);
+        let share = format!("{} of the pixel's samples", percent(f64::from(sample.weight)));
         ui.label(RichText::new(share).small().weak());
     }
     ui.add_space(8.0);
@@ -79,7 +80,9 @@ pub(super) fn explanation(
             note(
                 ui,
                 &match below {
-                    Seen::Surface(below) => format!("{}, alpha {:.2}", below.name, below.alpha),
+                    Seen::Surface(below) => {
+                        format!("{}, alpha {}", below.name, number(f64::from(below.alpha)))
+                    }
                     Seen::Background { .. } => "the background".to_owned(),
                 },
             );
@@ -101,7 +104,7 @@ fn hidden_surfaces(ui: &mut egui::Ui, session: &Session, hidden: Option<&Hidden>
     let Some(hidden) = hidden.filter(|hidden| **hidden != Hidden::default()) else { return };
     let what = |surface: &SurfaceBelow| {
         let part = surface.triangle.map_or_else(String::new, |number| format!(" {number}"));
-        format!("{}{part}, {} away", name_of(session, surface.object), format_length(surface.z))
+        format!("{}{part}, {} away", name_of(session, surface.object), number(surface.z))
     };
     ui.add_space(8.0);
     ui.label(RichText::new("Here, but not seen").color(theme::of(ui.ctx()).heading));
@@ -126,7 +129,7 @@ fn nearest(unseen: &Unseen, session: &Session) -> String {
         Some(nearest) => {
             let [x, y] = nearest.pixel;
             let name = name_of(session, nearest.object);
-            format!("nearest is {name}, {:.1} pixels away at {x}, {y}", nearest.distance)
+            format!("nearest is {name}, {} pixels away at {x}, {y}", number(nearest.distance))
         }
         None => format!("and nothing lies within {NEAREST_WITHIN} pixels of it"),
     }

@@ -3,8 +3,8 @@
 use super::controls::{heading, intensity, one_of, row, slider, slider_f32, vector};
 use crate::session::Session;
 use crate::theme;
-use crate::ui::focus;
-use egui::{RichText, Ui};
+use crate::ui::{focus, names, symbols};
+use egui::{Color32, RichText, TextStyle, Ui};
 use luxel::formats::values::{cos_cutoff, cutoff_degrees};
 use luxel::lighting::{CUTOFF, Cone, EXPONENT, Environment, INNER, LIGHT_KINDS, LightKind};
 use luxel::render::EnvironmentChoice;
@@ -113,8 +113,8 @@ fn light_row(ui: &mut Ui, session: &mut Session, at: usize, chosen: &mut Option<
                 egui::Layout::left_to_right(egui::Align::Center),
                 |ui| {
                     let is_chosen = *chosen == Some(at);
-                    let label = egui::Button::selectable(is_chosen, name).truncate();
-                    if ui.add(label).clicked() {
+                    let width = ui.available_width();
+                    if names::button(ui, is_chosen, &name, None, width).clicked() {
                         *chosen = (!is_chosen).then_some(at);
                     }
                 },
@@ -161,7 +161,9 @@ fn colors(ui: &mut Ui, light: &mut SceneLight) -> bool {
     if is_one_color {
         light.light.specular = light.light.diffuse;
         row(ui, "I_s", |ui| {
-            if ui.small_button("as I_d").on_hover_text("click to set it apart").clicked() {
+            let font = TextStyle::Body.resolve(ui.style());
+            let same = symbols::layout("as I_d", &font, Color32::PLACEHOLDER);
+            if ui.small_button(same).on_hover_text("click to set it apart").clicked() {
                 light.light.specular = light.light.diffuse.map(|part| part * 0.5);
                 changed = true;
             }

@@ -1,7 +1,9 @@
 //! The materials of the selected objects: the constants of their reflection models.
 
 use super::controls::{heading, one_of, row, slider_f32, slider_whole};
+use crate::number::number;
 use crate::session::{Session, materials_of_mesh};
+use crate::ui::names;
 use egui::{ComboBox, RichText, Ui};
 use luxel::lighting::{Material, REFLECTION_MODELS, parameters};
 use luxel::scene::{Restyle, SceneMaterial};
@@ -36,17 +38,18 @@ fn material_controls(ui: &mut Ui, session: &mut Session, at: usize) {
     let material = session.material_overrides().material(&session.model.scene, at);
     let uses = session.material_uses.get(at).copied().unwrap_or_default();
     ui.horizontal(|ui| {
-        ui.add(egui::Label::new(&material.name).truncate());
-        if uses > 1 {
-            ui.label(RichText::new(format!("on {uses} objects")).small().weak());
-        }
-        if session.material_overrides().is_changed(at) {
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if ui.small_button("as it was").clicked() {
-                    session.edit_materials(|overrides| overrides.reset(at));
-                }
-            });
-        }
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if session.material_overrides().is_changed(at) && ui.small_button("as it was").clicked()
+            {
+                session.edit_materials(|overrides| overrides.reset(at));
+            }
+            if uses > 1 {
+                ui.label(RichText::new(format!("on {uses} objects")).small().weak());
+            }
+            let rest = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+            let from_left = egui::Layout::left_to_right(egui::Align::Center);
+            ui.allocate_ui_with_layout(rest, from_left, |ui| names::label(ui, &material.name));
+        });
     });
     let mut change = Restyle::default();
     constants(ui, &material, &mut change);
@@ -103,7 +106,7 @@ fn constants(ui: &mut Ui, material: &SceneMaterial, change: &mut Restyle) {
         let mut value = constants.value(parameter);
         let mut set = None;
         if !parameter.is_whole {
-            number(ui, parameter.symbol, value, range, &mut set);
+            number_row(ui, parameter.symbol, value, range, &mut set);
         } else if row(ui, parameter.symbol, |ui| slider_whole(ui, &mut value, range)) {
             set = Some(value);
         }
@@ -112,7 +115,7 @@ fn constants(ui: &mut Ui, material: &SceneMaterial, change: &mut Restyle) {
         }
     }
     surface_color(ui, "emission", None, constants.emission, &mut change.emission);
-    number(ui, "opacity", material.opacity, 0.0..=1.0, &mut change.opacity);
+    number_row(ui, "opacity", material.opacity, 0.0..=1.0, &mut change.opacity);
     change.opacity = change.opacity.map(|share| share.min(1.0));
 }
 
@@ -131,7 +134,7 @@ fn ambient_color(ui: &mut Ui, constants: &Material, change: &mut Restyle) {
     }
 }
 
-fn number(
+fn number_row(
     ui: &mut Ui,
     name: &str,
     value: f32,
@@ -161,7 +164,8 @@ fn surface_color(
             *change = Some(value.map(|part| part.max(0.0)));
         }
         let [r, g, b] = value;
-        let text = note.map_or_else(|| format!("{r:.2} {g:.2} {b:.2}"), str::to_owned);
+        let numbers = [r, g, b].map(|part| number(f64::from(part)));
+        let text = note.map_or_else(|| numbers.join("  "), str::to_owned);
         ui.label(RichText::new(text).monospace().size(11.0).weak());
     });
 }

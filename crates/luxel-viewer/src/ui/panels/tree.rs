@@ -1,10 +1,11 @@
 //! The tree of objects.
 
-use super::{PanelState, TREE_WIDTH, frame, width};
+use super::{PanelState, TREE_WIDTH, frame};
+use crate::number::count;
 use crate::selection::SelectMode;
 use crate::session::Session;
 use crate::theme;
-use crate::ui::{UiCommand, focus};
+use crate::ui::{UiCommand, focus, names};
 use egui::{Context, Margin, RichText};
 use luxel::scene::Object;
 
@@ -23,7 +24,8 @@ pub(crate) fn tree(
         egui::SidePanel::left("tree")
     };
     let panel = panel.frame(frame(context)).show_separator_line(false);
-    panel.resizable(false).exact_width(width(context, TREE_WIDTH)).show(context, |panel| {
+    let width = state.width(TREE_WIDTH, context.content_rect().width());
+    panel.resizable(false).exact_width(width).show(context, |panel| {
         let field = egui::TextEdit::singleline(&mut state.search)
             .hint_text(RichText::new("search").color(theme::of(context).quiet))
             .margin(Margin::symmetric(8, 5));
@@ -104,7 +106,7 @@ fn object_row(
     commands: &mut Vec<UiCommand>,
 ) {
     let Object { node, mesh, .. } = session.objects[object];
-    let name = &session.model.scene.nodes[node.index()].name;
+    let name = session.model.scene.nodes[node.index()].name.clone();
     let triangles = session.model.scene.meshes[mesh.index()].triangles.len();
     let is_hidden = session.selection.hidden().contains(&object);
     let is_selected = session.selection.selected().contains(&object);
@@ -116,7 +118,6 @@ fn object_row(
     } else {
         theme.text
     };
-    let name = RichText::new(name).color(color);
     // The id doesn't depend on the scroll position.
     let id = egui::Id::new(("object", object));
     ui.scope_builder(egui::UiBuilder::new().id(id), |ui| {
@@ -126,14 +127,16 @@ fn object_row(
             if eye(ui, is_hidden).clicked() {
                 session.selection.toggle_shown(object);
             }
-            ui.label(RichText::new(triangles.to_string()).small().weak());
+            ui.label(RichText::new(count(triangles as u64)).small().weak());
             let rest = ui.available_size();
             ui.allocate_ui_with_layout(
                 rest,
                 egui::Layout::left_to_right(egui::Align::Center),
                 |ui| {
-                    let label = egui::Button::selectable(is_selected, name).truncate();
-                    let label = ui.add(label).on_hover_text(session.path(object));
+                    let width = ui.available_width();
+                    let label = names::button(ui, is_selected, &name, Some(color), width);
+                    let path = session.path(object);
+                    let label = if path == name { label } else { label.on_hover_text(path) };
                     if label.double_clicked() {
                         commands.push(UiCommand::Fit(Some(session.bounds(object))));
                     } else if label.clicked() {

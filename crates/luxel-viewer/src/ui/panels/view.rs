@@ -5,7 +5,7 @@ use crate::display::{is_of_light, layer_name};
 use crate::keys::{Action, Guide, Keys, MODES};
 use crate::session::Session;
 use crate::theme;
-use crate::ui::UiCommand;
+use crate::ui::{UiCommand, names};
 use egui::{RichText, Ui};
 use luxel::navigation::Number;
 use luxel::render::{Clamp, Edges, Interpolation, Layer, ShadingMode};
@@ -116,7 +116,8 @@ fn layers(ui: &mut Ui, session: &mut Session, keys: &Keys) {
             ui.spacing_mut().button_padding.x = 5.0;
             for layer in all.iter().filter(|layer| wanted(layer)) {
                 let name = layer.as_ref().map_or_else(|| "picture".to_owned(), layer_name);
-                if ui.selectable_label(chosen == *layer, name).clicked() {
+                let (is_chosen, width) = (chosen == *layer, ui.max_rect().width());
+                if names::button(ui, is_chosen, &name, None, width).clicked() {
                     chosen.clone_from(layer);
                 }
             }
