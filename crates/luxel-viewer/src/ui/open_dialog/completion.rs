@@ -106,6 +106,22 @@ impl PathCompletion {
         self.scrolls_to_selected = true;
     }
 
+    /// Takes over an edit of the text. A path from the root that was pasted replaces all of the text, and
+    /// one that was typed behind a separator replaces what is before it. Returns whether it did.
+    pub(super) fn edited(&mut self, pasted: Option<&str>) -> bool {
+        let separators =
+            self.text.char_indices().rev().filter(|(_, c)| std::path::is_separator(*c));
+        let mut ends = separators.map(|(at, separator)| &self.text[at + separator.len_utf8()..]);
+        let typed = ends.find(|end| is_from_root(end));
+        let whole = pasted.filter(|text| is_from_root(text)).or(typed).map(str::to_owned);
+        let is_replaced = whole.is_some();
+        if let Some(whole) = whole {
+            self.text = whole;
+        }
+        self.update();
+        is_replaced
+    }
+
     /// Selects the next or previous match.
     pub(super) fn step(&mut self, is_down: bool) {
         let count = self.matches.len();
@@ -175,6 +191,11 @@ impl PathCompletion {
         self.error = Some("there is no such file".to_owned());
         Accepted::Continue
     }
+}
+
+/// Whether a path begins at the root, or in the user's home.
+fn is_from_root(text: &str) -> bool {
+    Path::new(text).is_absolute() || text.starts_with("~/")
 }
 
 /// Whether a file's extension is a model's.
@@ -280,6 +301,38 @@ mod tests {
         completion.complete();
         assert_eq!(completion.text, format!("{start}bells/"));
         assert_eq!(shown(&completion), ["..", "deep", "ball.stl"]);
+    }
+
+    #[test]
+    fn a_path_from_the_root_replaces_the_text_and_other_edits_do_not() {
+        let folder = Folder::new("root");
+        let other = folder.0.join("bells").display().to_string();
+        let start = folder.completion().text;
+        let home = std::env::home_dir().unwrap_or_default();
+        for (before, typed, after) in [
+            (start.clone(), "/".to_owned(), "/".to_owned()),
+            (start.clone(), other.clone(), other.clone()),
+            ("/".to_owned(), other.clone(), other.clone()),
+            (start.clone(), "~/".to_owned(), "~/".to_owned()),
+            (start.clone(), "bells/".to_owned(), format!("{start}bells/")),
+            (start.clone(), "be~".to_owned(), format!("{start}be~")),
+        ] {
+            let mut completion = folder.completion();
+            completion.text = format!("{before}{typed}");
+            assert_eq!(completion.edited(None), after == typed, "{before} {typed}");
+            assert_eq!(completion.text, after);
+        }
+        let mut completion = folder.completion();
+        completion.text = "~/".to_owned();
+        assert!(!completion.edited(None));
+        assert_eq!(completion.folder, home);
+        // Pasted into the middle of a name.
+        completion.text = format!("{start}cu{other}/ball.stlp");
+        assert!(completion.edited(Some(&format!("{other}/ball.stl"))));
+        assert_eq!(completion.accept(), Accepted::Model(folder.0.join("bells/ball.stl")));
+        completion.text = format!("{start}cup.glb");
+        assert!(!completion.edited(Some("p.glb")));
+        assert_eq!(completion.accept(), Accepted::Model(folder.0.join("cup.glb")));
     }
 
     #[test]

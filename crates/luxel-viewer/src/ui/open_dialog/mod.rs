@@ -3,12 +3,12 @@
 mod completion;
 
 use crate::theme;
-use crate::ui::focus;
+use crate::ui::{focus, names};
 use completion::Accepted;
 pub(crate) use completion::PathCompletion;
 use egui::{
-    Align, Align2, Button, Context, Frame, Id, Key, Layout, Margin, Modifiers, Order, RichText,
-    Stroke, TextEdit, Ui, vec2,
+    Align, Align2, Context, Frame, Id, Key, Layout, Margin, Modifiers, Order, RichText, Stroke,
+    TextEdit, Ui, vec2,
 };
 use std::path::PathBuf;
 
@@ -95,15 +95,20 @@ fn field(ui: &mut Ui, completion: &mut PathCompletion) {
         .lock_focus(true)
         .hint_text(RichText::new("a path").color(theme::of(ui.ctx()).quiet));
     let field = field.margin(Margin::symmetric(8, 6)).desired_width(f32::INFINITY);
+    let pasted = ui.input(|input| {
+        input.events.iter().rev().find_map(|event| match event {
+            egui::Event::Paste(text) => Some(text.clone()),
+            _ => None,
+        })
+    });
     let mut output = field.id_salt("path").show(ui);
     output.response.request_focus();
-    if completion.text != before {
-        completion.update();
-    }
-    // The cursor follows the end of a completed text.
+    let is_replaced = completion.text != before && completion.edited(pasted.as_deref());
+    // The cursor follows the end of a completed or replaced text.
     let end = egui::text::CCursor::new(completion.text.chars().count());
     let is_at_end = output.state.cursor.char_range().is_some_and(|range| range.primary == end);
-    if completion.scrolls_to_selected && !is_at_end && completion.text == before {
+    let is_completed = completion.scrolls_to_selected && completion.text == before;
+    if is_replaced || (is_completed && !is_at_end) {
         let range = egui::text::CCursorRange::one(end);
         output.state.cursor.set_char_range(Some(range));
         output.state.store(ui.ctx(), output.response.id);
@@ -131,10 +136,11 @@ fn list(ui: &mut Ui, completion: &mut PathCompletion, height: f32) -> Option<Dia
                 let is_selected = completion.selected == Some(at);
                 let slash = if entry.is_folder { "/" } else { "" };
                 let color = if entry.is_folder { theme.quiet } else { theme.text };
-                let text = RichText::new(format!("{}{slash}", entry.text)).color(color);
-                let row = Button::selectable(is_selected, text).truncate();
-                let row = row.min_size(vec2(ui.available_width(), 0.0));
-                let row = ui.with_layout(Layout::top_down_justified(Align::LEFT), |ui| ui.add(row));
+                let text = format!("{}{slash}", entry.text);
+                let row = ui.with_layout(Layout::top_down_justified(Align::LEFT), |ui| {
+                    let width = ui.available_width();
+                    names::button(ui, is_selected, &text, Some(color), width)
+                });
                 if row.inner.clicked() {
                     clicked = Some(at);
                 }

@@ -1,133 +1,13 @@
-//! Tests that every control works by keyboard.
+//! Every control works by keyboard.
 
-use super::panels::{Side, Tab};
+use super::super::panels::{Side, Tab};
 use super::*;
-use crate::model::Model;
-use crate::theme::DARK;
-use egui::{Event, Id, Key, Modifiers};
 use luxel::lighting::{LightKind, LightKindDescription};
-use luxel::navigation::{Mode, StandardView};
-use luxel::scene::{Restyle, demos};
-use std::sync::Arc;
+use luxel::navigation::StandardView;
+use luxel::scene::Restyle;
 
 fn kind(name: &str) -> &'static LightKindDescription {
     LightKindDescription::by_name(name).unwrap()
-}
-
-/// The user interface without a window.
-struct Stage {
-    ui: Ui,
-    session: Session,
-    size: Size,
-    scale: f32,
-    pixels: Vec<u32>,
-    commands: Vec<UiCommand>,
-}
-
-impl Stage {
-    fn new(demo: &str, (width, height): (u32, u32)) -> Self {
-        let scene = demos::demo(demo).unwrap();
-        let size = Size { width, height };
-        let view = luxel::default_view(&scene, size);
-        let (up, pivot) = (scene.up, scene.bounds().centre());
-        let model = Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] };
-        let session = Session::new(model, size, Mode::Turntable, false);
-        let mut ui = Ui::new(&DARK, Keys::default());
-        (ui.panels.is_shown, ui.panels.is_narrow) = (true, false);
-        Self { ui, session, size, scale: 1.0, pixels: Vec::new(), commands: Vec::new() }
-    }
-
-    fn pass(&mut self, events: Vec<Event>) {
-        self.ui.events = events;
-        self.pixels = vec![0x0020_2428; self.size.width as usize * self.size.height as usize];
-        let status = Status { name: "a model".to_owned(), is_chosen: true, ..Status::default() };
-        let size = (self.size, self.scale);
-        let shown = self.ui.show(Some(&mut self.session), &status, size, &mut self.pixels);
-        self.commands.extend(shown.0);
-    }
-
-    fn press_with(&mut self, key: Key, modifiers: Modifiers) {
-        self.ui.modifiers = modifiers;
-        let event =
-            |pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
-        self.pass(vec![event(true), event(false)]);
-        self.ui.modifiers = Modifiers::NONE;
-        self.pass(Vec::new());
-    }
-
-    fn press(&mut self, key: Key) {
-        self.press_with(key, Modifiers::NONE);
-    }
-
-    fn focused(&self) -> Option<Id> {
-        self.ui.context.memory(egui::Memory::focused)
-    }
-
-    fn focus(&mut self, id: Option<Id>) {
-        self.ui.context.memory_mut(|memory| match (id, memory.focused()) {
-            (Some(id), _) => memory.request_focus(id),
-            (None, Some(id)) => memory.surrender_focus(id),
-            (None, None) => {}
-        });
-        self.pass(Vec::new());
-    }
-
-    /// All controls that the pointer can press or drag.
-    fn controls(&self) -> Vec<(Id, Rect)> {
-        self.ui.context.viewport(|viewport| {
-            let widgets = viewport.prev_pass.widgets.layers().flat_map(|(_, widgets)| widgets);
-            let is_control = |widget: &&egui::WidgetRect| {
-                let sense = widget.sense;
-                widget.enabled
-                    && (sense.senses_click() || sense.senses_drag())
-                    && widget.interact_rect.is_positive()
-            };
-            widgets.filter(is_control).map(|widget| (widget.id, widget.rect)).collect()
-        })
-    }
-
-    /// The controls that Tab focuses, in order; asserts that each is in view and shows its focus.
-    fn walk(&mut self, name: &str) -> Vec<Id> {
-        let mut stops = Vec::new();
-        self.focus(None);
-        for _ in 0..2000 {
-            self.press(Key::Tab);
-            let Some(id) = self.focused() else { continue };
-            if stops.contains(&id) {
-                return stops;
-            }
-            stops.push(id);
-            // Lets scrolling settle.
-            self.pass(Vec::new());
-            self.pass(Vec::new());
-            let rect = self.ui.context.read_response(id).unwrap().rect;
-            assert!(self.window().contains_rect(rect), "{name}: {id:?} is out of view at {rect:?}");
-            let lit = self.pixels.clone();
-            self.focus(None);
-            let is_shown = self.differs(&lit, rect.expand(6.0));
-            assert!(is_shown, "{name}: {id:?} at {rect:?} doesn't show its focus");
-            self.focus(Some(id));
-        }
-        panic!("{name}: Tab never cycles: {}", stops.len())
-    }
-
-    /// The window without the status line, in points.
-    fn window(&self) -> Rect {
-        let size = vec2(self.size.width as f32, self.size.height as f32) / self.scale;
-        Rect::from_min_size(egui::Pos2::ZERO, size - vec2(0.0, 28.0)).expand(0.5)
-    }
-
-    /// Whether pixels differ from the present ones within a rectangle.
-    fn differs(&self, pixels: &[u32], within: Rect) -> bool {
-        let within = within.intersect(self.window().shrink(0.5));
-        let (left, right) = (within.left() as usize, within.right() as usize);
-        let mut rows = within.top() as usize..within.bottom() as usize;
-        let width = self.size.width as usize;
-        rows.any(|y| {
-            let row = y * width + left..y * width + right;
-            pixels[row.clone()] != self.pixels[row]
-        })
-    }
 }
 
 /// Window sizes with room for both panels, but not for their whole length; and for one.
