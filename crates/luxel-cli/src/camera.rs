@@ -44,6 +44,14 @@ pub(crate) fn choose(options: &FrameOptions, scene: &Scene) -> Result<Camera, Fa
     with_planes(options, &bounds, view_from_world, lens)
 }
 
+/// Whether the camera is fitted to the scene, rather than placed by the line or the file.
+///
+/// # Errors
+/// [`Failure`] if the scene has no camera of the name on the line.
+pub(crate) fn is_fitted(options: &FrameOptions, scene: &Scene) -> Result<bool, Failure> {
+    Ok(!is_placed(options) && file_camera(options, scene)?.is_none())
+}
+
 /// A camera with this transform, and the clipping planes of the command line, else fitted ones.
 ///
 /// # Errors
@@ -76,8 +84,7 @@ pub(crate) fn turntable(
     let up = options.up.unwrap_or(scene.up).normalize_or(DVec3::Y);
     let pivot = options.target.unwrap_or_else(|| middle(&bounds));
     let lens = chosen.projection.lens;
-    let is_fitted = !is_placed(options) && file_camera(options, scene)?.is_none();
-    let first = if is_fitted {
+    let first = if is_fitted(options, scene)? {
         let distance = distance_from_all_sides(options, scene, pivot, lens);
         let [_, picture_up, back] = viewpoint(options, up).axes();
         Camera::look_at(pivot + back * distance, pivot, picture_up)

@@ -1,7 +1,70 @@
-//! Projection from world space to window pixels, from the upper left, and back.
+//! Projection from world space to window pixels, from the upper left, and back; parts of the window.
 
 use luxel::pick::{Viewport, project, unproject};
-use luxel::scene::{Camera, DMat4, DVec2, DVec3, Size};
+use luxel::scene::{Camera, DMat4, DVec2, DVec3, Lens, Projection, Size};
+
+/// A part of a window, in pixels from its upper left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct WindowPart {
+    pub(crate) left: u32,
+    pub(crate) top: u32,
+    pub(crate) size: Size,
+}
+
+impl WindowPart {
+    /// All of a window.
+    pub(crate) fn whole(size: Size) -> Self {
+        Self { left: 0, top: 0, size }
+    }
+
+    /// The lens of a camera that sees only this part of a window. Orthographic ones see it from the
+    /// offset of [`shift`](Self::shift).
+    pub(crate) fn lens(self, lens: Lens, window: Size) -> Lens {
+        let (width, height) = (f64::from(window.width), f64::from(window.height));
+        let (left, top) = (f64::from(self.left), f64::from(self.top));
+        match lens {
+            Lens::Perspective { .. } => {
+                let projection = Projection { lens, near: 1.0, far: 2.0 };
+                let focal = height * 0.5 * projection.clip_from_view(window).y_axis.y;
+                let (cx, cy) = (width * 0.5 - left, height * 0.5 - top);
+                Lens::Intrinsics { fx: focal, fy: focal, cx, cy }
+            }
+            Lens::Intrinsics { fx, fy, cx, cy } => {
+                Lens::Intrinsics { fx, fy, cx: cx - left, cy: cy - top }
+            }
+            Lens::Orthographic { height: extent } => {
+                Lens::Orthographic { height: extent / height * f64::from(self.size.height) }
+            }
+        }
+    }
+
+    /// How far the middle of this part lies from the window's, to the right and up, in the world units
+    /// of an orthographic window of a height; nothing for other lenses.
+    pub(crate) fn shift(self, lens: Lens, window: Size) -> DVec3 {
+        let Lens::Orthographic { height } = lens else { return DVec3::ZERO };
+        let pixel = height / f64::from(window.height);
+        let middle = |start: u32, side: u32, of: u32| {
+            (f64::from(start) + f64::from(side) * 0.5 - f64::from(of) * 0.5) * pixel
+        };
+        let right = middle(self.left, self.size.width, window.width);
+        let down = middle(self.top, self.size.height, window.height);
+        DVec3::new(right, -down, 0.0)
+    }
+
+    /// The camera that sees only this part of another camera's window.
+    pub(crate) fn camera(self, camera: &Camera, window: Size) -> Camera {
+        let Projection { lens, near, far } = camera.projection;
+        let shift = DMat4::from_translation(-self.shift(lens, window));
+        let view_from_world = match lens {
+            Lens::Orthographic { .. } => shift * camera.view_from_world,
+            _ => camera.view_from_world,
+        };
+        Camera {
+            view_from_world,
+            projection: Projection { lens: self.lens(lens, window), near, far },
+        }
+    }
+}
 
 /// Projects a line segment to window pixels, clipped at the near plane; `None` if nothing is left.
 pub(crate) fn project_line(camera: &Camera, size: Size, ends: [DVec3; 2]) -> Option<[DVec2; 2]> {
@@ -49,7 +112,6 @@ pub(crate) fn unproject_point(camera: &Camera, size: Size, place: DVec3) -> Opti
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luxel::scene::{Lens, Projection};
 
     const SIZE: Size = Size { width: 200, height: 100 };
 

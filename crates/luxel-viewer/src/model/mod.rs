@@ -22,6 +22,8 @@ pub struct Model {
     pub up: DVec3,
     /// The camera's pivot in world space.
     pub pivot: DVec3,
+    /// Whether the camera is fitted to the scene, rather than placed by the file or the user.
+    pub is_fitted: bool,
     /// The near and far clipping planes that the user has fixed; the others fit the scene.
     pub planes: [Option<f64>; 2],
 }

@@ -1,42 +1,18 @@
 //! Queries of one pixel, rendered as a one-pixel view; visible objects and depths of whole views.
 
+use crate::projection::WindowPart;
 use luxel::pick::VisibleIds;
 use luxel::render::{
     At, ExplainedSample, ExplainedSurface, Explanation, Layer, LayerValues, Renderer, Seen, Unseen,
     View,
 };
-use luxel::scene::{Camera, DMat4, DVec3, Lens, Projection, Size};
+use luxel::scene::{Camera, DVec3, Size};
 
 /// The camera that sees only one pixel of another camera: a query costs one pixel, however large the
 /// window is.
-fn pixel_camera(camera: &Camera, size: Size, [x, y]: [u32; 2]) -> Camera {
-    let (width, height) = (f64::from(size.width), f64::from(size.height));
-    let (left, top) = (f64::from(x), f64::from(y));
-    let Projection { lens, near, far } = camera.projection;
-    let mut view_from_world = camera.view_from_world;
-    let lens = match lens {
-        Lens::Perspective { .. } => {
-            let focal = height * 0.5 * camera.projection.clip_from_view(size).y_axis.y;
-            Lens::Intrinsics {
-                fx: focal,
-                fy: focal,
-                cx: width * 0.5 - left,
-                cy: height * 0.5 - top,
-            }
-        }
-        Lens::Intrinsics { fx, fy, cx, cy } => {
-            Lens::Intrinsics { fx, fy, cx: cx - left, cy: cy - top }
-        }
-        Lens::Orthographic { height: extent } => {
-            let pixel = extent / height;
-            let right = (left + 0.5 - width * 0.5) * pixel;
-            let down = (top + 0.5 - height * 0.5) * pixel;
-            view_from_world =
-                DMat4::from_translation(DVec3::new(-right, down, 0.0)) * view_from_world;
-            Lens::Orthographic { height: pixel }
-        }
-    };
-    Camera { view_from_world, projection: Projection { lens, near, far } }
+fn pixel_camera(camera: &Camera, size: Size, [left, top]: [u32; 2]) -> Camera {
+    let pixel = WindowPart { left, top, size: Size { width: 1, height: 1 } };
+    pixel.camera(camera, size)
 }
 
 /// The surface point at a pixel's centre.
@@ -141,6 +117,7 @@ pub(crate) fn render_depths(renderer: &Renderer, view: &View) -> Option<Vec<f32>
 mod tests {
     use super::*;
     use luxel::render::Execution;
+    use luxel::scene::{Lens, Projection};
 
     #[test]
     fn a_one_pixel_view_agrees_with_the_whole_picture() {

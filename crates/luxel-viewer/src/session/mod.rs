@@ -1,5 +1,7 @@
 //! The session: a model with its camera, display settings, edits and selection, without a window.
 
+mod edits;
+mod fitting;
 mod light_editing;
 mod material_overrides;
 mod measurement;
@@ -12,6 +14,7 @@ use crate::picture::{GuideScene, Guides};
 use crate::projection::{project_point, unproject_point};
 use crate::render::{RenderJob, SceneOverrides};
 use crate::selection::Selection;
+use edits::Edits;
 pub(crate) use light_editing::LightSpaces;
 use luxel::lighting::LightKindDescription;
 use luxel::navigation::{
@@ -19,12 +22,11 @@ use luxel::navigation::{
 };
 use luxel::render::View;
 use luxel::scene::{
-    Bounds, Camera, DMat4, DVec3, Lens, Object, Placement, Projection, SceneLight, Size, fit_along,
-    fit_planes,
+    Bounds, Camera, DMat4, DVec3, Lens, Object, Placement, Projection, SceneLight, Size, fit_planes,
 };
 use material_overrides::material_use_counts;
 pub(crate) use material_overrides::{MaterialOverrides, materials_of_mesh};
-pub(crate) use measurement::{Measurement, format_length};
+pub(crate) use measurement::Measurement;
 use recorder::Recorder;
 
 /// The duration of transitions between views, in seconds.
@@ -40,6 +42,8 @@ pub(crate) struct Session {
     recorder: Recorder,
     /// Lights and ambient light as loaded.
     loaded_lights: (Vec<SceneLight>, [f32; 3]),
+    /// The edits in the scene file that was saved last.
+    saved_edits: Option<Edits>,
     display: DisplaySettings,
     /// The comparison with other settings, if any.
     comparison: Option<Comparison>,
@@ -83,6 +87,7 @@ impl Session {
         let loaded_lights = (model.view.lights.clone(), model.view.ambient);
         Self {
             loaded_lights,
+            saved_edits: None,
             model,
             state,
             settings,
@@ -172,6 +177,18 @@ impl Session {
             || !self.selection.hidden().is_empty()
     }
 
+    /// Ends a measurement, else a comparison, if there is one.
+    pub(crate) fn close_innermost(&mut self) -> bool {
+        if self.measurement != Measurement::None {
+            self.measurement = Measurement::None;
+        } else if self.comparison.is_some() {
+            self.toggle_comparison();
+        } else {
+            return false;
+        }
+        true
+    }
+
     /// Advances navigation by a time, then handles an event.
     pub(crate) fn navigate(&mut self, event: Event, seconds: f64) {
         self.state = advance(&self.state, &self.settings, &event, seconds);
@@ -194,44 +211,6 @@ impl Session {
     fn set(&mut self, change: Change) {
         self.settings = change.apply(&self.settings);
         self.recorder.record(Entry::Set(change));
-    }
-
-    /// Fits the whole scene into view, along the present direction.
-    pub(crate) fn fit(&mut self, seconds: f64) {
-        let view = self.state.view_from_world();
-        let axes = [0, 1, 2].map(|row| view.row(row).truncate());
-        let lens = match self.settings.lens {
-            // A height of 0 asks for the one that fits.
-            Lens::Orthographic { .. } => Lens::Orthographic { height: 0.0 },
-            lens => lens,
-        };
-        let camera = fit_along(&self.model.scene, axes, lens, self.settings.size);
-        let scale = match (camera.projection.lens, self.settings.lens) {
-            (Lens::Orthographic { height: fitted }, Lens::Orthographic { height }) => {
-                fitted / height
-            }
-            _ => 1.0,
-        };
-        let bounds = self.settings.bounds;
-        let pivot = if bounds.is_empty() { self.state.pivot() } else { bounds.centre() };
-        let view_from_world = camera.view_from_world;
-        self.navigate(Event::Go { view_from_world, pivot, scale }, seconds);
-    }
-
-    /// Fits the selected objects into view; without a selection, all visible ones.
-    pub(crate) fn fit_selected(&mut self, seconds: f64) {
-        let (selected, hidden) = (self.selection.selected(), self.selection.hidden());
-        if selected.is_empty() && hidden.is_empty() {
-            self.fit(seconds);
-            return;
-        }
-        let wanted = (0..self.objects.len()).filter(|object| {
-            if selected.is_empty() { !hidden.contains(object) } else { selected.contains(object) }
-        });
-        let bounds = wanted.fold(Bounds::EMPTY, |all, object| all.union(&self.bounds(object)));
-        if !bounds.is_empty() {
-            self.navigate(Event::Fit(Some(bounds)), seconds);
-        }
     }
 
     /// An object's bounds in world space.

@@ -1,4 +1,5 @@
 use super::*;
+use crate::projection::WindowPart;
 use luxel::lighting::K_D;
 use luxel::navigation::{Gesture, Log};
 use luxel::scene::{DVec2, demos};
@@ -10,7 +11,8 @@ fn session(records: bool) -> Session {
     let scene = demos::demo("plane").unwrap();
     let view = luxel::default_view(&scene, SIZE);
     let (up, pivot) = (scene.up, scene.bounds().centre());
-    let model = Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] };
+    let model =
+        Model { scene: Arc::new(scene), view, up, pivot, is_fitted: true, planes: [None; 2] };
     Session::new(model, SIZE, Mode::RollingBall, records)
 }
 
@@ -22,7 +24,7 @@ fn a_recording_replays_bit_identically_from_any_start() {
     recorded.navigate(Event::Drag { at: at + DVec2::new(40.0, -7.0) }, 0.016);
     recorded.navigate(Event::Release, 0.016);
     recorded.toggle_lens(0.5);
-    recorded.fit(0.1);
+    recorded.fit(WindowPart::whole(SIZE), 0.1);
     recorded.navigate(Event::Wait, 0.07);
     recorded.resize(Size { width: 800, height: 300 });
     recorded.navigate(Event::Wheel { notches: 2.0, at, point: None }, 0.01);
@@ -54,19 +56,20 @@ fn selected_objects_are_fitted_else_the_visible_ones() {
     let scene = demos::demo("spheres").unwrap();
     let view = luxel::default_view(&scene, SIZE);
     let (up, pivot) = (scene.up, scene.bounds().centre());
-    let model = Model { scene: Arc::new(scene), view, up, pivot, planes: [None; 2] };
+    let model =
+        Model { scene: Arc::new(scene), view, up, pivot, is_fitted: true, planes: [None; 2] };
     let mut session = Session::new(model, SIZE, Mode::Turntable, false);
     let centre = session.bounds(1).centre();
     session.selection.select([1], SelectMode::Replace);
-    session.fit_selected(0.0);
+    session.fit_selected(WindowPart::whole(SIZE), 0.0);
     session.navigate(Event::Wait, 10.0);
     assert!(session.state.pivot().abs_diff_eq(centre, 1e-9));
     session.selection.isolate(session.objects.len());
     session.selection.select(None, SelectMode::Replace);
-    session.fit(0.0);
+    session.fit(WindowPart::whole(SIZE), 0.0);
     session.navigate(Event::Wait, 10.0);
     assert!(!session.state.pivot().abs_diff_eq(centre, 1e-3));
-    session.fit_selected(0.0);
+    session.fit_selected(WindowPart::whole(SIZE), 0.0);
     session.navigate(Event::Wait, 10.0);
     assert!(session.state.pivot().abs_diff_eq(centre, 1e-9));
 }

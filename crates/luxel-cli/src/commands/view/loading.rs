@@ -4,7 +4,7 @@ use super::{ThemeName, ViewCommand};
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::options::InputOptions;
-use crate::{model, navigation, output, surface, view};
+use crate::{camera, model, navigation, output, surface, view};
 use luxel_viewer::{LoadProgress, Model, ThemeChoice};
 use std::ffi::OsStr;
 use std::path::Path;
@@ -56,11 +56,13 @@ impl ViewCommand {
         let scene = model.scene;
         let (state, settings, camera) = navigation::start(&self.view.frame, &scene, self.mode)?;
         let view = view::view(&self.view, None, camera, &scene)?;
+        let is_fitted = camera::is_fitted(&self.view.frame, &scene)?;
         Ok(Model {
             scene: Arc::new(scene),
             view,
             up: settings.up,
             pivot: state.pivot(),
+            is_fitted,
             planes: [self.view.frame.near, self.view.frame.far],
         })
     }

@@ -101,6 +101,14 @@ impl PanelState {
         self.unfolded = self.is_shown.then_some(Side::Settings);
     }
 
+    /// Folds the unfolded panel of a narrow window, else hides the panels; false if there are none.
+    pub(crate) fn close_innermost(&mut self) -> bool {
+        if self.is_narrow && self.is_shown && self.unfolded.take().is_some() {
+            return true;
+        }
+        std::mem::take(&mut self.is_shown)
+    }
+
     /// Shows the panels, and moves keyboard focus to their first control.
     pub(crate) fn focus_first(&mut self) {
         self.is_shown = true;
@@ -136,9 +144,35 @@ const TREE_WIDTH: f32 = 240.0;
 const SETTINGS_WIDTH: f32 = 288.0;
 const FREE_WIDTH: f32 = 64.0;
 
-/// A panel's width, limited by the window's.
-fn width(context: &Context, width: f32) -> f32 {
-    width.min((context.available_rect().width() - FREE_WIDTH).max(FREE_WIDTH))
+/// The width of the icons of a narrow window.
+const FOLDED_WIDTH: f32 = icons::SIDE + 8.0;
+/// In narrower windows panels fold to icons, and one unfolds at a time.
+const ROOM_FOR_BOTH: f32 = 900.0;
+
+impl PanelState {
+    /// Folds the panels in a narrow window.
+    pub(crate) fn fold_if_narrow(&mut self, window_width: f32) {
+        self.is_narrow = window_width < ROOM_FOR_BOTH;
+    }
+
+    /// A panel's width, limited by the window's.
+    fn width(&self, width: f32, window_width: f32) -> f32 {
+        let folded = if self.is_narrow { FOLDED_WIDTH } else { 0.0 };
+        width.min((window_width - folded - FREE_WIDTH).max(FREE_WIDTH))
+    }
+
+    /// What the panels cover of a window, from its left and from its right.
+    pub(crate) fn covered(&self, window_width: f32) -> [f32; 2] {
+        let tree = if self.shows_tree() { self.width(TREE_WIDTH, window_width) } else { 0.0 };
+        let settings =
+            if self.shows_settings() { self.width(SETTINGS_WIDTH, window_width) } else { 0.0 };
+        if self.is_narrow {
+            let folded = if self.is_shown { FOLDED_WIDTH } else { 0.0 };
+            [0.0, folded + tree + settings]
+        } else {
+            [tree, settings]
+        }
+    }
 }
 
 fn frame(context: &Context) -> Frame {
@@ -149,7 +183,7 @@ fn frame(context: &Context) -> Frame {
 pub(crate) fn folded(state: &mut PanelState, context: &Context) {
     let frame = Frame::new().fill(theme::of(context).panel).inner_margin(Margin::same(4));
     let panel = egui::SidePanel::right("folded").frame(frame).show_separator_line(false);
-    panel.resizable(false).exact_width(icons::SIDE + 8.0).show(context, |panel| {
+    panel.resizable(false).exact_width(FOLDED_WIDTH).show(context, |panel| {
         panel.spacing_mut().item_spacing.y = 4.0;
         let all = [
             (Icon::Objects, "objects", None),
@@ -184,7 +218,8 @@ pub(crate) fn settings(
     commands: &mut Vec<UiCommand>,
 ) {
     let panel = egui::SidePanel::right("settings").frame(frame(context)).show_separator_line(false);
-    panel.resizable(false).exact_width(width(context, SETTINGS_WIDTH)).show(context, |panel| {
+    let width = state.width(SETTINGS_WIDTH, context.content_rect().width());
+    panel.resizable(false).exact_width(width).show(context, |panel| {
         panel.horizontal(|panel| {
             let first = panel.selectable_value(&mut state.tab, Tab::Light, "Light");
             if std::mem::take(&mut state.wants_focus) {
