@@ -11,11 +11,22 @@ const HALO: u8 = 1;
 const HOVERED: u8 = 2;
 const SELECTED: u8 = 3;
 
-/// Draws outlines of the visible parts of selected and hovered objects over the window's pixels, at
-/// `scale` pixels a point. Lines lie inside the objects; selected ones have a dark edge outside, for
-/// contrast with any colour. `visible` may be smaller than the window.
+/// The length of a dash and of a gap where a selected object is hidden, in points.
+const DASH: usize = 3;
+
+/// The objects that pixels show; the pictures may be smaller than the window.
+pub(crate) struct OutlinedIds<'a> {
+    pub(crate) visible: &'a VisibleIds,
+    /// The selected objects alone, if others are in the scene.
+    pub(crate) alone: Option<&'a VisibleIds>,
+    pub(crate) size: Size,
+}
+
+/// Draws outlines of selected and hovered objects over the window's pixels, at `scale` pixels a point.
+/// Lines lie inside the objects; selected ones have a dark edge outside, for contrast with any colour.
+/// Where a selected object is hidden by others, its line is dashed and faint.
 pub(crate) fn draw_outlines(
-    (visible, size): (&VisibleIds, Size),
+    ids: &OutlinedIds<'_>,
     selection: &Selection,
     (theme, scale): (&Theme, f32),
     window: Size,
@@ -28,7 +39,7 @@ pub(crate) fn draw_outlines(
     if pixels.len() != across * down {
         return;
     }
-    let owners = owners(visible, size, selection, window);
+    let owners = owners(ids.visible, ids.size, selection, window);
     let mut lines = vec![UNMARKED; owners.len()];
     let point = (scale.round() as usize).max(1);
     for y in 0..down {
@@ -60,6 +71,10 @@ pub(crate) fn draw_outlines(
             }
         }
     }
+    if let Some(alone) = ids.alone {
+        let alone = self::owners(alone, ids.size, selection, window);
+        draw_hidden((&alone, &owners), &lines, (theme, point), across, pixels);
+    }
     for (pixel, line) in pixels.iter_mut().zip(&lines) {
         *pixel = match *line {
             SELECTED => mixed(*pixel, theme.accent, 256),
@@ -70,13 +85,41 @@ pub(crate) fn draw_outlines(
     }
 }
 
+/// The object at a pixel, and its mark.
+type Owner = (Option<usize>, u8);
+
+/// Draws the outlines of selected objects, which are `alone`, where others own the pixels.
+fn draw_hidden(
+    (alone, owners): (&[Owner], &[Owner]),
+    lines: &[u8],
+    (theme, point): (&Theme, usize),
+    across: usize,
+    pixels: &mut [u32],
+) {
+    let other_at = |at: usize| alone.get(at).map(|owner| owner.0);
+    for (at, (object, mark)) in alone.iter().enumerate() {
+        let is_hidden = *mark == SELECTED && owners[at].0 != *object && lines[at] != SELECTED;
+        let (x, y) = (at % across, at / across);
+        let is_dash = (x + 2 * y) / (DASH * point) % 2 == 0;
+        if !is_hidden || !is_dash {
+            continue;
+        }
+        let is_edge = (1..=2 * point).any(|step| {
+            // The window's edge isn't an edge of the object.
+            let beside = |is_in: bool, other: usize| is_in && other_at(other) != Some(*object);
+            beside(x >= step, at.wrapping_sub(step))
+                || beside(x + step < across, at + step)
+                || beside(y >= step, at.wrapping_sub(step * across))
+                || (other_at(at + step * across).is_some() && beside(true, at + step * across))
+        });
+        if is_edge {
+            pixels[at] = mixed(pixels[at], theme.accent, 170);
+        }
+    }
+}
+
 /// The object at each pixel of the window, and its mark.
-fn owners(
-    visible: &VisibleIds,
-    size: Size,
-    selection: &Selection,
-    window: Size,
-) -> Vec<(Option<usize>, u8)> {
+fn owners(visible: &VisibleIds, size: Size, selection: &Selection, window: Size) -> Vec<Owner> {
     let place = |at: u32, of: u32, source: u32| {
         (u64::from(at) * u64::from(source) / u64::from(of.max(1))) as u32
     };
@@ -138,8 +181,35 @@ mod tests {
         selection.hovered = hovered;
         selection.select(selected.iter().copied(), SelectMode::Replace);
         let mut pixels = vec![GREY; 120];
-        draw_outlines((&visible(), SIZE), &selection, (&DARK, 1.0), SIZE, &mut pixels);
+        let ids = OutlinedIds { visible: &visible(), alone: None, size: SIZE };
+        draw_outlines(&ids, &selection, (&DARK, 1.0), SIZE, &mut pixels);
         pixels
+    }
+
+    #[test]
+    fn the_hidden_part_of_a_selected_object_has_a_dashed_and_fainter_line() {
+        // Object 1 goes on behind object 0, from column 5.
+        let object = |at: u32| if at % 12 >= 5 && (2..=8).contains(&(at / 12)) { 1 } else { NO_ID };
+        let alone = VisibleIds::new(SIZE, (0..120).map(object).collect(), vec![0; 120]).unwrap();
+        let mut selection = Selection::default();
+        selection.select([1], SelectMode::Replace);
+        let plain = drawn(&[1], None);
+        let mut pixels = vec![GREY; 120];
+        let ids = OutlinedIds { visible: &visible(), alone: Some(&alone), size: SIZE };
+        draw_outlines(&ids, &selection, (&DARK, 1.0), SIZE, &mut pixels);
+        let accent = mixed(0, DARK.accent, 256);
+        let changed: Vec<_> = (0..120).filter(|at| pixels[*at] != plain[*at]).collect();
+        assert!(!changed.is_empty(), "nothing shows where it is hidden");
+        for at in &changed {
+            let (x, y) = (at % 12, at / 12);
+            assert!((5..=9).contains(&x) && (2..=8).contains(&y), "{x} {y}");
+            assert!(x <= 6 || y <= 3 || y >= 7, "{x} {y} is inside of it");
+            assert_ne!(pixels[*at], accent, "{x} {y} looks as if it were visible");
+        }
+        let left_line = (2..=8).filter(|y| changed.contains(&(y * 12 + 5))).count();
+        assert!((1..7).contains(&left_line), "{left_line} of 7 pixels are dashes");
+        // Where it is visible, its line is as before.
+        assert!((2..=8).all(|y| pixels[y * 12 + 10] == plain[y * 12 + 10]));
     }
 
     #[test]

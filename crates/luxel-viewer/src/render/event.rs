@@ -23,6 +23,8 @@ pub(crate) enum WorkerEvent {
     Rendered(Box<RenderedFrame>),
     /// The objects visible in the last refined frame.
     VisibleObjects(Option<Box<VisibleIds>>),
+    /// The selected objects alone, in the last refined frame.
+    SelectedObjects(SelectedObjects),
     /// A pixel was explained; `None` if it can't be.
     Explained(Option<Box<ExplainedPixel>>),
     /// The scene or the view can't be rendered.
@@ -46,8 +48,17 @@ pub(crate) struct RenderedFrame {
     pub(crate) purpose: FramePurpose,
     /// The visible objects, if requested or delivered since.
     pub(crate) visible: Option<Box<VisibleIds>>,
+    /// The selected ones alone, if requested or delivered since.
+    pub(crate) selected: Option<SelectedObjects>,
     /// Render time.
     pub(crate) seconds: f64,
+}
+
+/// Selected objects as a view shows them if nothing else is in the scene.
+pub(crate) struct SelectedObjects {
+    pub(crate) objects: BTreeSet<usize>,
+    /// `None` if nothing else is in the scene.
+    pub(crate) visible: Option<Box<VisibleIds>>,
 }
 
 /// The purpose of a frame.
@@ -76,8 +87,9 @@ pub(crate) struct RenderRequest {
     /// One picture, or two to compare, of the same camera and size.
     pub(crate) jobs: Vec<RenderJob>,
     pub(crate) purpose: FramePurpose,
-    /// Whether the frame must come with its visible objects, because some are outlined.
-    pub(crate) needs_objects: bool,
+    /// The objects that are outlined: with any, the frame comes with its visible objects, and with
+    /// these alone.
+    pub(crate) selected: BTreeSet<usize>,
     /// Whether the frame must come with depths, because lines are drawn into it.
     pub(crate) needs_depths: bool,
 }

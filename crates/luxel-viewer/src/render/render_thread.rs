@@ -1,12 +1,14 @@
 //! The render thread: serves commands for one scene after the other.
 
 use super::event::{
-    FramePurpose, RenderRequest, RenderedFrame, SceneOverrides, WorkerEvent, WorkerMessage,
+    FramePurpose, RenderRequest, RenderedFrame, SceneOverrides, SelectedObjects, WorkerEvent,
+    WorkerMessage,
 };
 use super::job::RenderJob;
 use super::pixel_query::{PixelHit, explain_pixel, hit_at_pixel, render_depths, visible_ids};
 use luxel::render::{Prepared, Renderer, View};
 use luxel::scene::Scene;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender};
 use std::time::Instant;
@@ -18,6 +20,7 @@ pub(super) enum Command {
     Render(Box<RenderRequest>),
     SetOverrides(Box<SceneOverrides>),
     Explain(Box<View>, [u32; 2]),
+    Select(Box<View>, BTreeSet<usize>),
     HitAtPixel(Box<View>, [u32; 2], Sender<Option<PixelHit>>),
 }
 
@@ -59,11 +62,11 @@ pub(super) fn render_scene(
             apply(&overrides, &scene, Arc::make_mut(copy));
         }
         // Meshes stay the same, and so do the data precomputed for them.
-        let renderer = Renderer::again(Arc::clone(copy.as_ref().unwrap_or(&scene)), prepared);
+        let mut renderer = Renderer::again(Arc::clone(copy.as_ref().unwrap_or(&scene)), prepared);
         let count = renderer.objects().len() + overrides.hidden.len();
         let object_ids: Vec<_> =
             (0..count).filter(|object| !overrides.hidden.contains(object)).collect();
-        match serve(&renderer, &object_ids, commands, &send) {
+        match serve(&mut renderer, &object_ids, commands, &send) {
             Exit::SetOverrides(others) => overrides = *others,
             Exit::Show(next) => return Some(*next),
             Exit::Disconnected => return None,
@@ -85,7 +88,7 @@ fn apply(overrides: &SceneOverrides, scene: &Scene, copy: &mut Scene) {
 /// Serves commands until one replaces the scene or its overrides. `object_ids` maps the renderer's
 /// objects to those of the whole scene.
 fn serve(
-    renderer: &Renderer,
+    renderer: &mut Renderer,
     object_ids: &[usize],
     commands: &Receiver<Command>,
     send: &impl Fn(WorkerEvent) -> bool,
@@ -98,6 +101,10 @@ fn serve(
             Command::Explain(view, pixel) => {
                 let explained = explain_pixel(renderer, &view, pixel, object_ids);
                 send(WorkerEvent::Explained(explained.map(Box::new)))
+            }
+            Command::Select(view, selected) => {
+                let selected = select(renderer, object_ids, &view, selected);
+                send(WorkerEvent::SelectedObjects(selected))
             }
             // The window may have stopped waiting.
             Command::HitAtPixel(view, pixel, reply) => {
@@ -114,9 +121,26 @@ fn serve(
     Exit::Disconnected
 }
 
+/// The selected objects as if nothing else were in the scene.
+fn select(
+    renderer: &mut Renderer,
+    object_ids: &[usize],
+    view: &View,
+    objects: BTreeSet<usize>,
+) -> SelectedObjects {
+    let ids: Vec<_> = object_ids.iter().copied().filter(|one| objects.contains(one)).collect();
+    if ids.len() == object_ids.len() {
+        return SelectedObjects { objects, visible: None };
+    }
+    renderer.draw_only(|at| object_ids.get(at).is_some_and(|one| objects.contains(one)));
+    let visible = visible_ids(renderer, view, &ids).map(Box::new);
+    renderer.draw_only(|_| true);
+    SelectedObjects { objects, visible }
+}
+
 /// Renders a frame and sends it; false if the window is gone.
 fn render(
-    renderer: &Renderer,
+    renderer: &mut Renderer,
     object_ids: &[usize],
     request: &RenderRequest,
     send: &impl Fn(WorkerEvent) -> bool,
@@ -128,28 +152,31 @@ fn render(
         Ok(pictures) => pictures,
         Err(error) => return send(WorkerEvent::Failed(error.to_string())),
     };
-    let visible = || visible_ids(renderer, view, object_ids).map(Box::new);
+    let needs_objects = !request.selected.is_empty();
+    let visible = |renderer: &Renderer| visible_ids(renderer, view, object_ids).map(Box::new);
     let frame = RenderedFrame {
         pictures,
         camera: view.camera,
         size: view.size,
         depths: if request.needs_depths { render_depths(renderer, view) } else { None },
         purpose: request.purpose,
-        visible: if request.needs_objects { visible() } else { None },
+        visible: if needs_objects { visible(renderer) } else { None },
+        selected: needs_objects
+            .then(|| select(renderer, object_ids, view, request.selected.clone())),
         seconds: start.elapsed().as_secs_f64(),
     };
     let is_received = send(WorkerEvent::Rendered(Box::new(frame)));
     // The picture comes first: nobody has pointed at anything in it yet.
-    let is_pending = request.purpose == FramePurpose::Refined && !request.needs_objects;
-    is_received && (!is_pending || send(WorkerEvent::VisibleObjects(visible())))
+    let is_pending = request.purpose == FramePurpose::Refined && !needs_objects;
+    is_received && (!is_pending || send(WorkerEvent::VisibleObjects(visible(renderer))))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use luxel::pick::VisibleIds;
     use luxel::render::Execution;
     use luxel::scene::{Size, demos};
-    use std::collections::BTreeSet;
     use std::sync::mpsc::channel;
 
     const SIZE: Size = Size { width: 96, height: 64 };
@@ -176,7 +203,8 @@ mod tests {
 
     fn render_command(view: &View, purpose: FramePurpose, needs_objects: bool) -> Command {
         let jobs = vec![RenderJob { view: view.clone(), layer: None }];
-        let request = RenderRequest { jobs, purpose, needs_objects, needs_depths: true };
+        let selected = needs_objects.then_some(0).into_iter().collect();
+        let request = RenderRequest { jobs, purpose, selected, needs_depths: true };
         Command::Render(Box::new(request))
     }
 
@@ -257,5 +285,39 @@ mod tests {
         };
         assert!(frame(first).visible.is_none() && frame(third).visible.is_none());
         assert_eq!(frame(second).visible.as_deref(), Some(&**visible));
+    }
+
+    #[test]
+    fn selected_objects_are_seen_through_what_stands_before_them() {
+        let scene = demos::demo("cornell").unwrap();
+        let view = luxel::default_view(&scene, SIZE);
+        let draw = |purpose, needs_objects| render_command(&view, purpose, needs_objects);
+        let count = scene.objects().len();
+        let pixels = |ids: &VisibleIds, object: usize| {
+            let all = (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| (x, y)));
+            all.filter(|(x, y)| ids.at(*x, *y).is_some_and(|(at, _)| at == object)).count()
+        };
+        let mut has_hidden = false;
+        for object in 0..count {
+            let only = BTreeSet::from([object]);
+            let select = Command::Select(Box::new(view.clone()), only.clone());
+            let events = events(&scene, [draw(FramePurpose::Refined, true), select]);
+            let [whole, WorkerEvent::SelectedObjects(selected)] = events.as_slice() else {
+                panic!("other events")
+            };
+            let (whole, alone) =
+                (frame(whole).visible.as_ref().unwrap(), selected.visible.as_ref().unwrap());
+            assert_eq!(selected.objects, only);
+            assert!(pixels(alone, object) >= pixels(whole, object), "{object}");
+            has_hidden |= pixels(alone, object) > pixels(whole, object);
+            assert!((0..count).all(|other| other == object || pixels(alone, other) == 0));
+        }
+        assert!(has_hidden, "nothing stands before anything else");
+        // The objects that are drawn come back.
+        let select = Command::Select(Box::new(view.clone()), BTreeSet::from([1]));
+        let purpose = FramePurpose::Interactive;
+        let events = events(&scene, [draw(purpose, true), select, draw(purpose, true)]);
+        assert_eq!(frame(&events[0]).pictures, frame(&events[2]).pictures);
+        assert_eq!(frame(&events[0]).visible, frame(&events[2]).visible);
     }
 }

@@ -5,6 +5,7 @@ use super::pixel_query::PixelHit;
 use super::render_thread::{Command, CurrentScene, render_scene};
 use crate::model::{LoadProgress, Model};
 use luxel::render::{Execution, Renderer, View};
+use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -132,6 +133,11 @@ impl Worker {
         let _ = self.commands.send(Command::Explain(Box::new(view), pixel));
     }
 
+    /// Requests the selected objects alone. One at a time, too.
+    pub(crate) fn select(&self, view: View, selected: BTreeSet<usize>) {
+        let _ = self.commands.send(Command::Select(Box::new(view), selected));
+    }
+
     /// Requests the surface point at a pixel of a view.
     pub(crate) fn hit_at_pixel(&self, view: View, pixel: [u32; 2]) -> Receiver<Option<PixelHit>> {
         let (reply, received) = channel();
@@ -159,7 +165,14 @@ mod tests {
         let scene = demos::demo(&name).ok_or_else(|| format!("{name}: no such file"))?;
         let view = luxel::default_view(&scene, SIZE);
         let up = scene.up;
-        Ok(Model { scene: Arc::new(scene), view, up, pivot: DVec3::ZERO, planes: [None; 2] })
+        Ok(Model {
+            scene: Arc::new(scene),
+            view,
+            up,
+            pivot: DVec3::ZERO,
+            is_fitted: true,
+            planes: [None; 2],
+        })
     }
 
     #[test]
@@ -192,7 +205,8 @@ mod tests {
         let view = worker.show(*loaded).view;
         let jobs = vec![RenderJob { view, layer: None }];
         let purpose = FramePurpose::Interactive;
-        worker.render(RenderRequest { jobs, purpose, needs_objects: false, needs_depths: false });
+        let selected = BTreeSet::new();
+        worker.render(RenderRequest { jobs, purpose, selected, needs_depths: false });
         let message = messages.recv().unwrap();
         let WorkerEvent::Rendered(frame) = message.event else { panic!("another event") };
         assert_eq!((message.model_number, frame.size), (model_number, SIZE));
