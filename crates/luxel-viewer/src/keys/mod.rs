@@ -10,6 +10,8 @@ use luxel::navigation::{Command, Mode, StandardView};
 /// An action bound to keys.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Action {
+    /// Closes what is open; quits if nothing is, and nothing would be lost.
+    Close,
     /// Quits.
     Quit,
     /// Toggles the help.
@@ -140,7 +142,8 @@ pub(crate) static BINDINGS: &[Binding] = &[
     bind("line", Action::CopyCommand, &["Ctrl+c"], "copy its `luxel render`"),
     bind("save", Action::SaveScene, &["Ctrl+s"], "save as a scene file"),
     bind("help", Action::Help, &["h", "?", "F1"], "this help"),
-    bind("quit", Action::Quit, &["q", "Escape"], "quit"),
+    bind("close", Action::Close, &["Escape"], "close what is open, or quit"),
+    bind("quit", Action::Quit, &["q"], "quit"),
     bind("next-mode", Action::NextMode, &["m"], ""),
     bind("mode-turntable", Action::Mode(Mode::Turntable), &["F2"], ""),
     bind("mode-rolling-ball", Action::Mode(Mode::RollingBall), &["F3"], ""),
@@ -169,7 +172,19 @@ pub(crate) fn next_mode(mode: Mode) -> Mode {
 /// The default keys of motions: left hand on `w a s d e c`, right hand on `i j k l , .`.
 fn motions(mode: Mode) -> &'static [(&'static str, &'static str)] {
     match mode {
-        Mode::Turntable | Mode::RollingBall => &[
+        Mode::Turntable => &[
+            ("w", "forward"),
+            ("s", "back"),
+            ("a", "left"),
+            ("d", "right"),
+            ("e", "up"),
+            ("c", "down"),
+            ("i", "orbit-up"),
+            ("k", "orbit-down"),
+            ("j", "orbit-left"),
+            ("l", "orbit-right"),
+        ],
+        Mode::RollingBall => &[
             ("w", "forward"),
             ("s", "back"),
             ("a", "left"),

@@ -11,6 +11,7 @@ use crate::options::{ViewerError, WriteFile};
 use crate::picture::{
     Depths, compose, difference_map, draw_lines, join_columns, rgba_of, save_png,
 };
+use crate::projection::WindowPart;
 use crate::render::{RenderJob, hit_at_pixel, render_depths};
 use crate::session::Session;
 use crate::theme::{Theme, ThemeChoice};
@@ -251,6 +252,7 @@ impl TerminalView<'_> {
             return false;
         };
         match action {
+            Action::Close => return !self.session.close_innermost(),
             Action::Quit => return true,
             Action::View(view) => self.navigate(Event::View(view)),
             Action::Level => self.navigate(Event::Level),
@@ -258,7 +260,9 @@ impl TerminalView<'_> {
             Action::NextMode => self.navigate(Event::Mode(next_mode(mode))),
             // Terminals don't report key releases.
             Action::Motion(command) => self.navigate(Event::Tap { command, steps: 1.0 }),
-            Action::Fit | Action::FitAll => self.session.fit(0.0),
+            Action::Fit | Action::FitAll => {
+                self.session.fit(WindowPart::whole(self.screen.size()), 0.0);
+            }
             Action::ToggleLens => self.session.toggle_lens(0.0),
             Action::Screenshot => self.note = Some((self.screenshot(), Instant::now())),
             Action::Help => {

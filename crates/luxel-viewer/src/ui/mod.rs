@@ -4,14 +4,17 @@ mod command;
 mod focus;
 mod icons;
 mod ledger;
+mod names;
 mod open_dialog;
 mod overlays;
 mod paint;
 mod panels;
 mod status_line;
+mod symbols;
 
 use crate::keys::Keys;
 use crate::picture::PictureDifference;
+use crate::projection::WindowPart;
 use crate::session::Session;
 use crate::theme::{self, Theme};
 pub(crate) use command::UiCommand;
@@ -54,9 +57,6 @@ pub(crate) struct Ui {
     started: Instant,
 }
 
-/// In narrower windows, in points, panels fold to icons, and one unfolds at a time.
-const ROOM_FOR_BOTH: f32 = 900.0;
-
 impl Ui {
     pub(crate) fn new(theme: &'static Theme, keys: Keys) -> Self {
         let context = Context::default();
@@ -92,9 +92,29 @@ impl Ui {
             || self.context.is_pointer_over_area()
     }
 
+    /// Closes a list or a colour picker that has popped up; false if there is none.
+    pub(crate) fn close_popup(&self) -> bool {
+        let is_open = egui::Popup::is_any_open(&self.context);
+        egui::Popup::close_all(&self.context);
+        is_open
+    }
+
     /// Whether a control has keyboard focus.
     pub(crate) fn has_keyboard(&self) -> bool {
         self.dialog.is_some() || self.context.wants_keyboard_input()
+    }
+
+    /// The part of the window that no panel covers.
+    pub(crate) fn free_part(&mut self, size: Size, pixels_per_point: f32) -> WindowPart {
+        let width = size.width as f32 / pixels_per_point;
+        self.panels.fold_if_narrow(width);
+        let pixels = |points: f32| (points * pixels_per_point).round() as u32;
+        let [left, right] = self.panels.covered(width).map(pixels);
+        let free = Size {
+            width: size.width.saturating_sub(left + right).max(1),
+            height: size.height.saturating_sub(pixels(status_line::HEIGHT)).max(1),
+        };
+        WindowPart { left: left.min(size.width - 1), top: 0, size: free }
     }
 
     /// Lays the interface out and paints it over the window's pixels. Returns commands to the window,
@@ -140,10 +160,10 @@ impl Ui {
         status: &Status,
         commands: &mut Vec<UiCommand>,
     ) {
-        status_line(context, status, session.as_deref(), &self.keys);
+        status_line(context, status, session.as_deref(), (&self.keys, self.space_effect()));
         self.show_loading(context, status, session.is_some(), commands);
         let Some(session) = session else { return };
-        self.panels.is_narrow = context.content_rect().width() < ROOM_FOR_BOTH;
+        self.panels.fold_if_narrow(context.content_rect().width());
         if self.panels.is_shown {
             self.show_panels(context, session, commands);
         }
@@ -159,7 +179,19 @@ impl Ui {
         }
         if self.shows_help {
             let scroll = std::mem::take(&mut self.help_scroll);
-            help(context, session.state.mode(), &self.keys, scroll);
+            let mode = (session.state.mode(), status.position.is_some());
+            help(context, mode, &self.keys, scroll);
+        }
+    }
+
+    /// The effect of the key that explains, which pages the help while it is open.
+    fn space_effect(&self) -> &'static str {
+        if self.shows_help {
+            "scrolls the help"
+        } else if self.panels.shows_explanation() {
+            "hides the explanation"
+        } else {
+            "explains the pixel"
         }
     }
 

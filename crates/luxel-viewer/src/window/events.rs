@@ -10,6 +10,7 @@ use winit::application::ApplicationHandler;
 use winit::dpi::{LogicalSize, PhysicalPosition};
 use winit::event::{ElementState, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow};
+use winit::keyboard::{Key, NamedKey};
 use winit::window::{Window, WindowId};
 
 impl ApplicationHandler<UserEvent> for App {
@@ -66,6 +67,14 @@ impl ApplicationHandler<UserEvent> for App {
                 self.redraw();
             }
             WorkerEvent::VisibleObjects(_) => {}
+            WorkerEvent::SelectedObjects(selected) => {
+                self.is_selecting = false;
+                if let Some(frame) = self.frame.as_mut().filter(|_| is_current) {
+                    frame.selected = Some(selected);
+                    self.is_base_stale = true;
+                    self.redraw();
+                }
+            }
             WorkerEvent::Explained(explained) => {
                 self.is_explaining = false;
                 if is_current {
@@ -112,7 +121,11 @@ impl ApplicationHandler<UserEvent> for App {
                 if event.state == ElementState::Released {
                     self.release_key(&event.logical_key);
                 }
-                if !self.forward_key(&event) && event.state == ElementState::Pressed {
+                let is_pressed = event.state == ElementState::Pressed;
+                let escapes = event.logical_key == Key::Named(NamedKey::Escape);
+                if is_pressed && escapes && self.ui.close_popup() {
+                    self.redraw();
+                } else if !self.forward_key(&event) && is_pressed {
                     if !event.repeat {
                         self.press_key(event_loop, event.logical_key);
                     } else if self.ui.shows_help {

@@ -1,14 +1,16 @@
 //! Mouse and keyboard input: to the user interface where it has pointer or focus, else to the camera.
 
 use super::App;
+use super::surface::WindowSurface;
 use crate::keys::{Action, Chord, KeyName, next_mode};
+use crate::projection::WindowPart;
 use crate::ui::{PathCompletion, UiCommand, help_scroll_step};
 use luxel::navigation::{Event, Gesture, Mode};
 use luxel::scene::DVec2;
 use std::time::{Duration, Instant};
 use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta};
 use winit::event_loop::ActiveEventLoop;
-use winit::keyboard::{Key, ModifiersState, NamedKey};
+use winit::keyboard::{Key, ModifiersState};
 
 /// The longest time and the largest distance, in pixels, between the clicks of a double click.
 const DOUBLE_CLICK: (Duration, f64) = (Duration::from_millis(350), 5.0);
@@ -26,17 +28,13 @@ impl App {
         let Some(chord) = chord(&key, self.modifiers) else { return };
         let mode = self.session.as_ref().map_or_else(Mode::default, |one| one.state.mode());
         let Some(action) = self.ui.keys.action(&chord, mode) else { return };
-        // Esc cancels loading before it quits.
-        let escapes = key == Key::Named(NamedKey::Escape) && self.session.is_some();
-        if escapes && action == Action::Quit && self.load_reason.is_some() {
-            self.stop_loading();
-            return;
-        }
-        if self.session.is_none() && !matches!(action, Action::Quit | Action::Open) {
+        if self.session.is_none() && !matches!(action, Action::Close | Action::Quit | Action::Open)
+        {
             return;
         }
         match action {
             Action::Open => self.open_dialog(),
+            Action::Close => self.close(event_loop),
             Action::Quit => event_loop.exit(),
             Action::Screenshot => self.wants_screenshot = true,
             Action::View(view) => self.navigate(Event::View(view)),
@@ -49,11 +47,11 @@ impl App {
             }
             Action::Fit | Action::FitAll | Action::ToggleLens if self.replay.is_some() => {}
             Action::Fit | Action::FitAll | Action::ToggleLens => {
-                let seconds = self.seconds();
+                let (part, seconds) = (self.free_part(), self.seconds());
                 if let Some(session) = &mut self.session {
                     match action {
-                        Action::Fit => session.fit_selected(seconds),
-                        Action::FitAll => session.fit(seconds),
+                        Action::Fit => session.fit_selected(part, seconds),
+                        Action::FitAll => session.fit(part, seconds),
                         _ => session.toggle_lens(seconds),
                     }
                 }
@@ -101,16 +99,11 @@ impl App {
         }
     }
 
-    /// Closes the help with Esc, and scrolls it; true if the key was handled.
+    /// Scrolls the help; true if the key was handled.
     pub(super) fn handle_help_key(&mut self, key: &Key) -> bool {
         let Key::Named(key) = key else { return false };
-        if *key == NamedKey::Escape {
-            self.ui.shows_help = false;
-        } else if let Some(step) = help_scroll_step(*key) {
-            self.ui.help_scroll += step;
-        } else {
-            return false;
-        }
+        let Some(step) = help_scroll_step(*key) else { return false };
+        self.ui.help_scroll += step;
         self.redraw();
         true
     }
@@ -226,14 +219,14 @@ impl App {
                     self.note(format!("there is no clipboard: {what}"));
                 }
             }
-            UiCommand::Fit(Some(bounds)) => self.navigate(Event::Fit(Some(bounds))),
-            UiCommand::Fit(None) | UiCommand::ToggleLens if self.replay.is_some() => {}
-            UiCommand::Fit(None) | UiCommand::ToggleLens => {
-                let seconds = self.seconds();
+            UiCommand::Fit(_) | UiCommand::ToggleLens if self.replay.is_some() => {}
+            UiCommand::Fit(_) | UiCommand::ToggleLens => {
+                let (part, seconds) = (self.free_part(), self.seconds());
                 if let Some(session) = &mut self.session {
                     match command {
-                        UiCommand::ToggleLens => session.toggle_lens(seconds),
-                        _ => session.fit(seconds),
+                        UiCommand::Fit(Some(bounds)) => session.fit_bounds(&bounds, part, seconds),
+                        UiCommand::Fit(None) => session.fit(part, seconds),
+                        _ => session.toggle_lens(seconds),
                     }
                 }
             }
@@ -247,6 +240,13 @@ impl App {
             self.ui.dialog = Some(PathCompletion::beside(self.files.shown()));
             self.redraw();
         }
+    }
+
+    /// The part of the window that no panel covers.
+    pub(super) fn free_part(&mut self) -> WindowPart {
+        let scale = self.surface.as_ref().map_or(1.0, |surface| surface.window.scale_factor());
+        let size = self.surface.as_ref().map_or(self.options.size, WindowSurface::size);
+        self.ui.free_part(size, scale as f32)
     }
 
     /// The pointer in logical points.

@@ -1,6 +1,7 @@
 //! The window: its state, and the event loop that runs it.
 
 mod clipboard;
+mod closing;
 mod events;
 mod input;
 mod opening;
@@ -106,6 +107,8 @@ struct App {
     /// The explanation requested last, and whether it is pending.
     explain_request: Option<(FrameKey, [u32; 2])>,
     is_explaining: bool,
+    /// Whether the selected objects alone are pending.
+    is_selecting: bool,
     /// When the camera last moved.
     moved_at: Instant,
     /// The time up to which navigation has advanced.
@@ -180,6 +183,7 @@ impl App {
             overrides: SceneOverrides::default(),
             explain_request: None,
             is_explaining: false,
+            is_selecting: false,
             moved_at: now,
             navigated_until: now,
             replay: None,

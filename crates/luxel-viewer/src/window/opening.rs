@@ -101,7 +101,8 @@ impl App {
     /// Shows a loaded model.
     pub(super) fn load_finished(&mut self, loaded: LoadedModel) {
         self.model_number = self.worker.requested();
-        let model = self.worker.show(loaded);
+        let mut model = self.worker.show(loaded);
+        let part = self.free_part();
         let reason = self.load_reason.take().unwrap_or(LoadReason::Other);
         self.status.loading = None;
         self.status.triangles = model.scene.triangle_count();
@@ -109,6 +110,7 @@ impl App {
             (Some(session), LoadReason::Reload) => session.reload(model),
             (session, _) => {
                 let size = self.surface.as_ref().map_or(self.options.size, WindowSurface::size);
+                model.fit_into(part, size);
                 let records = self.options.record.is_some();
                 let mode = session.as_ref().map_or(self.options.mode, |one| one.state.mode());
                 let mut other = Session::new(model, size, mode, records);
@@ -137,7 +139,7 @@ impl App {
         (self.last_request, self.pointer_hit, self.explain_request) = (None, None, None);
         self.ui.panels.set_explanation(None);
         if let Some(frame) = &mut self.frame {
-            frame.visible = None;
+            (frame.visible, frame.selected) = (None, None);
         }
         self.redraw();
     }

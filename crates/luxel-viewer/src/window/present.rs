@@ -4,8 +4,8 @@ use super::{App, scale_camera};
 use crate::display::Comparison;
 use crate::options::{ShownScene, ShownView, ViewerError};
 use crate::picture::{
-    Depths, Guides, Line, PictureDifference, compose, compose_empty, difference_map, draw_lines,
-    draw_outlines, join_columns, rgba_of, save_png,
+    Depths, Guides, Line, OutlinedIds, PictureDifference, compose, compose_empty, difference_map,
+    draw_lines, draw_outlines, join_columns, rgba_of, save_png,
 };
 use crate::render::{ExplainedPixel, FramePurpose, RenderedFrame};
 use crate::selection::Selection;
@@ -147,7 +147,7 @@ impl App {
 
     /// Saves the scene and the view as a scene file.
     pub(super) fn save_scene(&mut self) {
-        let Some(session) = &self.session else { return };
+        let Some(session) = &mut self.session else { return };
         let scene = &session.model.scene;
         let saved = session.material_overrides().surface_changes(scene, &session.objects).and_then(
             |changes| {
@@ -157,6 +157,9 @@ impl App {
                 (self.options.save)(self.files.shown(), &shown)
             },
         );
+        if saved.is_ok() {
+            session.set_saved();
+        }
         let is_all = session.selection.hidden().is_empty();
         let note = saved.map(|name| {
             let hidden = if is_all { "" } else { ", hidden objects included" };
@@ -223,8 +226,11 @@ impl App {
                         let overlay = Overlay { theme, comparison, lines, pixels_per_point };
                         difference = compose_frame(frame, &overlay, window, base);
                         if let Some(visible) = &frame.visible {
+                            let alone = frame.selected.as_ref();
+                            let alone = alone.and_then(|selected| selected.visible.as_deref());
+                            let ids = OutlinedIds { visible, alone, size: frame.size };
                             let style = (theme, pixels_per_point);
-                            draw_outlines((visible, frame.size), &selection, style, window, base);
+                            draw_outlines(&ids, &selection, style, window, base);
                         }
                     }
                     None => {

@@ -66,7 +66,14 @@ impl App {
                 self.request_frame(jobs, FramePurpose::Refined);
             }
             Some((key, FramePurpose::Refined | FramePurpose::Screenshot)) => {
+                let selected = session.selection.selected().clone();
+                let known = self.frame.as_ref().and_then(|frame| frame.selected.as_ref());
+                let is_known = known.is_some_and(|known| known.objects == selected);
                 let view = session.view_at(self.pointer.x);
+                if !selected.is_empty() && !is_known && !self.is_selecting {
+                    self.is_selecting = true;
+                    self.worker.select(session.view(), selected);
+                }
                 self.explain(view, key);
             }
         }
@@ -91,9 +98,10 @@ impl App {
     fn request_frame(&mut self, jobs: Vec<RenderJob>, purpose: FramePurpose) {
         self.is_rendering = true;
         let session = self.session.as_ref();
-        let needs_objects = session.is_some_and(|session| !session.selection.selected().is_empty());
+        let selected = session.map(|session| session.selection.selected().clone());
+        let selected = selected.unwrap_or_default();
         let needs_depths = session.is_some_and(|session| session.guides.is_any());
-        self.worker.render(RenderRequest { jobs, purpose, needs_objects, needs_depths });
+        self.worker.render(RenderRequest { jobs, purpose, selected, needs_depths });
     }
 
     /// Replays the entries of the log that are due; returns the time of the next one.

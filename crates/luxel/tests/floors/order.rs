@@ -210,6 +210,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
     (
         "luxel-viewer",
         &[
+            "number",
             "keys",
             "theme",
             "options",
