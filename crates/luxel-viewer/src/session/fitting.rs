@@ -96,3 +96,100 @@ impl Session {
         self.navigate(Event::Go { view_from_world, pivot, scale }, seconds);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::projection::project_point;
+    use luxel::navigation::Mode;
+    use luxel::scene::demos;
+    use std::sync::Arc;
+
+    const WINDOW: Size = Size { width: 800, height: 600 };
+    /// As a panel at the right and the status line leave it.
+    const PART: WindowPart =
+        WindowPart { left: 40, top: 0, size: Size { width: 430, height: 572 } };
+
+    fn model(lens: Lens) -> Model {
+        let scene = demos::demo("teapot").unwrap();
+        let mut view = luxel::default_view(&scene, WINDOW);
+        view.camera.projection.lens = lens;
+        let (up, pivot) = (scene.up, scene.bounds().centre());
+        Model { scene: Arc::new(scene), view, up, pivot, is_fitted: true, planes: [None; 2] }
+    }
+
+    fn lenses() -> [Lens; 3] {
+        [
+            Lens::Perspective { fov_y_radians: 0.8 },
+            Lens::Intrinsics { fx: 700.0, fy: 690.0, cx: 350.0, cy: 320.0 },
+            Lens::Orthographic { height: 3.0 },
+        ]
+    }
+
+    /// How the model lies in the part: its middle, and how much of it it fills, across and down.
+    fn place(session: &Session) -> ([f64; 2], [f64; 2]) {
+        let camera = session.camera();
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for object in &session.objects {
+            let mesh = &session.model.scene.meshes[object.mesh.index()];
+            for position in &mesh.positions {
+                let local = mesh.origin + DVec3::from(position.map(f64::from));
+                let point = object.world_from_mesh.transform_point3(local);
+                let at = project_point(&camera, WINDOW, point).unwrap();
+                (low, high) = (low.min(at), high.max(at));
+            }
+        }
+        let corner = DVec3::new(f64::from(PART.left), f64::from(PART.top), 0.0);
+        let size = DVec3::new(f64::from(PART.size.width), f64::from(PART.size.height), 1.0);
+        let middle = ((low + high) * 0.5 - corner) / size;
+        let extent = (high - low) / size;
+        ([middle.x, middle.y], [extent.x, extent.y])
+    }
+
+    fn assert_fitted(session: &Session, what: &str) {
+        let (middle, extent) = place(session);
+        let is_centred = middle.iter().all(|at| (at - 0.5).abs() < 0.02);
+        assert!(is_centred, "{what}: the middle is at {middle:?} of the part");
+        let filled = extent[0].max(extent[1]);
+        assert!((filled - 0.8).abs() < 0.02, "{what}: it fills {extent:?} of the part");
+    }
+
+    #[test]
+    fn the_model_is_fitted_into_what_the_panels_leave() {
+        for lens in lenses() {
+            let mut session = Session::new(model(lens), WINDOW, Mode::Turntable, false);
+            session.fit(PART, 0.0);
+            session.navigate(Event::Wait, 10.0);
+            assert_fitted(&session, &format!("{lens:?}"));
+            // The box of an object is larger than its silhouette.
+            let all = 0..session.objects.len();
+            session.selection.select(all, crate::selection::SelectMode::Replace);
+            session.fit_selected(PART, 0.0);
+            session.navigate(Event::Wait, 10.0);
+            let (middle, extent) = place(&session);
+            assert!(middle.iter().all(|at| (at - 0.5).abs() < 0.1), "{lens:?}: {middle:?}");
+            let filled = extent[0].max(extent[1]);
+            assert!((0.4..0.81).contains(&filled), "{lens:?}: {extent:?}");
+        }
+    }
+
+    #[test]
+    fn the_first_view_is_fitted_into_what_the_panels_leave_unless_it_is_placed() {
+        for lens in lenses() {
+            let mut fitted = model(lens);
+            let before = fitted.view.camera;
+            fitted.fit_into(PART, WINDOW);
+            let session = Session::new(fitted, WINDOW, Mode::Turntable, false);
+            match lens {
+                // The height is the user's.
+                Lens::Orthographic { .. } => {
+                    assert!(place(&session).0.iter().all(|at| (at - 0.5).abs() < 0.02));
+                }
+                _ => assert_fitted(&session, &format!("{lens:?}")),
+            }
+            let mut placed = Model { is_fitted: false, ..model(lens) };
+            placed.fit_into(PART, WINDOW);
+            assert_eq!(placed.view.camera, before);
+        }
+    }
+}

@@ -30,6 +30,8 @@ impl Theme {
         style.scroll_animation = egui::style::ScrollAnimation::none();
         // Labels aren't controls.
         style.interaction.selectable_labels = false;
+        // Bars cover nothing.
+        style.spacing.scroll.floating_allocated_width = 8.0;
         // In fields and beside sliders.
         style.number_formatter = NumberFormatter::new(|value, _| number(value));
         style.visuals = self.visuals();

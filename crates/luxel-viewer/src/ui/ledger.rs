@@ -2,8 +2,8 @@
 
 use crate::number::number;
 use crate::theme::{self, Theme};
-use crate::ui::{names, symbols};
-use egui::{Align, Color32, FontId, Layout, RichText, Ui, vec2};
+use crate::ui::symbols;
+use egui::{Align, Color32, FontId, Layout, RichText, TextStyle, Ui, vec2};
 use luxel::report::{LedgerFactor, LedgerLine, TermKind};
 
 /// The type size of symbols and notes.
@@ -68,15 +68,17 @@ pub(super) fn equation(ui: &mut Ui, lines: &[LedgerLine]) {
 /// A product in symbols, each with its meaning as tooltip.
 fn product(ui: &mut Ui, factors: &[LedgerFactor]) {
     let (font, color) = (FontId::monospace(NOTE_SIZE), theme::of(ui.ctx()).text);
+    // No taller than its text.
+    let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 0.0);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        ui.spacing_mut().interact_size.y = 0.0;
         ui.label(symbols::layout("=", &font, color));
         for factor in factors {
             let label = ui.label(symbols::layout(&factor.symbol, &font, color));
             symbols::with_meanings(label, &[factor.meaning]);
         }
     });
+    ui.spacing_mut().interact_size.y = height;
 }
 
 /// A secondary note, wrapped.
@@ -89,16 +91,19 @@ fn quiet(ui: &mut Ui, text: &str) {
 pub(super) fn value_row(ui: &mut Ui, color: Option<Color32>, name: &str, value: [f32; 3]) {
     let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
     ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
         let (rect, _) = ui.allocate_exact_size(vec2(8.0, 8.0), egui::Sense::hover());
         if let Some(color) = color {
             ui.painter().rect_filled(rect, 2, color);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let [r, g, b] = value.map(|part| number(f64::from(part)));
-            ui.monospace(format!("{r:>7} {g:>7} {b:>7}"));
+            let numbers = RichText::new(format!("{r:>7} {g:>7} {b:>7}"));
+            ui.label(numbers.monospace().size(NOTE_SIZE));
             let rest = vec2(ui.available_width(), ui.spacing().interact_size.y);
             ui.allocate_ui_with_layout(rest, Layout::left_to_right(Align::Center), |ui| {
-                names::label(ui, name);
+                let font = TextStyle::Body.resolve(ui.style());
+                symbols::label(ui, name, &font, theme::of(ui.ctx()).text);
             });
         });
     });

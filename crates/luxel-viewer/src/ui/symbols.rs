@@ -4,9 +4,12 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId, Response, Ui};
 use luxel::report::meanings_in;
 
-/// The size of lowered and raised letters, and how far they are shifted, as parts of the font's size.
+/// The size of lowered and raised letters, as a part of the font's.
 const SMALL: f32 = 0.72;
-const SHIFT: f32 = 0.22;
+/// The heights of their lines, as parts of the font's size. Lines are aligned at the bottom, so a low
+/// one lowers its letters by a fifth of the font's size, and a high one raises them by a quarter.
+const LOWERED: f32 = 0.70;
+const RAISED: f32 = 1.16;
 
 /// A text in which letters behind `_` are lowered, those behind `^` raised.
 pub(crate) fn layout(text: &str, font: &FontId, color: Color32) -> LayoutJob {
@@ -45,10 +48,8 @@ fn greek(text: &str) -> String {
 fn shifted_format(font: &FontId, color: Color32, is_lowered: bool) -> TextFormat {
     let FontId { size, family } = font.clone();
     let font_id = FontId::new(size * SMALL, family);
-    // Letters lie at the bottom or at the top of the row; a lower line of their own moves them beyond.
-    let line_height = Some(size * if is_lowered { SMALL - SHIFT } else { 1.0 });
-    let valign = if is_lowered { Align::BOTTOM } else { Align::TOP };
-    TextFormat { font_id, color, line_height, valign, ..TextFormat::default() }
+    let line_height = Some(size * if is_lowered { LOWERED } else { RAISED });
+    TextFormat { font_id, color, line_height, valign: Align::BOTTOM, ..TextFormat::default() }
 }
 
 /// Explains the symbols of a text in the tooltip of its label.
@@ -79,19 +80,23 @@ pub(crate) fn label(ui: &mut Ui, text: &str, font: &FontId, color: Color32) -> R
 mod tests {
     use super::*;
 
-    fn parts(text: &str) -> Vec<(String, f32, Align)> {
+    fn parts(text: &str) -> Vec<(String, f32, Option<f32>)> {
         let job = layout(text, &FontId::proportional(10.0), Color32::WHITE);
         let part = |section: &egui::text::LayoutSection| {
             let format = &section.format;
-            (job.text[section.byte_range.clone()].to_owned(), format.font_id.size, format.valign)
+            (
+                job.text[section.byte_range.clone()].to_owned(),
+                format.font_id.size,
+                format.line_height,
+            )
         };
         job.sections.iter().map(part).filter(|(text, ..)| !text.is_empty()).collect()
     }
 
     #[test]
     fn symbols_are_shown_with_lowered_letters_and_powers_with_raised_ones() {
-        let [whole, low, high] =
-            [(10.0, Align::BOTTOM), (10.0 * SMALL, Align::BOTTOM), (10.0 * SMALL, Align::TOP)];
+        let shifted = |height: f32| (10.0 * SMALL, Some(10.0 * height));
+        let [whole, low, high] = [(10.0, None), shifted(LOWERED), shifted(RAISED)];
         for (text, expected) in [
             ("I_d", &[("I", whole), ("d", low)][..]),
             ("s I_dc", &[("s I", whole), ("dc", low)]),

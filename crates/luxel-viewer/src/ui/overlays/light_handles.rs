@@ -300,7 +300,11 @@ fn show(
     let font = FontId::proportional(11.0);
     let name = names::shortened(painter, &light.name, &font, NAME_WIDTH);
     let text = painter.layout_no_wrap(name, font, ink);
-    let rect = Align2::LEFT_CENTER.anchor_size(at + vec2(HALF + 10.0, 0.0), text.size());
+    let aside = vec2(HALF + 10.0, 0.0);
+    let mut rect = Align2::LEFT_CENTER.anchor_size(at + aside, text.size());
+    if rect.right() > painter.clip_rect().right() {
+        rect = Align2::RIGHT_CENTER.anchor_size(at - aside, text.size());
+    }
     painter.rect_filled(rect.expand2(vec2(4.0, 2.0)), 4, theme.panel.gamma_multiply(0.8));
     painter.galley(rect.min, text, ink);
 }

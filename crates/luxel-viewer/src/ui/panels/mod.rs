@@ -176,7 +176,9 @@ impl PanelState {
 }
 
 fn frame(context: &Context) -> Frame {
-    Frame::new().fill(theme::of(context).panel).inner_margin(Margin::same(12))
+    // The bars of scroll areas stand in the right margin.
+    let margin = Margin { right: 4, ..Margin::same(12) };
+    Frame::new().fill(theme::of(context).panel).inner_margin(margin)
 }
 
 /// The panels folded to icons at the right of a narrow window.

@@ -3,13 +3,14 @@
 mod closing;
 mod dialog;
 mod keyboard;
+mod layout;
 
 use super::*;
 use crate::model::Model;
 use crate::theme::DARK;
 use egui::{Event, Id, Key, Modifiers};
 use luxel::navigation::Mode;
-use luxel::scene::demos;
+use luxel::scene::{Scene, demos};
 use std::sync::Arc;
 
 /// The user interface without a window.
@@ -24,7 +25,10 @@ struct Stage {
 
 impl Stage {
     fn new(demo: &str, (width, height): (u32, u32)) -> Self {
-        let scene = demos::demo(demo).unwrap();
+        Self::of(demos::demo(demo).unwrap(), (width, height))
+    }
+
+    fn of(scene: Scene, (width, height): (u32, u32)) -> Self {
         let size = Size { width, height };
         let view = luxel::default_view(&scene, size);
         let (up, pivot) = (scene.up, scene.bounds().centre());
