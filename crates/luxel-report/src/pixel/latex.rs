@@ -442,7 +442,7 @@ mod tests {
 
     #[test]
     fn powers_of_ten_are_set_as_such() {
-        assert_eq!(math(2.5e-7), "2.500 \\times 10^{-7}");
+        assert_eq!(math(2.5e-7), "2.5 \\times 10^{-7}");
         assert_eq!(color([0.5; 3]), "0.5");
         assert_eq!(color([0.5, 0.0, 1.0]), "(0.5,\\, 0,\\, 1)");
     }

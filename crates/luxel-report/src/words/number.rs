@@ -1,9 +1,8 @@
 //! Numbers, colours and vectors as text.
 
-/// A number with four significant digits; as it is where it needs no more.
+/// A number with four significant digits, or with fewer where those that follow are 0.
 #[must_use]
 pub fn number(value: f32) -> String {
-    let shortest = value.to_string();
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -13,7 +12,19 @@ pub fn number(value: f32) -> String {
     } else {
         format!("{value:.3e}")
     };
-    if shortest.len() <= rounded.len() { shortest } else { rounded }
+    let shortest = value.to_string();
+    let trimmed = trimmed(&rounded);
+    if shortest.len() <= trimmed.len() { shortest } else { trimmed }
+}
+
+/// Without the zeros that end a fraction.
+fn trimmed(number: &str) -> String {
+    let end = number.find('e').unwrap_or(number.len());
+    let (digits, power) = number.split_at(end);
+    if !digits.contains('.') {
+        return number.to_owned();
+    }
+    format!("{}{power}", digits.trim_end_matches('0').trim_end_matches('.'))
 }
 
 /// Digits before the point.
@@ -74,10 +85,14 @@ mod tests {
             (1.0 / 3.0, "0.3333"),
             (12.345_67, "12.35"),
             (-1234.56, "-1235"),
-            (2.5e-7, "2.500e-7"),
+            (2.5e-7, "2.5e-7"),
+            (0.180_000_01, "0.18"),
+            (44.700_01, "44.7"),
+            (99.999_9, "100"),
+            (3.0e-9, "3e-9"),
             (0.012_345_6, "0.01235"),
             (-0.001_234_56, "-0.001235"),
-            (1e6, "1000000"),
+            (1e6, "1e6"),
         ] {
             assert_eq!(number(value), text);
         }

@@ -11,8 +11,8 @@ const HALO: u8 = 1;
 const HOVERED: u8 = 2;
 const SELECTED: u8 = 3;
 
-/// The length of a dash and of a gap where a selected object is hidden, in points.
-const DASH: usize = 3;
+/// The length of a dash and of a gap of a level line where a selected object is hidden, in points.
+const DASH: usize = 5;
 
 /// The objects that pixels show; the pictures may be smaller than the window.
 pub(crate) struct OutlinedIds<'a> {
@@ -100,7 +100,7 @@ fn draw_hidden(
     for (at, (object, mark)) in alone.iter().enumerate() {
         let is_hidden = *mark == SELECTED && owners[at].0 != *object && lines[at] != SELECTED;
         let (x, y) = (at % across, at / across);
-        let is_dash = (x + 2 * y) / (DASH * point) % 2 == 0;
+        let is_dash = ((x + 2 * y) / (DASH * point)).is_multiple_of(2);
         if !is_hidden || !is_dash {
             continue;
         }

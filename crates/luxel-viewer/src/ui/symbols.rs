@@ -7,9 +7,9 @@ use luxel::report::meanings_in;
 /// The size of lowered and raised letters, as a part of the font's.
 const SMALL: f32 = 0.72;
 /// The heights of their lines, as parts of the font's size. Lines are aligned at the bottom, so a low
-/// one lowers its letters by a fifth of the font's size, and a high one raises them by a quarter.
+/// one lowers its letters by a fifth of the font's size, and a high one raises them by a third.
 const LOWERED: f32 = 0.70;
-const RAISED: f32 = 1.16;
+const RAISED: f32 = 1.25;
 
 /// A text in which letters behind `_` are lowered, those behind `^` raised.
 pub(crate) fn layout(text: &str, font: &FontId, color: Color32) -> LayoutJob {

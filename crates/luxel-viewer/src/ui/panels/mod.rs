@@ -144,6 +144,8 @@ const TREE_WIDTH: f32 = 240.0;
 const SETTINGS_WIDTH: f32 = 288.0;
 const FREE_WIDTH: f32 = 64.0;
 
+/// The margins left and right of a panel's content.
+const MARGINS: f32 = 24.0;
 /// The width of the icons of a narrow window.
 const FOLDED_WIDTH: f32 = icons::SIDE + 8.0;
 /// In narrower windows panels fold to icons, and one unfolds at a time.
@@ -233,6 +235,7 @@ pub(crate) fn settings(
         panel.add_space(8.0);
         let area = focus::scrolled(panel).auto_shrink([false, false]);
         area.show(panel, |panel| {
+            panel.set_max_width((width - MARGINS).max(0.0));
             match state.tab {
                 Tab::Light => {
                     light::lights(panel, session, &mut state.chosen_light);

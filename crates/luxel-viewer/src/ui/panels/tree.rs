@@ -1,6 +1,6 @@
 //! The tree of objects.
 
-use super::{PanelState, TREE_WIDTH, frame};
+use super::{MARGINS, PanelState, TREE_WIDTH, frame};
 use crate::number::count;
 use crate::selection::SelectMode;
 use crate::session::Session;
@@ -26,10 +26,11 @@ pub(crate) fn tree(
     let panel = panel.frame(frame(context)).show_separator_line(false);
     let width = state.width(TREE_WIDTH, context.content_rect().width());
     panel.resizable(false).exact_width(width).show(context, |panel| {
+        let content = (width - MARGINS).max(0.0);
         let field = egui::TextEdit::singleline(&mut state.search)
             .hint_text(RichText::new("search").color(theme::of(context).quiet))
             .margin(Margin::symmetric(8, 5));
-        let field = panel.add(field.desired_width(f32::INFINITY));
+        let field = panel.add(field.desired_width(content));
         if std::mem::take(&mut state.wants_focus) {
             field.request_focus();
         }
@@ -51,7 +52,7 @@ pub(crate) fn tree(
             of.push_str(&format!(", {} hidden", session.selection.hidden().len()));
         }
         // The row has the same height with and without the button.
-        let row = egui::vec2(panel.available_width(), panel.spacing().interact_size.y);
+        let row = egui::vec2(content, panel.spacing().interact_size.y);
         let from_left = egui::Layout::left_to_right(egui::Align::Center);
         panel.allocate_ui_with_layout(row, from_left, |panel| {
             panel.label(RichText::new(of).small().weak());
@@ -79,6 +80,7 @@ pub(crate) fn tree(
             }
         }
         let output = area.show_viewport(panel, |panel, viewport| {
+            panel.set_max_width(content);
             panel.set_height((step * found.len() as f32 - panel.spacing().item_spacing.y).max(0.0));
             // One more row at each end, so that keyboard focus can move on to it.
             let first = ((viewport.min.y / step).floor() as usize).saturating_sub(1);
