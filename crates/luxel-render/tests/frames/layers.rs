@@ -5,12 +5,15 @@ use luxel_math::SimdLevel;
 use luxel_render::{Layer, LayerValues, Picture, Renderer, Shading, ShadingMode};
 
 /// Two squares, the second one nearer and shifted to the right by half a unit.
-fn values(layer: Layer) -> LayerValues {
+fn renderer() -> Renderer {
     let mut near = square(2.0);
     near.positions.iter_mut().for_each(|position| position[0] += 0.5);
     let scene = scene(vec![(square(0.0), matte([1.0; 3])), (near, matte([1.0; 3]))]);
-    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
-    renderer.layers(&view(64), &[layer]).unwrap().remove(0)
+    Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap()
+}
+
+fn values(layer: Layer) -> LayerValues {
+    renderer().layers(&view(64), &[layer]).unwrap().remove(0)
 }
 
 fn f32s(layer: Layer) -> Vec<f32> {
@@ -42,6 +45,23 @@ fn objects_and_triangles_are_numbered_as_they_come() {
     assert_eq!(triangles[pixel(-0.75, -0.9)], 0);
     assert_eq!(triangles[pixel(-0.9, 0.9)], 1);
     assert_eq!(triangles[pixel(-1.8, 0.0)], u32::MAX);
+}
+
+#[test]
+fn objects_that_are_not_drawn_hide_nothing_and_come_back() {
+    let mut renderer = renderer();
+    let objects = |renderer: &Renderer| renderer.layers(&view(64), &[Layer::Object]).unwrap();
+    let picture = |renderer: &Renderer| renderer.rgba8(&view(64)).unwrap().pixels;
+    let (all, whole) = (objects(&renderer), picture(&renderer));
+    for only in [0, 1] {
+        renderer.draw_only(|object| object == only);
+        let LayerValues::U32(ids) = objects(&renderer).remove(0) else { panic!("no ids") };
+        let is_seen = |x: f64| ids[pixel(x, 0.0)] == 0;
+        let expected = if only == 0 { [true, true, false] } else { [false, true, true] };
+        assert_eq!([-0.8, 0.0, 1.3].map(is_seen), expected, "{only}");
+    }
+    renderer.draw_only(|_| true);
+    assert_eq!((objects(&renderer), picture(&renderer)), (all, whole));
 }
 
 #[test]

@@ -110,18 +110,18 @@ const TABLE: [Symbol; 26] = [
     symbol("I_dc", "I_{dc}", "<i>I</i><sub>dc</sub>", "I_dc: the colour of the fog"),
     symbol("s", "s", "<i>s</i>", "s: the share of I that the fog lets through"),
     symbol("d", "d", "<i>d</i>", "d: the distance to the light"),
-    symbol("c1", "c_1", "<i>c</i><sub>1</sub>", "c1: the constant part of 1 / attenuation"),
+    symbol("c_1", "c_1", "<i>c</i><sub>1</sub>", "c_1: the constant part of 1 / attenuation"),
     symbol(
         "c2",
         "c_2",
         "<i>c</i><sub>2</sub>",
-        "c2: the part of 1 / attenuation that grows with d",
+        "c_2: the part of 1 / attenuation that grows with d",
     ),
     symbol(
         "c3",
         "c_3",
         "<i>c</i><sub>3</sub>",
-        "c3: the part of 1 / attenuation that grows with d^2",
+        "c_3: the part of 1 / attenuation that grows with d^2",
     ),
     symbol("E", "E", "<i>E</i>", "E: the environment"),
 ];
@@ -174,9 +174,9 @@ mod tests {
     #[test]
     fn symbols_are_found_in_a_text_and_words_are_none() {
         assert_eq!(meanings_in("scene I_a"), [I_A.meaning]);
-        let found = meanings_in("d = 3, attenuation 1 / (c1 + c2 d + c3 d^2) = 0.1");
+        let found = meanings_in("d = 3, attenuation 1 / (c_1 + c_2 d + c_3 d^2) = 0.1");
         let symbols: Vec<_> = found.iter().map(|one| one.split(':').next().unwrap()).collect();
-        assert_eq!(symbols, ["d", "c1", "c2", "c3"]);
+        assert_eq!(symbols, ["d", "c_1", "c_2", "c_3"]);
         let found =
             meanings_in("it stands behind the surface, or in its plane: N.L is not above 0.");
         assert_eq!(found.len(), 1);

@@ -215,7 +215,7 @@ fn place(ui: &mut Ui, session: &Session, light: &mut SceneLight) -> bool {
 /// The attenuation coefficients c1, c2, c3; never all 0.
 fn attenuation(ui: &mut Ui, light: &mut SceneLight) -> bool {
     let mut coefficients = light.light.attenuation.coefficients;
-    let changed = row(ui, "c1 c2 c3", |ui| {
+    let changed = row(ui, "c_1 c_2 c_3", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.spacing_mut().button_padding.x = 4.0;
         let width = (ui.available_width() - 8.0) / 3.0;

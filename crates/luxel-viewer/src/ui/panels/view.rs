@@ -5,7 +5,7 @@ use crate::display::{is_of_light, layer_name};
 use crate::keys::{Action, Guide, Keys, MODES};
 use crate::session::Session;
 use crate::theme;
-use crate::ui::{UiCommand, names};
+use crate::ui::{UiCommand, names, symbols};
 use egui::{RichText, Ui};
 use luxel::navigation::Number;
 use luxel::render::{Clamp, Edges, Interpolation, Layer, ShadingMode};
@@ -117,7 +117,10 @@ fn layers(ui: &mut Ui, session: &mut Session, keys: &Keys) {
             for layer in all.iter().filter(|layer| wanted(layer)) {
                 let name = layer.as_ref().map_or_else(|| "picture".to_owned(), layer_name);
                 let (is_chosen, width) = (chosen == *layer, ui.max_rect().width());
-                if names::button(ui, is_chosen, &name, None, width).clicked() {
+                let button = names::button(ui, is_chosen, &name, None, width);
+                let is_symbol = *layer == Some(Layer::NDotL);
+                let button = if is_symbol { symbols::explained(button, &name) } else { button };
+                if button.clicked() {
                     chosen.clone_from(layer);
                 }
             }

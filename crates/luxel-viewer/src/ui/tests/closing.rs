@@ -27,3 +27,14 @@ fn a_list_that_has_popped_up_is_closed_alone() {
     }
     assert!(stage.ui.panels.is_shown);
 }
+
+#[test]
+fn esc_closes_the_dialog_alone() {
+    let mut stage = Stage::new("teapot", (920, 900));
+    stage.ui.shows_help = true;
+    stage.ui.dialog = Some(PathCompletion::beside("demo:plane".as_ref()));
+    stage.pass(Vec::new());
+    stage.press(Key::Escape);
+    assert!(stage.ui.dialog.is_none());
+    assert!(stage.ui.shows_help && stage.ui.panels.is_shown && !stage.ui.has_keyboard());
+}

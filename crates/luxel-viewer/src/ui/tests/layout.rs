@@ -220,7 +220,7 @@ fn symbols_have_lowered_letters_and_a_tooltip_that_explains_them() {
     let mut stage = Stage::crowded((800, 2400));
     for (tab, symbol, meaning) in [
         (Tab::Light, "Id", "Id: the light's intensity"),
-        (Tab::Light, "c1 c2 c3", "c2: the part of 1 / attenuation"),
+        (Tab::Light, "c1 c2 c3", "c2: the part of 1 / attenuation that grows with d"),
         (Tab::Light, "ka", "ka: how much ambient light"),
         (Tab::Light, "Od", "Od: the surface's diffuse colour"),
         (Tab::Explain, "Oa", "Oa: the surface's ambient colour"),
