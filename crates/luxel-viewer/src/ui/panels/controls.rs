@@ -2,7 +2,7 @@
 
 use crate::theme;
 use crate::ui::symbols;
-use egui::{Align, Color32, DragValue, Layout, RichText, Slider, TextStyle, Ui, vec2};
+use egui::{Align, DragValue, Layout, RichText, Slider, TextStyle, Ui, vec2};
 use luxel::scene::DVec3;
 use std::ops::RangeInclusive;
 
@@ -33,6 +33,14 @@ pub(super) fn row<R>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui) -> R) ->
 /// What the value beside a slider takes.
 const VALUE_WIDTH: f32 = 64.0;
 
+/// Divides the rest of the row between a slider and its value.
+fn make_room(ui: &mut Ui) {
+    let spacing = ui.spacing_mut();
+    spacing.interact_size.x = VALUE_WIDTH - spacing.item_spacing.x;
+    let width = ui.available_width() - VALUE_WIDTH;
+    ui.spacing_mut().slider_width = width.max(40.0);
+}
+
 /// A slider over the rest of the row, followed by its value.
 pub(super) fn slider(
     ui: &mut Ui,
@@ -40,7 +48,7 @@ pub(super) fn slider(
     range: RangeInclusive<f64>,
     decimals: usize,
 ) -> bool {
-    ui.spacing_mut().slider_width = (ui.available_width() - VALUE_WIDTH).max(40.0);
+    make_room(ui);
     let clamping = egui::SliderClamping::Never;
     ui.add(Slider::new(value, range).clamping(clamping).max_decimals(decimals)).changed()
 }
@@ -63,7 +71,7 @@ pub(super) fn slider_f32(
 /// As [`slider`], for whole numbers.
 pub(super) fn slider_whole(ui: &mut Ui, value: &mut f32, range: RangeInclusive<f64>) -> bool {
     let mut wide = f64::from(*value);
-    ui.spacing_mut().slider_width = (ui.available_width() - VALUE_WIDTH).max(40.0);
+    make_room(ui);
     let clamping = egui::SliderClamping::Never;
     let changed = ui.add(Slider::new(&mut wide, range).clamping(clamping).integer()).changed();
     if changed {
@@ -115,7 +123,7 @@ pub(super) fn one_of<T: PartialEq + Clone>(
     let mut changed = false;
     for (mode, name) in choices {
         let font = TextStyle::Button.resolve(ui.style());
-        let shown = symbols::layout(name, &font, Color32::PLACEHOLDER);
+        let shown = symbols::layout(name, &font, theme::of(ui.ctx()).text);
         let button = ui.selectable_value(value, mode.clone(), shown);
         changed |= button.changed();
         symbols::explained(button, name);

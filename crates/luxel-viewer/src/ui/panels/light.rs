@@ -4,7 +4,7 @@ use super::controls::{heading, intensity, one_of, row, slider, slider_f32, vecto
 use crate::session::Session;
 use crate::theme;
 use crate::ui::{focus, names, symbols};
-use egui::{Color32, RichText, TextStyle, Ui};
+use egui::{RichText, TextStyle, Ui};
 use luxel::formats::values::{cos_cutoff, cutoff_degrees};
 use luxel::lighting::{CUTOFF, Cone, EXPONENT, Environment, INNER, LIGHT_KINDS, LightKind};
 use luxel::render::EnvironmentChoice;
@@ -162,7 +162,7 @@ fn colors(ui: &mut Ui, light: &mut SceneLight) -> bool {
         light.light.specular = light.light.diffuse;
         row(ui, "I_s", |ui| {
             let font = TextStyle::Body.resolve(ui.style());
-            let same = symbols::layout("as I_d", &font, Color32::PLACEHOLDER);
+            let same = symbols::layout("as I_d", &font, theme::of(ui.ctx()).text);
             if ui.small_button(same).on_hover_text("click to set it apart").clicked() {
                 light.light.specular = light.light.diffuse.map(|part| part * 0.5);
                 changed = true;

@@ -30,7 +30,7 @@ pub(crate) fn tree(
         let field = egui::TextEdit::singleline(&mut state.search)
             .hint_text(RichText::new("search").color(theme::of(context).quiet))
             .margin(Margin::symmetric(8, 5));
-        let field = panel.add(field.desired_width(content));
+        let field = panel.add(field.desired_width((content - 16.0).max(0.0)));
         if std::mem::take(&mut state.wants_focus) {
             field.request_focus();
         }
