@@ -112,13 +112,13 @@ const TABLE: [Symbol; 26] = [
     symbol("d", "d", "<i>d</i>", "d: the distance to the light"),
     symbol("c_1", "c_1", "<i>c</i><sub>1</sub>", "c_1: the constant part of 1 / attenuation"),
     symbol(
-        "c2",
+        "c_2",
         "c_2",
         "<i>c</i><sub>2</sub>",
         "c_2: the part of 1 / attenuation that grows with d",
     ),
     symbol(
-        "c3",
+        "c_3",
         "c_3",
         "<i>c</i><sub>3</sub>",
         "c_3: the part of 1 / attenuation that grows with d^2",
