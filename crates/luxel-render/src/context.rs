@@ -91,7 +91,7 @@ impl ShadingContext<'_> {
     /// The spaces of an instance's positions and normals.
     #[inline(always)]
     pub(crate) fn space(&self, instance: usize) -> &InstanceSpace {
-        &self.placed.instances()[instance].space
+        &self.placed.instances()[instance].place.space
     }
 
     /// The object that an instance shows.
