@@ -57,6 +57,27 @@ pub(crate) struct Ui {
     started: Instant,
 }
 
+/// Events by passes. At the beginning of a pass egui moves the focus of the keyboard, as keys and clicks
+/// of it want: letters that came before them begin a pass of their own, or they would be lost, as
+/// several may come while a frame is drawn.
+fn passes(events: Vec<egui::Event>) -> Vec<Vec<egui::Event>> {
+    let mut passes: Vec<Vec<egui::Event>> = vec![Vec::new()];
+    for event in events {
+        let moves_focus = match &event {
+            egui::Event::Key { key, pressed: true, .. } => {
+                matches!(key, egui::Key::Escape | egui::Key::Tab)
+            }
+            egui::Event::PointerButton { pressed, .. } => *pressed,
+            _ => false,
+        };
+        match passes.last_mut() {
+            Some(last) if !moves_focus || last.is_empty() => last.push(event),
+            _ => passes.push(vec![event]),
+        }
+    }
+    passes
+}
+
 impl Ui {
     pub(crate) fn new(theme: &'static Theme, keys: Keys) -> Self {
         let context = Context::default();
@@ -128,28 +149,38 @@ impl Ui {
     ) -> (Vec<UiCommand>, Duration) {
         let points = vec2(size.width as f32, size.height as f32) / pixels_per_point;
         self.context.set_pixels_per_point(pixels_per_point);
-        let input = RawInput {
+        let mut input = RawInput {
             screen_rect: Some(Rect::from_min_size(egui::Pos2::ZERO, points)),
             time: Some(self.started.elapsed().as_secs_f64()),
             modifiers: self.modifiers,
-            events: std::mem::take(&mut self.events),
             ..RawInput::default()
         };
         let mut commands = Vec::new();
         let context = self.context.clone();
-        let output = context.run(input, |context| {
-            self.lay_out(context, session.as_deref_mut(), status, &mut commands);
-        });
-        for command in output.platform_output.commands {
-            if let egui::OutputCommand::CopyText(text) = command {
-                commands.push(UiCommand::CopyText(text));
+        let mut passes = passes(std::mem::take(&mut self.events));
+        let last = passes.pop().unwrap_or_default();
+        let mut lay_out = |ui: &mut Self, events: Vec<egui::Event>| {
+            input.events = events;
+            let output = context.run(input.clone(), |context| {
+                ui.lay_out(context, session.as_deref_mut(), status, &mut commands);
+            });
+            for command in output.platform_output.commands {
+                if let egui::OutputCommand::CopyText(text) = command {
+                    commands.push(UiCommand::CopyText(text));
+                }
             }
+            ui.painter.update(&output.textures_delta);
+            (output.shapes, output.textures_delta, output.viewport_output)
+        };
+        for events in passes {
+            let (_, textures, _) = lay_out(self, events);
+            self.painter.free(&textures);
         }
-        self.painter.update(&output.textures_delta);
-        let primitives = context.tessellate(output.shapes, pixels_per_point);
+        let (shapes, textures, viewports) = lay_out(self, last);
+        let primitives = self.context.tessellate(shapes, pixels_per_point);
         self.painter.paint(&primitives, pixels_per_point, size, pixels);
-        self.painter.free(&output.textures_delta);
-        let repaint = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
+        self.painter.free(&textures);
+        let repaint = viewports.values().map(|viewport| viewport.repaint_delay).min();
         (commands, repaint.unwrap_or(Duration::MAX))
     }
 

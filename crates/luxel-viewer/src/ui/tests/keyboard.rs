@@ -211,3 +211,37 @@ fn windows_of_any_size_are_laid_out() {
         stage.pass(Vec::new());
     }
 }
+
+#[test]
+fn letters_typed_while_a_frame_is_drawn_are_not_lost_to_a_key_or_click_after_them() {
+    let escape = |modifiers| Event::Key {
+        key: Key::Escape,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    };
+    let press = Event::PointerButton {
+        pos: egui::pos2(200.0, 200.0),
+        button: egui::PointerButton::Primary,
+        pressed: true,
+        modifiers: Modifiers::NONE,
+    };
+    for after in [escape(Modifiers::NONE), press] {
+        let mut stage = Stage::new("spheres", NARROW);
+        stage.ui.panels.unfolded = Some(Side::Tree);
+        stage.ui.panels.wants_focus = true;
+        stage.pass(Vec::new());
+        stage.focus(None);
+        stage.press(Key::Tab);
+        while stage
+            .focused()
+            .is_none_or(|id| stage.ui.context.read_response(id).unwrap().rect.width() < 100.0)
+        {
+            stage.press(Key::Tab);
+        }
+        stage.pass(vec![Event::Text("mo".to_owned())]);
+        stage.pass(vec![Event::Text("on".to_owned()), after.clone()]);
+        assert_eq!(stage.ui.panels.search, "moon", "before {after:?}");
+    }
+}
