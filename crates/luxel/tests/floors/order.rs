@@ -184,6 +184,9 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
         "luxel-check",
         &[
             "kd_tree",
+            "canvas",
+            "lettering",
+            "sight",
             "surface",
             "finding",
             "report",
@@ -200,6 +203,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "missed_highlights",
             "examination",
             "marked_scene",
+            "picture",
         ],
     ),
     ("luxel", &["default_view", "draw", "load"]),
