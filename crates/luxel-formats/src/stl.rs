@@ -25,7 +25,7 @@ pub(crate) fn read(bytes: &[u8], name: &str, limits: &Limits) -> Result<Loaded, 
     let solids = if is_text(bytes) {
         ascii::read(bytes, name, limits, &mut warnings)?
     } else {
-        vec![(name.to_owned(), binary::read(bytes, limits, &mut warnings)?)]
+        Solids::of_one(name, binary::read(bytes, limits, &mut warnings)?)
     };
     Ok(loaded(solids, warnings))
 }
@@ -37,20 +37,16 @@ pub(crate) fn stream(
     limits: &Limits,
 ) -> Result<Option<Loaded>, Error> {
     let facets = binary::stream(file, limits)?;
-    Ok(facets.map(|facets| loaded(vec![(name.to_owned(), facets)], Warnings::default())))
+    Ok(facets.map(|facets| loaded(Solids::of_one(name, facets), Warnings::default())))
 }
 
-fn loaded(solids: Vec<(String, Facets)>, mut warnings: Warnings) -> Loaded {
-    let left_out = solids.iter().map(|(_, facets)| facets.left_out).sum();
-    warn_of_faces_left_out(left_out, &mut warnings);
+fn loaded(mut solids: Solids, mut warnings: Warnings) -> Loaded {
+    warn_of_faces_left_out(solids.left_out, &mut warnings);
     let mut scene = Scene { up: DVec3::Z, ..Scene::default() };
-    for (name, facets) in solids {
-        if !facets.triangles.is_empty() {
-            let mesh = MeshId(scene.meshes.len() as u32);
-            scene.nodes.push(Node::root(name, Some(mesh)));
-            scene.meshes.push(facets.into_mesh());
-        }
-    }
+    let node = |(number, name)| Node::root(name, Some(MeshId(number)));
+    scene.nodes = (0..).zip(solids.names).map(node).collect();
+    solids.meshes.shrink_to_fit();
+    scene.meshes = solids.meshes.into();
     scene.materials.push(SceneMaterial::default());
     Loaded { scene, format: Format::Stl, warnings: warnings.finish() }
 }
@@ -66,6 +62,32 @@ fn is_text(bytes: &[u8]) -> bool {
     let head = head.split(|&byte| byte == 0).next().unwrap_or(head).to_ascii_lowercase();
     let has = |word: &[u8]| head.windows(word.len()).any(|window| window == word);
     head.starts_with(b"solid") && (head.len() == bytes.len() || has(b"facet") || has(b"endsolid"))
+}
+
+/// The objects of a file.
+#[derive(Default)]
+struct Solids {
+    names: Vec<String>,
+    meshes: Vec<Mesh>,
+    /// Facets that have corners which are no places.
+    left_out: u64,
+}
+
+impl Solids {
+    fn of_one(name: &str, facets: Facets) -> Self {
+        let mut solids = Self::default();
+        solids.push(name.to_owned(), facets);
+        solids
+    }
+
+    /// Takes an object, unless nothing is left of it.
+    fn push(&mut self, name: String, facets: Facets) {
+        self.left_out += facets.left_out;
+        if !facets.triangles.is_empty() {
+            self.names.push(name);
+            self.meshes.push(facets.into_mesh());
+        }
+    }
 }
 
 /// Welds the corners of triangles.
@@ -112,12 +134,9 @@ impl Facets {
         rest.iter().for_each(|&corners| self.push(corners));
     }
 
-    const fn is_empty(&self) -> bool {
-        self.triangles.is_empty() && self.left_out == 0
-    }
-
-    fn into_mesh(self) -> Mesh {
+    fn into_mesh(mut self) -> Mesh {
         let count = self.triangles.len() as u32;
+        self.triangles.shrink_to_fit();
         Mesh {
             positions: self.welder.keys().iter().map(|key| key.map(f32::from_bits)).collect(),
             triangles: self.triangles,

@@ -14,6 +14,7 @@ use luxel_visibility::{
 };
 use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Columns and rows of the window.
 pub(crate) type Pixels = [Range<u32>; 2];
@@ -60,8 +61,8 @@ impl PickView<'_> {
             FrameInstance {
                 mesh: &visible.mesh,
                 clusters: &visible.clusters,
-                view_from_mesh: instance.view_from_mesh,
-                parts: instance.parts.clone(),
+                view_from_mesh: &instance.place.view_from_mesh,
+                parts: Arc::clone(&instance.parts),
             }
         });
         let (projection, level) = (&self.camera().projection, self.picker.level);

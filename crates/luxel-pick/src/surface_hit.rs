@@ -129,7 +129,7 @@ impl PickView<'_> {
     }
 
     pub(crate) fn forms(&self, covering: &CoveringTriangle) -> Forms {
-        let space = &self.placed.instances()[covering.instance].space;
+        let space = &self.placed.instances()[covering.instance].place.space;
         Forms::new(&self.rays, space.view_from_local.corners(covering.corners))
     }
 
@@ -146,7 +146,7 @@ impl PickView<'_> {
         tile: [i32; 2],
     ) -> TriangleSurface<'_> {
         let &CoveringTriangle { instance, triangle, .. } = covering;
-        let space = &self.placed.instances()[instance].space;
+        let space = &self.placed.instances()[instance].place.space;
         let geometry = self.geometry(instance);
         let mesh = geometry.mesh;
         let attributes = mesh.attribute_corners()[triangle as usize].map(|at| at as usize);

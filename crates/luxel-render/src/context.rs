@@ -7,10 +7,21 @@ use luxel_lighting::{
 };
 use luxel_math::{Lanes, Vec3};
 use luxel_scene::{Mesh, Scene, SceneMaterial};
-use luxel_view::{Edges, NormalLength, Shading};
+use luxel_view::{Edges, NormalLength, Shading, ShadingMode};
 use luxel_visibility::{Frame, InstanceSpace, PlacedScene, ViewRays};
 use std::collections::HashMap;
 use std::sync::Mutex;
+
+/// Where the light of a material's surfaces is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LitAt {
+    Pixels,
+    /// At centroids, or at corners of triangles or pieces; the texture of the base colour multiplies it.
+    Elsewhere,
+    /// At the corners of pieces, for every texel of the base colour: the texture colours what it colours
+    /// at a pixel, not the highlight.
+    PiecesUnderTexels,
+}
 
 /// Read-only state shared by all shading of a frame.
 pub(crate) struct ShadingContext<'a> {
@@ -56,10 +67,31 @@ pub(crate) struct ShadingContext<'a> {
 }
 
 impl ShadingContext<'_> {
+    /// Where the light of a material's surfaces is computed.
+    ///
+    /// Subdivision leaves surfaces to their pixels whose light other textures shape: they differ from
+    /// pixel to pixel, so that no piece would be larger than one.
+    pub(crate) fn lit_at(&self, material: usize) -> LitAt {
+        let SceneMaterial { base_color, ambient, specular, emission, .. } =
+            &self.scene.materials[material];
+        let SceneMaterial { metallic_roughness, occlusion, normal, .. } =
+            &self.scene.materials[material];
+        let others = [ambient, specular, emission, metallic_roughness, occlusion, normal];
+        match self.shading.mode {
+            ShadingMode::Phong => LitAt::Pixels,
+            ShadingMode::Flat | ShadingMode::Gouraud => LitAt::Elsewhere,
+            ShadingMode::Subdivided { .. } if others.into_iter().any(Option::is_some) => {
+                LitAt::Pixels
+            }
+            ShadingMode::Subdivided { .. } if base_color.is_some() => LitAt::PiecesUnderTexels,
+            ShadingMode::Subdivided { .. } => LitAt::Elsewhere,
+        }
+    }
+
     /// The spaces of an instance's positions and normals.
     #[inline(always)]
     pub(crate) fn space(&self, instance: usize) -> &InstanceSpace {
-        &self.placed.instances()[instance].space
+        &self.placed.instances()[instance].place.space
     }
 
     /// The object that an instance shows.

@@ -51,6 +51,7 @@ impl<'a> Extremes<'a> {
     pub(crate) fn of_objects(
         objects: impl Iterator<Item = (&'a Mesh, &'a PointTree, DMat4)>,
     ) -> Self {
+        let most = objects.size_hint().1.unwrap_or_default();
         let drawn = objects.filter(|(_, tree, _)| tree.len() > 0);
         let objects = drawn.map(|(mesh, tree, target_from_mesh)| {
             let [low, high] = tree.bounds();
@@ -63,7 +64,9 @@ impl<'a> Extremes<'a> {
                 x * with_origin.x + y * with_origin.y + z * with_origin.z + translation;
             Object { mesh, tree, target_from_mesh, magnitudes, largest }
         });
-        Self { objects: objects.collect(), single: Vec::new() }
+        let mut all = Vec::with_capacity(most);
+        all.extend(objects);
+        Self { objects: all, single: Vec::new() }
     }
 
     /// Points that are in the common space already.

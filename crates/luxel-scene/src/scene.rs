@@ -79,7 +79,22 @@ impl Scene {
                 world_from_mesh: world[index],
             })
         };
-        self.nodes.iter().enumerate().filter_map(with_mesh).collect()
+        let count = self.nodes.iter().filter(|node| node.mesh.is_some()).count();
+        let mut objects = Vec::with_capacity(count);
+        objects.extend(self.nodes.iter().enumerate().filter_map(with_mesh));
+        objects
+    }
+
+    /// From a node's coordinates to the world's.
+    ///
+    /// # Panics
+    /// If there is no such node.
+    #[must_use]
+    pub fn world_from_node(&self, node: NodeId) -> DMat4 {
+        let parent = |&node: &NodeId| self.nodes[node.index()].parent;
+        let chain: Vec<_> = std::iter::successors(Some(node), parent).collect();
+        let own = |node: &NodeId| self.nodes[node.index()].parent_from_node;
+        chain.iter().rev().map(own).fold(DMat4::IDENTITY, |world, own| world * own)
     }
 
     /// From each node's coordinates to the world's.

@@ -38,9 +38,10 @@ pub struct Shading {
 
 /// Where light is computed.
 ///
-/// All modes but `Phong` compute light without the base colour texture, which multiplies it at the
-/// pixel, like `GL_MODULATE` in OpenGL 1.x; fog comes last. Only `Phong` uses normal maps; other
-/// textures are sampled where light is computed.
+/// `Flat` and `Gouraud` compute light without the base colour texture, which multiplies it at the
+/// pixel, highlight included, like `GL_MODULATE` in OpenGL 1.x. They use no normal maps, and sample other
+/// textures where light is computed. `Subdivided` interpolates light apart from what the texture
+/// colours, like OpenGL's separate specular colour. Fog comes last.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum ShadingMode {
     /// Once for each polygon: at its centroid, with its own normal (Bouknight 1970).
@@ -55,6 +56,11 @@ pub enum ShadingMode {
     /// At the corners of smaller triangles: visible triangles are subdivided until interpolated
     /// intensities agree with `Phong`, within the tolerance. Within a small triangle the intensity
     /// is interpolated with perspective.
+    ///
+    /// Where light jumps, no tolerance holds: at the edge of a cone, and where N.L becomes 0 in models
+    /// whose highlight doesn't (Phong's). Subdivision then ends at 1/16 of a pixel. With several samples
+    /// a pixel, light beyond 1 needs [`Clamp::End`]. Surfaces with normal maps or other textures beside
+    /// the base colour's are lit at their pixels: no piece of them would be larger.
     Subdivided {
         /// The maximum difference, in 8-bit steps after encoding.
         tolerance: f32,
@@ -103,7 +109,8 @@ named! { Interpolation:
 /// Where intensities computed at corners are clamped to 0..1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Clamp {
-    /// At the corners, as fixed-function OpenGL does.
+    /// At the corners, as fixed-function OpenGL does; where [`Subdivided`](ShadingMode::Subdivided) light is
+    /// apart from a texture, at the end.
     #[default]
     Vertex,
     /// At the end, where colours become bytes.

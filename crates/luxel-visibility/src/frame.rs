@@ -15,6 +15,7 @@ pub struct Frame<'a> {
     samples: Samples,
     rays: WindowRays,
     instances: Instances<'a>,
+    /// By [`Instances::transform_of`].
     places: Vec<ViewFromLocal>,
     opaque: Binned,
     blended: Binned,
@@ -73,11 +74,9 @@ impl<'a> Frame<'a> {
             size.height,
         );
         let instances = Instances::new(instances, projection, size)?;
-        let places = instances
-            .list
-            .iter()
-            .map(|instance| ViewFromLocal::new(&instance.view_from_mesh, instance.mesh.origin))
-            .collect();
+        let transforms = instances.transforms.iter();
+        let places =
+            transforms.map(|each| ViewFromLocal::of_matrix(&each.view_from_local)).collect();
         let (blended, opaque): (Vec<_>, Vec<_>) =
             visible_clusters(&instances, projection, size, level).partition(|visible| {
                 instances.part_use(visible.cluster).coverage == Coverage::Blended
@@ -212,7 +211,7 @@ impl<'a> Frame<'a> {
             .chain(of_clusters)
             .filter_map(|id| {
                 let cluster = self.cluster(id);
-                let probe = Probe::of(self.instances.transforms[cluster.instance()]);
+                let probe = Probe::of(*self.instances.window_from_local(cluster.instance()));
                 let cull = self.instances.part_use(id.cluster()).cull;
                 let depth = probe.covers(cluster.positions(id), cull, position)?;
                 let is_hole = holes.holes(&Asked::one(id, position)) != 0;
@@ -276,7 +275,7 @@ impl<'a> Frame<'a> {
     /// How an instance's coordinates become those of view space.
     #[must_use]
     pub fn view_from_local(&self, instance: usize) -> ViewFromLocal {
-        self.places[instance]
+        self.places[self.instances.transform_of(instance)]
     }
 
     /// A triangle's corners in view space.
@@ -289,7 +288,7 @@ impl<'a> Frame<'a> {
         let mesh = self.instances.list[of.instance].mesh;
         let corners = mesh.triangles[of.triangle as usize];
         let corners = corners.map(|corner| mesh.positions[corner as usize]);
-        self.places[of.instance].corners(corners)
+        self.view_from_local(of.instance).corners(corners)
     }
 
     /// How a triangle is drawn.

@@ -38,7 +38,7 @@ pub use cluster::{
 };
 pub use frame::Frame;
 pub use luxel_view::Cull;
-pub use placed_scene::{CoveragePolicy, PlacedInstance, PlacedScene, SurfaceRules};
+pub use placed_scene::{CoveragePolicy, InstancePlace, PlacedInstance, PlacedScene, SurfaceRules};
 pub use query::{
     Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, POINT_SIZE, PackedForms, Probe,
     ProbedTriangle, Reach, SeenCluster, ShadingCorners, Strokes, TILE_FORMS, TileForms,

@@ -8,6 +8,7 @@ use glam::DMat4;
 use luxel_math::Level;
 use luxel_scene::{AlphaMode, Camera, Mesh, Object, Scene, SceneMaterial, Size};
 use luxel_view::Cull;
+use std::sync::Arc;
 
 /// How surfaces cover what lies behind them, by the alpha mode of their materials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,12 +71,35 @@ pub struct PlacedInstance {
     /// The place in [`PlacedScene::strokes`] of the points and lines that it is; `None` for the object's
     /// triangles.
     pub strokes: Option<usize>,
+    /// How each part of the mesh is drawn.
+    pub parts: Arc<[PartUse]>,
+    /// Where it is. Instances that follow one another share one, if they are in the same place: of files
+    /// with many small objects without transforms, all do.
+    pub place: Arc<InstancePlace>,
+}
+
+/// A place before the camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InstancePlace {
     /// From the mesh's own space to the camera's.
     pub view_from_mesh: DMat4,
-    /// How each part of the mesh is drawn.
-    pub parts: Vec<PartUse>,
-    /// The spaces of its positions and normals.
+    /// The spaces of positions and normals.
     pub space: InstanceSpace,
+}
+
+impl PlacedInstance {
+    /// An instance that shares what is the same as in the one before it.
+    fn shared(mut self, before: Option<&Self>) -> Self {
+        if let Some(before) = before {
+            if *before.place == *self.place {
+                self.place = Arc::clone(&before.place);
+            }
+            if before.parts == self.parts {
+                self.parts = Arc::clone(&before.parts);
+            }
+        }
+        self
+    }
 }
 
 /// A scene before a camera: an instance for each object, then one for the points and lines of each
@@ -107,12 +131,12 @@ impl<'s> PlacedScene<'s> {
             let part_use = |material: usize| rules.part_use(&scene.materials[material], mirrored);
             let view_from_mesh = camera.view_from_world * object.world_from_mesh;
             let view_from_local = ViewFromLocal::new(&view_from_mesh, mesh.origin);
+            let space = InstanceSpace::new(&object.world_from_mesh, view_from_local, camera);
             PlacedInstance {
                 object: number,
                 strokes: None,
-                view_from_mesh,
                 parts: mesh.parts.iter().map(|part| part_use(part.material.index())).collect(),
-                space: InstanceSpace::new(&object.world_from_mesh, view_from_local, camera),
+                place: Arc::new(InstancePlace { view_from_mesh, space }),
             }
         });
         let in_view = strokes.iter().enumerate().map(|(number, strokes)| {
@@ -120,15 +144,19 @@ impl<'s> PlacedScene<'s> {
             let part = PartUse { coverage: rules.coverage.opaque, ..PartUse::default() };
             let view_from_local = ViewFromLocal::new(&DMat4::IDENTITY, mesh.origin);
             let world_from_mesh = &objects[strokes.object].world_from_mesh;
+            let space = InstanceSpace::new(world_from_mesh, view_from_local, camera);
             PlacedInstance {
                 object: strokes.object,
                 strokes: Some(number),
-                view_from_mesh: DMat4::IDENTITY,
-                parts: vec![part; mesh.parts.len()],
-                space: InstanceSpace::new(world_from_mesh, view_from_local, camera),
+                parts: mesh.parts.iter().map(|_| part).collect(),
+                place: Arc::new(InstancePlace { view_from_mesh: DMat4::IDENTITY, space }),
             }
         });
-        let instances = faces.chain(in_view).collect();
+        let mut instances: Vec<PlacedInstance> = Vec::with_capacity(objects.len() + strokes.len());
+        for instance in faces.chain(in_view) {
+            let instance = instance.shared(instances.last());
+            instances.push(instance);
+        }
         Self { scene, objects, camera: *camera, size, strokes, instances }
     }
 
@@ -196,8 +224,8 @@ impl<'s> PlacedScene<'s> {
                 Some(number) => &self.strokes[number].clusters,
                 None => &clusters[self.objects[instance.object].mesh.index()],
             },
-            view_from_mesh: instance.view_from_mesh,
-            parts: instance.parts.clone(),
+            view_from_mesh: &instance.place.view_from_mesh,
+            parts: Arc::clone(&instance.parts),
         });
         let (instances, projection) = (instances.collect(), &self.camera.projection);
         luxel_parallel::install(None, || {

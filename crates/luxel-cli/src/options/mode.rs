@@ -20,7 +20,8 @@ pub(crate) struct ModeOptions {
     pub(crate) shading: ShadingMode,
 
     /// Tolerance of subdivided shading against phong, or of .svg colours against pixels, in
-    /// 8-bit steps [default: 1; for .svg 2]
+    /// 8-bit steps; it can't hold where light jumps, as at edges of cones, and at N.L = 0 in the
+    /// highlight of phong reflection [default: 1; for .svg 2]
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) tolerance: Option<f64>,
 

@@ -13,6 +13,8 @@ mod explain_terms;
 #[cfg(feature = "gallery")]
 mod gallery;
 mod info;
+#[cfg(target_os = "linux")]
+mod memory;
 mod models;
 mod navigate;
 mod output;

@@ -82,7 +82,7 @@ fn what_a_killed_run_left_is_removed_and_what_another_is_writing_is_not() {
 
 /// Runs a line of a shell, with luxel as `$0`; its status and standard error.
 #[cfg(unix)]
-fn shell(folder: &Folder, line: &str) -> (Option<i32>, String) {
+pub(crate) fn shell(folder: &Folder, line: &str) -> (Option<i32>, String) {
     let output = std::process::Command::new("sh")
         .args(["-c", line, env!("CARGO_BIN_EXE_luxel")])
         .current_dir(folder.path("."))

@@ -26,7 +26,10 @@ pub(super) fn objects(
         left_out: 0,
         too_small: 0,
     };
-    for (name, elements) in ranges(document) {
+    let ranges = ranges(document);
+    scene.nodes.reserve_exact(ranges.len());
+    scene.meshes.reserve_exact(ranges.len());
+    for (name, elements) in ranges {
         let name = if name.is_empty() { stem.to_owned() } else { shown(name) };
         if let Some(mesh) = builder.mesh(elements, &name, materials, warnings) {
             let id = MeshId(scene.meshes.len() as u32);
@@ -157,6 +160,7 @@ impl Builder<'_> {
             object.used.iter().map(|&index| document.positions[index as usize]).collect();
         mesh.set_positions(&positions);
         mesh.triangles = std::mem::take(&mut object.triangles);
+        mesh.triangles.shrink_to_fit();
         mesh.polygons = has_polygons.then(|| std::mem::take(&mut object.polygons));
         mesh.smoothing_groups =
             document.has_smoothing.then(|| std::mem::take(&mut object.smoothing));
@@ -283,6 +287,7 @@ fn set_materials(
     let is_colored = !mesh.colors.is_empty();
     let mut material = |number: u32| materials.get(number, is_colored, warnings);
     let mut first = 0;
+    mesh.parts.reserve_exact(object.runs.len());
     for &(number, count) in &object.runs {
         mesh.parts.push(Part { first, count, material: material(number) });
         first += count;

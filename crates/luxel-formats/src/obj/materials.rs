@@ -36,7 +36,7 @@ pub(super) struct Materials<'a> {
     folder: Option<&'a Path>,
     memory: Memory<'a>,
     names: Vec<&'a [u8]>,
-    definitions: HashMap<Vec<u8>, Definition>,
+    definitions: HashMap<&'a [u8], Box<Definition>>,
     pub(super) list: Vec<SceneMaterial>,
     pub(super) textures: Vec<Texture>,
     /// Built materials, by the file's number; undefined ones also by whether they are
@@ -69,8 +69,8 @@ impl<'a> Materials<'a> {
             for (name, bytes) in files.of_line(line, warnings) {
                 mtl::read(&bytes, &name, warnings, &mut |definition| {
                     // The first definition wins: libraries are searched in order.
-                    if used.contains(definition.name.as_slice()) {
-                        definitions.entry(definition.name.clone()).or_insert(definition);
+                    if let Some(&name) = used.get(definition.name.as_slice()) {
+                        definitions.entry(name).or_insert_with(|| Box::new(definition));
                     }
                 });
             }
@@ -129,7 +129,7 @@ impl<'a> Materials<'a> {
     fn make(&mut self, definition: &Definition, warnings: &mut Warnings) -> SceneMaterial {
         let mut material = SceneMaterial::default();
         let constants = &mut material.constants;
-        let or_white = |color: Option<[f32; 3]>, map: &Option<Map>| {
+        let or_white = |color: Option<[f32; 3]>, map: &Option<Box<Map>>| {
             color.or_else(|| map.as_ref().map(|_| [1.0; 3]))
         };
         if let Some(diffuse) = or_white(definition.diffuse, &definition.diffuse_map) {
@@ -170,7 +170,7 @@ impl<'a> Materials<'a> {
         material: &mut SceneMaterial,
         warnings: &mut Warnings,
     ) {
-        let mut get = |map: &Option<Map>, used: Use| {
+        let mut get = |map: &Option<Box<Map>>, used: Use| {
             map.as_ref().map(|map| self.texture(map, used, warnings))
         };
         material.base_color = get(&definition.diffuse_map, Use::Color);

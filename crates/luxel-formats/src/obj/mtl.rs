@@ -18,15 +18,15 @@ pub(super) struct Definition {
     /// `Tr`
     pub(super) transparency: Option<f32>,
     pub(super) illumination: Option<i64>,
-    pub(super) ambient_map: Option<Map>,
-    pub(super) diffuse_map: Option<Map>,
-    pub(super) specular_map: Option<Map>,
-    pub(super) emission_map: Option<Map>,
-    pub(super) opacity_map: Option<Map>,
+    pub(super) ambient_map: Option<Box<Map>>,
+    pub(super) diffuse_map: Option<Box<Map>>,
+    pub(super) specular_map: Option<Box<Map>>,
+    pub(super) emission_map: Option<Box<Map>>,
+    pub(super) opacity_map: Option<Box<Map>>,
     /// `map_Bump` or `bump`: heights, though many files put normal maps here.
-    pub(super) bump_map: Option<Map>,
+    pub(super) bump_map: Option<Box<Map>>,
     /// `norm`
-    pub(super) normal_map: Option<Map>,
+    pub(super) normal_map: Option<Box<Map>>,
 }
 
 /// A texture with its options.
@@ -95,13 +95,13 @@ impl Definition {
             b"d" => set(&mut self.opacity, value(words)),
             b"tr" => set(&mut self.transparency, value(words)),
             b"illum" => set(&mut self.illumination, words.clone().next().and_then(integer)),
-            b"map_ka" => set(&mut self.ambient_map, map(words)),
-            b"map_kd" => set(&mut self.diffuse_map, map(words)),
-            b"map_ks" => set(&mut self.specular_map, map(words)),
-            b"map_ke" => set(&mut self.emission_map, map(words)),
-            b"map_d" => set(&mut self.opacity_map, map(words)),
-            b"map_bump" | b"bump" => set(&mut self.bump_map, map(words)),
-            b"norm" | b"map_kn" => set(&mut self.normal_map, map(words)),
+            b"map_ka" => set(&mut self.ambient_map, map(words).map(Box::new)),
+            b"map_kd" => set(&mut self.diffuse_map, map(words).map(Box::new)),
+            b"map_ks" => set(&mut self.specular_map, map(words).map(Box::new)),
+            b"map_ke" => set(&mut self.emission_map, map(words).map(Box::new)),
+            b"map_d" => set(&mut self.opacity_map, map(words).map(Box::new)),
+            b"map_bump" | b"bump" => set(&mut self.bump_map, map(words).map(Box::new)),
+            b"norm" | b"map_kn" => set(&mut self.normal_map, map(words).map(Box::new)),
             // Transmission, refraction, reflection maps, and extensions of other programs.
             _ => true,
         }

@@ -1,6 +1,6 @@
 //! Text STL: `solid NAME`, facets of three vertices each, `endsolid`, in any case.
 
-use super::{Facets, check_count};
+use super::{Facets, Solids, check_count};
 use crate::text::{Words, line_of, shown, single};
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place};
@@ -14,10 +14,11 @@ pub(super) fn read(
     name: &str,
     limits: &Limits,
     warnings: &mut Warnings,
-) -> Result<Vec<(String, Facets)>, Error> {
+) -> Result<Solids, Error> {
     check_count((bytes.len() / SHORTEST_FACET) as u64, limits, Place::File)?;
     let body = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut reader = Reader { bytes: body, at: 0, solids: Vec::new(), inside: false };
+    let mut reader =
+        Reader { bytes: body, at: 0, solids: Solids::default(), open: None, inside: false };
     while let Some(word) = reader.word() {
         reader.statement(word, name)?;
     }
@@ -25,14 +26,17 @@ pub(super) fn read(
         let line = line_of(body, body.len());
         warnings.push(format!("line {line}: the file ends without `endsolid`"));
     }
+    reader.close();
     Ok(reader.solids)
 }
 
 struct Reader<'a> {
     bytes: &'a [u8],
     at: usize,
-    solids: Vec<(String, Facets)>,
-    /// Whether a solid is open.
+    solids: Solids,
+    /// The last solid, with its name.
+    open: Option<(String, Facets)>,
+    /// Whether it hasn't ended.
     inside: bool,
 }
 
@@ -61,15 +65,14 @@ impl<'a> Reader<'a> {
                 return Err(self.unexpected(word, "`solid`"));
             }
             let corners = self.facet()?;
-            if let Some((_, facets)) = self.solids.last_mut() {
+            if let Some((_, facets)) = &mut self.open {
                 facets.push(corners);
             }
         } else if word.eq_ignore_ascii_case(b"solid") {
             let given = self.line();
             let name = if given.is_empty() { name.to_owned() } else { shown(given) };
-            // Solids without facets don't count as objects; a file may hold millions of them.
-            self.solids.pop_if(|(_, facets)| facets.is_empty());
-            self.solids.push((name, Facets::with_room_for(0)));
+            self.close();
+            self.open = Some((name, Facets::with_room_for(0)));
             self.inside = true;
         } else if word.eq_ignore_ascii_case(b"endsolid") {
             self.line();
@@ -78,6 +81,14 @@ impl<'a> Reader<'a> {
             return Err(self.unexpected(word, "`facet` or `endsolid`"));
         }
         Ok(())
+    }
+
+    /// Makes a mesh of the last solid, since what welds corners takes several times its memory. A file may
+    /// hold millions of solids; those without facets don't count as objects.
+    fn close(&mut self) {
+        if let Some((name, facets)) = self.open.take() {
+            self.solids.push(name, facets);
+        }
     }
 
     /// The rest of a facet: a normal, which is ignored, and three corners.

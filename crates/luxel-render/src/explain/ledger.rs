@@ -83,7 +83,7 @@ pub struct ExplainedSurface {
     /// their weights (as much as clamping leaves, times the texture), each light's factors their
     /// means, and the material is that of the heaviest.
     pub evaluated_at: Vec<EvaluatedAt>,
-    /// The texture of the base colour, which multiplies light that was computed elsewhere.
+    /// The texture of the base colour where it multiplies light that was computed elsewhere; else 1.
     pub texture: [f32; 3],
     /// The place, in world space.
     pub position: [f64; 3],

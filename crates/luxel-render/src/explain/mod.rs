@@ -15,7 +15,7 @@ pub use ledger::{
 };
 pub use occluded::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
 
-use crate::context::{AttributeMask, Heard, ShadingContext};
+use crate::context::{AttributeMask, Heard, LitAt, ShadingContext};
 use crate::frame::{RenderError, Renderer, lights_with_terms};
 use crate::interpolate::{Batch, Fragments};
 use crate::material::SurfaceWitness;
@@ -27,7 +27,7 @@ use luxel_lighting::{
 };
 use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
-use luxel_view::{ShadingMode, View};
+use luxel_view::View;
 use luxel_visibility::{BLOCK, CoveragePolicy, Samples, TILE, Tile, TriangleId};
 use vertex_terms::{Interpolated, evaluated_at};
 
@@ -314,16 +314,22 @@ impl Lit {
         let barycentric = written.barycentric;
         let triangle = kept.lit.get(scene, id)?;
         let mut evaluated: Vec<EvaluatedAt> = Vec::new();
-        if scene.shading.mode != ShadingMode::Phong {
+        let tint = written.tint.unwrap_or([1.0; 3]);
+        let lit_at = scene.lit_at(triangle.material as usize);
+        // What the texture colours, and what its product is a factor of.
+        let (texel, texture) = match lit_at {
+            LitAt::PiecesUnderTexels => (Some(tint), [1.0; 3]),
+            LitAt::Pixels | LitAt::Elsewhere => (None, tint),
+        };
+        if lit_at != LitAt::Pixels {
             for place in triangle.lit_at(barycentric, batch.position(0)) {
-                let there = evaluated_at(scene, triangle, &place, eye, lights);
+                let there = evaluated_at(scene, triangle, &place, texel, (eye, lights));
                 if evaluated.iter().all(|other| other.weight < place.0) {
                     written.reflectance = Some(there.reflectance);
                 }
                 evaluated.push(there);
             }
         }
-        let texture = written.tint.unwrap_or([1.0; 3]);
         let terms = if evaluated.is_empty() {
             Interpolated {
                 emission: written.ledger.emission,

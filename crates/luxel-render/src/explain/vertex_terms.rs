@@ -4,22 +4,26 @@
 use super::Written;
 use super::ledger::{EvaluatedAt, ExplainedLight};
 use crate::context::ShadingContext;
-use crate::material::{Corner, light_at};
+use crate::material::{Corner, light_at, light_under};
 use crate::shade::LitTriangle;
 use luxel_lighting::{LightTerms, MirrorTerms, Reflectance};
 use luxel_math::{Rgb, Vec3};
 use luxel_scene::SceneLight;
 
-/// Lights a place again, with its terms written down.
+/// Lights a place again, with its terms written down: under a texel, if pieces are lit for every texel.
 pub(crate) fn evaluated_at(
     scene: &ShadingContext<'_>,
     triangle: &LitTriangle,
     (weight, corner): &(f32, Corner),
-    eye: [f64; 3],
-    lights: &[&SceneLight],
+    texel: Option<[f32; 3]>,
+    (eye, lights): ([f64; 3], &[&SceneLight]),
 ) -> EvaluatedAt {
     let mut written = Written::default();
-    let light = light_at(scene, corner, triangle.has, triangle.material, &mut written);
+    let (has, material) = (triangle.has, triangle.material);
+    let light = match texel {
+        Some(texel) => light_under(scene, corner, has, material, texel, &mut written),
+        None => light_at(scene, corner, has, material, &mut written),
+    };
     let point = written.point;
     let ledger = &written.ledger;
     let constants = &scene.scene.materials[triangle.material as usize].constants;

@@ -1,9 +1,9 @@
 //! Things of the scene put where a frame wants them: instances before the camera, lights about the
 //! eye.
 
-use glam::{DMat3, DMat4, DVec3};
+use glam::{DMat3, DVec3};
 use luxel_lighting::{Coefficients, LightKind, PlacedLight, Uniform};
-use luxel_scene::{Camera, Placement, SceneLight, SceneMaterial};
+use luxel_scene::{Camera, Placement, Scene, SceneLight, SceneMaterial};
 use luxel_view::View;
 use luxel_visibility::{CoveragePolicy, SurfaceRules};
 
@@ -14,11 +14,7 @@ pub(crate) fn surface_rules(view: &View, coverage: CoveragePolicy) -> SurfaceRul
 }
 
 /// A light about the eye, along the world's axes; `None` for ambient lights.
-pub(crate) fn light(
-    light: &SceneLight,
-    camera: &Camera,
-    world_from_nodes: &[DMat4],
-) -> Option<PlacedLight> {
+pub(crate) fn light(light: &SceneLight, camera: &Camera, scene: &Scene) -> Option<PlacedLight> {
     if light.light.kind == LightKind::Ambient {
         return None;
     }
@@ -28,7 +24,7 @@ pub(crate) fn light(
         Placement::World => (light.position - eye, light.direction),
         Placement::Camera => (world_from_view * light.position, world_from_view * light.direction),
         Placement::Node(node) => {
-            let world_from_node = &world_from_nodes[node.index()];
+            let world_from_node = scene.world_from_node(node);
             let position = world_from_node.transform_point3(light.position) - eye;
             (position, world_from_node.transform_vector3(light.direction))
         }

@@ -39,7 +39,7 @@ pub struct Renderer {
     /// The clusters of each mesh.
     clusters: Vec<Clusters>,
     /// The polygons of each mesh, once they are asked for.
-    polygons_of_meshes: Vec<OnceLock<Polygons>>,
+    polygons_of_meshes: Vec<OnceLock<Box<Polygons>>>,
     level: Level,
     /// `None` where the machine has no threads.
     pool: Option<rayon::ThreadPool>,
@@ -251,11 +251,10 @@ impl Renderer {
             let placed =
                 PlacedScene::new(&self.scene, &self.objects, &view.camera, view.size, &rules);
             let frame = placed.frame(&self.clusters, samples, self.level)?;
-            let world_from_nodes = self.scene.world_from_nodes();
             let lights: Vec<_> = view
                 .lights
                 .iter()
-                .filter_map(|light| frame_setup::light(light, &view.camera, &world_from_nodes))
+                .filter_map(|light| frame_setup::light(light, &view.camera, &self.scene))
                 .collect();
             let flags_of_meshes: Vec<EdgeFlags> = if view.edges.is_some() {
                 self.scene.meshes.par_iter().map(EdgeFlags::new).collect()
@@ -337,8 +336,8 @@ impl Renderer {
         let mut polygons = vec![None; instances];
         for (place, object) in polygons.iter_mut().zip(&self.objects).filter(|_| whole) {
             let mesh = object.mesh.index();
-            let made = || Polygons::new(&self.scene.meshes[mesh]);
-            *place = Some(self.polygons_of_meshes[mesh].get_or_init(made));
+            let made = || Box::new(Polygons::new(&self.scene.meshes[mesh]));
+            *place = Some(&**self.polygons_of_meshes[mesh].get_or_init(made));
         }
         polygons
     }

@@ -6,5 +6,5 @@ mod surface;
 mod vertex;
 
 pub(crate) use attributes::{Attributes, Corner, Footprint};
-pub(crate) use surface::{SurfaceWitness, lit, lit_elsewhere, shading_normal};
-pub(crate) use vertex::{light_at, lights_at};
+pub(crate) use surface::{SurfaceWitness, base_texel, lit, lit_elsewhere, shading_normal};
+pub(crate) use vertex::{light_at, light_under, lights_at};

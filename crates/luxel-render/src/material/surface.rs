@@ -2,7 +2,7 @@
 //! equation does the rest.
 
 use super::attributes::Attributes;
-use crate::context::{AttributeMask, ShadingContext, needs};
+use crate::context::{AttributeMask, LitAt, ShadingContext, needs};
 use luxel_lighting::{Coefficients, Reflectance, Silent, SurfacePoint, Witness, lit_by};
 use luxel_math::{Lanes, Rgb, Vec3};
 use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
@@ -131,6 +131,17 @@ pub(crate) fn shading_normal<N: Lanes>(
     }
 }
 
+/// The texture of the base colour at the lanes that see one material; white where it has none.
+pub(crate) fn base_texel<N: Lanes>(
+    scene: &ShadingContext<'_>,
+    varying: &Attributes<N>,
+    number: usize,
+    lanes: u32,
+) -> Rgb<N> {
+    let white = Rgb::splat(varying.position.x, [1.0; 3]);
+    tinted(white, texel(scene, scene.scene.materials[number].base_color, varying, lanes))
+}
+
 /// The texture of the base colour, and alpha, at the lanes that see one material.
 #[inline(always)]
 fn base<N: Lanes, const NEEDS: u8>(
@@ -245,7 +256,7 @@ pub(crate) fn lit<N: Lanes, W: SurfaceWitness<N>, const NEEDS: u8>(
 }
 
 /// Colour and alpha of the lanes that see one material, whose light was computed elsewhere: the
-/// texture of the base colour times the light, and fog.
+/// texture of the base colour times the light, unless it is the light under that texel, and fog.
 #[inline(always)]
 pub(crate) fn lit_elsewhere<N: Lanes, W: SurfaceWitness<N>, const NEEDS: u8>(
     scene: &ShadingContext<'_>,
@@ -256,7 +267,8 @@ pub(crate) fn lit_elsewhere<N: Lanes, W: SurfaceWitness<N>, const NEEDS: u8>(
     witness: &mut W,
 ) -> [N; 4] {
     let (tint, alpha) = base::<N, NEEDS>(scene, varying, number, lanes);
-    let sum = varying.light * tint;
+    let is_colored = NEEDS == needs::ALL && scene.lit_at(number) == LitAt::PiecesUnderTexels;
+    let sum = if is_colored { varying.light } else { varying.light * tint };
     witness.elsewhere(point, tint, sum);
     let color = match scene.fog {
         Some(fog) => fog.veiled(sum, point.depth, witness),

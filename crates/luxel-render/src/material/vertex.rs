@@ -15,17 +15,30 @@ pub(crate) fn light_at<W: SurfaceWitness<f32>>(
     material: u32,
     witness: &mut W,
 ) -> [f32; 3] {
+    let light = light_under(scene, corner, has, material, [1.0; 3], witness);
+    clamped(scene, Rgb::splat(0.0, light)).lane(0)
+}
+
+/// The light that leaves a place under a texel of its base colour; not clamped.
+pub(crate) fn light_under<W: SurfaceWitness<f32>>(
+    scene: &ShadingContext<'_>,
+    corner: &Corner,
+    has: AttributeMask,
+    material: u32,
+    texel: [f32; 3],
+    witness: &mut W,
+) -> [f32; 3] {
     let place = Attributes::at(corner, has);
     let number = material as usize;
     let point = scene.point_at_vertex(place.position, place.normal);
-    let white = Rgb::splat(0.0, [1.0; 3]);
-    let reflectance = reflectance(scene, &place, number, 1, white);
+    let tint = Rgb::splat(0.0, texel);
+    let reflectance = reflectance(scene, &place, number, 1, tint);
     witness.surface(&point, &reflectance, 1.0);
     let constants = &scene.scene.materials[number].constants;
     let coefficients = Coefficients::new(&reflectance, constants);
     let lighting = &scene.lighting[number];
     let reflection = &constants.reflection;
-    clamped(scene, reflected(&point, &coefficients, reflection, lighting, witness)).lane(0)
+    reflected(&point, &coefficients, reflection, lighting, witness).lane(0)
 }
 
 /// [`light_at`] at a corner of each lane's triangle, of a material without textures and vertex colours.

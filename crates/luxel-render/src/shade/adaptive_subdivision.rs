@@ -10,6 +10,7 @@
 //! jumps, as at the edge of a cone, or as a highlight does where N.L becomes 0. How many pieces are
 //! beyond the tolerance for that, and how large they are, is told, too.
 
+use super::texel_light::TexelLight;
 use crate::context::PieceCount;
 use luxel_lighting::PictureEncoding;
 use luxel_math::elementary;
@@ -62,7 +63,7 @@ type Place = [f32; 3];
 /// A triangle's pieces.
 #[derive(Clone, Debug)]
 pub(crate) struct Pieces {
-    places: Vec<(Place, [f32; 3])>,
+    places: Vec<(Place, TexelLight)>,
     nodes: Vec<Node>,
     pub(crate) count: PieceCount,
 }
@@ -81,7 +82,9 @@ pub(crate) struct Asked<'a> {
     pub(crate) tolerance: f32,
     pub(crate) encoding: PictureEncoding,
     /// The light at a place.
-    pub(crate) light: &'a mut dyn FnMut(Place) -> [f32; 3],
+    pub(crate) light: &'a mut dyn FnMut(Place) -> TexelLight,
+    /// The texels under which it must be within the tolerance.
+    pub(crate) texels: &'a [f32],
     /// Where a place lies in the window, in pixels; `None` if it isn't before the eye.
     pub(crate) window: &'a dyn Fn(Place) -> Option<[f64; 2]>,
     /// The window's width and height: what lies outside needs no second try.
@@ -115,10 +118,14 @@ impl Pieces {
         (corners.map(|corner| self.places[corner as usize].0), weights)
     }
 
-    /// The interpolated light at a place.
-    pub(crate) fn light(&self, place: Place) -> [f32; 3] {
+    /// The interpolated light at a place, under a texel.
+    pub(crate) fn light(&self, place: Place, texel: [f32; 3]) -> [f32; 3] {
         let (corners, weights) = self.find(place);
-        mixed(corners.map(|corner| self.places[corner as usize].1), weights)
+        self.between(corners, weights).at(texel)
+    }
+
+    fn between(&self, corners: [u32; 3], weights: [f32; 3]) -> TexelLight {
+        TexelLight::mixed(corners.map(|corner| &self.places[corner as usize].1), weights)
     }
 
     fn find(&self, place: Place) -> ([u32; 3], [f32; 3]) {
@@ -181,13 +188,16 @@ impl Builder<'_> {
         }
         self.tries += 1;
         let lit = (self.asked.light)(place);
-        let interpolated =
-            mixed(corners.map(|corner| self.pieces.places[corner as usize].1), weights);
+        let interpolated = self.pieces.between(corners, weights);
         let encoding = self.asked.encoding;
-        let steps = |light: f32| 255.0 * encoded(encoding, light);
+        // Light beyond 1 counts: a texel may darken it, and so may other samples of the pixel.
+        let steps = |light: f32| 255.0 * encoded_beyond(encoding, light);
         let mut error = 0.0_f32;
-        for channel in 0..3 {
-            error = error.max((steps(lit[channel]) - steps(interpolated[channel])).abs());
+        for &texel in self.asked.texels {
+            let (lit, interpolated) = (lit.at([texel; 3]), interpolated.at([texel; 3]));
+            for channel in 0..3 {
+                error = error.max((steps(lit[channel]) - steps(interpolated[channel])).abs());
+            }
         }
         error
     }
@@ -327,11 +337,16 @@ pub(crate) fn mixed([a, b, c]: [[f32; 3]; 3], weights: [f32; 3]) -> [f32; 3] {
 
 /// encode(clamp(v, 0, 1)), to about a hundredth of a step of 8 bits.
 pub(crate) fn encoded(encoding: PictureEncoding, light: f32) -> f32 {
-    let unit = if light > 0.0 { light.min(1.0) } else { 0.0 };
+    encoded_beyond(encoding, light.min(1.0))
+}
+
+/// The same curve, which goes on beyond 1.
+fn encoded_beyond(encoding: PictureEncoding, light: f32) -> f32 {
+    let light = if light > 0.0 { light } else { 0.0 };
     match encoding {
-        PictureEncoding::None => unit,
-        PictureEncoding::Srgb if unit <= 0.003_130_8 => 12.92 * unit,
-        PictureEncoding::Srgb => 1.055 * elementary::power(unit, 1.0 / 2.4) - 0.055,
+        PictureEncoding::None => light,
+        PictureEncoding::Srgb if light <= 0.003_130_8 => 12.92 * light,
+        PictureEncoding::Srgb => 1.055 * elementary::power(light, 1.0 / 2.4) - 0.055,
     }
 }
 
@@ -343,7 +358,8 @@ mod tests {
         Pieces::new(Asked {
             tolerance,
             encoding: PictureEncoding::None,
-            light: &mut |place| light(place),
+            light: &mut |place| TexelLight::untextured(light(place)),
+            texels: TexelLight::WHITE,
             window: &|[_, v, w]| Some([f64::from(v) * 300.0, f64::from(w) * 300.0]),
             size: [300.0; 2],
         })
@@ -371,7 +387,7 @@ mod tests {
                 for column in 0..=97 - row {
                     let [v, w] = [row, column].map(|at| at as f32 / 97.0);
                     let place = [1.0 - v - w, v, w];
-                    let (got, wanted) = (pieces.light(place), highlight(place));
+                    let (got, wanted) = (pieces.light(place, [1.0; 3]), highlight(place));
                     let off = 255.0 * (got[0] - wanted[0]).abs();
                     // What was tried is within, and places between lie near such.
                     assert!(off <= pieces.count.error + 0.05, "{place:?}: {off} of {tolerance}");
@@ -388,7 +404,7 @@ mod tests {
             [1.0 / (1.0 + 30_000.0 * (x * x + y * y)), 0.0, 0.0]
         };
         let pieces = pieces(4.0, narrow);
-        let off = 255.0 * (pieces.light([0.403, 0.31, 0.287])[0] - 1.0).abs();
+        let off = 255.0 * (pieces.light([0.403, 0.31, 0.287], [1.0; 3])[0] - 1.0).abs();
         assert!(off < 8.0 && pieces.count.beyond == 0, "{off}, {:?}", pieces.count);
     }
 

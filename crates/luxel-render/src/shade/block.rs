@@ -1,9 +1,9 @@
 //! Sixteen samples into light: the one way from what a batch sees to its colours.
 
-use crate::context::{ShadingContext, needs};
+use crate::context::{LitAt, ShadingContext, needs};
 use crate::coverage::edge_distance;
 use crate::interpolate::{Batch, Fragments, Wanted};
-use crate::material::{Attributes, lit, lit_elsewhere};
+use crate::material::{Attributes, base_texel, lit, lit_elsewhere};
 use crate::setup::SetupCache;
 use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::witness::BlockWitness;
@@ -174,7 +174,10 @@ fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     let number = material as usize;
     witness.lanes(lanes);
     let attributes = &found.attributes;
-    if NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong {
+    let at_pixels = NEEDS == needs::NORMALS
+        || scene.shading.mode == ShadingMode::Phong
+        || NEEDS == needs::ALL && scene.lit_at(number) == LitAt::Pixels;
+    if at_pixels {
         lit::<N, W, NEEDS>(scene, attributes, point, number, lanes, witness)
     } else {
         lit_elsewhere::<N, W, NEEDS>(scene, attributes, point, number, lanes, witness)
@@ -279,7 +282,14 @@ fn study<N: Lanes>(
         if scene.shading.interpolation != Interpolation::Perspective {
             found.attributes.put_lane(lane, &triangle.in_window(batch.position(lane), weights));
         }
-        if let Some(light) = triangle.own_light(weights) {
+        let number = triangle.material as usize;
+        let texel = || match scene.lit_at(number) {
+            LitAt::PiecesUnderTexels => {
+                base_texel(scene, &found.attributes, number, 1 << lane).lane(lane)
+            }
+            LitAt::Pixels | LitAt::Elsewhere => [1.0; 3],
+        };
+        if let Some(light) = triangle.own_light(weights, texel) {
             found.attributes.put_light(lane, light);
         }
     }

@@ -3,8 +3,9 @@
 
 use super::adaptive_subdivision::{Asked, Pieces, mixed};
 use super::screen_interpolation::{InWindow, Outline};
-use crate::context::{AttributeMask, ShadingContext};
-use crate::material::{Attributes, Corner, light_at};
+use super::texel_light::TexelLight;
+use crate::context::{AttributeMask, LitAt, ShadingContext};
+use crate::material::{Attributes, Corner, light_at, light_under};
 use crate::polygons::Polygons;
 use crate::setup::PlacedCorners;
 use glam::DVec3;
@@ -129,6 +130,7 @@ impl LitTriangle {
         let (has, material) = (self.has, self.material);
         let lit = |corner: &Corner| light_at(scene, corner, has, material, &mut Silent);
         match scene.shading.mode {
+            _ if scene.lit_at(material as usize) == LitAt::Pixels => {}
             ShadingMode::Phong => {}
             ShadingMode::Flat => {
                 let mut whole = self.whole(scene);
@@ -145,11 +147,20 @@ impl LitTriangle {
                 let space = scene.space(self.of.instance);
                 let corners = &self.corners;
                 let Size { width, height } = scene.frame.size();
+                let is_textured = scene.lit_at(material as usize) == LitAt::PiecesUnderTexels;
+                let under = |corner: &Corner, texel: f32| {
+                    light_under(scene, corner, has, material, [texel; 3], &mut Silent)
+                };
+                let light = |corner: &Corner| match is_textured {
+                    true => TexelLight::through([0.0, 0.5, 1.0].map(|texel| under(corner, texel))),
+                    false => TexelLight::untextured(lit(corner)),
+                };
                 let pieces = Pieces::new(Asked {
                     tolerance,
                     size: [f64::from(width), f64::from(height)],
                     encoding: scene.encoding,
-                    light: &mut |place| lit(&Corner::weighted(corners, place)),
+                    light: &mut |place| light(&Corner::weighted(corners, place)),
+                    texels: if is_textured { TexelLight::TEXELS } else { TexelLight::WHITE },
                     window: &|place| {
                         let about_eye = mixed(corners.map(|corner| corner.position), place);
                         let about_eye = DVec3::from_array(about_eye.map(f64::from));
@@ -242,12 +253,17 @@ impl LitTriangle {
         }
     }
 
-    /// The light at a place, where it comes neither from pixels nor from the corners.
-    pub(crate) fn own_light(&self, barycentric: [f32; 3]) -> Option<[f32; 3]> {
+    /// The light at a place, where it comes neither from pixels nor from the corners. That of pieces
+    /// is the light under a texel, which `texel` samples.
+    pub(crate) fn own_light(
+        &self,
+        barycentric: [f32; 3],
+        texel: impl FnOnce() -> [f32; 3],
+    ) -> Option<[f32; 3]> {
         match &self.own_light {
             OwnLight::None => None,
             OwnLight::Whole(whole) => Some(whole.light),
-            OwnLight::Pieces(pieces) => Some(pieces.light(barycentric)),
+            OwnLight::Pieces(pieces) => Some(pieces.light(barycentric, texel())),
         }
     }
 

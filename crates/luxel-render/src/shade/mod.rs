@@ -5,6 +5,7 @@ mod adaptive_subdivision;
 mod block;
 mod lit_triangle;
 mod screen_interpolation;
+mod texel_light;
 mod witness;
 
 pub(crate) use adaptive_subdivision::encoded;

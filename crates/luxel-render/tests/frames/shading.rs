@@ -5,9 +5,10 @@ use luxel_lighting::{Cone, LightKind, Material, Reflection, encode_srgb};
 use luxel_math::SimdLevel;
 use luxel_render::{At, Clamp, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
 use luxel_scene::{
-    Camera, DMat4, DVec3, Lens, Mesh, MeshId, Node, Placement, Projection, Scene, SceneMaterial,
-    Size, default_lights,
+    Camera, DMat4, DVec3, Encoding, Image, Lens, Mesh, MeshId, Node, Placement, Projection,
+    Sampler, Scene, SceneMaterial, Size, Texture, TextureId, TextureUse, default_lights,
 };
+use std::sync::Arc;
 
 const EYE: DVec3 = DVec3::new(1.5, 1.1, 2.6);
 
@@ -199,6 +200,86 @@ fn subdividing_comes_within_its_tolerance_of_phong() {
     }
     assert!(counts[0] > counts[1] && counts[1] > counts[2], "{counts:?}");
     assert!(renderer.rgba8(&mirrored(ShadingMode::Phong)).unwrap().subdivision.is_none());
+}
+
+#[test]
+fn a_texture_colours_of_subdivided_light_what_it_colours_of_phong_s() {
+    let mut textured = sheet();
+    let texels: [[u8; 3]; 4] = [[255, 255, 255], [20, 60, 200], [4, 2, 1], [250, 130, 0]];
+    let texel = |[r, g, b]: [u8; 3]| [r, g, b, 255];
+    let image = Arc::new(Image::new("four", Encoding::Srgb, 2, 2, texels.map(texel).to_vec()));
+    textured.textures = vec![Texture { image, sampler: Sampler::default() }];
+    textured.materials[0].base_color = Some(TextureUse::new(TextureId(0)));
+    let mesh = &mut textured.meshes[0];
+    mesh.uvs[0] = mesh.positions.iter().map(|[x, _, z]| [x * 1.7, z * 1.3]).collect();
+    // A highlight, which the texture doesn't colour; half metals, whose light isn't linear in the texel.
+    let blinn = textured.materials[0].constants.clone();
+    let rough = Material { reflection: Reflection::Microfacet, metallic: 0.5, ..blinn.clone() };
+    for constants in [blinn, rough] {
+        let mut scene = textured.clone();
+        scene.materials[0].constants = constants;
+        for intensity in [0.8, 4.0] {
+            let lit = |mode| {
+                let mut view = sheet_view(mode);
+                view.lights[0].direction = EYE * DVec3::new(1.0, -1.0, 1.0);
+                view.lights[0].light.diffuse = [intensity; 3];
+                view.lights[0].light.specular = [intensity; 3];
+                view
+            };
+            let phong = bytes(&scene, &lit(ShadingMode::Phong));
+            let gouraud = bytes(&scene, &lit(ShadingMode::Gouraud));
+            assert!(largest_difference(&gouraud, &phong) > 10, "the texture matters");
+            for tolerance in [1.0, 4.0] {
+                let divided = bytes(&scene, &lit(ShadingMode::Subdivided { tolerance }));
+                let largest = f32::from(largest_difference(&divided, &phong));
+                assert!(largest <= tolerance + 1.0, "{tolerance}, {intensity}: {largest}");
+            }
+            ledger_adds_up(&scene, &lit(ShadingMode::Subdivided { tolerance: 4.0 }));
+        }
+    }
+}
+
+/// The terms of each corner of a piece, under the pixel's texel, are its light; the weighted sum is the
+/// pixel's.
+fn ledger_adds_up(scene: &Scene, view: &View) {
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
+    for at in [[30, 30], [48, 40], [60, 50]] {
+        let explained = renderer.explain(view, At::Pixel(at)).unwrap();
+        let surface = explained.samples[0].seen[0].surface().unwrap();
+        assert_eq!((surface.evaluated_at.len(), surface.texture), (3, [1.0; 3]));
+        for channel in 0..3 {
+            let mut sum = 0.0;
+            for place in &surface.evaluated_at {
+                let mut terms = place.emission[channel]
+                    + place.scene_ambient[channel]
+                    + place.environment[channel];
+                for light in &place.lights {
+                    let of = [light.terms.ambient, light.terms.diffuse, light.terms.specular];
+                    terms += of.iter().map(|term| term.lane(0)[channel]).sum::<f32>();
+                }
+                assert!((terms - place.light[channel]).abs() < 1e-5 * terms.max(1.0), "{at:?}");
+                sum += place.weight * place.light[channel];
+            }
+            let off = (sum - surface.sum[channel]).abs();
+            assert!(off < 2e-5 * sum.max(1.0), "{at:?}: {sum} and {}", surface.sum[channel]);
+        }
+    }
+}
+
+#[test]
+fn textures_that_shape_the_light_are_lit_at_pixels_by_subdivided_shading() {
+    let mut scene = sheet();
+    let texels = (0..16).map(|at| [0, at * 16, 255 - at * 9, 255]).collect();
+    let image = Arc::new(Image::new("rough", Encoding::Linear, 4, 4, texels));
+    scene.textures = vec![Texture { image, sampler: Sampler::default() }];
+    scene.materials[0].constants.reflection = Reflection::Microfacet;
+    scene.materials[0].metallic_roughness = Some(TextureUse::new(TextureId(0)));
+    let mesh = &mut scene.meshes[0];
+    mesh.uvs[0] = mesh.positions.iter().map(|[x, _, z]| [x * 1.7, z * 1.3]).collect();
+    let phong = bytes(&scene, &sheet_view(ShadingMode::Phong));
+    let divided = bytes(&scene, &sheet_view(ShadingMode::Subdivided { tolerance: 1.0 }));
+    assert_eq!(phong, divided);
+    assert_ne!(phong, bytes(&scene, &sheet_view(ShadingMode::Gouraud)));
 }
 
 #[test]

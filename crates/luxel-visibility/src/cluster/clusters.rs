@@ -43,8 +43,9 @@ pub struct Clusters {
     /// What is kept for many frames.
     pieces: Vec<Piece>,
     pub(crate) headers: Vec<Header>,
-    /// Boxes of sixteen clusters at a time, see [`BOUNDS_WORDS`].
-    pub(crate) bounds: Vec<f32>,
+    /// Boxes of sixteen clusters at a time, see [`BOUNDS_WORDS`]; the box alone of a single cluster, as
+    /// scenes may have many small meshes.
+    bounds: Vec<f32>,
     /// Cones of sixteen clusters at a time, see [`CONE_WORDS`]; empty where they aren't known.
     ///
     /// [`CONE_WORDS`]: super::CONE_WORDS
@@ -102,6 +103,9 @@ impl Clusters {
 
     /// Divides it into runs, of which only the boxes are kept.
     fn divide(&mut self, mesh: &Mesh) {
+        let runs = |part: &Part| part.count.div_ceil(TRANSIENT_TRIANGLES as u32) as usize;
+        self.orders.reserve_exact(mesh.parts.len());
+        self.headers.reserve_exact(mesh.parts.iter().map(runs).sum());
         for (number, part) in (0..).zip(&mesh.parts) {
             self.orders.push(if is_local(mesh, range(part)) {
                 Order::File(part.first)
@@ -150,6 +154,22 @@ impl Clusters {
         }
     }
 
+    /// The boxes of a group of sixteen clusters, in `expanded` if they aren't stored so.
+    #[inline(always)]
+    pub(crate) fn bounds_of_group<'a>(
+        &'a self,
+        group: usize,
+        expanded: &'a mut [f32; BOUNDS_WORDS],
+    ) -> &'a [f32] {
+        if let Ok(bounds) = <&[f32; 6]>::try_from(self.bounds.as_slice()) {
+            for (lanes, &bound) in expanded.as_chunks_mut::<LANES>().0.iter_mut().zip(bounds) {
+                *lanes = [bound; LANES];
+            }
+            return expanded;
+        }
+        &self.bounds[group * BOUNDS_WORDS..(group + 1) * BOUNDS_WORDS]
+    }
+
     /// The block of a cluster, if it is kept.
     #[inline(always)]
     pub(crate) fn kept(&self, cluster: usize) -> Option<Block<'_>> {
@@ -189,8 +209,12 @@ fn range(part: &Part) -> std::ops::Range<usize> {
     part.first as usize..part.first as usize + part.count as usize
 }
 
-/// The boxes of all clusters, transposed for the lanes; the last group repeats its last box.
+/// The boxes of all clusters, transposed for the lanes; the last group repeats its last box. A single one
+/// stays as it is.
 fn by_sixteen(boxes: &[[f32; 6]]) -> Vec<f32> {
+    if let [single] = boxes {
+        return single.to_vec();
+    }
     let mut bounds = Vec::with_capacity(boxes.len().next_multiple_of(LANES) * 6);
     for group in boxes.chunks(LANES) {
         for side in 0..6 {

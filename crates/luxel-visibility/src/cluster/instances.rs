@@ -6,6 +6,7 @@ use super::clusters::Clusters;
 use crate::types::{Coverage, PartUse, SLOT_BITS, TriangleId, WindowTransform};
 use glam::DMat4;
 use luxel_scene::{Mesh, Projection, Size};
+use std::sync::Arc;
 
 /// A mesh in its place.
 #[derive(Clone, Debug)]
@@ -15,9 +16,9 @@ pub struct Instance<'a> {
     /// The mesh, cut into clusters.
     pub clusters: &'a Clusters,
     /// From the mesh's own space to the camera's.
-    pub view_from_mesh: DMat4,
+    pub view_from_mesh: &'a DMat4,
     /// How each part of the mesh is drawn.
-    pub parts: Vec<PartUse>,
+    pub parts: Arc<[PartUse]>,
 }
 
 /// A triangle by what a scene calls it.
@@ -31,11 +32,10 @@ pub struct TriangleOf {
     pub part: usize,
 }
 
-impl Instance<'_> {
-    /// From coordinates about the mesh's origin to view space.
-    pub(crate) fn view_from_local(&self) -> DMat4 {
-        self.view_from_mesh * DMat4::from_translation(self.mesh.origin)
-    }
+/// What takes coordinates about a mesh's origin to view space and to the window.
+pub(crate) struct LocalTransforms {
+    pub(crate) view_from_local: DMat4,
+    pub(crate) window_from_local: WindowTransform,
 }
 
 /// More clusters than ids can number.
@@ -51,8 +51,9 @@ pub struct TooManyTriangles {
 /// The instances of a view.
 pub(crate) struct Instances<'a> {
     pub(crate) list: Vec<Instance<'a>>,
-    /// From each instance's coordinates to the window.
-    pub(crate) transforms: Vec<WindowTransform>,
+    /// One for all instances that follow one another in the same place.
+    pub(crate) transforms: Vec<LocalTransforms>,
+    transform_of: Vec<u32>,
     /// The number of each instance's first cluster, and after them the number of all.
     pub(crate) first_clusters: Vec<u32>,
 }
@@ -75,11 +76,36 @@ impl<'a> Instances<'a> {
         if clusters > limit {
             return Err(TooManyTriangles { clusters, limit });
         }
-        let transforms = list
-            .iter()
-            .map(|instance| WindowTransform::new(projection, size, &instance.view_from_local()))
-            .collect();
-        Ok(Self { list, transforms, first_clusters })
+        let mut transforms: Vec<LocalTransforms> = Vec::new();
+        let mut transform_of = Vec::with_capacity(list.len());
+        let mut before: Option<&Instance<'_>> = None;
+        for instance in &list {
+            let is_there = |other: &Instance<'_>| {
+                other.view_from_mesh == instance.view_from_mesh
+                    && other.mesh.origin == instance.mesh.origin
+            };
+            if !before.is_some_and(is_there) {
+                let view_from_local =
+                    *instance.view_from_mesh * DMat4::from_translation(instance.mesh.origin);
+                let window_from_local = WindowTransform::new(projection, size, &view_from_local);
+                transforms.push(LocalTransforms { view_from_local, window_from_local });
+            }
+            transform_of.push(transforms.len() as u32 - 1);
+            before = Some(instance);
+        }
+        Ok(Self { list, transforms, transform_of, first_clusters })
+    }
+
+    /// The place of an instance's transforms among them.
+    #[inline]
+    pub(crate) fn transform_of(&self, instance: usize) -> usize {
+        self.transform_of[instance] as usize
+    }
+
+    /// From an instance's coordinates to the window.
+    #[inline]
+    pub(crate) fn window_from_local(&self, instance: usize) -> &WindowTransform {
+        &self.transforms[self.transform_of(instance)].window_from_local
     }
 
     /// Whether an instance repeats the one before it where nothing shows through: it is hidden wherever it

@@ -143,9 +143,9 @@ pub(crate) fn visible_clusters(
     level: Level,
 ) -> impl Iterator<Item = VisibleCluster> {
     let cullers: Vec<_> = instances
-        .list
+        .transforms
         .iter()
-        .map(|instance| ConeCuller::new(projection, size, &instance.view_from_local()))
+        .map(|transforms| ConeCuller::new(projection, size, &transforms.view_from_local))
         .collect();
     // Groups of sixteen clusters, in runs that are cut by number.
     const RUN: usize = 64;
@@ -162,10 +162,10 @@ pub(crate) fn visible_clusters(
     let visible: Vec<Vec<VisibleCluster>> = runs
         .into_par_iter()
         .map(|(number, groups)| {
-            let transform = &instances.transforms[number];
+            let transform = instances.window_from_local(number);
             let Instance { clusters, parts, .. } = &instances.list[number];
             let first = instances.first_clusters[number];
-            let faces = cullers[number].as_ref().map(|culler| BackFaces { culler, parts });
+            let faces = cullers[instances.transform_of(number)].as_ref().map(|culler| BackFaces { culler, parts });
             dispatch!(level, simd => cull_run(simd, transform, size, clusters, groups.clone(), first, faces))
         })
         .collect();
@@ -203,7 +203,8 @@ fn cull_group<S: Simd>(
     back_faces: Option<BackFaces<'_>>,
     out: &mut Vec<VisibleCluster>,
 ) {
-    let bounds = &clusters.bounds[group * BOUNDS_WORDS..(group + 1) * BOUNDS_WORDS];
+    let mut expanded = [0.0; BOUNDS_WORDS];
+    let bounds = clusters.bounds_of_group(group, &mut expanded);
     let mut axes = [Interval { low: f32x16::splat(simd, 0.0), high: f32x16::splat(simd, 0.0) }; 3];
     for (axis, interval) in axes.iter_mut().enumerate() {
         interval.low = f32x16::from_slice(simd, &bounds[axis * LANES..(axis + 1) * LANES]);

@@ -9,7 +9,7 @@ use luxel_math::{F64Lanes, Lanes, Vec3};
 use luxel_scene::{Camera, Mesh};
 
 /// From a mesh's coordinates about its origin to view space.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewFromLocal {
     /// Columns of the matrix.
     columns: [[f64; 3]; 4],
@@ -19,8 +19,12 @@ impl ViewFromLocal {
     /// For a mesh about `origin` (its [`Mesh::origin`]).
     #[must_use]
     pub fn new(view_from_mesh: &DMat4, origin: DVec3) -> Self {
-        let matrix = *view_from_mesh * DMat4::from_translation(origin);
-        Self { columns: matrix.to_cols_array_2d().map(|[x, y, z, _]| [x, y, z]) }
+        Self::of_matrix(&(*view_from_mesh * DMat4::from_translation(origin)))
+    }
+
+    /// By a matrix whose last row is (0, 0, 0, 1).
+    pub(crate) fn of_matrix(view_from_local: &DMat4) -> Self {
+        Self { columns: view_from_local.to_cols_array_2d().map(|[x, y, z, _]| [x, y, z]) }
     }
 
     /// A triangle's corners in view space.
@@ -48,7 +52,7 @@ impl ViewFromLocal {
 }
 
 /// An instance's transforms.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InstanceSpace {
     /// For places.
     pub view_from_local: ViewFromLocal,

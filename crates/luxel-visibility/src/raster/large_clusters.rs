@@ -104,7 +104,7 @@ fn set_up(
     let cluster = instances.within_instance(number, visible.cluster);
     let block = instance.clusters.block(instance.mesh, cluster, &mut transient);
     let part = instances.part_use(visible.cluster);
-    let transform = &instances.transforms[number];
+    let transform = instances.window_from_local(number);
     dispatch!(level, simd => transform_cluster(simd, transform, block.vertices, [0; 2], vertices));
     let window = Region { x: 0, y: 0, width: size.width as i32, height: size.height as i32 };
     for (slot, &word) in block.triangles.iter().enumerate() {

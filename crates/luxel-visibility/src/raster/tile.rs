@@ -65,7 +65,7 @@ pub(crate) fn draw<'f, S: Simd>(
             queues.finish(simd, &rules, tile);
             rules = rules_for(has_holes);
         }
-        let transform = &instances.transforms[number];
+        let transform = instances.window_from_local(number);
         if visible.clipped {
             draw_clipped(simd, transform, &block, visible.cluster, part.cull, &rules, tile);
         } else {

@@ -133,8 +133,8 @@ impl Built {
             .map(|(mesh, clusters, view_from_mesh, parts)| Instance {
                 mesh,
                 clusters,
-                view_from_mesh: *view_from_mesh,
-                parts: parts.clone(),
+                view_from_mesh,
+                parts: parts.as_slice().into(),
             })
             .collect();
         let lens = Lens::Orthographic { height: f64::from(self.size.height) };

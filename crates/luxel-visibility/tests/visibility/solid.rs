@@ -73,9 +73,9 @@ impl View {
         picture
     }
 
-    fn instance<'a>(&self, mesh: &'a Mesh, clusters: &'a Clusters) -> Instance<'a> {
-        let parts = vec![self.part; mesh.parts.len()];
-        Instance { mesh, clusters, view_from_mesh: self.view_from_mesh, parts }
+    fn instance<'a>(&'a self, mesh: &'a Mesh, clusters: &'a Clusters) -> Instance<'a> {
+        let parts = vec![self.part; mesh.parts.len()].into();
+        Instance { mesh, clusters, view_from_mesh: &self.view_from_mesh, parts }
     }
 
     fn frame<'a>(&self, instances: Vec<Instance<'a>>, level: Level) -> Frame<'a> {

@@ -82,8 +82,8 @@ fn at_every_level(wires: Option<Edges>, check: impl Fn(&Scene, &Frame<'_>, &Alph
     let instance = Instance {
         mesh,
         clusters: &clusters,
-        view_from_mesh: DMat4::IDENTITY,
-        parts: vec![part; 3],
+        view_from_mesh: &DMat4::IDENTITY,
+        parts: [part; 3].into(),
     };
     let lens = Lens::Perspective { fov_y_radians: 0.8 };
     let projection = Projection { lens, near: 0.1, far: 20.0 };

@@ -11,7 +11,7 @@ use std::time::Duration;
 /// What a renderer has made ready of its scene's meshes, with its threads.
 pub struct Prepared {
     /// Of each mesh: how many triangles it has, and what was made of them.
-    meshes: Vec<(usize, Clusters, OnceLock<Polygons>)>,
+    meshes: Vec<(usize, Clusters, OnceLock<Box<Polygons>>)>,
     level: Level,
     pool: Option<rayon::ThreadPool>,
     clock: fn() -> Duration,
