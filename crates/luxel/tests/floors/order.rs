@@ -185,10 +185,10 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
         &[
             "kd_tree",
             "canvas",
-            "lettering",
             "sight",
             "surface",
             "finding",
+            "lettering",
             "report",
             "gaps",
             "cure",
