@@ -2,7 +2,7 @@
 
 use crate::finding::Kind;
 use crate::report::{Report, Spot};
-use luxel_lighting::{Material, Reflection};
+use luxel_lighting::{Material, PictureEncoding, Reflection};
 use luxel_scene::{
     Lines, MaterialId, Mesh, MeshId, Node, Part, Points, Scene, SceneMaterial, Sides,
 };
@@ -18,21 +18,28 @@ impl Kind {
             Self::DegenerateFace => [0.95, 0.15, 0.75],
             Self::DuplicateFace => [0.55, 0.2, 0.95],
             Self::InconsistentWinding => [0.95, 0.06, 0.04],
-            Self::FlippedWinding => [0.95, 0.25, 0.02],
-            Self::OneSidedSurface => [0.95, 0.5, 0.6],
+            Self::FlippedWinding => [0.95, 0.3, 0.02],
+            Self::OneSidedSurface => [0.95, 0.53, 0.87],
             Self::NonManifoldEdge => [0.1, 0.35, 0.95],
             Self::TJunction => [0.95, 0.75, 0.05],
             Self::Crack => [0.02, 0.85, 0.85],
-            Self::DuplicateVertex => [0.5, 0.45, 0.95],
-            Self::UndefinedNormal | Self::NonUnitNormal => [0.6, 0.95, 0.1],
-            Self::NormalBehindFace => [0.1, 0.85, 0.12],
-            Self::UnrepresentativeNormals => [0.04, 0.5, 0.2],
-            Self::HiddenFold => [0.15, 0.75, 0.45],
-            Self::Sliver => [0.75, 0.55, 0.2],
-            Self::MissedHighlight => [0.95, 0.9, 0.6],
-            Self::ScreenDrift => [0.6, 0.35, 0.1],
+            Self::DuplicateVertex => [0.95, 0.95, 0.95],
+            Self::UndefinedNormal => [0.95, 0.25, 0.25],
+            Self::NonUnitNormal => [0.6, 0.95, 0.1],
+            Self::NormalBehindFace => [0.02, 0.85, 0.02],
+            Self::UnrepresentativeNormals => [0.1, 0.45, 0.12],
+            Self::HiddenFold => [0.3, 0.95, 0.5],
+            Self::Sliver => [0.7, 0.42, 0.22],
+            Self::MissedHighlight => [0.95, 0.95, 0.55],
+            Self::ScreenDrift => [0.5, 0.3, 0.03],
             Self::FacetedSilhouette => [0.35, 0.75, 0.95],
         }
+    }
+
+    /// The colour of the kind's marks in a picture: sRGB, 8 bits.
+    #[must_use]
+    pub fn rgb8(self) -> [u8; 3] {
+        self.color().map(|light| PictureEncoding::Srgb.byte(light))
     }
 }
 
@@ -139,5 +146,37 @@ fn mark_mesh(mesh: &Mesh, spots: &[Spot], material: MaterialId) -> Mesh {
         points,
         lines,
         ..Mesh::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// L, a and b of CIE 1976, D65.
+    fn lab([r, g, b]: [f32; 3]) -> [f32; 3] {
+        let part = |row: [f32; 3], white: f32| {
+            let value = (row[0] * r + row[1] * g + row[2] * b) / white;
+            if value > 0.008_856 { libm::cbrtf(value) } else { 7.787 * value + 16.0 / 116.0 }
+        };
+        let x = part([0.4124, 0.3576, 0.1805], 0.9505);
+        let y = part([0.2126, 0.7152, 0.0722], 1.0);
+        let z = part([0.0193, 0.1192, 0.9505], 1.089);
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    #[test]
+    fn no_two_kinds_are_hard_to_tell_apart_by_colour() {
+        for (at, kind) in Kind::ALL.into_iter().enumerate() {
+            let own = lab(kind.color());
+            // The model is lit, so that its grey reaches from dark to L = 53; rims are dark.
+            assert!(own[0] > 54.0, "{kind:?} is too dark: {own:?}");
+            for other in &Kind::ALL[..at] {
+                let there = lab(other.color());
+                let squared = [0, 1, 2].map(|at| (own[at] - there[at]) * (own[at] - there[at]));
+                let apart = squared.into_iter().sum::<f32>().sqrt();
+                assert!(apart > 24.0, "{kind:?} looks like {other:?}: {apart}");
+            }
+        }
     }
 }

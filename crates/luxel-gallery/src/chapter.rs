@@ -5,7 +5,7 @@ use crate::compare::{Error, error, error_picture};
 use crate::picture::Picture;
 use crate::shot::{Shot, Studio};
 use crate::{File, Reproduced};
-use luxel::check::{Finding, Setup, check};
+use luxel::check::{Finding, Kind, Setup, check};
 use luxel::scene::{NormalOptions, Size, demos};
 
 /// A problem and its cure, measured.
@@ -23,8 +23,8 @@ pub struct Pair {
     pub because: Option<&'static str>,
 }
 
-/// So many times better a cure has to be.
-const ENOUGH: f64 = 5.0;
+/// So many times better a cure has to be; the page states it.
+pub(crate) const ENOUGH: f64 = 5.0;
 
 impl Pair {
     /// By how much the cure makes the largest and the mean error smaller; infinite where none is
@@ -66,7 +66,7 @@ pub(crate) enum Block {
 /// A picture or plot with its caption.
 pub(crate) struct Figure {
     pub(crate) file: String,
-    /// In pixels of the page.
+    /// In pixels of the page; pictures have [`DENSITY`](crate::picture::DENSITY) times as many.
     pub(crate) size: Size,
     /// The alternative text.
     pub(crate) alt: String,
@@ -119,14 +119,14 @@ impl Chapter {
 
     /// Adds the findings of `luxel check` for a scene, with an image's flags.
     pub(crate) fn checked(&mut self, studio: &Studio, shot: &Shot) {
-        let shot = Shot { samples: 4, ..shot.clone().size(640, 480) };
+        let shot = Shot { samples: 4, ..shot.clone() };
         let scene = demos::demo(shot.demo).unwrap_or_default();
         let normals = NormalOptions { source: shot.normals, ..NormalOptions::default() };
         let setup = Setup { view: shot.view(&scene), normals, execution: studio.execution };
         let findings = check(&scene, &setup).findings;
         let told: Vec<_> = findings.iter().map(found).collect();
-        let told = if told.is_empty() { "nothing".to_owned() } else { told.join("; ") };
-        self.text(format!("With the same flags, <code>luxel check</code> finds {told}."));
+        let told = if told.is_empty() { "nothing.".to_owned() } else { told.join(" It finds ") };
+        self.text(format!("With the same flags, <code>luxel check</code> finds {told}"));
         self.blocks.push(Block::Command(shot.check_command()));
     }
 
@@ -154,7 +154,7 @@ impl Chapter {
         alt: &str,
         caption: &str,
     ) -> Result<Figure, GalleryError> {
-        let figure = self.file(file, picture.png()?, picture.size, alt, caption);
+        let figure = self.file(file, picture.png()?, picture.shown(), alt, caption);
         Ok(figure)
     }
 
@@ -195,7 +195,7 @@ impl Chapter {
             let file = format!("{name}-{part}-error.png");
             let alt = format!("How far {of} is off, pixel by pixel; largest {largest:.0}.");
             let caption =
-                format!("Error of {of}: at most {largest:.0}, in the mean {}.", steps(mean));
+                format!("Error of {of}: largest {}, mean {}.", steps(largest), steps(mean));
             let drawn = error_picture(picture, reference, counts);
             figures.push(self.picture(&drawn, &file, &alt, &caption)?);
         }
@@ -222,7 +222,7 @@ pub(crate) fn steps(value: f64) -> String {
 /// How many times better something is.
 pub(crate) fn times(value: f64) -> String {
     if value.is_infinite() {
-        "no error is left".to_owned()
+        "none is left".to_owned()
     } else if value < 10.0 {
         format!("{value:.1} times")
     } else {
@@ -230,11 +230,26 @@ pub(crate) fn times(value: f64) -> String {
     }
 }
 
-/// The findings, with count and severity.
+/// A finding: what and how many, how far off, and from what on it is reported.
 fn found(finding: &Finding) -> String {
     let Finding { kind, count, severity, pixels, .. } = finding;
-    let pixels = pixels.map(|pixels| format!("up to {pixels:.1} pixels off"));
-    let severity = severity.map(|steps| format!("up to {steps} steps of 255"));
-    let degree: Vec<_> = pixels.into_iter().chain(severity).collect();
-    format!("{count} of <code>{}</code> ({})", kind.name(), degree.join(", "))
+    let mut told = format!("{count} {} (<code>{}</code>).", kind.about(), kind.name());
+    let mut say = |words: String| {
+        told.push(' ');
+        told.push_str(&words);
+    };
+    if let Some(pixels) = pixels {
+        say(format!("The worst is {pixels:.1} pixels off."));
+    }
+    if let Some(severity) = severity {
+        say(format!("Their repair changes pixels by up to {severity} steps of 255."));
+    }
+    let least = match kind {
+        Kind::FacetedSilhouette => format!("{} pixels", Setup::LEAST_OUTLINE),
+        Kind::ScreenDrift => format!("{} pixels", Setup::LEAST_DRIFT),
+        Kind::MissedHighlight => format!("{} steps", Setup::LEAST_HIGHLIGHT),
+        _ => return told,
+    };
+    say(format!("The check reports {least} or more."));
+    told
 }

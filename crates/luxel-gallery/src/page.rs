@@ -1,6 +1,8 @@
 //! The page: one file of HTML that explains all pictures, without any script.
 
-use crate::chapter::{Block, Chapter, Figure, Pair, Table, steps, times};
+use crate::chapter::{Block, Chapter, ENOUGH, Figure, Pair, Table, steps, times};
+use crate::compare::WHITE;
+use crate::picture::DENSITY;
 use crate::svg::escaped;
 use std::fmt::Write;
 
@@ -25,10 +27,16 @@ pub(crate) fn page(chapters: &[Chapter]) -> String {
          that <code>luxel render</code> uses.</p>\n"
     );
     contents(&mut html, chapters);
-    html.push_str(
-        "<p>Errors are differences of 8-bit values (sRGB, of 255), the maximum of red, green and blue \
-         for each pixel; the reference is an image without the problem. In error images, amber is an \
-         error of 32 and white one of 64 or more. The command below an image reproduces it.</p>\n</header>\n",
+    let _ = writeln!(
+        html,
+        "<p>An error is a difference of 8-bit values (sRGB, 0 to 255), of which the largest of red, green \
+         and blue counts for each pixel. The line above each table names the pixels that are compared, and \
+         the reference: an image without the problem. In images of errors, amber is an error of {} and \
+         white one of {WHITE} or more; pixels that aren't compared are nearly black. A cure is expected to \
+         make the largest and the mean error at least {ENOUGH} times smaller; where it doesn't, the text \
+         below the table says why. The command below an image reproduces it, in {DENSITY} pixels for each \
+         pixel of this page along a side.</p>\n</header>",
+        WHITE / 2.0
     );
     let mut is_lab = true;
     html.push_str("<h2 class=\"part\">Shading errors</h2>\n");
@@ -157,17 +165,17 @@ fn verdict(pair: &Pair) -> String {
     let mut html = format!(
         "<div class=\"verdict\"><p class=\"note\">{measure}</p>\n<table>\n<thead><tr><th \
          scope=\"col\">error</th><th scope=\"col\">problem</th><th scope=\"col\">cure</th><th \
-         scope=\"col\">better by</th></tr></thead>\n<tbody>\n{}{}</tbody>\n</table>\n",
+         scope=\"col\">smaller by</th></tr></thead>\n<tbody>\n{}{}</tbody>\n</table>\n",
         row("largest", problem.largest, cure.largest, largest),
         row("mean", problem.mean, cure.mean, mean)
     );
     if let (false, Some(because)) = (pair.is_enough(), because) {
-        let which = match (largest >= 5.0, mean >= 5.0) {
-            (false, false) => "Neither is five times better",
-            (false, true) => "The largest error isn't five times smaller",
-            _ => "The mean error isn't five times smaller",
+        let which = match (largest >= ENOUGH, mean >= ENOUGH) {
+            (false, false) => "Neither error is",
+            (false, true) => "The largest error isn't",
+            _ => "The mean error isn't",
         };
-        let _ = writeln!(html, "<p>{which}: {because}.</p>");
+        let _ = writeln!(html, "<p>{which} {ENOUGH} times smaller: {because}.</p>");
     }
     html.push_str("</div>");
     html

@@ -12,6 +12,9 @@ pub(crate) struct Picture {
     pub(crate) pixels: Vec<[u8; 3]>,
 }
 
+/// Pixels of a picture for each pixel of the page, along a side: what screens of high density show.
+pub(crate) const DENSITY: u32 = 2;
+
 /// Duration of each frame of an animation: 1/16 s.
 const PICTURES_A_SECOND: u16 = 16;
 
@@ -20,6 +23,12 @@ impl Picture {
     pub(crate) fn plain(size: Size, color: [u8; 3]) -> Self {
         let count = size.width as usize * size.height as usize;
         Self { size, pixels: vec![color; count] }
+    }
+
+    /// The size on the page.
+    pub(crate) fn shown(&self) -> Size {
+        let Size { width, height } = self.size;
+        Size { width: width / DENSITY, height: height / DENSITY }
     }
 
     /// The pixel in a column and a row.

@@ -18,7 +18,7 @@ pub(crate) struct Studio {
 }
 
 /// The size of most pictures.
-pub(crate) const SIZE: Size = Size { width: 320, height: 240 };
+pub(crate) const SIZE: Size = Size { width: 640, height: 480 };
 
 /// The image settings of a command line.
 #[derive(Clone, Debug)]

@@ -31,7 +31,7 @@ pub(crate) struct CheckCommand {
     #[command(flatten)]
     input: InputOptions,
 
-    /// Write an image of the model in grey with the findings in colour: .png or .ppm
+    /// Write an image of the model in grey with the findings in colour and a legend: .png or .ppm
     #[arg(short, long, value_name = "FILE")]
     output: Option<OsString>,
 
@@ -80,10 +80,8 @@ impl CheckCommand {
     ) -> Result<(), Failure> {
         output::check_folder(path, "-o")?;
         let failure = |error: String| Failure::work(error, "");
-        let mut marked = match &*self.layers {
-            [] => report.marked(scene),
-            only => report.marked_only(scene, only),
-        };
+        let only = if self.layers.is_empty() { &Kind::ALL[..] } else { &self.layers };
+        let mut marked = report.marked_only(scene, only);
         surface::apply_normals(&self.view.shading, &mut marked);
         let marked = Arc::new(marked);
         let execution = view::execution(&self.view.execution);
@@ -91,7 +89,9 @@ impl CheckCommand {
             .map_err(|error| failure(error.to_string()))?;
         let mut view = luxel::default_view_from(&marked, camera, self.view.frame.size);
         view.samples = self.view.frame.samples;
-        let picture = renderer.rgba8(&view).map_err(|error| failure(error.to_string()))?;
+        let picture = report
+            .picture(scene, only, &renderer, &view)
+            .map_err(|error| failure(error.to_string()))?;
         let mut bytes = Vec::new();
         write_rgba8(format, view.size, &picture.pixels, PictureEncoding::Srgb, &mut bytes)
             .map_err(|error| failure(error.to_string()))?;
@@ -141,6 +141,7 @@ fn to_json(report: &Report, model: &Model) -> Value {
             "severity": finding.severity,
             "places": finding.places.iter().map(place).collect::<Value>(),
             "cure": cure(finding.kind),
+            "color": hex(finding.kind.rgb8()),
         });
         if let Some(pixels) = finding.pixels {
             entry["pixels"] = json!(pixels);
@@ -152,6 +153,11 @@ fn to_json(report: &Report, model: &Model) -> Value {
         "triangles": model.scene.triangle_count(),
         "warnings": model.warnings,
     })
+}
+
+/// A colour as in CSS.
+fn hex([r, g, b]: [u8; 3]) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 fn to_text(report: &Report, model: &Model, name: &str) -> String {

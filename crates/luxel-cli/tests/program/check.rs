@@ -130,6 +130,63 @@ fn marks_are_written_as_an_image() {
     assert_eq!(folder.files(), ["marks.ppm", "twisted.ply"]);
 }
 
+/// The pixels of a PPM.
+fn ppm(folder: &Folder, line: &[&str], [width, height]: [usize; 2]) -> Vec<[u8; 3]> {
+    let size = format!("{width}x{height}");
+    let run = folder.run(line.iter().copied().chain(["-o", "marks.ppm", "--size", &size]));
+    assert_eq!(run.status, Some(3));
+    let bytes = folder.read("marks.ppm");
+    let head = format!("P6\n{width} {height}\n255\n").len();
+    bytes[head..].chunks_exact(3).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
+}
+
+#[test]
+fn marks_of_edges_are_thick_and_have_a_dark_rim() {
+    let folder = Folder::new();
+    // Two squares whose middle edge a third triangle shares: one upright line in the picture.
+    folder.write(
+        "fin.obj",
+        "v -1 -1 0\nv 0 -1 0\nv 1 -1 0\nv -1 1 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\n\
+         f 1 2 5 4\nf 2 3 6 5\nf 2 5 7\n",
+    );
+    let line = ["check", "fin.obj", "--eye", "0,0,9", "--target", "0,0,0"];
+    let pixels = ppm(&folder, &line, [640, 480]);
+    let document = folder.run(line.into_iter().chain(["--json"]));
+    let document: Value = serde_json::from_slice(&document.stdout).unwrap();
+    assert_eq!(document["findings"][0]["kind"], "non-manifold-edge");
+    let hex = document["findings"][0]["color"].as_str().unwrap();
+    let channel = |at: usize| u8::from_str_radix(&hex[at..at + 2], 16).unwrap();
+    let color = [channel(1), channel(3), channel(5)];
+    // Across the edge, a little above its middle.
+    let row = &pixels[200 * 640..][..640];
+    let core: Vec<usize> = (300..340).filter(|&x| row[x] == color).collect();
+    assert!(core.len() >= 2, "the line is {} pixels wide", core.len());
+    for beside in [core[0] - 2, core[core.len() - 1] + 2] {
+        let dark = row[beside].iter().all(|&value| value < 60);
+        assert!(dark, "no rim at {beside}: {:?}", row[beside]);
+    }
+}
+
+#[test]
+fn a_legend_names_the_kinds_that_are_drawn_in_their_colours() {
+    let folder = Folder::new();
+    folder.write("twisted.ply", TWISTED_PLY);
+    let size = [640, 480];
+    let drawn = ppm(&folder, &["check", "twisted.ply"], size);
+    let other = ppm(&folder, &["check", "twisted.ply", "--layer", "sliver"], size);
+    // Text is only in the legend, and only if something is drawn.
+    let text = |pixels: &[[u8; 3]]| {
+        let is_text = |pixel: &&[u8; 3]| pixel.iter().all(|&value| value > 0xa0);
+        pixels.iter().filter(is_text).count()
+    };
+    assert!(text(&drawn) > 150, "{} pixels of text", text(&drawn));
+    assert_eq!(text(&other), 0);
+    // Beside it lies a sample of the colour: in a corner, far from the model.
+    let red = |at: usize| drawn[at][0] > 200 && drawn[at][1] < 100;
+    let corner = (420..480).flat_map(|y| (0..60).map(move |x| y * 640 + x));
+    assert!(corner.filter(|&at| red(at)).count() >= 100, "the legend has no sample");
+}
+
 #[test]
 fn check_of_an_unreadable_file_exits_with_1() {
     luxel("check missing.obj").failed(1, "missing.obj");

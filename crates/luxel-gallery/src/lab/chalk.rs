@@ -55,7 +55,9 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
             &pieces,
             "chalk-subdivided.png",
             "The same ball, its highlight small, round and bright.",
-            "Another cure: Gouraud on triangles divided until it is within a step of Phong.",
+            &format!(
+                "Another cure: Gouraud on triangles divided until it is within {TOLERANCE} step of 255 of Phong."
+            ),
         )?,
     ];
     chapter.figures(figures);
@@ -64,19 +66,21 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         chapter.error_pictures("chalk", pictures, &reference, &inside)?;
     chapter.pair(Pair {
         name: "chalk",
-        measure: format!("pixels within the outline, against a ball of {REFERENCE} faces round"),
+        measure: format!(
+            "pixels wholly within the outlines of both, against a ball of {REFERENCE} faces round"
+        ),
         problem: problem_error,
         cure: cure_error,
         because: None,
     });
     chapter.pair(Pair {
         name: "chalk-subdivided",
-        measure: "the same, for Gouraud on divided triangles".into(),
+        measure: "the same pixels and reference; the cure is Gouraud on divided triangles".into(),
         problem: problem_error,
         cure: error(&pieces, &reference, &inside),
         because: Some(
-            "subdivision stops at the given tolerance against Phong shading, and inherits Phong's \
-         error on this mesh",
+            "subdivision stops one step of 255 from Phong shading, and inherits Phong's error on \
+             this mesh",
         ),
     });
 

@@ -52,7 +52,7 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     chapter.pair(Pair {
         name: "perspective",
         measure: format!(
-            "pixels within the outline, lit once, at their centre, against a floor of {REFERENCE} x {REFERENCE} polygons, \
+            "pixels wholly within the outlines of both, lit once, at their centre, against a floor of {REFERENCE} x {REFERENCE} polygons, \
              interpolated in the window"
         ),
         problem: problem_error,

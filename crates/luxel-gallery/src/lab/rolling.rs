@@ -3,7 +3,7 @@
 use crate::GalleryError;
 use crate::chapter::{Chapter, Pair, steps};
 use crate::compare::{Error, error};
-use crate::picture::{Picture, animation};
+use crate::picture::{DENSITY, Picture, animation};
 use crate::shot::{Shot, Studio, ready};
 use luxel::lighting::{PictureEncoding, encode_srgb};
 use luxel::render::Interpolation;
@@ -16,7 +16,7 @@ const PLACES: i32 = 31;
 /// Polygons along each side of the reference quad.
 const REFERENCE: u32 = 96;
 /// Pixels of a side of an animated picture.
-const SIDE: u32 = 176;
+const SIDE: u32 = 352;
 
 pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     let mut chapter = Chapter::new("rolling", "Dependence on orientation");
@@ -60,13 +60,14 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     }
     chapter.text(format!(
         "{PICTURES} pictures of a quarter turn. At {PLACES} x {PLACES} places of the quad the colour \
-         is looked up in each picture and compared with that of the picture before."
+         is looked up in each picture and compared with that of the picture before. The places leave \
+         out the outer tenth, where pixels are mixed with the background."
     ));
     let mut figures = Vec::new();
     for (file, alt, caption, bytes, change) in &changes {
-        let size = Size { width: SIDE, height: SIDE };
+        let size = Size { width: SIDE / DENSITY, height: SIDE / DENSITY };
         let caption = format!(
-            "{caption} From picture to picture colours within change by up to {}, in the mean by {}.",
+            "{caption} Change of colours from picture to picture: largest {}, mean {}.",
             steps(change.largest),
             steps(change.mean)
         );
@@ -79,8 +80,8 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     chapter.pair(Pair {
         name: "rolling",
         measure:
-            "change of the colours within from picture to picture; the cure is interpolation in \
-                  space"
+            "change of the colours at these places from picture to picture, instead of an error; the \
+             cure is interpolation in space"
                 .into(),
         problem: *scan_change,
         cure: *steady_change,
@@ -112,7 +113,7 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     chapter.pair(Pair {
         name: "rolling-45",
         measure: format!(
-            "pixels within, against a bilinear quad of {REFERENCE} x {REFERENCE} cells; the cure is \
+            "pixels wholly within, against a bilinear quad of {REFERENCE} x {REFERENCE} cells; the cure is \
              16 x 16 quads"
         ),
         problem: errors[0],

@@ -46,7 +46,10 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
         measure: format!("all pixels, against a ball of {REFERENCE} faces round"),
         problem: problem_error,
         cure: cure_error,
-        because: None,
+        because: Some(
+            "at the outline one or two of a pixel's 16 samples more or less meet the ball, and on dark \
+             ground the first ones change it most",
+        ),
     });
     let mut rows = Vec::new();
     for columns in [12, 24, 48, 96, 192] {

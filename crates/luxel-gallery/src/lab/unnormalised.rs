@@ -55,14 +55,14 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     chapter.pair(Pair {
         name: "unnormalised",
         measure: format!(
-            "pixels within the outline, against a ball of {REFERENCE} faces round with normals of unit \
-             length"
+            "pixels wholly within the outlines of both, against a ball of {REFERENCE} faces round with \
+             normals of unit length"
         ),
         problem: problem_error,
         cure: cure_error,
         because: Some(
-            "the rest is the error of the mesh: near the silhouette, interpolated normals of a \
-         ball of few faces deviate from the true ones",
+            "near the silhouette, interpolated normals of a ball of few faces deviate from the true \
+             ones, whatever their length",
         ),
     });
     Ok(chapter)

@@ -8,9 +8,9 @@ use luxel::lighting::Reflection;
 use luxel::scene::Size;
 
 /// Pixels of a sphere's picture.
-const SIDE: u32 = 96;
+const SIDE: u32 = 192;
 /// Pixels between pictures.
-const GAP: u32 = 4;
+const GAP: u32 = 8;
 /// The ground between them.
 const GROUND: [u8; 3] = [0x1c, 0x1f, 0x23];
 

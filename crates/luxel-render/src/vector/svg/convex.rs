@@ -8,7 +8,7 @@ pub(super) const TOUCHING: f64 = 1e-6;
 
 /// How far a place lies to the right of an edge, in pixels: inside of a polygon that runs clockwise
 /// to the eye.
-fn inside([ax, ay]: Place, [bx, by]: Place, [x, y]: Place) -> f64 {
+pub(super) fn inside([ax, ay]: Place, [bx, by]: Place, [x, y]: Place) -> f64 {
     let (dx, dy) = (bx - ax, by - ay);
     let length = (dx * dx + dy * dy).sqrt();
     (dx * (y - ay) - dy * (x - ax)) / length.max(f64::MIN_POSITIVE)

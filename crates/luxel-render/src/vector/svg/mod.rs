@@ -6,29 +6,35 @@
 //!    triangles pass through one another or overlap in a ring. This is exact but for rounding: no
 //!    polygon has one depth.
 //! 3. `flatten`: faces are cut into pieces of nearly one colour, lit as the picture's pixels are.
-//! 4. `paint`: pieces of nearly one colour become areas without seams between them.
-//! 5. `path`: areas become text.
+//! 4. `hidden`: pieces that are hidden, and not next to seen ones, are dropped.
+//! 5. `paint`: pieces of nearly one colour become areas without seams between them, in the order of
+//!    `schedule`.
+//! 6. `document`, `path`: areas become text, cut out by their silhouette.
 
 mod convex;
+mod document;
 mod face;
 mod flatten;
+mod hidden;
 mod order;
 mod paint;
 mod path;
+mod schedule;
+mod ways;
 mod web;
 
 use crate::context::{Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::frame::{RenderError, Renderer};
-use crate::resolve::bytes_of;
 use crate::vector::primitives::{Clipper, InWindow, is_culled};
+use document::Document;
 use face::{Face, Grid, for_each};
 use flatten::{Flattener, Sampler, largest_range};
-use luxel_lighting::PictureEncoding;
+use hidden::{Hiding, needed};
 use luxel_view::{Shading, ShadingMode, View};
 use luxel_visibility::{Coverage, CoveragePolicy, Samples, Tile, TriangleId, TriangleOf};
 use paint::paint;
-use std::fmt::Write;
+use ways::right_of;
 use web::{Place, Web};
 
 /// Most pieces of one picture: each takes about 300 bytes while it is made.
@@ -58,7 +64,7 @@ pub struct Svg {
     pub faces: usize,
     /// Pieces of nearly one colour.
     pub pieces: usize,
-    /// Paths.
+    /// Areas that are painted, each of them a path.
     pub paths: usize,
 }
 
@@ -134,6 +140,10 @@ fn draw(
     let sampler = Sampler::new(scene, renderer.level());
     let mut flattener = Flattener { web: &mut web, sampler, tolerance, pieces: Vec::new(), limit };
     let count = faces.len();
+    let hiding: Hiding = faces
+        .iter()
+        .map(|face| if face.opaque { face.places(flattener.web) } else { Vec::new() })
+        .collect();
     for (number, face) in (0..).zip(faces) {
         for polygon in face.polygons {
             if !flattener.flatten(number, face.id, polygon) {
@@ -141,21 +151,14 @@ fn draw(
             }
         }
     }
-    let pieces = std::mem::take(&mut flattener.pieces);
-    let mut svg = Svg { text: head(view), faces: count, pieces: pieces.len(), paths: 0 };
-    paint(&web, &pieces, order, largest_range(tolerance), |area| {
-        let data = path::data(&area.outlines);
-        if data.is_empty() {
-            return;
-        }
-        let rgb = [0, 1, 2].map(|channel| area.color[channel].round() as u8);
-        let _ = write!(svg.text, "<path fill=\"{}\"", hex(rgb));
-        opacity(&mut svg.text, area.color[3] / 255.0);
-        let _ = writeln!(svg.text, " d=\"{data}\"/>");
-        svg.paths += 1;
-    });
-    svg.text.push_str("</svg>\n");
-    Ok(svg)
+    let mut pieces = std::mem::take(&mut flattener.pieces);
+    let mut needed = needed(&web, &pieces, &right_of(&web, &pieces), &order, &hiding).into_iter();
+    pieces.retain(|_| needed.next().unwrap_or(true));
+    let mut document = Document::default();
+    let range = largest_range(tolerance);
+    let silhouette = paint(&web, &pieces, order, range, |area| document.area(area));
+    let paths = document.paths;
+    Ok(Svg { text: document.finish(view, &silhouette), faces: count, pieces: pieces.len(), paths })
 }
 
 /// All faces that may be seen, in the order of the scene.
@@ -205,40 +208,4 @@ fn visible_faces(
     let mut shown = known.into_iter();
     faces.retain(|_| shown.next().unwrap_or(true));
     faces
-}
-
-/// The beginning of the document, with the background.
-fn head(view: &View) -> String {
-    let (width, height) = (view.size.width, view.size.height);
-    let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n"
-    );
-    let [r, g, b, alpha] = bytes_of(view.background, view.encoding);
-    if alpha > 0 {
-        let color = hex([r, g, b]);
-        let _ = write!(text, "<rect width=\"{width}\" height=\"{height}\" fill=\"{color}\"");
-        opacity(&mut text, view.background[3].clamp(0.0, 1.0));
-        text.push_str("/>\n");
-    }
-    text
-}
-
-/// The attribute of what isn't opaque.
-fn opacity(text: &mut String, alpha: f32) {
-    if PictureEncoding::None.byte(alpha) < 255 {
-        text.push_str(" fill-opacity=\"");
-        path::number(text, (f64::from(alpha) * 100.0).round() as i64);
-        text.push('"');
-    }
-}
-
-/// A colour as short as can be.
-fn hex(rgb: [u8; 3]) -> String {
-    if rgb.iter().all(|byte| byte / 16 == byte % 16) {
-        let [r, g, b] = rgb.map(|byte| byte % 16);
-        format!("#{r:x}{g:x}{b:x}")
-    } else {
-        let [r, g, b] = rgb;
-        format!("#{r:02x}{g:02x}{b:02x}")
-    }
 }

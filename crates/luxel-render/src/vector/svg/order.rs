@@ -7,9 +7,10 @@
 //! equal; a ring is opened by cutting off what the nearer face hides. What is left is an order that
 //! any sequence may follow, and none of it rests on one depth a polygon.
 
-use super::convex::{overlap, shared, without};
+use super::convex::{half, inside, overlap, shared, without};
 use super::face::{Face, Grid, for_each};
-use super::web::{Place, Polygon, Web};
+use super::paint::UNDER;
+use super::web::{Corner, Place, Polygon, Web};
 use std::collections::BTreeSet;
 
 /// More parts than this, and a face counts as seen: painting a hidden one costs bytes, no truth.
@@ -92,7 +93,7 @@ pub(super) fn is_hidden(web: &Web, faces: &[Face], seen: &Grid, face: &Face) -> 
                 polygon
             } else {
                 let mut front = Vec::new();
-                super::convex::half(&polygon, nearer, &mut front);
+                half(&polygon, nearer, &mut front);
                 front
             };
             if front.len() < 3 {
@@ -274,7 +275,17 @@ fn open_rings(web: &mut Web, faces: &mut [Face], later: &mut [Vec<u32>], earlier
             let face = &faces[behind as usize];
             let mut parts = face.polygons.clone();
             for polygon in &hiding {
-                parts = parts.iter().flat_map(|part| cut_off(web, part, polygon)).collect();
+                let places: Vec<Place> = web.places(polygon).collect();
+                parts = parts.iter().flat_map(|part| cut_off(web, part, &places)).collect();
+            }
+            for &next in later[behind as usize].iter().filter(|&&next| next != front) {
+                let next = &faces[next as usize];
+                if !next.opaque {
+                    continue;
+                }
+                for strip in strips_beside(web, &hiding, &next.polygons) {
+                    parts = parts.iter().flat_map(|part| cut_off(web, part, &strip)).collect();
+                }
             }
             let bounds = face.bounds;
             faces[behind as usize] = face.part(web, parts);
@@ -286,35 +297,51 @@ fn open_rings(web: &mut Web, faces: &mut [Face], later: &mut [Vec<u32>], earlier
     }
 }
 
+/// Where what is beside polygons lies within a pixel of the edge that they share. What is painted first
+/// reaches under the other there, and what came between them would show through both.
+fn strips_beside(web: &Web, polygons: &[Polygon], beside: &[Polygon]) -> Vec<Vec<Place>> {
+    let mut strips = Vec::new();
+    for polygon in polygons {
+        for at in 0..polygon.len() {
+            let [from, to] = [polygon[at], polygon[(at + 1) % polygon.len()]];
+            let shares = |other: &&Polygon| other.iter().any(|corner| corner.line == from.line);
+            for other in beside.iter().filter(shares) {
+                let ends = [from, to].map(|corner| web.place(corner.point));
+                let places: Vec<Place> = web.places(other).collect();
+                let mut strip = Vec::new();
+                half(&places, |place| inside(ends[0], ends[1], place) + UNDER, &mut strip);
+                if strip.len() >= 3 {
+                    strips.push(strip);
+                }
+            }
+        }
+    }
+    strips
+}
+
 /// What is left of a polygon without another, as polygons of the web.
-fn cut_off(
-    web: &mut Web,
-    polygon: &[super::web::Corner],
-    hiding: &[super::web::Corner],
-) -> Vec<Polygon> {
-    let [own, other]: [Vec<Place>; 2] = [polygon, hiding].map(|of| web.places(of).collect());
-    if !overlap(&own, &other) {
+fn cut_off(web: &mut Web, polygon: &[Corner], other: &[Place]) -> Vec<Polygon> {
+    let own: Vec<Place> = web.places(polygon).collect();
+    if !overlap(&own, other) {
         return vec![polygon.to_vec()];
     }
     let mut left = polygon.to_vec();
     let mut parts = Vec::new();
     for at in 0..other.len() {
-        let ([ax, ay], [bx, by]) = (other[at], other[(at + 1) % other.len()]);
-        let (dx, dy) = (bx - ax, by - ay);
-        let length = (dx * dx + dy * dy).sqrt().max(f64::MIN_POSITIVE);
+        let (from, to) = (other[at], other[(at + 1) % other.len()]);
         let values: Vec<f64> = web
             .places(&left)
-            .map(|[x, y]| (dx * (y - ay) - dy * (x - ax)) / length)
+            .map(|place| inside(from, to, place))
             .map(|value| if value.abs() < super::convex::TOUCHING { 0.0 } else { value })
             .collect();
-        let [inside, outside] = web.cut(&left, &values);
-        if !outside.is_empty() {
-            parts.push(outside);
+        let [hidden, seen] = web.cut(&left, &values);
+        if !seen.is_empty() {
+            parts.push(seen);
         }
-        if inside.is_empty() {
+        if hidden.is_empty() {
             break;
         }
-        left = inside;
+        left = hidden;
     }
     parts
 }

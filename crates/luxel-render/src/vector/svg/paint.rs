@@ -1,32 +1,64 @@
 //! Pieces into areas of one colour, in an order that puts what is nearer on top, and without seams.
 //!
 //! An area grows from a piece over those neighbours that may be painted at the same time and whose
-//! colours stay within the tolerance. Programs that draw vectors blend an edge's pixels with what
-//! is there already, so that two areas that merely abut let a hairline of the background through.
-//! So an area reaches up to a pixel further under each neighbour that is painted after it; outlines
-//! against what lies behind stay where they are. Neighbours may be narrower than that, so areas are
-//! painted upon coats: all that hangs together in its mean colour, and upon that, what is of roughly
-//! one colour. What shines through between areas is then nearly their own colour.
+//! colours stay within the tolerance. Programs that draw vectors blend each pixel of an edge by the
+//! part that is covered, as if the parts of different paths had nothing to do with one another. So
+//! areas that merely abut let a hairline of what lies behind through, and what is painted twice up to an
+//! edge looks heavier there than it is.
+//!
+//! - Where areas abut, what is painted first reaches a pixel further, under what is painted later.
+//! - Areas may be narrower than that, so they are painted upon coats: all that hangs together in its
+//!   mean colour, and upon that, what is of roughly one colour. Coats end before the outline.
+//! - What shows the background beyond is cut out by the silhouette, once. Below everything lie a mean
+//!   colour, and along outlines a line in the colour of each area, so that nothing lighter mixes in.
 
 use super::flatten::Piece;
 use super::order::Order;
-use super::web::{Color, Map, Mixing, Place, Web};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use super::schedule::Schedule;
+use super::ways::{right_of, rings};
+use super::web::{Color, Map, Place, Web};
 
 /// How far an area reaches under what is painted after it, in pixels: what a pixel can be across.
-const UNDER: f64 = 1.0;
+pub(super) const UNDER: f64 = 1.0;
 
 /// An area of one colour.
 pub(super) struct Area {
     /// Closed outlines, in pixels.
     pub(super) outlines: Vec<Vec<Place>>,
+    /// Where its surface ends: lines along the outlines, if it is opaque.
+    pub(super) rims: Vec<Vec<Place>>,
     /// In steps of 8 bits.
+    pub(super) color: Color,
+}
+
+/// How far from the ends of a way, in pixels, the first of those places between them lies at which is
+/// asked how far to go.
+const ENDS: f64 = 2.0;
+
+/// The most pieces that an area reaches under at one place.
+const MOST_UNDER: usize = 64;
+
+/// What is covered, whatever covers it.
+pub(super) struct Silhouette {
+    /// By what hides all behind it.
+    pub(super) opaque: Vec<Vec<Place>>,
+    /// By the rest.
+    pub(super) glass: Vec<Vec<Place>>,
+    /// The mean colour of what is opaque.
     pub(super) color: Color,
 }
 
 /// How far apart colours of one coat may be: anything, then so many times what an area may hold.
 const COATS: [f32; 3] = [f32::INFINITY, 12.0, 1.0];
+
+/// How a way goes to lie under what is beyond it.
+struct Under {
+    /// How far its ends are moved.
+    start: Place,
+    end: Place,
+    /// Places of the moved way between them.
+    between: Vec<Place>,
+}
 
 struct Painter<'a> {
     web: &'a Web,
@@ -37,6 +69,8 @@ struct Painter<'a> {
     groups: [Vec<u32>; COATS.len()],
     /// How many groups there are.
     count: u32,
+    /// For each cell of the window, the last group whose border it is near.
+    borders: Map<[u32; 2], u32>,
     largest_range: f32,
 }
 
@@ -47,82 +81,6 @@ struct Colors {
     sum: [f64; 4],
 }
 
-/// Which faces may be painted: those with nothing left to be painted before them.
-struct Schedule {
-    order: Order,
-    /// Pieces of each face that aren't painted.
-    left: Vec<u32>,
-    /// The first piece of each face; those of one follow one another.
-    first: Vec<u32>,
-    ready: Vec<bool>,
-    /// Pieces of faces that are ready, the first of the scene on top; all before one are painted.
-    next: BinaryHeap<Reverse<u32>>,
-}
-
-impl Schedule {
-    fn new(order: Order, pieces: &[Piece]) -> Self {
-        let count = order.before.len();
-        let mut schedule = Self {
-            order,
-            left: vec![0; count],
-            first: vec![0; count],
-            ready: vec![false; count],
-            next: BinaryHeap::new(),
-        };
-        for (number, piece) in (0..).zip(pieces) {
-            let face = piece.face as usize;
-            if schedule.left[face] == 0 {
-                schedule.first[face] = number;
-            }
-            schedule.left[face] += 1;
-        }
-        let free: Vec<u32> =
-            (0..count as u32).filter(|&face| schedule.order.before[face as usize] == 0).collect();
-        schedule.open(free);
-        schedule
-    }
-
-    /// Makes faces ready, and those that only waited for faces without pieces.
-    fn open(&mut self, mut faces: Vec<u32>) {
-        while let Some(face) = faces.pop() {
-            self.ready[face as usize] = true;
-            if self.left[face as usize] > 0 {
-                self.next.push(Reverse(self.first[face as usize]));
-            } else {
-                self.finish(face, &mut faces);
-            }
-        }
-    }
-
-    /// A face is painted: what only waited for it may follow.
-    fn finish(&mut self, face: u32, opened: &mut Vec<u32>) {
-        for &next in &self.order.later[face as usize] {
-            let before = &mut self.order.before[next as usize];
-            *before -= 1;
-            if *before == 0 {
-                opened.push(next);
-            }
-        }
-    }
-
-    /// The first piece that may be painted.
-    fn seed(&mut self, groups: &[u32], pieces: &[Piece]) -> Option<u32> {
-        while let Some(Reverse(piece)) = self.next.pop() {
-            let following = piece + 1;
-            let same_face = pieces
-                .get(following as usize)
-                .is_some_and(|next| next.face == pieces[piece as usize].face);
-            if same_face {
-                self.next.push(Reverse(following));
-            }
-            if groups[piece as usize] == 0 {
-                return Some(piece);
-            }
-        }
-        None
-    }
-}
-
 /// Paints pieces, which stand in the order of their faces; gives each area as it is done.
 pub(super) fn paint(
     web: &Web,
@@ -130,31 +88,19 @@ pub(super) fn paint(
     order: Order,
     largest_range: f32,
     mut done: impl FnMut(&Area),
-) {
-    let mut right_of = Map::with_capacity_and_hasher(3 * pieces.len(), Mixing::default());
-    let mut around = Vec::new();
-    for (number, piece) in (0..).zip(pieces) {
-        web.around(&piece.polygon, &mut around);
-        for at in 0..around.len() {
-            right_of.entry([around[at], around[(at + 1) % around.len()]]).or_insert(number);
-        }
-    }
+) -> Silhouette {
+    let right_of = right_of(web, pieces);
     let groups = std::array::from_fn(|_| vec![0; pieces.len()]);
-    let mut painter = Painter { web, pieces, right_of, groups, count: 0, largest_range };
+    let borders = Map::default();
+    let mut painter = Painter { web, pieces, right_of, groups, count: 0, borders, largest_range };
+    let silhouette = painter.silhouette();
     let mut schedule = Schedule::new(order, pieces);
     while let Some(seed) = schedule.seed(&painter.groups[0], pieces) {
         let (members, coat) = painter.coat(seed, 0, &schedule.ready);
         coat.iter().for_each(&mut done);
-        let mut opened = Vec::new();
-        for &member in &members {
-            let face = pieces[member as usize].face;
-            schedule.left[face as usize] -= 1;
-            if schedule.left[face as usize] == 0 {
-                schedule.finish(face, &mut opened);
-            }
-        }
-        schedule.open(opened);
+        schedule.painted(&members, pieces);
     }
+    silhouette
 }
 
 impl Painter<'_> {
@@ -171,17 +117,25 @@ impl Painter<'_> {
                 (colors.sum[at] / members.len() as f64) as f32
             }
         });
-        let own = Area { outlines: self.outlines(&members, opaque), color };
         if is_area {
-            return (members, vec![own]);
+            let rings = rings(self.web, self.pieces, &members);
+            let outlines = rings.iter().map(|ring| self.outline(ring, opaque)).collect();
+            let rims = if opaque { self.rims(&rings) } else { Vec::new() };
+            return (members, vec![Area { outlines, rims, color }]);
         }
+        let within = if opaque { self.within(&members, level) } else { Vec::new() };
+        let outlines = rings(self.web, self.pieces, &within)
+            .iter()
+            .map(|ring| self.outline(ring, true))
+            .collect();
+        let own = Area { outlines, rims: Vec::new(), color };
         let mut areas = Vec::new();
         for &member in &members {
             if self.groups[level + 1][member as usize] == 0 {
                 areas.extend(self.coat(member, level + 1, ready).1);
             }
         }
-        if areas.len() > 1 && opaque {
+        if areas.len() > 1 && !own.outlines.is_empty() {
             areas.insert(0, own);
         }
         (members, areas)
@@ -232,53 +186,90 @@ impl Painter<'_> {
         (members, colors)
     }
 
+    /// The members of a coat that don't lie along its border, within two pixels of it. Pixels of the
+    /// border are covered by a part; the coat, which reaches under what is left out, would cover that
+    /// part twice.
+    fn within(&mut self, members: &[u32], level: usize) -> Vec<u32> {
+        let group = members.first().map_or(0, |&member| self.groups[level][member as usize]);
+        let mut around = Vec::new();
+        for &member in members {
+            self.web.around(&self.pieces[member as usize].polygon, &mut around);
+            for at in 0..around.len() {
+                let [from, to] = [around[at], around[(at + 1) % around.len()]];
+                let is_inside = self.right_of.get(&[to, from]).is_some_and(|&beyond| {
+                    self.groups[level][beyond as usize] == group || self.is_later(beyond)
+                });
+                if is_inside {
+                    continue;
+                }
+                for [x, y] in cells_along([from, to].map(|point| self.web.place(point))) {
+                    for y in y.saturating_sub(1)..=y + 1 {
+                        for x in x.saturating_sub(1)..=x + 1 {
+                            self.borders.insert([x, y], group);
+                        }
+                    }
+                }
+            }
+        }
+        // Long pieces that only end at the border are not left out: little of them is near.
+        let mut is_near = |member: u32| {
+            self.web.around(&self.pieces[member as usize].polygon, &mut around);
+            let (mut near, mut all) = (0, 0);
+            for at in 0..around.len() {
+                let ends = [around[at], around[(at + 1) % around.len()]];
+                for cell in cells_along(ends.map(|point| self.web.place(point))) {
+                    near += u32::from(self.borders.get(&cell) == Some(&group));
+                    all += 1;
+                }
+            }
+            near * 2 > all
+        };
+        members.iter().copied().filter(|&member| !is_near(member)).collect()
+    }
+
     fn is_opaque(&self, piece: u32) -> bool {
         self.pieces[piece as usize].low[3] >= 254.5
     }
 
-    /// The outlines of an area.
-    fn outlines(&self, members: &[u32], opaque: bool) -> Vec<Vec<Place>> {
-        let mut ways: Vec<[u32; 2]> = Vec::new();
-        let mut around = Vec::new();
-        for &member in members {
-            self.web.around(&self.pieces[member as usize].polygon, &mut around);
-            ways.extend((0..around.len()).map(|at| [around[at], around[(at + 1) % around.len()]]));
-        }
-        ways.sort_unstable();
-        // Ways that two members go in opposite directions lie inside.
-        let mut taken = vec![false; ways.len()];
-        for at in 0..ways.len() {
-            let [from, to] = ways[at];
-            if from < to && !taken[at] {
-                let back = ways.partition_point(|way| *way < [to, from]);
-                let free = (back..ways.len()).take_while(|&back| ways[back] == [to, from]);
-                if let Some(back) = { free }.find(|&back| !taken[back]) {
-                    taken[at] = true;
-                    taken[back] = true;
+    /// The runs of ways beyond which there is no piece.
+    fn rims(&self, rings: &[Vec<[u32; 2]>]) -> Vec<Vec<Place>> {
+        let mut rims: Vec<Vec<Place>> = Vec::new();
+        for ring in rings {
+            let mut goes_on = false;
+            for &[from, to] in ring {
+                let is_rim = !self.right_of.contains_key(&[to, from]);
+                match rims.last_mut().filter(|_| goes_on) {
+                    Some(rim) if is_rim => rim.push(self.web.place(to)),
+                    _ if is_rim => {
+                        rims.push([from, to].map(|point| self.web.place(point)).to_vec());
+                    }
+                    _ => {}
                 }
+                goes_on = is_rim;
             }
         }
-        let mut outlines = Vec::new();
-        for start in 0..ways.len() {
-            if taken[start] {
-                continue;
+        rims
+    }
+
+    /// What all opaque pieces cover together, and what the others do.
+    fn silhouette(&self) -> Silhouette {
+        let all = 0..self.pieces.len() as u32;
+        let outlines = |members: Vec<u32>| -> Vec<Vec<Place>> {
+            let place = |way: &[u32; 2]| self.web.place(way[0]);
+            rings(self.web, self.pieces, &members)
+                .iter()
+                .map(|ring| ring.iter().map(place).collect())
+                .collect()
+        };
+        let (opaque, glass): (Vec<u32>, Vec<u32>) = all.partition(|&piece| self.is_opaque(piece));
+        let mut color = [0.0; 4];
+        for &piece in &opaque {
+            let Piece { low, high, .. } = &self.pieces[piece as usize];
+            for at in 0..4 {
+                color[at] += (low[at] + high[at]) * 0.5 / opaque.len() as f32;
             }
-            let mut outline = Vec::new();
-            let mut at = start;
-            loop {
-                taken[at] = true;
-                outline.push(ways[at]);
-                let [_, to] = ways[at];
-                let next = ways.partition_point(|way| *way < [to, 0]);
-                let leaving = (next..ways.len()).take_while(|&next| ways[next][0] == to);
-                match { leaving }.find(|&next| !taken[next]) {
-                    Some(next) => at = next,
-                    None => break,
-                }
-            }
-            outlines.push(self.outline(&outline, opaque));
         }
-        outlines
+        Silhouette { opaque: outlines(opaque), glass: outlines(glass), color }
     }
 
     /// An outline's places, moved under what is painted later.
@@ -286,15 +277,15 @@ impl Painter<'_> {
     /// The result is the outline, and a strip along each such way, all of them winding the same way
     /// round, so that nowhere do they take each other away.
     fn outline(&self, ways: &[[u32; 2]], opaque: bool) -> Vec<Place> {
-        let under: Vec<Option<[Place; 2]>> =
+        let under: Vec<Option<Under>> =
             ways.iter().map(|&way| self.under(way).filter(|_| opaque)).collect();
         let mut places = Vec::with_capacity(ways.len() + 4);
         for at in 0..ways.len() {
             let before = (at + ways.len() - 1) % ways.len();
             let [x, y] = self.web.place(ways[at][0]);
             let moved = |[dx, dy]: Place| [x + dx, y + dy];
-            let end = under[before].map(|[_, end]| end);
-            let start = under[at].map(|[start, _]| start);
+            let end = under[before].as_ref().map(|under| under.end);
+            let start = under[at].as_ref().map(|under| under.start);
             match (end, start) {
                 (None, None) => places.push([x, y]),
                 (Some(end), None) => places.extend([moved(end), [x, y]]),
@@ -308,6 +299,7 @@ impl Painter<'_> {
                     places.push(moved(start));
                 }
             }
+            places.extend(under[at].iter().flat_map(|under| &under.between));
         }
         places
     }
@@ -317,9 +309,9 @@ impl Painter<'_> {
         self.groups[COATS.len() - 1][piece as usize] == 0 && self.is_opaque(piece)
     }
 
-    /// Where the ends of a way go to lie under the piece beyond it, if that is painted later: along
-    /// that piece's own edges.
-    fn under(&self, [from, to]: [u32; 2]) -> Option<[Place; 2]> {
+    /// Where the ends of a way go to lie under what is beyond it, if that is painted later: along
+    /// the edges of the piece there.
+    fn under(&self, [from, to]: [u32; 2]) -> Option<Under> {
         let piece = *self.right_of.get(&[to, from])?;
         if !self.is_later(piece) {
             return None;
@@ -342,32 +334,80 @@ impl Painter<'_> {
             let size = (ux * ux + uy * uy).sqrt().max(f64::MIN_POSITIVE);
             let (ux, uy) = (ux / size, uy / size);
             let sine = ux * nx + uy * ny;
-            if sine < 1e-3 && ux * away_x + uy * away_y > 0.0 {
-                // The piece goes on beyond the end of the way: straight into it.
-                let reach = UNDER.min(self.depth_of(&around, origin, [nx, ny]));
-                return [nx * reach, ny * reach];
-            }
-            let reach = (UNDER / sine.max(0.25)).min(size);
+            // Where the piece goes on beyond the end of the way: straight into it.
+            let beyond = sine < 1e-3 && ux * away_x + uy * away_y > 0.0;
+            let ([ux, uy], most) =
+                if beyond { ([nx, ny], UNDER) } else { ([ux, uy], UNDER / sine.max(0.25)) };
+            let reach = self.reach(piece, origin, [ux, uy], most);
             [ux * reach, uy * reach]
         };
         let (before, after) = (around[(at + count - 1) % count], around[(at + 2) % count]);
-        Some([away([ax, ay], after, [-dx, -dy]), away([bx, by], before, [dx, dy])])
+        let (start, end) = (away([ax, ay], after, [-dx, -dy]), away([bx, by], before, [dx, dy]));
+        // Ever farther from the ends, where outlines hold it back.
+        let steps = std::iter::successors(Some(ENDS / length), |part| Some(part * 2.0));
+        let first: Vec<f64> = steps.take_while(|part| *part < 0.5).collect();
+        let middle = (length > 1.0).then_some(0.5);
+        let last = first.iter().rev().map(|part| 1.0 - part);
+        let parts = first.iter().copied().chain(middle).chain(last);
+        let inwards = |part: f64| {
+            let place = [ax + dx * part, ay + dy * part];
+            let reach = self.reach(piece, place, [nx, ny], UNDER);
+            [place[0] + nx * reach, place[1] + ny * reach]
+        };
+        Some(Under { start, end, between: parts.map(inwards).collect() })
     }
 
-    /// How far a piece goes from a place on its edge.
-    fn depth_of(&self, around: &[u32], [x, y]: Place, [dx, dy]: Place) -> f64 {
-        let mut depth = f64::INFINITY;
-        for at in 0..around.len() {
-            let [[ax, ay], [bx, by]] =
-                [around[at], around[(at + 1) % around.len()]].map(|point| self.web.place(point));
-            // Inside is to the right of each edge.
-            let (ex, ey) = (bx - ax, by - ay);
-            let towards = ex * dy - ey * dx;
-            if towards < 0.0 {
-                let distance = ex * (y - ay) - ey * (x - ax);
-                depth = depth.min((distance / -towards).max(0.0));
+    /// How far a way into a piece leads through that piece and others that are painted later.
+    fn reach(&self, mut piece: u32, origin: Place, [dx, dy]: Place, most: f64) -> f64 {
+        let mut around = Vec::new();
+        let mut reached = 0.0;
+        let mut place = None;
+        for _ in 0..MOST_UNDER {
+            self.web.around(&self.pieces[piece as usize].polygon, &mut around);
+            // Ways along an edge keep to the side on which they began.
+            let [x, y] = *place.get_or_insert_with(|| {
+                let share = 1.0 / around.len() as f64;
+                let middle = around.iter().fold([0.0; 2], |[x, y], &point| {
+                    let [px, py] = self.web.place(point);
+                    [x + px * share, y + py * share]
+                });
+                [0, 1].map(|axis| origin[axis] + (middle[axis] - origin[axis]) * 1e-3)
+            });
+            let mut leaves = (f64::INFINITY, [0; 2]);
+            for at in 0..around.len() {
+                let ends = [around[at], around[(at + 1) % around.len()]];
+                let [[ax, ay], [bx, by]] = ends.map(|point| self.web.place(point));
+                // Inside is to the right of each edge.
+                let (ex, ey) = (bx - ax, by - ay);
+                let towards = ex * dy - ey * dx;
+                if towards < 0.0 {
+                    let distance = (ex * (y - ay) - ey * (x - ax)) / -towards;
+                    if distance < leaves.0 {
+                        leaves = (distance.max(reached), ends);
+                    }
+                }
+            }
+            let (distance, [a, b]) = leaves;
+            if distance >= most || distance.is_infinite() {
+                return most.min(distance.max(0.0));
+            }
+            reached = distance;
+            match self.right_of.get(&[b, a]) {
+                Some(&next) if self.is_later(next) => piece = next,
+                // At an outline, what reaches there is painted twice.
+                _ => return (2.0 * reached - most).max(0.0),
             }
         }
-        if depth.is_finite() { depth } else { 0.0 }
+        reached
     }
+}
+
+/// The cells of two by two pixels along a way, looked at every pixel.
+fn cells_along([[ax, ay], [bx, by]]: [Place; 2]) -> impl Iterator<Item = [u32; 2]> {
+    let (dx, dy) = (bx - ax, by - ay);
+    let steps = (dx * dx + dy * dy).sqrt().ceil().max(1.0);
+    (0..=steps as u32).map(move |step| {
+        let part = f64::from(step) / steps;
+        [(ax + dx * part) * 0.5, (ay + dy * part) * 0.5].map(|side| side.max(0.0) as u32)
+    })
 }

@@ -9,13 +9,15 @@ const UNITS: f64 = 100.0;
 const STRAIGHT: f64 = 1.0;
 
 /// The data of a path around outlines; empty if none of them has an area at two decimals.
-pub(super) fn data(outlines: &[Vec<Place>]) -> String {
+pub(super) fn data(outlines: &[Vec<Place>], closed: bool) -> String {
     let mut data = String::new();
     // Where the last outline began: `z` goes back there.
     let mut at: Option<[i64; 2]> = None;
     for outline in outlines {
-        let corners = corners(outline);
-        let Some((&first, rest)) = corners.split_first().filter(|(_, rest)| rest.len() > 1) else {
+        let corners = corners(outline, closed);
+        let Some((&first, rest)) =
+            corners.split_first().filter(|(_, rest)| rest.len() > usize::from(closed))
+        else {
             continue;
         };
         match at {
@@ -23,7 +25,6 @@ pub(super) fn data(outlines: &[Vec<Place>]) -> String {
             None => pair(&mut data, 'm', first),
             Some([x, y]) => pair(&mut data, 'm', [first[0] - x, first[1] - y]),
         }
-        at = Some(first);
         let mut last = 'm';
         let mut here = first;
         for &[x, y] in rest {
@@ -54,13 +55,16 @@ pub(super) fn data(outlines: &[Vec<Place>]) -> String {
             }
             last = command;
         }
-        data.push('z');
+        at = Some(if closed { first } else { here });
+        if closed {
+            data.push('z');
+        }
     }
     data
 }
 
 /// The corners of an outline in units, without those that say nothing.
-fn corners(outline: &[Place]) -> Vec<[i64; 2]> {
+fn corners(outline: &[Place], closed: bool) -> Vec<[i64; 2]> {
     let mut corners: Vec<[i64; 2]> = Vec::with_capacity(outline.len());
     for place in outline {
         let corner = place.map(|side| (side * UNITS).round() as i64);
@@ -68,7 +72,7 @@ fn corners(outline: &[Place]) -> Vec<[i64; 2]> {
             corners.push(corner);
         }
     }
-    while corners.len() > 1 && corners.first() == corners.last() {
+    while closed && corners.len() > 1 && corners.first() == corners.last() {
         corners.pop();
     }
     // What is left out since the last corner that was kept must lie near the new line too.
@@ -82,7 +86,9 @@ fn corners(outline: &[Place]) -> Vec<[i64; 2]> {
             since.clear();
             continue;
         };
-        let may_go = since.len() < 32 && since.iter().all(|&other| is_between(from, other, next));
+        let may_go = (closed || at + 1 < corners.len())
+            && since.len() < 32
+            && since.iter().all(|&other| is_between(from, other, next));
         if !may_go {
             kept.push(corner);
             since.clear();
@@ -155,13 +161,13 @@ mod tests {
     fn a_path_is_relative_and_says_no_command_twice() {
         let square = vec![[1.0, 1.0], [1.5, 1.25], [2.0, 2.25], [2.0, 3.0], [1.0, 3.0]];
         let inner = vec![[1.25, 2.0], [1.5, 2.5], [1.25, 2.5]];
-        assert_eq!(data(&[square, inner]), "m1 1 .5.25.5 1v.75h-1zm.25 1 .25.5h-.25z");
+        assert_eq!(data(&[square, inner], true), "m1 1 .5.25.5 1v.75h-1zm.25 1 .25.5h-.25z");
     }
 
     #[test]
     fn corners_on_a_straight_way_are_left_out() {
         let places = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0]];
-        assert_eq!(data(&[places]), "m0 0h2v2z");
-        assert_eq!(data(&[vec![[0.0, 0.0], [1.0, 0.001], [2.0, 0.0]]]), "");
+        assert_eq!(data(&[places], true), "m0 0h2v2z");
+        assert_eq!(data(&[vec![[0.0, 0.0], [1.0, 0.001], [2.0, 0.0]]], true), "");
     }
 }
