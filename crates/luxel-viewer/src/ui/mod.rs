@@ -54,6 +54,9 @@ pub(crate) struct Ui {
     pub(crate) band: Option<[egui::Pos2; 2]>,
     context: Context,
     painter: Painter,
+    /// What the last pass shows, and the textures that go after it.
+    shapes: Vec<egui::epaint::ClippedShape>,
+    textures: egui::TexturesDelta,
     started: Instant,
 }
 
@@ -96,6 +99,8 @@ impl Ui {
             band: None,
             context,
             painter: Painter::default(),
+            shapes: Vec::new(),
+            textures: egui::TexturesDelta::default(),
             started: Instant::now(),
         }
     }
@@ -138,14 +143,13 @@ impl Ui {
         WindowPart { left: left.min(size.width - 1), top: 0, size: free }
     }
 
-    /// Lays the interface out and paints it over the window's pixels. Returns commands to the window,
-    /// and the time until the next repaint.
-    pub(crate) fn show(
+    /// Lays the interface out, which [`paint`](Self::paint) shows. Returns commands to the window, and the
+    /// time until the next repaint.
+    pub(crate) fn update(
         &mut self,
         mut session: Option<&mut Session>,
         status: &Status,
         (size, pixels_per_point): (Size, f32),
-        pixels: &mut [u32],
     ) -> (Vec<UiCommand>, Duration) {
         let points = vec2(size.width as f32, size.height as f32) / pixels_per_point;
         self.context.set_pixels_per_point(pixels_per_point);
@@ -169,19 +173,24 @@ impl Ui {
                     commands.push(UiCommand::CopyText(text));
                 }
             }
+            // What the pass before showed is painted by now.
+            ui.painter.free(&ui.textures);
             ui.painter.update(&output.textures_delta);
-            (output.shapes, output.textures_delta, output.viewport_output)
+            (ui.shapes, ui.textures) = (output.shapes, output.textures_delta);
+            output.viewport_output
         };
         for events in passes {
-            let (_, textures, _) = lay_out(self, events);
-            self.painter.free(&textures);
+            lay_out(self, events);
         }
-        let (shapes, textures, viewports) = lay_out(self, last);
-        let primitives = self.context.tessellate(shapes, pixels_per_point);
-        self.painter.paint(&primitives, pixels_per_point, size, pixels);
-        self.painter.free(&textures);
+        let viewports = lay_out(self, last);
         let repaint = viewports.values().map(|viewport| viewport.repaint_delay).min();
         (commands, repaint.unwrap_or(Duration::MAX))
+    }
+
+    /// Paints the interface over the window's pixels.
+    pub(crate) fn paint(&self, (size, pixels_per_point): (Size, f32), pixels: &mut [u32]) {
+        let primitives = self.context.tessellate(self.shapes.clone(), pixels_per_point);
+        self.painter.paint(&primitives, pixels_per_point, size, pixels);
     }
 
     fn lay_out(

@@ -241,7 +241,8 @@ impl App {
             }
             pixels.copy_from_slice(base);
             ui.difference = difference;
-            response = ui.show(session, status, (window, pixels_per_point), pixels);
+            response = ui.update(session, status, (window, pixels_per_point));
+            ui.paint((window, pixels_per_point), pixels);
         })?;
         if let Some(started) = self.started.filter(|_| self.frame.is_some()) {
             self.started = None;

@@ -192,7 +192,7 @@ fn the_tree_is_searched_by_typing_and_all_rows_are_reached() {
 }
 
 #[test]
-fn windows_of_any_size_are_laid_out() {
+fn windows_of_any_size_are_laid_out_and_painted() {
     for size in [(1, 1), (1, 900), (3000, 20), (80, 60), (899, 30)] {
         let mut stage = Stage::new("plane", size);
         stage.session.toggle_comparison();
@@ -203,12 +203,14 @@ fn windows_of_any_size_are_laid_out() {
                 (stage.ui.panels.unfolded, stage.ui.shows_help) = (unfolded, unfolded.is_none());
                 stage.pass(Vec::new());
                 stage.pass(Vec::new());
+                let _ = stage.pixels();
             }
         }
         stage.session.toggle_difference();
         stage.ui.dialog = Some(PathCompletion::beside("demo:plane".as_ref()));
         stage.pass(Vec::new());
         stage.pass(Vec::new());
+        let _ = stage.pixels();
     }
 }
 

@@ -19,7 +19,6 @@ struct Stage {
     session: Session,
     size: Size,
     scale: f32,
-    pixels: Vec<u32>,
     commands: Vec<UiCommand>,
 }
 
@@ -37,16 +36,22 @@ impl Stage {
         let session = Session::new(model, size, Mode::Turntable, false);
         let mut ui = Ui::new(&DARK, Keys::default());
         (ui.panels.is_shown, ui.panels.is_narrow) = (true, false);
-        Self { ui, session, size, scale: 1.0, pixels: Vec::new(), commands: Vec::new() }
+        Self { ui, session, size, scale: 1.0, commands: Vec::new() }
     }
 
     fn pass(&mut self, events: Vec<Event>) {
         self.ui.events = events;
-        self.pixels = vec![0x0020_2428; self.size.width as usize * self.size.height as usize];
         let status = Status { name: "a model".to_owned(), is_chosen: true, ..Status::default() };
         let size = (self.size, self.scale);
-        let shown = self.ui.show(Some(&mut self.session), &status, size, &mut self.pixels);
-        self.commands.extend(shown.0);
+        let updated = self.ui.update(Some(&mut self.session), &status, size);
+        self.commands.extend(updated.0);
+    }
+
+    /// The window's pixels after the last pass.
+    fn pixels(&self) -> Vec<u32> {
+        let mut pixels = vec![0x0020_2428; self.size.width as usize * self.size.height as usize];
+        self.ui.paint((self.size, self.scale), &mut pixels);
+        pixels
     }
 
     fn click(&mut self, pos: egui::Pos2) {
@@ -114,7 +119,7 @@ impl Stage {
             self.pass(Vec::new());
             let rect = self.ui.context.read_response(id).unwrap().rect;
             assert!(self.window().contains_rect(rect), "{name}: {id:?} is out of view at {rect:?}");
-            let lit = self.pixels.clone();
+            let lit = self.pixels();
             self.focus(None);
             let is_shown = self.differs(&lit, rect.expand(6.0));
             assert!(is_shown, "{name}: {id:?} at {rect:?} doesn't show its focus");
@@ -135,9 +140,10 @@ impl Stage {
         let (left, right) = (within.left() as usize, within.right() as usize);
         let mut rows = within.top() as usize..within.bottom() as usize;
         let width = self.size.width as usize;
+        let present = self.pixels();
         rows.any(|y| {
             let row = y * width + left..y * width + right;
-            pixels[row.clone()] != self.pixels[row]
+            pixels[row.clone()] != present[row]
         })
     }
 }
