@@ -50,6 +50,7 @@ pub(super) fn query_graphics(_: &mut impl std::io::Write) -> Option<Graphics> {
 }
 
 /// Parses an answer; `None` until its end, the attributes, has been received.
+#[cfg(any(unix, test))]
 fn answer(received: &[u8]) -> Option<Option<Graphics>> {
     let text = String::from_utf8_lossy(received);
     let attributes = text.split("\x1b[?").skip(1).find_map(|rest| {
