@@ -6,7 +6,7 @@ use std::path::Path;
 /// Passes every file of a target's corpus to the target's entry, in the order of names.
 ///
 /// # Panics
-/// If there is no file, or the entry panics. The name of each file is printed before.
+/// If the folder has no files, or if the entry panics: the last name printed is that of the file.
 pub fn each_file(target: &str, entry: impl Fn(&[u8])) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus").join(target);
     let files = fs::read_dir(&folder).into_iter().flatten().flatten();

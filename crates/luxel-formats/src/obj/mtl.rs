@@ -95,13 +95,13 @@ impl Definition {
             b"d" => set(&mut self.opacity, value(words)),
             b"tr" => set(&mut self.transparency, value(words)),
             b"illum" => set(&mut self.illumination, words.clone().next().and_then(integer)),
-            b"map_ka" => set(&mut self.ambient_map, map(words).map(Box::new)),
-            b"map_kd" => set(&mut self.diffuse_map, map(words).map(Box::new)),
-            b"map_ks" => set(&mut self.specular_map, map(words).map(Box::new)),
-            b"map_ke" => set(&mut self.emission_map, map(words).map(Box::new)),
-            b"map_d" => set(&mut self.opacity_map, map(words).map(Box::new)),
-            b"map_bump" | b"bump" => set(&mut self.bump_map, map(words).map(Box::new)),
-            b"norm" | b"map_kn" => set(&mut self.normal_map, map(words).map(Box::new)),
+            b"map_ka" => set(&mut self.ambient_map, map(words)),
+            b"map_kd" => set(&mut self.diffuse_map, map(words)),
+            b"map_ks" => set(&mut self.specular_map, map(words)),
+            b"map_ke" => set(&mut self.emission_map, map(words)),
+            b"map_d" => set(&mut self.opacity_map, map(words)),
+            b"map_bump" | b"bump" => set(&mut self.bump_map, map(words)),
+            b"norm" | b"map_kn" => set(&mut self.normal_map, map(words)),
             // Transmission, refraction, reflection maps, and extensions of other programs.
             _ => true,
         }
@@ -125,7 +125,7 @@ fn value(words: Words<'_>) -> Option<f32> {
 }
 
 /// Options, then a file name that may have spaces.
-fn map(mut words: Words<'_>) -> Option<Map> {
+fn map(mut words: Words<'_>) -> Option<Box<Map>> {
     let mut map =
         Map { name: String::new(), scale: [1.0; 2], offset: [0.0; 2], clamp: false, strength: 1.0 };
     loop {
@@ -149,7 +149,7 @@ fn map(mut words: Words<'_>) -> Option<Map> {
         words = ahead;
     }
     map.name = String::from_utf8_lossy(words.rest()).into_owned();
-    Some(map)
+    Some(Box::new(map))
 }
 
 /// One to three numbers, of which two count; missing ones keep their defaults.

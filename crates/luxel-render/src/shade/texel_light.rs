@@ -11,8 +11,7 @@
 pub(crate) struct TexelLight([[f32; 3]; 3]);
 
 impl TexelLight {
-    /// Texels at which light is compared where a texture colours it: between them differences are
-    /// hardly larger.
+    /// Texels at which light is compared where a texture colours it.
     pub(crate) const TEXELS: &[f32] = &[0.0, 0.5, 1.0];
     /// The only texel that counts where there is no texture.
     pub(crate) const WHITE: &[f32] = &[1.0];

@@ -176,14 +176,7 @@ fn the_tree_is_searched_by_typing_and_all_rows_are_reached() {
         stage.session.path(object).rsplit(" / ").next().unwrap_or_default().to_owned()
     };
     let wanted = named(&stage, count - 1);
-    stage.focus(None);
-    stage.press(Key::Tab);
-    while stage
-        .focused()
-        .is_none_or(|id| stage.ui.context.read_response(id).unwrap().rect.width() < 100.0)
-    {
-        stage.press(Key::Tab);
-    }
+    stage.focus_search();
     stage.pass(vec![Event::Text(wanted.to_uppercase())]);
     assert_eq!(stage.ui.panels.search, wanted.to_uppercase());
     let matching = (0..count).filter(|one| stage.session.path(*one).contains(&wanted)).count();
@@ -234,14 +227,7 @@ fn letters_typed_while_a_frame_is_drawn_are_not_lost_to_a_key_or_click_after_the
         stage.ui.panels.unfolded = Some(Side::Tree);
         stage.ui.panels.wants_focus = true;
         stage.pass(Vec::new());
-        stage.focus(None);
-        stage.press(Key::Tab);
-        while stage
-            .focused()
-            .is_none_or(|id| stage.ui.context.read_response(id).unwrap().rect.width() < 100.0)
-        {
-            stage.press(Key::Tab);
-        }
+        stage.focus_search();
         stage.pass(vec![Event::Text("mo".to_owned())]);
         stage.pass(vec![Event::Text("on".to_owned()), after.clone()]);
         assert_eq!(stage.ui.panels.search, "moon", "before {after:?}");

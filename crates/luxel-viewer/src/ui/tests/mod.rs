@@ -89,6 +89,18 @@ impl Stage {
         self.pass(Vec::new());
     }
 
+    /// Focuses the tree's search field by Tab: the first wide control.
+    fn focus_search(&mut self) {
+        let is_wide = |stage: &Self, id| {
+            stage.ui.context.read_response(id).is_some_and(|field| field.rect.width() >= 100.0)
+        };
+        self.focus(None);
+        self.press(Key::Tab);
+        while !self.focused().is_some_and(|id| is_wide(self, id)) {
+            self.press(Key::Tab);
+        }
+    }
+
     /// All controls that the pointer can press or drag.
     fn controls(&self) -> Vec<(Id, Rect)> {
         self.ui.context.viewport(|viewport| {
