@@ -34,7 +34,6 @@ impl Console {
     }
 
     /// Prints a notice of work done.
-    #[cfg(feature = "viewer")]
     pub(crate) fn notice(self, message: &str) {
         if !self.quiet {
             write(&format!("luxel: {}\n", printable(message)));

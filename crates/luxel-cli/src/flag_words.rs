@@ -24,9 +24,6 @@ fn hint_text(hint: Option<Hint>) -> &'static str {
         Some(Hint::RaiseMemoryLimit) => ": raise it with --max-memory",
         Some(Hint::PassFormat) => ": set it with --format",
         Some(Hint::ListNames) => ": `luxel info` lists the objects and materials of a model",
-        Some(Hint::ScaleLights) => {
-            ": see --light-scale, such as 0.00146 (1/683) for lights that were watts"
-        }
         _ => "",
     }
 }

@@ -2,13 +2,14 @@
 
 use crate::failure::Failure;
 use crate::options::{EncodingChoice, ExecutionOptions, LightOptions, ViewOptions};
+use crate::values::Exposure;
 use luxel::lighting::PictureEncoding;
-use luxel::render::{Edges, EnvironmentChoice, Execution, View};
+use luxel::render::{AutoExposure, Edges, EnvironmentChoice, Execution, View, auto_exposure};
 use luxel::scene::{Camera, Scene, SceneLight};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
-/// The view of a scene.
+/// The view of a scene; without an exposure, if that is left to the scene's light: see [`expose`].
 ///
 /// # Errors
 /// [`Failure::Usage`] if two lights share a name, or shading flags conflict.
@@ -32,12 +33,30 @@ pub(crate) fn view(
         .with_environment(environment(light, scene))
         .with_fog(light.fog.or(scene.fog))
         .with_background(picture.background.or(scene.background).unwrap_or_default())
+        .with_exposure(match picture.exposure {
+            Some(Exposure::Ev(ev)) => ev,
+            Some(Exposure::Auto) | None => 0.0,
+        })
+        .with_tone(picture.tone)
         .with_encoding(match picture.encoding {
             EncodingChoice::Srgb => PictureEncoding::Srgb,
             EncodingChoice::None => PictureEncoding::None,
         })
         .with_edges(edges)
         .with_shading(mode.shading()?))
+}
+
+/// Exposes a view for the scene's own light, if the flags ask for it; what to say, if that does something.
+pub(crate) fn expose(view: &mut View, options: &ViewOptions, scene: &Scene) -> Option<String> {
+    if options.picture.exposure != Some(Exposure::Auto) {
+        return None;
+    }
+    let AutoExposure { ev, light } = auto_exposure(scene, view);
+    view.exposure = ev;
+    let light = luxel::report::number(light);
+    (ev != 0.0).then(|| {
+        format!("exposure {ev}: the model gets {light} times the light that makes white white")
+    })
 }
 
 /// The lights and the scene's ambient light: from the command line, else the file, else the default

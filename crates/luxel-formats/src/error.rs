@@ -44,8 +44,6 @@ pub enum Hint {
     RaiseMemoryLimit,
     /// Pass the format to [`read`](crate::read()): the name of the file has no extension.
     PassFormat,
-    /// Scale the lights: the file has them in lux, and pictures have no exposure.
-    ScaleLights,
     /// List the objects and materials of the models: the file names one that they lack.
     ListNames,
     /// Build `luxel-formats` with this cargo feature.

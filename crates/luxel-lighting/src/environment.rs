@@ -39,6 +39,19 @@ impl Environment {
         matches!(self, Self::None)
     }
 
+    /// The mean of the light from all around.
+    #[must_use]
+    pub fn mean(&self) -> [f32; 3] {
+        match *self {
+            Self::None => [0.0; 3],
+            Self::Constant(color) => bounded(color),
+            // From the horizon to the poles, the colours change linearly over equal areas.
+            Self::Studio { .. } => {
+                [0, 1, 2].map(|at| (ZENITH[at] + WALL[at] + FLOOR[at] + NADIR[at]) * 0.25)
+            }
+        }
+    }
+
     /// The light that arrives from `direction` (of unit length), averaged over the lobe of a
     /// surface of this perceptual roughness.
     ///

@@ -15,11 +15,13 @@
 //! | surface | [`Material`], [`Reflectance`], [`Coefficients`], [`SurfacePoint`] |
 //! | result | [`lit`], [`lit_by`], [`reflected`], [`Fog`] |
 //! | observers | [`Witness`], [`Silent`], [`Ledger`] |
+//! | display | [`Display`], [`Tone`]: exposure and tone curve |
 //! | encoding | [`PictureEncoding`], [`srgb_to_byte`] |
 
 #![forbid(unsafe_code)]
 
 mod coefficients;
+mod display;
 mod encode;
 mod environment;
 mod equation;
@@ -32,9 +34,11 @@ mod placed;
 mod point;
 mod reflectance;
 mod reflection;
+mod tone;
 mod witness;
 
 pub use coefficients::{Broadcast, Coefficients, Uniform};
+pub use display::Display;
 pub use encode::{
     PictureEncoding, byte_to_linear, decode_srgb, encode_srgb, srgb_to_byte, unit_to_byte,
 };
@@ -55,6 +59,7 @@ pub use reflection::{
     HighlightVector, ModelFactor, NOT_METAL, OwnParameter, Quantity, REFLECTION_MODELS, Reflection,
     ReflectionModel, Symbol, own_parameters, parameters,
 };
+pub use tone::Tone;
 pub use witness::{
     Ledger, LedgerLight, LightTerms, Lobe, MirrorTerms, PartTerms, Silent, Terms, Witness,
 };

@@ -90,6 +90,16 @@ impl PlacedLight {
         self.direction
     }
 
+    /// How much light arrives at `position`, relative to the eye, in its strongest channel: what a white
+    /// Lambert surface that faces the light reflects, and the light's ambient part.
+    #[must_use]
+    pub fn arriving(&self, [x, y, z]: [f32; 3]) -> f32 {
+        let sample = self.sample(Vec3::new(x, y, z));
+        let Light { ambient, diffuse, .. } = &self.light;
+        let sum = |at: usize| ambient[at] + diffuse[at];
+        sample.attenuation * sample.spot * sum(0).max(sum(1)).max(sum(2)).max(0.0)
+    }
+
     /// The incident light at `position`.
     #[inline(always)]
     pub(crate) fn sample<N: Lanes>(&self, position: Vec3<N>) -> LightSample<N> {

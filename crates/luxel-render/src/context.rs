@@ -3,7 +3,8 @@
 use crate::coverage::EdgeFlags;
 use crate::polygons::Polygons;
 use luxel_lighting::{
-    Coefficients, Fog, LightingEnvironment, PictureEncoding, PlacedLight, SurfacePoint, Uniform,
+    Coefficients, Display, Fog, LightingEnvironment, PictureEncoding, PlacedLight, SurfacePoint,
+    Uniform,
 };
 use luxel_math::{Lanes, Vec3};
 use luxel_scene::{Mesh, Scene, SceneMaterial};
@@ -57,6 +58,10 @@ pub(crate) struct ShadingContext<'a> {
     pub(crate) edge_flags: &'a [Option<&'a EdgeFlags>],
     /// Where light is computed, and how it gets to the pixels between.
     pub(crate) shading: Shading,
+    /// Exposure and tone curve, if they change anything.
+    pub(crate) display: Option<Display>,
+    /// What intensities are clamped to before they are interpolated: what the exposure makes white.
+    pub(crate) white: f32,
     pub(crate) encoding: PictureEncoding,
     /// The distance of the near plane.
     pub(crate) near: f64,

@@ -12,6 +12,7 @@ mod context;
 mod coverage;
 mod execution;
 mod explain;
+mod exposure;
 mod frame;
 mod image;
 mod interpolate;
@@ -28,6 +29,7 @@ pub use explain::{
     At, EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface,
     Explanation, Hidden, NEAREST_WITHIN, NearestObject, Seen, SurfaceBelow, Unlit, Unseen,
 };
+pub use exposure::{AutoExposure, auto_exposure};
 pub use frame::{
     MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision, TileDrawing,
 };

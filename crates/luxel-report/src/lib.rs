@@ -50,6 +50,7 @@
 //! | n | the material's shininess |
 //! | f | attenuation by distance times the cone of a spot light |
 //! | I, I' | the sum of all terms, before and after fog |
+//! | T, EV | the tone curve, and the exposure in stops: what is shown is T(2^EV I) |
 
 #![forbid(unsafe_code)]
 
@@ -60,5 +61,7 @@ mod words;
 
 pub use equation::{TermKind, meanings_in};
 pub use pick::{PickReport, RegionReport, camera_to_json};
-pub use pixel::{Hint, LedgerFactor, LedgerLine, Pictures, PicturesError, Report, ledger_lines};
+pub use pixel::{
+    Hint, LedgerFactor, LedgerLine, Pictures, PicturesError, Report, display_to_json, ledger_lines,
+};
 pub use words::{number, printable};

@@ -2,7 +2,7 @@
 //!
 //! | item | subject |
 //! | --- | --- |
-//! | [`View`] | size, camera, samples, lights, background, encoding, edges |
+//! | [`View`] | size, camera, samples, lights, background, exposure, tone, encoding, edges |
 //! | [`Shading`] | where light is computed, and how it gets to the pixels between |
 //! | [`Cull`] | which faces are left out |
 //! | [`Layer`], [`LayerValues`] | pixel data besides colour: depth, normals, ids, terms of light |

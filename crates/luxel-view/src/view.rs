@@ -1,7 +1,7 @@
 //! The view of a scene.
 
 use crate::{Cull, EnvironmentChoice, Shading};
-use luxel_lighting::{Fog, PictureEncoding};
+use luxel_lighting::{Display, Fog, PictureEncoding, Tone};
 use luxel_scene::{Camera, DEFAULT_AMBIENT, SceneLight, Size, default_lights};
 
 /// The default number of samples per pixel.
@@ -46,6 +46,10 @@ pub struct View {
     pub fog: Option<Fog>,
     /// The background: linear red, green, blue, and alpha.
     pub background: [f32; 4],
+    /// The exposure of surfaces, in stops: each doubles their light. The background stays as it is.
+    pub exposure: f32,
+    /// The tone curve of surfaces, after the exposure.
+    pub tone: Tone,
     /// The encoding of pixels.
     pub encoding: PictureEncoding,
     /// Edges of polygons, drawn or nothing but them.
@@ -56,7 +60,8 @@ pub struct View {
 
 impl View {
     /// A view with the default lights and ambient light, a studio for microfacet materials,
-    /// transparent background, four samples a pixel, sRGB, and light computed at every pixel.
+    /// transparent background, four samples a pixel, sRGB, and light computed at every pixel; without
+    /// exposure and tone curve.
     #[must_use]
     pub fn new(size: Size, camera: Camera) -> Self {
         Self {
@@ -69,6 +74,8 @@ impl View {
             environment: EnvironmentChoice::StudioForMicrofacets,
             fog: None,
             background: [0.0; 4],
+            exposure: 0.0,
+            tone: Tone::None,
             encoding: PictureEncoding::Srgb,
             edges: None,
             shading: Shading::default(),
@@ -127,6 +134,24 @@ impl View {
     #[must_use]
     pub fn with_background(self, background: [f32; 4]) -> Self {
         Self { background, ..self }
+    }
+
+    /// The exposure of surfaces, in stops: each doubles their light. The background stays as it is.
+    #[must_use]
+    pub fn with_exposure(self, exposure: f32) -> Self {
+        Self { exposure, ..self }
+    }
+
+    /// The tone curve of surfaces, after the exposure.
+    #[must_use]
+    pub fn with_tone(self, tone: Tone) -> Self {
+        Self { tone, ..self }
+    }
+
+    /// What happens to the colours of surfaces on their way to the picture.
+    #[must_use]
+    pub fn display(&self) -> Display {
+        Display::new(self.exposure, self.tone)
     }
 
     /// The encoding of pixels.

@@ -68,10 +68,15 @@ impl BenchCommand {
 
         let sides = if self.still { 1 } else { self.frames.get() };
         let cameras = camera::turntable(&self.view.frame, scene, sides)?;
-        let views = cameras
+        let mut views = cameras
             .into_iter()
             .map(|camera| view::view(&self.view, None, camera, scene))
             .collect::<Result<Vec<_>, _>>()?;
+        if let Some(said) = view::expose(&mut views[0], &self.view, scene) {
+            console.notice(&said);
+            let exposure = views[0].exposure;
+            views.iter_mut().for_each(|view| view.exposure = exposure);
+        }
 
         let timings = renderer
             .install(|| self.time_frames(&renderer, &views))

@@ -55,7 +55,10 @@ impl CheckCommand {
         let scene = &model.scene;
         let camera = camera::choose(&self.view.frame, scene)?;
         let execution = view::execution(&self.view.execution);
-        let view = view::view(&self.view, None, camera, scene)?;
+        let mut view = view::view(&self.view, None, camera, scene)?;
+        if let Some(said) = view::expose(&mut view, &self.view, scene) {
+            console.notice(&said);
+        }
         let setup = Setup { view, normals: surface::normal_options(&self.view.shading), execution };
         let report = check(scene, &setup);
         if let (Some(path), Some(format)) = (&self.output, format) {

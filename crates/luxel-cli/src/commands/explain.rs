@@ -69,7 +69,10 @@ impl ExplainCommand {
         surface::apply_normals(&self.view.shading, &mut model.scene);
         let scene = &Arc::new(model.scene);
         let camera = camera::choose(&self.view.frame, scene)?;
-        let view = view::view(&self.view, None, camera, scene)?;
+        let mut view = view::view(&self.view, None, camera, scene)?;
+        if let Some(said) = view::expose(&mut view, &self.view, scene) {
+            console.notice(&said);
+        }
         let execution = Execution { one_frame: true, ..view::execution(&self.view.execution) };
         let renderer = Renderer::new(Arc::clone(scene), &execution)
             .map_err(|error| Failure::work(error.to_string(), ""))?;

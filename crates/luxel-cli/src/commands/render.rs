@@ -1,5 +1,6 @@
 //! `luxel render`: an image, or its layers.
 
+mod burnt_out;
 mod path;
 mod stopwatch;
 mod target;
@@ -14,10 +15,12 @@ use crate::progress::Progress;
 use crate::surface;
 use crate::view;
 use clap::Args;
+use luxel::lighting::{Display, Tone};
 use luxel::render::{
     Edges, Execution, Layer, LayerImage, Legend, PictureError, RenderError, Renderer, ShadingMode,
     Subdivision, SvgOptions, View, write_layers, write_linear, write_rgba8,
 };
+use luxel::report::display_to_json;
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Map, Value, json};
 use std::ffi::{OsStr, OsString};
@@ -198,8 +201,17 @@ impl RenderCommand {
         if target.format == Format::Svg && !matches!(mode.shading, ShadingMode::Subdivided { .. }) {
             mode.tolerance = None;
         }
+        let mut exposure = None;
+        let mut warnings: Vec<String> = model.warnings.clone();
         for (number, &camera) in cameras.iter().enumerate() {
-            let view = view::view(&options, edges, camera, scene)?;
+            let mut view = view::view(&options, edges, camera, scene)?;
+            // Of several pictures, the first one decides.
+            view.exposure = *exposure.get_or_insert_with(|| {
+                if let Some(said) = view::expose(&mut view, &options, scene) {
+                    console.notice(&said);
+                }
+                view.exposure
+            });
             let drawn = self.draw(&renderer, &view, target.format, &mut stopwatch)?;
             if let Some(file) = target.write(number as u32, &drawn.bytes)? {
                 files.push(file);
@@ -207,6 +219,11 @@ impl RenderCommand {
             legend = drawn.legend;
             subdivision = subdivision.or(drawn.subdivision);
             vectors = vectors.or(drawn.svg);
+            if drawn.may_be_burnt_out && number == 0 {
+                let warning = burnt_out::warning(&renderer, &view).map_err(cannot_draw)?;
+                warning.iter().for_each(|warning| console.warn(warning));
+                warnings.extend(warning);
+            }
             stopwatch.lap("write");
             progress.step();
         }
@@ -239,7 +256,9 @@ impl RenderCommand {
                 let entry = json!({ "faces": faces, "pieces": pieces, "paths": paths });
                 report.insert("svg".into(), entry);
             }
-            report.insert("warnings".into(), json!(model.warnings));
+            report.insert("warnings".into(), json!(warnings));
+            let display = Display::new(exposure.unwrap_or_default(), options.picture.tone);
+            report.extend(display_to_json(&display).map(|(key, value)| (key.to_owned(), value)));
             if let Some(legend) = &legend {
                 let layer = &self.output.layers[0];
                 report.insert("legend".into(), legend_to_json(legend, layer, scene));
@@ -274,10 +293,11 @@ impl RenderCommand {
                 stopwatch.lap("frame");
                 drawn.svg = Some([svg.faces, svg.pieces, svg.paths]);
                 drawn.bytes = svg.text.into_bytes();
+                drawn.may_be_burnt_out = true;
                 return Ok(drawn);
             }
         };
-        let Drawn { bytes, legend, subdivision, .. } = &mut drawn;
+        let Drawn { bytes, legend, subdivision, may_be_burnt_out, .. } = &mut drawn;
         let size = view.size;
         if !self.output.layers.is_empty() {
             let values = renderer.layers(view, &self.output.layers).map_err(cannot_draw)?;
@@ -290,7 +310,10 @@ impl RenderCommand {
             let images: Vec<_> = self.output.layers.iter().zip(values).map(image).collect();
             *legend = write_layers(format, size, &images, bytes).map_err(cannot_encode)?;
         } else if format.is_linear() || self.output.bits == 16 {
-            let picture = renderer.linear(view).map_err(cannot_draw)?;
+            // Of light itself, a curve for the eye would leave nothing to work with.
+            let tone = if format.is_linear() { Tone::None } else { view.tone };
+            let picture = renderer.linear(&view.clone().with_tone(tone)).map_err(cannot_draw)?;
+            *may_be_burnt_out = !format.is_linear();
             stopwatch.lap("frame");
             stopwatch.add_stages(&picture.stages);
             *subdivision = picture.subdivision;
@@ -301,6 +324,7 @@ impl RenderCommand {
             stopwatch.lap("frame");
             stopwatch.add_stages(&picture.stages);
             *subdivision = picture.subdivision;
+            *may_be_burnt_out = burnt_out::is_suspicious(&picture.pixels);
             write_rgba8(format, size, &picture.pixels, view.encoding, bytes)
                 .map_err(cannot_encode)?;
         }
@@ -342,6 +366,8 @@ struct Drawn {
     subdivision: Option<Subdivision>,
     /// Faces, pieces and paths of vector output.
     svg: Option<[usize; 3]>,
+    /// Whether it is worth a look how much of the model is burnt out.
+    may_be_burnt_out: bool,
 }
 
 fn cannot_draw(error: RenderError) -> Failure {

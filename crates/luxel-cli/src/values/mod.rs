@@ -5,6 +5,7 @@
 mod at;
 mod choice;
 mod count;
+mod exposure;
 mod memory;
 mod numbering;
 mod region;
@@ -13,6 +14,7 @@ mod size;
 pub(crate) use at::at;
 pub(crate) use choice::choice;
 pub(crate) use count::{samples, threads};
+pub(crate) use exposure::{Exposure, exposure};
 pub(crate) use luxel::formats::values::{
     LightSpec, Surroundings, background, color, far_plane, finite, fog, fov, intrinsics, light,
     light_usage, non_negative_f32, parameter, point, positive, reflectance, reflection,

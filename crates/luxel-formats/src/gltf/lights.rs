@@ -5,7 +5,7 @@
 //! unit light gives 1. So intensities are divided by pi here, once.
 
 use super::buffers::malformed;
-use crate::{Error, Hint, Warning};
+use crate::Error;
 use luxel_gltf::Light as FileLight;
 use luxel_lighting::{Attenuation, Cone, Light, LightKind};
 
@@ -36,16 +36,6 @@ pub(crate) fn convert(light: &FileLight, index: u32) -> Result<Light, Error> {
         Attenuation::NONE
     };
     Ok(Light { attenuation, ..Light::new(kind, color) })
-}
-
-/// Directional light above this many lux saturates the whole image: there is no exposure control.
-const GLARING_LUX: f32 = 100.0;
-
-/// A warning for directional light in physical lux, such as sunlight.
-pub(crate) fn glare(light: &FileLight) -> Option<Warning> {
-    let lux = light.intensity.filter(|&lux| light.kind == "directional" && lux > GLARING_LUX)?;
-    let message = format!("{lux} lux overexpose the image: luxel has no exposure control");
-    Some(Warning { message, hint: Some(Hint::ScaleLights) })
 }
 
 fn cone(light: &FileLight, pointer: &str) -> Result<Cone, Error> {

@@ -106,9 +106,6 @@ impl Builder<'_, '_> {
             let lights = lights.map_or(&[][..], |extension| &extension.lights);
             let file_light = item(lights, number, "light", &pointer)?;
             let light = lights::convert(file_light, number)?;
-            if let Some(warning) = lights::glare(file_light) {
-                self.warnings.push(warning.at(pointer()));
-            }
             self.scene.lights.push(SceneLight {
                 name: self.name_of_attached(&file_light.name, node, || format!("light_{number}")),
                 light,

@@ -8,17 +8,19 @@
 //!    `evaluated_at`; `light` is that clamped to 0..1 (or as it is), and the pixel's `sum` = (the
 //!    places' light x weight, from left to right) x `texture`. (Along edges and rows of polygons,
 //!    weights are products, and right to rounding.)
-//! 2. `color` = s sum + (1 - s) I_dc where there is fog, else `sum`.
-//! 3. An entry that sees several surfaces gathers them nearest first: light += t alpha color,
-//!    t *= 1 - alpha, from light = 0 and t = 1. Its `alpha` is 1 - t and its `color` light / alpha.
-//! 4. The pixel, if no sample sees several surfaces, is the entries' sum of color (weight alpha),
+//! 2. `color` = s sum + (1 - s) I_dc where there is fog, else `sum`. `display` is `color` after the
+//!    explanation's exposure and tone curve; a background's is its colour.
+//! 3. An entry that sees several surfaces gathers them nearest first: light += t alpha display,
+//!    t *= 1 - alpha, from light = 0 and t = 1. Its `alpha` is 1 - t and its `display` light / alpha.
+//!    Its `color` is the same of their colours.
+//! 4. The pixel, if no sample sees several surfaces, is the entries' sum of display (weight alpha),
 //!    divided by the sum of weight alpha, which is its alpha. An entry alone is the pixel. If any
 //!    sample does, it is the sum over the samples, by number, of light / N, divided by the sum of
 //!    (1 - t) / N.
 //! 5. `rgba8` is [`PictureEncoding::byte`](luxel_lighting::PictureEncoding::byte) of it.
 
 use luxel_lighting::{
-    Cone, HighlightVector, Light, LightKind, LightTerms, Material, MirrorTerms, PartTerms,
+    Cone, Display, HighlightVector, Light, LightKind, LightTerms, Material, MirrorTerms, PartTerms,
     Reflectance, Reflection,
 };
 
@@ -31,7 +33,9 @@ pub struct Explanation {
     pub position: Option<[f64; 2]>,
     /// What the samples see: those that see the same are one entry.
     pub samples: Vec<ExplainedSample>,
-    /// The pixel's colour (straight) and alpha, linear, before clamping.
+    /// Exposure and tone curve: what makes `display` of `color`.
+    pub display: Display,
+    /// The pixel's colour (straight) and alpha as shown, linear, before clamping.
     pub linear: [f32; 4],
     /// The pixel's bytes: red, green, blue, alpha.
     pub rgba8: [u8; 4],
@@ -48,8 +52,10 @@ pub struct ExplainedSample {
     pub at: [f64; 2],
     /// What they see, nearest first: transparent surfaces, then what is opaque or the background.
     pub seen: Vec<Seen>,
-    /// The colour of all that is seen (straight, not multiplied by alpha).
+    /// The colour of all that is seen (straight, not multiplied by alpha), before exposure and tone curve.
     pub color: [f32; 3],
+    /// The same, after them: what the pixel is the mean of.
+    pub display: [f32; 3],
     /// How much of what lies behind is covered.
     pub alpha: f32,
 }
@@ -116,6 +122,8 @@ pub struct ExplainedSurface {
     pub fog: Option<(f32, [f32; 3])>,
     /// The sum, after fog.
     pub color: [f32; 3],
+    /// The colour, after exposure and tone curve.
+    pub display: [f32; 3],
     /// How much of what lies behind is covered.
     pub alpha: f32,
 }
@@ -216,26 +224,34 @@ impl ExplainedSample {
             at: [0.0; 2],
             seen,
             color: [0.0; 3],
+            display: [0.0; 3],
             alpha: 0.0,
         };
         if let [only] = &*entry.seen {
-            (entry.color, entry.alpha) = (only.color(), only.alpha());
+            (entry.color, entry.display, entry.alpha) =
+                (only.color(), only.display(), only.alpha());
         } else {
             let (light, through) = entry.gathered();
             entry.alpha = 1.0 - through;
             let divisor = if entry.alpha > 0.0 { entry.alpha } else { 1.0 };
+            entry.display = light.map(|channel| channel / divisor);
+            let (light, _) = entry.gathered_by(Seen::color);
             entry.color = light.map(|channel| channel / divisor);
         }
         entry
     }
 
-    /// The light of all that is seen, times alpha, and how much of what lies behind still comes
+    /// The light of all that is seen, as shown, times alpha, and how much of what lies behind still comes
     /// through.
     #[must_use]
     pub fn gathered(&self) -> ([f32; 3], f32) {
+        self.gathered_by(Seen::display)
+    }
+
+    fn gathered_by(&self, of: fn(&Seen) -> [f32; 3]) -> ([f32; 3], f32) {
         let (mut light, mut through) = ([0.0; 3], 1.0);
         for seen in &self.seen {
-            crate::resolve::put_behind(&mut light, &mut through, seen.color(), seen.alpha());
+            crate::resolve::put_behind(&mut light, &mut through, of(seen), seen.alpha());
         }
         (light, through)
     }
@@ -248,6 +264,15 @@ impl Seen {
         match self {
             Self::Background { color, .. } => *color,
             Self::Surface(surface) => surface.color,
+        }
+    }
+
+    /// The same, after exposure and tone curve.
+    #[must_use]
+    pub fn display(&self) -> [f32; 3] {
+        match self {
+            Self::Background { color, .. } => *color,
+            Self::Surface(surface) => surface.display,
         }
     }
 

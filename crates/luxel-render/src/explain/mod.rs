@@ -221,6 +221,7 @@ impl PixelScene<'_> {
                 [place(0), place(1)]
             }),
             samples: explained,
+            display: self.view.display(),
             linear,
             rgba8: bytes_of(linear, self.view.encoding),
         }
@@ -278,6 +279,7 @@ impl PixelScene<'_> {
             sum: lit.sum,
             fog: lit.fog,
             color: lit.color,
+            display: lit.display,
             alpha: lit.alpha,
         }))
     }
@@ -289,6 +291,7 @@ pub(crate) struct Lit {
     pub(crate) fog: Option<(f32, [f32; 3])>,
     sum: [f32; 3],
     color: [f32; 3],
+    display: [f32; 3],
     alpha: f32,
     point: Option<SurfacePoint<f32>>,
     reflectance: Option<Reflectance<f32>>,
@@ -345,7 +348,8 @@ impl Lit {
             terms,
             fog: written.ledger.fog,
             sum: written.sum.unwrap_or(written.ledger.sum),
-            color: [r, g, b],
+            color: written.ledger.color,
+            display: [r, g, b],
             alpha,
             point: written.point,
             reflectance: written.reflectance,
@@ -361,7 +365,7 @@ impl Lit {
 fn even_pixel(samples: &[ExplainedSample], count: usize) -> [f32; 4] {
     let mut sum = [0.0; 4];
     for sample in samples {
-        let [r, g, b] = sample.color;
+        let [r, g, b] = sample.display;
         let share = sample.covers.len() as f32 * (1.0 / count as f32);
         resolve::add_share(&mut sum, [r, g, b, sample.alpha], share);
     }

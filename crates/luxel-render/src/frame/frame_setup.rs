@@ -14,7 +14,7 @@ pub(crate) fn surface_rules(view: &View, coverage: CoveragePolicy) -> SurfaceRul
 }
 
 /// A light about the eye, along the world's axes; `None` for ambient lights.
-pub(crate) fn light(light: &SceneLight, camera: &Camera, scene: &Scene) -> Option<PlacedLight> {
+fn light(light: &SceneLight, camera: &Camera, scene: &Scene) -> Option<PlacedLight> {
     if light.light.kind == LightKind::Ambient {
         return None;
     }
@@ -31,6 +31,12 @@ pub(crate) fn light(light: &SceneLight, camera: &Camera, scene: &Scene) -> Optio
     };
     let f32s = |vector: DVec3| vector.as_vec3().to_array();
     Some(PlacedLight::new(light.light.clone(), f32s(position), f32s(direction.normalize_or_zero())))
+}
+
+/// The lights of a view about its eye; ambient ones have no place.
+pub(crate) fn placed_lights(view: &View, scene: &Scene) -> Vec<PlacedLight> {
+    let lights = view.lights.iter();
+    lights.filter_map(|one| light(one, &view.camera, scene)).collect()
 }
 
 /// The ambient light of the scene and of all ambient lights.

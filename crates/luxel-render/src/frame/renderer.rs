@@ -117,7 +117,8 @@ impl Renderer {
         self.scene.materials.iter().any(|material| material.alpha_mode == AlphaMode::Blend)
     }
 
-    /// Draws a view into linear colours with straight alpha, before clamping and encoding.
+    /// Draws a view into linear colours with straight alpha, after exposure and tone curve, before
+    /// clamping and encoding.
     ///
     /// # Errors
     /// [`RenderError`] if the view asks for something impossible.
@@ -258,11 +259,7 @@ impl Renderer {
             let placed =
                 PlacedScene::new(&self.scene, &self.objects, &view.camera, view.size, &rules);
             let frame = placed.frame(&self.clusters, samples, self.level)?;
-            let lights: Vec<_> = view
-                .lights
-                .iter()
-                .filter_map(|light| frame_setup::light(light, &view.camera, &self.scene))
-                .collect();
+            let lights = frame_setup::placed_lights(view, &self.scene);
             let flags_of_meshes: Vec<EdgeFlags> = if view.edges.is_some() {
                 self.scene.meshes.par_iter().map(EdgeFlags::new).collect()
             } else {
@@ -321,6 +318,8 @@ impl Renderer {
                 edges,
                 edge_flags: &edge_flags,
                 shading: view.shading,
+                display: Some(view.display()).filter(|display| !display.is_identity()),
+                white: view.display().white(),
                 encoding: view.encoding,
                 near: view.camera.projection.near,
                 polygons: &polygons,

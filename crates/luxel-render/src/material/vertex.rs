@@ -69,9 +69,9 @@ pub(crate) fn lights_at<N: Lanes>(
 fn clamped<N: Lanes>(scene: &ShadingContext<'_>, light: Rgb<N>) -> Rgb<N> {
     match scene.shading.clamp {
         Clamp::Vertex => Rgb::new(
-            light.r.clamped(0.0, 1.0),
-            light.g.clamped(0.0, 1.0),
-            light.b.clamped(0.0, 1.0),
+            light.r.clamped(0.0, scene.white),
+            light.g.clamped(0.0, scene.white),
+            light.b.clamped(0.0, scene.white),
         ),
         Clamp::End => light,
     }

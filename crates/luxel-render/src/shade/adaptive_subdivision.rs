@@ -12,8 +12,8 @@
 
 use super::texel_light::TexelLight;
 use crate::context::PieceCount;
-use luxel_lighting::PictureEncoding;
-use luxel_math::elementary;
+use luxel_lighting::{Display, PictureEncoding};
+use luxel_math::{Rgb, elementary};
 use std::collections::HashMap;
 
 /// Pixels between the places where an edge or an inside is tried first.
@@ -80,6 +80,8 @@ struct Node {
 pub(crate) struct Asked<'a> {
     /// In steps of 8 bits.
     pub(crate) tolerance: f32,
+    /// Exposure and tone curve, if they change anything.
+    pub(crate) display: Option<Display>,
     pub(crate) encoding: PictureEncoding,
     /// The light at a place.
     pub(crate) light: &'a mut dyn FnMut(Place) -> TexelLight,
@@ -192,9 +194,15 @@ impl Builder<'_> {
         let encoding = self.asked.encoding;
         // Light beyond 1 counts: a texel may darken it, and so may other samples of the pixel.
         let steps = |light: f32| 255.0 * encoded_beyond(encoding, light);
+        let display = self.asked.display;
+        let shown = |light: [f32; 3]| match display {
+            Some(display) => display.shown(Rgb::splat(0.0, light)).lane(0),
+            None => light,
+        };
         let mut error = 0.0_f32;
         for &texel in self.asked.texels {
-            let (lit, interpolated) = (lit.at([texel; 3]), interpolated.at([texel; 3]));
+            let (lit, interpolated) =
+                (shown(lit.at([texel; 3])), shown(interpolated.at([texel; 3])));
             for channel in 0..3 {
                 error = error.max((steps(lit[channel]) - steps(interpolated[channel])).abs());
             }
@@ -357,6 +365,7 @@ mod tests {
     fn pieces(tolerance: f32, light: impl Fn(Place) -> [f32; 3]) -> Pieces {
         Pieces::new(Asked {
             tolerance,
+            display: None,
             encoding: PictureEncoding::None,
             light: &mut |place| TexelLight::untextured(light(place)),
             texels: TexelLight::WHITE,

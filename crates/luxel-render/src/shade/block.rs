@@ -5,6 +5,7 @@ use crate::coverage::edge_distance;
 use crate::interpolate::{Batch, Fragments, Wanted};
 use crate::material::{Attributes, base_texel, lit, lit_elsewhere};
 use crate::setup::SetupCache;
+use crate::shade::display::displayed;
 use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::witness::BlockWitness;
 use luxel_lighting::SurfacePoint;
@@ -31,7 +32,8 @@ impl ThreadCache {
     }
 }
 
-/// The colour (straight) and alpha of the samples; the background's where nothing is seen.
+/// The colour (straight) and alpha of the samples, as the picture shows them; the background's where nothing
+/// is seen. Witnesses hear the light before exposure and tone curve.
 ///
 /// Outlined: one copy per lane type.
 #[inline(never)]
@@ -137,6 +139,10 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
             result = color_where(simd, lanes, color, result);
             left &= !lanes;
         }
+        // Surfaces alone: neither the background nor what is drawn over them.
+        if let Some(display) = &scene.display {
+            result = color_where(simd, seen, displayed(display, &result), result);
+        }
         if scene.edges.is_some() {
             return draw_edges(scene, batch, seen, result);
         }
@@ -155,7 +161,10 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), &mut materials);
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
-    let color = light::<N, W, NEEDS>(scene, &found, &point, (material, seen), witness);
+    let mut color = light::<N, W, NEEDS>(scene, &found, &point, (material, seen), witness);
+    if let Some(display) = &scene.display {
+        color = displayed(display, &color);
+    }
     if seen == simd.all_lanes() {
         return color;
     }

@@ -158,6 +158,7 @@ impl LitTriangle {
                 let pieces = Pieces::new(Asked {
                     tolerance,
                     size: [f64::from(width), f64::from(height)],
+                    display: scene.display,
                     encoding: scene.encoding,
                     light: &mut |place| light(&Corner::weighted(corners, place)),
                     texels: if is_textured { TexelLight::TEXELS } else { TexelLight::WHITE },

@@ -3,6 +3,7 @@
 
 mod adaptive_subdivision;
 mod block;
+mod display;
 mod lit_triangle;
 mod screen_interpolation;
 mod texel_light;
@@ -10,5 +11,6 @@ mod witness;
 
 pub(crate) use adaptive_subdivision::encoded;
 pub(crate) use block::{ThreadCache, all_fragments, is_studied, point_of, shade};
+pub(crate) use display::displayed;
 pub(crate) use lit_triangle::LitTriangle;
 pub(crate) use witness::BlockWitness;

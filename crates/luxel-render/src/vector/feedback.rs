@@ -2,14 +2,15 @@
 //! feedback mode of OpenGL gives it (version 2.1, section 5.3).
 //!
 //! Colours are those that leave lighting at the corners (Gouraud), or for a polygon as a whole
-//! (flat): before texture and fog, which OpenGL applies to fragments. A polygon that clipping cut
+//! (flat), through the view's exposure and tone curve: before texture and fog, which OpenGL applies to
+//! fragments. A polygon that clipping cut
 //! keeps its corners' colours interpolated in clip coordinates, that is, with perspective.
 
 use super::primitives::{Clipper, InWindow, is_culled};
 use crate::context::{Heard, ShadingContext};
 use crate::frame::{RenderError, Renderer};
 use crate::material::Corner;
-use crate::shade::LitTriangle;
+use crate::shade::{LitTriangle, displayed};
 use glam::DVec3;
 use luxel_scene::{AlphaMode, Size};
 use luxel_view::{Interpolation, Shading, ShadingMode, View};
@@ -315,7 +316,10 @@ impl<'a> Stream<'a> {
                 parts.map(|(weight, corner)| weight * f64::from(value(corner))).sum::<f64>() as f32
             };
             let [r, g, b] = [0, 1, 2].map(|channel| mixed(&|corner| corner.light[channel]));
-            let color = [r, g, b, mixed(&alpha)];
+            let mut color = [r, g, b, mixed(&alpha)];
+            if let Some(display) = &self.scene.display {
+                color = displayed(display, &color);
+            }
             let [s, t] = [0, 1].map(|axis| mixed(&|corner| corner.uv[0][axis]));
             self.vertices.push(FeedbackVertex { x, y, depth, w, color, texture: [s, t, 0.0, 1.0] });
         }

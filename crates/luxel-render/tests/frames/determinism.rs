@@ -1,6 +1,7 @@
 //! The same bytes from every number of threads and every instruction set.
 
 use crate::scenes::{execution, glass, matte, scene, view};
+use luxel_lighting::Tone;
 use luxel_math::SimdLevel;
 use luxel_render::{
     Edges, Execution, Interpolation, Layer, Picture, Renderer, Shading, ShadingMode, TILE_SIDE,
@@ -75,6 +76,16 @@ fn glass_and_wires_have_the_same_bytes_however_they_are_run() {
     check("edges", &scene, &view);
     view.edges = Some(Edges::WIREFRAME);
     check("wires", &scene, &view);
+}
+
+#[test]
+fn exposed_pictures_have_the_same_bytes_however_they_are_run() {
+    for scene in [glass(), demos::demo("spheres").unwrap()] {
+        let view = perspective(&scene, Size { width: 130, height: 70 }).with_exposure(0.7);
+        for tone in Tone::ALL {
+            check(tone.name(), &scene, &view.clone().with_tone(tone));
+        }
+    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::scenes::{execution, fitted, glass, matte, scene};
 use luxel_lighting::{
-    Attenuation, Cone, Fog, FogLaw, Light, LightKind, REFLECTION_MODELS, Reflection,
+    Attenuation, Cone, Fog, FogLaw, Light, LightKind, REFLECTION_MODELS, Reflection, Tone,
 };
 use luxel_math::SimdLevel;
 use luxel_render::{
@@ -122,8 +122,11 @@ fn ten_thousand_explained_pixels_are_the_pictures() {
                 }
             }
             let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
-            for samples in [1, 2, 4, 8, 16] {
-                let view = styled(&scene, round, samples);
+            for (number, samples) in [1, 2, 4, 8, 16].into_iter().enumerate() {
+                let mut view = styled(&scene, round, samples);
+                // Without exposure and tone curve, and with every curve.
+                view.exposure = [0.0, -1.5, 0.0, 0.8, 0.3][number];
+                view.tone = Tone::ALL[number % Tone::ALL.len()];
                 let picture = renderer.rgba8(&view).unwrap();
                 let Size { width, height } = view.size;
                 let mut pixels: Vec<_> = (0..PIXELS_OF_EACH)

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a frame that can't be drawn fails the test")]
 
 mod determinism;
+mod display;
 mod feedback;
 mod golden;
 mod layers;

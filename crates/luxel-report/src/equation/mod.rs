@@ -8,7 +8,7 @@ mod symbols;
 mod term;
 
 pub(crate) use light::{highlight_vector, reach, why_not};
-pub(crate) use plain::{factor_text, interpolation_text, symbol_text};
+pub(crate) use plain::{clamp_range, display_text, factor_text, interpolation_text, symbol_text};
 pub(crate) use point::{Interpolation, ShadingPoint, shading_points};
 pub(crate) use products::{LightEntry, point_terms};
 pub use symbols::meanings_in;

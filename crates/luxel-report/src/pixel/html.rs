@@ -8,14 +8,14 @@ mod pictures;
 use super::report::Report;
 use super::sentences::{encoded, nearest, part_of, point_name, share, surface_path, why_not_seen};
 use crate::equation::{
-    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, highlight_vector,
-    point_terms, reach, shading_points,
+    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, clamp_range,
+    highlight_vector, point_terms, reach, shading_points,
 };
 use crate::words::{capital, color, in_column, model_name, number, vector};
 use escape::{escaped, kind_class};
-use luxel_lighting::PictureEncoding;
+use luxel_lighting::{Display, PictureEncoding, Tone};
 use luxel_render::{ExplainedSample, ExplainedSurface, Explanation, Seen};
-use std::fmt::{Display, Write};
+use std::fmt::{self, Write};
 
 const STYLE: &str = include_str!("html/style.css");
 
@@ -39,7 +39,7 @@ struct Page {
 }
 
 impl Page {
-    fn push(&mut self, text: impl Display) {
+    fn push(&mut self, text: impl fmt::Display) {
         // Writing into a string can't fail.
         let _ = write!(self.text, "{text}");
     }
@@ -92,7 +92,7 @@ impl Page {
         if layers > 1 {
             self.push("<h3>Together</h3>\n<div class=\"rows\">\n");
             let note = format!("Σ t α C / α, t what comes through all before; α {}", entry.alpha);
-            self.total("seen", entry.color, TermKind::Sum, &note);
+            self.total("seen", entry.display, TermKind::Sum, &note);
             self.push("</div>\n");
         }
         let mut sentences = why_not_seen(index, report);
@@ -124,7 +124,7 @@ impl Page {
             capital(which),
             model_name(&material.constants.reflection),
         ));
-        self.push(bar::terms(surface));
+        self.push(bar::terms(surface, &report.explanation.display));
         let points = shading_points(surface);
         for (at, point) in points.iter().enumerate() {
             match point.share {
@@ -142,13 +142,18 @@ impl Page {
                 }
             }
         }
-        self.ending(surface, &points);
+        self.ending(surface, &points, &report.explanation.display);
     }
 
-    /// The later steps of the light: interpolation, fog.
-    fn ending(&mut self, surface: &ExplainedSurface, points: &[ShadingPoint<'_>]) {
+    /// The later steps of the light: interpolation, fog, exposure and tone curve.
+    fn ending(
+        &mut self,
+        surface: &ExplainedSurface,
+        points: &[ShadingPoint<'_>],
+        display: &Display,
+    ) {
         let Interpolation { parts, texture } = Interpolation::of(surface, points);
-        if parts.is_empty() && surface.fog.is_none() {
+        if parts.is_empty() && surface.fog.is_none() && display.is_identity() {
             return;
         }
         self.push("<div class=\"rows\">\n");
@@ -172,6 +177,18 @@ impl Page {
                 number(surface.z)
             );
             self.total("in fog", surface.color, TermKind::Fog, &note);
+        }
+        if !display.is_identity() {
+            let light = if surface.fog.is_some() { "I′" } else { "I" };
+            let mut steps = Vec::new();
+            if display.factor() != 1.0 {
+                let (ev, factor) = (number(display.ev()), number(display.factor()));
+                steps.push(format!("2<sup>{ev}</sup> {light} = {factor} {light}"));
+            }
+            if display.tone() != Tone::None {
+                steps.push(format!("the tone curve {}", display.tone().name()));
+            }
+            self.total("as shown", surface.display, TermKind::Sum, &steps.join(", then "));
         }
         self.push("</div>\n");
     }
@@ -204,7 +221,9 @@ impl Page {
         if let Some((_, light)) = point.share
             && light != point.sum
         {
-            self.total("clamped", light, TermKind::Sum, "to 0..1, as light is interpolated here");
+            let range = clamp_range(point.sum, light);
+            let note = format!("to {range}, as light is interpolated here");
+            self.total("clamped", light, TermKind::Sum, &note);
         }
         self.push("</div>\n");
     }
@@ -284,7 +303,7 @@ impl Page {
                     1.0 => String::new(),
                     alpha => format!(" × {}", number(alpha)),
                 };
-                format!("{}{cover} × {}", entry.weight, color(entry.color))
+                format!("{}{cover} × {}", entry.weight, color(entry.display))
             })
             .collect();
         let mixed = match (samples.len(), *alpha) {

@@ -3,7 +3,8 @@
 use super::report::Report;
 use crate::equation::why_not;
 use luxel_lighting::{
-    Light, Material, MirrorTerms, PartTerms, Quantity, Reflectance, Reflection, own_parameters,
+    Display, Light, Material, MirrorTerms, PartTerms, Quantity, Reflectance, Reflection,
+    own_parameters,
 };
 use luxel_render::{
     EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Hidden, Seen, SurfaceBelow,
@@ -24,14 +25,26 @@ pub(crate) fn document(report: &Report<'_>) -> Value {
         object.insert("pixels".to_owned(), json!(nearest.distance));
         object
     });
+    let [(_, exposure), (_, tone)] = display_to_json(&explanation.display);
     json!({
         "pixel": explanation.pixel,
         "position": explanation.position,
+        "exposure": exposure,
+        "tone": tone,
         "samples": samples.collect::<Vec<_>>(),
         "linear": explanation.linear,
         "rgba8": explanation.rgba8,
         "nearest": nearest,
     })
+}
+
+/// The keys `exposure`, in stops with the factor of light, and `tone`.
+#[must_use]
+pub fn display_to_json(display: &Display) -> [(&'static str, Value); 2] {
+    [
+        ("exposure", json!({ "ev": display.ev(), "factor": display.factor() })),
+        ("tone", json!({ "name": display.tone().name() })),
+    ]
 }
 
 /// Samples that see the same.
@@ -59,6 +72,7 @@ fn sample(entry: &ExplainedSample, hidden: Option<&Hidden>, scene: &Scene) -> Va
     object.insert("weight".to_owned(), json!(entry.weight));
     object.insert("covers".to_owned(), json!(entry.covers));
     object.insert("color".to_owned(), json!(entry.color));
+    object.insert("display".to_owned(), json!(entry.display));
     object.insert("alpha".to_owned(), json!(entry.alpha));
     Value::Object(object)
 }
@@ -94,6 +108,7 @@ fn seen(seen: &Seen, scene: &Scene) -> Map<String, Value> {
             "object": null,
             "triangle": null,
             "color": color,
+            "display": color,
             "alpha": alpha,
         }),
         Seen::Surface(seen) => surface(seen, scene),
@@ -130,6 +145,7 @@ fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
         "sum": seen.sum,
         "fog": seen.fog.map(|(factor, color)| json!({ "factor": factor, "color": color })),
         "color": seen.color,
+        "display": seen.display,
         "alpha": seen.alpha,
     })
 }

@@ -7,7 +7,7 @@ use crate::equation::{
     shading_points,
 };
 use crate::words::{capital, coordinate, model_name, number};
-use luxel_lighting::{Attenuation, LightKind, PictureEncoding};
+use luxel_lighting::{Attenuation, Display, LightKind, PictureEncoding, Tone};
 use luxel_render::{ExplainedLight, ExplainedSample, ExplainedSurface, Explanation, Seen};
 use std::fmt::Write;
 
@@ -93,7 +93,7 @@ impl Page {
             let mut through = 1.0;
             let mut parts = Vec::new();
             for seen in &entry.seen {
-                let (part, shown) = (seen.alpha(), color(seen.color()));
+                let (part, shown) = (seen.alpha(), color(seen.display()));
                 parts.push(format!("{} \\cdot {} \\cdot {shown}", math(through), math(part)));
                 through *= 1.0 - part;
             }
@@ -103,7 +103,7 @@ impl Page {
                 "\\alpha &= 1 - \\prod_k (1 - \\alpha_k) = ".to_owned() + &alpha,
                 "C &= \\frac{1}{\\alpha} \\sum_k t_k\\, \\alpha_k\\, C_k".to_owned(),
                 format!("\\alpha\\, C &= {sum}"),
-                format!("C &= {}", color(entry.color)),
+                format!("C &= {}", color(entry.display)),
             ]);
         }
     }
@@ -162,6 +162,26 @@ impl Page {
                 format!("&= {shown}"),
             ]);
         }
+        self.shown(surface, &report.explanation.display);
+    }
+
+    /// Exposure and tone curve.
+    fn shown(&mut self, surface: &ExplainedSurface, display: &Display) {
+        if display.is_identity() {
+            return;
+        }
+        let light = if surface.fog.is_some() { "I'" } else { "I" };
+        let exposed = match display.factor() {
+            1.0 => light.to_owned(),
+            _ => format!("2^{{{}}} {light}", math(display.ev())),
+        };
+        let curve = display.tone().name();
+        let (symbols, text) = match display.tone() {
+            Tone::None => (exposed, "As shown, exposed:".to_owned()),
+            _ => (format!("T({exposed})"), format!("As shown, by the tone curve {curve}:")),
+        };
+        self.paragraph(&text);
+        self.display(&[format!("C &= {symbols}"), format!("&= {}", color(surface.display))]);
     }
 
     /// The equation at one point: symbols, numbers, terms, their sum.
@@ -254,7 +274,7 @@ impl Page {
         if samples.len() > 1 {
             let part = |entry: &ExplainedSample| {
                 let (weight, alpha) = (math(entry.weight), math(entry.alpha));
-                format!("{weight} \\cdot {alpha} \\cdot {}", color(entry.color))
+                format!("{weight} \\cdot {alpha} \\cdot {}", color(entry.display))
             };
             let parts: Vec<_> = samples.iter().map(part).collect();
             self.paragraph("The pixel, by the samples' weights:");

@@ -1,10 +1,12 @@
 //! The ledger as lines for a panel: the same terms as the text, in less room.
 
 use crate::equation::{
-    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, factor_text,
-    highlight_vector, interpolation_text, point_terms, reach, shading_points, symbol_text,
+    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, clamp_range,
+    display_text, factor_text, highlight_vector, interpolation_text, point_terms, reach,
+    shading_points, symbol_text,
 };
 use crate::words::{color, number};
+use luxel_lighting::Display;
 use luxel_render::ExplainedSurface;
 
 /// A line of the lighting equation.
@@ -58,9 +60,10 @@ pub struct LedgerFactor {
     pub number: String,
 }
 
-/// The lighting equation of a surface with its numbers filled in, line by line.
+/// The lighting equation of a surface with its numbers filled in, line by line, up to what the
+/// explanation's exposure and tone curve make of it.
 #[must_use]
-pub fn ledger_lines(surface: &ExplainedSurface) -> Vec<LedgerLine> {
+pub fn ledger_lines(surface: &ExplainedSurface, display: &Display) -> Vec<LedgerLine> {
     let mut lines = Vec::new();
     let points = shading_points(surface);
     for (at, point) in points.iter().enumerate() {
@@ -87,6 +90,10 @@ pub fn ledger_lines(surface: &ExplainedSurface) -> Vec<LedgerLine> {
         );
         lines.push(sum("I' in fog", TermKind::Fog, surface.color, note));
     }
+    let light = if surface.fog.is_some() { "I'" } else { "I" };
+    if let Some(note) = display_text(display, light) {
+        lines.push(sum("as shown", TermKind::Sum, surface.display, note));
+    }
     lines
 }
 
@@ -104,8 +111,11 @@ fn point_lines(lines: &mut Vec<LedgerLine>, point: &ShadingPoint<'_>) {
     lines.extend(at_point.mirrors.iter().map(part));
     lines.extend(at_point.environment.iter().map(|one| term(one, None)));
     if let Some((_, light)) = point.share {
-        let note = if light == point.sum { "" } else { "clamped to 0..1" };
-        lines.push(sum("light here", TermKind::Sum, light, note.to_owned()));
+        let note = match light == point.sum {
+            true => String::new(),
+            false => format!("clamped to {}", clamp_range(point.sum, light)),
+        };
+        lines.push(sum("light here", TermKind::Sum, light, note));
     }
 }
 

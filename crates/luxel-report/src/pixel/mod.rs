@@ -12,6 +12,7 @@ mod sentences;
 mod text;
 
 pub use hint::Hint;
+pub use json::display_to_json;
 pub use lines::{LedgerFactor, LedgerLine, ledger_lines};
 pub use pictures::{Pictures, PicturesError};
 pub use report::Report;

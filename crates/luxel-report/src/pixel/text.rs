@@ -5,8 +5,9 @@ use super::sentences::{
     encoded, material, nearest, part_of, point_name, share, surface_path, why_not_seen,
 };
 use crate::equation::{
-    Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, factor_text,
-    highlight_vector, interpolation_text, point_terms, reach, shading_points, symbol_text,
+    Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, clamp_range, display_text,
+    factor_text, highlight_vector, interpolation_text, point_terms, reach, shading_points,
+    symbol_text,
 };
 use crate::words::{color, in_column, number, printable, vector};
 use luxel_lighting::PictureEncoding;
@@ -118,7 +119,7 @@ impl Page {
         }
         if layers > 1 {
             let all = format!("  {:NAMES$}", "together");
-            let text = self.painted(&(all + &values(entry.color)), kind_color(TermKind::Sum));
+            let text = self.painted(&(all + &values(entry.display)), kind_color(TermKind::Sum));
             self.line(&format!("{text}  alpha {}", in_column(entry.alpha)));
         }
     }
@@ -164,6 +165,10 @@ impl Page {
             );
             self.total("= I' in fog", surface.color, TermKind::Fog, &note);
         }
+        let light = if surface.fog.is_some() { "I'" } else { "I" };
+        if let Some(note) = display_text(&report.explanation.display, light) {
+            self.total("= as shown", surface.display, TermKind::Sum, &note);
+        }
     }
 
     /// The terms at one point.
@@ -180,8 +185,11 @@ impl Page {
             self.term(environment, "");
         }
         if let Some((_, light)) = point.share {
-            let clamped = if light == point.sum { "" } else { "clamped to 0..1" };
-            self.total("= light here", light, TermKind::Sum, clamped);
+            let clamped = match light == point.sum {
+                true => String::new(),
+                false => format!("clamped to {}", clamp_range(point.sum, light)),
+            };
+            self.total("= light here", light, TermKind::Sum, &clamped);
         }
     }
 
@@ -259,7 +267,7 @@ impl Page {
                     } else {
                         format!(" x {}", in_column(alpha))
                     };
-                    format!("{weight}{cover} {}", color(entry.color))
+                    format!("{weight}{cover} {}", color(entry.display))
                 })
                 .collect();
             self.line(&format!("{:width$}{}", "mixed", parts.join(" + "), width = NAMES + 2));

@@ -202,7 +202,8 @@ fn lines(change: impl Fn(&mut View, &mut Scene)) -> Vec<LedgerLine> {
     let mut view = view(&scene);
     change(&mut view, &mut scene);
     let (explanation, _) = explain(&scene, &view, ON_THE_TEAPOT);
-    ledger_lines(explanation.samples[0].seen.iter().find_map(Seen::surface).unwrap())
+    let surface = explanation.samples[0].seen.iter().find_map(Seen::surface).unwrap();
+    ledger_lines(surface, &explanation.display)
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Display settings: everything the panels set except camera and objects.
 
-use luxel::lighting::LightKind;
+use luxel::lighting::{LightKind, Tone};
 use luxel::render::{Clamp, Edges, Interpolation, Layer, ShadingMode, View};
 use luxel::scene::{Camera, SceneLight, Size};
 
@@ -37,13 +37,16 @@ pub(crate) struct DisplaySettings {
     disabled: Vec<bool>,
     /// The layer shown instead of the picture.
     pub(crate) layer: Option<Layer>,
+    /// Whether the exposure is the one that suits the light as it was loaded, or as it was when that was
+    /// asked for: editing lights changes the picture's brightness.
+    pub(crate) is_auto_exposed: bool,
 }
 
 impl DisplaySettings {
     /// All lights of the view are on.
     pub(crate) fn new(view: View) -> Self {
         let disabled = vec![false; view.lights.len()];
-        Self { view, disabled, layer: None }
+        Self { view, disabled, layer: None, is_auto_exposed: false }
     }
 
     /// The view's settings. Lights are added and removed by the functions below.
@@ -99,7 +102,7 @@ impl DisplaySettings {
         (self.view.lights, self.view.ambient) = (lights, ambient);
     }
 
-    /// A short description: shading mode, interpolation, layer, samples.
+    /// A short description: shading mode, interpolation, layer, exposure, tone curve, samples.
     pub(crate) fn summary(&self) -> String {
         let shading = self.view.shading;
         let mut parts = vec![shading.mode.name().to_owned()];
@@ -111,6 +114,12 @@ impl DisplaySettings {
         }
         if let Some(layer) = &self.layer {
             parts.push(layer_name(layer));
+        }
+        if self.view.exposure != 0.0 {
+            parts.push(format!("exposure {}", self.view.exposure));
+        }
+        if self.view.tone != Tone::None {
+            parts.push(self.view.tone.name().to_owned());
         }
         if self.view.edges.is_some_and(|edges| edges.wireframe) {
             parts.push("wireframe".to_owned());

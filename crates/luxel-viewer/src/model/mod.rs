@@ -26,4 +26,8 @@ pub struct Model {
     pub is_fitted: bool,
     /// The near and far clipping planes that the user has fixed; the others fit the scene.
     pub planes: [Option<f64>; 2],
+    /// Whether the view's exposure comes from the scene's own light.
+    pub is_auto_exposed: bool,
+    /// What to say of that exposure, if it does something.
+    pub exposure_note: Option<String>,
 }

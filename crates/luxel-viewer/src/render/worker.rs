@@ -172,6 +172,8 @@ mod tests {
             pivot: DVec3::ZERO,
             is_fitted: true,
             planes: [None; 2],
+            is_auto_exposed: false,
+            exposure_note: None,
         })
     }
 

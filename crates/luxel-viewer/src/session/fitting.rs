@@ -115,7 +115,16 @@ mod tests {
         let mut view = luxel::default_view(&scene, WINDOW);
         view.camera.projection.lens = lens;
         let (up, pivot) = (scene.up, scene.bounds().centre());
-        Model { scene: Arc::new(scene), view, up, pivot, is_fitted: true, planes: [None; 2] }
+        Model {
+            scene: Arc::new(scene),
+            view,
+            up,
+            pivot,
+            is_fitted: true,
+            planes: [None; 2],
+            is_auto_exposed: false,
+            exposure_note: None,
+        }
     }
 
     fn lenses() -> [Lens; 3] {

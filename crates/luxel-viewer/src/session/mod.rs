@@ -20,7 +20,7 @@ use luxel::lighting::LightKindDescription;
 use luxel::navigation::{
     Change, Entry, Event, Mode, Number, Settings, State, advance, parallel_height, with_lens,
 };
-use luxel::render::View;
+use luxel::render::{View, auto_exposure};
 use luxel::scene::{
     Bounds, Camera, DMat4, DVec3, Lens, Object, Placement, Projection, SceneLight, Size, fit_planes,
 };
@@ -79,7 +79,8 @@ impl Session {
             }
             lens => lens,
         };
-        let display = DisplaySettings::new(model.view.clone());
+        let mut display = DisplaySettings::new(model.view.clone());
+        display.is_auto_exposed = model.is_auto_exposed;
         let material_uses = material_use_counts(&model.scene);
         let world_from_nodes = model.scene.world_from_nodes();
         let (objects, selection) = (model.scene.objects(), Selection::default());
@@ -106,10 +107,11 @@ impl Session {
         }
     }
 
-    /// Takes edges, samples, shading, layer and guides over from another session.
+    /// Takes edges, samples, shading, tone curve, layer and guides over from another session.
     pub(crate) fn copy_display_from(&mut self, other: &Self) {
         let (view, from) = (self.display.view_mut(), other.display.view());
         (view.edges, view.samples, view.shading) = (from.edges, from.samples, from.shading);
+        view.tone = from.tone;
         self.display.layer.clone_from(&other.display.layer);
         self.guides = other.guides;
     }
@@ -131,6 +133,9 @@ impl Session {
             let all = self.comparison.iter_mut().map(|comparison| &mut comparison.other);
             for display in all.chain([&mut self.display]) {
                 display.set_lights(loaded_lights.0.clone(), loaded_lights.1);
+                if display.is_auto_exposed {
+                    display.view_mut().exposure = self.model.view.exposure;
+                }
             }
             self.loaded_lights = loaded_lights;
         }
@@ -360,6 +365,15 @@ impl Session {
         if self.display != before {
             self.changed();
         }
+    }
+
+    /// Exposes the picture for the light that is on now.
+    pub(crate) fn expose_automatically(&mut self) {
+        let exposed = auto_exposure(&self.model.scene, &self.view());
+        self.change_display(|display| {
+            display.view_mut().exposure = exposed.ev;
+            display.is_auto_exposed = true;
+        });
     }
 
     /// Applies a key's action to the display settings; false for other actions.

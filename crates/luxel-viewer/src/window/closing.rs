@@ -106,6 +106,8 @@ mod tests {
             pivot: DVec3::ZERO,
             is_fitted: true,
             planes: [None; 2],
+            is_auto_exposed: true,
+            exposure_note: None,
         };
         (Ui::new(&DARK, Keys::default()), Session::new(model, SIZE, Mode::Turntable, false))
     }

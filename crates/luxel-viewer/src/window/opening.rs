@@ -105,6 +105,9 @@ impl App {
         let part = self.free_part();
         let reason = self.load_reason.take().unwrap_or(LoadReason::Other);
         self.status.loading = None;
+        if let Some(note) = model.exposure_note.take() {
+            self.note(note);
+        }
         self.status.triangles = model.scene.triangle_count();
         match (&mut self.session, reason) {
             (Some(session), LoadReason::Reload) => session.reload(model),

@@ -1,6 +1,6 @@
 //! The `luxel render` command line that reproduces the window's view.
 
-use super::saved::{dark, shading_flags};
+use super::saved::{dark, display_flags, shading_flags};
 use clap::Command;
 use clap::parser::ValueSource;
 use luxel::formats::values::{degrees, light_text};
@@ -12,7 +12,7 @@ use std::ffi::{OsStr, OsString};
 use std::path::Path;
 
 /// Flags that the window overrides.
-const OF_THE_WINDOW: [&str; 18] = [
+const OF_THE_WINDOW: [&str; 20] = [
     "size",
     "samples",
     "eye",
@@ -31,6 +31,8 @@ const OF_THE_WINDOW: [&str; 18] = [
     "interpolation",
     "clamp",
     "normal-length",
+    "exposure",
+    "tone",
 ];
 /// Flags that the window overrides if its light differs from the file's.
 const OF_LIGHT: [&str; 3] = ["light", "ambient", "light-scale"];
@@ -61,7 +63,8 @@ pub(crate) fn line(
     // A scene file may override the defaults.
     let is_scene = Path::new(file).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
     let shaded = shading_flags(view, is_scene).into_iter();
-    line.extend(shaded.map(|(name, value)| format!("--{name}={value}")));
+    let displayed = display_flags(view, is_scene).into_iter();
+    line.extend(shaded.chain(displayed).map(|(name, value)| format!("--{name}={value}")));
     let Camera { view_from_world, projection } = &view.camera;
     line.push(match projection.lens {
         Lens::Perspective { fov_y_radians } => format!("--fov={}", degrees(fov_y_radians)),

@@ -4,6 +4,7 @@ use super::{ThemeName, ViewCommand};
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::options::InputOptions;
+use crate::values::Exposure;
 use crate::{camera, model, navigation, output, surface, view};
 use luxel_viewer::{LoadProgress, Model, ThemeChoice};
 use std::ffi::OsStr;
@@ -55,7 +56,10 @@ impl ViewCommand {
         stopped(progress)?;
         let scene = model.scene;
         let (state, settings, camera) = navigation::start(&self.view.frame, &scene, self.mode)?;
-        let view = view::view(&self.view, None, camera, &scene)?;
+        let mut options = self.view.clone();
+        options.picture.exposure.get_or_insert(Exposure::Auto);
+        let mut view = view::view(&options, None, camera, &scene)?;
+        let exposure_note = view::expose(&mut view, &options, &scene);
         let is_fitted = camera::is_fitted(&self.view.frame, &scene)?;
         Ok(Model {
             scene: Arc::new(scene),
@@ -64,6 +68,8 @@ impl ViewCommand {
             pivot: state.pivot(),
             is_fitted,
             planes: [self.view.frame.near, self.view.frame.far],
+            is_auto_exposed: options.picture.exposure == Some(Exposure::Auto),
+            exposure_note,
         })
     }
 }

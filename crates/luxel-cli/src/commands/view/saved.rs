@@ -3,7 +3,7 @@
 use crate::options::{NormalsChoice, ShadingOptions};
 use clap::ValueEnum;
 use luxel::formats::{SceneModels, SceneText, SettingValue, SurfaceChange};
-use luxel::lighting::{Light, PictureEncoding};
+use luxel::lighting::{Light, PictureEncoding, Tone};
 use luxel::render::{Cull, Shading, ShadingMode, View};
 use luxel::scene::{DVec3, Placement, Restyle, SceneCamera, SceneLight};
 use luxel_viewer::ShownScene;
@@ -129,6 +129,19 @@ pub(super) fn shading_flags(view: &View, is_all: bool) -> Vec<(&'static str, Str
     flags
 }
 
+/// The flags of exposure and tone curve: those that differ from the defaults, or all.
+pub(super) fn display_flags(view: &View, is_all: bool) -> Vec<(&'static str, String)> {
+    let display = view.display();
+    let mut flags = Vec::new();
+    if is_all || display.ev() != 0.0 {
+        flags.push(("exposure", display.ev().to_string()));
+    }
+    if is_all || display.tone() != Tone::None {
+        flags.push(("tone", display.tone().name().to_owned()));
+    }
+    flags
+}
+
 /// The flags of `luxel render` that differ from the defaults.
 fn settings(
     view: &View,
@@ -147,7 +160,8 @@ fn settings(
         Cull::Back => settings.push(("cull", word("back"))),
     }
     let shaded = shading_flags(view, false).into_iter();
-    settings.extend(shaded.map(|(name, value)| (name, SettingValue::One(value))));
+    let displayed = display_flags(view, false).into_iter();
+    settings.extend(shaded.chain(displayed).map(|(name, value)| (name, SettingValue::One(value))));
     if view.encoding == PictureEncoding::None {
         settings.push(("encoding", word("none")));
     }

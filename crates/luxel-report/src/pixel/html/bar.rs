@@ -3,6 +3,7 @@
 use super::escape::{escaped, kind_class};
 use crate::equation::TermKind;
 use crate::words::number;
+use luxel_lighting::{Display, Tone};
 use luxel_render::ExplainedSurface;
 use std::fmt::Write;
 
@@ -16,7 +17,7 @@ struct Part {
 }
 
 /// The light of a surface, by term and channel.
-pub(crate) fn terms(surface: &ExplainedSurface) -> String {
+pub(crate) fn terms(surface: &ExplainedSurface, display: &Display) -> String {
     let parts = parts(surface);
     let sum = |channel: usize| parts.iter().map(|part| part.value[channel].max(0.0)).sum::<f32>();
     let most = sum(0).max(sum(1)).max(sum(2));
@@ -43,16 +44,21 @@ pub(crate) fn terms(surface: &ExplainedSurface) -> String {
         }
         text.push_str("</div></div>\n");
     }
-    // The scale: its ends, and 1, beyond which a picture has no brighter.
+    // The scale: its ends, and what the exposure makes white, beyond which a picture has no brighter.
+    let white = display.white();
     let _ = write!(text, "<div class=\"channel scale num\"><b></b><div class=\"stack\"><u>0</u>");
-    if most > 1.0 {
-        let _ = write!(text, "<u style=\"left:{:.3}%\">1</u>", percent(1.0));
+    if most > white {
+        let _ = write!(text, "<u style=\"left:{:.3}%\">{}</u>", percent(white), number(white));
     }
-    let beyond = if most > 1.0 { "; what lies beyond 1 is clamped" } else { "" };
+    let steps = if display.is_identity() { "encoding" } else { "exposure and encoding" };
+    let beyond = match display.tone() {
+        Tone::None if most > white => format!("; what lies beyond {} is clamped", number(white)),
+        _ => String::new(),
+    };
     let _ = write!(
         text,
         "<u class=\"most\">{}</u></div></div>\n<figcaption>What reaches the eye, term by term, \
-         before encoding{beyond}.</figcaption></figure>\n",
+         before {steps}{beyond}.</figcaption></figure>\n",
         number(most)
     );
     text

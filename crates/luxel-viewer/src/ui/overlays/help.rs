@@ -173,8 +173,16 @@ mod tests {
         let tilt = DMat4::from_rotation_z(0.4) * DMat4::from_translation(DVec3::new(0.3, 0.1, 0.0));
         view.camera.view_from_world = tilt * view.camera.view_from_world;
         let (up, pivot) = (scene.up, scene.bounds().centre() + 0.1);
-        let model =
-            Model { scene: Arc::new(scene), view, up, pivot, is_fitted: true, planes: [None; 2] };
+        let model = Model {
+            scene: Arc::new(scene),
+            view,
+            up,
+            pivot,
+            is_fitted: true,
+            planes: [None; 2],
+            is_auto_exposed: true,
+            exposure_note: None,
+        };
         let mut session = Session::new(model, SIZE, mode, false);
         session.set_number(luxel::navigation::Number::Transition, 0.0);
         session

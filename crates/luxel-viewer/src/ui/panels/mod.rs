@@ -133,8 +133,10 @@ impl PanelState {
 
     /// Replaces the explanation of the pixel under the pointer.
     pub(crate) fn set_explanation(&mut self, explanation: Option<Box<ExplainedPixel>>) {
-        let surface = explanation.as_ref().and_then(|pixel| pixel.surface());
-        self.equation = surface.map(ledger_lines);
+        self.equation = explanation.as_ref().and_then(|pixel| {
+            let display = &pixel.explanation.display;
+            pixel.surface().map(|surface| ledger_lines(surface, display))
+        });
         self.explanation = explanation;
     }
 }

@@ -1,12 +1,13 @@
-//! The view tab: comparison, shading, layers, guides, camera, navigation.
+//! The view tab: comparison, shading, layers, exposure, guides, camera, navigation.
 
-use super::controls::{one_of, row, slider};
+use super::controls::{heading, one_of, row, slider};
 use crate::display::{is_of_light, layer_name};
 use crate::keys::{Action, Guide, Keys, MODES};
 use crate::session::Session;
 use crate::theme;
 use crate::ui::{UiCommand, names, symbols};
 use egui::{RichText, Ui};
+use luxel::lighting::{Display, Tone};
 use luxel::navigation::Number;
 use luxel::render::{Clamp, Edges, Interpolation, Layer, ShadingMode};
 use luxel::scene::Lens;
@@ -15,6 +16,7 @@ pub(super) fn view(ui: &mut Ui, session: &mut Session, keys: &Keys, commands: &m
     comparison(ui, session, keys);
     shading(ui, session, keys);
     layers(ui, session, keys);
+    exposure(ui, session);
     guides(ui, session, keys);
     camera(ui, session, keys, commands);
     navigation(ui, session, keys, commands);
@@ -130,6 +132,28 @@ fn layers(ui: &mut Ui, session: &mut Session, keys: &Keys) {
     ui.add_space(4.0);
     wrapped(ui, &|layer| layer.as_ref().is_some_and(|layer| !is_of_light(layer)));
     session.change_display(|display| display.layer = chosen);
+}
+
+/// The exposure and the tone curve of surfaces.
+fn exposure(ui: &mut Ui, session: &mut Session) {
+    heading(ui, "Exposure");
+    let display = session.display();
+    let (mut stops, mut tone) = (f64::from(display.view().exposure), display.view().tone);
+    let is_auto = display.is_auto_exposed;
+    row(ui, "stops", |ui| {
+        let auto = ui.selectable_label(is_auto, "auto");
+        if auto.on_hover_text("for the lights as they are now").clicked() {
+            session.expose_automatically();
+        } else if slider(ui, &mut stops, -16.0..=16.0, 1) {
+            let most = f64::from(Display::MAX_EV);
+            session.change_display(|display| {
+                display.view_mut().exposure = stops.clamp(-most, most) as f32;
+                display.is_auto_exposed = false;
+            });
+        }
+    });
+    row(ui, "tone", |ui| one_of(ui, &mut tone, &Tone::ALL.map(|tone| (tone, tone.name()))));
+    session.change_display(|display| display.view_mut().tone = tone);
 }
 
 fn guides(ui: &mut Ui, session: &mut Session, keys: &Keys) {
