@@ -55,7 +55,9 @@ pub(crate) fn expose(view: &mut View, options: &ViewOptions, scene: &Scene) -> O
     view.exposure = ev;
     let light = luxel::report::number(light);
     (ev != 0.0).then(|| {
-        format!("exposure {ev}: the model gets {light} times the light that makes white white")
+        format!(
+            "exposure {ev}: the light on the model is {light} times what makes white surfaces white"
+        )
     })
 }
 

@@ -62,9 +62,16 @@ fn edited_light_and_shading_replace_those_of_the_command_line() {
     let dark =
         draw(&ShownView { view: &view, lights: Some(vec![]), is_environment_changed: false });
     assert!(dark.contains("--light=ambient:color=0,0,0"), "{dark}");
-    // They replace a scene file's shading, too.
+    // They replace a scene file's shading and exposure, too.
     view.shading.mode = ShadingMode::Phong;
+    view.exposure = -11.1;
+    let seen = ShownView { view: &view, lights: None, is_environment_changed: false };
+    assert!(draw(&seen).contains(" --exposure=-11.1 ") && !draw(&seen).contains("--tone"));
+    view.exposure = 0.0;
     let seen = ShownView { view: &view, lights: None, is_environment_changed: false };
     assert!(line(&Cli::command(), &[], OsStr::new("a.toml"), &seen).contains(" --shading=phong "));
+    let of_scene = line(&Cli::command(), &[], OsStr::new("a.toml"), &seen);
+    assert!(of_scene.contains(" --exposure=0 --tone=none "), "{of_scene}");
+    assert!(!draw(&seen).contains("exposure"));
     assert!(!draw(&seen).contains("phong") && draw(&seen).contains("point:pos=0,0,0"));
 }

@@ -10,6 +10,7 @@ mod damaged;
 mod explain;
 mod explain_pages;
 mod explain_terms;
+mod exposure;
 #[cfg(feature = "gallery")]
 mod gallery;
 mod info;

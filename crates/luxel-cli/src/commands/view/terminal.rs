@@ -23,6 +23,9 @@ impl ViewCommand {
         };
         let file = &self.input.model;
         let model = self.load(file, console, &LoadProgress::default())?;
+        if let Some(note) = &model.exposure_note {
+            console.notice(note);
+        }
         let options = TerminalOptions {
             file: file.clone(),
             mode: self.mode,
