@@ -58,6 +58,7 @@ pub use luxel_lighting as lighting;
 pub use luxel_math as math;
 pub use luxel_navigation as navigation;
 pub use luxel_pick as pick;
+pub use luxel_rays as rays;
 pub use luxel_render as render;
 pub use luxel_report as report;
 pub use luxel_scene as scene;

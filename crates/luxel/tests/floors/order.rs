@@ -10,6 +10,7 @@ pub(crate) const CRATES: &[&str] = &[
     "luxel-lighting",
     "luxel-scene",
     "luxel-formats",
+    "luxel-rays",
     "luxel-view",
     "luxel-visibility",
     "luxel-pick",
@@ -117,6 +118,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "open",
         ],
     ),
+    ("luxel-rays", &["world_ray", "object_tree", "scene_rays", "queries"]),
     ("luxel-view", &["cull", "layer", "shading", "view"]),
     ("luxel-visibility", &["types", "cluster", "cull", "raster", "query", "frame", "placed_scene"]),
     (
@@ -127,7 +129,6 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "region",
             "frustum",
             "picker",
-            "world_rays",
             "view",
             "coverage_query",
             "sample_group",
