@@ -22,6 +22,7 @@
 //! | [`check`] | mesh defects that spoil shading |
 //! | [`bvh`] | rays against triangles: closest, any and all hits |
 //! | [`pick`] | picking: rays, pixels, rectangles |
+//! | [`rays`] | rays through a scene: what they hit, and what lies in their way |
 //! | [`view`] | views: camera, lights, shading, layers |
 //! | [`render`] | pictures and layers of a scene |
 //! | [`report`] | the light of a pixel term by term, and picks, as text, JSON, LaTeX, HTML |
