@@ -83,7 +83,7 @@ impl SceneRays {
 
     /// Visits the objects whose boxes a ray hits, near ones first; `visit` returns the farthest t that
     /// still counts.
-    fn each_object(&self, ray: &WorldRay, mut visit: impl FnMut(usize, f64) -> f64) {
+    pub(crate) fn each_object(&self, ray: &WorldRay, mut visit: impl FnMut(usize, f64) -> f64) {
         let Some(bounds) = self.top.bounds().filter(|_| ray.is_valid()) else { return };
         let origin = ray.origin - self.middle;
         let Some(near) = RebasedRay::new(origin, ray.direction, ray.range, bounds) else { return };
@@ -97,7 +97,7 @@ impl SceneRays {
     }
 
     /// A ray in the coordinates of an object's tree.
-    fn rebased_ray(&self, ray: &WorldRay, object: usize) -> Option<RebasedRay> {
+    pub(crate) fn rebased_ray(&self, ray: &WorldRay, object: usize) -> Option<RebasedRay> {
         let tree = self.tree(object);
         let origin = tree.tree_from_world.transform_point3(ray.origin);
         let direction = tree.tree_from_world.transform_vector3(ray.direction);

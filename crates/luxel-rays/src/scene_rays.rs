@@ -5,7 +5,7 @@ use glam::DVec3;
 use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel};
 use luxel_parallel::map;
-use luxel_scene::{Mesh, Object, Scene};
+use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene};
 use std::sync::Arc;
 
 /// A scene prepared for world-space rays. It shares the scene: a program can keep both.
@@ -15,6 +15,8 @@ pub struct SceneRays {
     pub(crate) level: Level,
     bvhs: Vec<Bvh>,
     placed: Vec<PlacedTree>,
+    /// Whether nothing shines through a mesh.
+    opaque_meshes: Vec<bool>,
     /// The tree over the objects' boxes, relative to `middle`.
     pub(crate) top: BoxTree,
     pub(crate) middle: DVec3,
@@ -47,12 +49,29 @@ impl SceneRays {
     /// # Errors
     /// [`TooManyForTree`] if a mesh has too many triangles.
     pub fn with(scene: Arc<Scene>, quality: Quality, level: Level) -> Result<Self, TooManyForTree> {
+        let objects = scene.objects();
+        Self::of_objects(scene, objects, quality, level)
+    }
+
+    /// [`SceneRays::with`], for some of the scene's objects only: hits number these.
+    ///
+    /// # Errors
+    /// [`TooManyForTree`] if a mesh has too many triangles.
+    pub fn of_objects(
+        scene: Arc<Scene>,
+        objects: Vec<Object>,
+        quality: Quality,
+        level: Level,
+    ) -> Result<Self, TooManyForTree> {
         let bvhs = map(scene.meshes.len(), 1, &|run| {
             let mesh = &scene.meshes[run.start];
             Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))
         });
         let bvhs = bvhs.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
-        let objects = scene.objects();
+        let is_opaque =
+            |part: &Part| scene.materials[part.material.index()].alpha_mode == AlphaMode::Opaque;
+        let opaque_meshes =
+            scene.meshes.iter().map(|mesh| mesh.parts.iter().all(is_opaque)).collect();
         let placed = map(objects.len(), 1, &|run| {
             Some(PlacedTree::new(&scene, &objects[run.start], quality))
         });
@@ -63,6 +82,7 @@ impl SceneRays {
             level,
             bvhs,
             placed,
+            opaque_meshes,
             top: BoxTree::default(),
             middle: DVec3::ZERO,
         };
@@ -119,6 +139,11 @@ impl SceneRays {
     #[must_use]
     pub fn mesh(&self, object: usize) -> &Mesh {
         &self.scene.meshes[self.objects[object].mesh.index()]
+    }
+
+    /// Whether nothing shines through an object.
+    pub(crate) fn is_opaque(&self, object: usize) -> bool {
+        self.opaque_meshes[self.objects[object].mesh.index()]
     }
 
     /// The tree of an object.

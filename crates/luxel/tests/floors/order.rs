@@ -61,6 +61,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "reflection",
             "material",
             "reflectance",
+            "occlusion",
             "equation",
         ],
     ),
@@ -118,7 +119,10 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "open",
         ],
     ),
-    ("luxel-rays", &["world_ray", "object_tree", "scene_rays", "queries"]),
+    (
+        "luxel-rays",
+        &["world_ray", "object_tree", "scene_rays", "queries", "surface_place", "transmittance"],
+    ),
     ("luxel-view", &["cull", "layer", "shading", "view"]),
     ("luxel-visibility", &["types", "cluster", "cull", "raster", "query", "frame", "placed_scene"]),
     (
@@ -148,6 +152,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "execution",
             "coverage",
             "polygons",
+            "shadow",
             "context",
             "material",
             "setup",
