@@ -184,24 +184,6 @@ fn lights_are_divided_by_pi_and_stand_at_their_nodes() {
 }
 
 #[test]
-fn a_sun_of_thousands_of_lux_is_warned_of() {
-    let mut document = Document::triangle();
-    let warnings = |document: &mut Document, intensity: f64| {
-        document.json["extensions"] = json!({"KHR_lights_punctual": {"lights": [
-            {"type": "directional", "intensity": intensity},
-        ]}});
-        document.json["nodes"] =
-            json!([{"mesh": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}]);
-        document.load().warnings
-    };
-    assert!(warnings(&mut document, 10.0).is_empty());
-    let warnings = warnings(&mut document, 6830.0);
-    assert!(
-        warnings[0].message.starts_with("/nodes/0/") && warnings[0].message.contains("6830 lux")
-    );
-}
-
-#[test]
 fn cameras_hang_on_their_nodes() {
     let mut document = Document::triangle();
     document.json["cameras"] = json!([

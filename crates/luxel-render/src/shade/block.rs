@@ -3,12 +3,13 @@
 use crate::context::{LitAt, ShadingContext, needs};
 use crate::coverage::edge_distance;
 use crate::interpolate::{Batch, Fragments, Wanted};
-use crate::material::{Attributes, base_texel, lit, lit_elsewhere};
+use crate::material::{Attributes, base_texel, lit, lit_elsewhere, shading_normal};
 use crate::setup::SetupCache;
 use crate::shade::display::displayed;
 use crate::shade::lit_triangle::LitTriangles;
+use crate::shade::shadowed::VisibleLights;
 use crate::shade::witness::BlockWitness;
-use luxel_lighting::SurfacePoint;
+use luxel_lighting::{Occlusion, SurfacePoint};
 use luxel_math::{F64Lanes, LANES, Lanes, lanes_of};
 use luxel_view::{Interpolation, Shading, ShadingMode};
 use luxel_visibility::TriangleId;
@@ -18,11 +19,13 @@ pub(crate) struct ThreadCache {
     pub(crate) setup: SetupCache,
     /// Triangles whose light is computed elsewhere than at their pixels, or interpolated in the window.
     pub(crate) lit: LitTriangles,
+    /// V of each light at a batch's samples.
+    visibility: Vec<[f32; LANES]>,
 }
 
 impl ThreadCache {
     pub(crate) fn new() -> Self {
-        Self { setup: SetupCache::new(), lit: LitTriangles::new() }
+        Self { setup: SetupCache::new(), lit: LitTriangles::new(), visibility: Vec::new() }
     }
 
     /// Forgets the triangles of another frame.
@@ -58,6 +61,7 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
             }
             if !N::IS_SPECIALIZED
                 || W::HEARS_SURFACES
+                || scene.shadows.is_some()
                 || !is_plain(simd, scene, batch, &mut cache.setup, seen)
             {
                 shade_outlined::<N, W, { needs::ALL }>(simd, scene, batch, cache, witness, seen)
@@ -131,7 +135,9 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         while left != 0 {
             let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
             let lanes = left & simd.eq_mask(&materials, number);
-            let color = light::<N, W, NEEDS>(scene, &found, &point, (number, lanes), witness);
+            let occluded = (batch, &mut cache.visibility);
+            let of = (number, lanes);
+            let color = light::<N, W, NEEDS>(scene, &found, &point, of, Some(occluded), witness);
             if lanes == simd.all_lanes() {
                 result = color;
                 break;
@@ -141,7 +147,9 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         }
         // Surfaces alone: neither the background nor what is drawn over them.
         if let Some(display) = &scene.display {
-            result = color_where(simd, seen, displayed(display, &result), result);
+            // A copy, because the call needs its arguments in memory, and only here.
+            let copy = result;
+            result = color_where(simd, seen, displayed(display, &copy), result);
         }
         if scene.edges.is_some() {
             return draw_edges(scene, batch, seen, result);
@@ -161,9 +169,10 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), &mut materials);
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
-    let mut color = light::<N, W, NEEDS>(scene, &found, &point, (material, seen), witness);
+    let mut color = light::<N, W, NEEDS>(scene, &found, &point, (material, seen), None, witness);
     if let Some(display) = &scene.display {
-        color = displayed(display, &color);
+        let copy = color;
+        color = displayed(display, &copy);
     }
     if seen == simd.all_lanes() {
         return color;
@@ -178,6 +187,7 @@ fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     found: &Fragments<N>,
     point: &SurfacePoint<N>,
     (material, lanes): (u32, u32),
+    occluded: Option<(&Batch, &mut Vec<[f32; LANES]>)>,
     witness: &mut W,
 ) -> [N; 4] {
     let number = material as usize;
@@ -187,7 +197,16 @@ fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         || scene.shading.mode == ShadingMode::Phong
         || NEEDS == needs::ALL && scene.lit_at(number) == LitAt::Pixels;
     if at_pixels {
-        lit::<N, W, NEEDS>(scene, attributes, point, number, lanes, witness)
+        let normal = shading_normal(scene, attributes, point.normal, number, lanes);
+        let point = SurfacePoint { normal, ..*point };
+        let mut occlusion = Occlusion::NONE;
+        if let (Some(shadows), Some((batch, visibility))) = (scene.shadows, occluded) {
+            let of = (&batch.ids, lanes);
+            shadows.visibility(of, &found.weights, &point, visibility);
+            occlusion.visibility = Some(visibility);
+        }
+        let of = (number, lanes);
+        lit::<N, W, NEEDS>(scene, attributes, &point, of, occlusion, witness)
     } else {
         lit_elsewhere::<N, W, NEEDS>(scene, attributes, point, number, lanes, witness)
     }
@@ -263,6 +282,9 @@ pub(crate) fn all_fragments<N: Lanes>(
             if is_studied(&scene.shading) {
                 study(scene, batch, cache, seen, found);
             }
+            if scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong {
+                shadow(scene, batch, cache, seen, found);
+            }
         },
     );
 }
@@ -299,6 +321,34 @@ fn study<N: Lanes>(
             LitAt::Pixels | LitAt::Elsewhere => [1.0; 3],
         };
         if let Some(light) = triangle.own_light(weights, texel) {
+            found.attributes.put_light(lane, light);
+        }
+    }
+}
+
+/// Shadows on light that was computed elsewhere: sample by sample.
+#[cold]
+#[inline(never)]
+fn shadow<N: Lanes>(
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    cache: &mut ThreadCache,
+    seen: u32,
+    found: &mut Fragments<N>,
+) {
+    for lane in lanes_of(seen) {
+        let id = TriangleId(batch.ids[lane]);
+        let Some(triangle) = cache.lit.get(scene, id) else { continue };
+        let number = triangle.material as usize;
+        if scene.lit_at(number) == LitAt::Pixels {
+            continue;
+        }
+        let weights = found.weights.map(|weight| weight.lane(lane));
+        let places = triangle.lit_at(weights, batch.position(lane));
+        let texel = base_texel(scene, &found.attributes, number, 1 << lane).lane(lane);
+        let visible = VisibleLights::of(scene, id, weights, &places);
+        let light = visible.and_then(|visible| visible.light(scene, triangle, &places, texel));
+        if let Some(light) = light {
             found.attributes.put_light(lane, light);
         }
     }

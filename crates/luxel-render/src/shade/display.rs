@@ -5,7 +5,9 @@ use luxel_math::{Lanes, Rgb};
 
 /// Colours of surfaces as the picture shows them; alpha stays.
 ///
-/// Outlined: one copy per lane type, for every kernel that shades.
+/// Outlined: one copy per lane type, for every kernel that shades. Cold: pictures without either aren't to
+/// notice.
+#[cold]
 #[inline(never)]
 pub(crate) fn displayed<N: Lanes>(display: &Display, color: &[N; 4]) -> [N; 4] {
     let [r, g, b, alpha] = *color;

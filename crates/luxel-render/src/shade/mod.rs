@@ -6,6 +6,7 @@ mod block;
 mod display;
 mod lit_triangle;
 mod screen_interpolation;
+mod shadowed;
 mod texel_light;
 mod witness;
 
@@ -13,4 +14,5 @@ pub(crate) use adaptive_subdivision::encoded;
 pub(crate) use block::{ThreadCache, all_fragments, is_studied, point_of, shade};
 pub(crate) use display::displayed;
 pub(crate) use lit_triangle::LitTriangle;
+pub(crate) use shadowed::VisibleLights;
 pub(crate) use witness::BlockWitness;
