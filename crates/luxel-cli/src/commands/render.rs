@@ -201,6 +201,9 @@ impl RenderCommand {
         if target.format == Format::Svg && !matches!(mode.shading, ShadingMode::Subdivided { .. }) {
             mode.tolerance = None;
         }
+        if options.picture.tone != Tone::None && target.holds_light() {
+            console.notice("EXR and NPY hold light, which --tone leaves as it is");
+        }
         let mut exposure = None;
         let mut warnings: Vec<String> = model.warnings.clone();
         for (number, &camera) in cameras.iter().enumerate() {

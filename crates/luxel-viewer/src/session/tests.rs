@@ -1,6 +1,6 @@
 use super::*;
 use crate::projection::WindowPart;
-use luxel::lighting::K_D;
+use luxel::lighting::{K_D, Tone};
 use luxel::navigation::{Gesture, Log};
 use luxel::scene::{DVec2, demos};
 use std::sync::Arc;
@@ -185,4 +185,36 @@ fn fixed_planes_stay_valid() {
         let Projection { near, far, .. } = session.camera().projection;
         assert!(near > 0.0 && near < far, "{planes:?}: {near} {far}");
     }
+}
+
+#[test]
+fn the_exposure_is_metered_when_a_model_is_loaded_and_when_it_is_asked_for() {
+    let mut session = session(false);
+    assert_eq!((session.view().exposure, session.display().is_auto_exposed), (0.0, true));
+    // A brighter light makes the picture brighter.
+    session.change_display(|display| display.view_mut().lights[0].light.diffuse = [1024.0; 3]);
+    assert_eq!(session.view().exposure, 0.0);
+    session.expose_automatically();
+    assert_eq!(session.view().exposure, -10.0);
+    assert!(session.display().summary().contains("exposure -10"));
+
+    // A new version of the file has its own; a tone curve is the user's for all files.
+    let mut model = session.model.clone();
+    model.view.lights[0].light.diffuse = [64.0; 3];
+    model.view.exposure = -6.0;
+    session.reload(model.clone());
+    assert_eq!(session.view().exposure, -6.0);
+    session.change_display(|display| {
+        display.view_mut().exposure = 1.5;
+        display.view_mut().tone = Tone::Agx;
+        display.is_auto_exposed = false;
+    });
+    let mut other = model.clone();
+    other.view.lights[0].light.diffuse = [32.0; 3];
+    other.view.exposure = -5.0;
+    session.reload(other.clone());
+    assert_eq!(session.view().exposure, 1.5, "the user's own stays");
+    let mut next = Session::new(other, SIZE, Mode::RollingBall, false);
+    next.copy_display_from(&session);
+    assert_eq!((next.view().exposure, next.view().tone), (-5.0, Tone::Agx));
 }

@@ -44,6 +44,11 @@ enum Place {
 }
 
 impl Target {
+    /// Whether pixels are light rather than what a picture shows of it.
+    pub(super) fn holds_light(&self) -> bool {
+        matches!(self.format, Format::Pixels(format) if format.is_linear())
+    }
+
     /// Checks the flags before any work.
     pub(super) fn of(options: &OutputOptions) -> Result<Self, Failure> {
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
