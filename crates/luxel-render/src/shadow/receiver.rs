@@ -3,7 +3,7 @@
 use glam::DVec3;
 use luxel_lighting::{PlacedLight, SurfacePoint, terminator};
 use luxel_math::{LANES, Lanes, lanes_of};
-use luxel_rays::{LIFT, SceneRays, SurfacePlace, WorldRay};
+use luxel_rays::{LIFT, SceneRays, SurfacePlace, TrianglePlaces, WorldRay};
 use luxel_visibility::{Frame, PlacedScene, TriangleId};
 
 /// Rays and lights of a frame with shadows.
@@ -40,6 +40,9 @@ impl LightSource {
     }
 }
 
+/// A ray that meets nothing.
+const NO_RAY: WorldRay = WorldRay::new(DVec3::ZERO, DVec3::ZERO);
+
 /// A ray from a surface to a light, and what the surface's own shape lets through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ShadowRay {
@@ -63,32 +66,58 @@ impl Shadows<'_> {
             let n_dot_l = normal.dot(light.to_light(point.position));
             std::array::from_fn(|lane| n_dot_l.lane(lane))
         }));
+        let mut places = [None; LANES];
+        let mut of_triangle = (TriangleId::NONE, None);
         for lane in lanes_of(lanes) {
+            let id = TriangleId(ids[lane]);
+            if of_triangle.0 != id {
+                of_triangle = (id, self.places(id));
+            }
             let weights = barycentric.map(|weight| weight.lane(lane));
-            let place = self.place(TriangleId(ids[lane]), weights);
-            for (source, own) in self.sources.iter().zip(&mut *of_lights) {
-                let n_dot_l = own[lane];
-                own[lane] = match place.filter(|_| n_dot_l > 0.0) {
-                    Some(place) => {
-                        let normal = [normal.x, normal.y, normal.z].map(|side| side.lane(lane));
-                        let shadow = ShadowRay::new(&place, *source, normal);
-                        shadow.terminator * self.transmittance(&shadow)
-                    }
-                    None => 1.0,
-                };
+            places[lane] = of_triangle.1.map(|places| self.facing(places.at(weights)));
+        }
+        for (source, own) in self.sources.iter().zip(of_lights) {
+            let mut rays = [NO_RAY; LANES];
+            let mut asked = [(0, 0.0); LANES];
+            let mut count = 0;
+            for lane in lanes_of(lanes) {
+                let n_dot_l = std::mem::replace(&mut own[lane], 1.0);
+                let Some(place) = places[lane].filter(|_| n_dot_l > 0.0) else { continue };
+                let normal = [normal.x, normal.y, normal.z].map(|side| side.lane(lane));
+                let ShadowRay { ray, terminator } = ShadowRay::new(&place, *source, normal);
+                if terminator > 0.0 {
+                    (rays[count], asked[count]) = (ray, (lane, terminator));
+                    count += 1;
+                } else {
+                    own[lane] = 0.0;
+                }
+            }
+            let mut through = [1.0; LANES];
+            self.rays.transmittance_of_few(&rays[..count], &mut through[..count]);
+            for (&(lane, terminator), through) in asked[..count].iter().zip(through) {
+                own[lane] = terminator * through;
             }
         }
     }
 
     /// The place of a sample on its triangle, on the side that is seen; `None` of points and lines.
     pub(crate) fn place(&self, id: TriangleId, barycentric: [f32; 3]) -> Option<SurfacePlace> {
+        Some(self.facing(self.places(id)?.at(barycentric)))
+    }
+
+    /// The places of a triangle; `None` of points and lines.
+    fn places(&self, id: TriangleId) -> Option<TrianglePlaces> {
         let of = self.frame.triangle(id)?;
         let instance = &self.placed.instances()[of.instance];
         if instance.strokes.is_some() {
             return None;
         }
-        let place = self.rays.place(instance.object, of.triangle, barycentric)?;
-        Some(place.facing(self.towards_eye.unwrap_or(self.eye - place.position)))
+        self.rays.places(instance.object, of.triangle)
+    }
+
+    /// A place on the side that is seen.
+    fn facing(&self, place: SurfacePlace) -> SurfacePlace {
+        place.facing(self.towards_eye.unwrap_or(self.eye - place.position))
     }
 
     /// The ray from a place with the shading normal N to the light of this number.
