@@ -8,6 +8,7 @@ mod count;
 mod exposure;
 mod memory;
 mod numbering;
+mod occlusion;
 mod region;
 mod size;
 
@@ -22,5 +23,6 @@ pub(crate) use luxel::formats::values::{
 };
 pub(crate) use memory::memory;
 pub(crate) use numbering::Numbering;
+pub(crate) use occlusion::{OcclusionRadius, occlusion_radius, rays};
 pub(crate) use region::{Rectangle, lasso, rectangle};
 pub(crate) use size::size;

@@ -15,7 +15,7 @@ use crate::execution::Execution;
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
-use crate::shadow::{LightSource, Shadows};
+use crate::shadow::{DiscSequence, LightSource, OpennessRule, Shadows};
 use luxel_lighting::{Environment, LightKind, LightingEnvironment, PlacedLight, Reflection};
 use luxel_math::{Level, dispatch_long};
 use luxel_rays::{Quality, SceneRays, TooManyForTree};
@@ -266,8 +266,8 @@ impl Renderer {
                 PlacedScene::new(&self.scene, &self.objects, &view.camera, view.size, &rules);
             let frame = placed.frame(&self.clusters, samples, self.level)?;
             let lights = frame_setup::placed_lights(view, &self.scene);
-            let shadows = match view.shadows {
-                true => Some(self.shadows(&frame, &placed, &lights)?),
+            let shadows = match view.shadows || view.ambient_occlusion.is_some() {
+                true => Some(self.shadows(view, &frame, &placed, &lights)?),
                 false => None,
             };
             let flags_of_meshes: Vec<EdgeFlags> = if view.edges.is_some() {
@@ -346,9 +346,10 @@ impl Renderer {
         })
     }
 
-    /// What keeps lights away from surfaces.
+    /// What keeps light away from surfaces.
     fn shadows<'f>(
         &'f self,
+        view: &View,
         frame: &'f Frame<'f>,
         placed: &'f PlacedScene<'f>,
         lights: &'f [PlacedLight],
@@ -365,7 +366,17 @@ impl Renderer {
             frame,
             placed,
             lights,
-            sources: lights.iter().map(|light| LightSource::new(light, eye)).collect(),
+            sources: lights
+                .iter()
+                .filter(|_| view.shadows)
+                .map(|light| LightSource::new(light, eye))
+                .collect(),
+            light_rays: view.light_rays.max(1),
+            openness: view.ambient_occlusion.map(|occlusion| OpennessRule {
+                radius: occlusion.radius.unwrap_or_else(|| self.scene.bounds().radius() * 0.25),
+                rays: occlusion.rays.max(1),
+            }),
+            disc: DiscSequence::new(),
             eye,
             towards_eye: camera.projection.is_orthographic().then(|| -camera.direction()),
         })

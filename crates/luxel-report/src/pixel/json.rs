@@ -123,7 +123,7 @@ fn seen(seen: &Seen, scene: &Scene) -> Map<String, Value> {
 fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
     let objects = scene.objects();
     let path = objects.get(seen.object).map(|object| scene.path(object.node));
-    json!({
+    let mut value = json!({
         "index": seen.object,
         "object": seen.name,
         "path": path,
@@ -148,7 +148,11 @@ fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
         "color": seen.color,
         "display": seen.display,
         "alpha": seen.alpha,
-    })
+    });
+    if let Some(openness) = seen.openness {
+        value["openness"] = json!(openness);
+    }
+    value
 }
 
 /// The points at which light was evaluated; null if that is the sample itself.
