@@ -101,7 +101,10 @@ impl Picker {
         Self::build(scene.into(), quality, simd.resolve()?)
     }
 
-    fn build(scene: Arc<Scene>, quality: Quality, level: Level) -> Result<Self, PickError> {
+    fn build(mut scene: Arc<Scene>, quality: Quality, level: Level) -> Result<Self, PickError> {
+        if scene.has_sections() {
+            Arc::make_mut(&mut scene).separate();
+        }
         let bvhs = map(scene.meshes.len(), 1, &|run| {
             let mesh = &scene.meshes[run.start];
             Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))
@@ -192,7 +195,7 @@ impl Picker {
 impl PlacedTree {
     fn new(scene: &Scene, object: &Object, quality: Quality) -> Result<Self, TooManyForTree> {
         let mesh = &scene.meshes[object.mesh.index()];
-        let world_from_tree = object.world_from_mesh * DMat4::from_translation(mesh.origin);
+        let world_from_tree = *object.world_from_mesh * DMat4::from_translation(mesh.origin);
         let tree_from_world = world_from_tree.inverse();
         let of = |world_from_tree, tree_from_world, baked| Self {
             mesh: object.mesh.index(),

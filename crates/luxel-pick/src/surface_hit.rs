@@ -115,17 +115,17 @@ impl PickView<'_> {
     pub(crate) fn element_of(&self, number: usize, triangle: u32) -> (usize, Element) {
         let instance = &self.placed.instances()[number];
         let Some(strokes) = instance.strokes else {
-            return (instance.object, Element::Triangle(triangle));
+            return (instance.objects.start, Element::Triangle(triangle));
         };
         let element = self.element(strokes, triangle);
-        let points = &self.picker.mesh(instance.object).points;
+        let points = &self.picker.mesh(instance.objects.start).points;
         let points = points.iter().map(|points| points.indices.len()).sum::<usize>() as u32;
         let element = if element < points {
             Element::Point(element)
         } else {
             Element::Line(element - points)
         };
-        (instance.object, element)
+        (instance.objects.start, element)
     }
 
     pub(crate) fn forms(&self, covering: &CoveringTriangle) -> Forms {

@@ -73,7 +73,7 @@ fn scene(origin: DVec3, frequency: u32) -> Scene {
             * DMat4::from_scale(DVec3::from_array(scale));
         let name = scene.nodes.len().to_string();
         let parent_from_node = about(of);
-        scene.nodes.push(Node { parent_from_node, ..Node::root(name, Some(MeshId(mesh))) });
+        scene.nodes.push(Node::root(name, Some(MeshId(mesh))).at(None, parent_from_node));
     };
     node(0, [-1.2, 0.0, 0.0], [1.0; 3]);
     node(0, [-1.2, 0.0, 0.0], [1.0; 3]);

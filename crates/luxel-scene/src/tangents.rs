@@ -38,6 +38,9 @@ impl Mesh {
     /// Does nothing without normals or such coordinates. Where a vertex has no triangle whose
     /// texture coordinates have an area, the tangent is some perpendicular.
     pub fn compute_tangents(&mut self, uv_set: usize) {
+        if !self.sections.is_empty() {
+            return self.change_sections(&mut |section| section.compute_tangents(uv_set));
+        }
         let Some(uvs) = self.uvs.get(uv_set) else { return };
         let corners = self.attribute_corners().as_flattened();
         let Some(&highest) = corners.iter().max() else { return };

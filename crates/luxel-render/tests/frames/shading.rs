@@ -336,7 +336,7 @@ fn rolled(interpolation: Interpolation, degrees: f64) -> Vec<[u8; 4]> {
     let mut mesh = square(0.0);
     mesh.colors = vec![[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [1.0; 4]];
     let mut scene = scene(vec![(mesh, matte([1.0; 3]))]);
-    scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians());
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians()).into();
     let shading = Shading { mode: ShadingMode::Gouraud, interpolation, ..Shading::default() };
     let mut pixels = bytes(&scene, &view(65).with_shading(shading));
     // Turned back: pixels near the middle, asked at the same places of the square.
@@ -382,7 +382,7 @@ fn rolled_by_45_degrees_a_quad_keeps_its_colours_in_perspective_to_a_step() {
         mesh.colors =
             vec![[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [1.0; 4]];
         let mut scene = scene(vec![(mesh, matte([1.0; 3]))]);
-        scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians());
+        scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians()).into();
         let shading = Shading {
             mode: ShadingMode::Gouraud,
             interpolation,

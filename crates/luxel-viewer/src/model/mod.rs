@@ -27,3 +27,12 @@ pub struct Model {
     /// The near and far clipping planes that the user has fixed; the others fit the scene.
     pub planes: [Option<f64>; 2],
 }
+
+impl Model {
+    /// Gives every object a mesh of its own: objects are hidden, measured and coloured one by one.
+    pub(crate) fn separate(&mut self) {
+        if self.scene.has_sections() {
+            Arc::make_mut(&mut self.scene).separate();
+        }
+    }
+}

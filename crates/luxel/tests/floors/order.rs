@@ -89,6 +89,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "opacity",
             "restyle",
             "fit",
+            "sections",
             "demos",
         ],
     ),
