@@ -247,12 +247,12 @@ impl TriangleSurface<'_> {
     fn mapped(&self, position: [i32; 2], weights: [f32; 3], normal: Vec3<f32>) -> Vec3<f32> {
         let &Self { mesh, space, attributes, .. } = self;
         let material = &self.view.picker.scene.materials[self.material.index()];
-        let Some(used) = material.normal.filter(|_| !mesh.tangents.is_empty()) else {
+        let Some(used) = material.normal.as_deref().filter(|_| !mesh.tangents.is_empty()) else {
             return normal;
         };
         let tangents = attributes.map(|at| space.tangent(mesh, at));
         let [x, y, z, sign] = interpolate_corners(&tangents, &weights);
-        let [r, g, b, _] = self.texel(&used, position, weights);
+        let [r, g, b, _] = self.texel(used, position, weights);
         mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
     }
 

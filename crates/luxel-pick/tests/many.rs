@@ -53,7 +53,7 @@ fn scene(origin: DVec3, frequency: u32) -> Scene {
     strokes.lines = vec![Lines { segments, material: MaterialId(2) }];
     let holes = SceneMaterial {
         alpha_mode: AlphaMode::Mask { cutoff: 0.5 },
-        base_color: Some(TextureUse::new(TextureId(0))),
+        base_color: Some(TextureUse::new(TextureId(0)).into()),
         ..SceneMaterial::default()
     };
     let front = SceneMaterial { sides: Sides::Front, ..SceneMaterial::default() };

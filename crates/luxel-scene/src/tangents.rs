@@ -21,9 +21,10 @@ impl Scene {
     /// normal map, over the texture coordinates of the first such map.
     pub fn compute_tangents(&mut self) {
         for mesh in &mut self.meshes {
-            let map = mesh.parts.iter().find_map(|part| {
-                self.materials.get(part.material.index()).and_then(|material| material.normal)
-            });
+            let map = mesh
+                .parts
+                .iter()
+                .find_map(|part| self.materials.get(part.material.index())?.normal.as_deref());
             if let (true, Some(map)) = (mesh.tangents.is_empty(), map) {
                 mesh.compute_tangents(usize::from(map.uv_set));
             }

@@ -249,14 +249,14 @@ fn cone_to_json(cone: Cone) -> Value {
 fn material_to_json(material: &SceneMaterial) -> Value {
     let constants = &material.constants;
     let textures = [
-        ("base_color", material.base_color),
-        ("metallic_roughness", material.metallic_roughness),
-        ("normal", material.normal),
-        ("occlusion", material.occlusion),
-        ("emission", material.emission),
-        ("specular", material.specular),
-        ("ambient", material.ambient),
-        ("opacity", material.opacity_map),
+        ("base_color", &material.base_color),
+        ("metallic_roughness", &material.metallic_roughness),
+        ("normal", &material.normal),
+        ("occlusion", &material.occlusion),
+        ("emission", &material.emission),
+        ("specular", &material.specular),
+        ("ambient", &material.ambient),
+        ("opacity", &material.opacity_map),
     ];
     let used = textures.iter().filter(|(_, texture)| texture.is_some()).map(|(name, _)| *name);
     let mut value = json!({

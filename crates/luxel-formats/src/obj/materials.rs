@@ -35,13 +35,14 @@ const BYTES_PER_TEXEL: u64 = 6;
 pub(super) struct Materials<'a> {
     folder: Option<&'a Path>,
     memory: Memory<'a>,
-    names: Vec<&'a [u8]>,
-    definitions: HashMap<&'a [u8], Box<Definition>>,
+    /// By the file's number: names, and definitions that aren't built yet.
+    names: &'a [&'a [u8]],
+    definitions: Vec<Option<Box<Definition>>>,
     pub(super) list: Vec<SceneMaterial>,
     pub(super) textures: Vec<Texture>,
-    /// Built materials, by the file's number; undefined ones also by whether they are
-    /// for vertices with colours.
-    made: HashMap<(u32, bool), MaterialId>,
+    /// Built materials, by the file's number and by whether they are for vertices with colours; last that
+    /// of elements without one.
+    made: Vec<[Option<MaterialId>; 2]>,
     loaded: HashMap<(String, Use, bool), TextureId>,
 }
 
@@ -57,20 +58,21 @@ impl<'a> Materials<'a> {
     /// Reads the libraries; `names` are the materials by the file's numbers.
     pub(super) fn read(
         libraries: &[&[u8]],
-        names: &[&'a [u8]],
+        names: &'a [&'a [u8]],
         folder: Option<&'a Path>,
         limits: &'a Limits,
         warnings: &mut Warnings,
     ) -> Self {
-        let mut definitions = HashMap::new();
-        let used: HashSet<&[u8]> = names.iter().copied().collect();
+        let mut definitions = Vec::new();
+        definitions.resize_with(names.len(), || None);
+        let numbers: HashMap<&[u8], usize> = names.iter().copied().zip(0..).collect();
         let mut files = Libraries { folder, memory: Memory::new(limits), seen: HashSet::new() };
         for line in libraries {
             for (name, bytes) in files.of_line(line, warnings) {
                 mtl::read(&bytes, &name, warnings, &mut |definition| {
                     // The first definition wins: libraries are searched in order.
-                    if let Some(&name) = used.get(definition.name.as_slice()) {
-                        definitions.entry(name).or_insert_with(|| Box::new(definition));
+                    if let Some(&number) = numbers.get(definition.name.as_slice()) {
+                        definitions[number].get_or_insert_with(|| Box::new(definition));
                     }
                 });
             }
@@ -78,11 +80,11 @@ impl<'a> Materials<'a> {
         Self {
             folder,
             memory: files.memory,
-            names: names.to_vec(),
+            names,
             definitions,
             list: Vec::new(),
             textures: Vec::new(),
-            made: HashMap::new(),
+            made: vec![[None; 2]; names.len() + 1],
             loaded: HashMap::new(),
         }
     }
@@ -94,11 +96,12 @@ impl<'a> Materials<'a> {
         is_colored: bool,
         warnings: &mut Warnings,
     ) -> MaterialId {
-        if let Some(&made) = self.made.get(&(number, is_colored)) {
+        let number = (number as usize).min(self.names.len());
+        if let Some(made) = self.made[number][usize::from(is_colored)] {
             return made;
         }
-        let name = self.names.get(number as usize).copied();
-        let definition = name.and_then(|name| self.definitions.remove(name));
+        let name = self.names.get(number).copied();
+        let definition = self.definitions.get_mut(number).and_then(Option::take);
         let mut material = match (&definition, name) {
             (Some(definition), _) => self.make(definition, warnings),
             (None, name) => {
@@ -119,9 +122,10 @@ impl<'a> Materials<'a> {
         }
         let id = MaterialId(self.list.len() as u32);
         self.list.push(material);
-        self.made.insert((number, is_colored), id);
+        let made = &mut self.made[number];
+        made[usize::from(is_colored)] = Some(id);
         if definition.is_some() {
-            self.made.insert((number, !is_colored), id);
+            *made = [Some(id); 2];
         }
         id
     }
@@ -171,7 +175,7 @@ impl<'a> Materials<'a> {
         warnings: &mut Warnings,
     ) {
         let mut get = |map: &Option<Box<Map>>, used: Use| {
-            map.as_ref().map(|map| self.texture(map, used, warnings))
+            map.as_ref().map(|map| Box::new(self.texture(map, used, warnings)))
         };
         material.base_color = get(&definition.diffuse_map, Use::Color);
         material.specular = get(&definition.specular_map, Use::Color);
@@ -181,10 +185,10 @@ impl<'a> Materials<'a> {
         material.ambient = get(&definition.ambient_map, Use::Color);
         let bump = get(&definition.bump_map, Use::Normal);
         if definition.ambient_map.is_none() && definition.ambient.is_some() {
-            material.ambient = material.base_color;
+            material.ambient.clone_from(&material.base_color);
         }
         if let Some(bump) = bump.filter(|_| material.normal.is_none()) {
-            if is_normal_map(self.level(bump)) {
+            if is_normal_map(self.level(&bump)) {
                 material.normal = Some(bump);
             } else {
                 let name = shown(&definition.name);
@@ -195,8 +199,8 @@ impl<'a> Materials<'a> {
         }
         let alpha = |texel: &[u8; 4]| texel[3];
         let red = |texel: &[u8; 4]| texel[0];
-        let of_color = material.base_color.map(|used| alpha_mode(self.level(used), alpha));
-        let of_map = material.opacity_map.map(|used| alpha_mode(self.level(used), red));
+        let of_color = material.base_color.as_ref().map(|used| alpha_mode(self.level(used), alpha));
+        let of_map = material.opacity_map.as_ref().map(|used| alpha_mode(self.level(used), red));
         for mode in [of_color, of_map].into_iter().flatten() {
             material.alpha_mode = match (material.alpha_mode, mode) {
                 (AlphaMode::Blend, _) | (_, AlphaMode::Opaque) => material.alpha_mode,
@@ -205,7 +209,7 @@ impl<'a> Materials<'a> {
         }
     }
 
-    fn level(&self, used: TextureUse) -> &[[u8; 4]] {
+    fn level(&self, used: &TextureUse) -> &[[u8; 4]] {
         let texture = self.textures.get(used.texture.index());
         texture.and_then(|texture| texture.image.levels.first()).map_or(&[], |level| &level.texels)
     }

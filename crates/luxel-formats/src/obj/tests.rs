@@ -207,10 +207,10 @@ fn textures_are_found_with_spaces_options_and_backslashes() {
     let loaded = folder.load(&quad("mtllib none.mtl m.mtl\nusemtl a\nf 1 2 3\n"));
     assert_eq!(loaded.warnings.len(), 1, "{:?}", loaded.warnings);
     let material = &loaded.scene.materials[0];
-    let used = material.base_color.unwrap();
+    let used = material.base_color.as_ref().unwrap();
     // v up: 3 v + 0.25; v down: 1 - (3 (1 - v) + 0.25) = 3 v - 2.25.
     assert_eq!(used.transform, [2.0, 0.0, 0.5, 0.0, 3.0, -2.25]);
-    assert_eq!(material.ambient, Some(used));
+    assert_eq!(material.ambient.as_ref(), Some(used));
     assert_eq!(material.constants.diffuse, [1.0; 3]);
     assert_eq!(material.alpha_mode, AlphaMode::Mask { cutoff: 0.5 });
     assert_eq!(loaded.scene.textures[0].image.levels[0].width, 2);

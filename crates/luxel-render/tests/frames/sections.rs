@@ -12,7 +12,7 @@ use luxel_scene::{
 /// A square of a material, turned, with its middle at a place.
 fn turned_square([x, y, z]: [f32; 3], angle: f32, material: u32) -> Mesh {
     let mut mesh = square(0.0);
-    let (sin, cos) = (angle.sin(), angle.cos());
+    let (sin, cos) = libm::sincosf(angle);
     for position in &mut mesh.positions {
         let [px, py, _] = *position;
         *position = [x + px * cos, y + py, z + px * sin];
