@@ -37,6 +37,7 @@ pub(crate) fn view(
             EncodingChoice::None => PictureEncoding::None,
         })
         .with_edges(edges)
+        .with_shadows(light.shadows)
         .with_shading(mode.shading()?))
 }
 

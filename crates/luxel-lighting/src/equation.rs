@@ -4,8 +4,8 @@ use crate::coefficients::broadcast;
 use crate::light::bounded;
 use crate::reflection::{Incidence, Surface};
 use crate::{
-    Broadcast, Coefficients, Environment, Fog, LightKind, LightTerms, Material, PlacedLight,
-    Reflectance, Reflection, SurfacePoint, Terms, Witness,
+    Broadcast, Coefficients, Environment, Fog, LightKind, LightTerms, Material, Occlusion,
+    PlacedLight, Reflectance, Reflection, SurfacePoint, Terms, Witness,
 };
 use luxel_math::{Lanes, Rgb};
 
@@ -62,11 +62,12 @@ impl<'a> LightingEnvironment<'a> {
 
 /// The light that a surface point sends to the eye, fog included, not clamped, always finite.
 ///
-/// With f = attenuation x spot, the light is, summed from left to right:
+/// With f = attenuation x spot, and V the part of a light that nothing keeps away, the light is,
+/// summed from left to right:
 ///
 /// ```text
 /// I = O_e + I_a k_a O_a
-///   + for each light: f I_a,i k_a O_a + f I_d,i k_d O_d max(N.L, 0) + f I_s,i k_s O_s max(c, 0)^n
+///   + for each light: V f (I_a,i k_a O_a + I_d,i k_d O_d max(N.L, 0) + I_s,i k_s O_s max(c, 0)^n)
 ///   + environment
 /// I' = s I + (1 - s) I_dc
 /// ```
@@ -74,7 +75,7 @@ impl<'a> LightingEnvironment<'a> {
 /// (Foley et al., *Computer Graphics: Principles and Practice*, 1990, section 16.1, with the
 /// ambient intensity of each light and its cone from OpenGL 1.x.) This is the equation for Phong's
 /// and Blinn's highlights; the other kinds of [`Reflection`] replace the diffuse and the specular
-/// term. A light at the surface itself adds nothing.
+/// term. A light at the surface itself adds nothing. Here V is 1.
 #[inline(always)]
 pub fn lit<N: Lanes, W: Witness<N>>(
     point: &SurfacePoint<N>,
@@ -84,19 +85,20 @@ pub fn lit<N: Lanes, W: Witness<N>>(
     witness: &mut W,
 ) -> Rgb<N> {
     let coefficients = Coefficients::new(reflectance, material);
-    lit_by(point, &coefficients, &material.reflection, lighting, witness)
+    lit_by(point, &coefficients, &material.reflection, lighting, Occlusion::NONE, witness)
 }
 
-/// [`lit`], for a surface with known coefficients.
+/// [`lit`], for a surface with known coefficients, and light of which something is kept away.
 #[inline(always)]
 pub fn lit_by<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     point: &SurfacePoint<N>,
     coefficients: &Coefficients<K>,
     reflection: &Reflection,
     lighting: &LightingEnvironment<'_>,
+    occlusion: Occlusion<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
-    let sum = reflected(point, coefficients, reflection, lighting, witness);
+    let sum = reflected(point, coefficients, reflection, lighting, occlusion, witness);
     let color = match lighting.fog {
         Some(fog) => fog.veiled(sum, point.depth, witness),
         None => sum,
@@ -113,6 +115,7 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     coefficients: &Coefficients<K>,
     reflection: &Reflection,
     lighting: &LightingEnvironment<'_>,
+    occlusion: Occlusion<'_>,
     witness: &mut W,
 ) -> Rgb<N> {
     let simd = point.depth;
@@ -127,7 +130,10 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
         if light.kind == LightKind::Ambient {
             continue;
         }
-        let sample = placed.sample(point.position);
+        let mut sample = placed.sample(point.position);
+        if let Some(visibility) = occlusion.visibility.and_then(|of_lights| of_lights.get(index)) {
+            sample.visibility = Some(simd.load(visibility, 0));
+        }
         let n_dot_l = point.normal.dot(sample.to_light);
         let incidence = Incidence { to_light: sample.to_light, n_dot_l };
         let part = surface.reflected(reflection, &incidence, witness);
@@ -149,6 +155,7 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
                 distance: sample.distance,
                 attenuation: sample.attenuation,
                 spot: sample.spot,
+                visibility: sample.visibility,
                 n_dot_l,
                 specular_cosine: part.specular_cosine,
                 ambient,

@@ -14,6 +14,7 @@
 //! | reflection | [`Reflection`], [`REFLECTION_MODELS`], [`ReflectionModel`], [`Parameter`] |
 //! | surface | [`Material`], [`Reflectance`], [`Coefficients`], [`SurfacePoint`] |
 //! | result | [`lit`], [`lit_by`], [`reflected`], [`Fog`] |
+//! | shadow | [`Occlusion`], [`terminator`] |
 //! | observers | [`Witness`], [`Silent`], [`Ledger`] |
 //! | encoding | [`PictureEncoding`], [`srgb_to_byte`] |
 
@@ -27,6 +28,7 @@ mod fog;
 mod light;
 mod light_kind;
 mod material;
+mod occlusion;
 mod parameter;
 mod placed;
 mod point;
@@ -47,6 +49,7 @@ pub use light_kind::{
     LightNumber,
 };
 pub use material::Material;
+pub use occlusion::{Occlusion, terminator};
 pub use parameter::{K_A, K_D, K_S, METALLIC, Parameter, ROUGHNESS, SHARED, SHININESS};
 pub use placed::PlacedLight;
 pub use point::SurfacePoint;

@@ -27,16 +27,22 @@ pub(crate) struct LightSample<N> {
     pub(crate) attenuation: N,
     /// The spot factor of this direction.
     pub(crate) spot: N,
+    /// V: the part that nothing keeps away; `None` where nothing is asked to.
+    pub(crate) visibility: Option<N>,
 }
 
 impl<N: Lanes> LightSample<N> {
-    /// The attenuated intensity: f I with f = attenuation x spot, which is 1 for
+    /// The attenuated intensity: V f I with f = attenuation x spot, which is 1 for
     /// lights without a place.
     #[inline(always)]
     pub(crate) fn attenuated(&self, intensity: Rgb<N>) -> Rgb<N> {
-        match self.distance {
+        let attenuated = match self.distance {
             Some(_) => intensity * (self.attenuation * self.spot),
             None => intensity,
+        };
+        match self.visibility {
+            Some(visibility) => attenuated * visibility,
+            None => attenuated,
         }
     }
 }
@@ -90,6 +96,12 @@ impl PlacedLight {
         self.direction
     }
 
+    /// L at a place about the eye: the unit vector towards the light; 0 at the light itself.
+    #[inline(always)]
+    pub fn to_light<N: Lanes>(&self, position: Vec3<N>) -> Vec3<N> {
+        self.sample(position).to_light
+    }
+
     /// The incident light at `position`.
     #[inline(always)]
     pub(crate) fn sample<N: Lanes>(&self, position: Vec3<N>) -> LightSample<N> {
@@ -100,6 +112,7 @@ impl PlacedLight {
                 distance: None,
                 attenuation: simd.one(),
                 spot: simd.one(),
+                visibility: None,
             };
         }
         let way = Vec3::splat(simd, self.position) - position;
@@ -116,7 +129,7 @@ impl PlacedLight {
             }
             _ => simd.one(),
         };
-        LightSample { to_light, distance: Some(distance), attenuation, spot }
+        LightSample { to_light, distance: Some(distance), attenuation, spot, visibility: None }
     }
 
     /// min(1 / (c1 + c2 d + c3 d^2), limit), 0 where that isn't positive; times glTF's window.

@@ -13,6 +13,9 @@ pub struct LightTerms<N> {
     pub attenuation: N,
     /// The factor of the cone.
     pub spot: N,
+    /// V: the part of the light that nothing keeps away, which is a factor of all three terms; `None`
+    /// without shadows.
+    pub visibility: Option<N>,
     /// N.L as it is, negative where the light is behind.
     pub n_dot_l: N,
     /// The cosine of the highlight as it is: R.V, N.H or V.L; `None` where the model has none, or

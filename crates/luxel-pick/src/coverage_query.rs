@@ -8,10 +8,10 @@
 //! depths in lanes as well. Corners come from the leaf, where they are at hand.
 
 use crate::view::{Geometry, InstanceTree, PickView, Thickness};
-use crate::world_rays::RebasedRay;
 use glam::DVec3;
 use luxel_bvh::{Block, Child, Node, SlabTest, Subtree, VertexMap, WIDTH};
 use luxel_math::{Lanes, Mask, SUBPIXELS, Simd, dispatch_long, f32x8, prelude::*};
+use luxel_rays::RebasedRay;
 use luxel_scene::Mesh;
 use luxel_visibility::{Coverage, Probe, ProbedTriangle};
 use std::cell::RefCell;
@@ -118,7 +118,7 @@ impl PickView<'_> {
             Some(visit(covering))
         };
         STACK.with_borrow_mut(|stack| {
-            dispatch_long!(self.picker.level, simd =>
+            dispatch_long!(self.picker.level(), simd =>
                 traverse(simd, instance, &geometry, &ray, least, stack, &mut found));
         });
     }
@@ -182,7 +182,7 @@ impl PickView<'_> {
         }
         let forms = self.forms(covering);
         let barycentric = forms.exact_barycentric(&self.rays, position);
-        let scene = &self.picker.scene;
+        let scene = self.picker.scene();
         let material = &scene.materials[geometry.mesh.parts[part].material.index()];
         scene.is_hole(geometry.mesh, covering.triangle, barycentric, material)
     }
@@ -402,7 +402,7 @@ mod tests {
                 let at = position.map(|steps| steps as f32);
                 let bits = |level: Level| dispatch_long!(level, simd => candidates(simd, block, &geometry, instance, at));
                 let all = (1 << block.count()) - 1;
-                let own = bits(picker.level) & all;
+                let own = bits(picker.level()) & all;
                 assert_eq!(own, bits(Level::baseline()) & all);
                 for lane in 0..block.count() {
                     let corners = block.corners(lane, positions);
@@ -445,7 +445,8 @@ mod tests {
             let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
             for (number, instance) in view.trees.iter().enumerate() {
                 for node in view.geometry(number).bvh.view().nodes() {
-                    let depths = dispatch_long!(picker.level, simd => instance.nearest(simd, node));
+                    let depths =
+                        dispatch_long!(picker.level(), simd => instance.nearest(simd, node));
                     for slot in 0..WIDTH {
                         if node.occupied() >> slot & 1 != 0 {
                             let corner = |side: usize| {

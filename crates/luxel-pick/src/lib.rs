@@ -87,9 +87,9 @@ mod view;
 mod visible_ids;
 mod window;
 mod window_cells;
-mod world_rays;
 
 pub use luxel_bvh::{Bvh, MAX_TRIANGLES, MeshRays, Quality, Ray, RayHit, TooManyForTree};
+pub use luxel_rays::{SceneRays, WorldHit, WorldRay};
 pub use picker::{PickError, Picker};
 pub use region::{MAX_CORNERS, Region, RegionError};
 pub use selection_mode::{HitRecord, MAX_NAMES, NameError, Selected, Selection};
@@ -100,7 +100,6 @@ pub use unproject::{SightLine, Viewport, pick_matrix, project, unproject, unproj
 pub use view::PickView;
 pub use visible_ids::{NO_ID, VisibleHit, VisibleIds};
 pub use window::{LogicalPosition, LogicalSize, PhysicalPosition, PhysicalSize, flip_y};
-pub use world_rays::{WorldHit, WorldRay};
 
 /// The examples of `README.md`.
 #[cfg(doctest)]

@@ -65,7 +65,7 @@ impl PickView<'_> {
                 parts: Arc::clone(&instance.parts),
             }
         });
-        let (projection, level) = (&self.camera().projection, self.picker.level);
+        let (projection, level) = (&self.camera().projection, self.picker.level());
         let frame = Frame::new(instances.collect(), projection, self.size(), Samples::ONE, level)?;
         let shown = |id: TriangleId| {
             let of = frame.triangle(id)?;

@@ -81,7 +81,7 @@ impl PickView<'_> {
                 }
             };
             STACK.with_borrow_mut(|stack| {
-                dispatch_long!(self.picker.level, simd =>
+                dispatch_long!(self.picker.level(), simd =>
                     traverse(simd, instance, &geometry, &mut group, stack, &mut found));
             });
         }

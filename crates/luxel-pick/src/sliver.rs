@@ -69,7 +69,7 @@ impl PickView<'_> {
     /// The objects in a region of the window, in order.
     #[must_use]
     pub fn sliver(&self, region: &Region, inclusion: Inclusion) -> Vec<SliverHit> {
-        gather(self.picker.objects.len(), LEAVES_PER_TASK, &|run, hits| {
+        gather(self.picker.objects().len(), LEAVES_PER_TASK, &|run, hits| {
             hits.extend(run.filter_map(|object| self.object_hit(object, region, inclusion)));
         })
     }
@@ -156,7 +156,7 @@ struct Clipper<'r> {
 
 impl<'r> Clipper<'r> {
     fn new(view: &PickView<'_>, object: usize, region: &'r Region) -> Self {
-        let of = &view.picker.objects[object];
+        let of = &view.picker.objects()[object];
         let tree = view.picker.tree(object);
         let projection = view.camera().projection.clip_from_view(view.size());
         let clip_from_world = projection * view.camera().view_from_world;

@@ -181,7 +181,7 @@ impl PickView<'_> {
 
     fn nearest_in_polygon(&self, object: usize, triangle: u32, [x, y]: [f64; 2]) -> NearPolygon {
         let mesh = self.picker.mesh(object);
-        let world_from_mesh = &self.picker.objects[object].world_from_mesh;
+        let world_from_mesh = &self.picker.objects()[object].world_from_mesh;
         let place = |vertex: u32| world_from_mesh.transform_point3(mesh.position(vertex));
         let distance = |[px, py]: [f64; 2]| ((px - x) * (px - x) + (py - y) * (py - y)).sqrt();
         // The triangles of a polygon are consecutive.

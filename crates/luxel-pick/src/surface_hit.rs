@@ -246,7 +246,7 @@ impl TriangleSurface<'_> {
     /// Applies the material's normal map.
     fn mapped(&self, position: [i32; 2], weights: [f32; 3], normal: Vec3<f32>) -> Vec3<f32> {
         let &Self { mesh, space, attributes, .. } = self;
-        let material = &self.view.picker.scene.materials[self.material.index()];
+        let material = &self.view.picker.scene().materials[self.material.index()];
         let Some(used) = material.normal.as_deref().filter(|_| !mesh.tangents.is_empty()) else {
             return normal;
         };
@@ -263,7 +263,7 @@ impl TriangleSurface<'_> {
         let here = used.transformed(interpolate_corners(&at_corners, &weights));
         let [right, down] =
             steps.map(|step| used.transformed_step(interpolate_corners_step(&at_corners, &step)));
-        let texture = &self.view.picker.scene.textures[used.texture.index()];
+        let texture = &self.view.picker.scene().textures[used.texture.index()];
         texture.sample(here, right, down, 1)
     }
 }

@@ -83,7 +83,7 @@ impl<'p> PickView<'p> {
             size.height,
         );
         let rules = SurfaceRules { cull, coverage: CoveragePolicy::NEAREST, wireframe: false };
-        let placed = PlacedScene::new(&picker.scene, &picker.objects, &camera, size, &rules);
+        let placed = PlacedScene::new(picker.scene(), picker.objects(), &camera, size, &rules);
         let bvhs_of_strokes = placed
             .strokes()
             .iter()

@@ -2,6 +2,7 @@
 
 use crate::coverage::EdgeFlags;
 use crate::polygons::Polygons;
+use crate::shadow::Shadows;
 use luxel_lighting::{
     Coefficients, Fog, LightingEnvironment, PictureEncoding, PlacedLight, SurfacePoint, Uniform,
 };
@@ -34,6 +35,8 @@ pub(crate) struct ShadingContext<'a> {
     /// What shines on each material, and the fog.
     pub(crate) lighting: &'a [LightingEnvironment<'a>],
     pub(crate) fog: Option<&'a Fog>,
+    /// What keeps lights away, if the view asks for shadows.
+    pub(crate) shadows: Option<&'a Shadows<'a>>,
     /// What each material reflects, where that is the same at all its points.
     pub(crate) uniform: &'a [Option<Coefficients<Uniform>>],
     /// The vertex attributes that each material reads.

@@ -21,12 +21,14 @@ mod polygons;
 mod resolve;
 mod setup;
 mod shade;
+mod shadow;
 mod vector;
 
 pub use execution::Execution;
 pub use explain::{
-    At, EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface,
-    Explanation, Hidden, NEAREST_WITHIN, NearestObject, Seen, SurfaceBelow, Unlit, Unseen,
+    At, BlockedBy, EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample,
+    ExplainedShadow, ExplainedSurface, Explanation, Hidden, NEAREST_WITHIN, NearestObject, Seen,
+    SurfaceBelow, Unlit, Unseen,
 };
 pub use frame::{
     MAX_SIDE, Picture, Prepared, RenderError, Renderer, Stages, Subdivision, TileDrawing,

@@ -83,6 +83,35 @@ impl Scene {
         }
     }
 
+    /// How much of the light from behind a triangle of a mesh keeps at the place with these
+    /// barycentrics: all but through a mask's holes, and a blended surface its alpha.
+    ///
+    /// # Panics
+    /// If the mesh has no such triangle.
+    #[must_use]
+    pub fn opacity(
+        &self,
+        mesh: &Mesh,
+        triangle: u32,
+        barycentric: [f32; 3],
+        material: &SceneMaterial,
+    ) -> f32 {
+        let corners = || OpacityCorners::new(mesh, triangle, material).everywhere(0.0_f32);
+        match material.alpha_mode {
+            AlphaMode::Opaque => 1.0,
+            AlphaMode::Mask { .. } => {
+                if self.holes(material, &corners(), barycentric, 1) == 0 {
+                    1.0
+                } else {
+                    0.0
+                }
+            }
+            AlphaMode::Blend => {
+                Lanes::clamped(self.alpha(material, &corners(), barycentric, 1), 0.0, 1.0)
+            }
+        }
+    }
+
     /// The lanes, of those whose bit is set, in which a triangle of this material has a hole at the
     /// place with these barycentrics: its alpha there, by the textures' finest level, is below a
     /// mask's cutoff, or is 0 and blended.

@@ -52,6 +52,8 @@ pub struct View {
     pub edges: Option<Edges>,
     /// Shading mode and interpolation.
     pub shading: Shading,
+    /// Whether surfaces keep directional, point and spot lights from others.
+    pub shadows: bool,
 }
 
 impl View {
@@ -72,6 +74,7 @@ impl View {
             encoding: PictureEncoding::Srgb,
             edges: None,
             shading: Shading::default(),
+            shadows: false,
         }
     }
 
@@ -145,6 +148,12 @@ impl View {
     #[must_use]
     pub fn with_shading(self, shading: Shading) -> Self {
         Self { shading, ..self }
+    }
+
+    /// Whether surfaces keep directional, point and spot lights from others.
+    #[must_use]
+    pub fn with_shadows(self, shadows: bool) -> Self {
+        Self { shadows, ..self }
     }
 }
 

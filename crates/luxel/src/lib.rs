@@ -22,6 +22,7 @@
 //! | [`check`] | mesh defects that spoil shading |
 //! | [`bvh`] | rays against triangles: closest, any and all hits |
 //! | [`pick`] | picking: rays, pixels, rectangles |
+//! | [`rays`] | rays through a scene: what they hit, and what lies in their way |
 //! | [`view`] | views: camera, lights, shading, layers |
 //! | [`render`] | pictures and layers of a scene |
 //! | [`report`] | the light of a pixel term by term, and picks, as text, JSON, LaTeX, HTML |
@@ -58,6 +59,7 @@ pub use luxel_lighting as lighting;
 pub use luxel_math as math;
 pub use luxel_navigation as navigation;
 pub use luxel_pick as pick;
+pub use luxel_rays as rays;
 pub use luxel_render as render;
 pub use luxel_report as report;
 pub use luxel_scene as scene;

@@ -31,6 +31,10 @@ pub(crate) struct LightOptions {
     #[arg(help = environment_help())]
     pub(crate) environment: Option<Surroundings>,
 
+    /// Surfaces keep directional, point and spot lights from what lies behind them
+    #[arg(long)]
+    pub(crate) shadows: bool,
+
     /// Depth cueing: near=Z:far=Z:front=S:back=S:color=COLOR, or fog:
     /// law=exp|exp2:density=D:color=COLOR
     #[arg(long, value_name = "SPEC", value_parser = fog)]

@@ -178,6 +178,36 @@ pub struct ExplainedLight {
     pub parts: Vec<(usize, PartTerms<f32>)>,
     /// Factors and products.
     pub terms: LightTerms<f32>,
+    /// What keeps the light away, if the view asks for shadows.
+    pub shadow: Option<ExplainedShadow>,
+}
+
+/// What keeps a light away from a place. Its V, the product of the terminator's factor and of what comes
+/// along the ray, is [`LightTerms::visibility`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplainedShadow {
+    /// The factor of [`luxel_lighting::terminator`]; 1 where it does nothing.
+    pub terminator: f32,
+    /// Origin and direction of the ray to the light, in world space; `None` where N.L <= 0, and of points
+    /// and lines: then nothing is asked.
+    pub ray: Option<[[f64; 3]; 2]>,
+    /// The objects in the way, nearest to the surface first.
+    pub blocked_by: Vec<BlockedBy>,
+}
+
+/// An object in the way of a light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BlockedBy {
+    /// The object, by its place among [`Renderer::objects`](crate::Renderer::objects).
+    pub object: usize,
+    /// Its name.
+    pub name: String,
+    /// The triangle of it that the ray meets first.
+    pub triangle: u32,
+    /// The distance from the surface to that triangle.
+    pub distance: f64,
+    /// The part of the light that the object keeps.
+    pub share: f32,
 }
 
 /// Why a light adds nothing to the diffuse and the specular term.
@@ -201,6 +231,10 @@ pub enum Unlit {
     },
     /// The light stands at the surface itself.
     AtTheSurface,
+    /// Something stands between the surface and the light.
+    Shadowed,
+    /// The surface turns away from the light, though its shading normal doesn't.
+    BeyondTerminator,
     /// The light has no intensity for reflection.
     Dark,
     /// The surface reflects nothing of its colour.
@@ -297,8 +331,9 @@ impl ExplainedLight {
     /// Why the light adds no diffuse and no specular term; `None` if it adds one.
     #[must_use]
     pub fn unlit(&self) -> Option<Unlit> {
-        let LightTerms { distance, attenuation, spot, n_dot_l, diffuse, specular, .. } =
-            &self.terms;
+        let LightTerms {
+            distance, attenuation, spot, n_dot_l, diffuse, specular, visibility, ..
+        } = &self.terms;
         let black = [0.0; 3];
         if diffuse.lane(0) != black || specular.lane(0) != black {
             return None;
@@ -318,6 +353,10 @@ impl ExplainedLight {
             (_, Some(range)) if *attenuation == 0.0 => {
                 Unlit::OutOfRange { distance: distance.unwrap_or_default(), range }
             }
+            _ if self.shadow.as_ref().is_some_and(|shadow| shadow.terminator == 0.0) => {
+                Unlit::BeyondTerminator
+            }
+            _ if *visibility == Some(0.0) => Unlit::Shadowed,
             _ => Unlit::Absorbed,
         })
     }

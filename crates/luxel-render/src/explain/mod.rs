@@ -7,11 +7,12 @@
 
 mod ledger;
 mod occluded;
+mod shadow;
 mod vertex_terms;
 
 pub use ledger::{
-    EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedSurface, Explanation,
-    Seen, Unlit,
+    BlockedBy, EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedShadow,
+    ExplainedSurface, Explanation, Seen, Unlit,
 };
 pub use occluded::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
 
@@ -20,7 +21,7 @@ use crate::frame::{RenderError, Renderer, lights_with_terms};
 use crate::interpolate::{Batch, Fragments};
 use crate::material::SurfaceWitness;
 use crate::resolve::{self, Layered, bytes_of};
-use crate::shade::{BlockWitness, ThreadCache, shade};
+use crate::shade::{BlockWitness, ThreadCache, VisibleLights, shade};
 use luxel_lighting::{
     Ledger, LedgerLight, LightTerms, MirrorTerms, PartTerms, Reflectance, SurfacePoint, Terms,
     Witness,
@@ -29,6 +30,7 @@ use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
 use luxel_view::View;
 use luxel_visibility::{BLOCK, CoveragePolicy, Samples, TILE, Tile, TriangleId};
+use shadow::Receiver;
 use vertex_terms::{Interpolated, evaluated_at};
 
 /// What is asked about.
@@ -320,8 +322,11 @@ impl Lit {
             LitAt::PiecesUnderTexels => (Some(tint), [1.0; 3]),
             LitAt::Pixels | LitAt::Elsewhere => (None, tint),
         };
+        let mut visible = None;
         if lit_at != LitAt::Pixels {
-            for place in triangle.lit_at(barycentric, batch.position(0)) {
+            let places = triangle.lit_at(barycentric, batch.position(0));
+            visible = VisibleLights::of(scene, id, barycentric, &places);
+            for place in places {
                 let there = evaluated_at(scene, triangle, &place, texel, (eye, lights));
                 if evaluated.iter().all(|other| other.weight < place.0) {
                     written.reflectance = Some(there.reflectance);
@@ -335,10 +340,14 @@ impl Lit {
                 scene_ambient: written.ledger.scene_ambient,
                 environment: written.ledger.environment,
                 mirrors: written.ledger.mirrors.clone(),
-                lights: written.explained_lights(scene, eye, lights),
+                lights: written.explained_lights(scene, eye, lights, Some(id)),
             }
         } else {
-            Interpolated::of(&evaluated, texture)
+            let interpolated = Interpolated::of(&evaluated, texture);
+            match visible {
+                Some(visible) => interpolated.visible(scene, (id, barycentric), &visible),
+                None => interpolated,
+            }
         };
         Some(Self {
             terms,
@@ -394,13 +403,16 @@ pub(crate) struct Written {
 }
 
 impl Written {
-    /// The terms of each light, by its name.
+    /// The terms of each light, by its name, with what keeps it away from the triangle that is seen.
     pub(crate) fn explained_lights(
         &self,
         scene: &ShadingContext<'_>,
         eye: [f64; 3],
         lights: &[&SceneLight],
+        seen: Option<TriangleId>,
     ) -> Vec<ExplainedLight> {
+        let normal = self.point.map(|point| point.normal.lane(0)).unwrap_or_default();
+        let receiver = seen.map(|id| Receiver { id, barycentric: self.barycentric, normal });
         let explained = |entry: &LedgerLight| {
             let placed = &scene.lights[entry.index];
             let about_eye = placed.position();
@@ -411,6 +423,8 @@ impl Written {
                 direction: placed.direction(),
                 parts: entry.parts.clone(),
                 terms: entry.terms,
+                shadow: receiver
+                    .and_then(|receiver| receiver.shadow(scene, entry.index, entry.terms.n_dot_l)),
             }
         };
         self.ledger.lights.iter().map(explained).collect()

@@ -3,12 +3,14 @@
 
 use super::Written;
 use super::ledger::{EvaluatedAt, ExplainedLight};
+use super::shadow::Receiver;
 use crate::context::ShadingContext;
 use crate::material::{Corner, light_at, light_under};
-use crate::shade::LitTriangle;
+use crate::shade::{LitTriangle, VisibleLights};
 use luxel_lighting::{LightTerms, MirrorTerms, Reflectance};
 use luxel_math::{Rgb, Vec3};
 use luxel_scene::SceneLight;
+use luxel_visibility::TriangleId;
 
 /// Lights a place again, with its terms written down: under a texel, if pieces are lit for every texel.
 pub(crate) fn evaluated_at(
@@ -33,7 +35,7 @@ pub(crate) fn evaluated_at(
         normal: point.map(|point| point.normal.lane(0)).unwrap_or_default(),
         view: point.map(|point| point.view.lane(0)).unwrap_or_default(),
         reflectance: written.reflectance.unwrap_or_else(|| Reflectance::of(0.0, constants)),
-        lights: written.explained_lights(scene, eye, lights),
+        lights: written.explained_lights(scene, eye, lights, None),
         emission: ledger.emission,
         scene_ambient: ledger.scene_ambient,
         environment: ledger.environment,
@@ -82,6 +84,7 @@ impl Interpolated {
                 position: first.position,
                 direction: first.direction,
                 parts: Vec::new(),
+                shadow: None,
                 terms: LightTerms {
                     to_light: if places.len() == 1 {
                         first.terms.to_light
@@ -94,6 +97,7 @@ impl Interpolated {
                         .map(|_| mean(&|terms| terms.distance.unwrap_or_default())),
                     attenuation: mean(&|terms| terms.attenuation),
                     spot: mean(&|terms| terms.spot),
+                    visibility: None,
                     n_dot_l: mean(&|terms| terms.n_dot_l),
                     specular_cosine: first
                         .terms
@@ -112,6 +116,28 @@ impl Interpolated {
             mirrors: Vec::new(),
             lights: (0..count).map(light).collect(),
         }
+    }
+}
+
+impl Interpolated {
+    /// The same where lights are kept away from the sample of a triangle: each light's terms times its V.
+    pub(crate) fn visible(
+        mut self,
+        scene: &ShadingContext<'_>,
+        (id, barycentric): (TriangleId, [f32; 3]),
+        VisibleLights { normal, visibility }: &VisibleLights,
+    ) -> Self {
+        let receiver = Receiver { id, barycentric, normal: *normal };
+        for (number, (light, &visibility)) in self.lights.iter_mut().zip(visibility).enumerate() {
+            let terms = &mut light.terms;
+            terms.visibility = Some(visibility);
+            terms.ambient = terms.ambient * visibility;
+            terms.diffuse = terms.diffuse * visibility;
+            terms.specular = terms.specular * visibility;
+            // Asked wherever the triangle faces the light.
+            light.shadow = receiver.shadow(scene, number, 1.0);
+        }
+        self
     }
 }
 

@@ -1,6 +1,7 @@
 //! Why a view can't be drawn.
 
 use luxel_math::UnavailableSimdLevel;
+use luxel_rays::TooManyForTree;
 use luxel_scene::Size;
 use luxel_visibility::TooManyTriangles;
 
@@ -23,6 +24,9 @@ pub enum RenderError {
     /// More triangles than can be numbered.
     #[error(transparent)]
     TooManyTriangles(#[from] TooManyTriangles),
+    /// More triangles in a mesh than rays for shadows can go through.
+    #[error(transparent)]
+    TooManyForRays(#[from] TooManyForTree),
     /// More pieces of vectors than are allowed.
     #[error("the picture has more than {0} pieces of one colour")]
     TooManyPieces(usize),

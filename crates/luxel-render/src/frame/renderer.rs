@@ -15,12 +15,15 @@ use crate::execution::Execution;
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
-use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
+use crate::shadow::{LightSource, Shadows};
+use luxel_lighting::{Environment, LightKind, LightingEnvironment, PlacedLight, Reflection};
 use luxel_math::{Level, dispatch_long};
+use luxel_rays::{Quality, SceneRays, TooManyForTree};
 use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{
-    Clusters, CoveragePolicy, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile, ViewRays,
+    Clusters, CoveragePolicy, Frame, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile,
+    ViewRays,
 };
 use rayon::prelude::*;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -40,6 +43,8 @@ pub struct Renderer {
     clusters: Vec<Clusters>,
     /// The polygons of each mesh, once they are asked for.
     polygons_of_meshes: Vec<OnceLock<Box<Polygons>>>,
+    /// The trees for shadows, once they are asked for.
+    rays: OnceLock<Result<Box<SceneRays>, TooManyForTree>>,
     level: Level,
     /// `None` where the machine has no threads.
     pool: Option<rayon::ThreadPool>,
@@ -61,6 +66,7 @@ impl Renderer {
             objects: scene.objects(),
             clusters: Vec::new(),
             polygons_of_meshes: scene.meshes.iter().map(|_| OnceLock::new()).collect(),
+            rays: OnceLock::new(),
             level,
             pool,
             clock: execution.clock,
@@ -93,6 +99,7 @@ impl Renderer {
         }
         let objects = self.scene.objects().into_iter().enumerate();
         self.objects = objects.filter(|(at, _)| is_drawn(*at)).map(|(_, object)| object).collect();
+        self.rays = OnceLock::new();
     }
 
     /// The threads that work.
@@ -268,6 +275,10 @@ impl Renderer {
                 .iter()
                 .filter_map(|light| frame_setup::light(light, &view.camera, &self.scene))
                 .collect();
+            let shadows = match view.shadows {
+                true => Some(self.shadows(&frame, &placed, &lights)?),
+                false => None,
+            };
             let flags_of_meshes: Vec<EdgeFlags> = if view.edges.is_some() {
                 self.scene.meshes.par_iter().map(EdgeFlags::new).collect()
             } else {
@@ -314,6 +325,7 @@ impl Renderer {
                 ambient,
                 lighting: &lighting,
                 fog,
+                shadows: shadows.as_ref(),
                 uniform: &uniform,
                 attributes_of_materials: &attributes_of_materials,
                 needs_positions,
@@ -341,6 +353,31 @@ impl Renderer {
             };
             work(&scene, &cutouts);
             Ok(())
+        })
+    }
+
+    /// What keeps lights away from surfaces.
+    fn shadows<'f>(
+        &'f self,
+        frame: &'f Frame<'f>,
+        placed: &'f PlacedScene<'f>,
+        lights: &'f [PlacedLight],
+    ) -> Result<Shadows<'f>, RenderError> {
+        let build = || {
+            let (scene, objects) = (Arc::clone(&self.scene), self.objects.clone());
+            SceneRays::of_objects(scene, objects, Quality::Thorough, self.level).map(Box::new)
+        };
+        let rays = self.rays.get_or_init(build).as_ref().map_err(Clone::clone)?;
+        let camera = placed.camera();
+        let eye = camera.eye();
+        Ok(Shadows {
+            rays,
+            frame,
+            placed,
+            lights,
+            sources: lights.iter().map(|light| LightSource::new(light, eye)).collect(),
+            eye,
+            towards_eye: camera.projection.is_orthographic().then(|| -camera.direction()),
         })
     }
 

@@ -3,7 +3,7 @@
 
 use super::attributes::Attributes;
 use crate::context::{AttributeMask, LitAt, ShadingContext, needs};
-use luxel_lighting::{Coefficients, Reflectance, Silent, SurfacePoint, Witness, lit_by};
+use luxel_lighting::{Coefficients, Occlusion, Reflectance, Silent, SurfacePoint, Witness, lit_by};
 use luxel_math::{Lanes, Rgb, Vec3};
 use luxel_scene::{AlphaMode, SceneMaterial, TextureUse};
 
@@ -129,7 +129,7 @@ pub(crate) fn shading_normal<N: Lanes>(
         .as_deref()
         .filter(|_| varying.has.has(AttributeMask::TANGENTS))
     {
-        Some(used) => mapped_normal(scene, &used, varying, normal, lanes),
+        Some(used) => mapped_normal(scene, used, varying, normal, lanes),
         None => normal,
     }
 }
@@ -219,42 +219,41 @@ pub(crate) fn reflectance<N: Lanes>(
         reflectance.metallic = reflectance.metallic * b;
     }
     if let Some(used) = material.occlusion.as_deref() {
-        let [r] = sample(scene, &used, varying, lanes);
+        let [r] = sample(scene, used, varying, lanes);
         let strength = simd.constant(used.strength);
         reflectance.occlusion = simd.one() + strength * (r - simd.one());
     }
     reflectance
 }
 
-/// Colour and alpha of the lanes that see one material, lit at the pixel.
+/// Colour and alpha of the lanes that see one material, lit at the pixel, with the
+/// [`shading_normal`].
 #[inline(always)]
 pub(crate) fn lit<N: Lanes, W: SurfaceWitness<N>, const NEEDS: u8>(
     scene: &ShadingContext<'_>,
     varying: &Attributes<N>,
     point: &SurfacePoint<N>,
-    number: usize,
-    lanes: u32,
+    (number, lanes): (usize, u32),
+    occlusion: Occlusion<'_>,
     witness: &mut W,
 ) -> [N; 4] {
     let material: &SceneMaterial = &scene.scene.materials[number];
     let (tint, alpha) = base::<N, NEEDS>(scene, varying, number, lanes);
-    let normal = shading_normal(scene, varying, point.normal, number, lanes);
-    let point = SurfacePoint { normal, ..*point };
     let constants = &material.constants;
     let colored = varying.has.has(AttributeMask::COLORS) && material.vertex_colors;
     let lighting = &scene.lighting[number];
     let reflection = &constants.reflection;
     let color = match &scene.uniform[number] {
         Some(uniform) if NEEDS != needs::ALL || (!W::HEARS_SURFACES && !colored) => {
-            lit_by(&point, uniform, reflection, lighting, witness)
+            lit_by(point, uniform, reflection, lighting, occlusion, witness)
         }
         // Materials with textures always count as having extras.
         None if NEEDS != needs::ALL => Rgb::black(alpha),
         _ => {
             let reflectance = reflectance(scene, varying, number, lanes, tint);
-            witness.surface(&point, &reflectance, alpha);
+            witness.surface(point, &reflectance, alpha);
             let coefficients = Coefficients::new(&reflectance, constants);
-            lit_by(&point, &coefficients, reflection, lighting, witness)
+            lit_by(point, &coefficients, reflection, lighting, occlusion, witness)
         }
     };
     [color.r, color.g, color.b, alpha]

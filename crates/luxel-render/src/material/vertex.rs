@@ -3,7 +3,7 @@
 use super::attributes::{Attributes, Corner};
 use super::surface::{SurfaceWitness, reflectance};
 use crate::context::{AttributeMask, ShadingContext};
-use luxel_lighting::{Coefficients, Silent, reflected};
+use luxel_lighting::{Coefficients, Occlusion, Silent, reflected};
 use luxel_math::{Lanes, Rgb, Vec3};
 use luxel_view::Clamp;
 
@@ -38,7 +38,7 @@ pub(crate) fn light_under<W: SurfaceWitness<f32>>(
     let coefficients = Coefficients::new(&reflectance, constants);
     let lighting = &scene.lighting[number];
     let reflection = &constants.reflection;
-    reflected(&point, &coefficients, reflection, lighting, witness).lane(0)
+    reflected(&point, &coefficients, reflection, lighting, Occlusion::NONE, witness).lane(0)
 }
 
 /// [`light_at`] at a corner of each lane's triangle, of a material without textures and vertex colours.
@@ -59,7 +59,9 @@ pub(crate) fn lights_at<N: Lanes>(
             };
             let reflection = &scene.scene.materials[material].constants.reflection;
             let lighting = &scene.lighting[material];
-            clamped(scene, reflected(&point, coefficients, reflection, lighting, &mut Silent))
+            let light =
+                reflected(&point, coefficients, reflection, lighting, Occlusion::NONE, &mut Silent);
+            clamped(scene, light)
         },
     )
 }

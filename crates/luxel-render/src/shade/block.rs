@@ -3,11 +3,12 @@
 use crate::context::{LitAt, ShadingContext, needs};
 use crate::coverage::edge_distance;
 use crate::interpolate::{Batch, Fragments, Wanted};
-use crate::material::{Attributes, base_texel, lit, lit_elsewhere};
+use crate::material::{Attributes, base_texel, lit, lit_elsewhere, shading_normal};
 use crate::setup::SetupCache;
 use crate::shade::lit_triangle::LitTriangles;
+use crate::shade::shadowed::VisibleLights;
 use crate::shade::witness::BlockWitness;
-use luxel_lighting::SurfacePoint;
+use luxel_lighting::{Occlusion, SurfacePoint};
 use luxel_math::{F64Lanes, LANES, Lanes, lanes_of};
 use luxel_view::{Interpolation, Shading, ShadingMode};
 use luxel_visibility::TriangleId;
@@ -17,11 +18,13 @@ pub(crate) struct ThreadCache {
     pub(crate) setup: SetupCache,
     /// Triangles whose light is computed elsewhere than at their pixels, or interpolated in the window.
     pub(crate) lit: LitTriangles,
+    /// V of each light at a batch's samples.
+    visibility: Vec<[f32; LANES]>,
 }
 
 impl ThreadCache {
     pub(crate) fn new() -> Self {
-        Self { setup: SetupCache::new(), lit: LitTriangles::new() }
+        Self { setup: SetupCache::new(), lit: LitTriangles::new(), visibility: Vec::new() }
     }
 
     /// Forgets the triangles of another frame.
@@ -56,6 +59,7 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
             }
             if !N::IS_SPECIALIZED
                 || W::HEARS_SURFACES
+                || scene.shadows.is_some()
                 || !is_plain(simd, scene, batch, &mut cache.setup, seen)
             {
                 shade_outlined::<N, W, { needs::ALL }>(simd, scene, batch, cache, witness, seen)
@@ -129,7 +133,9 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         while left != 0 {
             let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
             let lanes = left & simd.eq_mask(&materials, number);
-            let color = light::<N, W, NEEDS>(scene, &found, &point, (number, lanes), witness);
+            let occluded = (batch, &mut cache.visibility);
+            let of = (number, lanes);
+            let color = light::<N, W, NEEDS>(scene, &found, &point, of, Some(occluded), witness);
             if lanes == simd.all_lanes() {
                 result = color;
                 break;
@@ -155,7 +161,7 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), &mut materials);
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
-    let color = light::<N, W, NEEDS>(scene, &found, &point, (material, seen), witness);
+    let color = light::<N, W, NEEDS>(scene, &found, &point, (material, seen), None, witness);
     if seen == simd.all_lanes() {
         return color;
     }
@@ -169,6 +175,7 @@ fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     found: &Fragments<N>,
     point: &SurfacePoint<N>,
     (material, lanes): (u32, u32),
+    occluded: Option<(&Batch, &mut Vec<[f32; LANES]>)>,
     witness: &mut W,
 ) -> [N; 4] {
     let number = material as usize;
@@ -178,7 +185,16 @@ fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         || scene.shading.mode == ShadingMode::Phong
         || NEEDS == needs::ALL && scene.lit_at(number) == LitAt::Pixels;
     if at_pixels {
-        lit::<N, W, NEEDS>(scene, attributes, point, number, lanes, witness)
+        let normal = shading_normal(scene, attributes, point.normal, number, lanes);
+        let point = SurfacePoint { normal, ..*point };
+        let mut occlusion = Occlusion::NONE;
+        if let (Some(shadows), Some((batch, visibility))) = (scene.shadows, occluded) {
+            let of = (&batch.ids, lanes);
+            shadows.visibility(of, &found.weights, &point, visibility);
+            occlusion.visibility = Some(visibility);
+        }
+        let of = (number, lanes);
+        lit::<N, W, NEEDS>(scene, attributes, &point, of, occlusion, witness)
     } else {
         lit_elsewhere::<N, W, NEEDS>(scene, attributes, point, number, lanes, witness)
     }
@@ -254,6 +270,9 @@ pub(crate) fn all_fragments<N: Lanes>(
             if is_studied(&scene.shading) {
                 study(scene, batch, cache, seen, found);
             }
+            if scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong {
+                shadow(scene, batch, cache, seen, found);
+            }
         },
     );
 }
@@ -290,6 +309,34 @@ fn study<N: Lanes>(
             LitAt::Pixels | LitAt::Elsewhere => [1.0; 3],
         };
         if let Some(light) = triangle.own_light(weights, texel) {
+            found.attributes.put_light(lane, light);
+        }
+    }
+}
+
+/// Shadows on light that was computed elsewhere: sample by sample.
+#[cold]
+#[inline(never)]
+fn shadow<N: Lanes>(
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    cache: &mut ThreadCache,
+    seen: u32,
+    found: &mut Fragments<N>,
+) {
+    for lane in lanes_of(seen) {
+        let id = TriangleId(batch.ids[lane]);
+        let Some(triangle) = cache.lit.get(scene, id) else { continue };
+        let number = triangle.material as usize;
+        if scene.lit_at(number) == LitAt::Pixels {
+            continue;
+        }
+        let weights = found.weights.map(|weight| weight.lane(lane));
+        let places = triangle.lit_at(weights, batch.position(lane));
+        let texel = base_texel(scene, &found.attributes, number, 1 << lane).lane(lane);
+        let visible = VisibleLights::of(scene, id, weights, &places);
+        let light = visible.and_then(|visible| visible.light(scene, triangle, &places, texel));
+        if let Some(light) = light {
             found.attributes.put_light(lane, light);
         }
     }

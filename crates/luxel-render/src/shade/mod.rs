@@ -5,10 +5,12 @@ mod adaptive_subdivision;
 mod block;
 mod lit_triangle;
 mod screen_interpolation;
+mod shadowed;
 mod texel_light;
 mod witness;
 
 pub(crate) use adaptive_subdivision::encoded;
 pub(crate) use block::{ThreadCache, all_fragments, is_studied, point_of, shade};
 pub(crate) use lit_triangle::LitTriangle;
+pub(crate) use shadowed::VisibleLights;
 pub(crate) use witness::BlockWitness;

@@ -123,7 +123,9 @@ fn ten_thousand_explained_pixels_are_the_pictures() {
             }
             let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
             for samples in [1, 2, 4, 8, 16] {
-                let view = styled(&scene, round, samples);
+                // A tree of a million triangles takes long to build.
+                let shadows = name != "blob" && samples == 2;
+                let view = styled(&scene, round, samples).with_shadows(shadows);
                 let picture = renderer.rgba8(&view).unwrap();
                 let Size { width, height } = view.size;
                 let mut pixels: Vec<_> = (0..PIXELS_OF_EACH)
@@ -341,8 +343,9 @@ fn the_layers_of_terms_add_up_to_the_picture() {
         Layer::Fog,
     ];
     for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "blob") {
-        for round in 0..8 {
-            let view = styled(&scene, round, 1).with_background([0.0; 4]);
+        for round in 0..16 {
+            let shadows = round >= 8;
+            let view = styled(&scene, round % 8, 1).with_background([0.0; 4]).with_shadows(shadows);
             for (sum, [r, g, b, alpha]) in sums_of_layers(&scene, &view, &terms) {
                 // Colours are straight.
                 for (sum, drawn) in sum.into_iter().zip([r, g, b].map(|channel| channel * alpha)) {

@@ -70,6 +70,7 @@ fn views() -> Vec<View> {
             views.push(view.clone().with_shading(shading));
         }
     }
+    views.push(view.clone().with_shadows(true));
     for wireframe in [false, true] {
         views.push(view.clone().with_edges(Some(Edges { wireframe, ..Edges::WIREFRAME })));
     }

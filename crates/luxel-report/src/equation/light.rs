@@ -3,7 +3,7 @@
 use super::point::ShadingPoint;
 use crate::words::number;
 use luxel_lighting::{Attenuation, Light, LightKind};
-use luxel_render::{ExplainedLight, Unlit};
+use luxel_render::{BlockedBy, ExplainedLight, Unlit};
 
 /// Why a light adds nothing, in words.
 pub(crate) fn why_not(unlit: Unlit) -> String {
@@ -22,6 +22,8 @@ pub(crate) fn why_not(unlit: Unlit) -> String {
             number(distance),
             number(range)
         ),
+        Unlit::Shadowed => "something stands in its way".to_owned(),
+        Unlit::BeyondTerminator => "the surface itself turns away from it".to_owned(),
         Unlit::AtTheSurface => "it stands at the surface itself".to_owned(),
         Unlit::Dark => "it has no intensity".to_owned(),
         Unlit::Absorbed => "the surface reflects nothing of its colour".to_owned(),
@@ -34,6 +36,25 @@ pub(crate) fn highlight_vector(
     light: &ExplainedLight,
 ) -> Option<(&'static str, [f32; 3])> {
     light.highlight(&point.constants.reflection, point.normal, point.view)
+}
+
+/// What stands in a light's way, in words, and the terminator's factor where it acts.
+pub(crate) fn in_the_way(light: &ExplainedLight) -> Option<String> {
+    let shadow = light.shadow.as_ref()?;
+    let blocked = |by: &BlockedBy| {
+        let BlockedBy { name, triangle, distance, share, .. } = by;
+        let part = if *share == 1.0 { String::new() } else { format!(" keeps {}", number(*share)) };
+        format!("triangle {triangle} of {name}, {} away{part}", number(*distance as f32))
+    };
+    let mut parts = Vec::new();
+    if !shadow.blocked_by.is_empty() {
+        let blocked: Vec<_> = shadow.blocked_by.iter().map(blocked).collect();
+        parts.push(format!("in its way: {}", blocked.join("; ")));
+    }
+    if shadow.terminator < 1.0 {
+        parts.push(format!("terminator {}", number(shadow.terminator)));
+    }
+    (!parts.is_empty()).then(|| parts.join(", "))
 }
 
 /// The attenuation of a light, in words.

@@ -7,7 +7,7 @@ mod products;
 mod symbols;
 mod term;
 
-pub(crate) use light::{highlight_vector, reach, why_not};
+pub(crate) use light::{highlight_vector, in_the_way, reach, why_not};
 pub(crate) use plain::{factor_text, interpolation_text, symbol_text};
 pub(crate) use point::{Interpolation, ShadingPoint, shading_points};
 pub(crate) use products::{LightEntry, point_terms};

@@ -69,7 +69,9 @@ fn light_entry<'a>(point: &ShadingPoint<'_>, light: &'a ExplainedLight) -> Light
     let f = Factor::Number(F, terms.attenuation * terms.spot);
     let with_f = |rest: Vec<Factor>| -> Vec<Factor> {
         let fades = light.light.kind.has_place();
-        fades.then(|| f.clone()).into_iter().chain(rest).collect()
+        let visible = terms.visibility.filter(|visibility| *visibility != 1.0);
+        let visible = visible.map(|visibility| Factor::Number(VISIBILITY, visibility));
+        visible.into_iter().chain(fades.then(|| f.clone())).chain(rest).collect()
     };
     let mut own = Vec::new();
     if light.light.ambient != [0.0; 3] {

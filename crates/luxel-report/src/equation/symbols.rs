@@ -14,6 +14,12 @@ const fn symbol(
 
 pub(crate) const F: Symbol =
     symbol("f", "f", "<i>f</i>", "f: attenuation by distance, times the cone of a spot light");
+pub(crate) const VISIBILITY: Symbol = symbol(
+    "Vis",
+    r"\mathit{Vis}",
+    "<i>Vis</i>",
+    "Vis: the part of the light that nothing stands in the way of",
+);
 pub(crate) const I_A: Symbol =
     symbol("I_a", "I_a", "<i>I</i><sub>a</sub>", "I_a: the intensity of ambient light");
 pub(crate) const I_D: Symbol = symbol(
@@ -87,13 +93,14 @@ pub(crate) const SPLIT_SUM: Symbol = symbol(
 );
 
 /// The symbols above, those that name lights and surfaces, and those of fog and attenuation.
-const TABLE: [Symbol; 26] = [
+const TABLE: [Symbol; 27] = [
     symbol("N", r"\mathbf N", "<b>N</b>", "N: the normal, the direction that the surface faces"),
     symbol("L", r"\mathbf L", "<b>L</b>", "L: the direction to the light"),
     symbol("V", r"\mathbf V", "<b>V</b>", "V: the direction to the eye"),
     symbol("R", r"\mathbf R", "<b>R</b>", "R: L mirrored at N"),
     symbol("H", r"\mathbf H", "<b>H</b>", "H: the direction halfway between L and V"),
     F,
+    VISIBILITY,
     I_A,
     I_D,
     I_S,

@@ -6,7 +6,8 @@ use luxel_lighting::{
     Light, Material, MirrorTerms, PartTerms, Quantity, Reflectance, Reflection, own_parameters,
 };
 use luxel_render::{
-    EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedSurface, Hidden, Seen, SurfaceBelow,
+    BlockedBy, EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedShadow, ExplainedSurface,
+    Hidden, Seen, SurfaceBelow,
 };
 use luxel_scene::Scene;
 use serde_json::{Map, Value, json};
@@ -230,7 +231,7 @@ fn mirrors(mirrors: &[(usize, MirrorTerms<f32>)], constants: &Material) -> Value
 fn light(light: &ExplainedLight, constants: &Material) -> Value {
     let terms = &light.terms;
     let Light { kind, ambient, diffuse, specular, .. } = light.light;
-    json!({
+    let mut value = json!({
         "name": light.name,
         "kind": light.light.kind.name(),
         "intensity": { "ambient": ambient, "diffuse": diffuse, "specular": specular },
@@ -247,5 +248,26 @@ fn light(light: &ExplainedLight, constants: &Material) -> Value {
         "diffuse": terms.diffuse.lane(0),
         "specular": terms.specular.lane(0),
         "why_not": light.unlit().map(why_not),
+    });
+    if let Some(ExplainedShadow { terminator, ray, blocked_by }) = &light.shadow {
+        value["visibility"] = json!(terms.visibility.unwrap_or(1.0));
+        value["terminator"] = json!(terminator);
+        value["shadow_ray"] = json!(
+            ray.map(|[origin, direction]| json!({ "origin": origin, "direction": direction }))
+        );
+        if terms.visibility.is_some_and(|visibility| visibility < 1.0) {
+            value["blocked_by"] = blocked_by.iter().map(blocked).collect();
+        }
+    }
+    value
+}
+
+fn blocked(by: &BlockedBy) -> Value {
+    json!({
+        "index": by.object,
+        "object": by.name,
+        "triangle": by.triangle,
+        "distance": by.distance,
+        "share": by.share,
     })
 }

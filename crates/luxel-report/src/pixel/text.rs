@@ -6,7 +6,8 @@ use super::sentences::{
 };
 use crate::equation::{
     Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, factor_text,
-    highlight_vector, interpolation_text, point_terms, reach, shading_points, symbol_text,
+    highlight_vector, in_the_way, interpolation_text, point_terms, reach, shading_points,
+    symbol_text,
 };
 use crate::words::{color, in_column, number, printable, vector};
 use luxel_lighting::PictureEncoding;
@@ -206,6 +207,9 @@ impl Page {
         self.parts(&entry.parts);
         for term in &entry.terms {
             self.term(term, "  ");
+        }
+        if let Some(in_the_way) = in_the_way(light) {
+            self.line(&self.quiet(&format!("    {}", printable(&in_the_way))));
         }
         if let Some(why) = &entry.why_not {
             let why = self.quiet(&format!(

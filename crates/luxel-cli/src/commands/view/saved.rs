@@ -148,6 +148,9 @@ fn settings(
     }
     let shaded = shading_flags(view, false).into_iter();
     settings.extend(shaded.map(|(name, value)| (name, SettingValue::One(value))));
+    if view.shadows {
+        settings.push(("shadows", SettingValue::Switch(true)));
+    }
     if view.encoding == PictureEncoding::None {
         settings.push(("encoding", word("none")));
     }

@@ -50,6 +50,7 @@ impl Renderer {
             objects: scene.objects(),
             clusters: Vec::new(),
             polygons_of_meshes: Vec::new(),
+            rays: OnceLock::new(),
             level,
             pool,
             clock,

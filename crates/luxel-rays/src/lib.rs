@@ -1,0 +1,32 @@
+//! Rays in world space through the meshes of a scene.
+//!
+//! | query | use |
+//! | --- | --- |
+//! | [`SceneRays::closest`] | what a ray hits first |
+//! | [`SceneRays::any`] | whether something lies in its way |
+//! | [`SceneRays::all`] | all that it hits, nearest first |
+//! | [`SceneRays::transmittance`], [`SceneRays::blockers`] | how much light comes along it, and what keeps the rest |
+//! | [`SceneRays::place`] | where rays leave a triangle without hitting it |
+//!
+//! Picks, shadows and openness go through these trees.
+
+#![forbid(unsafe_code)]
+
+mod object_tree;
+mod queries;
+mod scene_rays;
+mod surface_place;
+mod transmittance;
+mod world_ray;
+
+pub use luxel_bvh::{Quality, TooManyForTree};
+pub use object_tree::ObjectTree;
+pub use scene_rays::SceneRays;
+pub use surface_place::{LIFT, SurfacePlace};
+pub use transmittance::Blocker;
+pub use world_ray::{RebasedRay, WorldHit, WorldRay};
+
+/// The examples of `README.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

@@ -1,0 +1,103 @@
+//! The trees of objects, with their transforms.
+
+use glam::{DMat3, DMat4, DVec3};
+use luxel_bvh::{Bvh, Quality, TooManyForTree};
+use luxel_parallel::fill;
+use luxel_scene::{Object, Scene};
+
+/// The tree of an object, with its transforms.
+pub(crate) struct PlacedTree {
+    pub(crate) mesh: usize,
+    pub(crate) world_from_tree: DMat4,
+    pub(crate) tree_from_world: DMat4,
+    /// A tree in world coordinates, if the object's transform is singular or too anisotropic for rays to
+    /// be transformed.
+    pub(crate) baked: Option<Box<BakedTree>>,
+}
+
+pub(crate) struct BakedTree {
+    pub(crate) bvh: Bvh,
+    pub(crate) positions: Vec<[f32; 3]>,
+}
+
+/// A view of an object's tree.
+#[derive(Clone, Copy, Debug)]
+pub struct ObjectTree<'p> {
+    /// The tree.
+    pub bvh: &'p Bvh,
+    /// The positions of its triangles' corners.
+    pub positions: &'p [[f32; 3]],
+    /// From the tree's coordinates to the world's.
+    pub world_from_tree: &'p DMat4,
+    /// From the world's coordinates to the tree's.
+    pub tree_from_world: &'p DMat4,
+    /// Whether the tree's positions are the mesh's own.
+    pub of_mesh: bool,
+}
+
+/// Stronger anisotropy, roughly the ratio of the longest axis to the shortest, costs transformed rays
+/// their precision.
+const MAX_STRETCH: f64 = 1e4;
+
+impl PlacedTree {
+    pub(crate) fn new(
+        scene: &Scene,
+        object: &Object,
+        quality: Quality,
+    ) -> Result<Self, TooManyForTree> {
+        let mesh = &scene.meshes[object.mesh.index()];
+        let world_from_tree = *object.world_from_mesh * DMat4::from_translation(mesh.origin);
+        let tree_from_world = world_from_tree.inverse();
+        let of = |world_from_tree, tree_from_world, baked| Self {
+            mesh: object.mesh.index(),
+            world_from_tree,
+            tree_from_world,
+            baked,
+        };
+        if tree_from_world.is_finite() && stretch(&world_from_tree, &tree_from_world) < MAX_STRETCH
+        {
+            return Ok(of(world_from_tree, tree_from_world, None));
+        }
+        let middle = world_from_tree.w_axis.truncate();
+        let middle = if middle.is_finite() { middle } else { DVec3::ZERO };
+        let mut positions = vec![[0.0; 3]; mesh.positions.len()];
+        fill(&mut positions, 1 << 12, &|start, run| {
+            for (place, &[x, y, z]) in run.iter_mut().zip(&mesh.positions[start..]) {
+                let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
+                let position = world_from_tree.transform_point3(position);
+                *place = (position - middle).as_vec3().to_array();
+            }
+        });
+        let bvh = Bvh::build(&positions, &mesh.triangles, quality)?;
+        let shift = DMat4::from_translation(middle);
+        let back = DMat4::from_translation(-middle);
+        Ok(of(shift, back, Some(Box::new(BakedTree { bvh, positions }))))
+    }
+}
+
+/// An upper bound of a transform's anisotropy: the product of its norm and its inverse's, over 3, the
+/// value of a uniformly scaled rotation.
+fn stretch(matrix: &DMat4, inverse: &DMat4) -> f64 {
+    let norm = |matrix: &DMat4| {
+        let DMat3 { x_axis, y_axis, z_axis } = DMat3::from_mat4(*matrix);
+        (x_axis.length_squared() + y_axis.length_squared() + z_axis.length_squared()).sqrt()
+    };
+    norm(matrix) * norm(inverse) / 3.0
+}
+
+impl ObjectTree<'_> {
+    /// The world-space bounds of the tree's box.
+    pub(crate) fn world_box(&self) -> [DVec3; 2] {
+        let Some([low, high]) = self.bvh.bounds() else {
+            return [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        };
+        let mut bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        for corner in 0..8 {
+            let at =
+                |axis: usize| f64::from(if corner >> axis & 1 == 0 { low } else { high }[axis]);
+            let place = self.world_from_tree.transform_point3(DVec3::new(at(0), at(1), at(2)));
+            bounds = [bounds[0].min(place), bounds[1].max(place)];
+        }
+        bounds
+    }
+}

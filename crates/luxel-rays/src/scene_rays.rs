@@ -1,0 +1,188 @@
+//! A scene prepared for rays: a tree per mesh, and one over all objects.
+
+use crate::object_tree::{ObjectTree, PlacedTree};
+use glam::DVec3;
+use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
+use luxel_math::{Level, SimdLevel};
+use luxel_parallel::map;
+use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene};
+use std::sync::Arc;
+
+/// A scene prepared for world-space rays. It shares the scene: a program can keep both.
+pub struct SceneRays {
+    scene: Arc<Scene>,
+    objects: Vec<Object>,
+    pub(crate) level: Level,
+    bvhs: Vec<Bvh>,
+    placed: Vec<PlacedTree>,
+    /// Whether nothing shines through a mesh.
+    opaque_meshes: Vec<bool>,
+    /// The tree over the objects' boxes, relative to `middle`.
+    pub(crate) top: BoxTree,
+    pub(crate) middle: DVec3,
+}
+
+/// A world-space box relative to `middle`, rounded outwards.
+fn rounded([low, high]: [DVec3; 2], middle: DVec3) -> [[f32; 3]; 2] {
+    [
+        (low - middle).as_vec3().to_array().map(f32::next_down),
+        (high - middle).as_vec3().to_array().map(f32::next_up),
+    ]
+}
+
+fn is_valid([low, high]: &[DVec3; 2]) -> bool {
+    low.cmple(*high).all() && low.is_finite() && high.is_finite()
+}
+
+/// A scene with a mesh for every object, and these objects in it.
+fn separated(scene: Arc<Scene>, objects: Vec<Object>) -> (Arc<Scene>, Vec<Object>) {
+    if !scene.has_sections() {
+        return (scene, objects);
+    }
+    let separate = scene.separated().into_owned();
+    let mut all: Vec<Option<Object>> = vec![None; separate.nodes.len()];
+    for object in separate.objects() {
+        let node = object.node.index();
+        all[node] = Some(object);
+    }
+    let objects = objects.iter().filter_map(|object| all[object.node.index()].take()).collect();
+    (Arc::new(separate), objects)
+}
+
+impl SceneRays {
+    /// Builds the trees on all threads of the current pool, for the best instruction set of the machine.
+    ///
+    /// # Errors
+    /// [`TooManyForTree`] if a mesh has too many triangles.
+    pub fn new(scene: impl Into<Arc<Scene>>) -> Result<Self, TooManyForTree> {
+        let level = SimdLevel::Auto.resolve().unwrap_or_else(|_| Level::baseline());
+        Self::with(scene.into(), Quality::Thorough, level)
+    }
+
+    /// Builds the trees with a given quality and instruction set.
+    ///
+    /// # Errors
+    /// [`TooManyForTree`] if a mesh has too many triangles.
+    pub fn with(scene: Arc<Scene>, quality: Quality, level: Level) -> Result<Self, TooManyForTree> {
+        let objects = scene.objects();
+        Self::of_objects(scene, objects, quality, level)
+    }
+
+    /// [`SceneRays::with`], for some of the scene's objects only: hits number these.
+    ///
+    /// Objects that share a mesh get meshes of their own first, in a copy of the scene.
+    ///
+    /// # Errors
+    /// [`TooManyForTree`] if a mesh has too many triangles.
+    pub fn of_objects(
+        scene: Arc<Scene>,
+        objects: Vec<Object>,
+        quality: Quality,
+        level: Level,
+    ) -> Result<Self, TooManyForTree> {
+        let (scene, objects) = separated(scene, objects);
+        let bvhs = map(scene.meshes.len(), 1, &|run| {
+            let mesh = &scene.meshes[run.start];
+            Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))
+        });
+        let bvhs = bvhs.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
+        let is_opaque =
+            |part: &Part| scene.materials[part.material.index()].alpha_mode == AlphaMode::Opaque;
+        let opaque_meshes =
+            scene.meshes.iter().map(|mesh| mesh.parts.iter().all(is_opaque)).collect();
+        let placed = map(objects.len(), 1, &|run| {
+            Some(PlacedTree::new(&scene, &objects[run.start], quality))
+        });
+        let placed = placed.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
+        let mut rays = Self {
+            scene,
+            objects,
+            level,
+            bvhs,
+            placed,
+            opaque_meshes,
+            top: BoxTree::default(),
+            middle: DVec3::ZERO,
+        };
+        let boxes: Vec<[DVec3; 2]> =
+            (0..rays.objects.len()).map(|object| rays.tree(object).world_box()).collect();
+        let all = boxes
+            .iter()
+            .filter(|bounds| is_valid(bounds))
+            .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], bounds| {
+                [low.min(bounds[0]), high.max(bounds[1])]
+            });
+        rays.middle = if is_valid(&all) { all[0] * 0.5 + all[1] * 0.5 } else { DVec3::ZERO };
+        let middle = rays.middle;
+        let boxes: Vec<_> = boxes
+            .into_iter()
+            .map(|bounds| is_valid(&bounds).then(|| rounded(bounds, middle)))
+            .collect();
+        rays.top = BoxTree::build(&boxes, Quality::Fast)?;
+        Ok(rays)
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
+    }
+
+    /// The objects; hits give their indices.
+    #[must_use]
+    pub fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    /// The memory of the trees, in bytes, without the scene.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        let baked = |placed: &PlacedTree| {
+            placed
+                .baked
+                .as_ref()
+                .map_or(0, |baked| baked.bvh.memory() + size_of_val(&baked.positions[..]))
+        };
+        self.bvhs.iter().map(Bvh::memory).sum::<usize>()
+            + self.placed.iter().map(baked).sum::<usize>()
+    }
+
+    /// The instruction set that runs.
+    #[must_use]
+    pub fn level(&self) -> Level {
+        self.level
+    }
+
+    /// The mesh of an object.
+    #[must_use]
+    pub fn mesh(&self, object: usize) -> &Mesh {
+        &self.scene.meshes[self.objects[object].mesh.index()]
+    }
+
+    /// Whether nothing shines through an object.
+    pub(crate) fn is_opaque(&self, object: usize) -> bool {
+        self.opaque_meshes[self.objects[object].mesh.index()]
+    }
+
+    /// The tree of an object.
+    #[must_use]
+    pub fn tree(&self, object: usize) -> ObjectTree<'_> {
+        let placed = &self.placed[object];
+        let (bvh, positions) = match &placed.baked {
+            Some(baked) => (&baked.bvh, &baked.positions),
+            None => (&self.bvhs[placed.mesh], &self.scene.meshes[placed.mesh].positions),
+        };
+        ObjectTree {
+            bvh,
+            positions,
+            world_from_tree: &placed.world_from_tree,
+            tree_from_world: &placed.tree_from_world,
+            of_mesh: placed.baked.is_none(),
+        }
+    }
+
+    pub(crate) fn rays(&self, object: usize) -> MeshRays<'_> {
+        let tree = self.tree(object);
+        MeshRays::with_level(tree.bvh, tree.positions, self.level)
+    }
+}

@@ -1,0 +1,98 @@
+//! Light that was computed elsewhere than at a sample, of which lights are kept away there.
+
+use super::lit_triangle::LitTriangle;
+use crate::context::{LitAt, ShadingContext};
+use crate::material::{Corner, SurfaceWitness, light_at, light_under};
+use luxel_lighting::{Ledger, LightTerms, Terms, Witness};
+use luxel_math::Vec3;
+use luxel_visibility::TriangleId;
+
+/// The lights that reach a sample whose light was computed elsewhere.
+pub(crate) struct VisibleLights {
+    /// The normal between the places where light was computed, of unit length.
+    pub(crate) normal: [f32; 3],
+    /// V of each light at the sample.
+    pub(crate) visibility: Vec<f32>,
+}
+
+impl VisibleLights {
+    /// Of a sample of a triangle; `None` without shadows.
+    ///
+    /// V is asked for wherever the triangle faces the light: light between corners reaches places whose
+    /// own normal turns away.
+    pub(crate) fn of(
+        scene: &ShadingContext<'_>,
+        id: TriangleId,
+        barycentric: [f32; 3],
+        places: &[(f32, Corner)],
+    ) -> Option<Self> {
+        let shadows = scene.shadows?;
+        let sum = places.iter().fold([0.0; 3], |sum: [f32; 3], (weight, corner)| {
+            std::array::from_fn(|axis| sum[axis] + weight * corner.normal[axis])
+        });
+        let normal = Vec3::new(sum[0], sum[1], sum[2]).normalized_or_zero().lane(0);
+        let place = shadows.place(id, barycentric);
+        let visible = |light: usize| match place.and_then(|at| shadows.ray(light, &at, normal)) {
+            Some(shadow) => shadow.terminator * shadows.transmittance(&shadow),
+            None => 1.0,
+        };
+        Some(Self { normal, visibility: (0..scene.lights.len()).map(visible).collect() })
+    }
+
+    /// The light between places, each light of them times its V; `None` if all of it arrives.
+    ///
+    /// I = sum of w k (own + sum of V_i I_i) over the places, where w are the weights, I_i the parts of
+    /// the lights, and k what clamping leaves of a place's light.
+    pub(crate) fn light(
+        &self,
+        scene: &ShadingContext<'_>,
+        triangle: &LitTriangle,
+        places: &[(f32, Corner)],
+        texel: [f32; 3],
+    ) -> Option<[f32; 3]> {
+        if self.visibility.iter().all(|visibility| *visibility == 1.0) {
+            return None;
+        }
+        let (has, material) = (triangle.has, triangle.material);
+        let is_textured = scene.lit_at(material as usize) == LitAt::PiecesUnderTexels;
+        let mut sum = [0.0; 3];
+        for (weight, corner) in places {
+            let mut terms = PlaceTerms(Ledger::default());
+            let light = match is_textured {
+                true => light_under(scene, corner, has, material, texel, &mut terms),
+                false => light_at(scene, corner, has, material, &mut terms),
+            };
+            let Ledger { emission, scene_ambient, environment, sum: whole, lights, .. } = &terms.0;
+            for channel in 0..3 {
+                let of_light = |terms: &LightTerms<f32>| {
+                    let LightTerms { ambient, diffuse, specular, .. } = terms;
+                    ambient.lane(0)[channel] + diffuse.lane(0)[channel] + specular.lane(0)[channel]
+                };
+                let mut arriving =
+                    emission[channel] + scene_ambient[channel] + environment[channel];
+                for entry in lights {
+                    arriving += self.visibility[entry.index] * of_light(&entry.terms);
+                }
+                let (whole, light) = (whole[channel], light[channel]);
+                let kept = if whole == light { 1.0 } else { light / whole };
+                sum[channel] += weight * kept * arriving;
+            }
+        }
+        Some(sum)
+    }
+}
+
+/// Writes down the terms of a place.
+struct PlaceTerms(Ledger);
+
+impl Witness<f32> for PlaceTerms {
+    fn light(&mut self, index: usize, terms: &LightTerms<f32>) {
+        self.0.light(index, terms);
+    }
+
+    fn terms(&mut self, terms: &Terms<f32>) {
+        self.0.terms(terms);
+    }
+}
+
+impl SurfaceWitness<f32> for PlaceTerms {}

@@ -1,0 +1,281 @@
+//! Shadows against rays through all triangles, in `f64`: at every pixel, in scenes of all kinds.
+
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
+
+use luxel::formats::{Limits, open};
+use luxel::lighting::LightKind;
+use luxel::render::{Execution, Renderer, View};
+use luxel::scene::{
+    AlphaMode, Camera, DMat4, DVec3, Lens, MaterialId, Mesh, MeshId, Node, NormalOptions, Part,
+    Projection, Scene, SceneLight, SceneMaterial, Size, Viewpoint, demos, fit_view, primitives,
+};
+use luxel_testing::models;
+use std::f64;
+
+const SIZE: Size = Size { width: 64, height: 48 };
+
+/// All triangles of a scene in world space, with the objects that they belong to.
+fn triangles(scene: &Scene) -> Vec<(usize, u32, [DVec3; 3])> {
+    let of = |(number, object): (usize, luxel::scene::Object)| {
+        let mesh = &scene.meshes[object.mesh.index()];
+        (0..)
+            .zip(&mesh.triangles)
+            .map(move |(triangle, corners)| {
+                let place = |vertex| object.world_from_mesh.transform_point3(mesh.position(vertex));
+                (number, triangle, corners.map(place))
+            })
+            .collect::<Vec<_>>()
+    };
+    scene.objects().into_iter().enumerate().flat_map(of).collect()
+}
+
+/// How clearly a ray meets a triangle: the distance to it, and by how much it lies within (negative:
+/// outside), as a length.
+fn meeting(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, f64)> {
+    let normal = (b - a).cross(c - a).try_normalize()?;
+    let along = normal.dot(direction);
+    if along.abs() < 1e-12 {
+        return None;
+    }
+    let t = normal.dot(a - origin) / along;
+    let place = origin + direction * t;
+    let inside = [(a, b), (b, c), (c, a)].map(|(from, to)| {
+        let inwards = normal.cross(to - from).try_normalize();
+        inwards.map_or(f64::NEG_INFINITY, |inwards| (place - from).dot(inwards))
+    });
+    // What a shift of the ray makes of it where it meets the plane at a flat angle.
+    Some((t, inside.into_iter().fold(f64::INFINITY, f64::min) * along.abs()))
+}
+
+/// Compares V of every light at every pixel of a scene without holes and glass; how many were in shadow.
+fn compare(name: &str, scene: &Scene, view: &View) -> (usize, usize) {
+    let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
+    let all = triangles(scene);
+    let extent = scene.bounds().radius();
+    let margin = 1e-5 * extent;
+    let pixels: Vec<_> =
+        (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| [x, y])).collect();
+    let (mut shadowed, mut lit, mut uncertain) = (0, 0, 0);
+    for explained in renderer.explain_pixels(view, &pixels).unwrap() {
+        let Some(surface) = explained.samples[0].seen[0].surface() else { continue };
+        let eye = (view.camera.eye() - DVec3::from_array(surface.position)).length();
+        for light in &surface.lights {
+            let shadow = light.shadow.as_ref().unwrap();
+            let visibility = light.terms.visibility.unwrap();
+            let Some([origin, direction]) = shadow.ray.map(|ray| ray.map(DVec3::from_array)) else {
+                assert!(light.terms.n_dot_l <= 0.0 && visibility == 1.0, "{name}: it isn't asked");
+                continue;
+            };
+            // 2^-17 of the largest coordinate, and the rounding of the place that the ledger shows, which is
+            // about the eye in f32.
+            let place = DVec3::from_array(surface.position);
+            let bound = 8e-6 * 2.0 * extent + 1e-6 * eye;
+            assert!((origin - place).length() <= bound, "{name}: {origin} is far from {place}");
+            let end = match light.light.kind {
+                LightKind::Directional => f64::INFINITY,
+                _ => (DVec3::from_array(light.position) - origin).length(),
+            };
+            let (mut clear, mut near) = (false, false);
+            for &(object, triangle, corners) in &all {
+                let Some((t, inside)) = meeting(origin, direction, corners) else { continue };
+                let own = object == surface.object && Some(triangle) == surface.triangle;
+                clear |= !own && t > margin && t < end - margin && inside > margin;
+                near |= !own && t > -margin && t < end + margin && inside > -margin;
+            }
+            if shadow.terminator == 0.0 {
+                assert_eq!(visibility, 0.0);
+            } else if clear {
+                assert_eq!(visibility, 0.0, "{name}: light leaks to {:?}", explained.pixel);
+                assert!(!shadow.blocked_by.is_empty(), "{name}: nothing is named");
+                shadowed += 1;
+            } else if near {
+                uncertain += 1;
+            } else {
+                let expected = shadow.terminator;
+                assert_eq!(visibility, expected, "{name}: acne at {:?}", explained.pixel);
+                lit += 1;
+            }
+        }
+    }
+    assert!(uncertain * 20 <= shadowed + lit, "{name}: {uncertain} of {shadowed} + {lit}");
+    (shadowed, lit)
+}
+
+/// A sun and a lamp.
+fn lights(scene: &Scene) -> Vec<SceneLight> {
+    let bounds = scene.bounds();
+    let (right, up) =
+        (bounds.radius() * scene.up.any_orthonormal_vector(), bounds.radius() * scene.up);
+    let lamp = bounds.centre() + 0.9 * up + 1.3 * right;
+    vec![
+        SceneLight::directional(0.4 * right - 0.8 * up, [0.8; 3]).named("sun"),
+        SceneLight::point(lamp, [0.6; 3]).named("lamp"),
+    ]
+}
+
+fn view(scene: &Scene, azimuth: f64) -> View {
+    let viewpoint = Viewpoint { up: scene.up, azimuth_radians: azimuth, elevation_radians: 0.35 };
+    let lens = Lens::Perspective { fov_y_radians: 0.8 };
+    View::new(SIZE, fit_view(scene, &viewpoint, lens, SIZE))
+        .with_samples(1)
+        .with_lights(lights(scene))
+        .with_shadows(true)
+}
+
+/// Nothing shines through a scene's surfaces.
+fn solid(mut scene: Scene) -> Scene {
+    for material in &mut scene.materials {
+        material.alpha_mode = AlphaMode::Opaque;
+    }
+    scene
+}
+
+#[test]
+fn demos_are_in_shadow_where_f64_rays_meet_a_triangle() {
+    let (mut shadowed, mut lit) = (0, 0);
+    for name in ["teapot", "spheres", "cornell", "plane", "welcome", "lab-corrugated"] {
+        let scene = demos::demo(name).unwrap();
+        let found = compare(name, &scene, &view(&scene, 0.6));
+        shadowed += found.0;
+        lit += found.1;
+    }
+    assert!(shadowed > 200 && lit > 5000, "{shadowed} {lit}");
+}
+
+#[test]
+fn models_are_in_shadow_where_f64_rays_meet_a_triangle() {
+    let Some(folder) = models::folder() else { return };
+    let (mut shadowed, mut lit) = (0, 0);
+    for path in [
+        "CesiumMilkTruck.glb",
+        "DepthOfFieldExample.glb",
+        "Fox.glb",
+        "busted.STL",
+        "featuretype.STL",
+        "octagonal_pocket.stl",
+        "suzanne.ply",
+        "cakeBirthday.glb",
+        "spot/spot.obj",
+        "fuze/fuze.obj",
+    ] {
+        let mut scene = solid(open(&folder.join(path), &Limits::default()).unwrap().scene);
+        scene.compute_normals(&NormalOptions::default());
+        let found = compare(path, &scene, &view(&scene, 0.6));
+        shadowed += found.0;
+        lit += found.1;
+    }
+    assert!(shadowed > 700 && lit > 5000, "{shadowed} {lit}");
+}
+
+/// A mesh, scaled in its file or by its node, and far away.
+fn closed(mut mesh: Mesh, scale: f64, offset: DVec3, in_file: bool) -> Scene {
+    mesh.parts =
+        vec![Part { first: 0, count: mesh.triangles.len() as u32, material: MaterialId(0) }];
+    let mut node = Node::root("closed".to_owned(), Some(MeshId(0)));
+    if in_file {
+        mesh.origin = offset;
+        for place in mesh.positions.as_flattened_mut() {
+            *place *= scale as f32;
+        }
+    } else {
+        node.parent_from_node =
+            (DMat4::from_translation(offset) * DMat4::from_scale(DVec3::splat(scale))).into();
+    }
+    let mut scene = Scene::default();
+    scene.meshes.push(mesh);
+    scene.materials.push(SceneMaterial::default());
+    scene.nodes.push(node);
+    scene
+}
+
+/// Scales and offsets, by the file and by the node.
+fn placements() -> Vec<(f64, DVec3, bool)> {
+    let offset = DVec3::new(1e6, -1e6, 1e6);
+    let mut all = Vec::new();
+    for in_file in [true, false] {
+        for scale in [1e-6, 1.0, 1e6] {
+            all.push((scale, DVec3::ZERO, in_file));
+        }
+        all.extend([(1.0, offset, in_file), (1e6, offset, in_file)]);
+    }
+    all
+}
+
+/// Convex, closed: nothing on it is in the way of its own light.
+fn convex() -> [Mesh; 4] {
+    [
+        primitives::sphere(1.0, 48, 24),
+        primitives::icosphere(1.0, 3),
+        primitives::cuboid(DVec3::new(1.0, 2.0, 0.01)),
+        primitives::cylinder(0.02, 3.0, 60),
+    ]
+}
+
+#[test]
+fn a_convex_surface_has_no_acne_at_any_scale_and_offset() {
+    let mut asked = 0;
+    for (scale, offset, in_file) in placements() {
+        for mesh in convex() {
+            let scene = closed(mesh, scale, offset, in_file);
+            for azimuth in [0.6, 2.5] {
+                let view = view(&scene, azimuth);
+                let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
+                let pixels: Vec<_> =
+                    (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| [x, y])).collect();
+                for explained in renderer.explain_pixels(&view, &pixels).unwrap() {
+                    let Some(surface) = explained.samples[0].seen[0].surface() else { continue };
+                    for light in surface.lights.iter().filter(|light| light.terms.n_dot_l > 0.0) {
+                        let terminator = light.shadow.as_ref().unwrap().terminator;
+                        let visibility = light.terms.visibility.unwrap();
+                        assert_eq!(visibility, terminator, "{scale} {offset} {explained:?}");
+                        asked += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(asked > 20_000, "{asked}");
+}
+
+#[test]
+fn no_light_leaks_into_a_closed_surface_at_any_scale_and_offset() {
+    let mut asked = 0;
+    for (scale, offset, in_file) in placements() {
+        for mesh in [
+            primitives::sphere(1.0, 48, 24),
+            primitives::cuboid(DVec3::new(1.0, 2.0, 3.0)),
+            primitives::cuboid(DVec3::new(4.0, 0.3, 4.0)),
+        ] {
+            let scene = closed(mesh, scale, offset, in_file);
+            let bounds = scene.bounds();
+            let (eye, radius) = (bounds.centre(), bounds.radius());
+            for (direction, up) in [(DVec3::X, DVec3::Y), (DVec3::new(0.5, -0.7, 0.6), DVec3::Y)] {
+                let lens = Lens::Perspective { fov_y_radians: 1.6 };
+                let projection = Projection { lens, near: radius * 1e-3, far: radius * 10.0 };
+                let view_from_world = Camera::look_at(eye, eye + direction * radius, up);
+                let view = View::new(SIZE, Camera { view_from_world, projection })
+                    .with_samples(1)
+                    .with_lights(
+                        [DVec3::new(1.0, 0.2, 0.3), DVec3::new(-0.3, -1.0, 0.5)]
+                            .map(|way| SceneLight::directional(way, [1.0; 3]))
+                            .into_iter()
+                            .chain([SceneLight::point(eye + 3.0 * radius * DVec3::ONE, [1.0; 3])])
+                            .collect(),
+                    )
+                    .with_shadows(true);
+                let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
+                let pixels: Vec<_> =
+                    (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| [x, y])).collect();
+                for explained in renderer.explain_pixels(&view, &pixels).unwrap() {
+                    let Some(surface) = explained.samples[0].seen[0].surface() else { continue };
+                    for light in surface.lights.iter().filter(|light| light.terms.n_dot_l > 0.0) {
+                        let visibility = light.terms.visibility.unwrap();
+                        assert_eq!(visibility, 0.0, "{scale} {offset} {explained:?}");
+                        asked += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(asked > 20_000, "{asked}");
+}
