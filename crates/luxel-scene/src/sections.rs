@@ -98,15 +98,17 @@ impl Mesh {
         let own_triangles = down(&self.triangles, positions.start);
         let attribute_corners =
             self.attribute_corners.as_ref().map(|corners| down(corners, attributes.start));
-        let faults = self.normal_faults.iter();
+        let faults_before =
+            |end: u32| self.normal_faults.partition_point(|fault| fault.position < end);
+        let faults = faults_before(positions.start)..faults_before(positions.end);
         Self {
             origin: self.origin,
             positions: self.positions[indices(positions)].to_vec(),
             attribute_corners: attribute_corners.filter(|corners| *corners != own_triangles),
             triangles: own_triangles,
             normals: some(&self.normals, attributes),
-            normal_faults: faults
-                .filter(|fault| positions.contains(&fault.position))
+            normal_faults: self.normal_faults[faults]
+                .iter()
                 .map(|fault| NormalFault { position: fault.position - positions.start, ..*fault })
                 .collect(),
             tangents: some(&self.tangents, attributes),
@@ -142,20 +144,16 @@ impl Mesh {
 
     /// How many attribute vertices there are.
     fn attribute_count(&self) -> usize {
-        match &self.attribute_corners {
-            None => self.positions.len(),
-            Some(_) => {
-                let [first, second] = &self.uvs;
-                let counts = [
-                    self.normals.len(),
-                    self.tangents.len(),
-                    first.len(),
-                    second.len(),
-                    self.colors.len(),
-                ];
-                counts.into_iter().max().unwrap_or_default()
-            }
-        }
+        let [first, second] = &self.uvs;
+        let counts =
+            [self.normals.len(), self.tangents.len(), first.len(), second.len(), self.colors.len()];
+        let most = counts.into_iter().max().unwrap_or_default();
+        if most == 0 && self.attribute_corners.is_none() { self.positions.len() } else { most }
+    }
+
+    /// Whether attribute vertices are numbered like the positions, and are as many.
+    fn is_numbered_once(&self) -> bool {
+        self.attribute_corners.is_none() && self.attribute_count() == self.positions.len()
     }
 
     /// Whether it is small, and has nothing that sections don't.
@@ -234,7 +232,9 @@ impl Mesh {
         let end = self.end();
         let up = |corners: &[u32; 3], by: u32| corners.map(|corner| corner + by);
         let own = self.triangles.len();
-        if self.attribute_corners.is_none() && other.attribute_corners.is_some() {
+        if self.attribute_corners.is_none()
+            && !(self.is_numbered_once() && other.is_numbered_once())
+        {
             self.attribute_corners = Some(self.triangles.clone());
         }
         if let Some(corners) = &mut self.attribute_corners {

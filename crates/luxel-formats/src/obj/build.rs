@@ -161,6 +161,8 @@ impl Builder<'_> {
         mesh.smoothing_groups =
             document.has_smoothing.then(|| std::mem::take(&mut object.smoothing));
         set_attributes(&mut mesh, document, &object, name, warnings);
+        // Materials may take as much again.
+        object.corners = Vec::new();
         set_materials(&mut mesh, &object, materials, warnings);
         Some(mesh)
     }

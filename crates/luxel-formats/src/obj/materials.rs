@@ -13,7 +13,7 @@
 //! - A diffuse texture with alpha, or a `map_d`, makes holes if its alpha is all but black and
 //!   white, and blends otherwise.
 
-use super::mtl::{self, Definition, Map};
+use super::mtl::{self, Definition, Map, Maps};
 use crate::image;
 use crate::memory::Memory;
 use crate::text::shown;
@@ -37,7 +37,7 @@ pub(super) struct Materials<'a> {
     memory: Memory<'a>,
     /// By the file's number: names, and definitions that aren't built yet.
     names: &'a [&'a [u8]],
-    definitions: Vec<Option<Box<Definition>>>,
+    definitions: Vec<Option<Definition>>,
     pub(super) list: Vec<SceneMaterial>,
     pub(super) textures: Vec<Texture>,
     /// Built materials, by the file's number and by whether they are for vertices with colours; last that
@@ -69,10 +69,10 @@ impl<'a> Materials<'a> {
         let mut files = Libraries { folder, memory: Memory::new(limits), seen: HashSet::new() };
         for line in libraries {
             for (name, bytes) in files.of_line(line, warnings) {
-                mtl::read(&bytes, &name, warnings, &mut |definition| {
+                mtl::read(&bytes, &name, warnings, &mut |name, definition| {
                     // The first definition wins: libraries are searched in order.
-                    if let Some(&number) = numbers.get(definition.name.as_slice()) {
-                        definitions[number].get_or_insert_with(|| Box::new(definition));
+                    if let Some(&number) = numbers.get(name) {
+                        definitions[number].get_or_insert(definition);
                     }
                 });
             }
@@ -103,7 +103,7 @@ impl<'a> Materials<'a> {
         let name = self.names.get(number).copied();
         let definition = self.definitions.get_mut(number).and_then(Option::take);
         let mut material = match (&definition, name) {
-            (Some(definition), _) => self.make(definition, warnings),
+            (Some(definition), _) => self.make(definition, number, warnings),
             (None, name) => {
                 if let Some(name) = name {
                     let name = shown(name);
@@ -130,21 +130,28 @@ impl<'a> Materials<'a> {
         id
     }
 
-    fn make(&mut self, definition: &Definition, warnings: &mut Warnings) -> SceneMaterial {
+    fn make(
+        &mut self,
+        definition: &Definition,
+        number: usize,
+        warnings: &mut Warnings,
+    ) -> SceneMaterial {
+        let none = Maps::default();
+        let maps = definition.maps.as_deref().unwrap_or(&none);
         let mut material = SceneMaterial::default();
         let constants = &mut material.constants;
-        let or_white = |color: Option<[f32; 3]>, map: &Option<Box<Map>>| {
+        let or_white = |color: Option<[f32; 3]>, map: &Option<Map>| {
             color.or_else(|| map.as_ref().map(|_| [1.0; 3]))
         };
-        if let Some(diffuse) = or_white(definition.diffuse, &definition.diffuse_map) {
+        if let Some(diffuse) = or_white(definition.diffuse, &maps.diffuse) {
             constants.diffuse = diffuse;
         }
-        constants.ambient = or_white(definition.ambient, &definition.ambient_map);
-        if let Some(specular) = or_white(definition.specular, &definition.specular_map) {
+        constants.ambient = or_white(definition.ambient, &maps.ambient);
+        if let Some(specular) = or_white(definition.specular, &maps.specular) {
             constants.specular = specular;
             constants.k_s = 1.0;
         }
-        if let Some(emission) = or_white(definition.emission, &definition.emission_map) {
+        if let Some(emission) = or_white(definition.emission, &maps.emission) {
             constants.emission = emission;
         }
         if let Some(shininess) = definition.shininess {
@@ -164,34 +171,35 @@ impl<'a> Materials<'a> {
         if material.opacity < 1.0 {
             material.alpha_mode = AlphaMode::Blend;
         }
-        self.set_maps(definition, &mut material, warnings);
+        self.set_maps(maps, number, &mut material, warnings);
+        if maps.ambient.is_none() && definition.ambient.is_some() {
+            material.ambient.clone_from(&material.base_color);
+        }
         material
     }
 
     fn set_maps(
         &mut self,
-        definition: &Definition,
+        maps: &Maps,
+        number: usize,
         material: &mut SceneMaterial,
         warnings: &mut Warnings,
     ) {
-        let mut get = |map: &Option<Box<Map>>, used: Use| {
+        let mut get = |map: &Option<Map>, used: Use| {
             map.as_ref().map(|map| Box::new(self.texture(map, used, warnings)))
         };
-        material.base_color = get(&definition.diffuse_map, Use::Color);
-        material.specular = get(&definition.specular_map, Use::Color);
-        material.emission = get(&definition.emission_map, Use::Color);
-        material.opacity_map = get(&definition.opacity_map, Use::Opacity);
-        material.normal = get(&definition.normal_map, Use::Normal);
-        material.ambient = get(&definition.ambient_map, Use::Color);
-        let bump = get(&definition.bump_map, Use::Normal);
-        if definition.ambient_map.is_none() && definition.ambient.is_some() {
-            material.ambient.clone_from(&material.base_color);
-        }
+        material.base_color = get(&maps.diffuse, Use::Color);
+        material.specular = get(&maps.specular, Use::Color);
+        material.emission = get(&maps.emission, Use::Color);
+        material.opacity_map = get(&maps.opacity, Use::Opacity);
+        material.normal = get(&maps.normal, Use::Normal);
+        material.ambient = get(&maps.ambient, Use::Color);
+        let bump = get(&maps.bump, Use::Normal);
         if let Some(bump) = bump.filter(|_| material.normal.is_none()) {
             if is_normal_map(self.level(&bump)) {
                 material.normal = Some(bump);
             } else {
-                let name = shown(&definition.name);
+                let name = self.names.get(number).map(|name| shown(name)).unwrap_or_default();
                 warnings.push(format!(
                     "material `{name}`: bump maps of heights are ignored: use a normal map (`norm`)"
                 ));

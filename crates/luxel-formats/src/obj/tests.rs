@@ -282,7 +282,7 @@ proptest! {
     ) {
         let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n{}", words.join(" "));
         let _ = load(&text);
-        mtl::read(text.replace("v 0", "newmtl").as_bytes(), "x.mtl", &mut Warnings::default(), &mut |_| {});
+        mtl::read(text.replace("v 0", "newmtl").as_bytes(), "x.mtl", &mut Warnings::default(), &mut |_, _| {});
     }
 }
 
