@@ -295,6 +295,13 @@ impl Mesh {
         });
         let Some(mut all) = sections.next() else { return };
         all.sections.push(all.end());
+        // Attributes may become more; all else stays.
+        all.sections.reserve_exact(self.sections.len());
+        all.positions.reserve_exact(self.positions.len());
+        all.triangles.reserve_exact(self.triangles.len());
+        if !all.normals.is_empty() {
+            all.normals.reserve(self.positions.len());
+        }
         sections.for_each(|section| all.append(section));
         *self = all;
     }
