@@ -3,6 +3,7 @@
 use crate::aabb::Aabb;
 use crate::build::{Boxes, Quality, build};
 use crate::bvh::TooManyForTree;
+use crate::intersect::SlabTest;
 use crate::ray::Ray;
 use crate::traverse::visit_items;
 use crate::tree::{MAX_TRIANGLES, Tree};
@@ -65,6 +66,24 @@ impl BoxTree {
     /// come together. `visit` returns the distance beyond which nothing counts any more, at most that
     /// of the nearest hit so far.
     pub fn visit_along(&self, level: Level, ray: &Ray, visit: impl FnMut(u32) -> f32) {
-        visit_items(level, &self.0, ray, visit);
+        let Some(bounds) = self.0.bounds else { return };
+        let slabs = SlabTest::new(ray.origin, ray.direction, ray.range[0], bounds.largest());
+        visit_items(level, &self.0, (&slabs, ray.range[1]), visit);
+    }
+
+    /// Visits the items whose boxes a line may hit, thick as it may be, up to the distance `farthest`.
+    pub fn visit_within(
+        &self,
+        level: Level,
+        line: &SlabTest,
+        farthest: f32,
+        mut visit: impl FnMut(u32),
+    ) {
+        if self.0.bounds.is_some() {
+            visit_items(level, &self.0, (line, farthest), |item| {
+                visit(item);
+                f32::INFINITY
+            });
+        }
     }
 }

@@ -4,7 +4,7 @@ use crate::bvh::Bvh;
 use crate::intersect::{ShearedRay, SlabTest, intersect_block};
 use crate::ray::{Ray, RayHit};
 use crate::traverse::{
-    AnyHit, ClosestHit, RayQuery, RaySetup, RaySlabs, RayTarget, set_up, trace_batch,
+    AnyHit, ClosestHit, RayQuery, RaySetup, RaySlabs, RayTarget, set_up, trace_batch, trace_here,
     trace_unusual, trace_usual,
 };
 use luxel_math::{Level, SimdLevel, dispatch_long};
@@ -116,6 +116,16 @@ impl<'m> MeshRays<'m> {
     /// [`Self::any_of_each`], replacing the contents of `hits` and reusing its memory.
     pub fn any_of_each_into(&self, rays: &[Ray], hits: &mut Vec<bool>) {
         self.trace_batch::<AnyHit>(rays, hits);
+    }
+
+    /// [`Self::any`] for each of a few rays, up to a thousand or so, on this thread: for programs whose
+    /// threads have rays of their own.
+    ///
+    /// # Panics
+    /// If `hits` isn't as long as `rays`.
+    pub fn any_of_few(&self, rays: &[Ray], hits: &mut [bool]) {
+        assert_eq!(rays.len(), hits.len(), "each ray has an answer");
+        trace_here::<AnyHit>(&self.0, rays, hits);
     }
 
     fn trace_batch<Q: RayQuery>(&self, rays: &[Ray], answers: &mut Vec<Q::Answer>) {

@@ -121,7 +121,10 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     let simd = point.depth;
     let surface = Surface::new(point, coefficients, reflection);
     let emission = broadcast(coefficients.emitted, simd);
-    let ambient_share = surface.ambient(reflection, &lighting.environment);
+    let mut ambient_share = surface.ambient(reflection, &lighting.environment);
+    if let Some(openness) = occlusion.openness {
+        ambient_share = ambient_share * simd.load(openness, 0);
+    }
     let scene_ambient = ambient_share * Rgb::splat(simd, lighting.scene_ambient);
 
     let mut sum = emission + scene_ambient;
@@ -170,6 +173,9 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
         // A copy, because a witness needs its arguments in memory, and only here.
         let surface = Surface::new(point, coefficients, reflection);
         environment = surface.mirrored(reflection, &lighting.environment, witness);
+        if let Some(openness) = occlusion.openness {
+            environment = environment * simd.load(openness, 0);
+        }
         sum = sum + environment;
     }
     let sum = finite(sum);

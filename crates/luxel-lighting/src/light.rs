@@ -19,6 +19,12 @@ pub struct Light {
     pub specular: [f32; 3],
     /// How the light weakens with distance; directional and ambient lights don't.
     pub attenuation: Attenuation,
+    /// The radius of the ball that a point or spot light is, in the world's units: its shadows are soft.
+    /// Light itself comes from the middle. 0 by default.
+    pub radius: f32,
+    /// The angle under which a directional light is seen, in degrees, 0.53 for the sun's: its shadows are
+    /// soft. 0 by default.
+    pub angle_degrees: f32,
 }
 
 /// Attenuation min(1 / (c1 + c2 d + c3 d^2), limit) over the distance d to the light, with glTF's
@@ -72,6 +78,8 @@ impl Light {
             diffuse: color,
             specular: color,
             attenuation: Attenuation::NONE,
+            radius: 0.0,
+            angle_degrees: 0.0,
         }
     }
 
@@ -84,6 +92,8 @@ impl Light {
             diffuse: [0.0; 3],
             specular: [0.0; 3],
             attenuation: Attenuation::NONE,
+            radius: 0.0,
+            angle_degrees: 0.0,
         }
     }
 }

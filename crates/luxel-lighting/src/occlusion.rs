@@ -8,11 +8,14 @@ pub struct Occlusion<'v> {
     /// V of each light, by its place in the list: 0 in its shadow, 1 where nothing is in the way, as
     /// everywhere where none is given.
     pub visibility: Option<&'v [[f32; LANES]]>,
+    /// Openness: the part of the light from all around that arrives. It multiplies the ambient terms and,
+    /// as an approximation, what is mirrored of the environment.
+    pub openness: Option<&'v [f32; LANES]>,
 }
 
 impl Occlusion<'_> {
     /// Nothing keeps any light away.
-    pub const NONE: Self = Self { visibility: None };
+    pub const NONE: Self = Self { visibility: None, openness: None };
 }
 
 /// G': how much of a light the shading normal N may take that the surface itself, with its geometric

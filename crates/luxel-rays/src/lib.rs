@@ -5,8 +5,8 @@
 //! | [`SceneRays::closest`] | what a ray hits first |
 //! | [`SceneRays::any`] | whether something lies in its way |
 //! | [`SceneRays::all`] | all that it hits, nearest first |
-//! | [`SceneRays::transmittance`], [`SceneRays::blockers`] | how much light comes along it, and what keeps the rest |
-//! | [`SceneRays::place`] | where rays leave a triangle without hitting it |
+//! | [`SceneRays::transmittance`], [`SceneRays::transmittance_of_few`], [`SceneRays::blockers`] | how much light comes along it, and what keeps the rest |
+//! | [`SceneRays::places`] | where rays leave a triangle without hitting it |
 //!
 //! Picks, shadows and openness go through these trees.
 
@@ -22,7 +22,7 @@ mod world_ray;
 pub use luxel_bvh::{Quality, TooManyForTree};
 pub use object_tree::ObjectTree;
 pub use scene_rays::SceneRays;
-pub use surface_place::{LIFT, SurfacePlace};
+pub use surface_place::{LIFT, SurfacePlace, TrianglePlaces};
 pub use transmittance::Blocker;
 pub use world_ray::{RebasedRay, WorldHit, WorldRay};
 

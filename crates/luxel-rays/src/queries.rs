@@ -5,7 +5,8 @@
 
 use crate::scene_rays::SceneRays;
 use crate::world_ray::{RebasedRay, WorldHit, WorldRay};
-use luxel_bvh::RayHit;
+use glam::DVec3;
+use luxel_bvh::{RayHit, SlabTest};
 use luxel_parallel::fill;
 
 impl SceneRays {
@@ -94,6 +95,53 @@ impl SceneRays {
             farthest = visit(object as usize, farthest);
             within(farthest).next_up()
         });
+    }
+
+    /// Visits the objects whose boxes any of a few rays may hit: all of those that a line hits which is as
+    /// thick as the rays spread.
+    pub(crate) fn each_object_near(&self, rays: &[WorldRay], mut visit: impl FnMut(usize)) {
+        let Some(bounds) = self.top.bounds() else { return };
+        let mut valid = rays.iter().filter(|ray| ray.is_valid());
+        let Some(first) = valid.next() else { return };
+        let [mut origins, mut directions] = [[first.origin; 2], [first.direction; 2]];
+        let mut range = first.range;
+        let mut shortest = first.direction.length();
+        for ray in valid {
+            origins = [origins[0].min(ray.origin), origins[1].max(ray.origin)];
+            directions = [directions[0].min(ray.direction), directions[1].max(ray.direction)];
+            range = [range[0].min(ray.range[0]), range[1].max(ray.range[1])];
+            shortest = shortest.min(ray.direction.length());
+        }
+        let middle = |[low, high]: [DVec3; 2]| (low + high) * 0.5;
+        let spread = |[low, high]: [DVec3; 2]| (high - low) * 0.5;
+        let (origin, direction) = (middle(origins) - self.middle, middle(directions));
+        let length = direction.length();
+        let Some(near) = RebasedRay::new(origin, direction, range, bounds).filter(|_| length > 0.0)
+        else {
+            // Rays that go all ways, or pass by: each may hit anything.
+            (0..self.objects().len()).for_each(visit);
+            return;
+        };
+        // A unit of the line is `scale` of the rays' t; rounding of f32 is within a millionth.
+        let growth = spread(directions) * (near.scale * (1.0 + 1e-6));
+        let reach = spread(origins) + spread(directions) * near.start;
+        let f32s = |vector: DVec3| vector.to_array().map(|side| (side as f32).next_up());
+        let largest = std::array::from_fn(|axis| bounds[0][axis].abs().max(bounds[1][axis].abs()));
+        // Beyond the box, no ray hits anything.
+        let corner = |at: usize| DVec3::from_array(bounds[at].map(f64::from));
+        let across = (corner(0) - corner(1)).length() + spread(origins).length();
+        let reached = (origin - (corner(0) + corner(1)) * 0.5).length() + across;
+        let farthest = range[1].min(reached / shortest) - near.start;
+        let farthest = ((farthest / near.scale) as f32).next_up();
+        let line = SlabTest::widening(
+            near.ray.origin,
+            near.ray.direction,
+            [0.0, farthest],
+            largest,
+            f32s(reach),
+            f32s(growth),
+        );
+        self.top.visit_within(self.level, &line, farthest, |object| visit(object as usize));
     }
 
     /// A ray in the coordinates of an object's tree.

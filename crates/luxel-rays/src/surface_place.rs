@@ -52,20 +52,29 @@ impl SurfacePlace {
     }
 }
 
+/// The places of one triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct TrianglePlaces {
+    /// The first corner, and the ways to the others, in world space.
+    corner: DVec3,
+    ways: [DVec3; 2],
+    /// The same ways in the tree's coordinates.
+    in_tree: [DVec3; 2],
+    normal: DVec3,
+    lift: DVec3,
+    /// The length of the lift in the tree's coordinates.
+    lift_in_tree: f64,
+    /// The least weights of the corners.
+    least: [f64; 3],
+}
+
 impl SceneRays {
-    /// The place of an object's triangle with these barycentrics; `None` where the triangle has no area.
-    ///
-    /// Barycentrics of any error give a place in the plane, since the corners are the true ones.
+    /// The places of an object's triangle; `None` if it has no area.
     ///
     /// # Panics
     /// If there is no such object or triangle.
     #[must_use]
-    pub fn place(
-        &self,
-        object: usize,
-        triangle: u32,
-        barycentric: [f32; 3],
-    ) -> Option<SurfacePlace> {
+    pub fn places(&self, object: usize, triangle: u32) -> Option<TrianglePlaces> {
         let tree = self.tree(object);
         let corners = self.mesh(object).triangles[triangle as usize].map(|vertex| {
             let [x, y, z] = tree.positions[vertex as usize];
@@ -73,35 +82,51 @@ impl SceneRays {
         });
         let largest = corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
         let [a, b, c] = corners;
-        let twice_area = (b - a).cross(c - a);
-        let in_tree = twice_area.try_normalize()?;
-        let weights = barycentric.map(f64::from);
-        let [v, w] = inset(
-            weights,
-            [(c - b).length(), (a - c).length(), (b - a).length()]
-                .map(|edge| INSET * LIFT * largest * edge / twice_area.length()),
-        );
-        let moved = (b - a) * (v - weights[1]) + (c - a) * (w - weights[2]);
-        let part = (MOVE * LIFT * largest / moved.length()).min(1.0);
-        let [v, w] = [weights[1] + (v - weights[1]) * part, weights[2] + (w - weights[2]) * part];
+        let in_tree = [b - a, c - a];
+        let twice_area = in_tree[0].cross(in_tree[1]);
+        let normal_in_tree = twice_area.try_normalize()?;
+        let lift_in_tree = LIFT * largest;
+        let edge = INSET * lift_in_tree / twice_area.length();
+        let least =
+            [c - b, in_tree[1], in_tree[0]].map(|side| (side.length() * edge).min(1.0 / 3.0));
         let world_from_tree: &DMat4 = tree.world_from_tree;
-        let [a, ab, ac] = [
-            world_from_tree.transform_point3(a),
-            world_from_tree.transform_vector3(b - a),
-            world_from_tree.transform_vector3(c - a),
-        ];
-        let normal = ab.cross(ac).try_normalize()?;
-        let lift = world_from_tree.transform_vector3(in_tree * (largest * LIFT));
+        let corner = world_from_tree.transform_point3(a);
+        let ways = in_tree.map(|way| world_from_tree.transform_vector3(way));
+        let normal = ways[0].cross(ways[1]).try_normalize()?;
+        let lift = world_from_tree.transform_vector3(normal_in_tree * lift_in_tree);
         let lift = if lift.dot(normal) < 0.0 { -lift } else { lift };
-        let position = a + ab * v + ac * w;
-        position.is_finite().then_some(SurfacePlace { position, normal, lift })
+        corner.is_finite().then_some(TrianglePlaces {
+            corner,
+            ways,
+            in_tree,
+            normal,
+            lift,
+            lift_in_tree,
+            least,
+        })
     }
 }
 
-/// The weights of the second and the third corner, with each corner's weight at least what `least` says,
-/// and at least a third of all where the triangle is too small for that.
+impl TrianglePlaces {
+    /// The place with these barycentrics. Barycentrics of any error give a place in the plane, since the
+    /// corners are the true ones.
+    #[must_use]
+    pub fn at(&self, barycentric: [f32; 3]) -> SurfacePlace {
+        let Self { corner, ways, in_tree, normal, lift, lift_in_tree, ref least } = *self;
+        let [u, mut v, mut w] = barycentric.map(f64::from);
+        if u < least[0] || v < least[1] || w < least[2] {
+            let [inner_v, inner_w] = inset([u, v, w], *least);
+            let (by_v, by_w) = (inner_v - v, inner_w - w);
+            let moved = (in_tree[0] * by_v + in_tree[1] * by_w).length();
+            let part = (MOVE * lift_in_tree / moved).min(1.0);
+            (v, w) = (v + by_v * part, w + by_w * part);
+        }
+        SurfacePlace { position: corner + ways[0] * v + ways[1] * w, normal, lift }
+    }
+}
+
+/// The weights of the second and the third corner, with each corner's weight at least what `least` says.
 fn inset(weights: [f64; 3], least: [f64; 3]) -> [f64; 2] {
-    let least = least.map(|least| least.min(1.0 / 3.0));
     let raised: [f64; 3] = std::array::from_fn(|at| weights[at].max(least[at]));
     // What is above the least is scaled, so that they add up to 1.
     let above: [f64; 3] = std::array::from_fn(|at| raised[at] - least[at]);

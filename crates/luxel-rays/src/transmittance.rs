@@ -2,7 +2,21 @@
 
 use crate::scene_rays::SceneRays;
 use crate::world_ray::WorldRay;
-use luxel_bvh::RayHit;
+use luxel_bvh::{Ray, RayHit};
+use std::cell::RefCell;
+
+thread_local! {
+    static FEW: RefCell<Few> = RefCell::new(Few::default());
+}
+
+/// What [`SceneRays::transmittance_of_few`] keeps from call to call.
+#[derive(Default)]
+struct Few {
+    /// The rays near one object, and their numbers.
+    near: Vec<Ray>,
+    numbers: Vec<usize>,
+    hits: Vec<bool>,
+}
 
 /// A surface in the way of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +61,42 @@ impl SceneRays {
         }
         sort(&mut weakening);
         weakening.iter().fold(1.0, |through, blocker| through * (1.0 - blocker.alpha))
+    }
+
+    /// [`SceneRays::transmittance`] of each of a few rays that run close together, on this thread.
+    ///
+    /// # Panics
+    /// If `through` isn't as long as `rays`.
+    pub fn transmittance_of_few(&self, rays: &[WorldRay], through: &mut [f32]) {
+        assert_eq!(rays.len(), through.len(), "each ray has an answer");
+        through.fill(1.0);
+        FEW.with_borrow_mut(|Few { near, numbers, hits }| {
+            self.each_object_near(rays, |object| {
+                near.clear();
+                numbers.clear();
+                for (number, ray) in rays.iter().enumerate() {
+                    if through[number] > 0.0
+                        && let Some(rebased) = self.rebased_ray(ray, object)
+                    {
+                        near.push(rebased.ray);
+                        numbers.push(number);
+                    }
+                }
+                if self.is_opaque(object) {
+                    hits.resize(near.len(), false);
+                    self.rays(object).any_of_few(near, hits);
+                    for (&number, is_hit) in numbers.iter().zip(&*hits) {
+                        if *is_hit {
+                            through[number] = 0.0;
+                        }
+                    }
+                } else {
+                    for &number in &*numbers {
+                        through[number] = self.transmittance(&rays[number]);
+                    }
+                }
+            });
+        });
     }
 
     /// The surfaces in the way of a ray, nearest first: those that make [`SceneRays::transmittance`] less

@@ -72,6 +72,15 @@ impl RebasedRay {
         let radius = (high - low).length() * 0.500_001 + centre.length() * 1e-6 + f64::MIN_POSITIVE;
         let length = direction.length();
         let unit = direction / length;
+        if range[0] == 0.0 && (origin - centre).length_squared() <= radius * radius {
+            // Rays that begin inside are as near as they can be: those of shadows all do.
+            let ray = Ray {
+                origin: origin.as_vec3().to_array(),
+                direction: unit.as_vec3().to_array(),
+                range: [0.0, ((range[1] * length) as f32).next_up()],
+            };
+            return Some(Self { ray, start: 0.0, scale: 1.0 / length });
+        }
         let along = (centre - origin).dot(unit);
         let aside = (origin + unit * along - centre).length_squared();
         // Twice the radius: squares of large distances round.

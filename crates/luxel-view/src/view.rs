@@ -7,6 +7,31 @@ use luxel_scene::{Camera, DEFAULT_AMBIENT, SceneLight, Size, default_lights};
 /// The default number of samples per pixel.
 pub const DEFAULT_SAMPLES: u32 = 4;
 
+/// The default number of rays to a light with an extent.
+pub const DEFAULT_LIGHT_RAYS: u32 = 16;
+
+/// Ambient occlusion: ambient light and the environment reach a surface by its openness, the part of the
+/// directions above it, weighted by the cosine to the normal, in which nothing is near.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AmbientOcclusion {
+    /// How near things count, in the world's units, possibly infinite; `None`: a quarter of the radius of
+    /// the scene's bounding sphere.
+    pub radius: Option<f64>,
+    /// The rays of a sample, at least 1.
+    pub rays: u32,
+}
+
+impl AmbientOcclusion {
+    /// The default number of rays.
+    pub const RAYS: u32 = 16;
+}
+
+impl Default for AmbientOcclusion {
+    fn default() -> Self {
+        Self { radius: None, rays: Self::RAYS }
+    }
+}
+
 /// The view of a scene: camera, lights, shading, output size.
 ///
 /// [`View::new`] takes the required fields; all others are set by field, or by chained methods:
@@ -54,6 +79,10 @@ pub struct View {
     pub shading: Shading,
     /// Whether surfaces keep directional, point and spot lights from others.
     pub shadows: bool,
+    /// The rays from a sample to a light with an extent, for soft shadows; at least 1.
+    pub light_rays: u32,
+    /// Ambient occlusion.
+    pub ambient_occlusion: Option<AmbientOcclusion>,
 }
 
 impl View {
@@ -75,6 +104,8 @@ impl View {
             edges: None,
             shading: Shading::default(),
             shadows: false,
+            light_rays: DEFAULT_LIGHT_RAYS,
+            ambient_occlusion: None,
         }
     }
 
@@ -154,6 +185,18 @@ impl View {
     #[must_use]
     pub fn with_shadows(self, shadows: bool) -> Self {
         Self { shadows, ..self }
+    }
+
+    /// The rays from a sample to a light with an extent, for soft shadows; 0 counts as 1.
+    #[must_use]
+    pub fn with_light_rays(self, light_rays: u32) -> Self {
+        Self { light_rays: light_rays.max(1), ..self }
+    }
+
+    /// Ambient occlusion.
+    #[must_use]
+    pub fn with_ambient_occlusion(self, ambient_occlusion: Option<AmbientOcclusion>) -> Self {
+        Self { ambient_occlusion, ..self }
     }
 }
 

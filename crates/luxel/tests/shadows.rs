@@ -9,10 +9,10 @@ use luxel::scene::{
     AlphaMode, Camera, DMat4, DVec3, Lens, MaterialId, Mesh, MeshId, Node, NormalOptions, Part,
     Projection, Scene, SceneLight, SceneMaterial, Size, Viewpoint, demos, fit_view, primitives,
 };
+use luxel::view::AmbientOcclusion;
 use luxel_testing::models;
-use std::f64;
 
-const SIZE: Size = Size { width: 64, height: 48 };
+const SIZE: Size = Size { width: 48, height: 36 };
 
 /// All triangles of a scene in world space, with the objects that they belong to.
 fn triangles(scene: &Scene) -> Vec<(usize, u32, [DVec3; 3])> {
@@ -139,7 +139,7 @@ fn demos_are_in_shadow_where_f64_rays_meet_a_triangle() {
         shadowed += found.0;
         lit += found.1;
     }
-    assert!(shadowed > 200 && lit > 5000, "{shadowed} {lit}");
+    assert!(shadowed > 100 && lit > 2500, "{shadowed} {lit}");
 }
 
 #[test]
@@ -164,7 +164,7 @@ fn models_are_in_shadow_where_f64_rays_meet_a_triangle() {
         shadowed += found.0;
         lit += found.1;
     }
-    assert!(shadowed > 700 && lit > 5000, "{shadowed} {lit}");
+    assert!(shadowed > 350 && lit > 4000, "{shadowed} {lit}");
 }
 
 /// A mesh, scaled in its file or by its node, and far away.
@@ -234,7 +234,7 @@ fn a_convex_surface_has_no_acne_at_any_scale_and_offset() {
             }
         }
     }
-    assert!(asked > 20_000, "{asked}");
+    assert!(asked > 10_000, "{asked}");
 }
 
 #[test]
@@ -277,5 +277,124 @@ fn no_light_leaks_into_a_closed_surface_at_any_scale_and_offset() {
             }
         }
     }
-    assert!(asked > 20_000, "{asked}");
+    assert!(asked > 10_000, "{asked}");
+}
+
+/// All pixels of a picture.
+fn all_pixels() -> Vec<[u32; 2]> {
+    (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| [x, y])).collect()
+}
+
+/// The openness of every sample of a view that sees a surface, with its place and normal.
+fn openness(scene: &Scene, view: &View, occlusion: AmbientOcclusion) -> Vec<(DVec3, DVec3, f32)> {
+    let view = view.clone().with_shadows(false).with_ambient_occlusion(Some(occlusion));
+    let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
+    let explained = renderer.explain_pixels(&view, &all_pixels()).unwrap();
+    let of = |explained: luxel::render::Explanation| {
+        let surface = explained.samples[0].seen[0].surface()?.clone();
+        let normal = DVec3::from_array(surface.normal.map(f64::from));
+        Some((DVec3::from_array(surface.position), normal, surface.openness.unwrap()))
+    };
+    explained.into_iter().filter_map(of).collect()
+}
+
+#[test]
+fn a_convex_surface_is_open_outside_and_closed_inside() {
+    let whole = AmbientOcclusion { radius: Some(f64::INFINITY), rays: 4 };
+    for (scale, offset, in_file) in placements() {
+        for mesh in [primitives::sphere(1.0, 48, 24), primitives::cuboid(DVec3::new(1.0, 2.0, 3.0))]
+        {
+            let scene = closed(mesh, scale, offset, in_file);
+            let outside = openness(&scene, &view(&scene, 0.6), whole);
+            assert!(outside.len() > 150);
+            assert!(outside.iter().all(|(.., open)| *open == 1.0), "{scale} {offset}");
+            let (eye, radius) = (scene.bounds().centre(), scene.bounds().radius());
+            let lens = Lens::Perspective { fov_y_radians: 1.6 };
+            let projection = Projection { lens, near: radius * 1e-3, far: radius * 10.0 };
+            let view_from_world = Camera::look_at(eye, eye + DVec3::X * radius, DVec3::Y);
+            let within = View::new(SIZE, Camera { view_from_world, projection }).with_samples(1);
+            let inside = openness(&scene, &within, whole);
+            assert_eq!(inside.len(), all_pixels().len());
+            assert!(inside.iter().all(|(.., open)| *open == 0.0), "{scale} {offset}");
+        }
+    }
+}
+
+/// The openness of a place by rays to all triangles, in `f64`, from 24 x 24 parts of the hemisphere of equal
+/// weight.
+fn reference(all: &[(usize, u32, [DVec3; 3])], place: DVec3, normal: DVec3, margin: f64) -> f64 {
+    const SIDE: usize = 24;
+    let (tangent, bitangent) = normal.any_orthonormal_pair();
+    let mut open = 0.0;
+    for cell in 0..SIDE * SIDE {
+        let [u, v] = [cell / SIDE, cell % SIDE].map(|at| (at as f64 + 0.5) / SIDE as f64);
+        let (sine, cosine) = (std::f64::consts::TAU * v).sin_cos();
+        let direction =
+            (tangent * cosine + bitangent * sine) * u.sqrt() + normal * (1.0 - u).sqrt();
+        let blocks = |corners: [DVec3; 3]| {
+            meeting(place, direction, corners).is_some_and(|(t, inside)| t > margin && inside > 0.0)
+        };
+        open += f64::from(u8::from(!all.iter().any(|(.., corners)| blocks(*corners))));
+    }
+    open / (SIDE * SIDE) as f64
+}
+
+#[test]
+fn openness_is_that_of_f64_rays_within_the_error_of_sampling() {
+    // The root of the mean square error by the number of rays, as the docs state it.
+    let bounds = [(16, 0.06), (64, 0.03), (256, 0.02)];
+    for name in ["teapot", "plane"] {
+        let scene = demos::demo(name).unwrap();
+        let view = view(&scene, 0.6);
+        let all = triangles(&scene);
+        let margin = 1e-5 * scene.bounds().radius();
+        let whole = |rays| AmbientOcclusion { radius: Some(f64::INFINITY), rays };
+        let places = openness(&scene, &view, whole(1));
+        let step = places.len() / 24;
+        let expected: Vec<f64> = places
+            .iter()
+            .step_by(step)
+            .map(|(place, normal, _)| reference(&all, *place, *normal, margin))
+            .collect();
+        for (rays, bound) in bounds {
+            let found = openness(&scene, &view, whole(rays));
+            let squares =
+                found.iter().step_by(step).zip(&expected).map(|((.., open), expected)| {
+                    let off = f64::from(*open) - expected;
+                    off * off
+                });
+            let error = (squares.sum::<f64>() / expected.len() as f64).sqrt();
+            assert!(error < bound, "{name}, {rays} rays: {error}");
+        }
+    }
+}
+
+#[test]
+fn a_soft_shadow_is_between_the_hard_ones_and_grows_with_the_light() {
+    // A ball over a floor: how many samples are partly lit.
+    let scene = demos::demo("plane").unwrap();
+    let mut last = 0;
+    for radius in [0.0, 0.2, 0.8] {
+        let mut view = view(&scene, 0.6);
+        view.lights.remove(0);
+        view.lights[0].light.radius = radius * scene.bounds().radius() as f32;
+        let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
+        let mut partly = 0;
+        for explained in renderer.explain_pixels(&view, &all_pixels()).unwrap() {
+            let Some(surface) = explained.samples[0].seen[0].surface() else { continue };
+            let light = &surface.lights[0];
+            let shadow = light.shadow.as_ref().unwrap();
+            let visibility = light.terms.visibility.unwrap();
+            let is_partial = visibility > 0.0 && visibility < shadow.terminator;
+            partly += u32::from(is_partial);
+            // What is kept away is all told by the objects that keep it, but for what lies below the horizon.
+            let shares: f32 = shadow.blocked_by.iter().map(|by| by.share).sum();
+            assert!(shares <= 1.0 + 1e-5);
+            if shadow.terminator == 1.0 && light.terms.n_dot_l > 0.8 {
+                assert!((1.0 - visibility - shares).abs() < 1e-5, "{explained:?}");
+            }
+        }
+        assert!(if radius == 0.0 { partly == 0 } else { partly > last }, "{radius}: {partly}");
+        last = partly;
+    }
 }

@@ -32,13 +32,21 @@ pub(crate) fn trace_batch<Q: RayQuery>(
     answers: &mut [Q::Answer],
 ) {
     fill(answers, CHUNK, &|start, answers| {
-        // Reset here, where it stays in the cache.
-        answers.fill(Q::MISS);
-        let rays = &rays[start..start + answers.len()];
-        PACKETS.with_borrow_mut(|packet| {
-            STACKS.with(|stacks| {
-                dispatch_long!(target.level, simd => trace_run::<_, Q>(simd, target, rays, answers, packet, &stacks.turns));
-            });
+        trace_here::<Q>(target, &rays[start..start + answers.len()], answers);
+    });
+}
+
+/// Traces rays on this thread. `answers` must be as long as `rays`.
+pub(crate) fn trace_here<Q: RayQuery>(
+    target: &RayTarget<'_>,
+    rays: &[Ray],
+    answers: &mut [Q::Answer],
+) {
+    // Reset here, where it stays in the cache.
+    answers.fill(Q::MISS);
+    PACKETS.with_borrow_mut(|packet| {
+        STACKS.with(|stacks| {
+            dispatch_long!(target.level, simd => trace_run::<_, Q>(simd, target, rays, answers, packet, &stacks.turns));
         });
     });
 }

@@ -1,18 +1,28 @@
-//! A ray through a tree over items.
+//! A line through a tree over items.
 
 use super::stack::TraversalStack;
 use crate::intersect::SlabTest;
-use crate::ray::Ray;
 use crate::tree::{Child, Tree};
 use luxel_math::Level;
+use std::cell::Cell;
 
-/// Visits the items of leaves whose boxes a ray hits, near ones first; `visit` returns the distance
+thread_local! {
+    /// Kept from call to call, since 4 KiB of zeros cost more than most trees over items. A call inside of
+    /// `visit` makes another one.
+    static STACK: Cell<Option<Box<TraversalStack>>> = const { Cell::new(None) };
+}
+
+/// Visits the items of leaves whose boxes a line hits, near ones first; `visit` returns the distance
 /// beyond which nothing counts any more.
-pub(crate) fn visit_items(level: Level, tree: &Tree, ray: &Ray, mut visit: impl FnMut(u32) -> f32) {
-    let Some(bounds) = tree.bounds else { return };
-    let slabs = SlabTest::new(ray.origin, ray.direction, ray.range[0], bounds.largest());
-    let mut limit = ray.range[1];
-    let (stack, mut top) = (TraversalStack::new(), 0);
+pub(crate) fn visit_items(
+    level: Level,
+    tree: &Tree,
+    (slabs, farthest): (&SlabTest, f32),
+    mut visit: impl FnMut(u32) -> f32,
+) {
+    let mut limit = farthest;
+    let stack = STACK.take().unwrap_or_else(|| Box::new(TraversalStack::new()));
+    let mut top = 0;
     let mut next = Some(Child::inner(0));
     while let Some(child) = next {
         if let Some((start, count)) = child.as_items() {
@@ -26,4 +36,5 @@ pub(crate) fn visit_items(level: Level, tree: &Tree, ray: &Ray, mut visit: impl 
         }
         next = stack.pop(&mut top, limit).map(Child);
     }
+    STACK.set(Some(stack));
 }

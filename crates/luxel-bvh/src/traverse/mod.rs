@@ -10,7 +10,7 @@ mod single_ray;
 mod stack;
 mod target;
 
-pub(crate) use batch::trace_batch;
+pub(crate) use batch::{trace_batch, trace_here};
 pub(crate) use box_items::visit_items;
 pub(crate) use query::{AnyHit, ClosestHit, RayQuery};
 pub(crate) use single_ray::{RaySetup, RaySlabs, set_up, trace_unusual, trace_usual};

@@ -1,11 +1,13 @@
 //! Light: sources, environment, depth cueing.
 
 use crate::values::{
-    LightSpec, Surroundings, color, fog, light, light_usage, non_negative_f32, surroundings,
+    LightSpec, OcclusionRadius, Surroundings, color, fog, light, light_usage, non_negative_f32,
+    occlusion_radius, rays, surroundings,
 };
 use clap::Args;
 use luxel::lighting::Fog;
 use luxel::scene::NamedEnvironment;
+use luxel::view::{AmbientOcclusion, DEFAULT_LIGHT_RAYS};
 
 /// Sources, environment, depth cueing.
 #[derive(Args, Clone, Debug)]
@@ -14,7 +16,7 @@ pub(crate) struct LightOptions {
     #[arg(long = "light", value_name = "SPEC", value_parser = light, help = format!(
         "A light, instead of the file's; may be repeated: {}, with optional :ambient=COLOR \
          :diffuse=COLOR :specular=COLOR :attenuation=C1,C2,C3 :limit=A (cuts the attenuation, at 1 \
-         as in Foley et al.) :range=D :in=world|camera :name=NAME",
+         as in Foley et al.) :range=D :radius=R or, directional, :angle=DEG (soft shadows) :in=world|camera :name=NAME",
         light_usage()
     ))]
     pub(crate) lights: Vec<LightSpec>,
@@ -35,10 +37,34 @@ pub(crate) struct LightOptions {
     #[arg(long)]
     pub(crate) shadows: bool,
 
+    /// Rays from a sample to a light with a radius or an angle, 1 to 4096; more make soft shadows
+    /// smoother
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_LIGHT_RAYS, value_parser = rays)]
+    #[arg(allow_hyphen_values = true)]
+    pub(crate) light_rays: u32,
+
+    /// Ambient occlusion: less ambient light where something is near, within RADIUS or `infinity`
+    /// [default without a value: a quarter of the radius of the scene's bounding sphere]
+    #[arg(long, value_name = "RADIUS", value_parser = occlusion_radius)]
+    #[arg(num_args = 0..=1, require_equals = true, default_missing_value = "auto")]
+    pub(crate) ao: Option<OcclusionRadius>,
+
+    /// Rays from a sample for ambient occlusion, 1 to 4096; more make it smoother
+    #[arg(long, value_name = "N", default_value_t = AmbientOcclusion::RAYS, value_parser = rays)]
+    #[arg(allow_hyphen_values = true)]
+    pub(crate) ao_rays: u32,
+
     /// Depth cueing: near=Z:far=Z:front=S:back=S:color=COLOR, or fog:
     /// law=exp|exp2:density=D:color=COLOR
     #[arg(long, value_name = "SPEC", value_parser = fog)]
     pub(crate) fog: Option<Fog>,
+}
+
+impl LightOptions {
+    /// Ambient occlusion, if it is asked for.
+    pub(crate) fn ambient_occlusion(&self) -> Option<AmbientOcclusion> {
+        self.ao.map(|OcclusionRadius(radius)| AmbientOcclusion { radius, rays: self.ao_rays })
+    }
 }
 
 fn environment_help() -> String {

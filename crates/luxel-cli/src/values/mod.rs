@@ -7,6 +7,7 @@ mod choice;
 mod count;
 mod memory;
 mod numbering;
+mod occlusion;
 mod region;
 mod size;
 
@@ -20,5 +21,6 @@ pub(crate) use luxel::formats::values::{
 };
 pub(crate) use memory::memory;
 pub(crate) use numbering::Numbering;
+pub(crate) use occlusion::{OcclusionRadius, occlusion_radius, rays};
 pub(crate) use region::{Rectangle, lasso, rectangle};
 pub(crate) use size::size;

@@ -75,6 +75,11 @@ pub fn light_of(kind: &str, mut fields: Fields<'_>) -> Result<LightSpec, FieldEr
         light.ambient = fields.take("ambient", color)?.unwrap_or_default();
         light.specular = fields.take("specular", color)?.unwrap_or(light.diffuse);
         light.attenuation = attenuation_of(&mut fields)?;
+        if description.has_position {
+            light.radius = fields.take("radius", non_negative_f32)?.unwrap_or_default();
+        } else {
+            light.angle_degrees = fields.take("angle", apparent_angle)?.unwrap_or_default();
+        }
         light
     };
     match fields.unknown_key() {
@@ -149,6 +154,12 @@ fn attenuation_of(fields: &mut Fields<'_>) -> Result<Attenuation, FieldError> {
     }
     law.range = fields.take("range", above_0)?;
     Ok(law)
+}
+
+/// The angle under which a light is seen.
+fn apparent_angle(text: &str) -> Result<f32, String> {
+    let degrees = non_negative_f32(text)?;
+    if degrees < 180.0 { Ok(degrees) } else { Err("use 0 to less than 180 degrees".to_owned()) }
 }
 
 fn cos_cutoff_of(text: &str) -> Result<f32, String> {
@@ -254,6 +265,8 @@ mod tests {
             "point:pos=1,-2,3.5:ambient=0.1,0,0:diffuse=1,1,1:specular=0,0,0:attenuation=1,0,0.25:name=a",
             "spot:pos=0,0,1:dir=0,0,-1:cutoff=60:exponent=12:diffuse=2,2,2:limit=1:range=8:name=b c",
             "spot:pos=0,0,1:dir=1,0,0:cutoff=40:inner=30:diffuse=1,1,1:name=c",
+            "directional:dir=0,-1,0:diffuse=1,1,1:angle=0.53:name=sun",
+            "point:pos=0,0,0:diffuse=1,1,1:range=3:radius=0.25:name=ball",
         ] {
             let light = parsed(text);
             let written = light_text(&light).unwrap();
@@ -291,6 +304,11 @@ mod tests {
             "point:pos=1,2,3:attenuation=1e-99,0,0",
             "point:pos=1,2,3:attenuation=-1,0,0",
             "point:pos=1,2,3:limit=0",
+            "point:pos=1,2,3:radius=-1",
+            "point:pos=1,2,3:radius=nan",
+            "point:pos=1,2,3:angle=1",
+            "directional:dir=1,0,0:radius=1",
+            "directional:dir=1,0,0:angle=180",
             "point:pos=1,2,3:range=-1",
             "directional:dir=1,0,0:inner=3",
             "spot:pos=1,2,3:dir=1,0,0:inner=20",

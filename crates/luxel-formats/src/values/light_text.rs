@@ -46,6 +46,11 @@ pub(crate) fn light_fields(scene_light: &SceneLight) -> Vec<(&'static str, Field
         fields.push(("limit", FieldValue::Number(limit)));
     }
     fields.extend(range.map(|range| ("range", FieldValue::Number(range))));
+    for (key, value) in [("radius", light.radius), ("angle", light.angle_degrees)] {
+        if value != 0.0 {
+            fields.push((key, FieldValue::Number(value)));
+        }
+    }
     fields
 }
 

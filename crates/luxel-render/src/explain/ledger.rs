@@ -95,6 +95,9 @@ pub struct ExplainedSurface {
     pub z: f32,
     /// Texture coordinates of the first set.
     pub uv: Option<[f32; 2]>,
+    /// Openness, if the view asks for ambient occlusion: a factor of the ambient terms and of the
+    /// environment.
+    pub openness: Option<f32>,
     /// What the surface reflects.
     pub material: ExplainedMaterial,
     /// I_a of the scene, ambient lights included.
@@ -188,7 +191,7 @@ pub struct ExplainedLight {
 pub struct ExplainedShadow {
     /// The factor of [`luxel_lighting::terminator`]; 1 where it does nothing.
     pub terminator: f32,
-    /// Origin and direction of the ray to the light, in world space; `None` where N.L <= 0, and of points
+    /// Origin and direction of the ray to the light, the first of several, in world space; `None` where N.L <= 0, and of points
     /// and lines: then nothing is asked.
     pub ray: Option<[[f64; 3]; 2]>,
     /// The objects in the way, nearest to the surface first.

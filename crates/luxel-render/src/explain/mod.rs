@@ -264,6 +264,7 @@ impl PixelScene<'_> {
             view: point(|point| point.view.lane(0)).unwrap_or_default(),
             z: lit.point.map_or(0.0, |point| point.depth),
             uv: lit.uv,
+            openness: lit.openness,
             material: ExplainedMaterial {
                 name: material.name.clone(),
                 constants: material.constants.clone(),
@@ -295,6 +296,7 @@ pub(crate) struct Lit {
     reflectance: Option<Reflectance<f32>>,
     barycentric: [f32; 3],
     uv: Option<[f32; 2]>,
+    openness: Option<f32>,
     texture: [f32; 3],
     evaluated_at: Vec<EvaluatedAt>,
 }
@@ -325,7 +327,8 @@ impl Lit {
         let mut visible = None;
         if lit_at != LitAt::Pixels {
             let places = triangle.lit_at(barycentric, batch.position(0));
-            visible = VisibleLights::of(scene, id, barycentric, &places);
+            let seen_at = (barycentric, batch.position(0));
+            visible = VisibleLights::of(scene, id, seen_at, &places);
             for place in places {
                 let there = evaluated_at(scene, triangle, &place, texel, (eye, lights));
                 if evaluated.iter().all(|other| other.weight < place.0) {
@@ -334,18 +337,25 @@ impl Lit {
                 evaluated.push(there);
             }
         }
+        let normal = match (&visible, &written.point) {
+            (Some(visible), _) => visible.normal,
+            (None, Some(point)) => point.normal.lane(0),
+            (None, None) => [0.0; 3],
+        };
+        let receiver = Receiver { id, barycentric, normal, position: batch.position(0) };
+        let openness = receiver.openness(scene);
         let terms = if evaluated.is_empty() {
             Interpolated {
                 emission: written.ledger.emission,
                 scene_ambient: written.ledger.scene_ambient,
                 environment: written.ledger.environment,
                 mirrors: written.ledger.mirrors.clone(),
-                lights: written.explained_lights(scene, eye, lights, Some(id)),
+                lights: written.explained_lights(scene, eye, lights, Some(&receiver)),
             }
         } else {
             let interpolated = Interpolated::of(&evaluated, texture);
             match visible {
-                Some(visible) => interpolated.visible(scene, (id, barycentric), &visible),
+                Some(visible) => interpolated.visible(scene, &receiver, &visible),
                 None => interpolated,
             }
         };
@@ -359,6 +369,7 @@ impl Lit {
             reflectance: written.reflectance,
             barycentric,
             uv: written.uv,
+            openness,
             texture,
             evaluated_at: evaluated,
         })
@@ -409,10 +420,8 @@ impl Written {
         scene: &ShadingContext<'_>,
         eye: [f64; 3],
         lights: &[&SceneLight],
-        seen: Option<TriangleId>,
+        receiver: Option<&Receiver>,
     ) -> Vec<ExplainedLight> {
-        let normal = self.point.map(|point| point.normal.lane(0)).unwrap_or_default();
-        let receiver = seen.map(|id| Receiver { id, barycentric: self.barycentric, normal });
         let explained = |entry: &LedgerLight| {
             let placed = &scene.lights[entry.index];
             let about_eye = placed.position();

@@ -5,12 +5,14 @@ use crate::context::ShadingContext;
 use luxel_rays::Blocker;
 use luxel_visibility::TriangleId;
 
-/// The surface that a sample sees: its triangle, where on it, and the normal that is lit.
+/// The surface that a sample sees: its triangle, where on it, the normal that is lit, and where the sample
+/// is in the window, in pixels.
 #[derive(Clone, Copy)]
-pub(super) struct Receiver {
+pub(crate) struct Receiver {
     pub(super) id: TriangleId,
     pub(super) barycentric: [f32; 3],
     pub(super) normal: [f32; 3],
+    pub(super) position: [f64; 2],
 }
 
 impl Receiver {
@@ -22,33 +24,52 @@ impl Receiver {
         light: usize,
         n_dot_l: f32,
     ) -> Option<ExplainedShadow> {
-        let shadows = scene.shadows?;
+        let shadows = scene.shadows.filter(|shadows| !shadows.sources.is_empty())?;
         let place = shadows.place(self.id, self.barycentric).filter(|_| n_dot_l > 0.0);
-        let ray = place.and_then(|place| shadows.ray(light, &place, self.normal));
-        let Some(shadow) = ray else {
+        let rays =
+            place.and_then(|place| shadows.rays_to(light, &place, self.normal, self.position));
+        let Some((rays, terminator)) = rays else {
             return Some(ExplainedShadow { terminator: 1.0, ray: None, blocked_by: Vec::new() });
         };
-        let mut through = 1.0;
+        let part = 1.0 / rays.len() as f32;
         let mut blocked_by: Vec<BlockedBy> = Vec::new();
-        for Blocker { object, triangle, t, alpha } in shadows.rays.blockers(&shadow.ray) {
-            let share = through * alpha;
-            through *= 1.0 - alpha;
-            if share <= 0.0 {
-                break;
-            }
-            match blocked_by.iter_mut().find(|other| other.object == object) {
-                Some(known) => known.share += share,
-                None => {
-                    let node = shadows.rays.objects()[object].node;
-                    let name = scene.scene.nodes[node.index()].name.clone();
-                    blocked_by.push(BlockedBy { object, name, triangle, distance: t, share });
+        for ray in rays.iter().flatten() {
+            let mut through = 1.0;
+            for Blocker { object, triangle, t, alpha } in shadows.rays.blockers(ray) {
+                let share = through * alpha * part;
+                through *= 1.0 - alpha;
+                if share <= 0.0 {
+                    break;
+                }
+                match blocked_by.iter_mut().find(|other| other.object == object) {
+                    Some(known) => {
+                        known.share += share;
+                        if t < known.distance {
+                            (known.distance, known.triangle) = (t, triangle);
+                        }
+                    }
+                    None => {
+                        let node = shadows.rays.objects()[object].node;
+                        let name = scene.scene.nodes[node.index()].name.clone();
+                        blocked_by.push(BlockedBy { object, name, triangle, distance: t, share });
+                    }
                 }
             }
         }
+        blocked_by.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        let first = rays.iter().flatten().next();
         Some(ExplainedShadow {
-            terminator: shadow.terminator,
-            ray: Some([shadow.ray.origin.to_array(), shadow.ray.direction.to_array()]),
+            terminator,
+            ray: first.map(|ray| [ray.origin.to_array(), ray.direction.to_array()]),
             blocked_by,
         })
+    }
+
+    /// The openness; `None` without ambient occlusion.
+    pub(super) fn openness(&self, scene: &ShadingContext<'_>) -> Option<f32> {
+        let shadows = scene.shadows?;
+        let rule = shadows.openness?;
+        let open = |place| shadows.openness(rule, &place, self.normal, self.position);
+        Some(shadows.place(self.id, self.barycentric).map_or(1.0, open))
     }
 }

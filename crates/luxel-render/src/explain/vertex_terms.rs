@@ -10,7 +10,6 @@ use crate::shade::{LitTriangle, VisibleLights};
 use luxel_lighting::{LightTerms, MirrorTerms, Reflectance};
 use luxel_math::{Rgb, Vec3};
 use luxel_scene::SceneLight;
-use luxel_visibility::TriangleId;
 
 /// Lights a place again, with its terms written down: under a texel, if pieces are lit for every texel.
 pub(crate) fn evaluated_at(
@@ -120,18 +119,24 @@ impl Interpolated {
 }
 
 impl Interpolated {
-    /// The same where lights are kept away from the sample of a triangle: each light's terms times its V.
+    /// The same where light is kept away from a sample: each light's terms times its V, what comes from
+    /// all around times the openness.
     pub(crate) fn visible(
         mut self,
         scene: &ShadingContext<'_>,
-        (id, barycentric): (TriangleId, [f32; 3]),
-        VisibleLights { normal, visibility }: &VisibleLights,
+        receiver: &Receiver,
+        visible: &VisibleLights,
     ) -> Self {
-        let receiver = Receiver { id, barycentric, normal: *normal };
-        for (number, (light, &visibility)) in self.lights.iter_mut().zip(visibility).enumerate() {
+        let around = |light: [f32; 3]| light.map(|channel| channel * visible.openness);
+        self.scene_ambient = around(self.scene_ambient);
+        self.environment = around(self.environment);
+        let has_shadows = scene.shadows.is_some_and(|shadows| !shadows.sources.is_empty());
+        for (number, (light, &visibility)) in
+            self.lights.iter_mut().zip(&visible.visibility).enumerate()
+        {
             let terms = &mut light.terms;
-            terms.visibility = Some(visibility);
-            terms.ambient = terms.ambient * visibility;
+            terms.visibility = has_shadows.then_some(visibility);
+            terms.ambient = terms.ambient * (visibility * visible.openness);
             terms.diffuse = terms.diffuse * visibility;
             terms.specular = terms.specular * visibility;
             // Asked wherever the triangle faces the light.

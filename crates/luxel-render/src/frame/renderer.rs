@@ -15,7 +15,7 @@ use crate::execution::Execution;
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
-use crate::shadow::{LightSource, Shadows};
+use crate::shadow::{DiscSequence, LightSource, OpennessRule, Shadows};
 use luxel_lighting::{Environment, LightKind, LightingEnvironment, PlacedLight, Reflection};
 use luxel_math::{Level, dispatch_long};
 use luxel_rays::{Quality, SceneRays, TooManyForTree};
@@ -275,8 +275,8 @@ impl Renderer {
                 .iter()
                 .filter_map(|light| frame_setup::light(light, &view.camera, &self.scene))
                 .collect();
-            let shadows = match view.shadows {
-                true => Some(self.shadows(&frame, &placed, &lights)?),
+            let shadows = match view.shadows || view.ambient_occlusion.is_some() {
+                true => Some(self.shadows(view, &frame, &placed, &lights)?),
                 false => None,
             };
             let flags_of_meshes: Vec<EdgeFlags> = if view.edges.is_some() {
@@ -356,9 +356,10 @@ impl Renderer {
         })
     }
 
-    /// What keeps lights away from surfaces.
+    /// What keeps light away from surfaces.
     fn shadows<'f>(
         &'f self,
+        view: &View,
         frame: &'f Frame<'f>,
         placed: &'f PlacedScene<'f>,
         lights: &'f [PlacedLight],
@@ -375,7 +376,17 @@ impl Renderer {
             frame,
             placed,
             lights,
-            sources: lights.iter().map(|light| LightSource::new(light, eye)).collect(),
+            sources: lights
+                .iter()
+                .filter(|_| view.shadows)
+                .map(|light| LightSource::new(light, eye))
+                .collect(),
+            light_rays: view.light_rays.max(1),
+            openness: view.ambient_occlusion.map(|occlusion| OpennessRule {
+                radius: occlusion.radius.unwrap_or_else(|| self.scene.bounds().radius() * 0.25),
+                rays: occlusion.rays.max(1),
+            }),
+            disc: DiscSequence::new(),
             eye,
             towards_eye: camera.projection.is_orthographic().then(|| -camera.direction()),
         })

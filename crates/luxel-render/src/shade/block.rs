@@ -8,6 +8,7 @@ use crate::setup::SetupCache;
 use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::shadowed::VisibleLights;
 use crate::shade::witness::BlockWitness;
+use crate::shadow::{Asked, OcclusionLanes};
 use luxel_lighting::{Occlusion, SurfacePoint};
 use luxel_math::{F64Lanes, LANES, Lanes, lanes_of};
 use luxel_view::{Interpolation, Shading, ShadingMode};
@@ -18,13 +19,17 @@ pub(crate) struct ThreadCache {
     pub(crate) setup: SetupCache,
     /// Triangles whose light is computed elsewhere than at their pixels, or interpolated in the window.
     pub(crate) lit: LitTriangles,
-    /// V of each light at a batch's samples.
-    visibility: Vec<[f32; LANES]>,
+    /// What keeps light from a batch's samples.
+    occlusion: OcclusionLanes,
 }
 
 impl ThreadCache {
     pub(crate) fn new() -> Self {
-        Self { setup: SetupCache::new(), lit: LitTriangles::new(), visibility: Vec::new() }
+        Self {
+            setup: SetupCache::new(),
+            lit: LitTriangles::new(),
+            occlusion: OcclusionLanes::default(),
+        }
     }
 
     /// Forgets the triangles of another frame.
@@ -133,7 +138,7 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         while left != 0 {
             let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
             let lanes = left & simd.eq_mask(&materials, number);
-            let occluded = (batch, &mut cache.visibility);
+            let occluded = (batch, &mut cache.occlusion);
             let of = (number, lanes);
             let color = light::<N, W, NEEDS>(scene, &found, &point, of, Some(occluded), witness);
             if lanes == simd.all_lanes() {
@@ -175,7 +180,7 @@ fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     found: &Fragments<N>,
     point: &SurfacePoint<N>,
     (material, lanes): (u32, u32),
-    occluded: Option<(&Batch, &mut Vec<[f32; LANES]>)>,
+    occluded: Option<(&Batch, &mut OcclusionLanes)>,
     witness: &mut W,
 ) -> [N; 4] {
     let number = material as usize;
@@ -188,10 +193,10 @@ fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         let normal = shading_normal(scene, attributes, point.normal, number, lanes);
         let point = SurfacePoint { normal, ..*point };
         let mut occlusion = Occlusion::NONE;
-        if let (Some(shadows), Some((batch, visibility))) = (scene.shadows, occluded) {
-            let of = (&batch.ids, lanes);
-            shadows.visibility(of, &found.weights, &point, visibility);
-            occlusion.visibility = Some(visibility);
+        if let (Some(shadows), Some((batch, own))) = (scene.shadows, occluded) {
+            let asked = Asked { ids: &batch.ids, lanes, position: &|lane| batch.position(lane) };
+            shadows.occlude(&asked, &found.weights, &point, own);
+            occlusion = own.occlusion();
         }
         let of = (number, lanes);
         lit::<N, W, NEEDS>(scene, attributes, &point, of, occlusion, witness)
@@ -334,7 +339,8 @@ fn shadow<N: Lanes>(
         let weights = found.weights.map(|weight| weight.lane(lane));
         let places = triangle.lit_at(weights, batch.position(lane));
         let texel = base_texel(scene, &found.attributes, number, 1 << lane).lane(lane);
-        let visible = VisibleLights::of(scene, id, weights, &places);
+        let position = batch.position(lane);
+        let visible = VisibleLights::of(scene, id, (weights, position), &places);
         let light = visible.and_then(|visible| visible.light(scene, triangle, &places, texel));
         if let Some(light) = light {
             found.attributes.put_light(lane, light);

@@ -13,6 +13,8 @@ pub(crate) struct VisibleLights {
     pub(crate) normal: [f32; 3],
     /// V of each light at the sample.
     pub(crate) visibility: Vec<f32>,
+    /// Openness at the sample.
+    pub(crate) openness: f32,
 }
 
 impl VisibleLights {
@@ -23,7 +25,7 @@ impl VisibleLights {
     pub(crate) fn of(
         scene: &ShadingContext<'_>,
         id: TriangleId,
-        barycentric: [f32; 3],
+        (barycentric, position): ([f32; 3], [f64; 2]),
         places: &[(f32, Corner)],
     ) -> Option<Self> {
         let shadows = scene.shadows?;
@@ -32,17 +34,23 @@ impl VisibleLights {
         });
         let normal = Vec3::new(sum[0], sum[1], sum[2]).normalized_or_zero().lane(0);
         let place = shadows.place(id, barycentric);
-        let visible = |light: usize| match place.and_then(|at| shadows.ray(light, &at, normal)) {
-            Some(shadow) => shadow.terminator * shadows.transmittance(&shadow),
-            None => 1.0,
+        let visible = |light: usize| {
+            place.map_or(1.0, |place| shadows.visibility(light, &place, normal, position))
         };
-        Some(Self { normal, visibility: (0..scene.lights.len()).map(visible).collect() })
+        let openness = shadows
+            .openness
+            .and_then(|rule| place.map(|place| shadows.openness(rule, &place, normal, position)));
+        Some(Self {
+            normal,
+            visibility: (0..scene.lights.len()).map(visible).collect(),
+            openness: openness.unwrap_or(1.0),
+        })
     }
 
     /// The light between places, each light of them times its V; `None` if all of it arrives.
     ///
     /// I = sum of w k (own + sum of V_i I_i) over the places, where w are the weights, I_i the parts of
-    /// the lights, and k what clamping leaves of a place's light.
+    /// the lights, all ambient parts and the environment times the openness, and k what clamping leaves of a place's light.
     pub(crate) fn light(
         &self,
         scene: &ShadingContext<'_>,
@@ -50,7 +58,7 @@ impl VisibleLights {
         places: &[(f32, Corner)],
         texel: [f32; 3],
     ) -> Option<[f32; 3]> {
-        if self.visibility.iter().all(|visibility| *visibility == 1.0) {
+        if self.openness == 1.0 && self.visibility.iter().all(|visibility| *visibility == 1.0) {
             return None;
         }
         let (has, material) = (triangle.has, triangle.material);
@@ -66,10 +74,12 @@ impl VisibleLights {
             for channel in 0..3 {
                 let of_light = |terms: &LightTerms<f32>| {
                     let LightTerms { ambient, diffuse, specular, .. } = terms;
-                    ambient.lane(0)[channel] + diffuse.lane(0)[channel] + specular.lane(0)[channel]
+                    self.openness * ambient.lane(0)[channel]
+                        + diffuse.lane(0)[channel]
+                        + specular.lane(0)[channel]
                 };
-                let mut arriving =
-                    emission[channel] + scene_ambient[channel] + environment[channel];
+                let around = scene_ambient[channel] + environment[channel];
+                let mut arriving = emission[channel] + self.openness * around;
                 for entry in lights {
                     arriving += self.visibility[entry.index] * of_light(&entry.terms);
                 }

@@ -1,5 +1,9 @@
-//! What keeps the lights away from the surfaces that samples see.
+//! What keeps light away from the surfaces that samples see.
 
+mod openness;
 mod receiver;
+mod sequence;
 
-pub(crate) use receiver::{LightSource, Shadows};
+pub(crate) use openness::OpennessRule;
+pub(crate) use receiver::{Asked, LightSource, OcclusionLanes, Shadows};
+pub(crate) use sequence::DiscSequence;

@@ -1,6 +1,6 @@
 //! The same bytes from every number of threads and every instruction set.
 
-use crate::ledger::many_lights;
+use crate::ledger::{many_lights, occluded};
 use crate::scenes::{execution, glass, matte, scene, view};
 use luxel_math::SimdLevel;
 use luxel_render::{
@@ -83,8 +83,9 @@ fn shadows_have_the_same_bytes_however_they_are_run() {
     let size = Size { width: 150, height: 100 };
     let demo = |name: &str| (name.to_owned(), demos::demo(name).unwrap());
     for (name, scene) in [demo("cornell"), demo("welcome"), ("glass".to_owned(), glass())] {
-        let view = perspective(&scene, size).with_lights(many_lights(&scene)).with_shadows(true);
-        check(&name, &scene, &view);
+        let view = perspective(&scene, size).with_lights(many_lights(&scene));
+        check(&name, &scene, &view.clone().with_shadows(true));
+        check(&name, &scene, &occluded(view, true));
     }
 }
 

@@ -10,6 +10,7 @@ use luxel_render::{
     ShadingMode, View,
 };
 use luxel_scene::{DVec3, Placement, Scene, SceneLight, Size, default_lights, demos, primitives};
+use luxel_view::AmbientOcclusion;
 
 /// Numbers without a pattern: a multiplier and an increment of Knuth's MMIX.
 pub(crate) struct Random(pub(crate) u64);
@@ -123,9 +124,9 @@ fn ten_thousand_explained_pixels_are_the_pictures() {
             }
             let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
             for samples in [1, 2, 4, 8, 16] {
-                // A tree of a million triangles takes long to build.
-                let shadows = name != "blob" && samples == 2;
-                let view = styled(&scene, round, samples).with_shadows(shadows);
+                // Each mode of shading with every fourth scene; a tree of a million triangles takes long to build.
+                let shadows = name != "blob" && samples == 2 && (name.len() + round) % 4 == 0;
+                let view = occluded(styled(&scene, round, samples), shadows);
                 let picture = renderer.rgba8(&view).unwrap();
                 let Size { width, height } = view.size;
                 let mut pixels: Vec<_> = (0..PIXELS_OF_EACH)
@@ -198,6 +199,19 @@ fn styled(scene: &Scene, round: usize, samples: u32) -> View {
         view.background = [0.1, 0.3, 0.2, 0.4];
     }
     view.shading = SHADINGS[round % SHADINGS.len()];
+    view
+}
+
+/// A view with soft shadows and openness, if they are asked for.
+pub(crate) fn occluded(mut view: View, is_occluded: bool) -> View {
+    if is_occluded {
+        let radius = 0.1 * view.camera.eye().length() as f32;
+        for light in &mut view.lights {
+            light.light.radius = radius;
+        }
+        view = view.with_shadows(true).with_light_rays(3);
+        view.ambient_occlusion = Some(AmbientOcclusion { rays: 3, ..AmbientOcclusion::default() });
+    }
     view
 }
 
@@ -343,9 +357,10 @@ fn the_layers_of_terms_add_up_to_the_picture() {
         Layer::Fog,
     ];
     for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "blob") {
-        for round in 0..16 {
-            let shadows = round >= 8;
-            let view = styled(&scene, round % 8, 1).with_background([0.0; 4]).with_shadows(shadows);
+        let is_occluded = |round: usize| (name.len() + round) % 4 == 0;
+        for round in (0..8).chain((8..16).filter(|round| is_occluded(*round))) {
+            let view = styled(&scene, round % 8, 1).with_background([0.0; 4]);
+            let view = occluded(view, round >= 8);
             for (sum, [r, g, b, alpha]) in sums_of_layers(&scene, &view, &terms) {
                 // Colours are straight.
                 for (sum, drawn) in sum.into_iter().zip([r, g, b].map(|channel| channel * alpha)) {

@@ -112,6 +112,9 @@ fn ambient_factors(point: &ShadingPoint<'_>, intensity: Factor) -> Vec<Factor> {
     if reflectance.occlusion != 1.0 {
         factors.push(Factor::Number(OCCLUSION, reflectance.occlusion));
     }
+    if point.openness != 1.0 {
+        factors.push(Factor::Number(OPENNESS, point.openness));
+    }
     // With an environment, metals have no other ambient light.
     if *reflection == Reflection::Microfacet && point.environment != [0.0; 3] {
         factors.push(Factor::Number(NOT_METAL, 1.0 - reflectance.metallic));
@@ -139,6 +142,9 @@ fn environment_term(point: &ShadingPoint<'_>) -> Option<Term> {
     }
     if reflectance.occlusion != 1.0 {
         factors.push(Factor::Number(OCCLUSION, reflectance.occlusion));
+    }
+    if point.openness != 1.0 {
+        factors.push(Factor::Number(OPENNESS, point.openness));
     }
     let (kind, name) = (TermKind::Environment, "environment");
     Some(Term { kind, name, factors, value: point.environment })

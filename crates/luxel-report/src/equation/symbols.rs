@@ -58,6 +58,12 @@ pub(crate) const OCCLUSION: Symbol = symbol(
     "occlusion",
     "occlusion: how much ambient light reaches the surface",
 );
+pub(crate) const OPENNESS: Symbol = symbol(
+    "openness",
+    r"\mathrm{openness}",
+    "openness",
+    "openness: the part of the directions above the surface in which nothing is near",
+);
 pub(crate) const NOT_METAL: Symbol = luxel_lighting::NOT_METAL.symbol;
 pub(crate) const WEIGHT: Symbol =
     symbol("w", "w", "<i>w</i>", "w: the weight of a model in a mix of reflection models");
@@ -93,7 +99,7 @@ pub(crate) const SPLIT_SUM: Symbol = symbol(
 );
 
 /// The symbols above, those that name lights and surfaces, and those of fog and attenuation.
-const TABLE: [Symbol; 27] = [
+const TABLE: [Symbol; 28] = [
     symbol("N", r"\mathbf N", "<b>N</b>", "N: the normal, the direction that the surface faces"),
     symbol("L", r"\mathbf L", "<b>L</b>", "L: the direction to the light"),
     symbol("V", r"\mathbf V", "<b>V</b>", "V: the direction to the eye"),
@@ -109,6 +115,7 @@ const TABLE: [Symbol; 27] = [
     O_E,
     O_S,
     OCCLUSION,
+    OPENNESS,
     WEIGHT,
     MIXED_DIFFUSE,
     MIXED_SPECULAR,

@@ -108,7 +108,7 @@ fn seen(seen: &Seen, scene: &Scene) -> Map<String, Value> {
 fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
     let objects = scene.objects();
     let path = objects.get(seen.object).map(|object| scene.path(object.node));
-    json!({
+    let mut value = json!({
         "index": seen.object,
         "object": seen.name,
         "path": path,
@@ -132,7 +132,11 @@ fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
         "fog": seen.fog.map(|(factor, color)| json!({ "factor": factor, "color": color })),
         "color": seen.color,
         "alpha": seen.alpha,
-    })
+    });
+    if let Some(openness) = seen.openness {
+        value["openness"] = json!(openness);
+    }
+    value
 }
 
 /// The points at which light was evaluated; null if that is the sample itself.

@@ -6,6 +6,7 @@ use luxel::formats::{SceneModels, SceneText, SettingValue, SurfaceChange};
 use luxel::lighting::{Light, PictureEncoding};
 use luxel::render::{Cull, Shading, ShadingMode, View};
 use luxel::scene::{DVec3, Placement, Restyle, SceneCamera, SceneLight};
+use luxel::view::{AmbientOcclusion, DEFAULT_LIGHT_RAYS};
 use luxel_viewer::ShownScene;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -150,6 +151,13 @@ fn settings(
     settings.extend(shaded.map(|(name, value)| (name, SettingValue::One(value))));
     if view.shadows {
         settings.push(("shadows", SettingValue::Switch(true)));
+    }
+    if view.light_rays != DEFAULT_LIGHT_RAYS {
+        settings.push(("light-rays", one(view.light_rays.to_string())));
+    }
+    if let Some(AmbientOcclusion { radius, rays }) = view.ambient_occlusion {
+        settings.push(("ao", one(radius.map_or("auto".to_owned(), |radius| radius.to_string()))));
+        settings.push(("ao-rays", one(rays.to_string())));
     }
     if view.encoding == PictureEncoding::None {
         settings.push(("encoding", word("none")));
