@@ -8,6 +8,7 @@ use luxel_render::{
 use luxel_scene::{
     AlphaMode, DVec3, Joiner, MaterialId, Mesh, NormalOptions, Part, Scene, SceneMaterial, Size,
 };
+use luxel_view::AmbientOcclusion;
 
 /// A square of a material, turned, with its middle at a place.
 fn turned_square([x, y, z]: [f32; 3], angle: f32, material: u32) -> Mesh {
@@ -70,7 +71,9 @@ fn views() -> Vec<View> {
             views.push(view.clone().with_shading(shading));
         }
     }
-    views.push(view.clone().with_shadows(true));
+    let occlusion = Some(AmbientOcclusion { rays: 4, ..AmbientOcclusion::default() });
+    let occluded = view.clone().with_ambient([0.4; 3]).with_ambient_occlusion(occlusion);
+    views.push(occluded.with_shadows(true));
     for wireframe in [false, true] {
         views.push(view.clone().with_edges(Some(Edges { wireframe, ..Edges::WIREFRAME })));
     }
