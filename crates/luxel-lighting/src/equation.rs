@@ -123,7 +123,9 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     let emission = broadcast(coefficients.emitted, simd);
     let mut ambient_share = surface.ambient(reflection, &lighting.environment);
     if let Some(openness) = occlusion.openness {
-        ambient_share = ambient_share * simd.load(openness, 0);
+        let openness = simd.load(openness, 0);
+        ambient_share = ambient_share * openness;
+        witness.openness(openness);
     }
     let scene_ambient = ambient_share * Rgb::splat(simd, lighting.scene_ambient);
 

@@ -111,6 +111,12 @@ pub trait Witness<N> {
         let _ = (index, terms);
     }
 
+    /// Openness, a factor of the ambient terms and of the environment.
+    #[inline(always)]
+    fn openness(&mut self, openness: N) {
+        let _ = openness;
+    }
+
     /// The terms of the light at this place of the list.
     #[inline(always)]
     fn light(&mut self, index: usize, terms: &LightTerms<N>) {

@@ -39,6 +39,11 @@ pub enum Layer {
     /// N.L of the first directional, point or spot light, negative where it is behind; 0 where
     /// nothing is.
     NDotL,
+    /// Openness, the factor of ambient light by ambient occlusion; 1 without it, 0 where nothing is.
+    Openness,
+    /// V of the light of this name: the part of it that nothing keeps away; 1 without shadows, 0 where
+    /// nothing is.
+    Shadow(String),
     /// The ambient, diffuse and specular term of the light of this name.
     Light(String),
 }
@@ -71,7 +76,7 @@ impl LayerValues {
 
 impl Layer {
     /// All layers but those of single lights.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Depth,
         Self::Z,
         Self::Normal,
@@ -87,6 +92,7 @@ impl Layer {
         Self::Environment,
         Self::Fog,
         Self::NDotL,
+        Self::Openness,
     ];
 
     /// The name.
@@ -108,6 +114,8 @@ impl Layer {
             Self::Environment => "environment",
             Self::Fog => "fog",
             Self::NDotL => "n_dot_l",
+            Self::Openness => "openness",
+            Self::Shadow(name) => return format!("{SHADOW}{name}"),
             Self::Light(name) => return format!("{LIGHT}{name}"),
         };
         name.to_owned()
@@ -118,6 +126,7 @@ impl Layer {
     pub const fn channels(&self) -> usize {
         match self {
             Self::Depth | Self::Z | Self::Object | Self::Triangle | Self::NDotL => 1,
+            Self::Openness | Self::Shadow(_) => 1,
             Self::Uv => 2,
             _ => 3,
         }
@@ -133,7 +142,7 @@ impl Layer {
     /// and by what those before it let through.
     #[must_use]
     pub fn is_summed(&self) -> bool {
-        self.is_lit() && *self != Self::NDotL
+        self.is_lit() && !matches!(self, Self::NDotL | Self::Openness | Self::Shadow(_))
     }
 
     /// Whether it takes the lighting equation.
@@ -142,6 +151,7 @@ impl Layer {
         match self {
             Self::Ambient | Self::Diffuse | Self::Specular | Self::Emission => true,
             Self::Environment | Self::Fog | Self::NDotL | Self::Light(_) => true,
+            Self::Openness | Self::Shadow(_) => true,
             Self::Depth | Self::Z | Self::Normal | Self::Position | Self::Object => false,
             Self::Triangle | Self::Barycentric | Self::Uv => false,
         }
@@ -155,7 +165,7 @@ pub struct ParseLayerError(String);
 impl fmt::Display for ParseLayerError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names = Layer::ALL.map(|layer| layer.name()).join(", ");
-        write!(formatter, "`{}` is not a layer: use {names} or {LIGHT}NAME", self.0)
+        write!(formatter, "`{}` is not a layer: use {names}, {SHADOW}NAME or {LIGHT}NAME", self.0)
     }
 }
 
@@ -168,10 +178,19 @@ impl FromStr for Layer {
         if let Some(light) = name.strip_prefix(LIGHT) {
             return Ok(Self::Light(light.to_owned()));
         }
+        if let Some(light) = name.strip_prefix(SHADOW) {
+            return Ok(Self::Shadow(light.to_owned()));
+        }
+        if name == "ao" {
+            return Ok(Self::Openness);
+        }
         let found = Self::ALL.into_iter().find(|layer| layer.name() == name);
         found.ok_or_else(|| ParseLayerError(name.to_owned()))
     }
 }
+
+/// The prefix of the layers of single lights' shadows.
+const SHADOW: &str = "shadow:";
 
 /// The prefix of the layers of single lights.
 const LIGHT: &str = "light:";

@@ -71,8 +71,8 @@ struct OutputOptions {
     bits: u8,
 
     /// Write a layer instead of the image: depth, z, normal, position, object, triangle,
-    /// barycentric, uv, ambient, diffuse, specular, emission, environment, fog, n_dot_l,
-    /// light:NAME; may be repeated for an EXR
+    /// barycentric, uv, ambient, diffuse, specular, emission, environment, fog, n_dot_l, openness,
+    /// shadow:NAME, light:NAME; may be repeated for an EXR
     #[arg(long = "layer", value_name = "NAME")]
     layers: Vec<Layer>,
 

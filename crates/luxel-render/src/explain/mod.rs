@@ -296,7 +296,7 @@ pub(crate) struct Lit {
     reflectance: Option<Reflectance<f32>>,
     barycentric: [f32; 3],
     uv: Option<[f32; 2]>,
-    openness: Option<f32>,
+    pub(crate) openness: Option<f32>,
     texture: [f32; 3],
     evaluated_at: Vec<EvaluatedAt>,
 }

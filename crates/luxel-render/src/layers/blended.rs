@@ -3,7 +3,7 @@
 
 use super::pass::{LayerWorker, Pass};
 use super::planes::TileValues;
-use super::witness::LayerWitness;
+use super::witness::{LayerWitness, LightLanes};
 use crate::frame::{ALL_BLOCKS, Worker};
 use crate::interpolate::{Batch, nearest_sample};
 use crate::shade::shade;
@@ -65,7 +65,7 @@ impl Pass<'_> {
         let Worker { opaque: tile, cache, .. } = &mut **worker;
         let within = nearest_sample(self.scene.frame.samples());
         let batch = Batch::even(tile, block, ids, within, false);
-        of_lights.fill([[0.0; LANES]; 3]);
+        of_lights.fill(LightLanes::NOTHING);
         let mut witness = LayerWitness::new(vector, [false, true], of_lights);
         let [.., alpha] = shade(vector, self.scene, &batch, cache, &mut witness);
         let mut weights = [0.0; LANES];

@@ -2,7 +2,7 @@
 
 use super::planes::{BlockValues, Plane, TileValues, background, stored};
 use super::sample::{Triangles, term};
-use super::witness::LayerWitness;
+use super::witness::{LayerWitness, LightLanes};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
@@ -102,7 +102,7 @@ impl Renderer {
     ) -> Result<(), RenderError> {
         let lights = lights_with_terms(view);
         for layer in layers {
-            if let Layer::Light(name) = layer
+            if let Layer::Light(name) | Layer::Shadow(name) = layer
                 && !lights.iter().any(|light| light.name == *name)
             {
                 return Err(RenderError::NoSuchLight(name.clone()));
@@ -181,7 +181,7 @@ pub(super) struct LayerWorker<'w> {
     pixels: Box<TilePixels<[u8; 4]>>,
     /// A tile of each layer.
     pub(super) tiles: Vec<TileValues>,
-    pub(super) of_lights: Vec<[[f32; LANES]; 3]>,
+    pub(super) of_lights: Vec<LightLanes>,
 }
 
 impl<'w> TileWork<LayerWorker<'w>> for Pass<'w> {
@@ -228,7 +228,7 @@ impl<'p> Pass<'p> {
             worker: self.renderer.worker(self.scene.frame.samples()),
             pixels: Box::new([[0; 4]; (TILE * TILE) as usize]),
             tiles: self.planes.iter().map(Plane::tile).collect(),
-            of_lights: vec![[[0.0; LANES]; 3]; self.lights.len()],
+            of_lights: vec![LightLanes::NOTHING; self.lights.len()],
         }
     }
 
@@ -294,7 +294,7 @@ impl<'p> Pass<'p> {
         let ids = tile.planes()[0].ids[block];
         let within = nearest_sample(scene.frame.samples());
         let batch = Batch::even(tile, block, ids, within, is_single);
-        of_lights.fill([[0.0; LANES]; 3]);
+        of_lights.fill(LightLanes::NOTHING);
         let needs = [self.maps_normals, self.with_terms];
         let mut witness = LayerWitness::new(vector, needs, of_lights);
         if self.pixels.is_some() || self.with_terms {
@@ -372,9 +372,13 @@ impl<'p> Pass<'p> {
                 [r, g, b]
             }
             Layer::NDotL => [witness.n_dot_l; 3],
+            Layer::Openness => [witness.openness; 3],
+            Layer::Shadow(name) => match self.of_light(name, witness) {
+                Some(LightLanes { visibility, .. }) => [simd.load(visibility, 0); 3],
+                None => return [[0.0; LANES]; 3],
+            },
             Layer::Light(name) => {
-                let index = self.lights.iter().position(|light| light.name == *name);
-                let Some(sums) = index.and_then(|index| witness.of_lights.get(index)) else {
+                let Some(LightLanes { sum: sums, .. }) = self.of_light(name, witness) else {
                     return [[0.0; LANES]; 3];
                 };
                 light(Rgb::new(
@@ -386,6 +390,17 @@ impl<'p> Pass<'p> {
             Layer::Object | Layer::Triangle => [zero; 3],
         };
         stored(numbers, seen, background(layer))
+    }
+
+    /// What was heard of the light of a name.
+    #[inline(always)]
+    fn of_light<'l, N: Lanes>(
+        &self,
+        name: &str,
+        witness: &'l LayerWitness<'_, N>,
+    ) -> Option<&'l LightLanes> {
+        let index = self.lights.iter().position(|light| light.name == *name)?;
+        witness.of_lights.get(index)
     }
 
     /// Places in the world, which are summed in f64.

@@ -58,6 +58,11 @@ pub(crate) fn term(layer: &Layer, lit: &Lit) -> [f32; 3] {
         Layer::Environment => terms.environment,
         Layer::Fog => return fog.map(|channel| channel * (1.0 - factor)),
         Layer::NDotL => return [terms.lights.first().map_or(0.0, |light| light.terms.n_dot_l); 3],
+        Layer::Openness => return [lit.openness.unwrap_or(1.0); 3],
+        Layer::Shadow(name) => {
+            let light = terms.lights.iter().find(|light| light.name == *name);
+            return [light.and_then(|light| light.terms.visibility).unwrap_or(1.0); 3];
+        }
         Layer::Light(name) => {
             let light = terms.lights.iter().find(|light| light.name == *name);
             light.map_or([0.0; 3], |light| {

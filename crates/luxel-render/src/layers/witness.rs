@@ -34,21 +34,36 @@ pub(crate) struct LayerWitness<'w, N: Lanes> {
     pub(crate) fog_factor: N,
     /// Of the first light.
     pub(crate) n_dot_l: N,
-    /// The sum of each light's terms, by its place in the list.
-    pub(crate) of_lights: &'w mut [[[f32; LANES]; 3]],
+    /// Openness.
+    pub(crate) openness: N,
+    /// By the light's place in the list.
+    pub(crate) of_lights: &'w mut [LightLanes],
     /// The lanes of the material that is lit.
     mask: N::Mask,
     /// What its lights add, before they are known to be all.
     sums: [Rgb<N>; 3],
 }
 
+/// What is kept of one light.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LightLanes {
+    /// The sum of its terms.
+    pub(crate) sum: [[f32; LANES]; 3],
+    /// V
+    pub(crate) visibility: [f32; LANES],
+}
+
+impl LightLanes {
+    pub(crate) const NOTHING: Self = Self { sum: [[0.0; LANES]; 3], visibility: [1.0; LANES] };
+}
+
 impl<'w, N: Lanes> LayerWitness<'w, N> {
-    /// Nothing heard yet; `like` selects the lane type. `of_lights` is 0.
+    /// Nothing heard yet; `like` selects the lane type. `of_lights` holds [`LightLanes::NOTHING`].
     #[inline(always)]
     pub(crate) fn new(
         simd: N,
         [maps_normals, hears_terms]: [bool; 2],
-        of_lights: &'w mut [[[f32; LANES]; 3]],
+        of_lights: &'w mut [LightLanes],
     ) -> Self {
         let (zero, black) = (simd.zero(), Rgb::black(simd));
         let nowhere = Vec3::splat(simd, [0.0; 3]);
@@ -69,6 +84,7 @@ impl<'w, N: Lanes> LayerWitness<'w, N> {
             fog: black,
             fog_factor: simd.one(),
             n_dot_l: zero,
+            openness: simd.one(),
             of_lights,
             mask: simd.mask_of(0),
             sums: [black; 3],
@@ -89,10 +105,19 @@ impl<N: Lanes> Witness<N> for LayerWitness<'_, N> {
         }
         if let Some(kept) = self.of_lights.get_mut(index) {
             let sum = terms.ambient + terms.diffuse + terms.specular;
-            for (kept, channel) in kept.iter_mut().zip([sum.r, sum.g, sum.b]) {
+            if let Some(visibility) = terms.visibility {
+                let others = self.simd.load(&kept.visibility, 0);
+                visibility.select(self.mask, others).store(&mut kept.visibility, 0);
+            }
+            for (kept, channel) in kept.sum.iter_mut().zip([sum.r, sum.g, sum.b]) {
                 channel.select(self.mask, self.simd.load(kept, 0)).store(kept, 0);
             }
         }
+    }
+
+    #[inline(always)]
+    fn openness(&mut self, openness: N) {
+        self.openness = openness.select(self.mask, self.openness);
     }
 
     #[inline(always)]

@@ -373,6 +373,38 @@ fn the_layers_of_terms_add_up_to_the_picture() {
 }
 
 #[test]
+fn the_layers_of_shadows_and_openness_are_those_of_the_ledger() {
+    let scene = demos::demo("welcome").unwrap();
+    for mode in [ShadingMode::Phong, ShadingMode::Gouraud] {
+        let view = occluded(styled(&scene, 0, 1).with_lights(many_lights(&scene)), true)
+            .with_shading(Shading { mode, ..Shading::default() });
+        let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
+        let shadow = Layer::Shadow("lamp".to_owned());
+        let values = renderer.layers(&view, &[Layer::Openness, shadow]).unwrap();
+        let value = |layer: usize, [x, y]: [u32; 2]| match &values[layer] {
+            LayerValues::F32(values) => values[(y * 90 + x) as usize],
+            LayerValues::U32(_) => panic!("parts of light are no whole numbers"),
+        };
+        let pixels: Vec<_> =
+            (0..70).step_by(3).flat_map(|y| (0..90).step_by(4).map(move |x| [x, y])).collect();
+        let mut partly = [0; 2];
+        for explained in renderer.explain_pixels(&view, &pixels).unwrap() {
+            let found = [0, 1].map(|layer| value(layer, explained.pixel));
+            let Some(surface) = explained.samples[0].seen[0].surface() else {
+                assert_eq!(found, [0.0; 2]);
+                continue;
+            };
+            let visibility = surface.lights[1].terms.visibility.unwrap();
+            assert_eq!(found, [surface.openness.unwrap(), visibility], "{:?}", explained.pixel);
+            for (count, found) in partly.iter_mut().zip(found) {
+                *count += u32::from(found > 0.0 && found < 1.0);
+            }
+        }
+        assert!(partly.iter().all(|count| *count > 2), "{mode:?}: {partly:?}");
+    }
+}
+
+#[test]
 fn the_layers_of_lights_add_up_to_their_terms() {
     let scene = demos::demo("spheres").unwrap();
     let view = styled(&scene, 1, 1).with_lights(many_lights(&scene));

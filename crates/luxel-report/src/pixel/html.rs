@@ -9,7 +9,7 @@ use super::report::Report;
 use super::sentences::{encoded, nearest, part_of, point_name, share, surface_path, why_not_seen};
 use crate::equation::{
     Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, highlight_vector,
-    point_terms, reach, shading_points,
+    in_the_way, point_terms, reach, shading_points,
 };
 use crate::words::{capital, color, in_column, model_name, number, vector};
 use escape::{escaped, kind_class};
@@ -227,6 +227,9 @@ impl Page {
             "<div class=\"light\"><strong>{}</strong> <span class=\"quiet num\">{facts}</span>",
             escaped(&light.name)
         ));
+        if let Some(blocked) = in_the_way(light) {
+            self.push(format_args!("<p class=\"why\">{}.</p>", escaped(&capital(&blocked))));
+        }
         if let Some(why) = &entry.why_not {
             let what = if entry.terms.is_empty() { "no" } else { "no other" };
             self.push(format_args!("<p class=\"why\">Adds {what} light: {}.</p>", escaped(why)));

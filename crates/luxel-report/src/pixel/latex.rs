@@ -3,8 +3,8 @@
 use super::report::Report;
 use super::sentences::{encoded, nearest, part_of, point_name, share, surface_path, why_not_seen};
 use crate::equation::{
-    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, highlight_vector, point_terms,
-    shading_points,
+    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, highlight_vector, in_the_way,
+    point_terms, shading_points,
 };
 use crate::words::{capital, coordinate, model_name, number};
 use luxel_lighting::{Attenuation, LightKind, PictureEncoding};
@@ -240,6 +240,9 @@ impl Page {
         }
         if let Some(reach) = reach(at, light) {
             let _ = write!(text, ", {reach}");
+        }
+        if let Some(blocked) = in_the_way(light) {
+            let _ = write!(text, "; {}", escaped(&blocked));
         }
         if let Some(why) = &entry.why_not {
             let what = if entry.terms.is_empty() { "no" } else { "no other" };

@@ -2,7 +2,8 @@
 
 use crate::equation::{
     Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, factor_text,
-    highlight_vector, interpolation_text, point_terms, reach, shading_points, symbol_text,
+    highlight_vector, in_the_way, interpolation_text, point_terms, reach, shading_points,
+    symbol_text,
 };
 use crate::words::{color, number};
 use luxel_render::ExplainedSurface;
@@ -123,6 +124,7 @@ fn light_lines(lines: &mut Vec<LedgerLine>, entry: &LightEntry<'_>, point: &Shad
     lines.push(LedgerLine::Heading { name, facts });
     lines.extend(entry.parts.iter().map(part));
     lines.extend(entry.terms.iter().map(|one| term(one, None)));
+    lines.extend(in_the_way(light).map(LedgerLine::Note));
     if let Some(why) = &entry.why_not {
         let what = if entry.terms.is_empty() { "no" } else { "no other" };
         lines.push(LedgerLine::Note(format!("adds {what} light: {why}")));

@@ -9,6 +9,7 @@ pub(crate) fn layer_name(layer: &Layer) -> String {
     match layer {
         Layer::NDotL => "N.L".to_owned(),
         Layer::Light(name) => format!("only {name}"),
+        Layer::Shadow(name) => format!("shadow of {name}"),
         layer => layer.name(),
     }
 }
@@ -24,6 +25,8 @@ pub(crate) fn is_of_light(layer: &Layer) -> bool {
             | Layer::Environment
             | Layer::Fog
             | Layer::NDotL
+            | Layer::Openness
+            | Layer::Shadow(_)
             | Layer::Light(_)
     )
 }
@@ -124,8 +127,12 @@ impl DisplaySettings {
 
     /// Everything that can be shown: the picture (`None`) and its layers.
     pub(crate) fn layers(&self) -> Vec<Option<Layer>> {
-        let of_all =
-            Layer::ALL.into_iter().filter(|layer| *layer != Layer::Fog || self.view.fog.is_some());
+        let has = |layer: &Layer| match layer {
+            Layer::Fog => self.view.fog.is_some(),
+            Layer::Openness => self.view.ambient_occlusion.is_some(),
+            _ => true,
+        };
+        let of_all = Layer::ALL.into_iter().filter(has);
         // Light first, then geometry.
         let (lit, shape): (Vec<_>, Vec<_>) = of_all.partition(is_of_light);
         let lights = self.view.lights.iter();

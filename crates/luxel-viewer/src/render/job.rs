@@ -1,6 +1,5 @@
 //! A render job: a picture, or one of its layers as a picture.
 
-use crate::display::is_of_light;
 use luxel::lighting::PictureEncoding;
 use luxel::render::{Layer, LayerImage, LayerValues, RenderError, Renderer, View, layer_rgb8};
 
@@ -50,7 +49,7 @@ impl RenderJob {
 
 /// Whether a layer holds radiance, which is encoded as pictures are.
 fn is_radiance(layer: &Layer) -> bool {
-    is_of_light(layer) && *layer != Layer::NDotL
+    layer.is_summed()
 }
 
 fn encoded(values: &[f32], encoding: PictureEncoding) -> Vec<[u8; 3]> {
