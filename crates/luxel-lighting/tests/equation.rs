@@ -328,7 +328,14 @@ fn any_light() -> impl Strategy<Value = PlacedLight> {
     )
         .prop_map(|(kind, (ambient, diffuse, specular), attenuation, position, direction)| {
             PlacedLight::new(
-                Light { kind, ambient, diffuse, specular, attenuation },
+                Light {
+                    kind,
+                    ambient,
+                    diffuse,
+                    specular,
+                    attenuation,
+                    ..Light::new(kind, [0.0; 3])
+                },
                 position,
                 direction,
             )
@@ -478,6 +485,7 @@ proptest! {
         let light = Light {
             kind, ambient: light_colors[0], diffuse: light_colors[1], specular: light_colors[2],
             attenuation: Attenuation { coefficients: attenuation, limit: numbers[5], range },
+            ..Light::new(LightKind::Point, [0.0; 3])
         };
         let lights = [PlacedLight::new(light, places[0], places[1])];
         // The contract requires unit vectors; degenerate ones become 0.

@@ -86,6 +86,11 @@ impl SceneRays {
     /// still counts.
     pub(crate) fn each_object(&self, ray: &WorldRay, mut visit: impl FnMut(usize, f64) -> f64) {
         let Some(bounds) = self.top.bounds().filter(|_| ray.is_valid()) else { return };
+        if self.objects().len() == 1 {
+            // The object's own tree tests the same box.
+            visit(0, ray.range[1]);
+            return;
+        }
         let origin = ray.origin - self.middle;
         let Some(near) = RebasedRay::new(origin, ray.direction, ray.range, bounds) else { return };
         // Slightly beyond `farthest`: distances in f32 and f64 differ by rounding.
@@ -101,6 +106,10 @@ impl SceneRays {
     /// thick as the rays spread.
     pub(crate) fn each_object_near(&self, rays: &[WorldRay], mut visit: impl FnMut(usize)) {
         let Some(bounds) = self.top.bounds() else { return };
+        if self.objects().len() == 1 {
+            visit(0);
+            return;
+        }
         let mut valid = rays.iter().filter(|ray| ray.is_valid());
         let Some(first) = valid.next() else { return };
         let [mut origins, mut directions] = [[first.origin; 2], [first.direction; 2]];

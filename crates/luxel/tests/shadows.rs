@@ -328,7 +328,7 @@ fn reference(all: &[(usize, u32, [DVec3; 3])], place: DVec3, normal: DVec3, marg
     let mut open = 0.0;
     for cell in 0..SIDE * SIDE {
         let [u, v] = [cell / SIDE, cell % SIDE].map(|at| (at as f64 + 0.5) / SIDE as f64);
-        let (sine, cosine) = (std::f64::consts::TAU * v).sin_cos();
+        let (sine, cosine) = libm::sincos(std::f64::consts::TAU * v);
         let direction =
             (tangent * cosine + bitangent * sine) * u.sqrt() + normal * (1.0 - u).sqrt();
         let blocks = |corners: [DVec3; 3]| {

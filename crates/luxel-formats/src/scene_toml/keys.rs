@@ -320,7 +320,7 @@ const LIGHT_PLACEMENT: [Key; 3] = [
     ),
 ];
 
-const LIGHT_INTENSITIES: [Key; 7] = [
+const LIGHT_INTENSITIES: [Key; 9] = [
     key("color", Shape::Numbers(3), "intensity (ambient)", "[0.1, 0.1, 0.1]"),
     key(
         "ambient",
@@ -357,6 +357,18 @@ const LIGHT_INTENSITIES: [Key; 7] = [
         Shape::Number,
         "distance at which the light fades to 0, as in glTF [default: none]",
         "20",
+    ),
+    key(
+        "radius",
+        Shape::Number,
+        "the radius of the ball that the light is, for soft shadows (point, spot) [default: 0]",
+        "0.1",
+    ),
+    key(
+        "angle",
+        Shape::Number,
+        "the angle under which the light is seen, for soft shadows (directional) [default: 0]",
+        "0.53",
     ),
 ];
 

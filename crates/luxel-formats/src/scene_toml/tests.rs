@@ -71,6 +71,7 @@ fn every_key_accepts_its_example_and_has_an_effect() {
                     ("lights", "inner") => {
                         "kind = \"spot\"\npos = [0, 0, 0]\ndir = [1, 0, 0]\ncutoff = 30\n"
                     }
+                    ("lights", "angle") => "kind = \"directional\"\ndir = [0, -1, 0]\n",
                     ("lights", "dir") => "kind = \"directional\"\n",
                     ("lights", "pos") => "kind = \"point\"\n",
                     ("lights", "kind") => "pos = [0, 0, 0]\n",

@@ -125,7 +125,8 @@ fn ten_thousand_explained_pixels_are_the_pictures() {
             let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
             for samples in [1, 2, 4, 8, 16] {
                 // Each mode of shading with every fourth scene; a tree of a million triangles takes long to build.
-                let shadows = name != "blob" && samples == 2 && (name.len() + round) % 4 == 0;
+                let shadows =
+                    name != "blob" && samples == 2 && (name.len() + round).is_multiple_of(4);
                 let view = occluded(styled(&scene, round, samples), shadows);
                 let picture = renderer.rgba8(&view).unwrap();
                 let Size { width, height } = view.size;
@@ -357,7 +358,7 @@ fn the_layers_of_terms_add_up_to_the_picture() {
         Layer::Fog,
     ];
     for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "blob") {
-        let is_occluded = |round: usize| (name.len() + round) % 4 == 0;
+        let is_occluded = |round: usize| (name.len() + round).is_multiple_of(4);
         for round in (0..8).chain((8..16).filter(|round| is_occluded(*round))) {
             let view = styled(&scene, round % 8, 1).with_background([0.0; 4]);
             let view = occluded(view, round >= 8);

@@ -86,7 +86,14 @@ fn light() -> impl Strategy<Value = SceneLight> {
     ((kind(), shares(), shares(), shares()), attenuation, placement, place(), direction(), ".{1,8}")
         .prop_map(|(what, attenuation, placement, position, direction, name)| {
             let (kind, ambient, diffuse, specular) = what;
-            let light = Light { kind, ambient, diffuse, specular, attenuation };
+            let light = Light {
+                kind,
+                ambient,
+                diffuse,
+                specular,
+                attenuation,
+                ..Light::new(kind, [0.0; 3])
+            };
             // Fields that a kind lacks have the reader's defaults.
             let position = if kind == LightKind::Directional { DVec3::ZERO } else { position };
             let direction = if kind == LightKind::Point { DVec3::NEG_Z } else { direction };

@@ -44,6 +44,30 @@ pub(super) fn lights(ui: &mut Ui, session: &mut Session, chosen: &mut Option<usi
     if intensity(ui, "scene I_a", &mut ambient) {
         session.change_display(|display| display.view_mut().ambient = ambient);
     }
+    occlusion(ui, session);
+}
+
+/// What keeps light away.
+fn occlusion(ui: &mut Ui, session: &mut Session) {
+    let view = session.display().view();
+    let (mut shadows, before) = (view.shadows, view.ambient_occlusion);
+    let mut is_occluded = before.is_some();
+    let clicked = row(ui, "keep out", |ui| {
+        let shadows = ui
+            .checkbox(&mut shadows, "shadows")
+            .on_hover_text("surfaces keep lights from what lies behind them");
+        let occlusion = ui
+            .checkbox(&mut is_occluded, "occlusion")
+            .on_hover_text("less ambient light where something is near");
+        shadows.clicked() || occlusion.clicked()
+    });
+    if clicked {
+        session.change_display(|display| {
+            let view = display.view_mut();
+            view.shadows = shadows;
+            view.ambient_occlusion = is_occluded.then(|| before.unwrap_or_default());
+        });
+    }
 }
 
 /// The environment that mirrors and metals reflect.
