@@ -33,6 +33,7 @@ struct MeshFinding {
 /// reported once, at the first object, except for silhouettes.
 #[must_use]
 pub fn check(scene: &Scene, setup: &Setup) -> Report {
+    let scene = &*scene.separated();
     let mut all: Vec<(u32, Object, MeshFinding)> = Vec::new();
     let mut is_known = vec![false; scene.meshes.len()];
     for (number, object) in scene.objects().into_iter().enumerate() {

@@ -54,6 +54,7 @@ impl Report {
     /// As [`Report::marked`], for some kinds only.
     #[must_use]
     pub fn marked_only(&self, scene: &Scene, only: &[Kind]) -> Scene {
+        let scene = &*scene.separated();
         let mut marked = Scene {
             nodes: Vec::new(),
             meshes: scene.meshes.clone(),
@@ -85,7 +86,7 @@ impl Report {
             let spots: Vec<Spot> = run.iter().map(|(_, _, spot)| *spot).collect();
             marked.meshes.push(mark_mesh(&scene.meshes[object.mesh.index()], &spots, material));
             marks.push(Node {
-                parent_from_node: object.world_from_mesh,
+                parent_from_node: object.world_from_mesh.clone(),
                 ..Node::root(kind.name(), Some(MeshId(marked.meshes.len() as u32 - 1)))
             });
         }

@@ -64,6 +64,7 @@ impl Report {
         marked: &Renderer,
         view: &View,
     ) -> Result<Picture<[u8; 4]>, RenderError> {
+        let scene = &*scene.separated();
         let mut picture = marked.rgba8(view)?;
         let layers = marked.layers(view, &[Layer::Z, Layer::Object])?;
         let [LayerValues::F32(distances), LayerValues::U32(objects)] = &*layers else {

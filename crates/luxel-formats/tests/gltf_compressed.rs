@@ -40,6 +40,7 @@ fn triangles(scene: &Scene) -> Vec<[Corner; 3]> {
     let part = mesh.parts[0].material.index();
     let [a, b, c, d, e, f] = scene.materials[part]
         .base_color
+        .as_ref()
         .map_or([1.0, 0.0, 0.0, 0.0, 1.0, 0.0], |usage| usage.transform);
     let corner = |index: u32| {
         let [u, v] = mesh.uvs[0][index as usize];

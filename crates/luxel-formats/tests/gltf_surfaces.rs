@@ -95,11 +95,11 @@ fn an_image_of_two_encodings_becomes_two() {
     assert_eq!(encodings, [Encoding::Srgb, Encoding::Linear]);
     assert_eq!(scene.textures[0].image.name, "grey");
     let material = &scene.materials[0];
-    assert_eq!(material.base_color.unwrap().texture.index(), 0);
-    assert_eq!(material.metallic_roughness.unwrap().uv_set, 1);
-    assert_eq!(material.occlusion.unwrap().strength, 0.5);
-    assert_eq!(material.normal.unwrap().strength, 2.0);
-    assert_eq!(material.emission.unwrap().texture.index(), 0);
+    assert_eq!(material.base_color.as_ref().unwrap().texture.index(), 0);
+    assert_eq!(material.metallic_roughness.as_ref().unwrap().uv_set, 1);
+    assert_eq!(material.occlusion.as_ref().unwrap().strength, 0.5);
+    assert_eq!(material.normal.as_ref().unwrap().strength, 2.0);
+    assert_eq!(material.emission.as_ref().unwrap().texture.index(), 0);
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn textures_are_scaled_then_turned_then_moved() {
             "offset": [0.25, 0.5], "rotation": quarter, "scale": [2.0, 4.0], "texCoord": 1,
         }},
     }}}));
-    let usage = loaded.scene.materials[0].base_color.unwrap();
+    let usage = loaded.scene.materials[0].base_color.clone().unwrap();
     assert_eq!(usage.uv_set, 1);
     // The extension's matrix for a quarter turn takes (u, v) to (v, -u).
     let expected = [0.0, 4.0, 0.25, -2.0, 0.0, 0.5];

@@ -38,7 +38,7 @@ fn scene_of(meshes: &[Uploaded], drawn: &[Drawn]) -> Scene {
         }
     };
     let node = |drawn: &Drawn| Node {
-        parent_from_node: drawn.world_from_model,
+        parent_from_node: drawn.world_from_model.into(),
         ..Node::root(drawn.name, Some(MeshId(drawn.mesh)))
     };
     Scene {

@@ -167,7 +167,7 @@ impl<'r> Clipper<'r> {
         Self {
             region,
             pieces: region.pieces().iter().map(|piece| frustum_planes(piece, window)).collect(),
-            clip_from_mesh: clip_from_world * of.world_from_mesh,
+            clip_from_mesh: clip_from_world * *of.world_from_mesh,
             frustum,
             window,
         }

@@ -115,17 +115,17 @@ impl PickView<'_> {
     pub(crate) fn element_of(&self, number: usize, triangle: u32) -> (usize, Element) {
         let instance = &self.placed.instances()[number];
         let Some(strokes) = instance.strokes else {
-            return (instance.object, Element::Triangle(triangle));
+            return (instance.objects.start, Element::Triangle(triangle));
         };
         let element = self.element(strokes, triangle);
-        let points = &self.picker.mesh(instance.object).points;
+        let points = &self.picker.mesh(instance.objects.start).points;
         let points = points.iter().map(|points| points.indices.len()).sum::<usize>() as u32;
         let element = if element < points {
             Element::Point(element)
         } else {
             Element::Line(element - points)
         };
-        (instance.object, element)
+        (instance.objects.start, element)
     }
 
     pub(crate) fn forms(&self, covering: &CoveringTriangle) -> Forms {
@@ -247,12 +247,12 @@ impl TriangleSurface<'_> {
     fn mapped(&self, position: [i32; 2], weights: [f32; 3], normal: Vec3<f32>) -> Vec3<f32> {
         let &Self { mesh, space, attributes, .. } = self;
         let material = &self.view.picker.scene().materials[self.material.index()];
-        let Some(used) = material.normal.filter(|_| !mesh.tangents.is_empty()) else {
+        let Some(used) = material.normal.as_deref().filter(|_| !mesh.tangents.is_empty()) else {
             return normal;
         };
         let tangents = attributes.map(|at| space.tangent(mesh, at));
         let [x, y, z, sign] = interpolate_corners(&tangents, &weights);
-        let [r, g, b, _] = self.texel(&used, position, weights);
+        let [r, g, b, _] = self.texel(used, position, weights);
         mapped_normal(normal, (Vec3::new(x, y, z), sign), [r, g, b], used.strength)
     }
 

@@ -111,7 +111,7 @@ impl<'p> PickView<'p> {
         let (tree_from_view, bounds_tell_depth) = match instance.strokes {
             Some(_) => (DMat4::IDENTITY, true),
             None => {
-                let tree = self.picker.tree(instance.object);
+                let tree = self.picker.tree(instance.objects.start);
                 let world_from_view = self.camera().view_from_world.inverse();
                 (*tree.tree_from_world * world_from_view, tree.of_mesh)
             }
@@ -185,7 +185,7 @@ impl<'p> PickView<'p> {
         let instance = &self.placed.instances()[number];
         let bvh = match instance.strokes {
             Some(strokes) => &self.bvhs_of_strokes[strokes],
-            None => self.picker.tree(instance.object).bvh,
+            None => self.picker.tree(instance.objects.start).bvh,
         };
         Geometry { mesh: self.placed.mesh(instance), bvh }
     }

@@ -75,7 +75,8 @@ impl PickView<'_> {
             for PixelOwner { pixel: [x, y], instance, .. } in owners {
                 let PhysicalPosition { x, y } = PhysicalPosition::centre_of(x, y);
                 if region.contains(x, y) {
-                    *counts.entry(self.placed.instances()[instance].object).or_default() += 1;
+                    *counts.entry(self.placed.instances()[instance].objects.start).or_default() +=
+                        1;
                 }
             }
             add_counts(&mut all.lock().unwrap_or_else(PoisonError::into_inner), counts);

@@ -53,7 +53,7 @@ fn scene(origin: DVec3, frequency: u32) -> Scene {
     strokes.lines = vec![Lines { segments, material: MaterialId(2) }];
     let holes = SceneMaterial {
         alpha_mode: AlphaMode::Mask { cutoff: 0.5 },
-        base_color: Some(TextureUse::new(TextureId(0))),
+        base_color: Some(TextureUse::new(TextureId(0)).into()),
         ..SceneMaterial::default()
     };
     let front = SceneMaterial { sides: Sides::Front, ..SceneMaterial::default() };
@@ -73,7 +73,7 @@ fn scene(origin: DVec3, frequency: u32) -> Scene {
             * DMat4::from_scale(DVec3::from_array(scale));
         let name = scene.nodes.len().to_string();
         let parent_from_node = about(of);
-        scene.nodes.push(Node { parent_from_node, ..Node::root(name, Some(MeshId(mesh))) });
+        scene.nodes.push(Node::root(name, Some(MeshId(mesh))).at(None, parent_from_node));
     };
     node(0, [-1.2, 0.0, 0.0], [1.0; 3]);
     node(0, [-1.2, 0.0, 0.0], [1.0; 3]);

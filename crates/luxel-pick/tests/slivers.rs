@@ -31,7 +31,7 @@ fn scene() -> Scene {
         ..Scene::default()
     };
     let mut node = |name: &str, mesh: u32, parent_from_node: DMat4| {
-        scene.nodes.push(Node { parent_from_node, ..Node::root(name, Some(MeshId(mesh))) });
+        scene.nodes.push(Node::root(name, Some(MeshId(mesh))).at(None, parent_from_node));
     };
     node("a", 0, DMat4::from_translation(DVec3::new(-1.2, 0.0, 0.0)));
     node(
@@ -94,7 +94,7 @@ fn by_hand(
         let mesh = &scene.meshes[object.mesh.index()];
         let clip_from_mesh = camera.projection.clip_from_view(SIZE)
             * camera.view_from_world
-            * object.world_from_mesh;
+            * *object.world_from_mesh;
         let of_triangle = |triangle: &[u32; 3]| {
             let corners = triangle.map(|vertex| clip_from_mesh * mesh.position(vertex).extend(1.0));
             let inside = planes.iter().fold(corners.to_vec(), |polygon, &plane| {

@@ -25,10 +25,9 @@ fn scene() -> Scene {
             _ => DVec3::new(0.5, 0.0, 1.4),
         };
         let turned = DMat4::from_rotation_x(f64::from(number));
-        scene.nodes.push(Node {
-            parent_from_node: DMat4::from_translation(place) * turned * DMat4::from_scale(scale),
-            ..Node::root(format!("{number}"), Some(MeshId(0)))
-        });
+        let placed = DMat4::from_translation(place) * turned * DMat4::from_scale(scale);
+        let node = Node::root(format!("{number}"), Some(MeshId(0)));
+        scene.nodes.push(node.at(None, placed));
     }
     scene
 }

@@ -46,7 +46,7 @@ impl PlacedTree {
         quality: Quality,
     ) -> Result<Self, TooManyForTree> {
         let mesh = &scene.meshes[object.mesh.index()];
-        let world_from_tree = object.world_from_mesh * DMat4::from_translation(mesh.origin);
+        let world_from_tree = *object.world_from_mesh * DMat4::from_translation(mesh.origin);
         let tree_from_world = world_from_tree.inverse();
         let of = |world_from_tree, tree_from_world, baked| Self {
             mesh: object.mesh.index(),

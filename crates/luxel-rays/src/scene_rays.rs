@@ -34,6 +34,21 @@ fn is_valid([low, high]: &[DVec3; 2]) -> bool {
     low.cmple(*high).all() && low.is_finite() && high.is_finite()
 }
 
+/// A scene with a mesh for every object, and these objects in it.
+fn separated(scene: Arc<Scene>, objects: Vec<Object>) -> (Arc<Scene>, Vec<Object>) {
+    if !scene.has_sections() {
+        return (scene, objects);
+    }
+    let separate = scene.separated().into_owned();
+    let mut all: Vec<Option<Object>> = vec![None; separate.nodes.len()];
+    for object in separate.objects() {
+        let node = object.node.index();
+        all[node] = Some(object);
+    }
+    let objects = objects.iter().filter_map(|object| all[object.node.index()].take()).collect();
+    (Arc::new(separate), objects)
+}
+
 impl SceneRays {
     /// Builds the trees on all threads of the current pool, for the best instruction set of the machine.
     ///
@@ -55,6 +70,8 @@ impl SceneRays {
 
     /// [`SceneRays::with`], for some of the scene's objects only: hits number these.
     ///
+    /// Objects that share a mesh get meshes of their own first, in a copy of the scene.
+    ///
     /// # Errors
     /// [`TooManyForTree`] if a mesh has too many triangles.
     pub fn of_objects(
@@ -63,6 +80,7 @@ impl SceneRays {
         quality: Quality,
         level: Level,
     ) -> Result<Self, TooManyForTree> {
+        let (scene, objects) = separated(scene, objects);
         let bvhs = map(scene.meshes.len(), 1, &|run| {
             let mesh = &scene.meshes[run.start];
             Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))

@@ -102,11 +102,6 @@ impl ShadingContext<'_> {
         &self.placed.instances()[instance].place.space
     }
 
-    /// The object that an instance shows.
-    pub(crate) fn object(&self, instance: usize) -> usize {
-        self.placed.instances()[instance].object
-    }
-
     /// The surface point of a sample at (x, y) in the window, in pixels: N and V at unit length.
     ///
     /// V comes from the sample's ray, not from the place: it is right to the last digits however far

@@ -51,7 +51,7 @@ fn scene(mesh: Mesh, copies: u32) -> Scene {
     let node = |at: u32| {
         let place = DVec3::new(f64::from(at % 40), f64::from(at / 40), f64::from(at * 7 % 11));
         Node {
-            parent_from_node: DMat4::from_translation(4.0 * place),
+            parent_from_node: DMat4::from_translation(4.0 * place).into(),
             ..Node::root("ball", Some(MeshId(0)))
         }
     };

@@ -18,6 +18,7 @@ use crate::{Bounds, Mesh};
 use cut::Cut;
 use glam::{DMat4, DVec3};
 use measure::Measure;
+use std::sync::Arc;
 
 /// Where a maximum was found: a good place to begin the search for a similar one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +39,8 @@ pub(crate) struct Extremes<'a> {
 struct Object<'a> {
     mesh: &'a Mesh,
     tree: &'a PointTree,
-    target_from_mesh: DMat4,
+    /// Objects that follow one another in the same place share it.
+    target_from_mesh: Arc<DMat4>,
     /// The largest terms of its points' coordinates.
     magnitudes: DVec3,
     /// The largest coordinates of its points in the mesh.
@@ -51,7 +53,7 @@ impl<'a> Extremes<'a> {
     pub(crate) fn of_objects(
         objects: impl Iterator<Item = (&'a Mesh, &'a PointTree, DMat4)>,
     ) -> Self {
-        let most = objects.size_hint().1.unwrap_or_default();
+        let mut last: Option<Arc<DMat4>> = None;
         let drawn = objects.filter(|(_, tree, _)| tree.len() > 0);
         let objects = drawn.map(|(mesh, tree, target_from_mesh)| {
             let [low, high] = tree.bounds();
@@ -62,11 +64,17 @@ impl<'a> Extremes<'a> {
                 [0, 1, 2, 3].map(|column| target_from_mesh.col(column).truncate().abs());
             let magnitudes =
                 x * with_origin.x + y * with_origin.y + z * with_origin.z + translation;
-            Object { mesh, tree, target_from_mesh, magnitudes, largest }
+            let shared = last.take().filter(|last| **last == target_from_mesh);
+            let target_from_mesh = last.insert(shared.unwrap_or_else(|| target_from_mesh.into()));
+            Object {
+                mesh,
+                tree,
+                target_from_mesh: Arc::clone(target_from_mesh),
+                magnitudes,
+                largest,
+            }
         });
-        let mut all = Vec::with_capacity(most);
-        all.extend(objects);
-        Self { objects: all, single: Vec::new() }
+        Self { objects: objects.collect(), single: Vec::new() }
     }
 
     /// Points that are in the common space already.

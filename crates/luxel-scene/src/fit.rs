@@ -1,7 +1,7 @@
 //! A camera for a scene that brings none: the whole model in view, and clipping planes around it.
 
 use crate::extremes::{Along, Extremes, Place, Slope};
-use crate::{Bounds, Camera, Lens, Object, Projection, Scene, Size};
+use crate::{Bounds, Camera, Lens, Projection, Scene, Size};
 use glam::{DMat4, DQuat, DVec3};
 
 /// How much of the window the silhouette may take, across and down.
@@ -89,11 +89,9 @@ pub fn fit_view(scene: &Scene, viewpoint: &Viewpoint, lens: Lens, size: Size) ->
 pub fn fit_along(scene: &Scene, axes: [DVec3; 3], lens: Lens, size: Size) -> Camera {
     let picture_from_world = picture_from_world(axes);
     let objects = scene.objects();
-    let points = Extremes::of_objects(objects.iter().map(|object: &Object| {
-        let (mesh, tree) = scene.meshes.with_tree(object.mesh);
-        (mesh, tree, picture_from_world * object.world_from_mesh)
-    }));
-    fit(&points, &scene.bounds_of(&objects), &picture_from_world, lens, size)
+    let in_world = scene.bounds_of(&objects);
+    let points = scene.extremes(&objects, &|world_from_mesh| picture_from_world * *world_from_mesh);
+    fit(&points, &in_world, &picture_from_world, lens, size)
 }
 
 /// As [`fit_along`], for the corners of a box.

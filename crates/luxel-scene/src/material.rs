@@ -4,7 +4,8 @@ use crate::TextureId;
 use luxel_lighting::Material;
 use luxel_math::Lanes;
 
-/// A material: the constants of the equation, and the textures that modulate them.
+/// A material: the constants of the equation, and the textures that modulate them, which most of a file of
+/// very many materials lack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneMaterial {
     /// Its name.
@@ -20,21 +21,21 @@ pub struct SceneMaterial {
     /// Whether the mesh's vertex colours multiply O_d and the opacity.
     pub vertex_colors: bool,
     /// Times O_d; its alpha times the opacity (glTF base colour, MTL `map_Kd`).
-    pub base_color: Option<TextureUse>,
+    pub base_color: Option<Box<TextureUse>>,
     /// Metalness from blue, roughness from green.
-    pub metallic_roughness: Option<TextureUse>,
+    pub metallic_roughness: Option<Box<TextureUse>>,
     /// Normals in tangent space; `strength` scales x and y.
-    pub normal: Option<TextureUse>,
+    pub normal: Option<Box<TextureUse>>,
     /// Times the ambient and environment terms, from red; `strength` is how far it goes.
-    pub occlusion: Option<TextureUse>,
+    pub occlusion: Option<Box<TextureUse>>,
     /// Times the emission.
-    pub emission: Option<TextureUse>,
+    pub emission: Option<Box<TextureUse>>,
     /// Times O_s (MTL `map_Ks`).
-    pub specular: Option<TextureUse>,
+    pub specular: Option<Box<TextureUse>>,
     /// Times O_a (MTL `map_Ka`).
-    pub ambient: Option<TextureUse>,
+    pub ambient: Option<Box<TextureUse>>,
     /// Times the opacity, from red (MTL `map_d`).
-    pub opacity_map: Option<TextureUse>,
+    pub opacity_map: Option<Box<TextureUse>>,
 }
 
 /// How a material samples a texture.
@@ -136,6 +137,6 @@ impl SceneMaterial {
             &mut self.ambient,
             &mut self.opacity_map,
         ];
-        textures.into_iter().flatten()
+        textures.into_iter().flatten().map(Box::as_mut)
     }
 }

@@ -41,6 +41,27 @@ pub struct Mesh {
     pub points: Vec<Points>,
     /// Line segments.
     pub lines: Vec<Lines>,
+    /// Where each of several objects ends that share the mesh; empty if it is one object's.
+    ///
+    /// Small objects of a file share a mesh, so that each takes no more memory than its triangles: see
+    /// [`Joiner`](crate::Joiner). Such a mesh is shown whole, by nodes that follow one another in
+    /// one place, one for each section in their order. [`Scene::mesh_of`](crate::Scene::mesh_of) is an
+    /// object's own mesh, and [`Scene::separate`](crate::Scene::separate) gives each its own for good.
+    pub sections: Vec<Section>,
+}
+
+/// Where an object ends in a mesh that several share. It begins where the one before it ends.
+///
+/// No triangle of it uses positions or attribute vertices of another, and there are neither points nor
+/// lines.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Section {
+    /// The end of its triangles.
+    pub triangles: u32,
+    /// The end of its positions.
+    pub positions: u32,
+    /// The end of its attribute vertices.
+    pub attributes: u32,
 }
 
 /// A normal that is none, or not of unit length.
@@ -120,9 +141,7 @@ impl Mesh {
                 bounds.include(position);
             }
         }
-        let far_out = bounds.min.abs().max(bounds.max.abs()).max_element();
-        let extent = (bounds.max - bounds.min).max_element();
-        self.origin = if !bounds.is_empty() && far_out > 16.0 * extent {
+        self.origin = if !bounds.is_empty() && !bounds.is_near_zero() {
             (bounds.min + bounds.max) * 0.5
         } else {
             DVec3::ZERO
@@ -195,6 +214,13 @@ pub struct Bounds {
 impl Bounds {
     /// The bounds of nothing.
     pub const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+
+    /// Whether f32 about zero loses no more than a millionth of the extent.
+    pub(crate) fn is_near_zero(&self) -> bool {
+        let far_out = self.min.abs().max(self.max.abs()).max_element();
+        let extent = (self.max - self.min).max_element();
+        far_out <= 16.0 * extent
+    }
 
     /// Whether the bounds are empty.
     #[must_use]

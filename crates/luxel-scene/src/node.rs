@@ -1,6 +1,7 @@
 //! The tree of nodes, and the numbers by which things of a scene are named.
 
 use glam::DMat4;
+use std::sync::{Arc, LazyLock};
 
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident) => {
@@ -51,15 +52,34 @@ pub struct Node {
     /// The parent; its index may be higher or lower. Never part of a cycle.
     pub parent: Option<NodeId>,
     /// From this node's coordinates to its parent's (to the world's, for a root).
-    pub parent_from_node: DMat4,
+    ///
+    /// Nodes may share it: in files of many small objects all are in the same place.
+    pub parent_from_node: Arc<DMat4>,
     /// The mesh to draw.
     pub mesh: Option<MeshId>,
+    /// Which of the mesh's [sections](crate::Mesh::sections) it shows; 0 for a mesh without any.
+    pub section: u32,
 }
+
+/// The place of all nodes in world coordinates.
+static IDENTITY: LazyLock<Arc<DMat4>> = LazyLock::new(Arc::default);
 
 impl Node {
     /// A root in world coordinates.
     #[must_use]
     pub fn root(name: impl Into<String>, mesh: Option<MeshId>) -> Self {
-        Self { name: name.into(), parent: None, parent_from_node: DMat4::IDENTITY, mesh }
+        let parent_from_node = Arc::clone(&IDENTITY);
+        Self { name: name.into(), parent: None, parent_from_node, mesh, section: 0 }
+    }
+
+    /// The same node in another place.
+    #[must_use]
+    pub fn at(self, parent: Option<NodeId>, parent_from_node: DMat4) -> Self {
+        let parent_from_node = if parent_from_node == DMat4::IDENTITY {
+            Arc::clone(&IDENTITY)
+        } else {
+            Arc::new(parent_from_node)
+        };
+        Self { parent, parent_from_node, ..self }
     }
 }

@@ -98,7 +98,9 @@ impl Mesh {
     /// texture coordinates, colours and tangents are copied. A vertex without any sound face gets
     /// +Z. The result depends on nothing but the mesh and the options.
     pub fn compute_normals(&mut self, options: &NormalOptions) {
-        if options.source == NormalSource::File
+        if !self.sections.is_empty() {
+            self.change_sections(&mut |section| section.compute_normals(options));
+        } else if options.source == NormalSource::File
             && !self.normals.is_empty()
             && self.has_normals_at_all_corners()
         {

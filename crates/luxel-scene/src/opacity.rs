@@ -18,12 +18,12 @@ impl OpacityCorners {
     #[must_use]
     pub fn new(mesh: &Mesh, triangle: u32, material: &SceneMaterial) -> Self {
         let corners = mesh.attribute_corners()[triangle as usize].map(|corner| corner as usize);
-        let uvs = |used: Option<TextureUse>| {
+        let uvs = |used: Option<&TextureUse>| {
             let set = used.map(|used| &mesh.uvs[usize::from(used.uv_set & 1)]);
             corners.map(|corner| set.and_then(|set| set.get(corner)).copied().unwrap_or_default())
         };
-        let [[u0, v0], [u1, v1], [u2, v2]] = uvs(material.base_color);
-        let [[s0, t0], [s1, t1], [s2, t2]] = uvs(material.opacity_map);
+        let [[u0, v0], [u1, v1], [u2, v2]] = uvs(material.base_color.as_deref());
+        let [[s0, t0], [s1, t1], [s2, t2]] = uvs(material.opacity_map.as_deref());
         let colored = !mesh.colors.is_empty() && material.vertex_colors;
         let [a, b, c] =
             if colored { corners.map(|corner| mesh.colors[corner][3]) } else { [0.0; 3] };

@@ -105,9 +105,9 @@ mod tests {
 
     #[test]
     fn roughness_replaces_its_texture() {
-        let texture = Some(TextureUse::new(TextureId(0)));
+        let texture: Option<Box<_>> = Some(TextureUse::new(TextureId(0)).into());
         let mut material =
-            SceneMaterial { metallic_roughness: texture, ..SceneMaterial::default() };
+            SceneMaterial { metallic_roughness: texture.clone(), ..SceneMaterial::default() };
         Restyle::default().apply(&mut material);
         assert_eq!(material.metallic_roughness, texture);
         let mut restyle = Restyle::default();
@@ -126,8 +126,8 @@ mod tests {
     #[test]
     fn a_colour_replaces_textures_and_vertex_colours() {
         let mut material = SceneMaterial {
-            base_color: Some(TextureUse::new(TextureId(0))),
-            ambient: Some(TextureUse::new(TextureId(0))),
+            base_color: Some(TextureUse::new(TextureId(0)).into()),
+            ambient: Some(TextureUse::new(TextureId(0)).into()),
             ..SceneMaterial::default()
         };
         Restyle { color: Some([0.1, 0.2, 0.3]), ..Restyle::default() }.apply(&mut material);

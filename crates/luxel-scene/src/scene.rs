@@ -2,11 +2,14 @@
 
 use crate::extremes::Extremes;
 use crate::{
-    Bounds, EnvironmentChoice, MeshId, Meshes, Node, NodeId, SceneCamera, SceneLight,
+    Bounds, EnvironmentChoice, Mesh, MeshId, Meshes, Node, NodeId, SceneCamera, SceneLight,
     SceneMaterial, Texture,
 };
 use glam::{DMat4, DVec3};
 use luxel_lighting::Fog;
+use std::borrow::Cow;
+use std::ops::Range;
+use std::sync::Arc;
 
 /// Everything that can be drawn, lit and picked.
 ///
@@ -63,26 +66,56 @@ pub struct Object {
     pub node: NodeId,
     /// Its mesh.
     pub mesh: MeshId,
-    /// From the mesh's coordinates to the world's.
-    pub world_from_mesh: DMat4,
+    /// Which of the mesh's [sections](Mesh::sections) it is; 0 for a mesh without any.
+    pub section: u32,
+    /// From the mesh's coordinates to the world's. Objects that follow one another in the same place
+    /// share it.
+    pub world_from_mesh: Arc<DMat4>,
+}
+
+/// Runs of objects that are drawn as one: sections of one mesh in one place, in their order. All other
+/// objects are runs of their own.
+pub fn bodies(objects: &[Object]) -> impl Iterator<Item = Range<usize>> {
+    let continues = |a: &Object, b: &Object| {
+        a.mesh == b.mesh
+            && a.section < b.section
+            && Arc::ptr_eq(&a.world_from_mesh, &b.world_from_mesh)
+    };
+    let mut next = 0;
+    objects.chunk_by(continues).map(move |run| {
+        let first = next;
+        next += run.len();
+        first..next
+    })
 }
 
 impl Scene {
     /// The objects, in the order of their nodes.
     #[must_use]
     pub fn objects(&self) -> Vec<Object> {
-        let world = self.world_from_nodes();
-        let with_mesh = |(index, node): (usize, &Node)| {
-            node.mesh.map(|mesh| Object {
-                node: NodeId(index as u32),
-                mesh,
-                world_from_mesh: world[index],
-            })
-        };
+        let mut world = self.shared_world_from_nodes();
         let count = self.nodes.iter().filter(|node| node.mesh.is_some()).count();
         let mut objects = Vec::with_capacity(count);
-        objects.extend(self.nodes.iter().enumerate().filter_map(with_mesh));
+        for (index, node) in self.nodes.iter().enumerate() {
+            if let Some(mesh) = node.mesh {
+                objects.push(Object {
+                    node: NodeId(index as u32),
+                    mesh,
+                    section: node.section,
+                    world_from_mesh: std::mem::take(&mut world[index]).unwrap_or_default(),
+                });
+            }
+        }
         objects
+    }
+
+    /// The mesh of an object: the scene's own, or a copy of the object's section.
+    ///
+    /// # Panics
+    /// If the object is of another scene.
+    #[must_use]
+    pub fn mesh_of(&self, object: &Object) -> Cow<'_, Mesh> {
+        self.meshes[object.mesh.index()].section(object.section)
     }
 
     /// From a node's coordinates to the world's.
@@ -93,33 +126,42 @@ impl Scene {
     pub fn world_from_node(&self, node: NodeId) -> DMat4 {
         let parent = |&node: &NodeId| self.nodes[node.index()].parent;
         let chain: Vec<_> = std::iter::successors(Some(node), parent).collect();
-        let own = |node: &NodeId| self.nodes[node.index()].parent_from_node;
+        let own = |node: &NodeId| *self.nodes[node.index()].parent_from_node;
         chain.iter().rev().map(own).fold(DMat4::IDENTITY, |world, own| world * own)
     }
 
     /// From each node's coordinates to the world's.
     #[must_use]
     pub fn world_from_nodes(&self) -> Vec<DMat4> {
-        let mut world: Vec<Option<DMat4>> = vec![None; self.nodes.len()];
+        let shared = self.shared_world_from_nodes();
+        shared.into_iter().map(|world| world.as_deref().copied().unwrap_or_default()).collect()
+    }
+
+    /// From each node's coordinates to the world's. Nodes that follow one another in the same place
+    /// share one; there is one for each.
+    fn shared_world_from_nodes(&self) -> Vec<Option<Arc<DMat4>>> {
+        let mut world: Vec<Option<Arc<DMat4>>> = vec![None; self.nodes.len()];
+        let mut chain = Vec::new();
+        let mut last: Option<Arc<DMat4>> = None;
         for start in 0..self.nodes.len() {
             // Climb to the nearest ancestor whose place is known, then come down again.
-            let mut chain = Vec::new();
             let mut next = Some(start);
             let mut base = DMat4::IDENTITY;
             while let Some(index) = next {
-                if let Some(known) = world[index] {
-                    base = known;
+                if let Some(known) = &world[index] {
+                    base = **known;
                     break;
                 }
                 chain.push(index);
                 next = self.nodes[index].parent.map(NodeId::index);
             }
-            for index in chain.into_iter().rev() {
-                base *= self.nodes[index].parent_from_node;
-                world[index] = Some(base);
+            for index in chain.drain(..).rev() {
+                base *= *self.nodes[index].parent_from_node;
+                let shared = last.take().filter(|last| is_same(last, &base));
+                world[index] = Some(Arc::clone(last.insert(shared.unwrap_or_else(|| base.into()))));
             }
         }
-        world.into_iter().map(Option::unwrap_or_default).collect()
+        world
     }
 
     /// The names from the root down to a node.
@@ -142,25 +184,61 @@ impl Scene {
         self.bounds_of(&self.objects())
     }
 
+    /// The bounds of an object in world space; empty if it draws nothing.
+    ///
+    /// # Panics
+    /// If the object is of another scene.
+    #[must_use]
+    pub fn bounds_of_object(&self, object: &Object) -> Bounds {
+        let mesh = &self.meshes[object.mesh.index()];
+        if mesh.sections.is_empty() {
+            self.meshes.bounds_of(object.mesh, &object.world_from_mesh)
+        } else {
+            mesh.section(object.section).bounds(&object.world_from_mesh)
+        }
+    }
+
     /// The bounds of some objects in world space.
     pub(crate) fn bounds_of(&self, objects: &[Object]) -> Bounds {
-        let points = Extremes::of_objects(objects.iter().map(|object| {
-            let (mesh, tree) = self.meshes.with_tree(object.mesh);
-            (mesh, tree, object.world_from_mesh)
-        }));
-        points.bounds(&mut Default::default())
+        self.extremes(objects, &|world_from_mesh| *world_from_mesh).bounds(&mut Default::default())
+    }
+
+    /// The drawn points of objects in another space. Sections of one mesh in one place are taken
+    /// together.
+    pub(crate) fn extremes(
+        &self,
+        objects: &[Object],
+        target_from_mesh: &dyn Fn(&DMat4) -> DMat4,
+    ) -> Extremes<'_> {
+        let of_bodies = bodies(objects).map(|body| {
+            let Object { mesh, world_from_mesh, .. } = &objects[body.start];
+            let (mesh, tree) = self.meshes.with_tree(*mesh);
+            (mesh, tree, target_from_mesh(world_from_mesh))
+        });
+        Extremes::of_objects(of_bodies)
     }
 
     /// Whether there is nothing to draw.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.objects().iter().all(|object| self.meshes[object.mesh.index()].is_empty())
+        let is_empty =
+            |node: &Node| node.mesh.is_none_or(|mesh| self.meshes[mesh.index()].is_empty());
+        self.nodes.iter().all(is_empty)
     }
 
     /// The triangles of all objects, a mesh counted as often as it is shown.
     #[must_use]
     pub fn triangle_count(&self) -> u64 {
-        let of = |object: &Object| self.meshes[object.mesh.index()].triangles.len() as u64;
-        self.objects().iter().map(of).sum()
+        let of = |node: &Node| {
+            let mesh = &self.meshes[node.mesh?.index()];
+            Some(mesh.range_of(node.section).triangles.len() as u64)
+        };
+        self.nodes.iter().filter_map(of).sum()
     }
+}
+
+/// Whether two matrices have the same bits.
+fn is_same(a: &DMat4, b: &DMat4) -> bool {
+    let bits = |matrix: &DMat4| matrix.to_cols_array().map(f64::to_bits);
+    bits(a) == bits(b)
 }

@@ -21,9 +21,10 @@ impl Scene {
     /// normal map, over the texture coordinates of the first such map.
     pub fn compute_tangents(&mut self) {
         for mesh in &mut self.meshes {
-            let map = mesh.parts.iter().find_map(|part| {
-                self.materials.get(part.material.index()).and_then(|material| material.normal)
-            });
+            let map = mesh
+                .parts
+                .iter()
+                .find_map(|part| self.materials.get(part.material.index())?.normal.as_deref());
             if let (true, Some(map)) = (mesh.tangents.is_empty(), map) {
                 mesh.compute_tangents(usize::from(map.uv_set));
             }
@@ -38,6 +39,9 @@ impl Mesh {
     /// Does nothing without normals or such coordinates. Where a vertex has no triangle whose
     /// texture coordinates have an area, the tangent is some perpendicular.
     pub fn compute_tangents(&mut self, uv_set: usize) {
+        if !self.sections.is_empty() {
+            return self.change_sections(&mut |section| section.compute_tangents(uv_set));
+        }
         let Some(uvs) = self.uvs.get(uv_set) else { return };
         let corners = self.attribute_corners().as_flattened();
         let Some(&highest) = corners.iter().max() else { return };

@@ -1,13 +1,14 @@
 //! A scene before a camera: where its objects become instances, for frames and for picks alike.
 
-use crate::cluster::{Clusters, Instance, TooManyTriangles};
+use crate::cluster::{Clusters, Instance, TooManyTriangles, TriangleOf};
 use crate::frame::Frame;
 use crate::query::{InstanceSpace, Strokes, ViewFromLocal, strokes};
 use crate::types::{Coverage, CullFaces, PartUse, Samples};
 use glam::DMat4;
 use luxel_math::Level;
-use luxel_scene::{AlphaMode, Camera, Mesh, Object, Scene, SceneMaterial, Size};
+use luxel_scene::{AlphaMode, Camera, Mesh, Object, Scene, SceneMaterial, Size, bodies};
 use luxel_view::Cull;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// How surfaces cover what lies behind them, by the alpha mode of their materials.
@@ -63,13 +64,13 @@ impl SurfaceRules {
     }
 }
 
-/// An object's triangles, or its points and lines, before the camera.
+/// An object's triangles, or its points and lines, or the triangles of objects that share a mesh, before
+/// the camera.
 #[derive(Clone, Debug)]
 pub struct PlacedInstance {
-    /// The object, by its place in [`Scene::objects`].
-    pub object: usize,
-    /// The place in [`PlacedScene::strokes`] of the points and lines that it is; `None` for the object's
-    /// triangles.
+    /// The objects, by their places in [`Scene::objects`].
+    pub objects: Range<usize>,
+    /// The place in [`PlacedScene::strokes`] of the points and lines that it is; `None` for triangles.
     pub strokes: Option<usize>,
     /// How each part of the mesh is drawn.
     pub parts: Arc<[PartUse]>,
@@ -102,8 +103,8 @@ impl PlacedInstance {
     }
 }
 
-/// A scene before a camera: an instance for each object, then one for the points and lines of each
-/// object that has some.
+/// A scene before a camera: an instance for each object, or for all that share a mesh as its sections,
+/// then one for the points and lines of each object that has some.
 pub struct PlacedScene<'s> {
     scene: &'s Scene,
     objects: &'s [Object],
@@ -125,15 +126,16 @@ impl<'s> PlacedScene<'s> {
         rules: &SurfaceRules,
     ) -> Self {
         let strokes = strokes(scene, objects, camera, size);
-        let faces = objects.iter().enumerate().map(|(number, object)| {
+        let faces = bodies(objects).map(|body| {
+            let object = &objects[body.start];
             let mesh = &scene.meshes[object.mesh.index()];
             let mirrored = object.world_from_mesh.determinant() < 0.0;
             let part_use = |material: usize| rules.part_use(&scene.materials[material], mirrored);
-            let view_from_mesh = camera.view_from_world * object.world_from_mesh;
+            let view_from_mesh = camera.view_from_world * *object.world_from_mesh;
             let view_from_local = ViewFromLocal::new(&view_from_mesh, mesh.origin);
             let space = InstanceSpace::new(&object.world_from_mesh, view_from_local, camera);
             PlacedInstance {
-                object: number,
+                objects: body,
                 strokes: None,
                 parts: mesh.parts.iter().map(|part| part_use(part.material.index())).collect(),
                 place: Arc::new(InstancePlace { view_from_mesh, space }),
@@ -146,13 +148,13 @@ impl<'s> PlacedScene<'s> {
             let world_from_mesh = &objects[strokes.object].world_from_mesh;
             let space = InstanceSpace::new(world_from_mesh, view_from_local, camera);
             PlacedInstance {
-                object: strokes.object,
+                objects: strokes.object..strokes.object + 1,
                 strokes: Some(number),
                 parts: mesh.parts.iter().map(|_| part).collect(),
                 place: Arc::new(InstancePlace { view_from_mesh: DMat4::IDENTITY, space }),
             }
         });
-        let mut instances: Vec<PlacedInstance> = Vec::with_capacity(objects.len() + strokes.len());
+        let mut instances: Vec<PlacedInstance> = Vec::new();
         for instance in faces.chain(in_view) {
             let instance = instance.shared(instances.last());
             instances.push(instance);
@@ -201,8 +203,25 @@ impl<'s> PlacedScene<'s> {
     pub fn mesh(&self, instance: &PlacedInstance) -> &Mesh {
         match instance.strokes {
             Some(number) => &self.strokes[number].mesh,
-            None => &self.scene.meshes[self.objects[instance.object].mesh.index()],
+            None => &self.scene.meshes[self.objects[instance.objects.start].mesh.index()],
         }
+    }
+
+    /// The object of a triangle, and the triangle's number in it; `None` for points and lines.
+    ///
+    /// # Panics
+    /// If there is no such instance.
+    #[must_use]
+    pub fn object_of(&self, of: TriangleOf) -> (usize, Option<u32>) {
+        let instance = &self.instances[of.instance];
+        let first = instance.objects.start;
+        if instance.strokes.is_some() {
+            return (first, None);
+        }
+        let (section, triangle) = self.mesh(instance).section_of(of.triangle);
+        let before = |object: &Object| object.section < section;
+        let within = self.objects[instance.objects.clone()].partition_point(before);
+        (first + within, Some(triangle))
     }
 
     /// Culls and bins the instances, `clusters` those of the scene's meshes.
@@ -222,7 +241,7 @@ impl<'s> PlacedScene<'s> {
             mesh: self.mesh(instance),
             clusters: match instance.strokes {
                 Some(number) => &self.strokes[number].clusters,
-                None => &clusters[self.objects[instance.object].mesh.index()],
+                None => &clusters[self.objects[instance.objects.start].mesh.index()],
             },
             view_from_mesh: &instance.place.view_from_mesh,
             parts: Arc::clone(&instance.parts),

@@ -55,7 +55,7 @@ fn textured(scene: &Scene) -> Scene {
         mesh.uvs[0] = mesh.positions.iter().map(|[x, y, _]| [2.0 * x, 2.0 * y]).collect();
     }
     for material in &mut scene.materials {
-        material.base_color = Some(TextureUse::new(TextureId(0)));
+        material.base_color = Some(TextureUse::new(TextureId(0)).into());
     }
     scene
 }

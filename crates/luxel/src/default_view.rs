@@ -101,7 +101,7 @@ mod tests {
         let turned = DMat4::from_rotation_y(0.5) * DMat4::from_translation(DVec3::Z);
         for scale in [1.0, 20.0] {
             let parent_from_node = turned * DMat4::from_scale(DVec3::splat(scale));
-            scene.nodes.push(Node { parent_from_node, ..Node::root("camera", None) });
+            scene.nodes.push(Node::root("camera", None).at(None, parent_from_node));
         }
         let view = |node| {
             let camera = SceneCamera {

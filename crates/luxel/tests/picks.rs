@@ -187,12 +187,12 @@ fn awkward() -> Scene {
     .enumerate()
     {
         let mut node = Node::root(format!("node {number}"), Some(id));
-        node.parent_from_node = transform;
+        node.parent_from_node = transform.into();
         scene.nodes.push(node);
     }
     for node in &mut scene.nodes {
         if node.parent.is_none() {
-            node.parent_from_node = far * node.parent_from_node;
+            node.parent_from_node = (far * *node.parent_from_node).into();
         }
     }
     scene

@@ -179,7 +179,7 @@ fn closed(mut mesh: Mesh, scale: f64, offset: DVec3, in_file: bool) -> Scene {
         }
     } else {
         node.parent_from_node =
-            DMat4::from_translation(offset) * DMat4::from_scale(DVec3::splat(scale));
+            (DMat4::from_translation(offset) * DMat4::from_scale(DVec3::splat(scale))).into();
     }
     let mut scene = Scene::default();
     scene.meshes.push(mesh);

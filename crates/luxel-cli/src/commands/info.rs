@@ -60,22 +60,23 @@ impl InfoCommand {
 impl<'a> Survey<'a> {
     fn of(scene: &'a Scene) -> Self {
         let of_object = |object: Object| {
-            let bounds = scene.meshes.bounds_of(object.mesh, &object.world_from_mesh);
+            let bounds = scene.bounds_of_object(&object);
             (object, bounds)
         };
         let objects: Vec<_> = scene.objects().into_iter().map(of_object).collect();
         let bounds = objects.iter().fold(Bounds::EMPTY, |union, (_, bounds)| union.union(bounds));
-        let sum = |count: fn(&Mesh) -> usize| -> u64 {
-            objects.iter().map(|(object, _)| count(&scene.meshes[object.mesh.index()]) as u64).sum()
+        let sum = |count: fn(&Mesh, u32) -> usize| -> u64 {
+            let mesh = |object: &Object| &scene.meshes[object.mesh.index()];
+            objects.iter().map(|(object, _)| count(mesh(object), object.section) as u64).sum()
         };
-        let vertices = sum(|mesh| mesh.positions.len());
-        let points = sum(|mesh| mesh.points.iter().map(|points| points.indices.len()).sum());
-        let lines = sum(|mesh| mesh.lines.iter().map(|lines| lines.segments.len()).sum());
+        let vertices = sum(|mesh, section| mesh.range_of(section).positions.len());
+        let points = sum(|mesh, _| mesh.points.iter().map(|points| points.indices.len()).sum());
+        let lines = sum(|mesh, _| mesh.lines.iter().map(|lines| lines.segments.len()).sum());
         Self { scene, objects, bounds, vertices, points, lines }
     }
 
     fn triangles(&self, object: &Object) -> usize {
-        self.scene.meshes[object.mesh.index()].triangles.len()
+        self.scene.meshes[object.mesh.index()].range_of(object.section).triangles.len()
     }
 
     fn to_json(&self, model: &Model, camera: &Camera, frame: &FrameOptions) -> Value {
@@ -248,14 +249,14 @@ fn cone_to_json(cone: Cone) -> Value {
 fn material_to_json(material: &SceneMaterial) -> Value {
     let constants = &material.constants;
     let textures = [
-        ("base_color", material.base_color),
-        ("metallic_roughness", material.metallic_roughness),
-        ("normal", material.normal),
-        ("occlusion", material.occlusion),
-        ("emission", material.emission),
-        ("specular", material.specular),
-        ("ambient", material.ambient),
-        ("opacity", material.opacity_map),
+        ("base_color", &material.base_color),
+        ("metallic_roughness", &material.metallic_roughness),
+        ("normal", &material.normal),
+        ("occlusion", &material.occlusion),
+        ("emission", &material.emission),
+        ("specular", &material.specular),
+        ("ambient", &material.ambient),
+        ("opacity", &material.opacity_map),
     ];
     let used = textures.iter().filter(|(_, texture)| texture.is_some()).map(|(name, _)| *name);
     let mut value = json!({

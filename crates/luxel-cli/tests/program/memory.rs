@@ -43,3 +43,21 @@ fn hundreds_of_thousands_of_unused_materials_take_ten_times_their_file() {
     folder.write("one.obj", model);
     read_within_bounds(&folder, "one.obj", text.len() + model.len());
 }
+
+#[test]
+fn hundreds_of_thousands_of_groups_take_ten_times_their_file() {
+    let folder = Folder::new();
+    let mut shared = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    let mut own = String::new();
+    for number in 0..100_000 {
+        let _ = writeln!(shared, "g g{number}\nf 1 2 3");
+        let _ = writeln!(
+            own,
+            "v 0 0 {number}\nv 1 0 {number}\nv 0 1 {number}\ng g{number}\nf -3 -2 -1"
+        );
+    }
+    for (name, text) in [("shared.obj", shared), ("own.obj", own)] {
+        folder.write(name, &text);
+        read_within_bounds(&folder, name, text.len());
+    }
+}

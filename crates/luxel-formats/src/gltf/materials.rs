@@ -168,7 +168,7 @@ fn texture_use(
     pointer: &str,
     textures: &mut Textures<'_, '_>,
     warnings: &mut Warnings,
-) -> Result<Option<TextureUse>, Error> {
+) -> Result<Option<Box<TextureUse>>, Error> {
     let transform = reference.transform;
     let set = transform.and_then(|transform| transform.tex_coord).unwrap_or(reference.tex_coord);
     let texture = textures.get(reference.index, encoding, &|| pointer.to_owned(), warnings)?;
@@ -179,12 +179,13 @@ fn texture_use(
         return Ok(None);
     };
     let plain = |texture| TextureUse::new(texture).transform;
-    Ok(texture.map(|texture| TextureUse {
+    let used = texture.map(|texture| TextureUse {
         texture,
         uv_set,
         transform: transform.map_or_else(|| plain(texture), matrix),
         strength: reference.strength,
-    }))
+    });
+    Ok(used.map(Box::new))
 }
 
 /// Scale, then rotation (counter-clockwise in the image, whose v points down), then offset

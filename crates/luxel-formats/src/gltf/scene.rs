@@ -33,12 +33,9 @@ pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Sc
     // Nodes come first, so that instances don't shift their numbers.
     for shown in &tree.shown {
         let file_node = &document.nodes[shown.node as usize];
-        builder.scene.nodes.push(Node {
-            name: name(buffers, file_node, shown.node),
-            parent: shown.parent.map(NodeId),
-            parent_from_node: tree.parent_from_nodes[shown.node as usize],
-            mesh: None,
-        });
+        let parent_from_node = tree.parent_from_nodes[shown.node as usize];
+        let node = Node::root(name(buffers, file_node, shown.node), None);
+        builder.scene.nodes.push(node.at(shown.parent.map(NodeId), parent_from_node));
     }
     for (place, shown) in tree.shown.iter().enumerate() {
         builder.fill(NodeId(place as u32), shown.node)?;
@@ -197,11 +194,9 @@ impl Builder<'_, '_> {
     /// Instances of a mesh below a node, one per transform.
     fn add_instances(&mut self, parent: NodeId, mesh: MeshId, places: &[DMat4]) {
         let name = self.scene.nodes[parent.index()].name.clone();
-        let nodes = places.iter().enumerate().map(|(number, &parent_from_node)| Node {
-            name: format!("{name}_{number}"),
-            parent: Some(parent),
-            parent_from_node,
-            mesh: Some(mesh),
+        let nodes = places.iter().enumerate().map(|(number, &parent_from_node)| {
+            let name = format!("{name}_{number}");
+            Node::root(name, Some(mesh)).at(Some(parent), parent_from_node)
         });
         self.scene.nodes.extend(nodes);
     }

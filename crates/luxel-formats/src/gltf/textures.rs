@@ -88,7 +88,7 @@ impl<'b, 'd> Textures<'b, 'd> {
             let parts =
                 [&mut material.metallic_roughness, &mut material.normal, &mut material.occlusion];
             for part in parts {
-                let is_lost = |usage: &mut TextureUse| {
+                let is_lost = |usage: &mut Box<TextureUse>| {
                     let (image, _) = self.textures[usage.texture.index()];
                     failed[image]
                 };

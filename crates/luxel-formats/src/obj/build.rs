@@ -5,9 +5,7 @@ use super::materials::Materials;
 use crate::text::shown;
 use crate::warnings::{Warnings, warn_of_faces_left_out};
 use crate::weld::Welder;
-use luxel_scene::{
-    Lines, MaterialId, Mesh, MeshId, Node, NormalFault, Part, Points, Scene, triangulate,
-};
+use luxel_scene::{Joiner, Lines, MaterialId, Mesh, NormalFault, Part, Points, Scene, triangulate};
 use std::ops::Range;
 
 /// Groups the elements into objects; drops objects without elements.
@@ -27,16 +25,14 @@ pub(super) fn objects(
         too_small: 0,
     };
     let ranges = ranges(document);
-    scene.nodes.reserve_exact(ranges.len());
-    scene.meshes.reserve_exact(ranges.len());
+    let mut joiner = Joiner::new(ranges.len());
     for (name, elements) in ranges {
         let name = if name.is_empty() { stem.to_owned() } else { shown(name) };
         if let Some(mesh) = builder.mesh(elements, &name, materials, warnings) {
-            let id = MeshId(scene.meshes.len() as u32);
-            scene.nodes.push(Node::root(name, Some(id)));
-            scene.meshes.push(mesh);
+            joiner.push(name, mesh);
         }
     }
+    joiner.finish(scene);
     warn_of_faces_left_out(builder.left_out, warnings);
     if builder.too_small > 0 {
         let count = builder.too_small;
@@ -165,6 +161,8 @@ impl Builder<'_> {
         mesh.smoothing_groups =
             document.has_smoothing.then(|| std::mem::take(&mut object.smoothing));
         set_attributes(&mut mesh, document, &object, name, warnings);
+        // Materials may take as much again.
+        object.corners = Vec::new();
         set_materials(&mut mesh, &object, materials, warnings);
         Some(mesh)
     }

@@ -77,6 +77,17 @@ impl Document<'_> {
             + (self.beginnings.len() + self.materials.len() + self.libraries.len()) as u64 * 400
     }
 
+    /// Gives back what joining blocks has reserved, up to half of it: meshes are built beside it.
+    pub(super) fn shrink(&mut self) {
+        self.positions.shrink_to_fit();
+        self.uvs.shrink_to_fit();
+        self.normals.shrink_to_fit();
+        self.corners.shrink_to_fit();
+        self.elements.shrink_to_fit();
+        self.beginnings.shrink_to_fit();
+        self.materials.shrink_to_fit();
+    }
+
     /// Makes points of all vertices, if there are no elements.
     pub(super) fn show_bare_vertices(&mut self) {
         if !self.elements.is_empty() {

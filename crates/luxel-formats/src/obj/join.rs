@@ -172,7 +172,8 @@ impl<'a> Joined<'a> {
     }
 
     fn finish(self, limits: &Limits, warnings: &mut Warnings) -> Result<Document<'a>, Error> {
-        let document = self.document;
+        let mut document = self.document;
+        document.shrink();
         for (kind, (count, (number, line))) in
             document.counts().into_iter().zip(self.highest).enumerate()
         {

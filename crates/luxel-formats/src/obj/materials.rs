@@ -13,7 +13,7 @@
 //! - A diffuse texture with alpha, or a `map_d`, makes holes if its alpha is all but black and
 //!   white, and blends otherwise.
 
-use super::mtl::{self, Definition, Map};
+use super::mtl::{self, Definition, Map, Maps};
 use crate::image;
 use crate::memory::Memory;
 use crate::text::shown;
@@ -35,13 +35,14 @@ const BYTES_PER_TEXEL: u64 = 6;
 pub(super) struct Materials<'a> {
     folder: Option<&'a Path>,
     memory: Memory<'a>,
-    names: Vec<&'a [u8]>,
-    definitions: HashMap<&'a [u8], Box<Definition>>,
+    /// By the file's number: names, and definitions that aren't built yet.
+    names: &'a [&'a [u8]],
+    definitions: Vec<Option<Definition>>,
     pub(super) list: Vec<SceneMaterial>,
     pub(super) textures: Vec<Texture>,
-    /// Built materials, by the file's number; undefined ones also by whether they are
-    /// for vertices with colours.
-    made: HashMap<(u32, bool), MaterialId>,
+    /// Built materials, by the file's number and by whether they are for vertices with colours; last that
+    /// of elements without one.
+    made: Vec<[Option<MaterialId>; 2]>,
     loaded: HashMap<(String, Use, bool), TextureId>,
 }
 
@@ -57,20 +58,21 @@ impl<'a> Materials<'a> {
     /// Reads the libraries; `names` are the materials by the file's numbers.
     pub(super) fn read(
         libraries: &[&[u8]],
-        names: &[&'a [u8]],
+        names: &'a [&'a [u8]],
         folder: Option<&'a Path>,
         limits: &'a Limits,
         warnings: &mut Warnings,
     ) -> Self {
-        let mut definitions = HashMap::new();
-        let used: HashSet<&[u8]> = names.iter().copied().collect();
+        let mut definitions = Vec::new();
+        definitions.resize_with(names.len(), || None);
+        let numbers: HashMap<&[u8], usize> = names.iter().copied().zip(0..).collect();
         let mut files = Libraries { folder, memory: Memory::new(limits), seen: HashSet::new() };
         for line in libraries {
             for (name, bytes) in files.of_line(line, warnings) {
-                mtl::read(&bytes, &name, warnings, &mut |definition| {
+                mtl::read(&bytes, &name, warnings, &mut |name, definition| {
                     // The first definition wins: libraries are searched in order.
-                    if let Some(&name) = used.get(definition.name.as_slice()) {
-                        definitions.entry(name).or_insert_with(|| Box::new(definition));
+                    if let Some(&number) = numbers.get(name) {
+                        definitions[number].get_or_insert(definition);
                     }
                 });
             }
@@ -78,11 +80,11 @@ impl<'a> Materials<'a> {
         Self {
             folder,
             memory: files.memory,
-            names: names.to_vec(),
+            names,
             definitions,
             list: Vec::new(),
             textures: Vec::new(),
-            made: HashMap::new(),
+            made: vec![[None; 2]; names.len() + 1],
             loaded: HashMap::new(),
         }
     }
@@ -94,13 +96,14 @@ impl<'a> Materials<'a> {
         is_colored: bool,
         warnings: &mut Warnings,
     ) -> MaterialId {
-        if let Some(&made) = self.made.get(&(number, is_colored)) {
+        let number = (number as usize).min(self.names.len());
+        if let Some(made) = self.made[number][usize::from(is_colored)] {
             return made;
         }
-        let name = self.names.get(number as usize).copied();
-        let definition = name.and_then(|name| self.definitions.remove(name));
+        let name = self.names.get(number).copied();
+        let definition = self.definitions.get_mut(number).and_then(Option::take);
         let mut material = match (&definition, name) {
-            (Some(definition), _) => self.make(definition, warnings),
+            (Some(definition), _) => self.make(definition, number, warnings),
             (None, name) => {
                 if let Some(name) = name {
                     let name = shown(name);
@@ -119,28 +122,36 @@ impl<'a> Materials<'a> {
         }
         let id = MaterialId(self.list.len() as u32);
         self.list.push(material);
-        self.made.insert((number, is_colored), id);
+        let made = &mut self.made[number];
+        made[usize::from(is_colored)] = Some(id);
         if definition.is_some() {
-            self.made.insert((number, !is_colored), id);
+            *made = [Some(id); 2];
         }
         id
     }
 
-    fn make(&mut self, definition: &Definition, warnings: &mut Warnings) -> SceneMaterial {
+    fn make(
+        &mut self,
+        definition: &Definition,
+        number: usize,
+        warnings: &mut Warnings,
+    ) -> SceneMaterial {
+        let none = Maps::default();
+        let maps = definition.maps.as_deref().unwrap_or(&none);
         let mut material = SceneMaterial::default();
         let constants = &mut material.constants;
-        let or_white = |color: Option<[f32; 3]>, map: &Option<Box<Map>>| {
+        let or_white = |color: Option<[f32; 3]>, map: &Option<Map>| {
             color.or_else(|| map.as_ref().map(|_| [1.0; 3]))
         };
-        if let Some(diffuse) = or_white(definition.diffuse, &definition.diffuse_map) {
+        if let Some(diffuse) = or_white(definition.diffuse, &maps.diffuse) {
             constants.diffuse = diffuse;
         }
-        constants.ambient = or_white(definition.ambient, &definition.ambient_map);
-        if let Some(specular) = or_white(definition.specular, &definition.specular_map) {
+        constants.ambient = or_white(definition.ambient, &maps.ambient);
+        if let Some(specular) = or_white(definition.specular, &maps.specular) {
             constants.specular = specular;
             constants.k_s = 1.0;
         }
-        if let Some(emission) = or_white(definition.emission, &definition.emission_map) {
+        if let Some(emission) = or_white(definition.emission, &maps.emission) {
             constants.emission = emission;
         }
         if let Some(shininess) = definition.shininess {
@@ -160,34 +171,35 @@ impl<'a> Materials<'a> {
         if material.opacity < 1.0 {
             material.alpha_mode = AlphaMode::Blend;
         }
-        self.set_maps(definition, &mut material, warnings);
+        self.set_maps(maps, number, &mut material, warnings);
+        if maps.ambient.is_none() && definition.ambient.is_some() {
+            material.ambient.clone_from(&material.base_color);
+        }
         material
     }
 
     fn set_maps(
         &mut self,
-        definition: &Definition,
+        maps: &Maps,
+        number: usize,
         material: &mut SceneMaterial,
         warnings: &mut Warnings,
     ) {
-        let mut get = |map: &Option<Box<Map>>, used: Use| {
-            map.as_ref().map(|map| self.texture(map, used, warnings))
+        let mut get = |map: &Option<Map>, used: Use| {
+            map.as_ref().map(|map| Box::new(self.texture(map, used, warnings)))
         };
-        material.base_color = get(&definition.diffuse_map, Use::Color);
-        material.specular = get(&definition.specular_map, Use::Color);
-        material.emission = get(&definition.emission_map, Use::Color);
-        material.opacity_map = get(&definition.opacity_map, Use::Opacity);
-        material.normal = get(&definition.normal_map, Use::Normal);
-        material.ambient = get(&definition.ambient_map, Use::Color);
-        let bump = get(&definition.bump_map, Use::Normal);
-        if definition.ambient_map.is_none() && definition.ambient.is_some() {
-            material.ambient = material.base_color;
-        }
+        material.base_color = get(&maps.diffuse, Use::Color);
+        material.specular = get(&maps.specular, Use::Color);
+        material.emission = get(&maps.emission, Use::Color);
+        material.opacity_map = get(&maps.opacity, Use::Opacity);
+        material.normal = get(&maps.normal, Use::Normal);
+        material.ambient = get(&maps.ambient, Use::Color);
+        let bump = get(&maps.bump, Use::Normal);
         if let Some(bump) = bump.filter(|_| material.normal.is_none()) {
-            if is_normal_map(self.level(bump)) {
+            if is_normal_map(self.level(&bump)) {
                 material.normal = Some(bump);
             } else {
-                let name = shown(&definition.name);
+                let name = self.names.get(number).map(|name| shown(name)).unwrap_or_default();
                 warnings.push(format!(
                     "material `{name}`: bump maps of heights are ignored: use a normal map (`norm`)"
                 ));
@@ -195,8 +207,8 @@ impl<'a> Materials<'a> {
         }
         let alpha = |texel: &[u8; 4]| texel[3];
         let red = |texel: &[u8; 4]| texel[0];
-        let of_color = material.base_color.map(|used| alpha_mode(self.level(used), alpha));
-        let of_map = material.opacity_map.map(|used| alpha_mode(self.level(used), red));
+        let of_color = material.base_color.as_ref().map(|used| alpha_mode(self.level(used), alpha));
+        let of_map = material.opacity_map.as_ref().map(|used| alpha_mode(self.level(used), red));
         for mode in [of_color, of_map].into_iter().flatten() {
             material.alpha_mode = match (material.alpha_mode, mode) {
                 (AlphaMode::Blend, _) | (_, AlphaMode::Opaque) => material.alpha_mode,
@@ -205,7 +217,7 @@ impl<'a> Materials<'a> {
         }
     }
 
-    fn level(&self, used: TextureUse) -> &[[u8; 4]] {
+    fn level(&self, used: &TextureUse) -> &[[u8; 4]] {
         let texture = self.textures.get(used.texture.index());
         texture.and_then(|texture| texture.image.levels.first()).map_or(&[], |level| &level.texels)
     }

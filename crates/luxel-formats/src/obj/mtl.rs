@@ -4,10 +4,9 @@ use super::lines::Lines;
 use crate::text::{Words, integer, shown, single};
 use crate::warnings::Warnings;
 
-/// A material as written; missing statements are `None`.
+/// A material as written; missing statements are `None`. It is small: libraries may have millions.
 #[derive(Debug, Default)]
 pub(super) struct Definition {
-    pub(super) name: Vec<u8>,
     pub(super) ambient: Option<[f32; 3]>,
     pub(super) diffuse: Option<[f32; 3]>,
     pub(super) specular: Option<[f32; 3]>,
@@ -17,16 +16,24 @@ pub(super) struct Definition {
     pub(super) opacity: Option<f32>,
     /// `Tr`
     pub(super) transparency: Option<f32>,
-    pub(super) illumination: Option<i64>,
-    pub(super) ambient_map: Option<Box<Map>>,
-    pub(super) diffuse_map: Option<Box<Map>>,
-    pub(super) specular_map: Option<Box<Map>>,
-    pub(super) emission_map: Option<Box<Map>>,
-    pub(super) opacity_map: Option<Box<Map>>,
+    /// From -1 to 2; numbers beyond are like these.
+    pub(super) illumination: Option<i8>,
+    /// `None` without any.
+    pub(super) maps: Option<Box<Maps>>,
+}
+
+/// The textures of a material.
+#[derive(Debug, Default)]
+pub(super) struct Maps {
+    pub(super) ambient: Option<Map>,
+    pub(super) diffuse: Option<Map>,
+    pub(super) specular: Option<Map>,
+    pub(super) emission: Option<Map>,
+    pub(super) opacity: Option<Map>,
     /// `map_Bump` or `bump`: heights, though many files put normal maps here.
-    pub(super) bump_map: Option<Box<Map>>,
+    pub(super) bump: Option<Map>,
     /// `norm`
-    pub(super) normal_map: Option<Box<Map>>,
+    pub(super) normal: Option<Map>,
 }
 
 /// A texture with its options.
@@ -44,24 +51,25 @@ pub(super) struct Map {
     pub(super) strength: f32,
 }
 
-/// Reads a library: `put` gets its materials in order. Invalid statements are ignored, with a warning.
+/// Reads a library: `put` gets its materials with their names, in order. Invalid statements are ignored,
+/// with a warning.
 pub(super) fn read(
     bytes: &[u8],
     file: &str,
     warnings: &mut Warnings,
-    put: &mut dyn FnMut(Definition),
+    put: &mut dyn FnMut(&[u8], Definition),
 ) {
-    let mut current: Option<Definition> = None;
+    let mut current: Option<(Vec<u8>, Definition)> = None;
     let mut lines = Lines::new(bytes);
     while let Some(line) = lines.next() {
         let mut words = Words::new(&line);
         let Some(keyword) = words.next() else { continue };
         if keyword == b"newmtl" {
             let name = words.rest().to_vec();
-            if let Some(before) = current.replace(Definition { name, ..Definition::default() }) {
-                put(before);
+            if let Some((name, before)) = current.replace((name, Definition::default())) {
+                put(&name, before);
             }
-        } else if let Some(definition) = &mut current
+        } else if let Some((_, definition)) = &mut current
             && !definition.statement(keyword, words.clone())
         {
             let line = lines.number;
@@ -72,8 +80,8 @@ pub(super) fn read(
             ));
         }
     }
-    if let Some(last) = current {
-        put(last);
+    if let Some((name, last)) = current {
+        put(&name, last);
     }
 }
 
@@ -94,17 +102,24 @@ impl Definition {
             b"ns" => set(&mut self.shininess, value(words)),
             b"d" => set(&mut self.opacity, value(words)),
             b"tr" => set(&mut self.transparency, value(words)),
-            b"illum" => set(&mut self.illumination, words.clone().next().and_then(integer)),
-            b"map_ka" => set(&mut self.ambient_map, map(words)),
-            b"map_kd" => set(&mut self.diffuse_map, map(words)),
-            b"map_ks" => set(&mut self.specular_map, map(words)),
-            b"map_ke" => set(&mut self.emission_map, map(words)),
-            b"map_d" => set(&mut self.opacity_map, map(words)),
-            b"map_bump" | b"bump" => set(&mut self.bump_map, map(words)),
-            b"norm" | b"map_kn" => set(&mut self.normal_map, map(words)),
+            b"illum" => {
+                let number = words.clone().next().and_then(integer);
+                set(&mut self.illumination, number.map(|number| number.clamp(-1, 2) as i8))
+            }
+            b"map_ka" => set(&mut self.maps().ambient, map(words)),
+            b"map_kd" => set(&mut self.maps().diffuse, map(words)),
+            b"map_ks" => set(&mut self.maps().specular, map(words)),
+            b"map_ke" => set(&mut self.maps().emission, map(words)),
+            b"map_d" => set(&mut self.maps().opacity, map(words)),
+            b"map_bump" | b"bump" => set(&mut self.maps().bump, map(words)),
+            b"norm" | b"map_kn" => set(&mut self.maps().normal, map(words)),
             // Transmission, refraction, reflection maps, and extensions of other programs.
             _ => true,
         }
+    }
+
+    fn maps(&mut self) -> &mut Maps {
+        self.maps.get_or_insert_default()
     }
 }
 
@@ -125,7 +140,7 @@ fn value(words: Words<'_>) -> Option<f32> {
 }
 
 /// Options, then a file name that may have spaces.
-fn map(mut words: Words<'_>) -> Option<Box<Map>> {
+fn map(mut words: Words<'_>) -> Option<Map> {
     let mut map =
         Map { name: String::new(), scale: [1.0; 2], offset: [0.0; 2], clamp: false, strength: 1.0 };
     loop {
@@ -149,7 +164,7 @@ fn map(mut words: Words<'_>) -> Option<Box<Map>> {
         words = ahead;
     }
     map.name = String::from_utf8_lossy(words.rest()).into_owned();
-    Some(Box::new(map))
+    Some(map)
 }
 
 /// One to three numbers, of which two count; missing ones keep their defaults.

@@ -1,8 +1,9 @@
 use super::*;
 use crate::{ErrorKind, Place};
 use luxel_lighting::Reflection;
-use luxel_scene::{AlphaMode, Mesh};
+use luxel_scene::{AlphaMode, MaterialId, Mesh};
 use proptest::prelude::*;
+use std::fmt::Write;
 
 fn load(text: &str) -> Result<Loaded, Error> {
     read(text.as_bytes(), "stem", None, &Limits::default())
@@ -206,10 +207,10 @@ fn textures_are_found_with_spaces_options_and_backslashes() {
     let loaded = folder.load(&quad("mtllib none.mtl m.mtl\nusemtl a\nf 1 2 3\n"));
     assert_eq!(loaded.warnings.len(), 1, "{:?}", loaded.warnings);
     let material = &loaded.scene.materials[0];
-    let used = material.base_color.unwrap();
+    let used = material.base_color.as_ref().unwrap();
     // v up: 3 v + 0.25; v down: 1 - (3 (1 - v) + 0.25) = 3 v - 2.25.
     assert_eq!(used.transform, [2.0, 0.0, 0.5, 0.0, 3.0, -2.25]);
-    assert_eq!(material.ambient, Some(used));
+    assert_eq!(material.ambient.as_ref(), Some(used));
     assert_eq!(material.constants.diffuse, [1.0; 3]);
     assert_eq!(material.alpha_mode, AlphaMode::Mask { cutoff: 0.5 });
     assert_eq!(loaded.scene.textures[0].image.levels[0].width, 2);
@@ -281,7 +282,7 @@ proptest! {
     ) {
         let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n{}", words.join(" "));
         let _ = load(&text);
-        mtl::read(text.replace("v 0", "newmtl").as_bytes(), "x.mtl", &mut Warnings::default(), &mut |_| {});
+        mtl::read(text.replace("v 0", "newmtl").as_bytes(), "x.mtl", &mut Warnings::default(), &mut |_, _| {});
     }
 }
 
@@ -323,4 +324,31 @@ fn a_library_is_read_once_however_often_it_is_named() {
     assert_eq!(loaded.scene.materials[0].constants.diffuse, [1.0, 0.0, 0.0]);
     // One for each line of the library that isn't valid.
     assert!(loaded.warnings.len() <= 3, "{:?}", loaded.warnings);
+}
+
+#[test]
+fn a_thousand_small_groups_share_a_mesh_and_stay_objects() {
+    // Triangles, quads with texture coordinates, and a group far from the world's origin.
+    let mut text = quad("v 1e6 0 0\nv 1000001 0 0\nv 1e6 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n");
+    let elements =
+        ["f 1 2 3", "f 2 3 4 1", "f 1/1 2/2 3/3", "f 5 6 7", "usemtl red\nf 1 3 4", "l 1 2"];
+    for number in 0..1000 {
+        let block = 20 * elements.len();
+        let _ = writeln!(text, "g part{number}\n{}", elements[number % block / 20]);
+    }
+    let joined = scene(&text);
+    assert!(joined.meshes.len() < 200, "{}", joined.meshes.len());
+    let names: Vec<_> = (0..1000).map(|number| format!("part{number}")).collect();
+    assert_eq!(names, self::names(&joined));
+    for (number, object) in joined.objects().iter().enumerate() {
+        let element = elements[number % (20 * elements.len()) / 20];
+        let head = text.split("g part").next().unwrap();
+        let mut alone = scene(&format!("{head}{element}")).meshes.remove(0);
+        let mut mesh = joined.mesh_of(object).into_owned();
+        // Materials are numbered by their first use in the file.
+        mesh.parts.iter_mut().for_each(|part| part.material = MaterialId(0));
+        alone.parts.iter_mut().for_each(|part| part.material = MaterialId(0));
+        mesh.lines.iter_mut().for_each(|lines| lines.material = MaterialId(0));
+        assert_eq!(mesh, alone, "{number}");
+    }
 }

@@ -189,6 +189,7 @@ fn dress(
     changes: &[Named],
     memory: &Memory<'_>,
 ) -> Result<(), Error> {
+    scene.separate();
     // From a material and its changes, in order, to the resulting material.
     let mut dressed: HashMap<(u32, Vec<usize>), MaterialId> = HashMap::new();
     let originals = scene.materials.clone();

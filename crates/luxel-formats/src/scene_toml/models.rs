@@ -176,7 +176,7 @@ impl Models {
         let stem = stem.strip_prefix("demo:").unwrap_or(&stem);
         let name = table.text("name")?.unwrap_or(stem).to_owned();
         let parent_from_node = transform(table)?;
-        self.scene.nodes.push(Node { name: name.clone(), parent, parent_from_node, mesh: None });
+        self.scene.nodes.push(Node::root(name.clone(), None).at(parent, parent_from_node));
         let moved = |id: NodeId| NodeId(id.0 + root as u32 + 1);
         for node in &source.nodes {
             self.scene.nodes.push(Node {

@@ -134,7 +134,7 @@ fn each_model_gets_its_own_node_in_order() {
     let small = scene.path(objects[4].node);
     assert_eq!(small, ["teapot", "teapot", "lid", "small", "teapot", "body"]);
     assert_eq!(objects[0].mesh, objects[4].mesh, "a model used twice is read once");
-    let placed = objects[4].world_from_mesh * objects[0].world_from_mesh.inverse();
+    let placed = *objects[4].world_from_mesh * objects[0].world_from_mesh.inverse();
     // Scale, then rotate, then translate: (1, 0, 0) becomes (0, 0.5, 0), then moves.
     let at = placed.transform_point3(DVec3::X);
     assert!(at.abs_diff_eq(DVec3::new(1.0, 2.5, 3.0), 1e-12), "{at}");

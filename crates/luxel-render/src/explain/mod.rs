@@ -242,7 +242,7 @@ impl PixelScene<'_> {
             let [r, g, b, alpha] = scene.background;
             return Seen::Background { color: [r, g, b], alpha };
         };
-        let object = scene.object(of.instance);
+        let (object, triangle) = scene.placed.object_of(of);
         let mesh = scene.frame.instances()[of.instance].mesh;
         let material = &scene.scene.materials[mesh.parts[of.part].material.index()];
         let mut reflectance =
@@ -257,8 +257,7 @@ impl PixelScene<'_> {
         Seen::Surface(Box::new(ExplainedSurface {
             object,
             name: scene.scene.nodes[node.index()].name.clone(),
-            // Points and lines come after the objects' own instances and have no triangles.
-            triangle: (object == of.instance).then_some(of.triangle),
+            triangle,
             barycentric: lit.barycentric,
             texture: lit.texture,
             position: std::array::from_fn(|axis| eye[axis] + f64::from(position[axis])),

@@ -96,11 +96,10 @@ impl Renderer {
                     let [_, second, third] = weights.map(f64::from);
                     let in_view = a + (b - a) * second + (c - a) * third;
                     let z = -in_view.z;
-                    let object = scene.object(of.instance);
+                    let (object, triangle) = scene.placed.object_of(of);
                     Some(SurfaceBelow {
                         object,
-                        // Points and lines come after the objects' own instances and have no triangles.
-                        triangle: (object == of.instance).then_some(of.triangle),
+                        triangle,
                         position: (scene.space(of.instance).world_from_view * in_view + eye)
                             .to_array(),
                         z,
@@ -155,7 +154,7 @@ impl Renderer {
                         let better =
                             if nearest.is_none() { squared <= known } else { squared < known };
                         if better && at[0] < width && at[1] < height {
-                            let object = scene.object(of.instance);
+                            let (object, _) = scene.placed.object_of(of);
                             let distance = (squared as f64).sqrt();
                             nearest =
                                 Some((squared, NearestObject { object, pixel: at, distance }));

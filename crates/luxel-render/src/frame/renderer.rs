@@ -22,7 +22,8 @@ use luxel_rays::{Quality, SceneRays, TooManyForTree};
 use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{
-    Clusters, CoveragePolicy, Frame, Frames, Holes, PlacedScene, Samples, Tile, ViewRays,
+    Clusters, CoveragePolicy, Frame, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile,
+    ViewRays,
 };
 use rayon::prelude::*;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -90,7 +91,12 @@ impl Renderer {
 
     /// Draws only some of the scene's objects from now on, by their places in [`Scene::objects`]. Their
     /// order stays, and layers number those that are left.
+    ///
+    /// Objects that share a mesh get meshes of their own first, in a copy of the scene.
     pub fn draw_only(&mut self, is_drawn: impl Fn(usize) -> bool) {
+        if self.scene.has_sections() {
+            self.separate();
+        }
         let objects = self.scene.objects().into_iter().enumerate();
         self.objects = objects.filter(|(at, _)| is_drawn(*at)).map(|(_, object)| object).collect();
         self.rays = OnceLock::new();
@@ -276,8 +282,11 @@ impl Renderer {
                 Vec::new()
             };
             let mut edge_flags: Vec<Option<&EdgeFlags>> = vec![None; placed.instances().len()];
-            for (flags, object) in edge_flags.iter_mut().zip(&self.objects) {
-                *flags = flags_of_meshes.get(object.mesh.index());
+            for (flags, instance) in edge_flags.iter_mut().zip(placed.instances()) {
+                if instance.strokes.is_none() {
+                    let mesh = self.objects[instance.objects.start].mesh;
+                    *flags = flags_of_meshes.get(mesh.index());
+                }
             }
             let ambient = frame_setup::ambient(view);
             let fog = view.fog.as_ref();
@@ -303,7 +312,7 @@ impl Renderer {
             let needs_positions = heard.positions
                 || view.fog.is_some()
                 || lights.iter().any(|light| light.light().kind.has_place());
-            let polygons = self.polygons(view, placed.instances().len());
+            let polygons = self.polygons(view, placed.instances());
             let subdivided = Mutex::default();
             let scene = ShadingContext {
                 scene: &self.scene,
@@ -383,16 +392,16 @@ impl Renderer {
     }
 
     /// The polygons of each instance's mesh, if shading takes them whole.
-    fn polygons(&self, view: &View, instances: usize) -> Vec<Option<&Polygons>> {
+    fn polygons(&self, view: &View, instances: &[PlacedInstance]) -> Vec<Option<&Polygons>> {
         let Shading { mode, interpolation, .. } = view.shading;
         let whole = mode == ShadingMode::Flat || interpolation == Interpolation::Scanline;
-        let mut polygons = vec![None; instances];
-        for (place, object) in polygons.iter_mut().zip(&self.objects).filter(|_| whole) {
-            let mesh = object.mesh.index();
+        let of = |instance: &PlacedInstance| {
+            let mesh = self.objects[instance.objects.start].mesh.index();
             let made = || Box::new(Polygons::new(&self.scene.meshes[mesh]));
-            *place = Some(&**self.polygons_of_meshes[mesh].get_or_init(made));
-        }
-        polygons
+            let is_whole = whole && instance.strokes.is_none();
+            is_whole.then(|| &**self.polygons_of_meshes[mesh].get_or_init(made))
+        };
+        instances.iter().map(of).collect()
     }
 
     /// What the mirror term of each material sees.

@@ -29,10 +29,8 @@ impl Triangles {
                 Some((of, object, triangle)) if of == id => (object, triangle),
                 _ => {
                     let Some(of) = scene.frame.triangle(TriangleId(id)) else { continue };
-                    let object = scene.object(of.instance);
-                    // Points and lines come after the objects' own instances and have no triangles.
-                    let has_triangles = object == of.instance;
-                    (object as u32, if has_triangles { of.triangle } else { u32::MAX })
+                    let (object, triangle) = scene.placed.object_of(of);
+                    (object as u32, triangle.unwrap_or(u32::MAX))
                 }
             };
             last = Some((id, object, triangle));

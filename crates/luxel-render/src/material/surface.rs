@@ -82,12 +82,12 @@ fn sample_lanes<N: Lanes, const C: usize>(
 #[inline(always)]
 fn texel<N: Lanes, const C: usize>(
     scene: &ShadingContext<'_>,
-    used: Option<TextureUse>,
+    used: Option<&TextureUse>,
     varying: &Attributes<N>,
     lanes: u32,
 ) -> Option<[N; C]> {
     match used {
-        Some(used) => Some(sample(scene, &used, varying, lanes)),
+        Some(used) => Some(sample(scene, used, varying, lanes)),
         None => None,
     }
 }
@@ -124,9 +124,12 @@ pub(crate) fn shading_normal<N: Lanes>(
     number: usize,
     lanes: u32,
 ) -> Vec3<N> {
-    match scene.scene.materials[number].normal.filter(|_| varying.has.has(AttributeMask::TANGENTS))
+    match scene.scene.materials[number]
+        .normal
+        .as_deref()
+        .filter(|_| varying.has.has(AttributeMask::TANGENTS))
     {
-        Some(used) => mapped_normal(scene, &used, varying, normal, lanes),
+        Some(used) => mapped_normal(scene, used, varying, normal, lanes),
         None => normal,
     }
 }
@@ -139,7 +142,7 @@ pub(crate) fn base_texel<N: Lanes>(
     lanes: u32,
 ) -> Rgb<N> {
     let white = Rgb::splat(varying.position.x, [1.0; 3]);
-    tinted(white, texel(scene, scene.scene.materials[number].base_color, varying, lanes))
+    tinted(white, texel(scene, scene.scene.materials[number].base_color.as_deref(), varying, lanes))
 }
 
 /// The texture of the base colour, and alpha, at the lanes that see one material.
@@ -159,12 +162,14 @@ fn base<N: Lanes, const NEEDS: u8>(
         return (white, simd.constant(alpha));
     }
     if material.alpha_mode != AlphaMode::Blend {
-        let base = texel(scene, material.base_color, varying, lanes);
+        let base = texel(scene, material.base_color.as_deref(), varying, lanes);
         return (tinted(white, base), simd.one());
     }
     let mut alpha = simd.constant(material.opacity);
     let mut tint = white;
-    if let Some([r, g, b, texel_alpha]) = texel(scene, material.base_color, varying, lanes) {
+    if let Some([r, g, b, texel_alpha]) =
+        texel(scene, material.base_color.as_deref(), varying, lanes)
+    {
         tint = tint * Rgb::new(r, g, b);
         alpha = alpha * texel_alpha;
     }
@@ -172,7 +177,7 @@ fn base<N: Lanes, const NEEDS: u8>(
         let [.., color_alpha] = varying.color;
         alpha = alpha * color_alpha;
     }
-    if let Some([r]) = texel(scene, material.opacity_map, varying, lanes) {
+    if let Some([r]) = texel(scene, material.opacity_map.as_deref(), varying, lanes) {
         alpha = alpha * r;
     }
     (tint, alpha.clamped(0.0, 1.0))
@@ -198,7 +203,7 @@ pub(crate) fn reflectance<N: Lanes>(
         base_tint = base_tint * Rgb::new(r, g, b);
     }
     reflectance.diffuse = reflectance.diffuse * base_tint;
-    reflectance.ambient = match (constants.ambient, material.ambient) {
+    reflectance.ambient = match (constants.ambient, material.ambient.as_deref()) {
         (None, _) => reflectance.diffuse,
         (Some(_), None) => reflectance.ambient * base_tint,
         (Some(_), used @ Some(_)) => {
@@ -206,15 +211,15 @@ pub(crate) fn reflectance<N: Lanes>(
         }
     };
     reflectance.specular =
-        tinted(reflectance.specular, texel(scene, material.specular, varying, lanes));
+        tinted(reflectance.specular, texel(scene, material.specular.as_deref(), varying, lanes));
     reflectance.emission =
-        tinted(reflectance.emission, texel(scene, material.emission, varying, lanes));
-    if let Some([_, g, b]) = texel(scene, material.metallic_roughness, varying, lanes) {
+        tinted(reflectance.emission, texel(scene, material.emission.as_deref(), varying, lanes));
+    if let Some([_, g, b]) = texel(scene, material.metallic_roughness.as_deref(), varying, lanes) {
         reflectance.roughness = reflectance.roughness * g;
         reflectance.metallic = reflectance.metallic * b;
     }
-    if let Some(used) = material.occlusion {
-        let [r] = sample(scene, &used, varying, lanes);
+    if let Some(used) = material.occlusion.as_deref() {
+        let [r] = sample(scene, used, varying, lanes);
         let strength = simd.constant(used.strength);
         reflectance.occlusion = simd.one() + strength * (r - simd.one());
     }

@@ -186,12 +186,8 @@ impl Shadows<'_> {
 
     /// The places of a triangle; `None` of points and lines.
     fn places(&self, id: TriangleId) -> Option<TrianglePlaces> {
-        let of = self.frame.triangle(id)?;
-        let instance = &self.placed.instances()[of.instance];
-        if instance.strokes.is_some() {
-            return None;
-        }
-        self.rays.places(instance.object, of.triangle)
+        let (object, triangle) = self.placed.object_of(self.frame.triangle(id)?);
+        self.rays.places(object, triangle?)
     }
 
     /// A place on the side that is seen.

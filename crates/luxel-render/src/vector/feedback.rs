@@ -12,9 +12,10 @@ use crate::frame::{RenderError, Renderer};
 use crate::material::Corner;
 use crate::shade::{LitTriangle, displayed};
 use glam::DVec3;
-use luxel_scene::{AlphaMode, Size};
+use luxel_scene::{AlphaMode, Points, Size};
 use luxel_view::{Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{CoveragePolicy, Samples, TriangleOf};
+use std::ops::Range;
 
 /// A corner in the window, lit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -233,25 +234,38 @@ impl<'a> Stream<'a> {
     }
 
     fn tell(&mut self, take: &mut dyn FnMut(&Feedback<'_>)) {
-        let instances = self.scene.frame.instances();
-        let count = self.scene.placed.objects().len();
-        // Objects come first, each its own instance; points and lines of some come after them all.
-        for object in 0..count {
-            take(&Feedback::PassThrough(object as f32));
-            self.triangles(object, take);
-            for instance in count..instances.len() {
-                if self.scene.object(instance) == object {
-                    self.strokes(instance, take);
+        let ShadingContext { placed, frame, .. } = *self.scene;
+        // Triangles come first; points and lines of some objects come after them all.
+        let (faces, strokes): (Vec<_>, Vec<_>) =
+            (0..).zip(placed.instances()).partition(|(_, of)| of.strokes.is_none());
+        for (instance, of) in faces {
+            let mesh = frame.instances()[instance].mesh;
+            for object in of.objects.clone() {
+                take(&Feedback::PassThrough(object as f32));
+                let section = mesh.range_of(placed.objects()[object].section);
+                self.triangles(instance, &section.triangles, take);
+                for (stroke, _) in strokes.iter().filter(|(_, of)| of.objects.start == object) {
+                    self.strokes(*stroke, &mesh.points, take);
                 }
             }
         }
     }
 
-    fn triangles(&mut self, instance: usize, take: &mut dyn FnMut(&Feedback<'_>)) {
+    fn triangles(
+        &mut self,
+        instance: usize,
+        of_object: &Range<u32>,
+        take: &mut dyn FnMut(&Feedback<'_>),
+    ) {
         let frame = self.scene.frame;
         let mesh = frame.instances()[instance].mesh;
-        for (part, run) in mesh.parts.iter().enumerate() {
-            for triangle in run.first..run.first + run.count {
+        let part = mesh.parts.partition_point(|run| run.first + run.count <= of_object.start);
+        for (part, run) in (part..).zip(&mesh.parts[part..]) {
+            let (first, end) = (run.first, run.first + run.count);
+            if first >= of_object.end {
+                break;
+            }
+            for triangle in first.max(of_object.start)..end.min(of_object.end) {
                 let of = TriangleOf { instance, triangle, part };
                 self.clipper.clipped(&frame.corners_in_view(of), &mut self.clipped);
                 if self.clipped.is_empty() || is_culled(&self.clipped, frame.use_of(of).cull) {
@@ -265,9 +279,8 @@ impl<'a> Stream<'a> {
 
     /// Points and lines, which the frame holds as two triangles each, facing the eye: their middle
     /// lines, lit as the triangles are.
-    fn strokes(&mut self, instance: usize, take: &mut dyn FnMut(&Feedback<'_>)) {
+    fn strokes(&mut self, instance: usize, points: &[Points], take: &mut dyn FnMut(&Feedback<'_>)) {
         let frame = self.scene.frame;
-        let own = &frame.instances()[self.scene.object(instance)];
         let mesh = frame.instances()[instance].mesh;
         for (part, run) in mesh.parts.iter().enumerate() {
             for triangle in (run.first..run.first + run.count).step_by(2) {
@@ -277,7 +290,7 @@ impl<'a> Stream<'a> {
                 let middle = |p: DVec3, q: DVec3| (p + q) * 0.5;
                 // The parts of points come before those of lines.
                 let [from, to] = [middle(a, d), middle(b, c)];
-                let places = if part < own.mesh.points.len() {
+                let places = if part < points.len() {
                     let place = middle(from, to);
                     self.clipper.clipped(&[place], &mut self.clipped);
                     [place; 3]

@@ -33,7 +33,7 @@ fn every_model_that_promises_it_gives_the_same_white() {
 #[test]
 fn a_tilted_surface_gets_the_cosine_of_the_light() {
     let mut scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
-    scene.nodes[0].parent_from_node = DMat4::from_rotation_x(std::f64::consts::FRAC_PI_3);
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_x(std::f64::consts::FRAC_PI_3).into();
     let [r, ..] = middle(&linear(&scene, &view(16)));
     assert!((r - 0.5).abs() < 1e-6, "{r}");
 }
@@ -50,7 +50,7 @@ fn reversed_winding_is_lit_like_the_right_one() {
 #[test]
 fn a_surface_seen_from_behind_is_lit_on_the_side_that_is_seen() {
     let mut scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
-    scene.nodes[0].parent_from_node = DMat4::from_rotation_y(std::f64::consts::PI);
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_y(std::f64::consts::PI).into();
     assert_eq!(middle(&bytes(&scene, &view(16))), [255; 4]);
 }
 
@@ -74,7 +74,7 @@ fn a_mirroring_transform_turns_neither_culling_nor_light_round() {
     let mut material = matte([1.0; 3]);
     material.sides = Sides::Front;
     let mut scene = scene(vec![(square(0.0), material)]);
-    scene.nodes[0].parent_from_node = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+    scene.nodes[0].parent_from_node = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0)).into();
     assert_eq!(middle(&bytes(&scene, &view(16))), [255; 4]);
 }
 
@@ -143,7 +143,7 @@ fn a_light_on_a_node_moves_with_it() {
     let mut scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
     let arm = DMat4::from_translation(DVec3::new(0.0, 3.0, 0.0))
         * DMat4::from_rotation_x(std::f64::consts::FRAC_PI_2);
-    scene.nodes.push(Node { parent_from_node: arm, ..Node::root("arm", None) });
+    scene.nodes.push(Node::root("arm", None).at(None, arm));
     let on_arm = Placement::Node(NodeId(scene.nodes.len() as u32 - 1));
     // A quarter turn about x takes (0, 2, 3) to (0, -3, 2), and the arm's place that to (0, 0, 2).
     let mut by_node = view(16);
@@ -155,7 +155,7 @@ fn a_light_on_a_node_moves_with_it() {
     let differ = |(one, other): (&[f32; 4], &[f32; 4])| (one[0] - other[0]).abs() > 1e-6;
     assert!(!on_node.iter().zip(&in_world).any(differ), "the same place, the same light");
     let last = scene.nodes.len() - 1;
-    scene.nodes[last].parent_from_node = DMat4::IDENTITY;
+    scene.nodes[last].parent_from_node = DMat4::IDENTITY.into();
     assert!(on_node.iter().zip(&linear(&scene, &by_node)).any(differ), "the light has moved");
 }
 
@@ -176,7 +176,7 @@ fn a_light_in_the_camera_stays_where_the_eye_goes() {
 #[test]
 fn the_layer_of_n_dot_l_is_the_cosine_of_the_first_light_negative_behind() {
     let mut scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
-    scene.nodes[0].parent_from_node = DMat4::from_rotation_x(std::f64::consts::FRAC_PI_3);
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_x(std::f64::consts::FRAC_PI_3).into();
     let mut view = view(16);
     let of = |view: &luxel_render::View| {
         let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();

@@ -10,6 +10,7 @@ mod layers;
 mod ledger;
 mod light;
 mod scenes;
+mod sections;
 mod shading;
 mod strokes;
 mod transparency;

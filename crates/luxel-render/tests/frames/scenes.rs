@@ -36,7 +36,7 @@ pub(crate) fn scene(things: Vec<(Mesh, SceneMaterial)>) -> Scene {
         scene.meshes.push(mesh);
         scene.materials.push(material);
         scene.nodes.push(Node {
-            parent_from_node: DMat4::IDENTITY,
+            parent_from_node: DMat4::IDENTITY.into(),
             ..Node::root(format!("thing {number}"), Some(MeshId(number)))
         });
     }
@@ -125,7 +125,7 @@ pub(crate) fn glass() -> Scene {
     for (number, node) in scene.nodes.iter_mut().enumerate() {
         let turn = DMat4::from_rotation_x(0.3 * number as f64)
             * DMat4::from_rotation_y(0.7 * number as f64);
-        node.parent_from_node = turn;
+        node.parent_from_node = turn.into();
     }
     scene
 }

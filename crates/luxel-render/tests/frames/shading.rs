@@ -209,7 +209,7 @@ fn a_texture_colours_of_subdivided_light_what_it_colours_of_phong_s() {
     let texel = |[r, g, b]: [u8; 3]| [r, g, b, 255];
     let image = Arc::new(Image::new("four", Encoding::Srgb, 2, 2, texels.map(texel).to_vec()));
     textured.textures = vec![Texture { image, sampler: Sampler::default() }];
-    textured.materials[0].base_color = Some(TextureUse::new(TextureId(0)));
+    textured.materials[0].base_color = Some(TextureUse::new(TextureId(0)).into());
     let mesh = &mut textured.meshes[0];
     mesh.uvs[0] = mesh.positions.iter().map(|[x, _, z]| [x * 1.7, z * 1.3]).collect();
     // Every model without jumps; half metals' light isn't linear in the texel.
@@ -277,7 +277,7 @@ fn textures_that_shape_the_light_are_lit_at_pixels_by_subdivided_shading() {
     let image = Arc::new(Image::new("rough", Encoding::Linear, 4, 4, texels));
     scene.textures = vec![Texture { image, sampler: Sampler::default() }];
     scene.materials[0].constants.reflection = Reflection::Microfacet;
-    scene.materials[0].metallic_roughness = Some(TextureUse::new(TextureId(0)));
+    scene.materials[0].metallic_roughness = Some(TextureUse::new(TextureId(0)).into());
     let mesh = &mut scene.meshes[0];
     mesh.uvs[0] = mesh.positions.iter().map(|[x, _, z]| [x * 1.7, z * 1.3]).collect();
     let phong = bytes(&scene, &sheet_view(ShadingMode::Phong));
@@ -336,7 +336,7 @@ fn rolled(interpolation: Interpolation, degrees: f64) -> Vec<[u8; 4]> {
     let mut mesh = square(0.0);
     mesh.colors = vec![[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [1.0; 4]];
     let mut scene = scene(vec![(mesh, matte([1.0; 3]))]);
-    scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians());
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians()).into();
     let shading = Shading { mode: ShadingMode::Gouraud, interpolation, ..Shading::default() };
     let mut pixels = bytes(&scene, &view(65).with_shading(shading));
     // Turned back: pixels near the middle, asked at the same places of the square.
@@ -382,7 +382,7 @@ fn rolled_by_45_degrees_a_quad_keeps_its_colours_in_perspective_to_a_step() {
         mesh.colors =
             vec![[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [1.0; 4]];
         let mut scene = scene(vec![(mesh, matte([1.0; 3]))]);
-        scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians());
+        scene.nodes[0].parent_from_node = DMat4::from_rotation_z(degrees.to_radians()).into();
         let shading = Shading {
             mode: ShadingMode::Gouraud,
             interpolation,

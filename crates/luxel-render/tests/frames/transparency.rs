@@ -73,7 +73,7 @@ fn pixels_without_glass_are_the_same_beside_it() {
 fn masked_texels_are_holes() {
     let mut material = matte([1.0; 3]);
     material.alpha_mode = AlphaMode::Mask { cutoff: 0.5 };
-    material.base_color = Some(TextureUse::new(luxel_scene::TextureId(0)));
+    material.base_color = Some(TextureUse::new(luxel_scene::TextureId(0)).into());
     let mut scene =
         scene(vec![(square(1.0), material), (square(0.0), glass([0.0, 0.0, 1.0], 1.0))]);
     // Left half opaque, right half cut away.

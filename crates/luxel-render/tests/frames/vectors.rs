@@ -234,7 +234,7 @@ fn crossing() -> Scene {
     let mut scene = scene(colors.map(|color| (square(0.0), matte(color))).to_vec());
     let turns = [DMat4::IDENTITY, DMat4::from_rotation_x(1.3), DMat4::from_rotation_y(1.2)];
     for (node, turn) in scene.nodes.iter_mut().zip(turns) {
-        node.parent_from_node = turn;
+        node.parent_from_node = turn.into();
     }
     scene
 }
@@ -366,7 +366,7 @@ fn no_seam_lets_what_lies_behind_through() {
     // Its strips reach from one outline to the other, and are narrower than three pixels.
     let column = primitives::cylinder(0.7, 2.0, 64);
     let mut scene = scene(vec![(column, matte([0.8, 0.8, 0.7])), (behind, matte([0.9, 0.0, 0.9]))]);
-    scene.nodes[0].parent_from_node = DMat4::from_rotation_z(0.1);
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_z(0.1).into();
     let view = view(96).with_samples(16).with_lights(default_lights());
     let vectors = painted_document(&svg(&scene, &view, 1.0).text, view.size, &sixteen());
     let pixels = crate::scenes::bytes(&scene, &view);
@@ -425,10 +425,10 @@ fn what_is_hidden_of_a_seen_face_is_not_painted() {
     let mut scene =
         scene(vec![(square(0.0), matte([0.9; 3])), (square(0.0), matte([0.1, 0.1, 0.8]))]);
     // Before the middle of the first, whose light changes from left to right.
-    scene.nodes[1].parent_from_node =
-        DMat4::from_translation(DVec3::Z * 0.5) * DMat4::from_scale(DVec3::new(0.75, 1.5, 1.0));
+    let smaller = DMat4::from_scale(DVec3::new(0.75, 1.5, 1.0));
+    scene.nodes[1].parent_from_node = (DMat4::from_translation(DVec3::Z * 0.5) * smaller).into();
     let law = FogLaw::DepthCue { near: 1.0, far: 20.0, front: 1.0, back: 0.0 };
-    scene.nodes[0].parent_from_node = DMat4::from_rotation_y(0.4);
+    scene.nodes[0].parent_from_node = DMat4::from_rotation_y(0.4).into();
     let mut view = view(64).with_fog(Some(Fog { color: [0.0; 3], law }));
     let all = svg(&scene, &view, 1.0);
     let middle = [32.3, 32.4];

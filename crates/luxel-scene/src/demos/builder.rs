@@ -46,7 +46,7 @@ impl SceneBuilder {
         parent: Option<NodeId>,
         parent_from_node: DMat4,
     ) -> NodeId {
-        self.node(Node { name: name.into(), parent, parent_from_node, mesh: None })
+        self.node(Node::root(name, None).at(parent, parent_from_node))
     }
 
     /// Adds a node that shows a mesh.
@@ -57,8 +57,7 @@ impl SceneBuilder {
         parent_from_node: DMat4,
         mesh: MeshId,
     ) -> NodeId {
-        let (name, parent, mesh) = (name.into(), Some(parent), Some(mesh));
-        self.node(Node { name, parent, parent_from_node, mesh })
+        self.node(Node::root(name, Some(mesh)).at(Some(parent), parent_from_node))
     }
 
     fn node(&mut self, node: Node) -> NodeId {

@@ -31,7 +31,7 @@ fn every_index_is_in_range_and_parts_cover_the_triangles() {
             }
             assert_eq!(next as usize, mesh.triangles.len(), "{name}");
         }
-        for texture in scene.materials.iter().filter_map(|material| material.base_color) {
+        for texture in scene.materials.iter().filter_map(|material| material.base_color.as_ref()) {
             assert!(texture.texture.index() < scene.textures.len(), "{name}");
         }
     }

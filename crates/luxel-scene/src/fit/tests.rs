@@ -7,7 +7,7 @@ const SIZE: Size = Size { width: 1280, height: 720 };
 const LENS: Lens = Lens::Perspective { fov_y_radians: std::f64::consts::FRAC_PI_4 };
 
 fn scene_of(mesh: Mesh, world_from_mesh: DMat4) -> Scene {
-    let node = Node { parent_from_node: world_from_mesh, ..Node::root("it", Some(MeshId(0))) };
+    let node = Node::root("it", Some(MeshId(0))).at(None, world_from_mesh);
     Scene { nodes: vec![node], meshes: vec![mesh].into(), ..Scene::default() }
 }
 

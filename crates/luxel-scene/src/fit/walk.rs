@@ -1,7 +1,7 @@
 //! Views and bounds held against a walk over all points, bit by bit.
 
 use super::*;
-use crate::{Lines, MaterialId, Mesh, MeshId, Node, NodeId, Points};
+use crate::{Lines, MaterialId, Mesh, MeshId, Node, NodeId, Object, Points};
 use proptest::prelude::*;
 
 /// The drawn points, in the order of the objects, each in the target space of `target_from_mesh`.
@@ -27,7 +27,7 @@ fn bounds(points: &[DVec3]) -> Bounds {
 }
 
 fn world_bounds(scene: &Scene) -> Bounds {
-    bounds(&points(scene, |object| object.world_from_mesh))
+    bounds(&points(scene, |object| *object.world_from_mesh))
 }
 
 fn highest<const N: usize>(
@@ -48,7 +48,7 @@ fn highest<const N: usize>(
 /// [`fit_along`] by walks over all points.
 fn walked(scene: &Scene, axes: [DVec3; 3], lens: Lens, size: Size) -> Camera {
     let picture_from_world = picture_from_world(axes);
-    let points = points(scene, |object| picture_from_world * object.world_from_mesh);
+    let points = points(scene, |object| picture_from_world * *object.world_from_mesh);
     let bounds = bounds(&points);
     let (eye, lens) = if bounds.is_empty() || !is_measurable(&bounds) {
         (DVec3::Z, lens)
@@ -216,7 +216,7 @@ impl Random {
         let meshes: Vec<Mesh> = (0..1 + self.below(3)).map(|_| self.mesh()).collect();
         let node = |random: &mut Self, at: usize| Node {
             parent: (at > 0 && random.below(2) == 0).then(|| NodeId(random.below(at) as u32)),
-            parent_from_node: random.matrix(),
+            parent_from_node: random.matrix().into(),
             ..Node::root(
                 "it",
                 (random.below(5) > 0).then(|| MeshId(random.below(meshes.len()) as u32)),

@@ -31,3 +31,12 @@ pub struct Model {
     /// What to say of that exposure, if it does something.
     pub exposure_note: Option<String>,
 }
+
+impl Model {
+    /// Gives every object a mesh of its own: objects are hidden, measured and coloured one by one.
+    pub(crate) fn separate(&mut self) {
+        if self.scene.has_sections() {
+            Arc::make_mut(&mut self.scene).separate();
+        }
+    }
+}

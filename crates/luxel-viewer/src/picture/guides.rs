@@ -176,7 +176,7 @@ fn normals(scene: &GuideScene<'_>, theme: &Theme, lines: &mut Vec<Line>) {
     let every = count.div_ceil(MAX_NORMALS).max(1);
     let length = diagonal(&scene.bounds) * NORMAL_LENGTH;
     for at in &shown {
-        let (mesh, world_from_mesh) = (mesh_of(at), scene.objects[*at].world_from_mesh);
+        let (mesh, world_from_mesh) = (mesh_of(at), *scene.objects[*at].world_from_mesh);
         // The inverse transpose keeps normals perpendicular under non-uniform scaling.
         let turned = DMat3::from_mat4(world_from_mesh).inverse().transpose();
         for (place, normal) in normal_positions(mesh).into_iter().step_by(every) {

@@ -59,11 +59,12 @@ impl Worker {
             let (load, send) = (Arc::clone(&load), send.clone());
             let thread = std::thread::Builder::new().name("luxel-read".to_owned());
             let spawned = thread.spawn(move || {
-                let loaded = load(&file, &progress).and_then(|model| {
+                let loaded = load(&file, &progress).and_then(|mut model| {
                     if progress.is_stopped() {
                         return Err("loading was cancelled".to_owned());
                     }
                     progress.model_complete();
+                    model.separate();
                     let renderer = Renderer::new(Arc::clone(&model.scene), &execution);
                     let prepared = renderer.map_err(|error| error.to_string())?.into_prepared();
                     Ok(Box::new(LoadedModel { model, prepared }))

@@ -58,7 +58,8 @@ pub struct TerminalOptions {
 ///
 /// # Errors
 /// [`ViewerError`], if there is no terminal, or the scene can't be drawn.
-pub fn view_in_terminal(model: Model, options: &TerminalOptions) -> Result<(), ViewerError> {
+pub fn view_in_terminal(mut model: Model, options: &TerminalOptions) -> Result<(), ViewerError> {
+    model.separate();
     let scene = Arc::clone(&model.scene);
     let renderer = Renderer::new(Arc::clone(&scene), &options.execution)
         .map_err(|error| ViewerError::Draw(error.to_string()))?;

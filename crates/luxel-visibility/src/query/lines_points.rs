@@ -38,7 +38,7 @@ pub fn strokes(scene: &Scene, objects: &[Object], camera: &Camera, size: Size) -
         if source.points.is_empty() && source.lines.is_empty() {
             continue;
         }
-        let view_from_mesh = camera.view_from_world * object.world_from_mesh;
+        let view_from_mesh = camera.view_from_world * *object.world_from_mesh;
         let mut builder = Builder {
             lens: &lens,
             source,

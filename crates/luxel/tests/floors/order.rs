@@ -93,6 +93,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "opacity",
             "restyle",
             "fit",
+            "sections",
             "demos",
         ],
     ),

@@ -51,7 +51,8 @@ fn scene() -> Scene {
         image: Arc::new(Image::new("noise", Encoding::Linear, width, height, texels)),
         sampler: Sampler { magnify, ..Sampler::trilinear() },
     };
-    let used = |texture, uv_set| TextureUse { uv_set, ..TextureUse::new(TextureId(texture)) };
+    let used =
+        |texture, uv_set| Box::new(TextureUse { uv_set, ..TextureUse::new(TextureId(texture)) });
     let masked = SceneMaterial {
         alpha_mode: AlphaMode::Mask { cutoff: 0.5 },
         base_color: Some(used(0, 0)),

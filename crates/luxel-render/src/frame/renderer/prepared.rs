@@ -18,6 +18,14 @@ pub struct Prepared {
 }
 
 impl Renderer {
+    /// Gives every object a mesh of its own.
+    pub(super) fn separate(&mut self) {
+        Arc::make_mut(&mut self.scene).separate();
+        let scene = &self.scene;
+        self.polygons_of_meshes = scene.meshes.iter().map(|_| OnceLock::new()).collect();
+        self.clusters = self.install(|| clusters(scene, Frames::Many));
+    }
+
     /// Lets go of the scene, and keeps what was made of its meshes.
     #[must_use]
     pub fn into_prepared(self) -> Prepared {

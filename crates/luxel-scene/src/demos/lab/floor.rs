@@ -21,7 +21,7 @@ pub fn floor(name: &str, cells: u32) -> Scene {
     let (mut builder, root) = stage(name, "floor", paint, mesh);
     let texture = Texture { image: Arc::new(chequers()), sampler: Sampler::trilinear() };
     builder.scene.textures.push(texture);
-    builder.scene.materials[0].base_color = Some(TextureUse::new(TextureId(0)));
+    builder.scene.materials[0].base_color = Some(TextureUse::new(TextureId(0)).into());
     builder.sun("sun", DVec3::new(0.3, -1.0, -0.2), [0.9; 3]);
     builder.ambient([0.1; 3]);
     builder.camera(root, DVec3::new(0.9, 2.0, 5.2), DVec3::new(0.0, 0.0, -0.6), 38.0);

@@ -91,13 +91,13 @@ fn constants(ui: &mut Ui, material: &SceneMaterial, change: &mut Restyle) {
         });
     });
     let reflection = &constants.reflection;
-    let note = material.base_color.map(|_| "times a texture");
+    let note = material.base_color.as_ref().map(|_| "times a texture");
     surface_color(ui, "O_d", note, constants.diffuse, &mut change.color);
     for parameter in parameters().filter(|parameter| reflection.heeds(parameter)) {
         match parameter.name {
             "ka" => ambient_color(ui, constants, change),
             "ks" => {
-                let note = material.specular.map(|_| "times a texture");
+                let note = material.specular.as_ref().map(|_| "times a texture");
                 surface_color(ui, "O_s", note, constants.specular, &mut change.specular);
             }
             _ => {}
