@@ -37,6 +37,9 @@ pub(crate) fn trace_batch<Q: RayQuery>(
 }
 
 /// Traces rays on this thread. `answers` must be as long as `rays`.
+///
+/// Outlined: one copy of its kernels.
+#[inline(never)]
 pub(crate) fn trace_here<Q: RayQuery>(
     target: &RayTarget<'_>,
     rays: &[Ray],
