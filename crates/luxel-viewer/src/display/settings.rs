@@ -199,8 +199,8 @@ mod tests {
         let count = display.layers().len();
         let is_local = |light: &&SceneLight| light.light.kind != LightKind::Ambient;
         let lights = display.view().lights.iter().filter(is_local).count();
-        // There is no fog.
-        assert_eq!(count, 1 + Layer::ALL.len() - 1 + lights);
+        // There is neither fog nor ambient occlusion.
+        assert_eq!(count, 1 + Layer::ALL.len() - 2 + lights);
         let mut seen = Vec::new();
         for _ in 0..count {
             assert!(!seen.contains(&display.layer), "{:?}", display.layer);
