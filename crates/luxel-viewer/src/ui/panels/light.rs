@@ -52,7 +52,7 @@ fn occlusion(ui: &mut Ui, session: &mut Session) {
     let view = session.display().view();
     let (mut shadows, before) = (view.shadows, view.ambient_occlusion);
     let mut is_occluded = before.is_some();
-    let clicked = row(ui, "keep out", |ui| {
+    let clicked = row(ui, "with", |ui| {
         let shadows = ui
             .checkbox(&mut shadows, "shadows")
             .on_hover_text("surfaces keep lights from what lies behind them");
