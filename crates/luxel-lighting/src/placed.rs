@@ -27,7 +27,7 @@ pub(crate) struct LightSample<N> {
     pub(crate) attenuation: N,
     /// The spot factor of this direction.
     pub(crate) spot: N,
-    /// V: the part that nothing keeps away; `None` where nothing is asked to.
+    /// V: the part that nothing keeps away; `None` without shadows.
     pub(crate) visibility: Option<N>,
 }
 

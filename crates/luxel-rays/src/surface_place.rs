@@ -31,7 +31,7 @@ pub const LIFT: f64 = 1.0 / (1 << 20) as f64;
 const INSET: f64 = 4.0;
 
 /// The farthest that a place is moved away from edges, in units of the lift: in an acute corner it stays
-/// nearer to them than [`INSET`]. Origins thus lie within 8 lifts, 2^-17 M, of the place that was asked for.
+/// nearer to them than [`INSET`]. Origins thus lie within 8 lifts, 2^-17 M, of the place with the given barycentrics.
 const MOVE: f64 = 7.0;
 
 impl SurfacePlace {

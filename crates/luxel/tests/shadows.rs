@@ -387,7 +387,7 @@ fn a_soft_shadow_is_between_the_hard_ones_and_grows_with_the_light() {
             let visibility = light.terms.visibility.unwrap();
             let is_partial = visibility > 0.0 && visibility < shadow.terminator;
             partly += u32::from(is_partial);
-            // What is kept away is all told by the objects that keep it, but for what lies below the horizon.
+            // The shares of the objects add up to what is kept away, but for what lies below the horizon.
             let shares: f32 = shadow.blocked_by.iter().map(|by| by.share).sum();
             assert!(shares <= 1.0 + 1e-5);
             if shadow.terminator == 1.0 && light.terms.n_dot_l > 0.8 {

@@ -61,7 +61,7 @@ pub(crate) struct LightOptions {
 }
 
 impl LightOptions {
-    /// Ambient occlusion, if it is asked for.
+    /// Ambient occlusion, if `--ao` is given.
     pub(crate) fn ambient_occlusion(&self) -> Option<AmbientOcclusion> {
         self.ao.map(|OcclusionRadius(radius)| AmbientOcclusion { radius, rays: self.ao_rays })
     }

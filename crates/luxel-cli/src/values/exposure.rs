@@ -3,7 +3,7 @@
 use super::finite;
 use luxel::lighting::Display;
 
-/// An exposure, as it was asked for.
+/// The value of `--exposure`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Exposure {
     /// In stops.

@@ -200,7 +200,7 @@ pub struct ExplainedShadow {
     /// The factor of [`luxel_lighting::terminator`]; 1 where it does nothing.
     pub terminator: f32,
     /// Origin and direction of the ray to the light, the first of several, in world space; `None` where N.L <= 0, and of points
-    /// and lines: then nothing is asked.
+    /// and lines: then no ray is traced.
     pub ray: Option<[[f64; 3]; 2]>,
     /// The objects in the way, nearest to the surface first.
     pub blocked_by: Vec<BlockedBy>,

@@ -139,7 +139,7 @@ impl Interpolated {
             terms.ambient = terms.ambient * (visibility * visible.openness);
             terms.diffuse = terms.diffuse * visibility;
             terms.specular = terms.specular * visibility;
-            // Asked wherever the triangle faces the light.
+            // Wherever the triangle faces the light.
             light.shadow = receiver.shadow(scene, number, 1.0);
         }
         self

@@ -43,7 +43,7 @@ pub struct Renderer {
     clusters: Vec<Clusters>,
     /// The polygons of each mesh, once they are asked for.
     polygons_of_meshes: Vec<OnceLock<Box<Polygons>>>,
-    /// The trees for shadows, once they are asked for.
+    /// The trees for shadows, once a view needs them.
     rays: OnceLock<Result<Box<SceneRays>, TooManyForTree>>,
     level: Level,
     /// `None` where the machine has no threads.

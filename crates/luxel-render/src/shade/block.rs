@@ -9,7 +9,7 @@ use crate::shade::display::displayed;
 use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::shadowed::VisibleLights;
 use crate::shade::witness::BlockWitness;
-use crate::shadow::{Asked, OcclusionLanes};
+use crate::shadow::{OcclusionLanes, SeenSamples};
 use luxel_lighting::{Occlusion, SurfacePoint};
 use luxel_math::{F64Lanes, LANES, Lanes, lanes_of};
 use luxel_view::{Interpolation, Shading, ShadingMode};
@@ -206,8 +206,9 @@ fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         let point = SurfacePoint { normal, ..*point };
         let mut occlusion = Occlusion::NONE;
         if let (Some(shadows), Some((batch, own))) = (scene.shadows, occluded) {
-            let asked = Asked { ids: &batch.ids, lanes, position: &|lane| batch.position(lane) };
-            shadows.occlude(&asked, &found.weights, &point, own);
+            let samples =
+                SeenSamples { ids: &batch.ids, lanes, position: &|lane| batch.position(lane) };
+            shadows.occlude(&samples, &found.weights, &point, own);
             occlusion = own.occlusion();
         }
         let of = (number, lanes);

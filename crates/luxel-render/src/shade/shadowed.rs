@@ -20,7 +20,7 @@ pub(crate) struct VisibleLights {
 impl VisibleLights {
     /// Of a sample of a triangle; `None` without shadows.
     ///
-    /// V is asked for wherever the triangle faces the light: light between corners reaches places whose
+    /// V is computed wherever the triangle faces the light: light between corners reaches places whose
     /// own normal turns away.
     pub(crate) fn of(
         scene: &ShadingContext<'_>,

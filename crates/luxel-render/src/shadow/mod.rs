@@ -5,5 +5,5 @@ mod receiver;
 mod sequence;
 
 pub(crate) use openness::OpennessRule;
-pub(crate) use receiver::{Asked, LightSource, OcclusionLanes, Shadows};
+pub(crate) use receiver::{LightSource, OcclusionLanes, SeenSamples, Shadows};
 pub(crate) use sequence::DiscSequence;

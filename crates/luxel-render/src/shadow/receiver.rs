@@ -59,7 +59,7 @@ pub(crate) struct ShadowRay {
 
 /// Samples that a batch sees: their triangles, the lanes that count, and where they are in the window, in
 /// pixels.
-pub(crate) struct Asked<'s> {
+pub(crate) struct SeenSamples<'s> {
     pub(crate) ids: &'s [u32; LANES],
     pub(crate) lanes: u32,
     pub(crate) position: &'s dyn Fn(usize) -> [f64; 2],
@@ -85,11 +85,11 @@ impl OcclusionLanes {
 const NO_RAY: WorldRay = WorldRay::new(DVec3::ZERO, DVec3::ZERO);
 
 impl Shadows<'_> {
-    /// V of each light and the openness at lanes of samples: 1 where N.L <= 0, of which nothing is asked.
+    /// V of each light and the openness at lanes of samples: 1 where N.L <= 0, without a ray.
     /// Points and lines are in no shadow.
     pub(crate) fn occlude<N: Lanes>(
         &self,
-        asked: &Asked<'_>,
+        samples: &SeenSamples<'_>,
         barycentric: &[N; 3],
         point: &SurfacePoint<N>,
         found: &mut OcclusionLanes,
@@ -99,8 +99,8 @@ impl Shadows<'_> {
         };
         let mut places = [None; LANES];
         let mut of_triangle = (TriangleId::NONE, None);
-        for lane in lanes_of(asked.lanes) {
-            let id = TriangleId(asked.ids[lane]);
+        for lane in lanes_of(samples.lanes) {
+            let id = TriangleId(samples.ids[lane]);
             if of_triangle.0 != id {
                 of_triangle = (id, self.places(id));
             }
@@ -112,7 +112,7 @@ impl Shadows<'_> {
             let n_dot_l = point.normal.dot(light.to_light(point.position));
             let mut own = [1.0; LANES];
             let mut shadows = [None; LANES];
-            for lane in lanes_of(asked.lanes) {
+            for lane in lanes_of(samples.lanes) {
                 let Some(place) = places[lane].filter(|_| n_dot_l.lane(lane) > 0.0) else {
                     continue;
                 };
@@ -123,14 +123,14 @@ impl Shadows<'_> {
                     own[lane] = 0.0;
                 }
             }
-            self.trace(&shadows, (source, number), asked.position, &mut own);
+            self.trace(&shadows, (source, number), samples.position, &mut own);
             found.visibility.push(own);
         }
         found.openness = self.openness.map(|rule| {
             let mut openness = [1.0; LANES];
-            for lane in lanes_of(asked.lanes) {
+            for lane in lanes_of(samples.lanes) {
                 if let Some(place) = places[lane] {
-                    let position = (asked.position)(lane);
+                    let position = (samples.position)(lane);
                     openness[lane] = self.openness(rule, &place, normal(lane), position);
                 }
             }

@@ -3,7 +3,7 @@
 
 use luxel_math::SUBPIXELS;
 
-/// Directions that are told apart.
+/// Distinct angles.
 const ANGLES: usize = 1 << 10;
 
 /// Places on the unit disc, evenly spread for any number of them that is a power of two.

@@ -206,7 +206,7 @@ fn styled(scene: &Scene, round: usize, samples: u32) -> View {
     view
 }
 
-/// A view with soft shadows and openness, if they are asked for.
+/// A view with soft shadows and openness, or without.
 pub(crate) fn occluded(mut view: View, is_occluded: bool) -> View {
     if is_occluded {
         let radius = 0.1 * view.camera.eye().length() as f32;

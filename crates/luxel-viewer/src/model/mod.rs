@@ -33,6 +33,21 @@ pub struct Model {
 }
 
 impl Model {
+    /// A model for tests: a scene fitted into a view.
+    #[cfg(test)]
+    pub(crate) fn fitted(scene: Scene, view: View) -> Self {
+        Self {
+            up: scene.up,
+            pivot: scene.bounds().centre(),
+            scene: Arc::new(scene),
+            view,
+            is_fitted: true,
+            planes: [None; 2],
+            is_auto_exposed: true,
+            exposure_note: None,
+        }
+    }
+
     /// Gives every object a mesh of its own: objects are hidden, measured and coloured one by one.
     pub(crate) fn separate(&mut self) {
         if self.scene.has_sections() {

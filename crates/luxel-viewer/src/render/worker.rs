@@ -165,17 +165,7 @@ mod tests {
         let name = name.to_string_lossy();
         let scene = demos::demo(&name).ok_or_else(|| format!("{name}: no such file"))?;
         let view = luxel::default_view(&scene, SIZE);
-        let up = scene.up;
-        Ok(Model {
-            scene: Arc::new(scene),
-            view,
-            up,
-            pivot: DVec3::ZERO,
-            is_fitted: true,
-            planes: [None; 2],
-            is_auto_exposed: false,
-            exposure_note: None,
-        })
+        Ok(Model { pivot: DVec3::ZERO, is_auto_exposed: false, ..Model::fitted(scene, view) })
     }
 
     #[test]

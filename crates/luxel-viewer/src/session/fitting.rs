@@ -103,7 +103,6 @@ mod tests {
     use crate::projection::project_point;
     use luxel::navigation::Mode;
     use luxel::scene::demos;
-    use std::sync::Arc;
 
     const WINDOW: Size = Size { width: 800, height: 600 };
     /// As a panel at the right and the status line leave it.
@@ -114,17 +113,7 @@ mod tests {
         let scene = demos::demo("teapot").unwrap();
         let mut view = luxel::default_view(&scene, WINDOW);
         view.camera.projection.lens = lens;
-        let (up, pivot) = (scene.up, scene.bounds().centre());
-        Model {
-            scene: Arc::new(scene),
-            view,
-            up,
-            pivot,
-            is_fitted: true,
-            planes: [None; 2],
-            is_auto_exposed: false,
-            exposure_note: None,
-        }
+        Model { is_auto_exposed: false, ..Model::fitted(scene, view) }
     }
 
     fn lenses() -> [Lens; 3] {

@@ -10,17 +10,7 @@ const SIZE: Size = Size { width: 640, height: 360 };
 fn session(records: bool) -> Session {
     let scene = demos::demo("plane").unwrap();
     let view = luxel::default_view(&scene, SIZE);
-    let (up, pivot) = (scene.up, scene.bounds().centre());
-    let model = Model {
-        scene: Arc::new(scene),
-        view,
-        up,
-        pivot,
-        is_fitted: true,
-        planes: [None; 2],
-        is_auto_exposed: true,
-        exposure_note: None,
-    };
+    let model = Model::fitted(scene, view);
     Session::new(model, SIZE, Mode::RollingBall, records)
 }
 
@@ -63,17 +53,7 @@ fn selected_objects_are_fitted_else_the_visible_ones() {
     use crate::selection::SelectMode;
     let scene = demos::demo("spheres").unwrap();
     let view = luxel::default_view(&scene, SIZE);
-    let (up, pivot) = (scene.up, scene.bounds().centre());
-    let model = Model {
-        scene: Arc::new(scene),
-        view,
-        up,
-        pivot,
-        is_fitted: true,
-        planes: [None; 2],
-        is_auto_exposed: true,
-        exposure_note: None,
-    };
+    let model = Model::fitted(scene, view);
     let mut session = Session::new(model, SIZE, Mode::Turntable, false);
     let centre = session.bounds(1).centre();
     session.selection.select([1], SelectMode::Replace);

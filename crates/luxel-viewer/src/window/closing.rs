@@ -91,24 +91,13 @@ mod tests {
     use luxel::lighting::K_D;
     use luxel::navigation::Mode;
     use luxel::scene::{DVec3, Size, demos};
-    use std::sync::Arc;
 
     const SIZE: Size = Size { width: 640, height: 360 };
 
     fn start() -> (Ui, Session) {
         let scene = demos::demo("plane").unwrap();
         let view = luxel::default_view(&scene, SIZE);
-        let up = scene.up;
-        let model = Model {
-            scene: Arc::new(scene),
-            view,
-            up,
-            pivot: DVec3::ZERO,
-            is_fitted: true,
-            planes: [None; 2],
-            is_auto_exposed: true,
-            exposure_note: None,
-        };
+        let model = Model { pivot: DVec3::ZERO, ..Model::fitted(scene, view) };
         (Ui::new(&DARK, Keys::default()), Session::new(model, SIZE, Mode::Turntable, false))
     }
 

@@ -162,7 +162,6 @@ mod tests {
     use crate::session::Session;
     use luxel::navigation::{Event, Gesture};
     use luxel::scene::{DMat4, DVec2, DVec3, Size, demos};
-    use std::sync::Arc;
 
     const SIZE: Size = Size { width: 640, height: 360 };
 
@@ -172,17 +171,8 @@ mod tests {
         let mut view = luxel::default_view(&scene, SIZE);
         let tilt = DMat4::from_rotation_z(0.4) * DMat4::from_translation(DVec3::new(0.3, 0.1, 0.0));
         view.camera.view_from_world = tilt * view.camera.view_from_world;
-        let (up, pivot) = (scene.up, scene.bounds().centre() + 0.1);
-        let model = Model {
-            scene: Arc::new(scene),
-            view,
-            up,
-            pivot,
-            is_fitted: true,
-            planes: [None; 2],
-            is_auto_exposed: true,
-            exposure_note: None,
-        };
+        let pivot = scene.bounds().centre() + 0.1;
+        let model = Model { pivot, ..Model::fitted(scene, view) };
         let mut session = Session::new(model, SIZE, mode, false);
         session.set_number(luxel::navigation::Number::Transition, 0.0);
         session

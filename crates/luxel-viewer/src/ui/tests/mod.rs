@@ -30,17 +30,7 @@ impl Stage {
     fn of(scene: Scene, (width, height): (u32, u32)) -> Self {
         let size = Size { width, height };
         let view = luxel::default_view(&scene, size);
-        let (up, pivot) = (scene.up, scene.bounds().centre());
-        let model = Model {
-            scene: Arc::new(scene),
-            view,
-            up,
-            pivot,
-            is_fitted: true,
-            planes: [None; 2],
-            is_auto_exposed: true,
-            exposure_note: None,
-        };
+        let model = Model::fitted(scene, view);
         let session = Session::new(model, size, Mode::Turntable, false);
         let mut ui = Ui::new(&DARK, Keys::default());
         (ui.panels.is_shown, ui.panels.is_narrow) = (true, false);
