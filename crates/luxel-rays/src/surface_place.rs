@@ -20,8 +20,8 @@ pub struct SurfacePlace {
 ///
 /// In the tree's coordinates, of which M is the largest at the triangle, an origin is rounded by 2^-25 M,
 /// and the corners that the test takes about it by 2^-24 of twice M; a signed distance from a plane, a sum
-/// of three products of them over the normal's length, is off by less than 8 such steps for triangles that
-/// are not needles. 2^-20 M is twice that: rays don't hit their own triangle, nor, where the surface is
+/// of three products of them over the normal's length, is off by less than 8 such steps, 2^-20 M, for
+/// triangles that are not needles. So rays don't hit their own triangle, nor, where the surface is
 /// convex, its neighbours (Wächter and Binder, *A Fast and Robust Method for Avoiding Self-Intersection*,
 /// Ray Tracing Gems, 2019, choose a similar step by trial). What lies nearer than the lift is not hit.
 pub const LIFT: f64 = 1.0 / (1 << 20) as f64;
@@ -31,7 +31,8 @@ pub const LIFT: f64 = 1.0 / (1 << 20) as f64;
 const INSET: f64 = 4.0;
 
 /// The farthest that a place is moved away from edges, in units of the lift: in an acute corner it stays
-/// nearer to them than [`INSET`]. Origins thus lie within 8 lifts, 2^-17 M, of the place with the given barycentrics.
+/// nearer to them than [`INSET`]. Origins thus lie within 8 lifts, 2^-17 M, of the place with the given
+/// barycentrics.
 const MOVE: f64 = 7.0;
 
 impl SurfacePlace {
