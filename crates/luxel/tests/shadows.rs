@@ -220,9 +220,7 @@ fn a_convex_surface_has_no_acne_at_any_scale_and_offset() {
             for azimuth in [0.6, 2.5] {
                 let view = view(&scene, azimuth);
                 let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
-                let pixels: Vec<_> =
-                    (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| [x, y])).collect();
-                for explained in renderer.explain_pixels(&view, &pixels).unwrap() {
+                for explained in renderer.explain_pixels(&view, &all_pixels()).unwrap() {
                     let Some(surface) = explained.samples[0].seen[0].surface() else { continue };
                     for light in surface.lights.iter().filter(|light| light.terms.n_dot_l > 0.0) {
                         let terminator = light.shadow.as_ref().unwrap().terminator;
@@ -264,9 +262,7 @@ fn no_light_leaks_into_a_closed_surface_at_any_scale_and_offset() {
                     )
                     .with_shadows(true);
                 let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
-                let pixels: Vec<_> =
-                    (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| [x, y])).collect();
-                for explained in renderer.explain_pixels(&view, &pixels).unwrap() {
+                for explained in renderer.explain_pixels(&view, &all_pixels()).unwrap() {
                     let Some(surface) = explained.samples[0].seen[0].surface() else { continue };
                     for light in surface.lights.iter().filter(|light| light.terms.n_dot_l > 0.0) {
                         let visibility = light.terms.visibility.unwrap();

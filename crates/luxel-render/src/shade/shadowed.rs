@@ -50,7 +50,8 @@ impl VisibleLights {
     /// The light between places, each light of them times its V; `None` if all of it arrives.
     ///
     /// I = sum of w k (own + sum of V_i I_i) over the places, where w are the weights, I_i the parts of
-    /// the lights, all ambient parts and the environment times the openness, and k what clamping leaves of a place's light.
+    /// the lights, all ambient parts and the environment times the openness, and k what clamping
+    /// leaves of a place's light.
     pub(crate) fn light(
         &self,
         scene: &ShadingContext<'_>,

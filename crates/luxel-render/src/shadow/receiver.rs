@@ -146,7 +146,7 @@ impl Shadows<'_> {
         position: &dyn Fn(usize) -> [f64; 2],
         visibility: &mut [f32; LANES],
     ) {
-        let rays_each = if source.radius > 0.0 { self.light_rays } else { 1 };
+        let rays_each = self.rays_each(source);
         let mut sums = [0.0; LANES];
         for number in 0..rays_each {
             let mut rays = [NO_RAY; LANES];
@@ -154,14 +154,8 @@ impl Shadows<'_> {
             let mut count = 0;
             for (lane, shadow) in shadows.iter().enumerate() {
                 let Some((place, shadow)) = shadow else { continue };
-                let ray = if source.radius > 0.0 {
-                    let scramble = Scramble::new(position(lane), purpose);
-                    let on_disc = self.disc.place(number, scramble);
-                    source.ray_to(place, shadow.ray.direction, on_disc)
-                } else {
-                    Some(shadow.ray)
-                };
-                if let Some(ray) = ray {
+                let scramble = || Scramble::new(position(lane), purpose);
+                if let Some(ray) = self.light_ray(source, (place, shadow), number, scramble) {
                     (rays[count], lanes[count]) = (ray, lane);
                     count += 1;
                 }
@@ -226,15 +220,29 @@ impl Shadows<'_> {
     ) -> Option<(Vec<Option<WorldRay>>, f32)> {
         let source = self.sources.get(light)?;
         let shadow = ShadowRay::new(place, source, normal);
+        let scramble = || Scramble::new(position, light as u32);
+        let ray = |number| self.light_ray(source, (place, &shadow), number, scramble);
+        Some(((0..self.rays_each(source)).map(ray).collect(), shadow.terminator))
+    }
+
+    /// The rays from a sample to a light.
+    fn rays_each(&self, source: &LightSource) -> u32 {
+        if source.radius > 0.0 { self.light_rays } else { 1 }
+    }
+
+    /// The ray of this number from a place to a light; `None` if it would go below the triangle.
+    fn light_ray(
+        &self,
+        source: &LightSource,
+        (place, shadow): (&SurfacePlace, &ShadowRay),
+        number: u32,
+        scramble: impl Fn() -> Scramble,
+    ) -> Option<WorldRay> {
         if source.radius <= 0.0 {
-            return Some((vec![Some(shadow.ray)], shadow.terminator));
+            return Some(shadow.ray);
         }
-        let scramble = Scramble::new(position, light as u32);
-        let ray = |number| {
-            let on_disc = self.disc.place(number, scramble);
-            source.ray_to(place, shadow.ray.direction, on_disc)
-        };
-        Some(((0..self.light_rays).map(ray).collect(), shadow.terminator))
+        let on_disc = self.disc.place(number, scramble());
+        source.ray_to(place, shadow.ray.direction, on_disc)
     }
 }
 
