@@ -91,7 +91,7 @@ pub const DEFAULT_AMBIENT: [f32; 3] = [0.115, 0.12, 0.13];
 /// left of the camera, and a weak cool fill from its right, about 1 : 0.25.
 ///
 /// In the default view, 30 degrees to the right and 20 degrees up, the light on a face that looks up is to
-/// that on one that looks ahead as 1.6 : 1, and to that on the right side as 2.75 : 1.
+/// that on one that looks ahead as 1.6 : 1, and to that on the right side as 3 : 1.
 ///
 /// The brightest spot of the default material is at 0.9 of white: 0.6 (1 + 0.12) and 0.2 of
 /// highlight.
@@ -101,8 +101,8 @@ pub fn default_lights() -> Vec<SceneLight> {
         SceneLight::directional(direction, color).named(name).placed(Placement::Camera)
     };
     vec![
-        light("key", [1.0, 0.975, 0.94], DVec3::new(0.45, -0.7, -0.62)),
-        light("fill", [0.22, 0.245, 0.28], DVec3::new(-0.9, -0.05, -0.45)),
+        light("key", [1.0, 0.975, 0.94], DVec3::new(0.45, -0.68, -0.66)),
+        light("fill", [0.22, 0.245, 0.28], DVec3::new(-0.9, -0.3, -0.45)),
     ]
 }
 

@@ -25,7 +25,7 @@ impl Shadows<'_> {
     /// openness = 1/pi integral over the hemisphere of T(d) (N.d) dd
     /// ```
     ///
-    /// Directions below the triangle itself are mirrored at its plane: a convex surface is open, however
+    /// A ground under the model counts as near, too. Directions below the triangle itself are mirrored at its plane: a convex surface is open, however
     /// its normals lean.
     pub(crate) fn openness(
         &self,
@@ -46,8 +46,10 @@ impl Shadows<'_> {
             let direction = tangent * u + bitangent * v + normal * up;
             let below = place.normal.dot(direction).min(0.0);
             let direction = direction - place.normal * (2.0 * below);
-            sum +=
-                self.rays.transmittance(&WorldRay { origin, direction, range: [0.0, rule.radius] });
+            let ray = WorldRay { origin, direction, range: [0.0, rule.radius] };
+            if !self.floor.is_some_and(|floor| floor.meets(&ray)) {
+                sum += self.rays.transmittance(&ray);
+            }
         }
         sum / rule.rays as f32
     }

@@ -97,7 +97,7 @@ fn edge_pixels_weigh_their_samples() {
     let pixels = linear(&scene, &view);
     let [r, g, b, alpha] = pixels[9 * 18 + 4];
     assert_eq!([r, g, b, alpha], [1.0, 1.0, 1.0, 0.5]);
-    view.background = [0.0, 0.0, 1.0, 1.0];
+    view.background = [0.0, 0.0, 1.0, 1.0].into();
     let pixels = linear(&scene, &view);
     assert_eq!(pixels[9 * 18 + 4], [0.5, 0.5, 1.0, 1.0]);
 }

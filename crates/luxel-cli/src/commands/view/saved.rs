@@ -166,6 +166,9 @@ fn settings(
     if view.shadows {
         settings.push(("shadows", SettingValue::Switch(true)));
     }
+    if view.ground {
+        settings.push(("ground", SettingValue::Switch(true)));
+    }
     if view.light_rays != DEFAULT_LIGHT_RAYS {
         settings.push(("light-rays", one(view.light_rays.to_string())));
     }

@@ -51,6 +51,8 @@ impl Renderer {
             clusters: Vec::new(),
             polygons_of_meshes: Vec::new(),
             rays: OnceLock::new(),
+            bounds: OnceLock::new(),
+            lowest: OnceLock::new(),
             level,
             pool,
             clock,

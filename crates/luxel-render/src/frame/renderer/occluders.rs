@@ -1,0 +1,63 @@
+//! What keeps light away: the trees of the scene for its rays, and the ground that it stands on.
+
+use super::Renderer;
+use crate::frame::RenderError;
+use crate::shadow::{DiscSequence, Floor, LightSource, OpennessRule, Shadows};
+use luxel_lighting::PlacedLight;
+use luxel_rays::{Quality, SceneRays};
+use luxel_scene::{Bounds, DVec3};
+use luxel_view::{AmbientOcclusion, View};
+use luxel_visibility::{Frame, PlacedScene};
+use std::sync::Arc;
+
+impl Renderer {
+    /// The bounds of what is drawn.
+    pub(super) fn bounds(&self) -> Bounds {
+        *self.bounds.get_or_init(|| self.scene.bounds_of(&self.objects))
+    }
+
+    /// The plane under all that is drawn.
+    pub(super) fn floor(&self) -> Floor {
+        let up = self.scene.up.normalize_or(DVec3::Y);
+        let level = *self.lowest.get_or_init(|| self.scene.lowest_of(&self.objects, up));
+        Floor { up, level }
+    }
+
+    /// What keeps light away from surfaces: lights, if they cast shadows, and openness.
+    pub(super) fn shadows<'f>(
+        &'f self,
+        view: &View,
+        frame: &'f Frame<'f>,
+        (placed, lights): (&'f PlacedScene<'f>, &'f [PlacedLight]),
+        (casts_shadows, openness): (bool, Option<AmbientOcclusion>),
+        floor: Option<Floor>,
+    ) -> Result<Shadows<'f>, RenderError> {
+        let build = || {
+            let (scene, objects) = (Arc::clone(&self.scene), self.objects.clone());
+            SceneRays::of_objects(scene, objects, Quality::Thorough, self.level).map(Box::new)
+        };
+        let rays = self.rays.get_or_init(build).as_ref().map_err(Clone::clone)?;
+        let camera = placed.camera();
+        let eye = camera.eye();
+        Ok(Shadows {
+            rays,
+            frame,
+            placed,
+            lights,
+            sources: lights
+                .iter()
+                .filter(|_| casts_shadows)
+                .map(|light| LightSource::new(light, eye))
+                .collect(),
+            light_rays: view.light_rays.max(1),
+            openness: openness.map(|occlusion| OpennessRule {
+                radius: occlusion.radius.unwrap_or_else(|| self.scene.bounds().radius() * 0.25),
+                rays: occlusion.rays.max(1),
+            }),
+            floor,
+            disc: DiscSequence::new(),
+            eye,
+            towards_eye: camera.projection.is_orthographic().then(|| -camera.direction()),
+        })
+    }
+}
