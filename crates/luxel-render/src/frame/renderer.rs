@@ -360,7 +360,7 @@ impl Renderer {
                 edges,
                 edge_flags: &edge_flags,
                 shading: view.shading,
-                display: Some(view.display()).filter(|display| !display.is_identity()),
+                display: frame_setup::display(view),
                 white: view.display().white(),
                 encoding: view.encoding,
                 near: view.camera.projection.near,
