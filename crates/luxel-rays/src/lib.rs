@@ -21,7 +21,7 @@ mod world_ray;
 
 pub use luxel_bvh::{Quality, TooManyForTree};
 pub use object_tree::ObjectTree;
-pub use scene_rays::SceneRays;
+pub use scene_rays::{MeshTrees, SceneRays};
 pub use surface_place::{LIFT, SurfacePlace, TrianglePlaces};
 pub use transmittance::Blocker;
 pub use world_ray::{RebasedRay, WorldHit, WorldRay};

@@ -19,7 +19,7 @@ use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
 use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
 use luxel_math::{Level, dispatch_long};
-use luxel_rays::{SceneRays, TooManyForTree};
+use luxel_rays::{MeshTrees, SceneRays, TooManyForTree};
 use luxel_scene::{AlphaMode, Bounds, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{
@@ -45,6 +45,8 @@ pub struct Renderer {
     polygons_of_meshes: Vec<OnceLock<Box<Polygons>>>,
     /// The trees for shadows, once a view needs them.
     rays: OnceLock<Result<Box<SceneRays>, TooManyForTree>>,
+    /// Trees of the same meshes, for when they are needed again.
+    kept_trees: Mutex<Option<MeshTrees>>,
     /// The bounds of what is drawn, and how low it reaches, once a view needs them.
     bounds: OnceLock<Bounds>,
     lowest: OnceLock<f64>,
@@ -70,6 +72,7 @@ impl Renderer {
             clusters: Vec::new(),
             polygons_of_meshes: scene.meshes.iter().map(|_| OnceLock::new()).collect(),
             rays: OnceLock::new(),
+            kept_trees: Mutex::default(),
             bounds: OnceLock::new(),
             lowest: OnceLock::new(),
             level,
@@ -104,7 +107,7 @@ impl Renderer {
         }
         let objects = self.scene.objects().into_iter().enumerate();
         self.objects = objects.filter(|(at, _)| is_drawn(*at)).map(|(_, object)| object).collect();
-        self.rays = OnceLock::new();
+        self.kept_trees = Mutex::new(self.take_trees());
         self.bounds = OnceLock::new();
         self.lowest = OnceLock::new();
     }
