@@ -32,24 +32,26 @@ pub(crate) fn trace_batch<Q: RayQuery>(
     answers: &mut [Q::Answer],
 ) {
     fill(answers, CHUNK, &|start, answers| {
-        trace_here::<Q>(target, &rays[start..start + answers.len()], answers);
+        trace_here::<Q>(target, &rays[start..start + answers.len()], true, answers);
     });
 }
 
-/// Traces rays on this thread. `answers` must be as long as `rays`.
+/// Traces rays on this thread, those that run close together in packets, unless none is to be
+/// `together`. `answers` must be as long as `rays`.
 ///
 /// Outlined: one copy of its kernels.
 #[inline(never)]
 pub(crate) fn trace_here<Q: RayQuery>(
     target: &RayTarget<'_>,
     rays: &[Ray],
+    together: bool,
     answers: &mut [Q::Answer],
 ) {
     // Reset here, where it stays in the cache.
     answers.fill(Q::MISS);
     PACKETS.with_borrow_mut(|packet| {
         STACKS.with(|stacks| {
-            dispatch_long!(target.level, simd => trace_run::<_, Q>(simd, target, rays, answers, packet, &stacks.turns));
+            dispatch_long!(target.level, simd => trace_run::<_, Q>(simd, target, (rays, together), answers, packet, &stacks.turns));
         });
     });
 }
@@ -60,7 +62,7 @@ pub(crate) fn trace_here<Q: RayQuery>(
 fn trace_run<S: Simd, Q: RayQuery>(
     simd: S,
     target: &RayTarget<'_>,
-    rays: &[Ray],
+    (rays, together): (&[Ray], bool),
     answers: &mut [Q::Answer],
     packet: &mut Packet,
     stacks: &[TraversalStack; TURNS],
@@ -69,10 +71,10 @@ fn trace_run<S: Simd, Q: RayQuery>(
         trace_rest::<S, Q>(simd, target, rays, 0..rays.len(), answers, stacks);
     } else if has_wide_registers(simd) {
         let lanes = f32x16::splat(simd, 0.0);
-        trace_in_packets::<S, _, Q>(simd, lanes, target, rays, answers, packet, stacks);
+        trace_in_packets::<S, _, Q>(simd, lanes, target, (rays, together), answers, packet, stacks);
     } else {
         let lanes = f32x8::splat(simd, 0.0);
-        trace_in_packets::<S, _, Q>(simd, lanes, target, rays, answers, packet, stacks);
+        trace_in_packets::<S, _, Q>(simd, lanes, target, (rays, together), answers, packet, stacks);
     }
 }
 
@@ -82,54 +84,57 @@ fn trace_in_packets<S: Simd, N: Lanes, Q: RayQuery>(
     simd: S,
     lanes: N,
     target: &RayTarget<'_>,
-    rays: &[Ray],
+    (rays, together): (&[Ray], bool),
     answers: &mut [Q::Answer],
     packet: &mut Packet,
     stacks: &[TraversalStack; TURNS],
 ) {
     for (rays, answers) in rays.chunks(PACKET).zip(answers.chunks_mut(PACKET)) {
-        if let Some(kind) = packet.load(simd, rays)
-            && rays.len() >= LEAST
-        {
-            if packet.prepare(lanes, target, kind, rays.len()) {
-                trace_packet::<S, N, Q>(simd, lanes, target, packet, &stacks[0]);
-                packet.write_answers::<N, Q>(lanes, target, answers, |index| index);
-            } else {
-                trace_rest::<S, Q>(simd, target, rays, 0..rays.len(), answers, stacks);
-            }
-            continue;
-        }
-        let mut kinds = [PacketKind::NONE; PACKET];
-        for (kind, ray) in kinds.iter_mut().zip(rays) {
-            *kind = PacketKind::of(ray);
-        }
-        let kinds = &mut kinds[..rays.len()];
-        let mut counts = [0_u8; PacketKind::COUNT];
-        for kind in kinds.iter() {
-            counts[kind.number()] += 1;
-        }
         let mut is_single = [true; PACKET];
-        for first in 0..kinds.len() {
-            let kind = kinds[first];
-            if kind == PacketKind::NONE || usize::from(counts[kind.number()]) < LEAST {
-                continue;
-            }
-            let mut indices = [0_u8; PACKET];
-            let mut count = 0;
-            for (index, other) in (0_u8..).zip(kinds.iter_mut()) {
-                indices[count & (PACKET - 1)] = index;
-                count += usize::from(*other == kind);
-                *other = if *other == kind { PacketKind::NONE } else { *other };
-            }
-            let indices = &indices[..count];
-            packet.load_selected(simd, rays, indices);
-            if !packet.prepare(lanes, target, kind, count) {
-                continue;
-            }
-            trace_packet::<S, N, Q>(simd, lanes, target, packet, &stacks[0]);
-            packet.write_answers::<N, Q>(lanes, target, answers, |at| usize::from(indices[at]));
-            for &index in indices {
-                is_single[usize::from(index)] = false;
+        if together {
+            if let Some(kind) = packet.load(simd, rays)
+                && rays.len() >= LEAST
+            {
+                if packet.prepare(lanes, target, kind, rays.len()) {
+                    trace_packet::<S, N, Q>(simd, lanes, target, packet, &stacks[0]);
+                    packet.write_answers::<N, Q>(lanes, target, answers, |index| index);
+                    continue;
+                }
+            } else {
+                let mut kinds = [PacketKind::NONE; PACKET];
+                for (kind, ray) in kinds.iter_mut().zip(rays) {
+                    *kind = PacketKind::of(ray);
+                }
+                let kinds = &mut kinds[..rays.len()];
+                let mut counts = [0_u8; PacketKind::COUNT];
+                for kind in kinds.iter() {
+                    counts[kind.number()] += 1;
+                }
+                for first in 0..kinds.len() {
+                    let kind = kinds[first];
+                    if kind == PacketKind::NONE || usize::from(counts[kind.number()]) < LEAST {
+                        continue;
+                    }
+                    let mut indices = [0_u8; PACKET];
+                    let mut count = 0;
+                    for (index, other) in (0_u8..).zip(kinds.iter_mut()) {
+                        indices[count & (PACKET - 1)] = index;
+                        count += usize::from(*other == kind);
+                        *other = if *other == kind { PacketKind::NONE } else { *other };
+                    }
+                    let indices = &indices[..count];
+                    packet.load_selected(simd, rays, indices);
+                    if !packet.prepare(lanes, target, kind, count) {
+                        continue;
+                    }
+                    trace_packet::<S, N, Q>(simd, lanes, target, packet, &stacks[0]);
+                    packet.write_answers::<N, Q>(lanes, target, answers, |at| {
+                        usize::from(indices[at])
+                    });
+                    for &index in indices {
+                        is_single[usize::from(index)] = false;
+                    }
+                }
             }
         }
         let rest = (0..rays.len()).filter(|index| is_single[*index]);
