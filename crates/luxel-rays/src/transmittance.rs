@@ -3,7 +3,8 @@
 use crate::object_tree::ObjectTree;
 use crate::ray_lanes::{RayLanes, Spread};
 use crate::scene_rays::SceneRays;
-use crate::world_ray::WorldRay;
+use crate::world_ray::{WorldRay, centre_and_radius};
+use glam::DVec3;
 use luxel_bvh::{Ray, RayHit};
 use luxel_math::prelude::*;
 use luxel_math::{LANES, dispatch_long, f32x16, lanes_of};
@@ -110,7 +111,8 @@ impl SceneRays {
         numbers.clear();
         let tree = self.tree(object);
         let Some(bounds) = tree.bvh.bounds() else { return };
-        dispatch_long!(self.level, simd => near_rays(simd, self, (object, &tree, bounds), (rays, through), (near, numbers)));
+        let sphere = centre_and_radius(bounds);
+        dispatch_long!(self.level, simd => near_rays(simd, self, (object, &tree, sphere), (rays, through), (near, numbers)));
         if self.is_opaque(object) {
             hits.resize(near.len(), false);
             match spread {
@@ -166,7 +168,7 @@ impl SceneRays {
 fn near_rays<S: Simd>(
     simd: S,
     scene: &SceneRays,
-    (object, tree, bounds): (usize, &ObjectTree<'_>, [[f32; 3]; 2]),
+    (object, tree, sphere): (usize, &ObjectTree<'_>, (DVec3, f64)),
     (rays, through): (&[RayLanes], &[[f32; LANES]]),
     (near, numbers): (&mut Vec<Ray>, &mut Vec<u32>),
 ) {
@@ -177,7 +179,7 @@ fn near_rays<S: Simd>(
         if left == 0 {
             continue;
         }
-        let inside = rays.rebased(simd, tree, bounds, &mut rebased) & left;
+        let inside = rays.rebased(simd, tree, sphere, &mut rebased) & left;
         if inside == (1 << LANES) - 1 {
             near.extend_from_slice(&rebased);
             numbers.extend(first..first + LANES as u32);

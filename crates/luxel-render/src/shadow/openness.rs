@@ -118,15 +118,21 @@ impl Frames {
             scrambles: [Scramble::default(); LANES],
             disc: [[0.0; LANES]; 2],
         };
-        let mut stored = [[0.0; LANES]; 3];
-        for (stored, normal) in stored.iter_mut().zip(normals) {
-            normal.store(stored, 0);
+        let [x, y, z] = [normals[0].to_f64(), normals[1].to_f64(), normals[2].to_f64()];
+        let over_length = x.constant(1.0) / dot([x, y, z], [x, y, z]).sqrt();
+        let mut over_lengths = [0.0; LANES];
+        over_length.store(&mut over_lengths);
+        for (axis, side) in [x, y, z].into_iter().enumerate() {
+            (side * over_length).store(&mut frames.axes[0][axis]);
         }
         for lane in lanes_of(lanes) {
-            let [x, y, z] = stored.map(|side| f64::from(side[lane]));
-            let Some(normal) = DVec3::new(x, y, z).try_normalize() else { continue };
+            if !(over_lengths[lane].is_finite() && over_lengths[lane] > 0.0) {
+                continue;
+            }
+            let [x, y, z] = &frames.axes[0];
+            let normal = DVec3::new(x[lane], y[lane], z[lane]);
             let (tangent, bitangent) = normal.any_orthonormal_pair();
-            for (of, axis) in frames.axes.iter_mut().zip([normal, tangent, bitangent]) {
+            for (of, axis) in frames.axes[1..].iter_mut().zip([tangent, bitangent]) {
                 (of[0][lane], of[1][lane], of[2][lane]) = (axis.x, axis.y, axis.z);
             }
             frames.scrambles[lane] = Scramble::new(position(lane), PURPOSE);
