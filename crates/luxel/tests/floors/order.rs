@@ -125,7 +125,15 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
     ),
     (
         "luxel-rays",
-        &["world_ray", "object_tree", "scene_rays", "queries", "surface_place", "transmittance"],
+        &[
+            "world_ray",
+            "object_tree",
+            "scene_rays",
+            "queries",
+            "surface_place",
+            "ray_lanes",
+            "transmittance",
+        ],
     ),
     ("luxel-view", &["cull", "layer", "shading", "view"]),
     ("luxel-visibility", &["types", "cluster", "cull", "raster", "query", "frame", "placed_scene"]),
