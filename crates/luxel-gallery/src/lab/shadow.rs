@@ -31,8 +31,10 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     chapter.text(
         "Shadows bring a problem of their own. Interpolated normals turn away from the light slowly, \
          triangles at once: along the terminator, a triangle that turns away shades itself, though its \
-         normals still face the light, and the light ends along the edges of the mesh. The cure takes \
-         it away smoothly before (Chiang, Li and Burley, <cite>Taming the Shadow Terminator</cite>, 2019).",
+         normals still face the light, and the light ends in steps along the edges of the mesh. A factor \
+         takes it away before (Chiang, Li and Burley, <cite>Taming the Shadow Terminator</cite>, 2019), \
+         triangle by triangle: no triangle ends in a jump, but on a mesh as coarse as this one its \
+         facets are seen.",
     );
     terminator(studio, &mut chapter)?;
     Ok(chapter)
@@ -125,20 +127,20 @@ fn terminator(studio: &Studio, chapter: &mut Chapter) -> Result<(), GalleryError
             &before,
             "terminator-problem.png",
             "A ball lit from the left, its dark side beginning at straight edges of triangles.",
-            "The problem: shadows as the triangles cast them (made from the terms of the ledger).",
+            "The problem: shadows as the triangles cast them (from the terms of the ledger).",
         )?,
         chapter.drawn(
             &cure,
             &after,
             "terminator-cure.png",
-            "The same ball with a smooth passage to its dark side.",
-            "The cure: the light fades before the triangles turn away.",
+            "The same ball; the light fades towards its dark side, with faint facets.",
+            "With the factor: the light fades before a triangle turns away.",
         )?,
     ];
     chapter.figures(figures);
     let rows = [
         ("as the triangles cast them", &before),
-        ("the cure", &after),
+        ("with the factor", &after),
         ("the true ball", &reference),
     ];
     let rows = rows.map(|(name, picture)| {
@@ -148,8 +150,8 @@ fn terminator(studio: &Studio, chapter: &mut Chapter) -> Result<(), GalleryError
     chapter.table(
         &format!(
             "The largest difference between neighbouring pixels, and the mean error against a ball of {REFERENCE} \
-             faces round, in pixels wholly within the outlines of both. The cure has no edges; it is \
-             darker than the true ball, since it takes away light that the triangles still get."
+             faces round, in pixels wholly within the outlines of both. The factor differs from triangle to \
+             triangle, and takes away light that the true ball gets: more triangles help, not the factor."
         ),
         &["shadows", "largest jump", "mean error"],
         rows.into(),

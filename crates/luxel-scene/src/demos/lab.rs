@@ -37,7 +37,7 @@ pub const FINE: u32 = 192;
 /// Faces around a ball with a smeared highlight.
 pub const MIDDLING: u32 = 24;
 /// Faces around a ball whose triangles shade themselves.
-pub const TURNED: u32 = 16;
+pub const TURNED: u32 = 40;
 /// The exponent of the smearing highlight.
 pub const SHININESS: f32 = 24.0;
 /// Cells of the sheet along its seam.
@@ -108,7 +108,7 @@ pub(super) const DEMOS: [Demo; 13] = [
     },
     Demo {
         name: "lab-terminator",
-        about: "a ball of 16 faces round lit from the side: its own shadow follows its triangles",
+        about: "a ball of 40 faces round lit from the side: its own shadow follows its triangles",
         make: || terminator("lab-terminator", TURNED),
     },
 ];
