@@ -221,7 +221,6 @@ fn trace_group<S: Simd, N: Lanes, Q: RayQuery>(
             hit &= hit - 1;
             let child = node.children[slot];
             let Some(mut start) = child.as_block() else {
-                target.tree.prefetch(child);
                 stack.push_for(&mut top, child.0, asking[slot]);
                 continue;
             };
