@@ -23,7 +23,7 @@ mod world_ray;
 pub use luxel_bvh::{Quality, TooManyForTree};
 pub use object_tree::ObjectTree;
 pub use ray_lanes::{RayLanes, Spread};
-pub use scene_rays::SceneRays;
+pub use scene_rays::{MeshTrees, SceneRays};
 pub use surface_place::{LIFT, PlaceLanes, SurfacePlace, TrianglePlaces};
 pub use transmittance::Blocker;
 pub use world_ray::{RebasedRay, WorldHit, WorldRay};

@@ -28,7 +28,7 @@ impl Shadows<'_> {
     /// openness = 1/pi integral over the hemisphere of T(d) (N.d) dd
     /// ```
     ///
-    /// Directions below the triangle itself are mirrored at its plane: a convex surface is open, however
+    /// A ground under the model counts as near, too. Directions below the triangle itself are mirrored at its plane: a convex surface is open, however
     /// its normals lean.
     #[inline(always)]
     pub(super) fn open<N: Lanes>(
@@ -75,6 +75,9 @@ impl Shadows<'_> {
                     origin[axis].store(&mut rays.origin[axis]);
                 }
                 rays.end = [rule.radius; LANES];
+                if let Some(floor) = self.floor {
+                    rays.lanes &= !floor.met_by(rays);
+                }
             }
             batch.trace(self.rays, Spread::Wide);
             batch.add_to(&mut sums);

@@ -1,5 +1,6 @@
 //! V of each light at a sample, and its openness: rays from its place on the true triangle.
 
+use super::floor::Floor;
 use super::openness::OpennessRule;
 use super::place_cache::PlaceCache;
 use super::sequence::{DiscSequence, Scramble};
@@ -22,6 +23,8 @@ pub(crate) struct Shadows<'a> {
     /// The rays to a light with an extent.
     pub(crate) light_rays: u32,
     pub(crate) openness: Option<OpennessRule>,
+    /// The ground, which only takes openness away.
+    pub(crate) floor: Option<Floor>,
     pub(crate) disc: DiscSequence,
     pub(crate) eye: DVec3,
     /// Towards the eye, if that is the same everywhere.

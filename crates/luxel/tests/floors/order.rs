@@ -72,6 +72,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
         &[
             "angle",
             "encoding",
+            "background",
             "environment",
             "node",
             "camera",
@@ -164,6 +165,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "coverage",
             "polygons",
             "shadow",
+            "backdrop",
             "context",
             "material",
             "setup",
