@@ -26,6 +26,8 @@ pub struct SceneText<'a> {
     pub ambient: [f32; 3],
     /// The environment; the file has no key for `None`.
     pub environment: Option<EnvironmentChoice>,
+    /// The path of the environment's picture from the file, if it is one.
+    pub environment_file: Option<&'a str>,
     /// The background: linear red, green, blue, and alpha.
     pub background: [f32; 4],
     /// Depth cueing.
@@ -70,12 +72,19 @@ impl SceneText<'_> {
         page.line("version", "1");
         page.line("up", &vector(self.up));
         page.line("ambient", &color(self.ambient));
-        if let Some(named) = self.environment.and_then(|environment| environment.named()) {
+        if let Some(named) = self.environment.as_ref().and_then(EnvironmentChoice::named) {
             page.line("environment", &quoted(named.name()));
         } else if let Some(EnvironmentChoice::Always(Environment::Constant(light))) =
-            self.environment
+            &self.environment
         {
-            page.line("environment", &color(light));
+            page.line("environment", &color(*light));
+        } else if let Some((name, map)) =
+            self.environment_file.zip(self.environment.as_ref().and_then(EnvironmentChoice::map))
+        {
+            page.line("environment", &quoted(name));
+            if map.rotation_degrees() != 0.0 {
+                page.line("environment_rotation", &map.rotation_degrees().to_string());
+            }
         }
         let [r, g, b, alpha] = self.background.map(single);
         page.line("background", &format!("[{r}, {g}, {b}, {alpha}]"));

@@ -290,9 +290,9 @@ impl Renderer {
             }
             let ambient = frame_setup::ambient(view);
             let fog = view.fog.as_ref();
-            let lighting: Vec<LightingEnvironment<'_>> = self
-                .environments(view)
-                .into_iter()
+            let environments = self.environments(view);
+            let lighting: Vec<LightingEnvironment<'_>> = environments
+                .iter()
                 .map(|environment| LightingEnvironment::new(&lights, ambient, environment, fog))
                 .collect();
             let uniform = frame_setup::uniform(&self.scene.materials);
@@ -407,8 +407,8 @@ impl Renderer {
     /// What the mirror term of each material sees.
     fn environments(&self, view: &View) -> Vec<Environment> {
         let up = self.scene.up.as_vec3().to_array();
-        let of = |reflection: &Reflection| match (view.environment, reflection) {
-            (EnvironmentChoice::Always(environment), _) => environment,
+        let of = |reflection: &Reflection| match (&view.environment, reflection) {
+            (EnvironmentChoice::Always(environment), _) => environment.clone(),
             (EnvironmentChoice::StudioForMicrofacets, Reflection::Microfacet) => {
                 Environment::Studio { up }
             }

@@ -112,6 +112,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "direction",
             "weld",
             "image",
+            "environment",
             "values",
             "gltf",
             "obj",
