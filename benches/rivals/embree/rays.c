@@ -5,37 +5,11 @@
  *
  * THREADS build the tree; rays are one thread's. A row: what, and the least and the median of the
  * rounds in milliseconds, and hits as a check. */
-#include <embree3/rtcore.h>
-#include <math.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+#include "scene.h"
 
 enum { WIDTH = 1280, HEIGHT = 720, RAYS = WIDTH * HEIGHT };
 
 typedef struct { float origin[3], direction[3]; } Ray;
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
-
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static void row(const char *name, double *times, int rounds, long hits)
-{
-    qsort(times, (size_t)rounds, sizeof *times, by_size);
-    printf("%s\t%.3f\t%.3f\t%ld\n", name, times[0], times[rounds / 2], hits);
-    fflush(stdout);
-}
 
 static void camera_rays(Ray *rays)
 {
@@ -140,50 +114,27 @@ static long one_by_one(RTCScene scene, const Ray *rays, enum RTCIntersectContext
 PACKETS(8)
 PACKETS(16)
 
-static RTCScene build(RTCDevice device, const float *places, size_t vertices,
-                      const uint32_t *corners, size_t triangles)
-{
-    RTCScene scene = rtcNewScene(device);
-    RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, places, 0, 12, vertices);
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, corners, 0, 12, triangles);
-    rtcCommitGeometry(mesh);
-    rtcAttachGeometry(scene, mesh);
-    rtcReleaseGeometry(mesh);
-    rtcCommitScene(scene);
-    return scene;
-}
-
 int main(int count, char **words)
 {
-    FILE *file = count == 4 ? fopen(words[1], "rb") : NULL;
-    char magic[4], config[32];
-    uint32_t counts[2];
-    if (!file || fread(magic, 1, 4, file) != 4 || memcmp(magic, "CHM1", 4) || fread(counts, 4, 2, file) != 2) {
-        fprintf(stderr, "usage: rays MESH.bin THREADS ROUNDS\n");
-        return 1;
-    }
-    size_t vertices = counts[0], triangles = counts[1];
-    float *places = calloc(3 * vertices + 4, sizeof *places);
-    uint32_t *corners = calloc(3 * triangles, sizeof *corners);
+    Mesh mesh = count == 4 ? read_mesh(words[1]) : (Mesh){0};
     Ray *camera = malloc(RAYS * sizeof *camera), *random = malloc(RAYS * sizeof *random);
-    if (!places || !corners || !camera || !random || fread(places, 12, vertices, file) != vertices
-        || fseek(file, 12 * (long)vertices, SEEK_CUR) || fread(corners, 12, triangles, file) != triangles) {
-        fprintf(stderr, "the mesh is too short\n");
+    char config[32];
+    if (!mesh.triangles || !camera || !random) {
+        fprintf(stderr, "usage: rays MESH.bin THREADS ROUNDS\n");
         return 1;
     }
     int rounds = atoi(words[3]) > 0 ? atoi(words[3]) : 1, threads = atoi(words[2]);
     double *times = calloc((size_t)rounds, sizeof *times);
     snprintf(config, sizeof config, "threads=%d", threads);
     RTCDevice device = rtcNewDevice(config);
-    RTCScene scene = build(device, places, vertices, corners, triangles);
+    RTCScene scene = build(device, &mesh);
     for (int round = 0; round < rounds; round++) {
         rtcReleaseScene(scene);
         double start = now();
-        scene = build(device, places, vertices, corners, triangles);
+        scene = build(device, &mesh);
         times[round] = now() - start;
     }
-    row("build Embree", times, rounds, (long)triangles);
+    row("build Embree", times, rounds, (long)mesh.triangles);
     if (threads > 1)
         return 0;
     camera_rays(camera);

@@ -125,7 +125,16 @@ impl<'m> MeshRays<'m> {
     /// If `hits` isn't as long as `rays`.
     pub fn any_of_few(&self, rays: &[Ray], hits: &mut [bool]) {
         assert_eq!(rays.len(), hits.len(), "each ray has an answer");
-        trace_here::<AnyHit>(&self.0, rays, hits);
+        trace_here::<AnyHit>(&self.0, rays, true, hits);
+    }
+
+    /// [`Self::any_of_few`] for rays that go all ways: none is looked at for what it shares with others.
+    ///
+    /// # Panics
+    /// If `hits` isn't as long as `rays`.
+    pub fn any_of_incoherent(&self, rays: &[Ray], hits: &mut [bool]) {
+        assert_eq!(rays.len(), hits.len(), "each ray has an answer");
+        trace_here::<AnyHit>(&self.0, rays, false, hits);
     }
 
     fn trace_batch<Q: RayQuery>(&self, rays: &[Ray], answers: &mut Vec<Q::Answer>) {

@@ -49,6 +49,7 @@ pub(crate) fn view(
         })
         .with_edges(edges)
         .with_shadows(light.shadows)
+        .with_ground(light.ground)
         .with_light_rays(light.light_rays)
         .with_ambient_occlusion(light.ambient_occlusion())
         .with_shading(mode.shading()?))

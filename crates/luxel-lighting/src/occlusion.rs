@@ -1,6 +1,6 @@
 //! What keeps light away from a point.
 
-use luxel_math::LANES;
+use luxel_math::{F64Lanes, LANES, Lanes};
 
 /// How much of the light around a point reaches it, lane by lane.
 #[derive(Clone, Copy, Debug, Default)]
@@ -33,16 +33,14 @@ impl Occlusion<'_> {
 ///
 /// `cosines` are N_g.L, N.L and N_g.N; expects N.L > 0.
 #[must_use]
-pub fn terminator([geometric_dot_l, n_dot_l, geometric_dot_n]: [f64; 3]) -> f32 {
-    if geometric_dot_l <= 0.0 {
-        return 0.0;
-    }
+#[inline(always)]
+pub fn terminator<F: F64Lanes>([geometric_dot_l, n_dot_l, geometric_dot_n]: [F; 3]) -> F::F32 {
     let limit = n_dot_l * geometric_dot_n;
-    if limit <= geometric_dot_l {
-        return 1.0;
-    }
+    let one = limit.constant(1.0);
     let g = geometric_dot_l / limit;
-    (((1.0 - g) * g + 1.0) * g) as f32
+    let curved = (((one - g) * g + one) * g).to_f32();
+    let is_above = (limit - geometric_dot_l).is_positive();
+    curved.select(is_above, curved.one()).masked(geometric_dot_l.is_positive())
 }
 
 #[cfg(test)]

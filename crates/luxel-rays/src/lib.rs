@@ -5,7 +5,7 @@
 //! | [`SceneRays::closest`] | what a ray hits first |
 //! | [`SceneRays::any`] | whether something lies in its way |
 //! | [`SceneRays::all`] | all that it hits, nearest first |
-//! | [`SceneRays::transmittance`], [`SceneRays::transmittance_of_few`], [`SceneRays::blockers`] | how much light comes along it, and what keeps the rest |
+//! | [`SceneRays::transmittance`], [`SceneRays::transmittance_of_lanes`], [`SceneRays::blockers`] | how much light comes along it, and what keeps the rest |
 //! | [`SceneRays::places`] | where rays leave a triangle without hitting it |
 //!
 //! Picks, shadows and openness go through these trees.
@@ -14,6 +14,7 @@
 
 mod object_tree;
 mod queries;
+mod ray_lanes;
 mod scene_rays;
 mod surface_place;
 mod transmittance;
@@ -21,8 +22,9 @@ mod world_ray;
 
 pub use luxel_bvh::{Quality, TooManyForTree};
 pub use object_tree::ObjectTree;
-pub use scene_rays::SceneRays;
-pub use surface_place::{LIFT, SurfacePlace, TrianglePlaces};
+pub use ray_lanes::{RayLanes, Spread};
+pub use scene_rays::{MeshTrees, SceneRays};
+pub use surface_place::{LIFT, PlaceLanes, SurfacePlace, TrianglePlaces};
 pub use transmittance::Blocker;
 pub use world_ray::{RebasedRay, WorldHit, WorldRay};
 

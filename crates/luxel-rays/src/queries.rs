@@ -102,16 +102,20 @@ impl SceneRays {
         });
     }
 
-    /// Visits the objects whose boxes any of a few rays may hit: all of those that a line hits which is as
-    /// thick as the rays spread.
-    pub(crate) fn each_object_near(&self, rays: &[WorldRay], mut visit: impl FnMut(usize)) {
-        let Some(bounds) = self.top.bounds() else { return };
+    /// Visits the objects whose boxes any of some rays may hit: all of those that a line hits which is as
+    /// thick as the rays spread. Returns whether they share a way; otherwise it visits none.
+    pub(crate) fn each_object_near(
+        &self,
+        rays: impl Iterator<Item = WorldRay>,
+        mut visit: impl FnMut(usize),
+    ) -> bool {
+        let Some(bounds) = self.top.bounds() else { return true };
         if self.objects().len() == 1 {
             visit(0);
-            return;
+            return true;
         }
-        let mut valid = rays.iter().filter(|ray| ray.is_valid());
-        let Some(first) = valid.next() else { return };
+        let mut valid = rays.filter(WorldRay::is_valid);
+        let Some(first) = valid.next() else { return true };
         let [mut origins, mut directions] = [[first.origin; 2], [first.direction; 2]];
         let mut range = first.range;
         let mut shortest = first.direction.length();
@@ -125,11 +129,13 @@ impl SceneRays {
         let spread = |[low, high]: [DVec3; 2]| (high - low) * 0.5;
         let (origin, direction) = (middle(origins) - self.middle, middle(directions));
         let length = direction.length();
+        // Rays that go all ways, or pass by: each may hit anything.
+        if spread(directions).length() > length {
+            return false;
+        }
         let Some(near) = RebasedRay::new(origin, direction, range, bounds).filter(|_| length > 0.0)
         else {
-            // Rays that go all ways, or pass by: each may hit anything.
-            (0..self.objects().len()).for_each(visit);
-            return;
+            return false;
         };
         // A unit of the line is `scale` of the rays' t; rounding of f32 is within a millionth.
         let growth = spread(directions) * (near.scale * (1.0 + 1e-6));
@@ -151,6 +157,7 @@ impl SceneRays {
             f32s(growth),
         );
         self.top.visit_within(self.level, &line, farthest, |object| visit(object as usize));
+        true
     }
 
     /// A ray in the coordinates of an object's tree.

@@ -13,13 +13,43 @@ pub struct SceneRays {
     scene: Arc<Scene>,
     objects: Vec<Object>,
     pub(crate) level: Level,
-    bvhs: Vec<Bvh>,
+    trees: MeshTrees,
     placed: Vec<PlacedTree>,
     /// Whether nothing shines through a mesh.
     opaque_meshes: Vec<bool>,
     /// The tree over the objects' boxes, relative to `middle`.
     pub(crate) top: BoxTree,
     pub(crate) middle: DVec3,
+}
+
+/// The trees of a scene's meshes, without what places them in the world.
+pub struct MeshTrees {
+    bvhs: Vec<Bvh>,
+    /// How many triangles each mesh has.
+    counts: Vec<usize>,
+    quality: Quality,
+}
+
+impl MeshTrees {
+    /// Builds the trees of a scene's meshes on all threads of the current pool.
+    ///
+    /// # Errors
+    /// [`TooManyForTree`] if a mesh has too many triangles.
+    fn build(scene: &Scene, quality: Quality) -> Result<Self, TooManyForTree> {
+        let bvhs = map(scene.meshes.len(), 1, &|run| {
+            let mesh = &scene.meshes[run.start];
+            Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))
+        });
+        let bvhs = bvhs.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
+        let counts = scene.meshes.iter().map(|mesh| mesh.triangles.len()).collect();
+        Ok(Self { bvhs, counts, quality })
+    }
+
+    /// Whether a scene has as many meshes with as many triangles.
+    fn are_of(&self, scene: &Scene) -> bool {
+        let counts = scene.meshes.iter().map(|mesh| mesh.triangles.len());
+        counts.eq(self.counts.iter().copied())
+    }
 }
 
 /// A world-space box relative to `middle`, rounded outwards.
@@ -81,11 +111,42 @@ impl SceneRays {
         level: Level,
     ) -> Result<Self, TooManyForTree> {
         let (scene, objects) = separated(scene, objects);
-        let bvhs = map(scene.meshes.len(), 1, &|run| {
-            let mesh = &scene.meshes[run.start];
-            Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))
-        });
-        let bvhs = bvhs.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
+        let trees = MeshTrees::build(&scene, quality)?;
+        Self::placed(trees, scene, objects, level)
+    }
+
+    /// [`SceneRays::of_objects`], with trees that were built before: of a scene with the same meshes, but
+    /// perhaps other materials, nodes or objects. Meshes with other numbers of triangles get new trees;
+    /// those with as many, but other ones, would be hit wrongly.
+    ///
+    /// # Errors
+    /// [`TooManyForTree`] if a mesh has too many triangles.
+    pub fn with_trees(
+        trees: MeshTrees,
+        scene: Arc<Scene>,
+        objects: Vec<Object>,
+        level: Level,
+    ) -> Result<Self, TooManyForTree> {
+        let (scene, objects) = separated(scene, objects);
+        let quality = trees.quality;
+        let trees = if trees.are_of(&scene) { trees } else { MeshTrees::build(&scene, quality)? };
+        Self::placed(trees, scene, objects, level)
+    }
+
+    /// Lets go of the scene, and keeps the trees of its meshes.
+    #[must_use]
+    pub fn into_trees(self) -> MeshTrees {
+        self.trees
+    }
+
+    /// Places the trees of a scene's meshes where its objects are.
+    fn placed(
+        trees: MeshTrees,
+        scene: Arc<Scene>,
+        objects: Vec<Object>,
+        level: Level,
+    ) -> Result<Self, TooManyForTree> {
+        let quality = trees.quality;
         let is_opaque =
             |part: &Part| scene.materials[part.material.index()].alpha_mode == AlphaMode::Opaque;
         let opaque_meshes =
@@ -98,7 +159,7 @@ impl SceneRays {
             scene,
             objects,
             level,
-            bvhs,
+            trees,
             placed,
             opaque_meshes,
             top: BoxTree::default(),
@@ -143,7 +204,7 @@ impl SceneRays {
                 .as_ref()
                 .map_or(0, |baked| baked.bvh.memory() + size_of_val(&baked.positions[..]))
         };
-        self.bvhs.iter().map(Bvh::memory).sum::<usize>()
+        self.trees.bvhs.iter().map(Bvh::memory).sum::<usize>()
             + self.placed.iter().map(baked).sum::<usize>()
     }
 
@@ -170,7 +231,7 @@ impl SceneRays {
         let placed = &self.placed[object];
         let (bvh, positions) = match &placed.baked {
             Some(baked) => (&baked.bvh, &baked.positions),
-            None => (&self.bvhs[placed.mesh], &self.scene.meshes[placed.mesh].positions),
+            None => (&self.trees.bvhs[placed.mesh], &self.scene.meshes[placed.mesh].positions),
         };
         ObjectTree {
             bvh,

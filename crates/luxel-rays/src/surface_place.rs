@@ -2,6 +2,8 @@
 
 use crate::scene_rays::SceneRays;
 use glam::{DMat4, DVec3};
+use luxel_math::prelude::*;
+use luxel_math::{LANES, lanes_of};
 
 /// A place on a triangle from which rays leave, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,20 +55,27 @@ impl SurfacePlace {
     }
 }
 
-/// The places of one triangle.
+/// [`SurfacePlace`], lane by lane.
 #[derive(Clone, Copy, Debug)]
+pub struct PlaceLanes<F> {
+    /// The places.
+    pub position: [F; 3],
+    /// The triangles' own normals.
+    pub normal: [F; 3],
+    /// From the places to the origins of rays.
+    pub lift: [F; 3],
+}
+
+/// The places of one triangle.
+#[derive(Clone, Copy, Debug, Default)]
 pub struct TrianglePlaces {
-    /// The first corner, and the ways to the others, in world space.
-    corner: DVec3,
-    ways: [DVec3; 2],
-    /// The same ways in the tree's coordinates.
+    /// The first corner, the ways to the others, the normal and the lift, in world space. The fourth
+    /// components of the first three are the least weights of the corners.
+    rows: [[f64; 4]; 5],
+    /// The ways to the other corners in the tree's coordinates.
     in_tree: [DVec3; 2],
-    normal: DVec3,
-    lift: DVec3,
     /// The length of the lift in the tree's coordinates.
     lift_in_tree: f64,
-    /// The least weights of the corners.
-    least: [f64; 3],
 }
 
 impl SceneRays {
@@ -96,15 +105,15 @@ impl SceneRays {
         let normal = ways[0].cross(ways[1]).try_normalize()?;
         let lift = world_from_tree.transform_vector3(normal_in_tree * lift_in_tree);
         let lift = if lift.dot(normal) < 0.0 { -lift } else { lift };
-        corner.is_finite().then_some(TrianglePlaces {
-            corner,
-            ways,
-            in_tree,
-            normal,
-            lift,
-            lift_in_tree,
-            least,
-        })
+        let row = |DVec3 { x, y, z }, last| [x, y, z, last];
+        let rows = [
+            row(corner, least[0]),
+            row(ways[0], least[1]),
+            row(ways[1], least[2]),
+            row(normal, 0.0),
+            row(lift, 0.0),
+        ];
+        corner.is_finite().then_some(TrianglePlaces { rows, in_tree, lift_in_tree })
     }
 }
 
@@ -113,17 +122,137 @@ impl TrianglePlaces {
     /// corners are the true ones.
     #[must_use]
     pub fn at(&self, barycentric: [f32; 3]) -> SurfacePlace {
-        let Self { corner, ways, in_tree, normal, lift, lift_in_tree, ref least } = *self;
-        let [u, mut v, mut w] = barycentric.map(f64::from);
-        if u < least[0] || v < least[1] || w < least[2] {
-            let [inner_v, inner_w] = inset([u, v, w], *least);
-            let (by_v, by_w) = (inner_v - v, inner_w - w);
-            let moved = (in_tree[0] * by_v + in_tree[1] * by_w).length();
-            let part = (MOVE * lift_in_tree / moved).min(1.0);
-            (v, w) = (v + by_v * part, w + by_w * part);
-        }
-        SurfacePlace { position: corner + ways[0] * v + ways[1] * w, normal, lift }
+        Self::at_lanes(&[self; LANES], &barycentric, 1).place()
     }
+
+    /// [`TrianglePlaces::at`] of a triangle for each lane whose bit is set.
+    #[inline(always)]
+    #[must_use]
+    pub fn at_lanes<N: Lanes>(
+        of: &[&Self; LANES],
+        barycentric: &[N; 3],
+        lanes: u32,
+    ) -> PlaceLanes<N::F64> {
+        let [u, mut v, mut w] = barycentric.map(
+            #[inline(always)]
+            |weight| weight.to_f64(),
+        );
+        let [x, y, z, least_u] = columns::<N>(u, of, 0);
+        let [first_x, first_y, first_z, least_v] = columns::<N>(u, of, 1);
+        let [second_x, second_y, second_z, least_w] = columns::<N>(u, of, 2);
+        let near =
+            (least_u - u).is_positive() | (least_v - v).is_positive() | (least_w - w).is_positive();
+        let near = near.bits() & lanes;
+        if near != 0 {
+            let mut weights = [[0.0; LANES]; 3];
+            for (stored, weight) in weights.iter_mut().zip([u, v, w]) {
+                weight.store(stored);
+            }
+            for lane in lanes_of(near) {
+                let moved = of[lane].inset(weights.map(|weight| weight[lane]));
+                [weights[1][lane], weights[2][lane]] = moved;
+            }
+            (v, w) = (v.load(&weights[1]), w.load(&weights[2]));
+        }
+        let position = [
+            x + first_x * v + second_x * w,
+            y + first_y * v + second_y * w,
+            z + first_z * v + second_z * w,
+        ];
+        let [x, y, z, _] = columns::<N>(u, of, 3);
+        let normal = [x, y, z];
+        let [x, y, z, _] = columns::<N>(u, of, 4);
+        PlaceLanes { position, normal, lift: [x, y, z] }
+    }
+
+    /// The weights of the second and the third corner, moved away from the edges.
+    fn inset(&self, [u, v, w]: [f64; 3]) -> [f64; 2] {
+        let Self { rows, in_tree, lift_in_tree } = self;
+        let [inner_v, inner_w] = inset([u, v, w], [rows[0][3], rows[1][3], rows[2][3]]);
+        let (by_v, by_w) = (inner_v - v, inner_w - w);
+        let moved = (in_tree[0] * by_v + in_tree[1] * by_w).length();
+        let part = (MOVE * lift_in_tree / moved).min(1.0);
+        [v + by_v * part, w + by_w * part]
+    }
+}
+
+/// A row of each lane's triangle, as columns; `simd` selects the lane type.
+#[inline(always)]
+fn columns<N: Lanes>(simd: N::F64, of: &[&TrianglePlaces; LANES], row: usize) -> [N::F64; 4] {
+    simd.load_transposed(
+        #[inline(always)]
+        |lane| &of[lane % LANES].rows[row],
+    )
+}
+
+impl<F: F64Lanes> PlaceLanes<F> {
+    /// The same places with their normals on the side of a direction, which is given for each.
+    #[inline(always)]
+    #[must_use]
+    pub fn facing(self, direction: [F; 3]) -> Self {
+        // A product with -1 turns the sign and rounds nothing.
+        let simd = direction[0].to_f32();
+        let is_away = (-dot(self.normal, direction)).is_positive();
+        let side = simd.constant(-1.0).select(is_away, simd.one()).to_f64();
+        Self {
+            position: self.position,
+            normal: scaled(self.normal, side),
+            lift: scaled(self.lift, side),
+        }
+    }
+
+    /// The place of each lane, where it has one.
+    #[inline(always)]
+    pub fn each(&self, lanes: u32, mut work: impl FnMut(usize, SurfacePlace)) {
+        let mut stored = [[[0.0; LANES]; 3]; 3];
+        for (stored, lanes) in stored.iter_mut().zip([self.position, self.normal, self.lift]) {
+            for (stored, lanes) in stored.iter_mut().zip(lanes) {
+                lanes.store(stored);
+            }
+        }
+        for lane in lanes_of(lanes) {
+            let [position, normal, lift] =
+                stored.map(|[x, y, z]| DVec3::new(x[lane], y[lane], z[lane]));
+            work(lane, SurfacePlace { position, normal, lift });
+        }
+    }
+
+    /// The origins of rays that leave on the normals' sides.
+    #[inline(always)]
+    #[must_use]
+    pub fn origin(&self) -> [F; 3] {
+        let ([x, y, z], [lift_x, lift_y, lift_z]) = (self.position, self.lift);
+        [x + lift_x, y + lift_y, z + lift_z]
+    }
+}
+
+impl PlaceLanes<f64> {
+    /// The only place.
+    #[must_use]
+    pub fn place(&self) -> SurfacePlace {
+        let [position, normal, lift] =
+            [self.position, self.normal, self.lift].map(DVec3::from_array);
+        SurfacePlace { position, normal, lift }
+    }
+}
+
+impl From<&SurfacePlace> for PlaceLanes<f64> {
+    fn from(place: &SurfacePlace) -> Self {
+        let [position, normal, lift] =
+            [place.position, place.normal, place.lift].map(|of| of.to_array());
+        Self { position, normal, lift }
+    }
+}
+
+/// The product of two vectors, lane by lane.
+#[inline(always)]
+pub(crate) fn dot<F: F64Lanes>([x, y, z]: [F; 3], [a, b, c]: [F; 3]) -> F {
+    x * a + y * b + z * c
+}
+
+#[inline(always)]
+fn scaled<F: F64Lanes>([x, y, z]: [F; 3], by: F) -> [F; 3] {
+    [x * by, y * by, z * by]
 }
 
 /// The weights of the second and the third corner, with each corner's weight at least what `least` says.

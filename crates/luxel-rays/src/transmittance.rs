@@ -1,20 +1,25 @@
 //! How much light comes along a ray.
 
+use crate::object_tree::ObjectTree;
+use crate::ray_lanes::{RayLanes, Spread};
 use crate::scene_rays::SceneRays;
-use crate::world_ray::WorldRay;
+use crate::world_ray::{WorldRay, centre_and_radius};
+use glam::DVec3;
 use luxel_bvh::{Ray, RayHit};
+use luxel_math::prelude::*;
+use luxel_math::{LANES, dispatch_long, f32x16, lanes_of};
 use std::cell::RefCell;
 
 thread_local! {
-    static FEW: RefCell<Few> = RefCell::new(Few::default());
+    static BATCH: RefCell<Batch> = RefCell::new(Batch::default());
 }
 
-/// What [`SceneRays::transmittance_of_few`] keeps from call to call.
+/// What [`SceneRays::transmittance_of_lanes`] keeps from call to call.
 #[derive(Default)]
-struct Few {
-    /// The rays near one object, and their numbers.
+struct Batch {
+    /// The rays near one object, and their places among all.
     near: Vec<Ray>,
-    numbers: Vec<usize>,
+    numbers: Vec<u32>,
     hits: Vec<bool>,
 }
 
@@ -63,40 +68,68 @@ impl SceneRays {
         weakening.iter().fold(1.0, |through, blocker| through * (1.0 - blocker.alpha))
     }
 
-    /// [`SceneRays::transmittance`] of each of a few rays that run close together, on this thread.
+    /// [`SceneRays::transmittance`] of rays side by side, those of up to a few dozen neighbours, on this
+    /// thread; 1 in lanes without a ray. `spread` decides how they are traced, not what they find.
     ///
     /// # Panics
     /// If `through` isn't as long as `rays`.
-    pub fn transmittance_of_few(&self, rays: &[WorldRay], through: &mut [f32]) {
+    pub fn transmittance_of_lanes(
+        &self,
+        rays: &[RayLanes],
+        spread: Spread,
+        through: &mut [[f32; LANES]],
+    ) {
         assert_eq!(rays.len(), through.len(), "each ray has an answer");
-        through.fill(1.0);
-        FEW.with_borrow_mut(|Few { near, numbers, hits }| {
-            self.each_object_near(rays, |object| {
-                near.clear();
-                numbers.clear();
-                for (number, ray) in rays.iter().enumerate() {
-                    if through[number] > 0.0
-                        && let Some(rebased) = self.rebased_ray(ray, object)
-                    {
-                        near.push(rebased.ray);
-                        numbers.push(number);
+        through.fill([1.0; LANES]);
+        BATCH.with_borrow_mut(|batch| {
+            let of = (rays, spread);
+            if self.objects().len() == 1 {
+                self.take_light(0, of, through, batch);
+                return;
+            }
+            let all = rays.iter().flat_map(RayLanes::rays);
+            let take = |object| self.take_light(object, of, through, batch);
+            if spread == Spread::Wide || !self.each_object_near(all, take) {
+                for (rays, through) in rays.iter().zip(through) {
+                    for lane in lanes_of(rays.lanes) {
+                        through[lane] = self.transmittance(&rays.ray(lane));
                     }
                 }
-                if self.is_opaque(object) {
-                    hits.resize(near.len(), false);
-                    self.rays(object).any_of_few(near, hits);
-                    for (&number, is_hit) in numbers.iter().zip(&*hits) {
-                        if *is_hit {
-                            through[number] = 0.0;
-                        }
-                    }
-                } else {
-                    for &number in &*numbers {
-                        through[number] = self.transmittance(&rays[number]);
-                    }
-                }
-            });
+            }
         });
+    }
+
+    /// What an object leaves of the light along rays.
+    fn take_light(
+        &self,
+        object: usize,
+        (rays, spread): (&[RayLanes], Spread),
+        through: &mut [[f32; LANES]],
+        Batch { near, numbers, hits }: &mut Batch,
+    ) {
+        near.clear();
+        numbers.clear();
+        let tree = self.tree(object);
+        let Some(bounds) = tree.bvh.bounds() else { return };
+        let sphere = centre_and_radius(bounds);
+        dispatch_long!(self.level, simd => near_rays(simd, self, (object, &tree, sphere), (rays, through), (near, numbers)));
+        if self.is_opaque(object) {
+            hits.resize(near.len(), false);
+            match spread {
+                Spread::Narrow => self.rays(object).any_of_few(near, hits),
+                Spread::Wide => self.rays(object).any_of_incoherent(near, hits),
+            }
+            for (&number, is_hit) in numbers.iter().zip(&*hits) {
+                if *is_hit {
+                    through[number as usize / LANES][number as usize % LANES] = 0.0;
+                }
+            }
+        } else {
+            for &number in &*numbers {
+                let (number, lane) = (number as usize / LANES, number as usize % LANES);
+                through[number][lane] = self.transmittance(&rays[number].ray(lane));
+            }
+        }
     }
 
     /// The surfaces in the way of a ray, nearest first: those that make [`SceneRays::transmittance`] less
@@ -127,6 +160,41 @@ impl SceneRays {
             scene.opacity(mesh, triangle, barycentric, &scene.materials[part.material.index()])
         });
         (alpha > 0.0).then_some(Blocker { object, triangle, t, alpha })
+    }
+}
+
+/// Collects the rays that light is left of and that come near an object, in the coordinates of its tree.
+#[inline(always)]
+fn near_rays<S: Simd>(
+    simd: S,
+    scene: &SceneRays,
+    (object, tree, sphere): (usize, &ObjectTree<'_>, (DVec3, f64)),
+    (rays, through): (&[RayLanes], &[[f32; LANES]]),
+    (near, numbers): (&mut Vec<Ray>, &mut Vec<u32>),
+) {
+    let mut rebased = [Ray::new([0.0; 3], [0.0; 3]); LANES];
+    for (first, (rays, through)) in (0..).step_by(LANES).zip(rays.iter().zip(through)) {
+        let lit = f32x16::splat(simd, 0.0).less(f32x16::simd_from(simd, *through)).bits();
+        let left = rays.lanes & lit;
+        if left == 0 {
+            continue;
+        }
+        let inside = rays.rebased(simd, tree, sphere, &mut rebased) & left;
+        if inside == (1 << LANES) - 1 {
+            near.extend_from_slice(&rebased);
+            numbers.extend(first..first + LANES as u32);
+            continue;
+        }
+        for lane in lanes_of(left) {
+            if inside >> lane & 1 == 0 {
+                match scene.rebased_ray(&rays.ray(lane), object) {
+                    Some(far) => rebased[lane] = far.ray,
+                    None => continue,
+                }
+            }
+            near.push(rebased[lane]);
+            numbers.push(first + lane as u32);
+        }
     }
 }
 

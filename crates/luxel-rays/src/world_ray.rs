@@ -63,13 +63,9 @@ impl RebasedRay {
         origin: DVec3,
         direction: DVec3,
         range: [f64; 2],
-        [low, high]: [[f32; 3]; 2],
+        bounds: [[f32; 3]; 2],
     ) -> Option<Self> {
-        let corner =
-            |corner: [f32; 3]| DVec3::new(corner[0].into(), corner[1].into(), corner[2].into());
-        let (low, high) = (corner(low), corner(high));
-        let centre = low * 0.5 + high * 0.5;
-        let radius = (high - low).length() * 0.500_001 + centre.length() * 1e-6 + f64::MIN_POSITIVE;
+        let (centre, radius) = centre_and_radius(bounds);
         let length = direction.length();
         let unit = direction / length;
         if range[0] == 0.0 && (origin - centre).length_squared() <= radius * radius {
@@ -99,4 +95,14 @@ impl RebasedRay {
         };
         Some(Self { ray, start: enter / length, scale: 1.0 / length })
     }
+}
+
+/// The sphere around a box, a little larger.
+pub(crate) fn centre_and_radius([low, high]: [[f32; 3]; 2]) -> (DVec3, f64) {
+    let corner =
+        |corner: [f32; 3]| DVec3::new(corner[0].into(), corner[1].into(), corner[2].into());
+    let (low, high) = (corner(low), corner(high));
+    let centre = low * 0.5 + high * 0.5;
+    let radius = (high - low).length() * 0.500_001 + centre.length() * 1e-6 + f64::MIN_POSITIVE;
+    (centre, radius)
 }

@@ -1,5 +1,6 @@
 //! Read-only state of a frame that every stage of shading shares.
 
+use crate::backdrop::Backdrop;
 use crate::coverage::EdgeFlags;
 use crate::polygons::Polygons;
 use crate::shadow::Shadows;
@@ -55,7 +56,10 @@ pub(crate) struct ShadingContext<'a> {
     pub(crate) view_rays: ViewRays,
     /// The viewing direction in world space.
     pub(crate) direction: [f32; 3],
+    /// The colour and alpha behind everything, if that is the same everywhere.
     pub(crate) background: [f32; 4],
+    /// What lies behind everything, if it isn't.
+    pub(crate) backdrop: Option<&'a Backdrop<'a>>,
     /// Edges over the faces, with the polygons' edges of each instance.
     pub(crate) edges: Option<Edges>,
     pub(crate) edge_flags: &'a [Option<&'a EdgeFlags>],

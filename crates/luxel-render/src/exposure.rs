@@ -144,7 +144,11 @@ impl Renderer {
     /// # Errors
     /// [`RenderError`] if the view asks for something impossible.
     pub fn burnt_out(&self, view: &View) -> Result<f32, RenderError> {
-        let view = small(view).with_samples(1).with_background([0.0; 4]).with_edges(None);
+        let view = small(view)
+            .with_samples(1)
+            .with_background([0.0; 4])
+            .with_ground(false)
+            .with_edges(None);
         let limit = if view.tone == Tone::None { BURNT } else { BURNT_BY_CURVE };
         let (mut seen, mut burnt) = (0_u32, 0_u32);
         for [r, g, b, alpha] in self.linear(&view)?.pixels {

@@ -2,12 +2,13 @@
 //!
 //! A [`Renderer`] makes a scene ready once; [`Renderer::rgba8`], [`Renderer::linear`] and
 //! [`Renderer::layers`] then draw a [`View`] of it. Every pixel goes the same way: what its samples
-//! see (`luxel-visibility`), where on the triangle they lie (`shade`), what the surface is there
-//! (`varying`, `surface`), what light it sends (`luxel-lighting`), and how samples become a pixel (`resolve`).
+//! see (`luxel-visibility`), where on the triangle they lie (`interpolate`), what the surface is there
+//! (`material`), what light it sends (`luxel-lighting`), and how samples become a pixel (`resolve`).
 //! [`write_rgba8`], [`write_linear`] and [`write_layers`] make files of what was drawn.
 
 #![forbid(unsafe_code)]
 
+mod backdrop;
 mod context;
 mod coverage;
 mod execution;
@@ -27,9 +28,9 @@ mod vector;
 
 pub use execution::Execution;
 pub use explain::{
-    At, BlockedBy, EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample,
-    ExplainedShadow, ExplainedSurface, Explanation, Hidden, NEAREST_WITHIN, NearestObject, Seen,
-    SurfaceBelow, Unlit, Unseen,
+    At, BlockedBy, EvaluatedAt, ExplainedGround, ExplainedLight, ExplainedMaterial,
+    ExplainedSample, ExplainedShadow, ExplainedSurface, Explanation, Hidden, NEAREST_WITHIN,
+    NearestObject, Seen, SurfaceBelow, Unlit, Unseen,
 };
 pub use exposure::{AutoExposure, auto_exposure};
 pub use frame::{
@@ -40,8 +41,8 @@ pub use image::{
     write_layers, write_linear, write_rgba8,
 };
 pub use luxel_view::{
-    Clamp, Cull, Edges, EnvironmentChoice, Interpolation, Layer, LayerValues, NormalLength,
-    ParseLayerError, Shading, ShadingMode, View,
+    Background, Clamp, Cull, Edges, EnvironmentChoice, Interpolation, Layer, LayerValues,
+    NormalLength, ParseLayerError, Shading, ShadingMode, View,
 };
 pub use luxel_visibility::TILE as TILE_SIDE;
 pub use vector::{

@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 
 mod angle;
+mod background;
 mod camera;
 pub mod demos;
 mod encoding;
@@ -31,6 +32,7 @@ mod texture;
 mod topology;
 mod triangulate;
 
+pub use background::Background;
 pub use camera::{CLIP_VOLUME, Camera, Lens, Projection, SceneCamera, Size};
 pub use encoding::Encoding;
 pub use environment::{EnvironmentChoice, NamedEnvironment};

@@ -2,10 +2,10 @@
 
 use crate::extremes::Extremes;
 use crate::{
-    Bounds, EnvironmentChoice, Mesh, MeshId, Meshes, Node, NodeId, SceneCamera, SceneLight,
-    SceneMaterial, Texture,
+    Background, Bounds, EnvironmentChoice, Mesh, MeshId, Meshes, Node, NodeId, SceneCamera,
+    SceneLight, SceneMaterial, Texture,
 };
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DQuat, DVec3};
 use luxel_lighting::Fog;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -35,8 +35,8 @@ pub struct Scene {
     pub ambient: Option<[f32; 3]>,
     /// Depth cueing, if there is any.
     pub fog: Option<Fog>,
-    /// The background, if the scene has one: linear red, green, blue, and alpha.
-    pub background: Option<[f32; 4]>,
+    /// The background, if the scene has one.
+    pub background: Option<Background>,
     /// The direction that is up: +Y, +Z for STL.
     pub up: DVec3,
 }
@@ -199,8 +199,22 @@ impl Scene {
     }
 
     /// The bounds of some objects in world space.
-    pub(crate) fn bounds_of(&self, objects: &[Object]) -> Bounds {
+    #[must_use]
+    pub fn bounds_of(&self, objects: &[Object]) -> Bounds {
         self.extremes(objects, &|world_from_mesh| *world_from_mesh).bounds(&mut Default::default())
+    }
+
+    /// How low some objects reach: the least up.p of their drawn points, for `up` of unit length; infinite
+    /// if they draw nothing.
+    #[must_use]
+    pub fn lowest_of(&self, objects: &[Object], up: DVec3) -> f64 {
+        let is_axis = up.abs().to_array().iter().filter(|side| **side > 0.0).count() == 1;
+        let turn = if is_axis { DQuat::IDENTITY } else { DQuat::from_rotation_arc(up, DVec3::Y) };
+        let along = if is_axis { up } else { DVec3::Y };
+        let turned = DMat4::from_quat(turn);
+        let extremes = self.extremes(objects, &|world_from_mesh| turned * *world_from_mesh);
+        let Bounds { min, max } = extremes.bounds(&mut Default::default());
+        (along * min).min(along * max).dot(along.abs())
     }
 
     /// The drawn points of objects in another space. Sections of one mesh in one place are taken

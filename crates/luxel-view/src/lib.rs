@@ -18,6 +18,6 @@ mod view;
 
 pub use cull::Cull;
 pub use layer::{Layer, LayerValues, ParseLayerError};
-pub use luxel_scene::EnvironmentChoice;
+pub use luxel_scene::{Background, EnvironmentChoice};
 pub use shading::{Clamp, Interpolation, NormalLength, Shading, ShadingMode};
 pub use view::{AmbientOcclusion, DEFAULT_LIGHT_RAYS, DEFAULT_SAMPLES, Edges, View};

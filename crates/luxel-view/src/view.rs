@@ -2,7 +2,7 @@
 
 use crate::{Cull, EnvironmentChoice, Shading};
 use luxel_lighting::{Display, Fog, PictureEncoding, Tone};
-use luxel_scene::{Camera, DEFAULT_AMBIENT, SceneLight, Size, default_lights};
+use luxel_scene::{Background, Camera, DEFAULT_AMBIENT, SceneLight, Size, default_lights};
 
 /// The default number of samples per pixel.
 pub const DEFAULT_SAMPLES: u32 = 4;
@@ -72,8 +72,10 @@ pub struct View {
     pub environment_background: bool,
     /// Depth cueing.
     pub fog: Option<Fog>,
-    /// The background: linear red, green, blue, and alpha.
-    pub background: [f32; 4],
+    /// What lies behind everything.
+    pub background: Background,
+    /// Whether a ground lies under the model that shows nothing but its shadow and its occlusion.
+    pub ground: bool,
     /// The exposure of surfaces, in stops: each doubles their light. The background stays as it is.
     pub exposure: f32,
     /// The tone curve of surfaces, after the exposure.
@@ -108,7 +110,8 @@ impl View {
             environment: EnvironmentChoice::StudioForMicrofacets,
             environment_background: false,
             fog: None,
-            background: [0.0; 4],
+            background: Background::TRANSPARENT,
+            ground: false,
             exposure: 0.0,
             tone: Tone::None,
             encoding: PictureEncoding::Srgb,
@@ -174,10 +177,17 @@ impl View {
         Self { fog, ..self }
     }
 
-    /// The background: linear red, green, blue, and alpha.
+    /// What lies behind everything: a [`Background`], or linear red, green, blue, and alpha.
     #[must_use]
-    pub fn with_background(self, background: [f32; 4]) -> Self {
-        Self { background, ..self }
+    pub fn with_background(self, background: impl Into<Background>) -> Self {
+        Self { background: background.into(), ..self }
+    }
+
+    /// Whether a ground lies under the model, square to the scene's up direction, that shows nothing but
+    /// its shadow and its occlusion over the background. Seen from below it isn't there.
+    #[must_use]
+    pub fn with_ground(self, ground: bool) -> Self {
+        Self { ground, ..self }
     }
 
     /// The exposure of surfaces, in stops: each doubles their light. The background stays as it is.

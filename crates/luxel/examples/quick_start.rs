@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // The default view, on another background.
     let mut view = default_view(&scene, Size { width: 640, height: 360 });
-    view.background = [0.02, 0.02, 0.025, 1.0];
+    view.background = [0.02, 0.02, 0.025, 1.0].into();
     let renderer = Renderer::new(scene, &Execution::default())?;
     let picture = renderer.rgba8(&view)?;
     picture.save(&path)?;

@@ -254,33 +254,44 @@ pub(crate) fn intersect_gathered<S: Simd>(
     (distances, hits)
 }
 
-/// The distances at which a group of rays hits one triangle, and a bit for each of the `active` rays
-/// that hits it within its range. Corners and rays are in the order of the rays' axes.
+/// The distances at which a group of rays hits one triangle of a block, and a bit for each of the `active`
+/// rays that hits it within its range. `axes` is the order of the rays' axes.
+///
+/// Corners are read one number at a time: an array of all nine would be gathered, from rows that are still
+/// being stored.
 #[inline(always)]
 pub(crate) fn intersect_rays<N: Lanes>(
     lanes: N,
-    corners: [[f32; 3]; 3],
+    (gathered, axes, of): (&Gathered, [usize; 3], usize),
     (rays, group): (&ShearedRows, usize),
     is_negative: bool,
     range: [&Row; 2],
     active: u32,
 ) -> (N, u32) {
-    let [x, y, z] = [0, 1, 2].map(|axis: usize| load(lanes, &rays.origin[axis], group));
-    let shear = [0, 1, 2].map(|axis: usize| load(lanes, &rays.shear[axis], group));
+    let [kx, ky, kz] = axes;
+    let [of_x, of_y, of_z] = [&gathered[kx & 3], &gathered[ky & 3], &gathered[kz & 3]];
+    let of = of & (WIDTH - 1);
+    let x = load(lanes, &rays.origin[0], group);
+    let y = load(lanes, &rays.origin[1], group);
+    let z = load(lanes, &rays.origin[2], group);
+    let shear_x = load(lanes, &rays.shear[0], group);
+    let shear_y = load(lanes, &rays.shear[1], group);
+    let shear_z = load(lanes, &rays.shear[2], group);
     let mut transformed: Transformed<N> = [[lanes; 3]; 3];
     for corner in 0..3 {
-        let at = corners[corner].map(|value| lanes.constant(value));
-        let along = at[2] - z;
-        transformed[0][corner] = at[0] - x - along * shear[0];
-        transformed[1][corner] = at[1] - y - along * shear[1];
-        transformed[2][corner] = along * shear[2];
+        let along = lanes.constant(of_z[corner][of]) - z;
+        transformed[0][corner] = lanes.constant(of_x[corner][of]) - x - along * shear_x;
+        transformed[1][corner] = lanes.constant(of_y[corner][of]) - y - along * shear_y;
+        transformed[2][corner] = along * shear_z;
     }
-    let ends = range.map(|row| load(lanes, row, group));
+    let ends = [load(lanes, range[0], group), load(lanes, range[1], group)];
     let (mut t, mut hits, uncertain) = intersect_lanes(&transformed, ends, active);
     if uncertain != 0 {
         let mut distances = [0.0; LANES];
         t.store(&mut distances, 0);
         let (rays, found) = ((rays, group * width::<N>()), (&mut distances, hits));
+        let corner = |corner: usize| [of_x, of_y, of_z].map(|rows| rows[corner][of]);
+        let corners = [corner(0), corner(1), corner(2)];
         hits = on_edges_of_rays(corners, rays, is_negative, range, uncertain, found);
         t = t.load(&distances, 0);
     }

@@ -1,14 +1,15 @@
 //! Batches: many rays, in packets where they are coherent.
 
-use super::packet::{LEAST, Packet};
+use super::packet::{LEAST, Packet, load_up_to_eight};
 use super::packet_kind::PacketKind;
 use super::packet_traversal::trace_packet;
 use super::query::RayQuery;
 use super::single_ray::{RaySetup, set_up, trace, trace_in_turns, trace_unusual};
 use super::stack::{STACKS, TURNS, TraversalStack};
 use super::target::RayTarget;
-use crate::intersect::PACKET;
+use crate::intersect::{PACKET, width};
 use crate::ray::Ray;
+use crate::tree::WIDTH;
 use luxel_math::{
     Simd, dispatch_long, f32x8, f32x16, has_wide_registers, is_specialized, prelude::*,
 };
@@ -17,6 +18,12 @@ use std::cell::RefCell;
 
 /// Rays per task.
 const CHUNK: usize = 1024;
+
+/// Fewer rays of a kind that go all ways are traced singly.
+const LEAST_OF_GROUP: usize = 4;
+
+/// Rays that are sorted by kind together, if they go all ways.
+const MANY: usize = 256;
 
 /// Trees of more bytes exceed the caches: incoherent rays wait for memory and take turns.
 const FAR: usize = 1 << 24;
@@ -32,24 +39,26 @@ pub(crate) fn trace_batch<Q: RayQuery>(
     answers: &mut [Q::Answer],
 ) {
     fill(answers, CHUNK, &|start, answers| {
-        trace_here::<Q>(target, &rays[start..start + answers.len()], answers);
+        trace_here::<Q>(target, &rays[start..start + answers.len()], true, answers);
     });
 }
 
-/// Traces rays on this thread. `answers` must be as long as `rays`.
+/// Traces rays on this thread, those that run close together in packets, unless none is to be
+/// `together`. `answers` must be as long as `rays`.
 ///
 /// Outlined: one copy of its kernels.
 #[inline(never)]
 pub(crate) fn trace_here<Q: RayQuery>(
     target: &RayTarget<'_>,
     rays: &[Ray],
+    together: bool,
     answers: &mut [Q::Answer],
 ) {
     // Reset here, where it stays in the cache.
     answers.fill(Q::MISS);
     PACKETS.with_borrow_mut(|packet| {
         STACKS.with(|stacks| {
-            dispatch_long!(target.level, simd => trace_run::<_, Q>(simd, target, rays, answers, packet, &stacks.turns));
+            dispatch_long!(target.level, simd => trace_run::<_, Q>(simd, target, (rays, together), answers, packet, &stacks.turns));
         });
     });
 }
@@ -60,7 +69,7 @@ pub(crate) fn trace_here<Q: RayQuery>(
 fn trace_run<S: Simd, Q: RayQuery>(
     simd: S,
     target: &RayTarget<'_>,
-    rays: &[Ray],
+    (rays, together): (&[Ray], bool),
     answers: &mut [Q::Answer],
     packet: &mut Packet,
     stacks: &[TraversalStack; TURNS],
@@ -69,10 +78,10 @@ fn trace_run<S: Simd, Q: RayQuery>(
         trace_rest::<S, Q>(simd, target, rays, 0..rays.len(), answers, stacks);
     } else if has_wide_registers(simd) {
         let lanes = f32x16::splat(simd, 0.0);
-        trace_in_packets::<S, _, Q>(simd, lanes, target, rays, answers, packet, stacks);
+        trace_in_packets::<S, _, Q>(simd, lanes, target, (rays, together), answers, packet, stacks);
     } else {
         let lanes = f32x8::splat(simd, 0.0);
-        trace_in_packets::<S, _, Q>(simd, lanes, target, rays, answers, packet, stacks);
+        trace_in_packets::<S, _, Q>(simd, lanes, target, (rays, together), answers, packet, stacks);
     }
 }
 
@@ -82,59 +91,76 @@ fn trace_in_packets<S: Simd, N: Lanes, Q: RayQuery>(
     simd: S,
     lanes: N,
     target: &RayTarget<'_>,
-    rays: &[Ray],
+    (rays, together): (&[Ray], bool),
     answers: &mut [Q::Answer],
     packet: &mut Packet,
     stacks: &[TraversalStack; TURNS],
 ) {
-    for (rays, answers) in rays.chunks(PACKET).zip(answers.chunks_mut(PACKET)) {
-        if let Some(kind) = packet.load(simd, rays)
+    let size = if Q::ANY && !together { MANY } else { PACKET };
+    for (rays, answers) in rays.chunks(size).zip(answers.chunks_mut(size)) {
+        let mut is_single = [true; MANY];
+        let is_group = Q::ANY && rays.len() <= width::<N>();
+        if rays.len() <= PACKET
             && rays.len() >= LEAST
+            && let Some(kind) = packet.load(simd, rays)
         {
-            if packet.prepare(lanes, target, kind, rays.len()) {
-                trace_packet::<S, N, Q>(simd, lanes, target, packet, &stacks[0]);
+            if packet.prepare(lanes, target, (kind, is_group), rays.len()) {
+                trace_packet::<S, N, Q>(simd, lanes, target, packet, is_group, &stacks[0]);
                 packet.write_answers::<N, Q>(lanes, target, answers, |index| index);
-            } else {
-                trace_rest::<S, Q>(simd, target, rays, 0..rays.len(), answers, stacks);
-            }
-            continue;
-        }
-        let mut kinds = [PacketKind::NONE; PACKET];
-        for (kind, ray) in kinds.iter_mut().zip(rays) {
-            *kind = PacketKind::of(ray);
-        }
-        let kinds = &mut kinds[..rays.len()];
-        let mut counts = [0_u8; PacketKind::COUNT];
-        for kind in kinds.iter() {
-            counts[kind.number()] += 1;
-        }
-        let mut is_single = [true; PACKET];
-        for first in 0..kinds.len() {
-            let kind = kinds[first];
-            if kind == PacketKind::NONE || usize::from(counts[kind.number()]) < LEAST {
                 continue;
             }
-            let mut indices = [0_u8; PACKET];
-            let mut count = 0;
-            for (index, other) in (0_u8..).zip(kinds.iter_mut()) {
-                indices[count & (PACKET - 1)] = index;
-                count += usize::from(*other == kind);
-                *other = if *other == kind { PacketKind::NONE } else { *other };
-            }
-            let indices = &indices[..count];
-            packet.load_selected(simd, rays, indices);
-            if !packet.prepare(lanes, target, kind, count) {
-                continue;
-            }
-            trace_packet::<S, N, Q>(simd, lanes, target, packet, &stacks[0]);
-            packet.write_answers::<N, Q>(lanes, target, answers, |at| usize::from(indices[at]));
-            for &index in indices {
-                is_single[usize::from(index)] = false;
+        } else {
+            let (order, starts) = sorted_by_kind(simd, rays);
+            let (least, most) = match Q::ANY && !together {
+                true => (LEAST_OF_GROUP, width::<N>()),
+                false => (LEAST, PACKET),
+            };
+            for number in 0..PacketKind::NONE.number() {
+                let kind = PacketKind::of_number(number);
+                let of_kind = &order[starts[number]..starts[number + 1]];
+                for indices in of_kind.chunks(most).filter(|indices| indices.len() >= least) {
+                    packet.load_selected(simd, rays, indices);
+                    let is_group = Q::ANY && indices.len() <= width::<N>();
+                    if !packet.prepare(lanes, target, (kind, is_group), indices.len()) {
+                        continue;
+                    }
+                    trace_packet::<S, N, Q>(simd, lanes, target, packet, is_group, &stacks[0]);
+                    let index = |at: usize| usize::from(indices[at]);
+                    packet.write_answers::<N, Q>(lanes, target, answers, index);
+                    for &index in indices {
+                        is_single[usize::from(index)] = false;
+                    }
+                }
             }
         }
         let rest = (0..rays.len()).filter(|index| is_single[*index]);
         trace_rest::<S, Q>(simd, target, rays, rest, answers, stacks);
     }
+}
+
+/// The numbers of up to 256 rays in the order of their kinds, and where those of each kind begin.
+#[inline(always)]
+fn sorted_by_kind<S: Simd>(simd: S, rays: &[Ray]) -> ([u8; MANY], [usize; PacketKind::COUNT + 1]) {
+    let mut kinds = [PacketKind::NONE; MANY];
+    let mut starts = [0; PacketKind::COUNT + 1];
+    let (kinds, _) = kinds.split_at_mut(rays.len().min(MANY));
+    for (kinds, rays) in kinds.chunks_mut(WIDTH).zip(rays.chunks(WIDTH)) {
+        let (_, signs) = load_up_to_eight(simd, rays, &rays[0]);
+        for (ray, kind) in kinds.iter_mut().enumerate() {
+            *kind = signs.kind(ray);
+            starts[kind.number() + 1] += 1;
+        }
+    }
+    for number in 0..PacketKind::COUNT {
+        starts[number + 1] += starts[number];
+    }
+    let (mut order, mut next) = ([0; MANY], starts);
+    for (ray, kind) in (0_u8..=u8::MAX).zip(kinds.iter()) {
+        let at = &mut next[kind.number()];
+        order[*at % MANY] = ray;
+        *at += 1;
+    }
+    (order, starts)
 }
 
 /// Traces incoherent rays: in turns where the tree exceeds the caches, else one by one.

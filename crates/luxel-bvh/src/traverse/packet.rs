@@ -129,13 +129,14 @@ impl Packet {
         }
     }
 
-    /// Prepares `count` loaded rays of one kind; returns whether they are coherent enough for a packet.
+    /// Prepares `count` loaded rays of one kind; returns whether they are coherent enough for intervals. Of
+    /// a single group, that isn't asked if `is_group`.
     #[inline(always)]
     pub(crate) fn prepare<N: Lanes>(
         &mut self,
         lanes: N,
         target: &RayTarget<'_>,
-        kind: PacketKind,
+        (kind, is_group): (PacketKind, bool),
         count: usize,
     ) -> bool {
         self.reversed = kind.reversed();
@@ -186,19 +187,23 @@ impl Packet {
             store(first, &mut self.sheared.shear[0], group);
             store(second, &mut self.sheared.shear[1], group);
             store(inverse, &mut self.sheared.shear[2], group);
+            self.count += 1;
+            if is_group {
+                continue;
+            }
             slopes[0].include(first);
             slopes[1].include(second);
             for axis in 0..3 {
                 origins[axis].include(load(lanes, &self.rows[axis], number));
             }
-            self.count += 1;
         }
         if self.count == 0 {
             return true;
         }
         self.triangle = [u32::MAX; PACKET];
-        slopes.iter().all(|range| range.width() <= SPREAD)
-            && origins.iter().all(|range| range.width() <= SPREAD * target.extent)
+        is_group
+            || slopes.iter().all(|range| range.width() <= SPREAD)
+                && origins.iter().all(|range| range.width() <= SPREAD * target.extent)
     }
 
     /// Writes the answers of rays that hit something; `index` maps a ray of the packet to its answer.
@@ -298,7 +303,11 @@ impl Packet {
 
 /// Loads up to eight rays, and `first` for those that are missing.
 #[inline(always)]
-fn load_up_to_eight<S: Simd>(simd: S, rays: &[Ray], first: &Ray) -> ([f32x8<S>; ROWS], SignBits) {
+pub(super) fn load_up_to_eight<S: Simd>(
+    simd: S,
+    rays: &[Ray],
+    first: &Ray,
+) -> ([f32x8<S>; ROWS], SignBits) {
     if let Some([a, b, c, d, e, f, g, h]) = rays.first_chunk::<WIDTH>() {
         return load_eight(simd, [a, b, c, d, e, f, g, h]);
     }

@@ -1,6 +1,6 @@
 //! Which rays can share a packet, and their transposition to rows.
 
-use crate::ray::{Ray, USUAL_LENGTHS, longest_axis};
+use crate::ray::{Ray, USUAL_LENGTHS};
 use crate::tree::{WIDTH, transpose};
 use luxel_math::{Simd, f32x4, f32x8, i32x8, prelude::*};
 
@@ -16,18 +16,16 @@ impl PacketKind {
     pub(crate) const NONE: Self = Self(3 << 3);
     pub(crate) const COUNT: usize = 1 << 5;
 
+    /// Its number; those of kinds that packets have lie below [`PacketKind::NONE`]'s.
     #[inline(always)]
     pub(crate) fn number(self) -> usize {
         usize::from(self.0) & (Self::COUNT - 1)
     }
 
+    /// The kind of a number.
     #[inline(always)]
-    pub(crate) fn of(ray: &Ray) -> Self {
-        if !ray.is_sound() || !ray.is_usual() {
-            return Self::NONE;
-        }
-        let reversed = |axis: usize| u8::from(ray.direction[axis].is_sign_negative()) << axis;
-        Self(reversed(0) | reversed(1) | reversed(2) | (longest_axis(&ray.direction) as u8) << 3)
+    pub(crate) fn of_number(number: usize) -> Self {
+        Self(number as u8)
     }
 
     pub(crate) fn reversed(self) -> [usize; 3] {
@@ -46,6 +44,21 @@ pub(crate) struct SignBits {
     usual: u32,
     reversed: [u32; 3],
     longest: [u32; 2],
+}
+
+impl SignBits {
+    /// The kind of one of the eight rays.
+    #[inline(always)]
+    pub(crate) fn kind(self, ray: usize) -> PacketKind {
+        let bit = |bits: u32| (bits >> (ray & (WIDTH - 1)) & 1) as u8;
+        let [x, y, z] = self.reversed.map(bit);
+        let longest = if bit(self.longest[0]) != 0 { 0 } else { 2 - bit(self.longest[1]) };
+        if bit(self.usual) != 0 {
+            PacketKind(x | y << 1 | z << 2 | longest << 3)
+        } else {
+            PacketKind::NONE
+        }
+    }
 }
 
 /// What all rays added so far share.

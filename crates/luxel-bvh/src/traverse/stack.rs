@@ -44,6 +44,21 @@ impl TraversalStack {
         self.0[at & (Self::SIZE - 1)].set(key);
     }
 
+    /// Pushes a child's number and the rays that ask for it, a bit each; the nearest child isn't known.
+    #[inline(always)]
+    pub(crate) fn push_for(&self, top: &mut usize, word: u32, rays: u32) {
+        self.set(*top, u64::from(rays) << 32 | u64::from(word));
+        *top += 1;
+    }
+
+    /// Pops what [`Self::push_for`] has pushed.
+    #[inline(always)]
+    pub(crate) fn pop_for(&self, top: &mut usize) -> Option<(u32, u32)> {
+        *top = top.checked_sub(1)?;
+        let key = self.get(*top);
+        Some((key as u32, (key >> 32) as u32))
+    }
+
     /// Pops entries until one begins no farther than `farthest`; returns its word.
     #[inline(always)]
     pub(crate) fn pop(&self, top: &mut usize, farthest: f32) -> Option<u32> {

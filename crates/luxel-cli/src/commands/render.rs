@@ -204,6 +204,9 @@ impl RenderCommand {
         if options.picture.tone != Tone::None && target.holds_light() {
             console.notice("EXR and NPY hold light, which --tone leaves as it is");
         }
+        if options.light.ground && target.format == Format::Svg {
+            console.notice("a picture of vectors leaves the ground out");
+        }
         let mut exposure = None;
         let mut warnings: Vec<String> = model.warnings.clone();
         for (number, &camera) in cameras.iter().enumerate() {

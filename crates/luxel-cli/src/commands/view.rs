@@ -62,6 +62,10 @@ pub(crate) struct ViewCommand {
     #[arg(long, value_enum, value_name = "THEME", default_value = "auto")]
     theme: ThemeName,
 
+    /// Begin without the occlusion and the ground that models otherwise get, which scene files decide
+    #[arg(long)]
+    no_occlusion: bool,
+
     /// A file of key bindings [default: luxel/keys.toml in the user's configuration folder,
     /// if it exists]
     #[arg(long, value_name = "FILE")]

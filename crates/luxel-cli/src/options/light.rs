@@ -62,6 +62,11 @@ pub(crate) struct LightOptions {
     #[arg(allow_hyphen_values = true)]
     pub(crate) ao_rays: u32,
 
+    /// A ground under the model, square to --up, that shows nothing but the model's shadow and its
+    /// occlusion over the background, with or without --shadows and --ao; not in .svg
+    #[arg(long)]
+    pub(crate) ground: bool,
+
     /// Depth cueing: near=Z:far=Z:front=S:back=S:color=COLOR, or fog:
     /// law=exp|exp2:density=D:color=COLOR
     #[arg(long, value_name = "SPEC", value_parser = fog)]

@@ -3,14 +3,16 @@
 use crate::values::{Exposure, background, choice, exposure};
 use clap::{Args, ValueEnum};
 use luxel::lighting::Tone;
+use luxel::scene::Background;
 
 /// Background, exposure, tone curve and encoding.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Picture")]
 pub(crate) struct PictureOptions {
-    /// Background: R,G,B or R,G,B,A (linear), a CSS name, #rrggbb, or #rrggbbaa [default: transparent]
-    #[arg(long, value_name = "COLOR", value_parser = background, allow_hyphen_values = true)]
-    pub(crate) background: Option<[f32; 4]>,
+    /// Background: studio (a quiet gradient, as of light paper), R,G,B or R,G,B,A (linear), a CSS name
+    /// such as white, #rrggbb, or #rrggbbaa [default: transparent]
+    #[arg(long, value_name = "WHAT", value_parser = background, allow_hyphen_values = true)]
+    pub(crate) background: Option<Background>,
 
     /// Exposure of surfaces in stops, each of which doubles their light, or auto: from the scene's own
     /// lights [default: 0; auto in the window]

@@ -114,7 +114,7 @@ pub(crate) static ROOT: Section = Section {
         key(
             "background",
             Shape::ThreeOrFour,
-            "linear background colour, with optional alpha",
+            "the background: `studio`, or a linear colour with optional alpha",
             "[0.02, 0.02, 0.03]",
         ),
     ],

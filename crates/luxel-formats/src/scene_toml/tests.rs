@@ -216,7 +216,7 @@ fn surroundings_read_as_on_the_command_line() {
     assert_eq!(scene.ambient, Some([0.1, 0.2, 0.3]));
     let studio = Environment::Studio { up: [0.0, 0.0, 1.0] };
     assert_eq!(scene.environment, Some(EnvironmentChoice::Always(studio)));
-    assert_eq!(scene.background, Some([0.5, 0.5, 0.5, 1.0]));
+    assert_eq!(scene.background, Some([0.5, 0.5, 0.5, 1.0].into()));
     let law = FogLaw::DepthCue { near: 1.0, far: 5.0, front: 1.0, back: 0.25 };
     assert_eq!(scene.fog.unwrap().law, law);
 }

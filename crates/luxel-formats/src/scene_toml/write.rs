@@ -9,7 +9,9 @@ use crate::values::{FieldValue, degrees, light_fields, reflection_text};
 use crate::{Error, Limits, SettingValue};
 use glam::DVec3;
 use luxel_lighting::{Environment, Fog, FogLaw, parameters};
-use luxel_scene::{EnvironmentChoice, Lens, Placement, Restyle, SceneCamera, SceneLight};
+use luxel_scene::{
+    Background, EnvironmentChoice, Lens, Placement, Restyle, SceneCamera, SceneLight,
+};
 use std::fmt::Write as _;
 use toml::de::DeValue;
 
@@ -28,8 +30,8 @@ pub struct SceneText<'a> {
     pub environment: Option<EnvironmentChoice>,
     /// The path of the environment's picture from the file, if it is one.
     pub environment_file: Option<&'a str>,
-    /// The background: linear red, green, blue, and alpha.
-    pub background: [f32; 4],
+    /// What lies behind everything.
+    pub background: Background,
     /// Depth cueing.
     pub fog: Option<Fog>,
     /// The lights, each with the path of its node, if it has one.
@@ -86,8 +88,13 @@ impl SceneText<'_> {
                 page.line("environment_rotation", &map.rotation_degrees().to_string());
             }
         }
-        let [r, g, b, alpha] = self.background.map(single);
-        page.line("background", &format!("[{r}, {g}, {b}, {alpha}]"));
+        match self.background {
+            Background::Flat(color) => {
+                let [r, g, b, alpha] = color.map(single);
+                page.line("background", &format!("[{r}, {g}, {b}, {alpha}]"));
+            }
+            Background::Studio => page.line("background", &quoted(Background::STUDIO)),
+        }
         self.models(&mut page)?;
         for (light, node) in &self.lights {
             page.table("[[lights]]");

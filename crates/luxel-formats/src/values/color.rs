@@ -2,7 +2,7 @@
 
 use super::number::single;
 use super::vector::numbers;
-use luxel_scene::Encoding;
+use luxel_scene::{Background, Encoding};
 
 /// The ways to write a colour, for messages.
 const USAGE: &str = "use R,G,B, a CSS name such as tomato, or #rrggbb";
@@ -35,12 +35,20 @@ pub fn reflectance(text: &str) -> Result<[f32; 3], String> {
     }
 }
 
-/// Linear red, green and blue, with optional alpha from 0 to 1 (default 1); or a colour of CSS, whose
-/// alpha is linear, too.
+/// `studio`; linear red, green and blue, with optional alpha from 0 to 1 (default 1); or a colour of CSS,
+/// whose alpha is linear, too.
 ///
 /// # Errors
-/// Anything but a colour with or without alpha.
-pub fn background(text: &str) -> Result<[f32; 4], String> {
+/// Anything but `studio`, or a colour with or without alpha.
+pub fn background(text: &str) -> Result<Background, String> {
+    if text == Background::STUDIO {
+        Ok(Background::Studio)
+    } else {
+        color_with_alpha(text).map(Background::Flat)
+    }
+}
+
+fn color_with_alpha(text: &str) -> Result<[f32; 4], String> {
     if is_css(text) {
         let [r, g, b, alpha] = css(text)?;
         let [r, g, b] = linear([r, g, b]);
@@ -84,8 +92,8 @@ mod tests {
 
     #[test]
     fn the_alpha_of_a_background_is_1_by_default() {
-        assert_eq!(background("1,0,0"), Ok([1.0, 0.0, 0.0, 1.0]));
-        assert_eq!(background("1,0,0,.25"), Ok([1.0, 0.0, 0.0, 0.25]));
+        assert_eq!(background("1,0,0"), Ok(Background::Flat([1.0, 0.0, 0.0, 1.0])));
+        assert_eq!(background("1,0,0,.25"), Ok(Background::Flat([1.0, 0.0, 0.0, 0.25])));
         assert!(background("1,0,0,2").is_err() && background("1,0").is_err());
     }
 
@@ -111,10 +119,13 @@ mod tests {
 
     #[test]
     fn a_background_may_be_transparent() {
-        assert_eq!(background("transparent"), Ok([0.0; 4]));
-        assert_eq!(background("#fff"), Ok([1.0; 4]));
-        assert_eq!(background("#0f08"), Ok([0.0, 1.0, 0.0, f32::from(0x88_u8) / 255.0]));
-        assert_eq!(background("#00ff0080"), Ok([0.0, 1.0, 0.0, 128.0 / 255.0]));
+        assert_eq!(background("transparent"), Ok(Background::Flat([0.0; 4])));
+        assert_eq!(background("#fff"), Ok(Background::Flat([1.0; 4])));
+        assert_eq!(
+            background("#0f08"),
+            Ok(Background::Flat([0.0, 1.0, 0.0, f32::from(0x88_u8) / 255.0]))
+        );
+        assert_eq!(background("#00ff0080"), Ok(Background::Flat([0.0, 1.0, 0.0, 128.0 / 255.0])));
         for text in ["transparent", "#0f08", "#00ff0080"] {
             assert!(color(text).unwrap_err().contains("alpha"), "{text}");
         }

@@ -4,8 +4,10 @@
 //! are taken of, and `f32` would lose them. Such steps are written over `F64Lanes`, once for one value
 //! and for sixteen lanes, and give the same bits in both.
 
-use crate::Lanes;
-use fearless_simd::{Simd, f32x8, f32x16, f64x4, f64x8, mask32x8, mask32x16, prelude::*};
+use crate::{LANES, Lanes};
+use fearless_simd::{
+    Simd, f32x8, f32x16, f64x4, f64x8, mask32x8, mask32x16, mask64x4, mask64x8, prelude::*,
+};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// One `f64`, or one for each lane.
@@ -24,10 +26,18 @@ pub trait F64Lanes:
     fn constant(self, value: f64) -> Self;
     /// The value without its sign.
     fn abs(self) -> Self;
+    /// The correctly rounded square root.
+    fn sqrt(self) -> Self;
+    /// `self` where the mask is true, `other` where it is false.
+    fn select(self, mask: <Self::F32 as Lanes>::Mask, other: Self) -> Self;
     /// Whether it is above 0.
     fn is_positive(self) -> <Self::F32 as Lanes>::Mask;
     /// Rounded to `f32`, ties to even.
     fn to_f32(self) -> Self::F32;
+    /// Reads the values of all lanes; `self` selects the lane type.
+    fn load(self, values: &[f64; LANES]) -> Self;
+    /// Writes the values of all lanes.
+    fn store(self, values: &mut [f64; LANES]);
     /// Loads a 4-component row for each lane: lane i of column c is component c of `row(i)`; `self`
     /// selects the lane type. Mark the closure `#[inline(always)]`.
     fn load_transposed<'r>(self, row: impl Fn(usize) -> &'r [f64; 4]) -> [Self; 4];
@@ -48,12 +58,28 @@ impl F64Lanes for f64 {
         Self::abs(self)
     }
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self::sqrt(self)
+    }
+    #[inline(always)]
+    fn select(self, mask: bool, other: Self) -> Self {
+        if mask { self } else { other }
+    }
+    #[inline(always)]
     fn is_positive(self) -> bool {
         self > 0.0
     }
     #[inline(always)]
     fn to_f32(self) -> f32 {
         self as f32
+    }
+    #[inline(always)]
+    fn load(self, values: &[Self; LANES]) -> Self {
+        values[0]
+    }
+    #[inline(always)]
+    fn store(self, values: &mut [Self; LANES]) {
+        values[0] = self;
     }
     #[inline(always)]
     fn load_transposed<'r>(self, row: impl Fn(usize) -> &'r [Self; 4]) -> [Self; 4] {
@@ -80,7 +106,7 @@ fn transposed<S: Simd>(mut lines: [f64x4<S>; 4]) -> [f64x4<S>; 4] {
 /// Lanes with the digits of an `f64`, in two halves.
 macro_rules! wide_lanes {
     (
-        $F64Lanes:ident, $Lanes:ident, $Mask:ident, $half:literal, $Half:ident,
+        $F64Lanes:ident, $Lanes:ident, $Mask:ident, $half:literal, $Half:ident, $HalfMask:ident,
         $widen:ident, $narrow:ident
     ) => {
         #[doc = concat!("The wide side of [`", stringify!($Lanes), "`]: as many `f64`.")]
@@ -112,6 +138,20 @@ macro_rules! wide_lanes {
                 Self { low: self.low.abs(), high: self.high.abs() }
             }
             #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self { low: self.low.sqrt(), high: self.high.sqrt() }
+            }
+            #[inline(always)]
+            fn select(self, mask: $Mask<S>, other: Self) -> Self {
+                let (simd, bits) = (self.low.simd, mask.to_bitmask());
+                let low = $HalfMask::from_bitmask(simd, bits & ((1 << $half) - 1));
+                let high = $HalfMask::from_bitmask(simd, bits >> $half);
+                Self {
+                    low: low.select(self.low, other.low),
+                    high: high.select(self.high, other.high),
+                }
+            }
+            #[inline(always)]
             fn is_positive(self) -> $Mask<S> {
                 let simd = self.low.simd;
                 let zero = $Half::splat(simd, 0.0);
@@ -122,6 +162,17 @@ macro_rules! wide_lanes {
             #[inline(always)]
             fn to_f32(self) -> $Lanes<S> {
                 self.low.simd.$narrow(self.low, self.high)
+            }
+            #[inline(always)]
+            fn load(self, values: &[f64; LANES]) -> Self {
+                let simd = self.low.simd;
+                let low = $Half::from_slice(simd, &values[..$half]);
+                Self { low, high: $Half::from_slice(simd, &values[$half..2 * $half]) }
+            }
+            #[inline(always)]
+            fn store(self, values: &mut [f64; LANES]) {
+                self.low.store_slice(&mut values[..$half]);
+                self.high.store_slice(&mut values[$half..2 * $half]);
             }
             #[inline(always)]
             fn load_transposed<'r>(self, row: impl Fn(usize) -> &'r [f64; 4]) -> [Self; 4] {
@@ -205,8 +256,8 @@ macro_rules! wide_lanes {
     };
 }
 
-wide_lanes!(F64x16, f32x16, mask32x16, 8, f64x8, widen_f32x16, narrow_f64x8);
-wide_lanes!(F64x8, f32x8, mask32x8, 4, f64x4, widen_f32x8, narrow_f64x4);
+wide_lanes!(F64x16, f32x16, mask32x16, 8, f64x8, mask64x8, widen_f32x16, narrow_f64x8);
+wide_lanes!(F64x8, f32x8, mask32x8, 4, f64x4, mask64x4, widen_f32x8, narrow_f64x4);
 
 #[cfg(test)]
 mod tests {
@@ -215,19 +266,24 @@ mod tests {
     use fearless_simd::dispatch;
 
     #[inline(always)]
-    fn worked<N: Lanes>(a: N, b: N) -> [N; 4] {
+    fn worked<N: Lanes>(a: N, b: N) -> [N; 7] {
         let (a, b) = (a.to_f64(), b.to_f64());
         let far = a.constant(1e8) + b;
+        let mut stored = [0.0; LANES];
+        far.store(&mut stored);
         [
             (far - a.constant(1e8)).to_f32(),
             (-a * b).to_f32(),
             (b / far).to_f32(),
             (a.abs() + b.abs()).to_f32(),
+            a.abs().sqrt().to_f32(),
+            a.select(b.is_positive(), b).to_f32(),
+            (a.load(&stored) - a.constant(1e8)).to_f32(),
         ]
     }
 
     #[inline(always)]
-    fn sixteen<S: Simd>(simd: S, a: [f32; LANES], b: [f32; LANES]) -> ([[f32; LANES]; 4], u64) {
+    fn sixteen<S: Simd>(simd: S, a: [f32; LANES], b: [f32; LANES]) -> ([[f32; LANES]; 7], u64) {
         let [a, b] = [a, b].map(|lanes| f32x16::simd_from(simd, lanes));
         let worked = worked(a, b).map(|result| std::array::from_fn(|lane| result.lane(lane)));
         (worked, a.to_f64().is_positive().to_bitmask())

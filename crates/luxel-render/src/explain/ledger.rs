@@ -65,13 +65,43 @@ pub struct ExplainedSample {
 pub enum Seen {
     /// Nothing.
     Background {
-        /// Its colour (straight).
+        /// Its colour (straight), under the ground if there is one.
         color: [f32; 3],
         /// Its alpha.
         alpha: f32,
+        /// What is seen of the ground.
+        ground: Option<Box<ExplainedGround>>,
     },
     /// A surface.
     Surface(Box<ExplainedSurface>),
+}
+
+/// The ground at a sample: black with `darkness` as its alpha, over the background.
+///
+/// With D = darkness and A = D + (1 - D) `behind[3]`, a sample shows the colour (1 - D) `behind[3]` / A times
+/// `behind`'s, and A is its alpha.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplainedGround {
+    /// The place, in world space.
+    pub position: [f64; 3],
+    /// The background behind it: straight colour and alpha.
+    pub behind: [f32; 4],
+    /// Openness.
+    pub openness: f32,
+    /// I_a of the scene, ambient lights included.
+    pub ambient_light: [f32; 3],
+    /// The reflected ambient light.
+    pub scene_ambient: [f32; 3],
+    /// What each directional, point and spot light adds, in the order of the view.
+    pub lights: Vec<ExplainedLight>,
+    /// I: the light of a white, matt ground.
+    pub light: [f32; 3],
+    /// I_0: the same without the model.
+    pub unoccluded: [f32; 3],
+    /// s of the fog; 1 without.
+    pub fog: f32,
+    /// D = s (1 - Y(I) / Y(I_0)), Y the luminance.
+    pub darkness: f32,
 }
 
 /// A surface at a sample, with every term of its light.
@@ -212,6 +242,11 @@ pub struct ExplainedShadow {
     pub ray: Option<[[f64; 3]; 2]>,
     /// The objects in the way, nearest to the surface first.
     pub blocked_by: Vec<BlockedBy>,
+}
+
+impl ExplainedShadow {
+    /// Where no ray is traced.
+    pub(super) const NO_RAY: Self = Self { terminator: 1.0, ray: None, blocked_by: Vec::new() };
 }
 
 /// An object in the way of a light.

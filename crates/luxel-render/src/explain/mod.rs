@@ -5,14 +5,15 @@
 //! that writes every term down; as one number and sixteen lanes give the same bits, the ledger's
 //! colours are the picture's.
 
+mod ground;
 mod ledger;
 mod occluded;
 mod shadow;
 mod vertex_terms;
 
 pub use ledger::{
-    BlockedBy, EvaluatedAt, ExplainedLight, ExplainedMaterial, ExplainedSample, ExplainedShadow,
-    ExplainedSurface, Explanation, Seen, Unlit,
+    BlockedBy, EvaluatedAt, ExplainedGround, ExplainedLight, ExplainedMaterial, ExplainedSample,
+    ExplainedShadow, ExplainedSurface, Explanation, Seen, Unlit,
 };
 pub use occluded::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
 
@@ -143,10 +144,14 @@ impl Renderer {
 struct SeenBySample(Vec<(TriangleId, u8)>);
 
 impl SeenBySample {
-    fn of(tile: &Tile, (block, lane): (usize, usize), samples: Samples) -> Self {
+    /// `is_flat`: the same lies behind all samples that see no surface.
+    fn of(tile: &Tile, (block, lane): (usize, usize), samples: Samples, is_flat: bool) -> Self {
         let id = |sample: u8| tile.planes()[usize::from(sample)].ids[block][lane];
-        let seen = tile.planes().iter().map(|plane| {
+        let seen = (0..).zip(tile.planes()).map(|(sample, plane)| {
             let own = plane.ids[block][lane];
+            if own == TriangleId::NONE.0 && !is_flat {
+                return (TriangleId::NONE, sample);
+            }
             // The nearest to the centre of those that see the same.
             let lit_at = samples.nearest_first().iter().find(|&&sample| id(sample) == own);
             (TriangleId(own), lit_at.map_or(0, |&sample| sample))
@@ -175,9 +180,12 @@ impl PixelScene<'_> {
     ) -> Explanation {
         let (block, _) = self.place;
         let samples = self.scene.frame.samples();
-        let layers: Vec<_> =
-            layers.iter().map(|layer| SeenBySample::of(layer, self.place, samples)).collect();
-        let behind = SeenBySample::of(opaque, self.place, samples);
+        let is_flat = self.scene.backdrop.is_none();
+        let layers: Vec<_> = layers
+            .iter()
+            .map(|layer| SeenBySample::of(layer, self.place, samples, is_flat))
+            .collect();
+        let behind = SeenBySample::of(opaque, self.place, samples, is_flat);
         // What each sample sees, nearest first; what doesn't cover it shows what lies behind all.
         let stacks: Vec<Vec<(TriangleId, u8)>> = (0..samples.count())
             .map(|sample| {
@@ -209,7 +217,7 @@ impl PixelScene<'_> {
         let explained: Vec<_> = entries.into_iter().map(placed).collect();
         let linear = if layered {
             layered_pixel(&explained, samples.count())
-        } else if resolve::is_empty(opaque, block) {
+        } else if self.scene.backdrop.is_none() && resolve::is_empty(opaque, block) {
             resolve::empty_pixel(self.scene)
         } else {
             even_pixel(&explained, samples.count())
@@ -239,8 +247,7 @@ impl PixelScene<'_> {
         let eye = self.view.camera.eye().to_array();
         let lit = Lit::of(scene, eye, &lights_with_terms(self.view), &batch, kept);
         let (Some(of), Some(lit)) = (scene.frame.triangle(id), lit) else {
-            let [r, g, b, alpha] = scene.background;
-            return Seen::Background { color: [r, g, b], alpha };
+            return ground::background(scene, &batch, eye, &lights_with_terms(self.view));
         };
         let (object, triangle) = scene.placed.object_of(of);
         let mesh = scene.frame.instances()[of.instance].mesh;

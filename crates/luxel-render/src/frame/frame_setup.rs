@@ -2,7 +2,7 @@
 //! eye.
 
 use glam::{DMat3, DVec3};
-use luxel_lighting::{Coefficients, LightKind, PlacedLight, Uniform};
+use luxel_lighting::{Coefficients, Display, LightKind, PlacedLight, Uniform};
 use luxel_scene::{Camera, Placement, Scene, SceneLight, SceneMaterial};
 use luxel_view::View;
 use luxel_visibility::{CoveragePolicy, SurfaceRules};
@@ -45,6 +45,23 @@ pub(crate) fn ambient(view: &View) -> [f32; 3] {
     lights.fold(view.ambient, |sum, light| {
         std::array::from_fn(|channel| sum[channel] + light.light.ambient[channel])
     })
+}
+
+/// How much darker wires are drawn over a light background, in stops.
+const WIRES_ON_LIGHT: f32 = 2.0;
+
+/// From which luminance on a background, as far as it is opaque, is light.
+const LIGHT: f32 = 0.35;
+
+/// Exposure and tone curve, if they change anything. Wires are lit like their faces, of which light ones
+/// would vanish over a light background: they are drawn darker there.
+pub(crate) fn display(view: &View) -> Option<Display> {
+    let [r, g, b, alpha] = view.background.color(0.5);
+    let is_light = (r * 0.2126 + g * 0.7152 + b * 0.0722) * alpha > LIGHT;
+    let has_wires = view.edges.is_some_and(|edges| edges.wireframe);
+    let darker = if has_wires && is_light { WIRES_ON_LIGHT } else { 0.0 };
+    let display = Display::new(view.exposure - darker, view.tone);
+    (!display.is_identity()).then_some(display)
 }
 
 /// What each material reflects that is the same at all its points, but for vertex colours; `None`

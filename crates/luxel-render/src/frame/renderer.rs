@@ -1,5 +1,6 @@
 //! The renderer: a scene made ready once, then drawn from any view.
 
+mod occluders;
 mod prepared;
 
 use super::error::{MAX_SIDE, RenderError};
@@ -9,21 +10,20 @@ use super::tile_drawing::TileDrawing;
 use super::tile_shading::{Worker, add_layer, tile_pixels};
 use super::tiles::TilePixels;
 use super::workers::{BusyWorker, Workers};
+use crate::backdrop::{Backdrop, Ground};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::{AlphaTest, EdgeFlags};
 use crate::execution::Execution;
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
-use crate::shadow::{DiscSequence, LightSource, OpennessRule, Shadows};
-use luxel_lighting::{Environment, LightKind, LightingEnvironment, PlacedLight, Reflection};
+use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
 use luxel_math::{Level, dispatch_long};
-use luxel_rays::{Quality, SceneRays, TooManyForTree};
-use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene, SceneLight, Size};
+use luxel_rays::{MeshTrees, SceneRays, TooManyForTree};
+use luxel_scene::{AlphaMode, Bounds, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{
-    Clusters, CoveragePolicy, Frame, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile,
-    ViewRays,
+    Clusters, CoveragePolicy, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile, ViewRays,
 };
 use rayon::prelude::*;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -45,6 +45,11 @@ pub struct Renderer {
     polygons_of_meshes: Vec<OnceLock<Box<Polygons>>>,
     /// The trees for shadows, once a view needs them.
     rays: OnceLock<Result<Box<SceneRays>, TooManyForTree>>,
+    /// Trees of the same meshes, for when they are needed again.
+    kept_trees: Mutex<Option<MeshTrees>>,
+    /// The bounds of what is drawn, and how low it reaches, once a view needs them.
+    bounds: OnceLock<Bounds>,
+    lowest: OnceLock<f64>,
     level: Level,
     /// `None` where the machine has no threads.
     pool: Option<rayon::ThreadPool>,
@@ -67,6 +72,9 @@ impl Renderer {
             clusters: Vec::new(),
             polygons_of_meshes: scene.meshes.iter().map(|_| OnceLock::new()).collect(),
             rays: OnceLock::new(),
+            kept_trees: Mutex::default(),
+            bounds: OnceLock::new(),
+            lowest: OnceLock::new(),
             level,
             pool,
             clock: execution.clock,
@@ -99,7 +107,9 @@ impl Renderer {
         }
         let objects = self.scene.objects().into_iter().enumerate();
         self.objects = objects.filter(|(at, _)| is_drawn(*at)).map(|(_, object)| object).collect();
-        self.rays = OnceLock::new();
+        self.kept_trees = Mutex::new(self.take_trees());
+        self.bounds = OnceLock::new();
+        self.lowest = OnceLock::new();
     }
 
     /// The threads that work.
@@ -272,8 +282,10 @@ impl Renderer {
                 PlacedScene::new(&self.scene, &self.objects, &view.camera, view.size, &rules);
             let frame = placed.frame(&self.clusters, samples, self.level)?;
             let lights = frame_setup::placed_lights(view, &self.scene);
+            let floor = view.ground.then(|| self.floor());
+            let of_surfaces = (view.shadows, view.ambient_occlusion);
             let shadows = match view.shadows || view.ambient_occlusion.is_some() {
-                true => Some(self.shadows(view, &frame, &placed, &lights)?),
+                true => Some(self.shadows(view, &frame, (&placed, &lights), of_surfaces, floor)?),
                 false => None,
             };
             let flags_of_meshes: Vec<EdgeFlags> = if view.edges.is_some() {
@@ -295,6 +307,18 @@ impl Renderer {
                 .iter()
                 .map(|environment| LightingEnvironment::new(&lights, ambient, environment, fog))
                 .collect();
+            let ground = match floor {
+                Some(floor) => {
+                    let of_ground = (true, Some(view.ambient_occlusion.unwrap_or_default()));
+                    let shadows =
+                        self.shadows(view, &frame, (&placed, &lights), of_ground, None)?;
+                    let of_ground =
+                        LightingEnvironment::new(&lights, ambient, Environment::None, None);
+                    Some(Ground::new(floor, shadows, of_ground, fog, &view.camera, self.bounds()))
+                }
+                None => None,
+            };
+            let backdrop = Backdrop::new(view.background, height, ground);
             let uniform = frame_setup::uniform(&self.scene.materials);
             let attributes_of_materials: Vec<AttributeMask> = self
                 .scene
@@ -334,11 +358,12 @@ impl Renderer {
                 has_extras,
                 view_rays: ViewRays::new(&view.camera, frame.rays()),
                 direction: view.camera.direction().as_vec3().to_array(),
-                background: view.background,
+                background: view.background.color(0.0),
+                backdrop: backdrop.as_ref(),
                 edges,
                 edge_flags: &edge_flags,
                 shading: view.shading,
-                display: Some(view.display()).filter(|display| !display.is_identity()),
+                display: frame_setup::display(view),
                 white: view.display().white(),
                 encoding: view.encoding,
                 near: view.camera.projection.near,
@@ -352,42 +377,6 @@ impl Renderer {
             };
             work(&scene, &cutouts);
             Ok(())
-        })
-    }
-
-    /// What keeps light away from surfaces.
-    fn shadows<'f>(
-        &'f self,
-        view: &View,
-        frame: &'f Frame<'f>,
-        placed: &'f PlacedScene<'f>,
-        lights: &'f [PlacedLight],
-    ) -> Result<Shadows<'f>, RenderError> {
-        let build = || {
-            let (scene, objects) = (Arc::clone(&self.scene), self.objects.clone());
-            SceneRays::of_objects(scene, objects, Quality::Thorough, self.level).map(Box::new)
-        };
-        let rays = self.rays.get_or_init(build).as_ref().map_err(Clone::clone)?;
-        let camera = placed.camera();
-        let eye = camera.eye();
-        Ok(Shadows {
-            rays,
-            frame,
-            placed,
-            lights,
-            sources: lights
-                .iter()
-                .filter(|_| view.shadows)
-                .map(|light| LightSource::new(light, eye))
-                .collect(),
-            light_rays: view.light_rays.max(1),
-            openness: view.ambient_occlusion.map(|occlusion| OpennessRule {
-                radius: occlusion.radius.unwrap_or_else(|| self.scene.bounds().radius() * 0.25),
-                rays: occlusion.rays.max(1),
-            }),
-            disc: DiscSequence::new(),
-            eye,
-            towards_eye: camera.projection.is_orthographic().then(|| -camera.direction()),
         })
     }
 

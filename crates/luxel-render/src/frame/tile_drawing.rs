@@ -128,7 +128,7 @@ impl<'d> TileDrawing<'d> {
             sums: &sums,
         };
         let worker = || (renderer.worker(scene.frame.samples()), new_tile());
-        for_tiles(scene.frame, set, worker, &work);
+        for_tiles(scene.frame, set, scene.backdrop.is_some(), worker, &work);
         let sums = sums.into_inner().unwrap_or_default();
         picture.encoding = scene.encoding;
         picture.stages = Stages { frame: renderer.now() - begin, ..sums };

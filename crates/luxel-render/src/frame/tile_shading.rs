@@ -165,6 +165,12 @@ fn are_empty<S: Simd>(simd: S, tile: &Tile, first: usize) -> bool {
     true
 }
 
+/// Whether the first sample of each pixel of a block sees something.
+#[inline(always)]
+fn sees_all<S: Simd>(simd: S, tile: &Tile, block: usize) -> bool {
+    f32x16::splat(simd, 0.0).eq_mask(&tile.planes()[0].ids[block], TriangleId::NONE.0) == 0
+}
+
 /// Lights all blocks of a tile, and finishes their pixels.
 #[inline(always)]
 pub(crate) fn tile_pixels<S: Simd, F: Finish>(
@@ -178,9 +184,10 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
     let Worker { opaque, layered, compaction, cache, .. } = worker;
     let background = [finish.pixel(empty_pixel(scene)); LANES];
     let within = nearest_sample(scene.frame.samples());
+    let is_flat = scene.backdrop.is_none();
     for first in (0..ALL_BLOCKS).step_by(AHEAD) {
         let ahead = look_ahead(simd, scene, opaque, first, cache);
-        if !has_layers && ahead.are_empty() {
+        if is_flat && !has_layers && ahead.are_empty() {
             // Rows of blocks are rows of pixels: sixteen to a block.
             pixels[first * LANES..(first + AHEAD) * LANES].fill(background[0]);
             continue;
@@ -189,15 +196,15 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
             let block = first + number;
             let is_layered = has_layers && layered.is_touched(block);
             let is_empty = ahead.is_empty(number);
-            if is_empty && !is_layered {
+            if is_flat && is_empty && !is_layered {
                 put_block(pixels, block, &background);
                 continue;
             }
-            let mut color = if is_empty {
+            let mut color = if is_empty && is_flat {
                 empty_block(simd, scene)
             } else {
                 let distinct = &ahead.distinct[number];
-                if !distinct.are_even() {
+                if !distinct.are_even() || !is_flat && !sees_all(simd, opaque, block) {
                     compaction.add(simd, scene, opaque, block, distinct, cache);
                     continue;
                 }

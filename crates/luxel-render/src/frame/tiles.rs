@@ -64,17 +64,20 @@ pub(crate) trait TileWork<W>: Sync {
     fn fill(&self, band: usize, columns: &[Range<usize>]);
 }
 
-/// Does work on the tiles of a frame that a set holds, by all threads. `worker` makes what one thread
+/// Does work on the tiles of a frame that a set holds, by all threads: draws those that show a surface,
+/// or all if `are_all_drawn`, and fills the others. `worker` makes what one thread
 /// keeps from tile to tile. The outcome is the same for any number of threads, as a tile depends on
 /// nothing but itself.
 pub(crate) fn for_tiles<W>(
     frame: &Frame<'_>,
     set: &(dyn Fn(usize) -> bool + Sync),
+    are_all_drawn: bool,
     worker: impl Fn() -> W + Sync,
     work: &impl TileWork<W>,
 ) {
     let mut order = frame.tiles_by_load();
-    order.truncate(order.partition_point(|&tile| !frame.is_tile_empty(tile as usize)));
+    let is_drawn = |tile: usize| are_all_drawn || !frame.is_tile_empty(tile);
+    order.truncate(order.partition_point(|&tile| is_drawn(tile as usize)));
     order.retain(|&tile| set(tile as usize));
     let [_, bands] = frame.tiles();
     let tasks = order.len() + bands;
@@ -87,7 +90,8 @@ pub(crate) fn for_tiles<W>(
                 work.draw(&mut worker, tile as usize);
             } else if task < tasks {
                 let band = task - order.len();
-                work.fill(band, &empty_columns(frame, set, band));
+                let is_filled = |tile: usize| !is_drawn(tile) && set(tile);
+                work.fill(band, &columns_of(frame, &is_filled, band));
             } else {
                 return;
             }
@@ -97,8 +101,8 @@ pub(crate) fn for_tiles<W>(
     luxel_parallel::tasks(luxel_parallel::threads().min(tasks), &|_| take());
 }
 
-/// Runs of columns of a row of tiles, of those that a set holds, in which nothing can be seen.
-fn empty_columns(
+/// Runs of columns of a row of tiles that a set holds.
+fn columns_of(
     frame: &Frame<'_>,
     set: &(dyn Fn(usize) -> bool + Sync),
     band: usize,
@@ -106,11 +110,7 @@ fn empty_columns(
     let [across, _] = frame.tiles();
     let width = frame.size().width as usize;
     let mut runs: Vec<Range<usize>> = Vec::new();
-    let is_empty = |column: &usize| {
-        let tile = band * across + column;
-        frame.is_tile_empty(tile) && set(tile)
-    };
-    for column in (0..across).filter(is_empty) {
+    for column in (0..across).filter(|column| set(band * across + column)) {
         let left = column * TILE as usize;
         let right = width.min(left + TILE as usize);
         match runs.last_mut() {

@@ -11,7 +11,7 @@ use crate::frame::{
     TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
 };
 use crate::interpolate::{Batch, Fragments, nearest_sample};
-use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels};
+use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels, over_backdrop};
 use crate::shade::{BlockWitness, ThreadCache, all_fragments, point_of, shade};
 use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
@@ -139,7 +139,8 @@ impl Renderer {
                 with_terms: with_terms && at_pixels,
                 terms_one_by_one: with_terms && !at_pixels,
             };
-            for_tiles(scene.frame, &|_| true, || pass.worker(), &pass);
+            let are_all_drawn = pass.pixels.is_some() && scene.backdrop.is_some();
+            for_tiles(scene.frame, &|_| true, are_all_drawn, || pass.worker(), &pass);
             drop(pass);
             if let Some(picture) = picture {
                 picture.size = view.size;
@@ -239,15 +240,16 @@ impl<'p> Pass<'p> {
 
     #[inline(always)]
     fn shade_tile<S: Simd>(&self, simd: S, worker: &mut LayerWorker<'_>) {
+        let is_flat = self.pixels.is_none() || self.scene.backdrop.is_none();
         for first in (0..ALL_BLOCKS).step_by(AHEAD) {
             let Worker { opaque, cache, .. } = &mut *worker.worker;
             let ahead = look_ahead(simd, self.scene, opaque, first, cache);
-            if ahead.are_empty() {
+            if is_flat && ahead.are_empty() {
                 self.fill_rows(worker, first);
                 continue;
             }
             for number in 0..AHEAD {
-                if ahead.is_empty(number) {
+                if is_flat && ahead.is_empty(number) {
                     self.fill_block(worker, first + number);
                 } else {
                     self.shade_block(simd, worker, first + number, ahead.is_single(number));
@@ -300,7 +302,7 @@ impl<'p> Pass<'p> {
         if self.pixels.is_some() || self.with_terms {
             let lit = shade(vector, scene, &batch, cache, &mut witness);
             if self.pixels.is_some() {
-                let color = even_pixels(simd, lit);
+                let color = even_pixels(simd, over_backdrop(simd, scene, &batch, lit));
                 put_block(pixels, block, &self.finish().block(simd, color));
             }
         } else {

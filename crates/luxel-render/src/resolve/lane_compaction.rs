@@ -4,6 +4,7 @@
 //! A sample is lit the same, whatever lies in the other lanes.
 
 use super::distinct_triangles::{DistinctTriangles, SampleGroup};
+use crate::backdrop::Backdrop;
 use crate::context::ShadingContext;
 use crate::interpolate::Batch;
 use crate::shade::{ThreadCache, shade};
@@ -35,10 +36,24 @@ pub(crate) struct Lit {
     pub(crate) sample: usize,
     /// The pixels of which it is the first, as bits.
     pub(crate) lanes: u32,
+    /// Whether it is the light of that sample alone, as behind all surfaces, where each sample has its own.
+    pub(crate) is_alone: bool,
     /// How many samples see the triangle; 0 where it isn't the first.
     pub(crate) shares: [u32; LANES],
     /// Straight colour and alpha.
     pub(crate) color: [[f32; LANES]; 4],
+}
+
+impl Lit {
+    /// What lies behind all surfaces at one sample of those pixels whose bit is set.
+    #[cold]
+    #[inline(never)]
+    fn behind(backdrop: &Backdrop<'_>, sample: usize, lanes: u32, batch: &Batch) -> Self {
+        let mut color = [[0.0; LANES]; 4];
+        backdrop.put(lanes, &|lane| batch.position(lane), &mut color);
+        let shares = std::array::from_fn(|lane| lanes >> lane & 1);
+        Self { sample, lanes, is_alone: true, shares, color }
+    }
 }
 
 impl LaneCompaction {
@@ -67,7 +82,17 @@ impl LaneCompaction {
         self.batch.tile = tile.origin();
         let background = scene.background.map(|value| [value; LANES]);
         for (sample, plane) in tile.planes().iter().enumerate() {
-            let lanes = firsts.lanes(sample);
+            let mut lanes = firsts.lanes(sample);
+            if let Some(backdrop) = scene.backdrop {
+                let vector = f32x16::splat(simd, 0.0);
+                let unseen = vector.eq_mask(&plane.ids[block], TriangleId::NONE.0);
+                if unseen != 0 {
+                    let at = [sample as u32; LANES];
+                    let batch = Batch::new(tile, block, plane.ids[block], &at, samples);
+                    self.lit.push(Lit::behind(backdrop, sample, unseen, &batch));
+                }
+                lanes &= !unseen;
+            }
             if lanes == 0 {
                 continue;
             }
@@ -78,7 +103,7 @@ impl LaneCompaction {
             let seen = mask.select(u32x16::simd_from(simd, plane.ids[block]), nothing);
             let ids: [u32; LANES] = seen.into();
             let shares = mask.select(count, u32x16::splat(simd, 0)).into();
-            let mut lit = Lit { sample, lanes, shares, color: background };
+            let mut lit = Lit { sample, lanes, is_alone: false, shares, color: background };
             let to_light = lanes & !seen.simd_eq(nothing).to_bitmask() as u32;
             if to_light.count_ones() > MOST_PACKED {
                 let batch = Batch::new(tile, block, ids, &nearest, samples);

@@ -26,13 +26,13 @@ pub(crate) fn single_triangle<S: Simd>(simd: S, tile: &Tile, block: usize) -> Op
     same.all_true().then_some(id)
 }
 
-/// A pixel of a block where nothing is seen.
+/// A pixel of a block where nothing is seen, if the backdrop is the same everywhere.
 pub(crate) fn empty_pixel(scene: &ShadingContext<'_>) -> [f32; 4] {
     let [.., alpha] = scene.background;
     if alpha > 0.0 { scene.background } else { [0.0; 4] }
 }
 
-/// The pixels of a block where nothing is seen.
+/// The pixels of a block where nothing is seen, if the backdrop is the same everywhere.
 #[inline(always)]
 pub(crate) fn empty_block<S: Simd>(simd: S, scene: &ShadingContext<'_>) -> [f32x16<S>; 4] {
     let [r, g, b, alpha] = empty_pixel(scene);
@@ -54,6 +54,33 @@ pub(crate) fn even_block<S: Simd>(
     let batch = Batch::even(tile, block, tile.planes()[0].ids[block], within, is_single);
     let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, cache, &mut Silent);
     even_pixels(simd, lit)
+}
+
+/// Colours of a batch, with the backdrop's in the lanes that see nothing, if that isn't the same everywhere.
+#[inline(always)]
+pub(crate) fn over_backdrop<S: Simd>(
+    simd: S,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    lit: [f32x16<S>; 4],
+) -> [f32x16<S>; 4] {
+    let Some(backdrop) = scene.backdrop else { return lit };
+    let unseen = f32x16::splat(simd, 0.0).eq_mask(&batch.ids, TriangleId::NONE.0);
+    if unseen == 0 {
+        return lit;
+    }
+    let mut colors = [[0.0; LANES]; 4];
+    for (stored, lanes) in colors.iter_mut().zip(lit) {
+        lanes.store_slice(stored);
+    }
+    backdrop.put(unseen, &|lane| batch.position(lane), &mut colors);
+    let [r, g, b, alpha] = colors;
+    [
+        f32x16::simd_from(simd, r),
+        f32x16::simd_from(simd, g),
+        f32x16::simd_from(simd, b),
+        f32x16::simd_from(simd, alpha),
+    ]
 }
 
 /// Pixels of which each has one colour (straight) and alpha.

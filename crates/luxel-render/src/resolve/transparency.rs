@@ -150,9 +150,12 @@ impl Layered {
         compaction.add(simd, scene, tile, block, &distinct, cache);
         let mut seen_through = false;
         let put = |_: usize, lit: &[Lit], _: &mut ThreadCache| {
-            for Lit { sample: first, lanes, color, .. } in lit {
+            for Lit { sample: first, lanes, is_alone, color, .. } in lit {
                 let ids = &tile.planes()[*first].ids[block];
                 for (sample, plane) in tile.planes().iter().enumerate() {
+                    if *is_alone && sample != *first {
+                        continue;
+                    }
                     let at = block * *samples + sample;
                     let alike = |lane: usize| plane.ids[block][lane] == ids[lane];
                     let here = lanes & u32::from(chosen[sample]);

@@ -37,6 +37,7 @@ impl ThreadCache {
     pub(crate) fn begin_frame(&mut self) {
         self.setup.begin_frame();
         self.lit.begin_frame();
+        self.occlusion.begin_frame();
     }
 }
 

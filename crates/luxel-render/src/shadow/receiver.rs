@@ -1,11 +1,15 @@
 //! V of each light at a sample, and its openness: rays from its place on the true triangle.
 
+use super::floor::Floor;
 use super::openness::OpennessRule;
+use super::place_cache::PlaceCache;
 use super::sequence::{DiscSequence, Scramble};
+use super::shadow_ray::{LightSource, ShadowLanes};
 use glam::DVec3;
-use luxel_lighting::{LightKind, Occlusion, PlacedLight, SurfacePoint, terminator};
-use luxel_math::{LANES, Lanes, lanes_of};
-use luxel_rays::{LIFT, SceneRays, SurfacePlace, TrianglePlaces, WorldRay};
+use luxel_lighting::{Occlusion, PlacedLight, SurfacePoint};
+use luxel_math::prelude::*;
+use luxel_math::{LANES, lanes_of};
+use luxel_rays::{PlaceLanes, RayLanes, SceneRays, Spread, SurfacePlace, TrianglePlaces, WorldRay};
 use luxel_visibility::{Frame, PlacedScene, TriangleId};
 
 /// Rays and lights of a frame with shadows or openness.
@@ -19,42 +23,12 @@ pub(crate) struct Shadows<'a> {
     /// The rays to a light with an extent.
     pub(crate) light_rays: u32,
     pub(crate) openness: Option<OpennessRule>,
+    /// The ground, which only takes openness away.
+    pub(crate) floor: Option<Floor>,
     pub(crate) disc: DiscSequence,
     pub(crate) eye: DVec3,
     /// Towards the eye, if that is the same everywhere.
     pub(crate) towards_eye: Option<DVec3>,
-}
-
-/// Where a light's rays end, in world space.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LightSource {
-    /// Its place; `None` for a light far away.
-    place: Option<DVec3>,
-    /// Towards a light far away, of unit length.
-    towards: DVec3,
-    /// The radius of the disc that it is, as seen from a surface: at its place, or at distance 1.
-    radius: f64,
-}
-
-impl LightSource {
-    /// A light about the eye.
-    pub(crate) fn new(placed: &PlacedLight, eye: DVec3) -> Self {
-        let vector = |[x, y, z]: [f32; 3]| DVec3::new(x.into(), y.into(), z.into());
-        let light = placed.light();
-        let place = light.kind.has_place().then(|| eye + vector(placed.position()));
-        let radius = match light.kind {
-            LightKind::Directional => libm::tan(f64::from(light.angle_degrees).to_radians() * 0.5),
-            _ => f64::from(light.radius),
-        };
-        Self { place, towards: -vector(placed.direction()), radius }
-    }
-}
-
-/// A ray from a surface to the middle of a light, and what the surface's own shape lets through.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ShadowRay {
-    pub(crate) ray: WorldRay,
-    pub(crate) terminator: f32,
 }
 
 /// Samples that a batch sees: their triangles, the lanes that count, and where they are in the window, in
@@ -71,9 +45,26 @@ pub(crate) struct OcclusionLanes {
     /// V of each light.
     visibility: Vec<[f32; LANES]>,
     openness: Option<[f32; LANES]>,
+    cache: PlaceCache,
+    batch: RayBatch,
 }
 
+/// Rays that are traced together, and what comes along them.
+#[derive(Default)]
+pub(super) struct RayBatch {
+    pub(super) rays: Vec<RayLanes>,
+    pub(super) through: Vec<[f32; LANES]>,
+}
+
+/// How many rays of each sample are traced together.
+pub(super) const TOGETHER: u32 = 16;
+
 impl OcclusionLanes {
+    /// Forgets the triangles of another frame.
+    pub(crate) fn begin_frame(&mut self) {
+        self.cache.begin_frame();
+    }
+
     /// As the lighting equation takes it.
     pub(crate) fn occlusion(&self) -> Occlusion<'_> {
         let visibility = (!self.visibility.is_empty()).then_some(&*self.visibility);
@@ -81,12 +72,29 @@ impl OcclusionLanes {
     }
 }
 
-/// A ray that meets nothing.
-const NO_RAY: WorldRay = WorldRay::new(DVec3::ZERO, DVec3::ZERO);
+impl RayBatch {
+    /// Traces the rays.
+    pub(super) fn trace(&mut self, scene: &SceneRays, spread: Spread) {
+        self.through.resize(self.rays.len(), [1.0; LANES]);
+        scene.transmittance_of_lanes(&self.rays, spread, &mut self.through);
+    }
+
+    /// Adds what comes along the rays of each lane.
+    pub(super) fn add_to(&self, sums: &mut [f32; LANES]) {
+        for (rays, through) in self.rays.iter().zip(&self.through) {
+            for lane in lanes_of(rays.lanes) {
+                sums[lane] += through[lane];
+            }
+        }
+    }
+}
 
 impl Shadows<'_> {
     /// V of each light and the openness at lanes of samples: 1 where N.L <= 0, without a ray.
     /// Points and lines are in no shadow.
+    ///
+    /// Outlined: one copy per lane type.
+    #[inline(never)]
     pub(crate) fn occlude<N: Lanes>(
         &self,
         samples: &SeenSamples<'_>,
@@ -94,88 +102,95 @@ impl Shadows<'_> {
         point: &SurfacePoint<N>,
         found: &mut OcclusionLanes,
     ) {
-        let normal = |lane: usize| {
-            [point.normal.x, point.normal.y, point.normal.z].map(|side| side.lane(lane))
-        };
-        let mut places = [None; LANES];
-        let mut of_triangle = (TriangleId::NONE, None);
-        for lane in lanes_of(samples.lanes) {
-            let id = TriangleId(samples.ids[lane]);
-            if of_triangle.0 != id {
-                of_triangle = (id, self.places(id));
-            }
-            let weights = barycentric.map(|weight| weight.lane(lane));
-            places[lane] = of_triangle.1.map(|places| self.facing(places.at(weights)));
-        }
-        found.visibility.clear();
-        for (number, (source, light)) in (0..).zip(self.sources.iter().zip(self.lights)) {
-            let n_dot_l = point.normal.dot(light.to_light(point.position));
-            let mut own = [1.0; LANES];
-            let mut shadows = [None; LANES];
-            for lane in lanes_of(samples.lanes) {
-                let Some(place) = places[lane].filter(|_| n_dot_l.lane(lane) > 0.0) else {
-                    continue;
-                };
-                let shadow = ShadowRay::new(&place, source, normal(lane));
-                if shadow.terminator > 0.0 {
-                    shadows[lane] = Some((place, shadow));
-                } else {
-                    own[lane] = 0.0;
+        let simd = barycentric[0];
+        simd.vectorized(
+            #[inline(always)]
+            || {
+                let OcclusionLanes { visibility, openness, cache, batch } = found;
+                let make = |id| self.places(id);
+                let (of, placed) = cache.of_lanes(samples.ids, samples.lanes, make);
+                let places = TrianglePlaces::at_lanes(&of, barycentric, placed);
+                let places = self.facing(&places);
+                let normal = [point.normal.x, point.normal.y, point.normal.z];
+                visibility.clear();
+                for (number, (source, light)) in (0..).zip(self.sources.iter().zip(self.lights)) {
+                    let n_dot_l = point.normal.dot(light.to_light(point.position));
+                    let lit = n_dot_l.zero().less(n_dot_l).bits() & placed;
+                    let mut own = [1.0; LANES];
+                    if lit != 0 {
+                        let at = (&places, normal, lit);
+                        self.trace(at, (source, number), samples.position, batch, &mut own);
+                    }
+                    visibility.push(own);
                 }
-            }
-            self.trace(&shadows, (source, number), samples.position, &mut own);
-            found.visibility.push(own);
-        }
-        found.openness = self.openness.map(|rule| {
-            let mut openness = [1.0; LANES];
-            for lane in lanes_of(samples.lanes) {
-                if let Some(place) = places[lane] {
-                    let position = (samples.position)(lane);
-                    openness[lane] = self.openness(rule, &place, normal(lane), position);
-                }
-            }
-            openness
-        });
+                *openness = self.openness.map(|rule| {
+                    let mut own = [1.0; LANES];
+                    let at = (&places, normal, placed);
+                    self.open(rule, at, samples.position, batch, &mut own);
+                    own
+                });
+            },
+        );
     }
 
-    /// V of one light where there are rays to it: those of neighbouring samples together.
-    fn trace(
+    /// V of one light at the places whose bit is set, with the shading normals N.
+    #[inline(always)]
+    fn trace<N: Lanes>(
         &self,
-        shadows: &[Option<(SurfacePlace, ShadowRay)>; LANES],
+        (places, normal, lit): (&PlaceLanes<N::F64>, [N; 3], u32),
         (source, purpose): (&LightSource, u32),
         position: &dyn Fn(usize) -> [f64; 2],
+        batch: &mut RayBatch,
         visibility: &mut [f32; LANES],
     ) {
-        let rays_each = self.rays_each(source);
+        let shadow = ShadowLanes::new(places, source, normal);
+        let terminator = shadow.terminator;
+        let reached = terminator.zero().less(terminator).bits() & lit;
         let mut sums = [0.0; LANES];
-        for number in 0..rays_each {
-            let mut rays = [NO_RAY; LANES];
-            let mut lanes = [0; LANES];
-            let mut count = 0;
-            for (lane, shadow) in shadows.iter().enumerate() {
-                let Some((place, shadow)) = shadow else { continue };
-                let scramble = || Scramble::new(position(lane), purpose);
-                if let Some(ray) = self.light_ray(source, (place, shadow), number, scramble) {
-                    (rays[count], lanes[count]) = (ray, lane);
-                    count += 1;
-                }
-            }
-            let mut through = [0.0; LANES];
-            self.rays.transmittance_of_few(&rays[..count], &mut through[..count]);
-            for (&lane, through) in lanes[..count].iter().zip(through) {
-                sums[lane] += through;
+        let rays_each = self.rays_each(source);
+        if source.is_point() {
+            batch.rays.resize(1, RayLanes::NONE);
+            shadow.put_rays(reached, &mut batch.rays[0]);
+            batch.trace(self.rays, Spread::Narrow);
+            batch.add_to(&mut sums);
+        } else {
+            for first in (0..rays_each).step_by(TOGETHER as usize) {
+                let numbers = first..rays_each.min(first + TOGETHER);
+                batch.rays.clear();
+                batch.rays.resize(numbers.len(), RayLanes::NONE);
+                let mut middle = RayLanes::NONE;
+                shadow.put_rays(reached, &mut middle);
+                places.each(
+                    reached,
+                    #[inline(always)]
+                    |lane, place| {
+                        let scramble = Scramble::new(position(lane), purpose);
+                        let axis = middle.ray(lane).direction;
+                        for (rays, number) in batch.rays.iter_mut().zip(numbers.clone()) {
+                            let on_disc = self.disc.place(number, scramble);
+                            if let Some(ray) = source.ray_to(&place, axis, on_disc) {
+                                rays.put(lane, &ray);
+                            }
+                        }
+                    },
+                );
+                batch.trace(self.rays, Spread::Narrow);
+                batch.add_to(&mut sums);
             }
         }
-        for (lane, shadow) in shadows.iter().enumerate() {
-            if let Some((_, shadow)) = shadow {
-                visibility[lane] = shadow.terminator * (sums[lane] / rays_each as f32);
-            }
+        let mut terminators = [0.0; LANES];
+        terminator.store(&mut terminators, 0);
+        for lane in lanes_of(lit) {
+            let is_reached = reached >> lane & 1 == 1;
+            let own = terminators[lane] * (sums[lane] / rays_each as f32);
+            visibility[lane] = if is_reached { own } else { 0.0 };
         }
     }
 
     /// The place of a sample on its triangle, on the side that is seen; `None` of points and lines.
     pub(crate) fn place(&self, id: TriangleId, barycentric: [f32; 3]) -> Option<SurfacePlace> {
-        Some(self.facing(self.places(id)?.at(barycentric)))
+        let place = self.places(id)?.at(barycentric);
+        Some(self.facing(&PlaceLanes::from(&place)).place())
     }
 
     /// The places of a triangle; `None` of points and lines.
@@ -184,9 +199,15 @@ impl Shadows<'_> {
         self.rays.places(object, triangle?)
     }
 
-    /// A place on the side that is seen.
-    fn facing(&self, place: SurfacePlace) -> SurfacePlace {
-        place.facing(self.towards_eye.unwrap_or(self.eye - place.position))
+    /// Places on the side that is seen.
+    #[inline(always)]
+    fn facing<F: F64Lanes>(&self, places: &PlaceLanes<F>) -> PlaceLanes<F> {
+        let [x, y, z] = places.position;
+        let far = self
+            .towards_eye
+            .map(|DVec3 { x: a, y: b, z: c }| [x.constant(a), x.constant(b), x.constant(c)]);
+        let DVec3 { x: a, y: b, z: c } = self.eye;
+        places.facing(far.unwrap_or([x.constant(a) - x, x.constant(b) - y, x.constant(c) - z]))
     }
 
     /// V of the light of this number at a place with the shading normal N, for a sample of the window.
@@ -198,14 +219,9 @@ impl Shadows<'_> {
         position: [f64; 2],
     ) -> f32 {
         let Some(source) = self.sources.get(light) else { return 1.0 };
-        let shadow = ShadowRay::new(place, source, normal);
-        if shadow.terminator <= 0.0 {
-            return 0.0;
-        }
-        let mut shadows = [None; LANES];
-        shadows[0] = Some((*place, shadow));
-        let mut visibility = [1.0; LANES];
-        self.trace(&shadows, (source, light as u32), &|_| position, &mut visibility);
+        let (mut visibility, mut batch) = ([1.0; LANES], RayBatch::default());
+        let of = (source, light as u32);
+        self.trace((&place.into(), normal, 1), of, &|_| position, &mut batch, &mut visibility);
         visibility[0]
     }
 
@@ -219,70 +235,20 @@ impl Shadows<'_> {
         position: [f64; 2],
     ) -> Option<(Vec<Option<WorldRay>>, f32)> {
         let source = self.sources.get(light)?;
-        let shadow = ShadowRay::new(place, source, normal);
-        let scramble = || Scramble::new(position, light as u32);
-        let ray = |number| self.light_ray(source, (place, &shadow), number, scramble);
+        let shadow = ShadowLanes::<f32>::new(&place.into(), source, normal);
+        let mut middle = RayLanes::NONE;
+        shadow.put_rays(1, &mut middle);
+        let middle = middle.ray(0);
+        let scramble = Scramble::new(position, light as u32);
+        let ray = |number| match source.is_point() {
+            true => Some(middle),
+            false => source.ray_to(place, middle.direction, self.disc.place(number, scramble)),
+        };
         Some(((0..self.rays_each(source)).map(ray).collect(), shadow.terminator))
     }
 
     /// The rays from a sample to a light.
     fn rays_each(&self, source: &LightSource) -> u32 {
-        if source.radius > 0.0 { self.light_rays } else { 1 }
-    }
-
-    /// The ray of this number from a place to a light; `None` if it would go below the triangle.
-    fn light_ray(
-        &self,
-        source: &LightSource,
-        (place, shadow): (&SurfacePlace, &ShadowRay),
-        number: u32,
-        scramble: impl Fn() -> Scramble,
-    ) -> Option<WorldRay> {
-        if source.radius <= 0.0 {
-            return Some(shadow.ray);
-        }
-        let on_disc = self.disc.place(number, scramble());
-        source.ray_to(place, shadow.ray.direction, on_disc)
-    }
-}
-
-impl LightSource {
-    /// The ray from a place to a place on the disc that faces it; `None` if that lies behind the triangle.
-    fn ray_to(&self, place: &SurfacePlace, axis: DVec3, [u, v]: [f64; 2]) -> Option<WorldRay> {
-        let (tangent, bitangent) = axis.any_orthonormal_pair();
-        let aside = (tangent * u + bitangent * v) * self.radius;
-        let origin = place.origin();
-        let (direction, end) = match self.place {
-            None => ((axis + aside).normalize(), f64::INFINITY),
-            Some(light) => ending_at(light + aside - origin, place),
-        };
-        let range = [0.0, end];
-        (place.normal.dot(direction) > 0.0).then_some(WorldRay { origin, direction, range })
-    }
-}
-
-/// The direction of a way, and its length but for [`LIFT`] of it, so that a surface on which the light
-/// itself lies doesn't keep it away.
-fn ending_at(way: DVec3, place: &SurfacePlace) -> (DVec3, f64) {
-    let length = way.length();
-    let direction = if length > 0.0 { way / length } else { place.normal };
-    (direction, length * (1.0 - LIFT))
-}
-
-impl ShadowRay {
-    /// From a place with the shading normal N to the middle of a light.
-    fn new(place: &SurfacePlace, source: &LightSource, [x, y, z]: [f32; 3]) -> Self {
-        let origin = place.origin();
-        let (direction, end) = match source.place {
-            None => (source.towards, f64::INFINITY),
-            Some(light) => ending_at(light - origin, place),
-        };
-        let normal = DVec3::new(x.into(), y.into(), z.into());
-        let cosines =
-            [place.normal.dot(direction), normal.dot(direction), place.normal.dot(normal)];
-        Self {
-            ray: WorldRay { origin, direction, range: [0.0, end] },
-            terminator: terminator(cosines),
-        }
+        if source.is_point() { 1 } else { self.light_rays }
     }
 }

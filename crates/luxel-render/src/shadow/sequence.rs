@@ -13,7 +13,7 @@ pub(crate) struct DiscSequence {
 }
 
 /// What scrambles the sequence of one sample for one purpose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Scramble([u32; 2]);
 
 impl Scramble {

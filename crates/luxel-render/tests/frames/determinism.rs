@@ -5,8 +5,8 @@ use crate::scenes::{execution, glass, matte, scene, view};
 use luxel_lighting::Tone;
 use luxel_math::SimdLevel;
 use luxel_render::{
-    Edges, Execution, Interpolation, Layer, Picture, Renderer, Shading, ShadingMode, TILE_SIDE,
-    View,
+    Background, Edges, Execution, Interpolation, Layer, Picture, Renderer, Shading, ShadingMode,
+    TILE_SIDE, View,
 };
 use luxel_scene::{
     Camera, DVec2, DVec3, Lens, NormalOptions, Projection, Scene, Size, demos, primitives,
@@ -96,7 +96,11 @@ fn shadows_have_the_same_bytes_however_they_are_run() {
     for (name, scene) in [demo("cornell"), demo("welcome"), ("glass".to_owned(), glass())] {
         let view = perspective(&scene, size).with_lights(many_lights(&scene));
         check(&name, &scene, &view.clone().with_shadows(true));
-        check(&name, &scene, &occluded(view, true));
+        check(&name, &scene, &occluded(view.clone(), true));
+        for background in [Background::TRANSPARENT, Background::Studio] {
+            let view = occluded(view.clone(), background == Background::Studio);
+            check(&name, &scene, &view.with_background(background).with_ground(true));
+        }
     }
 }
 

@@ -116,6 +116,7 @@ fn a_picture_with_its_layers_has_the_bytes_of_each_alone() {
             .with_samples(samples)
             .with_lights(lights)
             .with_background(background)
+            .with_ground(samples == 1 && mode == modes[0])
             .with_shading(shading);
         let (mut picture, mut values) = (Picture::default(), Vec::new());
         renderer.rgba8_with_layers(&view, &Layer::ALL, &mut picture, &mut values).unwrap();

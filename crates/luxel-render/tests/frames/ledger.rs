@@ -6,8 +6,8 @@ use luxel_lighting::{
 };
 use luxel_math::SimdLevel;
 use luxel_render::{
-    At, Clamp, Interpolation, Layer, LayerValues, NormalLength, RenderError, Renderer, Shading,
-    ShadingMode, View,
+    At, Background, Clamp, Interpolation, Layer, LayerValues, NormalLength, RenderError, Renderer,
+    Shading, ShadingMode, View,
 };
 use luxel_scene::{DVec3, Placement, Scene, SceneLight, Size, default_lights, demos, primitives};
 use luxel_view::AmbientOcclusion;
@@ -128,6 +128,12 @@ fn ten_thousand_explained_pixels_are_the_pictures() {
                 let shadows =
                     name != "blob" && samples == 2 && (name.len() + round).is_multiple_of(4);
                 let mut view = occluded(styled(&scene, round, samples), shadows);
+                // A ground with and without what it does to surfaces, over all backgrounds.
+                let has_ground = name != "blob" && (name.len() + round + number) % 3 == 0;
+                view.ground = has_ground;
+                if has_ground && round % 2 == 0 {
+                    view.background = Background::Studio;
+                }
                 // Without exposure and tone curve, and with every curve.
                 view.exposure = [0.0, -1.5, 0.0, 0.8, 0.3][number];
                 view.tone = Tone::ALL[number % Tone::ALL.len()];
@@ -200,7 +206,7 @@ fn styled(scene: &Scene, round: usize, samples: u32) -> View {
         view.fog = Some(Fog { color: [0.5, 0.6, 0.9], law });
     }
     if round % 4 == 2 {
-        view.background = [0.1, 0.3, 0.2, 0.4];
+        view.background = [0.1, 0.3, 0.2, 0.4].into();
     }
     view.shading = SHADINGS[round % SHADINGS.len()];
     view
@@ -238,7 +244,7 @@ fn a_single_sample_at_the_centre_is_the_pixel_of_one_sample() {
 fn a_part_of_a_picture_is_the_pictures_part() {
     for (name, scene) in scenes().into_iter().filter(|(name, _)| name != "blob") {
         let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
-        let view = styled(&scene, 1, 4);
+        let view = occluded(styled(&scene, 1, 4), true).with_ground(true);
         let whole = renderer.rgba8(&view).unwrap().pixels;
         let Size { width, height } = view.size;
         for (pixel, size) in [([45, 35], [33, 21]), ([0, 69], [33, 21]), ([66, 65], [500, 3])] {

@@ -3,7 +3,7 @@
 use crate::scenes::{bytes, execution, frontal, linear, matte, middle, scene, square, view};
 use luxel_lighting::{Attenuation, Fog, FogLaw, Light, LightKind, Material, Reflection};
 use luxel_math::SimdLevel;
-use luxel_render::{Cull, Edges, Layer, LayerValues, Renderer};
+use luxel_render::{Background, Cull, Edges, Layer, LayerValues, Renderer};
 use luxel_scene::{DMat4, DVec3, Node, NodeId, Placement, SceneLight, Sides};
 
 #[test]
@@ -97,7 +97,7 @@ fn edge_pixels_weigh_their_samples() {
     let pixels = linear(&scene, &view);
     let [r, g, b, alpha] = pixels[9 * 18 + 4];
     assert_eq!([r, g, b, alpha], [1.0, 1.0, 1.0, 0.5]);
-    view.background = [0.0, 0.0, 1.0, 1.0];
+    view.background = [0.0, 0.0, 1.0, 1.0].into();
     let pixels = linear(&scene, &view);
     assert_eq!(pixels[9 * 18 + 4], [0.5, 0.5, 1.0, 1.0]);
 }
@@ -117,6 +117,38 @@ fn wires_are_drawn_along_polygons_and_not_along_diagonals() {
     assert_eq!(pixels[32 * 64 + 32], [255; 4]);
     // The pixel's centre is half a pixel from the edge: half covered by a line one pixel wide.
     assert!(pixels[16 * 64 + 32][0] < 192, "an edge over the face is dark");
+}
+
+#[test]
+fn wires_are_read_on_white_paper() {
+    let scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    let mut view = view(64);
+    view.edges = Some(Edges::WIREFRAME);
+    let upper_edge = |view: &_| linear(&scene, view)[16 * 64 + 32];
+    assert_eq!(upper_edge(&view), [1.0; 4], "over nothing, it is lit like its face");
+    for background in [[0.0, 0.0, 0.0, 1.0].into(), [1.0, 1.0, 1.0, 0.2].into()] {
+        view.background = background;
+        assert_eq!(upper_edge(&view), [1.0; 4], "{background:?}");
+    }
+    for background in [[1.0; 4].into(), Background::Studio] {
+        view.background = background;
+        assert_eq!(upper_edge(&view), [0.25, 0.25, 0.25, 1.0], "{background:?}");
+    }
+}
+
+#[test]
+fn the_studio_is_a_gradient_from_the_top_of_the_picture_to_its_bottom() {
+    let scene = scene(vec![(square(0.0), matte([1.0; 3]))]);
+    let view = view(64).with_background(Background::Studio).with_samples(4);
+    let pixels = linear(&scene, &view);
+    for row in 0..64 {
+        let [r, g, b, alpha] = Background::Studio.color((row as f32 + 0.5) / 64.0);
+        let [shown_r, shown_g, shown_b, shown_alpha] = pixels[row * 64];
+        assert_eq!((shown_alpha, alpha), (1.0, 1.0));
+        let off = (shown_r - r).abs().max((shown_g - g).abs()).max((shown_b - b).abs());
+        assert!(off < 1e-3, "row {row}: off by {off}");
+    }
+    assert_eq!(pixels[32 * 64 + 32], [1.0; 4], "the square is before it");
 }
 
 #[test]

@@ -305,7 +305,7 @@ fn shaded_colours_are_within_the_tolerance_of_the_picture() {
     view.lights = default_lights();
     let law = FogLaw::DepthCue { near: 1.5, far: 4.0, front: 1.0, back: 0.3 };
     view.fog = Some(Fog { color: [0.2, 0.2, 0.3], law });
-    view.background = [0.1, 0.3, 0.2, 1.0];
+    view.background = [0.1, 0.3, 0.2, 1.0].into();
     for tolerance in [1.0, 3.0, 8.0] {
         let wrong = wrong_pixels(&scene, &view, tolerance, f64::from(tolerance) + 1.0);
         // Outlines at two decimals; facets at the rim that are narrower than half a pixel.
@@ -321,7 +321,7 @@ fn demos_as_vectors_show_the_picture() {
         let scene = demos::demo(name).unwrap();
         let mut view = fitted(&scene, Size { width: 160, height: 90 });
         view.lights = if scene.lights.is_empty() { default_lights() } else { scene.lights.clone() };
-        view.background = [0.2, 0.2, 0.25, 1.0];
+        view.background = [0.2, 0.2, 0.25, 1.0].into();
         let wrong = wrong_pixels(&scene, &view, 4.0, 6.0);
         // Outlines at two decimals, and pieces less than half a pixel wide, which have one colour.
         assert!(wrong <= 160 * 90 / 100, "{name}: {wrong} pixels");
@@ -333,7 +333,7 @@ fn no_seam_lets_the_background_through() {
     let scene = ball();
     let mut view = fitted(&scene, Size { width: 96, height: 96 });
     view.lights = default_lights();
-    view.background = [1.0, 0.0, 1.0, 1.0];
+    view.background = [1.0, 0.0, 1.0, 1.0].into();
     let vectors = painted(&paths(&svg(&scene, &view, 2.0).text), view.size, &sixteen());
     let pixels = crate::scenes::bytes(&scene, &view);
     let inside = |x: usize, y: usize| {
@@ -396,7 +396,7 @@ fn outlines_are_no_heavier_than_the_pictures() {
     let scene = scene(things);
     let mut view = fitted(&scene, Size { width: 96, height: 96 }).with_samples(16);
     view.lights = default_lights();
-    view.background = [0.0; 4];
+    view.background = [0.0; 4].into();
     let vectors = painted_document(&svg(&scene, &view, 2.0).text, view.size, &sixteen());
     let pixels = crate::scenes::bytes(&scene, &view);
     let (mut count, mut expected, mut found, mut light) = (0.0, 0.0, 0.0, 0.0_f64);

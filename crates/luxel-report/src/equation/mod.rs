@@ -1,5 +1,6 @@
 //! The lighting equation of one point: its terms as products of factors, which every format writes.
 
+mod ground;
 mod light;
 mod plain;
 mod point;
@@ -7,6 +8,7 @@ mod products;
 mod symbols;
 mod term;
 
+pub(crate) use ground::ground_facts;
 pub(crate) use light::{highlight_vector, in_the_way, reach, why_not};
 pub(crate) use plain::{clamp_range, display_text, factor_text, interpolation_text, symbol_text};
 pub(crate) use point::{Interpolation, ShadingPoint, shading_points};

@@ -9,7 +9,7 @@ use super::report::Report;
 use super::sentences::{encoded, nearest, part_of, point_name, share, surface_path, why_not_seen};
 use crate::equation::{
     Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, clamp_range,
-    highlight_vector, in_the_way, point_terms, reach, shading_points,
+    ground_facts, highlight_vector, in_the_way, point_terms, reach, shading_points,
 };
 use crate::words::{capital, color, in_column, model_name, number, vector};
 use escape::{escaped, kind_class};
@@ -75,11 +75,18 @@ impl Page {
                 _ => "and behind it".to_owned(),
             };
             match seen {
-                Seen::Background { color: behind, alpha } => self.push(format_args!(
-                    "<h2>{} the background</h2>\n<p class=\"num\">{}, alpha {alpha}</p>\n",
-                    capital(&which),
-                    color(*behind)
-                )),
+                Seen::Background { color: behind, alpha, ground } => {
+                    let what = if ground.is_some() { "the ground" } else { "the background" };
+                    self.push(format_args!(
+                        "<h2>{} {what}</h2>\n<p class=\"num\">{}, alpha {alpha}</p>\n",
+                        capital(&which),
+                        color(*behind)
+                    ));
+                    for (label, fact) in ground.iter().flat_map(|ground| ground_facts(ground)) {
+                        let (label, fact) = (escaped(&capital(&label)), escaped(&fact));
+                        self.push(format_args!("<p class=\"num\">{label}: {fact}</p>\n"));
+                    }
+                }
                 Seen::Surface(surface) => {
                     self.surface(&which, surface, report);
                     if layers > 1 {

@@ -7,8 +7,8 @@ use luxel_lighting::{
     Reflection, own_parameters,
 };
 use luxel_render::{
-    BlockedBy, EvaluatedAt, ExplainedLight, ExplainedSample, ExplainedShadow, ExplainedSurface,
-    Hidden, Seen, SurfaceBelow,
+    BlockedBy, EvaluatedAt, ExplainedGround, ExplainedLight, ExplainedSample, ExplainedShadow,
+    ExplainedSurface, Hidden, Seen, SurfaceBelow,
 };
 use luxel_scene::Scene;
 use serde_json::{Map, Value, json};
@@ -104,20 +104,42 @@ const TERMS: &[&str] = &["emission", "scene_ambient", "lights", "environment", "
 /// The visible surface, as an entry.
 fn seen(seen: &Seen, scene: &Scene) -> Map<String, Value> {
     let value = match seen {
-        Seen::Background { color, alpha } => json!({
-            "index": null,
-            "object": null,
-            "triangle": null,
-            "color": color,
-            "display": color,
-            "alpha": alpha,
-        }),
+        Seen::Background { color, alpha, ground } => {
+            let mut value = json!({
+                "index": null,
+                "object": null,
+                "triangle": null,
+                "color": color,
+                "display": color,
+                "alpha": alpha,
+            });
+            if let Some(seen) = ground {
+                value["ground"] = on_ground(seen);
+            }
+            value
+        }
         Seen::Surface(seen) => surface(seen, scene),
     };
     match value {
         Value::Object(map) => map,
         _ => Map::new(),
     }
+}
+
+fn on_ground(seen: &ExplainedGround) -> Value {
+    let white = Material { reflection: Reflection::Lambert, ..Material::default() };
+    json!({
+        "position": seen.position,
+        "behind": seen.behind,
+        "openness": seen.openness,
+        "ambient_light": seen.ambient_light,
+        "scene_ambient": seen.scene_ambient,
+        "lights": lights(&seen.lights, &white),
+        "light": seen.light,
+        "unoccluded": seen.unoccluded,
+        "fog": seen.fog,
+        "darkness": seen.darkness,
+    })
 }
 
 fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {

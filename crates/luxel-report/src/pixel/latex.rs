@@ -3,8 +3,8 @@
 use super::report::Report;
 use super::sentences::{encoded, nearest, part_of, point_name, share, surface_path, why_not_seen};
 use crate::equation::{
-    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, highlight_vector, in_the_way,
-    point_terms, shading_points,
+    Factor, Interpolation, LightEntry, PartTerm, ShadingPoint, Term, ground_facts,
+    highlight_vector, in_the_way, point_terms, shading_points,
 };
 use crate::words::{capital, coordinate, model_name, number};
 use luxel_lighting::{Attenuation, Display, LightKind, PictureEncoding, Tone};
@@ -81,10 +81,15 @@ impl Page {
                 _ => "and behind it".to_owned(),
             };
             match seen {
-                Seen::Background { color: behind, alpha } => {
+                Seen::Background { color: behind, alpha, ground } => {
                     let which = capital(&which);
                     let (behind, alpha) = (color(*behind), math(*alpha));
-                    self.paragraph(&format!("{which} the background ${behind}$, alpha ${alpha}$."));
+                    let what = if ground.is_some() { "the ground" } else { "the background" };
+                    self.paragraph(&format!("{which} {what} ${behind}$, alpha ${alpha}$."));
+                    for (label, fact) in ground.iter().flat_map(|ground| ground_facts(ground)) {
+                        let (label, fact) = (escaped(&capital(&label)), escaped(&fact));
+                        self.paragraph(&format!("{label}: {fact}."));
+                    }
                 }
                 Seen::Surface(surface) => self.surface(&which, surface, report),
             }

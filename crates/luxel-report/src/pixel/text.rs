@@ -6,8 +6,8 @@ use super::sentences::{
 };
 use crate::equation::{
     Interpolation, LightEntry, PartTerm, ShadingPoint, Term, TermKind, clamp_range, display_text,
-    factor_text, highlight_vector, in_the_way, interpolation_text, point_terms, reach,
-    shading_points, symbol_text,
+    factor_text, ground_facts, highlight_vector, in_the_way, interpolation_text, point_terms,
+    reach, shading_points, symbol_text,
 };
 use crate::words::{color, in_column, number, printable, vector};
 use luxel_lighting::PictureEncoding;
@@ -20,7 +20,7 @@ const VALUE: usize = 9;
 
 /// The whole page.
 pub(crate) fn page(report: &Report<'_>, colored: bool) -> String {
-    let mut page = Page { text: String::new(), colored };
+    let mut page = Page { text: String::new(), colored, ground: Vec::new() };
     page.whole(report);
     page.text
 }
@@ -28,6 +28,8 @@ pub(crate) fn page(report: &Report<'_>, colored: bool) -> String {
 struct Page {
     text: String,
     colored: bool,
+    /// What is written of the ground so far.
+    ground: Vec<(String, String)>,
 }
 
 /// Quiet text.
@@ -104,9 +106,19 @@ impl Page {
                 _ => "and behind it".to_owned(),
             };
             match seen {
-                Seen::Background { color: behind, alpha } => {
-                    let text = format!("the background, {}, alpha {}", color(*behind), alpha);
+                Seen::Background { color: behind, alpha, ground } => {
+                    let what = if ground.is_some() { "the ground" } else { "the background" };
+                    let text = format!("{what}, {}, alpha {}", color(*behind), alpha);
                     self.line(&format!("{which} {text}"));
+                    for fact in ground.iter().flat_map(|ground| ground_facts(ground)) {
+                        // What samples see alike stands with the first of them.
+                        if self.ground.contains(&fact) {
+                            continue;
+                        }
+                        let (label, text) = (printable(&fact.0), printable(&fact.1));
+                        self.line(&self.quiet(&format!("  {label:NAMES$}{text}")));
+                        self.ground.push(fact);
+                    }
                 }
                 Seen::Surface(surface) => {
                     self.surface(&which, surface, report);

@@ -113,7 +113,7 @@ fn stage(
     let mesh = builder.mesh(mesh, material);
     builder.object(object, root, crate::DMat4::IDENTITY, mesh);
     let [red, green, blue] = srgb(GROUND);
-    builder.scene.background = Some([red, green, blue, 1.0]);
+    builder.scene.background = Some([red, green, blue, 1.0].into());
     (builder, root)
 }
 

@@ -7,6 +7,8 @@ use luxel::pick::VisibleIds;
 use luxel::render::Prepared;
 use luxel::scene::{Camera, SceneMaterial, Size};
 use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// An event of a worker thread.
 pub(crate) struct WorkerMessage {
@@ -21,6 +23,8 @@ pub(crate) enum WorkerEvent {
     Loaded(Result<Box<LoadedModel>, String>),
     /// A frame was rendered.
     Rendered(Box<RenderedFrame>),
+    /// A frame was interrupted.
+    Interrupted,
     /// The objects visible in the last refined frame.
     VisibleObjects(Option<Box<VisibleIds>>),
     /// The selected objects alone, in the last refined frame.
@@ -66,6 +70,8 @@ pub(crate) struct SelectedObjects {
 pub(crate) enum FramePurpose {
     /// A quick frame while the camera moves.
     Interactive,
+    /// The first frame at rest, if the full one takes long.
+    Refining,
     /// A full frame at rest.
     Refined,
     /// A file.
@@ -92,4 +98,6 @@ pub(crate) struct RenderRequest {
     pub(crate) selected: BTreeSet<usize>,
     /// Whether the frame must come with depths, because lines are drawn into it.
     pub(crate) needs_depths: bool,
+    /// Set when the frame is no longer wanted.
+    pub(crate) is_interrupted: Arc<AtomicBool>,
 }

@@ -147,10 +147,14 @@ fn render(
 ) -> bool {
     let Some(RenderJob { view, .. }) = request.jobs.first() else { return true };
     let start = Instant::now();
-    let pictures: Result<Vec<_>, _> = request.jobs.iter().map(|job| job.render(renderer)).collect();
+    let drawn = |job: &RenderJob| job.render(renderer, &request.is_interrupted);
+    let pictures: Result<Vec<Option<_>>, _> = request.jobs.iter().map(drawn).collect();
     let pictures = match pictures {
         Ok(pictures) => pictures,
         Err(error) => return send(WorkerEvent::Failed(error.to_string())),
+    };
+    let Some(pictures) = pictures.into_iter().collect() else {
+        return send(WorkerEvent::Interrupted);
     };
     let needs_objects = !request.selected.is_empty();
     let visible = |renderer: &Renderer| visible_ids(renderer, view, object_ids).map(Box::new);
@@ -204,7 +208,8 @@ mod tests {
     fn render_command(view: &View, purpose: FramePurpose, needs_objects: bool) -> Command {
         let jobs = vec![RenderJob { view: view.clone(), layer: None }];
         let selected = needs_objects.then_some(0).into_iter().collect();
-        let request = RenderRequest { jobs, purpose, selected, needs_depths: true };
+        let is_interrupted = Arc::default();
+        let request = RenderRequest { jobs, purpose, selected, needs_depths: true, is_interrupted };
         Command::Render(Box::new(request))
     }
 

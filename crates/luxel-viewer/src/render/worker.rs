@@ -1,5 +1,6 @@
 //! The threads that render and load models, so that the window stays responsive.
 
+use super::RenderJob;
 use super::event::{LoadedModel, RenderRequest, SceneOverrides, WorkerEvent, WorkerMessage};
 use super::pixel_query::PixelHit;
 use super::render_thread::{Command, CurrentScene, render_scene};
@@ -66,7 +67,11 @@ impl Worker {
                     progress.model_complete();
                     model.separate();
                     let renderer = Renderer::new(Arc::clone(&model.scene), &execution);
-                    let prepared = renderer.map_err(|error| error.to_string())?.into_prepared();
+                    let renderer = renderer.map_err(|error| error.to_string())?;
+                    if (RenderJob { view: model.view.clone(), layer: None }).traces_rays() {
+                        renderer.build_trees().map_err(|error| error.to_string())?;
+                    }
+                    let prepared = renderer.into_prepared();
                     Ok(Box::new(LoadedModel { model, prepared }))
                 });
                 if !progress.is_stopped() {
@@ -118,7 +123,8 @@ impl Worker {
         model
     }
 
-    /// Requests a frame. One at a time: the window requests the next when this one has arrived.
+    /// Requests a frame. One at a time: the window requests the next when this one has arrived, or was
+    /// interrupted.
     pub(crate) fn render(&self, request: RenderRequest) {
         // A render thread that has ended has reported why.
         let _ = self.commands.send(Command::Render(Box::new(request)));
@@ -199,7 +205,14 @@ mod tests {
         let jobs = vec![RenderJob { view, layer: None }];
         let purpose = FramePurpose::Interactive;
         let selected = BTreeSet::new();
-        worker.render(RenderRequest { jobs, purpose, selected, needs_depths: false });
+        let is_interrupted = Arc::default();
+        worker.render(RenderRequest {
+            jobs,
+            purpose,
+            selected,
+            needs_depths: false,
+            is_interrupted,
+        });
         let message = messages.recv().unwrap();
         let WorkerEvent::Rendered(frame) = message.event else { panic!("another event") };
         assert_eq!((message.model_number, frame.size), (model_number, SIZE));

@@ -27,6 +27,7 @@ use screen::Screen;
 pub use screen::leave_terminal;
 use std::ffi::OsStr;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 /// The time at rest after which the picture is refined.
@@ -160,8 +161,10 @@ impl TerminalView<'_> {
         if is_due {
             let mut jobs = self.session.render_jobs();
             if !is_refined {
-                for RenderJob { view, .. } in &mut jobs {
-                    view.samples = view.samples.min(MOVING_SAMPLES);
+                for job in &mut jobs {
+                    let samples = job.view.samples.min(MOVING_SAMPLES);
+                    *job = job.clone().while_moving();
+                    job.view.samples = samples;
                 }
             }
             let pixels = self.picture(&jobs)?;
@@ -178,8 +181,9 @@ impl TerminalView<'_> {
 
     /// Renders the terminal's pixels, 0RGB.
     fn picture(&self, jobs: &[RenderJob]) -> Result<Vec<u32>, ViewerError> {
-        let pictures: Result<Vec<_>, _> =
-            jobs.iter().map(|job| job.render(self.renderer)).collect();
+        let never = AtomicBool::new(false);
+        let pictures = jobs.iter().map(|job| job.render(self.renderer, &never));
+        let pictures: Result<Vec<_>, _> = pictures.filter_map(Result::transpose).collect();
         let pictures = pictures.map_err(|error| ViewerError::Draw(error.to_string()))?;
         let Some(RenderJob { view, .. }) = jobs.first() else { return Ok(Vec::new()) };
         let size = view.size;

@@ -59,6 +59,7 @@ impl ApplicationHandler<UserEvent> for App {
                 // The next frame is rendered while this one is presented.
                 self.update();
             }
+            WorkerEvent::Interrupted => self.interrupted(),
             WorkerEvent::VisibleObjects(visible) if is_current => {
                 if let Some(frame) = &mut self.frame {
                     frame.visible = visible;

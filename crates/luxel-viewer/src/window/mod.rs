@@ -25,6 +25,8 @@ use luxel::scene::{Camera, DVec2, DVec3, Size};
 use opening::LoadReason;
 use present::GuideCache;
 use std::ffi::{OsStr, OsString};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 use surface::WindowSurface;
 use winit::event::MouseButton;
@@ -101,6 +103,8 @@ struct App {
     /// The frame requested last.
     last_request: Option<(FrameKey, FramePurpose)>,
     is_rendering: bool,
+    /// Interrupts the frame at rest that was requested last.
+    is_interrupted: Arc<AtomicBool>,
     wants_screenshot: bool,
     /// The overrides that the render thread applies.
     overrides: SceneOverrides,
@@ -179,6 +183,7 @@ impl App {
             frame: None,
             last_request: None,
             is_rendering: false,
+            is_interrupted: Arc::default(),
             wants_screenshot: false,
             overrides: SceneOverrides::default(),
             explain_request: None,

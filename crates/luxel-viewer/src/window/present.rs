@@ -85,6 +85,7 @@ impl App {
                     self.motion.count(f64::from(frame.size.width) / f64::from(window.width));
                 }
             }
+            FramePurpose::Refining => {}
             FramePurpose::Refined => {
                 if let Some(summary) = self.motion.finish() {
                     (self.options.detail)(&summary);

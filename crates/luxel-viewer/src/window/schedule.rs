@@ -1,10 +1,12 @@
-//! What is rendered when: quick frames while the camera moves, a refined frame at rest, explanations
-//! after it.
+//! What is rendered when: quick frames while the camera moves, finer ones at rest, explanations after
+//! them.
 
 use super::{App, FrameKey, scale_camera};
 use crate::render::{FramePurpose, RenderJob, RenderRequest};
 use luxel::navigation::{Entry, Event};
 use luxel::render::View;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// The time at rest after which the picture is refined.
@@ -18,7 +20,11 @@ impl App {
     /// an event.
     pub(super) fn update(&mut self) -> Option<Instant> {
         let due = self.advance_replay();
-        if self.is_rendering || self.surface.is_none() {
+        if self.is_rendering {
+            self.interrupt_unwanted();
+            return due;
+        }
+        if self.surface.is_none() {
             return due;
         }
         if self.replay.is_none() && self.session.as_ref().is_some_and(|one| one.state.is_moving()) {
@@ -41,19 +47,20 @@ impl App {
         }
         match self.last_request {
             None => {
-                self.last_request = Some((wanted, FramePurpose::Refined));
                 let jobs = session.render_jobs();
-                self.request_frame(jobs, FramePurpose::Refined);
+                self.refine(wanted, jobs);
             }
             Some((last, _)) if last != wanted => {
                 self.moved_at = Instant::now();
                 self.last_request = Some((wanted, FramePurpose::Interactive));
                 let size = self.scaling.interactive_size(view.size);
                 let camera = scale_camera(view.camera, view.size, size);
-                let mut jobs = session.render_jobs();
-                for RenderJob { view, .. } in &mut jobs {
-                    (view.camera, view.size, view.samples) = (camera, size, 1);
-                }
+                let jobs = session.render_jobs().into_iter().map(|job| {
+                    let mut job = job.while_moving();
+                    (job.view.camera, job.view.size) = (camera, size);
+                    job
+                });
+                let jobs = jobs.collect();
                 self.request_frame(jobs, FramePurpose::Interactive);
             }
             Some((_, FramePurpose::Interactive)) => {
@@ -61,6 +68,10 @@ impl App {
                 if Instant::now() < refine_at {
                     return Some(due.map_or(refine_at, |due| due.min(refine_at)));
                 }
+                let jobs = session.render_jobs();
+                self.refine(wanted, jobs);
+            }
+            Some((_, FramePurpose::Refining)) => {
                 self.last_request = Some((wanted, FramePurpose::Refined));
                 let jobs = session.render_jobs();
                 self.request_frame(jobs, FramePurpose::Refined);
@@ -95,13 +106,50 @@ impl App {
         self.worker.explain(view, pixel);
     }
 
+    /// Requests the first frame at rest: the full one, unless that takes long.
+    fn refine(&mut self, wanted: FrameKey, jobs: Vec<RenderJob>) {
+        let (jobs, purpose) = if jobs.iter().any(RenderJob::traces_rays) {
+            (jobs.into_iter().map(RenderJob::first).collect(), FramePurpose::Refining)
+        } else {
+            (jobs, FramePurpose::Refined)
+        };
+        self.last_request = Some((wanted, purpose));
+        self.request_frame(jobs, purpose);
+    }
+
+    /// Ends a frame at rest that is being rendered when something else is to be seen.
+    fn interrupt_unwanted(&mut self) {
+        let Some(session) = &self.session else { return };
+        let view = session.view();
+        let wanted = (view.camera, view.size, session.revision());
+        let is_wanted = self.last_request.is_some_and(|(key, _)| key == wanted);
+        if !is_wanted || session.state.is_moving() {
+            self.is_interrupted.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Goes on after a frame that was interrupted.
+    pub(super) fn interrupted(&mut self) {
+        self.is_rendering = false;
+        self.moved_at = Instant::now();
+        if let Some((_, purpose)) = &mut self.last_request {
+            *purpose = FramePurpose::Interactive;
+        }
+        self.update();
+    }
+
     fn request_frame(&mut self, jobs: Vec<RenderJob>, purpose: FramePurpose) {
         self.is_rendering = true;
+        let is_interrupted = Arc::new(AtomicBool::new(false));
+        // Others are quick, or wanted in any case.
+        if matches!(purpose, FramePurpose::Refining | FramePurpose::Refined) {
+            self.is_interrupted = Arc::clone(&is_interrupted);
+        }
         let session = self.session.as_ref();
         let selected = session.map(|session| session.selection.selected().clone());
         let selected = selected.unwrap_or_default();
         let needs_depths = session.is_some_and(|session| session.guides.is_any());
-        self.worker.render(RenderRequest { jobs, purpose, selected, needs_depths });
+        self.worker.render(RenderRequest { jobs, purpose, selected, needs_depths, is_interrupted });
     }
 
     /// Replays the entries of the log that are due; returns the time of the next one.

@@ -72,6 +72,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
         &[
             "angle",
             "encoding",
+            "background",
             "environment",
             "node",
             "camera",
@@ -125,7 +126,15 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
     ),
     (
         "luxel-rays",
-        &["world_ray", "object_tree", "scene_rays", "queries", "surface_place", "transmittance"],
+        &[
+            "world_ray",
+            "object_tree",
+            "scene_rays",
+            "queries",
+            "surface_place",
+            "ray_lanes",
+            "transmittance",
+        ],
     ),
     ("luxel-view", &["cull", "layer", "shading", "view"]),
     ("luxel-visibility", &["types", "cluster", "cull", "raster", "query", "frame", "placed_scene"]),
@@ -157,6 +166,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "coverage",
             "polygons",
             "shadow",
+            "backdrop",
             "context",
             "material",
             "setup",

@@ -1,6 +1,6 @@
 //! The `luxel render` command line that reproduces the window's view.
 
-use super::saved::{dark, display_flags, shading_flags};
+use super::saved::{dark, display_flags, occlusion_flags, shading_flags};
 use clap::Command;
 use clap::parser::ValueSource;
 use luxel::formats::values::{degrees, light_text};
@@ -12,7 +12,7 @@ use std::ffi::{OsStr, OsString};
 use std::path::Path;
 
 /// Flags that the window overrides.
-const OF_THE_WINDOW: [&str; 20] = [
+const OF_THE_WINDOW: [&str; 25] = [
     "size",
     "samples",
     "eye",
@@ -33,6 +33,11 @@ const OF_THE_WINDOW: [&str; 20] = [
     "normal-length",
     "exposure",
     "tone",
+    "shadows",
+    "ground",
+    "light-rays",
+    "ao",
+    "ao-rays",
 ];
 /// Flags that the window overrides if its light differs from the file's.
 const OF_LIGHT: [&str; 3] = ["light", "ambient", "light-scale"];
@@ -66,6 +71,10 @@ pub(crate) fn line(
     let shaded = shading_flags(view, is_scene).into_iter();
     let displayed = display_flags(view, is_scene).into_iter();
     line.extend(shaded.chain(displayed).map(|(name, value)| format!("--{name}={value}")));
+    line.extend(occlusion_flags(view).into_iter().map(|(name, value)| match value {
+        Some(value) => format!("--{name}={value}"),
+        None => format!("--{name}"),
+    }));
     let Camera { view_from_world, projection } = &view.camera;
     line.push(match projection.lens {
         Lens::Perspective { fov_y_radians } => format!("--fov={}", degrees(fov_y_radians)),

@@ -59,6 +59,13 @@ impl ViewCommand {
         let mut options = self.view.clone();
         options.picture.exposure.get_or_insert(Exposure::Auto);
         let mut view = view::view(&options, None, camera, &scene)?;
+        // A scene file says itself how its light falls.
+        let is_scene =
+            Path::new(file).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
+        if !is_scene && !self.no_occlusion {
+            view.ground = true;
+            view.ambient_occlusion.get_or_insert_default();
+        }
         let exposure_note = view::expose(&mut view, &options, &scene);
         let is_fitted = camera::is_fitted(&self.view.frame, &scene)?;
         Ok(Model {

@@ -141,6 +141,25 @@ pub(super) fn shading_flags(view: &View, is_all: bool) -> Vec<(&'static str, Str
     flags
 }
 
+/// The flags of shadows, openness and the ground, with their values.
+pub(super) fn occlusion_flags(view: &View) -> Vec<(&'static str, Option<String>)> {
+    let mut flags = Vec::new();
+    if view.shadows {
+        flags.push(("shadows", None));
+    }
+    if view.ground {
+        flags.push(("ground", None));
+    }
+    if view.light_rays != DEFAULT_LIGHT_RAYS {
+        flags.push(("light-rays", Some(view.light_rays.to_string())));
+    }
+    if let Some(AmbientOcclusion { radius, rays }) = view.ambient_occlusion {
+        let radius = radius.map_or_else(|| "auto".to_owned(), |radius| radius.to_string());
+        flags.extend([("ao", Some(radius)), ("ao-rays", Some(rays.to_string()))]);
+    }
+    flags
+}
+
 /// The flags of exposure and tone curve: those that differ from the defaults, or all.
 pub(super) fn display_flags(view: &View, is_all: bool) -> Vec<(&'static str, String)> {
     let display = view.display();
@@ -177,16 +196,11 @@ fn settings(
     if view.environment_background {
         settings.push(("environment-background", SettingValue::Switch(true)));
     }
-    if view.shadows {
-        settings.push(("shadows", SettingValue::Switch(true)));
-    }
-    if view.light_rays != DEFAULT_LIGHT_RAYS {
-        settings.push(("light-rays", one(view.light_rays.to_string())));
-    }
-    if let Some(AmbientOcclusion { radius, rays }) = view.ambient_occlusion {
-        settings.push(("ao", one(radius.map_or("auto".to_owned(), |radius| radius.to_string()))));
-        settings.push(("ao-rays", one(rays.to_string())));
-    }
+    settings.extend(
+        occlusion_flags(view).into_iter().map(|(name, value)| {
+            (name, value.map_or(SettingValue::Switch(true), SettingValue::One))
+        }),
+    );
     if view.encoding == PictureEncoding::None {
         settings.push(("encoding", word("none")));
     }

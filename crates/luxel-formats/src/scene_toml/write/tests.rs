@@ -18,7 +18,7 @@ fn plain() -> SceneText<'static> {
         ambient: [0.0; 3],
         environment: Some(EnvironmentChoice::Always(Environment::None)),
         environment_file: None,
-        background: [0.0; 4],
+        background: [0.0; 4].into(),
         fog: None,
         lights: Vec::new(),
         cameras: Vec::new(),
@@ -188,7 +188,7 @@ proptest! {
         let text = SceneText {
             up,
             ambient,
-            background: [r, g, b, part],
+            background: [r, g, b, part].into(),
             fog: Some(Fog { color: fog_color, law }),
             lights: lights.iter().map(|light| (light.clone(), node.clone())).collect(),
             cameras: vec![camera.clone()],

@@ -3,15 +3,18 @@
 use super::{Renderer, Workers};
 use crate::polygons::Polygons;
 use luxel_math::Level;
+use luxel_rays::MeshTrees;
 use luxel_scene::Scene;
 use luxel_visibility::{Clusters, Frames};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
 /// What a renderer has made ready of its scene's meshes, with its threads.
 pub struct Prepared {
     /// Of each mesh: how many triangles it has, and what was made of them.
     meshes: Vec<(usize, Clusters, OnceLock<Box<Polygons>>)>,
+    /// The trees of all meshes, if a view has needed them.
+    trees: Option<MeshTrees>,
     level: Level,
     pool: Option<rayon::ThreadPool>,
     clock: fn() -> Duration,
@@ -28,11 +31,13 @@ impl Renderer {
 
     /// Lets go of the scene, and keeps what was made of its meshes.
     #[must_use]
-    pub fn into_prepared(self) -> Prepared {
+    pub fn into_prepared(mut self) -> Prepared {
+        let trees = self.take_trees();
         let counts = self.scene.meshes.iter().map(|mesh| mesh.triangles.len());
         let made = self.clusters.into_iter().zip(self.polygons_of_meshes);
         Prepared {
             meshes: counts.zip(made).map(|(count, (a, b))| (count, a, b)).collect(),
+            trees,
             level: self.level,
             pool: self.pool,
             clock: self.clock,
@@ -45,12 +50,15 @@ impl Renderer {
     #[must_use]
     pub fn again(scene: impl Into<Arc<Scene>>, prepared: Prepared) -> Self {
         let scene = scene.into();
-        let Prepared { meshes, level, pool, clock } = prepared;
+        let Prepared { meshes, trees, level, pool, clock } = prepared;
         let mut renderer = Self {
             objects: scene.objects(),
             clusters: Vec::new(),
             polygons_of_meshes: Vec::new(),
             rays: OnceLock::new(),
+            kept_trees: Mutex::new(trees),
+            bounds: OnceLock::new(),
+            lowest: OnceLock::new(),
             level,
             pool,
             clock,

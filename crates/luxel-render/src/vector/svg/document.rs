@@ -5,7 +5,7 @@ use super::path;
 use super::web::Color;
 use crate::resolve::bytes_of;
 use luxel_lighting::PictureEncoding;
-use luxel_view::View;
+use luxel_view::{Background, View};
 use std::fmt::Write;
 
 /// How wide the lines along outlines are, in pixels: half of it lies outside, and a pixel is up to 1.4
@@ -97,15 +97,32 @@ fn head(view: &View) -> String {
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n"
     );
-    let [r, g, b, alpha] = bytes_of(view.background, view.encoding);
+    let bytes = |down: f32| bytes_of(view.background.color(down), view.encoding);
+    let [r, g, b, alpha] = bytes(0.0);
+    let fill = match view.background {
+        Background::Flat(_) => hex([r, g, b]),
+        Background::Studio => {
+            text.push_str("<linearGradient id=\"studio\" x2=\"0\" y2=\"1\">\n");
+            for stop in 0..=STOPS {
+                let down = f32::from(stop) / f32::from(STOPS);
+                let [r, g, b, _] = bytes(down);
+                let _ =
+                    writeln!(text, "<stop offset=\"{down}\" stop-color=\"{}\"/>", hex([r, g, b]));
+            }
+            text.push_str("</linearGradient>\n");
+            "url(#studio)".to_owned()
+        }
+    };
     if alpha > 0 {
-        let color = hex([r, g, b]);
-        let _ = write!(text, "<rect width=\"{width}\" height=\"{height}\" fill=\"{color}\"");
-        opacity(&mut text, view.background[3].clamp(0.0, 1.0));
+        let _ = write!(text, "<rect width=\"{width}\" height=\"{height}\" fill=\"{fill}\"");
+        opacity(&mut text, view.background.color(0.0)[3].clamp(0.0, 1.0));
         text.push_str("/>\n");
     }
     text
 }
+
+/// The steps of a gradient in linear light, which programs mix in sRGB between them.
+const STOPS: u8 = 4;
 
 /// The attribute of what isn't opaque.
 fn opacity(text: &mut String, alpha: f32) {

@@ -53,7 +53,7 @@ pub(super) fn lights(ui: &mut Ui, session: &mut Session, chosen: &mut Option<usi
 /// What keeps light away.
 fn occlusion(ui: &mut Ui, session: &mut Session) {
     let view = session.display().view();
-    let (mut shadows, before) = (view.shadows, view.ambient_occlusion);
+    let (mut shadows, mut ground, before) = (view.shadows, view.ground, view.ambient_occlusion);
     let mut is_occluded = before.is_some();
     let clicked = row(ui, "with", |ui| {
         let shadows = ui
@@ -64,10 +64,16 @@ fn occlusion(ui: &mut Ui, session: &mut Session) {
             .on_hover_text("less ambient light where something is near");
         shadows.clicked() || occlusion.clicked()
     });
+    let clicked = clicked
+        | row(ui, "below", |ui| {
+            let ground = ui.checkbox(&mut ground, "ground");
+            ground.on_hover_text("a ground that shows the model's shadow alone").clicked()
+        });
     if clicked {
         session.change_display(|display| {
             let view = display.view_mut();
             view.shadows = shadows;
+            view.ground = ground;
             view.ambient_occlusion = is_occluded.then(|| before.unwrap_or_default());
         });
     }

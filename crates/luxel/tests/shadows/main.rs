@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
+mod ground;
+mod oracle;
+
 use luxel::formats::{Limits, open};
 use luxel::lighting::LightKind;
 use luxel::render::{Execution, Renderer, View};
@@ -11,41 +14,9 @@ use luxel::scene::{
 };
 use luxel::view::AmbientOcclusion;
 use luxel_testing::models;
+use oracle::{meeting, reference, triangles};
 
-const SIZE: Size = Size { width: 48, height: 36 };
-
-/// All triangles of a scene in world space, with the objects that they belong to.
-fn triangles(scene: &Scene) -> Vec<(usize, u32, [DVec3; 3])> {
-    let of = |(number, object): (usize, luxel::scene::Object)| {
-        let mesh = &scene.meshes[object.mesh.index()];
-        (0..)
-            .zip(&mesh.triangles)
-            .map(move |(triangle, corners)| {
-                let place = |vertex| object.world_from_mesh.transform_point3(mesh.position(vertex));
-                (number, triangle, corners.map(place))
-            })
-            .collect::<Vec<_>>()
-    };
-    scene.objects().into_iter().enumerate().flat_map(of).collect()
-}
-
-/// How clearly a ray meets a triangle: the distance to it, and by how much it lies within (negative:
-/// outside), as a length.
-fn meeting(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, f64)> {
-    let normal = (b - a).cross(c - a).try_normalize()?;
-    let along = normal.dot(direction);
-    if along.abs() < 1e-12 {
-        return None;
-    }
-    let t = normal.dot(a - origin) / along;
-    let place = origin + direction * t;
-    let inside = [(a, b), (b, c), (c, a)].map(|(from, to)| {
-        let inwards = normal.cross(to - from).try_normalize();
-        inwards.map_or(f64::NEG_INFINITY, |inwards| (place - from).dot(inwards))
-    });
-    // What a shift of the ray makes of it where it meets the plane at a flat angle.
-    Some((t, inside.into_iter().fold(f64::INFINITY, f64::min) * along.abs()))
-}
+pub(crate) const SIZE: Size = Size { width: 48, height: 36 };
 
 /// Compares V of every light at every pixel of a scene without holes and glass; how many were in shadow.
 fn compare(name: &str, scene: &Scene, view: &View) -> (usize, usize) {
@@ -113,7 +84,7 @@ fn lights(scene: &Scene) -> Vec<SceneLight> {
     ]
 }
 
-fn view(scene: &Scene, azimuth: f64) -> View {
+pub(crate) fn view(scene: &Scene, azimuth: f64) -> View {
     let viewpoint = Viewpoint { up: scene.up, azimuth_radians: azimuth, elevation_radians: 0.35 };
     let lens = Lens::Perspective { fov_y_radians: 0.8 };
     View::new(SIZE, fit_view(scene, &viewpoint, lens, SIZE))
@@ -123,7 +94,7 @@ fn view(scene: &Scene, azimuth: f64) -> View {
 }
 
 /// Nothing shines through a scene's surfaces.
-fn solid(mut scene: Scene) -> Scene {
+pub(crate) fn solid(mut scene: Scene) -> Scene {
     for material in &mut scene.materials {
         material.alpha_mode = AlphaMode::Opaque;
     }
@@ -168,7 +139,7 @@ fn models_are_in_shadow_where_f64_rays_meet_a_triangle() {
 }
 
 /// A mesh, scaled in its file or by its node, and far away.
-fn closed(mut mesh: Mesh, scale: f64, offset: DVec3, in_file: bool) -> Scene {
+pub(crate) fn closed(mut mesh: Mesh, scale: f64, offset: DVec3, in_file: bool) -> Scene {
     mesh.parts =
         vec![Part { first: 0, count: mesh.triangles.len() as u32, material: MaterialId(0) }];
     let mut node = Node::root("closed".to_owned(), Some(MeshId(0)));
@@ -277,7 +248,7 @@ fn no_light_leaks_into_a_closed_surface_at_any_scale_and_offset() {
 }
 
 /// All pixels of a picture.
-fn all_pixels() -> Vec<[u32; 2]> {
+pub(crate) fn all_pixels() -> Vec<[u32; 2]> {
     (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| [x, y])).collect()
 }
 
@@ -314,25 +285,6 @@ fn a_convex_surface_is_open_outside_and_closed_inside() {
             assert!(inside.iter().all(|(.., open)| *open == 0.0), "{scale} {offset}");
         }
     }
-}
-
-/// The openness of a place by rays to all triangles, in `f64`, from 24 x 24 parts of the hemisphere of equal
-/// weight.
-fn reference(all: &[(usize, u32, [DVec3; 3])], place: DVec3, normal: DVec3, margin: f64) -> f64 {
-    const SIDE: usize = 24;
-    let (tangent, bitangent) = normal.any_orthonormal_pair();
-    let mut open = 0.0;
-    for cell in 0..SIDE * SIDE {
-        let [u, v] = [cell / SIDE, cell % SIDE].map(|at| (at as f64 + 0.5) / SIDE as f64);
-        let (sine, cosine) = libm::sincos(std::f64::consts::TAU * v);
-        let direction =
-            (tangent * cosine + bitangent * sine) * u.sqrt() + normal * (1.0 - u).sqrt();
-        let blocks = |corners: [DVec3; 3]| {
-            meeting(place, direction, corners).is_some_and(|(t, inside)| t > margin && inside > 0.0)
-        };
-        open += f64::from(u8::from(!all.iter().any(|(.., corners)| blocks(*corners))));
-    }
-    open / (SIDE * SIDE) as f64
 }
 
 #[test]

@@ -1,0 +1,89 @@
+//! What keeps light away: the trees of the scene for its rays, and the ground that it stands on.
+
+use super::Renderer;
+use crate::frame::RenderError;
+use crate::shadow::{DiscSequence, Floor, LightSource, OpennessRule, Shadows};
+use luxel_lighting::PlacedLight;
+use luxel_rays::{MeshTrees, Quality, SceneRays};
+use luxel_scene::{Bounds, DVec3};
+use luxel_view::{AmbientOcclusion, View};
+use luxel_visibility::{Frame, PlacedScene};
+use std::sync::Arc;
+
+impl Renderer {
+    /// The bounds of what is drawn.
+    pub(super) fn bounds(&self) -> Bounds {
+        *self.bounds.get_or_init(|| self.scene.bounds_of(&self.objects))
+    }
+
+    /// The plane under all that is drawn.
+    pub(super) fn floor(&self) -> Floor {
+        let up = self.scene.up.normalize_or(DVec3::Y);
+        let level = *self.lowest.get_or_init(|| self.scene.lowest_of(&self.objects, up));
+        Floor { up, level }
+    }
+
+    /// Builds the trees that rays of shadows, openness and the ground go through now, rather than for the
+    /// first view that needs them. [`Renderer::into_prepared`] keeps them.
+    ///
+    /// # Errors
+    /// [`RenderError::TooManyForRays`] if a mesh has too many triangles.
+    pub fn build_trees(&self) -> Result<(), RenderError> {
+        self.install(|| self.rays()).map(|_| ())
+    }
+
+    /// The trees of what is drawn.
+    fn rays(&self) -> Result<&SceneRays, RenderError> {
+        let build = || {
+            let (scene, objects) = (Arc::clone(&self.scene), self.objects.clone());
+            let kept = self.kept_trees.lock().ok().and_then(|mut kept| kept.take());
+            match kept {
+                Some(trees) => SceneRays::with_trees(trees, scene, objects, self.level),
+                None => SceneRays::of_objects(scene, objects, Quality::Thorough, self.level),
+            }
+            .map(Box::new)
+        };
+        let rays = self.rays.get_or_init(build).as_ref();
+        Ok(rays.map_err(Clone::clone)?)
+    }
+
+    /// Takes the trees of the meshes out, as far as they are built.
+    pub(super) fn take_trees(&mut self) -> Option<MeshTrees> {
+        let built = self.rays.take().and_then(Result::ok).map(|rays| rays.into_trees());
+        built.or_else(|| self.kept_trees.get_mut().ok().and_then(Option::take))
+    }
+
+    /// What keeps light away from surfaces: lights, if they cast shadows, and openness.
+    pub(super) fn shadows<'f>(
+        &'f self,
+        view: &View,
+        frame: &'f Frame<'f>,
+        (placed, lights): (&'f PlacedScene<'f>, &'f [PlacedLight]),
+        (casts_shadows, openness): (bool, Option<AmbientOcclusion>),
+        floor: Option<Floor>,
+    ) -> Result<Shadows<'f>, RenderError> {
+        let rays = self.rays()?;
+        let camera = placed.camera();
+        let eye = camera.eye();
+        Ok(Shadows {
+            rays,
+            frame,
+            placed,
+            lights,
+            sources: lights
+                .iter()
+                .filter(|_| casts_shadows)
+                .map(|light| LightSource::new(light, eye))
+                .collect(),
+            light_rays: view.light_rays.max(1),
+            openness: openness.map(|occlusion| OpennessRule {
+                radius: occlusion.radius.unwrap_or_else(|| self.scene.bounds().radius() * 0.25),
+                rays: occlusion.rays.max(1),
+            }),
+            floor,
+            disc: DiscSequence::new(),
+            eye,
+            towards_eye: camera.projection.is_orthographic().then(|| -camera.direction()),
+        })
+    }
+}
