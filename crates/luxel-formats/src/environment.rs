@@ -59,9 +59,21 @@ pub fn read_environment(
     name: &str,
     limits: &Limits,
 ) -> Result<LoadedEnvironment, Error> {
+    let (image, warnings) = decode_environment(bytes, limits)?;
+    Ok(LoadedEnvironment { map: EnvironmentMap::new(name, image), warnings })
+}
+
+/// Reads a picture of an environment without preparing it for lookups.
+///
+/// # Errors
+/// [`Error`] with its place, if the bytes are damaged or exceed the limits.
+pub fn decode_environment(
+    bytes: &[u8],
+    limits: &Limits,
+) -> Result<(EquirectangularImage, Vec<Warning>), Error> {
     let mut image = decode(bytes, limits)?;
     let warnings = check_light(&mut image)?;
-    Ok(LoadedEnvironment { map: EnvironmentMap::new(name, image), warnings })
+    Ok((image, warnings))
 }
 
 fn decode(bytes: &[u8], limits: &Limits) -> Result<EquirectangularImage, Error> {

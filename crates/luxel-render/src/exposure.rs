@@ -147,6 +147,7 @@ impl Renderer {
         let view = small(view)
             .with_samples(1)
             .with_background([0.0; 4])
+            .with_environment_background(false)
             .with_ground(false)
             .with_edges(None);
         let limit = if view.tone == Tone::None { BURNT } else { BURNT_BY_CURVE };

@@ -10,7 +10,7 @@ use super::tile_drawing::TileDrawing;
 use super::tile_shading::{Worker, add_layer, tile_pixels};
 use super::tiles::TilePixels;
 use super::workers::{BusyWorker, Workers};
-use crate::backdrop::{Backdrop, Ground};
+use crate::backdrop::{Around, Backdrop, Ground};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::{AlphaTest, EdgeFlags};
 use crate::execution::Execution;
@@ -313,12 +313,17 @@ impl Renderer {
                     let shadows =
                         self.shadows(view, &frame, (&placed, &lights), of_ground, None)?;
                     let of_ground =
-                        LightingEnvironment::new(&lights, ambient, Environment::None, None);
+                        LightingEnvironment::new(&lights, ambient, &Environment::None, None);
                     Some(Ground::new(floor, shadows, of_ground, fog, &view.camera, self.bounds()))
                 }
                 None => None,
             };
-            let backdrop = Backdrop::new(view.background, height, ground);
+            let around = view.environment_background.then(|| Around {
+                environment: view.environment.surroundings(self.scene.up),
+                rays: ViewRays::new(&view.camera, frame.rays()),
+                display: view.display(),
+            });
+            let backdrop = Backdrop::new((view.background, around), height, ground);
             let uniform = frame_setup::uniform(&self.scene.materials);
             let attributes_of_materials: Vec<AttributeMask> = self
                 .scene
