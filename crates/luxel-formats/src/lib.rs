@@ -75,7 +75,8 @@ mod warnings;
 mod weld;
 
 pub use environment::{
-    LoadedEnvironment, decode_environment, is_environment, open_environment, read_environment};
+    LoadedEnvironment, decode_environment, is_environment, open_environment, read_environment,
+};
 pub use error::{Error, ErrorKind, Hint, Place, UnknownFormat};
 pub use format::{Format, Loaded};
 pub use limits::{Limits, Progress};

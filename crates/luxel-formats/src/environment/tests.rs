@@ -28,8 +28,8 @@ fn texels_of_radiance_are_mantissas_times_powers_of_two() {
     // The smallest and the largest exponent.
     let bytes = hdr("-Y 1 +X 2", &[1, 255, 0, 1, 255, 0, 0, 255]);
     let [small, large] = image(&bytes).light[..] else { panic!("two texels") };
-    assert_eq!(f64::from(small[1]), 255.0 * 2.0_f64.powi(-135));
-    assert_eq!(f64::from(large[0]), 255.0 * 2.0_f64.powi(119));
+    assert_eq!(f64::from(small[1]), libm::ldexp(255.0, -135));
+    assert_eq!(f64::from(large[0]), libm::ldexp(255.0, 119));
 }
 
 #[test]
