@@ -15,7 +15,7 @@ use crate::progress::Progress;
 use crate::surface;
 use crate::view;
 use clap::Args;
-use luxel::lighting::{Display, Tone};
+use luxel::lighting::{Display, PictureEncoding, Tone};
 use luxel::render::{
     Edges, Execution, Layer, LayerImage, Legend, PictureError, RenderError, Renderer, ShadingMode,
     Subdivision, SvgOptions, View, write_layers, write_linear, write_rgba8,
@@ -321,7 +321,12 @@ impl RenderCommand {
         } else if format.is_linear() || self.output.bits == 16 {
             // Of light itself, a curve for the eye would leave nothing to work with.
             let tone = if format.is_linear() { Tone::None } else { view.tone };
-            let picture = renderer.linear(&view.clone().with_tone(tone)).map_err(cannot_draw)?;
+            let mut shown = view.clone().with_tone(tone);
+            if format.is_linear() && view.ground {
+                // The ground's alpha is for the bytes of sRGB unless the picture has none.
+                shown.encoding = PictureEncoding::None;
+            }
+            let picture = renderer.linear(&shown).map_err(cannot_draw)?;
             *may_be_burnt_out = !format.is_linear();
             stopwatch.lap("frame");
             stopwatch.add_stages(&picture.stages);

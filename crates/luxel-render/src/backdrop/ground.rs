@@ -1,13 +1,14 @@
 //! The ground under a model: nothing of it is seen but the light that the model keeps from it.
 
-use crate::shadow::{Floor, Shadows};
+use crate::shadow::{Floor, OcclusionLanes, Shadows};
 use glam::{DMat3, DVec3};
 use luxel_lighting::{
-    Coefficients, Fog, LightingEnvironment, Material, Occlusion, Reflection, Silent, SurfacePoint,
-    Uniform, Witness, reflected,
+    Coefficients, Fog, LightingEnvironment, Material, Occlusion, PictureEncoding, Reflection,
+    Silent, SurfacePoint, Uniform, Witness, encode_srgb, reflected,
 };
-use luxel_math::{LANES, Rgb, Vec3};
-use luxel_rays::{LIFT, SurfacePlace};
+use luxel_math::prelude::*;
+use luxel_math::{LANES, Rgb, Vec3, lanes_of};
+use luxel_rays::{LIFT, PlaceLanes, SurfacePlace};
 use luxel_scene::{Bounds, Camera};
 
 /// The farthest that the ground is looked at, in radii of the scene's bounding sphere.
@@ -20,36 +21,38 @@ const LUMINANCE: [f32; 3] = [0.2126, 0.7152, 0.0722];
 /// model keeps from it, and is transparent where that is none:
 ///
 /// ```text
-/// darkness = 1 - Y(I) / Y(I_0)
+/// darkness = s (1 - Y(I) / Y(I_0))
 /// ```
 ///
-/// I is the lighting equation of the plane with V and openness, I_0 without, and Y the luminance.
+/// I is the lighting equation of the plane with V and openness, I_0 without, Y the luminance and s the
+/// factor of the fog.
 pub(crate) struct Ground<'a> {
-    floor: Floor,
+    pub(crate) floor: Floor,
     /// V of all lights, and openness.
     pub(crate) shadows: Shadows<'a>,
-    lighting: LightingEnvironment<'a>,
-    fog: Option<&'a Fog>,
-    coefficients: Coefficients<Uniform>,
+    pub(crate) lighting: LightingEnvironment<'a>,
+    pub(crate) fog: Option<&'a Fog>,
+    /// The model's.
+    pub(crate) bounds: Bounds,
+    /// How the picture's bytes will stand for light.
+    pub(crate) encoding: PictureEncoding,
     world_from_view: DMat3,
-    bounds: Bounds,
+    coefficients: Coefficients<Uniform>,
 }
 
-/// What one sample sees of the ground.
-pub(crate) struct GroundSample {
-    pub(crate) place: SurfacePlace,
-    pub(crate) point: SurfacePoint<f32>,
-    /// V of each light, in the first lane.
-    visibility: Vec<[f32; LANES]>,
-    openness: [f32; LANES],
+/// What samples see of the ground.
+pub(crate) struct SeenGround<N: Lanes> {
+    pub(crate) places: PlaceLanes<N::F64>,
+    pub(crate) point: SurfacePoint<N>,
+    /// The lanes that see it.
+    pub(crate) lanes: u32,
     /// I_0
-    pub(crate) unoccluded: Rgb<f32>,
+    pub(crate) unoccluded: Rgb<N>,
     /// I
-    pub(crate) light: Rgb<f32>,
-    /// s of the fog.
-    pub(crate) fog: f32,
-    /// How much of what lies behind is hidden by black.
-    pub(crate) darkness: f32,
+    pub(crate) light: Rgb<N>,
+    /// s
+    pub(crate) fog: N,
+    pub(crate) darkness: N,
 }
 
 impl<'a> Ground<'a> {
@@ -57,10 +60,9 @@ impl<'a> Ground<'a> {
     pub(crate) fn new(
         floor: Floor,
         shadows: Shadows<'a>,
-        lighting: LightingEnvironment<'a>,
-        fog: Option<&'a Fog>,
-        camera: &Camera,
+        (lighting, fog): (LightingEnvironment<'a>, Option<&'a Fog>),
         bounds: Bounds,
+        (camera, encoding): (&Camera, PictureEncoding),
     ) -> Self {
         let white = Material {
             reflection: Reflection::Lambert,
@@ -75,72 +77,80 @@ impl<'a> Ground<'a> {
             shadows,
             lighting,
             fog,
-            coefficients: Coefficients::uniform(&white),
-            world_from_view: DMat3::from_mat4(camera.view_from_world).transpose(),
             bounds,
+            encoding,
+            world_from_view: DMat3::from_mat4(camera.view_from_world).transpose(),
+            coefficients: Coefficients::uniform(&white),
         }
     }
 
-    /// What is seen of the ground at a position of the window, in pixels; `None` beside it, from below, and
-    /// where nothing keeps any light away.
-    pub(crate) fn sample(&self, position: [f64; 2]) -> Option<GroundSample> {
-        let seen = self.occluded(position)?;
-        let is_dark = seen.openness[0] < 1.0 || seen.visibility.iter().any(|of| of[0] < 1.0);
-        is_dark.then(|| self.lit(seen))
-    }
-
-    /// The same where the light is not kept away, too, with its terms written down.
-    pub(crate) fn explained<W: Witness<f32>>(
+    /// What some of sixteen samples at positions of the window, in pixels, see of the ground: nothing beside
+    /// it and from below.
+    #[inline(always)]
+    pub(crate) fn seen<N: Lanes, W: Witness<N>>(
         &self,
-        position: [f64; 2],
+        simd: N,
+        lanes: u32,
+        position: &dyn Fn(usize) -> [f64; 2],
+        found: &mut OcclusionLanes,
         witness: &mut W,
-    ) -> Option<GroundSample> {
-        let seen = self.lit(self.occluded(position)?);
-        let _ = self.light(&seen.point, seen.occlusion(), witness);
-        Some(seen)
-    }
-
-    /// The place at a position of the window, and what keeps light from it; yet without light.
-    fn occluded(&self, position: [f64; 2]) -> Option<GroundSample> {
-        let Self { floor: Floor { up, level }, shadows, bounds, .. } = self;
-        let (place, depth) = self.place(position)?;
-        let about_eye = (place.position - shadows.eye).as_vec3().to_array();
-        let vector = |[x, y, z]: [f32; 3]| Vec3::new(x, y, z);
-        let normal = up.as_vec3().to_array();
-        let towards_eye = shadows.towards_eye.unwrap_or(shadows.eye - place.position);
-        let point = SurfacePoint {
-            position: vector(about_eye),
-            normal: vector(normal),
-            view: vector(towards_eye.as_vec3().to_array()).normalized_or_zero(),
-            depth: depth as f32,
-        };
-        let visibility = shadows.lights.iter().enumerate().map(|(number, light)| {
-            let faces = point.normal.dot(light.to_light(point.position)) > 0.0;
-            let visible = || shadows.visibility(number, &place, normal, position);
-            [if faces { visible() } else { 1.0 }; LANES]
-        });
-        let away = (bounds.min - place.position).max(place.position - bounds.max).max(DVec3::ZERO);
-        let openness = match shadows.openness {
-            Some(rule) if away.length() <= rule.radius => {
-                shadows.openness(rule, &place, normal, position)
+    ) -> SeenGround<N> {
+        let Self { floor, shadows, lighting, coefficients, fog, .. } = self;
+        let mut rows = Rows::default();
+        for lane in lanes_of(lanes) {
+            if let Some((place, depth)) = self.place(position(lane)) {
+                rows.put(lane, place, shadows, depth, self.is_near(place));
             }
-            _ => 1.0,
+        }
+        let [x, y, z] = &rows.about_eye;
+        let place = Vec3::new(simd.load(x, 0), simd.load(y, 0), simd.load(z, 0));
+        let [x, y, z] = &rows.towards_eye;
+        let view = Vec3::new(simd.load(x, 0), simd.load(y, 0), simd.load(z, 0));
+        let point = SurfacePoint {
+            position: place,
+            normal: Vec3::splat(simd, floor.up.as_vec3().to_array()),
+            view: view.normalized_or_zero(),
+            depth: simd.load(&rows.depth, 0),
         };
-        debug_assert!((up.dot(place.position) - level).abs() <= 1e-6 * (1.0 + level.abs()));
-        Some(GroundSample {
-            place,
-            point,
-            visibility: visibility.collect(),
-            openness: [openness; LANES],
-            unoccluded: Rgb::black(0.0),
-            light: Rgb::black(0.0),
-            fog: 1.0,
-            darkness: 0.0,
-        })
+        let wide = simd.to_f64();
+        let [x, y, z] = &rows.position;
+        let position_lanes = [wide.load(x), wide.load(y), wide.load(z)];
+        let DVec3 { x, y, z } = floor.up;
+        let normal = [wide.constant(x), wide.constant(y), wide.constant(z)];
+        let DVec3 { x, y, z } = floor.up * (LIFT * self.bounds.radius());
+        let lift = [wide.constant(x), wide.constant(y), wide.constant(z)];
+        let places = PlaceLanes { position: position_lanes, normal, lift };
+        shadows.occlude_places(&places, &point, [rows.lanes, rows.near], position, found);
+        let unoccluded = reflected(
+            &point,
+            coefficients,
+            &Reflection::Lambert,
+            lighting,
+            Occlusion::NONE,
+            &mut Silent,
+        );
+        let light = reflected(
+            &point,
+            coefficients,
+            &Reflection::Lambert,
+            lighting,
+            found.occlusion(),
+            witness,
+        );
+        let (all, arriving) = (luminance(unoccluded), luminance(light));
+        let is_lit = simd.zero().less(all);
+        let kept = (simd.one() - arriving / all.select(is_lit, simd.one())).clamped(0.0, 1.0);
+        let fog = match fog {
+            Some(fog) => fog.factor(point.depth),
+            None => simd.one(),
+        };
+        let darkness = (kept * fog).masked(is_lit);
+        SeenGround { places, point, lanes: rows.lanes, unoccluded, light, fog, darkness }
     }
 
-    /// The place that a position of the window shows, and its distance from the eye along the viewing axis.
-    fn place(&self, [x, y]: [f64; 2]) -> Option<(SurfacePlace, f64)> {
+    /// The place that a position of the window shows from above, and its distance from the eye along the
+    /// viewing axis.
+    fn place(&self, [x, y]: [f64; 2]) -> Option<(DVec3, f64)> {
         let Self { floor: Floor { up, level }, shadows, bounds, .. } = self;
         let (origin, direction) = shadows.frame.rays().ray(x, y);
         let ahead = -direction.z;
@@ -151,59 +161,84 @@ impl<'a> Ground<'a> {
             return None;
         }
         let t = height / fall;
-        let position = origin + direction * t;
-        let position = position - *up * (up.dot(position) - level);
-        let radius = bounds.radius();
-        let is_near = (position - bounds.centre()).length() <= FARTHEST * radius;
-        let place = SurfacePlace { position, normal: *up, lift: *up * (LIFT * radius) };
+        let place = origin + direction * t;
+        let place = place - *up * (up.dot(place) - level);
+        let is_near = (place - bounds.centre()).length() <= FARTHEST * bounds.radius();
         is_near.then_some((place, t * ahead))
     }
 
-    /// With the light of the place.
-    fn lit(&self, seen: GroundSample) -> GroundSample {
-        let unoccluded = self.light(&seen.point, Occlusion::NONE, &mut Silent);
-        let light = self.light(&seen.point, seen.occlusion(), &mut Silent);
-        let (all, arriving) = (luminance(unoccluded), luminance(light));
-        let kept = if all > 0.0 { (1.0 - arriving / all).clamp(0.0, 1.0) } else { 0.0 };
-        let fog = self.fog.map_or(1.0, |fog| fog.factor(seen.point.depth));
-        GroundSample { unoccluded, light, fog, darkness: kept * fog, ..seen }
+    /// Whether anything lies within the radius of openness.
+    fn is_near(&self, place: DVec3) -> bool {
+        let Bounds { min, max } = self.bounds;
+        let away = (min - place).max(place - max).max(DVec3::ZERO).length();
+        self.shadows.openness.is_some_and(|rule| away <= rule.radius)
     }
 
-    fn light<W: Witness<f32>>(
-        &self,
-        point: &SurfacePoint<f32>,
-        occlusion: Occlusion<'_>,
-        witness: &mut W,
-    ) -> Rgb<f32> {
-        let Self { coefficients, lighting, .. } = self;
-        reflected(point, coefficients, &Reflection::Lambert, lighting, occlusion, witness)
-    }
-}
-
-fn luminance(color: Rgb<f32>) -> f32 {
-    let [r, g, b] = color.lane(0);
-    r * LUMINANCE[0] + g * LUMINANCE[1] + b * LUMINANCE[2]
-}
-
-impl GroundSample {
-    fn occlusion(&self) -> Occlusion<'_> {
-        Occlusion { visibility: Some(&self.visibility), openness: Some(&self.openness) }
-    }
-
-    /// The openness of the place.
-    pub(crate) fn openness(&self) -> f32 {
-        self.openness[0]
+    /// How much the ground covers of what lies behind it, of which `alpha` is opaque: its darkness, as far as
+    /// that is mixed in linear light here. What is transparent will be mixed with a page elsewhere, in
+    /// the bytes of sRGB: there 1 - encode(1 - darkness) gives what the darkness gives here.
+    pub(crate) fn alpha(&self, darkness: f32, alpha: f32) -> f32 {
+        match self.encoding {
+            PictureEncoding::None => darkness,
+            PictureEncoding::Srgb => {
+                let elsewhere = (1.0 - encode_srgb(f64::from(1.0 - darkness))) as f32;
+                darkness * alpha + elsewhere * (1.0 - alpha)
+            }
+        }
     }
 
     /// The ground over what lies behind it: straight colours and alphas.
-    pub(crate) fn over(&self, [r, g, b, alpha]: [f32; 4]) -> [f32; 4] {
-        let behind = alpha * (1.0 - self.darkness);
-        let covered = self.darkness + behind;
+    pub(crate) fn over(&self, darkness: f32, [r, g, b, alpha]: [f32; 4]) -> [f32; 4] {
+        let own = self.alpha(darkness, alpha);
+        let behind = alpha * (1.0 - own);
+        let covered = own + behind;
         if covered <= 0.0 {
             return [0.0; 4];
         }
         // The ground itself is black.
         let share = behind / covered;
         [r * share, g * share, b * share, covered]
+    }
+}
+
+#[inline(always)]
+fn luminance<N: Lanes>(color: Rgb<N>) -> N {
+    let simd = color.r;
+    color.r * simd.constant(LUMINANCE[0])
+        + color.g * simd.constant(LUMINANCE[1])
+        + color.b * simd.constant(LUMINANCE[2])
+}
+
+/// Places of samples on the ground, lane by lane.
+#[derive(Default)]
+struct Rows {
+    /// The lanes that have one, and those with anything within the radius of openness.
+    lanes: u32,
+    near: u32,
+    position: [[f64; LANES]; 3],
+    about_eye: [[f32; LANES]; 3],
+    towards_eye: [[f32; LANES]; 3],
+    depth: [f32; LANES],
+}
+
+impl Rows {
+    fn put(&mut self, lane: usize, place: DVec3, shadows: &Shadows<'_>, depth: f64, is_near: bool) {
+        let about_eye = (place - shadows.eye).as_vec3();
+        let towards_eye = shadows.towards_eye.unwrap_or(shadows.eye - place).as_vec3();
+        for axis in 0..3 {
+            self.position[axis][lane] = place[axis];
+            self.about_eye[axis][lane] = about_eye[axis];
+            self.towards_eye[axis][lane] = towards_eye[axis];
+        }
+        self.depth[lane] = depth as f32;
+        self.lanes |= 1 << lane;
+        self.near |= u32::from(is_near) << lane;
+    }
+}
+
+impl SeenGround<f32> {
+    /// The place that rays leave.
+    pub(crate) fn place(&self) -> SurfacePlace {
+        self.places.place()
     }
 }

@@ -4,7 +4,9 @@ mod ground;
 
 pub(crate) use ground::Ground;
 
-use luxel_lighting::{Display, Environment};
+use crate::shadow::OcclusionLanes;
+use luxel_lighting::{Display, Environment, Silent};
+use luxel_math::prelude::*;
 use luxel_math::{LANES, Vec3, lanes_of};
 use luxel_view::Background;
 use luxel_visibility::ViewRays;
@@ -52,14 +54,7 @@ impl<'a> Backdrop<'a> {
         (!is_flat).then_some(Self { background, around, height: height.into(), ground })
     }
 
-    /// The colour (straight) and alpha at a position of the window, in pixels.
-    pub(crate) fn color(&self, position: [f64; 2]) -> [f32; 4] {
-        let behind = self.behind_ground(position);
-        let ground = self.ground.as_ref().and_then(|ground| ground.sample(position));
-        ground.map_or(behind, |ground| ground.over(behind))
-    }
-
-    /// The same without the ground.
+    /// The colour (straight) and alpha behind the ground at a position of the window, in pixels.
     pub(crate) fn behind_ground(&self, position @ [_, y]: [f64; 2]) -> [f32; 4] {
         if let Some(around) = &self.around {
             return around.color(position);
@@ -68,17 +63,36 @@ impl<'a> Backdrop<'a> {
         if color[3] > 0.0 { color } else { [0.0; 4] }
     }
 
-    /// Puts the colour and alpha of those samples of a batch whose bit is set.
+    /// Puts the colour and alpha of those of sixteen samples whose bit is set.
+    ///
+    /// Outlined: one copy per lane type.
     #[cold]
     #[inline(never)]
-    pub(crate) fn put(
+    pub(crate) fn put<N: Lanes>(
         &self,
+        simd: N,
         lanes: u32,
         position: &dyn Fn(usize) -> [f64; 2],
+        found: &mut OcclusionLanes,
         colors: &mut [[f32; LANES]; 4],
     ) {
+        let mut darkness = [0.0; LANES];
+        if let Some(ground) = &self.ground {
+            simd.vectorized(
+                #[inline(always)]
+                || {
+                    let seen = ground.seen(simd.zero(), lanes, position, found, &mut Silent);
+                    seen.darkness.masked(simd.mask_of(seen.lanes)).store(&mut darkness, 0);
+                },
+            );
+        }
         for lane in lanes_of(lanes) {
-            let color = self.color(position(lane));
+            let mut color = self.behind_ground(position(lane));
+            if let Some(ground) = &self.ground
+                && darkness[lane] > 0.0
+            {
+                color = ground.over(darkness[lane], color);
+            }
             for (channel, value) in colors.iter_mut().zip(color) {
                 channel[lane] = value;
             }

@@ -6,6 +6,8 @@ use super::shadow::shadow_at;
 use crate::backdrop::Backdrop;
 use crate::context::ShadingContext;
 use crate::interpolate::Batch;
+use crate::shade::ThreadCache;
+use luxel_math::LANES;
 use luxel_scene::SceneLight;
 
 /// What the first sample of a batch sees, which sees no surface.
@@ -14,14 +16,17 @@ pub(super) fn background(
     batch: &Batch,
     eye: [f64; 3],
     lights: &[&SceneLight],
+    kept: &mut ThreadCache,
 ) -> Seen {
     let Some(backdrop) = scene.backdrop else {
         let [r, g, b, alpha] = scene.background;
         return Seen::Background { color: [r, g, b], alpha, ground: None };
     };
     let position = batch.position(0);
-    let [r, g, b, alpha] = backdrop.color(position);
-    let ground = ground(scene, backdrop, position, (eye, lights));
+    let mut colors = [[0.0; LANES]; 4];
+    backdrop.put(0.0_f32, 1, &|_| position, &mut kept.occlusion, &mut colors);
+    let [r, g, b, alpha] = colors.map(|channel| channel[0]);
+    let ground = ground(scene, backdrop, position, (eye, lights), kept);
     Seen::Background { color: [r, g, b], alpha, ground: ground.map(Box::new) }
 }
 
@@ -30,28 +35,35 @@ fn ground(
     backdrop: &Backdrop<'_>,
     position: [f64; 2],
     (eye, lights): ([f64; 3], &[&SceneLight]),
+    kept: &mut ThreadCache,
 ) -> Option<ExplainedGround> {
     let ground = backdrop.ground.as_ref()?;
     let mut written = Written::default();
-    let sample = ground.explained(position, &mut written)?;
+    let found = &mut kept.occlusion;
+    let seen = ground.seen(0.0_f32, 1, &|_| position, found, &mut written);
+    if seen.lanes == 0 {
+        return None;
+    }
+    let place = seen.place();
+    let behind = backdrop.behind_ground(position);
     let mut explained = written.explained_lights(scene, eye, lights, None);
     for (number, light) in explained.iter_mut().enumerate() {
         if light.terms.n_dot_l > 0.0 {
-            let normal = sample.point.normal.lane(0);
-            let at = (normal, position);
-            light.shadow = Some(shadow_at(scene, &ground.shadows, number, &sample.place, at));
+            let at = (seen.point.normal.lane(0), position);
+            light.shadow = Some(shadow_at(scene, &ground.shadows, number, &place, at));
         }
     }
     Some(ExplainedGround {
-        position: sample.place.position.to_array(),
-        behind: backdrop.behind_ground(position),
-        openness: sample.openness(),
+        position: place.position.to_array(),
+        behind,
+        openness: kept.occlusion.openness(),
         ambient_light: scene.ambient,
         scene_ambient: written.ledger.scene_ambient,
         lights: explained,
-        light: sample.light.lane(0),
-        unoccluded: sample.unoccluded.lane(0),
-        fog: sample.fog,
-        darkness: sample.darkness,
+        light: seen.light.lane(0),
+        unoccluded: seen.unoccluded.lane(0),
+        fog: seen.fog,
+        darkness: seen.darkness,
+        alpha: ground.alpha(seen.darkness, behind[3]),
     })
 }

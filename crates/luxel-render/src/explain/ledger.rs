@@ -76,9 +76,9 @@ pub enum Seen {
     Surface(Box<ExplainedSurface>),
 }
 
-/// The ground at a sample: black with `darkness` as its alpha, over the background.
+/// The ground at a sample: black with `alpha`, over the background.
 ///
-/// With D = darkness and A = D + (1 - D) `behind[3]`, a sample shows the colour (1 - D) `behind[3]` / A times
+/// With A = `alpha` + (1 - `alpha`) `behind[3]`, a sample shows the colour (1 - `alpha`) `behind[3]` / A times
 /// `behind`'s, and A is its alpha.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExplainedGround {
@@ -102,6 +102,9 @@ pub struct ExplainedGround {
     pub fog: f32,
     /// D = s (1 - Y(I) / Y(I_0)), Y the luminance.
     pub darkness: f32,
+    /// D over an opaque background, and over a transparent one of a picture in sRGB 1 - encode(1 - D), as
+    /// programs mix pictures in the bytes of sRGB; between them by `behind[3]`.
+    pub alpha: f32,
 }
 
 /// A surface at a sample, with every term of its light.

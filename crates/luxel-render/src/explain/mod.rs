@@ -247,7 +247,8 @@ impl PixelScene<'_> {
         let eye = self.view.camera.eye().to_array();
         let lit = Lit::of(scene, eye, &lights_with_terms(self.view), &batch, kept);
         let (Some(of), Some(lit)) = (scene.frame.triangle(id), lit) else {
-            return ground::background(scene, &batch, eye, &lights_with_terms(self.view));
+            let lights = lights_with_terms(self.view);
+            return ground::background(scene, &batch, eye, &lights, kept);
         };
         let (object, triangle) = scene.placed.object_of(of);
         let mesh = scene.frame.instances()[of.instance].mesh;

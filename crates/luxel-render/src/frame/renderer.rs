@@ -310,11 +310,13 @@ impl Renderer {
             let ground = match floor {
                 Some(floor) => {
                     let of_ground = (true, Some(view.ambient_occlusion.unwrap_or_default()));
-                    let shadows =
+                    let mut shadows =
                         self.shadows(view, &frame, (&placed, &lights), of_ground, None)?;
-                    let of_ground =
+                    shadows.share_rays(samples.count());
+                    let lighting =
                         LightingEnvironment::new(&lights, ambient, &Environment::None, None);
-                    Some(Ground::new(floor, shadows, of_ground, fog, &view.camera, self.bounds()))
+                    let shown = (&view.camera, view.encoding);
+                    Some(Ground::new(floor, shadows, (lighting, fog), self.bounds(), shown))
                 }
                 None => None,
             };

@@ -302,7 +302,7 @@ impl<'p> Pass<'p> {
         if self.pixels.is_some() || self.with_terms {
             let lit = shade(vector, scene, &batch, cache, &mut witness);
             if self.pixels.is_some() {
-                let color = even_pixels(simd, over_backdrop(simd, scene, &batch, lit));
+                let color = even_pixels(simd, over_backdrop(simd, scene, &batch, lit, cache));
                 put_block(pixels, block, &self.finish().block(simd, color));
             }
         } else {

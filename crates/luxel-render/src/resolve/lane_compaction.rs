@@ -48,9 +48,16 @@ impl Lit {
     /// What lies behind all surfaces at one sample of those pixels whose bit is set.
     #[cold]
     #[inline(never)]
-    fn behind(backdrop: &Backdrop<'_>, sample: usize, lanes: u32, batch: &Batch) -> Self {
+    fn behind<N: Lanes>(
+        simd: N,
+        backdrop: &Backdrop<'_>,
+        (sample, lanes): (usize, u32),
+        batch: &Batch,
+        cache: &mut ThreadCache,
+    ) -> Self {
         let mut color = [[0.0; LANES]; 4];
-        backdrop.put(lanes, &|lane| batch.position(lane), &mut color);
+        let position = |lane| batch.position(lane);
+        backdrop.put(simd, lanes, &position, &mut cache.occlusion, &mut color);
         let shares = std::array::from_fn(|lane| lanes >> lane & 1);
         Self { sample, lanes, is_alone: true, shares, color }
     }
@@ -89,7 +96,7 @@ impl LaneCompaction {
                 if unseen != 0 {
                     let at = [sample as u32; LANES];
                     let batch = Batch::new(tile, block, plane.ids[block], &at, samples);
-                    self.lit.push(Lit::behind(backdrop, sample, unseen, &batch));
+                    self.lit.push(Lit::behind(vector, backdrop, (sample, unseen), &batch, cache));
                 }
                 lanes &= !unseen;
             }

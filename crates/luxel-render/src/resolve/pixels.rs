@@ -63,9 +63,11 @@ pub(crate) fn over_backdrop<S: Simd>(
     scene: &ShadingContext<'_>,
     batch: &Batch,
     lit: [f32x16<S>; 4],
+    cache: &mut ThreadCache,
 ) -> [f32x16<S>; 4] {
     let Some(backdrop) = scene.backdrop else { return lit };
-    let unseen = f32x16::splat(simd, 0.0).eq_mask(&batch.ids, TriangleId::NONE.0);
+    let vector = f32x16::splat(simd, 0.0);
+    let unseen = vector.eq_mask(&batch.ids, TriangleId::NONE.0);
     if unseen == 0 {
         return lit;
     }
@@ -73,7 +75,8 @@ pub(crate) fn over_backdrop<S: Simd>(
     for (stored, lanes) in colors.iter_mut().zip(lit) {
         lanes.store_slice(stored);
     }
-    backdrop.put(unseen, &|lane| batch.position(lane), &mut colors);
+    let position = |lane| batch.position(lane);
+    backdrop.put(vector, unseen, &position, &mut cache.occlusion, &mut colors);
     let [r, g, b, alpha] = colors;
     [
         f32x16::simd_from(simd, r),

@@ -21,7 +21,7 @@ pub(crate) struct ThreadCache {
     /// Triangles whose light is computed elsewhere than at their pixels, or interpolated in the window.
     pub(crate) lit: LitTriangles,
     /// What keeps light from a batch's samples.
-    occlusion: OcclusionLanes,
+    pub(crate) occlusion: OcclusionLanes,
 }
 
 impl ThreadCache {

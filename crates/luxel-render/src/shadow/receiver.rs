@@ -65,6 +65,11 @@ impl OcclusionLanes {
         self.cache.begin_frame();
     }
 
+    /// The openness of the first lane.
+    pub(crate) fn openness(&self) -> f32 {
+        self.openness.map_or(1.0, |[first, ..]| first)
+    }
+
     /// As the lighting equation takes it.
     pub(crate) fn occlusion(&self) -> Occlusion<'_> {
         let visibility = (!self.visibility.is_empty()).then_some(&*self.visibility);
@@ -90,6 +95,13 @@ impl RayBatch {
 }
 
 impl Shadows<'_> {
+    /// Shares the rays of a pixel out among its samples, of which each has its own.
+    pub(crate) fn share_rays(&mut self, samples: usize) {
+        let each = |rays: u32| rays.div_ceil(samples as u32);
+        self.light_rays = each(self.light_rays);
+        self.openness = self.openness.map(|rule| OpennessRule { rays: each(rule.rays), ..rule });
+    }
+
     /// V of each light and the openness at lanes of samples: 1 where N.L <= 0, without a ray.
     /// Points and lines are in no shadow.
     ///
@@ -106,31 +118,44 @@ impl Shadows<'_> {
         simd.vectorized(
             #[inline(always)]
             || {
-                let OcclusionLanes { visibility, openness, cache, batch } = found;
                 let make = |id| self.places(id);
-                let (of, placed) = cache.of_lanes(samples.ids, samples.lanes, make);
+                let (of, placed) = found.cache.of_lanes(samples.ids, samples.lanes, make);
                 let places = TrianglePlaces::at_lanes(&of, barycentric, placed);
                 let places = self.facing(&places);
-                let normal = [point.normal.x, point.normal.y, point.normal.z];
-                visibility.clear();
-                for (number, (source, light)) in (0..).zip(self.sources.iter().zip(self.lights)) {
-                    let n_dot_l = point.normal.dot(light.to_light(point.position));
-                    let lit = n_dot_l.zero().less(n_dot_l).bits() & placed;
-                    let mut own = [1.0; LANES];
-                    if lit != 0 {
-                        let at = (&places, normal, lit);
-                        self.trace(at, (source, number), samples.position, batch, &mut own);
-                    }
-                    visibility.push(own);
-                }
-                *openness = self.openness.map(|rule| {
-                    let mut own = [1.0; LANES];
-                    let at = (&places, normal, placed);
-                    self.open(rule, at, samples.position, batch, &mut own);
-                    own
-                });
+                self.occlude_places(&places, point, [placed; 2], samples.position, found);
             },
         );
+    }
+
+    /// The same at places, in the lanes of which light is asked and in those of which openness is.
+    #[inline(always)]
+    pub(crate) fn occlude_places<N: Lanes>(
+        &self,
+        places: &PlaceLanes<N::F64>,
+        point: &SurfacePoint<N>,
+        [placed, near]: [u32; 2],
+        position: &dyn Fn(usize) -> [f64; 2],
+        found: &mut OcclusionLanes,
+    ) {
+        let OcclusionLanes { visibility, openness, batch, .. } = found;
+        let normal = [point.normal.x, point.normal.y, point.normal.z];
+        visibility.clear();
+        for (number, (source, light)) in (0..).zip(self.sources.iter().zip(self.lights)) {
+            let n_dot_l = point.normal.dot(light.to_light(point.position));
+            let lit = n_dot_l.zero().less(n_dot_l).bits() & placed;
+            let mut own = [1.0; LANES];
+            if lit != 0 {
+                self.trace((places, normal, lit), (source, number), position, batch, &mut own);
+            }
+            visibility.push(own);
+        }
+        *openness = self.openness.map(|rule| {
+            let mut own = [1.0; LANES];
+            if near != 0 {
+                self.open(rule, (places, normal, near), position, batch, &mut own);
+            }
+            own
+        });
     }
 
     /// V of one light at the places whose bit is set, with the shading normals N.

@@ -4,6 +4,7 @@ mod bar;
 mod escape;
 mod figure;
 mod pictures;
+mod rays;
 
 use super::report::Report;
 use super::sentences::{encoded, nearest, part_of, point_name, share, surface_path, why_not_seen};

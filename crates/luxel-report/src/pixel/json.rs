@@ -139,6 +139,7 @@ fn on_ground(seen: &ExplainedGround) -> Value {
         "unoccluded": seen.unoccluded,
         "fog": seen.fog,
         "darkness": seen.darkness,
+        "alpha": seen.alpha,
     })
 }
 

@@ -235,3 +235,43 @@ fn light_evaluated_at_corners_has_a_heading_for_each() {
     );
     assert_eq!(corners.count(), 3);
 }
+
+#[test]
+fn the_page_draws_the_way_to_a_light_up_to_what_is_in_it() {
+    let scene = teapot();
+    let view = view(&scene).with_shadows(true).with_ground(true);
+    let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
+    let (mut drawn, mut clear) = (0, 0);
+    for pixel in
+        (0..SIZE.height).step_by(6).flat_map(|y| (0..SIZE.width).step_by(8).map(move |x| [x, y]))
+    {
+        let (explanation, _) = explain(&scene, &view, pixel);
+        let pictures = Pictures::draw(&renderer, &view, pixel).unwrap();
+        let page = Report::new(&explanation, &scene, &view).with_pictures(&pictures).to_html();
+        // What is first seen of the first sample that sees anything.
+        let first = explanation.samples.iter().find_map(|entry| match &entry.seen[0] {
+            Seen::Surface(surface) => Some(&surface.lights),
+            Seen::Background { ground, .. } => ground.as_ref().map(|ground| &ground.lights),
+            _ => None,
+        });
+        let blocked = |light: &luxel_render::ExplainedLight| {
+            light.shadow.as_ref().is_some_and(|shadow| !shadow.blocked_by.is_empty())
+        };
+        let rays = first.map_or(0, |lights| lights.iter().filter(|light| blocked(light)).count());
+        assert_eq!(page.matches("is in its way</title>").count(), rays, "{pixel:?}");
+        if rays == 0 {
+            clear += 1;
+            assert!(!page.contains("class=\"rays\""));
+            continue;
+        }
+        drawn += 1;
+        // It begins in the pixel.
+        let line = page.split("class=\"ray\" x1=\"").nth(1).unwrap();
+        let numbers: Vec<f64> =
+            line.split('"').take(3).filter_map(|part| part.parse().ok()).collect();
+        let off =
+            (numbers[0] - f64::from(pixel[0]) - 0.5).hypot(numbers[1] - f64::from(pixel[1]) - 0.5);
+        assert!(off < 1.0, "{pixel:?}: {numbers:?}");
+    }
+    assert!(drawn > 10 && clear > 10, "{drawn}, {clear}");
+}

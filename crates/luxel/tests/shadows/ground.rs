@@ -108,11 +108,15 @@ fn the_ground_hides_by_its_missing_light_alone_what_lies_behind() {
             let [r, g, b, alpha] = seen.behind;
             let Background::Flat(flat) = background else { unreachable!() };
             assert_eq!(if alpha > 0.0 { flat } else { [0.0; 4] }, [r, g, b, alpha]);
-            let covered = seen.darkness + (1.0 - seen.darkness) * alpha;
+            // What a page of sRGB's bytes makes of it is what linear light makes of the darkness.
+            let on_page = 1.0 - luxel::lighting::encode_srgb(f64::from(1.0 - seen.darkness)) as f32;
+            let own = seen.darkness * alpha + on_page * (1.0 - alpha);
+            assert!((seen.alpha - own).abs() < 1e-6);
+            let covered = own + (1.0 - own) * alpha;
             let [shown @ .., shown_alpha] = explained.linear;
             assert!((shown_alpha - covered).abs() < 1e-6);
             for (shown, behind) in shown.into_iter().zip([r, g, b]) {
-                let expected = behind * alpha * (1.0 - seen.darkness);
+                let expected = behind * alpha * (1.0 - own);
                 assert!((shown * shown_alpha - expected).abs() < 1e-6, "{:?}", explained.pixel);
             }
             dark += usize::from(seen.darkness > 0.3);
@@ -123,6 +127,30 @@ fn the_ground_hides_by_its_missing_light_alone_what_lies_behind() {
         }
         assert!(dark > 50 && clear > 300, "{dark}, {clear}");
     }
+}
+
+#[test]
+fn a_white_page_shows_a_transparent_picture_as_one_on_white() {
+    let (_, _, view) = standing().remove(0);
+    let scene = solid(demos::demo("teapot").unwrap());
+    let renderer = Renderer::new(scene, &Execution::default()).unwrap();
+    // Of several samples the mean is taken of light here, and of bytes there.
+    let view = view.with_samples(1).with_size(luxel::scene::Size { width: 96, height: 72 });
+    let transparent = renderer.rgba8(&view).unwrap().pixels;
+    let white = renderer.rgba8(&view.with_background([1.0; 4])).unwrap().pixels;
+    let mut shaded = 0;
+    for (transparent, white) in transparent.iter().zip(&white) {
+        let [r, g, b, alpha] = *transparent;
+        // Where the ground is seen.
+        if [r, g, b] != [0; 3] || alpha == 0 {
+            continue;
+        }
+        shaded += 1;
+        // As a browser does.
+        let page = 255 - i32::from(alpha);
+        assert!((page - i32::from(white[0])).abs() <= 1, "{page} for {white:?}");
+    }
+    assert!(shaded > 80, "{shaded}");
 }
 
 #[test]
