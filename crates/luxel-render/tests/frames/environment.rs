@@ -15,7 +15,11 @@ use std::sync::Arc;
 fn patterned(rotation_degrees: f64) -> EnvironmentChoice {
     let texel = |at: u32| {
         let (column, row) = (at % 64, at / 64);
-        [(column % 7) as f32 * 0.2, (row % 5) as f32 * 0.3, if at % 97 == 0 { 9.0 } else { 0.1 }]
+        [
+            (column % 7) as f32 * 0.2,
+            (row % 5) as f32 * 0.3,
+            if at.is_multiple_of(97) { 9.0 } else { 0.1 },
+        ]
     };
     let light = (0..64 * 32).map(texel).collect();
     let image = EquirectangularImage { width: 64, height: 32, light };
@@ -54,7 +58,7 @@ fn all_around(scene: &Scene, round: usize) -> View {
     fitted(scene, Size { width: 90, height: 70 })
         .with_samples([1, 4, 16][round % 3])
         .with_environment(patterned(30.0))
-        .with_environment_background(round % 2 == 0)
+        .with_environment_background(round.is_multiple_of(2))
         .with_exposure([0.0, -0.7][round / 2 % 2])
         .with_tone(Tone::ALL[round % Tone::ALL.len()])
         .with_shading(shading)
