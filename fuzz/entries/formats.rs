@@ -45,6 +45,15 @@ pub(crate) fn mtl(bytes: &[u8]) {
     }
 }
 
+/// A picture of an environment.
+pub(crate) fn environment(bytes: &[u8]) {
+    if let Ok((image, _)) = luxel_formats::decode_environment(bytes, &LIMITS) {
+        assert_eq!(image.light.len() as u64, u64::from(image.width) * u64::from(image.height));
+        let is_light = |channel: &f32| channel.is_finite() && *channel >= 0.0;
+        assert!(image.light.as_flattened().iter().all(is_light));
+    }
+}
+
 /// A texture in the least GLB that shows one.
 pub(crate) fn image(bytes: &[u8]) {
     let json = format!(

@@ -28,7 +28,7 @@ pub(crate) fn loss(normals: &[DVec3; 3], material: &SceneMaterial) -> f32 {
     let towards = middle.as_vec3().to_array();
     let light = Light::new(LightKind::Directional, [1.0; 3]);
     let lights = [PlacedLight::new(light, [0.0; 3], towards.map(|component| -component))];
-    let environment = LightingEnvironment::new(&lights, [0.0; 3], Environment::None, None);
+    let environment = LightingEnvironment::new(&lights, [0.0; 3], &Environment::None, None);
     let constants = &material.constants;
     let reflectance = Reflectance::of(0.0_f32, constants);
     let vector = |[x, y, z]: [f32; 3]| Vec3::new(x, y, z);

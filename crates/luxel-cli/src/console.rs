@@ -4,6 +4,7 @@ use crate::failure::Failure;
 pub(crate) use luxel::report::printable;
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
+use std::sync::OnceLock;
 
 /// Which messages appear.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +14,9 @@ pub(crate) struct Console {
     /// Also the work done, with timings.
     verbose: bool,
 }
+
+/// Set when the program starts.
+static CURRENT: OnceLock<Console> = OnceLock::new();
 
 /// Bold red, for `error`.
 const ERROR: &str = "\x1b[1;31m";
@@ -24,6 +28,16 @@ const RESET: &str = "\x1b[0m";
 impl Console {
     pub(crate) fn new(quiet: bool, verbose: bool) -> Self {
         Self { quiet, verbose }
+    }
+
+    /// Makes it the program's console.
+    pub(crate) fn into_current(self) -> Self {
+        *CURRENT.get_or_init(|| self)
+    }
+
+    /// The program's console, for warnings from deep within.
+    pub(crate) fn current() -> Self {
+        CURRENT.get().copied().unwrap_or(Self { quiet: false, verbose: false })
     }
 
     /// Prints a warning.

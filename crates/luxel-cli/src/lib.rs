@@ -78,7 +78,7 @@ fn run() -> ExitCode {
         Err(Refusal::Line(error)) => return print_usage(&error, line.meant_command(&error)),
         Err(Refusal::File(failure)) => return report(&failure),
     };
-    let console = Console::new(cli.quiet, cli.verbose);
+    let console = Console::new(cli.quiet, cli.verbose).into_current();
     let done = match cli.command {
         Command::Render(render) => match render.several() {
             Some(models) => batch::run(&render, &models, console, |model| read(&line, Some(model))),

@@ -1,12 +1,16 @@
 //! Builds the renderer's view and execution options from flags.
 
+use crate::console::Console;
 use crate::failure::Failure;
+use crate::flag_words::warning_text;
 use crate::options::{EncodingChoice, ExecutionOptions, LightOptions, ViewOptions};
 use crate::values::Exposure;
-use luxel::lighting::PictureEncoding;
+use luxel::formats::{Limits, LoadedEnvironment, open_environment};
+use luxel::lighting::{Environment, EnvironmentMap, PictureEncoding};
 use luxel::render::{AutoExposure, Edges, EnvironmentChoice, Execution, View, auto_exposure};
-use luxel::scene::{Camera, Scene, SceneLight};
-use std::sync::OnceLock;
+use luxel::scene::{Camera, Scene, SceneLight, Viewpoint};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 /// The view of a scene; without an exposure, if that is left to the scene's light: see [`expose`].
@@ -19,7 +23,7 @@ pub(crate) fn view(
     camera: Camera,
     scene: &Scene,
 ) -> Result<View, Failure> {
-    let ViewOptions { frame, light, mode, picture, .. } = options;
+    let ViewOptions { frame, light, mode, picture, execution, .. } = options;
     let (mut lights, mut ambient) = lights(light, scene)?;
     if let Some(scale) = light.light_scale {
         lights.iter_mut().for_each(|light| light.light.scale(scale));
@@ -30,7 +34,8 @@ pub(crate) fn view(
         .with_cull(frame.cull.into())
         .with_lights(lights)
         .with_ambient(ambient)
-        .with_environment(environment(light, scene))
+        .with_environment(environment(light, scene, execution.max_memory)?)
+        .with_environment_background(light.environment_background)
         .with_fog(light.fog.or(scene.fog))
         .with_background(picture.background.or(scene.background).unwrap_or_default())
         .with_exposure(match picture.exposure {
@@ -84,11 +89,48 @@ fn lights(options: &LightOptions, scene: &Scene) -> Result<(Vec<SceneLight>, [f3
     Ok((lights, ambient.unwrap_or(default_ambient)))
 }
 
-fn environment(options: &LightOptions, scene: &Scene) -> EnvironmentChoice {
-    options.environment.map_or_else(
-        || luxel::environment_of(scene),
-        |surroundings| surroundings.environment(scene.up),
-    )
+/// The environment: from the command line, else the file, else the default one.
+fn environment(
+    options: &LightOptions,
+    scene: &Scene,
+    max_memory: u64,
+) -> Result<EnvironmentChoice, Failure> {
+    let rotation = options.environment_rotation;
+    let choice = match &options.environment {
+        None => luxel::environment_of(scene),
+        Some(surroundings) => match surroundings.environment(scene.up) {
+            Ok(choice) => choice,
+            Err(path) => {
+                let frame = Viewpoint::frame(scene.up);
+                let map = opened_environment(path, max_memory)?;
+                EnvironmentChoice::of_map(map, frame, 0.0)
+            }
+        },
+    };
+    Ok(match (choice.map(), rotation) {
+        (Some(map), Some(degrees)) => {
+            EnvironmentChoice::Always(Environment::Map(map.turned(degrees)))
+        }
+        _ => choice,
+    })
+}
+
+/// The environment of `--environment FILE`, kept for further views and models.
+fn opened_environment(path: &Path, max_memory: u64) -> Result<Arc<EnvironmentMap>, Failure> {
+    static OPENED: Mutex<Option<(PathBuf, Arc<EnvironmentMap>)>> = Mutex::new(None);
+    let mut opened = OPENED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, map)) = opened.as_ref().filter(|(known, _)| known == path) {
+        return Ok(Arc::clone(map));
+    }
+    let limits = Limits { max_memory, ..Limits::default() };
+    let LoadedEnvironment { map, warnings } = open_environment(path, &limits)?;
+    let console = Console::current();
+    for warning in &warnings {
+        console.warn(&format!("{}: {}", path.display(), warning_text(warning)));
+    }
+    let map = Arc::new(map);
+    *opened = Some((path.to_owned(), Arc::clone(&map)));
+    Ok(map)
 }
 
 /// The execution options.

@@ -17,6 +17,8 @@
 //! - `toml` reads and writes scene files.
 //! - `png` decodes PNG textures of glTF and MTL.
 //! - `jpeg` decodes JPEG textures of glTF and MTL.
+//! - `hdr` reads environments of Radiance (`.hdr`).
+//! - `exr` reads environments of OpenEXR (`.exr`).
 
 #![forbid(unsafe_code)]
 
@@ -26,6 +28,7 @@ mod block_reader;
 mod color;
 #[cfg(any(feature = "obj", feature = "ply"))]
 mod direction;
+mod environment;
 mod error;
 mod files;
 mod format;
@@ -71,6 +74,9 @@ mod warnings;
 )]
 mod weld;
 
+pub use environment::{
+    LoadedEnvironment, decode_environment, is_environment, open_environment, read_environment,
+};
 pub use error::{Error, ErrorKind, Hint, Place, UnknownFormat};
 pub use format::{Format, Loaded};
 pub use limits::{Limits, Progress};

@@ -16,15 +16,17 @@ mod settings;
 mod transform;
 mod write;
 
+use crate::environment::{LoadedEnvironment, open_environment};
 use crate::memory::Memory;
-use crate::values::{background, color, fog_of, surroundings, up};
+use crate::values::{background, color, finite, fog_of, surroundings, up};
 use crate::warnings::Warnings;
-use crate::{Error, Format, Limits, Loaded};
+use crate::{Error, ErrorKind, Format, Limits, Loaded, files};
 use document::{Document, Table};
 pub use keys::{Key, Section, Shape, sections};
-use luxel_scene::{Scene, SceneMaterial};
+use luxel_scene::{EnvironmentChoice, Scene, SceneMaterial, Viewpoint};
 pub use settings::{Setting, SettingValue, scene_settings};
 use std::path::Path;
+use std::sync::Arc;
 pub use write::{SceneModels, SceneText, SurfaceChange};
 
 /// Reads a scene file, with its models from `folder`.
@@ -35,7 +37,8 @@ pub(crate) fn read(bytes: &[u8], folder: Option<&Path>, limits: &Limits) -> Resu
     let root = document.root()?;
     let mut models = models::read(&document, folder, &memory, &mut warnings)?;
     materials::apply(&document, &mut models, &memory)?;
-    read_surroundings(&document, &root, &mut models.scene)?;
+    let from = (folder, &memory);
+    read_surroundings(&document, &root, &mut models.scene, from, &mut warnings)?;
     let lights = lights::read(&document, &models.nodes, &models.scene)?;
     let cameras = cameras::read(&document, &models.nodes, &models.scene)?;
     let mut scene = models.scene;
@@ -53,12 +56,33 @@ fn read_surroundings(
     document: &Document<'_>,
     root: &Table<'_>,
     scene: &mut Scene,
+    (folder, memory): (Option<&Path>, &Memory<'_>),
+    warnings: &mut Warnings,
 ) -> Result<(), Error> {
     scene.up = root.value("up", up)?.unwrap_or(scene.up);
     scene.ambient = root.value("ambient", color)?.or(scene.ambient);
-    let environment = root.value("environment", surroundings)?;
-    let environment = environment.map(|surroundings| surroundings.environment(scene.up));
-    scene.environment = environment.or(scene.environment);
+    let rotation_degrees = root.value("environment_rotation", finite)?.unwrap_or_default();
+    if let Some(surroundings) = root.value("environment", surroundings)? {
+        scene.environment = Some(match surroundings.environment(scene.up) {
+            Ok(choice) => choice,
+            Err(name) => {
+                let name = name.to_string_lossy();
+                let at = |message: String| root.error_at("environment", message);
+                let path = files::referenced(folder, &name).map_err(at)?;
+                let opened = open_environment(&path, &memory.left());
+                let LoadedEnvironment { map, warnings: odd } =
+                    opened.map_err(|error| match error.kind {
+                        ErrorKind::Io(io) => at(format!("{}: {io}", path.display())),
+                        kind => Error { kind, ..error },
+                    })?;
+                for warning in odd {
+                    warnings.push(warning.at(&name));
+                }
+                let frame = Viewpoint::frame(scene.up);
+                EnvironmentChoice::of_map(Arc::new(map), frame, rotation_degrees)
+            }
+        });
+    }
     scene.background = root.value("background", background)?.or(scene.background);
     for table in document.tables(&keys::FOG)? {
         let fields = table.fields(&[])?;

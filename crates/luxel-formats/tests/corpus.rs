@@ -9,7 +9,9 @@
     feature = "stl",
     feature = "toml",
     feature = "png",
-    feature = "jpeg"
+    feature = "jpeg",
+    feature = "hdr",
+    feature = "exr"
 ))]
 
 #[path = "../../../fuzz/entries/formats.rs"]
@@ -26,6 +28,7 @@ fn no_file_of_the_corpus_makes_a_reader_panic() {
     each_file("scene", formats::scene);
     each_file("mtl", formats::mtl);
     each_file("image", formats::image);
+    each_file("environment", formats::environment);
     each_file("draco", formats::draco);
     each_file("meshopt", formats::meshopt);
 }

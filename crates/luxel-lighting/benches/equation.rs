@@ -70,7 +70,7 @@ fn main() {
                     continue;
                 }
                 let lighting =
-                    LightingEnvironment::new(&lights[..count], [0.1; 3], Environment::None, None);
+                    LightingEnvironment::new(&lights[..count], [0.1; 3], &Environment::None, None);
                 let mut sum = 0.0;
                 let mut times: Vec<f64> = (0..ROUNDS)
                     .map(|_| {

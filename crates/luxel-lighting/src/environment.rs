@@ -1,10 +1,21 @@
-//! The environment that mirrors and metals reflect.
+//! The environment: the light all around, which mirrors and metals reflect.
+
+mod blur;
+mod harmonics;
+mod map;
+mod octahedron;
+mod resample;
+#[cfg(test)]
+mod tests;
 
 use crate::light::bounded;
 use luxel_math::{Lanes, Rgb, Vec3};
 
-/// The surroundings that mirrors and metals reflect: no picture, a formula.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub use map::{EnvironmentMap, EquirectangularImage, OrientedMap};
+
+/// The surroundings that mirrors and metals reflect. Formulas are reflected by these alone; a map lights matt
+/// surfaces, too.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Environment {
     /// Nothing: black.
     #[default]
@@ -16,6 +27,8 @@ pub enum Environment {
     },
     /// One colour all around.
     Constant([f32; 3]),
+    /// A picture.
+    Map(OrientedMap),
 }
 
 /// The studio's light straight above: soft white, a little warm.
@@ -42,9 +55,10 @@ impl Environment {
     /// The mean of the light from all around.
     #[must_use]
     pub fn mean(&self) -> [f32; 3] {
-        match *self {
+        match self {
             Self::None => [0.0; 3],
-            Self::Constant(color) => bounded(color),
+            Self::Constant(color) => bounded(*color),
+            Self::Map(map) => map.map().mean(),
             // From the horizon to the poles, the colours change linearly over equal areas.
             Self::Studio { .. } => {
                 [0, 1, 2].map(|at| (ZENITH[at] + WALL[at] + FLOOR[at] + NADIR[at]) * 0.25)
@@ -55,6 +69,9 @@ impl Environment {
     /// The light that arrives from `direction` (of unit length), averaged over the lobe of a
     /// surface of this perceptual roughness.
     ///
+    /// A map has this for roughnesses of 0, 0.1, ... 1, the lobes being those of GGX seen from above, and goes
+    /// linearly from one to the next.
+    ///
     /// The studio is a gradient over h, the sine of elevation, that is steep about the horizon; a
     /// rougher surface reflects the same gradient with a wider horizon. With
     /// t = h / (0.12 + 1.4 roughness^2) limited to -1..1 and s = 1/2 + (3 t - t^3) / 4, the light is
@@ -63,11 +80,12 @@ impl Environment {
     #[inline(always)]
     pub fn radiance<N: Lanes>(&self, direction: Vec3<N>, roughness: N) -> Rgb<N> {
         let simd = roughness;
-        match *self {
+        match self {
             Self::None => Rgb::black(simd),
-            Self::Constant(color) => Rgb::splat(simd, bounded(color)),
+            Self::Constant(color) => Rgb::splat(simd, bounded(*color)),
+            Self::Map(map) => map.radiance(direction, roughness),
             Self::Studio { up } => {
-                let height = direction.dot(Vec3::splat(simd, up)).clamped(-1.0, 1.0);
+                let height = direction.dot(Vec3::splat(simd, *up)).clamped(-1.0, 1.0);
                 let roughness = roughness.clamped(0.0, 1.0);
                 let width = simd.constant(HORIZON) + simd.constant(BLUR) * roughness * roughness;
                 let t = (height / width).clamped(-1.0, 1.0);

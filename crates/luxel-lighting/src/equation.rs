@@ -16,7 +16,8 @@ pub struct LightingEnvironment<'a> {
     lights: &'a [PlacedLight],
     /// I_a of the scene, within bounds.
     scene_ambient: [f32; 3],
-    environment: Environment,
+    /// `None` where it is dark: kernels ask for it often.
+    environment: Option<&'a Environment>,
     fog: Option<&'a Fog>,
 }
 
@@ -29,9 +30,10 @@ impl<'a> LightingEnvironment<'a> {
     pub fn new(
         lights: &'a [PlacedLight],
         scene_ambient: [f32; 3],
-        environment: Environment,
+        environment: &'a Environment,
         fog: Option<&'a Fog>,
     ) -> Self {
+        let environment = Some(environment).filter(|environment| !environment.is_none());
         Self { lights, scene_ambient: bounded(scene_ambient), environment, fog }
     }
 
@@ -47,9 +49,9 @@ impl<'a> LightingEnvironment<'a> {
         self.scene_ambient
     }
 
-    /// The environment that mirrors and metals reflect.
+    /// The environment, if there is one.
     #[must_use]
-    pub fn environment(&self) -> Environment {
+    pub fn environment(&self) -> Option<&'a Environment> {
         self.environment
     }
 
@@ -75,7 +77,8 @@ impl<'a> LightingEnvironment<'a> {
 /// (Foley et al., *Computer Graphics: Principles and Practice*, 1990, section 16.1, with the
 /// ambient intensity of each light and its cone from OpenGL 1.x.) This is the equation for Phong's
 /// and Blinn's highlights; the other kinds of [`Reflection`] replace the diffuse and the specular
-/// term. A light at the surface itself adds nothing. Here V is 1.
+/// term. A light at the surface itself adds nothing. Here V is 1. The environment's term is what is
+/// mirrored of it and, of a map, the diffuse reflection of its irradiance.
 #[inline(always)]
 pub fn lit<N: Lanes, W: Witness<N>>(
     point: &SurfacePoint<N>,
@@ -121,7 +124,7 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     let simd = point.depth;
     let surface = Surface::new(point, coefficients, reflection);
     let emission = broadcast(coefficients.emitted, simd);
-    let mut ambient_share = surface.ambient(reflection, &lighting.environment);
+    let mut ambient_share = surface.ambient(reflection, lighting.environment.is_some());
     if let Some(openness) = occlusion.openness {
         let openness = simd.load(openness, 0);
         ambient_share = ambient_share * openness;
@@ -171,12 +174,22 @@ pub fn reflected<N: Lanes, K: Broadcast<N>, W: Witness<N>>(
     }
     // Adding black would change no bit: the sum begins with an emission that is never -0.
     let mut environment = Rgb::black(simd);
-    if !lighting.environment.is_none() && !matches!(reflection, Reflection::Unlit) {
+    if let Some(around) = lighting.environment
+        && !matches!(reflection, Reflection::Unlit)
+    {
         // A copy, because a witness needs its arguments in memory, and only here.
         let surface = Surface::new(point, coefficients, reflection);
-        environment = surface.mirrored(reflection, &lighting.environment, witness);
+        environment = surface.mirrored(reflection, around, witness);
         if let Some(openness) = occlusion.openness {
             environment = environment * simd.load(openness, 0);
+        }
+        if let Environment::Map(map) = around {
+            let mut diffuse = surface.diffused(reflection, map, witness);
+            if let Some(openness) = occlusion.openness {
+                diffuse = diffuse * simd.load(openness, 0);
+            }
+            witness.environment_diffuse(diffuse);
+            environment = environment + diffuse;
         }
         sum = sum + environment;
     }

@@ -10,7 +10,7 @@
 //!
 //! | subject | here |
 //! | --- | --- |
-//! | light | [`Light`], [`LightKind`], [`LIGHT_KINDS`], [`PlacedLight`], [`Environment`] |
+//! | light | [`Light`], [`LightKind`], [`LIGHT_KINDS`], [`PlacedLight`], [`Environment`], [`EnvironmentMap`] |
 //! | reflection | [`Reflection`], [`REFLECTION_MODELS`], [`ReflectionModel`], [`Parameter`] |
 //! | surface | [`Material`], [`Reflectance`], [`Coefficients`], [`SurfacePoint`] |
 //! | result | [`lit`], [`lit_by`], [`reflected`], [`Fog`] |
@@ -44,7 +44,7 @@ pub use display::Display;
 pub use encode::{
     PictureEncoding, byte_to_linear, decode_srgb, encode_srgb, srgb_to_byte, unit_to_byte,
 };
-pub use environment::Environment;
+pub use environment::{Environment, EnvironmentMap, EquirectangularImage, OrientedMap};
 pub use equation::{LightingEnvironment, lit, lit_by, reflected};
 pub use fog::{Fog, FogLaw};
 pub use light::{Attenuation, Light};
@@ -64,5 +64,6 @@ pub use reflection::{
 };
 pub use tone::Tone;
 pub use witness::{
-    Ledger, LedgerLight, LightTerms, Lobe, MirrorTerms, PartTerms, Silent, Terms, Witness,
+    DiffuseTerms, Ledger, LedgerLight, LightTerms, Lobe, MirrorTerms, PartTerms, Silent, Terms,
+    Witness,
 };

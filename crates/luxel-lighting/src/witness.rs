@@ -82,6 +82,17 @@ pub struct MirrorTerms<N> {
     pub radiance: Rgb<N>,
 }
 
+/// The diffuse reflection of the environment by one model, before k_d O_d.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiffuseTerms<N> {
+    /// w: how much of it is in the mix; 1 outside of mixes.
+    pub weight: f32,
+    /// The part that is reflected to all sides: 1 but for microfacet surfaces.
+    pub share: Rgb<N>,
+    /// E(N) / pi: the irradiance over pi.
+    pub irradiance: Rgb<N>,
+}
+
 /// The terms that belong to no single light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Terms<N> {
@@ -89,7 +100,7 @@ pub struct Terms<N> {
     pub emission: Rgb<N>,
     /// I_a k_a O_a
     pub scene_ambient: Rgb<N>,
-    /// The reflected environment.
+    /// The reflected environment, mirrored and diffuse.
     pub environment: Rgb<N>,
     /// ((emission + scene_ambient) + every light's ambient, diffuse and specular) + environment,
     /// from left to right.
@@ -109,6 +120,18 @@ pub trait Witness<N> {
     #[inline(always)]
     fn mirror(&mut self, index: usize, terms: &MirrorTerms<N>) {
         let _ = (index, terms);
+    }
+
+    /// A part of the model that reflects the environment to all sides, by its place in the mix.
+    #[inline(always)]
+    fn diffuse(&mut self, index: usize, terms: &DiffuseTerms<N>) {
+        let _ = (index, terms);
+    }
+
+    /// The diffuse part of the environment's term, if the environment is a map.
+    #[inline(always)]
+    fn environment_diffuse(&mut self, diffuse: Rgb<N>) {
+        let _ = diffuse;
     }
 
     /// Openness, a factor of the ambient terms and of the environment.
@@ -155,14 +178,18 @@ pub struct Ledger {
     pub lights: Vec<LedgerLight>,
     /// The reflected environment, by parts of the model.
     pub mirrors: Vec<(usize, MirrorTerms<f32>)>,
+    /// The environment reflected to all sides, by parts of the model.
+    pub diffused: Vec<(usize, DiffuseTerms<f32>)>,
     /// The parts of the light that comes next.
     parts: Vec<(usize, PartTerms<f32>)>,
     /// The emitted light.
     pub emission: [f32; 3],
     /// I_a k_a O_a
     pub scene_ambient: [f32; 3],
-    /// The reflected environment.
+    /// The reflected environment, mirrored and diffuse.
     pub environment: [f32; 3],
+    /// The diffuse part of it; `None` where the environment isn't a map.
+    pub environment_diffuse: Option<[f32; 3]>,
     /// The sum of all terms.
     pub sum: [f32; 3],
     /// s and I_dc, where there is fog.
@@ -194,6 +221,14 @@ impl Witness<f32> for Ledger {
 
     fn mirror(&mut self, index: usize, terms: &MirrorTerms<f32>) {
         self.mirrors.push((index, *terms));
+    }
+
+    fn diffuse(&mut self, index: usize, terms: &DiffuseTerms<f32>) {
+        self.diffused.push((index, *terms));
+    }
+
+    fn environment_diffuse(&mut self, diffuse: Rgb<f32>) {
+        self.environment_diffuse = Some(diffuse.lane(0));
     }
 
     fn terms(&mut self, terms: &Terms<f32>) {

@@ -22,7 +22,7 @@ fn white(reflection: Reflection) -> Material {
 }
 
 fn lighting(lights: &[PlacedLight]) -> LightingEnvironment<'_> {
-    LightingEnvironment::new(lights, [0.0; 3], Environment::None, None)
+    LightingEnvironment::new(lights, [0.0; 3], &Environment::None, None)
 }
 
 fn shade(
@@ -93,7 +93,7 @@ fn a_model_describes_the_parameters_that_change_its_light_and_no_others() {
     let light = Light::new(LightKind::Directional, [1.0; 3]);
     let lights = [PlacedLight::new(light, [0.0; 3], [0.4, 0.3, -1.0])];
     let environment = Environment::Studio { up: [0.0, 1.0, 0.0] };
-    let around = LightingEnvironment::new(&lights, [0.2; 3], environment, None);
+    let around = LightingEnvironment::new(&lights, [0.2; 3], &environment, None);
     for reflection in models() {
         let material = Material {
             reflection,
@@ -255,7 +255,7 @@ fn the_ledgers_terms_add_up_to_the_colour_bit_by_bit() {
     let around = LightingEnvironment::new(
         &lights,
         [0.05, 0.06, 0.07],
-        Environment::Studio { up: [0.0, 1.0, 0.0] },
+        &Environment::Studio { up: [0.0, 1.0, 0.0] },
         Some(&fog),
     );
     for reflection in models() {
@@ -399,7 +399,7 @@ proptest! {
             _ => FogLaw::ExponentialSquared { density },
         };
         let fog = Fog { color: [0.5; 3], law };
-        let around = LightingEnvironment::new(&lights, scene_ambient, Environment::None, Some(&fog));
+        let around = LightingEnvironment::new(&lights, scene_ambient, &Environment::None, Some(&fog));
         let mut ledger = Ledger::default();
         let color = lit(&point, &reflectance, &material, &around, &mut ledger);
         let exact = naive::equation(&point, &reflectance, &material, &around);
@@ -506,7 +506,7 @@ proptest! {
             1 => Environment::Constant(around.0),
             _ => Environment::Studio { up: [0.0, 1.0, 0.0] },
         };
-        let around = LightingEnvironment::new(&lights, around.0, environment, Some(&fog));
+        let around = LightingEnvironment::new(&lights, around.0, &environment, Some(&fog));
         let mut reflectance = Reflectance::of(0.0, &material);
         reflectance.occlusion = occlusion;
         let mut ledger = Ledger::default();

@@ -60,7 +60,7 @@ fn every_simd_level_gives_the_bits_of_one_value() {
     let lighting = LightingEnvironment::new(
         &lights,
         [0.1, 0.11, 0.12],
-        Environment::Studio { up: [0.0, 1.0, 0.0] },
+        &Environment::Studio { up: [0.0, 1.0, 0.0] },
         Some(&fog),
     );
     let points = points();

@@ -53,7 +53,7 @@ proptest! {
         let light = Light::new(LightKind::Directional, [1.0, 0.5, 0.25]);
         let travels = (-to_light).lane(0);
         let lights = [PlacedLight::new(light.clone(), [0.0; 3], travels)];
-        let lighting = LightingEnvironment::new(&lights, [0.1; 3], Environment::Studio { up: [0.0, 1.0, 0.0] }, None);
+        let lighting = LightingEnvironment::new(&lights, [0.1; 3], &Environment::Studio { up: [0.0, 1.0, 0.0] }, None);
         let normal = Vec3::new(0.0, 0.0, 1.0);
         let point = SurfacePoint { position: -view, normal, view, depth: 1.0 };
         let mut ledger = Ledger::default();

@@ -30,7 +30,7 @@ fn vec3([x, y, z]: [f32; 3]) -> Vec3<f32> {
 fn sent(material: &Material, to_light: [f32; 3], view: [f32; 3]) -> [f64; 2] {
     let light = Light::new(LightKind::Directional, [1.0; 3]);
     let lights = [PlacedLight::new(light, [0.0; 3], to_light.map(|c| -c))];
-    let lighting = LightingEnvironment::new(&lights, [0.0; 3], Environment::None, None);
+    let lighting = LightingEnvironment::new(&lights, [0.0; 3], &Environment::None, None);
     let mut ledger = Ledger::default();
     let _ = lit(&point(view), &Reflectance::of(0.0, material), material, &lighting, &mut ledger);
     let terms = &ledger.lights[0].terms;
@@ -125,7 +125,7 @@ fn no_surface_sends_more_than_it_gets() {
 
 /// The reflection of a white environment.
 fn mirrored(material: &Material, n_dot_v: f64) -> f64 {
-    let lighting = LightingEnvironment::new(&[], [0.0; 3], Environment::Constant([1.0; 3]), None);
+    let lighting = LightingEnvironment::new(&[], [0.0; 3], &Environment::Constant([1.0; 3]), None);
     let mut ledger = Ledger::default();
     let reflectance = Reflectance::of(0.0, material);
     let view = direction(n_dot_v, 0.0);
@@ -158,7 +158,7 @@ fn an_ideal_mirror_shows_the_environment_in_its_own_colour() {
         ..Material::default()
     };
     let lighting =
-        LightingEnvironment::new(&[], [0.0; 3], Environment::Constant([0.5, 1.0, 2.0]), None);
+        LightingEnvironment::new(&[], [0.0; 3], &Environment::Constant([0.5, 1.0, 2.0]), None);
     let mut reflectance = Reflectance::of(0.0, &material);
     reflectance.occlusion = 0.5;
     let view = direction(0.6, 0.3);
@@ -178,9 +178,9 @@ fn an_environment_takes_the_place_of_ambient_light_on_metals_alone() {
         ledger.scene_ambient[0]
     };
     let studio = Environment::Studio { up: [0.0, 1.0, 0.0] };
-    assert_eq!(ambient(Environment::None, 1.0), 0.2);
-    assert_eq!(ambient(studio, 1.0), 0.0);
-    assert_eq!(ambient(studio, 0.0), 0.2);
+    assert_eq!(ambient(&Environment::None, 1.0), 0.2);
+    assert_eq!(ambient(&studio, 1.0), 0.0);
+    assert_eq!(ambient(&studio, 0.0), 0.2);
 }
 
 #[test]

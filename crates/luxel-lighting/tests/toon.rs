@@ -19,7 +19,7 @@ fn sent(material: &Material, to_light: V) -> [f32; 3] {
     let point = SurfacePoint { position, normal: facing, view: facing, depth: 5.0 };
     let light = Light::new(LightKind::Directional, [1.0; 3]);
     let lights = [PlacedLight::new(light, [0.0; 3], to_light.map(|c| -c as f32))];
-    let around = LightingEnvironment::new(&lights, [0.0; 3], Environment::None, None);
+    let around = LightingEnvironment::new(&lights, [0.0; 3], &Environment::None, None);
     lit(&point, &Reflectance::of(0.0, material), material, &around, &mut Silent).lane(0)
 }
 

@@ -74,11 +74,11 @@ fn median(mut values: Vec<f32>) -> f32 {
     values.get(values.len() / 2).copied().unwrap_or_default()
 }
 
-/// The mean light of the environment that the scene mirrors.
+/// The mean light of the environment that the scene reflects.
 fn environment(scene: &Scene, view: &View) -> [f32; 3] {
     let is_microfacet = |reflection: &Reflection| matches!(reflection, Reflection::Microfacet);
-    let environment = match view.environment {
-        EnvironmentChoice::Always(environment) => environment,
+    let environment = match &view.environment {
+        EnvironmentChoice::Always(environment) => environment.clone(),
         EnvironmentChoice::StudioForMicrofacets => {
             let up = scene.up.as_vec3().to_array();
             let mut reflections = scene.materials.iter().map(|of| &of.constants.reflection);
@@ -147,6 +147,7 @@ impl Renderer {
         let view = small(view)
             .with_samples(1)
             .with_background([0.0; 4])
+            .with_environment_background(false)
             .with_ground(false)
             .with_edges(None);
         let limit = if view.tone == Tone::None { BURNT } else { BURNT_BY_CURVE };

@@ -1,10 +1,11 @@
 //! The choice of an environment, by name.
 
 use glam::DVec3;
-use luxel_lighting::Environment;
+use luxel_lighting::{Environment, EnvironmentMap, OrientedMap};
+use std::sync::Arc;
 
-/// The environment that mirrors and metals reflect.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// The environment: what mirrors and metals reflect and, of a map, what lights matt surfaces.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum EnvironmentChoice {
     /// The studio for microfacet materials, nothing for others.
     #[default]
@@ -13,7 +14,7 @@ pub enum EnvironmentChoice {
     Always(Environment),
 }
 
-/// An environment with a name: all but uniform light of some colour.
+/// An environment with a name: all but uniform light of some colour and maps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NamedEnvironment {
     /// Nothing.
@@ -72,14 +73,39 @@ impl NamedEnvironment {
 }
 
 impl EnvironmentChoice {
-    /// The environment's name; `None` for uniform light.
+    /// A map in a scene with these directions [right, up and front](crate::Viewpoint::frame), turned about up.
     #[must_use]
-    pub const fn named(&self) -> Option<NamedEnvironment> {
+    pub fn of_map(map: Arc<EnvironmentMap>, frame: [DVec3; 3], rotation_degrees: f64) -> Self {
+        let frame = frame.map(|axis| axis.to_array());
+        Self::Always(Environment::Map(OrientedMap::new(map, frame, rotation_degrees)))
+    }
+
+    /// The map, if it is one.
+    #[must_use]
+    pub fn map(&self) -> Option<&OrientedMap> {
+        match self {
+            Self::Always(Environment::Map(map)) => Some(map),
+            _ => None,
+        }
+    }
+
+    /// What is seen all around, whatever the materials, in a scene with this up direction.
+    #[must_use]
+    pub fn surroundings(&self, up: DVec3) -> Environment {
+        match self {
+            Self::Always(environment) => environment.clone(),
+            Self::StudioForMicrofacets => Environment::Studio { up: up.as_vec3().to_array() },
+        }
+    }
+
+    /// The environment's name; `None` for uniform light and maps.
+    #[must_use]
+    pub fn named(&self) -> Option<NamedEnvironment> {
         match self {
             Self::StudioForMicrofacets => Some(NamedEnvironment::StudioForMicrofacets),
             Self::Always(Environment::None) => Some(NamedEnvironment::None),
             Self::Always(Environment::Studio { .. }) => Some(NamedEnvironment::Studio),
-            Self::Always(Environment::Constant(_)) => None,
+            Self::Always(Environment::Constant(_) | Environment::Map(_)) => None,
         }
     }
 }

@@ -41,6 +41,12 @@ pub struct Viewpoint {
 }
 
 impl Viewpoint {
+    /// Right, up and front of a scene with this up direction.
+    #[must_use]
+    pub fn frame(up: DVec3) -> [DVec3; 3] {
+        Self { up, azimuth_radians: 0.0, elevation_radians: 0.0 }.axes()
+    }
+
     /// The directions right, up and back (towards the eye) of the picture, in world space.
     ///
     /// With +Y up, the front is where +Z points and the right where +X does. Any other axis takes

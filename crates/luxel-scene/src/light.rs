@@ -124,7 +124,7 @@ mod tests {
             })
             .collect();
         let surroundings =
-            LightingEnvironment::new(&lights, DEFAULT_AMBIENT, Environment::None, None);
+            LightingEnvironment::new(&lights, DEFAULT_AMBIENT, &Environment::None, None);
         let material = Material::default();
         let (mut least, mut largest) = (f32::INFINITY, 0.0_f32);
         for row in -50..=50_i16 {

@@ -65,8 +65,11 @@ pub struct View {
     pub lights: Vec<SceneLight>,
     /// I_a: the scene's ambient light.
     pub ambient: [f32; 3],
-    /// The environment that mirrors and metals reflect.
+    /// The environment: what mirrors and metals reflect and, of a map, what lights matt surfaces.
     pub environment: EnvironmentChoice,
+    /// Whether the environment is seen behind everything, instead of the background. Where it is none, the
+    /// background stays.
+    pub environment_background: bool,
     /// Depth cueing.
     pub fog: Option<Fog>,
     /// What lies behind everything.
@@ -105,6 +108,7 @@ impl View {
             lights: default_lights(),
             ambient: DEFAULT_AMBIENT,
             environment: EnvironmentChoice::StudioForMicrofacets,
+            environment_background: false,
             fog: None,
             background: Background::TRANSPARENT,
             ground: false,
@@ -159,6 +163,12 @@ impl View {
     #[must_use]
     pub fn with_environment(self, environment: EnvironmentChoice) -> Self {
         Self { environment, ..self }
+    }
+
+    /// Whether the environment is seen behind everything, instead of the background.
+    #[must_use]
+    pub fn with_environment_background(self, environment_background: bool) -> Self {
+        Self { environment_background, ..self }
     }
 
     /// Depth cueing.

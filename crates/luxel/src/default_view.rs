@@ -81,8 +81,8 @@ pub fn lights_of(scene: &Scene) -> (Vec<SceneLight>, [f32; 3]) {
 /// lights of their own, else nothing.
 #[must_use]
 pub fn environment_of(scene: &Scene) -> EnvironmentChoice {
-    if let Some(choice) = scene.environment {
-        choice
+    if let Some(choice) = &scene.environment {
+        choice.clone()
     } else if scene.lights.is_empty() {
         EnvironmentChoice::StudioForMicrofacets
     } else {

@@ -207,6 +207,9 @@ impl RenderCommand {
         if options.light.ground && target.format == Format::Svg {
             console.notice("a picture of vectors leaves the ground out");
         }
+        if options.light.environment_background && target.format == Format::Svg {
+            console.notice("a picture of vectors leaves the environment behind the model out");
+        }
         let mut exposure = None;
         let mut warnings: Vec<String> = model.warnings.clone();
         for (number, &camera) in cameras.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! Light: sources, environment, depth cueing.
 
 use crate::values::{
-    LightSpec, OcclusionRadius, Surroundings, color, fog, light, light_usage, non_negative_f32,
-    occlusion_radius, rays, surroundings,
+    LightSpec, OcclusionRadius, Surroundings, color, finite, fog, light, light_usage,
+    non_negative_f32, occlusion_radius, rays, surroundings,
 };
 use clap::Args;
 use luxel::lighting::Fog;
@@ -32,6 +32,14 @@ pub(crate) struct LightOptions {
     #[arg(long, value_name = "WHAT", value_parser = surroundings, allow_hyphen_values = true)]
     #[arg(help = environment_help())]
     pub(crate) environment: Option<Surroundings>,
+
+    /// Turns a file's environment about the up axis, in degrees, counterclockwise as seen from above
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
+    pub(crate) environment_rotation: Option<f64>,
+
+    /// Shows the environment behind the model instead of the background colour
+    #[arg(long)]
+    pub(crate) environment_background: bool,
 
     /// Surfaces keep directional, point and spot lights from what lies behind them
     #[arg(long)]
@@ -77,7 +85,8 @@ fn environment_help() -> String {
     let choices = NamedEnvironment::ALL.map(choice).join(", ");
     let [none, _, microfacet] = NamedEnvironment::NAMES;
     format!(
-        "Environment that mirrors and metals reflect: {choices} or a colour [default: {microfacet} if \
-         the file has no lights, else {none}]"
+        "Environment that mirrors and metals reflect: {choices}, a colour, or an equirectangular picture, \
+         FILE.hdr or FILE.exr, that also lights matt surfaces [default: {microfacet} if the file has no \
+         lights, else {none}]"
     )
 }

@@ -14,11 +14,12 @@ pub(crate) enum Lookup<'a> {
 }
 
 /// Flags with another place in a scene file, besides those of reflection parameters.
-pub(crate) const ELSEWHERE: [(&str, &str); 9] = [
+pub(crate) const ELSEWHERE: [(&str, &str); 10] = [
     ("light", "[[lights]]"),
     ("fog", "[fog]"),
     ("ambient", "`ambient` at the top level"),
     ("environment", "`environment` at the top level"),
+    ("environment-rotation", "`environment_rotation` at the top level"),
     ("background", "`background` at the top level"),
     ("up", "`up` at the top level"),
     ("color", "`color` in [material]"),

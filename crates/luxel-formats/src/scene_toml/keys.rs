@@ -101,8 +101,15 @@ pub(crate) static ROOT: Section = Section {
         key(
             "environment",
             Shape::NumbersOr(&NamedEnvironment::NAMES),
-            "the environment that mirrors and metals reflect",
+            "the environment that mirrors and metals reflect; or an equirectangular picture, .hdr or .exr, \
+             in the scene file's folder or below, that also lights matt surfaces",
             "\"studio\"",
+        ),
+        key(
+            "environment_rotation",
+            Shape::Number,
+            "turns a picture of the environment about up, in degrees, counterclockwise from above",
+            "90",
         ),
         key(
             "background",

@@ -136,7 +136,7 @@ impl Models {
         if is_first {
             scene.up = read.up;
         }
-        scene.environment = scene.environment.or(read.environment);
+        scene.environment = scene.environment.take().or(read.environment);
         scene.ambient = scene.ambient.or(read.ambient);
         scene.fog = scene.fog.or(read.fog);
         scene.background = scene.background.or(read.background);

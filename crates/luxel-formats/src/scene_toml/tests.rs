@@ -396,3 +396,32 @@ proptest! {
         prop_assert_eq!(scene.ambient, Some([x, 0.0, 0.0]));
     }
 }
+
+#[cfg(feature = "exr")]
+#[test]
+fn a_picture_of_the_environment_lies_beside_the_scene_file_and_is_turned() {
+    let folder = std::env::temp_dir().join(format!("luxel-environment-{}", std::process::id()));
+    std::fs::create_dir_all(folder.join("sky")).unwrap();
+    let picture = include_bytes!("../../tests/environments/zip-half.exr");
+    std::fs::write(folder.join("sky/noon.exr"), picture).unwrap();
+    let with = |keys: &str| {
+        let text = format!(
+            "format = \"luxel-scene\"\nversion = 1\n{keys}\n[[models]]\nsource = \"demo:plane\"\n"
+        );
+        read(text.as_bytes(), Some(&folder), &Limits::default())
+    };
+    let scene = with("environment = \"sky/noon.exr\"\nenvironment_rotation = 90").unwrap().scene;
+    let choice = scene.environment.unwrap();
+    let map = choice.map().unwrap();
+    assert_eq!(map.rotation_degrees(), 90.0);
+    assert!(map.map().name().ends_with("noon.exr"));
+    for (name, expected) in [
+        ("sky/dusk.exr", "dusk.exr"),
+        ("../noon.exr", "leads out of the model's folder"),
+        ("/noon.exr", "leads out of the model's folder"),
+    ] {
+        let error = with(&format!("environment = \"{name}\"")).unwrap_err();
+        assert!(error.to_string().contains(expected), "{error}");
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+}

@@ -28,6 +28,8 @@ pub struct SceneText<'a> {
     pub ambient: [f32; 3],
     /// The environment; the file has no key for `None`.
     pub environment: Option<EnvironmentChoice>,
+    /// The path of the environment's picture from the file, if it is one.
+    pub environment_file: Option<&'a str>,
     /// What lies behind everything.
     pub background: Background,
     /// Depth cueing.
@@ -72,12 +74,19 @@ impl SceneText<'_> {
         page.line("version", "1");
         page.line("up", &vector(self.up));
         page.line("ambient", &color(self.ambient));
-        if let Some(named) = self.environment.and_then(|environment| environment.named()) {
+        if let Some(named) = self.environment.as_ref().and_then(EnvironmentChoice::named) {
             page.line("environment", &quoted(named.name()));
         } else if let Some(EnvironmentChoice::Always(Environment::Constant(light))) =
-            self.environment
+            &self.environment
         {
-            page.line("environment", &color(light));
+            page.line("environment", &color(*light));
+        } else if let Some((name, map)) =
+            self.environment_file.zip(self.environment.as_ref().and_then(EnvironmentChoice::map))
+        {
+            page.line("environment", &quoted(name));
+            if map.rotation_degrees() != 0.0 {
+                page.line("environment_rotation", &map.rotation_degrees().to_string());
+            }
         }
         match self.background {
             Background::Flat(color) => {

@@ -128,7 +128,7 @@ pub(crate) fn chapter(_: &Studio) -> Result<Chapter, GalleryError> {
          is what stands in the direction of mirroring, here luxel's studio, bright above.",
         "A curve that is largest straight up and small at the sides.",
         1.25,
-        vec![lobe("", move |eye| mirrored(&mirror, studio, eye))],
+        vec![lobe("", move |eye| mirrored(&mirror, &studio, eye))],
     ));
     chapter.figures(figures);
     Ok(chapter)

@@ -17,11 +17,11 @@ fn direction(degrees: f64) -> [f32; 3] {
 pub(crate) fn sent(material: &Material, light_degrees: f64, eye_degrees: f64) -> f64 {
     let towards = direction(light_degrees).map(|part| -part);
     let light = PlacedLight::new(Light::new(LightKind::Directional, [1.0; 3]), [0.0; 3], towards);
-    ledger(material, &[light], Environment::None, eye_degrees, 1.0, None).color[1].into()
+    ledger(material, &[light], &Environment::None, eye_degrees, 1.0, None).color[1].into()
 }
 
 /// The environment that a point reflects.
-pub(crate) fn mirrored(material: &Material, environment: Environment, eye_degrees: f64) -> f64 {
+pub(crate) fn mirrored(material: &Material, environment: &Environment, eye_degrees: f64) -> f64 {
     ledger(material, &[], environment, eye_degrees, 1.0, None).environment[1].into()
 }
 
@@ -38,7 +38,7 @@ pub(crate) fn arriving(light: &Light, distance: f64, axis_degrees: f64) -> [f64;
         diffuse: [1.0; 3],
         ..Material::default()
     };
-    let ledger = ledger(&white, &[placed], Environment::None, 0.0, 1.0, None);
+    let ledger = ledger(&white, &[placed], &Environment::None, 0.0, 1.0, None);
     let [attenuation, spot] =
         ledger.lights.first().map_or([0.0; 2], |light| [light.terms.attenuation, light.terms.spot]);
     [attenuation, spot, ledger.color[1]].map(f64::from)
@@ -47,7 +47,7 @@ pub(crate) fn arriving(light: &Light, distance: f64, axis_degrees: f64) -> [f64;
 /// s, the part of the light that fog lets through.
 pub(crate) fn let_through(fog: &Fog, distance: f64) -> f64 {
     let ledger =
-        ledger(&Material::default(), &[], Environment::None, 0.0, distance as f32, Some(fog));
+        ledger(&Material::default(), &[], &Environment::None, 0.0, distance as f32, Some(fog));
     ledger.fog.map_or(1.0, |(factor, _)| factor.into())
 }
 
@@ -60,7 +60,7 @@ pub(crate) fn lamp(attenuation: Attenuation) -> Light {
 fn ledger(
     material: &Material,
     lights: &[PlacedLight],
-    environment: Environment,
+    environment: &Environment,
     eye_degrees: f64,
     depth: f32,
     fog: Option<&Fog>,

@@ -4,8 +4,8 @@ use super::microfacet;
 use crate::coefficients::broadcast;
 use crate::environment::split_sum;
 use crate::{
-    Broadcast, Coefficients, Environment, Lobe, MirrorTerms, PartTerms, Reflection, SurfacePoint,
-    Witness,
+    Broadcast, Coefficients, DiffuseTerms, Environment, Lobe, MirrorTerms, OrientedMap, PartTerms,
+    Reflection, SurfacePoint, Witness,
 };
 use luxel_math::{Lanes, Mask, Rgb, Vec3};
 
@@ -210,17 +210,64 @@ impl<'a, N: Lanes, K: Broadcast<N>> Surface<'a, N, K> {
         mirrored * self.specular() * self.of.occlusion.broadcast(simd)
     }
 
+    /// The diffuse reflection of the environment's light: k_d O_d E(N) / pi, E the irradiance.
+    ///
+    /// That is Lambert's law, also for models with another one: Oren and Nayar's differs little under light
+    /// from all around, and steps of toon shading are steps of a light's cosine. Of a microfacet surface
+    /// it is the part that is neither mirrored nor a metal's: (1 - metallic) (1 - (F0 A + B)). An ideal mirror has
+    /// none. All of it occluded.
+    #[inline(never)]
+    pub(crate) fn diffused<W: Witness<N>>(
+        &self,
+        reflection: &Reflection,
+        map: &OrientedMap,
+        witness: &mut W,
+    ) -> Rgb<N> {
+        self.simd().vectorized(
+            #[inline(always)]
+            || self.diffused_of(reflection, map, witness),
+        )
+    }
+
+    #[inline(always)]
+    fn diffused_of<W: Witness<N>>(
+        &self,
+        reflection: &Reflection,
+        map: &OrientedMap,
+        witness: &mut W,
+    ) -> Rgb<N> {
+        let simd = self.simd();
+        let irradiance = map.irradiance(self.normal);
+        let mut whole = Rgb::black(simd);
+        for index in 0..reflection.part_count() {
+            let (kind, weight) = reflection.part(index);
+            let white = Rgb::splat(simd, [1.0; 3]);
+            let share = match kind {
+                Reflection::Unlit | Reflection::Mirror | Reflection::Mixed(_) => continue,
+                Reflection::Microfacet => {
+                    let (a, b) = split_sum(self.n_dot_v().clamped(0.0, 1.0), self.roughness());
+                    let mirrored = microfacet::facing_reflectance(self) * a + Rgb::new(b, b, b);
+                    (white - mirrored) * (simd.one() - self.metallic())
+                }
+                _ => white,
+            };
+            witness.diffuse(index, &DiffuseTerms { weight, share, irradiance });
+            whole = whole + share * irradiance * simd.constant(weight);
+        }
+        whole * self.diffuse() * self.of.occlusion.broadcast(simd)
+    }
+
     /// The coefficient of ambient light: k_a O_a.
     ///
     /// Of a microfacet surface that has an environment to mirror, only (1 - metallic) k_a O_a: a
     /// metal reflects its surroundings as a mirror does and not as paper does, and the environment
     /// is these surroundings. Without one, the ambient light is all that a metal has of them.
     #[inline(always)]
-    pub(crate) fn ambient(&self, reflection: &Reflection, environment: &Environment) -> Rgb<N> {
+    pub(crate) fn ambient(&self, reflection: &Reflection, has_environment: bool) -> Rgb<N> {
         let simd = self.simd();
         match reflection {
             Reflection::Unlit => Rgb::black(simd),
-            Reflection::Microfacet if !environment.is_none() => {
+            Reflection::Microfacet if has_environment => {
                 broadcast(self.of.ambient, simd) * (simd.one() - self.metallic())
             }
             _ => broadcast(self.of.ambient, simd),

@@ -20,8 +20,8 @@
 //! 5. `rgba8` is [`PictureEncoding::byte`](luxel_lighting::PictureEncoding::byte) of it.
 
 use luxel_lighting::{
-    Cone, Display, HighlightVector, Light, LightKind, LightTerms, Material, MirrorTerms, PartTerms,
-    Reflectance, Reflection,
+    Cone, DiffuseTerms, Display, HighlightVector, Light, LightKind, LightTerms, Material,
+    MirrorTerms, PartTerms, Reflectance, Reflection,
 };
 
 /// Why a pixel has its colour.
@@ -147,11 +147,15 @@ pub struct ExplainedSurface {
     pub emission: [f32; 3],
     /// I_a k_a O_a
     pub scene_ambient: [f32; 3],
-    /// The reflected environment.
+    /// The reflected environment, mirrored and diffuse.
     pub environment: [f32; 3],
     /// What the parts of the model mirror, by their place in the mix; empty where light is
     /// interpolated between other places.
     pub mirrors: Vec<(usize, MirrorTerms<f32>)>,
+    /// The diffuse part of the environment's term, if the environment is a map.
+    pub environment_diffuse: Option<[f32; 3]>,
+    /// What the parts of the model reflect of it to all sides, as `mirrors`.
+    pub diffused: Vec<(usize, DiffuseTerms<f32>)>,
     /// The sum of all terms.
     pub sum: [f32; 3],
     /// s and I_dc, where there is fog.
@@ -183,11 +187,15 @@ pub struct EvaluatedAt {
     pub emission: [f32; 3],
     /// I_a k_a O_a
     pub scene_ambient: [f32; 3],
-    /// The reflected environment.
+    /// The reflected environment, mirrored and diffuse.
     pub environment: [f32; 3],
     /// What the parts of the model mirror, by their place in the mix; empty where light is
     /// interpolated between other places.
     pub mirrors: Vec<(usize, MirrorTerms<f32>)>,
+    /// The diffuse part of the environment's term, if the environment is a map.
+    pub environment_diffuse: Option<[f32; 3]>,
+    /// What the parts of the model reflect of it to all sides, as `mirrors`.
+    pub diffused: Vec<(usize, DiffuseTerms<f32>)>,
     /// The sum of all terms.
     pub sum: [f32; 3],
     /// The sum as it is interpolated: clamped, unless the view says otherwise.

@@ -24,8 +24,8 @@ use crate::material::SurfaceWitness;
 use crate::resolve::{self, Layered, bytes_of};
 use crate::shade::{BlockWitness, ThreadCache, VisibleLights, shade};
 use luxel_lighting::{
-    Ledger, LedgerLight, LightTerms, MirrorTerms, PartTerms, Reflectance, SurfacePoint, Terms,
-    Witness,
+    DiffuseTerms, Ledger, LedgerLight, LightTerms, MirrorTerms, PartTerms, Reflectance,
+    SurfacePoint, Terms, Witness,
 };
 use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
@@ -286,6 +286,8 @@ impl PixelScene<'_> {
             scene_ambient: lit.terms.scene_ambient,
             environment: lit.terms.environment,
             mirrors: lit.terms.mirrors,
+            environment_diffuse: lit.terms.environment_diffuse,
+            diffused: lit.terms.diffused,
             sum: lit.sum,
             fog: lit.fog,
             color: lit.color,
@@ -361,6 +363,8 @@ impl Lit {
                 scene_ambient: written.ledger.scene_ambient,
                 environment: written.ledger.environment,
                 mirrors: written.ledger.mirrors.clone(),
+                environment_diffuse: written.ledger.environment_diffuse,
+                diffused: written.ledger.diffused.clone(),
                 lights: written.explained_lights(scene, eye, lights, Some(&receiver)),
             }
         } else {
@@ -459,6 +463,14 @@ impl Witness<f32> for Written {
 
     fn mirror(&mut self, index: usize, terms: &MirrorTerms<f32>) {
         self.ledger.mirror(index, terms);
+    }
+
+    fn diffuse(&mut self, index: usize, terms: &DiffuseTerms<f32>) {
+        self.ledger.diffuse(index, terms);
+    }
+
+    fn environment_diffuse(&mut self, diffuse: Rgb<f32>) {
+        self.ledger.environment_diffuse(diffuse);
     }
 
     fn light(&mut self, index: usize, terms: &LightTerms<f32>) {

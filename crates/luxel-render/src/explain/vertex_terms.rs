@@ -7,7 +7,7 @@ use super::shadow::Receiver;
 use crate::context::ShadingContext;
 use crate::material::{Corner, light_at, light_under};
 use crate::shade::{LitTriangle, VisibleLights};
-use luxel_lighting::{LightTerms, MirrorTerms, Reflectance};
+use luxel_lighting::{DiffuseTerms, LightTerms, MirrorTerms, Reflectance};
 use luxel_math::{Rgb, Vec3};
 use luxel_scene::SceneLight;
 
@@ -39,6 +39,8 @@ pub(crate) fn evaluated_at(
         scene_ambient: ledger.scene_ambient,
         environment: ledger.environment,
         mirrors: ledger.mirrors.clone(),
+        environment_diffuse: ledger.environment_diffuse,
+        diffused: ledger.diffused.clone(),
         sum: ledger.sum,
         light,
     }
@@ -51,6 +53,8 @@ pub(crate) struct Interpolated {
     pub(crate) scene_ambient: [f32; 3],
     pub(crate) environment: [f32; 3],
     pub(crate) mirrors: Vec<(usize, MirrorTerms<f32>)>,
+    pub(crate) environment_diffuse: Option<[f32; 3]>,
+    pub(crate) diffused: Vec<(usize, DiffuseTerms<f32>)>,
     pub(crate) lights: Vec<ExplainedLight>,
 }
 
@@ -113,6 +117,11 @@ impl Interpolated {
             scene_ambient: color(&|place| place.scene_ambient),
             environment: color(&|place| place.environment),
             mirrors: Vec::new(),
+            environment_diffuse: places
+                .first()
+                .and_then(|place| place.environment_diffuse)
+                .map(|_| color(&|place| place.environment_diffuse.unwrap_or_default())),
+            diffused: Vec::new(),
             lights: (0..count).map(light).collect(),
         }
     }
@@ -130,6 +139,7 @@ impl Interpolated {
         let around = |light: [f32; 3]| light.map(|channel| channel * visible.openness);
         self.scene_ambient = around(self.scene_ambient);
         self.environment = around(self.environment);
+        self.environment_diffuse = self.environment_diffuse.map(around);
         let has_shadows = scene.shadows.is_some_and(|shadows| !shadows.sources.is_empty());
         for (number, (light, &visibility)) in
             self.lights.iter_mut().zip(&visible.visibility).enumerate()

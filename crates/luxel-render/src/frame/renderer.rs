@@ -10,7 +10,7 @@ use super::tile_drawing::TileDrawing;
 use super::tile_shading::{Worker, add_layer, tile_pixels};
 use super::tiles::TilePixels;
 use super::workers::{BusyWorker, Workers};
-use crate::backdrop::{Backdrop, Ground};
+use crate::backdrop::{Around, Backdrop, Ground};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::{AlphaTest, EdgeFlags};
 use crate::execution::Execution;
@@ -302,9 +302,9 @@ impl Renderer {
             }
             let ambient = frame_setup::ambient(view);
             let fog = view.fog.as_ref();
-            let lighting: Vec<LightingEnvironment<'_>> = self
-                .environments(view)
-                .into_iter()
+            let environments = self.environments(view);
+            let lighting: Vec<LightingEnvironment<'_>> = environments
+                .iter()
                 .map(|environment| LightingEnvironment::new(&lights, ambient, environment, fog))
                 .collect();
             let ground = match floor {
@@ -314,13 +314,18 @@ impl Renderer {
                         self.shadows(view, &frame, (&placed, &lights), of_ground, None)?;
                     shadows.share_rays(samples.count());
                     let lighting =
-                        LightingEnvironment::new(&lights, ambient, Environment::None, None);
+                        LightingEnvironment::new(&lights, ambient, &Environment::None, None);
                     let shown = (&view.camera, view.encoding);
                     Some(Ground::new(floor, shadows, (lighting, fog), self.bounds(), shown))
                 }
                 None => None,
             };
-            let backdrop = Backdrop::new(view.background, height, ground);
+            let around = view.environment_background.then(|| Around {
+                environment: view.environment.surroundings(self.scene.up),
+                rays: ViewRays::new(&view.camera, frame.rays()),
+                display: view.display(),
+            });
+            let backdrop = Backdrop::new((view.background, around), height, ground);
             let uniform = frame_setup::uniform(&self.scene.materials);
             let attributes_of_materials: Vec<AttributeMask> = self
                 .scene
@@ -398,8 +403,8 @@ impl Renderer {
     /// What the mirror term of each material sees.
     fn environments(&self, view: &View) -> Vec<Environment> {
         let up = self.scene.up.as_vec3().to_array();
-        let of = |reflection: &Reflection| match (view.environment, reflection) {
-            (EnvironmentChoice::Always(environment), _) => environment,
+        let of = |reflection: &Reflection| match (&view.environment, reflection) {
+            (EnvironmentChoice::Always(environment), _) => environment.clone(),
             (EnvironmentChoice::StudioForMicrofacets, Reflection::Microfacet) => {
                 Environment::Studio { up }
             }

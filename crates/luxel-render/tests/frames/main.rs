@@ -4,6 +4,7 @@
 
 mod determinism;
 mod display;
+mod environment;
 mod feedback;
 mod golden;
 mod layers;

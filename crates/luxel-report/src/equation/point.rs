@@ -1,6 +1,6 @@
 //! Where the lighting equation was evaluated, and how light is interpolated from there.
 
-use luxel_lighting::{Material, MirrorTerms, Reflectance};
+use luxel_lighting::{DiffuseTerms, Material, MirrorTerms, Reflectance};
 use luxel_render::{ExplainedLight, ExplainedSurface};
 
 /// A point at which the lighting equation was evaluated: the sample itself, or one of the points
@@ -21,6 +21,8 @@ pub(crate) struct ShadingPoint<'a> {
     pub(crate) lights: &'a [ExplainedLight],
     pub(crate) environment: [f32; 3],
     pub(crate) mirrors: &'a [(usize, MirrorTerms<f32>)],
+    pub(crate) environment_diffuse: Option<[f32; 3]>,
+    pub(crate) diffused: &'a [(usize, DiffuseTerms<f32>)],
     pub(crate) sum: [f32; 3],
 }
 
@@ -42,6 +44,8 @@ pub(crate) fn shading_points(surface: &ExplainedSurface) -> Vec<ShadingPoint<'_>
             lights: &surface.lights,
             environment: surface.environment,
             mirrors: &surface.mirrors,
+            environment_diffuse: surface.environment_diffuse,
+            diffused: &surface.diffused,
             sum: surface.sum,
         }];
     }
@@ -58,6 +62,8 @@ pub(crate) fn shading_points(surface: &ExplainedSurface) -> Vec<ShadingPoint<'_>
         lights: &point.lights,
         environment: point.environment,
         mirrors: &point.mirrors,
+        environment_diffuse: point.environment_diffuse,
+        diffused: &point.diffused,
         sum: point.sum,
     });
     points.collect()

@@ -4,7 +4,9 @@ use super::light::why_not;
 use super::point::ShadingPoint;
 use super::symbols::*;
 use super::term::{Factor, PartTerm, Term, TermKind};
-use luxel_lighting::{Material, MirrorTerms, ModelFactor, PartTerms, Quantity, Reflection};
+use luxel_lighting::{
+    DiffuseTerms, Material, MirrorTerms, ModelFactor, PartTerms, Quantity, Reflection,
+};
 use luxel_math::Rgb;
 use luxel_render::ExplainedLight;
 
@@ -25,7 +27,8 @@ pub(crate) struct PointTerms<'a> {
     pub(crate) lights: Vec<LightEntry<'a>>,
     /// The environment reflected by the parts of a mixture.
     pub(crate) mirrors: Vec<PartTerm>,
-    pub(crate) environment: Option<Term>,
+    /// What is mirrored, and what is reflected to all sides.
+    pub(crate) environment: Vec<Term>,
 }
 
 /// The terms of the light at a point.
@@ -59,8 +62,8 @@ pub(crate) fn point_terms<'a>(point: &ShadingPoint<'a>) -> PointTerms<'a> {
             .chain([ambient])
             .collect(),
         lights: point.lights.iter().map(|light| light_entry(point, light)).collect(),
-        mirrors: mirror_terms(point),
-        environment: environment_term(point),
+        mirrors: mirror_terms(point).into_iter().chain(diffuse_terms(point)).collect(),
+        environment: mirrored_term(point).into_iter().chain(diffused_term(point)).collect(),
     }
 }
 
@@ -122,9 +125,11 @@ fn ambient_factors(point: &ShadingPoint<'_>, intensity: Factor) -> Vec<Factor> {
     factors
 }
 
-/// The reflected environment, if it has any light.
-fn environment_term(point: &ShadingPoint<'_>) -> Option<Term> {
-    if point.environment == [0.0; 3] {
+/// The mirrored environment, if it has any light.
+fn mirrored_term(point: &ShadingPoint<'_>) -> Option<Term> {
+    let diffuse = point.environment_diffuse.unwrap_or_default();
+    let value = [0, 1, 2].map(|channel| point.environment[channel] - diffuse[channel]);
+    if value == [0.0; 3] || point.mirrors.is_empty() {
         return None;
     }
     let ShadingPoint { constants, reflectance, mirrors, .. } = point;
@@ -140,14 +145,60 @@ fn environment_term(point: &ShadingPoint<'_>) -> Option<Term> {
         (model, [(_, only)]) => factors.extend(mirrored(model, only)),
         _ => {}
     }
-    if reflectance.occlusion != 1.0 {
-        factors.push(Factor::Number(OCCLUSION, reflectance.occlusion));
-    }
-    if point.openness != 1.0 {
-        factors.push(Factor::Number(OPENNESS, point.openness));
-    }
+    factors.extend(what_arrives(point));
     let (kind, name) = (TermKind::Environment, "environment");
-    Some(Term { kind, name, factors, value: point.environment })
+    Some(Term { kind, name, factors, value })
+}
+
+/// The factors of what arrives from all around, unless they are 1.
+fn what_arrives(point: &ShadingPoint<'_>) -> impl Iterator<Item = Factor> {
+    let factors = [(OCCLUSION, point.reflectance.occlusion), (OPENNESS, point.openness)];
+    let is_less = |(_, factor): &(_, f32)| *factor != 1.0;
+    factors.into_iter().filter(is_less).map(|(symbol, factor)| Factor::Number(symbol, factor))
+}
+
+/// The diffuse reflection of the environment, if it has any light.
+fn diffused_term(point: &ShadingPoint<'_>) -> Option<Term> {
+    let value = point.environment_diffuse.filter(|value| *value != [0.0; 3])?;
+    let ShadingPoint { constants, reflectance, diffused, .. } = point;
+    let mut factors =
+        vec![Factor::Number(K_D, constants.k_d), Factor::Color(O_D, reflectance.diffuse.lane(0))];
+    match (&constants.reflection, diffused) {
+        (Reflection::Mixed(_), diffused) => {
+            let sum = diffused.iter().fold(Rgb::black(0.0), |sum, (_, terms)| {
+                sum + terms.share * terms.irradiance * terms.weight
+            });
+            factors.push(Factor::Color(MIXED_AROUND, sum.lane(0)));
+        }
+        (model, [(_, only)]) => factors.extend(of_irradiance(model, only)),
+        _ => {}
+    }
+    factors.extend(what_arrives(point));
+    Some(Term { kind: TermKind::Environment, name: "environment, diffuse", factors, value })
+}
+
+/// The environment reflected to all sides by each part of a mixture.
+fn diffuse_terms(point: &ShadingPoint<'_>) -> Vec<PartTerm> {
+    let Reflection::Mixed(_) = point.constants.reflection else { return Vec::new() };
+    let part = |(index, terms): &(usize, DiffuseTerms<f32>)| {
+        let (model, _) = point.constants.reflection.part(*index);
+        let weight = Factor::Number(WEIGHT, terms.weight);
+        let term = Term {
+            kind: TermKind::Environment,
+            name: model.name(),
+            factors: [weight].into_iter().chain(of_irradiance(model, terms)).collect(),
+            value: (terms.share * terms.irradiance * terms.weight).lane(0),
+        };
+        PartTerm { of: MIXED_AROUND, term }
+    };
+    point.diffused.iter().map(part).collect()
+}
+
+/// The environment reflected to all sides by one model, without k_d O_d.
+fn of_irradiance(model: &Reflection, terms: &DiffuseTerms<f32>) -> Vec<Factor> {
+    let share = Factor::Color(NOT_SPLIT_SUM, terms.share.lane(0));
+    let irradiance = Factor::Color(E_OF_N, terms.irradiance.lane(0));
+    if *model == Reflection::Microfacet { vec![share, irradiance] } else { vec![irradiance] }
 }
 
 /// The environment reflected by each part of a mixture.

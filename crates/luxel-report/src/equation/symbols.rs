@@ -85,6 +85,24 @@ pub(crate) const MIXED_MIRROR: Symbol = symbol(
     "ρ<sub>e</sub>",
     "rho_e: the mirrored environment, the sum of the mixed models",
 );
+pub(crate) const MIXED_AROUND: Symbol = symbol(
+    "rho_a",
+    r"\rho_a",
+    "ρ<sub>a</sub>",
+    "rho_a: diffuse reflection of the environment, the sum of the mixed models",
+);
+pub(crate) const E_OF_N: Symbol = symbol(
+    "E_d(N)",
+    r"E_d(\mathbf N)",
+    "E<sub>d</sub>(<b>N</b>)",
+    "E_d(N): the environment's light on a surface that faces N, its irradiance over pi",
+);
+pub(crate) const NOT_SPLIT_SUM: Symbol = symbol(
+    "(1 - metallic) (1 - F0 A - B)",
+    r"(1 - \mathrm{metallic}) (1 - F_0 A - B)",
+    "(1 − metallic) (1 − F<sub>0</sub> A − B)",
+    "1 - F0 A - B: the share of the environment that the surface doesn't mirror",
+);
 pub(crate) const E_OF_R: Symbol = symbol(
     "E(R)",
     r"E(\mathbf R)",
@@ -99,7 +117,7 @@ pub(crate) const SPLIT_SUM: Symbol = symbol(
 );
 
 /// The symbols above, those that name lights and surfaces, and those of fog and attenuation.
-const TABLE: [Symbol; 28] = [
+const TABLE: [Symbol; 30] = [
     symbol("N", r"\mathbf N", "<b>N</b>", "N: the normal, the direction that the surface faces"),
     symbol("L", r"\mathbf L", "<b>L</b>", "L: the direction to the light"),
     symbol("V", r"\mathbf V", "<b>V</b>", "V: the direction to the eye"),
@@ -120,6 +138,7 @@ const TABLE: [Symbol; 28] = [
     MIXED_DIFFUSE,
     MIXED_SPECULAR,
     MIXED_MIRROR,
+    MIXED_AROUND,
     symbol("I", "I", "<i>I</i>", "I: the light that reaches the eye, the sum of all terms"),
     symbol("I_dc", "I_{dc}", "<i>I</i><sub>dc</sub>", "I_dc: the colour of the fog"),
     symbol("s", "s", "<i>s</i>", "s: the share of I that the fog lets through"),
@@ -136,6 +155,12 @@ const TABLE: [Symbol; 28] = [
         "c_3",
         "<i>c</i><sub>3</sub>",
         "c_3: the part of 1 / attenuation that grows with d^2",
+    ),
+    symbol(
+        "E_d",
+        "E_d",
+        "<i>E</i><sub>d</sub>",
+        "E_d: the environment's light on a matt surface, its irradiance over pi",
     ),
     symbol("E", "E", "<i>E</i>", "E: the environment"),
 ];

@@ -222,7 +222,7 @@ impl Page {
             self.light(light, point);
         }
         self.parts(&at_point.mirrors);
-        if let Some(environment) = &at_point.environment {
+        for environment in &at_point.environment {
             self.term(environment);
         }
         self.total("sum, I", point.sum, TermKind::Sum, "");

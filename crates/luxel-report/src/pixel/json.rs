@@ -3,8 +3,8 @@
 use super::report::Report;
 use crate::equation::why_not;
 use luxel_lighting::{
-    Display, Light, Material, MirrorTerms, PartTerms, Quantity, Reflectance, Reflection,
-    own_parameters,
+    DiffuseTerms, Display, Light, Material, MirrorTerms, PartTerms, Quantity, Reflectance,
+    Reflection, own_parameters,
 };
 use luxel_render::{
     BlockedBy, EvaluatedAt, ExplainedGround, ExplainedLight, ExplainedSample, ExplainedShadow,
@@ -175,13 +175,34 @@ fn surface(seen: &ExplainedSurface, scene: &Scene) -> Value {
     if let Some(openness) = seen.openness {
         value["openness"] = json!(openness);
     }
+    diffused(&mut value, seen.environment_diffuse, &seen.diffused, &seen.material.constants);
     value
+}
+
+/// Adds the diffuse part of the environment's term, if the environment is a map.
+fn diffused(
+    value: &mut Value,
+    diffuse: Option<[f32; 3]>,
+    parts: &[(usize, DiffuseTerms<f32>)],
+    constants: &Material,
+) {
+    let Some(diffuse) = diffuse else { return };
+    let part = |(index, terms): &(usize, DiffuseTerms<f32>)| {
+        json!({
+            "reflection": constants.reflection.part(*index).0.name(),
+            "weight": terms.weight,
+            "share": terms.share.lane(0),
+            "irradiance": terms.irradiance.lane(0),
+        })
+    };
+    value["environment_diffuse"] = json!(diffuse);
+    value["diffused"] = parts.iter().map(part).collect();
 }
 
 /// The points at which light was evaluated; null if that is the sample itself.
 fn evaluated(seen: &ExplainedSurface) -> Value {
     let point = |point: &EvaluatedAt| {
-        json!({
+        let mut value = json!({
             "weight": point.weight,
             "position": point.position,
             "normal": point.normal,
@@ -194,7 +215,10 @@ fn evaluated(seen: &ExplainedSurface) -> Value {
             "mirrors": mirrors(&point.mirrors, &seen.material.constants),
             "sum": point.sum,
             "light": point.light,
-        })
+        });
+        let constants = &seen.material.constants;
+        diffused(&mut value, point.environment_diffuse, &point.diffused, constants);
+        value
     };
     if seen.evaluated_at.is_empty() {
         Value::Null

@@ -193,7 +193,7 @@ impl Page {
             self.light(light, point);
         }
         self.parts(&at_point.mirrors);
-        if let Some(environment) = &at_point.environment {
+        for environment in &at_point.environment {
             self.term(environment, "");
         }
         if let Some((_, light)) = point.share {

@@ -42,7 +42,7 @@ impl Session {
     fn has_unsaved_lighting(&self, display: &DisplaySettings) -> bool {
         let lighting = self.lighting(display);
         let (lights, ambient) = self.loaded_lights.clone();
-        let is_loaded = lighting == (lights, ambient, self.model.view.environment);
+        let is_loaded = lighting == (lights, ambient, self.model.view.environment.clone());
         !is_loaded && self.saved_edits.as_ref().is_none_or(|saved| saved.lighting != lighting)
     }
 

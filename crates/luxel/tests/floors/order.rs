@@ -113,6 +113,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "direction",
             "weld",
             "image",
+            "environment",
             "values",
             "gltf",
             "obj",

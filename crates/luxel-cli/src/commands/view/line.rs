@@ -55,7 +55,8 @@ pub(crate) fn line(
     let is_of_window = |flag: &str| {
         OF_THE_WINDOW.contains(&flag)
             || (seen.lights.is_some() && OF_LIGHT.contains(&flag))
-            || (seen.is_environment_changed && flag == "environment")
+            || (seen.is_environment_changed && flag.starts_with("environment"))
+            || flag == "environment-background"
     };
     line.extend(given(program, words, &is_of_window).iter().map(|word| quoted(word)));
     line.extend(light(seen));
@@ -97,12 +98,18 @@ fn light(seen: &ShownView<'_>) -> Vec<String> {
         flags.push(format!("--ambient={r},{g},{b}"));
     }
     if seen.is_environment_changed {
-        let environment = seen.view.environment;
+        let environment = &seen.view.environment;
         if let Some(named) = environment.named() {
             flags.push(format!("--environment={}", named.name()));
         } else if let EnvironmentChoice::Always(Environment::Constant([r, g, b])) = environment {
             flags.push(format!("--environment={r},{g},{b}"));
+        } else if let Some(map) = environment.map() {
+            flags.push(quoted(&format!("--environment={}", map.map().name())));
+            flags.push(format!("--environment-rotation={}", map.rotation_degrees()));
         }
+    }
+    if seen.view.environment_background {
+        flags.push("--environment-background".to_owned());
     }
     flags
 }

@@ -39,7 +39,17 @@ pub(super) fn saved(
             (SceneModels::One(last), vec![stem], beside)
         }
     };
-    let text = text(models, &root, shown, restyle, shading).write();
+    // The scene file will be in the model's folder.
+    let environment_file = shown.view.environment.map().map(|map| {
+        let name = Path::new(map.map().name());
+        let below = path.parent().and_then(|folder| name.strip_prefix(folder).ok());
+        below.unwrap_or(name).to_string_lossy().into_owned()
+    });
+    let text = SceneText {
+        environment_file: environment_file.as_deref(),
+        ..text(models, &root, shown, restyle, shading)
+    };
+    let text = text.write();
     let text = text.map_err(|error| format!("{name}{}: {}", error.place, error.kind))?;
     let numbered = (1_u32..).map(|number| {
         let mut numbered = stem.clone().into_os_string();
@@ -89,7 +99,8 @@ fn text<'a>(
         changes: of_flags.into_iter().chain(own).collect(),
         up: scene.up,
         ambient: view.ambient,
-        environment: Some(view.environment),
+        environment: Some(view.environment.clone()),
+        environment_file: None,
         background: view.background,
         fog: view.fog,
         lights,
@@ -182,6 +193,9 @@ fn settings(
     let shaded = shading_flags(view, false).into_iter();
     let displayed = display_flags(view, false).into_iter();
     settings.extend(shaded.chain(displayed).map(|(name, value)| (name, SettingValue::One(value))));
+    if view.environment_background {
+        settings.push(("environment-background", SettingValue::Switch(true)));
+    }
     settings.extend(
         occlusion_flags(view).into_iter().map(|(name, value)| {
             (name, value.map_or(SettingValue::Switch(true), SettingValue::One))

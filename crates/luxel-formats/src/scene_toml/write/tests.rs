@@ -17,6 +17,7 @@ fn plain() -> SceneText<'static> {
         up: DVec3::Y,
         ambient: [0.0; 3],
         environment: Some(EnvironmentChoice::Always(Environment::None)),
+        environment_file: None,
         background: [0.0; 4].into(),
         fog: None,
         lights: Vec::new(),

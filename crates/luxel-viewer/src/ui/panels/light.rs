@@ -6,9 +6,12 @@ use crate::theme;
 use crate::ui::{focus, names, symbols};
 use egui::{RichText, TextStyle, Ui};
 use luxel::formats::values::{cos_cutoff, cutoff_degrees};
-use luxel::lighting::{CUTOFF, Cone, EXPONENT, Environment, INNER, LIGHT_KINDS, LightKind};
+use luxel::lighting::{
+    CUTOFF, Cone, EXPONENT, Environment, INNER, LIGHT_KINDS, LightKind, OrientedMap,
+};
 use luxel::render::EnvironmentChoice;
 use luxel::scene::{NamedEnvironment, Placement, SceneLight};
+use std::path::Path;
 
 /// All lights; the chosen one with its settings.
 pub(super) fn lights(ui: &mut Ui, session: &mut Session, chosen: &mut Option<usize>) {
@@ -80,11 +83,16 @@ fn occlusion(ui: &mut Ui, session: &mut Session) {
 pub(super) fn environment(ui: &mut Ui, session: &mut Session) {
     heading(ui, "Environment");
     let up = session.model.scene.up;
-    let before = session.display().view().environment;
+    let before = session.display().view().environment.clone();
+    // A picture that was loaded can be had back.
+    let loaded = session.model.view.environment.map().or(before.map()).cloned();
+    let is_map = before.map().is_some();
     let mut named = before.named();
     let mut mode = before;
     let mut kinds = NamedEnvironment::ALL.map(|one| (Some(one), one.name())).to_vec();
-    kinds.push((None, "colour"));
+    if !is_map {
+        kinds.push((None, "colour"));
+    }
     if ui.horizontal(|ui| one_of(ui, &mut named, &kinds)).inner {
         mode = named.map_or(EnvironmentChoice::Always(Environment::Constant([0.5; 3])), |named| {
             named.choice(up)
@@ -93,9 +101,43 @@ pub(super) fn environment(ui: &mut Ui, session: &mut Session) {
     if let EnvironmentChoice::Always(Environment::Constant(color)) = &mut mode {
         intensity(ui, "all around", color);
     }
-    let about = named.map_or("uniform light from all directions", NamedEnvironment::help);
+    if let Some(map) = loaded {
+        mode = picture(ui, &map, mode);
+    }
+    let about = match (named, mode.map()) {
+        (_, Some(_)) => "light all around, on matt surfaces, too",
+        (Some(named), None) => named.help(),
+        (None, None) => "uniform light from all directions",
+    };
     ui.label(RichText::new(about).small().weak());
-    session.change_display(|display| display.view_mut().environment = mode);
+    let mut is_seen = session.display().view().environment_background;
+    ui.checkbox(&mut is_seen, "as the background");
+    session.change_display(|display| {
+        let view = display.view_mut();
+        view.environment = mode;
+        view.environment_background = is_seen;
+    });
+}
+
+/// A picture of the environment: its file, whether it is on, and how far it is turned.
+fn picture(ui: &mut Ui, loaded: &OrientedMap, mode: EnvironmentChoice) -> EnvironmentChoice {
+    let shown = mode.map().cloned();
+    let path = Path::new(loaded.map().name());
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let mut is_on = shown.is_some();
+    if ui.checkbox(&mut is_on, name).on_hover_text(loaded.map().name()).changed() {
+        return match is_on {
+            true => EnvironmentChoice::Always(Environment::Map(loaded.clone())),
+            false => EnvironmentChoice::Always(Environment::None),
+        };
+    }
+    let Some(shown) = shown else { return mode };
+    let mut degrees = shown.rotation_degrees();
+    let slider = egui::Slider::new(&mut degrees, -180.0..=180.0).text("rotation").suffix("°");
+    if ui.add(slider).changed() {
+        return EnvironmentChoice::Always(Environment::Map(shown.turned(degrees)));
+    }
+    mode
 }
 
 /// A light's name. Typing renames the light whenever the text is an unused name.
