@@ -313,8 +313,11 @@ impl Renderer {
                     let mut shadows =
                         self.shadows(view, &frame, (&placed, &lights), of_ground, None)?;
                     shadows.share_rays(samples.count());
-                    let lighting =
-                        LightingEnvironment::new(&lights, ambient, &Environment::None, None);
+                    let environment = match &view.environment {
+                        EnvironmentChoice::Always(environment) => environment,
+                        EnvironmentChoice::StudioForMicrofacets => &Environment::None,
+                    };
+                    let lighting = LightingEnvironment::new(&lights, ambient, environment, None);
                     let shown = (&view.camera, view.encoding);
                     Some(Ground::new(floor, shadows, (lighting, fog), self.bounds(), shown))
                 }
