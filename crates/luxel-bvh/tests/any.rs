@@ -89,6 +89,40 @@ fn batches_answer_as_single_rays_and_as_the_closest_hit_does() {
 }
 
 #[test]
+fn rays_that_are_traced_together_answer_as_alone_however_many_they_are() {
+    let mut mesh = bumpy_sphere(40);
+    mesh.triangles.push([0, 900, 2000]);
+    let bvh = Bvh::build(&mesh.positions, &mesh.triangles, Quality::Thorough).unwrap();
+    // From one place all ways, from some places to one light, and rays of any length and range.
+    let mut random = Random(7);
+    let mut aimed = grids(&mesh);
+    let open: Vec<Ray> = (0..600)
+        .map(|at| {
+            let place = mesh.positions[at / 16].map(|side| 1.01 * side);
+            Ray { range: [0.0, 0.5], ..Ray::new(place, random.point(1.0)) }
+        })
+        .collect();
+    aimed.splice(500..500, open);
+    aimed.extend(segments(600));
+    aimed.push(Ray::new([f32::NAN; 3], [1.0; 3]));
+    aimed.push(Ray::new([0.0; 3], [1e-20; 3]));
+    for level in SimdLevel::available() {
+        let rays = MeshRays::with_level(&bvh, &mesh.positions, level.resolve().unwrap());
+        let expected: Vec<bool> = aimed.iter().map(|ray| rays.any(ray)).collect();
+        for count in [1, 5, 8, 15, 16, 17, 64, 100, 256, 300, aimed.len()] {
+            for (run, expected) in aimed.chunks(count).zip(expected.chunks(count)) {
+                let mut hits = vec![true; run.len()];
+                rays.any_of_few(run, &mut hits);
+                assert_eq!(hits, expected, "{level}, {count} alike");
+                hits.fill(true);
+                rays.any_of_incoherent(run, &mut hits);
+                assert_eq!(hits, expected, "{level}, {count} that go all ways");
+            }
+        }
+    }
+}
+
+#[test]
 fn both_ends_of_the_range_count() {
     let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let bvh = Bvh::build(&positions, &[[0, 1, 2]], Quality::Thorough).unwrap();

@@ -14,8 +14,8 @@ use std::path::Path;
 
 /// Renders 3D models on the CPU, with the same bytes on every machine.
 ///
-/// luxel reads a model file and shades it with the classic local reflection models, without cast
-/// shadows or global illumination. It needs no GPU and no display.
+/// luxel reads a model file and shades it with the classic local reflection models, on request with cast
+/// shadows and ambient occlusion. It needs no GPU and no display.
 #[derive(Parser, Debug)]
 #[command(name = "luxel", version, args_override_self = true)]
 #[command(override_usage = "luxel [MODEL] [OPTIONS]\n       luxel <COMMAND> [OPTIONS]")]

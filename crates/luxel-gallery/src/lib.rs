@@ -41,7 +41,7 @@ pub struct Gallery {
 /// Builds a chapter.
 type Make = fn(&Studio) -> Result<Chapter, GalleryError>;
 
-const CHAPTERS: [Make; 16] = [
+const CHAPTERS: [Make; 17] = [
     lab::silhouette::chapter,
     lab::perspective::chapter,
     lab::rolling::chapter,
@@ -51,6 +51,7 @@ const CHAPTERS: [Make; 16] = [
     lab::chalk::chapter,
     lab::unnormalised::chapter,
     lab::mach::chapter,
+    lab::shadow::chapter,
     plots::beam::chapter,
     plots::falloff::chapter,
     plots::spheres::phases,

@@ -4,11 +4,15 @@ use crate::GalleryError;
 use crate::picture::Picture;
 use luxel::formats::values::reflection_text;
 use luxel::lighting::{Light, LightKind, Reflection, SHININESS};
-use luxel::render::{Execution, Interpolation, NormalLength, Renderer, Shading, ShadingMode, View};
+use luxel::render::{
+    Execution, ExplainedLight, Explanation, Interpolation, NormalLength, Renderer, Shading,
+    ShadingMode, View,
+};
 use luxel::scene::{
     Camera, DVec3, Lens, NormalOptions, NormalSource, Placement, Projection, Restyle, Scene,
     SceneLight, Size, demos, fit_planes,
 };
+use luxel::view::{AmbientOcclusion, DEFAULT_LIGHT_RAYS};
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -37,6 +41,13 @@ pub(crate) struct Shot {
     pub(crate) shininess: Option<f32>,
     /// Instead of the scene's lights: one from far away, that travels this way.
     pub(crate) sun: Option<[f64; 3]>,
+    /// The angle under which that one is seen, in degrees.
+    pub(crate) angle: Option<f64>,
+    pub(crate) shadows: bool,
+    pub(crate) openness: bool,
+    /// The rays of a sample to a sun that is seen under an angle, and those of openness.
+    pub(crate) light_rays: u32,
+    pub(crate) rays: u32,
 }
 
 /// A camera before the origin, at (0, 0, 7), rolled.
@@ -65,6 +76,11 @@ impl Shot {
             color: None,
             shininess: None,
             sun: None,
+            angle: None,
+            shadows: false,
+            openness: false,
+            light_rays: DEFAULT_LIGHT_RAYS,
+            rays: AmbientOcclusion::RAYS,
         }
     }
 
@@ -86,6 +102,11 @@ impl Shot {
     pub(crate) fn size(mut self, width: u32, height: u32) -> Self {
         self.size = Size { width, height };
         self
+    }
+
+    /// With shadows and openness.
+    pub(crate) fn occluded(self) -> Self {
+        Self { shadows: true, openness: true, ..self }
     }
 
     pub(crate) fn up(mut self, up: [f64; 2]) -> Self {
@@ -132,12 +153,21 @@ impl Shot {
         if let Some(direction) = self.sun {
             view.lights = vec![SceneLight {
                 name: "0".into(),
-                light: Light::new(LightKind::Directional, [1.0; 3]),
+                light: Light {
+                    angle_degrees: self.angle.unwrap_or_default() as f32,
+                    ..Light::new(LightKind::Directional, [1.0; 3])
+                },
                 placement: Placement::World,
                 position: DVec3::ZERO,
                 direction: DVec3::from_array(direction),
             }];
             view.ambient = [0.0; 3];
+        }
+        view.shadows = self.shadows;
+        view.light_rays = self.light_rays;
+        if self.openness {
+            view.ambient_occlusion =
+                Some(AmbientOcclusion { rays: self.rays, ..AmbientOcclusion::default() });
         }
         view
     }
@@ -186,10 +216,23 @@ impl Shot {
             say(&format!("--shininess {shininess}"));
         }
         if let Some([x, y, z]) = self.sun {
-            say(&format!("--light directional:dir={x},{y},{z}"));
+            let angle = self.angle.map_or_else(String::new, |angle| format!(":angle={angle}"));
+            say(&format!("--light directional:dir={x},{y},{z}{angle}"));
         }
         if let Some(Rolled { up: [x, y], fov }) = self.rolled {
             say(&format!("--eye 0,0,{ROLLED_EYE} --target 0,0,0 --fov {fov} --up {x},{y},0"));
+        }
+        if self.shadows {
+            say("--shadows");
+        }
+        if self.light_rays != DEFAULT_LIGHT_RAYS {
+            say(&format!("--light-rays {}", self.light_rays));
+        }
+        if self.openness {
+            say("--ao");
+        }
+        if self.openness && self.rays != AmbientOcclusion::RAYS {
+            say(&format!("--ao-rays {}", self.rays));
         }
         say(&format!("--size {}x{}", size.width, size.height));
         line
@@ -235,11 +278,43 @@ impl Stage {
         Ok(Picture { size: drawn.size, pixels })
     }
 
+    /// The same without the factor that cures the terminator: from the terms of each pixel's ledger, for
+    /// views of one sample that sees an opaque surface or the background.
+    pub(crate) fn shoot_without_terminator(&self, shot: &Shot) -> Result<Picture, GalleryError> {
+        let view = shot.view(self.renderer.scene());
+        let Size { width, height } = view.size;
+        let all: Vec<[u32; 2]> =
+            (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect();
+        let pixel = |explained: Explanation| -> [u8; 3] {
+            let seen = explained.samples.first().and_then(|sample| sample.seen[0].surface());
+            let Some(surface) = seen else {
+                let [r, g, b, _] = explained.rgba8;
+                return [r, g, b];
+            };
+            let uncured = |light: &ExplainedLight, channel: usize| {
+                let terms = &light.terms;
+                let factor = match &light.shadow {
+                    Some(shadow) if shadow.terminator > 0.0 => 1.0 / shadow.terminator,
+                    _ => 1.0,
+                };
+                factor * (terms.diffuse.lane(0)[channel] + terms.specular.lane(0)[channel])
+            };
+            [0, 1, 2].map(|channel| {
+                let lights = surface.lights.iter().map(|light| uncured(light, channel));
+                let around = surface.scene_ambient[channel] + surface.emission[channel];
+                view.encoding.byte(around + lights.sum::<f32>())
+            })
+        };
+        let explained = self.renderer.explain_pixels(&view, &all)?;
+        Ok(Picture { size: view.size, pixels: explained.into_iter().map(pixel).collect() })
+    }
+
     /// Where the scene covers pixels wholly.
     pub(crate) fn covered(&self, shot: &Shot) -> Result<Vec<bool>, GalleryError> {
         let mut view = shot.view(self.renderer.scene()).with_background([0.0; 4]);
         // Coverage doesn't depend on light.
         view.lights.clear();
+        (view.shadows, view.ambient_occlusion) = (false, None);
         view.shading = Shading::default();
         Ok(self.renderer.rgba8(&view)?.pixels.iter().map(|pixel| pixel[3] == 255).collect())
     }

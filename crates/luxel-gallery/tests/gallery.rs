@@ -56,6 +56,7 @@ fn every_cure_is_five_times_better_or_explains_why_not() {
         "chalk",
         "unnormalised",
         "mach-bands",
+        "contact",
     ] {
         assert!(names.contains(problem), "{problem} isn't measured");
     }

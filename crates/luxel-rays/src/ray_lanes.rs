@@ -3,7 +3,7 @@
 use crate::object_tree::ObjectTree;
 use crate::surface_place::dot;
 use crate::world_ray::WorldRay;
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec3, DVec4};
 use luxel_bvh::Ray;
 use luxel_math::prelude::*;
 use luxel_math::{LANES, f32x16, i32x16, lanes_of};
@@ -87,10 +87,11 @@ impl RayLanes {
         let [x, y, z] = &self.direction;
         let direction = [wide.load(x), wide.load(y), wide.load(z)];
         let DMat4 { x_axis, y_axis, z_axis, w_axis } = *tree.tree_from_world;
-        let [x, y, z] = turned(origin, [x_axis, y_axis, z_axis].map(|axis| axis.truncate()));
+        let axes = [x_axis, y_axis, z_axis].map(DVec4::truncate);
+        let [x, y, z] = turned(origin, axes);
         let origin =
             [x + wide.constant(w_axis.x), y + wide.constant(w_axis.y), z + wide.constant(w_axis.z)];
-        let [x, y, z] = turned(direction, [x_axis, y_axis, z_axis].map(|axis| axis.truncate()));
+        let [x, y, z] = turned(direction, axes);
         let length = dot([x, y, z], [x, y, z]).sqrt();
         let unit = [x / length, y / length, z / length];
         let way = [

@@ -133,10 +133,8 @@ impl TrianglePlaces {
         barycentric: &[N; 3],
         lanes: u32,
     ) -> PlaceLanes<N::F64> {
-        let [u, mut v, mut w] = barycentric.map(
-            #[inline(always)]
-            |weight| weight.to_f64(),
-        );
+        let [u, v, w] = *barycentric;
+        let (u, mut v, mut w) = (u.to_f64(), v.to_f64(), w.to_f64());
         let [x, y, z, least_u] = columns::<N>(u, of, 0);
         let [first_x, first_y, first_z, least_v] = columns::<N>(u, of, 1);
         let [second_x, second_y, second_z, least_w] = columns::<N>(u, of, 2);

@@ -165,7 +165,7 @@ pub(crate) mod needs {
     /// Normals: one material without textures and vertex colours, lit at pixels by lights without a
     /// place.
     pub(crate) const NORMALS: u8 = 0;
-    /// Also positions, and light of corners.
+    /// Also positions, light of corners, and what keeps light from pixels.
     pub(crate) const PLACES: u8 = 1;
     /// All attributes, of any materials.
     pub(crate) const ALL: u8 = 2;

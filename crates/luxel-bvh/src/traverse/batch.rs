@@ -25,6 +25,17 @@ const LEAST_OF_GROUP: usize = 4;
 /// Rays that are sorted by kind together, if they go all ways.
 const MANY: usize = 256;
 
+/// The numbers of rays that need no sorting.
+const IN_ORDER: [u8; MANY] = {
+    let mut order = [0; MANY];
+    let mut at = 0;
+    while at < MANY {
+        order[at] = at as u8;
+        at += 1;
+    }
+    order
+};
+
 /// Trees of more bytes exceed the caches: incoherent rays wait for memory and take turns.
 const FAR: usize = 1 << 24;
 
@@ -99,37 +110,37 @@ fn trace_in_packets<S: Simd, N: Lanes, Q: RayQuery>(
     let size = if Q::ANY && !together { MANY } else { PACKET };
     for (rays, answers) in rays.chunks(size).zip(answers.chunks_mut(size)) {
         let mut is_single = [true; MANY];
-        let is_group = Q::ANY && rays.len() <= width::<N>();
-        if rays.len() <= PACKET
-            && rays.len() >= LEAST
-            && let Some(kind) = packet.load(simd, rays)
-        {
-            if packet.prepare(lanes, target, (kind, is_group), rays.len()) {
-                trace_packet::<S, N, Q>(simd, lanes, target, packet, is_group, &stacks[0]);
-                packet.write_answers::<N, Q>(lanes, target, answers, |index| index);
-                continue;
-            }
-        } else {
-            let (order, starts) = sorted_by_kind(simd, rays);
-            let (least, most) = match Q::ANY && !together {
-                true => (LEAST_OF_GROUP, width::<N>()),
-                false => (LEAST, PACKET),
+        let common = match rays.len() {
+            LEAST..=PACKET => packet.load(simd, rays),
+            _ => None,
+        };
+        let (order, starts) = match common {
+            Some(_) => (IN_ORDER, [0; PacketKind::COUNT + 1]),
+            None => sorted_by_kind(simd, rays),
+        };
+        let (least, most) = match Q::ANY && !together {
+            true => (LEAST_OF_GROUP, width::<N>()),
+            false => (LEAST, PACKET),
+        };
+        for number in 0..common.map_or(PacketKind::NONE.number(), |_| 1) {
+            let kind = common.unwrap_or(PacketKind::of_number(number));
+            let of_kind = match common {
+                Some(_) => &order[..rays.len()],
+                None => &order[starts[number]..starts[number + 1]],
             };
-            for number in 0..PacketKind::NONE.number() {
-                let kind = PacketKind::of_number(number);
-                let of_kind = &order[starts[number]..starts[number + 1]];
-                for indices in of_kind.chunks(most).filter(|indices| indices.len() >= least) {
+            for indices in of_kind.chunks(most).filter(|indices| indices.len() >= least) {
+                if common.is_none() || rays.len() > most {
                     packet.load_selected(simd, rays, indices);
-                    let is_group = Q::ANY && indices.len() <= width::<N>();
-                    if !packet.prepare(lanes, target, (kind, is_group), indices.len()) {
-                        continue;
-                    }
-                    trace_packet::<S, N, Q>(simd, lanes, target, packet, is_group, &stacks[0]);
-                    let index = |at: usize| usize::from(indices[at]);
-                    packet.write_answers::<N, Q>(lanes, target, answers, index);
-                    for &index in indices {
-                        is_single[usize::from(index)] = false;
-                    }
+                }
+                let is_group = Q::ANY && indices.len() <= width::<N>();
+                if !packet.prepare(lanes, target, (kind, is_group), indices.len()) {
+                    continue;
+                }
+                trace_packet::<S, N, Q>(simd, lanes, target, packet, is_group, &stacks[0]);
+                let index = |at: usize| usize::from(indices[at]);
+                packet.write_answers::<N, Q>(lanes, target, answers, index);
+                for &index in indices {
+                    is_single[usize::from(index)] = false;
                 }
             }
         }

@@ -86,8 +86,8 @@ fn intersect_block<S: Simd, N: Lanes, Q: RayQuery>(
         if active == 0 {
             continue;
         }
-        if 2 * active.count_ones() as usize <= 3 * count {
-            // One ray against the block is a little cheaper than one triangle against the group.
+        if active.count_ones() as usize <= count {
+            // One ray against the block costs what one triangle against the group does.
             while active != 0 {
                 let ray = group * width::<N>() + active.trailing_zeros() as usize;
                 active &= active - 1;
@@ -221,7 +221,6 @@ fn trace_group<S: Simd, N: Lanes, Q: RayQuery>(
             hit &= hit - 1;
             let child = node.children[slot];
             let Some(mut start) = child.as_block() else {
-                target.tree.prefetch(child);
                 stack.push_for(&mut top, child.0, asking[slot]);
                 continue;
             };

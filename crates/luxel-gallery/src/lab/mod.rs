@@ -6,5 +6,6 @@ pub(crate) mod normals;
 pub(crate) mod perspective;
 pub(crate) mod rolling;
 pub(crate) mod seam;
+pub(crate) mod shadow;
 pub(crate) mod silhouette;
 pub(crate) mod unnormalised;

@@ -67,11 +67,11 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
             }
             if !N::IS_SPECIALIZED
                 || W::HEARS_SURFACES
-                || scene.shadows.is_some()
+                || scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong
                 || !is_plain(simd, scene, batch, &mut cache.setup, seen)
             {
                 shade_outlined::<N, W, { needs::ALL }>(simd, scene, batch, cache, witness, seen)
-            } else if W::HEARS_FRAGMENTS || !scene.needs_normals_alone {
+            } else if W::HEARS_FRAGMENTS || !scene.needs_normals_alone || scene.shadows.is_some() {
                 shade_outlined::<N, W, { needs::PLACES }>(simd, scene, batch, cache, witness, seen)
             } else {
                 shade_seen::<N, W, { needs::NORMALS }>(simd, scene, batch, cache, witness, seen)
@@ -175,7 +175,9 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), &mut materials);
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
-    let mut color = light::<N, W, NEEDS>(scene, &found, &point, (material, seen), None, witness);
+    let occluded = (NEEDS == needs::PLACES).then_some((batch, &mut cache.occlusion));
+    let of = (material, seen);
+    let mut color = light::<N, W, NEEDS>(scene, &found, &point, of, occluded, witness);
     if let Some(display) = &scene.display {
         let copy = color;
         color = displayed(display, &copy);

@@ -6,19 +6,23 @@
 
 mod ball;
 mod column;
+mod contact;
 mod corrugated;
 mod floor;
 mod panel;
 mod quad;
 mod seam;
+mod terminator;
 
 pub use ball::ball;
 pub use column::column;
+pub use contact::contact;
 pub use corrugated::corrugated;
 pub use floor::floor;
 pub use panel::panel;
 pub use quad::quad;
 pub use seam::{Seam, seam};
+pub use terminator::terminator;
 
 use super::Demo;
 use super::builder::{SceneBuilder, srgb};
@@ -32,6 +36,8 @@ pub const COARSE: u32 = 12;
 pub const FINE: u32 = 192;
 /// Faces around a ball with a smeared highlight.
 pub const MIDDLING: u32 = 24;
+/// Faces around a ball whose triangles shade themselves.
+pub const TURNED: u32 = 40;
 /// The exponent of the smearing highlight.
 pub const SHININESS: f32 = 24.0;
 /// Cells of the sheet along its seam.
@@ -39,7 +45,7 @@ pub const CELLS: u32 = 8;
 /// Quadrilaterals along each side of the quad that rolls without harm.
 pub const CUT: u32 = 16;
 
-pub(super) const DEMOS: [Demo; 11] = [
+pub(super) const DEMOS: [Demo; 13] = [
     Demo {
         name: "lab-silhouette",
         about: "a ball of 12 faces round: smooth inside, with a polygonal silhouette",
@@ -94,6 +100,16 @@ pub(super) const DEMOS: [Demo; 11] = [
         name: "lab-mach",
         about: "a column of 12 faces: Mach bands with flat and gouraud shading",
         make: || column("lab-mach", COARSE),
+    },
+    Demo {
+        name: "lab-contact",
+        about: "two balls over a board: only shadows tell which one stands on it",
+        make: || contact("lab-contact"),
+    },
+    Demo {
+        name: "lab-terminator",
+        about: "a ball of 40 faces round lit from the side: its own shadow follows its triangles",
+        make: || terminator("lab-terminator", TURNED),
     },
 ];
 

@@ -22,7 +22,7 @@ const MOVING_RAYS: u32 = 2;
 /// The same in the first picture at rest.
 const FIRST_RAYS: u32 = 4;
 /// How many tiles each thread draws between two looks at whether the picture is still wanted.
-const TILES_AT_ONCE: usize = 8;
+const TILES_AT_ONCE: usize = 4;
 
 impl RenderJob {
     /// The same job while something moves: one sample, few rays. Both only add noise: the picture is as

@@ -171,7 +171,8 @@ fn render(
     };
     let is_received = send(WorkerEvent::Rendered(Box::new(frame)));
     // The picture comes first: nobody has pointed at anything in it yet.
-    let is_pending = request.purpose == FramePurpose::Refined && !needs_objects;
+    let is_at_rest = matches!(request.purpose, FramePurpose::Refining | FramePurpose::Refined);
+    let is_pending = is_at_rest && !needs_objects;
     is_received && (!is_pending || send(WorkerEvent::VisibleObjects(visible(renderer))))
 }
 

@@ -6,6 +6,7 @@ use crate::selection::SelectMode;
 use luxel::navigation::Event;
 use luxel::pick::Region;
 use luxel::scene::{DVec2, DVec3, Size};
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 /// The longest wait for the point that a gesture grabs.
@@ -31,6 +32,8 @@ impl App {
 
     /// The surface point under the pointer; the outer `None` if it isn't known in time.
     fn hit_under_pointer(&self, timeout: Duration) -> Option<Option<PixelHit>> {
+        // A frame at rest can wait, the hand can't.
+        self.is_interrupted.store(true, Ordering::Relaxed);
         let reply =
             self.worker.hit_at_pixel(self.session.as_ref()?.view(), self.pixel_under_pointer()?);
         reply.recv_timeout(timeout).ok()

@@ -71,7 +71,7 @@ const NOTE_DURATION: Duration = Duration::from_secs(4);
 
 impl App {
     /// Shows a new frame, or saves a screenshot.
-    pub(super) fn frame_rendered(&mut self, frame: Box<RenderedFrame>) {
+    pub(super) fn frame_rendered(&mut self, mut frame: Box<RenderedFrame>) {
         match frame.purpose {
             FramePurpose::Screenshot => {
                 let note = self.save_screenshot(&frame).unwrap_or_else(|what| what);
@@ -87,6 +87,14 @@ impl App {
             }
             FramePurpose::Refining => {}
             FramePurpose::Refined => {
+                // The first frame at rest has brought its objects.
+                if let Some(first) = self.frame.as_mut().filter(|first| {
+                    let is_alike = first.camera == frame.camera && first.size == frame.size;
+                    first.purpose == FramePurpose::Refining && is_alike
+                }) {
+                    frame.visible = frame.visible.take().or_else(|| first.visible.take());
+                    frame.selected = frame.selected.take().or_else(|| first.selected.take());
+                }
                 if let Some(summary) = self.motion.finish() {
                     (self.options.detail)(&summary);
                 }

@@ -55,7 +55,7 @@ fn ray(light: &ExplainedLight, report: &Report<'_>) -> Option<String> {
         line("", from, hit),
     );
     if let Some(end) = window(end, report) {
-        text += &line(" stroke-dasharray=\"2 2\"", hit, end);
+        text += &line(" stroke-dasharray=\"6 7\"", hit, end);
     }
     let [x, y] = hit;
     let reach = f64::from(report.view.size.width) * 0.008;
