@@ -252,7 +252,6 @@ fn the_page_draws_the_way_to_a_light_up_to_what_is_in_it() {
         let first = explanation.samples.iter().find_map(|entry| match &entry.seen[0] {
             Seen::Surface(surface) => Some(&surface.lights),
             Seen::Background { ground, .. } => ground.as_ref().map(|ground| &ground.lights),
-            _ => None,
         });
         let blocked = |light: &luxel_render::ExplainedLight| {
             light.shadow.as_ref().is_some_and(|shadow| !shadow.blocked_by.is_empty())
