@@ -104,6 +104,11 @@ impl From<Error> for Failure {
                 "the file is damaged or its exporter is faulty: export it again"
             }
             ErrorKind::Truncated(_) => "the file is incomplete: copy or export it again",
+            ErrorKind::Unsupported(_)
+                if error.file.as_deref().is_some_and(luxel::formats::is_environment) =>
+            {
+                "an environment is a regular file, .hdr or .exr with ZIP, of rows from the top"
+            }
             ErrorKind::Unsupported(_) | ErrorKind::UnknownFormat(_) => {
                 "export it in another format or with other settings: glb, gltf, obj, stl or ply"
             }
