@@ -62,7 +62,8 @@ pub(crate) struct ViewCommand {
     #[arg(long, value_enum, value_name = "THEME", default_value = "auto")]
     theme: ThemeName,
 
-    /// Begin without the occlusion and the ground that models otherwise get, which scene files decide
+    /// Begin without the occlusion and the ground that the window otherwise shows models with (not
+    /// scene files, which decide for themselves)
     #[arg(long)]
     no_occlusion: bool,
 

@@ -59,10 +59,10 @@ impl ViewCommand {
         let mut options = self.view.clone();
         options.picture.exposure.get_or_insert(Exposure::Auto);
         let mut view = view::view(&options, None, camera, &scene)?;
-        // A scene file says itself how its light falls.
+        // A scene file says itself how its light falls, and a terminal is to be quick.
         let is_scene =
             Path::new(file).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
-        if !is_scene && !self.no_occlusion {
+        if !is_scene && !self.no_occlusion && !self.terminal {
             view.ground = true;
             view.ambient_occlusion.get_or_insert_default();
         }
