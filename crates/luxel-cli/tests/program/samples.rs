@@ -128,6 +128,9 @@ fn every_sample_of_the_docs_runs_and_prints_what_it_shows() {
     folder.write("model.glb", glb());
     folder.write("part.stl", "solid part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid part\n");
     folder.write("model.ply", SQUARE_PLY);
+    let corpus = root().join("fuzz/corpus/environment");
+    folder.write("sky.hdr", std::fs::read(corpus.join("plain.hdr")).unwrap());
+    folder.write("sky.exr", std::fs::read(corpus.join("zip-float.exr")).unwrap());
     folder.write("places", "640,360\n1,2\n");
     folder.write("hand.log", block_of("docs/navigation.md", "luxel-navigation 1"));
     folder.write("scene.toml", block_of("docs/scene-files.md", "format = \"luxel-scene\""));
