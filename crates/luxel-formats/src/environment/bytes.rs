@@ -22,7 +22,7 @@ impl<'a> Cursor<'a> {
         self.at
     }
 
-    /// Takes bytes; `what` they are is told where the file ends before.
+    /// Takes bytes; an error names `what` they are if the file ends before.
     pub(super) fn take(&mut self, count: usize, what: &str) -> Result<&'a [u8], Error> {
         let rest = self.bytes.get(self.at..).unwrap_or_default();
         let taken = rest.get(..count).ok_or_else(|| self.truncated(what))?;

@@ -127,7 +127,7 @@ impl Shadows<'_> {
         );
     }
 
-    /// The same at places, in the lanes of which light is asked and in those of which openness is.
+    /// The same at places: V in the lanes of the first mask, openness in those of the second.
     #[inline(always)]
     pub(crate) fn occlude_places<N: Lanes>(
         &self,
