@@ -40,6 +40,12 @@ pub fn main() -> ExitCode {
             &format!("this is a bug in luxel ({place})"),
             "please report it with the command and the file that caused it",
         ]);
+        // Packaged programs don't unwind: they end here, with the same status.
+        if cfg!(panic = "abort") {
+            #[cfg(feature = "terminal")]
+            luxel_viewer::leave_terminal();
+            std::process::exit(1);
+        }
     }));
     // The panic hook has already printed the message.
     std::panic::catch_unwind(run).unwrap_or(ExitCode::FAILURE)

@@ -95,7 +95,7 @@ impl<'a> Ground<'a> {
         found: &mut OcclusionLanes,
         witness: &mut W,
     ) -> SeenGround<N> {
-        let Self { floor, shadows, lighting, coefficients, fog, .. } = self;
+        let Self { floor, shadows, fog, .. } = self;
         let mut rows = Rows::default();
         for lane in lanes_of(lanes) {
             if let Some((place, depth)) = self.place(position(lane)) {
@@ -121,22 +121,8 @@ impl<'a> Ground<'a> {
         let lift = [wide.constant(x), wide.constant(y), wide.constant(z)];
         let places = PlaceLanes { position: position_lanes, normal, lift };
         shadows.occlude_places(&places, &point, [rows.lanes, rows.near], position, found);
-        let unoccluded = reflected(
-            &point,
-            coefficients,
-            &Reflection::Lambert,
-            lighting,
-            Occlusion::NONE,
-            &mut Silent,
-        );
-        let light = reflected(
-            &point,
-            coefficients,
-            &Reflection::Lambert,
-            lighting,
-            found.occlusion(),
-            witness,
-        );
+        let unoccluded = self.light(&point, Occlusion::NONE, &mut Silent);
+        let light = self.light(&point, found.occlusion(), witness);
         let (all, arriving) = (luminance(unoccluded), luminance(light));
         let is_lit = simd.zero().less(all);
         let kept = (simd.one() - arriving / all.select(is_lit, simd.one())).clamped(0.0, 1.0);
@@ -146,6 +132,23 @@ impl<'a> Ground<'a> {
         };
         let darkness = (kept * fog).masked(is_lit);
         SeenGround { places, point, lanes: rows.lanes, unoccluded, light, fog, darkness }
+    }
+
+    /// The light of the plane.
+    ///
+    /// Outlined: one copy per lane type, with and without what keeps light away.
+    #[inline(never)]
+    fn light<N: Lanes, W: Witness<N>>(
+        &self,
+        point: &SurfacePoint<N>,
+        occlusion: Occlusion<'_>,
+        witness: &mut W,
+    ) -> Rgb<N> {
+        let Self { coefficients, lighting, .. } = self;
+        point.depth.vectorized(
+            #[inline(always)]
+            || reflected(point, coefficients, &Reflection::Lambert, lighting, occlusion, witness),
+        )
     }
 
     /// The place that a position of the window shows from above, and its distance from the eye along the

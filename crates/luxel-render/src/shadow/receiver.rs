@@ -128,7 +128,9 @@ impl Shadows<'_> {
     }
 
     /// The same at places: V in the lanes of the first mask, openness in those of the second.
-    #[inline(always)]
+    ///
+    /// Outlined: one copy per lane type, for surfaces and the ground.
+    #[inline(never)]
     pub(crate) fn occlude_places<N: Lanes>(
         &self,
         places: &PlaceLanes<N::F64>,
@@ -137,25 +139,31 @@ impl Shadows<'_> {
         position: &dyn Fn(usize) -> [f64; 2],
         found: &mut OcclusionLanes,
     ) {
-        let OcclusionLanes { visibility, openness, batch, .. } = found;
-        let normal = [point.normal.x, point.normal.y, point.normal.z];
-        visibility.clear();
-        for (number, (source, light)) in (0..).zip(self.sources.iter().zip(self.lights)) {
-            let n_dot_l = point.normal.dot(light.to_light(point.position));
-            let lit = n_dot_l.zero().less(n_dot_l).bits() & placed;
-            let mut own = [1.0; LANES];
-            if lit != 0 {
-                self.trace((places, normal, lit), (source, number), position, batch, &mut own);
-            }
-            visibility.push(own);
-        }
-        *openness = self.openness.map(|rule| {
-            let mut own = [1.0; LANES];
-            if near != 0 {
-                self.open(rule, (places, normal, near), position, batch, &mut own);
-            }
-            own
-        });
+        point.depth.vectorized(
+            #[inline(always)]
+            || {
+                let OcclusionLanes { visibility, openness, batch, .. } = found;
+                let normal = [point.normal.x, point.normal.y, point.normal.z];
+                visibility.clear();
+                for (number, (source, light)) in (0..).zip(self.sources.iter().zip(self.lights)) {
+                    let n_dot_l = point.normal.dot(light.to_light(point.position));
+                    let lit = n_dot_l.zero().less(n_dot_l).bits() & placed;
+                    let mut own = [1.0; LANES];
+                    if lit != 0 {
+                        let at = (places, normal, lit);
+                        self.trace(at, (source, number), position, batch, &mut own);
+                    }
+                    visibility.push(own);
+                }
+                *openness = self.openness.map(|rule| {
+                    let mut own = [1.0; LANES];
+                    if near != 0 {
+                        self.open(rule, (places, normal, near), position, batch, &mut own);
+                    }
+                    own
+                });
+            },
+        );
     }
 
     /// V of one light at the places whose bit is set, with the shading normals N.
