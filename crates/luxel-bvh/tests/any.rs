@@ -123,6 +123,33 @@ fn rays_that_are_traced_together_answer_as_alone_however_many_they_are() {
 }
 
 #[test]
+fn rays_along_an_axis_hit_what_lies_immensely_far_away() {
+    let mut mesh = bumpy_sphere(10);
+    for position in &mut mesh.positions {
+        *position = position.map(|side| (side + 2.0) * 1e25);
+    }
+    let bvh = Bvh::build(&mesh.positions, &mesh.triangles, Quality::Thorough).unwrap();
+    let rays: Vec<Ray> = mesh.positions[..64]
+        .iter()
+        .map(|[x, y, _]| Ray::new([*x, *y, 0.0], [0.0, 0.0, 1.0]))
+        .collect();
+    for level in SimdLevel::available() {
+        let traced = MeshRays::with_level(&bvh, &mesh.positions, level.resolve().unwrap());
+        assert!(rays.iter().all(|ray| traced.any(ray)), "{level}");
+        for count in [4, 16, 64] {
+            for run in rays.chunks(count) {
+                let mut hits = vec![false; run.len()];
+                traced.any_of_few(run, &mut hits);
+                assert!(hits.iter().all(|hit| *hit), "{level}, {count} alike");
+                hits.fill(false);
+                traced.any_of_incoherent(run, &mut hits);
+                assert!(hits.iter().all(|hit| *hit), "{level}, {count} that go all ways");
+            }
+        }
+    }
+}
+
+#[test]
 fn both_ends_of_the_range_count() {
     let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let bvh = Bvh::build(&positions, &[[0, 1, 2]], Quality::Thorough).unwrap();

@@ -11,4 +11,4 @@ pub(crate) use lane_rows::{
 pub(crate) use sheared::ShearedRay;
 pub use slabs::SlabTest;
 pub(crate) use slabs::{ALMOST_ZERO, PADDING, padding, shifted};
-pub(crate) use triangle::{intersect_block, intersect_gathered, intersect_rays};
+pub(crate) use triangle::{block_hits, intersect_block, intersect_gathered, intersect_rays};

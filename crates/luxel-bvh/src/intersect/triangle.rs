@@ -14,7 +14,7 @@
 use super::lane_rows::{Row, ShearedRows, lane, load, width};
 use super::sheared::{ShearedRay, edge_functions};
 use crate::ray::axis_order;
-use crate::tree::{Block, Gathered, VertexRows, WIDTH, gather_corner, load_row};
+use crate::tree::{Block, Gathered, VertexRows, WIDTH, gather, gather_corner, load_row};
 use luxel_math::{LANES, Simd, f32x8, mask32x8, permuted, prelude::*};
 
 /// The distance at which a ray through an edge or corner hits a triangle, computed in `f64`; `None`
@@ -296,6 +296,81 @@ pub(crate) fn intersect_rays<N: Lanes>(
         t = t.load(&distances, 0);
     }
     (t, hits)
+}
+
+/// The rays of a group that hit a triangle of a block, of those whose bit is set in `active`.
+///
+/// Vertices that triangles share are transformed once, into `vertices`. Which rays pass on one side of all
+/// three edges decides whether anything else is computed.
+#[inline(always)]
+pub(crate) fn block_hits<S: Simd, N: Lanes>(
+    simd: S,
+    lanes: N,
+    (block, positions): (Block<'_>, &[[f32; 3]]),
+    (rays, axes, range): (&ShearedRows, [usize; 3], [&Row; 2]),
+    (active, is_negative): (u32, bool),
+    vertices: &mut [[N; 3]; WIDTH],
+) -> u32 {
+    let header = block.header();
+    let count = header.count();
+    let mut hits = 0;
+    if header.rows() != VertexRows::Shared {
+        let gathered = gather(simd, block, positions);
+        for of in 0..count {
+            let triangle = (&gathered, axes, of);
+            hits |= intersect_rays(lanes, triangle, (rays, 0), is_negative, range, active).1;
+        }
+        return hits;
+    }
+    let x = load(lanes, &rays.origin[0], 0);
+    let y = load(lanes, &rays.origin[1], 0);
+    let z = load(lanes, &rays.origin[2], 0);
+    let shear_x = load(lanes, &rays.shear[0], 0);
+    let shear_y = load(lanes, &rays.shear[1], 0);
+    let [row_x, row_y, row_z] = axes.map(|axis| block.row(axis));
+    for vertex in 0..header.row_length() {
+        let vertex = vertex & (WIDTH - 1);
+        let at = |row: &[u32; WIDTH]| lanes.constant(f32::from_bits(row[vertex]));
+        let along = at(&row_z) - z;
+        vertices[vertex] =
+            [at(&row_x) - x - along * shear_x, at(&row_y) - y - along * shear_y, along];
+    }
+    let zero = lanes.zero();
+    for of in 0..count {
+        let [a, b, c] = block.vertices_of(of).map(|vertex| &vertices[vertex]);
+        let u = c[0] * b[1] - c[1] * b[0];
+        let v = a[0] * c[1] - a[1] * c[0];
+        let w = b[0] * a[1] - b[1] * a[0];
+        let least = u.minimum(v).minimum(w);
+        let most = u.maximum(v).maximum(w);
+        let passes = !(least.less(zero) & zero.less(most));
+        let passing = passes.bits() & active;
+        if passing != 0 {
+            let scale = load(lanes, &rays.shear[2], 0);
+            let corners = [
+                [a[0], b[0], c[0]],
+                [a[1], b[1], c[1]],
+                [a[2] * scale, b[2] * scale, c[2] * scale],
+            ];
+            let ends = [load(lanes, range[0], 0), load(lanes, range[1], 0)];
+            let (_, mut found, uncertain) = intersect_lanes(&corners, ends, passing);
+            if uncertain != 0 {
+                let corners = block.corners_by_axes(of, positions, axes);
+                let mut distances = [0.0; LANES];
+                let rays = (rays, 0);
+                found = on_edges_of_rays(
+                    corners,
+                    rays,
+                    is_negative,
+                    range,
+                    uncertain,
+                    (&mut distances, found),
+                );
+            }
+            hits |= found;
+        }
+    }
+    hits
 }
 
 /// The test itself, in lanes: edge functions and the distance. Also returns a bit for each lane in which

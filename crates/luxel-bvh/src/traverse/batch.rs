@@ -1,7 +1,7 @@
 //! Batches: many rays, in packets where they are coherent.
 
-use super::packet::{LEAST, Packet, load_up_to_eight};
-use super::packet_kind::PacketKind;
+use super::packet::{LEAST, Packet};
+use super::packet_kind::{PacketKind, kinds_of};
 use super::packet_traversal::trace_packet;
 use super::query::RayQuery;
 use super::single_ray::{RaySetup, set_up, trace, trace_in_turns, trace_unusual};
@@ -24,6 +24,9 @@ const LEAST_OF_GROUP: usize = 4;
 
 /// Rays that are sorted by kind together, if they go all ways.
 const MANY: usize = 256;
+
+/// Places for kinds; more than there are, so that any five bits are one.
+const SLOTS: usize = 1 << 5;
 
 /// The numbers of rays that need no sorting.
 const IN_ORDER: [u8; MANY] = {
@@ -115,14 +118,14 @@ fn trace_in_packets<S: Simd, N: Lanes, Q: RayQuery>(
             _ => None,
         };
         let (order, starts) = match common {
-            Some(_) => (IN_ORDER, [0; PacketKind::COUNT + 1]),
+            Some(_) => (IN_ORDER, [0; SLOTS + 1]),
             None => sorted_by_kind(simd, rays),
         };
         let (least, most) = match Q::ANY && !together {
             true => (LEAST_OF_GROUP, width::<N>()),
             false => (LEAST, PACKET),
         };
-        for number in 0..common.map_or(PacketKind::NONE.number(), |_| 1) {
+        for number in 0..common.map_or(PacketKind::COUNT, |_| 1) {
             let kind = common.unwrap_or(PacketKind::of_number(number));
             let of_kind = match common {
                 Some(_) => &order[..rays.len()],
@@ -151,23 +154,23 @@ fn trace_in_packets<S: Simd, N: Lanes, Q: RayQuery>(
 
 /// The numbers of up to 256 rays in the order of their kinds, and where those of each kind begin.
 #[inline(always)]
-fn sorted_by_kind<S: Simd>(simd: S, rays: &[Ray]) -> ([u8; MANY], [usize; PacketKind::COUNT + 1]) {
-    let mut kinds = [PacketKind::NONE; MANY];
-    let mut starts = [0; PacketKind::COUNT + 1];
-    let (kinds, _) = kinds.split_at_mut(rays.len().min(MANY));
-    for (kinds, rays) in kinds.chunks_mut(WIDTH).zip(rays.chunks(WIDTH)) {
-        let (_, signs) = load_up_to_eight(simd, rays, &rays[0]);
-        for (ray, kind) in kinds.iter_mut().enumerate() {
-            *kind = signs.kind(ray);
-            starts[kind.number() + 1] += 1;
-        }
+fn sorted_by_kind<S: Simd>(simd: S, rays: &[Ray]) -> ([u8; MANY], [usize; SLOTS + 1]) {
+    let mut kinds = [0_u32; MANY];
+    let mut starts = [0; SLOTS + 1];
+    let count = rays.len().min(MANY);
+    for (kinds, rays) in kinds.as_chunks_mut::<WIDTH>().0.iter_mut().zip(rays.chunks(WIDTH)) {
+        *kinds = kinds_of(simd, rays);
     }
-    for number in 0..PacketKind::COUNT {
+    let (kinds, _) = kinds.split_at(count);
+    for &kind in kinds {
+        starts[(kind as usize % SLOTS) + 1] += 1;
+    }
+    for number in 0..SLOTS {
         starts[number + 1] += starts[number];
     }
     let (mut order, mut next) = ([0; MANY], starts);
     for (ray, kind) in (0_u8..=u8::MAX).zip(kinds.iter()) {
-        let at = &mut next[kind.number()];
+        let at = &mut next[*kind as usize % SLOTS];
         order[*at % MANY] = ray;
         *at += 1;
     }

@@ -2,6 +2,7 @@
 
 mod batch;
 mod box_items;
+mod group;
 mod packet;
 mod packet_kind;
 mod packet_traversal;

@@ -13,7 +13,7 @@ use crate::intersect::{
     ALMOST_ZERO, EMPTY_ROW, LaneRange, PACKET, PADDING, Row, ShearedRay, ShearedRows, greatest,
     lane, load, padding, shifted, store, width,
 };
-use crate::ray::{Ray, axis_order};
+use crate::ray::{Ray, USUAL_LENGTHS, axis_order};
 use crate::tree::{Node, WIDTH};
 use luxel_math::{LANES, Simd, f32x8, prelude::*};
 
@@ -36,6 +36,9 @@ pub(super) struct RayInterval {
     inverse: [[f32; 2]; 3],
     start: f32,
 }
+
+/// Groups test boxes by products of coordinates and reciprocal directions, which must not overflow.
+const FARTHEST: f32 = 1e37;
 
 /// Rays of one kind, side by side. Rows come first, so that sixteen values are a cache line.
 #[repr(C, align(64))]
@@ -129,8 +132,8 @@ impl Packet {
         }
     }
 
-    /// Prepares `count` loaded rays of one kind; returns whether they are coherent enough for intervals. Of
-    /// a single group, that isn't asked if `is_group`.
+    /// Prepares `count` loaded rays of one kind; returns whether all are valid and of usual lengths, and
+    /// coherent enough for intervals. Of a single group, the latter isn't asked if `is_group`.
     #[inline(always)]
     pub(crate) fn prepare<N: Lanes>(
         &mut self,
@@ -150,6 +153,8 @@ impl Packet {
             let start = load(lanes, &self.rows[6], number);
             let end = load(lanes, &self.rows[7], number);
             let (mut near, mut far) = (start, end);
+            let mut bounded = lanes.zero().less_or_equal(start)
+                & end.less_or_equal(lanes.constant(f32::INFINITY));
             for axis in 0..3 {
                 let origin = load(lanes, &self.rows[axis], number);
                 let along = load(lanes, &self.rows[3 + axis], number);
@@ -160,6 +165,13 @@ impl Packet {
                 let [near_origin, far_origin] = shifted(origin, sign * pad);
                 let length = along.abs().maximum(lanes.constant(ALMOST_ZERO));
                 let inverse = sign * (lanes.one() / length);
+                bounded = bounded
+                    & (pad * inverse).abs().less(lanes.constant(PADDING * FARTHEST))
+                    & along.abs().less(lanes.constant(USUAL_LENGTHS.end));
+                if axis == self.longest {
+                    bounded =
+                        bounded & lanes.constant(USUAL_LENGTHS.start).less_or_equal(along.abs());
+                }
                 let near_plane = lanes.constant(target.bounds[reversed][axis]);
                 let far_plane = lanes.constant(target.bounds[reversed ^ 1][axis]);
                 near = ((near_plane - near_origin) * inverse).maximum(near);
@@ -167,6 +179,9 @@ impl Packet {
                 store(near_origin, &mut self.near_origin[axis], group);
                 store(far_origin, &mut self.far_origin[axis], group);
                 store(inverse, &mut self.inverse[axis], group);
+            }
+            if !bounded.all() {
+                return false;
             }
             let reaches = near.less_or_equal(far);
             if !reaches.any() {
@@ -257,6 +272,12 @@ impl Packet {
             (self.block[ray], self.lane[ray]) = (block, of);
         }
         is_nearer
+    }
+
+    /// Notes that something is in the way of a ray that asks for any hit.
+    #[inline(always)]
+    pub(super) fn block_ray(&mut self, ray: usize) {
+        self.triangle[ray % PACKET] = 0;
     }
 
     #[inline(always)]

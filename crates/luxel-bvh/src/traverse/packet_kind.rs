@@ -2,7 +2,7 @@
 
 use crate::ray::{Ray, USUAL_LENGTHS};
 use crate::tree::{WIDTH, transpose};
-use luxel_math::{Simd, f32x4, f32x8, i32x8, prelude::*};
+use luxel_math::{Simd, f32x4, f32x8, i32x8, prelude::*, u32x8};
 
 /// Values of a ray: origin, direction, range.
 pub(crate) const ROWS: usize = 8;
@@ -12,15 +12,8 @@ pub(crate) const ROWS: usize = 8;
 pub(crate) struct PacketKind(u8);
 
 impl PacketKind {
-    /// The kind of rays that are traced singly: invalid ones, and those of unusual length.
-    pub(crate) const NONE: Self = Self(3 << 3);
-    pub(crate) const COUNT: usize = 1 << 5;
-
-    /// Its number; those of kinds that packets have lie below [`PacketKind::NONE`]'s.
-    #[inline(always)]
-    pub(crate) fn number(self) -> usize {
-        usize::from(self.0) & (Self::COUNT - 1)
-    }
+    /// The number of kinds.
+    pub(crate) const COUNT: usize = 3 << 3;
 
     /// The kind of a number.
     #[inline(always)]
@@ -44,21 +37,6 @@ pub(crate) struct SignBits {
     usual: u32,
     reversed: [u32; 3],
     longest: [u32; 2],
-}
-
-impl SignBits {
-    /// The kind of one of the eight rays.
-    #[inline(always)]
-    pub(crate) fn kind(self, ray: usize) -> PacketKind {
-        let bit = |bits: u32| (bits >> (ray & (WIDTH - 1)) & 1) as u8;
-        let [x, y, z] = self.reversed.map(bit);
-        let longest = if bit(self.longest[0]) != 0 { 0 } else { 2 - bit(self.longest[1]) };
-        if bit(self.usual) != 0 {
-            PacketKind(x | y << 1 | z << 2 | longest << 3)
-        } else {
-            PacketKind::NONE
-        }
-    }
 }
 
 /// What all rays added so far share.
@@ -127,6 +105,29 @@ pub(crate) fn load_eight<S: Simd>(
         longest: [is_x.to_bitmask() as u32, (!is_x & y.simd_gt(z)).to_bitmask() as u32],
     };
     ([ox, oy, oz, dx, dy, dz, nearest, farthest], signs)
+}
+
+/// The numbers of the kinds of up to eight rays by their directions, whether these are usual or not.
+#[inline(always)]
+pub(crate) fn kinds_of<S: Simd>(simd: S, rays: &[Ray]) -> [u32; WIDTH] {
+    let ray = |at: usize| {
+        let Ray { direction: [x, y, z], range: [nearest, _], .. } =
+            rays.get(at).unwrap_or(&rays[0]);
+        f32x4::simd_from(simd, [*x, *y, *z, *nearest])
+    };
+    let low = transpose(ray(0), ray(1), ray(2), ray(3));
+    let high = transpose(ray(4), ray(5), ray(6), ray(7));
+    let [dx, dy, dz] = [0, 1, 2].map(|axis: usize| low[axis].combine(high[axis]));
+    let (x, y, z) = (SimdBase::abs(dx), SimdBase::abs(dy), SimdBase::abs(dz));
+    let is_x = x.simd_gt(y) & x.simd_gt(z);
+    let number = |number: u32| u32x8::splat(simd, number);
+    let not_x = y.simd_gt(z).select(number(1 << 3), number(2 << 3));
+    let longest = is_x.select(number(0), not_x);
+    let sign = |values: f32x8<S>| values.bitcast::<u32x8<S>>() >> 31;
+    let kinds = longest | sign(dx) | sign(dy) << 1 | sign(dz) << 2;
+    let mut all = [0; WIDTH];
+    kinds.store_slice(&mut all);
+    all
 }
 
 /// A bit for each negative value.

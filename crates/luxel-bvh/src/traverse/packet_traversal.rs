@@ -9,13 +9,14 @@
 //! A block is gathered once for all rays. Intersecting single rays with the block's own rows instead
 //! was a twentieth slower at a million triangles: gathering pays from the second ray on.
 
+use super::group::trace_group;
 use super::packet::{GROUPS, Packet};
 use super::query::RayQuery;
 use super::stack::TraversalStack;
 use super::target::RayTarget;
 use crate::intersect::{PACKET, intersect_gathered, intersect_rays, lane, load, width};
 use crate::tree::{Block, Node, WIDTH, block_at, gather};
-use luxel_math::{LANES, Simd, f32x8, prelude::*};
+use luxel_math::{LANES, Simd, prelude::*};
 
 /// Intersects a leaf's triangles with the rays that hit its box; returns whether any ray got nearer.
 #[inline(always)]
@@ -156,7 +157,7 @@ pub(crate) fn trace_packet<S: Simd, N: Lanes, Q: RayQuery>(
         return;
     }
     if Q::ANY && is_group {
-        trace_group::<S, N, Q>(simd, lanes, target, packet, stack);
+        trace_group(simd, lanes, target, packet, stack);
         return;
     }
     let interval = packet.interval(lanes);
@@ -188,115 +189,4 @@ pub(crate) fn trace_packet<S: Simd, N: Lanes, Q: RayQuery>(
             }
         }
     }
-}
-
-/// Traces the rays of a packet of one group, which ask for any hit.
-///
-/// Each ray tests each box that it comes to, and only such: rays that begin close together share their way
-/// through the tree until they part, whatever their directions. While some are together, a child's box is
-/// tested against all of them; the boxes of all children against a ray that is left alone. That from the
-/// second ray on is fastest: with single rays up to 2, 3 and 5, rays of openness take 1.03, 1.08 and 1.1
-/// of the time.
-#[inline(always)]
-fn trace_group<S: Simd, N: Lanes, Q: RayQuery>(
-    simd: S,
-    lanes: N,
-    target: &RayTarget<'_>,
-    packet: &mut Packet,
-    stack: &TraversalStack,
-) {
-    let nodes: &[Node] = target.tree.nodes;
-    let mut top = 0;
-    let (mut index, mut rays) = (0, lanes.all_lanes());
-    loop {
-        let node = &nodes[index];
-        let mut asking = [rays; WIDTH];
-        let mut hit = if rays & (rays - 1) != 0 {
-            group_hits(lanes, packet, node, rays, &mut asking)
-        } else {
-            single_hits(simd, packet, node, rays.trailing_zeros() as usize)
-        };
-        while hit != 0 {
-            let slot = hit.trailing_zeros() as usize & (WIDTH - 1);
-            hit &= hit - 1;
-            let child = node.children[slot];
-            let Some(mut start) = child.as_block() else {
-                stack.push_for(&mut top, child.0, asking[slot]);
-                continue;
-            };
-            let mut active = [0; GROUPS];
-            active[0] = asking[slot];
-            while let Some(block) = block_at(target.tree.words, start) {
-                let of = (block, start as u32);
-                intersect_block::<S, N, Q>(simd, lanes, target, packet, &active, of);
-                let header = block.header();
-                if !header.more_follow() {
-                    break;
-                }
-                start += header.len();
-            }
-        }
-        // A ray that is blocked has an empty range.
-        let left = lanes.zero().less_or_equal(load(lanes, &packet.nearest, 0)).bits();
-        loop {
-            let Some((child, asking)) = stack.pop_for(&mut top) else { return };
-            (index, rays) = (child as usize, asking & left);
-            if rays != 0 {
-                break;
-            }
-        }
-    }
-}
-
-/// A bit for each of a node's children that any of a group's rays hits, and the rays that hit it.
-#[inline(always)]
-fn group_hits<N: Lanes>(
-    lanes: N,
-    packet: &Packet,
-    node: &Node,
-    rays: u32,
-    asking: &mut [u32; WIDTH],
-) -> u32 {
-    let (mut near_origin, mut far_origin, mut inverse) = ([lanes; 3], [lanes; 3], [lanes; 3]);
-    for axis in 0..3 {
-        near_origin[axis] = load(lanes, &packet.near_origin[axis], 0);
-        far_origin[axis] = load(lanes, &packet.far_origin[axis], 0);
-        inverse[axis] = load(lanes, &packet.inverse[axis], 0);
-    }
-    let start = load(lanes, &packet.start, 0);
-    let end = load(lanes, &packet.nearest, 0);
-    let [x, y, z] = packet.reversed;
-    let (near_x, far_x) = (&node.planes[0][x & 1], &node.planes[0][(x ^ 1) & 1]);
-    let (near_y, far_y) = (&node.planes[1][y & 1], &node.planes[1][(y ^ 1) & 1]);
-    let (near_z, far_z) = (&node.planes[2][z & 1], &node.planes[2][(z ^ 1) & 1]);
-    let mut hit = 0;
-    for slot in 0..WIDTH {
-        let near_x = (lanes.constant(near_x[slot]) - near_origin[0]) * inverse[0];
-        let near_y = (lanes.constant(near_y[slot]) - near_origin[1]) * inverse[1];
-        let near_z = (lanes.constant(near_z[slot]) - near_origin[2]) * inverse[2];
-        let far_x = (lanes.constant(far_x[slot]) - far_origin[0]) * inverse[0];
-        let far_y = (lanes.constant(far_y[slot]) - far_origin[1]) * inverse[1];
-        let far_z = (lanes.constant(far_z[slot]) - far_origin[2]) * inverse[2];
-        let near = near_x.maximum(near_y).maximum(near_z.maximum(start));
-        let far = far_x.minimum(far_y).minimum(far_z.minimum(end));
-        asking[slot] = near.less_or_equal(far).bits() & rays;
-        hit |= u32::from(asking[slot] != 0) << slot;
-    }
-    hit
-}
-
-/// A bit for each of a node's children that one of a group's rays hits.
-#[inline(always)]
-fn single_hits<S: Simd>(simd: S, packet: &Packet, node: &Node, ray: usize) -> u32 {
-    let mut near = f32x8::splat(simd, lane(&packet.start, ray));
-    let mut far = f32x8::splat(simd, lane(&packet.nearest, ray));
-    for axis in 0..3 {
-        let reversed = packet.reversed[axis] & 1;
-        let inverse = lane(&packet.inverse[axis], ray);
-        let near_plane = f32x8::simd_from(simd, node.planes[axis][reversed]);
-        let far_plane = f32x8::simd_from(simd, node.planes[axis][reversed ^ 1]);
-        near = ((near_plane - lane(&packet.near_origin[axis], ray)) * inverse).max(near);
-        far = ((far_plane - lane(&packet.far_origin[axis], ray)) * inverse).min(far);
-    }
-    near.simd_le(far).to_bitmask() as u32
 }

@@ -44,14 +44,14 @@ impl TraversalStack {
         self.0[at & (Self::SIZE - 1)].set(key);
     }
 
-    /// Pushes a child's number and the rays that ask for it, a bit each; the nearest child isn't known.
+    /// Writes a child and the rays that ask for it, a bit each, above the top; whether it stays is the
+    /// caller's to say by raising the top.
     #[inline(always)]
-    pub(crate) fn push_for(&self, top: &mut usize, word: u32, rays: u32) {
-        self.set(*top, u64::from(rays) << 32 | u64::from(word));
-        *top += 1;
+    pub(crate) fn put_for(&self, top: usize, child: Child, rays: u32) {
+        self.set(top, u64::from(rays) << 32 | u64::from(child.0));
     }
 
-    /// Pops what [`Self::push_for`] has pushed.
+    /// Pops what [`Self::put_for`] has written.
     #[inline(always)]
     pub(crate) fn pop_for(&self, top: &mut usize) -> Option<(u32, u32)> {
         *top = top.checked_sub(1)?;

@@ -207,6 +207,13 @@ impl Block<'_> {
         words
     }
 
+    /// The places of a triangle's vertices in the rows, where triangles share them.
+    #[inline(always)]
+    pub(crate) fn vertices_of(&self, lane: usize) -> [usize; 3] {
+        let word = self.0[1 + (lane & (WIDTH - 1))];
+        [word, word >> 3, word >> 6].map(|word| (word & 7) as usize)
+    }
+
     /// The words of the triangles, 0 in lanes beyond them. What follows a block may decode to
     /// subnormal numbers, with which some processors take a hundred times as long.
     #[inline(always)]

@@ -52,6 +52,12 @@ impl Child {
         Self(LEAF | start as u32)
     }
 
+    /// 1 for a leaf or an empty slot, 0 for an inner node.
+    #[inline(always)]
+    pub(crate) const fn leaf_bit(self) -> u32 {
+        self.0 >> 31
+    }
+
     /// The start of a leaf's first block, in a tree over triangles.
     #[inline(always)]
     pub(crate) const fn as_block(self) -> Option<usize> {
