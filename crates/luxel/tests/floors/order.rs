@@ -132,6 +132,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "scene_rays",
             "queries",
             "surface_place",
+            "terminator_offset",
             "ray_lanes",
             "transmittance",
         ],
