@@ -3,10 +3,12 @@
 //! World space is `f64`, trees are `f32`. Each ray is moved close to a box and traced there in `f32`; the
 //! hit is then refined in `f64` on the triangle's plane.
 
+use crate::ray_lanes::RayLanes;
 use crate::scene_rays::SceneRays;
 use crate::world_ray::{RebasedRay, WorldHit, WorldRay};
 use glam::DVec3;
 use luxel_bvh::{RayHit, SlabTest};
+use luxel_math::lanes_of;
 use luxel_parallel::fill;
 
 impl SceneRays {
@@ -158,6 +160,43 @@ impl SceneRays {
         );
         self.top.visit_within(self.level, &line, farthest, |object| visit(object as usize));
         true
+    }
+
+    /// Collects the objects whose boxes meet the box around all of some rays: all that any of them may hit.
+    pub(crate) fn objects_around(&self, rays: &[RayLanes], objects: &mut Vec<usize>) {
+        objects.clear();
+        if self.objects().len() == 1 {
+            objects.push(0);
+            return;
+        }
+        let Some(bounds) = self.top.bounds() else { return };
+        let [mut low, mut high] = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        for rays in rays {
+            for lane in lanes_of(rays.lanes) {
+                let WorldRay { origin, direction, range } = rays.ray(lane);
+                let end = origin + direction * range[1];
+                (low, high) = (low.min(origin).min(end), high.max(origin).max(end));
+                // Of infinitely many times 0, nothing is known.
+                if !end.is_finite() {
+                    [low, high] = [DVec3::NEG_INFINITY, DVec3::INFINITY];
+                }
+            }
+        }
+        // What lies beyond the box around all boxes meets nothing.
+        let corner = |at: usize| DVec3::from_array(bounds[at].map(f64::from));
+        let low = (low - self.middle).max(corner(0));
+        let high = (high - self.middle).min(corner(1));
+        if !low.cmple(high).all() {
+            return;
+        }
+        let (middle, reach) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
+        let reach = reach + reach.max(middle.abs()) * 1e-6;
+        let largest = std::array::from_fn(|axis| bounds[0][axis].abs().max(bounds[1][axis].abs()));
+        let f32s = |vector: DVec3| vector.to_array().map(|side| (side as f32).next_up());
+        // A line so short that only its thickness counts.
+        let origin = middle.as_vec3().to_array();
+        let around = SlabTest::widening(origin, [1.0; 3], [0.0; 2], largest, f32s(reach), [0.0; 3]);
+        self.top.visit_within(self.level, &around, 0.0, |object| objects.push(object as usize));
     }
 
     /// A ray in the coordinates of an object's tree.

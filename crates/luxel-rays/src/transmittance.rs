@@ -21,7 +21,12 @@ struct Batch {
     near: Vec<Ray>,
     numbers: Vec<u32>,
     hits: Vec<bool>,
+    /// The objects near rays that go all ways.
+    objects: Vec<usize>,
 }
+
+/// Up to so many objects are each asked for all rays that go all ways; among more, each ray finds its own.
+const FEW: usize = 8;
 
 /// A surface in the way of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,9 +92,23 @@ impl SceneRays {
                 self.take_light(0, of, through, batch);
                 return;
             }
-            let all = rays.iter().flat_map(RayLanes::rays);
-            let take = |object| self.take_light(object, of, through, batch);
-            if spread == Spread::Wide || !self.each_object_near(all, take) {
+            let is_shared = match spread {
+                Spread::Narrow => {
+                    let all = rays.iter().flat_map(RayLanes::rays);
+                    self.each_object_near(all, |object| self.take_light(object, of, through, batch))
+                }
+                Spread::Wide => {
+                    let mut objects = std::mem::take(&mut batch.objects);
+                    self.objects_around(rays, &mut objects);
+                    let is_few = objects.len() <= FEW;
+                    for &object in objects.iter().filter(|_| is_few) {
+                        self.take_light(object, of, through, batch);
+                    }
+                    batch.objects = objects;
+                    is_few
+                }
+            };
+            if !is_shared {
                 for (rays, through) in rays.iter().zip(through) {
                     for lane in lanes_of(rays.lanes) {
                         through[lane] = self.transmittance(&rays.ray(lane));
@@ -105,7 +124,7 @@ impl SceneRays {
         object: usize,
         (rays, spread): (&[RayLanes], Spread),
         through: &mut [[f32; LANES]],
-        Batch { near, numbers, hits }: &mut Batch,
+        Batch { near, numbers, hits, .. }: &mut Batch,
     ) {
         near.clear();
         numbers.clear();
@@ -179,13 +198,14 @@ fn near_rays<S: Simd>(
         if left == 0 {
             continue;
         }
-        let inside = rays.rebased(simd, tree, sphere, &mut rebased) & left;
+        let [inside, outside] =
+            rays.rebased(simd, tree, sphere, &mut rebased).map(|lanes| lanes & left);
         if inside == (1 << LANES) - 1 {
             near.extend_from_slice(&rebased);
             numbers.extend(first..first + LANES as u32);
             continue;
         }
-        for lane in lanes_of(left) {
+        for lane in lanes_of(inside | outside) {
             if inside >> lane & 1 == 0 {
                 match scene.rebased_ray(&rays.ray(lane), object) {
                     Some(far) => rebased[lane] = far.ray,
