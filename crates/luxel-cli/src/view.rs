@@ -135,7 +135,13 @@ fn opened_environment(path: &Path, max_memory: u64) -> Result<Arc<EnvironmentMap
 
 /// The execution options.
 pub(crate) fn execution(options: &ExecutionOptions) -> Execution {
-    Execution { threads: options.threads.unwrap_or(0), simd: options.simd, clock, one_frame: false }
+    Execution {
+        threads: options.threads.unwrap_or(0),
+        simd: options.simd,
+        clock,
+        one_frame: false,
+        max_memory: options.max_memory,
+    }
 }
 
 fn clock() -> Duration {

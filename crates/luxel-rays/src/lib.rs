@@ -12,6 +12,7 @@
 
 #![forbid(unsafe_code)]
 
+mod memory;
 mod object_tree;
 mod queries;
 mod ray_lanes;

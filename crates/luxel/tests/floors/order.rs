@@ -130,6 +130,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "world_ray",
             "object_tree",
             "scene_rays",
+            "memory",
             "queries",
             "surface_place",
             "ray_lanes",
