@@ -55,6 +55,20 @@ pub(crate) fn view(
         .with_shading(mode.shading()?))
 }
 
+/// What to say of flags that change nothing in a view, since it has no such environment.
+pub(crate) fn idle_flags(view: &View, options: &LightOptions) -> Vec<String> {
+    let is_none = matches!(view.environment, EnvironmentChoice::Always(Environment::None));
+    let background = (options.environment_background && is_none).then_some(
+        "--environment-background shows nothing: there is no environment; give one with --environment",
+    );
+    let is_map = view.environment.map().is_some();
+    let rotation = (options.environment_rotation.is_some() && !is_map).then_some(
+        "--environment-rotation turns nothing: only an environment from a file turns; give one with \
+         --environment",
+    );
+    background.into_iter().chain(rotation).map(str::to_owned).collect()
+}
+
 /// Exposes a view for the scene's own light, if the flags ask for it; what to say, if that does something.
 pub(crate) fn expose(view: &mut View, options: &ViewOptions, scene: &Scene) -> Option<String> {
     if options.picture.exposure != Some(Exposure::Auto) {

@@ -70,6 +70,8 @@ impl ExplainCommand {
         let scene = &Arc::new(model.scene);
         let camera = camera::choose(&self.view.frame, scene)?;
         let mut view = view::view(&self.view, None, camera, scene)?;
+        let idle = view::idle_flags(&view, &self.view.light);
+        idle.iter().for_each(|said| console.warn(said));
         if let Some(said) = view::expose(&mut view, &self.view, scene) {
             console.notice(&said);
         }

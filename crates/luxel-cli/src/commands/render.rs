@@ -220,6 +220,11 @@ impl RenderCommand {
                 }
                 view.exposure
             });
+            if number == 0 {
+                let idle = view::idle_flags(&view, &options.light);
+                idle.iter().for_each(|said| console.warn(said));
+                warnings.extend(idle);
+            }
             let drawn = self.draw(&renderer, &view, target.format, &mut stopwatch)?;
             if let Some(file) = target.write(number as u32, &drawn.bytes)? {
                 files.push(file);
