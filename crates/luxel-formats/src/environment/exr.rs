@@ -31,7 +31,8 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<EquirectangularIma
     let mut cursor = Cursor::new(bytes, 0);
     let header = Header::read(&mut cursor)?;
     let [width, height] = header.size;
-    let raw = u64::from(width) * u64::from(height) * header.bytes_of_texel() as u64;
+    let texels = u64::from(width) * u64::from(height);
+    let raw = texels.saturating_mul(header.bytes_of_texel() as u64);
     check_size(header.size, header.size_byte, (bytes, raw / BYTES_PER_BYTE), limits)?;
     let columns = width as usize;
     let rows = height as usize;

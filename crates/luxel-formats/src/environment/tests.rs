@@ -206,6 +206,19 @@ fn blocks_that_share_their_bytes_are_errors() {
 }
 
 #[test]
+fn a_size_of_openexr_beyond_all_numbers_is_an_error() {
+    let (_, _, bytes) = OF_OPENEXR[0];
+    let mut vast = bytes.to_vec();
+    for name in [&b"dataWindow"[..], b"displayWindow"] {
+        let at = vast.windows(name.len()).position(|window| window == name).unwrap();
+        let value = at + name.len() + 1 + b"box2i\0".len() + 4;
+        let window = [i32::MIN + 1, i32::MIN + 1, i32::MAX - 1, i32::MAX - 1].map(i32::to_le_bytes);
+        vast[value..value + 16].copy_from_slice(window.as_flattened());
+    }
+    assert!(message(&vast).contains("4294967294x4294967294"), "{}", message(&vast));
+}
+
+#[test]
 fn cut_and_changed_pictures_of_openexr_are_errors_or_pictures() {
     let of_openexr = OF_OPENEXR.map(|(name, bytes, _)| (name, bytes));
     for (name, bytes) in WRITTEN.into_iter().chain(of_openexr).chain([("many", MANY)]) {
