@@ -4,6 +4,7 @@ use crate::GalleryError;
 use crate::picture::Picture;
 use luxel::formats::values::reflection_text;
 use luxel::lighting::{Light, LightKind, Reflection, SHININESS};
+use luxel::rays::{SceneRays, WorldRay};
 use luxel::render::{
     Execution, ExplainedLight, Explanation, Interpolation, NormalLength, Renderer, Shading,
     ShadingMode, View,
@@ -278,10 +279,14 @@ impl Stage {
         Ok(Picture { size: drawn.size, pixels })
     }
 
-    /// The same without the factor that cures the terminator: from the terms of each pixel's ledger, for
-    /// views of one sample that sees an opaque surface or the background.
+    /// The same with shadows as the triangles cast them: from the terms of each pixel's ledger, and rays that
+    /// leave from the triangle itself. For views of one sample that sees an opaque surface or the background,
+    /// and lights far away.
     pub(crate) fn shoot_without_terminator(&self, shot: &Shot) -> Result<Picture, GalleryError> {
-        let view = shot.view(self.renderer.scene());
+        let mut view = shot.view(self.renderer.scene());
+        view.shadows = false;
+        let rays = SceneRays::new(self.renderer.scene().clone())
+            .map_err(|error| GalleryError::Rays(error.to_string()))?;
         let Size { width, height } = view.size;
         let all: Vec<[u32; 2]> =
             (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect();
@@ -291,18 +296,24 @@ impl Stage {
                 let [r, g, b, _] = explained.rgba8;
                 return [r, g, b];
             };
-            let uncured = |light: &ExplainedLight, channel: usize| {
-                let terms = &light.terms;
-                let factor = match &light.shadow {
-                    Some(shadow) if shadow.terminator > 0.0 => 1.0 / shadow.terminator,
-                    _ => 1.0,
-                };
-                factor * (terms.diffuse.lane(0)[channel] + terms.specular.lane(0)[channel])
+            let place = surface
+                .triangle
+                .and_then(|triangle| rays.places(surface.object, triangle))
+                .map(|places| places.at(surface.barycentric));
+            let is_visible = |light: &&ExplainedLight| {
+                let direction = -DVec3::from_array(light.direction.map(f64::from));
+                let eye = DVec3::from_array(surface.view.map(f64::from));
+                let origin = place.map(|place| place.facing(eye).origin());
+                origin.is_none_or(|origin| !rays.any(&WorldRay::new(origin, direction)))
             };
+            let visible: Vec<_> = surface.lights.iter().filter(is_visible).collect();
             [0, 1, 2].map(|channel| {
-                let lights = surface.lights.iter().map(|light| uncured(light, channel));
+                let of_light = |light: &&ExplainedLight| {
+                    let terms = &light.terms;
+                    terms.diffuse.lane(0)[channel] + terms.specular.lane(0)[channel]
+                };
                 let around = surface.scene_ambient[channel] + surface.emission[channel];
-                view.encoding.byte(around + lights.sum::<f32>())
+                view.encoding.byte(around + visible.iter().map(of_light).sum::<f32>())
             })
         };
         let explained = self.renderer.explain_pixels(&view, &all)?;

@@ -18,29 +18,30 @@ impl Occlusion<'_> {
     pub const NONE: Self = Self { visibility: None, openness: None };
 }
 
-/// G': how much of a light the shading normal N may take that the surface itself, with its geometric
-/// normal N_g, turns away from.
+/// G': how much of a light a normal N from a normal map may take that the surface under the map, with its
+/// smooth normal N_s, turns away from.
 ///
 /// ```text
-/// G = min(1, (N_g.L) / ((N.L) (N_g.N)))
+/// G = min(1, (N_s.L) / ((N.L) (N_s.N)))
 /// G' = -G^3 + G^2 + G
 /// ```
 ///
-/// and 0 where N_g.L <= 0. Between corners whose normals differ from the triangle's, light would end at
-/// the edge of the triangle that turns away from it, since there the surface shadows itself: a coarse ball
-/// would have a jagged terminator. G' takes the light away smoothly before. It is 1 wherever N = N_g, and
-/// its slope is 0 at G = 1 (Chiang, Li and Burley, *Taming the Shadow Terminator*, SIGGRAPH Talks 2019).
+/// 0 where N_s.L <= 0, and 1 where N.L <= 0, which takes no light. Bumps that lean towards a light behind
+/// the surface would shine until the surface shadows itself, and end there at once. G' takes their light
+/// away smoothly before. It is 1 wherever N = N_s, and its slope is 0 at G = 1 (Chiang, Li and Burley,
+/// *Taming the Shadow Terminator*, SIGGRAPH Talks 2019).
 ///
-/// `cosines` are N_g.L, N.L and N_g.N; expects N.L > 0.
+/// `cosines` are N_s.L, N.L and N_s.N.
 #[must_use]
 #[inline(always)]
-pub fn terminator<F: F64Lanes>([geometric_dot_l, n_dot_l, geometric_dot_n]: [F; 3]) -> F::F32 {
-    let limit = n_dot_l * geometric_dot_n;
+pub fn terminator<F: F64Lanes>([smooth_dot_l, n_dot_l, smooth_dot_n]: [F; 3]) -> F::F32 {
+    let limit = n_dot_l * smooth_dot_n;
     let one = limit.constant(1.0);
-    let g = geometric_dot_l / limit;
+    let g = smooth_dot_l / limit;
     let curved = (((one - g) * g + one) * g).to_f32();
-    let is_above = (limit - geometric_dot_l).is_positive();
-    curved.select(is_above, curved.one()).masked(geometric_dot_l.is_positive())
+    let is_above = (limit - smooth_dot_l).is_positive();
+    let factor = curved.select(is_above, curved.one()).masked(smooth_dot_l.is_positive());
+    factor.select(n_dot_l.is_positive(), curved.one())
 }
 
 #[cfg(test)]
@@ -50,6 +51,7 @@ mod tests {
     #[test]
     fn the_terminator_is_smooth_where_it_begins_and_black_where_the_surface_turns_away() {
         assert_eq!(terminator([0.5, 0.5, 1.0]), 1.0, "N is the surface's own normal");
+        assert_eq!(terminator([-0.1, -0.2, 0.9]), 1.0, "there is no light to take away");
         assert_eq!(terminator([0.9, 0.5, 0.8]), 1.0, "the surface faces the light more than N");
         assert_eq!(terminator([0.0, 0.1, 0.9]), 0.0);
         assert_eq!(terminator([-0.2, 0.1, 0.9]), 0.0);

@@ -7,6 +7,7 @@
 //! | [`SceneRays::all`] | all that it hits, nearest first |
 //! | [`SceneRays::transmittance`], [`SceneRays::transmittance_of_lanes`], [`SceneRays::blockers`] | how much light comes along it, and what keeps the rest |
 //! | [`SceneRays::places`] | where rays leave a triangle without hitting it |
+//! | [`SceneRays::terminator_offset`] | how far above it the curved surface lies that it stands for |
 //!
 //! Picks, shadows and openness go through these trees.
 
@@ -18,6 +19,7 @@ mod queries;
 mod ray_lanes;
 mod scene_rays;
 mod surface_place;
+mod terminator_offset;
 mod transmittance;
 mod world_ray;
 

@@ -31,10 +31,9 @@ pub(crate) fn chapter(studio: &Studio) -> Result<Chapter, GalleryError> {
     chapter.text(
         "Shadows bring a problem of their own. Interpolated normals turn away from the light slowly, \
          triangles at once: along the terminator, a triangle that turns away shades itself, though its \
-         normals still face the light, and the light ends in steps along the edges of the mesh. A factor \
-         takes it away before (Chiang, Li and Burley, <cite>Taming the Shadow Terminator</cite>, 2019), \
-         triangle by triangle: no triangle ends in a jump, but on a mesh as coarse as this one its \
-         facets are seen.",
+         normals still face the light, and the light ends in steps along the edges of the mesh. Rays that \
+         leave there from the curved surface, for which the triangles stand, miss them (Hanika, \
+         <cite>Hacking the Shadow Terminator</cite>, 2021).",
     );
     terminator(studio, &mut chapter)?;
     Ok(chapter)
@@ -133,14 +132,14 @@ fn terminator(studio: &Studio, chapter: &mut Chapter) -> Result<(), GalleryError
             &cure,
             &after,
             "terminator-cure.png",
-            "The same ball; the light fades towards its dark side, with faint facets.",
-            "With the factor: the light fades before a triangle turns away.",
+            "The same ball; the light fades evenly towards its dark side.",
+            "The cure: rays from the curved surface.",
         )?,
     ];
     chapter.figures(figures);
     let rows = [
         ("as the triangles cast them", &before),
-        ("with the factor", &after),
+        ("rays from the curved surface", &after),
         ("the true ball", &reference),
     ];
     let rows = rows.map(|(name, picture)| {
@@ -150,8 +149,7 @@ fn terminator(studio: &Studio, chapter: &mut Chapter) -> Result<(), GalleryError
     chapter.table(
         &format!(
             "The largest difference between neighbouring pixels, and the mean error against a ball of {REFERENCE} \
-             faces round, in pixels wholly within the outlines of both. The factor differs from triangle to \
-             triangle, and takes away light that the true ball gets: more triangles help, not the factor."
+             faces round, in pixels wholly within the outlines of both."
         ),
         &["shadows", "largest jump", "mean error"],
         rows.into(),

@@ -120,7 +120,9 @@ impl<'a> Ground<'a> {
         let DVec3 { x, y, z } = floor.up * (LIFT * self.bounds.radius());
         let lift = [wide.constant(x), wide.constant(y), wide.constant(z)];
         let places = PlaceLanes { position: position_lanes, normal, lift };
-        shadows.occlude_places(&places, &point, [rows.lanes, rows.near], position, found);
+        let flat = |_, _: &SurfacePlace| DVec3::ZERO;
+        let (seen, lanes) = ((&point, point.normal), [rows.lanes, rows.near]);
+        shadows.occlude_places(&places, seen, lanes, (position, &flat), found);
         let unoccluded = self.light(&point, Occlusion::NONE, &mut Silent);
         let light = self.light(&point, found.occlusion(), witness);
         let (all, arriving) = (luminance(unoccluded), luminance(light));

@@ -7,8 +7,10 @@ use crate::backdrop::Backdrop;
 use crate::context::ShadingContext;
 use crate::interpolate::Batch;
 use crate::shade::ThreadCache;
+use crate::shadow::Receiver;
 use luxel_math::LANES;
 use luxel_scene::SceneLight;
+use luxel_visibility::TriangleId;
 
 /// What the first sample of a batch sees, which sees no surface.
 pub(super) fn background(
@@ -47,10 +49,18 @@ fn ground(
     let place = seen.place();
     let behind = backdrop.behind_ground(position);
     let mut explained = written.explained_lights(scene, eye, lights, None);
+    let normal = seen.point.normal.lane(0);
+    let receiver = Receiver {
+        id: TriangleId::NONE,
+        barycentric: [0.0; 3],
+        normal,
+        smooth: normal,
+        position,
+        is_between: false,
+    };
     for (number, light) in explained.iter_mut().enumerate() {
         if light.terms.n_dot_l > 0.0 {
-            let at = (seen.point.normal.lane(0), position);
-            light.shadow = Some(shadow_at(scene, &ground.shadows, number, &place, at));
+            light.shadow = Some(shadow_at(scene, &ground.shadows, number, &place, &receiver));
         }
     }
     Some(ExplainedGround {

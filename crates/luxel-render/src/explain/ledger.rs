@@ -240,8 +240,11 @@ pub struct ExplainedLight {
 pub struct ExplainedShadow {
     /// The factor of [`luxel_lighting::terminator`]; 1 where it does nothing.
     pub terminator: f32,
-    /// Origin and direction of the ray to the light, the first of several, in world space; `None` where N.L <= 0, and of points
-    /// and lines: then no ray is traced.
+    /// How far the ray's origin is moved from its triangle towards the curved surface that the triangle stands
+    /// for, as [`luxel_rays::SceneRays::terminator_offset`] has it; 0 where that does nothing.
+    pub raised: f64,
+    /// Origin and direction of the ray to the light, the first of several, in world space; `None` where N.L <= 0,
+    /// where the terminator's factor is 0, and of points and lines: then no ray is traced.
     pub ray: Option<[[f64; 3]; 2]>,
     /// The objects in the way, nearest to the surface first.
     pub blocked_by: Vec<BlockedBy>,
@@ -249,7 +252,8 @@ pub struct ExplainedShadow {
 
 impl ExplainedShadow {
     /// Where no ray is traced.
-    pub(super) const NO_RAY: Self = Self { terminator: 1.0, ray: None, blocked_by: Vec::new() };
+    pub(super) const NO_RAY: Self =
+        Self { terminator: 1.0, raised: 0.0, ray: None, blocked_by: Vec::new() };
 }
 
 /// An object in the way of a light.
@@ -290,7 +294,7 @@ pub enum Unlit {
     AtTheSurface,
     /// Something stands between the surface and the light.
     Shadowed,
-    /// The surface turns away from the light, though its shading normal doesn't.
+    /// The surface turns away from the light, though the normal of its normal map doesn't.
     BeyondTerminator,
     /// The light has no intensity for reflection.
     Dark,

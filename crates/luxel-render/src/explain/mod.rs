@@ -23,6 +23,7 @@ use crate::interpolate::{Batch, Fragments};
 use crate::material::SurfaceWitness;
 use crate::resolve::{self, Layered, bytes_of};
 use crate::shade::{BlockWitness, ThreadCache, VisibleLights, shade};
+use crate::shadow::Receiver;
 use luxel_lighting::{
     DiffuseTerms, Ledger, LedgerLight, LightTerms, MirrorTerms, PartTerms, Reflectance,
     SurfacePoint, Terms, Witness,
@@ -31,7 +32,7 @@ use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
 use luxel_view::View;
 use luxel_visibility::{BLOCK, CoveragePolicy, Samples, TILE, Tile, TriangleId};
-use shadow::Receiver;
+use shadow::{openness_of, shadow_of};
 use vertex_terms::{Interpolated, evaluated_at};
 
 /// What is asked about.
@@ -355,8 +356,10 @@ impl Lit {
             (None, Some(point)) => point.normal.lane(0),
             (None, None) => [0.0; 3],
         };
-        let receiver = Receiver { id, barycentric, normal, position: batch.position(0) };
-        let openness = receiver.openness(scene);
+        let smooth = if visible.is_some() { normal } else { written.smooth };
+        let (position, is_between) = (batch.position(0), visible.is_some());
+        let receiver = Receiver { id, barycentric, normal, smooth, position, is_between };
+        let openness = openness_of(scene, &receiver);
         let terms = if evaluated.is_empty() {
             Interpolated {
                 emission: written.ledger.emission,
@@ -420,6 +423,8 @@ fn layered_pixel(entries: &[ExplainedSample], count: usize) -> [f32; 4] {
 #[derive(Default)]
 pub(crate) struct Written {
     pub(crate) point: Option<SurfacePoint<f32>>,
+    /// N without the normal map.
+    smooth: [f32; 3],
     pub(crate) reflectance: Option<Reflectance<f32>>,
     pub(crate) ledger: Ledger,
     /// Where light was computed elsewhere: the texture of the base colour, and their product.
@@ -448,8 +453,9 @@ impl Written {
                 direction: placed.direction(),
                 parts: entry.parts.clone(),
                 terms: entry.terms,
-                shadow: receiver
-                    .and_then(|receiver| receiver.shadow(scene, entry.index, entry.terms.n_dot_l)),
+                shadow: receiver.and_then(|receiver| {
+                    shadow_of(scene, receiver, entry.index, entry.terms.n_dot_l > 0.0)
+                }),
             }
         };
         self.ledger.lights.iter().map(explained).collect()
@@ -496,9 +502,10 @@ impl BlockWitness<f32> for Written {
         _: &ShadingContext<'_>,
         found: &Fragments<f32>,
         _: &[u32; LANES],
-        _: &SurfacePoint<f32>,
+        point: &SurfacePoint<f32>,
         _: u32,
     ) {
+        self.smooth = point.normal.lane(0);
         self.barycentric = found.weights;
         self.uv =
             found.attributes.has.has(AttributeMask::UVS[0]).then_some(found.attributes.uv[0][0]);

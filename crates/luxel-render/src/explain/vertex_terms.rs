@@ -3,10 +3,11 @@
 
 use super::Written;
 use super::ledger::{EvaluatedAt, ExplainedLight};
-use super::shadow::Receiver;
+use super::shadow::shadow_of;
 use crate::context::ShadingContext;
 use crate::material::{Corner, light_at, light_under};
 use crate::shade::{LitTriangle, VisibleLights};
+use crate::shadow::Receiver;
 use luxel_lighting::{DiffuseTerms, LightTerms, MirrorTerms, Reflectance};
 use luxel_math::{Rgb, Vec3};
 use luxel_scene::SceneLight;
@@ -145,12 +146,13 @@ impl Interpolated {
             self.lights.iter_mut().zip(&visible.visibility).enumerate()
         {
             let terms = &mut light.terms;
+            let is_asked = visibility.is_some();
+            let visibility = visibility.unwrap_or(1.0);
             terms.visibility = has_shadows.then_some(visibility);
             terms.ambient = terms.ambient * (visibility * visible.openness);
             terms.diffuse = terms.diffuse * visibility;
             terms.specular = terms.specular * visibility;
-            // Wherever the triangle faces the light.
-            light.shadow = receiver.shadow(scene, number, 1.0);
+            light.shadow = shadow_of(scene, receiver, number, is_asked);
         }
         self
     }

@@ -205,13 +205,14 @@ fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         || scene.shading.mode == ShadingMode::Phong
         || NEEDS == needs::ALL && scene.lit_at(number) == LitAt::Pixels;
     if at_pixels {
-        let normal = shading_normal(scene, attributes, point.normal, number, lanes);
+        let smooth = point.normal;
+        let normal = shading_normal(scene, attributes, smooth, number, lanes);
         let point = SurfacePoint { normal, ..*point };
         let mut occlusion = Occlusion::NONE;
         if let (Some(shadows), Some((batch, own))) = (scene.shadows, occluded) {
             let samples =
                 SeenSamples { ids: &batch.ids, lanes, position: &|lane| batch.position(lane) };
-            shadows.occlude(&samples, &found.weights, &point, own);
+            shadows.occlude(&samples, &found.weights, (&point, smooth), own);
             occlusion = own.occlusion();
         }
         let of = (number, lanes);

@@ -3,7 +3,8 @@
 use super::lit_triangle::LitTriangle;
 use crate::context::{LitAt, ShadingContext};
 use crate::material::{Corner, SurfaceWitness, light_at, light_under};
-use luxel_lighting::{Ledger, LightTerms, Terms, Witness};
+use crate::shadow::Receiver;
+use luxel_lighting::{Ledger, LightTerms, PlacedLight, Terms, Witness};
 use luxel_math::Vec3;
 use luxel_visibility::TriangleId;
 
@@ -11,8 +12,8 @@ use luxel_visibility::TriangleId;
 pub(crate) struct VisibleLights {
     /// The normal between the places where light was computed, of unit length.
     pub(crate) normal: [f32; 3],
-    /// V of each light at the sample.
-    pub(crate) visibility: Vec<f32>,
+    /// V of each light at the sample; `None` where it lights none of the places, and no ray is traced.
+    pub(crate) visibility: Vec<Option<f32>>,
     /// Openness at the sample.
     pub(crate) openness: f32,
 }
@@ -20,8 +21,8 @@ pub(crate) struct VisibleLights {
 impl VisibleLights {
     /// Of a sample of a triangle; `None` without shadows.
     ///
-    /// V is computed wherever the triangle faces the light: light between corners reaches places whose
-    /// own normal turns away.
+    /// V is computed wherever the light lights one of the places: between them, it reaches samples whose own
+    /// normal turns away.
     pub(crate) fn of(
         scene: &ShadingContext<'_>,
         id: TriangleId,
@@ -34,15 +35,22 @@ impl VisibleLights {
         });
         let normal = Vec3::new(sum[0], sum[1], sum[2]).normalized_or_zero().lane(0);
         let place = shadows.place(id, barycentric);
-        let visible = |light: usize| {
-            place.map_or(1.0, |place| shadows.visibility(light, &place, normal, position))
+        let receiver =
+            Receiver { id, barycentric, normal, smooth: normal, position, is_between: true };
+        let visible = |(light, placed): (usize, &PlacedLight)| {
+            let is_lit = |(_, corner): &(f32, Corner)| {
+                let ([x, y, z], [n_x, n_y, n_z]) = (corner.position, corner.normal);
+                Vec3::new(n_x, n_y, n_z).dot(placed.to_light(Vec3::new(x, y, z))) > 0.0
+            };
+            let place = place.filter(|_| places.iter().any(is_lit))?;
+            Some(shadows.visibility(light, &place, &receiver))
         };
         let openness = shadows
             .openness
             .and_then(|rule| place.map(|place| shadows.openness(rule, &place, normal, position)));
         Some(Self {
             normal,
-            visibility: (0..scene.lights.len()).map(visible).collect(),
+            visibility: scene.lights.iter().enumerate().map(visible).collect(),
             openness: openness.unwrap_or(1.0),
         })
     }
@@ -59,7 +67,8 @@ impl VisibleLights {
         places: &[(f32, Corner)],
         texel: [f32; 3],
     ) -> Option<[f32; 3]> {
-        if self.openness == 1.0 && self.visibility.iter().all(|visibility| *visibility == 1.0) {
+        let visibility = |light: usize| self.visibility[light].unwrap_or(1.0);
+        if self.openness == 1.0 && self.visibility.iter().all(|v| v.unwrap_or(1.0) == 1.0) {
             return None;
         }
         let (has, material) = (triangle.has, triangle.material);
@@ -82,7 +91,7 @@ impl VisibleLights {
                 let around = scene_ambient[channel] + environment[channel];
                 let mut arriving = emission[channel] + self.openness * around;
                 for entry in lights {
-                    arriving += self.visibility[entry.index] * of_light(&entry.terms);
+                    arriving += visibility(entry.index) * of_light(&entry.terms);
                 }
                 let (whole, light) = (whole[channel], light[channel]);
                 let kept = if whole == light { 1.0 } else { light / whole };

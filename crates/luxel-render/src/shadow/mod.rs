@@ -9,6 +9,6 @@ mod shadow_ray;
 
 pub(crate) use floor::Floor;
 pub(crate) use openness::OpennessRule;
-pub(crate) use receiver::{OcclusionLanes, SeenSamples, Shadows};
+pub(crate) use receiver::{OcclusionLanes, Receiver, SeenSamples, Shadows};
 pub(crate) use sequence::DiscSequence;
 pub(crate) use shadow_ray::LightSource;

@@ -4,11 +4,11 @@ use super::floor::Floor;
 use super::openness::OpennessRule;
 use super::place_cache::PlaceCache;
 use super::sequence::{DiscSequence, Scramble};
-use super::shadow_ray::{LightSource, ShadowLanes};
+use super::shadow_ray::{LightSource, RayStart, ShadowLanes};
 use glam::DVec3;
 use luxel_lighting::{Occlusion, PlacedLight, SurfacePoint};
 use luxel_math::prelude::*;
-use luxel_math::{LANES, lanes_of};
+use luxel_math::{LANES, Vec3, lanes_of};
 use luxel_rays::{PlaceLanes, RayLanes, SceneRays, Spread, SurfacePlace, TrianglePlaces, WorldRay};
 use luxel_visibility::{Frame, PlacedScene, TriangleId};
 
@@ -31,12 +31,34 @@ pub(crate) struct Shadows<'a> {
     pub(crate) towards_eye: Option<DVec3>,
 }
 
+/// Where the sample of a lane is in the window, in pixels.
+pub(crate) type WindowPosition<'a> = dyn Fn(usize) -> [f64; 2] + 'a;
+
+/// From a lane's place to the curved surface that its triangle stands for.
+pub(crate) type TerminatorOffset<'a> = dyn Fn(usize, &SurfacePlace) -> DVec3 + 'a;
+
 /// Samples that a batch sees: their triangles, the lanes that count, and where they are in the window, in
 /// pixels.
 pub(crate) struct SeenSamples<'s> {
     pub(crate) ids: &'s [u32; LANES],
     pub(crate) lanes: u32,
-    pub(crate) position: &'s dyn Fn(usize) -> [f64; 2],
+    pub(crate) position: &'s WindowPosition<'s>,
+}
+
+/// The surface that one sample sees.
+#[derive(Clone, Copy)]
+pub(crate) struct Receiver {
+    /// Its triangle; of the ground, none.
+    pub(crate) id: TriangleId,
+    pub(crate) barycentric: [f32; 3],
+    /// The shading normal N.
+    pub(crate) normal: [f32; 3],
+    /// N without the normal map.
+    pub(crate) smooth: [f32; 3],
+    /// Where the sample is in the window, in pixels.
+    pub(crate) position: [f64; 2],
+    /// Whether light is interpolated between other places, and so may arrive where N.L <= 0.
+    pub(crate) is_between: bool,
 }
 
 /// What keeps light from the samples of a batch, kept from batch to batch.
@@ -111,7 +133,7 @@ impl Shadows<'_> {
         &self,
         samples: &SeenSamples<'_>,
         barycentric: &[N; 3],
-        point: &SurfacePoint<N>,
+        (point, smooth): (&SurfacePoint<N>, Vec3<N>),
         found: &mut OcclusionLanes,
     ) {
         let simd = barycentric[0];
@@ -122,7 +144,14 @@ impl Shadows<'_> {
                 let (of, placed) = found.cache.of_lanes(samples.ids, samples.lanes, make);
                 let places = TrianglePlaces::at_lanes(&of, barycentric, placed);
                 let places = self.facing(&places);
-                self.occlude_places(&places, point, [placed; 2], samples.position, found);
+                let offset = |lane: usize, place: &SurfacePlace| {
+                    let weight = |side: usize| barycentric[side].lane(lane);
+                    let weights = [weight(0), weight(1), weight(2)];
+                    self.offset(TriangleId(samples.ids[lane]), weights, place)
+                };
+                let SeenSamples { position, .. } = samples;
+                let seen = (point, smooth);
+                self.occlude_places(&places, seen, [placed; 2], (position, &offset), found);
             },
         );
     }
@@ -134,9 +163,9 @@ impl Shadows<'_> {
     pub(crate) fn occlude_places<N: Lanes>(
         &self,
         places: &PlaceLanes<N::F64>,
-        point: &SurfacePoint<N>,
+        (point, smooth): (&SurfacePoint<N>, Vec3<N>),
         [placed, near]: [u32; 2],
-        position: &dyn Fn(usize) -> [f64; 2],
+        (position, offset): (&WindowPosition<'_>, &TerminatorOffset<'_>),
         found: &mut OcclusionLanes,
     ) {
         point.depth.vectorized(
@@ -144,14 +173,16 @@ impl Shadows<'_> {
             || {
                 let OcclusionLanes { visibility, openness, batch, .. } = found;
                 let normal = [point.normal.x, point.normal.y, point.normal.z];
+                let normals = [normal, [smooth.x, smooth.y, smooth.z]];
                 visibility.clear();
                 for (number, (source, light)) in (0..).zip(self.sources.iter().zip(self.lights)) {
                     let n_dot_l = point.normal.dot(light.to_light(point.position));
                     let lit = n_dot_l.zero().less(n_dot_l).bits() & placed;
                     let mut own = [1.0; LANES];
                     if lit != 0 {
-                        let at = (places, normal, lit);
-                        self.trace(at, (source, number), position, batch, &mut own);
+                        let at = (places, normals, lit);
+                        let of = (source, number);
+                        self.trace(at, of, (position, offset), batch, &mut own);
                     }
                     visibility.push(own);
                 }
@@ -166,17 +197,18 @@ impl Shadows<'_> {
         );
     }
 
-    /// V of one light at the places whose bit is set, with the shading normals N.
+    /// V of one light at the places whose bit is set, with the shading normals N and the smooth ones.
     #[inline(always)]
     fn trace<N: Lanes>(
         &self,
-        (places, normal, lit): (&PlaceLanes<N::F64>, [N; 3], u32),
+        (places, normals, lit): (&PlaceLanes<N::F64>, [[N; 3]; 2], u32),
         (source, purpose): (&LightSource, u32),
-        position: &dyn Fn(usize) -> [f64; 2],
+        (position, offset): (&WindowPosition<'_>, &TerminatorOffset<'_>),
         batch: &mut RayBatch,
         visibility: &mut [f32; LANES],
     ) {
-        let shadow = ShadowLanes::new(places, source, normal);
+        let shadow = ShadowLanes::new(places, source, normals);
+        let smooth = normals[1];
         let terminator = shadow.terminator;
         let reached = terminator.zero().less(terminator).bits() & lit;
         let mut sums = [0.0; LANES];
@@ -184,6 +216,20 @@ impl Shadows<'_> {
         if source.is_point() {
             batch.rays.resize(1, RayLanes::NONE);
             shadow.put_rays(reached, &mut batch.rays[0]);
+            let raised = shadow.raised & reached;
+            if raised != 0 {
+                places.each(
+                    raised,
+                    #[inline(always)]
+                    |lane, place| {
+                        let smooth = lane_of(smooth, lane);
+                        let offset = &|| offset(lane, &place);
+                        let start = RayStart { place: &place, smooth, offset };
+                        let axis = batch.rays[0].ray(lane).direction;
+                        batch.rays[0].put(lane, &source.ray_to(&start, axis, [0.0; 2]));
+                    },
+                );
+            }
             batch.trace(self.rays, Spread::Narrow);
             batch.add_to(&mut sums);
         } else {
@@ -199,11 +245,12 @@ impl Shadows<'_> {
                     |lane, place| {
                         let scramble = Scramble::new(position(lane), purpose);
                         let axis = middle.ray(lane).direction;
+                        let smooth = lane_of(smooth, lane);
+                        let offset = &|| offset(lane, &place);
+                        let start = RayStart { place: &place, smooth, offset };
                         for (rays, number) in batch.rays.iter_mut().zip(numbers.clone()) {
                             let on_disc = self.disc.place(number, scramble);
-                            if let Some(ray) = source.ray_to(&place, axis, on_disc) {
-                                rays.put(lane, &ray);
-                            }
+                            rays.put(lane, &source.ray_to(&start, axis, on_disc));
                         }
                     },
                 );
@@ -243,45 +290,67 @@ impl Shadows<'_> {
         places.facing(far.unwrap_or([x.constant(a) - x, x.constant(b) - y, x.constant(c) - z]))
     }
 
-    /// V of the light of this number at a place with the shading normal N, for a sample of the window.
-    pub(crate) fn visibility(
-        &self,
-        light: usize,
-        place: &SurfacePlace,
-        normal: [f32; 3],
-        position: [f64; 2],
-    ) -> f32 {
-        let Some(source) = self.sources.get(light) else { return 1.0 };
+    /// From a place on a triangle to the curved surface that it stands for.
+    fn offset(&self, id: TriangleId, barycentric: [f32; 3], place: &SurfacePlace) -> DVec3 {
+        let of = self.frame.triangle(id).map(|of| self.placed.object_of(of));
+        let Some((object, Some(triangle))) = of else { return DVec3::ZERO };
+        self.rays.terminator_offset((object, triangle), barycentric, place)
+    }
+
+    /// The light of this number, as a receiver sees it.
+    fn source(&self, light: usize, place: &SurfacePlace, of: &Receiver) -> Option<LightSource> {
+        let source = *self.sources.get(light)?;
+        let at_horizon = || source.at_horizon(place.origin(), wide(of.smooth));
+        Some(if of.is_between { at_horizon() } else { source })
+    }
+
+    /// V of the light of this number at a receiver's place.
+    pub(crate) fn visibility(&self, light: usize, place: &SurfacePlace, of: &Receiver) -> f32 {
+        let Some(source) = self.source(light, place, of) else { return 1.0 };
         let (mut visibility, mut batch) = ([1.0; LANES], RayBatch::default());
-        let of = (source, light as u32);
-        self.trace((&place.into(), normal, 1), of, &|_| position, &mut batch, &mut visibility);
+        let at = (&place.into(), [of.normal, of.smooth], 1);
+        let offset = |_, place: &SurfacePlace| self.offset(of.id, of.barycentric, place);
+        let from: (&WindowPosition<'_>, &TerminatorOffset<'_>) = (&|_| of.position, &offset);
+        self.trace(at, (&source, light as u32), from, &mut batch, &mut visibility);
         visibility[0]
     }
 
-    /// The rays to the light of this number from a place with the shading normal N, of a sample of the
-    /// window; the terminator's factor.
+    /// The rays to the light of this number from a receiver's place, and the terminator's factor.
     pub(crate) fn rays_to(
         &self,
         light: usize,
         place: &SurfacePlace,
-        normal: [f32; 3],
-        position: [f64; 2],
-    ) -> Option<(Vec<Option<WorldRay>>, f32)> {
-        let source = self.sources.get(light)?;
-        let shadow = ShadowLanes::<f32>::new(&place.into(), source, normal);
+        of: &Receiver,
+    ) -> Option<(Vec<WorldRay>, f32)> {
+        let source = self.source(light, place, of)?;
+        let normals = [of.normal, of.smooth];
+        let shadow = ShadowLanes::<f32>::new(&place.into(), &source, normals);
         let mut middle = RayLanes::NONE;
         shadow.put_rays(1, &mut middle);
         let middle = middle.ray(0);
-        let scramble = Scramble::new(position, light as u32);
+        let scramble = Scramble::new(of.position, light as u32);
+        let offset = &|| self.offset(of.id, of.barycentric, place);
+        let start = RayStart { place, smooth: wide(of.smooth), offset };
         let ray = |number| match source.is_point() {
-            true => Some(middle),
-            false => source.ray_to(place, middle.direction, self.disc.place(number, scramble)),
+            true if shadow.raised == 0 => middle,
+            true => source.ray_to(&start, middle.direction, [0.0; 2]),
+            false => source.ray_to(&start, middle.direction, self.disc.place(number, scramble)),
         };
-        Some(((0..self.rays_each(source)).map(ray).collect(), shadow.terminator))
+        Some(((0..self.rays_each(&source)).map(ray).collect(), shadow.terminator))
     }
 
     /// The rays from a sample to a light.
     fn rays_each(&self, source: &LightSource) -> u32 {
         if source.is_point() { 1 } else { self.light_rays }
     }
+}
+
+/// The vector of a lane.
+#[inline(always)]
+fn lane_of<N: Lanes>([x, y, z]: [N; 3], lane: usize) -> DVec3 {
+    wide([x.lane(lane), y.lane(lane), z.lane(lane)])
+}
+
+fn wide(vector: [f32; 3]) -> DVec3 {
+    DVec3::from_array(vector.map(f64::from))
 }

@@ -16,13 +16,22 @@ pub(crate) struct LightSource {
     radius: f64,
 }
 
-/// Rays from surfaces to the middle of a light, and what the surfaces' own shape lets through, lane by
-/// lane.
+/// Rays from surfaces to the middle of a light, and what normal maps let through, lane by lane.
 pub(super) struct ShadowLanes<N: Lanes> {
     origin: [N::F64; 3],
     direction: [N::F64; 3],
     end: N::F64,
     pub(super) terminator: N,
+    /// The lanes whose rays leave from above their triangle: see [`LightSource::ray_to`].
+    pub(super) raised: u32,
+}
+
+/// Where rays leave: a place on a triangle, the smooth normal there, of unit length, and the way to the
+/// curved surface that the triangle stands for.
+pub(super) struct RayStart<'s> {
+    pub(super) place: &'s SurfacePlace,
+    pub(super) smooth: DVec3,
+    pub(super) offset: &'s dyn Fn() -> DVec3,
 }
 
 impl LightSource {
@@ -43,26 +52,50 @@ impl LightSource {
         self.radius <= 0.0
     }
 
-    /// The ray from a place to a place on the disc that faces it; `None` if that lies behind the triangle.
-    pub(super) fn ray_to(
-        &self,
-        place: &SurfacePlace,
-        axis: DVec3,
-        [u, v]: [f64; 2],
-    ) -> Option<WorldRay> {
+    /// The ray from a place to a place on the disc that faces it, at (u, v) of the unit disc.
+    ///
+    /// Where the triangle turns away from the light earlier than its smooth normal N_s, it would shadow
+    /// itself, and light would end at edges of triangles: a coarse ball would have a jagged terminator.
+    /// There, the ray leaves from the curved surface that the triangle stands for, so far above it as
+    ///
+    /// ```text
+    /// w = clamp(1 - 2 (N_g.L) / (N_s.L), 0, 1)
+    /// ```
+    ///
+    /// says: all the way where N_g.L <= 0, not at all where N_g.L is half of N_s.L or more.
+    pub(super) fn ray_to(&self, start: &RayStart<'_>, axis: DVec3, [u, v]: [f64; 2]) -> WorldRay {
         let (tangent, bitangent) = axis.any_orthonormal_pair();
         let aside = (tangent * u + bitangent * v) * self.radius;
-        let origin = place.origin();
-        let (direction, end) = match self.place {
-            None => ((axis + aside).normalize(), f64::INFINITY),
-            Some(light) => {
-                let way = (light + aside - origin).to_array();
-                let (direction, end) = ending_at(way, place.normal.to_array());
-                (DVec3::from_array(direction), end)
-            }
+        let RayStart { place, smooth, offset } = start;
+        let from = |origin: DVec3| {
+            let (direction, end) = match self.place {
+                None => ((axis + aside).normalize(), f64::INFINITY),
+                Some(light) => {
+                    let way = (light + aside - origin).to_array();
+                    let (direction, end) = ending_at(way, place.normal.to_array());
+                    (DVec3::from_array(direction), end)
+                }
+            };
+            WorldRay { origin, direction, range: [0.0, end] }
         };
-        let range = [0.0, end];
-        (place.normal.dot(direction) > 0.0).then_some(WorldRay { origin, direction, range })
+        let ray = from(place.origin());
+        let (faces, lit) = (place.normal.dot(ray.direction), smooth.dot(ray.direction).max(0.0));
+        if lit - 2.0 * faces <= 0.0 {
+            return ray;
+        }
+        let weight = if faces > 0.0 { 1.0 - 2.0 * faces / lit } else { 1.0 };
+        from(ray.origin + offset() * weight)
+    }
+
+    /// The light at the horizon of a place with the smooth normal N_s, if it lies below: light that is
+    /// interpolated between corners reaches beyond it.
+    pub(super) fn at_horizon(&self, origin: DVec3, smooth: DVec3) -> Self {
+        let raised = |way: DVec3| way - smooth * smooth.dot(way).min(0.0);
+        Self {
+            place: self.place.map(|light| origin + raised(light - origin)),
+            towards: raised(self.towards).try_normalize().unwrap_or(smooth),
+            radius: self.radius,
+        }
     }
 }
 
@@ -81,6 +114,12 @@ fn ending_at<F: F64Lanes>(way: [F; 3], normal: [F; 3]) -> ([F; 3], F) {
     (direction, length * length.constant(1.0 - LIFT))
 }
 
+/// Vectors in `f64`.
+#[inline(always)]
+fn wider<N: Lanes>([x, y, z]: [N; 3]) -> [N::F64; 3] {
+    [x.to_f64(), y.to_f64(), z.to_f64()]
+}
+
 /// The product of two vectors, lane by lane.
 #[inline(always)]
 pub(super) fn dot<F: F64Lanes>([x, y, z]: [F; 3], [a, b, c]: [F; 3]) -> F {
@@ -88,16 +127,16 @@ pub(super) fn dot<F: F64Lanes>([x, y, z]: [F; 3], [a, b, c]: [F; 3]) -> F {
 }
 
 impl<N: Lanes> ShadowLanes<N> {
-    /// From places with the shading normals N to the middle of a light.
+    /// From places with the shading normals N and the smooth ones N_s to the middle of a light.
     #[inline(always)]
     pub(super) fn new(
         places: &PlaceLanes<N::F64>,
         source: &LightSource,
-        [x, y, z]: [N; 3],
+        [shading, smooth]: [[N; 3]; 2],
     ) -> Self {
         let origin = places.origin();
         let wide = origin[0];
-        let vector = [x.to_f64(), y.to_f64(), z.to_f64()];
+        let [shading, smooth] = [wider(shading), wider(smooth)];
         let (direction, end) = match source.place {
             None => {
                 let DVec3 { x, y, z } = source.towards;
@@ -113,9 +152,12 @@ impl<N: Lanes> ShadowLanes<N> {
                 ending_at(way, places.normal)
             }
         };
-        let cosines =
-            [dot(places.normal, direction), dot(vector, direction), dot(places.normal, vector)];
-        Self { origin, direction, end, terminator: terminator(cosines) }
+        let lit = dot(smooth, direction);
+        let terminator = terminator([lit, dot(shading, direction), dot(smooth, shading)]);
+        let lit = lit.select(lit.is_positive(), wide.constant(0.0));
+        let faces = dot(places.normal, direction);
+        let raised = (lit - (faces + faces)).is_positive().bits();
+        Self { origin, direction, end, terminator, raised }
     }
 
     /// Puts the rays of the lanes whose bit is set.

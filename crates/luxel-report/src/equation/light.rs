@@ -23,7 +23,7 @@ pub(crate) fn why_not(unlit: Unlit) -> String {
             number(range)
         ),
         Unlit::Shadowed => "something stands in its way".to_owned(),
-        Unlit::BeyondTerminator => "the surface itself turns away from it".to_owned(),
+        Unlit::BeyondTerminator => "the surface under the normal map turns away from it".to_owned(),
         Unlit::AtTheSurface => "it stands at the surface itself".to_owned(),
         Unlit::Dark => "it has no intensity".to_owned(),
         Unlit::Absorbed => "the surface reflects nothing of its colour".to_owned(),
@@ -38,7 +38,7 @@ pub(crate) fn highlight_vector(
     light.highlight(&point.constants.reflection, point.normal, point.view)
 }
 
-/// What stands in a light's way, in words, and the terminator's factor where it acts.
+/// What stands in a light's way, in words, and the terminator's factor and offset where they act.
 pub(crate) fn in_the_way(light: &ExplainedLight) -> Option<String> {
     let shadow = light.shadow.as_ref()?;
     let blocked = |by: &BlockedBy| {
@@ -53,6 +53,10 @@ pub(crate) fn in_the_way(light: &ExplainedLight) -> Option<String> {
     }
     if shadow.terminator < 1.0 {
         parts.push(format!("terminator {}", number(shadow.terminator)));
+    }
+    if shadow.raised > 0.0 {
+        let raised = number(shadow.raised as f32);
+        parts.push(format!("its ray leaves {raised} above the triangle, from the curved surface"));
     }
     (!parts.is_empty()).then(|| parts.join(", "))
 }

@@ -316,9 +316,10 @@ fn light(light: &ExplainedLight, constants: &Material) -> Value {
         "specular": terms.specular.lane(0),
         "why_not": light.unlit().map(why_not),
     });
-    if let Some(ExplainedShadow { terminator, ray, blocked_by }) = &light.shadow {
+    if let Some(ExplainedShadow { terminator, raised, ray, blocked_by }) = &light.shadow {
         value["visibility"] = json!(terms.visibility.unwrap_or(1.0));
         value["terminator"] = json!(terminator);
+        value["terminator_offset"] = json!(raised);
         value["shadow_ray"] = json!(
             ray.map(|[origin, direction]| json!({ "origin": origin, "direction": direction }))
         );

@@ -133,6 +133,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "memory",
             "queries",
             "surface_place",
+            "terminator_offset",
             "ray_lanes",
             "transmittance",
         ],
