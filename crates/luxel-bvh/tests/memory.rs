@@ -54,7 +54,7 @@ fn shuffled((positions, triangles): &Triangles) -> Triangles {
 fn shrinking(count: u32) -> Triangles {
     let corner = |number: u32, corner: u32| {
         let (clump, place) = (number / 48, number % 48);
-        let size = 0.3_f32.powi(place as i32 % 24);
+        let size = libm::powf(0.3, (place % 24) as f32);
         let [x, y] = [clump % 128, clump / 128].map(|at| at as f32 * 4.0);
         [x + size * (1.0 + 0.1 * (corner & 1) as f32), y + size * 0.1 * (corner >> 1) as f32, 0.0]
     };
