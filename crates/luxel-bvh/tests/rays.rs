@@ -81,7 +81,7 @@ fn trees_of_every_quality_give_the_same_hits() {
     }
     for tree in &trees {
         assert_eq!(tree.triangles(), count - 1);
-        assert!(tree.memory() <= count * Quality::InOrder.bytes_a_triangle() + 1024);
+        assert!(tree.memory() <= Quality::InOrder.bytes_needed(count));
     }
 }
 

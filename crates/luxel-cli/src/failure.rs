@@ -2,6 +2,7 @@
 
 use crate::flag_words::error_text;
 use luxel::formats::{Error, ErrorKind, Place};
+use luxel::render::RenderError;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -78,6 +79,19 @@ impl Failure {
             #[cfg(feature = "viewer")]
             Self::Interrupted => Vec::new(),
         }
+    }
+}
+
+impl From<RenderError> for Failure {
+    fn from(error: RenderError) -> Self {
+        let remedy = match &error {
+            RenderError::TreesTooLarge { .. } => {
+                "raise the limit with --max-memory, or leave out --shadows, --ao and --ground"
+            }
+            // The message contains the remedy.
+            _ => "",
+        };
+        Self::work(error.to_string(), remedy)
     }
 }
 

@@ -55,6 +55,20 @@ pub(crate) fn view(
         .with_shading(mode.shading()?))
 }
 
+/// What to say of flags that change nothing in a view, since it has no such environment.
+pub(crate) fn idle_flags(view: &View, options: &LightOptions) -> Vec<String> {
+    let is_none = matches!(view.environment, EnvironmentChoice::Always(Environment::None));
+    let background = (options.environment_background && is_none).then_some(
+        "--environment-background shows nothing: there is no environment; give one with --environment",
+    );
+    let is_map = view.environment.map().is_some();
+    let rotation = (options.environment_rotation.is_some() && !is_map).then_some(
+        "--environment-rotation turns nothing: only an environment from a file turns; give one with \
+         --environment",
+    );
+    background.into_iter().chain(rotation).map(str::to_owned).collect()
+}
+
 /// Exposes a view for the scene's own light, if the flags ask for it; what to say, if that does something.
 pub(crate) fn expose(view: &mut View, options: &ViewOptions, scene: &Scene) -> Option<String> {
     if options.picture.exposure != Some(Exposure::Auto) {
@@ -135,7 +149,13 @@ fn opened_environment(path: &Path, max_memory: u64) -> Result<Arc<EnvironmentMap
 
 /// The execution options.
 pub(crate) fn execution(options: &ExecutionOptions) -> Execution {
-    Execution { threads: options.threads.unwrap_or(0), simd: options.simd, clock, one_frame: false }
+    Execution {
+        threads: options.threads.unwrap_or(0),
+        simd: options.simd,
+        clock,
+        one_frame: false,
+        max_memory: options.max_memory,
+    }
 }
 
 fn clock() -> Duration {

@@ -52,6 +52,13 @@ impl Picker {
         Ok(Self::of(Arc::new(rays)))
     }
 
+    /// An upper bound of the memory that [`Picker::with`] takes beside the scene, in bytes, for programs
+    /// with a limit.
+    #[must_use]
+    pub fn bytes_needed(scene: &Scene, quality: Quality) -> u64 {
+        SceneRays::bytes_needed(scene, &scene.objects(), quality)
+    }
+
     /// Shares trees that are there already, as a renderer's for shadows.
     #[must_use]
     pub fn of(rays: Arc<SceneRays>) -> Self {

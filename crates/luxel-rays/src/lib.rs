@@ -13,6 +13,7 @@
 
 #![forbid(unsafe_code)]
 
+mod memory;
 mod object_tree;
 mod queries;
 mod ray_lanes;

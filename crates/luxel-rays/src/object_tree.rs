@@ -3,7 +3,7 @@
 use glam::{DMat3, DMat4, DVec3};
 use luxel_bvh::{Bvh, Quality, TooManyForTree};
 use luxel_parallel::fill;
-use luxel_scene::{Object, Scene};
+use luxel_scene::{Mesh, Object, Scene};
 
 /// The tree of an object, with its transforms.
 pub(crate) struct PlacedTree {
@@ -39,6 +39,26 @@ pub struct ObjectTree<'p> {
 /// their precision.
 const MAX_STRETCH: f64 = 1e4;
 
+/// Where an object's mesh is.
+pub(crate) struct Placement {
+    world_from_tree: DMat4,
+    tree_from_world: DMat4,
+}
+
+impl Placement {
+    pub(crate) fn of(mesh: &Mesh, object: &Object) -> Self {
+        let world_from_tree = *object.world_from_mesh * DMat4::from_translation(mesh.origin);
+        Self { world_from_tree, tree_from_world: world_from_tree.inverse() }
+    }
+
+    /// Whether the object needs a tree in world coordinates.
+    pub(crate) fn is_baked(&self) -> bool {
+        let Self { world_from_tree, tree_from_world } = self;
+        let is_even = || stretch(world_from_tree, tree_from_world) < MAX_STRETCH;
+        !(tree_from_world.is_finite() && is_even())
+    }
+}
+
 impl PlacedTree {
     pub(crate) fn new(
         scene: &Scene,
@@ -46,16 +66,16 @@ impl PlacedTree {
         quality: Quality,
     ) -> Result<Self, TooManyForTree> {
         let mesh = &scene.meshes[object.mesh.index()];
-        let world_from_tree = *object.world_from_mesh * DMat4::from_translation(mesh.origin);
-        let tree_from_world = world_from_tree.inverse();
+        let placement = Placement::of(mesh, object);
         let of = |world_from_tree, tree_from_world, baked| Self {
             mesh: object.mesh.index(),
             world_from_tree,
             tree_from_world,
             baked,
         };
-        if tree_from_world.is_finite() && stretch(&world_from_tree, &tree_from_world) < MAX_STRETCH
-        {
+        let is_baked = placement.is_baked();
+        let Placement { world_from_tree, tree_from_world } = placement;
+        if !is_baked {
             return Ok(of(world_from_tree, tree_from_world, None));
         }
         let middle = world_from_tree.w_axis.truncate();

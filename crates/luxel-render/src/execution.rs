@@ -16,10 +16,18 @@ pub struct Execution {
     /// Whether a single frame is drawn: meshes are prepared in a fraction of the time and of the memory,
     /// and a frame takes somewhat longer. Pictures are the same.
     pub one_frame: bool,
+    /// Bytes that trees for rays may take: a view that needs more is refused before they are built.
+    pub max_memory: u64,
 }
 
 impl Default for Execution {
     fn default() -> Self {
-        Self { threads: 0, simd: SimdLevel::Auto, clock: || Duration::ZERO, one_frame: false }
+        Self {
+            threads: 0,
+            simd: SimdLevel::Auto,
+            clock: || Duration::ZERO,
+            one_frame: false,
+            max_memory: u64::MAX,
+        }
     }
 }

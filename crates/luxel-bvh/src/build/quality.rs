@@ -14,16 +14,21 @@ pub enum Quality {
     InOrder,
 }
 
+/// What a tree takes beside its triangles: a node, and room behind the last block.
+const A_TREE: usize = 1024;
+
 impl Quality {
-    /// The most memory that building takes per triangle, the tree included, in bytes.
+    /// An upper bound of the memory that building a tree takes, the tree included, in bytes. The few
+    /// kilobytes on which each thread works aren't counted.
     #[must_use]
-    pub const fn bytes_a_triangle(self) -> usize {
-        match self {
+    pub const fn bytes_needed(self, triangles: usize) -> usize {
+        let each = match self {
             // Two lists of boxes, one of numbers, and nodes that are half full at worst; leaves
             // follow when the boxes are gone.
             Self::Thorough | Self::Fast => 64 + 4 + 80,
             // No boxes; nodes and leaves exist twice for a moment.
             Self::InOrder => 4 + 2 * (4 + 17),
-        }
+        };
+        triangles.saturating_mul(each).saturating_add(A_TREE)
     }
 }

@@ -63,8 +63,7 @@ impl BenchCommand {
         surface::apply_material(&self.view.material, &mut model.scene);
         surface::apply_normals(&self.view.shading, &mut model.scene);
         let scene = &Arc::new(model.scene);
-        let renderer = Renderer::new(Arc::clone(scene), &view::execution(&self.view.execution))
-            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        let renderer = Renderer::new(Arc::clone(scene), &view::execution(&self.view.execution))?;
 
         let sides = if self.still { 1 } else { self.frames.get() };
         let cameras = camera::turntable(&self.view.frame, scene, sides)?;
@@ -78,9 +77,7 @@ impl BenchCommand {
             views.iter_mut().for_each(|view| view.exposure = exposure);
         }
 
-        let timings = renderer
-            .install(|| self.time_frames(&renderer, &views))
-            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        let timings = renderer.install(|| self.time_frames(&renderer, &views))?;
 
         let picks = self.picks(scene, views[0].camera)?;
         let simd = SimdLevel::name_of(renderer.level());

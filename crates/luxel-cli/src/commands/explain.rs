@@ -70,18 +70,18 @@ impl ExplainCommand {
         let scene = &Arc::new(model.scene);
         let camera = camera::choose(&self.view.frame, scene)?;
         let mut view = view::view(&self.view, None, camera, scene)?;
+        let idle = view::idle_flags(&view, &self.view.light);
+        idle.iter().for_each(|said| console.warn(said));
         if let Some(said) = view::expose(&mut view, &self.view, scene) {
             console.notice(&said);
         }
         let execution = Execution { one_frame: true, ..view::execution(&self.view.execution) };
-        let renderer = Renderer::new(Arc::clone(scene), &execution)
-            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        let renderer = Renderer::new(Arc::clone(scene), &execution)?;
         let explanation = renderer.explain(&view, self.query.at).map_err(|error| match error {
             RenderError::Outside(_) => Failure::Usage(format!("--at: {error}")),
-            other => Failure::work(other.to_string(), ""),
+            other => other.into(),
         })?;
-        let unseen = Unseen::new(&renderer, &view, &explanation)
-            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        let unseen = Unseen::new(&renderer, &view, &explanation)?;
         let model = self.input.name();
         let report = Report::new(&explanation, scene, &view)
             .with_model(&model)

@@ -163,7 +163,7 @@ impl PickCommand {
 /// Fails before allocating trees beyond the memory limit.
 pub(super) fn check_memory(scene: &Scene, quality: Quality, limit: u64) -> Result<(), Failure> {
     let triangles = scene.meshes.iter().map(|mesh| mesh.triangles.len() as u64).sum::<u64>();
-    let needed = triangles.saturating_mul(quality.bytes_a_triangle() as u64);
+    let needed = Picker::bytes_needed(scene, quality);
     if needed <= limit {
         return Ok(());
     }

@@ -17,8 +17,8 @@ use crate::view;
 use clap::Args;
 use luxel::lighting::{Display, PictureEncoding, Tone};
 use luxel::render::{
-    Edges, Execution, Layer, LayerImage, Legend, PictureError, RenderError, Renderer, ShadingMode,
-    Subdivision, SvgOptions, View, write_layers, write_linear, write_rgba8,
+    Edges, Execution, Layer, LayerImage, Legend, PictureError, Renderer, ShadingMode, Subdivision,
+    SvgOptions, View, write_layers, write_linear, write_rgba8,
 };
 use luxel::report::display_to_json;
 use luxel::scene::{Camera, Scene, Size};
@@ -185,8 +185,7 @@ impl RenderCommand {
         stopwatch.lap("camera");
         let one_frame = cameras.len() == 1;
         let execution = Execution { one_frame, ..view::execution(&self.view.execution) };
-        let renderer = Renderer::new(Arc::clone(scene), &execution)
-            .map_err(|error| Failure::work(error.to_string(), ""))?;
+        let renderer = Renderer::new(Arc::clone(scene), &execution)?;
         stopwatch.lap("prepare");
 
         let progress = Progress::new(console, cameras.len(), "pictures");
@@ -221,6 +220,11 @@ impl RenderCommand {
                 }
                 view.exposure
             });
+            if number == 0 {
+                let idle = view::idle_flags(&view, &options.light);
+                idle.iter().for_each(|said| console.warn(said));
+                warnings.extend(idle);
+            }
             let drawn = self.draw(&renderer, &view, target.format, &mut stopwatch)?;
             if let Some(file) = target.write(number as u32, &drawn.bytes)? {
                 files.push(file);
@@ -229,7 +233,7 @@ impl RenderCommand {
             subdivision = subdivision.or(drawn.subdivision);
             vectors = vectors.or(drawn.svg);
             if drawn.may_be_burnt_out && number == 0 {
-                let warning = burnt_out::warning(&renderer, &view).map_err(cannot_draw)?;
+                let warning = burnt_out::warning(&renderer, &view)?;
                 warning.iter().for_each(|warning| console.warn(warning));
                 warnings.extend(warning);
             }
@@ -298,7 +302,7 @@ impl RenderCommand {
                         .max_pieces
                         .min(usize::try_from(pieces).unwrap_or(usize::MAX)),
                 };
-                let svg = renderer.svg(view, &options).map_err(cannot_draw)?;
+                let svg = renderer.svg(view, &options)?;
                 stopwatch.lap("frame");
                 drawn.svg = Some([svg.faces, svg.pieces, svg.paths]);
                 drawn.bytes = svg.text.into_bytes();
@@ -309,7 +313,7 @@ impl RenderCommand {
         let Drawn { bytes, legend, subdivision, may_be_burnt_out, .. } = &mut drawn;
         let size = view.size;
         if !self.output.layers.is_empty() {
-            let values = renderer.layers(view, &self.output.layers).map_err(cannot_draw)?;
+            let values = renderer.layers(view, &self.output.layers)?;
             stopwatch.lap("frame");
             let image = |(layer, values): (&Layer, _)| LayerImage {
                 name: layer.name(),
@@ -326,7 +330,7 @@ impl RenderCommand {
                 // The ground's alpha is for the bytes of sRGB unless the picture has none.
                 shown.encoding = PictureEncoding::None;
             }
-            let picture = renderer.linear(&shown).map_err(cannot_draw)?;
+            let picture = renderer.linear(&shown)?;
             *may_be_burnt_out = !format.is_linear();
             stopwatch.lap("frame");
             stopwatch.add_stages(&picture.stages);
@@ -334,7 +338,7 @@ impl RenderCommand {
             write_linear(format, size, &picture.pixels, view.encoding, bytes)
                 .map_err(cannot_encode)?;
         } else {
-            let picture = renderer.rgba8(view).map_err(cannot_draw)?;
+            let picture = renderer.rgba8(view)?;
             stopwatch.lap("frame");
             stopwatch.add_stages(&picture.stages);
             *subdivision = picture.subdivision;
@@ -382,10 +386,6 @@ struct Drawn {
     svg: Option<[usize; 3]>,
     /// Whether it is worth a look how much of the model is burnt out.
     may_be_burnt_out: bool,
-}
-
-fn cannot_draw(error: RenderError) -> Failure {
-    Failure::work(error.to_string(), "")
 }
 
 fn cannot_encode(error: PictureError) -> Failure {

@@ -16,7 +16,7 @@ pub(crate) struct ExecutionOptions {
     #[arg(long, value_name = "LEVEL", default_value = "auto", value_parser = simd_level)]
     pub(crate) simd: SimdLevel,
 
-    /// Memory limit of a model or an image, such as 512M or 2G
+    /// Memory limit of a model, of an image and of trees for rays, each, such as 512M or 2G
     #[arg(long, value_name = "SIZE", default_value = "8G", value_parser = memory)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) max_memory: u64,

@@ -61,3 +61,96 @@ fn hundreds_of_thousands_of_groups_take_ten_times_their_file() {
         read_within_bounds(&folder, name, text.len());
     }
 }
+
+/// The trees that shadows need, in bytes, by the message of a run that may not take them.
+fn trees_of(folder: &Folder, line: &str, limit: &str) -> u64 {
+    let run = folder.run(line.split_whitespace().chain(["--max-memory", limit]));
+    let message = run.failed(1, "--max-memory").stderr;
+    assert!(message.contains("trees over"), "{line}: {message}");
+    let before = message.split(" bytes").next().unwrap_or_default();
+    before.rsplit(' ').next().and_then(|number| number.parse().ok()).expect("it says how much")
+}
+
+#[test]
+fn trees_beyond_the_limit_are_refused_and_within_it_are_built() {
+    let folder = Folder::new();
+    let size = "demo:teapot --size 64x48";
+    for line in [
+        format!("render {size} -o x.png --shadows"),
+        format!("render {size} -o x.png --ao --ao-rays 1"),
+        format!("render {size} -o x.png --ground"),
+        format!(
+            "render {size} -o x.png --ground --layer depth --layer ambient --output-format exr"
+        ),
+        format!("explain {size} --at 32,24 --shadows"),
+        format!("bench {size} --frames 1 --shadows"),
+    ] {
+        let needed = trees_of(&folder, &line, "200K");
+        assert!(folder.files().is_empty(), "{line}");
+        let run = |limit: u64| {
+            let limit = ["--max-memory".to_owned(), limit.to_string()];
+            folder.run(line.split_whitespace().map(str::to_owned).chain(limit))
+        };
+        run(needed - 1).failed(1, "--max-memory");
+        let done = run(needed);
+        assert_eq!(done.status, Some(0), "{line}: {}", done.stderr);
+        let _ = std::fs::remove_file(folder.path("x.png"));
+    }
+    // Without rays there are no trees.
+    let line = format!("render {size} -o x.png --max-memory 200K");
+    folder.run(line.split_whitespace()).done();
+}
+
+/// Whether a line works with so many kilobytes.
+fn works_within(folder: &Folder, line: &str, kilobytes: u64) -> bool {
+    let run = format!("ulimit -d {kilobytes} && \"$0\" {line} --quiet 2> /dev/null");
+    shell(folder, &run).0 == Some(0)
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn trees_take_no_more_than_the_limit_counts() {
+    let folder = Folder::new();
+    let side = 400;
+    let mut sheet = format!(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n\
+         element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        side * side,
+        2 * (side - 1) * (side - 1)
+    );
+    for at in 0..side * side {
+        let _ = writeln!(sheet, "{} {} {}", at % side, at / side, at * 7 % 10);
+    }
+    for a in (0..side * (side - 1)).filter(|at| at % side != side - 1) {
+        let b = a + side;
+        let _ = writeln!(sheet, "3 {a} {} {b}\n3 {} {} {b}", a + 1, a + 1, b + 1);
+    }
+    folder.write("sheet.ply", sheet);
+    let mut small = String::new();
+    for number in 0..30_000 {
+        let (x, y) = (number % 200, number / 200);
+        let _ = writeln!(
+            small,
+            "solid {number}\nfacet normal 0 0 1\nouter loop\nvertex {x} {y} 0\nvertex {x}.5 {y} 0\n\
+             vertex {x} {y}.5 0\nendloop\nendfacet\nendsolid"
+        );
+    }
+    folder.write("small.stl", small);
+    for model in ["sheet.ply", "small.stl"] {
+        let plain = format!("render {model} --size 64x48 --samples 1 --threads 2 -o x.png");
+        let shadows = format!("{plain} --shadows");
+        let needed = trees_of(&folder, &shadows, "30M") / 1024;
+        // What it takes without trees, to a few megabytes.
+        let (mut fails, mut works) = (0, 500_000);
+        while works - fails > 2_000 {
+            let middle = (fails + works) / 2;
+            if works_within(&folder, &plain, middle) {
+                works = middle;
+            } else {
+                fails = middle;
+            }
+        }
+        assert!(works_within(&folder, &plain, works), "{model}: {works} kB");
+        assert!(works_within(&folder, &shadows, works + needed), "{model}: {works} + {needed} kB");
+    }
+}

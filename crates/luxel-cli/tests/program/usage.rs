@@ -125,6 +125,32 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
 ];
 
 #[test]
+fn a_flag_for_an_environment_that_is_not_there_is_a_warning() {
+    let folder = Folder::new();
+    let small = "demo:cornell --size 32x24";
+    for (flags, said) in [
+        ("--environment none --environment-background", "--environment-background shows nothing"),
+        // The scene has lights, and therefore no environment.
+        ("--environment-background", "--environment-background shows nothing"),
+        ("--environment studio --environment-rotation 90", "--environment-rotation turns nothing"),
+    ] {
+        for line in [
+            format!("render {small} {flags} -o x.png --json"),
+            format!("explain {small} {flags} --at 0,0"),
+        ] {
+            let run = folder.run(line.split_whitespace());
+            assert_eq!(run.status, Some(0), "{line}: {}", run.stderr);
+            let warning = format!("luxel: warning: {said}");
+            assert!(run.stderr.starts_with(&warning), "{line}: {}", run.stderr);
+            let in_json = String::from_utf8_lossy(&run.stdout).contains(said);
+            assert_eq!(in_json, line.starts_with("render"), "{line}");
+        }
+    }
+    let line = format!("render {small} --environment .5,.5,1 --environment-background -o x.png");
+    folder.run(line.split_whitespace()).done();
+}
+
+#[test]
 fn invalid_values_are_wrong_usage_for_info_and_render() {
     for (flags, expected) in WRONG {
         luxel(&format!("info demo:cornell {flags}")).failed(2, expected);

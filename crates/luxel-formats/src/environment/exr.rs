@@ -1,9 +1,12 @@
 //! OpenEXR: one part of scan lines or tiles, of half, float or uint channels (*OpenEXR File Layout*, Academy
 //! Software Foundation).
 
+mod b44;
 mod compression;
 mod header;
+mod piz;
 mod samples;
+mod words;
 
 use super::bytes::Cursor;
 use super::{check_size, malformed};
@@ -28,12 +31,14 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<EquirectangularIma
     let mut cursor = Cursor::new(bytes, 0);
     let header = Header::read(&mut cursor)?;
     let [width, height] = header.size;
-    let raw = u64::from(width) * u64::from(height) * header.bytes_of_texel() as u64;
+    let texels = u64::from(width) * u64::from(height);
+    let raw = texels.saturating_mul(header.bytes_of_texel() as u64);
     check_size(header.size, header.size_byte, (bytes, raw / BYTES_PER_BYTE), limits)?;
     let columns = width as usize;
     let rows = height as usize;
     let mut light = vec![[0.0; 3]; columns * rows];
     let chunks = header.chunk_count();
+    let mut taken = 0;
     let mut offsets = Cursor::new(bytes, cursor.at());
     for number in 0..chunks {
         let what = format!("block {number} of {chunks}");
@@ -50,6 +55,11 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<EquirectangularIma
             .map_err(|_| malformed(chunk.at() - 4, format!("{what} has {length} bytes")))?;
         let start = chunk.at();
         let compressed = chunk.take(length, &what)?;
+        // Blocks that lie in one place would take more time than their bytes.
+        taken += length;
+        if taken > bytes.len() {
+            return Err(malformed(at, format!("{what} lies where another one does")));
+        }
         let expected = area.width * area.height * header.bytes_of_texel();
         // Other channels may be many.
         let place = Place::Byte(start as u64);

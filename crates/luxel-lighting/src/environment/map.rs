@@ -53,10 +53,10 @@ impl EnvironmentMap {
     #[must_use]
     pub fn bytes_needed(width: u32, height: u32) -> u64 {
         let side = u64::from(side_of(width));
-        let picture = u64::from(width) * u64::from(height) * 12;
+        let picture = (u64::from(width) * u64::from(height)).saturating_mul(12);
         let squares = Square::bytes(side) + Square::bytes(256) * 2;
         // Cells are summed up in quarters.
-        picture + side * side * 16 * 2 + blur::bytes(side) + squares
+        picture.saturating_add(side * side * 16 * 2 + blur::bytes(side) + squares)
     }
 
     /// Prepares a picture; its `name` is what users know it by. Values beyond 1e10 count as that, NaN as 0;

@@ -27,6 +27,19 @@ pub enum RenderError {
     /// More triangles in a mesh than rays for shadows can go through.
     #[error(transparent)]
     TooManyForRays(#[from] TooManyForTree),
+    /// Trees for rays that take more than [`Execution::max_memory`](crate::Execution::max_memory).
+    #[error(
+        "shadows, ambient occlusion and the ground need trees over {triangles} triangles, which would take \
+         {needed} bytes; the limit is {limit}"
+    )]
+    TreesTooLarge {
+        /// The triangles of all meshes.
+        triangles: u64,
+        /// Bytes.
+        needed: u64,
+        /// The bytes allowed.
+        limit: u64,
+    },
     /// More pieces of vectors than are allowed.
     #[error("the picture has more than {0} pieces of one colour")]
     TooManyPieces(usize),

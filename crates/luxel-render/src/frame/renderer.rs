@@ -19,7 +19,7 @@ use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
 use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
 use luxel_math::{Level, dispatch_long};
-use luxel_rays::{MeshTrees, SceneRays, TooManyForTree};
+use luxel_rays::{MeshTrees, SceneRays};
 use luxel_scene::{AlphaMode, Bounds, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{
@@ -44,9 +44,11 @@ pub struct Renderer {
     /// The polygons of each mesh, once they are asked for.
     polygons_of_meshes: Vec<OnceLock<Box<Polygons>>>,
     /// The trees for shadows, once a view needs them.
-    rays: OnceLock<Result<Box<SceneRays>, TooManyForTree>>,
+    rays: OnceLock<Result<Box<SceneRays>, RenderError>>,
     /// Trees of the same meshes, for when they are needed again.
     kept_trees: Mutex<Option<MeshTrees>>,
+    /// The memory that trees may take.
+    max_memory: u64,
     /// The bounds of what is drawn, and how low it reaches, once a view needs them.
     bounds: OnceLock<Bounds>,
     lowest: OnceLock<f64>,
@@ -73,6 +75,7 @@ impl Renderer {
             polygons_of_meshes: scene.meshes.iter().map(|_| OnceLock::new()).collect(),
             rays: OnceLock::new(),
             kept_trees: Mutex::default(),
+            max_memory: execution.max_memory,
             bounds: OnceLock::new(),
             lowest: OnceLock::new(),
             level,

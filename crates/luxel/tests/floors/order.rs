@@ -130,6 +130,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "world_ray",
             "object_tree",
             "scene_rays",
+            "memory",
             "surface_place",
             "terminator_offset",
             "ray_lanes",

@@ -1,8 +1,8 @@
-//! Blocks of samples, compressed without loss or nearly so.
+//! Blocks of samples, compressed without loss or with little.
 
 use super::header::{Header, unsupported};
 use super::samples::Kind;
-use super::{Area, Error};
+use super::{Area, Error, b44, piz};
 use flate2::read::ZlibDecoder;
 use std::borrow::Cow;
 use std::io::Read;
@@ -17,6 +17,9 @@ pub(super) enum Compression {
     /// Sixteen lines at a time.
     Zip,
     Pxr24,
+    Piz,
+    /// With or without short groups of equal samples.
+    B44,
 }
 
 impl Compression {
@@ -26,10 +29,9 @@ impl Compression {
             1 => return Ok(Self::Rle),
             2 => return Ok(Self::Zips),
             3 => return Ok(Self::Zip),
+            4 => return Ok(Self::Piz),
             5 => return Ok(Self::Pxr24),
-            4 => "PIZ",
-            6 => "B44",
-            7 => "B44A",
+            6 | 7 => return Ok(Self::B44),
             8 => "DWAA",
             9 => "DWAB",
             _ => "unknown",
@@ -43,6 +45,7 @@ impl Compression {
         match self {
             Self::None | Self::Rle | Self::Zips => 1,
             Self::Zip | Self::Pxr24 => 16,
+            Self::Piz | Self::B44 => 32,
         }
     }
 
@@ -65,6 +68,8 @@ impl Compression {
             Self::None => Ok(Cow::Borrowed(compressed)),
             Self::Rle => Ok(Cow::Owned(woven(&unrolled(compressed, expected)?))),
             Self::Zips | Self::Zip => Ok(Cow::Owned(woven(&inflated(compressed, expected)?))),
+            Self::Piz => piz::expanded(compressed, expected, header, area).map(Cow::Owned),
+            Self::B44 => b44::expanded(compressed, expected, header, area).map(Cow::Owned),
             Self::Pxr24 => of_24_bits(compressed, expected, header, area).map(Cow::Owned),
         }
     }

@@ -90,7 +90,7 @@ impl Header {
             }
         }
         let missing = |name: &str| malformed(0, format!("the header lacks `{name}`"));
-        let (channels, colors) = channels.ok_or_else(|| missing("channels"))?;
+        let (channels, colors, is_bent) = channels.ok_or_else(|| missing("channels"))?;
         let compression = compression.ok_or_else(|| missing("compression"))?;
         let [left, top, right, bottom] = data.ok_or_else(|| missing("dataWindow"))?;
         if display.is_some_and(|display| display != [left, top, right, bottom]) {
@@ -98,6 +98,11 @@ impl Header {
             return Err(unsupported(size_byte, message));
         }
         let tiles = if is_tiled { Some(tiles.ok_or_else(|| missing("tiles"))?) } else { None };
+        if is_bent && compression == Compression::B44 {
+            let message =
+                "B44 with channels that are perceptually linear is not read: save it with ZIP";
+            return Err(unsupported(0, message));
+        }
         let side = |from: i32, to: i32| {
             u32::try_from(i64::from(to) - i64::from(from) + 1).unwrap_or_default()
         };
@@ -125,11 +130,15 @@ fn read_tiles(value: &mut Cursor<'_>, at: usize) -> Result<Tiles, Error> {
     Ok(Tiles { sides })
 }
 
-/// The types of the channels, and which of them are red, green and blue.
-fn read_channels(value: &mut Cursor<'_>, at: usize) -> Result<(Vec<Kind>, [usize; 3]), Error> {
+/// The types of the channels, which of them are red, green and blue, and whether one is to be compressed on a curve.
+fn read_channels(
+    value: &mut Cursor<'_>,
+    at: usize,
+) -> Result<(Vec<Kind>, [usize; 3], bool), Error> {
     let what = "the list of channels";
     let mut kinds = Vec::new();
     let mut names = Vec::new();
+    let mut is_bent = false;
     loop {
         let name = value.until(0, LONGEST_NAME, what)?;
         if name.is_empty() {
@@ -138,7 +147,8 @@ fn read_channels(value: &mut Cursor<'_>, at: usize) -> Result<(Vec<Kind>, [usize
         let kind = value.i32(what)?;
         let kind =
             Kind::of(kind).ok_or_else(|| malformed(at, format!("a channel has type {kind}")))?;
-        value.take(4, what)?;
+        let [is_linear_to_the_eye, ..] = value.array::<4>(what)?;
+        is_bent |= is_linear_to_the_eye != 0;
         if [value.i32(what)?, value.i32(what)?] != [1, 1] {
             let message = "a channel has fewer samples than texels: save it as RGB";
             return Err(unsupported(at, message));
@@ -161,5 +171,5 @@ fn read_channels(value: &mut Cursor<'_>, at: usize) -> Result<(Vec<Kind>, [usize
     let colors = colors.ok_or_else(|| {
         unsupported(at, "there are no channels R, G and B, and no channel Y of grey")
     })?;
-    Ok((kinds, colors))
+    Ok((kinds, colors, is_bent))
 }

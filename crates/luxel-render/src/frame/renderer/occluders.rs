@@ -10,6 +10,9 @@ use luxel_view::{AmbientOcclusion, View};
 use luxel_visibility::{Frame, PlacedScene};
 use std::sync::Arc;
 
+/// The trees serve many rays.
+const QUALITY: Quality = Quality::Thorough;
+
 impl Renderer {
     /// The bounds of what is drawn.
     pub(super) fn bounds(&self) -> Bounds {
@@ -27,7 +30,8 @@ impl Renderer {
     /// first view that needs them. [`Renderer::into_prepared`] keeps them.
     ///
     /// # Errors
-    /// [`RenderError::TooManyForRays`] if a mesh has too many triangles.
+    /// [`RenderError::TooManyForRays`] if a mesh has too many triangles, [`RenderError::TreesTooLarge`] if
+    /// the trees exceed the memory limit.
     pub fn build_trees(&self) -> Result<(), RenderError> {
         self.install(|| self.rays()).map(|_| ())
     }
@@ -35,16 +39,28 @@ impl Renderer {
     /// The trees of what is drawn.
     fn rays(&self) -> Result<&SceneRays, RenderError> {
         let build = || {
+            self.check_memory()?;
             let (scene, objects) = (Arc::clone(&self.scene), self.objects.clone());
             let kept = self.kept_trees.lock().ok().and_then(|mut kept| kept.take());
-            match kept {
+            let rays = match kept {
                 Some(trees) => SceneRays::with_trees(trees, scene, objects, self.level),
-                None => SceneRays::of_objects(scene, objects, Quality::Thorough, self.level),
-            }
-            .map(Box::new)
+                None => SceneRays::of_objects(scene, objects, QUALITY, self.level),
+            };
+            Ok(Box::new(rays?))
         };
         let rays = self.rays.get_or_init(build).as_ref();
-        Ok(rays.map_err(Clone::clone)?)
+        rays.map(AsRef::as_ref).map_err(Clone::clone)
+    }
+
+    /// Fails before trees are built that exceed the memory limit.
+    fn check_memory(&self) -> Result<(), RenderError> {
+        let limit = self.max_memory;
+        let needed = SceneRays::bytes_needed(&self.scene, &self.objects, QUALITY);
+        if needed <= limit {
+            return Ok(());
+        }
+        let triangles = self.scene.meshes.iter().map(|mesh| mesh.triangles.len() as u64).sum();
+        Err(RenderError::TreesTooLarge { triangles, needed, limit })
     }
 
     /// Takes the trees of the meshes out, as far as they are built.

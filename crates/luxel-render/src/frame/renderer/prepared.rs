@@ -15,6 +15,7 @@ pub struct Prepared {
     meshes: Vec<(usize, Clusters, OnceLock<Box<Polygons>>)>,
     /// The trees of all meshes, if a view has needed them.
     trees: Option<MeshTrees>,
+    max_memory: u64,
     level: Level,
     pool: Option<rayon::ThreadPool>,
     clock: fn() -> Duration,
@@ -38,6 +39,7 @@ impl Renderer {
         Prepared {
             meshes: counts.zip(made).map(|(count, (a, b))| (count, a, b)).collect(),
             trees,
+            max_memory: self.max_memory,
             level: self.level,
             pool: self.pool,
             clock: self.clock,
@@ -50,13 +52,14 @@ impl Renderer {
     #[must_use]
     pub fn again(scene: impl Into<Arc<Scene>>, prepared: Prepared) -> Self {
         let scene = scene.into();
-        let Prepared { meshes, trees, level, pool, clock } = prepared;
+        let Prepared { meshes, trees, max_memory, level, pool, clock } = prepared;
         let mut renderer = Self {
             objects: scene.objects(),
             clusters: Vec::new(),
             polygons_of_meshes: Vec::new(),
             rays: OnceLock::new(),
             kept_trees: Mutex::new(trees),
+            max_memory,
             bounds: OnceLock::new(),
             lowest: OnceLock::new(),
             level,

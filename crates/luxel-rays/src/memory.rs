@@ -1,0 +1,53 @@
+//! What preparing a scene for rays will take.
+
+use crate::object_tree::{PlacedTree, Placement};
+use crate::scene_rays::SceneRays;
+use luxel_bvh::{Bvh, Quality};
+use luxel_scene::{Mesh, Object, Part, Scene};
+
+impl SceneRays {
+    /// An upper bound of the memory that [`SceneRays::of_objects`] takes beside the scene, in bytes,
+    /// before anything of it is taken.
+    #[must_use]
+    pub fn bytes_needed(scene: &Scene, objects: &[Object], quality: Quality) -> u64 {
+        let of_tree = |triangles| quality.bytes_needed(triangles) as u64 + size_of::<Bvh>() as u64;
+        let of_mesh = |mesh: &Mesh| {
+            // A section's mesh gets a tree of its own, and is a copy.
+            let more = mesh.sections.len().saturating_sub(1) as u64 * of_tree(0);
+            let copy = if scene.has_sections() { bytes_of(mesh) } else { 0 };
+            of_tree(mesh.triangles.len()) + more + copy
+        };
+        let of_object = |object: &Object| {
+            let mesh = &scene.meshes[object.mesh.index()];
+            let placed = (size_of::<PlacedTree>() + size_of::<Object>()) as u64;
+            if !Placement::of(mesh, object).is_baked() {
+                return placed;
+            }
+            let own = mesh.range_of(object.section);
+            let positions = (size_of::<[f32; 3]>() * own.positions.len()) as u64;
+            placed + of_tree(own.triangles.len()) + positions
+        };
+        scene.meshes.iter().map(of_mesh).sum::<u64>()
+            + objects.iter().map(of_object).sum::<u64>()
+            // The tree over all objects, and their boxes.
+            + of_tree(objects.len()) + 80 * objects.len() as u64
+    }
+}
+
+/// The memory of a mesh's copy in sections.
+fn bytes_of(mesh: &Mesh) -> u64 {
+    let lists = size_of_val(&mesh.positions[..])
+        + size_of_val(&mesh.triangles[..])
+        + mesh.attribute_corners.as_deref().map_or(0, size_of_val)
+        + size_of_val(&mesh.normals[..])
+        + size_of_val(&mesh.normal_faults[..])
+        + size_of_val(&mesh.tangents[..])
+        + mesh.uvs.iter().map(|set| size_of_val(&set[..])).sum::<usize>()
+        + size_of_val(&mesh.colors[..])
+        + mesh.polygons.as_deref().map_or(0, size_of_val)
+        + mesh.smoothing_groups.as_deref().map_or(0, size_of_val)
+        + size_of_val(&mesh.parts[..]);
+    // Lists of meshes grow to twice their length, beside the shorter list.
+    let each = 3 * size_of::<Mesh>() + size_of::<Part>();
+    (lists + each * mesh.sections.len().max(1)) as u64
+}

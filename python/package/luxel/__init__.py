@@ -1,0 +1,29 @@
+"""3D pictures, masks, picks and explained pixels on the CPU, the same bytes on every machine."""
+
+from ._luxel import (
+    Camera,
+    Error,
+    Frame,
+    Hit,
+    Ledger,
+    LoadError,
+    Scene,
+    View,
+    __version__,
+    demos,
+    load,
+)
+
+__all__ = [
+    "Camera",
+    "Error",
+    "Frame",
+    "Hit",
+    "Ledger",
+    "LoadError",
+    "Scene",
+    "View",
+    "__version__",
+    "demos",
+    "load",
+]

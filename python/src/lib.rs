@@ -1,0 +1,39 @@
+//! The native module of the Python package `luxel`: scenes, views, frames, picks and ledgers.
+//!
+//! Each module has one class or one family of functions. Long work runs without the interpreter's lock, in
+//! [`interruptible`]; every error of the library becomes one of [`errors`].
+
+#![deny(missing_docs, unsafe_code)]
+
+mod arrays;
+mod camera;
+mod errors;
+mod frame;
+mod interruptible;
+mod ledger;
+mod load;
+mod picks;
+mod rays;
+mod scene;
+mod settings;
+mod view;
+
+use pyo3::prelude::*;
+
+/// The native part of `luxel`.
+#[pymodule(gil_used = false)]
+fn _luxel(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let py = module.py();
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("Error", py.get_type::<errors::Error>())?;
+    module.add("LoadError", py.get_type::<errors::LoadError>())?;
+    module.add_class::<scene::PyScene>()?;
+    module.add_class::<camera::PyCamera>()?;
+    module.add_class::<view::PyView>()?;
+    module.add_class::<frame::PyFrame>()?;
+    module.add_class::<ledger::PyLedger>()?;
+    module.add_class::<picks::PyHit>()?;
+    module.add_function(wrap_pyfunction!(load::load, module)?)?;
+    module.add_function(wrap_pyfunction!(load::demos, module)?)?;
+    Ok(())
+}
