@@ -62,9 +62,6 @@ pub trait Lanes:
     fn to_f64(self) -> Self::F64;
     /// `value` in every lane; `self` selects the lane type.
     fn constant(self, value: f32) -> Self;
-    /// `self * factor + term`, rounded once or twice, whichever is quick: the only operation whose bits
-    /// depend on the machine, for bounds that are wide enough for both.
-    fn times_plus(self, factor: Self, term: Self) -> Self;
     /// The correctly rounded square root.
     fn sqrt(self) -> Self;
     /// The value without its sign.

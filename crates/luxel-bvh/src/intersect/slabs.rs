@@ -24,9 +24,8 @@ pub struct SlabTest {
 }
 
 /// How far origins are shifted, relative to the largest coordinate. With 6 units in the last place no
-/// ray through vertices along an axis was lost; without the shift all of them were. One more is for the
-/// rounding of origins times reciprocal directions, which groups of rays subtract instead of origins.
-pub(crate) const PADDING: f32 = 7.0 * f32::EPSILON;
+/// ray through vertices along an axis was lost; without the shift all of them were.
+pub(crate) const PADDING: f32 = 6.0 * f32::EPSILON;
 /// Stands for 0 in directions, so that reciprocals are finite.
 pub(crate) const ALMOST_ZERO: f32 = 1e-18;
 

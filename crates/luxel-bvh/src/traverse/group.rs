@@ -111,7 +111,7 @@ fn leaf_hits<S: Simd, N: Lanes>(
     hits
 }
 
-/// The rays of a group in the form of the slab test: plane * inverse + origin * -inverse.
+/// The rays of a group in the form of the slab test: (plane - origin) * inverse.
 struct GroupSlabs<N> {
     near: [N; 3],
     far: [N; 3],
@@ -134,8 +134,8 @@ impl<N: Lanes> GroupSlabs<N> {
         };
         for axis in 0..3 {
             let inverse = load(lanes, &packet.inverse[axis], 0);
-            slabs.near[axis] = -load(lanes, &packet.near_origin[axis], 0) * inverse;
-            slabs.far[axis] = -load(lanes, &packet.far_origin[axis], 0) * inverse;
+            slabs.near[axis] = load(lanes, &packet.near_origin[axis], 0);
+            slabs.far[axis] = load(lanes, &packet.far_origin[axis], 0);
             slabs.inverse[axis] = inverse;
         }
         slabs
@@ -152,12 +152,12 @@ impl<N: Lanes> GroupSlabs<N> {
         let (near_y, far_y) = (&node.planes[1][y & 1], &node.planes[1][(y ^ 1) & 1]);
         let (near_z, far_z) = (&node.planes[2][z & 1], &node.planes[2][(z ^ 1) & 1]);
         for slot in 0..WIDTH {
-            let near_x = lanes.constant(near_x[slot]).times_plus(inverse_x, self.near[0]);
-            let near_y = lanes.constant(near_y[slot]).times_plus(inverse_y, self.near[1]);
-            let near_z = lanes.constant(near_z[slot]).times_plus(inverse_z, self.near[2]);
-            let far_x = lanes.constant(far_x[slot]).times_plus(inverse_x, self.far[0]);
-            let far_y = lanes.constant(far_y[slot]).times_plus(inverse_y, self.far[1]);
-            let far_z = lanes.constant(far_z[slot]).times_plus(inverse_z, self.far[2]);
+            let near_x = (lanes.constant(near_x[slot]) - self.near[0]) * inverse_x;
+            let near_y = (lanes.constant(near_y[slot]) - self.near[1]) * inverse_y;
+            let near_z = (lanes.constant(near_z[slot]) - self.near[2]) * inverse_z;
+            let far_x = (lanes.constant(far_x[slot]) - self.far[0]) * inverse_x;
+            let far_y = (lanes.constant(far_y[slot]) - self.far[1]) * inverse_y;
+            let far_z = (lanes.constant(far_z[slot]) - self.far[2]) * inverse_z;
             let near = near_x.maximum(near_y).maximum(near_z.maximum(self.start));
             let far = far_x.minimum(far_y).minimum(far_z.minimum(self.end));
             found[slot] = near.less_or_equal(far).bits();

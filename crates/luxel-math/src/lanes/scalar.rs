@@ -37,10 +37,6 @@ impl Lanes for f32 {
         value
     }
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
-        self * factor + term
-    }
-    #[inline(always)]
     fn sqrt(self) -> Self {
         Self::sqrt(self)
     }

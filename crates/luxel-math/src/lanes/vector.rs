@@ -70,10 +70,6 @@ macro_rules! vector_lanes {
                 Self::splat(self.simd, value)
             }
             #[inline(always)]
-            fn times_plus(self, factor: Self, term: Self) -> Self {
-                self.mul_add(factor, term)
-            }
-            #[inline(always)]
             fn sqrt(self) -> Self {
                 SimdFloat::sqrt(self)
             }
