@@ -140,8 +140,18 @@ impl Shadows<'_> {
         simd.vectorized(
             #[inline(always)]
             || {
+                let asked = match self.openness {
+                    Some(_) => samples.lanes,
+                    None => self.lit_by_any(point) & samples.lanes,
+                };
+                if asked == 0 {
+                    found.visibility.clear();
+                    found.visibility.resize(self.sources.len(), [1.0; LANES]);
+                    found.openness = None;
+                    return;
+                }
                 let make = |id| self.places(id);
-                let (of, placed) = found.cache.of_lanes(samples.ids, samples.lanes, make);
+                let (of, placed) = found.cache.of_lanes(samples.ids, asked, make);
                 let places = TrianglePlaces::at_lanes(&of, barycentric, placed);
                 let places = self.facing(&places);
                 let offset = |lane: usize, place: &SurfacePlace| {
@@ -176,8 +186,7 @@ impl Shadows<'_> {
                 let normals = [normal, [smooth.x, smooth.y, smooth.z]];
                 visibility.clear();
                 for (number, (source, light)) in (0..).zip(self.sources.iter().zip(self.lights)) {
-                    let n_dot_l = point.normal.dot(light.to_light(point.position));
-                    let lit = n_dot_l.zero().less(n_dot_l).bits() & placed;
+                    let lit = lit(light, point) & placed;
                     let mut own = [1.0; LANES];
                     if lit != 0 {
                         let at = (places, normals, lit);
@@ -195,6 +204,16 @@ impl Shadows<'_> {
                 });
             },
         );
+    }
+
+    /// The lanes that any light with shadows lights.
+    #[inline(always)]
+    fn lit_by_any<N: Lanes>(&self, point: &SurfacePoint<N>) -> u32 {
+        let mut any = 0;
+        for light in &self.lights[..self.sources.len()] {
+            any |= lit(light, point);
+        }
+        any
     }
 
     /// V of one light at the places whose bit is set, with the shading normals N and the smooth ones.
@@ -343,6 +362,13 @@ impl Shadows<'_> {
     fn rays_each(&self, source: &LightSource) -> u32 {
         if source.is_point() { 1 } else { self.light_rays }
     }
+}
+
+/// The lanes where N.L > 0.
+#[inline(always)]
+fn lit<N: Lanes>(light: &PlacedLight, point: &SurfacePoint<N>) -> u32 {
+    let n_dot_l = point.normal.dot(light.to_light(point.position));
+    n_dot_l.zero().less(n_dot_l).bits()
 }
 
 /// The vector of a lane.
