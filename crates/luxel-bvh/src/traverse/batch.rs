@@ -29,7 +29,7 @@ const MANY: usize = 256;
 const SLOTS: usize = 1 << 5;
 
 /// The numbers of rays that need no sorting.
-const IN_ORDER: [u8; MANY] = {
+static IN_ORDER: [u8; MANY] = {
     let mut order = [0; MANY];
     let mut at = 0;
     while at < MANY {
@@ -117,9 +117,14 @@ fn trace_in_packets<S: Simd, N: Lanes, Q: RayQuery>(
             LEAST..=PACKET => packet.load(simd, rays),
             _ => None,
         };
-        let (order, starts) = match common {
-            Some(_) => (IN_ORDER, [0; SLOTS + 1]),
-            None => sorted_by_kind(simd, rays),
+        // Not copied where nothing is sorted: for sixteen rays, that took as long as a node.
+        let sorted;
+        let (order, starts): (&[u8; MANY], &[usize; SLOTS + 1]) = match common {
+            Some(_) => (&IN_ORDER, &[0; SLOTS + 1]),
+            None => {
+                sorted = sorted_by_kind(simd, rays);
+                (&sorted.0, &sorted.1)
+            }
         };
         let (least, most) = match Q::ANY && !together {
             true => (LEAST_OF_GROUP, width::<N>()),

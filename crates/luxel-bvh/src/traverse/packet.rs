@@ -37,9 +37,6 @@ pub(super) struct RayInterval {
     start: f32,
 }
 
-/// Groups test boxes by products of coordinates and reciprocal directions, which must not overflow.
-const FARTHEST: f32 = 1e37;
-
 /// Rays of one kind, side by side. Rows come first, so that sixteen values are a cache line.
 #[repr(C, align(64))]
 pub(crate) struct Packet {
@@ -165,9 +162,7 @@ impl Packet {
                 let [near_origin, far_origin] = shifted(origin, sign * pad);
                 let length = along.abs().maximum(lanes.constant(ALMOST_ZERO));
                 let inverse = sign * (lanes.one() / length);
-                bounded = bounded
-                    & (pad * inverse).abs().less(lanes.constant(PADDING * FARTHEST))
-                    & along.abs().less(lanes.constant(USUAL_LENGTHS.end));
+                bounded = bounded & along.abs().less(lanes.constant(USUAL_LENGTHS.end));
                 if axis == self.longest {
                     bounded =
                         bounded & lanes.constant(USUAL_LENGTHS.start).less_or_equal(along.abs());

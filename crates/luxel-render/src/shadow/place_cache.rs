@@ -48,15 +48,17 @@ impl PlaceCache {
             self.places = vec![None; KEPT];
         }
         let slot = |id: u32| id as usize % KEPT;
+        let (mut taken, mut made) = (0, 0);
         for lane in lanes_of(lanes) {
             let id = ids[lane];
             if self.ids[slot(id)] != id {
                 self.ids[slot(id)] = id;
                 self.places[slot(id)] = make(TriangleId(id));
+                made += 1;
             }
         }
-        let mut taken = 0;
-        for lane in lanes_of(lanes) {
+        // Where nothing was made, nothing took another's place.
+        for lane in lanes_of(if made > 0 { lanes } else { 0 }) {
             let id = ids[lane];
             if self.ids[slot(id)] != id {
                 self.spare[lane] = make(TriangleId(id));
