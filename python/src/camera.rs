@@ -8,6 +8,10 @@ use luxel::scene::{
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
+// Signatures show numbers, not names.
+const _: () = assert!(luxel::DEFAULT_AZIMUTH_DEGREES == 30.0);
+const _: () = assert!(luxel::DEFAULT_ELEVATION_DEGREES == 20.0);
+
 /// Where a camera is.
 #[derive(Clone, Debug)]
 enum Pose {
@@ -88,7 +92,7 @@ fn check_planes(near: Option<f64>, far: Option<f64>) -> PyResult<()> {
 impl PyCamera {
     /// A camera that sees the whole model from a direction, as the command line does by default.
     #[staticmethod]
-    #[pyo3(signature = (azimuth=luxel::DEFAULT_AZIMUTH_DEGREES, elevation=luxel::DEFAULT_ELEVATION_DEGREES, *, fov_y=None, height=None, intrinsics=None, near=None, far=None))]
+    #[pyo3(signature = (azimuth=30.0, elevation=20.0, *, fov_y=None, height=None, intrinsics=None, near=None, far=None))]
     fn fit(
         azimuth: f64,
         elevation: f64,

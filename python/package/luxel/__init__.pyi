@@ -2,15 +2,28 @@
 
 from collections.abc import Iterable, Sequence
 from os import PathLike
-from typing import Any, Literal, Protocol, TypedDict
+from typing import Any, Literal, Protocol, TypedDict, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __version__: str
 
-Mode = Literal["flat", "gouraud", "phong", "subdivided"]
-Convention = Literal["opengl", "opencv"]
+__all__ = [
+    "Camera",
+    "Error",
+    "Frame",
+    "Hit",
+    "Ledger",
+    "LoadError",
+    "Scene",
+    "View",
+    "__version__",
+    "demos",
+    "load",
+]
+
+_Convention = Literal["opengl", "opencv"]
 
 class Error(Exception):
     """What luxel can't do; the base of its exceptions."""
@@ -28,6 +41,7 @@ class LoadError(Error):
 class _Readable(Protocol):
     def read(self) -> bytes: ...
 
+@final
 class Camera:
     """A camera: where it is, its lens and its clipping planes.
 
@@ -67,7 +81,7 @@ class Camera:
     @staticmethod
     def from_pose(
         pose: ArrayLike,
-        convention: Convention = "opengl",
+        convention: _Convention = "opengl",
         *,
         fov_y: float | None = None,
         height: float | None = None,
@@ -78,7 +92,7 @@ class Camera:
         """A camera by its 4x4 pose, from camera to world coordinates, a rotation and a translation. Its axes point
         right, up and back (`opengl`, as in pyrender and trimesh) or right, down and ahead (`opencv`)."""
 
-class RegionHit(TypedDict, total=False):
+class _RegionHit(TypedDict, total=False):
     """An object in a rectangle, as `luxel pick --rect --json` lists it."""
 
     index: int
@@ -91,7 +105,7 @@ class RegionHit(TypedDict, total=False):
     points_and_lines: int
     pixels: int
 
-class Hits(TypedDict):
+class _Hits(TypedDict):
     """What is visible at n points; -1 and nan where nothing is, and -1 for the triangle of points and lines."""
 
     object: NDArray[np.int64]
@@ -103,6 +117,7 @@ class Hits(TypedDict):
     z: NDArray[np.float64]
     depth: NDArray[np.float64]
 
+@final
 class Hit:
     """A surface at a point of the picture."""
 
@@ -133,6 +148,7 @@ class Hit:
     depth: float
     """Window depth, 0 near to 1 far."""
 
+@final
 class Ledger:
     """Every term of a pixel's light, which add up to its bytes. It prints as `luxel explain` does."""
 
@@ -155,6 +171,7 @@ class Ledger:
 
     def _repr_html_(self) -> str: ...
 
+@final
 class Frame:
     """A drawn view. Arrays are C-contiguous, rows from the top; layers that weren't asked for are missing.
 
@@ -199,6 +216,7 @@ class Frame:
 
     def _repr_png_(self) -> bytes: ...
 
+@final
 class View:
     """A scene seen by a camera, with lights, shading and size."""
 
@@ -215,18 +233,19 @@ class View:
     def pick_through(self, x: float, y: float) -> list[Hit]:
         """All surfaces at a point, nearest first."""
 
-    def pick_many(self, xy: ArrayLike) -> Hits:
+    def pick_many(self, xy: ArrayLike) -> _Hits:
         """What is visible at many points, (n, 2), where a pixel's centre is at .5."""
 
     def rect(
         self, x: float, y: float, w: float, h: float, *, visible: bool = False, enclosed: bool = False
-    ) -> list[RegionHit]:
+    ) -> list[_RegionHit]:
         """The objects in a rectangle, by its upper left corner and size in pixels. `visible`: only those that are seen
         there, with `pixels`; `enclosed`: only those that lie inside entirely."""
 
     def explain(self, x: float, y: float) -> Ledger:
         """Why a pixel has its colour: ints mean the pixel with all its samples, floats one sample at that point."""
 
+@final
 class Scene:
     """Meshes, materials, lights and cameras, ready to be drawn. It never changes, and threads may share it.
 
