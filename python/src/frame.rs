@@ -43,7 +43,7 @@ impl PyFrame {
     }
 
     /// The bytes of the picture as PNG.
-    fn png(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
+    pub(crate) fn png(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
         let rgba = self.arrays.bind(py).as_any().get_item("rgba")?;
         let bytes: Vec<u8> = rgba.call_method0("tobytes")?.extract()?;
         let (pixels, _) = bytes.as_chunks::<4>();

@@ -12,6 +12,7 @@ mod frame;
 mod interruptible;
 mod ledger;
 mod load;
+mod packed;
 mod picks;
 mod rays;
 mod scene;
@@ -35,5 +36,6 @@ fn _luxel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<picks::PyHit>()?;
     module.add_function(wrap_pyfunction!(load::load, module)?)?;
     module.add_function(wrap_pyfunction!(load::demos, module)?)?;
+    module.add_function(wrap_pyfunction!(packed::unpack, module)?)?;
     Ok(())
 }

@@ -9,10 +9,10 @@ use luxel::pick::Picker;
 use luxel::render::{Execution, Renderer};
 use luxel::scene::{
     Encoding, Image, MaterialId, Mesh, MeshId, Node, NormalOptions, Part, Sampler, Scene,
-    SceneMaterial, Texture, TextureId, TextureUse,
+    SceneMaterial, Size, Texture, TextureId, TextureUse,
 };
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{PyBytes, PyDict, PyList};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// A scene: meshes, materials, lights and cameras, ready to be drawn. It never changes.
@@ -67,6 +67,11 @@ impl PyScene {
     pub(crate) fn ready(mut scene: Scene, warnings: Vec<String>) -> Self {
         scene.compute_normals(&NormalOptions::default());
         scene.compute_tangents();
+        Self::whole(scene, warnings)
+    }
+
+    /// A scene with normals and tangents.
+    pub(crate) fn whole(scene: Scene, warnings: Vec<String>) -> Self {
         let shared = SharedScene {
             scene: Arc::new(scene),
             warnings,
@@ -244,6 +249,27 @@ impl PyScene {
     ) -> PyResult<Bound<'py, PyAny>> {
         let renderer = self.shared.renderer(&execution(threads, None)?)?;
         crate::rays::rays(py, &self.shared, &renderer, (origins, directions), mode)
+    }
+
+    /// What a notebook displays: the default view as PNG.
+    fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyBytes>>> {
+        if self.shared.scene.is_empty() {
+            return Ok(None);
+        }
+        let size = Size { width: 640, height: 360 };
+        let view = PyView::new(py, Arc::clone(&self.shared), size, None, &Settings::default())?;
+        let png = view.render(py, None)?.png(py)?;
+        Ok(Some(PyBytes::new(py, &png)))
+    }
+
+    /// Pickles: the scene as bytes for the same version of luxel, to the bit.
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>, Vec<String>))> {
+        let bytes = py.detach(|| luxel::pack(&self.shared.scene));
+        let unpack = py.import("luxel._luxel")?.getattr("unpack")?;
+        Ok((unpack, (PyBytes::new(py, &bytes), self.warnings())))
     }
 
     fn __repr__(&self) -> String {

@@ -15,6 +15,7 @@ use luxel::render::{At, Layer, Picture, Renderer, Unseen, View};
 use luxel::report::RegionReport;
 use luxel::scene::Size;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 
@@ -69,6 +70,20 @@ impl PyView {
     #[getter]
     fn size(&self) -> (u32, u32) {
         (self.view.size.width, self.view.size.height)
+    }
+
+    /// Scene and view as bytes, for the widget of `luxel-notebook`.
+    fn _packed<'py>(&self, py: Python<'py>) -> (Bound<'py, PyBytes>, Bound<'py, PyBytes>) {
+        let [scene, view] = py.detach(|| {
+            [luxel::pack(&self.shared.scene), luxel::pack_view(&self.view)]
+        });
+        (PyBytes::new(py, &scene), PyBytes::new(py, &view))
+    }
+
+    /// What a notebook displays: the picture.
+    fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let png = self.render(py, None)?.png(py)?;
+        Ok(PyBytes::new(py, &png))
     }
 
     /// Draws the view: a frame with `rgba` and the layers of these names.

@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 
 /// How a picture stores light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum PictureEncoding {
     /// By the curve of sRGB.
     #[default]

@@ -16,6 +16,7 @@ pub use map::{EnvironmentMap, EquirectangularImage, OrientedMap};
 /// The surroundings that mirrors and metals reflect. Formulas are reflected by these alone; a map lights matt
 /// surfaces, too.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Environment {
     /// Nothing: black.
     #[default]

@@ -5,6 +5,7 @@ use luxel_math::{Lanes, Rgb, elementary};
 
 /// Fog: I' = s I + (1 - s) I_dc, where s falls with the distance along the viewing axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Fog {
     /// I_dc: the colour that things take on, linear.
     pub color: [f32; 3],
@@ -15,6 +16,7 @@ pub struct Fog {
 /// How the scale factor s depends on z, the distance from the eye along the viewing axis, in units
 /// of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FogLaw {
     /// Depth cueing (Foley et al., *Computer Graphics: Principles and Practice*, 1990, section
     /// 16.1.3): s goes linearly from `front` at `near` to `back` at `far` and is constant beyond.

@@ -8,6 +8,7 @@ use crate::LightKind;
 /// (*Computer Graphics: Principles and Practice*, 1990, section 16.1) with the specular colour of
 /// its own that OpenGL 1.x gives every light.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Light {
     /// How the light spreads.
     pub kind: LightKind,
@@ -34,6 +35,7 @@ pub struct Light {
 /// factor at 1 (*Computer Graphics: Principles and Practice*, 1990, section 16.1.2), so that no
 /// light is brighter nearby than at its source.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Attenuation {
     /// c1, c2, c3; not all 0.
     pub coefficients: [f32; 3],

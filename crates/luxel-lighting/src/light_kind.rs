@@ -7,6 +7,7 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(u8)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum LightKind {
     /// From everywhere, equally: only the ambient intensity counts.
     Ambient,
@@ -52,6 +53,7 @@ impl LightKind {
 /// The cone of a spot light; t is the angle between the light's direction and the direction to the
 /// surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Cone {
     /// max(cos t, 0)^exponent inside the cutoff, 0 outside (OpenGL 1.x, section 2.13.1). A cosine
     /// of the cutoff of -1 means no cone.

@@ -7,6 +7,7 @@ use crate::parameter::{K_A, K_D, K_S, METALLIC, Parameter, ROUGHNESS, SHININESS}
 ///
 /// Colours are linear.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Material {
     /// The model.
     pub reflection: Reflection,

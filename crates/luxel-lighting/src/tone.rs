@@ -11,6 +11,7 @@ use luxel_math::{Lanes, Rgb};
 
 /// A tone curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Tone {
     /// None: light beyond 1 is clamped.
     #[default]

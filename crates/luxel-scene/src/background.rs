@@ -4,6 +4,7 @@ use crate::Encoding;
 
 /// What a picture shows where no surface is seen. Exposure and tone curve leave it as it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Background {
     /// One colour: linear red, green, blue, and alpha.
     Flat([f32; 4]),

@@ -5,6 +5,7 @@ use glam::{DMat4, DVec3, DVec4};
 
 /// A picture's size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Size {
     /// Pixels across.
     pub width: u32,
@@ -14,6 +15,7 @@ pub struct Size {
 
 /// The projection, without the clipping planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Lens {
     /// A symmetric perspective.
     Perspective {
@@ -50,6 +52,7 @@ pub const CLIP_VOLUME: [DVec4; 6] = [
 
 /// A lens with its clipping planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Projection {
     /// The lens.
     pub lens: Lens,
@@ -61,6 +64,7 @@ pub struct Projection {
 
 /// A camera: view transform, lens and clipping planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Camera {
     /// From world space to the camera's own, which looks along -Z with +Y up: a rotation and a
     /// translation.
@@ -71,6 +75,7 @@ pub struct Camera {
 
 /// A camera of a file, hanging on a node.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SceneCamera {
     /// Its name.
     pub name: String,

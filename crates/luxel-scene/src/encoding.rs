@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 
 /// How an image's bytes stand for light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Encoding {
     /// Red, green and blue by the curve of IEC 61966-2-1; alpha linear: colours.
     Srgb,

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 /// The environment: what mirrors and metals reflect and, of a map, what lights matt surfaces.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum EnvironmentChoice {
     /// The studio for microfacet materials, nothing for others.
     #[default]

@@ -6,6 +6,7 @@ use luxel_lighting::{Cone, Light, LightKind};
 
 /// The coordinates in which a light is placed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Placement {
     /// World space: the light stays with the scene.
     #[default]
@@ -18,6 +19,7 @@ pub enum Placement {
 
 /// A light in its place.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SceneLight {
     /// Its name.
     pub name: String,

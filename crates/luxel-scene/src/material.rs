@@ -7,6 +7,7 @@ use luxel_math::Lanes;
 /// A material: the constants of the equation, and the textures that modulate them, which most of a file of
 /// very many materials lack.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SceneMaterial {
     /// Its name.
     pub name: String,
@@ -40,6 +41,7 @@ pub struct SceneMaterial {
 
 /// How a material samples a texture.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TextureUse {
     /// The texture.
     pub texture: TextureId,
@@ -80,6 +82,7 @@ impl TextureUse {
 
 /// The use of a surface's alpha.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum AlphaMode {
     /// Nothing.
     #[default]
@@ -95,6 +98,7 @@ pub enum AlphaMode {
 
 /// Which sides of a face are drawn when culling is left to the material.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Sides {
     /// Both: formats that don't say, and glTF's double-sided materials.
     #[default]

@@ -11,6 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// an *attribute vertex* (`attribute_corners`), which carries normal, texture coordinates and
 /// colour and is split where those change. Where no position is split, one index serves both.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mesh {
     /// The place that positions are relative to, so that f32 suffices far from the world's origin.
     pub origin: DVec3,
@@ -55,6 +56,7 @@ pub struct Mesh {
 /// No triangle of it uses positions or attribute vertices of another, and there are neither points nor
 /// lines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Section {
     /// The end of its triangles.
     pub triangles: u32,
@@ -66,6 +68,7 @@ pub struct Section {
 
 /// A normal that is none, or not of unit length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NormalFault {
     /// The index of its position.
     pub position: u32,
@@ -90,6 +93,7 @@ impl NormalFault {
 
 /// A run of triangles with one material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Part {
     /// The first triangle.
     pub first: u32,
@@ -101,6 +105,7 @@ pub struct Part {
 
 /// Positions drawn as points.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Points {
     /// Positions, by number.
     pub indices: Vec<u32>,
@@ -110,6 +115,7 @@ pub struct Points {
 
 /// Position pairs drawn as lines.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Lines {
     /// The two ends of each segment, positions by number.
     pub segments: Vec<[u32; 2]>,

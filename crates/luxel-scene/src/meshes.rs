@@ -88,6 +88,20 @@ impl fmt::Debug for Meshes {
     }
 }
 
+#[cfg(feature = "serde")]
+impl serde::Serialize for Meshes {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.list.serialize(serializer)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Meshes {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Vec::deserialize(deserializer).map(Self::from)
+    }
+}
+
 impl PartialEq for Meshes {
     fn eq(&self, other: &Self) -> bool {
         self.list == other.list

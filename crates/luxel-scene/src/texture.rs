@@ -32,6 +32,26 @@ pub struct MipLevel {
     pub texels: Vec<[u8; 4]>,
 }
 
+/// Without its mipmap levels, which follow from the first.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Image {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let base = self.levels.first();
+        let size = base.map_or((0, 0), |base| (base.width, base.height));
+        let texels = base.map_or(&[][..], |base| &base.texels[..]);
+        (&self.name, self.encoding, size, texels).serialize(serializer)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Image {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let (name, encoding, (width, height), texels) =
+            <(String, Encoding, (u32, u32), Vec<[u8; 4]>)>::deserialize(deserializer)?;
+        Ok(Self::new(name, encoding, width, height, texels))
+    }
+}
+
 impl Image {
     /// A picture and all its mipmap levels, which take a third of the picture's memory again.
     ///

@@ -2,6 +2,7 @@
 
 /// Which faces a view leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Cull {
     /// As the material specifies.
     #[default]

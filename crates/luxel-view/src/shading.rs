@@ -25,6 +25,7 @@ macro_rules! named {
 
 /// Shading mode and interpolation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Shading {
     /// Where light is computed.
     pub mode: ShadingMode,
@@ -43,6 +44,7 @@ pub struct Shading {
 /// textures where light is computed. `Subdivided` interpolates light apart from what the texture
 /// colours, like OpenGL's separate specular colour. Fog comes last.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ShadingMode {
     /// Once for each polygon: at its centroid, with its own normal (Bouknight 1970).
     Flat,
@@ -82,6 +84,7 @@ named! { ShadingMode:
 
 /// The interpolation of vertex attributes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Interpolation {
     /// Linearly in space: correct.
     #[default]
@@ -108,6 +111,7 @@ named! { Interpolation:
 
 /// Where intensities computed at corners are clamped to 0..1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Clamp {
     /// At the corners, as fixed-function OpenGL does; where [`Subdivided`](ShadingMode::Subdivided) light is
     /// apart from a texture, at the end.
@@ -129,6 +133,7 @@ named! { Clamp:
 
 /// The length of the normals that pixels are lit with. At corners it is 1 always.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum NormalLength {
     /// 1, as the equation requires (Phong 1975).
     #[default]

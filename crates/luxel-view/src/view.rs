@@ -13,6 +13,7 @@ pub const DEFAULT_LIGHT_RAYS: u32 = 16;
 /// Ambient occlusion: ambient light and the environment reach a surface by its openness, the part of the
 /// directions above it, weighted by the cosine to the normal, in which nothing is near.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AmbientOcclusion {
     /// How near things count, in the world's units, possibly infinite; `None`: a quarter of the radius of
     /// the scene's bounding sphere.
@@ -52,6 +53,7 @@ impl Default for AmbientOcclusion {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct View {
     /// The picture's size.
     pub size: Size,
@@ -247,6 +249,7 @@ impl View {
 
 /// How edges of polygons are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Edges {
     /// Only edges, with holes between them; else edges over the faces.
     pub wireframe: bool,

@@ -31,13 +31,14 @@
 //!
 //! # Features
 //!
-//! All are on by default; `luxel = { default-features = false, features = ["gltf"] }` reads glTF
+//! All but `packed` are on by default; `luxel = { default-features = false, features = ["gltf"] }` reads glTF
 //! alone.
 //!
 //! - `readers` turns on all features below.
 //! - `gltf` reads glTF 2.0 and GLB; `draco` and `meshopt` read its compressed geometry, too.
 //! - `obj` reads OBJ with MTL, `ply` PLY, `stl` STL, `toml` scene files.
 //! - `png` and `jpeg` decode textures.
+//! - `packed` (off by default) turns scenes and views into bytes and back, for other processes.
 //! - `avx512` adds kernels for AVX-512; without them such machines run AVX2's.
 
 #![forbid(unsafe_code)]
@@ -45,6 +46,8 @@
 mod default_view;
 mod draw;
 mod load;
+#[cfg(feature = "packed")]
+mod packed;
 
 pub use default_view::{
     DEFAULT_AZIMUTH_DEGREES, DEFAULT_ELEVATION_DEGREES, DEFAULT_FOV_DEGREES, default_camera,
@@ -65,6 +68,8 @@ pub use luxel_report as report;
 pub use luxel_scene as scene;
 pub use luxel_view as view;
 pub use luxel_view::DEFAULT_SAMPLES;
+#[cfg(feature = "packed")]
+pub use packed::{UnpackError, pack, pack_view, unpack, unpack_view};
 
 /// The types that most programs need.
 pub mod prelude {

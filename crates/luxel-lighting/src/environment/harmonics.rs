@@ -11,6 +11,7 @@ use luxel_math::{Lanes, Rgb, Vec3};
 /// Efficient Representation for Irradiance Environment Maps*, SIGGRAPH 2001). Where all light comes from
 /// one small place, the error is up to 3/32 of what a surface that faces it gets, also on the far side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Harmonics([[f32; 3]; 9]);
 
 /// Of each harmonic, the squares of its norm, times A_l / pi: 1, 2/3 and 1/4.

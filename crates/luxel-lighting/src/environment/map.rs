@@ -25,6 +25,7 @@ pub struct EquirectangularImage {
 ///
 /// It keeps squares of the octahedral map: the picture itself, and ten blurred for roughnesses of 0.1 to 1;
 /// and the light of matt surfaces as nine spherical harmonics. +Y is up.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EnvironmentMap {
     name: String,
     /// By roughness, in steps of 1 / [`STEPS`].
@@ -131,6 +132,7 @@ impl fmt::Debug for EnvironmentMap {
 
 /// An [`EnvironmentMap`] as it stands in a world: about its up axis, turned.
 #[derive(Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct OrientedMap {
     map: Arc<EnvironmentMap>,
     /// The world's right, up and front.

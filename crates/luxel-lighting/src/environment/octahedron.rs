@@ -46,6 +46,7 @@ pub(super) fn direction([u, v]: [f64; 2]) -> [f64; 3] {
 
 /// A square of light, with a border so that filtering needs no rule for edges.
 #[derive(Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Square {
     /// Texels across and down, without the border.
     side: usize,

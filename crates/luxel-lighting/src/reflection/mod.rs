@@ -52,6 +52,7 @@ pub static REFLECTION_MODELS: &[&ReflectionModel] = &[
 #[derive(Clone, Debug, PartialEq)]
 #[repr(u8)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Reflection {
     /// Not at all: I = O_d k_d, the object's own intensity, whatever the lights.
     Unlit,

@@ -23,6 +23,7 @@ const MOST_TEXELS: u32 = 1 << 24;
 
 /// The wrapping outside 0..1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Wrap {
     /// The picture repeats.
     #[default]
@@ -35,6 +36,7 @@ pub enum Wrap {
 
 /// How texels become a value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Filter {
     /// The nearest texel.
     Nearest,
@@ -45,6 +47,7 @@ pub enum Filter {
 
 /// The rules of sampling.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sampler {
     /// Across.
     pub wrap_u: Wrap,
