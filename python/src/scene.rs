@@ -216,23 +216,53 @@ impl PyScene {
         self.view(py, size, camera, settings)?.render(py, layers)
     }
 
-    /// Draws the scene from several cameras: a list of frames.
-    #[pyo3(signature = (cameras, size, layers=None, **settings))]
+    /// A view that turns under the hand and explains its pixels, for notebooks: needs `luxel[notebook]`.
+    #[pyo3(signature = (size=None, camera=None, **settings))]
+    fn show<'py>(
+        &self,
+        py: Python<'py>,
+        size: Option<&Bound<'py, PyAny>>,
+        camera: Option<&Bound<'py, PyAny>>,
+        settings: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let settings = Settings::of(settings)?;
+        let size = size.map_or(Ok(Size { width: 640, height: 480 }), size_of)?;
+        let view = PyView::new(py, Arc::clone(&self.shared), size, camera, &settings)?;
+        py.import("luxel._show")?.call_method1("widget", (view,))
+    }
+
+    /// Draws the scene from several cameras: a list of frames. `progress`: True shows a bar; a function is
+    /// called with the number of frames done.
+    #[pyo3(signature = (cameras, size, layers=None, *, progress=None, **settings))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments")]
     fn render_views<'py>(
         &self,
         py: Python<'py>,
         cameras: &Bound<'py, PyAny>,
         size: &Bound<'py, PyAny>,
         layers: Option<Vec<String>>,
+        progress: Option<&Bound<'py, PyAny>>,
         settings: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyList>> {
         let settings = Settings::of(settings)?;
         let size = size_of(size)?;
+        let cameras: Vec<Bound<'_, PyAny>> = cameras.try_iter()?.collect::<PyResult<_>>()?;
+        let progress = match progress.map(|progress| (progress, progress.extract::<bool>())) {
+            None | Some((_, Ok(false))) => None,
+            Some((_, Ok(true))) => {
+                Some(py.import("luxel._progress")?.call_method1("bar", (cameras.len(),))?)
+            }
+            Some((function, Err(_))) if function.is_callable() => Some(function.clone()),
+            Some(_) => return Err(argument("progress", "expected True, False or a function")),
+        };
         let frames = PyList::empty(py);
-        for camera in cameras.try_iter()? {
+        for camera in &cameras {
             let shared = Arc::clone(&self.shared);
-            let view = PyView::new(py, shared, size, Some(&camera?), &settings)?;
+            let view = PyView::new(py, shared, size, Some(camera), &settings)?;
             frames.append(view.render(py, layers.clone())?)?;
+            if let Some(progress) = &progress {
+                progress.call1((frames.len(),))?;
+            }
         }
         Ok(frames)
     }

@@ -74,10 +74,14 @@ impl PyView {
 
     /// Scene and view as bytes, for the widget of `luxel-notebook`.
     fn _packed<'py>(&self, py: Python<'py>) -> (Bound<'py, PyBytes>, Bound<'py, PyBytes>) {
-        let [scene, view] = py.detach(|| {
-            [luxel::pack(&self.shared.scene), luxel::pack_view(&self.view)]
-        });
+        let [scene, view] =
+            py.detach(|| [luxel::pack(&self.shared.scene), luxel::pack_view(&self.view)]);
         (PyBytes::new(py, &scene), PyBytes::new(py, &view))
+    }
+
+    /// The view as a widget that turns under the hand and explains its pixels: needs `luxel[notebook]`.
+    fn show<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("luxel._show")?.call_method1("widget", (slf,))
     }
 
     /// What a notebook displays: the picture.

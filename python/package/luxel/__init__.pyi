@@ -1,6 +1,6 @@
 """3D pictures, masks, picks and explained pixels on the CPU, the same bytes on every machine."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from os import PathLike
 from typing import Any, Literal, Protocol, TypedDict, final
 
@@ -236,6 +236,11 @@ class View:
     def pick_many(self, xy: ArrayLike) -> _Hits:
         """What is visible at many points, (n, 2), where a pixel's centre is at .5."""
 
+    def show(self) -> Any:
+        """The view as a `luxel_notebook.Widget`, as `Scene.show`."""
+
+    def _packed(self) -> tuple[bytes, bytes]: ...
+    def _repr_png_(self) -> bytes: ...
     def rect(
         self, x: float, y: float, w: float, h: float, *, visible: bool = False, enclosed: bool = False
     ) -> list[_RegionHit]:
@@ -298,9 +303,21 @@ class Scene:
         cameras: Iterable[Camera | str | ArrayLike],
         size: tuple[int, int],
         layers: Sequence[str] | None = None,
+        *,
+        progress: bool | Callable[[int], object] | None = None,
         **settings: Any,
     ) -> list[Frame]:
-        """The scene from several cameras."""
+        """The scene from several cameras. `progress`: True shows a bar on a terminal or in a notebook; a function is
+        called with the number of frames done."""
+
+    def show(
+        self, size: tuple[int, int] | None = None, camera: Camera | str | ArrayLike | None = None, **settings: Any
+    ) -> Any:
+        """A view, 640x480 by default, as a widget for notebooks: a `luxel_notebook.Widget`, which turns under the hand
+        and explains its pixels. Needs `pip install "luxel[notebook]"`."""
+
+    def _repr_png_(self) -> bytes | None: ...
+    def __reduce__(self) -> tuple[Any, tuple[bytes, list[str]]]: ...
 
     def rays(
         self,

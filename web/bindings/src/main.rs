@@ -14,7 +14,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let mut bindgen = Bindgen::new();
     bindgen.input_path(module).out_name("luxel").typescript(true);
-    bindgen.web(true)?.omit_default_module_path(true);
+    bindgen.remove_name_section(true).remove_producers_section(true);
+    // A script, since pages that are read from a disk may not start workers of modules.
+    bindgen.no_modules(true)?.omit_default_module_path(true);
     bindgen.generate(folder)?;
     Ok(())
 }
