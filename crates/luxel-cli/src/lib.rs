@@ -5,11 +5,11 @@
 
 #![forbid(unsafe_code)]
 
-mod batch;
 mod camera;
 mod cli;
 mod commands;
 mod console;
+mod drawing;
 mod failure;
 mod flag_words;
 mod model;
@@ -18,6 +18,7 @@ mod options;
 mod output;
 mod progress;
 mod scene_file;
+mod several_models;
 mod surface;
 mod values;
 mod view;
@@ -87,7 +88,7 @@ fn run() -> ExitCode {
     let console = Console::new(cli.quiet, cli.verbose).into_current();
     let done = match cli.command {
         Command::Render(render) => match render.several() {
-            Some(models) => batch::run(&render, &models, console, |model| read(&line, Some(model))),
+            Some(models) => several_models::run(&render, &models, console, |model| read(&line, Some(model))),
             None => render.run(console),
         },
         command => command.run(console),

@@ -52,29 +52,34 @@ pub(crate) fn load_with_progress(
     let start = Instant::now();
     execution.limit_threads();
     let limits = Limits { max_memory: execution.max_memory, progress, ..Limits::default() };
-    let model = if let Some(name) = input.model.to_str().and_then(|name| name.strip_prefix("demo:"))
-    {
-        demo(name)?
-    } else if input.model == "-" {
-        let bytes = standard_input(&limits)?;
-        let format = input.format.or_else(|| Format::of_bytes(bytes)).ok_or_else(|| {
-            let what = "the standard input is no model that luxel knows by its first bytes";
-            Failure::work(what, "name its format with --format: glb, gltf, obj, stl, ply or toml")
-        })?;
-        formats::read(bytes, format, "stdin", None, &limits)?.into()
-    } else {
-        let path = Path::new(&input.model);
-        match input.format {
-            None => formats::open(path, &limits)?.into(),
-            Some(format) => open_as(path, format, &limits)?.into(),
-        }
-    };
+    let model = read(input, &limits)?;
     for warning in &model.warnings {
         console.warn(warning);
     }
     let milliseconds = start.elapsed().as_secs_f64() * 1e3;
     console.detail(&format!("{}: read in {milliseconds:.1} ms", input.name()));
     Ok(model)
+}
+
+/// Reads a model within the limits.
+pub(crate) fn read(input: &InputOptions, limits: &Limits) -> Result<Model, Failure> {
+    Ok(if let Some(name) = input.model.to_str().and_then(|name| name.strip_prefix("demo:"))
+    {
+        demo(name)?
+    } else if input.model == "-" {
+        let bytes = standard_input(limits)?;
+        let format = input.format.or_else(|| Format::of_bytes(bytes)).ok_or_else(|| {
+            let what = "the standard input is no model that luxel knows by its first bytes";
+            Failure::work(what, "name its format with --format: glb, gltf, obj, stl, ply or toml")
+        })?;
+        formats::read(bytes, format, "stdin", None, limits)?.into()
+    } else {
+        let path = Path::new(&input.model);
+        match input.format {
+            None => formats::open(path, limits)?.into(),
+            Some(format) => open_as(path, format, limits)?.into(),
+        }
+    })
 }
 
 fn demo(name: &str) -> Result<Model, Failure> {

@@ -84,17 +84,26 @@ fn model_of<'m>(command: &str, given: &'m ArgMatches) -> Option<&'m OsStr> {
 /// The settings of the model, if it is a scene file. An unreadable file fails later, when it is
 /// opened.
 fn settings(name: &OsStr, given: &ArgMatches) -> Result<Vec<Setting>, Failure> {
-    let format = given.try_get_one::<Format>("format").ok().flatten();
+    let format = given.try_get_one::<Format>("format").ok().flatten().copied();
+    let max_memory = given.try_get_one::<u64>("max_memory").ok().flatten().copied();
+    settings_of(name, format, max_memory)
+}
+
+/// The settings of a model of this name and format, if it is a scene file.
+pub(crate) fn settings_of(
+    name: &OsStr,
+    format: Option<Format>,
+    max_memory: Option<u64>,
+) -> Result<Vec<Setting>, Failure> {
     let by_name =
         || Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    let is_scene_file = format.map_or_else(by_name, |&format| format == Format::Toml);
+    let is_scene_file = format.map_or_else(by_name, |format| format == Format::Toml);
     let is_any = format.is_none() && name == "-";
     if !is_scene_file && !is_any {
         return Ok(Vec::new());
     }
-    let max_memory = given.try_get_one::<u64>("max_memory").ok().flatten();
     let limits = max_memory
-        .map_or_else(Limits::default, |&max_memory| Limits { max_memory, ..Limits::default() });
+        .map_or_else(Limits::default, |max_memory| Limits { max_memory, ..Limits::default() });
     let Ok(bytes) = model::bytes_of(name, &limits) else { return Ok(Vec::new()) };
     if is_any && Format::of_bytes(&bytes) != Some(Format::Toml) {
         return Ok(Vec::new());
@@ -159,7 +168,7 @@ fn try_render(render: &Command, words: &[OsString]) -> Result<(), clap::Error> {
 }
 
 /// The parser's message about a value; `None` if the error is another one.
-fn value_error(error: &clap::Error) -> Option<String> {
+pub(crate) fn value_error(error: &clap::Error) -> Option<String> {
     match error.kind() {
         UsageKind::ValueValidation => error.source().map(ToString::to_string),
         UsageKind::InvalidValue => {
@@ -176,7 +185,7 @@ fn value_error(error: &clap::Error) -> Option<String> {
 }
 
 /// A setting as command line arguments.
-fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
+pub(crate) fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, String> {
     let name = &setting.name;
     let given = |value: &String| OsString::from(format!("--{name}={value}"));
     match (arg.get_action(), &setting.value) {

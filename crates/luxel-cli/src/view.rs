@@ -11,7 +11,7 @@ use luxel::render::{AutoExposure, Edges, EnvironmentChoice, Execution, View, aut
 use luxel::scene::{Camera, Scene, SceneLight, Viewpoint};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 /// The view of a scene; without an exposure, if that is left to the scene's light: see [`expose`].
 ///
@@ -53,6 +53,30 @@ pub(crate) fn view(
         .with_light_rays(light.light_rays)
         .with_ambient_occlusion(light.ambient_occlusion())
         .with_shading(mode.shading()?))
+}
+
+/// The next view of several, exposed as the first one: `exposure` keeps it. Also what to say of the first
+/// one's exposure.
+///
+/// # Errors
+/// As [`view`].
+pub(crate) fn next_view(
+    options: &ViewOptions,
+    edges: Option<Edges>,
+    camera: Camera,
+    scene: &Scene,
+    exposure: &mut Option<f32>,
+) -> Result<(View, Option<String>), Failure> {
+    let mut view = view(options, edges, camera, scene)?;
+    let said = match exposure {
+        Some(first) => {
+            view.exposure = *first;
+            None
+        }
+        None => expose(&mut view, options, scene),
+    };
+    *exposure = Some(view.exposure);
+    Ok((view, said))
 }
 
 /// What to say of flags that change nothing in a view, since it has no such environment.
@@ -131,9 +155,13 @@ fn environment(
 
 /// The environment of `--environment FILE`, kept for further views and models.
 fn opened_environment(path: &Path, max_memory: u64) -> Result<Arc<EnvironmentMap>, Failure> {
-    static OPENED: Mutex<Option<(PathBuf, Arc<EnvironmentMap>)>> = Mutex::new(None);
+    /// A file and when it was changed.
+    type Version = (PathBuf, Option<SystemTime>);
+    static OPENED: Mutex<Option<(Version, Arc<EnvironmentMap>)>> = Mutex::new(None);
+    let changed = std::fs::metadata(path).and_then(|metadata| metadata.modified()).ok();
+    let version = (path.to_owned(), changed);
     let mut opened = OPENED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((_, map)) = opened.as_ref().filter(|(known, _)| known == path) {
+    if let Some((_, map)) = opened.as_ref().filter(|(known, _)| *known == version) {
         return Ok(Arc::clone(map));
     }
     let limits = Limits { max_memory, ..Limits::default() };
@@ -143,7 +171,7 @@ fn opened_environment(path: &Path, max_memory: u64) -> Result<Arc<EnvironmentMap
         console.warn(&format!("{}: {}", path.display(), warning_text(warning)));
     }
     let map = Arc::new(map);
-    *opened = Some((path.to_owned(), Arc::clone(&map)));
+    *opened = Some((version, Arc::clone(&map)));
     Ok(map)
 }
 

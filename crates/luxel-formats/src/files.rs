@@ -38,7 +38,11 @@ pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> 
 /// The metadata of a file that exists, is not a folder and fits the limits.
 pub(crate) fn checked(path: &Path, limits: &Limits) -> Result<Metadata, Error> {
     let in_file = |kind| Error::at(Place::File, kind).in_file(path);
-    let metadata = std::fs::metadata(path).map_err(|error| in_file(error.into()))?;
+    let metadata = std::fs::metadata(path);
+    if let Some(files) = &limits.files {
+        files.add(path, metadata.as_ref().ok());
+    }
+    let metadata = metadata.map_err(|error| in_file(error.into()))?;
     if metadata.is_dir() {
         let folder = std::io::Error::new(std::io::ErrorKind::IsADirectory, "this is a folder");
         return Err(in_file(folder.into()));

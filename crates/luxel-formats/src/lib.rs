@@ -79,7 +79,7 @@ pub use environment::{
 };
 pub use error::{Error, ErrorKind, Hint, Place, UnknownFormat};
 pub use format::{Format, Loaded};
-pub use limits::{Limits, Progress};
+pub use limits::{FileList, Limits, Progress, ReadFile};
 pub use open::{open, read};
 #[cfg(feature = "toml")]
 pub use scene_toml::{

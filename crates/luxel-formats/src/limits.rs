@@ -1,8 +1,12 @@
-//! Limits of allocation, and the progress of reading.
+//! Limits of allocation, the progress of reading, and the files read.
 
 use crate::{Error, ErrorKind, Place};
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::fs::Metadata;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::SystemTime;
 
 /// Bounds that readers check before they allocate.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -13,7 +17,52 @@ pub struct Limits {
     pub max_depth: u32,
     /// Reports progress, and cancels reading on request.
     pub progress: Option<Progress>,
+    /// Lists the files that a model is made of.
+    pub files: Option<FileList>,
 }
+
+/// The files that a reader looked for: the model, and all that it refers to. Clones share the list.
+#[derive(Clone, Debug, Default)]
+pub struct FileList(Arc<Mutex<BTreeMap<PathBuf, Version>>>);
+
+/// Length and time of the last change of a file that is there.
+type Version = Option<(u64, SystemTime)>;
+
+/// A file that a reader looked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadFile {
+    /// Its path, as it was opened.
+    pub path: PathBuf,
+    /// Its length in bytes and when it was changed, as the system says, before it was read; `None` if it
+    /// isn't there.
+    pub version: Option<(u64, SystemTime)>,
+}
+
+impl FileList {
+    /// The files in the order of their paths, each once.
+    #[must_use]
+    pub fn files(&self) -> Vec<ReadFile> {
+        let files = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let file = |(path, version): (&PathBuf, &Version)| ReadFile { path: path.clone(), version: *version };
+        files.iter().map(file).collect()
+    }
+
+    /// Adds a file, unless it is there.
+    pub(crate) fn add(&self, path: &Path, metadata: Option<&Metadata>) {
+        let version = metadata.and_then(|of| Some((of.len(), of.modified().ok()?)));
+        let mut files = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        files.entry(path.to_owned()).or_insert(version);
+    }
+}
+
+/// Always equal: a list is not a limit.
+impl PartialEq for FileList {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Eq for FileList {}
 
 /// The progress of reading. Clones share the counts, so that another thread can display them.
 #[derive(Clone, Debug, Default)]
@@ -68,7 +117,7 @@ impl Eq for Progress {}
 impl Default for Limits {
     /// 8 GiB, 1024 levels.
     fn default() -> Self {
-        Self { max_memory: 8 << 30, max_depth: 1024, progress: None }
+        Self { max_memory: 8 << 30, max_depth: 1024, progress: None, files: None }
     }
 }
 

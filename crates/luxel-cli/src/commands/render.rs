@@ -1,12 +1,11 @@
 //! `luxel render`: an image, or its layers.
 
-mod burnt_out;
 mod path;
-mod stopwatch;
 mod target;
 
 use crate::camera;
 use crate::console::Console;
+use crate::drawing::{self, Content, Format, Stopwatch, VectorOptions, burnt_out};
 use crate::failure::Failure;
 use crate::model;
 use crate::options::{InputOptions, ViewOptions};
@@ -15,11 +14,9 @@ use crate::progress::Progress;
 use crate::surface;
 use crate::view;
 use clap::Args;
-use luxel::lighting::{Display, PictureEncoding, Tone};
-use luxel::render::{
-    Edges, Execution, Layer, LayerImage, Legend, PictureError, Renderer, ShadingMode, Subdivision,
-    SvgOptions, View, write_layers, write_linear, write_rgba8,
-};
+use luxel::formats::Format as InputFormat;
+use luxel::lighting::{Display, Tone};
+use luxel::render::{Edges, Execution, Layer, Legend, Renderer, ShadingMode, Subdivision};
 use luxel::report::display_to_json;
 use luxel::scene::{Camera, Scene, Size};
 use serde_json::{Map, Value, json};
@@ -27,8 +24,7 @@ use std::ffi::{OsStr, OsString};
 use std::num::NonZeroU32;
 use std::path::Path;
 use std::sync::Arc;
-use stopwatch::Stopwatch;
-use target::{Format, Target};
+use target::Target;
 
 /// Render an image
 ///
@@ -100,6 +96,19 @@ struct OutputOptions {
     json: bool,
 }
 
+/// What a line says of a picture, apart from where it is written.
+#[derive(Clone, Debug)]
+pub(crate) struct PictureSettings {
+    /// The model's format, regardless of its name.
+    pub(crate) format: Option<InputFormat>,
+    /// The view.
+    pub(crate) view: ViewOptions,
+    /// The edges of polygons that are drawn.
+    pub(crate) edges: Option<Edges>,
+    /// Bits per channel of a PNG or PPM.
+    pub(crate) bits: u8,
+}
+
 /// What stands for the model's name in the name of an output file.
 const STEM: &str = "{stem}";
 
@@ -159,11 +168,23 @@ impl RenderCommand {
         self
     }
 
+    /// What the line says of the picture, apart from where it is written.
+    pub(crate) fn into_settings(self) -> PictureSettings {
+        let Self { input, output, view, .. } = self;
+        PictureSettings { format: input.format, edges: output.edges(), bits: output.bits, view }
+    }
+
     pub(crate) fn run(mut self, console: Console) -> Result<(), Failure> {
         let mut stopwatch = Stopwatch::start();
         self.output.output = self.output_of(&self.input.model);
         let target = Target::of(&self.output)?;
-        check_memory(&self, &target)?;
+        let content = Content {
+            layers: self.output.layers.clone(),
+            bits: self.output.bits,
+            format: target.format,
+        };
+        let max_memory = self.view.execution.max_memory;
+        drawing::check_memory(self.view.frame.size, std::slice::from_ref(&content), max_memory)?;
 
         let mut model = model::load(&self.input, &self.view.execution, console)?;
         stopwatch.lap("read");
@@ -209,34 +230,30 @@ impl RenderCommand {
         if options.light.environment_background && target.format == Format::Svg {
             console.notice("a picture of vectors leaves the environment behind the model out");
         }
+        let vector_options = VectorOptions { tolerance: self.view.mode.tolerance, max_memory };
         let mut exposure = None;
         let mut warnings: Vec<String> = model.warnings.clone();
         for (number, &camera) in cameras.iter().enumerate() {
-            let mut view = view::view(&options, edges, camera, scene)?;
-            // Of several pictures, the first one decides.
-            view.exposure = *exposure.get_or_insert_with(|| {
-                if let Some(said) = view::expose(&mut view, &options, scene) {
-                    console.notice(&said);
-                }
-                view.exposure
-            });
+            let (view, said) = view::next_view(&options, edges, camera, scene, &mut exposure)?;
+            said.iter().for_each(|said| console.notice(said));
             if number == 0 {
                 let idle = view::idle_flags(&view, &options.light);
                 idle.iter().for_each(|said| console.warn(said));
                 warnings.extend(idle);
             }
-            let drawn = self.draw(&renderer, &view, target.format, &mut stopwatch)?;
+            let drawn =
+                drawing::draw(&renderer, &view, &content, &vector_options, &mut stopwatch)?;
             if let Some(file) = target.write(number as u32, &drawn.bytes)? {
                 files.push(file);
             }
-            legend = drawn.legend;
             subdivision = subdivision.or(drawn.subdivision);
             vectors = vectors.or(drawn.svg);
-            if drawn.may_be_burnt_out && number == 0 {
+            if number == 0 && drawn.may_be_burnt_out() {
                 let warning = burnt_out::warning(&renderer, &view)?;
                 warning.iter().for_each(|warning| console.warn(warning));
                 warnings.extend(warning);
             }
+            legend = drawn.legend;
             stopwatch.lap("write");
             progress.step();
         }
@@ -281,75 +298,6 @@ impl RenderCommand {
         Ok(())
     }
 
-    /// Renders a view and encodes it.
-    fn draw(
-        &self,
-        renderer: &Renderer,
-        view: &View,
-        format: Format,
-        stopwatch: &mut Stopwatch,
-    ) -> Result<Drawn, Failure> {
-        let mut drawn = Drawn::default();
-        let format = match format {
-            Format::Pixels(format) => format,
-            Format::Svg => {
-                let defaults = SvgOptions::default();
-                // Half of the memory is for pieces, half for the text of their paths.
-                let pieces = self.view.execution.max_memory / 600;
-                let options = SvgOptions {
-                    tolerance: self.view.mode.tolerance.map_or(defaults.tolerance, |t| t as f32),
-                    max_pieces: defaults
-                        .max_pieces
-                        .min(usize::try_from(pieces).unwrap_or(usize::MAX)),
-                };
-                let svg = renderer.svg(view, &options)?;
-                stopwatch.lap("frame");
-                drawn.svg = Some([svg.faces, svg.pieces, svg.paths]);
-                drawn.bytes = svg.text.into_bytes();
-                drawn.may_be_burnt_out = true;
-                return Ok(drawn);
-            }
-        };
-        let Drawn { bytes, legend, subdivision, may_be_burnt_out, .. } = &mut drawn;
-        let size = view.size;
-        if !self.output.layers.is_empty() {
-            let values = renderer.layers(view, &self.output.layers)?;
-            stopwatch.lap("frame");
-            let image = |(layer, values): (&Layer, _)| LayerImage {
-                name: layer.name(),
-                channels: layer.channels(),
-                values,
-            };
-            let images: Vec<_> = self.output.layers.iter().zip(values).map(image).collect();
-            *legend = write_layers(format, size, &images, bytes).map_err(cannot_encode)?;
-        } else if format.is_linear() || self.output.bits == 16 {
-            // Of light itself, a curve for the eye would leave nothing to work with.
-            let tone = if format.is_linear() { Tone::None } else { view.tone };
-            let mut shown = view.clone().with_tone(tone);
-            if format.is_linear() && view.ground {
-                // The ground's alpha is for the bytes of sRGB unless the picture has none.
-                shown.encoding = PictureEncoding::None;
-            }
-            let picture = renderer.linear(&shown)?;
-            *may_be_burnt_out = !format.is_linear();
-            stopwatch.lap("frame");
-            stopwatch.add_stages(&picture.stages);
-            *subdivision = picture.subdivision;
-            write_linear(format, size, &picture.pixels, view.encoding, bytes)
-                .map_err(cannot_encode)?;
-        } else {
-            let picture = renderer.rgba8(view)?;
-            stopwatch.lap("frame");
-            stopwatch.add_stages(&picture.stages);
-            *subdivision = picture.subdivision;
-            *may_be_burnt_out = burnt_out::is_suspicious(&picture.pixels);
-            write_rgba8(format, size, &picture.pixels, view.encoding, bytes)
-                .map_err(cannot_encode)?;
-        }
-        stopwatch.lap("encode");
-        Ok(drawn)
-    }
-
     fn report(
         &self,
         renderer: &Renderer,
@@ -374,24 +322,6 @@ impl RenderCommand {
     }
 }
 
-/// An encoded image.
-#[derive(Default)]
-struct Drawn {
-    bytes: Vec<u8>,
-    /// The meaning of a layer's 16-bit values.
-    legend: Option<Legend>,
-    /// Statistics of subdivision.
-    subdivision: Option<Subdivision>,
-    /// Faces, pieces and paths of vector output.
-    svg: Option<[usize; 3]>,
-    /// Whether it is worth a look how much of the model is burnt out.
-    may_be_burnt_out: bool,
-}
-
-fn cannot_encode(error: PictureError) -> Failure {
-    Failure::work(error.to_string(), "choose another format with -o")
-}
-
 /// The meaning of the numbers or colours in a layer's image.
 fn legend_to_json(legend: &Legend, layer: &Layer, scene: &Scene) -> Value {
     match legend {
@@ -410,29 +340,4 @@ fn legend_to_json(legend: &Legend, layer: &Layer, scene: &Scene) -> Value {
             colors.iter().map(entry).collect()
         }
     }
-}
-
-/// Fails before allocating beyond the memory limit.
-fn check_memory(command: &RenderCommand, target: &Target) -> Result<(), Failure> {
-    let Size { width, height } = command.view.frame.size;
-    let pixels = u64::from(width) * u64::from(height);
-    // The rendered and the encoded pixels.
-    let bytes_each: u64 = if !command.output.layers.is_empty() {
-        command.output.layers.iter().map(|layer| 12 + 8 * layer.channels() as u64).sum()
-    } else {
-        match target.format {
-            Format::Pixels(format) if format.is_linear() || command.output.bits == 16 => 32,
-            Format::Pixels(_) => 8,
-            Format::Svg => 0,
-        }
-    };
-    let needed = pixels.saturating_mul(bytes_each);
-    let limit = command.view.execution.max_memory;
-    if needed <= limit {
-        return Ok(());
-    }
-    Err(Failure::work(
-        format!("an image of {width}x{height} would take {needed} bytes; the limit is {limit}"),
-        "use a smaller --size, or raise the limit with --max-memory",
-    ))
 }

@@ -4,7 +4,7 @@
 use super::*;
 use crate::Hint;
 
-const LIMITS: Limits = Limits { max_memory: 64 << 20, max_depth: 8, progress: None };
+const LIMITS: Limits = Limits { max_memory: 64 << 20, max_depth: 8, progress: None, files: None };
 
 fn image(bytes: &[u8]) -> EquirectangularImage {
     decode(bytes, &LIMITS).unwrap()

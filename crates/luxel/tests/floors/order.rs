@@ -4,6 +4,7 @@
 pub(crate) const CRATES: &[&str] = &[
     "luxel-math",
     "luxel-parallel",
+    "luxel-batch",
     "luxel-testing",
     "luxel-bvh",
     "luxel-gltf",

@@ -1,10 +1,11 @@
 //! The destination and format of images.
 
 use super::OutputOptions;
+use crate::drawing::Format;
 use crate::failure::Failure;
 use crate::output;
 use crate::values::Numbering;
-use luxel::render::{ParsePictureFormatError, PictureFormat};
+use luxel::render::PictureFormat;
 use std::path::{Path, PathBuf};
 
 /// The destination and format of images.
@@ -12,28 +13,6 @@ use std::path::{Path, PathBuf};
 pub(super) struct Target {
     pub(super) format: Format,
     place: Place,
-}
-
-/// The kind of output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Format {
-    /// Pixels.
-    Pixels(PictureFormat),
-    /// Vectors.
-    Svg,
-}
-
-impl std::str::FromStr for Format {
-    type Err = String;
-
-    fn from_str(extension: &str) -> Result<Self, Self::Err> {
-        if extension.eq_ignore_ascii_case("svg") {
-            return Ok(Self::Svg);
-        }
-        extension.parse().map(Self::Pixels).map_err(|_: ParsePictureFormatError| {
-            format!("`{extension}` is not an image format: use png, exr, ppm, npy or svg")
-        })
-    }
 }
 
 #[derive(Debug)]

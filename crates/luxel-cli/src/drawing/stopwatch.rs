@@ -7,27 +7,27 @@ use std::time::{Duration, Instant};
 
 /// A stopwatch per stage; repeated stages are summed.
 #[derive(Debug)]
-pub(super) struct Stopwatch {
+pub(crate) struct Stopwatch {
     start: Instant,
     lap: Instant,
     stages: Vec<(&'static str, Duration)>,
 }
 
 impl Stopwatch {
-    pub(super) fn start() -> Self {
+    pub(crate) fn start() -> Self {
         let now = Instant::now();
         Self { start: now, lap: now, stages: Vec::new() }
     }
 
     /// Adds the time since the last lap to a stage.
-    pub(super) fn lap(&mut self, stage: &'static str) {
+    pub(crate) fn lap(&mut self, stage: &'static str) {
         let now = Instant::now();
         self.add(stage, now - self.lap);
         self.lap = now;
     }
 
     /// Adds the stages of a frame, which are part of the lap `frame`.
-    pub(super) fn add_stages(&mut self, stages: &Stages) {
+    pub(crate) fn add_stages(&mut self, stages: &Stages) {
         for ((name, _), duration) in
             STAGES_OF_FRAMES.into_iter().zip([stages.bin, stages.visibility, stages.shade])
         {
@@ -43,7 +43,7 @@ impl Stopwatch {
     }
 
     /// Milliseconds of each stage, and `total`.
-    pub(super) fn to_json(&self) -> Value {
+    pub(crate) fn to_json(&self) -> Value {
         let mut stages: Map<_, _> = self
             .stages
             .iter()

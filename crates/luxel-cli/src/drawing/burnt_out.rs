@@ -9,14 +9,14 @@ const SHARE: f32 = 0.1;
 const SUSPICIOUS: f32 = 0.05;
 
 /// Whether so many of a picture's bytes are at their end that it may be burnt out.
-pub(super) fn is_suspicious(pixels: &[[u8; 4]]) -> bool {
+pub(crate) fn is_suspicious(pixels: &[[u8; 4]]) -> bool {
     let covered = pixels.iter().filter(|pixel| pixel[3] > 0);
     let full = covered.clone().filter(|[r, g, b, _]| [r, g, b].contains(&&255));
     full.count() as f32 > SUSPICIOUS * covered.count() as f32
 }
 
 /// The warning, if much of the model is burnt out.
-pub(super) fn warning(renderer: &Renderer, view: &View) -> Result<Option<String>, RenderError> {
+pub(crate) fn warning(renderer: &Renderer, view: &View) -> Result<Option<String>, RenderError> {
     let share = renderer.burnt_out(view)?;
     if share < SHARE {
         return Ok(None);
