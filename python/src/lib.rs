@@ -6,7 +6,9 @@
 #![deny(missing_docs, unsafe_code)]
 
 mod arrays;
+mod bare_mesh;
 mod camera;
+mod check;
 mod errors;
 mod frame;
 mod interruptible;

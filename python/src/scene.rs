@@ -1,6 +1,7 @@
 //! Scenes, with what makes them ready to be drawn and picked.
 
 use crate::arrays::{array, index_rows, rows};
+use crate::bare_mesh::{BareMesh, bare_meshes, without_computed_normals};
 use crate::errors::{argument, error};
 use crate::frame::PyFrame;
 use crate::settings::{Settings, execution, size_of};
@@ -28,12 +29,22 @@ pub(crate) struct SharedScene {
     /// One for each number of threads and instruction set that a view has asked for.
     renderers: Mutex<Vec<(Workers, Arc<Renderer>)>>,
     picker: OnceLock<Arc<Picker>>,
+    /// The meshes whose normals were computed.
+    bare: Vec<BareMesh>,
 }
+
+/// What a pickle holds: a function and its arguments.
+type Recipe<'py> = (Bound<'py, PyAny>, (Bound<'py, PyBytes>, Vec<String>));
 
 /// Threads, and the name of an instruction set.
 type Workers = (usize, String);
 
 impl SharedScene {
+    /// The scene as the file had it, for checks.
+    pub(crate) fn bare_scene(&self) -> Scene {
+        without_computed_normals(&self.scene, &self.bare)
+    }
+
     /// The renderer for a view's execution.
     ///
     /// # Errors
@@ -65,14 +76,20 @@ impl SharedScene {
 impl PyScene {
     /// A scene as a reader gives it, with the normals and tangents that it lacks.
     pub(crate) fn ready(mut scene: Scene, warnings: Vec<String>) -> Self {
+        let bare = bare_meshes(&scene);
         scene.compute_normals(&NormalOptions::default());
         scene.compute_tangents();
-        Self::whole(scene, warnings)
+        Self::of_parts(scene, warnings, bare)
     }
 
     /// A scene with normals and tangents.
     pub(crate) fn whole(scene: Scene, warnings: Vec<String>) -> Self {
+        Self::of_parts(scene, warnings, Vec::new())
+    }
+
+    fn of_parts(scene: Scene, warnings: Vec<String>, bare: Vec<BareMesh>) -> Self {
         let shared = SharedScene {
+            bare,
             scene: Arc::new(scene),
             warnings,
             renderers: Mutex::default(),
@@ -216,6 +233,22 @@ impl PyScene {
         self.view(py, size, camera, settings)?.render(py, layers)
     }
 
+    /// The mesh defects that spoil shading, as `luxel check --json` lists them: winding, gaps, normals and more. The
+    /// view decides on silhouettes and highlights.
+    #[pyo3(signature = (size=None, camera=None, **settings))]
+    fn check<'py>(
+        &self,
+        py: Python<'py>,
+        size: Option<&Bound<'py, PyAny>>,
+        camera: Option<&Bound<'py, PyAny>>,
+        settings: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyList>> {
+        let settings = Settings::of(settings)?;
+        let size = size.map_or(Ok(Size { width: 1280, height: 720 }), size_of)?;
+        let view = PyView::new(py, Arc::clone(&self.shared), size, camera, &settings)?;
+        crate::check::findings(py, &self.shared, view.view(), &settings)
+    }
+
     /// A view that turns under the hand and explains its pixels, for notebooks: needs `luxel[notebook]`.
     #[pyo3(signature = (size=None, camera=None, **settings))]
     fn show<'py>(
@@ -234,7 +267,6 @@ impl PyScene {
     /// Draws the scene from several cameras: a list of frames. `progress`: True shows a bar; a function is
     /// called with the number of frames done.
     #[pyo3(signature = (cameras, size, layers=None, *, progress=None, **settings))]
-    #[expect(clippy::too_many_arguments, reason = "keyword arguments")]
     fn render_views<'py>(
         &self,
         py: Python<'py>,
@@ -293,10 +325,7 @@ impl PyScene {
     }
 
     /// Pickles: the scene as bytes for the same version of luxel, to the bit.
-    fn __reduce__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>, Vec<String>))> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Recipe<'py>> {
         let bytes = py.detach(|| luxel::pack(&self.shared.scene));
         let unpack = py.import("luxel._luxel")?.getattr("unpack")?;
         Ok((unpack, (PyBytes::new(py, &bytes), self.warnings())))

@@ -49,6 +49,11 @@ impl PyView {
         Ok(Self { shared, renderer, view: Arc::new(view) })
     }
 
+    /// The view itself.
+    pub(crate) fn view(&self) -> &View {
+        &self.view
+    }
+
     /// Picks in the view.
     fn picking<T: Send>(
         &self,

@@ -212,12 +212,13 @@ impl ModelView {
     fn point_at(&mut self, x: f64, y: f64) -> Result<Option<DVec3>, JsError> {
         let view = self.view.clone();
         let Size { width, height } = view.size;
-        let is_inside = (0.0..f64::from(width)).contains(&x) && (0.0..f64::from(height)).contains(&y);
+        let is_inside =
+            (0.0..f64::from(width)).contains(&x) && (0.0..f64::from(height)).contains(&y);
         if !is_inside {
             return Ok(None);
         }
         let hit = self.with_picks(&view, |picks| picks.at([x, y]))?;
-        Ok(hit.map(|hit| DVec3::from(hit.position)))
+        Ok(hit.map(|hit| hit.position))
     }
 
     fn with_picks<T>(

@@ -105,6 +105,30 @@ class _RegionHit(TypedDict, total=False):
     points_and_lines: int
     pixels: int
 
+class _Place(TypedDict):
+    """Where a defect is."""
+
+    index: int
+    object: str
+    path: list[str]
+    triangle: int | None
+    position: list[float]
+    """In world space."""
+
+class _Finding(TypedDict):
+    """The defects of a kind in a scene."""
+
+    kind: str
+    about: str
+    count: int
+    severity: float | None
+    """The largest difference in a picture, in steps of 255."""
+    pixels: float | None
+    """How far a silhouette or an attribute is off at most."""
+    places: list[_Place]
+    """The first sixteen."""
+    cure: str
+
 class _Hits(TypedDict):
     """What is visible at n points; -1 and nan where nothing is, and -1 for the triangle of points and lines."""
 
@@ -309,6 +333,12 @@ class Scene:
     ) -> list[Frame]:
         """The scene from several cameras. `progress`: True shows a bar on a terminal or in a notebook; a function is
         called with the number of frames done."""
+
+    def check(
+        self, size: tuple[int, int] | None = None, camera: Camera | str | ArrayLike | None = None, **settings: Any
+    ) -> list[_Finding]:
+        """The mesh defects that spoil shading, as `luxel check --json` lists them: winding, degenerate faces, gaps,
+        normals and more. Empty for a sound mesh. The view, 1280x720 by default, decides on silhouettes."""
 
     def show(
         self, size: tuple[int, int] | None = None, camera: Camera | str | ArrayLike | None = None, **settings: Any

@@ -46,6 +46,10 @@ impl Renderer {
         picture: &mut Picture<[u8; 4]>,
         values: &mut Vec<LayerValues>,
     ) -> Result<(), RenderError> {
+        if layers.is_empty() {
+            values.clear();
+            return self.rgba8_into(view, picture);
+        }
         let blends = self.has_blended_materials();
         let start = self.now();
         if view.samples == 1 && !blends && view.edges.is_none() {

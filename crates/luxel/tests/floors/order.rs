@@ -230,7 +230,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "picture",
         ],
     ),
-    ("luxel", &["default_view", "draw", "load"]),
+    ("luxel", &["default_view", "draw", "load", "packed"]),
     (
         "luxel-gallery",
         &["error", "file", "picture", "compare", "shot", "chapter", "svg", "lab", "page", "plots"],

@@ -1,0 +1,46 @@
+"""First hits of rays through a mesh: luxel beside embreex, in turns, on one thread.
+
+    rays.py MESH.ply COUNT ROUNDS
+
+Prints a row for each kind of rays: milliseconds of luxel and of embreex, medians, and the ratio. `camera` goes from one
+point through a window's pixels, `random` from all around to points near the mesh.
+"""
+
+import sys
+import time
+
+import luxel
+import numpy as np
+import trimesh
+from embreex import rtcore_scene
+from embreex.mesh_construction import TriangleMesh
+
+path, count, rounds = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+mesh = trimesh.load(path, process=False)
+ours = luxel.load(path)
+theirs = rtcore_scene.EmbreeScene()
+TriangleMesh(theirs, np.ascontiguousarray(mesh.triangles, np.float32))
+
+generator = np.random.default_rng(1)
+side = int(count**0.5)
+across, down = np.meshgrid(np.linspace(-0.4, 0.4, side), np.linspace(-0.4, 0.4, side))
+window = np.stack([across.ravel(), down.ravel(), np.full(side * side, -1.0)], axis=1)
+origins = generator.normal(size=(count, 3))
+origins *= 3 / np.linalg.norm(origins, axis=1, keepdims=True)
+kinds = {
+    "camera": (np.tile([0, 0, 3.0], (side * side, 1)), window),
+    "random": (origins, generator.normal(scale=0.5, size=(count, 3)) - origins),
+}
+for kind, (origins, directions) in kinds.items():
+    single = origins.astype(np.float32), directions.astype(np.float32)
+    times = [], []
+    for _ in range(rounds):
+        start = time.perf_counter()
+        found = ours.rays(origins, directions, threads=1)
+        middle = time.perf_counter()
+        reference = theirs.run(*single)
+        times[0].append(middle - start)
+        times[1].append(time.perf_counter() - middle)
+    differ = np.mean(found["triangle"] != reference)
+    a, b = (np.median(list_) * 1e3 for list_ in times)
+    print(f"{kind:8} {a:8.2f} {b:8.2f} {b / a:6.2f}   {differ:.2%} of {len(reference)} rays differ")
