@@ -71,11 +71,6 @@ impl Digest {
         short
     }
 
-    /// Its first four bytes as a number, by which digests are ordered.
-    pub(crate) fn prefix(&self) -> u32 {
-        u32::from_be_bytes([self.0[0], self.0[1], self.0[2], self.0[3]])
-    }
-
     fn halves(&self) -> [[u8; 16]; 2] {
         let mut halves = [[0; 16]; 2];
         for (half, bytes) in halves.iter_mut().zip(self.0.chunks_exact(16)) {

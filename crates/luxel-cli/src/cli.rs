@@ -1,8 +1,8 @@
 //! The command line: commands and global flags.
 
 use crate::commands::{
-    bench, check, completions, demos, explain, gallery, info, manual, navigate, pick, render,
-    schema, view,
+    batch, bench, check, completions, demos, explain, gallery, info, manual, navigate, pick,
+    render, schema, view,
 };
 use crate::console::Console;
 use crate::failure::Failure;
@@ -44,6 +44,7 @@ pub(crate) enum Command {
     Info(Box<info::InfoCommand>),
     Check(Box<check::CheckCommand>),
     Bench(Box<bench::BenchCommand>),
+    Batch(Box<batch::BatchCommand>),
     Navigate(Box<navigate::NavigateCommand>),
     Demos(demos::DemosCommand),
     Gallery(gallery::GalleryCommand),
@@ -68,6 +69,7 @@ impl Command {
             Self::Explain(command) => command.run(console),
             Self::Info(command) => command.run(console),
             Self::Bench(command) => command.run(console),
+            Self::Batch(command) => command.run(console),
             Self::Navigate(command) => command.run(console),
             Self::Check(command) => command.run(console),
             Self::Gallery(command) => command.run(console),

@@ -30,11 +30,44 @@ use console::{Console, report};
 use failure::Failure;
 use scene_file::Refusal;
 use std::ffi::{OsStr, OsString};
+use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::OnceLock;
 
 /// The program, with the arguments of the process.
 #[must_use]
 pub fn main() -> ExitCode {
+    main_as(Vec::new(), std::env::args_os().collect())
+}
+
+/// The words that start this program: the executable, or what another one starts it by.
+static PROGRAM: OnceLock<Vec<OsString>> = OnceLock::new();
+
+/// The words that start this program.
+fn this_program() -> Vec<OsString> {
+    let own = || std::env::current_exe().map_or_else(|_| "luxel".into(), Into::into);
+    match PROGRAM.get() {
+        Some(words) if !words.is_empty() => words.clone(),
+        _ => vec![own()],
+    }
+}
+
+/// A task of `luxel batch`, drawn in this process.
+pub use commands::batch::{DrawnOutput, DrawnTask};
+
+/// Draws a task of a list, a line of JSON, in this process. Models are relative to a folder.
+///
+/// # Errors
+/// What the manifest says of a task that failed.
+pub fn draw_task(line: &str, folder: PathBuf) -> Result<DrawnTask, String> {
+    commands::batch::draw_in_memory(line, folder)
+}
+
+/// The program, with these arguments, of which the first is its name. `program` is the line that starts it as a process
+/// of its own; empty for the executable.
+#[must_use]
+pub fn main_as(program: Vec<OsString>, words: Vec<OsString>) -> ExitCode {
+    let _ = PROGRAM.set(program);
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(ToString::to_string).unwrap_or_default();
         console::error(&[
@@ -49,7 +82,7 @@ pub fn main() -> ExitCode {
         }
     }));
     // The panic hook has already printed the message.
-    std::panic::catch_unwind(run).unwrap_or(ExitCode::FAILURE)
+    std::panic::catch_unwind(|| run(words)).unwrap_or(ExitCode::FAILURE)
 }
 
 /// The message for arguments that the program refuses; the first is its name. Runs no command.
@@ -75,8 +108,8 @@ fn read(line: &Line, model: Option<&OsStr>) -> Result<Cli, Refusal> {
     Ok(Cli::from_arg_matches(&matches)?)
 }
 
-fn run() -> ExitCode {
-    let line = cli::line();
+fn run(words: Vec<OsString>) -> ExitCode {
+    let line = Line::new(words);
     if let Some(command) = line.misspelt_command() {
         return report(&Failure::Usage(command));
     }
@@ -88,7 +121,9 @@ fn run() -> ExitCode {
     let console = Console::new(cli.quiet, cli.verbose).into_current();
     let done = match cli.command {
         Command::Render(render) => match render.several() {
-            Some(models) => several_models::run(&render, &models, console, |model| read(&line, Some(model))),
+            Some(models) => {
+                several_models::run(&render, &models, console, |model| read(&line, Some(model)))
+            }
             None => render.run(console),
         },
         command => command.run(console),

@@ -63,8 +63,7 @@ pub(crate) fn load_with_progress(
 
 /// Reads a model within the limits.
 pub(crate) fn read(input: &InputOptions, limits: &Limits) -> Result<Model, Failure> {
-    Ok(if let Some(name) = input.model.to_str().and_then(|name| name.strip_prefix("demo:"))
-    {
+    Ok(if let Some(name) = input.model.to_str().and_then(|name| name.strip_prefix("demo:")) {
         demo(name)?
     } else if input.model == "-" {
         let bytes = standard_input(limits)?;

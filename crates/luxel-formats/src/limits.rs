@@ -38,6 +38,19 @@ pub struct ReadFile {
     pub version: Option<(u64, SystemTime)>,
 }
 
+impl ReadFile {
+    /// A file as it is now.
+    #[must_use]
+    pub fn of(path: &Path) -> Self {
+        let metadata = std::fs::metadata(path).ok();
+        Self { path: path.to_owned(), version: version_of(metadata.as_ref()) }
+    }
+}
+
+fn version_of(metadata: Option<&Metadata>) -> Version {
+    metadata.and_then(|of| Some((of.len(), of.modified().ok()?)))
+}
+
 impl FileList {
     /// The files in the order of their paths, each once.
     #[must_use]
@@ -49,7 +62,7 @@ impl FileList {
 
     /// Adds a file, unless it is there.
     pub(crate) fn add(&self, path: &Path, metadata: Option<&Metadata>) {
-        let version = metadata.and_then(|of| Some((of.len(), of.modified().ok()?)));
+        let version = version_of(metadata);
         let mut files = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         files.entry(path.to_owned()).or_insert(version);
     }

@@ -241,8 +241,7 @@ impl RenderCommand {
                 idle.iter().for_each(|said| console.warn(said));
                 warnings.extend(idle);
             }
-            let drawn =
-                drawing::draw(&renderer, &view, &content, &vector_options, &mut stopwatch)?;
+            let drawn = drawing::draw(&renderer, &view, &content, &vector_options, &mut stopwatch)?;
             if let Some(file) = target.write(number as u32, &drawn.bytes)? {
                 files.push(file);
             }

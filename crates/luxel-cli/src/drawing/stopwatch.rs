@@ -43,6 +43,13 @@ impl Stopwatch {
     }
 
     /// Milliseconds of each stage, and `total`.
+    pub(crate) fn milliseconds(&self) -> impl Iterator<Item = (String, f64)> {
+        let stages = self.stages.iter();
+        let stages = stages.map(|(name, duration)| ((*name).to_owned(), milliseconds(*duration)));
+        stages.chain([("total".to_owned(), milliseconds(self.start.elapsed()))])
+    }
+
+    /// Milliseconds of each stage, and `total`.
     pub(crate) fn to_json(&self) -> Value {
         let mut stages: Map<_, _> = self
             .stages

@@ -49,13 +49,16 @@ pub(crate) struct FlagReader {
 
 impl FlagReader {
     /// Reads settings for tasks with these execution options.
-    pub(crate) fn new(threads: Option<usize>, max_memory: u64) -> Self {
+    pub(crate) fn new(threads: usize, simd: &str, max_memory: u64) -> Self {
         let mut program = Cli::command();
         // Building adds the global flags to the commands.
         program.build();
         let render = program.find_subcommand("render").cloned().unwrap_or(program);
-        let mut common = vec![format!("--max-memory={max_memory}").into()];
-        common.extend(threads.map(|threads| OsString::from(format!("--threads={threads}"))));
+        let common = vec![
+            format!("--max-memory={max_memory}").into(),
+            format!("--threads={threads}").into(),
+            format!("--simd={simd}").into(),
+        ];
         Self { render, common, read: HashMap::new(), excluded: HashMap::new() }
     }
 
@@ -110,8 +113,10 @@ impl FlagReader {
             is_setting || (*flag == "format" && of == Of::Task)
         };
         let flags = self.render.get_arguments().filter_map(Arg::get_long).filter(is_key);
-        let known: Vec<String> =
-            flags.map(|flag| flag.replace('-', "_")).chain(others.iter().map(|&key| key.to_owned())).collect();
+        let known: Vec<String> = flags
+            .map(|flag| flag.replace('-', "_"))
+            .chain(others.iter().map(|&key| key.to_owned()))
+            .collect();
         let written = name.replace('-', "_");
         Err(match nearest(&written, known.iter().map(String::as_str)) {
             Some(meant) => format!("`{key}` is unknown: did you mean `{meant}`?"),
@@ -143,7 +148,12 @@ impl FlagReader {
         let mut line: Vec<OsString> = vec!["render".into(), "--output=x.png".into()];
         line.extend(self.common.iter().cloned());
         for setting in &kept {
-            line.extend(self.flag(&setting.name).and_then(|arg| words(setting, arg).ok()).into_iter().flatten());
+            line.extend(
+                self.flag(&setting.name)
+                    .and_then(|arg| words(setting, arg).ok())
+                    .into_iter()
+                    .flatten(),
+            );
         }
         if let Some(known) = self.read.get(&line) {
             return Ok(known.clone());
@@ -197,8 +207,11 @@ impl FlagReader {
             for (place, one) in settings.iter().enumerate() {
                 for other in &settings[..place] {
                     if self.overrides(&one.name, &other.name) {
-                        let [one, other] = [other, one].map(|setting| setting.name.replace('-', "_"));
-                        return TaskError::in_list(format!("`{one}` and `{other}` exclude each other"));
+                        let [one, other] =
+                            [other, one].map(|setting| setting.name.replace('-', "_"));
+                        return TaskError::in_list(format!(
+                            "`{one}` and `{other}` exclude each other"
+                        ));
                     }
                 }
             }

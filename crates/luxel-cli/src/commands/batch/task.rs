@@ -2,7 +2,7 @@
 
 use super::flag_reader::{FlagReader, Of};
 use super::layers::{TaskLayer, layers};
-use luxel::formats::Setting;
+use luxel::formats::{Format, Setting, SettingValue};
 use luxel_batch::TaskError;
 use serde_json::{Map, Value};
 
@@ -34,6 +34,15 @@ pub(crate) struct Shot {
 }
 
 impl Task {
+    /// The model's format, if the task names it.
+    pub(crate) fn format(&self) -> Option<Format> {
+        let format = self.settings.iter().find(|setting| setting.name == "format")?;
+        match &format.value {
+            SettingValue::One(name) => name.parse().ok(),
+            _ => None,
+        }
+    }
+
     /// The task of the keys of a line.
     ///
     /// # Errors
@@ -96,7 +105,8 @@ fn view_of(view: &Value, flags: &FlagReader) -> Result<Shot, TaskError> {
 }
 
 fn orbit_of(keys: &Map<String, Value>, flags: &FlagReader) -> Result<Shot, TaskError> {
-    let count = keys.get("count").and_then(Value::as_u64).and_then(|count| u32::try_from(count).ok());
+    let count =
+        keys.get("count").and_then(Value::as_u64).and_then(|count| u32::try_from(count).ok());
     let Some(count @ 1..) = count else {
         return Err(TaskError::in_list("`count` must be a whole number of views, at least 1"));
     };
