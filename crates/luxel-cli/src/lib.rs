@@ -16,6 +16,7 @@ mod model;
 mod navigation;
 mod options;
 mod output;
+mod program;
 mod progress;
 mod scene_file;
 mod several_models;
@@ -32,24 +33,11 @@ use scene_file::Refusal;
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::OnceLock;
 
 /// The program, with the arguments of the process.
 #[must_use]
 pub fn main() -> ExitCode {
     main_as(Vec::new(), std::env::args_os().collect())
-}
-
-/// The words that start this program: the executable, or what another one starts it by.
-static PROGRAM: OnceLock<Vec<OsString>> = OnceLock::new();
-
-/// The words that start this program.
-fn this_program() -> Vec<OsString> {
-    let own = || std::env::current_exe().map_or_else(|_| "luxel".into(), Into::into);
-    match PROGRAM.get() {
-        Some(words) if !words.is_empty() => words.clone(),
-        _ => vec![own()],
-    }
 }
 
 /// A task of `luxel batch`, drawn in this process.
@@ -67,7 +55,7 @@ pub fn draw_task(line: &str, folder: PathBuf) -> Result<DrawnTask, String> {
 /// of its own; empty for the executable.
 #[must_use]
 pub fn main_as(program: Vec<OsString>, words: Vec<OsString>) -> ExitCode {
-    let _ = PROGRAM.set(program);
+    program::set_line(program);
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(ToString::to_string).unwrap_or_default();
         console::error(&[

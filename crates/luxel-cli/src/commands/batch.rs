@@ -10,8 +10,8 @@ mod verification;
 use crate::console::Console;
 use crate::failure::{Failure, INTERRUPTED};
 use crate::output;
+use crate::program;
 use crate::progress::Progress;
-use crate::this_program;
 use clap::{Args, Subcommand};
 use luxel_batch::{
     Event, Limits, List, Output, Plan, RunError, Share, Summary, Work, WorkError, limit_memory,
@@ -83,7 +83,7 @@ fn list_failure(list: &List, error: &io::Error) -> Failure {
 
 /// The line that starts a worker, up to its folders.
 fn worker_line(list: &List, execution: &options::BatchExecution) -> Vec<OsString> {
-    let mut line = this_program();
+    let mut line = program::line();
     line.extend(["batch".into(), "worker".into(), "--folder".into(), list.folder().into()]);
     line.push(format!("--threads={}", execution.threads).into());
     line.push(format!("--simd={}", execution.simd.name()).into());

@@ -29,6 +29,13 @@ pub(crate) const CRATES: &[&str] = &[
 pub(crate) const MODULES: &[(&str, &[&str])] = &[
     ("luxel-math", &["simd_level", "lanes", "elementary", "fixed", "permute", "vector"]),
     ("luxel-parallel", &["thread", "run", "sort"]),
+    (
+        "luxel-batch",
+        &[
+            "digest", "merkle", "task", "work", "store", "answer", "shards", "worker", "crew",
+            "list", "log", "manifest", "run", "verify",
+        ],
+    ),
     ("luxel-testing", &["blessing", "corpus", "golden", "models"]),
     (
         "luxel-bvh",
@@ -257,6 +264,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
     (
         "luxel-cli",
         &[
+            "program",
             "flag_words",
             "failure",
             "output",
@@ -270,9 +278,10 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "navigation",
             "view",
             "scene_file",
+            "drawing",
             "commands",
             "cli",
-            "batch",
+            "several_models",
         ],
     ),
 ];

@@ -1,11 +1,10 @@
 //! The settings of a task as flags of `luxel render`, read by the flags' own parsers.
 
-use crate::cli::Cli;
 use crate::commands::render::{PictureSettings, RenderCommand};
 use crate::scene_file::flags::ON_THE_LINE;
 use crate::scene_file::{value_error, words};
 use clap::error::ErrorKind as UsageKind;
-use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use clap::{Arg, Args, Command, FromArgMatches};
 use luxel::formats::values::nearest;
 use luxel::formats::{Place, Setting, SettingValue};
 use luxel::lighting::parameters;
@@ -50,10 +49,8 @@ pub(crate) struct FlagReader {
 impl FlagReader {
     /// Reads settings for tasks with these execution options.
     pub(crate) fn new(threads: usize, simd: &str, max_memory: u64) -> Self {
-        let mut program = Cli::command();
-        // Building adds the global flags to the commands.
-        program.build();
-        let render = program.find_subcommand("render").cloned().unwrap_or(program);
+        let mut render = RenderCommand::augment_args(Command::new("render"));
+        render.build();
         let common = vec![
             format!("--max-memory={max_memory}").into(),
             format!("--threads={threads}").into(),
