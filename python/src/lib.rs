@@ -7,6 +7,7 @@
 
 mod arrays;
 mod bare_mesh;
+mod batch;
 mod camera;
 mod check;
 mod errors;
@@ -39,5 +40,9 @@ fn _luxel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(load::load, module)?)?;
     module.add_function(wrap_pyfunction!(load::demos, module)?)?;
     module.add_function(wrap_pyfunction!(packed::unpack, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::run_program, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::draw_task, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::merkle_root, module)?)?;
+    module.add_class::<batch::PyWorker>()?;
     Ok(())
 }

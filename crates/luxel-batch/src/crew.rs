@@ -19,7 +19,7 @@ pub struct Limits {
 }
 
 /// A place for a worker process, and the process while there is one.
-pub(crate) struct Seat {
+pub struct Seat {
     line: Vec<OsString>,
     limits: Limits,
     worker: Option<Worker>,
@@ -93,9 +93,26 @@ impl Drop for Worker {
     }
 }
 
+impl std::fmt::Debug for Seat {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { line, limits, .. } = self;
+        formatter.debug_struct("Seat").field("line", line).field("limits", limits).finish()
+    }
+}
+
 impl Seat {
-    pub(crate) fn new(line: Vec<OsString>, limits: Limits) -> Self {
+    /// A place for workers that a line starts.
+    #[must_use]
+    pub fn new(line: Vec<OsString>, limits: Limits) -> Self {
         Self { line, limits, worker: None }
+    }
+
+    /// Draws a task and gives its answer as JSON, as logs have it: its key, inputs, outputs and times, or its error.
+    ///
+    /// # Errors
+    /// A worker can't be started.
+    pub fn draw_to_json(&mut self, task: &str) -> io::Result<String> {
+        Ok(serde_json::to_string(&self.draw(task)?)?)
     }
 
     /// Draws a task, several times if it ends its workers.

@@ -21,7 +21,7 @@ mod verify;
 mod work;
 mod worker;
 
-pub use crew::Limits;
+pub use crew::{Limits, Seat};
 pub use digest::{Digest, NotADigest};
 pub use list::List;
 pub use manifest::{FailedTask, Listed, MANIFEST_VERSION, Manifest};

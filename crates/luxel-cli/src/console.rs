@@ -3,7 +3,6 @@
 use crate::failure::Failure;
 pub(crate) use luxel::report::printable;
 use std::io::{IsTerminal, Write};
-use std::process::ExitCode;
 use std::sync::OnceLock;
 
 /// Which messages appear.
@@ -69,7 +68,7 @@ impl Console {
 }
 
 /// Prints a failure, and returns its status.
-pub(crate) fn report(failure: &Failure) -> ExitCode {
+pub(crate) fn report(failure: &Failure) -> u8 {
     let lines = failure.lines();
     if !lines.is_empty() {
         error(&lines);

@@ -4,7 +4,6 @@ use crate::flag_words::error_text;
 use luxel::formats::{Error, ErrorKind, Place};
 use luxel::render::RenderError;
 use std::path::Path;
-use std::process::ExitCode;
 
 /// The status of a program that was interrupted, as shells report it: 128 and the number of the
 /// signal.
@@ -58,14 +57,14 @@ impl Failure {
     }
 
     /// The exit status of the program.
-    pub(crate) fn exit_code(&self) -> ExitCode {
+    pub(crate) fn exit_code(&self) -> u8 {
         match self {
-            Self::Usage(_) => ExitCode::from(2),
-            Self::Work { .. } => ExitCode::FAILURE,
-            Self::Findings => ExitCode::from(3),
-            Self::OutputClosed => ExitCode::SUCCESS,
+            Self::Usage(_) => 2,
+            Self::Work { .. } => 1,
+            Self::Findings => 3,
+            Self::OutputClosed => 0,
             #[cfg(feature = "viewer")]
-            Self::Interrupted => ExitCode::from(INTERRUPTED),
+            Self::Interrupted => INTERRUPTED,
         }
     }
 

@@ -37,11 +37,12 @@ use std::process::ExitCode;
 /// The program, with the arguments of the process.
 #[must_use]
 pub fn main() -> ExitCode {
-    main_as(Vec::new(), std::env::args_os().collect())
+    ExitCode::from(main_as(Vec::new(), std::env::args_os().collect()))
 }
 
 /// A task of `luxel batch`, drawn in this process.
 pub use commands::batch::{DrawnOutput, DrawnTask};
+pub use luxel_batch::{Seat, root};
 
 /// Draws a task of a list, a line of JSON, in this process. Models are relative to a folder.
 ///
@@ -51,10 +52,24 @@ pub fn draw_task(line: &str, folder: PathBuf) -> Result<DrawnTask, String> {
     commands::batch::draw_in_memory(line, folder)
 }
 
-/// The program, with these arguments, of which the first is its name. `program` is the line that starts it as a process
+/// A worker process for tasks of a list whose models are relative to a folder. Outputs are written below `root` by way of
+/// `parts`; `flags` are those of `luxel batch` on execution. `program` starts this program, as in [`main_as`].
+///
+/// # Errors
+/// The message for flags that are refused.
+pub fn worker(
+    program: Vec<OsString>,
+    [folder, root, parts]: [PathBuf; 3],
+    flags: &[String],
+) -> Result<Seat, String> {
+    program::set_line(program);
+    commands::batch::seat(folder, [root, parts], flags)
+}
+
+/// The status of the program with these arguments, of which the first is its name. `program` is the line that starts it as a process
 /// of its own; empty for the executable.
 #[must_use]
-pub fn main_as(program: Vec<OsString>, words: Vec<OsString>) -> ExitCode {
+pub fn main_as(program: Vec<OsString>, words: Vec<OsString>) -> u8 {
     program::set_line(program);
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(ToString::to_string).unwrap_or_default();
@@ -70,7 +85,7 @@ pub fn main_as(program: Vec<OsString>, words: Vec<OsString>) -> ExitCode {
         }
     }));
     // The panic hook has already printed the message.
-    std::panic::catch_unwind(|| run(words)).unwrap_or(ExitCode::FAILURE)
+    std::panic::catch_unwind(|| run(words)).unwrap_or(1)
 }
 
 /// The message for arguments that the program refuses; the first is its name. Runs no command.
@@ -96,7 +111,7 @@ fn read(line: &Line, model: Option<&OsStr>) -> Result<Cli, Refusal> {
     Ok(Cli::from_arg_matches(&matches)?)
 }
 
-fn run(words: Vec<OsString>) -> ExitCode {
+fn run(words: Vec<OsString>) -> u8 {
     let line = Line::new(words);
     if let Some(command) = line.misspelt_command() {
         return report(&Failure::Usage(command));
@@ -117,18 +132,18 @@ fn run(words: Vec<OsString>) -> ExitCode {
         command => command.run(console),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => report(&failure),
     }
 }
 
 /// Prints clap's message: help and version on the standard output, errors on the standard error, with the
 /// line that was meant.
-fn print_usage(error: &clap::Error, meant: Option<String>) -> ExitCode {
+fn print_usage(error: &clap::Error, meant: Option<String>) -> u8 {
     let text = error.render().to_string();
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         return match output::print(&text) {
-            Ok(()) => ExitCode::SUCCESS,
+            Ok(()) => 0,
             Err(failure) => report(&failure),
         };
     }
@@ -140,5 +155,5 @@ fn print_usage(error: &clap::Error, meant: Option<String>) -> ExitCode {
     if let Some(meant) = meant {
         eprintln!("\n  tip: did you mean `{meant}`?");
     }
-    ExitCode::from(2)
+    2
 }

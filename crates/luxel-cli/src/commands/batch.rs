@@ -12,12 +12,12 @@ use crate::failure::{Failure, INTERRUPTED};
 use crate::output;
 use crate::program;
 use crate::progress::Progress;
-use clap::{Args, Subcommand};
+use clap::{Args, Command, FromArgMatches, Subcommand};
 use luxel_batch::{
-    Event, Limits, List, Output, Plan, RunError, Share, Summary, Work, WorkError, limit_memory,
-    path_of, run, serve,
+    Event, Limits, List, Output, Plan, RunError, Seat, Share, Summary, Work, WorkError,
+    limit_memory, path_of, run, serve,
 };
-use options::{ProgressKind, RunOptions, WorkerOptions};
+use options::{BatchExecution, ProgressKind, RunOptions, WorkerOptions};
 use painter::Painter;
 use serde_json::json;
 use std::cell::RefCell;
@@ -82,9 +82,9 @@ fn list_failure(list: &List, error: &io::Error) -> Failure {
 }
 
 /// The line that starts a worker, up to its folders.
-fn worker_line(list: &List, execution: &options::BatchExecution) -> Vec<OsString> {
+fn worker_line(folder: PathBuf, execution: &BatchExecution) -> Vec<OsString> {
     let mut line = program::line();
-    line.extend(["batch".into(), "worker".into(), "--folder".into(), list.folder().into()]);
+    line.extend(["batch".into(), "worker".into(), "--folder".into(), folder.into()]);
     line.push(format!("--threads={}", execution.threads).into());
     line.push(format!("--simd={}", execution.simd.name()).into());
     line.push(format!("--max-memory={}", execution.max_memory).into());
@@ -92,7 +92,7 @@ fn worker_line(list: &List, execution: &options::BatchExecution) -> Vec<OsString
 }
 
 /// How tasks are tried.
-fn limits(execution: &options::BatchExecution) -> Limits {
+fn limits(execution: &BatchExecution) -> Limits {
     /// Whatever grows in a process is small again after so many tasks.
     const TASKS_A_WORKER: u32 = 1000;
     Limits {
@@ -108,7 +108,7 @@ fn draw(options: RunOptions, console: Console) -> Result<(), Failure> {
     };
     let list = list(tasks)?;
     let plan = Plan {
-        worker: worker_line(&list, &options.execution),
+        worker: worker_line(list.folder(), &options.execution),
         workers: options.workers.unwrap_or_else(cores),
         limits: limits(&options.execution),
         share: options.shard.map(|(number, count)| Share { number, count }),
@@ -266,6 +266,24 @@ fn work(options: WorkerOptions) -> Result<(), Failure> {
         .map_err(|error| Failure::work(format!("a worker's input or output failed: {error}"), ""))
 }
 
+/// A place for a worker whose outputs are written below a folder, by way of another one.
+///
+/// # Errors
+/// The message for flags that are refused.
+pub(crate) fn seat(
+    folder: PathBuf,
+    folders: [PathBuf; 2],
+    flags: &[String],
+) -> Result<Seat, String> {
+    let command = BatchExecution::augment_args(Command::new("worker").no_binary_name(true));
+    let matches = command.try_get_matches_from(flags).map_err(|error| error.to_string())?;
+    let execution =
+        BatchExecution::from_arg_matches(&matches).map_err(|error| error.to_string())?;
+    let mut line = worker_line(folder, &execution);
+    line.extend(folders.map(OsString::from));
+    Ok(Seat::new(line, limits(&execution)))
+}
+
 /// A task, drawn in this process.
 #[derive(Clone, Debug)]
 pub struct DrawnTask {
@@ -301,7 +319,7 @@ pub(crate) fn draw_in_memory(line: &str, folder: PathBuf) -> Result<DrawnTask, S
     }
     PAINTER.with_borrow_mut(|known| {
         if known.as_ref().is_none_or(|(of, _)| *of != folder) {
-            let execution = options::BatchExecution::default().painting();
+            let execution = BatchExecution::default().painting();
             *known = Some((folder.clone(), Painter::new(folder, execution)));
         }
         let Some((_, painter)) = known else { return Err("no painter".to_owned()) };

@@ -59,7 +59,7 @@ impl VerifyOptions {
         let list = list(&tasks)?;
         let scratch = std::env::temp_dir().join(format!("luxel-verify-{}", std::process::id()));
         let plan = VerifyPlan {
-            worker: worker_line(&list, &execution),
+            worker: worker_line(list.folder(), &execution),
             limits: limits(&execution),
             sample: match sample {
                 Sample::All => None,

@@ -1,0 +1,123 @@
+"""What draws the tasks of a list and stores their outputs, for `luxel.batch` and `luxel.ray`."""
+
+import json
+import os
+import pathlib
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from ._luxel import Worker
+
+PROGRAM = [sys.executable, "-m", "luxel"]
+"""What starts luxel as a process of its own."""
+
+_ATOMIC = ("memory", "s3", "s3a", "gs", "gcs", "az", "abfs", "abfss")
+"""Stores in which an object appears whole or not at all."""
+
+
+def is_url(place: str) -> bool:
+    """Whether a place is fsspec's, rather than a path."""
+    return "://" in place
+
+
+class Outputs:
+    """A folder of outputs, by its path or by an fsspec URL."""
+
+    def __init__(self, place: str) -> None:
+        if is_url(place):
+            import fsspec
+
+            self.files, self.root = fsspec.core.url_to_fs(place)
+        else:
+            self.files, self.root = None, os.path.abspath(place)
+
+    @property
+    def is_local(self) -> bool:
+        """Whether workers write there themselves."""
+        return self.files is None or "file" in _protocols(self.files)
+
+    def path(self, name: str) -> str:
+        return f"{self.root.rstrip('/')}/{name}"
+
+    def remove_parts(self) -> None:
+        """Removes what workers that were killed have left unfinished."""
+        if self.is_local:
+            shutil.rmtree(self.path(".parts"), ignore_errors=True)
+
+    def put(self, name: str, data: bytes) -> None:
+        """Stores an object whole."""
+        target = self.path(name)
+        if self.is_local:
+            pathlib.Path(target).parent.mkdir(parents=True, exist_ok=True)
+            descriptor, part = tempfile.mkstemp(dir=self.root, prefix=".part-")
+            with os.fdopen(descriptor, "wb") as file:
+                file.write(data)
+            os.chmod(part, 0o644)
+            os.replace(part, target)
+            return
+        assert self.files is not None
+        self.files.makedirs(target.rsplit("/", 1)[0], exist_ok=True)
+        if set(_protocols(self.files)) & set(_ATOMIC):
+            self.files.pipe_file(target, data)
+        else:
+            self.files.pipe_file(f"{target}.part", data)
+            self.files.mv(f"{target}.part", target)
+
+    def get(self, name: str) -> bytes:
+        """An object.
+
+        Raises `FileNotFoundError`."""
+        if self.is_local:
+            return pathlib.Path(self.path(name)).read_bytes()
+        assert self.files is not None
+        return self.files.cat_file(self.path(name))
+
+    def names(self, folder: str) -> Iterator[str]:
+        """The names of all objects below a folder."""
+        start = self.path(folder)
+        if self.is_local:
+            for place, _, names in os.walk(start):
+                yield from (f"{os.path.relpath(place, self.root)}/{name}" for name in names)
+            return
+        assert self.files is not None
+        # What others have stored meanwhile counts.
+        self.files.invalidate_cache()
+        if self.files.exists(start):
+            for name in self.files.find(start):
+                yield name[len(self.root.rstrip("/")) + 1 :]
+
+
+def _protocols(files: Any) -> Sequence[str]:
+    return (files.protocol,) if isinstance(files.protocol, str) else files.protocol
+
+
+class Drawer:
+    """Draws tasks in a worker process and stores what it gives."""
+
+    def __init__(self, folder: str, out: str, flags: Sequence[str] = ()) -> None:
+        self.outputs = Outputs(out)
+        self.scratch = tempfile.mkdtemp(prefix="luxel-")
+        root = self.outputs.root if self.outputs.is_local else f"{self.scratch}/outputs"
+        # Renaming doesn't cross file systems.
+        parts = f"{root}/.parts" if self.outputs.is_local else f"{self.scratch}/parts"
+        for path in (root, parts):
+            os.makedirs(path, exist_ok=True)
+        self.root = root
+        self.worker = Worker(PROGRAM, folder, root, parts, list(flags))
+
+    def draw(self, line: str) -> dict[str, Any]:
+        """The answer to a task, with all its outputs stored."""
+        answer: dict[str, Any] = json.loads(self.worker.draw(line))
+        if not self.outputs.is_local:
+            for output in answer.get("outputs", []):
+                path = pathlib.Path(self.root, output["path"])
+                self.outputs.put(output["path"], path.read_bytes())
+                path.unlink()
+        return answer
+
+    def close(self) -> None:
+        """Removes what isn't needed any more."""
+        shutil.rmtree(self.scratch, ignore_errors=True)
