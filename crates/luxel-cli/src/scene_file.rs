@@ -192,6 +192,9 @@ pub(crate) fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, Strin
         (ArgAction::SetTrue, SettingValue::Switch(true)) => Ok(vec![format!("--{name}").into()]),
         (ArgAction::SetTrue, SettingValue::Switch(false)) => Ok(Vec::new()),
         (ArgAction::SetTrue, _) => Err("use true or false".to_owned()),
+        (_, SettingValue::Switch(on)) if takes_no_value(arg) => {
+            Ok(on.then(|| format!("--{name}").into()).into_iter().collect())
+        }
         (_, SettingValue::Switch(_)) => {
             Err("expected a number or a string, found a boolean".to_owned())
         }
@@ -199,6 +202,11 @@ pub(crate) fn words(setting: &Setting, arg: &Arg) -> Result<Vec<OsString>, Strin
         (ArgAction::Append, SettingValue::Many(values)) => Ok(values.iter().map(given).collect()),
         (_, SettingValue::Many(values)) => Ok(vec![given(&values.join(","))]),
     }
+}
+
+/// Whether a flag may stand without a value.
+fn takes_no_value(arg: &Arg) -> bool {
+    arg.get_num_args().is_some_and(|count| count.min_values() == 0)
 }
 
 /// The arguments that a setting adds: none if the command line has the flag or a conflicting one,
