@@ -80,14 +80,13 @@ def run(
         blocks = max(count, -(-len(wanted) // _TASKS_A_BLOCK))
         rows = [{"line": task.line, "number": task.number, "entry": task.entry} for task in wanted]
         flags = [f"--time-limit={time_limit}", f"--tries={tries}", f"--max-memory={max_memory}"]
+        # Ray Data starts lost actors again and retries their batches, without a limit.
         drawn = ray.data.from_items(rows, override_num_blocks=blocks).map_batches(
             Drawers,
             fn_constructor_args=(tasks, out, flags),
             batch_size=_TASKS_A_BLOCK,
             compute=ray.data.ActorPoolStrategy(size=count),
             num_cpus=1,
-            max_restarts=-1,
-            max_task_retries=-1,
         )
         for row in drawn.iter_rows():
             answer = json.loads(row["answer"])

@@ -119,7 +119,10 @@ fn value_of_flag(arg: &Arg) -> Value {
         };
         let name = arg.get_value_names().and_then(<[_]>::first).map_or("", |name| name.as_str());
         let list = json!({ "type": "array", "items": { "type": ["number", "string"] } });
-        if matches!(arg.get_action(), ArgAction::Append) || name.contains(',') {
+        let may_lack_value = arg.get_num_args().is_some_and(|count| count.min_values() == 0);
+        if may_lack_value {
+            any_of(&[one, json!({ "type": "boolean" })])
+        } else if matches!(arg.get_action(), ArgAction::Append) || name.contains(',') {
             any_of(&[one, list])
         } else {
             one
