@@ -1,5 +1,6 @@
 """What draws the tasks of a list and stores their outputs, for `luxel.batch` and `luxel.ray`."""
 
+import importlib
 import json
 import os
 import pathlib
@@ -27,12 +28,11 @@ class Outputs:
     """A folder of outputs, by its path or by an fsspec URL."""
 
     def __init__(self, place: str) -> None:
+        self.files: Any = None
+        self.root: str = os.path.abspath(place)
         if is_url(place):
-            import fsspec
-
-            self.files, self.root = fsspec.core.url_to_fs(place)
-        else:
-            self.files, self.root = None, os.path.abspath(place)
+            core: Any = importlib.import_module("fsspec.core")
+            self.files, self.root = core.url_to_fs(place)
 
     @property
     def is_local(self) -> bool:
@@ -58,7 +58,6 @@ class Outputs:
             os.chmod(part, 0o644)
             os.replace(part, target)
             return
-        assert self.files is not None
         self.files.makedirs(target.rsplit("/", 1)[0], exist_ok=True)
         if set(_protocols(self.files)) & set(_ATOMIC):
             self.files.pipe_file(target, data)
@@ -72,7 +71,6 @@ class Outputs:
         Raises `FileNotFoundError`."""
         if self.is_local:
             return pathlib.Path(self.path(name)).read_bytes()
-        assert self.files is not None
         return self.files.cat_file(self.path(name))
 
     def names(self, folder: str) -> Iterator[str]:
@@ -82,7 +80,6 @@ class Outputs:
             for place, _, names in os.walk(start):
                 yield from (f"{os.path.relpath(place, self.root)}/{name}" for name in names)
             return
-        assert self.files is not None
         # What others have stored meanwhile counts.
         self.files.invalidate_cache()
         if self.files.exists(start):

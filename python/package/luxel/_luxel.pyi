@@ -16,6 +16,25 @@ from . import __version__ as __version__
 from . import demos as demos
 from . import load as load
 
+__all__ = [
+    "Camera",
+    "Error",
+    "Frame",
+    "Hit",
+    "Ledger",
+    "LoadError",
+    "Scene",
+    "View",
+    "__version__",
+    "demos",
+    "load",
+    "unpack",
+    "run_program",
+    "draw_task",
+    "merkle_root",
+    "Worker",
+]
+
 def unpack(bytes: bytes, warnings: list[str]) -> Scene: ...
 def run_program(program: Sequence[str], words: Sequence[str]) -> int: ...
 def draw_task(line: str, folder: str | PathLike[str]) -> Any: ...

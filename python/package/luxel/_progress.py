@@ -1,5 +1,6 @@
 """How far long work is: a bar in a notebook, a line on a terminal, nothing elsewhere."""
 
+import importlib
 import sys
 import time
 from collections.abc import Callable
@@ -30,12 +31,12 @@ def _in_notebook(total: int, what: str) -> Callable[[int], None] | None:
     shell = ipython.get_ipython() if ipython else None
     if shell is None or not hasattr(shell, "kernel"):
         return None
-    from IPython.display import HTML, display
+    from_ipython: Any = importlib.import_module("IPython.display")
 
     def page(done: int) -> Any:
-        return HTML(f'<progress max="{max(total, 1)}" value="{done}"></progress> {done} of {total} {what}')
+        return from_ipython.HTML(f'<progress max="{max(total, 1)}" value="{done}"></progress> {done} of {total} {what}')
 
-    handle = display(page(0), display_id=True)
+    handle = from_ipython.display(page(0), display_id=True)
     return lambda done: handle.update(page(done))
 
 

@@ -1,5 +1,6 @@
 """The door to the widget, which is a package of its own."""
 
+import importlib
 from typing import Any
 
 
@@ -9,7 +10,7 @@ def widget(view: Any) -> Any:
     Raises `ImportError` without luxel-notebook.
     """
     try:
-        from luxel_notebook import Widget
+        notebook: Any = importlib.import_module("luxel_notebook")
     except ImportError as error:
         raise ImportError(f'widgets need luxel-notebook: pip install "luxel[notebook]" ({error})') from error
-    return Widget(view)
+    return notebook.Widget(view)

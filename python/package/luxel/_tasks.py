@@ -1,11 +1,12 @@
 """Lists of tasks, what is known of each, and the manifest of all."""
 
 import hashlib
+import importlib
 import io
 import json
 import os
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from ._drawer import Outputs, is_url
 from ._luxel import __version__, merkle_root
@@ -40,14 +41,16 @@ def read(tasks: str) -> Iterator[Task]:
         data = data.removeprefix(b"\xef\xbb\xbf") if number == 1 else data
         if not data.strip():
             continue
-        identity, line, error = None, "", None
+        line = ""
+        identity: str | None = None
+        error: str | None = None
         try:
             line = data.decode("utf-8").strip()
-            task = json.loads(line)
-            identity = task["id"] if isinstance(task, dict) else None
-            if not isinstance(identity, str):
+            task: Any = json.loads(line)
+            given = cast("dict[str, Any]", task)["id"] if isinstance(task, dict) else None
+            identity = given if isinstance(given, str) else None
+            if identity is None:
                 error = "a task is a JSON object with a string `id`"
-                identity = None
             elif identity in ids:
                 error = f"the id `{identity}` is there twice: give each task its own"
         except ValueError as failure:
@@ -63,8 +66,7 @@ def read(tasks: str) -> Iterator[Task]:
 
 def _lines(tasks: str) -> Iterator[bytes]:
     if is_url(tasks):
-        import fsspec
-
+        fsspec: Any = importlib.import_module("fsspec")
         with fsspec.open(tasks, "rb") as file:
             yield from io.BufferedReader(file)
     else:

@@ -126,7 +126,11 @@ def _into_store(
     known = set(outputs.names(_tasks.LOG))
     listed = list(_tasks.read(tasks))
     wanted = [task for task in listed if task.error is None and task.entry not in known]
-    step = progress if callable(progress) else bar(len(listed), "tasks") if progress else lambda _: None
+    step: Callable[[int], object] | None = None
+    if callable(progress):
+        step = progress
+    elif progress:
+        step = bar(len(listed), "tasks")
     answers: dict[str, dict[str, Any]] = {}
     failures: list[BaseException] = []
     queue: Queue[_tasks.Task] = Queue()
@@ -134,7 +138,8 @@ def _into_store(
         queue.put(task)
     lock = threading.Lock()
     done = len(listed) - len(wanted)
-    step(done)
+    if step:
+        step(done)
 
     def work() -> None:
         nonlocal done
@@ -148,7 +153,8 @@ def _into_store(
                 with lock:
                     answers[task.entry] = answer
                     done += 1
-                    step(done)
+                    if step:
+                        step(done)
         except Empty:
             pass
         except BaseException as error:

@@ -8,6 +8,7 @@ has sizes and costs. Needs `pip install "luxel[ray]"`.
 """
 
 import argparse
+import importlib
 import json
 import os
 import sys
@@ -32,7 +33,7 @@ class Drawers:
         self.drawer = Drawer(_tasks.folder_of(tasks), out, flags)
 
     def __call__(self, batch: dict[str, Any]) -> dict[str, Any]:
-        answers = []
+        answers: list[str] = []
         for line, number, entry in zip(batch["line"], batch["number"], batch["entry"], strict=True):
             answer = _tasks.with_place(self.drawer.draw(str(line)), self.tasks, int(number))
             if "error" not in answer:
@@ -59,9 +60,8 @@ def run(
     is whole already is not. Tasks that fail are in the manifest's `failed`.
 
     Raises `OSError` if the list can't be read or nothing can be written, and Ray's own exceptions."""
-    import ray
-    import ray.data
-
+    ray: Any = importlib.import_module("ray")
+    data: Any = importlib.import_module("ray.data")
     tasks, out = os.fspath(tasks), os.fspath(out)
     # Actors work elsewhere.
     tasks = tasks if is_url(tasks) else os.path.abspath(tasks)
@@ -74,32 +74,28 @@ def run(
     if wanted:
         if not ray.is_initialized():
             ray.init(log_to_driver=False)
-        context = ray.data.DataContext.get_current()
+        context = data.DataContext.get_current()
         context.enable_progress_bars = progress
         count = min(actors or int(ray.cluster_resources().get("CPU", 1)), len(wanted))
         blocks = max(count, -(-len(wanted) // _TASKS_A_BLOCK))
         rows = [{"line": task.line, "number": task.number, "entry": task.entry} for task in wanted]
         flags = [f"--time-limit={time_limit}", f"--tries={tries}", f"--max-memory={max_memory}"]
         # Ray Data starts lost actors again and retries their batches, without a limit.
-        drawn = ray.data.from_items(rows, override_num_blocks=blocks).map_batches(
+        drawn = data.from_items(rows, override_num_blocks=blocks).map_batches(
             Drawers,
             fn_constructor_args=(tasks, out, flags),
             batch_size=_TASKS_A_BLOCK,
-            compute=ray.data.ActorPoolStrategy(size=count),
+            compute=data.ActorPoolStrategy(size=count),
             num_cpus=1,
         )
         for row in drawn.iter_rows():
             answer = json.loads(row["answer"])
-            # What is whole is read from the log: a manifest of millions needs no memory for it now.
-            answers[row["entry"]] = answer if "error" in answer else _digests(answer)
+            # Inputs and times stay in the log.
+            answers[row["entry"]] = {key: answer[key] for key in ("error", "outputs") if key in answer}
     manifest = _tasks.manifest_of(listed, answers, outputs)
     outputs.remove_parts()
     outputs.put("manifest.json", _tasks.manifest_text(manifest))
     return manifest
-
-
-def _digests(answer: dict[str, Any]) -> dict[str, Any]:
-    return {"outputs": answer["outputs"]}
 
 
 def _main() -> None:
@@ -110,9 +106,7 @@ def _main() -> None:
     parser.add_argument("--address", help="the cluster's address [default: this machine]")
     given = parser.parse_args()
     if given.address:
-        import ray
-
-        ray.init(address=given.address, log_to_driver=False)
+        importlib.import_module("ray").init(address=given.address, log_to_driver=False)
     manifest = run(given.tasks, given.output, actors=given.actors, progress=True)
     print(manifest["root"])
     sys.exit(bool(manifest["failed"]))
