@@ -56,7 +56,10 @@ impl FileList {
     #[must_use]
     pub fn files(&self) -> Vec<ReadFile> {
         let files = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let file = |(path, version): (&PathBuf, &Version)| ReadFile { path: path.clone(), version: *version };
+        let file = |(path, version): (&PathBuf, &Version)| ReadFile {
+            path: path.clone(),
+            version: *version,
+        };
         files.iter().map(file).collect()
     }
 
