@@ -42,6 +42,7 @@ fn _luxel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(packed::unpack, module)?)?;
     module.add_function(wrap_pyfunction!(batch::run_program, module)?)?;
     module.add_function(wrap_pyfunction!(batch::draw_task, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::task_id, module)?)?;
     module.add_function(wrap_pyfunction!(batch::merkle_root, module)?)?;
     module.add_class::<batch::PyWorker>()?;
     Ok(())
