@@ -49,6 +49,8 @@ def test_a_broken_file_names_its_place(tmp_path):
         (lambda s: s.view((4, 4), camera=3), TypeError, "camera"),
         (lambda s: s.view((4, 4), camera=np.zeros((4, 4))), ValueError, "rotation"),
         (lambda s: s.view((4, 4), threads=-1), ValueError, "threads"),
+        (lambda s: s.render((4, 4), threads=1025), ValueError, "threads"),
+        (lambda s: s.rays([[0, 0, 0]], [[0, 0, 1]], threads=2**63), ValueError, "threads"),
         (lambda s: s.view((4, 4), simd="mmx"), ValueError, "simd"),
         (lambda s: s.view((4, 4)).pick(4, 0), ValueError, "outside"),
         (lambda s: s.view((4, 4)).explain(-1, 0), ValueError, "outside"),
