@@ -2,7 +2,7 @@
 
 use crate::{Cull, EnvironmentChoice, Shading};
 use luxel_lighting::{Display, Fog, PictureEncoding, Tone};
-use luxel_scene::{Background, Camera, DEFAULT_AMBIENT, SceneLight, Size, default_lights};
+use luxel_scene::{Background, Camera, DEFAULT_AMBIENT, DVec3, SceneLight, Size, default_lights};
 
 /// The default number of samples per pixel.
 pub const DEFAULT_SAMPLES: u32 = 4;
@@ -78,6 +78,8 @@ pub struct View {
     pub background: Background,
     /// Whether a ground lies under the model that shows nothing but its shadow and its occlusion.
     pub ground: bool,
+    /// What is up, for the ground and the studio; `None`: as in the scene. Of any length but 0.
+    pub up: Option<DVec3>,
     /// The exposure of surfaces, in stops: each doubles their light. The background stays as it is.
     pub exposure: f32,
     /// The tone curve of surfaces, after the exposure.
@@ -114,6 +116,7 @@ impl View {
             fog: None,
             background: Background::TRANSPARENT,
             ground: false,
+            up: None,
             exposure: 0.0,
             tone: Tone::None,
             encoding: PictureEncoding::Srgb,
@@ -190,6 +193,12 @@ impl View {
     #[must_use]
     pub fn with_ground(self, ground: bool) -> Self {
         Self { ground, ..self }
+    }
+
+    /// What is up, for the ground and the studio.
+    #[must_use]
+    pub fn with_up(self, up: impl Into<Option<DVec3>>) -> Self {
+        Self { up: up.into(), ..self }
     }
 
     /// The exposure of surfaces, in stops: each doubles their light. The background stays as it is.

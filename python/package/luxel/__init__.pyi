@@ -7,6 +7,8 @@ from typing import Any, Literal, Protocol, TypedDict, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._rasterize import rasterize as rasterize
+
 __version__: str
 
 __all__ = [
@@ -21,6 +23,7 @@ __all__ = [
     "__version__",
     "demos",
     "load",
+    "rasterize",
 ]
 
 _Convention = Literal["opengl", "opencv"]

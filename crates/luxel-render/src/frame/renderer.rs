@@ -285,7 +285,7 @@ impl Renderer {
                 PlacedScene::new(&self.scene, &self.objects, &view.camera, view.size, &rules);
             let frame = placed.frame(&self.clusters, samples, self.level)?;
             let lights = frame_setup::placed_lights(view, &self.scene);
-            let floor = view.ground.then(|| self.floor());
+            let floor = view.ground.then(|| self.floor(view));
             let of_surfaces = (view.shadows, view.ambient_occlusion);
             let shadows = match view.shadows || view.ambient_occlusion.is_some() {
                 true => Some(self.shadows(view, &frame, (&placed, &lights), of_surfaces, floor)?),
@@ -327,7 +327,7 @@ impl Renderer {
                 None => None,
             };
             let around = view.environment_background.then(|| Around {
-                environment: view.environment.surroundings(self.scene.up),
+                environment: view.environment.surroundings(self.up(view)),
                 rays: ViewRays::new(&view.camera, frame.rays()),
                 display: view.display(),
             });
@@ -408,7 +408,7 @@ impl Renderer {
 
     /// What the mirror term of each material sees.
     fn environments(&self, view: &View) -> Vec<Environment> {
-        let up = self.scene.up.as_vec3().to_array();
+        let up = self.up(view).as_vec3().to_array();
         let of = |reflection: &Reflection| match (&view.environment, reflection) {
             (EnvironmentChoice::Always(environment), _) => environment.clone(),
             (EnvironmentChoice::StudioForMicrofacets, Reflection::Microfacet) => {
