@@ -1,7 +1,9 @@
 //! From JSON text to a document, or to the place of what is wrong with it.
 
 use crate::Document;
-use serde_path_to_error::{Path, Segment};
+use crate::place::pointer_at;
+use serde::Deserialize;
+use serde_json::error::Category;
 use std::fmt;
 
 /// Text that is not a glTF document.
@@ -51,28 +53,18 @@ impl std::error::Error for ReadError {}
 /// [`ReadError`] if the text is not JSON, or a value has the wrong type.
 pub fn read(json: &[u8]) -> Result<Document, ReadError> {
     let mut deserializer = serde_json::Deserializer::from_slice(json);
-    let document = serde_path_to_error::deserialize(&mut deserializer)
-        .map_err(|error| value_error(error.path(), error.inner()))?;
+    let document =
+        Document::deserialize(&mut deserializer).map_err(|error| error_of(json, &error))?;
     deserializer.end().map_err(|error| syntax_error(&error))?;
     Ok(document)
 }
 
 /// A value of the wrong type is told by its pointer, bad syntax by its line.
-fn value_error(path: &Path, error: &serde_json::Error) -> ReadError {
-    if error.classify() != serde_json::error::Category::Data {
+fn error_of(json: &[u8], error: &serde_json::Error) -> ReadError {
+    if error.classify() != Category::Data {
         return syntax_error(error);
     }
-    let mut pointer = String::new();
-    for segment in path {
-        match segment {
-            Segment::Seq { index } => pointer.push_str(&format!("/{index}")),
-            // RFC 6901 escapes its two special characters.
-            Segment::Map { key } => {
-                pointer.push_str(&format!("/{}", key.replace('~', "~0").replace('/', "~1")));
-            }
-            Segment::Enum { .. } | Segment::Unknown => {}
-        }
-    }
+    let pointer = pointer_at(json, error.line(), error.column());
     ReadError { fault: Fault::Value { pointer }, message: message_of(error) }
 }
 

@@ -52,7 +52,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "box_tree",
         ],
     ),
-    ("luxel-gltf", &["schema", "read"]),
+    ("luxel-gltf", &["schema", "place", "read"]),
     (
         "luxel-lighting",
         &[
