@@ -17,6 +17,7 @@ mod ledger;
 mod load;
 mod packed;
 mod picks;
+mod rasterize;
 mod rays;
 mod scene;
 mod settings;
@@ -40,6 +41,7 @@ fn _luxel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(load::load, module)?)?;
     module.add_function(wrap_pyfunction!(load::demos, module)?)?;
     module.add_function(wrap_pyfunction!(packed::unpack, module)?)?;
+    module.add_function(wrap_pyfunction!(rasterize::rasterize_clip, module)?)?;
     module.add_function(wrap_pyfunction!(batch::run_program, module)?)?;
     module.add_function(wrap_pyfunction!(batch::draw_task, module)?)?;
     module.add_function(wrap_pyfunction!(batch::merkle_root, module)?)?;

@@ -1,9 +1,10 @@
 //! The command line: commands and global flags.
 
 use crate::commands::{
-    batch, bench, check, completions, demos, explain, gallery, info, manual, navigate, pick,
-    render, schema, view,
+    batch, bench, check, demos, explain, gallery, info, navigate, pick, render, schema, view,
 };
+#[cfg(feature = "manual")]
+use crate::commands::{completions, manual};
 use crate::console::Console;
 use crate::failure::Failure;
 use clap::error::ErrorKind;
@@ -48,6 +49,7 @@ pub(crate) enum Command {
     Navigate(Box<navigate::NavigateCommand>),
     Demos(demos::DemosCommand),
     Gallery(gallery::GalleryCommand),
+    #[cfg(feature = "manual")]
     Completions(completions::CompletionsCommand),
     /// Print the JSON schema of scene files
     ///
@@ -56,6 +58,7 @@ pub(crate) enum Command {
     /// Print the manual page
     ///
     /// For example: luxel man > ~/.local/share/man/man1/luxel.1
+    #[cfg(feature = "manual")]
     Man,
 }
 
@@ -74,8 +77,10 @@ impl Command {
             Self::Check(command) => command.run(console),
             Self::Gallery(command) => command.run(console),
             Self::Demos(command) => command.run(),
+            #[cfg(feature = "manual")]
             Self::Completions(command) => command.run(Cli::command()),
             Self::Schema => schema::run(Cli::command()),
+            #[cfg(feature = "manual")]
             Self::Man => manual::run(Cli::command()),
         }
     }

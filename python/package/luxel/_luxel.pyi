@@ -4,6 +4,9 @@ from collections.abc import Sequence
 from os import PathLike
 from typing import Any, final
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from . import Camera as Camera
 from . import Error as Error
 from . import Frame as Frame
@@ -29,6 +32,7 @@ __all__ = [
     "demos",
     "load",
     "unpack",
+    "rasterize_clip",
     "run_program",
     "draw_task",
     "merkle_root",
@@ -36,6 +40,7 @@ __all__ = [
 ]
 
 def unpack(bytes: bytes, warnings: list[str]) -> Scene: ...
+def rasterize_clip(vertices: ArrayLike, faces: ArrayLike, size: tuple[int, int], threads: int) -> NDArray[np.float32]: ...
 def run_program(program: Sequence[str], words: Sequence[str]) -> int: ...
 def draw_task(line: str, folder: str | PathLike[str]) -> Any: ...
 def merkle_root(digests: Sequence[str]) -> str: ...
