@@ -26,7 +26,6 @@ pub(crate) enum Failure {
     /// The reader closed the standard output: not an error.
     OutputClosed,
     /// A signal interrupted the program, which cleaned up: status 130.
-    #[cfg(feature = "viewer")]
     Interrupted,
 }
 
@@ -63,7 +62,6 @@ impl Failure {
             Self::Work { .. } => 1,
             Self::Findings => 3,
             Self::OutputClosed => 0,
-            #[cfg(feature = "viewer")]
             Self::Interrupted => INTERRUPTED,
         }
     }
@@ -75,7 +73,6 @@ impl Failure {
             Self::Work { what, remedy } if remedy.is_empty() => vec![what],
             Self::Work { what, remedy } => vec![what, remedy],
             Self::Findings | Self::OutputClosed => Vec::new(),
-            #[cfg(feature = "viewer")]
             Self::Interrupted => Vec::new(),
         }
     }
