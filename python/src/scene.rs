@@ -56,6 +56,11 @@ impl SharedScene {
             return Ok(Arc::clone(renderer));
         }
         let renderer = Arc::new(Renderer::new(Arc::clone(&self.scene), execution).map_err(error)?);
+        // Each has threads of its own, and what it knows of meshes.
+        const MOST: usize = 4;
+        if known.len() == MOST {
+            known.remove(0);
+        }
         known.push((key, Arc::clone(&renderer)));
         Ok(renderer)
     }
