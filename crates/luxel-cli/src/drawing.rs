@@ -27,6 +27,7 @@ pub(crate) struct Content {
 }
 
 /// What vectors may take.
+#[cfg_attr(not(feature = "vectors"), expect(dead_code, reason = "only vectors read them"))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VectorOptions {
     /// How far colours may be from those of pixels, in 8-bit steps.
@@ -246,7 +247,7 @@ fn encode_rgba8(
 fn draw_vectors(
     _: &Renderer,
     _: &View,
-    VectorOptions { tolerance: _, max_memory: _ }: &VectorOptions,
+    _: &VectorOptions,
     _: &mut Stopwatch,
 ) -> Result<Drawn, Failure> {
     let what = "this build of luxel draws no vectors";

@@ -23,7 +23,7 @@ fn many(count: u32) -> Vec<Value> {
     let task = |number: u32| {
         json!({
             "id": format!("task {number}"),
-            "model": if number % 2 == 0 { "square.ply" } else { "demo:plane" },
+            "model": if number.is_multiple_of(2) { "square.ply" } else { "demo:plane" },
             "views": [{"azimuth": number}, {"azimuth": number, "elevation": 60}],
             "size": "24x16",
             "samples": 1,
