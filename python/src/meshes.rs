@@ -28,6 +28,8 @@ pub(crate) struct MeshArrays<'a, 'py> {
     pub(crate) normals: Option<&'a Bound<'py, PyAny>>,
     /// (n, 3) or (n, 4): sRGB bytes or linear floats.
     pub(crate) colors: Option<&'a Bound<'py, PyAny>>,
+    /// (m, 3) or (m, 4), instead of those of vertices.
+    pub(crate) face_colors: Option<&'a Bound<'py, PyAny>>,
     /// (n, 2), (0, 0) at the texture's lower left.
     pub(crate) uv: Option<&'a Bound<'py, PyAny>>,
 }
@@ -84,8 +86,31 @@ impl MeshArrays<'_, '_> {
             as_many("uv", uv.len())?;
             mesh.uvs[0] = uv.iter().map(|&[u, v]| [u as f32, 1.0 - v as f32]).collect();
         }
+        if let Some(colors) = self.face_colors {
+            let colors = colors_of(&named("face_colors"), colors)?;
+            let (found, expected) = (colors.len(), mesh.triangles.len());
+            if found != expected {
+                let wrong = format!("{found} rows for {expected} faces");
+                return Err(argument(&named("face_colors"), wrong));
+            }
+            split_by_face(&mut mesh, &colors);
+        }
         Ok(mesh)
     }
+}
+
+/// Gives each corner of a face attributes of its own, with the face's colour.
+fn split_by_face(mesh: &mut Mesh, colors: &[[f32; 4]]) {
+    let corners: Vec<u32> = mesh.triangles.as_flattened().to_vec();
+    if !mesh.normals.is_empty() {
+        mesh.normals = corners.iter().map(|&corner| mesh.normals[corner as usize]).collect();
+    }
+    if !mesh.uvs[0].is_empty() {
+        mesh.uvs[0] = corners.iter().map(|&corner| mesh.uvs[0][corner as usize]).collect();
+    }
+    mesh.colors = colors.iter().flat_map(|&color| [color; 3]).collect();
+    let own = |face: u32| [3 * face, 3 * face + 1, 3 * face + 2];
+    mesh.attribute_corners = Some((0..mesh.triangles.len() as u32).map(own).collect());
 }
 
 /// A normal of unit length; +Z where it has none.

@@ -3,10 +3,10 @@
 use crate::arrays::{matrix, vector};
 use crate::errors::argument;
 use crate::meshes::{Elements, MeshArrays, image_of};
-use crate::scene::PyScene;
+use crate::scene::{PyScene, up_of};
 use luxel::lighting::Reflection;
 use luxel::scene::{
-    AlphaMode, DMat4, DVec3, Encoding, Filter, MaterialId, Mesh, MeshId, Node, NodeId, Sampler,
+    AlphaMode, DMat4, Encoding, Filter, MaterialId, Mesh, MeshId, Node, NodeId, Sampler,
     Scene, SceneMaterial, Sides, Texture, TextureId, TextureUse, Wrap,
 };
 use pyo3::prelude::*;
@@ -23,14 +23,18 @@ type TextureFields<'py> = (Bound<'py, PyAny>, bool, [u32; 4]);
 /// A mesh is a dict of arrays, as `Scene.from_arrays` takes them, with the place of its `material`, its `mode`
 /// and the `place` that errors begin with; a material a dict as glTF has it.
 #[pyfunction]
+#[pyo3(signature = (meshes, materials, textures, nodes, up=None, warnings=Vec::new()))]
+#[expect(clippy::too_many_arguments, reason = "the parts of a scene")]
 pub(crate) fn build_scene<'py>(
     py: Python<'py>,
     meshes: Vec<Bound<'py, PyDict>>,
     materials: Vec<Bound<'py, PyDict>>,
     textures: Vec<TextureFields<'py>>,
     nodes: Vec<NodeFields<'py>>,
+    up: Option<&Bound<'py, PyAny>>,
+    warnings: Vec<String>,
 ) -> PyResult<PyScene> {
-    let mut scene = Scene { up: DVec3::Y, ..Scene::default() };
+    let mut scene = Scene { up: up_of(up)?, ..Scene::default() };
     for (number, (bytes, is_srgb, sampler)) in textures.into_iter().enumerate() {
         let encoding = if is_srgb { Encoding::Srgb } else { Encoding::Linear };
         let image = image_of(&format!("textures[{number}]"), &bytes, encoding)?;
@@ -61,7 +65,7 @@ pub(crate) fn build_scene<'py>(
         let node = Node::root(name, mesh.map(MeshId)).at(parent.map(NodeId), parent_from_node);
         scene.nodes.push(node);
     }
-    Ok(py.detach(|| PyScene::ready(scene, Vec::new())))
+    Ok(py.detach(|| PyScene::ready(scene, warnings)))
 }
 
 fn sampler_of([wrap_u, wrap_v, larger, smaller]: [u32; 4]) -> Sampler {
@@ -152,7 +156,8 @@ fn mesh_of(mut fields: Fields<'_>, materials: usize) -> PyResult<Mesh> {
         Some(_) => return Err(fields.wrong("mode", "use triangles, lines or points")),
     };
     let vertices = fields.get("vertices")?;
-    let [faces, normals, colors, uv] = ["faces", "normals", "colors", "uv"].map(|name| fields.get(name));
+    let names = ["faces", "normals", "colors", "face_colors", "uv"];
+    let [faces, normals, colors, face_colors, uv] = names.map(|name| fields.get(name));
     MeshArrays {
         place: &fields.place,
         elements,
@@ -160,6 +165,7 @@ fn mesh_of(mut fields: Fields<'_>, materials: usize) -> PyResult<Mesh> {
         faces: faces?.as_ref(),
         normals: normals?.as_ref(),
         colors: colors?.as_ref(),
+        face_colors: face_colors?.as_ref(),
         uv: uv?.as_ref(),
     }
     .mesh(MaterialId(material))

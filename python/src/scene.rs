@@ -10,7 +10,7 @@ use crate::view::PyView;
 use luxel::pick::Picker;
 use luxel::render::{Execution, Renderer};
 use luxel::scene::{
-    Encoding, MaterialId, MeshId, Node, NormalOptions, Sampler, Scene, SceneMaterial, Size, Texture,
+    DVec3, Encoding, MaterialId, MeshId, Node, NormalOptions, Sampler, Scene, SceneMaterial, Size, Texture,
     TextureId, TextureUse,
 };
 use pyo3::prelude::*;
@@ -125,6 +125,7 @@ impl PyScene {
             faces: Some(faces),
             normals,
             colors,
+            face_colors: None,
             uv,
         };
         let mesh = arrays.mesh(MaterialId(0))?;
@@ -142,13 +143,22 @@ impl PyScene {
             material.constants.diffuse = [1.0; 3];
         }
         let mut scene = Scene { materials: vec![material], textures, ..Scene::default() };
-        if let Some(up) = up {
-            let up = luxel::scene::DVec3::from_array(crate::arrays::vector("up", up)?);
-            scene.up = up.try_normalize().ok_or_else(|| argument("up", "it has no direction"))?;
-        }
+        scene.up = up_of(up)?;
         scene.meshes.push(mesh);
         scene.nodes.push(Node::root("mesh", Some(MeshId(0))));
         Ok(py.detach(|| Self::ready(scene, Vec::new())))
+    }
+
+    /// A scene of a trimesh.Trimesh, PointCloud or Scene. `smooth`: True takes its vertex normals, False makes
+    /// faces flat; None smooths edges up to 40 degrees.
+    #[staticmethod]
+    #[pyo3(signature = (source, *, smooth=None, up=None))]
+    pub(crate) fn from_trimesh<'py>(
+        source: &Bound<'py, PyAny>,
+        smooth: Option<bool>,
+        up: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        source.py().import("luxel._trimesh")?.call_method1("scene", (source, smooth, up))
     }
 
     /// The names of the objects, by which layers and hits number them.
@@ -315,4 +325,14 @@ impl PyScene {
         let objects = self.shared.scene.objects().len();
         format!("<luxel.Scene: {objects} objects, {} triangles>", self.triangle_count())
     }
+}
+
+/// The direction that is up: +Y unless it is given.
+///
+/// # Errors
+/// `ValueError` for one without length.
+pub(crate) fn up_of(up: Option<&Bound<'_, PyAny>>) -> PyResult<DVec3> {
+    let Some(up) = up else { return Ok(DVec3::Y) };
+    let up = DVec3::from_array(crate::arrays::vector("up", up)?);
+    up.try_normalize().ok_or_else(|| argument("up", "it has no direction"))
 }

@@ -18,8 +18,8 @@ pub(crate) struct PyStage {
     renderer: Mutex<Renderer>,
 }
 
-/// A picture and depths, as far as they are asked for.
-type Drawn<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
+/// A picture, if it is asked for, and depths.
+type Drawn<'py> = (Option<Bound<'py, PyAny>>, Bound<'py, PyAny>);
 
 #[pymethods]
 impl PyStage {
@@ -63,7 +63,7 @@ impl PyStage {
 
     /// Draws what is shown: a picture (h, w, `channels`), none for 0, and depths (h, w), 0 where nothing is. With a
     /// `palette`, a colour for each place of what is shown, the picture is one of objects, black where nothing is.
-    #[pyo3(signature = (size, camera, channels, palette=None, depth=true, **settings))]
+    #[pyo3(signature = (size, camera, channels, palette=None, point_size=1.0, **settings))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments")]
     fn draw<'py>(
         &self,
@@ -72,20 +72,23 @@ impl PyStage {
         camera: &PyCamera,
         channels: usize,
         palette: Option<Vec<[u8; 3]>>,
-        depth: bool,
+        point_size: f32,
         settings: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Drawn<'py>> {
         let size = size_of(size)?;
         let settings = Settings::of(settings)?;
+        if !(point_size > 0.0 && point_size.is_finite()) {
+            return Err(argument("point_size", "it must be above 0"));
+        }
         let (view, palette) = {
             let renderer = self.renderer.lock().unwrap_or_else(PoisonError::into_inner);
             let scene = renderer.scene();
-            (settings.view(scene, camera.placed(scene, size)?, size)?, palette.as_deref())
+            let view = settings.view(scene, camera.placed(scene, size)?, size)?;
+            (view.with_point_size(point_size), palette.as_deref())
         };
         let drawn = py.detach(|| {
             let renderer = self.renderer.lock().unwrap_or_else(PoisonError::into_inner);
-            let mut layers = Vec::new();
-            layers.extend(depth.then_some(Layer::Z));
+            let mut layers = vec![Layer::Z];
             layers.extend(palette.is_some().then_some(Layer::Object));
             let mut picture = Picture::default();
             let mut values = Vec::new();
@@ -94,13 +97,13 @@ impl PyStage {
             } else {
                 renderer.rgba8_with_layers(&view, &layers, &mut picture, &mut values)?;
             }
-            let (mut colors, mut depths) = (Vec::new(), None);
+            let (mut colors, mut depths) = (Vec::new(), Vec::new());
             for values in values {
                 match values {
                     LayerValues::F32(mut values) => {
                         let seen = |z: &mut f32| *z = if z.is_finite() { *z } else { 0.0 };
                         values.iter_mut().for_each(seen);
-                        depths = Some(values);
+                        depths = values;
                     }
                     LayerValues::U32(objects) => {
                         let palette = palette.unwrap_or_default();
@@ -123,8 +126,7 @@ impl PyStage {
         let Size { width, height } = size;
         let [height, width] = [height as usize, width as usize];
         let colors = (channels > 0).then(|| array(py, colors, &[height, width, channels]));
-        let depths = depths.map(|depths| array(py, depths, &[height, width]));
-        Ok((colors.transpose()?, depths.transpose()?))
+        Ok((colors.transpose()?, array(py, depths, &[height, width])?))
     }
 }
 

@@ -8,6 +8,11 @@ from numpy.typing import NDArray
 _CHANNELS = {"R": 1, "RG": 2, "GB": 2, "RGB": 3, "RGBA": 4}
 
 
+def is_list(value: Any) -> bool:
+    """Whether it is a list, a tuple or an array."""
+    return isinstance(value, (list, tuple, np.ndarray))
+
+
 def color_vector(value: Any, length: int) -> NDArray[np.float32]:
     """A colour of `length` channels, missing ones 1: a number for all, or a list or array; whole numbers are bytes.
 
@@ -17,7 +22,7 @@ def color_vector(value: Any, length: int) -> NDArray[np.float32]:
         value = value / 255.0
     if isinstance(value, float):
         value = [value] * length
-    if not isinstance(value, (list, tuple, np.ndarray)):
+    if not is_list(value):
         raise ValueError("a color is a number, a list or an array")
     color: NDArray[Any] = np.asarray(value).squeeze()
     if color.ndim != 1:
@@ -49,14 +54,15 @@ def texture_source(source: Any, channels: str = "RGB") -> NDArray[np.uint8]:
         if channels in ("RGB", "RGBA") and source.mode not in ("L", "RGB", "RGBA"):
             source = source.convert(channels)
         source = np.asarray(source)
-    if not isinstance(source, np.ndarray):
+    if not hasattr(source, "dtype"):
         raise TypeError(f"a texture is an array or a PIL image, not {type(source)}")
     texels: NDArray[Any] = source
+    is_bits = texels.dtype == np.bool_
     if np.issubdtype(texels.dtype, np.floating):
         texels = texels * 255.0
-    elif not (np.issubdtype(texels.dtype, np.integer) or texels.dtype == np.bool_):
+    elif not (np.issubdtype(texels.dtype, np.integer) or is_bits):
         raise TypeError(f"a texture holds numbers, not {texels.dtype}")
-    texels = texels.astype(np.uint8) * (255 if source.dtype == np.bool_ else 1)
+    texels = texels.astype(np.uint8) * (255 if is_bits else 1)
     if texels.ndim == 2:
         texels = texels[:, :, np.newaxis]
     found = texels.shape[2]

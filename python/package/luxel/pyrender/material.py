@@ -38,7 +38,7 @@ class Material(ABC):
     """What all materials have: normal, occlusion and emission, alpha, sides."""
 
     # The attributes that hold textures, and whether these are colours in sRGB.
-    _texture_names = (("normalTexture", False), ("occlusionTexture", False), ("emissiveTexture", True))
+    _texture_names: tuple[tuple[str, bool], ...] = (("normalTexture", False), ("occlusionTexture", False), ("emissiveTexture", True))
 
     def __init__(
         self,

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from .box import Boxed
 from .constants import GLTF
+from .formats import is_list
 from .material import Material, MetallicRoughnessMaterial
 from .primitive import Primitive
 
@@ -62,7 +63,7 @@ class Mesh(Boxed):
     ) -> "Mesh":
         """A mesh of a trimesh.Trimesh, of a list of them or of a trimesh.Scene, a primitive each. `material` replaces theirs; without
         `smooth`, faces are flat, and may have a colour each."""
-        meshes: list[Any] = list(mesh) if isinstance(mesh, (list, tuple, set, np.ndarray)) else [mesh]
+        meshes: list[Any] = list(mesh) if is_list(mesh) or hasattr(mesh, "isdisjoint") else [mesh]
         if hasattr(mesh, "geometry") and hasattr(mesh, "graph"):
             # What trimesh.load gives for many files: a trimesh.Scene.
             meshes = [each for each in mesh.dump() if hasattr(each, "faces")]

@@ -65,7 +65,7 @@ class Node:
         return self._camera
 
     @camera.setter
-    def camera(self, value: Camera | None) -> None:
+    def camera(self, value: Any) -> None:
         if value is not None and not isinstance(value, Camera):
             raise TypeError(f"a node's camera is a Camera, not {type(value)}")
         self._camera = value
@@ -75,7 +75,7 @@ class Node:
         return self._mesh
 
     @mesh.setter
-    def mesh(self, value: Mesh | None) -> None:
+    def mesh(self, value: Any) -> None:
         if value is not None and not isinstance(value, Mesh):
             raise TypeError(f"a node's mesh is a Mesh, not {type(value)}")
         self._mesh = value
@@ -85,7 +85,7 @@ class Node:
         return self._light
 
     @light.setter
-    def light(self, value: Light | None) -> None:
+    def light(self, value: Any) -> None:
         if value is not None and not isinstance(value, Light):
             raise TypeError(f"a node's light is a Light, not {type(value)}")
         self._light = value

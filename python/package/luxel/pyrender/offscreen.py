@@ -10,6 +10,7 @@ from . import _once
 from ._lens import native_camera
 from ._model import Model, is_solid, state_of
 from .constants import RenderFlags
+from .formats import is_list
 from .light import DirectionalLight, Light, PointLight, SpotLight
 from .node import Node
 from .primitive import Primitive
@@ -59,7 +60,7 @@ class OffscreenRenderer:
 
     @property
     def point_size(self) -> float:
-        """Kept; luxel's points have three pixels."""
+        """The side of points, in pixels."""
         return self._point_size
 
     @point_size.setter
@@ -121,6 +122,7 @@ class OffscreenRenderer:
         model.place(which, np.array(poses, np.float64).reshape(-1, 4, 4))
         native, factor, offset = native_camera(camera, eye, self._width, self._height)
         settings: dict[str, Any] = {
+            "point_size": self._point_size,
             "environment": "none",
             "lights": lights,
             "wireframe": is_wired,
@@ -173,7 +175,7 @@ def _is_wired(primitive: Primitive, flags: int) -> bool:
 
 def _bytes_of(color: Any) -> tuple[int, int, int]:
     """The bytes of a colour in the map: one number, or three."""
-    if isinstance(color, (list, tuple, np.ndarray)):
+    if is_list(color):
         red, green, blue = (min(max(int(channel), 0), 255) for channel in list(color)[:3])
         return red, green, blue
     grey = min(max(int(color), 0), 255)

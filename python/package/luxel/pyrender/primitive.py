@@ -144,7 +144,7 @@ class Primitive(Boxed):
         return self._material
 
     @material.setter
-    def material(self, value: Material | None) -> None:
+    def material(self, value: Any) -> None:
         if value is None:
             value = MetallicRoughnessMaterial()
         if not isinstance(value, Material):

@@ -149,7 +149,7 @@ class Scene(Boxed):
 
     def add(
         self,
-        obj: Thing,
+        obj: Any,
         name: str | None = None,
         pose: Any = None,
         parent_node: Node | None = None,
