@@ -1,5 +1,7 @@
 """Objects of trimesh as scenes of luxel, beside scenes of the same arrays."""
 
+import pickle
+
 import luxel
 import numpy as np
 import pytest
@@ -63,15 +65,17 @@ def test_colours_of_vertices_or_faces_are_lost():
 
 def test_scenes_lose_places_names_or_repeat_meshes():
     scene = trimesh.Scene()
-    box = trimesh.creation.box((0.5, 0.5, 0.5))
-    for number in range(3):
-        scene.add_geometry(box, node_name=f"box {number}", geom_name="box", parent_node_name=f"box {number - 1}" if number else None,
-                           transform=trimesh.transformations.translation_matrix([0.7, 0.1, 0]))  # fmt: skip
+    step = trimesh.transformations.translation_matrix([0.7, 0.1, 0])
+    scene.add_geometry(trimesh.creation.box((0.5, 0.5, 0.5)), node_name="box 0", geom_name="box", transform=step)
+    for number in (1, 2):
+        scene.graph.update(f"box {number}", f"box {number - 1}", matrix=step, geometry="box")
     scene.add_geometry(trimesh.creation.icosphere(radius=0.2), node_name="ball")
     scene.add_geometry(trimesh.load_path(np.array([[0.0, 0, 0], [1, 0, 0]])), node_name="path", geom_name="path")
     ours = luxel.Scene.from_trimesh(scene)
     assert sorted(ours.objects) == ["ball", "box 0", "box 1", "box 2"]
     assert len(scene.geometry) == 3 and ours.triangle_count == 3 * 12 + 320 * 4
+    single = trimesh.Scene(list(scene.geometry.values())[:2])
+    assert len(pickle.dumps(ours)) < len(pickle.dumps(luxel.load(single))) + 500, "boxes share a mesh"
     np.testing.assert_allclose(ours.bounds, [[-0.2, -0.2, -0.25], [2.35, 0.55, 0.25]], atol=1e-3)
     assert len(ours.warnings) == 1 and "path" in ours.warnings[0]
     hit = ours.rays([[2.1, 0.3, 5.0]], [[0, 0, -1]])

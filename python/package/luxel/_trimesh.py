@@ -58,7 +58,7 @@ class _Parts:
         mesh: dict[str, Any] = {"place": f"{name}: "}
         if hasattr(geometry, "faces") and hasattr(geometry, "visual"):
             self._triangles(geometry, mesh)
-        elif hasattr(geometry, "vertices") and hasattr(geometry, "colors"):
+        elif hasattr(geometry, "vertices") and hasattr(geometry, "colors") and not hasattr(geometry, "entities"):
             mesh.update(mode="points", vertices=geometry.vertices)
             colors = geometry.colors
             if colors is not None and len(colors) == len(geometry.vertices):
@@ -157,10 +157,15 @@ def _physical(source: Any) -> dict[str, Any]:
 
 
 def _flatten(mesh: dict[str, Any]) -> None:
-    """Gives each face vertices of its own, so that no edge is smooth."""
+    """Gives each face vertices of its own, with the normal of its plane."""
     faces: NDArray[Any] = np.asarray(mesh["faces"])
     corners = faces.reshape(-1)
+    if corners.size and not 0 <= corners.min() <= corners.max() < len(mesh["vertices"]):
+        # luxel says which.
+        return
     for name in ("vertices", "colors", "uv"):
         if mesh.get(name) is not None:
             mesh[name] = np.asarray(mesh[name])[corners]
     mesh["faces"] = np.arange(len(corners)).reshape(-1, 3)
+    a, b, c = (mesh["vertices"][first::3] for first in range(3))
+    mesh["normals"] = np.repeat(np.cross(b - a, c - a), 3, axis=0)

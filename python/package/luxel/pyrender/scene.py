@@ -260,7 +260,7 @@ class Scene(Boxed):
         for key, geometry in trimesh_scene.geometry.items():
             if hasattr(geometry, "faces"):
                 meshes[key] = Mesh.from_trimesh(geometry)
-            elif hasattr(geometry, "vertices") and hasattr(geometry, "colors"):
+            elif hasattr(geometry, "colors") and not hasattr(geometry, "entities"):
                 colors = geometry.colors if len(geometry.colors) == len(geometry.vertices) else None
                 meshes[key] = Mesh.from_points(geometry.vertices, colors=colors)
         for name in trimesh_scene.graph.nodes_geometry:
