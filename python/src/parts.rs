@@ -6,8 +6,8 @@ use crate::meshes::{Elements, MeshArrays, image_of};
 use crate::scene::{PyScene, up_of};
 use luxel::lighting::Reflection;
 use luxel::scene::{
-    AlphaMode, DMat4, Encoding, Filter, MaterialId, Mesh, MeshId, Node, NodeId, Sampler,
-    Scene, SceneMaterial, Sides, Texture, TextureId, TextureUse, Wrap,
+    AlphaMode, DMat4, Encoding, Filter, MaterialId, Mesh, MeshId, Node, NodeId, Sampler, Scene,
+    SceneMaterial, Sides, Texture, TextureId, TextureUse, Wrap,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -134,7 +134,9 @@ impl<'py> Fields<'py> {
     /// A texture by its place.
     fn texture(&self, name: &str, count: usize) -> PyResult<Option<Box<TextureUse>>> {
         match self.extract::<u32>(name, "expected the place of a texture")? {
-            Some(place) if place as usize >= count => Err(self.wrong(name, "there is no such texture")),
+            Some(place) if place as usize >= count => {
+                Err(self.wrong(name, "there is no such texture"))
+            }
             place => Ok(place.map(|place| Box::new(TextureUse::new(TextureId(place))))),
         }
     }
@@ -174,7 +176,8 @@ fn mesh_of(mut fields: Fields<'_>, materials: usize) -> PyResult<Mesh> {
 /// Microfacets, if the material is given as metallic, else as it is without a file's.
 fn material_of(fields: &Fields<'_>, textures: usize) -> PyResult<SceneMaterial> {
     let texture = |name| fields.texture(name, textures);
-    let switch = |name| Ok::<_, PyErr>(fields.extract(name, "expected True or False")?.unwrap_or(false));
+    let switch =
+        |name| Ok::<_, PyErr>(fields.extract(name, "expected True or False")?.unwrap_or(false));
     let mut material = SceneMaterial {
         name: fields.extract("name", "expected a text")?.unwrap_or_default(),
         base_color: texture("base_color_texture")?,
@@ -203,13 +206,14 @@ fn material_of(fields: &Fields<'_>, textures: usize) -> PyResult<SceneMaterial> 
     if switch("unlit")? {
         constants.reflection = Reflection::Unlit;
     }
-    material.alpha_mode = match fields.extract::<String>("alpha_mode", "expected a name")?.as_deref() {
-        None | Some("OPAQUE") => AlphaMode::Opaque,
-        Some("BLEND") => AlphaMode::Blend,
-        Some("MASK") => {
-            AlphaMode::Mask { cutoff: fields.number("alpha_cutoff", f32::MAX)?.unwrap_or(0.5) }
-        }
-        Some(_) => return Err(fields.wrong("alpha_mode", "use OPAQUE, MASK or BLEND")),
-    };
+    material.alpha_mode =
+        match fields.extract::<String>("alpha_mode", "expected a name")?.as_deref() {
+            None | Some("OPAQUE") => AlphaMode::Opaque,
+            Some("BLEND") => AlphaMode::Blend,
+            Some("MASK") => {
+                AlphaMode::Mask { cutoff: fields.number("alpha_cutoff", f32::MAX)?.unwrap_or(0.5) }
+            }
+            Some(_) => return Err(fields.wrong("alpha_mode", "use OPAQUE, MASK or BLEND")),
+        };
     Ok(material)
 }

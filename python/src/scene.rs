@@ -10,8 +10,8 @@ use crate::view::PyView;
 use luxel::pick::Picker;
 use luxel::render::{Execution, Renderer};
 use luxel::scene::{
-    DVec3, Encoding, MaterialId, MeshId, Node, NormalOptions, Sampler, Scene, SceneMaterial, Size, Texture,
-    TextureId, TextureUse,
+    DVec3, Encoding, MaterialId, MeshId, Node, NormalOptions, Sampler, Scene, SceneMaterial, Size,
+    Texture, TextureId, TextureUse,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};

@@ -6,8 +6,8 @@ use luxel::formats::{Limits, open_environment, values};
 use luxel::lighting::{Environment, PictureEncoding, Tone};
 use luxel::math::SimdLevel;
 use luxel::render::{
-    Clamp, Cull, Edges, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading, ShadingMode,
-    View, auto_exposure,
+    Clamp, Cull, Edges, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading,
+    ShadingMode, View, auto_exposure,
 };
 use luxel::scene::{Background, Camera, Scene, SceneLight, Size, Viewpoint};
 use luxel::view::{AmbientOcclusion, DEFAULT_LIGHT_RAYS, DEFAULT_SAMPLES};

@@ -6,16 +6,26 @@ use crate::errors::{argument, error};
 use crate::scene::PyScene;
 use crate::settings::{Settings, execution, size_of};
 use luxel::render::{Layer, LayerValues, Picture, Renderer};
-use luxel::scene::{DMat4, MeshId, NodeId, Object, Size};
+use luxel::scene::{DMat4, MeshId, NodeId, Object, Scene, Size};
 use numpy::PyReadonlyArray3;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// The largest side of points, in pixels.
+const MOST_POINT_SIZE: f32 = 1e4;
 
 /// The meshes of a scene, some of them in some places.
 #[pyclass(name = "Stage", module = "luxel._luxel", frozen)]
 pub(crate) struct PyStage {
+    scene: Arc<Scene>,
     renderer: Mutex<Renderer>,
+}
+
+impl PyStage {
+    fn renderer(&self) -> MutexGuard<'_, Renderer> {
+        self.renderer.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 /// A picture, if it is asked for, and depths.
@@ -27,18 +37,22 @@ impl PyStage {
     fn new(py: Python<'_>, scene: &PyScene, threads: usize) -> PyResult<Self> {
         let execution = execution(threads, None)?;
         let scene = Arc::clone(&scene.shared.scene);
-        let renderer = py.detach(|| Renderer::new(scene, &execution)).map_err(error)?;
-        Ok(Self { renderer: Mutex::new(renderer) })
+        let renderer = py.detach(|| Renderer::new(Arc::clone(&scene), &execution));
+        Ok(Self { scene, renderer: Mutex::new(renderer.map_err(error)?) })
     }
 
     /// Shows meshes, by their places in the scene, at poses (n, 4, 4), and nothing else.
-    fn place(&self, meshes: Vec<u32>, poses: PyReadonlyArray3<'_, f64>) -> PyResult<()> {
+    fn place(
+        &self,
+        py: Python<'_>,
+        meshes: Vec<u32>,
+        poses: PyReadonlyArray3<'_, f64>,
+    ) -> PyResult<()> {
         let poses = poses.as_array();
         if poses.dim() != (meshes.len(), 4, 4) {
             return Err(argument("poses", format!("expected shape ({}, 4, 4)", meshes.len())));
         }
-        let mut renderer = self.renderer.lock().unwrap_or_else(PoisonError::into_inner);
-        let count = renderer.scene().meshes.len();
+        let count = self.scene.meshes.len();
         let mut objects = Vec::with_capacity(meshes.len());
         for (row, (&mesh, pose)) in meshes.iter().zip(poses.outer_iter()).enumerate() {
             if mesh as usize >= count {
@@ -48,7 +62,10 @@ impl PyStage {
                 std::array::from_fn(|column| std::array::from_fn(|row| pose[[row, column]]));
             let world_from_mesh = DMat4::from_cols_array_2d(&pose);
             if !world_from_mesh.is_finite() {
-                return Err(argument("poses", format!("row {row} has a number that is not finite")));
+                return Err(argument(
+                    "poses",
+                    format!("row {row} has a number that is not finite"),
+                ));
             }
             objects.push(Object {
                 node: NodeId(0),
@@ -57,7 +74,7 @@ impl PyStage {
                 world_from_mesh: Arc::new(world_from_mesh),
             });
         }
-        renderer.show_objects(objects);
+        py.detach(|| self.renderer().show_objects(objects));
         Ok(())
     }
 
@@ -77,17 +94,16 @@ impl PyStage {
     ) -> PyResult<Drawn<'py>> {
         let size = size_of(size)?;
         let settings = Settings::of(settings)?;
-        if !(point_size > 0.0 && point_size.is_finite()) {
-            return Err(argument("point_size", "it must be above 0"));
+        if !(point_size > 0.0 && point_size <= MOST_POINT_SIZE) {
+            return Err(argument("point_size", format!("expected 0 to {MOST_POINT_SIZE} pixels")));
         }
-        let (view, palette) = {
-            let renderer = self.renderer.lock().unwrap_or_else(PoisonError::into_inner);
-            let scene = renderer.scene();
-            let view = settings.view(scene, camera.placed(scene, size)?, size)?;
-            (view.with_point_size(point_size), palette.as_deref())
-        };
+        if !matches!(channels, 0 | 3 | 4) {
+            return Err(argument("channels", "use 0, 3 or 4"));
+        }
+        let view = settings.view(&self.scene, camera.placed(&self.scene, size)?, size)?;
+        let (view, palette) = (view.with_point_size(point_size), palette.as_deref());
         let drawn = py.detach(|| {
-            let renderer = self.renderer.lock().unwrap_or_else(PoisonError::into_inner);
+            let renderer = self.renderer();
             let mut layers = vec![Layer::Z];
             layers.extend(palette.is_some().then_some(Layer::Object));
             let mut picture = Picture::default();
@@ -107,7 +123,8 @@ impl PyStage {
                     }
                     LayerValues::U32(objects) => {
                         let palette = palette.unwrap_or_default();
-                        let color = |&at: &u32| palette.get(at as usize).copied().unwrap_or_default();
+                        let color =
+                            |&at: &u32| palette.get(at as usize).copied().unwrap_or_default();
                         let opaque = |[r, g, b]: [u8; 3]| [r, g, b, 255];
                         let pixels = objects.iter().map(|at| opaque(color(at)));
                         colors = of_channels(&pixels.collect::<Vec<_>>(), channels);

@@ -8,8 +8,8 @@ use luxel_bvh::{Bvh, Quality};
 use luxel_math::SUBPIXELS;
 use luxel_scene::{Camera, Mesh, Size};
 use luxel_visibility::{
-    CoveragePolicy, Cull, DEFAULT_POINT_SIZE, MAX_SIDE, PlacedScene, Probe, Reach, Strokes, SurfaceRules, ViewRays,
-    WindowRays,
+    CoveragePolicy, Cull, DEFAULT_POINT_SIZE, MAX_SIDE, PlacedScene, Probe, Reach, Strokes,
+    SurfaceRules, ViewRays, WindowRays,
 };
 
 /// A camera's view of a scene in a window, for queries by pixel.

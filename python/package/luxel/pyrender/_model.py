@@ -37,7 +37,6 @@ def state_of(primitive: Primitive) -> tuple[Any, ...]:
     return (
         id(primitive),
         primitive.version,
-        id(material),
         material.color[0].tobytes(),
         material.emissiveFactor.tobytes(),
         material.surface(),
