@@ -7,8 +7,10 @@ import threading
 import time
 
 import luxel
+import luxel.pyrender as pyrender
 import numpy as np
 import pytest
+from luxel._luxel import Stage, build_scene
 
 TRIANGLE = np.eye(3)
 
@@ -118,17 +120,41 @@ def test_random_arguments_never_end_the_interpreter():
         lambda: view.explain(pick(), pick()),
         lambda: luxel.Camera.look_at(pick(), pick(), pick(), fov_y=pick(), near=pick(), far=pick()),
         lambda: luxel.Camera.from_pose(pick(), pick(), intrinsics=pick(), height=pick()),
+        lambda: luxel.Scene.from_trimesh(pick(), up=pick()),
+        lambda: build_scene(
+            [{"vertices": TRIANGLE, "faces": [[0, 1, 2]]} | {numbers.choice(keys): pick()}], [{}], [], [("a", None, pick(), 0)]
+        ),
+        lambda: build_scene([], [{numbers.choice(keys): pick(), "metallic": pick()}], pick(), [("a", pick(), None, pick())]),
+        lambda: stage.place([0, 0], np.array([pick(), pick()])),
+        lambda: stage.place(pick(), np.zeros((1, 4, 4))),
+        lambda: stage.draw(pick(), luxel.Camera.fit(near=0.1, far=9), pick(), pick()),
+        lambda: stage.draw((4, 4), luxel.Camera.fit(), 3, None, pick(), lights=pick()),
+        lambda: renderer.render(pyrender.Scene([numbers.choice(nodes), eye()], bg_color=pick())),
+        lambda: nodes.append(pyrender.Node(mesh=pyrender.Mesh([primitive()]), matrix=pick())),
     ]  # fmt: skip
 
     def pick():
         return numbers.choice(odd)
+
+    keys = ["vertices", "faces", "normals", "colors", "face_colors", "uv", "mode", "material", "base_color", "roughness",
+            "emissive", "alpha_mode", "alpha_cutoff", "normal_texture", "double_sided", "unlit", "place", "name"]  # fmt: skip
+    stage = Stage(build_scene([{"vertices": TRIANGLE, "faces": [[0, 1, 2]]}], [{}], [], [("a", None, None, 0)]), 1)
+    renderer = pyrender.OffscreenRenderer(4, 4)
+    nodes = [pyrender.Node()]
+
+    def eye():
+        return pyrender.Node(camera=pyrender.PerspectiveCamera(1.0, zfar=numbers.choice([None, 3.0])), translation=[0, 0, 2])
+
+    def primitive():
+        return pyrender.Primitive(numbers.choice([pick(), TRIANGLE]), normals=pick(), indices=pick(), color_0=pick(),
+                                  texcoord_0=pick(), poses=pick(), mode=pick())  # fmt: skip
 
     done = 0
     for _ in range(int(os.environ.get("LUXEL_RANDOM_CALLS", "20000"))):
         try:
             numbers.choice(calls)()
             done += 1
-        except (luxel.Error, ValueError, TypeError, OSError, OverflowError):
+        except (luxel.Error, ValueError, TypeError, OSError, OverflowError, IndexError, AttributeError):
             pass
     assert done > 100
 

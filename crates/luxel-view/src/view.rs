@@ -10,6 +10,9 @@ pub const DEFAULT_SAMPLES: u32 = 4;
 /// The default number of rays to a light with an extent.
 pub const DEFAULT_LIGHT_RAYS: u32 = 16;
 
+/// The default side of points, in pixels.
+pub const DEFAULT_POINT_SIZE: f32 = 3.0;
+
 /// Ambient occlusion: ambient light and the environment reach a surface by its openness, the part of the
 /// directions above it, weighted by the cosine to the normal, in which nothing is near.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,6 +91,8 @@ pub struct View {
     pub encoding: PictureEncoding,
     /// Edges of polygons, drawn or nothing but them.
     pub edges: Option<Edges>,
+    /// The side of points, in pixels.
+    pub point_size: f32,
     /// Shading mode and interpolation.
     pub shading: Shading,
     /// Whether surfaces keep directional, point and spot lights from others.
@@ -121,6 +126,7 @@ impl View {
             tone: Tone::None,
             encoding: PictureEncoding::Srgb,
             edges: None,
+            point_size: DEFAULT_POINT_SIZE,
             shading: Shading::default(),
             shadows: false,
             light_rays: DEFAULT_LIGHT_RAYS,
@@ -229,6 +235,12 @@ impl View {
     #[must_use]
     pub fn with_edges(self, edges: Option<Edges>) -> Self {
         Self { edges, ..self }
+    }
+
+    /// The side of points, in pixels, above 0.
+    #[must_use]
+    pub fn with_point_size(self, point_size: f32) -> Self {
+        Self { point_size, ..self }
     }
 
     /// Shading mode and interpolation.

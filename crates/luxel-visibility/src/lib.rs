@@ -40,10 +40,10 @@ pub use cluster::{
     CLUSTER_TRIANGLES, Clusters, Frames, Instance, ShadingVertex, TooManyTriangles, TriangleOf,
 };
 pub use frame::Frame;
-pub use luxel_view::Cull;
+pub use luxel_view::{Cull, DEFAULT_POINT_SIZE};
 pub use placed_scene::{CoveragePolicy, InstancePlace, PlacedInstance, PlacedScene, SurfaceRules};
 pub use query::{
-    Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, POINT_SIZE, PackedForms, Probe,
+    Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, PackedForms, Probe,
     ProbedTriangle, Reach, SeenCluster, ShadingCorners, Strokes, TILE_FORMS, TileForms,
     ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners,
     interpolate_corners_step, interpolate_step, sides, strokes, tile_of,

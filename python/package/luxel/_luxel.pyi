@@ -31,6 +31,8 @@ __all__ = [
     "__version__",
     "demos",
     "load",
+    "Stage",
+    "build_scene",
     "unpack",
     "rasterize_clip",
     "run_program",
@@ -38,6 +40,35 @@ __all__ = [
     "merkle_root",
     "Worker",
 ]
+
+def build_scene(
+    meshes: Sequence[dict[str, Any]],
+    materials: Sequence[dict[str, Any]],
+    textures: Sequence[tuple[NDArray[np.uint8], bool, tuple[int, int, int, int]]],
+    nodes: Sequence[tuple[str, int | None, Any, int | None]],
+    up: Any = None,
+    warnings: Sequence[str] = (),
+) -> Scene:
+    """A scene of meshes, materials, textures and nodes, which name one another by their places."""
+
+@final
+class Stage:
+    """Meshes whose places change from picture to picture."""
+
+    def __new__(cls, scene: Scene, threads: int) -> Stage: ...
+    def place(self, meshes: Sequence[int], poses: NDArray[np.float64]) -> None:
+        """Shows meshes, by their places in the scene, at poses (n, 4, 4), and nothing else."""
+
+    def draw(
+        self,
+        size: tuple[int, int],
+        camera: Camera,
+        channels: int,
+        palette: Sequence[tuple[int, int, int]] | None = None,
+        point_size: float = 1.0,
+        **settings: Any,
+    ) -> tuple[NDArray[np.uint8] | None, NDArray[np.float32]]:
+        """A picture of so many channels and depths, 0 where nothing is; of a palette, objects in their colours."""
 
 def unpack(bytes: bytes, warnings: list[str]) -> Scene: ...
 def rasterize_clip(vertices: ArrayLike, faces: ArrayLike, size: tuple[int, int], threads: int) -> NDArray[np.float32]: ...

@@ -109,7 +109,20 @@ impl Renderer {
             self.separate();
         }
         let objects = self.scene.objects().into_iter().enumerate();
-        self.objects = objects.filter(|(at, _)| is_drawn(*at)).map(|(_, object)| object).collect();
+        self.show_objects(
+            objects.filter(|(at, _)| is_drawn(*at)).map(|(_, object)| object).collect(),
+        );
+    }
+
+    /// Draws these objects from now on, instead of the scene's: any of its meshes, in any places. Layers number
+    /// them.
+    ///
+    /// What is ready of the meshes stays, so that moving objects takes no longer than listing them.
+    ///
+    /// # Panics
+    /// When drawing, if the scene lacks a mesh.
+    pub fn show_objects(&mut self, objects: Vec<Object>) {
+        self.objects = objects;
         self.kept_trees = Mutex::new(self.take_trees());
         self.bounds = OnceLock::new();
         self.lowest = OnceLock::new();
