@@ -71,7 +71,7 @@ def test_tensors_give_tensors():
     [
         (SQUARE[:, :3], FACES, (8, 8), r"vertices_clip: .*\(n, 4\)"),
         (SQUARE * [1, np.nan, 1, 1], FACES, (8, 8), "vertices_clip: row 0"),
-        (SQUARE * 1e300, FACES, (8, 8), "vertices_clip: row 0"),
+        (SQUARE.astype(np.float64) * [1e300, 1, 1, 1], FACES, (8, 8), "vertices_clip: row 0"),
         (SQUARE, FACES + 2, (8, 8), "faces: row 0 names vertex 4"),
         (SQUARE, FACES * 1.0, (8, 8), "faces: expected whole numbers"),
         (SQUARE, FACES, (0, 8), "size: "),
