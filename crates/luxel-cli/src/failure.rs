@@ -97,6 +97,11 @@ impl From<RenderError> for Failure {
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         let remedy = match &error.kind {
+            // The hint is the remedy.
+            _ if error.hint().is_some() => "",
+            ErrorKind::Reference(_) => {
+                "put a regular file in the model's folder or below, and name it there"
+            }
             ErrorKind::Io(io)
                 if io.kind() == std::io::ErrorKind::NotFound
                     && matches!(error.place, Place::Pointer(_)) =>
