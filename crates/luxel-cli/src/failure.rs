@@ -108,6 +108,12 @@ impl From<Error> for Failure {
             {
                 "the model needs this file: put it where the name says, beside the model"
             }
+            ErrorKind::Io(io)
+                if io.kind() == std::io::ErrorKind::NotFound
+                    && error.file.as_deref().is_some_and(luxel::formats::is_environment) =>
+            {
+                "check the name of the environment"
+            }
             ErrorKind::Io(io) if io.kind() == std::io::ErrorKind::NotFound => {
                 "check the name; `luxel demos` lists the built-in scenes"
             }
@@ -125,7 +131,8 @@ impl From<Error> for Failure {
             ErrorKind::Unsupported(_)
                 if error.file.as_deref().is_some_and(luxel::formats::is_environment) =>
             {
-                "an environment is a regular file, .hdr or .exr with ZIP, of rows from the top"
+                "an environment is a regular file: .hdr with rows from the top, or .exr of one part, \
+                 compressed without loss or with PXR24 or B44"
             }
             ErrorKind::Unsupported(_) | ErrorKind::UnknownFormat(_) => {
                 "export it in another format or with other settings: glb, gltf, obj, stl or ply"
