@@ -128,7 +128,15 @@ impl Line {
 
     /// A message if the first word is neither a command nor a file, but nearly a command.
     pub(crate) fn misspelt_command(&self) -> Option<String> {
-        let word = self.words.get(self.place + 1).filter(|_| self.is_completed)?;
+        let word = self.words.get(self.place + 1)?;
+        if self.words.get(self.place).is_some_and(|command| command == "help") {
+            let (name, names) = (word.to_str()?, command_names());
+            let meant = nearest(name, names.iter().map(String::as_str))?;
+            let is_one = names.iter().any(|known| known == name);
+            let what = format!("there is no command `{name}`: did you mean `luxel help {meant}`?");
+            return (!is_one).then_some(what);
+        }
+        let word = Some(word).filter(|_| self.is_completed)?;
         let name = word.to_str().filter(|name| !Path::new(name).exists())?;
         let names = command_names();
         let meant = nearest(name, names.iter().map(String::as_str))?;

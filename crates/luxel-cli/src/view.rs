@@ -7,7 +7,9 @@ use crate::options::{EncodingChoice, ExecutionOptions, LightOptions, ViewOptions
 use crate::values::Exposure;
 use luxel::formats::{Limits, LoadedEnvironment, open_environment};
 use luxel::lighting::{Environment, EnvironmentMap, PictureEncoding};
-use luxel::render::{AutoExposure, Edges, EnvironmentChoice, Execution, View, auto_exposure};
+use luxel::render::{
+    AutoExposure, Edges, EnvironmentChoice, Execution, Layer, View, auto_exposure,
+};
 use luxel::scene::{Camera, Scene, SceneLight, Viewpoint};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -92,6 +94,23 @@ pub(crate) fn idle_flags(view: &View, options: &LightOptions) -> Vec<String> {
          --environment",
     );
     background.into_iter().chain(rotation).map(str::to_owned).collect()
+}
+
+/// What to say of layers that are 1 everywhere, since the view doesn't ask for what they show.
+pub(crate) fn idle_layers(view: &View, layers: &[Layer]) -> Vec<String> {
+    let has_openness = view.ambient_occlusion.is_some() || view.ground;
+    let has_shadows = view.shadows || view.ground;
+    let flag = |layer: &Layer| match layer {
+        Layer::Openness if !has_openness => Some("--ao"),
+        Layer::Shadow(_) if !has_shadows => Some("--shadows"),
+        _ => None,
+    };
+    let idle = |layer: &Layer| {
+        flag(layer).map(|flag| {
+            format!("the layer {} is 1 everywhere: it shows what {flag} computes", layer.name())
+        })
+    };
+    layers.iter().filter_map(idle).collect()
 }
 
 /// Exposes a view for the scene's own light, if the flags ask for it; what to say, if that does something.

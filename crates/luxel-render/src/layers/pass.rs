@@ -109,7 +109,8 @@ impl Renderer {
             if let Layer::Light(name) | Layer::Shadow(name) = layer
                 && !lights.iter().any(|light| light.name == *name)
             {
-                return Err(RenderError::NoSuchLight(name.clone()));
+                let lights = lights.iter().map(|light| light.name.clone()).collect();
+                return Err(RenderError::NoSuchLight { name: name.clone(), lights });
             }
         }
         let view = view.clone().with_samples(1).with_edges(None);
