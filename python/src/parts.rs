@@ -24,7 +24,6 @@ type TextureFields<'py> = (Bound<'py, PyAny>, bool, [u32; 4]);
 /// and the `place` that errors begin with; a material a dict as glTF has it.
 #[pyfunction]
 #[pyo3(signature = (meshes, materials, textures, nodes, up=None, warnings=Vec::new()))]
-#[expect(clippy::too_many_arguments, reason = "the parts of a scene")]
 pub(crate) fn build_scene<'py>(
     py: Python<'py>,
     meshes: Vec<Bound<'py, PyDict>>,

@@ -117,8 +117,10 @@ impl PyStage {
             for values in values {
                 match values {
                     LayerValues::F32(mut values) => {
-                        let seen = |z: &mut f32| *z = if z.is_finite() { *z } else { 0.0 };
-                        values.iter_mut().for_each(seen);
+                        // Nothing is infinitely far away.
+                        for z in &mut values {
+                            *z = if *z < f32::INFINITY { *z } else { 0.0 };
+                        }
                         depths = values;
                     }
                     LayerValues::U32(objects) => {
@@ -150,7 +152,11 @@ impl PyStage {
 /// The first channels of pixels.
 fn of_channels(pixels: &[[u8; 4]], channels: usize) -> Vec<u8> {
     if channels == 3 {
-        return pixels.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect();
+        let mut colors = vec![0; 3 * pixels.len()];
+        for (color, pixel) in colors.as_chunks_mut::<3>().0.iter_mut().zip(pixels) {
+            color.copy_from_slice(&pixel[..3]);
+        }
+        return colors;
     }
     pixels.as_flattened().to_vec()
 }
