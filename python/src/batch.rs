@@ -38,6 +38,12 @@ pub(crate) fn draw_task<'py>(
     Ok(task)
 }
 
+/// The id of a task, a line of JSON.
+#[pyfunction]
+pub(crate) fn task_id(line: &str) -> PyResult<String> {
+    luxel_cli::task_id(line).map_err(error)
+}
+
 /// The root of the Merkle tree over digests, as manifests have it.
 #[pyfunction]
 pub(crate) fn merkle_root(digests: Vec<String>) -> PyResult<String> {

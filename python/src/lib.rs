@@ -49,6 +49,7 @@ fn _luxel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(rasterize::rasterize_clip, module)?)?;
     module.add_function(wrap_pyfunction!(batch::run_program, module)?)?;
     module.add_function(wrap_pyfunction!(batch::draw_task, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::task_id, module)?)?;
     module.add_function(wrap_pyfunction!(batch::merkle_root, module)?)?;
     module.add_class::<batch::PyWorker>()?;
     Ok(())

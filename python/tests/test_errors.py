@@ -1,7 +1,5 @@
 """Bad input raises an exception that says what and where, and never ends the interpreter."""
 
-import os
-import random
 import signal
 import threading
 import time

@@ -5,7 +5,7 @@ use crate::crew::{Limits, Seat};
 use crate::list::{Line, List};
 use crate::log::{self, Entry, Log};
 use crate::manifest::{FailedTask, Listed, ManifestWriter};
-use crate::shards::Shards;
+use crate::shards::{Shards, Taken};
 use crate::{Digest, Input, Output, id_of};
 use std::collections::{HashMap, HashSet};
 use std::ffi::OsString;
@@ -13,7 +13,7 @@ use std::fs::{self, File};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError, mpsc};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::UNIX_EPOCH;
 
 /// A part of a list, for arrays of jobs.
@@ -152,9 +152,19 @@ pub fn run(
     let own = logs.iter().position(|path| *path == log_path).unwrap_or_default() as u16;
     let mut known: HashMap<[u8; 16], (u16, u64)> = HashMap::new();
     let mut ends: HashMap<String, u64> = HashMap::new();
+    let mut taken = Taken::new();
+    let mut archives: HashSet<Arc<str>> = HashSet::new();
     for (number, path) in logs.iter().enumerate() {
         let read = log::read(path, |place, entry| {
             if let Some((archive, end)) = entry.shard {
+                if let (Some(_), Answer::Done(done)) = (plan.archive_size, &entry.answer) {
+                    let name = archives.get(&*archive).cloned().unwrap_or_else(|| {
+                        let name = Arc::from(&*archive);
+                        archives.insert(Arc::clone(&name));
+                        name
+                    });
+                    taken.insert(done.key.short(), (name, end));
+                }
                 let known = ends.entry(archive).or_default();
                 *known = end.max(*known);
             }
@@ -172,7 +182,7 @@ pub fn run(
     let mut shards = match plan.archive_size {
         Some(size) => {
             let prefix = format!("outputs{name}-");
-            let shards = Shards::new(&plan.out, prefix, size, &ends);
+            let shards = Shards::new(&plan.out, prefix, size, &ends, taken);
             Some(shards.map_err(|error| in_out(&plan.out, error))?)
         }
         None => None,

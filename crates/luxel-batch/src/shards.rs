@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// What ends an archive.
 const END: [u8; 1024] = [0; 1024];
@@ -19,11 +20,17 @@ pub(crate) struct Shards {
     size: u64,
     number: u32,
     current: Option<(String, File)>,
+    /// Where the outputs of a key are: tasks of the same content have one set of entries, since WebDataset takes no name
+    /// twice.
+    taken: Taken,
 }
 
+/// The archive of a key's outputs, and where it ends with them; by the shortened key.
+pub(crate) type Taken = HashMap<[u8; 16], (Arc<str>, u64)>;
+
 impl Shards {
-    /// Archives in a folder; `ends` says where those end that are there, as logs know it. What follows was not whole
-    /// when a run was killed, and is cut off.
+    /// Archives in a folder; `ends` says where those end that are there, as logs know it, and `taken` what they hold.
+    /// What follows was not whole when a run was killed, and is cut off.
     ///
     /// # Errors
     /// An archive can't be written.
@@ -32,8 +39,10 @@ impl Shards {
         prefix: String,
         size: u64,
         ends: &HashMap<String, u64>,
+        taken: Taken,
     ) -> io::Result<Self> {
-        let mut shards = Self { folder: folder.to_owned(), prefix, size, number: 0, current: None };
+        let folder = folder.to_owned();
+        let mut shards = Self { folder, prefix, size, number: 0, current: None, taken };
         loop {
             let name = shards.name();
             let path = shards.folder.join(&name);
@@ -60,28 +69,21 @@ impl Shards {
     }
 
     fn name(&self) -> String {
-        format!("{}{:05}.tar", self.prefix, self.number)
+        self.name_of(self.number)
+    }
+
+    fn name_of(&self, number: u32) -> String {
+        format!("{}{number:05}.tar", self.prefix)
     }
 
     /// Whether there are archives with higher numbers.
     fn has_later(&self, ends: &HashMap<String, u64>) -> bool {
-        let later = Self { number: self.number + 1, ..self.without_file() }.name();
+        let later = self.name_of(self.number + 1);
         ends.contains_key(&later) || self.folder.join(later).exists()
     }
 
-    fn without_file(&self) -> Self {
-        let Self { folder, prefix, size, number, .. } = self;
-        Self {
-            folder: folder.clone(),
-            prefix: prefix.clone(),
-            size: *size,
-            number: *number,
-            current: None,
-        }
-    }
-
-    /// Moves files that lie below `root` into the archive; their paths become `ARCHIVE/ENTRY`. The archive and where
-    /// it ends with them.
+    /// Moves files that lie below `root` into the archive, unless an archive has those of the same key; their paths become
+    /// `ARCHIVE/ENTRY`. The archive and where it ends with them.
     ///
     /// # Errors
     /// A file can't be read, or the archive can't be written.
@@ -91,6 +93,22 @@ impl Shards {
         key: &Digest,
         outputs: &mut [Output],
     ) -> io::Result<(String, u64)> {
+        let entry_of = |path: &str| {
+            let base = path.rsplit('/').next().unwrap_or_default();
+            // Up to the first full stop, entries of one task have one name.
+            format!("{key}.{base}")
+        };
+        if let Some((name, end)) = self.taken.get(&key.short()) {
+            let length = std::fs::metadata(self.folder.join(&**name)).map_or(0, |of| of.len());
+            if length >= *end {
+                for output in outputs.iter_mut() {
+                    // Another worker's file of the same task may have been moved already.
+                    let _ = std::fs::remove_file(root.join(&output.path));
+                    output.path = format!("{name}/{}", entry_of(&output.path));
+                }
+                return Ok((name.to_string(), *end));
+            }
+        }
         let (name, mut file) = match self.current.take() {
             Some(current) => current,
             None => {
@@ -105,9 +123,7 @@ impl Shards {
             let path = root.join(&output.path);
             let mut bytes = Vec::new();
             File::open(&path)?.read_to_end(&mut bytes)?;
-            let base = output.path.rsplit('/').next().unwrap_or_default();
-            // Up to the first full stop, entries of one task have one name.
-            let entry = format!("{key}.{base}");
+            let entry = entry_of(&output.path);
             let mut header = tar::Header::new_gnu();
             header.set_size(bytes.len() as u64);
             header.set_mode(0o644);
@@ -126,6 +142,7 @@ impl Shards {
             let _ = std::fs::remove_dir(folder);
         }
         let place = (name.clone(), end);
+        self.taken.insert(key.short(), (Arc::from(&*name), end));
         if end >= self.size {
             close(file)?;
             self.number += 1;

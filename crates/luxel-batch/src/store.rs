@@ -79,12 +79,22 @@ pub(crate) fn write_whole(part: &Path, target: &Path, bytes: &[u8]) -> io::Resul
         let path = path.to_owned();
         move |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()))
     };
-    let written = fs::write(part, bytes).map_err(in_file(part)).and_then(|()| {
-        if let Some(folder) = target.parent() {
-            fs::create_dir_all(folder).map_err(in_file(folder))?;
+    /// Where outputs go into archives, a folder may be removed as often as tasks of the same content follow one another.
+    const TRIES: u32 = 100;
+    let place = || {
+        let mut tries = 0;
+        loop {
+            if let Some(folder) = target.parent() {
+                fs::create_dir_all(folder).map_err(in_file(folder))?;
+            }
+            tries += 1;
+            match fs::rename(part, target) {
+                Err(error) if error.kind() == io::ErrorKind::NotFound && tries < TRIES => {}
+                renamed => return renamed.map_err(in_file(target)),
+            }
         }
-        fs::rename(part, target).map_err(in_file(target))
-    });
+    };
+    let written = fs::write(part, bytes).map_err(in_file(part)).and_then(|()| place());
     if written.is_err() {
         let _ = fs::remove_file(part);
     }

@@ -52,6 +52,14 @@ pub fn draw_task(line: &str, folder: PathBuf) -> Result<DrawnTask, String> {
     commands::batch::draw_in_memory(line, folder)
 }
 
+/// The id of a task, a line of JSON.
+///
+/// # Errors
+/// What the manifest says of a line without one, after its place.
+pub fn task_id(line: &str) -> Result<String, String> {
+    luxel_batch::id_of(line).map_err(|error| error.text)
+}
+
 /// A worker process for tasks of a list whose models are relative to a folder. Outputs are written below `root` by way of
 /// `parts`; `flags` are those of `luxel batch` on execution. `program` starts this program, as in [`main_as`].
 ///

@@ -7,13 +7,17 @@ import pathlib
 import shutil
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+import weakref
+from collections.abc import Sequence
 from typing import Any
 
 from ._luxel import Worker
 
 PROGRAM = [sys.executable, "-m", "luxel"]
 """What starts luxel as a process of its own."""
+
+PARTS = ".parts"
+"""The folder of unfinished files in a folder of outputs."""
 
 _ATOMIC = ("memory", "s3", "s3a", "gs", "gcs", "az", "abfs", "abfss")
 """Stores in which an object appears whole or not at all."""
@@ -45,14 +49,16 @@ class Outputs:
     def remove_parts(self) -> None:
         """Removes what workers that were killed have left unfinished."""
         if self.is_local:
-            shutil.rmtree(self.path(".parts"), ignore_errors=True)
+            shutil.rmtree(self.path(PARTS), ignore_errors=True)
 
     def put(self, name: str, data: bytes) -> None:
         """Stores an object whole."""
         target = self.path(name)
         if self.is_local:
-            pathlib.Path(target).parent.mkdir(parents=True, exist_ok=True)
-            descriptor, part = tempfile.mkstemp(dir=self.root, prefix=".part-")
+            parts = self.path(PARTS)
+            for folder in (os.path.dirname(target), parts):
+                os.makedirs(folder, exist_ok=True)
+            descriptor, part = tempfile.mkstemp(dir=parts)
             with os.fdopen(descriptor, "wb") as file:
                 file.write(data)
             os.chmod(part, 0o644)
@@ -73,18 +79,29 @@ class Outputs:
             return pathlib.Path(self.path(name)).read_bytes()
         return self.files.cat_file(self.path(name))
 
-    def names(self, folder: str) -> Iterator[str]:
-        """The names of all objects below a folder."""
-        start = self.path(folder)
+    def sizes(self) -> dict[str, int]:
+        """The names of all objects, and their lengths in bytes."""
         if self.is_local:
-            for place, _, names in os.walk(start):
-                yield from (f"{os.path.relpath(place, self.root)}/{name}" for name in names)
-            return
+            found: dict[str, int] = {}
+            pending = [""]
+            while pending:
+                folder = pending.pop()
+                try:
+                    with os.scandir(self.path(folder)) as entries:
+                        for entry in entries:
+                            if entry.is_dir():
+                                pending.append(f"{folder}{entry.name}/")
+                            else:
+                                found[folder + entry.name] = entry.stat().st_size
+                except FileNotFoundError:
+                    continue
+            return found
         # What others have stored meanwhile counts.
         self.files.invalidate_cache()
-        if self.files.exists(start):
-            for name in self.files.find(start):
-                yield name[len(self.root.rstrip("/")) + 1 :]
+        if not self.files.exists(self.root):
+            return {}
+        start = len(self.root.rstrip("/")) + 1
+        return {name[start:]: entry["size"] for name, entry in self.files.find(self.root, detail=True).items()}
 
 
 def _protocols(files: Any) -> Sequence[str]:
@@ -99,11 +116,13 @@ class Drawer:
         self.scratch = tempfile.mkdtemp(prefix="luxel-")
         root = self.outputs.root if self.outputs.is_local else f"{self.scratch}/outputs"
         # Renaming doesn't cross file systems.
-        parts = f"{root}/.parts" if self.outputs.is_local else f"{self.scratch}/parts"
+        parts = f"{root}/{PARTS}" if self.outputs.is_local else f"{self.scratch}/parts"
         for path in (root, parts):
             os.makedirs(path, exist_ok=True)
         self.root = root
         self.worker = Worker(PROGRAM, folder, root, parts, list(flags))
+        # Actors end without a call.
+        self.close = weakref.finalize(self, shutil.rmtree, self.scratch, ignore_errors=True)
 
     def draw(self, line: str) -> dict[str, Any]:
         """The answer to a task, with all its outputs stored."""
@@ -114,7 +133,3 @@ class Drawer:
                 self.outputs.put(output["path"], path.read_bytes())
                 path.unlink()
         return answer
-
-    def close(self) -> None:
-        """Removes what isn't needed any more."""
-        shutil.rmtree(self.scratch, ignore_errors=True)

@@ -1,18 +1,24 @@
 """Lists of tasks, what is known of each, and the manifest of all."""
 
+import functools
 import hashlib
 import importlib
 import io
 import json
 import os
 from collections.abc import Iterator
-from typing import Any, NamedTuple, cast
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, NamedTuple
 
 from ._drawer import Outputs, is_url
-from ._luxel import __version__, merkle_root
+from ._luxel import Error, __version__, merkle_root, task_id
 
 LOG = "log"
 """The folder of what is known of tasks: an object each."""
+
+
+_LONGEST = 64 << 20
+"""The longest line in bytes."""
 
 
 class Task(NamedTuple):
@@ -39,29 +45,31 @@ def read(tasks: str) -> Iterator[Task]:
     ids: set[str] = set()
     for number, data in enumerate(_lines(tasks), 1):
         data = data.removeprefix(b"\xef\xbb\xbf") if number == 1 else data
-        if not data.strip():
+        data = data if len(data) > _LONGEST else data.strip(b" \t\n\f\r")
+        if not data:
             continue
-        line = ""
-        identity: str | None = None
-        error: str | None = None
+        line, identity, error = "", None, None
         try:
-            line = data.decode("utf-8").strip()
-            task: Any = json.loads(line)
-            given = cast("dict[str, Any]", task)["id"] if isinstance(task, dict) else None
-            identity = given if isinstance(given, str) else None
-            if identity is None:
-                error = "a task is a JSON object with a string `id`"
-            elif identity in ids:
+            line = _text(data)
+            identity = task_id(line)
+            if identity in ids:
                 error = f"the id `{identity}` is there twice: give each task its own"
-        except ValueError as failure:
-            error = f"not JSON: {failure}"
-        except KeyError:
-            error = "`id` is missing: give each task its own"
+        except (Error, ValueError) as failure:
+            error = str(failure)
         if identity is not None:
             ids.add(identity)
         digest = hashlib.sha256(f"{__version__}\n{line}".encode()).hexdigest()
         place = error and f"{name}:{number}: {error}"
         yield Task(number, identity, line, place, f"{LOG}/{digest[:2]}/{digest}.json")
+
+
+def _text(data: bytes) -> str:
+    if len(data) > _LONGEST:
+        raise ValueError(f"longer than {_LONGEST} bytes")
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"not UTF-8 from byte {error.start}") from error
 
 
 def _lines(tasks: str) -> Iterator[bytes]:
@@ -81,17 +89,47 @@ def with_place(answer: dict[str, Any], tasks: str, number: int) -> dict[str, Any
     return answer
 
 
-def manifest_of(tasks: list[Task], answers: dict[str, dict[str, Any]], out: Outputs) -> dict[str, Any]:
-    """The manifest of a list: `answers` by the places of entries; the others are read from the log."""
+def whole(tasks: list[Task], folder: str, out: Outputs) -> dict[str, dict[str, Any]]:
+    """The answers of the tasks that earlier runs have drawn, by the places of entries: without those whose outputs are
+    missing or of another length, and those that were made of files that have changed since. Files that
+    only other machines have are trusted."""
+    sizes = out.sizes()
+    known = [task.entry for task in tasks if task.error is None and task.entry in sizes]
+
+    @functools.cache
+    def now(path: str) -> tuple[int, int] | None:
+        try:
+            status = os.stat(os.path.join(folder, path))
+        except OSError:
+            return None
+        return status.st_size, status.st_mtime_ns
+
+    def is_whole(answer: dict[str, Any]) -> bool:
+        are_there = all(sizes.get(output["path"]) == output["bytes"] for output in answer["outputs"])
+        return are_there and all(
+            now(given["path"]) in (None, (given["bytes"], given["mtime"])) for given in answer["inputs"]
+        )
+
+    def answer(entry: str) -> tuple[str, dict[str, Any] | None]:
+        try:
+            found: dict[str, Any] = json.loads(out.get(entry))
+            return entry, {"outputs": found["outputs"]} if is_whole(found) else None
+        except (OSError, ValueError, KeyError, TypeError):
+            return entry, None
+
+    with ThreadPoolExecutor(1 if out.is_local else 32) as threads:
+        return {entry: found for entry, found in threads.map(answer, known) if found is not None}
+
+
+def manifest_of(tasks: list[Task], answers: dict[str, dict[str, Any]]) -> dict[str, Any]:
+    """The manifest of a list: `answers` by the places of entries."""
     outputs: list[dict[str, Any]] = []
     failed: list[dict[str, Any]] = []
     for task in tasks:
         if task.error is not None:
             failed.append({"id": task.id, "error": task.error})
             continue
-        answer = answers.get(task.entry)
-        if answer is None:
-            answer = json.loads(out.get(task.entry))
+        answer = answers[task.entry]
         if "error" in answer:
             failed.append({"id": task.id, "error": answer["error"]})
             continue

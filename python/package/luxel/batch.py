@@ -123,15 +123,14 @@ def _into_store(
     tasks: str, out: str, workers: int, flags: list[str], progress: bool | Callable[[int], object]
 ) -> dict[str, Any]:
     outputs = Outputs(out)
-    known = set(outputs.names(_tasks.LOG))
     listed = list(_tasks.read(tasks))
-    wanted = [task for task in listed if task.error is None and task.entry not in known]
+    answers = _tasks.whole(listed, _tasks.folder_of(tasks), outputs)
+    wanted = [task for task in listed if task.error is None and task.entry not in answers]
     step: Callable[[int], object] | None = None
     if callable(progress):
         step = progress
     elif progress:
         step = bar(len(listed), "tasks")
-    answers: dict[str, dict[str, Any]] = {}
     failures: list[BaseException] = []
     queue: Queue[_tasks.Task] = Queue()
     for task in wanted:
@@ -176,9 +175,9 @@ def _into_store(
             thread.join()
     if failures:
         raise failures[0]
-    manifest = _tasks.manifest_of(listed, answers, outputs)
-    outputs.remove_parts()
+    manifest = _tasks.manifest_of(listed, answers)
     outputs.put("manifest.json", _tasks.manifest_text(manifest))
+    outputs.remove_parts()
     return manifest
 
 

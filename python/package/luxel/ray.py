@@ -67,10 +67,9 @@ def run(
     tasks = tasks if is_url(tasks) else os.path.abspath(tasks)
     out = out if is_url(out) else os.path.abspath(out)
     outputs = Outputs(out)
-    known = set(outputs.names(_tasks.LOG))
     listed = list(_tasks.read(tasks))
-    wanted = [task for task in listed if task.error is None and task.entry not in known]
-    answers: dict[str, dict[str, Any]] = {}
+    answers = _tasks.whole(listed, _tasks.folder_of(tasks), outputs)
+    wanted = [task for task in listed if task.error is None and task.entry not in answers]
     if wanted:
         if not ray.is_initialized():
             ray.init(log_to_driver=False)
@@ -92,9 +91,9 @@ def run(
             answer = json.loads(row["answer"])
             # Inputs and times stay in the log.
             answers[row["entry"]] = {key: answer[key] for key in ("error", "outputs") if key in answer}
-    manifest = _tasks.manifest_of(listed, answers, outputs)
-    outputs.remove_parts()
+    manifest = _tasks.manifest_of(listed, answers)
     outputs.put("manifest.json", _tasks.manifest_text(manifest))
+    outputs.remove_parts()
     return manifest
 
 

@@ -178,6 +178,8 @@ fn cores() -> usize {
 fn stop_on_signals(stop: &Arc<AtomicBool>) -> Arc<AtomicI32> {
     let signal = Arc::new(AtomicI32::new(0));
     #[cfg(unix)]
+    fail_to_write_long_files(Arc::default());
+    #[cfg(unix)]
     for number in [signal_hook::consts::SIGTERM, signal_hook::consts::SIGINT] {
         use signal_hook::flag;
         // Without a handler, the signal ends the program: what is whole stays.
@@ -195,6 +197,12 @@ fn stop_on_signals(stop: &Arc<AtomicBool>) -> Arc<AtomicI32> {
     }
     let _ = stop;
     signal
+}
+
+/// Makes a file beyond the limit of `ulimit -f` an error, which otherwise ends the program.
+#[cfg(unix)]
+fn fail_to_write_long_files(heard: Arc<AtomicBool>) {
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, heard);
 }
 
 /// A line of `--progress json`.
@@ -259,7 +267,7 @@ fn work(options: WorkerOptions) -> Result<(), Failure> {
         // The coordinator hears of Ctrl-C, and decides.
         let ignored = Arc::new(AtomicBool::new(false));
         let _ = signal_hook::flag::register(signal_hook::consts::SIGINT, Arc::clone(&ignored));
-        let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, ignored);
+        fail_to_write_long_files(ignored);
     }
     let mut painter = Painter::new(folder, execution.painting());
     serve(&mut painter, &root, &parts)

@@ -65,6 +65,18 @@ fn files(folder: &Path) -> BTreeSet<PathBuf> {
     found
 }
 
+/// The names of the entries of a tar archive.
+fn entries(archive: &[u8]) -> Vec<String> {
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_matches('\0').to_owned();
+    let (mut names, mut place) = (Vec::new(), 0);
+    while archive[place] != 0 {
+        names.push(text(&archive[place..place + 100]));
+        let length = usize::from_str_radix(&text(&archive[place + 124..place + 136]), 8).unwrap();
+        place += 512 + length.next_multiple_of(512);
+    }
+    names
+}
+
 /// Every output of the manifest is there with its digest, and nothing else is.
 #[track_caller]
 fn check_whole(folder: &Folder, out: &str) {
@@ -163,6 +175,48 @@ fn the_root_depends_on_workers_shards_archives_or_order() {
         let line = ["batch", "verify", "tasks.jsonl", out, "--sample", "3", "-q"];
         folder.run(line).done();
     }
+}
+
+#[test]
+fn tasks_of_the_same_content_end_a_run_into_archives_or_are_stored_twice() {
+    let copies = |task: &Value| {
+        (0..9).map(|copy| {
+            let mut task = task.clone();
+            task["id"] = json!(format!("{} {copy}", task["id"]));
+            task
+        })
+    };
+    let tasks: Vec<Value> = many(20).iter().flat_map(copies).collect();
+    let folder = folder_of(&tasks);
+    let expected = root(&folder, "folder", &["--workers", "3"]);
+    assert_eq!(root(&folder, "archives", &["--workers", "3", "--tar", "20K"]), expected);
+    let mut names = BTreeSet::new();
+    for path in files(&folder.path("archives")) {
+        if path.extension().is_some_and(|extension| extension == "tar") {
+            for name in entries(&fs::read(path).unwrap()) {
+                assert!(names.insert(name.clone()), "{name} is there twice");
+            }
+        }
+    }
+    assert_eq!(names.len(), 20 * 4);
+    let verify = ["batch", "verify", "tasks.jsonl", "archives", "--sample", "5", "-q"];
+    folder.run(verify).done();
+    assert_eq!(batch(&folder, "archives", &["--tar", "20K"]).json()["whole"], 180);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_limit_of_files_ends_the_program_without_a_word() {
+    let folder = folder_of(&many(40));
+    let run = Command::new("sh")
+        .args(["-c", "ulimit -f 4; exec \"$0\" batch tasks.jsonl -o out -q"])
+        .arg(env!("CARGO_BIN_EXE_luxel"))
+        .current_dir(folder.path(""))
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&run.stderr);
+    assert_eq!(run.status.code(), Some(1), "{said}");
+    assert!(said.contains("log.jsonl: File too large"), "{said}");
 }
 
 #[test]
