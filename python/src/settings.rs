@@ -66,8 +66,13 @@ pub(crate) fn size_of(value: &Bound<'_, PyAny>) -> PyResult<Size> {
 /// Threads, 0 for one a core, and an instruction set by name.
 ///
 /// # Errors
-/// `ValueError` for an unknown name.
+/// `ValueError` for an unknown name or too many threads.
 pub(crate) fn execution(threads: usize, simd: Option<&str>) -> PyResult<Execution> {
+    /// As on the command line: more than any machine has, and few enough not to exhaust one.
+    const MOST_THREADS: usize = 1024;
+    if threads > MOST_THREADS {
+        return Err(argument("threads", format!("at most {MOST_THREADS}, not {threads}")));
+    }
     let simd: SimdLevel = match simd {
         Some(name) => name.parse().map_err(|error| argument("simd", error))?,
         None => SimdLevel::Auto,

@@ -1,5 +1,7 @@
 """Bad input raises an exception that says what and where, and never ends the interpreter."""
 
+import os
+import random
 import signal
 import threading
 import time
