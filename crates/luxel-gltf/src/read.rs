@@ -79,3 +79,45 @@ fn message_of(error: &serde_json::Error) -> String {
     let message = error.to_string();
     message.split(" at line ").next().unwrap_or(&message).to_owned()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The pointer to what is wrong with a document.
+    fn pointer(json: &str) -> String {
+        match read(json.as_bytes()).unwrap_err().fault {
+            Fault::Value { pointer } => pointer,
+            fault @ Fault::Syntax { .. } => panic!("{json}: {fault:?}"),
+        }
+    }
+
+    #[test]
+    fn the_pointer_leads_to_the_value_of_the_wrong_type() {
+        for (json, expected) in [
+            (r#"{"nodes": [{}, {"mesh": "first"}]}"#, "/nodes/1/mesh"),
+            (r#"{"nodes": [{"mesh": -1}]}"#, "/nodes/0/mesh"),
+            (r#"{"nodes": [{"mesh": []}]}"#, "/nodes/0/mesh"),
+            ("{\"nodes\": [{\"mesh\"  :\n  {\"a\": [1]}}]}", "/nodes/0/mesh"),
+            (r#"{"nodes": {}}"#, "/nodes"),
+            (r#"{"nodes": [{"translation": [1, 2, null]}]}"#, "/nodes/0/translation/2"),
+            (r#"{"nodes": [{"translation": [1, 2]}]}"#, "/nodes/0/translation"),
+            ("7", ""),
+        ] {
+            assert_eq!(pointer(json), expected, "{json}");
+        }
+    }
+
+    #[test]
+    fn a_missing_value_is_the_fault_of_its_object_and_so_is_a_key_given_twice() {
+        assert_eq!(pointer(r#"{"asset": {"generator": "a \" }"}}"#), "/asset");
+        assert_eq!(pointer(r#"{"scenes": [{"nodes": [], "nodes": []}]}"#), "/scenes/0");
+    }
+
+    #[test]
+    fn keys_are_escaped_and_strings_hold_any_bracket() {
+        let json =
+            r#"{"extras": "]}\\", "meshes": [{"primitives": [{"attributes": {"\"A/~": "x"}}]}]}"#;
+        assert_eq!(pointer(json), "/meshes/0/primitives/0/attributes/\"A~1~0");
+    }
+}
