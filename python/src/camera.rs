@@ -223,8 +223,13 @@ impl PyCamera {
             }
             Pose::Placed(view_from_world) => *view_from_world,
         };
-        let (nearest, farthest) = fit_planes(&scene.bounds(), &view_from_world);
-        let (near, far) = (near.unwrap_or(nearest), far.unwrap_or(farthest));
+        let (near, far) = match (*near, *far) {
+            (Some(near), Some(far)) => (near, far),
+            (near, far) => {
+                let (nearest, farthest) = fit_planes(&scene.bounds(), &view_from_world);
+                (near.unwrap_or(nearest), far.unwrap_or(farthest))
+            }
+        };
         if near >= far {
             return Err(error(format!("the near plane ({near}) lies beyond the far one ({far})")));
         }

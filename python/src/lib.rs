@@ -15,11 +15,15 @@ mod frame;
 mod interruptible;
 mod ledger;
 mod load;
+mod meshes;
 mod packed;
+mod parts;
 mod picks;
+mod rasterize;
 mod rays;
 mod scene;
 mod settings;
+mod stage;
 mod view;
 
 use pyo3::prelude::*;
@@ -39,7 +43,10 @@ fn _luxel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<picks::PyHit>()?;
     module.add_function(wrap_pyfunction!(load::load, module)?)?;
     module.add_function(wrap_pyfunction!(load::demos, module)?)?;
+    module.add_function(wrap_pyfunction!(parts::build_scene, module)?)?;
+    module.add_class::<stage::PyStage>()?;
     module.add_function(wrap_pyfunction!(packed::unpack, module)?)?;
+    module.add_function(wrap_pyfunction!(rasterize::rasterize_clip, module)?)?;
     module.add_function(wrap_pyfunction!(batch::run_program, module)?)?;
     module.add_function(wrap_pyfunction!(batch::draw_task, module)?)?;
     module.add_function(wrap_pyfunction!(batch::task_id, module)?)?;

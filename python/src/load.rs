@@ -18,7 +18,11 @@ pub(crate) fn load(
     source: &Bound<'_, PyAny>,
     format: Option<&str>,
     max_memory: Option<u64>,
-) -> PyResult<PyScene> {
+) -> PyResult<Py<PyScene>> {
+    if source.hasattr("vertices")? || source.hasattr("graph")? {
+        // An object of trimesh.
+        return Ok(PyScene::from_trimesh(source, None, None)?.extract()?);
+    }
     let format: Option<Format> =
         format.map(|name| name.parse().map_err(|error| argument("format", error))).transpose()?;
     let progress = Progress::default();
@@ -45,7 +49,7 @@ pub(crate) fn load(
                 let known = format!("there is no demo `{name}`: use {}", names.join(", "));
                 return Err(argument("source", known));
             };
-            return Ok(PyScene::ready(scene, Vec::new()));
+            return Py::new(py, PyScene::ready(scene, Vec::new()));
         }
         interruptible(py, stop, || match format {
             None => formats::open(&path, &limits),
@@ -61,7 +65,7 @@ pub(crate) fn load(
     };
     let Loaded { scene, warnings, .. } = loaded.map_err(|error| load_error(py, &error))?;
     let warnings = warnings.iter().map(ToString::to_string).collect();
-    Ok(py.detach(|| PyScene::ready(scene, warnings)))
+    Py::new(py, py.detach(|| PyScene::ready(scene, warnings)))
 }
 
 /// A model of bytes.

@@ -1,16 +1,17 @@
 //! Scenes, with what makes them ready to be drawn and picked.
 
-use crate::arrays::{array, index_rows, rows};
+use crate::arrays::array;
 use crate::bare_mesh::{BareMesh, bare_meshes, without_computed_normals};
 use crate::errors::{argument, error};
 use crate::frame::PyFrame;
+use crate::meshes::{Elements, MeshArrays, image_of};
 use crate::settings::{Settings, execution, size_of};
 use crate::view::PyView;
 use luxel::pick::Picker;
 use luxel::render::{Execution, Renderer};
 use luxel::scene::{
-    Encoding, Image, MaterialId, Mesh, MeshId, Node, NormalOptions, Part, Sampler, Scene,
-    SceneMaterial, Size, Texture, TextureId, TextureUse,
+    DVec3, Encoding, MaterialId, MeshId, Node, NormalOptions, Sampler, Scene, SceneMaterial, Size,
+    Texture, TextureId, TextureUse,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
@@ -56,6 +57,11 @@ impl SharedScene {
             return Ok(Arc::clone(renderer));
         }
         let renderer = Arc::new(Renderer::new(Arc::clone(&self.scene), execution).map_err(error)?);
+        // Each has threads of its own, and what it knows of meshes.
+        const MOST: usize = 4;
+        if known.len() == MOST {
+            known.remove(0);
+        }
         known.push((key, Arc::clone(&renderer)));
         Ok(renderer)
     }
@@ -117,58 +123,47 @@ impl PyScene {
         texture: Option<&Bound<'_, PyAny>>,
         up: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let positions = rows::<3>("vertices", vertices)?;
-        let count = positions.len();
-        if let Some(row) =
-            positions.iter().position(|row| row.iter().any(|&x| !(x as f32).is_finite()))
-        {
-            return Err(argument(
-                "vertices",
-                format!("row {row} is too far away for 32-bit floats"),
-            ));
-        }
-        let mut mesh = Mesh { triangles: index_rows("faces", faces, count)?, ..Mesh::default() };
-        mesh.set_positions(&positions);
-        let as_many = |name: &str, found: usize| match found == count {
-            true => Ok(()),
-            false => Err(argument(name, format!("{found} rows for {count} vertices"))),
+        let arrays = MeshArrays {
+            place: "",
+            elements: Elements::Triangles,
+            vertices,
+            faces: Some(faces),
+            normals,
+            colors,
+            face_colors: None,
+            uv,
         };
-        if let Some(normals) = normals {
-            let normals = rows::<3>("normals", normals)?;
-            as_many("normals", normals.len())?;
-            mesh.normals = normals.iter().map(|normal| unit(*normal)).collect();
-        }
-        if let Some(colors) = colors {
-            mesh.colors = colors_of(colors)?;
-            as_many("colors", mesh.colors.len())?;
-        }
-        if let Some(uv) = uv {
-            let uv = rows::<2>("uv", uv)?;
-            as_many("uv", uv.len())?;
-            mesh.uvs[0] = uv.iter().map(|&[u, v]| [u as f32, 1.0 - v as f32]).collect();
-        }
-        let part = Part { first: 0, count: mesh.triangles.len() as u32, material: MaterialId(0) };
-        mesh.parts = vec![part];
+        let mesh = arrays.mesh(MaterialId(0))?;
         let mut material = SceneMaterial::default();
         let mut textures = Vec::new();
         if let Some(texture) = texture {
             if uv.is_none() {
                 return Err(argument("texture", "it needs `uv`"));
             }
-            textures.push(texture_of(texture)?);
+            let image = image_of("texture", texture, Encoding::Srgb)?;
+            textures.push(Texture { image, sampler: Sampler::default() });
             material.constants.diffuse = [1.0; 3];
             material.base_color = Some(Box::new(TextureUse::new(TextureId(0))));
         } else if !mesh.colors.is_empty() {
             material.constants.diffuse = [1.0; 3];
         }
         let mut scene = Scene { materials: vec![material], textures, ..Scene::default() };
-        if let Some(up) = up {
-            let up = luxel::scene::DVec3::from_array(crate::arrays::vector("up", up)?);
-            scene.up = up.try_normalize().ok_or_else(|| argument("up", "it has no direction"))?;
-        }
+        scene.up = up_of(up)?;
         scene.meshes.push(mesh);
         scene.nodes.push(Node::root("mesh", Some(MeshId(0))));
         Ok(py.detach(|| Self::ready(scene, Vec::new())))
+    }
+
+    /// A scene of a trimesh.Trimesh, PointCloud or Scene. `smooth`: True takes its vertex normals, False makes
+    /// faces flat; None smooths edges up to 40 degrees.
+    #[staticmethod]
+    #[pyo3(signature = (source, *, smooth=None, up=None))]
+    pub(crate) fn from_trimesh<'py>(
+        source: &Bound<'py, PyAny>,
+        smooth: Option<bool>,
+        up: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        source.py().import("luxel._trimesh")?.call_method1("scene", (source, smooth, up))
     }
 
     /// The names of the objects, by which layers and hits number them.
@@ -337,61 +332,12 @@ impl PyScene {
     }
 }
 
-/// A normal of unit length; +Z where it has none.
-fn unit([x, y, z]: [f64; 3]) -> [f32; 3] {
-    let normal = luxel::scene::DVec3::new(x, y, z).normalize_or(luxel::scene::DVec3::Z);
-    normal.as_vec3().to_array()
-}
-
-/// Colours of vertices: bytes are sRGB, floats linear.
-fn colors_of(value: &Bound<'_, PyAny>) -> PyResult<Vec<[f32; 4]>> {
-    let value = &value.py().import("numpy")?.call_method1("asarray", (value,))?;
-    let kind: String = value.getattr("dtype")?.getattr("kind")?.extract()?;
-    let width = value.getattr("shape")?.extract::<Vec<usize>>()?.get(1).copied();
-    let rows: Vec<[f64; 4]> = match width {
-        Some(4) => rows::<4>("colors", value)?,
-        _ => rows::<3>("colors", value)?.iter().map(|&[r, g, b]| [r, g, b, full(&kind)]).collect(),
-    };
-    let linear = |row: &[f64; 4]| -> PyResult<[f32; 4]> {
-        let [r, g, b, alpha] = row.map(|channel| channel / full(&kind));
-        let channels = [r, g, b, alpha];
-        if channels.iter().any(|channel| !(0.0..=1.0).contains(channel)) {
-            return Err(argument("colors", "expected bytes, or floats between 0 and 1"));
-        }
-        let decode = |channel: f64| match kind.as_str() {
-            "u" | "i" => luxel::lighting::decode_srgb(channel) as f32,
-            _ => channel as f32,
-        };
-        Ok([decode(r), decode(g), decode(b), alpha as f32])
-    };
-    rows.iter().map(linear).collect()
-}
-
-/// The number that stands for all of a channel.
-fn full(kind: &str) -> f64 {
-    if matches!(kind, "u" | "i") { 255.0 } else { 1.0 }
-}
-
-/// A texture of bytes.
-fn texture_of(value: &Bound<'_, PyAny>) -> PyResult<Texture> {
-    let expected = || argument("texture", "expected uint8 of shape (h, w, 3) or (h, w, 4)");
-    let array: numpy::PyReadonlyArray3<'_, u8> = value.extract().map_err(|_| expected())?;
-    let array = array.as_array();
-    let (height, width, channels) = array.dim();
-    if !(3..=4).contains(&channels) || height == 0 || width == 0 {
-        return Err(expected());
-    }
-    let side = |side: usize| u32::try_from(side).map_err(|_| expected());
-    let (width, height) = (side(width)?, side(height)?);
-    let texel = |row: usize, column: usize| -> [u8; 4] {
-        std::array::from_fn(|channel| match channel < channels {
-            true => array[[row, column, channel]],
-            false => 255,
-        })
-    };
-    let rows = 0..height as usize;
-    let texels = rows.flat_map(|row| (0..width as usize).map(move |column| (row, column)));
-    let texels = texels.map(|(row, column)| texel(row, column)).collect();
-    let image = Image::new("texture", Encoding::Srgb, width, height, texels);
-    Ok(Texture { image: Arc::new(image), sampler: Sampler::default() })
+/// The direction that is up: +Y unless it is given.
+///
+/// # Errors
+/// `ValueError` for one without length.
+pub(crate) fn up_of(up: Option<&Bound<'_, PyAny>>) -> PyResult<DVec3> {
+    let Some(up) = up else { return Ok(DVec3::Y) };
+    let up = DVec3::from_array(crate::arrays::vector("up", up)?);
+    up.try_normalize().ok_or_else(|| argument("up", "it has no direction"))
 }

@@ -6,8 +6,8 @@ use luxel::formats::{Limits, open_environment, values};
 use luxel::lighting::{Environment, PictureEncoding, Tone};
 use luxel::math::SimdLevel;
 use luxel::render::{
-    Clamp, Cull, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading, ShadingMode,
-    View, auto_exposure,
+    Clamp, Cull, Edges, EnvironmentChoice, Execution, Interpolation, NormalLength, Shading,
+    ShadingMode, View, auto_exposure,
 };
 use luxel::scene::{Background, Camera, Scene, SceneLight, Size, Viewpoint};
 use luxel::view::{AmbientOcclusion, DEFAULT_LIGHT_RAYS, DEFAULT_SAMPLES};
@@ -17,7 +17,7 @@ use pyo3::types::PyDict;
 use std::sync::Arc;
 
 /// The names of all settings.
-const NAMES: [&str; 26] = [
+const NAMES: [&str; 28] = [
     "samples",
     "cull",
     "lights",
@@ -41,6 +41,8 @@ const NAMES: [&str; 26] = [
     "light_rays",
     "ao",
     "ao_rays",
+    "wireframe",
+    "edges",
     "threads",
     "simd",
     "max_memory",
@@ -211,9 +213,19 @@ impl<'py> Settings<'py> {
             .with_ground(self.switch("ground")?)
             .with_light_rays(self.rays("light_rays", DEFAULT_LIGHT_RAYS)?)
             .with_ambient_occlusion(self.ambient_occlusion()?)
+            .with_edges(self.edges()?)
             .with_shading(self.shading()?);
         self.expose(&mut view, scene)?;
         Ok(view)
+    }
+
+    fn edges(&self) -> PyResult<Option<Edges>> {
+        match (self.switch("wireframe")?, self.switch("edges")?) {
+            (false, false) => Ok(None),
+            (true, false) => Ok(Some(Edges::WIREFRAME)),
+            (false, true) => Ok(Some(Edges::OVER_FACES)),
+            (true, true) => Err(argument("edges", "it excludes `wireframe`")),
+        }
     }
 
     fn rays(&self, name: &str, default: u32) -> PyResult<u32> {

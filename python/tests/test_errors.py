@@ -1,12 +1,16 @@
 """Bad input raises an exception that says what and where, and never ends the interpreter."""
 
+import os
+import random
 import signal
 import threading
 import time
 
 import luxel
+import luxel.pyrender as pyrender
 import numpy as np
 import pytest
+from luxel._luxel import Stage, build_scene
 
 TRIANGLE = np.eye(3)
 
@@ -94,6 +98,67 @@ def test_a_bad_argument_is_named(call, kind, match):
 def test_a_bad_array_is_named(arguments, match):
     with raises(ValueError, match):
         luxel.Scene.from_arrays(**({"vertices": TRIANGLE, "faces": [[0, 1, 2]]} | arguments))
+
+
+def test_random_arguments_never_end_the_interpreter():
+    numbers = random.Random(7)
+    scene = luxel.load("demo:plane")
+    view = scene.view((8, 8), samples=1)
+    odd = [None, -1, 0, 3, 2**40, 1.5, float("nan"), float("inf"), "", "x", "1,2,3", b"ply\n", b"\0" * 50, (), (4, 4),
+           [[0, 0, 0]], [[1, 2, 3]], np.zeros((0, 3)), np.zeros((3, 3), np.int64), np.full((2, 3), np.inf), np.eye(4),
+           object(), True, ["z"], ["directional:dir=1,1,1"], np.zeros((2, 2), complex), {"a": 1}]  # fmt: skip
+    calls = [
+        lambda: luxel.load(pick()),
+        lambda: luxel.load(pick(), format=pick()),
+        lambda: luxel.Scene.from_arrays(pick(), pick()),
+        lambda: luxel.Scene.from_arrays(TRIANGLE, [[0, 1, 2]], colors=pick(), normals=pick(), uv=pick(), up=pick()),
+        lambda: scene.view((4, 4), pick(), samples=pick(), lights=pick(), ao=pick(), fog=pick(), exposure=pick()),
+        lambda: scene.view((4, 4), background=pick(), environment=pick(), tone=pick(), shading=pick()),
+        lambda: scene.render(pick(), pick(), pick()),
+        lambda: scene.rays(pick(), pick(), numbers.choice(["closest", "any", "all", "x"])),
+        lambda: view.pick(pick(), pick()),
+        lambda: view.pick_many(pick()),
+        lambda: view.rect(pick(), pick(), pick(), pick()),
+        lambda: view.explain(pick(), pick()),
+        lambda: luxel.Camera.look_at(pick(), pick(), pick(), fov_y=pick(), near=pick(), far=pick()),
+        lambda: luxel.Camera.from_pose(pick(), pick(), intrinsics=pick(), height=pick()),
+        lambda: luxel.Scene.from_trimesh(pick(), up=pick()),
+        lambda: build_scene(
+            [{"vertices": TRIANGLE, "faces": [[0, 1, 2]]} | {numbers.choice(keys): pick()}], [{}], [], [("a", None, pick(), 0)]
+        ),
+        lambda: build_scene([], [{numbers.choice(keys): pick(), "metallic": pick()}], pick(), [("a", pick(), None, pick())]),
+        lambda: stage.place([0, 0], np.array([pick(), pick()])),
+        lambda: stage.place(pick(), np.zeros((1, 4, 4))),
+        lambda: stage.draw(pick(), luxel.Camera.fit(near=0.1, far=9), pick(), pick()),
+        lambda: stage.draw((4, 4), luxel.Camera.fit(), 3, None, pick(), lights=pick()),
+        lambda: renderer.render(pyrender.Scene([numbers.choice(nodes), eye()], bg_color=pick())),
+        lambda: nodes.append(pyrender.Node(mesh=pyrender.Mesh([primitive()]), matrix=pick())),
+    ]  # fmt: skip
+
+    def pick():
+        return numbers.choice(odd)
+
+    keys = ["vertices", "faces", "normals", "colors", "face_colors", "uv", "mode", "material", "base_color", "roughness",
+            "emissive", "alpha_mode", "alpha_cutoff", "normal_texture", "double_sided", "unlit", "place", "name"]  # fmt: skip
+    stage = Stage(build_scene([{"vertices": TRIANGLE, "faces": [[0, 1, 2]]}], [{}], [], [("a", None, None, 0)]), 1)
+    renderer = pyrender.OffscreenRenderer(4, 4)
+    nodes = [pyrender.Node()]
+
+    def eye():
+        return pyrender.Node(camera=pyrender.PerspectiveCamera(1.0, zfar=numbers.choice([None, 3.0])), translation=[0, 0, 2])
+
+    def primitive():
+        return pyrender.Primitive(numbers.choice([pick(), TRIANGLE]), normals=pick(), indices=pick(), color_0=pick(),
+                                  texcoord_0=pick(), poses=pick(), mode=pick())  # fmt: skip
+
+    done = 0
+    for _ in range(int(os.environ.get("LUXEL_RANDOM_CALLS", "20000"))):
+        try:
+            numbers.choice(calls)()
+            done += 1
+        except (luxel.Error, ValueError, TypeError, OSError, OverflowError, IndexError, AttributeError):
+            pass
+    assert done > 100
 
 
 @pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals need the main thread")

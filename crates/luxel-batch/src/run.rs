@@ -315,6 +315,9 @@ struct Drawn {
 /// A task on its way to a worker: its place in the list, the line's number, and its text.
 type Task = (usize, u64, String);
 
+/// What takes an answered task and marks its state.
+type Take<'t> = dyn FnMut(Drawn, &mut [State]) -> Result<(), RunError> + 't;
+
 /// Has all open tasks drawn, and gives what becomes of them to `take`.
 fn draw_open(
     plan: &Plan,
@@ -322,7 +325,7 @@ fn draw_open(
     stop: &AtomicBool,
     root: &Path,
     parts: &Path,
-    take: &mut dyn FnMut(Drawn, &mut [State]) -> Result<(), RunError>,
+    take: &mut Take<'_>,
 ) -> Result<(), RunError> {
     let open: Vec<bool> = states.iter().map(|state| *state == State::Open).collect();
     let count = open.iter().filter(|open| **open).count();

@@ -33,20 +33,31 @@ impl<'a> Canvas<'a> {
             (x * x + y * y).sqrt()
         };
         let bounds = [ax.min(bx), ay.min(by), ax.max(bx), ay.max(by)];
-        self.shape(bounds, radius, distance);
+        // A long line crosses a row on a short piece, so that its box is mostly empty.
+        let columns = |y: f64| {
+            let part = |y: f64| ((y - ay) / dy).clamp(0.0, 1.0);
+            let [from, to] = match dy == 0.0 {
+                true => [ax, bx],
+                false => [y - radius - 1.0, y + radius + 1.0].map(|y| ax + dx * part(y)),
+            };
+            [from.min(to), from.max(to)]
+        };
+        self.shape(bounds, radius, columns, distance);
     }
 
     /// Collects a rectangle, left, top, right, bottom.
     pub(crate) fn rectangle(&mut self, [left, top, right, bottom]: [f64; 4]) {
         let distance = |x: f64, y: f64| (left - x).max(x - right).max(top - y).max(y - bottom);
-        self.shape([left, top, right, bottom], 0.0, distance);
+        self.shape([left, top, right, bottom], 0.0, |_| [left, right], distance);
     }
 
-    /// Collects what is nearer than a radius by some measure of distance.
+    /// Collects what is nearer than a radius by some measure of distance: in the row of pixels about y, between
+    /// two columns and a radius around them.
     fn shape(
         &mut self,
-        [left, top, right, bottom]: [f64; 4],
+        [_, top, _, bottom]: [f64; 4],
         radius: f64,
+        columns: impl Fn(f64) -> [f64; 2],
         distance: impl Fn(f64, f64) -> f64,
     ) {
         let reach = radius + 1.0;
@@ -55,6 +66,7 @@ impl<'a> Canvas<'a> {
             clamped((from - reach).floor())..clamped((to + reach).ceil())
         };
         for row in range(top, bottom, self.size.height) {
+            let [left, right] = columns(row as f64 + 0.5);
             for column in range(left, right, self.size.width) {
                 let away = distance(column as f64 + 0.5, row as f64 + 0.5);
                 let covered = (radius + 0.5 - away).clamp(0.0, 1.0) as f32;

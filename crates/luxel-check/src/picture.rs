@@ -7,6 +7,7 @@ use crate::report::{Report, Spot};
 use crate::sight::Sight;
 use luxel_render::{Layer, LayerValues, Picture, RenderError, Renderer, View};
 use luxel_scene::{Scene, Size};
+use std::collections::HashSet;
 
 /// Around marks, and behind the legend.
 const DARK: [u8; 3] = [0x15, 0x17, 0x1a];
@@ -128,6 +129,11 @@ impl Report {
                 }
                 Spot::Vertex(position, _) => line(position, position),
             }
+        }
+        for marks in &mut kinds {
+            // Of lines in the same place, the first covers what all do.
+            let mut known = HashSet::new();
+            marks.lines.retain(|line| known.insert(line.map(|end| end.map(f64::to_bits))));
         }
         kinds
     }

@@ -1,9 +1,10 @@
 //! The command line: commands and global flags.
 
 use crate::commands::{
-    batch, bench, check, completions, demos, explain, gallery, info, manual, navigate, pick,
-    render, schema, view,
+    batch, bench, check, demos, explain, gallery, info, navigate, pick, render, schema, view,
 };
+#[cfg(feature = "manual")]
+use crate::commands::{completions, manual};
 use crate::console::Console;
 use crate::failure::Failure;
 use clap::error::ErrorKind;
@@ -48,6 +49,7 @@ pub(crate) enum Command {
     Navigate(Box<navigate::NavigateCommand>),
     Demos(demos::DemosCommand),
     Gallery(gallery::GalleryCommand),
+    #[cfg(feature = "manual")]
     Completions(completions::CompletionsCommand),
     /// Print the JSON schema of scene files
     ///
@@ -56,6 +58,7 @@ pub(crate) enum Command {
     /// Print the manual page
     ///
     /// For example: luxel man > ~/.local/share/man/man1/luxel.1
+    #[cfg(feature = "manual")]
     Man,
 }
 
@@ -74,8 +77,10 @@ impl Command {
             Self::Check(command) => command.run(console),
             Self::Gallery(command) => command.run(console),
             Self::Demos(command) => command.run(),
+            #[cfg(feature = "manual")]
             Self::Completions(command) => command.run(Cli::command()),
             Self::Schema => schema::run(Cli::command()),
+            #[cfg(feature = "manual")]
             Self::Man => manual::run(Cli::command()),
         }
     }
@@ -123,7 +128,15 @@ impl Line {
 
     /// A message if the first word is neither a command nor a file, but nearly a command.
     pub(crate) fn misspelt_command(&self) -> Option<String> {
-        let word = self.words.get(self.place + 1).filter(|_| self.is_completed)?;
+        let word = self.words.get(self.place + 1)?;
+        if self.words.get(self.place).is_some_and(|command| command == "help") {
+            let (name, names) = (word.to_str()?, command_names());
+            let meant = nearest(name, names.iter().map(String::as_str))?;
+            let is_one = names.iter().any(|known| known == name);
+            let what = format!("there is no command `{name}`: did you mean `luxel help {meant}`?");
+            return (!is_one).then_some(what);
+        }
+        let word = Some(word).filter(|_| self.is_completed)?;
         let name = word.to_str().filter(|name| !Path::new(name).exists())?;
         let names = command_names();
         let meant = nearest(name, names.iter().map(String::as_str))?;

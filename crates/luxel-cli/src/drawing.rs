@@ -8,8 +8,8 @@ use crate::failure::Failure;
 pub(crate) use format::Format;
 use luxel::lighting::{PictureEncoding, Tone};
 use luxel::render::{
-    Layer, LayerImage, Legend, Picture, PictureError, PictureFormat, Renderer, Subdivision,
-    SvgOptions, View, write_layers, write_linear, write_rgba8,
+    Layer, LayerImage, Legend, Picture, PictureError, PictureFormat, Renderer, Subdivision, View,
+    write_layers, write_linear, write_rgba8,
 };
 use luxel::scene::Size;
 use luxel::view::LayerValues;
@@ -27,6 +27,7 @@ pub(crate) struct Content {
 }
 
 /// What vectors may take.
+#[cfg_attr(not(feature = "vectors"), expect(dead_code, reason = "only vectors read them"))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VectorOptions {
     /// How far colours may be from those of pixels, in 8-bit steps.
@@ -242,16 +243,28 @@ fn encode_rgba8(
     Ok(drawn)
 }
 
+#[cfg(not(feature = "vectors"))]
+fn draw_vectors(
+    _: &Renderer,
+    _: &View,
+    _: &VectorOptions,
+    _: &mut Stopwatch,
+) -> Result<Drawn, Failure> {
+    let what = "this build of luxel draws no vectors";
+    Err(Failure::work(what, "choose another format with -o, or a luxel with the feature `vectors`"))
+}
+
+#[cfg(feature = "vectors")]
 fn draw_vectors(
     renderer: &Renderer,
     view: &View,
     VectorOptions { tolerance, max_memory }: &VectorOptions,
     stopwatch: &mut Stopwatch,
 ) -> Result<Drawn, Failure> {
-    let defaults = SvgOptions::default();
+    let defaults = luxel::render::SvgOptions::default();
     // Half of the memory is for pieces, half for the text of their paths.
     let pieces = max_memory / 600;
-    let options = SvgOptions {
+    let options = luxel::render::SvgOptions {
         tolerance: tolerance.map_or(defaults.tolerance, |t| t as f32),
         max_pieces: defaults.max_pieces.min(usize::try_from(pieces).unwrap_or(usize::MAX)),
     };

@@ -26,7 +26,6 @@ pub(crate) enum Failure {
     /// The reader closed the standard output: not an error.
     OutputClosed,
     /// A signal interrupted the program, which cleaned up: status 130.
-    #[cfg(feature = "viewer")]
     Interrupted,
 }
 
@@ -63,7 +62,6 @@ impl Failure {
             Self::Work { .. } => 1,
             Self::Findings => 3,
             Self::OutputClosed => 0,
-            #[cfg(feature = "viewer")]
             Self::Interrupted => INTERRUPTED,
         }
     }
@@ -75,7 +73,6 @@ impl Failure {
             Self::Work { what, remedy } if remedy.is_empty() => vec![what],
             Self::Work { what, remedy } => vec![what, remedy],
             Self::Findings | Self::OutputClosed => Vec::new(),
-            #[cfg(feature = "viewer")]
             Self::Interrupted => Vec::new(),
         }
     }
@@ -97,11 +94,22 @@ impl From<RenderError> for Failure {
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         let remedy = match &error.kind {
+            // The hint is the remedy.
+            _ if error.hint().is_some() => "",
+            ErrorKind::Reference(_) => {
+                "put a regular file in the model's folder or below, and name it there"
+            }
             ErrorKind::Io(io)
                 if io.kind() == std::io::ErrorKind::NotFound
                     && matches!(error.place, Place::Pointer(_)) =>
             {
                 "the model needs this file: put it where the name says, beside the model"
+            }
+            ErrorKind::Io(io)
+                if io.kind() == std::io::ErrorKind::NotFound
+                    && error.file.as_deref().is_some_and(luxel::formats::is_environment) =>
+            {
+                "check the name of the environment"
             }
             ErrorKind::Io(io) if io.kind() == std::io::ErrorKind::NotFound => {
                 "check the name; `luxel demos` lists the built-in scenes"
@@ -120,7 +128,8 @@ impl From<Error> for Failure {
             ErrorKind::Unsupported(_)
                 if error.file.as_deref().is_some_and(luxel::formats::is_environment) =>
             {
-                "an environment is a regular file, .hdr or .exr with ZIP, of rows from the top"
+                "an environment is a regular file: .hdr with rows from the top, or .exr of one part, \
+                 compressed without loss or with PXR24 or B44"
             }
             ErrorKind::Unsupported(_) | ErrorKind::UnknownFormat(_) => {
                 "export it in another format or with other settings: glb, gltf, obj, stl or ply"

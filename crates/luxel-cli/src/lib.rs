@@ -79,6 +79,8 @@ pub fn worker(
 #[must_use]
 pub fn main_as(program: Vec<OsString>, words: Vec<OsString>) -> u8 {
     program::set_line(program);
+    output::outlive_file_limits();
+    #[expect(clippy::exit, reason = "the program ends in its hook where nothing unwinds")]
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(ToString::to_string).unwrap_or_default();
         console::error(&[

@@ -99,6 +99,14 @@ fn open_as(path: &Path, format: Format, limits: &Limits) -> Result<Loaded, Error
         .map_err(|error| error.in_file(path))
 }
 
+/// Opens a regular file; a pipe could block for ever.
+pub(crate) fn open_regular(path: &Path) -> std::io::Result<File> {
+    if std::fs::metadata(path).is_ok_and(|there| !there.is_file()) {
+        return Err(std::io::Error::other("this is not a regular file"));
+    }
+    File::open(path)
+}
+
 /// The bytes of a file or of the standard input.
 pub(crate) fn bytes_of(name: &OsStr, limits: &Limits) -> Result<Cow<'static, [u8]>, Error> {
     if name == "-" {

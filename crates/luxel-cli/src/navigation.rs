@@ -2,11 +2,13 @@
 
 use crate::camera;
 use crate::failure::Failure;
+use crate::model;
 use crate::options::FrameOptions;
 use luxel::navigation::{Log, Mode, Settings, State};
 use luxel::scene::{Camera, DVec3, Scene};
 use std::ffi::OsStr;
 use std::io::Read;
+use std::path::Path;
 
 /// The initial state of navigation: the camera of the flags, orbiting the target, else the
 /// centre of the scene.
@@ -35,7 +37,7 @@ pub(crate) fn read_log(path: &OsStr, max_memory: u64) -> Result<(Log, Vec<usize>
     let (name, text) = if path == "-" {
         ("the standard input".into(), read_text(std::io::stdin().lock(), max_memory))
     } else {
-        let file = std::fs::File::open(path);
+        let file = model::open_regular(Path::new(path));
         (path.to_string_lossy(), file.and_then(|file| read_text(file, max_memory)))
     };
     let text = text.map_err(|error| {

@@ -7,6 +7,12 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, Once, PoisonError};
 
+/// Makes writes beyond the limit of `ulimit -f` fail, where the system would end the program.
+pub(crate) fn outlive_file_limits() {
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default());
+}
+
 /// Prints text.
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
     print_bytes(text.as_bytes())
@@ -197,11 +203,6 @@ pub(crate) fn on_interrupt(action: OnInterrupt) {
 
 fn handle_interrupts() {
     INTERRUPTS.call_once(|| {
-        // A file beyond the limit of `ulimit -f` ends the program, unless someone hears the signal: then
-        // writing fails.
-        #[cfg(unix)]
-        let _ =
-            signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default());
         // Without a handler the system ends the program, which is right except for the unfinished
         // file and for terminals in raw mode.
         #[cfg(not(target_family = "wasm"))]

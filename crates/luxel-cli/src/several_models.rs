@@ -51,6 +51,7 @@ pub(crate) fn run(
 
 /// Checks that each model has an output file of its own.
 fn check_outputs(command: &RenderCommand, models: &[OsString]) -> Result<(), Failure> {
+    command.check_output()?;
     let mut writers: HashMap<OsString, &OsString> = HashMap::new();
     for model in models {
         let output = command.output_of(model);

@@ -7,7 +7,9 @@ use crate::options::{EncodingChoice, ExecutionOptions, LightOptions, ViewOptions
 use crate::values::Exposure;
 use luxel::formats::{Limits, LoadedEnvironment, open_environment};
 use luxel::lighting::{Environment, EnvironmentMap, PictureEncoding};
-use luxel::render::{AutoExposure, Edges, EnvironmentChoice, Execution, View, auto_exposure};
+use luxel::render::{
+    AutoExposure, Edges, EnvironmentChoice, Execution, Layer, View, auto_exposure,
+};
 use luxel::scene::{Camera, Scene, SceneLight, Viewpoint};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -23,7 +25,7 @@ pub(crate) fn view(
     camera: Camera,
     scene: &Scene,
 ) -> Result<View, Failure> {
-    let ViewOptions { frame, light, mode, picture, execution, .. } = options;
+    let ViewOptions { frame, light, mode, picture, .. } = options;
     let (mut lights, mut ambient) = lights(light, scene)?;
     if let Some(scale) = light.light_scale {
         lights.iter_mut().for_each(|light| light.light.scale(scale));
@@ -34,7 +36,7 @@ pub(crate) fn view(
         .with_cull(frame.cull.into())
         .with_lights(lights)
         .with_ambient(ambient)
-        .with_environment(environment(light, scene, execution.max_memory)?)
+        .with_environment(environment(options, scene)?)
         .with_environment_background(light.environment_background)
         .with_fog(light.fog.or(scene.fog))
         .with_background(picture.background.or(scene.background).unwrap_or_default())
@@ -50,6 +52,7 @@ pub(crate) fn view(
         .with_edges(edges)
         .with_shadows(light.shadows)
         .with_ground(light.ground)
+        .with_up(frame.up)
         .with_light_rays(light.light_rays)
         .with_ambient_occlusion(light.ambient_occlusion())
         .with_shading(mode.shading()?))
@@ -93,6 +96,23 @@ pub(crate) fn idle_flags(view: &View, options: &LightOptions) -> Vec<String> {
     background.into_iter().chain(rotation).map(str::to_owned).collect()
 }
 
+/// What to say of layers that are 1 everywhere, since the view doesn't ask for what they show.
+pub(crate) fn idle_layers(view: &View, layers: &[Layer]) -> Vec<String> {
+    let has_openness = view.ambient_occlusion.is_some() || view.ground;
+    let has_shadows = view.shadows || view.ground;
+    let flag = |layer: &Layer| match layer {
+        Layer::Openness if !has_openness => Some("--ao"),
+        Layer::Shadow(_) if !has_shadows => Some("--shadows"),
+        _ => None,
+    };
+    let idle = |layer: &Layer| {
+        flag(layer).map(|flag| {
+            format!("the layer {} is 1 everywhere: it shows what {flag} computes", layer.name())
+        })
+    };
+    layers.iter().filter_map(idle).collect()
+}
+
 /// Exposes a view for the scene's own light, if the flags ask for it; what to say, if that does something.
 pub(crate) fn expose(view: &mut View, options: &ViewOptions, scene: &Scene) -> Option<String> {
     if options.picture.exposure != Some(Exposure::Auto) {
@@ -128,20 +148,18 @@ fn lights(options: &LightOptions, scene: &Scene) -> Result<(Vec<SceneLight>, [f3
 }
 
 /// The environment: from the command line, else the file, else the default one.
-fn environment(
-    options: &LightOptions,
-    scene: &Scene,
-    max_memory: u64,
-) -> Result<EnvironmentChoice, Failure> {
-    let rotation = options.environment_rotation;
-    let choice = match &options.environment {
-        None => luxel::environment_of(scene),
-        Some(surroundings) => match surroundings.environment(scene.up) {
+fn environment(options: &ViewOptions, scene: &Scene) -> Result<EnvironmentChoice, Failure> {
+    let ViewOptions { frame, light, execution, .. } = options;
+    let rotation = light.environment_rotation;
+    let up = frame.up.unwrap_or(scene.up);
+    let choice = match (&light.environment, frame.up) {
+        (None, None) => luxel::environment_of(scene),
+        (None, Some(up)) => luxel::environment_of(scene).in_frame(Viewpoint::frame(up)),
+        (Some(surroundings), _) => match surroundings.environment(up) {
             Ok(choice) => choice,
             Err(path) => {
-                let frame = Viewpoint::frame(scene.up);
-                let map = opened_environment(path, max_memory)?;
-                EnvironmentChoice::of_map(map, frame, 0.0)
+                let map = opened_environment(path, execution.max_memory)?;
+                EnvironmentChoice::of_map(map, Viewpoint::frame(up), 0.0)
             }
         },
     };

@@ -76,6 +76,12 @@ pub enum ErrorKind {
     /// The extension of the file is not a format that luxel reads.
     #[error(transparent)]
     UnknownFormat(#[from] UnknownFormat),
+    /// The file is text in UTF-16: all text formats are ASCII or UTF-8.
+    #[error("the file is text in UTF-16: save it as UTF-8")]
+    Utf16,
+    /// The file refers to something other than a regular file in its folder or below.
+    #[error("{0}")]
+    Reference(String),
     /// The file needs something that luxel can't do.
     #[error("{0}")]
     Unsupported(String),

@@ -81,6 +81,23 @@ fn read_blocks(path: &Path, length: u64, progress: Option<&Progress>) -> std::io
     failures.into_iter().flatten().next().map_or(Ok(bytes), Err)
 }
 
+/// Why a name that a model refers to is not read.
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+#[derive(Debug)]
+pub(crate) struct Refusal {
+    /// What is wrong with the name.
+    pub(crate) message: String,
+    /// Whether something is there that must not be read.
+    pub(crate) is_there: bool,
+}
+
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+impl From<Refusal> for crate::ErrorKind {
+    fn from(refusal: Refusal) -> Self {
+        Self::Reference(refusal.message)
+    }
+}
+
 /// The path of a file that a model refers to: a regular file within the model's folder, also after
 /// symbolic links are followed. A pipe or a device could block for ever; a link could show files that
 /// the model's author must not see. Whether the file exists is left to its reader.
@@ -88,7 +105,7 @@ fn read_blocks(path: &Path, length: u64, progress: Option<&Progress>) -> std::io
 /// # Errors
 /// A message about the name.
 #[cfg(any(feature = "obj", feature = "toml"))]
-pub(crate) fn referenced(folder: Option<&Path>, name: &str) -> Result<PathBuf, String> {
+pub(crate) fn referenced(folder: Option<&Path>, name: &str) -> Result<PathBuf, Refusal> {
     let path = within(folder, name)?;
     check_reference(folder, &path, name)?;
     Ok(path)
@@ -100,22 +117,32 @@ pub(crate) fn check_reference(
     folder: Option<&Path>,
     path: &Path,
     name: &str,
-) -> Result<(), String> {
+) -> Result<(), Refusal> {
+    let refused = |why: &dyn std::fmt::Display| {
+        Err(Refusal { message: format!("`{name}` is not read: {why}"), is_there: true })
+    };
     let folder = folder.filter(|folder| !folder.as_os_str().is_empty());
-    let (Ok(folder), Ok(resolved)) =
-        (folder.unwrap_or(Path::new(".")).canonicalize(), path.canonicalize())
-    else {
-        return Ok(());
+    let Ok(folder) = folder.unwrap_or(Path::new(".")).canonicalize() else { return Ok(()) };
+    let resolved = match path.canonicalize() {
+        Ok(resolved) => resolved,
+        Err(error) if is_missing(&error) => return Ok(()),
+        // Links in a circle, for example.
+        Err(error) => return refused(&error),
     };
     if !resolved.starts_with(folder) {
-        return Err(format!("`{name}` is not read: a link leads out of the model's folder"));
+        return refused(&"a link leads out of the model's folder");
     }
     match std::fs::metadata(&resolved) {
-        Ok(metadata) if !metadata.is_file() => {
-            Err(format!("`{name}` is not read: it is not a regular file"))
-        }
+        Ok(metadata) if !metadata.is_file() => refused(&"it is not a regular file"),
         _ => Ok(()),
     }
+}
+
+/// Whether an error says that no file has the name.
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+fn is_missing(error: &std::io::Error) -> bool {
+    use std::io::ErrorKind::{InvalidFilename, InvalidInput, NotADirectory, NotFound};
+    matches!(error.kind(), InvalidFilename | InvalidInput | NotADirectory | NotFound)
 }
 
 /// The path of a name in the model's folder, with either separator.
@@ -123,15 +150,29 @@ pub(crate) fn check_reference(
 /// # Errors
 /// A message about the name.
 #[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
-pub(crate) fn within(folder: Option<&Path>, name: &str) -> Result<PathBuf, String> {
-    let folder = folder.ok_or_else(|| {
-        format!("`{name}` is not read: a model from standard input has no folder")
-    })?;
+pub(crate) fn within(folder: Option<&Path>, name: &str) -> Result<PathBuf, Refusal> {
+    let refused = |why: &str, is_there: bool| Refusal {
+        message: format!("`{name}` is not read: {why}"),
+        is_there,
+    };
+    let folder =
+        folder.ok_or_else(|| refused("a model from standard input has no folder", false))?;
     let parts = || name.split(['/', '\\']);
     // A drive letter, a scheme, or a stream of NTFS.
     let foreign = name.contains([':', '\0']);
     if name.is_empty() || foreign || name.starts_with(['/', '\\']) || parts().any(|p| p == "..") {
-        return Err(format!("`{name}` is not read: it leads out of the model's folder"));
+        return Err(refused("it leads out of the model's folder", is_anything(folder, name)));
     }
     Ok(folder.join(parts().filter(|part| *part != ".").collect::<PathBuf>()))
+}
+
+/// Whether a name that leads out of a folder leads to something, so far as the system tells.
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+fn is_anything(folder: &Path, name: &str) -> bool {
+    let name = name.replace('\\', "/");
+    // Windows would ask another machine, with the user's credentials.
+    if name.is_empty() || cfg!(windows) && name.starts_with("//") {
+        return false;
+    }
+    std::fs::metadata(folder.join(name)).map_or_else(|error| !is_missing(&error), |_| true)
 }

@@ -107,8 +107,7 @@ impl Format {
         if !is_utf16 || self == Self::Stl && is_binary_stl() {
             return Ok(());
         }
-        let message = "the file is text in UTF-16: save it as UTF-8".to_owned();
-        Err(Error::at(Place::File, ErrorKind::Malformed(message)))
+        Err(Error::at(Place::File, ErrorKind::Utf16))
     }
 
     /// The error of a build without its reader.

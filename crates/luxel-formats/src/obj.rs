@@ -32,9 +32,9 @@ pub(crate) fn read(
     let mut document = join::document(bytes, limits, &mut warnings)?;
     document.show_bare_vertices();
     let mut materials =
-        Materials::read(&document.libraries, &document.materials, folder, limits, &mut warnings);
+        Materials::read(&document.libraries, &document.materials, folder, limits, &mut warnings)?;
     let mut scene = Scene::default();
-    build::objects(&document, name, &mut materials, &mut scene, &mut warnings);
+    build::objects(&document, name, &mut materials, &mut scene, &mut warnings)?;
     scene.textures = materials.textures;
     scene.materials = materials.list;
     if scene.materials.is_empty() {

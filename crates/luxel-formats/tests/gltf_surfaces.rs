@@ -151,6 +151,26 @@ fn images_that_cannot_be_read_are_warnings_and_stand_ins() {
     }
 }
 
+#[cfg(unix)]
+#[test]
+fn images_that_are_no_regular_files_in_the_folder_are_errors() {
+    let folder = std::env::temp_dir().join(format!("luxel-images-{}", std::process::id()));
+    std::fs::create_dir_all(folder.join("inner/folder.png")).unwrap();
+    std::fs::write(folder.join("outside.png"), b"x").unwrap();
+    std::os::unix::fs::symlink("../outside.png", folder.join("inner/link.png")).unwrap();
+    for uri in ["folder.png", "link.png", "../outside.png", "%2e%2e/outside.png", "/dev/zero"] {
+        let mut document =
+            with_material(json!({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}));
+        document.json["images"][0] = json!({"uri": uri});
+        let inner = folder.join("inner");
+        let read = read(&document.glb(), Format::Glb, "test", Some(&inner), &Limits::default());
+        let message = read.expect_err(uri).to_string();
+        let name = uri.rsplit('/').next().unwrap();
+        assert!(message.contains("/images/0/uri") && message.contains(name), "{message}");
+    }
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
 #[test]
 fn lights_are_divided_by_pi_and_stand_at_their_nodes() {
     let mut document = Document::triangle();

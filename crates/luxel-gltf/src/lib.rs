@@ -13,6 +13,7 @@
 
 #![forbid(unsafe_code)]
 
+mod place;
 mod read;
 mod schema;
 

@@ -1,7 +1,9 @@
 //! From JSON text to a document, or to the place of what is wrong with it.
 
 use crate::Document;
-use serde_path_to_error::{Path, Segment};
+use crate::place::pointer_at;
+use serde::Deserialize;
+use serde_json::error::Category;
 use std::fmt;
 
 /// Text that is not a glTF document.
@@ -51,28 +53,18 @@ impl std::error::Error for ReadError {}
 /// [`ReadError`] if the text is not JSON, or a value has the wrong type.
 pub fn read(json: &[u8]) -> Result<Document, ReadError> {
     let mut deserializer = serde_json::Deserializer::from_slice(json);
-    let document = serde_path_to_error::deserialize(&mut deserializer)
-        .map_err(|error| value_error(error.path(), error.inner()))?;
+    let document =
+        Document::deserialize(&mut deserializer).map_err(|error| error_of(json, &error))?;
     deserializer.end().map_err(|error| syntax_error(&error))?;
     Ok(document)
 }
 
 /// A value of the wrong type is told by its pointer, bad syntax by its line.
-fn value_error(path: &Path, error: &serde_json::Error) -> ReadError {
-    if error.classify() != serde_json::error::Category::Data {
+fn error_of(json: &[u8], error: &serde_json::Error) -> ReadError {
+    if error.classify() != Category::Data {
         return syntax_error(error);
     }
-    let mut pointer = String::new();
-    for segment in path {
-        match segment {
-            Segment::Seq { index } => pointer.push_str(&format!("/{index}")),
-            // RFC 6901 escapes its two special characters.
-            Segment::Map { key } => {
-                pointer.push_str(&format!("/{}", key.replace('~', "~0").replace('/', "~1")));
-            }
-            Segment::Enum { .. } | Segment::Unknown => {}
-        }
-    }
+    let pointer = pointer_at(json, error.line(), error.column());
     ReadError { fault: Fault::Value { pointer }, message: message_of(error) }
 }
 
@@ -86,4 +78,46 @@ fn syntax_error(error: &serde_json::Error) -> ReadError {
 fn message_of(error: &serde_json::Error) -> String {
     let message = error.to_string();
     message.split(" at line ").next().unwrap_or(&message).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The pointer to what is wrong with a document.
+    fn pointer(json: &str) -> String {
+        match read(json.as_bytes()).unwrap_err().fault {
+            Fault::Value { pointer } => pointer,
+            fault @ Fault::Syntax { .. } => panic!("{json}: {fault:?}"),
+        }
+    }
+
+    #[test]
+    fn the_pointer_leads_to_the_value_of_the_wrong_type() {
+        for (json, expected) in [
+            (r#"{"nodes": [{}, {"mesh": "first"}]}"#, "/nodes/1/mesh"),
+            (r#"{"nodes": [{"mesh": -1}]}"#, "/nodes/0/mesh"),
+            (r#"{"nodes": [{"mesh": []}]}"#, "/nodes/0/mesh"),
+            ("{\"nodes\": [{\"mesh\"  :\n  {\"a\": [1]}}]}", "/nodes/0/mesh"),
+            (r#"{"nodes": {}}"#, "/nodes"),
+            (r#"{"nodes": [{"translation": [1, 2, null]}]}"#, "/nodes/0/translation/2"),
+            (r#"{"nodes": [{"translation": [1, 2]}]}"#, "/nodes/0/translation"),
+            ("7", ""),
+        ] {
+            assert_eq!(pointer(json), expected, "{json}");
+        }
+    }
+
+    #[test]
+    fn a_missing_value_is_the_fault_of_its_object_and_so_is_a_key_given_twice() {
+        assert_eq!(pointer(r#"{"asset": {"generator": "a \" }"}}"#), "/asset");
+        assert_eq!(pointer(r#"{"scenes": [{"nodes": [], "nodes": []}]}"#), "/scenes/0");
+    }
+
+    #[test]
+    fn keys_are_escaped_and_strings_hold_any_bracket() {
+        let json =
+            r#"{"extras": "]}\\", "meshes": [{"primitives": [{"attributes": {"\"A/~": "x"}}]}]}"#;
+        assert_eq!(pointer(json), "/meshes/0/primitives/0/attributes/\"A~1~0");
+    }
 }

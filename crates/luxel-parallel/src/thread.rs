@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::num::NonZero;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -22,13 +23,18 @@ pub fn limit_threads(count: usize) {
     outside(count);
 }
 
-/// A pool of threads, 0 for one a processor; `None` where the system refuses to create them: see
-/// [`install`].
+/// More threads a processor than this only take memory and the scheduler's time.
+const MOST_A_PROCESSOR: usize = 16;
+
+/// A pool of threads, 0 for one a processor and never more than sixteen a processor; `None` where the system
+/// refuses to create them: see [`install`].
 #[must_use]
 pub fn pool(count: usize) -> Option<ThreadPool> {
     if cfg!(target_family = "wasm") {
         return None;
     }
+    let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
+    let count = count.min(MOST_A_PROCESSOR * processors);
     ThreadPoolBuilder::new().num_threads(count).build().ok()
 }
 
@@ -120,6 +126,14 @@ mod tests {
             done.sort_unstable();
             assert_eq!(done, (0..count).collect::<Vec<_>>());
         }
+    }
+
+    #[test]
+    fn a_pool_of_a_million_threads_has_a_few() {
+        let pool = pool(1_000_000).unwrap();
+        assert!(
+            pool.current_num_threads() <= 16 * std::thread::available_parallelism().unwrap().get()
+        );
     }
 
     #[test]

@@ -8,8 +8,8 @@ use luxel_bvh::{Bvh, Quality};
 use luxel_math::SUBPIXELS;
 use luxel_scene::{Camera, Mesh, Size};
 use luxel_visibility::{
-    CoveragePolicy, Cull, MAX_SIDE, PlacedScene, Probe, Reach, Strokes, SurfaceRules, ViewRays,
-    WindowRays,
+    CoveragePolicy, Cull, DEFAULT_POINT_SIZE, MAX_SIDE, PlacedScene, Probe, Reach, Strokes,
+    SurfaceRules, ViewRays, WindowRays,
 };
 
 /// A camera's view of a scene in a window, for queries by pixel.
@@ -82,7 +82,12 @@ impl<'p> PickView<'p> {
             size.width,
             size.height,
         );
-        let rules = SurfaceRules { cull, coverage: CoveragePolicy::NEAREST, wireframe: false };
+        let rules = SurfaceRules {
+            cull,
+            coverage: CoveragePolicy::NEAREST,
+            wireframe: false,
+            point_size: DEFAULT_POINT_SIZE,
+        };
         let placed = PlacedScene::new(picker.scene(), picker.objects(), &camera, size, &rules);
         let bvhs_of_strokes = placed
             .strokes()

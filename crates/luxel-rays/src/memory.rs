@@ -11,10 +11,11 @@ impl SceneRays {
     #[must_use]
     pub fn bytes_needed(scene: &Scene, objects: &[Object], quality: Quality) -> u64 {
         let of_tree = |triangles| quality.bytes_needed(triangles) as u64 + size_of::<Bvh>() as u64;
+        let has_sections = scene.has_sections();
         let of_mesh = |mesh: &Mesh| {
             // A section's mesh gets a tree of its own, and is a copy.
             let more = mesh.sections.len().saturating_sub(1) as u64 * of_tree(0);
-            let copy = if scene.has_sections() { bytes_of(mesh) } else { 0 };
+            let copy = if has_sections { bytes_of(mesh) } else { 0 };
             of_tree(mesh.triangles.len()) + more + copy
         };
         let of_object = |object: &Object| {
@@ -50,4 +51,20 @@ fn bytes_of(mesh: &Mesh) -> u64 {
     // Lists of meshes grow to twice their length, beside the shorter list.
     let each = 3 * size_of::<Mesh>() + size_of::<Part>();
     (lists + each * mesh.sections.len().max(1)) as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::{Duration, Instant};
+
+    #[test]
+    fn the_bound_of_many_meshes_takes_linear_time() {
+        let meshes = vec![Mesh::default(); 400_000];
+        let scene = Scene { meshes: meshes.into(), ..Scene::default() };
+        let start = Instant::now();
+        assert!(SceneRays::bytes_needed(&scene, &[], Quality::InOrder) > 400_000);
+        // A look at all meshes for each of them takes minutes.
+        assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
+    }
 }

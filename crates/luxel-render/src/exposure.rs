@@ -80,7 +80,7 @@ fn environment(scene: &Scene, view: &View) -> [f32; 3] {
     let environment = match &view.environment {
         EnvironmentChoice::Always(environment) => environment.clone(),
         EnvironmentChoice::StudioForMicrofacets => {
-            let up = scene.up.as_vec3().to_array();
+            let up = view.up.unwrap_or(scene.up).as_vec3().to_array();
             let mut reflections = scene.materials.iter().map(|of| &of.constants.reflection);
             match reflections.any(is_microfacet) {
                 true => Environment::Studio { up },

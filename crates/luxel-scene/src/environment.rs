@@ -90,6 +90,18 @@ impl EnvironmentChoice {
         }
     }
 
+    /// The same with these directions [right, up and front](crate::Viewpoint::frame).
+    #[must_use]
+    pub fn in_frame(self, frame: [DVec3; 3]) -> Self {
+        match self {
+            Self::Always(Environment::Studio { .. }) => NamedEnvironment::Studio.choice(frame[1]),
+            Self::Always(Environment::Map(map)) => {
+                Self::of_map(Arc::clone(map.map()), frame, map.rotation_degrees())
+            }
+            other => other,
+        }
+    }
+
     /// What is seen all around, whatever the materials, in a scene with this up direction.
     #[must_use]
     pub fn surroundings(&self, up: DVec3) -> Environment {

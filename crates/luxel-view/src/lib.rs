@@ -20,4 +20,6 @@ pub use cull::Cull;
 pub use layer::{Layer, LayerValues, ParseLayerError};
 pub use luxel_scene::{Background, EnvironmentChoice};
 pub use shading::{Clamp, Interpolation, NormalLength, Shading, ShadingMode};
-pub use view::{AmbientOcclusion, DEFAULT_LIGHT_RAYS, DEFAULT_SAMPLES, Edges, View};
+pub use view::{
+    AmbientOcclusion, DEFAULT_LIGHT_RAYS, DEFAULT_POINT_SIZE, DEFAULT_SAMPLES, Edges, View,
+};

@@ -2,13 +2,16 @@
 
 use crate::{Cull, EnvironmentChoice, Shading};
 use luxel_lighting::{Display, Fog, PictureEncoding, Tone};
-use luxel_scene::{Background, Camera, DEFAULT_AMBIENT, SceneLight, Size, default_lights};
+use luxel_scene::{Background, Camera, DEFAULT_AMBIENT, DVec3, SceneLight, Size, default_lights};
 
 /// The default number of samples per pixel.
 pub const DEFAULT_SAMPLES: u32 = 4;
 
 /// The default number of rays to a light with an extent.
 pub const DEFAULT_LIGHT_RAYS: u32 = 16;
+
+/// The default side of points, in pixels.
+pub const DEFAULT_POINT_SIZE: f32 = 3.0;
 
 /// Ambient occlusion: ambient light and the environment reach a surface by its openness, the part of the
 /// directions above it, weighted by the cosine to the normal, in which nothing is near.
@@ -78,6 +81,8 @@ pub struct View {
     pub background: Background,
     /// Whether a ground lies under the model that shows nothing but its shadow and its occlusion.
     pub ground: bool,
+    /// What is up, for the ground and the studio; `None`: as in the scene. Of any length but 0.
+    pub up: Option<DVec3>,
     /// The exposure of surfaces, in stops: each doubles their light. The background stays as it is.
     pub exposure: f32,
     /// The tone curve of surfaces, after the exposure.
@@ -86,6 +91,8 @@ pub struct View {
     pub encoding: PictureEncoding,
     /// Edges of polygons, drawn or nothing but them.
     pub edges: Option<Edges>,
+    /// The side of points, in pixels.
+    pub point_size: f32,
     /// Shading mode and interpolation.
     pub shading: Shading,
     /// Whether surfaces keep directional, point and spot lights from others.
@@ -114,10 +121,12 @@ impl View {
             fog: None,
             background: Background::TRANSPARENT,
             ground: false,
+            up: None,
             exposure: 0.0,
             tone: Tone::None,
             encoding: PictureEncoding::Srgb,
             edges: None,
+            point_size: DEFAULT_POINT_SIZE,
             shading: Shading::default(),
             shadows: false,
             light_rays: DEFAULT_LIGHT_RAYS,
@@ -192,6 +201,12 @@ impl View {
         Self { ground, ..self }
     }
 
+    /// What is up, for the ground and the studio.
+    #[must_use]
+    pub fn with_up(self, up: impl Into<Option<DVec3>>) -> Self {
+        Self { up: up.into(), ..self }
+    }
+
     /// The exposure of surfaces, in stops: each doubles their light. The background stays as it is.
     #[must_use]
     pub fn with_exposure(self, exposure: f32) -> Self {
@@ -220,6 +235,12 @@ impl View {
     #[must_use]
     pub fn with_edges(self, edges: Option<Edges>) -> Self {
         Self { edges, ..self }
+    }
+
+    /// The side of points, in pixels, above 0.
+    #[must_use]
+    pub fn with_point_size(self, point_size: f32) -> Self {
+        Self { point_size, ..self }
     }
 
     /// Shading mode and interpolation.

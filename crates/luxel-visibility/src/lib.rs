@@ -19,12 +19,14 @@
 //!    ([`InstanceSpace`]), the fill rule for one triangle and one sample ([`Probe`]).
 //! 6. `frame`: all of it for one view.
 //! 7. `placed_scene`: turns a scene and a camera into instances, for frames and picks alike.
+//! 8. `clip_space`: one frame of triangles given in clip coordinates, for whoever has projected them already.
 //!
 //! The crate knows no light, no file and no window system. Every sample's outcome is a pure function of
 //! the input: neither threads nor SIMD width nor the order of drawing can change it.
 
 #![forbid(unsafe_code)]
 
+mod clip_space;
 mod cluster;
 mod cull;
 mod frame;
@@ -33,14 +35,15 @@ mod query;
 mod raster;
 mod types;
 
+pub use clip_space::{Fragment, rasterize};
 pub use cluster::{
     CLUSTER_TRIANGLES, Clusters, Frames, Instance, ShadingVertex, TooManyTriangles, TriangleOf,
 };
 pub use frame::Frame;
-pub use luxel_view::Cull;
+pub use luxel_view::{Cull, DEFAULT_POINT_SIZE};
 pub use placed_scene::{CoveragePolicy, InstancePlace, PlacedInstance, PlacedScene, SurfaceRules};
 pub use query::{
-    Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, POINT_SIZE, PackedForms, Probe,
+    Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, PackedForms, Probe,
     ProbedTriangle, Reach, SeenCluster, ShadingCorners, Strokes, TILE_FORMS, TileForms,
     ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners,
     interpolate_corners_step, interpolate_step, sides, strokes, tile_of,

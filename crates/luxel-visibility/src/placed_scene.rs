@@ -36,7 +36,7 @@ impl CoveragePolicy {
 }
 
 /// Which faces of a scene are drawn, and how.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceRules {
     /// The faces that are left out.
     pub cull: Cull,
@@ -44,11 +44,13 @@ pub struct SurfaceRules {
     pub coverage: CoveragePolicy,
     /// Surfaces are holes between their edges, and edges are seen from both sides.
     pub wireframe: bool,
+    /// The side of points, in pixels.
+    pub point_size: f32,
 }
 
 impl SurfaceRules {
     fn part_use(&self, material: &SceneMaterial, mirrored: bool) -> PartUse {
-        let Self { cull, coverage, wireframe } = *self;
+        let Self { cull, coverage, wireframe, .. } = *self;
         let of_mode = match material.alpha_mode {
             AlphaMode::Opaque if wireframe => Coverage::Cutout,
             AlphaMode::Opaque => coverage.opaque,
@@ -125,7 +127,7 @@ impl<'s> PlacedScene<'s> {
         size: Size,
         rules: &SurfaceRules,
     ) -> Self {
-        let strokes = strokes(scene, objects, camera, size);
+        let strokes = strokes(scene, objects, camera, size, rules.point_size);
         let faces = bodies(objects).map(|body| {
             let object = &objects[body.start];
             let mesh = &scene.meshes[object.mesh.index()];

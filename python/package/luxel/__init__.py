@@ -13,6 +13,7 @@ from ._luxel import (
     demos,
     load,
 )
+from ._rasterize import rasterize
 
 __all__ = [
     "Camera",
@@ -26,4 +27,5 @@ __all__ = [
     "__version__",
     "demos",
     "load",
+    "rasterize",
 ]

@@ -7,6 +7,8 @@ from typing import Any, Literal, Protocol, TypedDict, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._rasterize import rasterize as rasterize
+
 __version__: str
 
 __all__ = [
@@ -21,6 +23,7 @@ __all__ = [
     "__version__",
     "demos",
     "load",
+    "rasterize",
 ]
 
 _Convention = Literal["opengl", "opencv"]
@@ -40,6 +43,20 @@ class LoadError(Error):
 
 class _Readable(Protocol):
     def read(self) -> bytes: ...
+
+class _TrimeshGeometry(Protocol):
+    """A trimesh.Trimesh or PointCloud."""
+
+    @property
+    def vertices(self) -> Any: ...
+
+class _TrimeshScene(Protocol):
+    """A trimesh.Scene."""
+
+    @property
+    def geometry(self) -> Any: ...
+    @property
+    def graph(self) -> Any: ...
 
 @final
 class Camera:
@@ -282,7 +299,7 @@ class Scene:
     takes), `ambient`, `light_scale`, `background`, `environment` (also an .hdr or .exr file),
     `environment_rotation`, `environment_background`, `fog`, `shadows`, `light_rays`, `ao` (True or a radius),
     `ao_rays`, `ground`, `exposure` (stops or "auto"), `tone`, `encoding`, `cull`, `shading`, `tolerance`,
-    `interpolation`, `clamp`, `normal_length`, `threads` (0: one a core) and `simd`.
+    `interpolation`, `clamp`, `normal_length`, `wireframe`, `edges`, `threads` (0: one a core) and `simd`.
     """
 
     objects: list[str]
@@ -308,6 +325,14 @@ class Scene:
         """A scene of one mesh: `vertices` (n, 3), `faces` (m, 3) of whole numbers; a row a vertex: `normals` (n, 3),
         `colors` (n, 3) or (n, 4), sRGB bytes or linear floats, `uv` (n, 2), (0, 0) at the texture's lower left.
         `texture` (h, w, 3) or (h, w, 4) has rows from the top; `up` is +Y by default."""
+
+    @staticmethod
+    def from_trimesh(
+        source: _TrimeshGeometry | _TrimeshScene, *, smooth: bool | None = None, up: ArrayLike | None = None
+    ) -> Scene:
+        """A scene of a trimesh.Trimesh, PointCloud or Scene: what is shown several times is held once, nodes are objects
+        by their names. Colours of vertices and faces, textures and materials come along. `smooth`: True takes the
+        mesh's vertex normals, False makes faces flat; None smooths edges up to 40 degrees."""
 
     def view(self, size: tuple[int, int], camera: Camera | str | ArrayLike | None = None, **settings: Any) -> View:
         """A view. Without a camera, the file's first one, else one that sees the whole model; a string names a
@@ -364,12 +389,13 @@ class Scene:
         by ray and then nearest first, with `ray`, the number of the ray."""
 
 def load(
-    source: str | PathLike[str] | bytes | _Readable,
+    source: str | PathLike[str] | bytes | _Readable | _TrimeshGeometry | _TrimeshScene,
     *,
     format: Literal["glb", "gltf", "obj", "stl", "ply", "toml"] | None = None,
     max_memory: int | None = None,
 ) -> Scene:
-    """Reads a model: a path, the bytes of a file, or an object with `read`. `demo:NAME` is a built-in scene.
+    """Reads a model: a path, the bytes of a file, or an object with `read`. `demo:NAME` is a built-in scene; an object of
+    trimesh is taken as by `Scene.from_trimesh`.
 
     Raises `LoadError` with the place in the file, or `OSError`."""
 

@@ -8,7 +8,7 @@ mod task;
 mod verification;
 
 use crate::console::Console;
-use crate::failure::{Failure, INTERRUPTED};
+use crate::failure::Failure;
 use crate::output;
 use crate::program;
 use crate::progress::Progress;
@@ -246,7 +246,7 @@ fn report(
             console.notice(&format!("stopped: {left} of {tasks} tasks are left; run it again"));
             // Machines that are taken away say so by SIGTERM: nothing is wrong then.
             match signal {
-                2 => std::process::exit(i32::from(INTERRUPTED)),
+                2 => Err(Failure::Interrupted),
                 _ => Ok(()),
             }
         }

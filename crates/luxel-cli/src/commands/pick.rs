@@ -15,7 +15,7 @@ use crate::values::{Rectangle, at as position, finite, lasso, rectangle};
 use clap::{Args, ValueEnum};
 use luxel::pick::{Inclusion, PickView, Picker, Quality};
 use luxel::render::At;
-use luxel::scene::Scene;
+use luxel::scene::{Scene, Size};
 use std::sync::Arc;
 
 /// Find the objects at a position, or in a region of the image
@@ -137,6 +137,7 @@ impl PickCommand {
             let message = "model and positions can't both be the standard input: use a file";
             return Err(Failure::Usage(message.to_owned()));
         }
+        self.query.check_place(self.frame.size)?;
         let mut model = model::load(&self.input, &self.execution, console)?;
         surface::apply_material(&self.material, &mut model.scene);
         // Regions report no normals.
@@ -176,6 +177,33 @@ pub(super) fn check_memory(scene: &Scene, quality: Quality, limit: u64) -> Resul
 }
 
 impl QueryOptions {
+    /// Refuses a position outside of the window, and a region of which no part lies in it.
+    fn check_place(&self, size: Size) -> Result<(), Failure> {
+        let PlaceOptions { at, rect, lasso } = &self.place;
+        if let Some(Positions::One(at)) = at {
+            at::check_inside(*at, size)?;
+        }
+        let corners = match (rect, lasso) {
+            (Some(Rectangle { x, y, width, height }), _) => vec![[*x, *y], [x + width, y + height]],
+            (None, Some(corners)) => corners.clone(),
+            (None, None) => return Ok(()),
+        };
+        let reaches = |axis: usize, side: u32| {
+            let places = corners.iter().map(|corner| corner[axis]);
+            let [low, high] = [
+                places.clone().fold(f64::INFINITY, f64::min),
+                places.fold(f64::NEG_INFINITY, f64::max),
+            ];
+            low < f64::from(side) && high > 0.0
+        };
+        let Size { width, height } = size;
+        if reaches(0, width) && reaches(1, height) {
+            return Ok(());
+        }
+        let message = format!("the region lies outside of the picture of {width}x{height} pixels");
+        Err(Failure::Usage(message))
+    }
+
     fn inclusion(&self) -> Inclusion {
         if self.enclosed { Inclusion::Enclosed } else { Inclusion::Touching }
     }

@@ -70,8 +70,8 @@ struct OutputOptions {
     bits: u8,
 
     /// Write a layer instead of the image: depth, z, normal, position, object, triangle,
-    /// barycentric, uv, ambient, diffuse, specular, emission, environment, fog, n_dot_l, openness,
-    /// shadow:NAME, light:NAME; may be repeated for an EXR
+    /// barycentric, uv, ambient, diffuse, specular, emission, environment, fog, n_dot_l, openness (or
+    /// ao), shadow:NAME, light:NAME; may be repeated for an EXR
     #[arg(long = "layer", value_name = "NAME")]
     layers: Vec<Layer>,
 
@@ -156,6 +156,14 @@ impl RenderCommand {
         (!self.more.is_empty()).then(|| all.collect())
     }
 
+    /// Checks the flags of the output before any work.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`]
+    pub(crate) fn check_output(&self) -> Result<(), Failure> {
+        Target::check(&self.output)
+    }
+
     /// The output file of a model.
     pub(crate) fn output_of(&self, model: &OsStr) -> OsString {
         self.output.of_model(model)
@@ -237,7 +245,8 @@ impl RenderCommand {
             let (view, said) = view::next_view(&options, edges, camera, scene, &mut exposure)?;
             said.iter().for_each(|said| console.notice(said));
             if number == 0 {
-                let idle = view::idle_flags(&view, &options.light);
+                let mut idle = view::idle_flags(&view, &options.light);
+                idle.extend(view::idle_layers(&view, &content.layers));
                 idle.iter().for_each(|said| console.warn(said));
                 warnings.extend(idle);
             }

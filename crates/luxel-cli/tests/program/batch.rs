@@ -23,7 +23,7 @@ fn many(count: u32) -> Vec<Value> {
     let task = |number: u32| {
         json!({
             "id": format!("task {number}"),
-            "model": if number % 2 == 0 { "square.ply" } else { "demo:plane" },
+            "model": if number.is_multiple_of(2) { "square.ply" } else { "demo:plane" },
             "views": [{"azimuth": number}, {"azimuth": number, "elevation": 60}],
             "size": "24x16",
             "samples": 1,
@@ -179,14 +179,14 @@ fn the_root_depends_on_workers_shards_archives_or_order() {
 
 #[test]
 fn tasks_of_the_same_content_end_a_run_into_archives_or_are_stored_twice() {
-    let copies = |task: &Value| {
-        (0..9).map(|copy| {
+    let copies = |task: Value| {
+        (0..9).map(move |copy| {
             let mut task = task.clone();
             task["id"] = json!(format!("{} {copy}", task["id"]));
             task
         })
     };
-    let tasks: Vec<Value> = many(20).iter().flat_map(copies).collect();
+    let tasks: Vec<Value> = many(20).into_iter().flat_map(copies).collect();
     let folder = folder_of(&tasks);
     let expected = root(&folder, "folder", &["--workers", "3"]);
     assert_eq!(root(&folder, "archives", &["--workers", "3", "--tar", "20K"]), expected);

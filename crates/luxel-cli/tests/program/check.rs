@@ -220,3 +220,15 @@ fn the_findings_in_public_models_are_the_known_ones() {
         assert_eq!(run.status, Some(if expected.is_empty() { 0 } else { 3 }), "{name}");
     }
 }
+
+#[test]
+fn twenty_thousand_marks_in_one_place_are_drawn_in_seconds() {
+    let folder = Folder::new();
+    let same = "f 1 2 3\n".repeat(20_000);
+    folder.write("same.obj", format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{same}"));
+    let start = std::time::Instant::now();
+    let run = folder.run(["check", "same.obj", "-o", "x.png"]);
+    assert_eq!(run.status, Some(3), "{}", run.stderr);
+    // Each alone takes two milliseconds, far more in a build for tests.
+    assert!(start.elapsed() < std::time::Duration::from_secs(30), "{:?}", start.elapsed());
+}

@@ -320,6 +320,8 @@ fn transparent_surfaces_are_listed_nearest_first() {
 #[test]
 fn a_position_outside_the_image_is_wrong_usage() {
     luxel("explain --size 20x10 --at 20,3").failed(2, "outside of the picture");
+    luxel("explain --size 20x10 --at 20.0,3").failed(2, "outside of the picture");
+    luxel("explain --size 20x10 --at 19.999,9.999").done();
     luxel("explain --at 3").failed(2, "two numbers");
     luxel("explain --size 20x10 --at 3,-1").failed(2, "pixel");
     luxel("explain --tolerance 3 --at 3,3").failed(2, "--shading subdivided");

@@ -190,7 +190,8 @@ fn text_in_utf_16_is_named_as_such() {
         let big: Vec<u8> = [0xfeff].into_iter().chain(units()).flat_map(u16::to_be_bytes).collect();
         for bytes in [little, big] {
             folder.write(name, bytes);
-            folder.run(["info", name]).failed(1, "text in UTF-16: save it as UTF-8");
+            let run = folder.run(["info", name]).failed(1, "text in UTF-16: save it as UTF-8");
+            assert!(!run.stderr.contains("damaged"), "{}", run.stderr);
         }
     }
 }
@@ -208,4 +209,17 @@ fn a_missing_buffer_is_not_called_damage() {
     let run = folder.run(["info", "a.gltf"]).failed(1, "`no.bin` can't be read: No such file");
     assert!(run.stderr.contains("the model needs this file"), "{}", run.stderr);
     assert!(!run.stderr.contains("damaged"), "{}", run.stderr);
+    #[cfg(unix)]
+    {
+        let made = std::process::Command::new("mkfifo").arg(folder.path("no.bin")).status();
+        assert!(made.is_ok_and(|status| status.success()), "mkfifo");
+        let run = folder
+            .run(["info", "a.gltf"])
+            .failed(1, "`no.bin` is not read: it is not a regular file");
+        assert!(!run.stderr.contains("damaged"), "{}", run.stderr);
+        std::fs::remove_file(folder.path("no.bin")).unwrap();
+    }
+    folder.write("no.bin", vec![0; 100_000]);
+    let run = folder.run(["info", "a.gltf", "--max-memory", "50K"]).failed(1, "--max-memory");
+    assert!(run.stderr.contains("no.bin") && !run.stderr.contains("damaged"), "{}", run.stderr);
 }

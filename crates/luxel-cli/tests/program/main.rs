@@ -25,5 +25,6 @@ mod program;
 mod render;
 mod samples;
 mod scene_files;
+mod up;
 mod usage;
 mod view;

@@ -112,3 +112,90 @@ fn a_file_beyond_the_limit_of_the_shell_is_an_error_like_a_full_disk() {
     assert!(message.contains("x.png: can't be written"), "{message}");
     assert!(folder.files().is_empty(), "{:?}", folder.files());
 }
+
+#[cfg(unix)]
+#[test]
+fn a_standard_output_beyond_the_limit_of_the_shell_is_an_error_like_a_full_disk() {
+    let folder = Folder::new();
+    let many = "o x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".repeat(100);
+    folder.write("many.obj", many);
+    for line in ["render demo:teapot --size 640x480 -o -", "info many.obj --json"] {
+        let (status, message) = shell(&folder, &format!("ulimit -f 1 && \"$0\" {line} > x"));
+        assert_eq!(status, Some(1), "{line}: {message}");
+        assert!(message.contains("standard output: "), "{line}: {message}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn files_beside_the_model_that_are_pipes_are_errors_and_never_block() {
+    let folder = Folder::new();
+    let made = std::process::Command::new("mkfifo").arg(folder.path("pipe")).status();
+    assert!(made.is_ok_and(|status| status.success()), "mkfifo");
+    for line in ["navigate --replay pipe", "render --path pipe -o x.png"] {
+        folder.run(line.split(' ')).failed(1, "pipe: this is not a regular file");
+    }
+    #[cfg(feature = "viewer")]
+    folder.run(["view", "--keys", "pipe"]).failed(1, "pipe: this is not a regular file");
+    folder.write("m.obj", "mtllib pipe\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let run = folder.run(["info", "m.obj"]).failed(1, "library `pipe` is not read");
+    assert!(run.stderr.contains("put a regular file"), "{}", run.stderr);
+    assert!(!run.stderr.contains("damaged"), "{}", run.stderr);
+}
+
+#[test]
+fn the_flags_of_several_models_are_checked_before_any_work() {
+    let folder = Folder::new();
+    let line = "render demo:plane demo:teapot -o out/{stem}";
+    folder.run(line.split(' ')).failed(2, "--output needs an extension");
+    assert!(folder.files().is_empty(), "{:?}", folder.files());
+}
+
+#[test]
+fn layers_of_light_that_nothing_keeps_away_are_warned_of() {
+    let folder = Folder::new();
+    let size = "render demo:plane --size 16x12 -o x.exr";
+    let run = |flags: &str| {
+        let run = folder.run(format!("{size} {flags}").split(' '));
+        assert_eq!(run.status, Some(0), "{}", run.stderr);
+        run.stderr
+    };
+    let light = "--light directional:dir=0,-1,0:name=sun";
+    let both = format!("{light} --layer ao --layer shadow:sun");
+    let said = run(&both);
+    assert!(said.contains("the layer openness is 1 everywhere"), "{said}");
+    assert!(said.contains("the layer shadow:sun is 1 everywhere"), "{said}");
+    assert_eq!(run(&format!("{both} --ao --shadows")), "");
+    let line = format!("{size} {light} --layer shadow:nope");
+    folder.run(line.split(' ')).failed(1, "light `nope`: use `sun`");
+    let line = format!("{size} --layer ao --layer openness");
+    folder.run(line.split(' ')).failed(2, "the layer `openness` is given twice");
+}
+
+#[test]
+fn environments_that_cannot_be_read_have_a_remedy_of_their_own() {
+    let folder = Folder::new();
+    let line = |file: &str| format!("render --size 8x8 -o x.png --environment {file}");
+    let run = folder.run(line("gone.hdr").split(' ')).failed(1, "gone.hdr");
+    assert!(run.stderr.contains("check the name of the environment"), "{}", run.stderr);
+    // The largest window that a header can declare.
+    let attribute = |name: &str, kind: &str, value: &[u8]| {
+        let length = (value.len() as u32).to_le_bytes();
+        [name.as_bytes(), b"\0", kind.as_bytes(), b"\0", &length, value].concat()
+    };
+    let channel = |name: &str| {
+        [name.as_bytes(), b"\0", &2_u32.to_le_bytes(), &[0; 4], &[1, 0, 0, 0, 1, 0, 0, 0]].concat()
+    };
+    let channels = [channel("B"), channel("G"), channel("R"), vec![0]].concat();
+    let window = [i32::MIN, i32::MIN, i32::MAX, i32::MAX].map(i32::to_le_bytes).concat();
+    let header = [
+        &[0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0][..],
+        &attribute("channels", "chlist", &channels),
+        &attribute("compression", "compression", &[0]),
+        &attribute("dataWindow", "box2i", &window),
+        &[0],
+    ];
+    folder.write("huge.exr", header.concat());
+    let run = folder.run(line("huge.exr").split(' ')).failed(1, "huge.exr");
+    assert!(!run.stderr.contains("0x0"), "{}", run.stderr);
+}

@@ -58,7 +58,7 @@ fn a_hit_has_every_key_that_scripts_rely_on() {
 #[test]
 fn a_pick_without_hits_succeeds() {
     let folder = square();
-    for at in ["20,20", "-0.001,3.5", "399,299", "399.998,5"] {
+    for at in ["20,20", "-0.001,3.5", "399,299", "399.998,5", "399.999,299.9999"] {
         let document = run(&folder, &format!("pick square.ply --json --at {at}")).json();
         assert_eq!(document["hits"], json!([]), "{at}");
     }
@@ -70,9 +70,13 @@ fn a_pick_without_hits_succeeds() {
 #[test]
 fn a_position_outside_of_the_window_is_wrong_usage() {
     let folder = square();
-    for at in ["-5.5,3.5", "-0.01,3.5", "400,5", "399.999,5", "5,300", "1e9,1e9"] {
+    for at in ["-5.5,3.5", "-0.01,3.5", "400,5", "400.0,5", "5,300", "1e9,1e9"] {
         run(&folder, &format!("pick square.ply --at {at}")).failed(2, "outside of the picture");
     }
+    for region in ["--rect 2000,2000,10,10", "--rect -9,5,9,9", "--lasso 5,300,9,300,7,400"] {
+        run(&folder, &format!("pick square.ply {region}")).failed(2, "outside of the picture");
+    }
+    run(&folder, "pick square.ply --rect -9,5,9.5,9").done();
     let line = ["pick", "square.ply", "--size", "400x300", "--at", "-"];
     let run = folder.run_with_input(line, b"20,20\n400,5\n30,30\n");
     assert_eq!(run.status, Some(2));

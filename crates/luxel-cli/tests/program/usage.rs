@@ -170,6 +170,8 @@ fn incomplete_and_unknown_commands_are_wrong_usage() {
 
 #[test]
 fn a_command_that_is_misspelt_or_left_out_is_suggested() {
+    luxel("help rendr").failed(2, "did you mean `luxel help render`?");
+    luxel("help render").done();
     luxel("rendr a.glb -o a.png").failed(2, "did you mean `luxel render`?");
     luxel("-q chekc a.glb").failed(2, "did you mean `luxel check`?");
     luxel("a.glb -o a.png").failed(2, "did you mean `luxel render a.glb -o a.png`?");

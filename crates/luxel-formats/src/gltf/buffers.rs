@@ -164,26 +164,36 @@ impl<'a> Buffers<'a> {
             Target::Data(bytes) => return Ok(bytes),
             Target::File { decoded, literal } => (decoded, literal),
         };
-        let path = uri::file_in(self.folder, &decoded, &literal)
-            .map_err(|message| malformed(pointer, message))?;
-        let because = |what: &dyn std::fmt::Display| {
-            malformed(pointer, format!("`{decoded}` can't be read: {what}"))
-        };
-        let metadata = std::fs::metadata(&path).map_err(|error| {
+        let path = uri::file_in(self.folder, &decoded, &literal).map_err(|refusal| {
+            // Nothing is there, or a model without a folder asks for it.
+            let is_missing = !refusal.is_there && self.folder.is_some();
+            let kind = match refusal.into() {
+                ErrorKind::Reference(message) if is_missing => ErrorKind::Malformed(message),
+                kind => kind,
+            };
+            Error::at(place(), kind)
+        })?;
+        let unreadable = |error: &std::io::Error| {
             let what = format!("`{decoded}` can't be read: {error}");
             Error::at(place(), std::io::Error::new(error.kind(), what).into())
-        })?;
-        if !metadata.is_file() {
-            return Err(because(&"it is not a file"));
-        }
-        self.memory.take("a file beside the document", metadata.len(), 1, place())?;
-        files::read_file(&path, &self.memory.left())
-            .map_err(|error| because(&error.kind).with_hint(error.hint()))
+        };
+        let metadata = std::fs::metadata(&path).map_err(|error| unreadable(&error))?;
+        let what = format!("`{decoded}`");
+        self.memory.take(&what, metadata.len(), 1, place())?;
+        files::read_file(&path, &self.memory.left()).map_err(|error| match error.kind {
+            ErrorKind::Io(error) => unreadable(&error),
+            kind => Error::at(place(), kind),
+        })
     }
 
     /// The document that owns the buffers.
     pub(crate) const fn document(&self) -> &'a Document {
         self.document
+    }
+
+    /// Whether there is a folder for files beside the document.
+    pub(crate) const fn has_folder(&self) -> bool {
+        self.folder.is_some()
     }
 
     /// The remaining memory budget.

@@ -46,7 +46,7 @@ pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Sc
         scene.materials.push(materials::convert(material, index, &mut textures, warnings)?);
     }
     scene.materials.extend(materials::defaults(&default_materials));
-    scene.textures = textures.load(&mut scene.materials, warnings);
+    scene.textures = textures.load(&mut scene.materials, warnings)?;
     Ok(scene)
 }
 

@@ -2,7 +2,7 @@
 
 use super::buffers::{Buffers, item};
 use crate::warnings::Warnings;
-use crate::{Error, Limits, Place, Warning, image};
+use crate::{Error, ErrorKind, Limits, Place, Warning, image};
 use luxel_gltf::{Index, Sampler as FileSampler};
 use luxel_scene::{
     Encoding, Filter, Image, Sampler, SceneMaterial, Texture, TextureId, TextureUse, Wrap,
@@ -72,7 +72,8 @@ impl<'b, 'd> Textures<'b, 'd> {
         })))
     }
 
-    /// Reads and decodes the images in parallel. A placeholder replaces an unreadable one.
+    /// Reads and decodes the images in parallel. A placeholder replaces a missing or damaged one; one that
+    /// is not a regular file in the document's folder is an error.
     ///
     /// A placeholder shows where a colour is missing; as bumps or roughness it would mislead, so
     /// materials lose textures of those kinds.
@@ -80,9 +81,9 @@ impl<'b, 'd> Textures<'b, 'd> {
         self,
         materials: &mut [SceneMaterial],
         warnings: &mut Warnings,
-    ) -> Vec<Texture> {
+    ) -> Result<Vec<Texture>, Error> {
         let names: Vec<_> = self.images.iter().map(|&(index, _)| self.name(index)).collect();
-        let decoded = self.decoded(&names);
+        let decoded = self.decoded(&names)?;
         let failed: Vec<_> = decoded.iter().map(Result::is_err).collect();
         for material in materials {
             let parts =
@@ -107,21 +108,22 @@ impl<'b, 'd> Textures<'b, 'd> {
             })
             .collect();
         let textures = self.textures.iter();
-        textures
+        Ok(textures
             .map(|&(image, sampler)| Texture { image: Arc::clone(&images[image]), sampler })
-            .collect()
+            .collect())
     }
 
     /// Decodes the images in parallel, each within a share of the memory left. An image that
     /// exceeds its share is retried alone, so that the result doesn't depend on the thread count.
-    fn decoded(&self, names: &[String]) -> Vec<Result<Image, Warning>> {
+    fn decoded(&self, names: &[String]) -> Result<Vec<Result<Image, Warning>>, Error> {
         let memory = self.buffers.memory();
         let at_once = 4 * luxel_parallel::threads();
         let mut decoded = Vec::with_capacity(names.len());
         for (images, names) in self.images.chunks(at_once).zip(names.chunks(at_once)) {
             let left = memory.left();
             let share = Limits { max_memory: left.max_memory / images.len() as u64, ..left };
-            let encoded: Vec<_> = images.iter().map(|&(index, _)| self.encoded(index)).collect();
+            let encoded = images.iter().map(|&(index, _)| self.encoded(index));
+            let encoded = encoded.collect::<Result<Vec<_>, _>>()?;
             let decode = |limits: &Limits, name: &str, place: usize| {
                 let bytes = encoded[place].as_ref().map_err(Clone::clone)?;
                 image::decode(name, bytes, images[place].1, limits)
@@ -139,7 +141,7 @@ impl<'b, 'd> Textures<'b, 'd> {
                 }));
             }
         }
-        decoded
+        Ok(decoded)
     }
 
     /// The name in the document, else that of the file, else the number.
@@ -155,8 +157,8 @@ impl<'b, 'd> Textures<'b, 'd> {
             .unwrap_or_else(of_number)
     }
 
-    /// The bytes of an image file.
-    fn encoded(&self, index: Index) -> Result<Cow<'_, [u8]>, Warning> {
+    /// The bytes of an image file, or why a placeholder stands in for it.
+    fn encoded(&self, index: Index) -> Result<Result<Cow<'_, [u8]>, Warning>, Error> {
         let image = &self.buffers.document().images[index as usize];
         let pointer = format!("/images/{index}");
         let bytes = match (&image.uri, image.buffer_view) {
@@ -164,9 +166,16 @@ impl<'b, 'd> Textures<'b, 'd> {
             (None, Some(view)) => {
                 self.buffers.view(view, &|| pointer.clone()).map(|view| Cow::Borrowed(view.bytes))
             }
-            (None, None) => return Err("it has neither `uri` nor `bufferView`".into()),
+            (None, None) => return Ok(Err("it has neither `uri` nor `bufferView`".into())),
         };
-        bytes.map_err(|error| Warning { hint: error.hint(), ..error.kind.into() })
+        match bytes {
+            Err(error)
+                if matches!(error.kind, ErrorKind::Reference(_)) && self.buffers.has_folder() =>
+            {
+                Err(error)
+            }
+            bytes => Ok(bytes.map_err(|error| Warning { hint: error.hint(), ..error.kind.into() })),
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! URIs of buffers and images: embedded data, or a file within the document's folder
 //! (glTF 2.0 specification, section 2.8).
 
-use crate::files;
+use crate::files::{self, Refusal};
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use std::path::{Path, PathBuf};
@@ -56,16 +56,20 @@ pub(crate) fn file_in(
     folder: Option<&Path>,
     decoded: &str,
     literal: &str,
-) -> Result<PathBuf, String> {
-    let path = files::within(folder, decoded).map_err(|message| shortened(&message))?;
-    let as_written = files::within(folder, literal).map_err(|message| shortened(&message))?;
+) -> Result<PathBuf, Refusal> {
+    let path = files::within(folder, decoded).map_err(shortened_message)?;
+    let as_written = files::within(folder, literal).map_err(shortened_message)?;
     let (path, name) = if !path.is_file() && as_written.is_file() {
         (as_written, literal)
     } else {
         (path, decoded)
     };
-    files::check_reference(folder, &path, name).map_err(|message| shortened(&message))?;
+    files::check_reference(folder, &path, name).map_err(shortened_message)?;
     Ok(path)
+}
+
+fn shortened_message(refusal: Refusal) -> Refusal {
+    Refusal { message: shortened(&refusal.message), ..refusal }
 }
 
 /// Shortens very long names for messages.
@@ -110,6 +114,7 @@ mod tests {
         match resolve(uri)? {
             Target::File { decoded, literal } => {
                 file_in(Some(Path::new("folder")), &decoded, &literal)
+                    .map_err(|refusal| refusal.message)
             }
             Target::Data(_) => panic!("{uri} is not a data URI"),
         }

@@ -2,6 +2,7 @@
 
 use super::document::{Document, Kind, NONE};
 use super::materials::Materials;
+use crate::Error;
 use crate::text::shown;
 use crate::warnings::{Warnings, warn_of_faces_left_out};
 use crate::weld::Welder;
@@ -15,7 +16,7 @@ pub(super) fn objects(
     materials: &mut Materials<'_>,
     scene: &mut Scene,
     warnings: &mut Warnings,
-) {
+) -> Result<(), Error> {
     let mut builder = Builder {
         document,
         local: vec![NONE; document.positions.len()],
@@ -28,7 +29,7 @@ pub(super) fn objects(
     let mut joiner = Joiner::new(ranges.len());
     for (name, elements) in ranges {
         let name = if name.is_empty() { stem.to_owned() } else { shown(name) };
-        if let Some(mesh) = builder.mesh(elements, &name, materials, warnings) {
+        if let Some(mesh) = builder.mesh(elements, &name, materials, warnings)? {
             joiner.push(name, mesh);
         }
     }
@@ -38,6 +39,7 @@ pub(super) fn objects(
         let count = builder.too_small;
         warnings.push(format!("faces with fewer than three corners were left out: {count}"));
     }
+    Ok(())
 }
 
 /// The elements of each object, with its name. Objects come from `o`, or from `g` in a file
@@ -97,7 +99,7 @@ impl Builder<'_> {
         name: &str,
         materials: &mut Materials<'_>,
         warnings: &mut Warnings,
-    ) -> Option<Mesh> {
+    ) -> Result<Option<Mesh>, Error> {
         let document = self.document;
         let mut object = Object::default();
         let mut has_polygons = false;
@@ -149,7 +151,7 @@ impl Builder<'_> {
             self.local[position as usize] = NONE;
         }
         if object.used.is_empty() {
-            return None;
+            return Ok(None);
         }
         let mut mesh = Mesh::default();
         let positions: Vec<_> =
@@ -163,8 +165,8 @@ impl Builder<'_> {
         set_attributes(&mut mesh, document, &object, name, warnings);
         // Materials may take as much again.
         object.corners = Vec::new();
-        set_materials(&mut mesh, &object, materials, warnings);
-        Some(mesh)
+        set_materials(&mut mesh, &object, materials, warnings)?;
+        Ok(Some(mesh))
     }
 
     /// Positions beyond single precision count as not finite.
@@ -281,29 +283,30 @@ fn set_materials(
     object: &Object,
     materials: &mut Materials<'_>,
     warnings: &mut Warnings,
-) {
+) -> Result<(), Error> {
     let is_colored = !mesh.colors.is_empty();
     let mut material = |number: u32| materials.get(number, is_colored, warnings);
     let mut first = 0;
     mesh.parts.reserve_exact(object.runs.len());
     for &(number, count) in &object.runs {
-        mesh.parts.push(Part { first, count, material: material(number) });
+        mesh.parts.push(Part { first, count, material: material(number)? });
         first += count;
     }
     for &(number, ends) in &object.segments {
-        let material = material(number);
+        let material = material(number)?;
         match mesh.lines.last_mut() {
             Some(lines) if lines.material == material => lines.segments.push(ends),
             _ => mesh.lines.push(Lines { segments: vec![ends], material }),
         }
     }
     for &(number, point) in &object.points {
-        let material: MaterialId = material(number);
+        let material: MaterialId = material(number)?;
         match mesh.points.last_mut() {
             Some(points) if points.material == material => points.indices.push(point),
             _ => mesh.points.push(Points { indices: vec![point], material }),
         }
     }
+    Ok(())
 }
 
 /// The fault of the normals that an object uses. The document lists faults in the order of its

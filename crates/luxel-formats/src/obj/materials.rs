@@ -14,11 +14,12 @@
 //!   white, and blends otherwise.
 
 use super::mtl::{self, Definition, Map, Maps};
+use crate::files::Refusal;
 use crate::image;
 use crate::memory::Memory;
 use crate::text::shown;
 use crate::warnings::Warnings;
-use crate::{Error, Limits, Place, Warning, files};
+use crate::{Error, ErrorKind, Format, Limits, Place, Warning, files};
 use luxel_lighting::Reflection;
 use luxel_scene::{
     AlphaMode, Encoding, Image, MaterialId, Sampler, SceneMaterial, Texture, TextureId, TextureUse,
@@ -62,13 +63,13 @@ impl<'a> Materials<'a> {
         folder: Option<&'a Path>,
         limits: &'a Limits,
         warnings: &mut Warnings,
-    ) -> Self {
+    ) -> Result<Self, Error> {
         let mut definitions = Vec::new();
         definitions.resize_with(names.len(), || None);
         let numbers: HashMap<&[u8], usize> = names.iter().copied().zip(0..).collect();
         let mut files = Libraries { folder, memory: Memory::new(limits), seen: HashSet::new() };
         for line in libraries {
-            for (name, bytes) in files.of_line(line, warnings) {
+            for (name, bytes) in files.of_line(line, warnings)? {
                 mtl::read(&bytes, &name, warnings, &mut |name, definition| {
                     // The first definition wins: libraries are searched in order.
                     if let Some(&number) = numbers.get(name) {
@@ -77,7 +78,7 @@ impl<'a> Materials<'a> {
                 });
             }
         }
-        Self {
+        Ok(Self {
             folder,
             memory: files.memory,
             names,
@@ -86,7 +87,7 @@ impl<'a> Materials<'a> {
             textures: Vec::new(),
             made: vec![[None; 2]; names.len() + 1],
             loaded: HashMap::new(),
-        }
+        })
     }
 
     /// A material of the file, for a mesh with or without vertex colours.
@@ -95,15 +96,15 @@ impl<'a> Materials<'a> {
         number: u32,
         is_colored: bool,
         warnings: &mut Warnings,
-    ) -> MaterialId {
+    ) -> Result<MaterialId, Error> {
         let number = (number as usize).min(self.names.len());
         if let Some(made) = self.made[number][usize::from(is_colored)] {
-            return made;
+            return Ok(made);
         }
         let name = self.names.get(number).copied();
         let definition = self.definitions.get_mut(number).and_then(Option::take);
         let mut material = match (&definition, name) {
-            (Some(definition), _) => self.make(definition, number, warnings),
+            (Some(definition), _) => self.make(definition, number, warnings)?,
             (None, name) => {
                 if let Some(name) = name {
                     let name = shown(name);
@@ -127,7 +128,7 @@ impl<'a> Materials<'a> {
         if definition.is_some() {
             *made = [Some(id); 2];
         }
-        id
+        Ok(id)
     }
 
     fn make(
@@ -135,7 +136,7 @@ impl<'a> Materials<'a> {
         definition: &Definition,
         number: usize,
         warnings: &mut Warnings,
-    ) -> SceneMaterial {
+    ) -> Result<SceneMaterial, Error> {
         let none = Maps::default();
         let maps = definition.maps.as_deref().unwrap_or(&none);
         let mut material = SceneMaterial::default();
@@ -171,11 +172,11 @@ impl<'a> Materials<'a> {
         if material.opacity < 1.0 {
             material.alpha_mode = AlphaMode::Blend;
         }
-        self.set_maps(maps, number, &mut material, warnings);
+        self.set_maps(maps, number, &mut material, warnings)?;
         if maps.ambient.is_none() && definition.ambient.is_some() {
             material.ambient.clone_from(&material.base_color);
         }
-        material
+        Ok(material)
     }
 
     fn set_maps(
@@ -184,17 +185,17 @@ impl<'a> Materials<'a> {
         number: usize,
         material: &mut SceneMaterial,
         warnings: &mut Warnings,
-    ) {
-        let mut get = |map: &Option<Map>, used: Use| {
-            map.as_ref().map(|map| Box::new(self.texture(map, used, warnings)))
+    ) -> Result<(), Error> {
+        let mut get = |map: &Option<Map>, used: Use| -> Result<_, Error> {
+            map.as_ref().map(|map| self.texture(map, used, warnings).map(Box::new)).transpose()
         };
-        material.base_color = get(&maps.diffuse, Use::Color);
-        material.specular = get(&maps.specular, Use::Color);
-        material.emission = get(&maps.emission, Use::Color);
-        material.opacity_map = get(&maps.opacity, Use::Opacity);
-        material.normal = get(&maps.normal, Use::Normal);
-        material.ambient = get(&maps.ambient, Use::Color);
-        let bump = get(&maps.bump, Use::Normal);
+        material.base_color = get(&maps.diffuse, Use::Color)?;
+        material.specular = get(&maps.specular, Use::Color)?;
+        material.emission = get(&maps.emission, Use::Color)?;
+        material.opacity_map = get(&maps.opacity, Use::Opacity)?;
+        material.normal = get(&maps.normal, Use::Normal)?;
+        material.ambient = get(&maps.ambient, Use::Color)?;
+        let bump = get(&maps.bump, Use::Normal)?;
         if let Some(bump) = bump.filter(|_| material.normal.is_none()) {
             if is_normal_map(self.level(&bump)) {
                 material.normal = Some(bump);
@@ -215,6 +216,7 @@ impl<'a> Materials<'a> {
                 _ => mode,
             };
         }
+        Ok(())
     }
 
     fn level(&self, used: &TextureUse) -> &[[u8; 4]] {
@@ -222,11 +224,22 @@ impl<'a> Materials<'a> {
         texture.and_then(|texture| texture.image.levels.first()).map_or(&[], |level| &level.texels)
     }
 
-    /// Loads a texture, or a placeholder.
-    fn texture(&mut self, map: &Map, used: Use, warnings: &mut Warnings) -> TextureUse {
+    /// Loads a texture, or a placeholder for one that is missing or damaged.
+    fn texture(
+        &mut self,
+        map: &Map,
+        used: Use,
+        warnings: &mut Warnings,
+    ) -> Result<TextureUse, Error> {
         let key = (map.name.clone(), used, map.clamp);
-        let texture = self.loaded.get(&key).copied().unwrap_or_else(|| {
-            let image = self.image(&map.name, used).unwrap_or_else(|warning| {
+        let texture = if let Some(loaded) = self.loaded.get(&key) {
+            *loaded
+        } else {
+            let image = match files::referenced(self.folder, &map.name) {
+                Ok(path) => self.image(&path, &map.name, used),
+                Err(refusal) => Err(missing("texture", refusal)?),
+            };
+            let image = image.unwrap_or_else(|warning| {
                 warnings.push(warning.at(format_args!("texture `{}`", map.name)));
                 match used {
                     Use::Color => Image::stand_in(map.name.clone()),
@@ -244,17 +257,16 @@ impl<'a> Materials<'a> {
             self.textures.push(Texture { image: Arc::new(image), sampler });
             self.loaded.insert(key, id);
             id
-        });
+        };
         let ([su, sv], [ou, ov]) = (map.scale, map.offset);
         // MTL's v' = sv v + ov points up, ours down.
         let transform = [su, 0.0, ou, 0.0, sv, 1.0 - sv - ov];
-        TextureUse { transform, strength: map.strength, ..TextureUse::new(texture) }
+        Ok(TextureUse { transform, strength: map.strength, ..TextureUse::new(texture) })
     }
 
-    fn image(&self, name: &str, used: Use) -> Result<Image, Warning> {
-        let path = files::referenced(self.folder, name)?;
+    fn image(&self, path: &Path, name: &str, used: Use) -> Result<Image, Warning> {
         let limits = self.memory.left();
-        let bytes = files::read_file(&path, &limits).map_err(|error| Warning::from(error.kind))?;
+        let bytes = files::read_file(path, &limits).map_err(|error| Warning::from(error.kind))?;
         let encoding = if used == Use::Color { Encoding::Srgb } else { Encoding::Linear };
         let mut image = image::decode(name, &bytes, encoding, &limits)?;
         let texels = image.levels[0].texels.len() as u64;
@@ -268,6 +280,16 @@ impl<'a> Materials<'a> {
         }
         Ok(image)
     }
+}
+
+/// The warning of something that is not there; the error of something else than a regular file in the
+/// model's folder.
+fn missing(what: &str, refusal: Refusal) -> Result<Warning, Error> {
+    if refusal.is_there {
+        let message = format!("{what} {}", refusal.message);
+        return Err(Error::at(Place::File, ErrorKind::Reference(message)));
+    }
+    Ok(refusal.message.into())
 }
 
 fn one_texel(name: &str, texel: [u8; 4]) -> Image {
@@ -290,33 +312,43 @@ enum Library {
 
 impl Libraries<'_> {
     /// The files that a `mtllib` line names: one whose name has spaces, or several.
-    fn of_line(&mut self, line: &[u8], warnings: &mut Warnings) -> Vec<(String, Vec<u8>)> {
+    fn of_line(
+        &mut self,
+        line: &[u8],
+        warnings: &mut Warnings,
+    ) -> Result<Vec<(String, Vec<u8>)>, Error> {
         let whole = String::from_utf8_lossy(line).into_owned();
         let names: Vec<_> = whole.split_ascii_whitespace().collect();
-        let mut read = |name: &str, warns: bool| match self.read(name) {
-            Ok(library) => Some((name.to_owned(), library)),
-            Err(warning) => {
-                if warns {
-                    let what = "its materials are left out";
-                    warnings.push(warning.at(format_args!("library `{name}`: {what}")));
+        let mut read = |name: &str, warns: bool| -> Result<_, Error> {
+            let library = match files::referenced(self.folder, name) {
+                Ok(path) => self.read(path),
+                Err(refusal) => Err(missing("library", refusal)?),
+            };
+            Ok(match library {
+                Ok(library) => Some((name.to_owned(), library)),
+                Err(warning) => {
+                    if warns {
+                        let what = "its materials are left out";
+                        warnings.push(warning.at(format_args!("library `{name}`: {what}")));
+                    }
+                    None
                 }
-                None
+            })
+        };
+        let mut found = Vec::from_iter(read(&whole, names.len() < 2)?);
+        if found.is_empty() && names.len() > 1 {
+            for name in names {
+                found.extend(read(name, true)?);
             }
-        };
-        let read = match read(&whole, names.len() < 2) {
-            Some(file) => vec![file],
-            None if names.len() < 2 => Vec::new(),
-            None => names.into_iter().filter_map(|name| read(name, true)).collect(),
-        };
-        let files = read.into_iter().filter_map(|(name, library)| match library {
+        }
+        let files = found.into_iter().filter_map(|(name, library)| match library {
             Library::Read(bytes) => Some((name, bytes)),
             Library::Known => None,
         });
-        files.collect()
+        Ok(files.collect())
     }
 
-    fn read(&mut self, name: &str) -> Result<Library, Warning> {
-        let path = files::referenced(self.folder, name)?;
+    fn read(&mut self, path: PathBuf) -> Result<Library, Warning> {
         if self.seen.contains(&path) {
             return Ok(Library::Known);
         }
@@ -324,6 +356,7 @@ impl Libraries<'_> {
         let bytes = files::read_file(&path, &self.memory.left()).map_err(because)?;
         let taken = self.memory.take("the libraries", bytes.len() as u64, 1, Place::File);
         taken.map_err(because)?;
+        Format::Obj.check_not_utf16(&bytes).map_err(because)?;
         self.seen.insert(path);
         Ok(Library::Read(bytes))
     }

@@ -217,8 +217,8 @@ fn textures_are_found_with_spaces_options_and_backslashes() {
 }
 
 #[test]
-fn missing_textures_and_paths_out_of_the_folder_get_placeholders() {
-    let mtl = b"newmtl a\nmap_Kd ../up.png\nmap_Ks /etc/passwd\nmap_d gone.png\nbump m.mtl\n";
+fn textures_that_are_missing_or_damaged_get_placeholders() {
+    let mtl = b"newmtl a\nmap_Kd ../up.png\nmap_Ks C:\\wood.png\nmap_d gone.png\nbump m.mtl\n";
     let folder = Folder::new("outside", &[("m.mtl", mtl)]);
     let loaded = folder.load(&quad("mtllib m.mtl\nusemtl a\nf 1 2 3\n"));
     assert_eq!(loaded.scene.textures.len(), 4);
@@ -288,7 +288,7 @@ proptest! {
 
 #[cfg(unix)]
 #[test]
-fn references_to_what_is_no_regular_file_or_leads_out_are_warnings_and_never_block() {
+fn references_to_what_is_no_regular_file_or_leads_out_are_errors_and_never_block() {
     let secret = Folder::new("secret", &[("secret.mtl", b"newmtl m\nKd 1 0 0\n")]);
     let folder = Folder::new("references", &[]);
     let at = |name: &str| folder.0.join(name);
@@ -299,18 +299,46 @@ fn references_to_what_is_no_regular_file_or_leads_out_are_warnings_and_never_blo
     std::os::unix::fs::symlink(secret.0.join("secret.mtl"), at("outside.mtl")).unwrap();
     std::fs::write(at("own.mtl"), "newmtl m\nKd 0 1 0\n").unwrap();
     std::os::unix::fs::symlink("own.mtl", at("inside.mtl")).unwrap();
-    for (library, what) in [
+    std::os::unix::fs::symlink("circle.mtl", at("circle.mtl")).unwrap();
+    std::os::unix::fs::symlink("nothing.mtl", at("dangling.mtl")).unwrap();
+    let above = format!("../{}/secret.mtl", secret.0.file_name().unwrap().to_str().unwrap());
+    let absolute = secret.0.join("secret.mtl");
+    let error = |text: &str| {
+        let read = read(text.as_bytes(), "m", Some(&folder.0), &Limits::default());
+        read.expect_err(text).to_string()
+    };
+    for (name, what) in [
         ("pipe.mtl", "it is not a regular file"),
         ("folder.mtl", "it is not a regular file"),
+        ("none.mtl folder.mtl", "it is not a regular file"),
         ("device.mtl", "a link leads out of the model's folder"),
         ("outside.mtl", "a link leads out of the model's folder"),
+        ("circle.mtl", "is not read: "),
+        (&above, "it leads out of the model's folder"),
+        (absolute.to_str().unwrap(), "it leads out of the model's folder"),
+        ("/dev/zero", "it leads out of the model's folder"),
     ] {
-        let loaded = folder.load(&quad(&format!("mtllib {library}\nusemtl m\nf 1 2 3\n")));
-        let messages: Vec<_> = loaded.warnings.iter().map(ToString::to_string).collect();
-        assert!(messages[0].contains(what), "{library}: {messages:?}");
+        let own = name.rsplit(' ').next().unwrap();
+        let message = error(&quad(&format!("mtllib {name}\nusemtl m\nf 1 2 3\n")));
+        assert!(message.contains(what) && message.contains(own), "{name}: {message}");
+        if !name.contains(' ') {
+            std::fs::write(at("textured.mtl"), format!("newmtl m\nmap_Kd {name}\n")).unwrap();
+            let message = error(&quad("mtllib textured.mtl\nusemtl m\nf 1 2 3\n"));
+            assert!(message.contains(what) && message.contains(own), "{name}: {message}");
+        }
     }
+    let loaded = folder.load(&quad("mtllib dangling.mtl ../nothing.mtl\nf 1 2 3\n"));
+    assert_eq!(loaded.warnings.len(), 2, "{:?}", loaded.warnings);
     let loaded = folder.load(&quad("mtllib inside.mtl\nusemtl m\nf 1 2 3\n"));
     assert_eq!(loaded.scene.materials[0].constants.diffuse, [0.0, 1.0, 0.0]);
+}
+
+#[test]
+fn a_library_in_utf16_is_named_as_such() {
+    let text: Vec<u8> = "newmtl m\nKd 1 0 0\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let folder = Folder::new("utf16", &[("a.mtl", &text)]);
+    let loaded = folder.load(&quad("mtllib a.mtl\nusemtl m\nf 1 2 3\n"));
+    assert!(loaded.warnings[0].message.contains("UTF-16"), "{:?}", loaded.warnings);
 }
 
 #[test]

@@ -91,8 +91,8 @@ fn open_source(
             table.error_at("source", message)
         });
     }
-    let path =
-        files::referenced(folder, name).map_err(|message| table.error_at("source", message))?;
+    let path = files::referenced(folder, name)
+        .map_err(|refusal| table.error_at("source", refusal.message))?;
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         let message =
             format!("`{name}` is a scene file, and scene files can't contain scene files");

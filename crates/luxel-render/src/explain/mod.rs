@@ -50,21 +50,23 @@ impl At {
         let (pixel, sample) = match self {
             Self::Pixel(pixel) => (pixel, None),
             Self::Point(point) => {
-                let steps = point.map(|side| (side * f64::from(SUBPIXELS)).round());
-                // NaN is in no range.
-                let within = |steps: f64, side: u32| {
-                    (0.0..f64::from(side) * f64::from(SUBPIXELS)).contains(&steps)
-                };
-                if !within(steps[0], size.width) || !within(steps[1], size.height) {
-                    return None;
-                }
-                let steps = steps.map(|steps| steps as i32);
+                let steps = steps_of(point, size)?;
                 let pixel = steps.map(|steps| (steps / SUBPIXELS) as u32);
                 (pixel, Some(steps.map(|steps| steps % SUBPIXELS)))
             }
         };
         (pixel[0] < size.width && pixel[1] < size.height).then_some((pixel, sample))
     }
+}
+
+/// A place of the window in steps of 1/256 pixel, the nearest ones in the window; `None` outside of it.
+fn steps_of([x, y]: [f64; 2], size: Size) -> Option<[i32; 2]> {
+    let steps = |place: f64, side: u32| {
+        let step = (place * f64::from(SUBPIXELS)).round();
+        let is_inside = step >= 0.0 && place < f64::from(side);
+        is_inside.then(|| (step as i32).min(side as i32 * SUBPIXELS - 1))
+    };
+    Some([steps(x, size.width)?, steps(y, size.height)?])
 }
 
 impl Renderer {

@@ -2,6 +2,7 @@
 //! next to a pixel that nothing covers. Both by the frame's own fill rule, tile by tile.
 
 use super::ledger::{ExplainedSample, Explanation, Seen};
+use super::steps_of;
 use crate::context::Heard;
 use crate::frame::{RenderError, Renderer};
 use luxel_math::SUBPIXELS;
@@ -67,13 +68,7 @@ impl Renderer {
     /// # Errors
     /// [`RenderError`] if the view asks for something impossible, or the place lies outside of it.
     pub fn below(&self, view: &View, place: [f64; 2]) -> Result<Vec<SurfaceBelow>, RenderError> {
-        let steps = place.map(|side| (side * f64::from(SUBPIXELS)).round());
-        let within =
-            |steps: f64, side: u32| (0.0..f64::from(side) * f64::from(SUBPIXELS)).contains(&steps);
-        if !within(steps[0], view.size.width) || !within(steps[1], view.size.height) {
-            return Err(RenderError::Outside(view.size));
-        }
-        let steps = steps.map(|steps| steps as i32);
+        let steps = steps_of(place, view.size).ok_or(RenderError::Outside(view.size))?;
         let pixel = steps.map(|steps| steps / SUBPIXELS);
         let sample = Samples::one_at(steps.map(|steps| steps % SUBPIXELS));
         let view = view.clone().with_edges(None);

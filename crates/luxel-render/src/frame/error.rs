@@ -16,8 +16,13 @@ pub enum RenderError {
     #[error("a picture of {0}x{1} isn't possible: each side has 1 to {MAX_SIDE} pixels")]
     Size(u32, u32),
     /// A layer of a light that the view doesn't have.
-    #[error("there is no directional, point or spot light `{0}`")]
-    NoSuchLight(String),
+    #[error("there is no directional, point or spot light `{name}`{}", listed(.lights))]
+    NoSuchLight {
+        /// The name.
+        name: String,
+        /// The names of those that there are.
+        lights: Vec<String>,
+    },
     /// A place outside of the picture.
     #[error("it lies outside of the picture of {}x{} pixels", .0.width, .0.height)]
     Outside(Size),
@@ -46,6 +51,15 @@ pub enum RenderError {
     /// The machine lacks the instruction set.
     #[error("{0}")]
     Simd(String),
+}
+
+/// What follows the name of a light that isn't there.
+fn listed(lights: &[String]) -> String {
+    if lights.is_empty() {
+        return ": there are none".to_owned();
+    }
+    let names: Vec<_> = lights.iter().map(|name| format!("`{name}`")).collect();
+    format!(": use {}", names.join(", "))
 }
 
 impl From<UnavailableSimdLevel> for RenderError {

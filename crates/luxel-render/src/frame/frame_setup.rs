@@ -10,7 +10,7 @@ use luxel_visibility::{CoveragePolicy, SurfaceRules};
 /// Which faces a view draws, and how.
 pub(crate) fn surface_rules(view: &View, coverage: CoveragePolicy) -> SurfaceRules {
     let wireframe = view.edges.is_some_and(|edges| edges.wireframe);
-    SurfaceRules { cull: view.cull, coverage, wireframe }
+    SurfaceRules { cull: view.cull, coverage, wireframe, point_size: view.point_size }
 }
 
 /// A light about the eye, along the world's axes; `None` for ambient lights.

@@ -109,7 +109,20 @@ impl Renderer {
             self.separate();
         }
         let objects = self.scene.objects().into_iter().enumerate();
-        self.objects = objects.filter(|(at, _)| is_drawn(*at)).map(|(_, object)| object).collect();
+        self.show_objects(
+            objects.filter(|(at, _)| is_drawn(*at)).map(|(_, object)| object).collect(),
+        );
+    }
+
+    /// Draws these objects from now on, instead of the scene's: any of its meshes, in any places. Layers number
+    /// them.
+    ///
+    /// What is ready of the meshes stays, so that moving objects takes no longer than listing them.
+    ///
+    /// # Panics
+    /// When drawing, if the scene lacks a mesh.
+    pub fn show_objects(&mut self, objects: Vec<Object>) {
+        self.objects = objects;
         self.kept_trees = Mutex::new(self.take_trees());
         self.bounds = OnceLock::new();
         self.lowest = OnceLock::new();
@@ -285,7 +298,7 @@ impl Renderer {
                 PlacedScene::new(&self.scene, &self.objects, &view.camera, view.size, &rules);
             let frame = placed.frame(&self.clusters, samples, self.level)?;
             let lights = frame_setup::placed_lights(view, &self.scene);
-            let floor = view.ground.then(|| self.floor());
+            let floor = view.ground.then(|| self.floor(view));
             let of_surfaces = (view.shadows, view.ambient_occlusion);
             let shadows = match view.shadows || view.ambient_occlusion.is_some() {
                 true => Some(self.shadows(view, &frame, (&placed, &lights), of_surfaces, floor)?),
@@ -327,7 +340,7 @@ impl Renderer {
                 None => None,
             };
             let around = view.environment_background.then(|| Around {
-                environment: view.environment.surroundings(self.scene.up),
+                environment: view.environment.surroundings(self.up(view)),
                 rays: ViewRays::new(&view.camera, frame.rays()),
                 display: view.display(),
             });
@@ -408,7 +421,7 @@ impl Renderer {
 
     /// What the mirror term of each material sees.
     fn environments(&self, view: &View) -> Vec<Environment> {
-        let up = self.scene.up.as_vec3().to_array();
+        let up = self.up(view).as_vec3().to_array();
         let of = |reflection: &Reflection| match (&view.environment, reflection) {
             (EnvironmentChoice::Always(environment), _) => environment.clone(),
             (EnvironmentChoice::StudioForMicrofacets, Reflection::Microfacet) => {

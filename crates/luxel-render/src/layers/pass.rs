@@ -109,7 +109,8 @@ impl Renderer {
             if let Layer::Light(name) | Layer::Shadow(name) = layer
                 && !lights.iter().any(|light| light.name == *name)
             {
-                return Err(RenderError::NoSuchLight(name.clone()));
+                let lights = lights.iter().map(|light| light.name.clone()).collect();
+                return Err(RenderError::NoSuchLight { name: name.clone(), lights });
             }
         }
         let view = view.clone().with_samples(1).with_edges(None);
@@ -140,6 +141,7 @@ impl Renderer {
                 eye: view.camera.eye().to_array(),
                 is_blended: coverage == CoveragePolicy::DRAWN,
                 maps_normals: layers.contains(&Layer::Normal),
+                has_numbers: layers.iter().any(Layer::is_id),
                 with_terms: with_terms && at_pixels,
                 terms_one_by_one: with_terms && !at_pixels,
             };
@@ -172,6 +174,8 @@ pub(super) struct Pass<'p> {
     /// The eye's place in the world, f64, which positions are about.
     eye: [f64; 3],
     maps_normals: bool,
+    /// Whether a layer shows numbers of objects or triangles.
+    has_numbers: bool,
     /// Whether layers are sums over blended surfaces.
     is_blended: bool,
     /// Whether layers show terms of light that is computed at pixels.
@@ -313,14 +317,19 @@ impl<'p> Pass<'p> {
             let seen = !vector.eq_mask(&ids, TriangleId::NONE.0) & vector.all_lanes();
             hear(vector, scene, &batch, cache, seen, &mut witness);
         }
-        let of_triangles = Triangles::of(scene, &ids);
-        let seen = vector.mask_of(of_triangles.seen);
+        let numbers = self.has_numbers.then(|| Triangles::of(scene, &ids));
+        let seen = match &numbers {
+            Some(numbers) => numbers.seen,
+            None => !vector.eq_mask(&ids, TriangleId::NONE.0) & vector.all_lanes(),
+        };
+        let seen = vector.mask_of(seen);
         for (plane, values) in self.planes.iter().zip(tiles) {
             match values {
                 TileValues::U32(values) => {
+                    let Some(numbers) = &numbers else { continue };
                     let ids = match plane.layer {
-                        Layer::Object => &of_triangles.objects,
-                        _ => &of_triangles.triangles,
+                        Layer::Object => &numbers.objects,
+                        _ => &numbers.triangles,
                     };
                     plane.put_values(values, block, &[*ids; 3]);
                 }

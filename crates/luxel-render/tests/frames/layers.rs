@@ -3,6 +3,7 @@
 use crate::scenes::{execution, fitted, matte, scene, square, view};
 use luxel_math::SimdLevel;
 use luxel_render::{Layer, LayerValues, Picture, Renderer, Shading, ShadingMode};
+use luxel_scene::{DMat4, DVec3};
 
 /// Two squares, the second one nearer and shifted to the right by half a unit.
 fn renderer() -> Renderer {
@@ -128,4 +129,27 @@ fn a_picture_with_its_layers_has_the_bytes_of_each_alone() {
             assert!(*values == alone, "{layer:?}, {samples} samples");
         }
     }
+}
+
+#[test]
+fn objects_are_drawn_where_they_were_moved() {
+    let mut renderer = renderer();
+    let objects = |renderer: &Renderer| renderer.layers(&view(64), &[Layer::Object]).unwrap();
+    let mut moved = renderer.objects().to_vec();
+    let untouched = objects(&renderer);
+    moved.remove(0);
+    for object in &mut moved {
+        object.world_from_mesh =
+            (DMat4::from_translation(DVec3::new(-1.0, 0.0, 0.0)) * *object.world_from_mesh).into();
+    }
+    // The near square, then the far one in two places.
+    let far = renderer.objects()[0].clone();
+    moved.extend([far.clone(), far]);
+    renderer.show_objects(moved);
+    let LayerValues::U32(ids) = objects(&renderer).remove(0) else { panic!("no ids") };
+    let seen = [-1.4, 0.0, 0.8, 1.3].map(|x| ids[pixel(x, 0.0)]);
+    assert_eq!(seen, [0, 0, 1, u32::MAX], "x from -1.5 to 0.5, then the far square up to 1");
+    let all = renderer.scene().objects();
+    renderer.show_objects(all);
+    assert_eq!(objects(&renderer), untouched);
 }

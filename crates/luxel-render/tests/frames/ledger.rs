@@ -429,5 +429,8 @@ fn the_layers_of_lights_add_up_to_their_terms() {
     assert!(seen > 100);
     let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
     let unknown = renderer.layers(&view, &[Layer::Light("moon".to_owned())]);
-    assert_eq!(unknown, Err(RenderError::NoSuchLight("moon".to_owned())));
+    let lights = ["sun", "lamp", "torch"].map(str::to_owned).to_vec();
+    assert_eq!(unknown, Err(RenderError::NoSuchLight { name: "moon".to_owned(), lights }));
+    let message = unknown.unwrap_err().to_string();
+    assert!(message.contains("`moon`: use `sun`, `lamp`, `torch`"), "{message}");
 }

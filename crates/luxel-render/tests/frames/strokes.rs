@@ -45,3 +45,14 @@ fn strokes_belong_to_their_object_and_are_no_triangles() {
     let at = 25 * 65 + 32;
     assert_eq!(objects[at], 1);
 }
+
+#[test]
+fn points_are_as_large_as_the_view_says() {
+    for side in [1_usize, 3, 7] {
+        let view = view(65).with_point_size(side as f32);
+        let pixels = bytes(&strokes(), &view);
+        let is_white = |column: usize| pixels[8 * 65 + column] == [255; 4];
+        let count = (0..65).filter(|column| is_white(*column)).count();
+        assert!(count.abs_diff(side) <= 1, "{side}: {count}");
+    }
+}

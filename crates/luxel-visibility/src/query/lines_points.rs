@@ -9,8 +9,6 @@ use luxel_scene::{Camera, MaterialId, Mesh, Object, Part, Scene, Size};
 
 /// Width of lines in pixels.
 pub const LINE_WIDTH: f64 = 1.5;
-/// Side of points in pixels.
-pub const POINT_SIZE: f64 = 3.0;
 /// Lines are cut where they come nearer than this, times the near plane's distance.
 const CUT: f64 = 1.0 + 1e-6;
 
@@ -28,9 +26,15 @@ pub struct Strokes {
     pub elements: Vec<u32>,
 }
 
-/// The strokes of all objects that have any.
+/// The strokes of all objects that have any, with points of this side in pixels.
 #[must_use]
-pub fn strokes(scene: &Scene, objects: &[Object], camera: &Camera, size: Size) -> Vec<Strokes> {
+pub fn strokes(
+    scene: &Scene,
+    objects: &[Object],
+    camera: &Camera,
+    size: Size,
+    point_size: f32,
+) -> Vec<Strokes> {
     let lens = PixelSize::of(camera, size);
     let mut all = Vec::new();
     for (number, object) in objects.iter().enumerate() {
@@ -41,6 +45,7 @@ pub fn strokes(scene: &Scene, objects: &[Object], camera: &Camera, size: Size) -
         let view_from_mesh = camera.view_from_world * *object.world_from_mesh;
         let mut builder = Builder {
             lens: &lens,
+            half_point: f64::from(point_size) * 0.5,
             source,
             mesh: Mesh::default(),
             elements: Vec::new(),
@@ -103,6 +108,8 @@ impl PixelSize {
 
 struct Builder<'a> {
     lens: &'a PixelSize,
+    /// Half the side of points, in pixels.
+    half_point: f64,
     source: &'a Mesh,
     mesh: Mesh,
     elements: Vec<u32>,
@@ -116,7 +123,7 @@ impl Builder<'_> {
         if !place.is_finite() || self.lens.is_before_near(place) {
             return;
         }
-        let half = (self.lens.at(place) * (POINT_SIZE * 0.5)).extend(0.0);
+        let half = (self.lens.at(place) * self.half_point).extend(0.0);
         let corner = |x: f64, y: f64| place + half * DVec3::new(x, y, 0.0);
         let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
         self.rectangle(corners, [index; 4]);

@@ -10,7 +10,7 @@ mod view_rays;
 
 pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
 pub use instance_transform::{InstanceSpace, ViewFromLocal, sides};
-pub use lines_points::{LINE_WIDTH, POINT_SIZE, Strokes, strokes};
+pub use lines_points::{LINE_WIDTH, Strokes, strokes};
 pub use point_coverage::{Probe, ProbedTriangle, Reach};
 pub use seen_cluster::{SeenCluster, ShadingCorners};
 pub use tile_forms::{

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests, and helpers that only tests call")]
 
 mod barycentrics;
+mod clip_space;
 mod coverage;
 mod layers;
 mod oracle;

@@ -52,7 +52,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "box_tree",
         ],
     ),
-    ("luxel-gltf", &["schema", "read"]),
+    ("luxel-gltf", &["schema", "place", "read"]),
     (
         "luxel-lighting",
         &[
@@ -147,7 +147,10 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
         ],
     ),
     ("luxel-view", &["cull", "layer", "shading", "view"]),
-    ("luxel-visibility", &["types", "cluster", "cull", "raster", "query", "frame", "placed_scene"]),
+    (
+        "luxel-visibility",
+        &["types", "cluster", "cull", "raster", "query", "frame", "placed_scene", "clip_space"],
+    ),
     (
         "luxel-pick",
         &[

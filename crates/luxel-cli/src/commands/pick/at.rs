@@ -29,7 +29,6 @@ struct Found {
 impl QueryOptions {
     /// Picks one position.
     pub(super) fn one(&self, view: &PickView<'_>, at: At) -> Result<(), Failure> {
-        check_inside(at, view.size())?;
         let hits = view.at(point(at)).into_iter().collect();
         let found = self.find(view, at, hits);
         let report = found.report(view);
@@ -181,13 +180,12 @@ fn unreadable(line: usize, message: &str) -> Failure {
     )
 }
 
-/// Refuses a position that lies, rounded to the steps of sample positions, outside of the image.
-fn check_inside(at: At, size: Size) -> Result<(), Failure> {
+/// Refuses a position outside of the image, also when rounded to the steps of sample positions.
+pub(super) fn check_inside(at: At, size: Size) -> Result<(), Failure> {
     let Size { width, height } = size;
     let [x, y] = point(at);
     let is_inside = |position: f64, side: u32| {
-        let steps = f64::from(SUBPIXELS);
-        (0.0..f64::from(side) * steps).contains(&(position * steps).round())
+        (position * f64::from(SUBPIXELS)).round() >= 0.0 && position < f64::from(side)
     };
     if is_inside(x, width) && is_inside(y, height) {
         return Ok(());

@@ -5,7 +5,7 @@ use crate::drawing::Format;
 use crate::failure::Failure;
 use crate::output;
 use crate::values::Numbering;
-use luxel::render::PictureFormat;
+use luxel::render::{Layer, PictureFormat};
 use std::path::{Path, PathBuf};
 
 /// The destination and format of images.
@@ -34,6 +34,14 @@ impl Target {
         let to_standard_output = options.output == "-";
         if to_standard_output && options.json {
             return usage("--json and `-o -` would both write to the standard output: use a file");
+        }
+        let layers = &options.layers;
+        for (number, layer) in layers.iter().enumerate() {
+            if layers[..number].contains(layer) {
+                let also = if *layer == Layer::Openness { " (`ao` is the same)" } else { "" };
+                let name = layer.name();
+                return usage(&format!("the layer `{name}` is given twice{also}"));
+            }
         }
         let format = format(options)?;
         match format {
@@ -79,6 +87,14 @@ impl Target {
             }
         };
         Ok(Self { format, place })
+    }
+
+    /// Checks the flags of several models before any work, but for what depends on the model.
+    pub(super) fn check(options: &OutputOptions) -> Result<(), Failure> {
+        match Self::of(options) {
+            Err(Failure::Usage(message)) => Err(Failure::Usage(message)),
+            _ => Ok(()),
+        }
     }
 
     /// Writes an image and returns its file name.

@@ -1,6 +1,7 @@
 //! The file of key bindings.
 
 use crate::failure::Failure;
+use crate::model;
 use luxel_viewer::Keys;
 use std::ffi::OsStr;
 use std::io::Read;
@@ -37,7 +38,7 @@ fn read(path: &Path) -> Result<Keys, Failure> {
     let remedy = "correct the line; docs/viewer.md lists the actions of keys";
     let invalid = |what: String| Failure::work(format!("{}{what}", path.display()), remedy);
     let mut text = String::new();
-    let opened = std::fs::File::open(path);
+    let opened = model::open_regular(path);
     let taken = opened.and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text));
     match taken {
         Err(error) => {

@@ -97,7 +97,7 @@ fn text<'a>(
     SceneText {
         models,
         changes: of_flags.into_iter().chain(own).collect(),
-        up: scene.up,
+        up: view.up.unwrap_or(scene.up),
         ambient: view.ambient,
         environment: Some(view.environment.clone()),
         environment_file: None,

@@ -104,7 +104,8 @@ impl Header {
             return Err(unsupported(0, message));
         }
         let side = |from: i32, to: i32| {
-            u32::try_from(i64::from(to) - i64::from(from) + 1).unwrap_or_default()
+            let texels = i64::from(to) - i64::from(from) + 1;
+            texels.clamp(0, i64::from(u32::MAX)) as u32
         };
         let size = [side(left, right), side(top, bottom)];
         Ok(Self { size, size_byte, top, channels, colors, compression, tiles })

@@ -19,10 +19,19 @@ impl Renderer {
         *self.bounds.get_or_init(|| self.scene.bounds_of(&self.objects))
     }
 
+    /// What is up in a view, of unit length.
+    pub(super) fn up(&self, view: &View) -> DVec3 {
+        view.up.unwrap_or(self.scene.up).normalize_or(DVec3::Y)
+    }
+
     /// The plane under all that is drawn.
-    pub(super) fn floor(&self) -> Floor {
-        let up = self.scene.up.normalize_or(DVec3::Y);
-        let level = *self.lowest.get_or_init(|| self.scene.lowest_of(&self.objects, up));
+    pub(super) fn floor(&self, view: &View) -> Floor {
+        let up = self.up(view);
+        let lowest = || self.scene.lowest_of(&self.objects, up);
+        let level = match view.up {
+            None => *self.lowest.get_or_init(lowest),
+            Some(_) => lowest(),
+        };
         Floor { up, level }
     }
 
