@@ -100,6 +100,13 @@ fn block_of(page: &str, first_line: &str) -> String {
     block.lines.into_iter().map(|(_, text)| text + "\n").collect()
 }
 
+/// The first block of a page in a language.
+fn first_block(page: &str, language: &str) -> String {
+    let mut blocks = blocks(&root().join(page)).into_iter();
+    let block = blocks.find(|block| block.language == language).unwrap();
+    block.lines.into_iter().map(|(_, text)| text + "\n").collect()
+}
+
 /// A GLB of one triangle across the middle of a view that fits it.
 fn glb() -> Vec<u8> {
     let numbers: [f32; 9] = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 0.0, 1.0, 0.0];
@@ -134,6 +141,10 @@ fn every_sample_of_the_docs_runs_and_prints_what_it_shows() {
     folder.write("places", "640,360\n1,2\n");
     folder.write("hand.log", block_of("docs/navigation.md", "luxel-navigation 1"));
     folder.write("scene.toml", block_of("docs/scene-files.md", "format = \"luxel-scene\""));
+    std::fs::create_dir(folder.path("models")).unwrap();
+    folder.write("models/a.glb", glb());
+    folder.write("models/b.ply", SQUARE_PLY);
+    folder.write("tasks.jsonl", first_block("docs/batch.md", "json"));
     let program = Path::new(env!("CARGO_BIN_EXE_luxel")).parent().unwrap();
     let mut path = std::ffi::OsString::from(program);
     path.push(":");
