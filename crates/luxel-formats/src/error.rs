@@ -166,7 +166,7 @@ impl Error {
     }
 
     /// Adds the hint of another error whose message this one repeats.
-    #[cfg(any(feature = "gltf", feature = "toml"))]
+    #[cfg(feature = "toml")]
     pub(crate) const fn with_hint(mut self, hint: Option<Hint>) -> Self {
         self.hint = hint;
         self

@@ -88,6 +88,10 @@ pub(crate) struct Refusal {
     /// What is wrong with the name.
     pub(crate) message: String,
     /// Whether something is there that must not be read.
+    #[cfg_attr(
+        not(any(feature = "gltf", feature = "obj")),
+        expect(dead_code, reason = "scene files read nothing that may be missing")
+    )]
     pub(crate) is_there: bool,
 }
 
