@@ -85,7 +85,7 @@ fn the_openness_of_the_ground_is_that_of_f64_rays() {
         let mut squares = Vec::new();
         for seen in grounds.iter().step_by(grounds.len() / 20) {
             let place = DVec3::from_array(seen.position);
-            let off = f64::from(seen.openness) - reference(&all, place, scene.up, margin);
+            let off = f64::from(seen.openness) - reference(&all, place, [scene.up; 2], margin);
             squares.push(off * off);
         }
         let error = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();

@@ -2,12 +2,13 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
+mod explained;
 mod ground;
 mod oracle;
 
 use luxel::formats::{Limits, open};
 use luxel::lighting::LightKind;
-use luxel::render::{Execution, Renderer, View};
+use luxel::render::{Execution, ExplainedSurface, Renderer, View};
 use luxel::scene::{
     AlphaMode, Camera, DMat4, DVec3, Lens, MaterialId, Mesh, MeshId, Node, NormalOptions, Part,
     Projection, Scene, SceneLight, SceneMaterial, Size, Viewpoint, demos, fit_view, primitives,
@@ -15,6 +16,7 @@ use luxel::scene::{
 use luxel::view::{AmbientOcclusion, ShadingMode};
 use luxel_testing::models;
 use oracle::{meeting, reference, triangles};
+use std::path::Path;
 
 pub(crate) const SIZE: Size = Size { width: 48, height: 36 };
 
@@ -131,24 +133,32 @@ fn demos_are_in_shadow_where_f64_rays_meet_a_triangle() {
     assert!(shadowed > 100 && lit > 2500, "{shadowed} {lit}");
 }
 
+/// Public models.
+const MODELS: [&str; 10] = [
+    "CesiumMilkTruck.glb",
+    "DepthOfFieldExample.glb",
+    "Fox.glb",
+    "busted.STL",
+    "featuretype.STL",
+    "octagonal_pocket.stl",
+    "suzanne.ply",
+    "cakeBirthday.glb",
+    "spot/spot.obj",
+    "fuze/fuze.obj",
+];
+
+fn model(folder: &Path, path: &str) -> Scene {
+    let mut scene = solid(open(&folder.join(path), &Limits::default()).unwrap().scene);
+    scene.compute_normals(&NormalOptions::default());
+    scene
+}
+
 #[test]
 fn models_are_in_shadow_where_f64_rays_meet_a_triangle() {
     let Some(folder) = models::folder() else { return };
     let (mut shadowed, mut lit) = (0, 0);
-    for path in [
-        "CesiumMilkTruck.glb",
-        "DepthOfFieldExample.glb",
-        "Fox.glb",
-        "busted.STL",
-        "featuretype.STL",
-        "octagonal_pocket.stl",
-        "suzanne.ply",
-        "cakeBirthday.glb",
-        "spot/spot.obj",
-        "fuze/fuze.obj",
-    ] {
-        let mut scene = solid(open(&folder.join(path), &Limits::default()).unwrap().scene);
-        scene.compute_normals(&NormalOptions::default());
+    for path in MODELS {
+        let scene = model(&folder, path);
         let found = compare(path, &scene, &view(&scene, 0.6));
         shadowed += found.0;
         lit += found.1;
@@ -291,15 +301,19 @@ pub(crate) fn all_pixels() -> Vec<[u32; 2]> {
     (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| [x, y])).collect()
 }
 
-/// The openness of every sample of a view that sees a surface, with its place and normal.
-fn openness(scene: &Scene, view: &View, occlusion: AmbientOcclusion) -> Vec<(DVec3, DVec3, f32)> {
+/// The surfaces of all pixels of a view, with their openness.
+fn openness(
+    scene: &Scene,
+    view: &View,
+    occlusion: AmbientOcclusion,
+) -> Vec<(ExplainedSurface, f32)> {
     let view = view.clone().with_shadows(false).with_ambient_occlusion(Some(occlusion));
     let renderer = Renderer::new(scene.clone(), &Execution::default()).unwrap();
     let explained = renderer.explain_pixels(&view, &all_pixels()).unwrap();
     let of = |explained: luxel::render::Explanation| {
         let surface = explained.samples[0].seen[0].surface()?.clone();
-        let normal = DVec3::from_array(surface.normal.map(f64::from));
-        Some((DVec3::from_array(surface.position), normal, surface.openness.unwrap()))
+        let openness = surface.openness.unwrap();
+        Some((surface, openness))
     };
     explained.into_iter().filter_map(of).collect()
 }
@@ -328,31 +342,52 @@ fn a_convex_surface_is_open_outside_and_closed_inside() {
 
 #[test]
 fn openness_is_that_of_f64_rays_within_the_error_of_sampling() {
+    for name in ["teapot", "plane"] {
+        check_openness(name, &demos::demo(name).unwrap(), 24);
+    }
+}
+
+#[test]
+fn openness_of_models_is_that_of_f64_rays_within_the_error_of_sampling() {
+    let Some(folder) = models::folder() else { return };
+    for path in MODELS {
+        check_openness(path, &model(&folder, path), 12);
+    }
+}
+
+/// Compares the openness of some places of a scene with rays to all triangles.
+fn check_openness(name: &str, scene: &Scene, places: usize) {
     // The root of the mean square error by the number of rays, as the docs state it.
     let bounds = [(16, 0.06), (64, 0.03), (256, 0.02)];
-    for name in ["teapot", "plane"] {
-        let scene = demos::demo(name).unwrap();
-        let view = view(&scene, 0.6);
-        let all = triangles(&scene);
-        let margin = 1e-5 * scene.bounds().radius();
-        let whole = |rays| AmbientOcclusion { radius: Some(f64::INFINITY), rays };
-        let places = openness(&scene, &view, whole(1));
-        let step = places.len() / 24;
-        let expected: Vec<f64> = places
-            .iter()
-            .step_by(step)
-            .map(|(place, normal, _)| reference(&all, *place, *normal, margin))
-            .collect();
-        for (rays, bound) in bounds {
-            let found = openness(&scene, &view, whole(rays));
-            let squares =
-                found.iter().step_by(step).zip(&expected).map(|((.., open), expected)| {
-                    let off = f64::from(*open) - expected;
-                    off * off
-                });
-            let error = (squares.sum::<f64>() / expected.len() as f64).sqrt();
-            assert!(error < bound, "{name}, {rays} rays: {error}");
-        }
+    let view = view(scene, 0.6);
+    let all = triangles(scene);
+    let margin = 1e-5 * scene.bounds().radius();
+    let whole = |rays| AmbientOcclusion { radius: Some(f64::INFINITY), rays };
+    let seen = openness(scene, &view, whole(1));
+    let step = seen.len() / places;
+    let expected: Vec<f64> = seen
+        .iter()
+        .step_by(step)
+        .map(|(surface, _)| {
+            let own = all.iter().find(|(object, triangle, _)| {
+                *object == surface.object && Some(*triangle) == surface.triangle
+            });
+            let [a, b, c] = own.unwrap().2;
+            let [normal, eye] =
+                [surface.normal, surface.view].map(|way| DVec3::from_array(way.map(f64::from)));
+            let facing = (b - a).cross(c - a).normalize();
+            let facing = facing * facing.dot(eye).signum();
+            reference(&all, DVec3::from_array(surface.position), [normal, facing], margin)
+        })
+        .collect();
+    for (rays, bound) in bounds {
+        let found = openness(scene, &view, whole(rays));
+        let squares = found.iter().step_by(step).zip(&expected).map(|((.., open), expected)| {
+            let off = f64::from(*open) - expected;
+            off * off
+        });
+        let error = (squares.sum::<f64>() / expected.len() as f64).sqrt();
+        assert!(error < bound, "{name}, {rays} rays: {error}");
     }
 }
 

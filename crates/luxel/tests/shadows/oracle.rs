@@ -40,11 +40,11 @@ pub(crate) fn meeting(
 }
 
 /// The openness of a place by rays to all triangles, in `f64`, from 24 x 24 parts of the hemisphere of equal
-/// weight.
+/// weight about the normal; directions below the plane that faces the eye are mirrored at it.
 pub(crate) fn reference(
     all: &[(usize, u32, [DVec3; 3])],
     place: DVec3,
-    normal: DVec3,
+    [normal, facing]: [DVec3; 2],
     margin: f64,
 ) -> f64 {
     const SIDE: usize = 24;
@@ -55,6 +55,7 @@ pub(crate) fn reference(
         let (sine, cosine) = libm::sincos(std::f64::consts::TAU * v);
         let direction =
             (tangent * cosine + bitangent * sine) * u.sqrt() + normal * (1.0 - u).sqrt();
+        let direction = direction - 2.0 * direction.dot(facing).min(0.0) * facing;
         let blocks = |corners: [DVec3; 3]| {
             meeting(place, direction, corners).is_some_and(|(t, inside)| t > margin && inside > 0.0)
         };
