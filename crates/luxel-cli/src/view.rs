@@ -98,13 +98,11 @@ pub(crate) fn idle_flags(view: &View, options: &LightOptions) -> Vec<String> {
 
 /// What to say of layers that are 1 everywhere, since the view doesn't ask for what they show.
 pub(crate) fn idle_layers(view: &View, layers: &[Layer]) -> Vec<String> {
-    let has_openness = view.ambient_occlusion.is_some() || view.ground;
-    let has_shadows = view.shadows || view.ground;
     // A light that isn't there is an error.
     let has_light = |name: &String| view.lights.iter().any(|light| light.name == *name);
     let flag = |layer: &Layer| match layer {
-        Layer::Openness if !has_openness => Some("--ao"),
-        Layer::Shadow(name) if !has_shadows && has_light(name) => Some("--shadows"),
+        Layer::Openness if view.ambient_occlusion.is_none() => Some("--ao"),
+        Layer::Shadow(name) if !view.shadows && has_light(name) => Some("--shadows"),
         _ => None,
     };
     let idle = |layer: &Layer| {

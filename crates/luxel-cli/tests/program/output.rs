@@ -166,6 +166,8 @@ fn layers_of_light_that_nothing_keeps_away_are_warned_of() {
     assert!(said.contains("the layer openness is 1 everywhere"), "{said}");
     assert!(said.contains("the layer shadow:sun is 1 everywhere"), "{said}");
     assert_eq!(run(&format!("{both} --ao --shadows")), "");
+    let said = run("--layer ao --ground");
+    assert!(said.contains("the layer openness is 1 everywhere"), "{said}");
     let line = format!("{size} {light} --layer shadow:nope");
     folder.run(line.split(' ')).failed(1, "light `nope`: use `sun`");
     let line = format!("{size} --layer ao --layer openness");
