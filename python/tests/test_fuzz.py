@@ -51,6 +51,8 @@ SETTINGS: dict[str, list[Any]] = {
     "ao": [True, 0.5],
     "ao_rays": [1, 4],
     "ground": [True],
+    "wireframe": [True],
+    "edges": [True],
     "exposure": [1.0, "auto"],
     "tone": ["aces", "reinhard"],
     "encoding": ["srgb", "linear"],
