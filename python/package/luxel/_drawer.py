@@ -77,7 +77,8 @@ class Outputs:
         Raises `FileNotFoundError`."""
         if self.is_local:
             return pathlib.Path(self.path(name)).read_bytes()
-        return self.files.cat_file(self.path(name))
+        data: bytes = self.files.cat_file(self.path(name))
+        return data
 
     def sizes(self) -> dict[str, int]:
         """The names of all objects, and their lengths in bytes."""
