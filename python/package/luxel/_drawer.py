@@ -77,7 +77,8 @@ class Outputs:
         Raises `FileNotFoundError`."""
         if self.is_local:
             return pathlib.Path(self.path(name)).read_bytes()
-        return self.files.cat_file(self.path(name))
+        data: bytes = self.files.cat_file(self.path(name))
+        return data
 
     def sizes(self) -> dict[str, int]:
         """The names of all objects, and their lengths in bytes."""
@@ -108,21 +109,23 @@ def _protocols(files: Any) -> Sequence[str]:
     return (files.protocol,) if isinstance(files.protocol, str) else files.protocol
 
 
+def _remove(folder: str | None) -> None:
+    if folder is not None:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
 class Drawer:
     """Draws tasks in a worker process and stores what it gives."""
 
     def __init__(self, folder: str, out: str, flags: Sequence[str] = ()) -> None:
         self.outputs = Outputs(out)
-        self.scratch = tempfile.mkdtemp(prefix="luxel-")
-        root = self.outputs.root if self.outputs.is_local else f"{self.scratch}/outputs"
-        # Renaming doesn't cross file systems.
-        parts = f"{root}/{PARTS}" if self.outputs.is_local else f"{self.scratch}/parts"
-        for path in (root, parts):
-            os.makedirs(path, exist_ok=True)
-        self.root = root
-        self.worker = Worker(PROGRAM, folder, root, parts, list(flags))
+        # Renaming doesn't cross file systems, so unfinished files lie beside the outputs.
+        self.root: str = self.outputs.root if self.outputs.is_local else tempfile.mkdtemp(prefix="luxel-")
+        parts = f"{self.root}/{PARTS}"
+        os.makedirs(parts, exist_ok=True)
         # Actors end without a call.
-        self.close = weakref.finalize(self, shutil.rmtree, self.scratch, ignore_errors=True)
+        self.close = weakref.finalize(self, _remove, None if self.outputs.is_local else self.root)
+        self.worker = Worker(PROGRAM, folder, self.root, parts, list(flags))
 
     def draw(self, line: str) -> dict[str, Any]:
         """The answer to a task, with all its outputs stored."""

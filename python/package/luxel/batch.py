@@ -96,7 +96,8 @@ def run(
     # A task that failed is in the manifest; a run that didn't end has none.
     if status > 1 or (status == 1 and not any("tasks failed" in line for line in said)):
         raise Error("".join(said).strip().removeprefix("luxel: error: "))
-    return json.loads(manifest.read_bytes())
+    document: dict[str, Any] = json.loads(manifest.read_bytes())
+    return document
 
 
 def _follow(lines: Iterator[str], progress: bool | Callable[[int], object]) -> list[str]:
