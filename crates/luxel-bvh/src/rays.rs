@@ -118,6 +118,16 @@ impl<'m> MeshRays<'m> {
         self.trace_batch::<AnyHit>(rays, hits);
     }
 
+    /// [`Self::closest`] for each of a few rays, up to a thousand or so, on this thread: for programs whose
+    /// threads have rays of their own.
+    ///
+    /// # Panics
+    /// If `hits` isn't as long as `rays`.
+    pub fn closest_of_few(&self, rays: &[Ray], hits: &mut [Option<RayHit>]) {
+        assert_eq!(rays.len(), hits.len(), "each ray has an answer");
+        trace_here::<ClosestHit>(&self.0, rays, true, hits);
+    }
+
     /// [`Self::any`] for each of a few rays, up to a thousand or so, on this thread: for programs whose
     /// threads have rays of their own.
     ///

@@ -113,6 +113,12 @@ impl Picker {
         self.rays.closest_of_each(rays)
     }
 
+    /// [`SceneRays::any_of_each`].
+    #[must_use]
+    pub fn any_of_each(&self, rays: &[WorldRay]) -> Vec<bool> {
+        self.rays.any_of_each(rays)
+    }
+
     pub(crate) fn level(&self) -> Level {
         self.rays.level()
     }

@@ -9,7 +9,6 @@ use crate::world_ray::{RebasedRay, WorldHit, WorldRay};
 use glam::DVec3;
 use luxel_bvh::{RayHit, SlabTest};
 use luxel_math::lanes_of;
-use luxel_parallel::fill;
 
 impl SceneRays {
     /// The closest hit of a ray, on either side of triangles; of equally close ones that of the first
@@ -68,18 +67,6 @@ impl SceneRays {
         });
         hits.sort_by(|a, b| {
             a.t.total_cmp(&b.t).then((a.object, a.triangle).cmp(&(b.object, b.triangle)))
-        });
-        hits
-    }
-
-    /// The closest hit of each of many rays, on all threads of the current pool.
-    #[must_use]
-    pub fn closest_of_each(&self, rays: &[WorldRay]) -> Vec<Option<WorldHit>> {
-        let mut hits = vec![None; rays.len()];
-        fill(&mut hits, 256, &|start, hits| {
-            for (hit, ray) in hits.iter_mut().zip(&rays[start..]) {
-                *hit = self.closest(ray);
-            }
         });
         hits
     }
@@ -226,10 +213,27 @@ impl SceneRays {
         near: &RebasedRay,
         hit: &RayHit,
     ) -> Option<WorldHit> {
+        self.refined_on(self.local_corners(object, hit.triangle), ray, object, near, hit)
+    }
+
+    /// The corners of a triangle, in its mesh's own space.
+    #[inline]
+    pub(crate) fn local_corners(&self, object: usize, triangle: u32) -> [DVec3; 3] {
         let mesh = self.mesh(object);
+        mesh.triangles[triangle as usize].map(|vertex| mesh.position(vertex))
+    }
+
+    /// [`Self::refined`] on the triangle's [`Self::local_corners`].
+    pub(crate) fn refined_on(
+        &self,
+        corners: [DVec3; 3],
+        ray: &WorldRay,
+        object: usize,
+        near: &RebasedRay,
+        hit: &RayHit,
+    ) -> Option<WorldHit> {
         let world_from_mesh = &self.objects()[object].world_from_mesh;
-        let [a, b, c] = mesh.triangles[hit.triangle as usize]
-            .map(|vertex| world_from_mesh.transform_point3(mesh.position(vertex)));
+        let [a, b, c] = corners.map(|corner| world_from_mesh.transform_point3(corner));
         let rough = near.start + near.scale * f64::from(hit.t);
         let (ab, ac) = (b - a, c - a);
         let p = ray.direction.cross(ac);

@@ -65,7 +65,17 @@ impl RebasedRay {
         range: [f64; 2],
         bounds: [[f32; 3]; 2],
     ) -> Option<Self> {
-        let (centre, radius) = centre_and_radius(bounds);
+        Self::near(origin, direction, range, centre_and_radius(bounds))
+    }
+
+    /// [`RebasedRay::new`] from the box's bounding sphere.
+    #[inline]
+    pub(crate) fn near(
+        origin: DVec3,
+        direction: DVec3,
+        range: [f64; 2],
+        (centre, radius): (DVec3, f64),
+    ) -> Option<Self> {
         let length = direction.length();
         let unit = direction / length;
         if range[0] == 0.0 && (origin - centre).length_squared() <= radius * radius {

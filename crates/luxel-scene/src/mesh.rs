@@ -132,6 +132,7 @@ impl Mesh {
 
     /// The position of a corner, in f64, in the mesh's own space.
     #[must_use]
+    #[inline]
     pub fn position(&self, index: u32) -> DVec3 {
         let [x, y, z] = self.positions[index as usize];
         self.origin + DVec3::new(f64::from(x), f64::from(y), f64::from(z))

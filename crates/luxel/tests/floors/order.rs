@@ -144,6 +144,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "ray_lanes",
             "queries",
             "transmittance",
+            "batches",
         ],
     ),
     ("luxel-view", &["cull", "layer", "shading", "view"]),

@@ -1,0 +1,88 @@
+//! Times rays one by one and many at once through scenes of few and of many objects: how many objects are few
+//! enough to be asked for all rays of a run.
+//!
+//! `cargo bench -p luxel-rays`, with `RAYON_NUM_THREADS=1` for one thread. A row is a number of balls side by
+//! side, which have 80 000 triangles together, and the rays: a camera's, row by row, or scattered ones.
+
+#![allow(clippy::unwrap_used, reason = "a benchmark")]
+
+use luxel_rays::{SceneRays, WorldRay};
+use luxel_scene::{DMat4, DVec3, MaterialId, MeshId, Node, Part, Scene, SceneMaterial, primitives};
+use std::sync::Arc;
+use std::time::Instant;
+
+const ROUNDS: usize = 15;
+const SIDE: u32 = 256;
+
+/// Balls on a square grid that is two units wide, of one mesh.
+fn balls(count: usize) -> Scene {
+    let across = (1..).find(|side| side * side >= count).unwrap_or(1);
+    let radius = 0.9 / across as f64;
+    let frequency = (80_000.0 / count as f64 / 20.0).sqrt() as u32;
+    let mut mesh = primitives::icosphere(radius, frequency);
+    mesh.parts =
+        vec![Part { first: 0, count: mesh.triangles.len() as u32, material: MaterialId(0) }];
+    let node = |at: usize| {
+        let place = |at: usize| (2 * at + 1) as f64 / across as f64 - 1.0;
+        let mut node = Node::root("ball", Some(MeshId(0)));
+        let at = DVec3::new(place(at % across), place(at / across), 0.0);
+        node.parent_from_node = Arc::new(DMat4::from_translation(at));
+        node
+    };
+    Scene {
+        meshes: vec![mesh].into(),
+        materials: vec![SceneMaterial::default()],
+        nodes: (0..count).map(node).collect(),
+        ..Scene::default()
+    }
+}
+
+fn camera() -> Vec<WorldRay> {
+    let at = |at: u32| f64::from(2 * at + 1) / f64::from(SIDE) - 1.0;
+    let eye = DVec3::new(0.0, 0.0, 4.0);
+    (0..SIDE * SIDE)
+        .map(|pixel| WorldRay::new(eye, DVec3::new(at(pixel % SIDE), at(pixel / SIDE), 0.0) - eye))
+        .collect()
+}
+
+fn scattered() -> Vec<WorldRay> {
+    let mut state = 12_345_u64;
+    let mut random = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f64 / f64::from(1 << 23) - 1.0
+    };
+    let mut vector = || DVec3::new(random(), random(), random());
+    (0..SIDE * SIDE)
+        .map(|_| {
+            let origin = vector() * 4.0;
+            WorldRay::new(origin, vector() * DVec3::new(1.0, 1.0, 0.2) - origin)
+        })
+        .collect()
+}
+
+/// The least of some rounds, in milliseconds, and what the work counts.
+fn time(work: impl Fn() -> usize) -> (f64, usize) {
+    let mut least = f64::INFINITY;
+    let mut count = 0;
+    for _ in 0..ROUNDS {
+        let start = Instant::now();
+        count = work();
+        least = least.min(start.elapsed().as_secs_f64() * 1e3);
+    }
+    (least, count)
+}
+
+fn main() {
+    for count in [1, 2, 4, 6, 8, 12, 16, 32, 100] {
+        let scene = SceneRays::new(balls(count)).unwrap();
+        for (kind, rays) in [("camera", camera()), ("scattered", scattered())] {
+            let (alone, hits) = time(|| rays.iter().filter_map(|ray| scene.closest(ray)).count());
+            let (together, _) = time(|| scene.closest_of_each(&rays).iter().flatten().count());
+            let ratio = together / alone;
+            println!(
+                "{count:4} {kind:10} alone {alone:7.2} ms, at once {together:7.2} ms, {ratio:.2}, {hits} hits"
+            );
+        }
+    }
+}
