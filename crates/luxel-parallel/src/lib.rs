@@ -40,7 +40,7 @@ mod thread;
 
 pub use run::{any, each, fill, first, gather, map};
 pub use sort::{sort_u32, sort_u64, sort_u128};
-pub use thread::{install, join, limit_threads, pool, tasks, threads};
+pub use thread::{install, install_while, join, limit_threads, pool, tasks, threads};
 
 /// The examples of `README.md`.
 #[cfg(doctest)]

@@ -54,6 +54,31 @@ pub fn install<R: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> R + Se
     }
 }
 
+/// Does work in a pool, as [`install`] does, while this thread does something else, which should last until
+/// the work is done: this returns when both have ended.
+///
+/// # Panics
+/// If one of them does.
+pub fn install_while<R: Send>(
+    pool: Option<&ThreadPool>,
+    work: impl FnOnce() -> R + Send,
+    meanwhile: impl FnOnce(),
+) -> R {
+    let mut result = None;
+    let done = &mut result;
+    match pool.or_else(|| outside(0)) {
+        Some(pool) => pool.in_place_scope(|scope| {
+            scope.spawn(|_| *done = Some(work()));
+            meanwhile();
+        }),
+        None => {
+            *done = Some(work());
+            meanwhile();
+        }
+    }
+    result.unwrap_or_else(|| unreachable!("a scope ends after its work"))
+}
+
 fn outside(count: usize) -> Option<&'static ThreadPool> {
     let start = || {
         let pool = pool(count);
@@ -134,6 +159,26 @@ mod tests {
         assert!(
             pool.current_num_threads() <= 16 * std::thread::available_parallelism().unwrap().get()
         );
+    }
+
+    #[test]
+    fn work_in_a_pool_goes_on_while_the_caller_waits_for_it() {
+        let pool = pool(1);
+        for pool in [pool.as_ref(), None] {
+            let (to_work, from_caller) = std::sync::mpsc::channel::<u32>();
+            let (to_caller, from_work) = std::sync::mpsc::channel();
+            let work = move || {
+                to_caller.send(from_caller.recv().unwrap() + 1).unwrap();
+                threads()
+            };
+            let mut answer = 0;
+            let count = install_while(pool, work, || {
+                to_work.send(7).unwrap();
+                answer = from_work.recv().unwrap();
+            });
+            assert_eq!(answer, 8);
+            assert!(pool.is_none() || count == 1);
+        }
     }
 
     #[test]

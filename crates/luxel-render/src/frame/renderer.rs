@@ -437,6 +437,16 @@ impl Renderer {
     pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         luxel_parallel::install(self.pool.as_ref(), work)
     }
+
+    /// [`Renderer::install`] while this thread does something else, such as to wait for the work or for the user
+    /// to stop it: returns when both have ended.
+    pub fn install_while<R: Send>(
+        &self,
+        work: impl FnOnce() -> R + Send,
+        meanwhile: impl FnOnce(),
+    ) -> R {
+        luxel_parallel::install_while(self.pool.as_ref(), work, meanwhile)
+    }
 }
 
 /// The lights that have terms, in the order of the equation.

@@ -24,8 +24,13 @@ pub(crate) struct BusyWorker<'w> {
 impl Workers {
     /// A worker for a frame with this many samples, without anything of an earlier frame.
     pub(crate) fn take(&self, samples: Samples) -> BusyWorker<'_> {
-        let idle = self.idle.lock().ok().and_then(|mut idle| idle.pop());
-        let worker = match idle.filter(|worker| worker.samples == samples.count()) {
+        // Pictures of several samples and their layers, of one, take turns: each has workers of its own.
+        let fitting = |idle: &mut Vec<Box<Worker>>| {
+            let at = idle.iter().rposition(|worker| worker.samples == samples.count())?;
+            Some(idle.swap_remove(at))
+        };
+        let idle = self.idle.lock().ok().and_then(|mut idle| fitting(&mut idle));
+        let worker = match idle {
             Some(mut worker) => {
                 worker.cache.begin_frame();
                 worker

@@ -1,7 +1,7 @@
 //! The one pass that fills all layers, and the picture where both see the same.
 
 use super::planes::{BlockValues, Plane, TileValues, background, stored};
-use super::sample::{Triangles, term};
+use super::sample::{RecentTriangles, Triangles, term};
 use super::witness::{LayerWitness, LightLanes};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
@@ -10,9 +10,11 @@ use crate::frame::{
     AHEAD, ALL_BLOCKS, Bands, BusyWorker, Picture, RenderError, Renderer, Stages, Subdivision,
     TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
 };
-use crate::interpolate::{Batch, Fragments, nearest_sample};
+use crate::interpolate::{Batch, Fragments, Wanted, nearest_sample};
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels, over_backdrop};
-use crate::shade::{BlockWitness, ThreadCache, all_fragments, point_of, shade};
+use crate::shade::{
+    BlockWitness, ThreadCache, all_fragments, geometry_of, is_studied, point_of, shade,
+};
 use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
 use luxel_scene::{Projection, SceneLight};
@@ -129,6 +131,17 @@ impl Renderer {
             let planes = planes.map(|(layer, values)| Plane::new(layer, values, view.size));
             let with_terms = layers.iter().any(Layer::is_lit);
             let at_pixels = scene.shading.mode == ShadingMode::Phong;
+            let has_normals = layers.contains(&Layer::Normal);
+            let maps_normals =
+                has_normals && self.scene().materials.iter().any(|of| of.normal.is_some());
+            let has_places =
+                |layer: &Layer| matches!(layer, Layer::Depth | Layer::Z | Layer::Position);
+            let reads_attributes = has_uvs || maps_normals || is_studied(&scene.shading);
+            let geometry = Wanted {
+                position: layers.iter().any(has_places),
+                normal: has_normals,
+                light: false,
+            };
             let pass = Pass {
                 renderer: self,
                 scene,
@@ -140,7 +153,8 @@ impl Renderer {
                 projection: view.camera.projection,
                 eye: view.camera.eye().to_array(),
                 is_blended: coverage == CoveragePolicy::DRAWN,
-                maps_normals: layers.contains(&Layer::Normal),
+                maps_normals,
+                geometry: (!reads_attributes).then_some(geometry),
                 has_numbers: layers.iter().any(Layer::is_id),
                 with_terms: with_terms && at_pixels,
                 terms_one_by_one: with_terms && !at_pixels,
@@ -174,6 +188,8 @@ pub(super) struct Pass<'p> {
     /// The eye's place in the world, f64, which positions are about.
     eye: [f64; 3],
     maps_normals: bool,
+    /// What layers show of surfaces, if it is no more than barycentrics and this.
+    geometry: Option<Wanted>,
     /// Whether a layer shows numbers of objects or triangles.
     has_numbers: bool,
     /// Whether layers are sums over blended surfaces.
@@ -191,6 +207,7 @@ pub(super) struct LayerWorker<'w> {
     /// A tile of each layer.
     pub(super) tiles: Vec<TileValues>,
     pub(super) of_lights: Vec<LightLanes>,
+    recent: RecentTriangles,
 }
 
 impl<'w> TileWork<LayerWorker<'w>> for Pass<'w> {
@@ -238,6 +255,7 @@ impl<'p> Pass<'p> {
             pixels: Box::new([[0; 4]; (TILE * TILE) as usize]),
             tiles: self.planes.iter().map(Plane::tile).collect(),
             of_lights: vec![LightLanes::NOTHING; self.lights.len()],
+            recent: RecentTriangles::new(),
         }
     }
 
@@ -298,7 +316,7 @@ impl<'p> Pass<'p> {
         is_single: bool,
     ) {
         let Self { scene, .. } = *self;
-        let LayerWorker { worker, pixels, tiles, of_lights } = worker;
+        let LayerWorker { worker, pixels, tiles, of_lights, recent } = worker;
         let Worker { opaque: tile, cache, .. } = &mut **worker;
         let vector = f32x16::splat(simd, 0.0);
         let ids = tile.planes()[0].ids[block];
@@ -315,9 +333,9 @@ impl<'p> Pass<'p> {
             }
         } else {
             let seen = !vector.eq_mask(&ids, TriangleId::NONE.0) & vector.all_lanes();
-            hear(vector, scene, &batch, cache, seen, &mut witness);
+            hear(vector, scene, &batch, cache, (seen, self.geometry), &mut witness);
         }
-        let numbers = self.has_numbers.then(|| Triangles::of(scene, &ids));
+        let numbers = self.has_numbers.then(|| Triangles::of(vector, scene, &ids, recent));
         let seen = match &numbers {
             Some(numbers) => numbers.seen,
             None => !vector.eq_mask(&ids, TriangleId::NONE.0) & vector.all_lanes(),
@@ -457,12 +475,17 @@ fn hear<N: Lanes>(
     scene: &ShadingContext<'_>,
     batch: &Batch,
     cache: &mut ThreadCache,
-    seen: u32,
+    (seen, geometry): (u32, Option<Wanted>),
     witness: &mut LayerWitness<'_, N>,
 ) {
     let mut materials = [0; LANES];
     let mut found = Fragments::nothing(simd);
-    all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
+    match geometry {
+        Some(wanted) => {
+            geometry_of(simd, scene, batch, &mut cache.setup, (seen, wanted), &mut found);
+        }
+        None => all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials),
+    }
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);
 }

@@ -4,8 +4,11 @@ use crate::frame::{Bands, TilePixels, place_in_tile, put_block};
 use luxel_math::{LANES, Lanes};
 use luxel_scene::Size;
 use luxel_view::{Layer, LayerValues};
-use luxel_visibility::TILE;
+use luxel_visibility::{BLOCK, TILE};
 use std::ops::Range;
+
+/// Pixels of a row of a block.
+const SIDE: usize = BLOCK as usize;
 
 /// Three numbers for each pixel of a block, of which a layer shows as many as it has channels.
 pub(super) type BlockValues = [[f32; LANES]; 3];
@@ -111,6 +114,17 @@ impl<'p> Plane<'p> {
             && let Ok(tile) = <&mut TilePixels<T>>::try_from(&mut *tile)
         {
             put_block(tile, block, &values[0]);
+            return;
+        }
+        if self.channels == 3 {
+            for first in (0..LANES).step_by(SIDE) {
+                let at = place_in_tile(block, first) * 3;
+                // Of known length, so that nothing is asked at every number.
+                let Some(row) = tile[at..].first_chunk_mut::<{ SIDE * 3 }>() else { return };
+                for (pixel, into) in row.as_chunks_mut::<3>().0.iter_mut().enumerate() {
+                    *into = std::array::from_fn(|channel| values[channel][first + pixel]);
+                }
+            }
             return;
         }
         for lane in 0..LANES {

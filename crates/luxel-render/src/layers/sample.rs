@@ -3,7 +3,7 @@
 use crate::context::ShadingContext;
 use crate::explain::Lit;
 use luxel_lighting::LightTerms;
-use luxel_math::LANES;
+use luxel_math::{LANES, Lanes, lanes_of};
 use luxel_view::Layer;
 use luxel_visibility::TriangleId;
 
@@ -14,29 +14,54 @@ pub(crate) struct Triangles {
     pub(crate) triangles: [u32; LANES],
 }
 
+/// The numbers of triangles that were asked for last, as blocks see what their neighbours see.
+pub(crate) struct RecentTriangles {
+    /// Id, object and triangle, by the id's last bits.
+    entries: Box<[[u32; 3]; Self::COUNT]>,
+}
+
+impl RecentTriangles {
+    const COUNT: usize = 128;
+
+    pub(crate) fn new() -> Self {
+        Self { entries: Box::new([[TriangleId::NONE.0; 3]; Self::COUNT]) }
+    }
+
+    /// The numbers of object and triangle that a frame shows by an id; `None` for none of the frame's.
+    #[inline(always)]
+    fn numbers(&mut self, scene: &ShadingContext<'_>, id: u32) -> Option<[u32; 2]> {
+        let entry = &mut self.entries[id as usize % Self::COUNT];
+        if entry[0] != id {
+            let of = scene.frame.triangle(TriangleId(id))?;
+            let (object, triangle) = scene.placed.object_of(of);
+            *entry = [id, object as u32, triangle.unwrap_or(u32::MAX)];
+        }
+        let [_, object, triangle] = *entry;
+        Some([object, triangle])
+    }
+}
+
 impl Triangles {
     #[inline(always)]
-    pub(crate) fn of(scene: &ShadingContext<'_>, ids: &[u32; LANES]) -> Self {
+    pub(crate) fn of<N: Lanes>(
+        simd: N,
+        scene: &ShadingContext<'_>,
+        ids: &[u32; LANES],
+        recent: &mut RecentTriangles,
+    ) -> Self {
         let none = [u32::MAX; LANES];
         let mut found = Self { seen: 0, objects: none, triangles: none };
-        let mut last: Option<(u32, u32, u32)> = None;
-        for (lane, &id) in ids.iter().enumerate() {
-            if id == TriangleId::NONE.0 {
-                continue;
+        let mut left = !simd.eq_mask(ids, TriangleId::NONE.0) & simd.all_lanes();
+        while left != 0 {
+            let id = ids[left.trailing_zeros() as usize & (LANES - 1)];
+            let lanes = simd.eq_mask(ids, id) & left;
+            left &= !lanes;
+            let Some([object, triangle]) = recent.numbers(scene, id) else { continue };
+            found.seen |= lanes;
+            for lane in lanes_of(lanes) {
+                found.objects[lane & (LANES - 1)] = object;
+                found.triangles[lane & (LANES - 1)] = triangle;
             }
-            // Neighbours mostly see the same.
-            let (object, triangle) = match last {
-                Some((of, object, triangle)) if of == id => (object, triangle),
-                _ => {
-                    let Some(of) = scene.frame.triangle(TriangleId(id)) else { continue };
-                    let (object, triangle) = scene.placed.object_of(of);
-                    (object as u32, triangle.unwrap_or(u32::MAX))
-                }
-            };
-            last = Some((id, object, triangle));
-            found.seen |= 1 << lane;
-            found.objects[lane] = object;
-            found.triangles[lane] = triangle;
         }
         found
     }

@@ -299,6 +299,28 @@ pub(crate) fn all_fragments<N: Lanes>(
     );
 }
 
+/// Barycentrics, positions and normals of a batch, as far as they are wanted, of a view that interpolates
+/// them in perspective. Other lanes than `seen` hold anything.
+#[inline(never)]
+pub(crate) fn geometry_of<N: Lanes>(
+    simd: N,
+    scene: &ShadingContext<'_>,
+    batch: &Batch,
+    setup: &mut SetupCache,
+    (seen, wanted): (u32, Wanted),
+    found: &mut Fragments<N>,
+) {
+    simd.vectorized(
+        #[inline(always)]
+        || {
+            setup.begin_tile(batch.tile);
+            let materials = &mut [0; LANES];
+            let wanted = (seen, wanted);
+            found.interpolate::<{ needs::PLACES }>(simd, scene, batch, setup, wanted, materials);
+        },
+    );
+}
+
 /// Whether light is computed elsewhere than at pixels and corners, or attributes are interpolated in the
 /// window.
 #[inline(always)]

@@ -11,7 +11,7 @@ mod texel_light;
 mod witness;
 
 pub(crate) use adaptive_subdivision::encoded;
-pub(crate) use block::{ThreadCache, all_fragments, is_studied, point_of, shade};
+pub(crate) use block::{ThreadCache, all_fragments, geometry_of, is_studied, point_of, shade};
 pub(crate) use display::displayed;
 pub(crate) use lit_triangle::LitTriangle;
 pub(crate) use shadowed::VisibleLights;
