@@ -21,9 +21,13 @@ pub(crate) fn rows<const N: usize>(
         let found = format!("expected an array of shape (n, {N}), not ({count}, {width})");
         return Err(argument(name, found));
     }
-    let array = array.as_array();
-    let rows = array.rows().into_iter().map(|row| std::array::from_fn(|column| row[column]));
-    let rows: Vec<[f64; N]> = rows.collect();
+    let rows: Vec<[f64; N]> = match array.as_slice() {
+        Ok(numbers) if array.is_c_contiguous() => numbers.as_chunks().0.to_vec(),
+        _ => {
+            let rows = array.as_array();
+            rows.rows().into_iter().map(|row| std::array::from_fn(|column| row[column])).collect()
+        }
+    };
     match rows.iter().position(|row| row.iter().any(|number| !number.is_finite())) {
         Some(row) => Err(argument(name, format!("row {row} has a number that is not finite"))),
         None => Ok(rows),

@@ -1,7 +1,8 @@
 //! Long work without the interpreter's lock, which Ctrl-C ends.
 
+use luxel::render::Renderer;
 use pyo3::prelude::*;
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -18,8 +19,6 @@ pub(crate) fn interruptible<T: Send>(
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
     let (done, waiting) = channel();
-    // Shared with a closure that the interpreter's lock may not enter.
-    let waiting = Mutex::new(waiting);
     std::thread::scope(|scope| {
         let worker = scope.spawn(move || {
             let result = work();
@@ -27,25 +26,54 @@ pub(crate) fn interruptible<T: Send>(
             let _ = done.send(());
             result
         });
-        let mut interrupted = None;
-        loop {
-            let waited = py.detach(|| lock(&waiting).recv_timeout(PAUSE));
-            if !matches!(waited, Err(RecvTimeoutError::Timeout)) {
-                break;
-            }
-            if let Err(raised) = py.check_signals() {
-                stop();
-                interrupted = Some(raised);
-                break;
-            }
-        }
-        let result = py.detach(|| worker.join());
-        match (interrupted, result) {
-            (Some(raised), _) => Err(raised),
-            (None, Ok(result)) => Ok(result),
-            (None, Err(panic)) => std::panic::resume_unwind(panic),
+        let interrupted = wait(py, waiting, &stop);
+        match (interrupted, worker.join()) {
+            (Err(raised), _) => Err(raised),
+            (Ok(()), Ok(result)) => Ok(result),
+            (Ok(()), Err(panic)) => std::panic::resume_unwind(panic),
         }
     })
+}
+
+/// [`interruptible`] on the threads of a renderer: a small picture takes not much longer than to create a thread.
+///
+/// # Errors
+/// What a signal handler raises: `KeyboardInterrupt` for Ctrl-C.
+pub(crate) fn interruptible_on<T: Send>(
+    py: Python<'_>,
+    renderer: &Renderer,
+    work: impl FnOnce() -> T + Send,
+) -> PyResult<T> {
+    let (done, waiting) = channel();
+    let work = move || {
+        let result = work();
+        let _ = done.send(());
+        result
+    };
+    let mut interrupted = Ok(());
+    let result = renderer.install_while(work, || interrupted = wait(py, waiting, &|| ()));
+    interrupted.map(|()| result)
+}
+
+/// Waits without the lock for the work's end. After a signal that raises something, `stop` is called first.
+///
+/// # Errors
+/// What a signal handler raises.
+fn wait(py: Python<'_>, done: Receiver<()>, stop: &dyn Fn()) -> PyResult<()> {
+    // Shared with a closure that the interpreter's lock may not enter.
+    let done = Mutex::new(done);
+    loop {
+        let waited = py.detach(|| lock(&done).recv_timeout(PAUSE));
+        if !matches!(waited, Err(RecvTimeoutError::Timeout)) {
+            return Ok(());
+        }
+        if let Err(raised) = py.check_signals() {
+            stop();
+            // Work that panics hangs up.
+            let _ = py.detach(|| lock(&done).recv());
+            return Err(raised);
+        }
+    }
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {

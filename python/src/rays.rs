@@ -6,17 +6,21 @@ use crate::scene::SharedScene;
 use luxel::rays::{WorldHit, WorldRay};
 use luxel::render::Renderer;
 use luxel::scene::DVec3;
+use luxel_parallel::gather;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+/// Rays per task that ask for all hits.
+const RUN: usize = 256;
+
 /// What rays hit.
 enum Found {
-    /// The closest hit of each ray.
-    Closest(Vec<Option<WorldHit>>),
     /// Whether each hits anything.
     Any(Vec<bool>),
-    /// All hits, each with its ray, nearest first.
-    All(Vec<(usize, WorldHit)>),
+    /// The closest hit of each ray.
+    Closest(HitArrays),
+    /// All hits, nearest first, each with its ray.
+    All(Vec<i64>, HitArrays),
 }
 
 /// Follows rays from origins along directions, both of shape (n, 3).
@@ -50,11 +54,17 @@ pub(crate) fn rays<'py>(
             .map(|(origin, way)| WorldRay::new(DVec3::from_array(*origin), DVec3::from_array(*way)))
             .collect();
         Ok::<_, PyErr>(renderer.install(|| match mode {
-            "closest" => Found::Closest(picker.closest_of_each(&rays)),
-            "any" => Found::Any(rays.iter().map(|ray| picker.any(ray)).collect()),
+            "any" => Found::Any(picker.any_of_each(&rays)),
+            "closest" => Found::Closest(HitArrays::of(&picker.closest_of_each(&rays))),
             _ => {
-                let of = |(number, ray)| picker.all(ray).into_iter().map(move |hit| (number, hit));
-                Found::All(rays.iter().enumerate().flat_map(of).collect())
+                let all = gather(rays.len(), RUN, &|run, all| {
+                    for number in run {
+                        let hits = picker.all(&rays[number]);
+                        all.extend(hits.into_iter().map(|hit| (number as i64, Some(hit))));
+                    }
+                });
+                let (numbers, hits): (_, Vec<_>) = all.into_iter().unzip();
+                Found::All(numbers, HitArrays::of(&hits))
             }
         }))
     })?;
@@ -63,39 +73,55 @@ pub(crate) fn rays<'py>(
             let count = any.len();
             array(py, any, &[count])
         }
-        Found::Closest(hits) => arrays(py, &hits, None),
-        Found::All(hits) => {
-            let numbers = hits.iter().map(|(number, _)| *number as i64).collect();
-            let hits: Vec<_> = hits.into_iter().map(|(_, hit)| Some(hit)).collect();
-            arrays(py, &hits, Some(numbers))
+        Found::Closest(hits) => Ok(hits.into_dict(py)?.into_any()),
+        Found::All(numbers, hits) => {
+            let count = numbers.len();
+            let dict = hits.into_dict(py)?;
+            dict.set_item("ray", array(py, numbers, &[count])?)?;
+            Ok(dict.into_any())
         }
     }
 }
 
-/// Hits as arrays: -1 and not-a-number where nothing is, t infinite.
-fn arrays<'py>(
-    py: Python<'py>,
-    hits: &[Option<WorldHit>],
-    rays: Option<Vec<i64>>,
-) -> PyResult<Bound<'py, PyAny>> {
-    let count = hits.len();
-    let whole = |value: &dyn Fn(&WorldHit) -> i64| -> Vec<i64> {
-        hits.iter().map(|hit| hit.as_ref().map_or(-1, value)).collect()
-    };
-    let triples = |value: &dyn Fn(&WorldHit) -> [f64; 3]| -> Vec<f64> {
-        hits.iter().flat_map(|hit| hit.as_ref().map_or([f64::NAN; 3], value)).collect()
-    };
-    let dict = PyDict::new(py);
-    if let Some(rays) = rays {
-        dict.set_item("ray", array(py, rays, &[count])?)?;
+/// Hits by their properties: -1 and not-a-number where nothing is, t infinite.
+struct HitArrays {
+    t: Vec<f64>,
+    object: Vec<i64>,
+    triangle: Vec<i64>,
+    barycentric: Vec<[f64; 3]>,
+    position: Vec<[f64; 3]>,
+}
+
+impl HitArrays {
+    fn of(hits: &[Option<WorldHit>]) -> Self {
+        let count = hits.len();
+        let mut arrays = Self {
+            t: vec![f64::INFINITY; count],
+            object: vec![-1; count],
+            triangle: vec![-1; count],
+            barycentric: vec![[f64::NAN; 3]; count],
+            position: vec![[f64::NAN; 3]; count],
+        };
+        for (row, hit) in hits.iter().enumerate() {
+            if let Some(hit) = hit {
+                arrays.t[row] = hit.t;
+                arrays.object[row] = hit.object as i64;
+                arrays.triangle[row] = i64::from(hit.triangle);
+                arrays.barycentric[row] = hit.barycentric;
+                arrays.position[row] = hit.position.to_array();
+            }
+        }
+        arrays
     }
-    let t: Vec<f64> =
-        hits.iter().map(|hit| hit.as_ref().map_or(f64::INFINITY, |hit| hit.t)).collect();
-    dict.set_item("t", array(py, t, &[count])?)?;
-    dict.set_item("object", array(py, whole(&|hit| hit.object as i64), &[count])?)?;
-    dict.set_item("triangle", array(py, whole(&|hit| i64::from(hit.triangle)), &[count])?)?;
-    dict.set_item("barycentric", array(py, triples(&|hit| hit.barycentric), &[count, 3])?)?;
-    let positions = triples(&|hit| hit.position.to_array());
-    dict.set_item("position", array(py, positions, &[count, 3])?)?;
-    Ok(dict.into_any())
+
+    fn into_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+        let count = self.t.len();
+        let dict = PyDict::new(py);
+        dict.set_item("t", array(py, self.t, &[count])?)?;
+        dict.set_item("object", array(py, self.object, &[count])?)?;
+        dict.set_item("triangle", array(py, self.triangle, &[count])?)?;
+        dict.set_item("barycentric", array(py, self.barycentric.into_flattened(), &[count, 3])?)?;
+        dict.set_item("position", array(py, self.position.into_flattened(), &[count, 3])?)?;
+        Ok(dict)
+    }
 }

@@ -4,7 +4,7 @@ use crate::arrays::rows;
 use crate::camera::camera_of;
 use crate::errors::{argument, error};
 use crate::frame::PyFrame;
-use crate::interruptible::interruptible;
+use crate::interruptible::interruptible_on;
 use crate::ledger::PyLedger;
 use crate::picks::{PyHit, hits_of};
 use crate::scene::SharedScene;
@@ -106,16 +106,12 @@ impl PyView {
                 asked.push(layer);
             }
         }
-        let drawn = interruptible(
-            py,
-            || (),
-            || {
-                let (mut picture, mut values) = (Picture::default(), Vec::new());
-                let drawn =
-                    self.renderer.rgba8_with_layers(&self.view, &asked, &mut picture, &mut values);
-                drawn.map(|()| (picture, values))
-            },
-        )?;
+        let drawn = interruptible_on(py, &self.renderer, || {
+            let (mut picture, mut values) = (Picture::default(), Vec::new());
+            let drawn =
+                self.renderer.rgba8_with_layers(&self.view, &asked, &mut picture, &mut values);
+            drawn.map(|()| (picture, values))
+        })?;
         let (picture, values) = drawn.map_err(error)?;
         PyFrame::new(py, picture, asked.into_iter().zip(values))
     }
@@ -217,15 +213,11 @@ impl PyView {
         y: &Bound<'_, PyAny>,
     ) -> PyResult<PyLedger> {
         let place = place_of(x, y)?;
-        let explained = interruptible(
-            py,
-            || (),
-            || {
-                let explanation = self.renderer.explain(&self.view, place)?;
-                let unseen = Unseen::new(&self.renderer, &self.view, &explanation)?;
-                Ok::<_, luxel::render::RenderError>((explanation, unseen))
-            },
-        )?;
+        let explained = interruptible_on(py, &self.renderer, || {
+            let explanation = self.renderer.explain(&self.view, place)?;
+            let unseen = Unseen::new(&self.renderer, &self.view, &explanation)?;
+            Ok::<_, luxel::render::RenderError>((explanation, unseen))
+        })?;
         let (explanation, unseen) = explained.map_err(|error| argument("x, y", error))?;
         let scene = Arc::clone(self.renderer.scene());
         Ok(PyLedger::new(
