@@ -1,9 +1,9 @@
 """Pictures a second, in one process, of one program.
 
-    frames.py luxel|pyrender|pyvista MESH.ply SIZE rgba|depth|layers SAMPLES PICTURES [PICTURE.png]
+    frames.py luxel|pyrender|pyvista MESH.ply SIZE rgba|depth|layers SAMPLES PICTURES THREADS [PICTURE.png]
 
 `rgba` is colour alone, `depth` colour and depth, `layers` colour, depth, normals, objects and triangles (luxel
-alone). The camera goes around the mesh; scene and context are there before. Prints the medians of the milliseconds of a
+alone). THREADS are luxel's, 0 for all. The camera goes around the mesh; scene and context are there before. Prints the medians of the milliseconds of a
 picture: by the wall's clock, and of all processors.
 """
 
@@ -14,8 +14,8 @@ import time
 
 import numpy as np
 
-who, path, size, what, samples, pictures, *picture = sys.argv[1:]
-size, samples, pictures = int(size), int(samples), int(pictures)
+who, path, size, what, samples, pictures, threads, *picture = sys.argv[1:]
+size, samples, pictures, threads = int(size), int(samples), int(pictures), int(threads)
 
 
 def pose(frame):
@@ -34,7 +34,7 @@ def luxel_drawer():
     def draw(pose):
         camera = luxel.Camera.from_pose(pose, fov_y=45, near=0.1, far=10)
         lights = ["directional:dir=-.4,-.6,-1:in=camera"]
-        frame = scene.render((size, size), camera, layers, samples=samples, threads=1, lights=lights)
+        frame = scene.render((size, size), camera, layers, samples=samples, threads=threads, lights=lights)
         return frame.rgba, frame.z if layers else None
 
     return draw

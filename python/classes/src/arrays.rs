@@ -28,10 +28,13 @@ pub(crate) fn rows<const N: usize>(
             rows.rows().into_iter().map(|row| std::array::from_fn(|column| row[column])).collect()
         }
     };
-    match rows.iter().position(|row| row.iter().any(|number| !number.is_finite())) {
-        Some(row) => Err(argument(name, format!("row {row} has a number that is not finite"))),
-        None => Ok(rows),
+    // All in one go: to stop at the first one takes longer for every other one.
+    if rows.as_flattened().iter().fold(true, |all, number| all & number.is_finite()) {
+        return Ok(rows);
     }
+    let row = rows.iter().position(|row| row.iter().any(|number| !number.is_finite()));
+    let row = row.unwrap_or_default();
+    Err(argument(name, format!("row {row} has a number that is not finite")))
 }
 
 /// Rows of N indices below `count`.

@@ -5,13 +5,15 @@ use crate::errors::argument;
 use crate::scene::SharedScene;
 use luxel::rays::{WorldHit, WorldRay};
 use luxel::render::Renderer;
-use luxel::scene::DVec3;
-use luxel_parallel::gather;
+use luxel_parallel::{each, fill, gather};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// Rays per task that ask for all hits.
 const RUN: usize = 256;
+
+/// Rays per task that ask for less: their hits stay in a processor's cache until they are arrays.
+const PIECE: usize = 4096;
 
 /// What rays hit.
 enum Found {
@@ -48,23 +50,40 @@ pub(crate) fn rays<'py>(
     }
     let found = py.detach(|| {
         let picker = shared.picker()?;
-        let rays: Vec<WorldRay> = origins
-            .iter()
-            .zip(&directions)
-            .map(|(origin, way)| WorldRay::new(DVec3::from_array(*origin), DVec3::from_array(*way)))
-            .collect();
+        let rays = |at: usize, count: usize| -> Vec<WorldRay> {
+            let rays = origins[at..at + count].iter().zip(&directions[at..]);
+            rays.map(|(&origin, &way)| WorldRay::new(origin.into(), way.into())).collect()
+        };
+        let count = origins.len();
         Ok::<_, PyErr>(renderer.install(|| match mode {
-            "any" => Found::Any(picker.any_of_each(&rays)),
-            "closest" => Found::Closest(HitArrays::of(&picker.closest_of_each(&rays))),
+            "any" => {
+                let mut any = vec![false; count];
+                fill(&mut any, PIECE, &|at, any| {
+                    any.copy_from_slice(&picker.any_of_each(&rays(at, any.len())));
+                });
+                Found::Any(any)
+            }
+            "closest" => {
+                let mut arrays = HitArrays::misses(count);
+                each(arrays.pieces().enumerate(), &|(piece, mut rows): (usize, HitRows<'_>)| {
+                    let rays = rays(piece * PIECE, rows.t.len());
+                    rows.put(&picker.closest_of_each(&rays));
+                });
+                Found::Closest(arrays)
+            }
             _ => {
-                let all = gather(rays.len(), RUN, &|run, all| {
-                    for number in run {
-                        let hits = picker.all(&rays[number]);
+                let all = gather(count, RUN, &|run, all| {
+                    for (number, ray) in run.clone().zip(rays(run.start, run.len())) {
+                        let hits = picker.all(&ray);
                         all.extend(hits.into_iter().map(|hit| (number as i64, Some(hit))));
                     }
                 });
                 let (numbers, hits): (_, Vec<_>) = all.into_iter().unzip();
-                Found::All(numbers, HitArrays::of(&hits))
+                let mut arrays = HitArrays::misses(hits.len());
+                for (mut rows, hits) in arrays.pieces().zip(hits.chunks(PIECE)) {
+                    rows.put(hits);
+                }
+                Found::All(numbers, arrays)
             }
         }))
     })?;
@@ -92,26 +111,54 @@ struct HitArrays {
     position: Vec<[f64; 3]>,
 }
 
+/// Some rows of [`HitArrays`].
+struct HitRows<'a> {
+    t: &'a mut [f64],
+    object: &'a mut [i64],
+    triangle: &'a mut [i64],
+    barycentric: &'a mut [[f64; 3]],
+    position: &'a mut [[f64; 3]],
+}
+
+impl HitRows<'_> {
+    /// Puts hits where there are any.
+    fn put(&mut self, hits: &[Option<WorldHit>]) {
+        for (row, hit) in hits.iter().enumerate() {
+            if let Some(hit) = hit {
+                self.t[row] = hit.t;
+                self.object[row] = hit.object as i64;
+                self.triangle[row] = i64::from(hit.triangle);
+                self.barycentric[row] = hit.barycentric;
+                self.position[row] = hit.position.to_array();
+            }
+        }
+    }
+}
+
 impl HitArrays {
-    fn of(hits: &[Option<WorldHit>]) -> Self {
-        let count = hits.len();
-        let mut arrays = Self {
+    /// Rows without hits.
+    fn misses(count: usize) -> Self {
+        Self {
             t: vec![f64::INFINITY; count],
             object: vec![-1; count],
             triangle: vec![-1; count],
             barycentric: vec![[f64::NAN; 3]; count],
             position: vec![[f64::NAN; 3]; count],
-        };
-        for (row, hit) in hits.iter().enumerate() {
-            if let Some(hit) = hit {
-                arrays.t[row] = hit.t;
-                arrays.object[row] = hit.object as i64;
-                arrays.triangle[row] = i64::from(hit.triangle);
-                arrays.barycentric[row] = hit.barycentric;
-                arrays.position[row] = hit.position.to_array();
-            }
         }
-        arrays
+    }
+
+    /// Rows of [`PIECE`] rays each.
+    fn pieces(&mut self) -> impl ExactSizeIterator<Item = HitRows<'_>> + Send {
+        let numbers = self.object.chunks_mut(PIECE).zip(self.triangle.chunks_mut(PIECE));
+        let places = self.barycentric.chunks_mut(PIECE).zip(self.position.chunks_mut(PIECE));
+        let rows = self.t.chunks_mut(PIECE).zip(numbers.zip(places));
+        rows.map(|(t, ((object, triangle), (barycentric, position)))| HitRows {
+            t,
+            object,
+            triangle,
+            barycentric,
+            position,
+        })
     }
 
     fn into_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
