@@ -162,6 +162,32 @@ def test_random_arguments_never_end_the_interpreter():
 
 
 @pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals need the main thread")
+@pytest.mark.parametrize("layers", [None, ["z", "openness"]])
+def test_ctrl_c_ends_a_picture_in_the_middle(layers):
+    scene = luxel.load("demo:teapot")
+    scene.render((64, 64), ao=True)
+    timer = threading.Timer(0.5, lambda: signal.raise_signal(signal.SIGINT))
+    timer.start()
+    start = time.perf_counter()
+    # It takes a minute.
+    with pytest.raises(KeyboardInterrupt):
+        scene.render((6000, 6000), layers=layers, samples=16 if layers is None else 1, ao=64)
+    assert time.perf_counter() - start < 10
+    assert scene.render((64, 64), ao=True).rgba.any()
+
+
+@pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals need the main thread")
+def test_ctrl_c_ends_many_rays_in_the_middle():
+    scene = luxel.load("demo:blob")
+    directions = np.random.default_rng(5).normal(size=(300_000, 3))
+    scene.rays(np.zeros_like(directions), directions, mode="any")
+    threading.Timer(0.2, lambda: signal.raise_signal(signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        for _ in range(10_000):
+            scene.rays(np.zeros_like(directions), directions, mode="all")
+
+
+@pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals need the main thread")
 def test_ctrl_c_ends_long_work():
     scene = luxel.load("demo:teapot")
     timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))

@@ -2,6 +2,7 @@
 
 use luxel::render::Renderer;
 use pyo3::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -35,23 +36,28 @@ pub(crate) fn interruptible<T: Send>(
     })
 }
 
-/// [`interruptible`] on the threads of a renderer: a small picture takes not much longer than to create a thread.
+/// [`interruptible`] on the threads of a renderer: a small picture takes not much longer than to create a thread. The
+/// work ends early once what it is given is true.
 ///
 /// # Errors
 /// What a signal handler raises: `KeyboardInterrupt` for Ctrl-C.
 pub(crate) fn interruptible_on<T: Send>(
     py: Python<'_>,
     renderer: &Renderer,
-    work: impl FnOnce() -> T + Send,
+    work: impl FnOnce(&AtomicBool) -> T + Send,
 ) -> PyResult<T> {
+    let stop = AtomicBool::new(false);
     let (done, waiting) = channel();
+    let asked = &stop;
+    // Owns `done`, so that a panic hangs up.
     let work = move || {
-        let result = work();
+        let result = work(asked);
         let _ = done.send(());
         result
     };
     let mut interrupted = Ok(());
-    let result = renderer.install_while(work, || interrupted = wait(py, waiting, &|| ()));
+    let raise = || stop.store(true, Ordering::Relaxed);
+    let result = renderer.install_while(work, || interrupted = wait(py, waiting, &raise));
     interrupted.map(|()| result)
 }
 

@@ -2,12 +2,14 @@
 
 use crate::arrays::{array, rows};
 use crate::errors::argument;
+use crate::interruptible::interruptible_on;
 use crate::scene::SharedScene;
 use luxel::rays::{WorldHit, WorldRay};
 use luxel::render::Renderer;
 use luxel_parallel::{each, fill, gather};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::atomic::Ordering;
 
 /// Rays per task that ask for all hits.
 const RUN: usize = 256;
@@ -48,31 +50,39 @@ pub(crate) fn rays<'py>(
     if let Some(row) = directions.iter().position(|direction| *direction == [0.0; 3]) {
         return Err(argument("directions", format!("row {row} has no length")));
     }
-    let found = py.detach(|| {
-        let picker = shared.picker()?;
+    let picker = py.detach(|| shared.picker())?;
+    let found = interruptible_on(py, renderer, |stop| {
+        let is_stopped = || stop.load(Ordering::Relaxed);
         let rays = |at: usize, count: usize| -> Vec<WorldRay> {
             let rays = origins[at..at + count].iter().zip(&directions[at..]);
             rays.map(|(&origin, &way)| WorldRay::new(origin.into(), way.into())).collect()
         };
         let count = origins.len();
-        Ok::<_, PyErr>(renderer.install(|| match mode {
+        match mode {
             "any" => {
                 let mut any = vec![false; count];
                 fill(&mut any, PIECE, &|at, any| {
-                    any.copy_from_slice(&picker.any_of_each(&rays(at, any.len())));
+                    if !is_stopped() {
+                        any.copy_from_slice(&picker.any_of_each(&rays(at, any.len())));
+                    }
                 });
                 Found::Any(any)
             }
             "closest" => {
                 let mut arrays = HitArrays::misses(count);
                 each(arrays.pieces().enumerate(), &|(piece, mut rows): (usize, HitRows<'_>)| {
-                    let rays = rays(piece * PIECE, rows.t.len());
-                    rows.put(&picker.closest_of_each(&rays));
+                    if !is_stopped() {
+                        let rays = rays(piece * PIECE, rows.t.len());
+                        rows.put(&picker.closest_of_each(&rays));
+                    }
                 });
                 Found::Closest(arrays)
             }
             _ => {
                 let all = gather(count, RUN, &|run, all| {
+                    if is_stopped() {
+                        return;
+                    }
                     for (number, ray) in run.clone().zip(rays(run.start, run.len())) {
                         let hits = picker.all(&ray);
                         all.extend(hits.into_iter().map(|hit| (number as i64, Some(hit))));
@@ -85,7 +95,7 @@ pub(crate) fn rays<'py>(
                 }
                 Found::All(numbers, arrays)
             }
-        }))
+        }
     })?;
     match found {
         Found::Any(any) => {

@@ -106,11 +106,12 @@ impl PyView {
                 asked.push(layer);
             }
         }
-        let drawn = interruptible_on(py, &self.renderer, || {
+        let drawn = interruptible_on(py, &self.renderer, |stop| {
             let (mut picture, mut values) = (Picture::default(), Vec::new());
-            let drawn =
-                self.renderer.rgba8_with_layers(&self.view, &asked, &mut picture, &mut values);
-            drawn.map(|()| (picture, values))
+            let Self { renderer, view, .. } = self;
+            renderer
+                .rgba8_with_layers_until(stop, view, &asked, &mut picture, &mut values)
+                .map(|()| (picture, values))
         })?;
         let (picture, values) = drawn.map_err(error)?;
         PyFrame::new(py, picture, asked.into_iter().zip(values))
@@ -213,7 +214,7 @@ impl PyView {
         y: &Bound<'_, PyAny>,
     ) -> PyResult<PyLedger> {
         let place = place_of(x, y)?;
-        let explained = interruptible_on(py, &self.renderer, || {
+        let explained = interruptible_on(py, &self.renderer, |_| {
             let explanation = self.renderer.explain(&self.view, place)?;
             let unseen = Unseen::new(&self.renderer, &self.view, &explanation)?;
             Ok::<_, luxel::render::RenderError>((explanation, unseen))

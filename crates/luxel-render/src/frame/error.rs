@@ -48,6 +48,9 @@ pub enum RenderError {
     /// More pieces of vectors than are allowed.
     #[error("the picture has more than {0} pieces of one colour")]
     TooManyPieces(usize),
+    /// Another thread has asked to stop.
+    #[error("the drawing was stopped")]
+    Stopped,
     /// The machine lacks the instruction set.
     #[error("{0}")]
     Simd(String),

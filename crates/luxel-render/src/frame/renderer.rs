@@ -8,7 +8,7 @@ use super::frame_setup;
 use super::picture::{Picture, Stages};
 use super::tile_drawing::TileDrawing;
 use super::tile_shading::{Worker, add_layer, tile_pixels};
-use super::tiles::TilePixels;
+use super::tiles::{NEVER, TilePixels};
 use super::workers::{BusyWorker, Workers};
 use crate::backdrop::{Around, Backdrop, Ground};
 use crate::context::{AttributeMask, Heard, ShadingContext};
@@ -26,6 +26,7 @@ use luxel_visibility::{
     Clusters, CoveragePolicy, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile, ViewRays,
 };
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
@@ -162,7 +163,7 @@ impl Renderer {
     /// [`RenderError`] if the view asks for something impossible.
     pub fn linear(&self, view: &View) -> Result<Picture<[f32; 4]>, RenderError> {
         let mut picture = Picture::default();
-        self.draw(view, &Linear, &mut picture)?;
+        self.draw(view, &Linear, &NEVER, &mut picture)?;
         Ok(picture)
     }
 
@@ -185,8 +186,18 @@ impl Renderer {
         view: &View,
         picture: &mut Picture<[u8; 4]>,
     ) -> Result<(), RenderError> {
+        self.rgba8_until(&NEVER, view, picture)
+    }
+
+    /// [`Renderer::rgba8_into`] until `stop` is true.
+    pub(crate) fn rgba8_until(
+        &self,
+        stop: &AtomicBool,
+        view: &View,
+        picture: &mut Picture<[u8; 4]>,
+    ) -> Result<(), RenderError> {
         let encoding = view.encoding;
-        self.draw(view, &Bytes(encoding), picture)
+        self.draw(view, &Bytes(encoding), stop, picture)
     }
 
     /// Draws a view, each block turned into what is kept of its pixels while it is in registers.
@@ -194,15 +205,17 @@ impl Renderer {
         &self,
         view: &View,
         finish: &F,
+        stop: &AtomicBool,
         picture: &mut Picture<F::Pixel>,
     ) -> Result<(), RenderError> {
         let begin = self.now();
         self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, alpha_test| {
             let bin = self.now() - begin;
             let drawing = TileDrawing::new(self, scene, alpha_test);
-            drawing.draw(finish, &|_| true, picture);
+            drawing.draw(finish, &|_| true, stop, picture);
             picture.stages = Stages { bin, frame: self.now() - begin, ..picture.stages };
-        })
+        })?;
+        if stop.load(Ordering::Relaxed) { Err(RenderError::Stopped) } else { Ok(()) }
     }
 
     /// Draws one tile; the time at which it was known what is seen.

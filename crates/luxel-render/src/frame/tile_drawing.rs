@@ -3,7 +3,7 @@
 use super::error::RenderError;
 use super::picture::{Picture, Stages, Subdivision};
 use super::renderer::Renderer;
-use super::tiles::{Bands, TilePixels, TileWork, for_tiles};
+use super::tiles::{Bands, NEVER, TilePixels, TileWork, for_tiles};
 use super::workers::BusyWorker;
 use crate::context::{Heard, ShadingContext};
 use crate::coverage::AlphaTest;
@@ -12,6 +12,7 @@ use luxel_view::View;
 use luxel_visibility::{CoveragePolicy, TILE};
 use std::ops::Range;
 use std::sync::Mutex;
+use std::sync::atomic::AtomicBool;
 
 /// A view that is culled and binned, to be drawn in sets of tiles: see [`Renderer::with_tiles`].
 pub struct TileDrawing<'d> {
@@ -100,14 +101,15 @@ impl<'d> TileDrawing<'d> {
         set: impl Fn(usize) -> bool + Sync + Send,
         picture: &mut Picture<[u8; 4]>,
     ) {
-        self.draw(&Bytes(self.scene.encoding), &set, picture);
+        self.draw(&Bytes(self.scene.encoding), &set, &NEVER, picture);
     }
 
-    /// Draws the tiles of a set, each block finished while it is in registers.
+    /// Draws the tiles of a set, each block finished while it is in registers, until `stop` is true.
     pub(super) fn draw<F: Finish>(
         &self,
         finish: &F,
         set: &(dyn Fn(usize) -> bool + Sync),
+        stop: &AtomicBool,
         picture: &mut Picture<F::Pixel>,
     ) {
         let Self { renderer, scene, alpha_test } = *self;
@@ -128,7 +130,7 @@ impl<'d> TileDrawing<'d> {
             sums: &sums,
         };
         let worker = || (renderer.worker(scene.frame.samples()), new_tile());
-        for_tiles(scene.frame, set, scene.backdrop.is_some(), worker, &work);
+        for_tiles(scene.frame, set, scene.backdrop.is_some(), stop, worker, &work);
         let sums = sums.into_inner().unwrap_or_default();
         picture.encoding = scene.encoding;
         picture.stages = Stages { frame: renderer.now() - begin, ..sums };

@@ -4,9 +4,12 @@ use luxel_scene::Size;
 use luxel_visibility::{Frame, TILE};
 use std::ops::Range;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 const SIDE: usize = TILE as usize;
+
+/// What nobody stops.
+pub(crate) static NEVER: AtomicBool = AtomicBool::new(false);
 
 /// The pixels of a tile, row by row.
 pub(crate) type TilePixels<T> = [T; SIDE * SIDE];
@@ -67,11 +70,12 @@ pub(crate) trait TileWork<W>: Sync {
 /// Does work on the tiles of a frame that a set holds, by all threads: draws those that show a surface,
 /// or all if `are_all_drawn`, and fills the others. `worker` makes what one thread
 /// keeps from tile to tile. The outcome is the same for any number of threads, as a tile depends on
-/// nothing but itself.
+/// nothing but itself. Once `stop` is true, the tiles that are left aren't drawn.
 pub(crate) fn for_tiles<W>(
     frame: &Frame<'_>,
     set: &(dyn Fn(usize) -> bool + Sync),
     are_all_drawn: bool,
+    stop: &AtomicBool,
     worker: impl Fn() -> W + Sync,
     work: &impl TileWork<W>,
 ) {
@@ -84,7 +88,7 @@ pub(crate) fn for_tiles<W>(
     let next = AtomicUsize::new(0);
     let take = || {
         let mut worker = worker();
-        loop {
+        while !stop.load(Ordering::Relaxed) {
             let task = next.fetch_add(1, Ordering::Relaxed);
             if let Some(&tile) = order.get(task) {
                 work.draw(&mut worker, tile as usize);

@@ -7,8 +7,8 @@ use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::explain::Lit;
 use crate::frame::{
-    AHEAD, ALL_BLOCKS, Bands, BusyWorker, Picture, RenderError, Renderer, Stages, Subdivision,
-    TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
+    AHEAD, ALL_BLOCKS, Bands, BusyWorker, NEVER, Picture, RenderError, Renderer, Stages,
+    Subdivision, TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
 };
 use crate::interpolate::{Batch, Fragments, Wanted, nearest_sample};
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels, over_backdrop};
@@ -23,6 +23,7 @@ use luxel_view::{ShadingMode, View};
 use luxel_visibility::{CoveragePolicy, TILE, TriangleId};
 use std::ops::Range;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 impl Renderer {
     /// Layers of a view in the given order, all from one pass.
@@ -31,7 +32,7 @@ impl Renderer {
     /// [`RenderError`] if the view asks for something impossible.
     pub fn layers(&self, view: &View, layers: &[Layer]) -> Result<Vec<LayerValues>, RenderError> {
         let mut values = Vec::new();
-        self.layer_pass(view, layers, None, &mut values)?;
+        self.layer_pass(&NEVER, view, layers, None, &mut values)?;
         Ok(values)
     }
 
@@ -48,17 +49,33 @@ impl Renderer {
         picture: &mut Picture<[u8; 4]>,
         values: &mut Vec<LayerValues>,
     ) -> Result<(), RenderError> {
+        self.rgba8_with_layers_until(&NEVER, view, layers, picture, values)
+    }
+
+    /// [`Renderer::rgba8_with_layers`], unless another thread makes `stop` true first: the tiles that are drawn
+    /// then are finished, a matter of milliseconds, and what has been drawn is of no use.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the view asks for something impossible, or [`RenderError::Stopped`].
+    pub fn rgba8_with_layers_until(
+        &self,
+        stop: &AtomicBool,
+        view: &View,
+        layers: &[Layer],
+        picture: &mut Picture<[u8; 4]>,
+        values: &mut Vec<LayerValues>,
+    ) -> Result<(), RenderError> {
         if layers.is_empty() {
             values.clear();
-            return self.rgba8_into(view, picture);
+            return self.rgba8_until(stop, view, picture);
         }
         let blends = self.has_blended_materials();
         let start = self.now();
         if view.samples == 1 && !blends && view.edges.is_none() {
-            self.layer_pass(view, layers, Some(picture), values)?;
+            self.layer_pass(stop, view, layers, Some(picture), values)?;
         } else {
-            self.rgba8_into(view, picture)?;
-            self.layer_pass(view, layers, None, values)?;
+            self.rgba8_until(stop, view, picture)?;
+            self.layer_pass(stop, view, layers, None, values)?;
         }
         picture.stages.frame = self.now() - start;
         Ok(())
@@ -66,29 +83,31 @@ impl Renderer {
 
     fn layer_pass(
         &self,
+        stop: &AtomicBool,
         view: &View,
         layers: &[Layer],
         picture: Option<&mut Picture<[u8; 4]>>,
         values: &mut Vec<LayerValues>,
     ) -> Result<(), RenderError> {
         if self.has_blended_materials() && layers.iter().any(Layer::is_summed) {
-            return self.layers_apart(view, layers, values);
+            return self.layers_apart(stop, view, layers, values);
         }
-        self.one_pass(view, layers, picture, values, CoveragePolicy::NEAREST)
+        self.one_pass(stop, view, layers, picture, values, CoveragePolicy::NEAREST)
     }
 
     /// Terms of light from all layers of blended surfaces; all else from the nearest ones.
     fn layers_apart(
         &self,
+        stop: &AtomicBool,
         view: &View,
         layers: &[Layer],
         values: &mut Vec<LayerValues>,
     ) -> Result<(), RenderError> {
         let (terms, others): (Vec<_>, Vec<_>) = layers.iter().cloned().partition(Layer::is_summed);
         let (mut of_terms, mut of_others) = (Vec::new(), Vec::new());
-        self.one_pass(view, &terms, None, &mut of_terms, CoveragePolicy::DRAWN)?;
+        self.one_pass(stop, view, &terms, None, &mut of_terms, CoveragePolicy::DRAWN)?;
         if !others.is_empty() {
-            self.one_pass(view, &others, None, &mut of_others, CoveragePolicy::NEAREST)?;
+            self.one_pass(stop, view, &others, None, &mut of_others, CoveragePolicy::NEAREST)?;
         }
         let (mut of_terms, mut of_others) = (of_terms.into_iter(), of_others.into_iter());
         let next = |layer: &Layer| {
@@ -100,6 +119,7 @@ impl Renderer {
 
     fn one_pass(
         &self,
+        stop: &AtomicBool,
         view: &View,
         layers: &[Layer],
         picture: Option<&mut Picture<[u8; 4]>>,
@@ -160,7 +180,7 @@ impl Renderer {
                 terms_one_by_one: with_terms && !at_pixels,
             };
             let are_all_drawn = pass.pixels.is_some() && scene.backdrop.is_some();
-            for_tiles(scene.frame, &|_| true, are_all_drawn, || pass.worker(), &pass);
+            for_tiles(scene.frame, &|_| true, are_all_drawn, stop, || pass.worker(), &pass);
             drop(pass);
             if let Some(picture) = picture {
                 picture.size = view.size;
@@ -168,7 +188,8 @@ impl Renderer {
                 picture.subdivision = Subdivision::of(scene);
                 picture.stages = Stages { bin, ..sums.into_inner().unwrap_or_default() };
             }
-        })
+        })?;
+        if stop.load(Ordering::Relaxed) { Err(RenderError::Stopped) } else { Ok(()) }
     }
 }
 

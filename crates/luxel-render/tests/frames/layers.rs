@@ -2,8 +2,9 @@
 
 use crate::scenes::{execution, fitted, matte, scene, square, view};
 use luxel_math::SimdLevel;
-use luxel_render::{Layer, LayerValues, Picture, Renderer, Shading, ShadingMode};
+use luxel_render::{Layer, LayerValues, Picture, RenderError, Renderer, Shading, ShadingMode};
 use luxel_scene::{DMat4, DVec3};
+use std::sync::atomic::AtomicBool;
 
 /// Two squares, the second one nearer and shifted to the right by half a unit.
 fn renderer() -> Renderer {
@@ -127,6 +128,23 @@ fn a_picture_with_its_layers_has_the_bytes_of_each_alone() {
         for (layer, values) in Layer::ALL.iter().zip(&values) {
             let alone = renderer.layers(&view, std::slice::from_ref(layer)).unwrap().remove(0);
             assert!(*values == alone, "{layer:?}, {samples} samples");
+        }
+    }
+}
+
+#[test]
+fn a_picture_that_was_stopped_is_no_success() {
+    let renderer = renderer();
+    let (mut picture, mut values) = (Picture::default(), Vec::new());
+    for samples in [1, 4] {
+        for layers in [&[][..], &[Layer::Z], &Layer::ALL] {
+            let view = view(64).with_samples(samples);
+            let mut draw = |stop: bool| {
+                let stop = AtomicBool::new(stop);
+                renderer.rgba8_with_layers_until(&stop, &view, layers, &mut picture, &mut values)
+            };
+            assert!(draw(false).is_ok());
+            assert!(matches!(draw(true), Err(RenderError::Stopped)), "{samples}, {layers:?}");
         }
     }
 }
