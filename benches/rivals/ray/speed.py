@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Pictures a second: `luxel batch`, the same list over Ray, a luxel process a picture and an f3d process a picture, in turns.
 
-    python benches/rivals/ray/speed.py LUXEL FOLDER [--tasks 2000] [--rounds 3]
+    python benches/rivals/ray/speed.py LUXEL FOLDER [--tasks 6000] [--rounds 3]
 
-LUXEL is the program; FOLDER, which must be empty or absent, gets models, lists and outputs. Needs luxel, ray[data] and, for its
+LUXEL is the program, for processes; `luxel batch` is the package's, as Ray's actors are. FOLDER, which must be empty or absent, gets models, lists and outputs. Needs luxel, ray[data] and, for its
 row, f3d (pip install f3d; it draws by EGL). All have two workers. Pictures are RGBA of 224x224 as PNG, 1 sample, of closed meshes
 of 1 020 triangles, 12 views of each; processes a picture draw fewer of the same. Ray's start is left out: a small
 list is drawn first; the second figure leaves the start of actors out, too, and counts from the first stored task to the last.
@@ -57,11 +57,12 @@ def write_list(path: pathlib.Path, count: int, first: int = 0) -> None:
             file.write(json.dumps(task) + "\n")
 
 
-def batch(luxel: str, folder: pathlib.Path, tasks: str) -> float:
+def batch(folder: pathlib.Path, tasks: str) -> float:
     out = folder / "batch"
     shutil.rmtree(out, ignore_errors=True)
     began = time.perf_counter()
-    subprocess.run([luxel, "batch", str(folder / tasks), "-o", str(out), "--workers=2", "-q"], check=True)
+    command = [sys.executable, "-m", "luxel", "batch", str(folder / tasks), "-o", str(out), "--workers=2", "-q"]
+    subprocess.run(command, check=True)
     return time.perf_counter() - began
 
 
@@ -94,7 +95,7 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("luxel")
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--tasks", type=int, default=2000)
+    parser.add_argument("--tasks", type=int, default=6000)
     parser.add_argument("--rounds", type=int, default=3)
     given = parser.parse_args()
     import ray
@@ -116,7 +117,7 @@ def main() -> None:
     rates: dict[str, list[float]] = {}
     pictures = given.tasks * VIEWS
     for _ in range(given.rounds):
-        turn = {"luxel batch": pictures / batch(given.luxel, folder, "tasks.jsonl")}
+        turn = {"luxel batch": pictures / batch(folder, "tasks.jsonl")}
         whole, inner = over_ray(folder, "tasks.jsonl")
         turn |= {"Ray": pictures / whole, "Ray, without the start of actors": pictures / inner}
         turn["a luxel process a picture"] = len(one) / processes(one)

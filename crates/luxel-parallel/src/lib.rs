@@ -38,7 +38,7 @@ mod run;
 mod sort;
 mod thread;
 
-pub use run::{any, each, fill, first, gather, map};
+pub use run::{any, each, each_from_outside, fill, first, gather, map};
 pub use sort::{sort_u32, sort_u64, sort_u128};
 pub use thread::{install, install_while, join, limit_threads, pool, tasks, threads};
 

@@ -1,9 +1,10 @@
 //! Runs: how work is cut into pieces, and what they give put together.
 
 use crate::thread::{tasks, until_done};
+use rayon::ThreadPool;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// The numbers of a run.
 fn range(run: usize, length: usize, count: usize) -> Range<usize> {
@@ -55,9 +56,50 @@ pub fn each<T: Send>(pieces: impl ExactSizeIterator<Item = T> + Send, work: &(dy
     let pieces = Mutex::new(pieces);
     until_done(count, &|| {
         // In a statement of its own: the lock is let go of before the work.
-        let piece = pieces.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let piece = lock(&pieces).next();
         piece.map(work).is_some()
     });
+}
+
+/// [`each`] by this thread and, beside it, all but one of a pool's, which so are as many as the pool has. After each
+/// of its own pieces this thread asks whether to go on; once not, pieces that nobody has begun are left.
+///
+/// Calls from outside of the pool that last some milliseconds take less time so: one thread less has to be woken, and
+/// the one that calls doesn't lie idle.
+///
+/// # Panics
+/// If the work does.
+pub fn each_from_outside<T: Send>(
+    pool: Option<&ThreadPool>,
+    pieces: impl Iterator<Item = T> + Send,
+    work: &(dyn Fn(T) + Sync),
+    goes_on: &mut dyn FnMut() -> bool,
+) {
+    let pieces = Mutex::new(Some(pieces));
+    let next = || lock(&pieces).as_mut()?.next();
+    let mut own = || {
+        while let Some(piece) = next() {
+            work(piece);
+            if !goes_on() {
+                *lock(&pieces) = None;
+            }
+        }
+    };
+    let Some(pool) = pool else { return own() };
+    pool.in_place_scope(|scope| {
+        for _ in 1..pool.current_num_threads() {
+            scope.spawn(|_| {
+                while let Some(piece) = next() {
+                    work(piece);
+                }
+            });
+        }
+        own();
+    });
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Writes a slice in runs of `length`: `write` gets where a run begins, and the run.
@@ -120,8 +162,10 @@ pub fn gather<T: Send>(
 
 #[cfg(test)]
 mod tests {
-    use super::{any, each, fill, first, gather, map};
+    use super::{any, each, each_from_outside, fill, first, gather, map};
+    use crate::thread::pool;
     use proptest::prelude::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     proptest! {
         #[test]
@@ -142,6 +186,28 @@ mod tests {
                 }
             });
             prop_assert_eq!(squares, (0..count).map(|number| number * number).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn who_works_from_outside_works_on_every_piece_until_it_stops() {
+        for pool in [None, pool(1), pool(3)] {
+            let mut pieces = vec![1_u32; 1000];
+            let mut asked = 0;
+            each_from_outside(pool.as_ref(), pieces.iter_mut(), &|piece| *piece += 1, &mut || {
+                asked += 1;
+                true
+            });
+            assert_eq!(pieces, [2; 1000]);
+            assert!(asked <= 1000);
+            // With threads beside this one, some pieces more may be done.
+            let done = AtomicUsize::new(0);
+            let count = |_| {
+                done.fetch_add(1, Ordering::Relaxed);
+                std::thread::sleep(std::time::Duration::from_micros(50));
+            };
+            each_from_outside(pool.as_ref(), 0..100_000, &count, &mut || false);
+            assert!(done.into_inner() < 50_000);
         }
     }
 

@@ -108,7 +108,8 @@ pub fn tasks(count: usize, work: &(dyn Fn(usize) + Sync)) {
 /// Calls `step` again and again, on all threads but no more than `most`, until it says that nothing
 /// is left.
 pub(crate) fn until_done(most: usize, step: &(dyn Fn() -> bool + Sync)) {
-    let workers = threads().min(most);
+    // What is one step asks for no pool.
+    let workers = if most <= 1 { most } else { threads().min(most) };
     if workers <= 1 {
         while step() {}
         return;

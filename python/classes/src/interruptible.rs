@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How often the interpreter is asked for signals while work goes on.
 const PAUSE: Duration = Duration::from_millis(50);
@@ -59,6 +59,31 @@ pub(crate) fn interruptible_on<T: Send>(
     let raise = || stop.store(true, Ordering::Relaxed);
     let result = renderer.install_while(work, || interrupted = wait(py, waiting, &raise));
     interrupted.map(|()| result)
+}
+
+/// Works on pieces without the interpreter's lock, by this thread and the renderer's. Signals are looked at between
+/// pieces, which should take a few milliseconds at most.
+///
+/// # Errors
+/// What a signal handler raises: `KeyboardInterrupt` for Ctrl-C.
+pub(crate) fn interruptible_pieces<T: Send>(
+    py: Python<'_>,
+    renderer: &Renderer,
+    pieces: impl Iterator<Item = T> + Send,
+    work: &(dyn Fn(T) + Sync),
+) -> PyResult<()> {
+    py.detach(|| {
+        let mut looked = Instant::now();
+        let mut interrupted = Ok(());
+        renderer.each_from_outside(pieces, work, &mut || {
+            if looked.elapsed() >= PAUSE {
+                looked = Instant::now();
+                interrupted = Python::attach(|py| py.check_signals());
+            }
+            interrupted.is_ok()
+        });
+        interrupted
+    })
 }
 
 /// Waits without the lock for the work's end. After a signal that raises something, `stop` is called first.

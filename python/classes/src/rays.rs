@@ -2,11 +2,11 @@
 
 use crate::arrays::{array, rows};
 use crate::errors::argument;
-use crate::interruptible::interruptible_on;
+use crate::interruptible::{interruptible_on, interruptible_pieces};
 use crate::scene::SharedScene;
 use luxel::rays::{WorldHit, WorldRay};
 use luxel::render::Renderer;
-use luxel_parallel::{each, fill, gather};
+use luxel_parallel::gather;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::atomic::Ordering;
@@ -15,17 +15,7 @@ use std::sync::atomic::Ordering;
 const RUN: usize = 256;
 
 /// Rays per task that ask for less: their hits stay in a processor's cache until they are arrays.
-const PIECE: usize = 4096;
-
-/// What rays hit.
-enum Found {
-    /// Whether each hits anything.
-    Any(Vec<bool>),
-    /// The closest hit of each ray.
-    Closest(HitArrays),
-    /// All hits, nearest first, each with its ray.
-    All(Vec<i64>, HitArrays),
-}
+const PIECE: usize = 1024;
 
 /// Follows rays from origins along directions, both of shape (n, 3).
 ///
@@ -51,36 +41,32 @@ pub(crate) fn rays<'py>(
         return Err(argument("directions", format!("row {row} has no length")));
     }
     let picker = py.detach(|| shared.picker())?;
-    let found = interruptible_on(py, renderer, |stop| {
-        let is_stopped = || stop.load(Ordering::Relaxed);
-        let rays = |at: usize, count: usize| -> Vec<WorldRay> {
-            let rays = origins[at..at + count].iter().zip(&directions[at..]);
-            rays.map(|(&origin, &way)| WorldRay::new(origin.into(), way.into())).collect()
-        };
-        let count = origins.len();
-        match mode {
-            "any" => {
-                let mut any = vec![false; count];
-                fill(&mut any, PIECE, &|at, any| {
-                    if !is_stopped() {
-                        any.copy_from_slice(&picker.any_of_each(&rays(at, any.len())));
-                    }
-                });
-                Found::Any(any)
-            }
-            "closest" => {
-                let mut arrays = HitArrays::misses(count);
-                each(arrays.pieces().enumerate(), &|(piece, mut rows): (usize, HitRows<'_>)| {
-                    if !is_stopped() {
-                        let rays = rays(piece * PIECE, rows.t.len());
-                        rows.put(&picker.closest_of_each(&rays));
-                    }
-                });
-                Found::Closest(arrays)
-            }
-            _ => {
+    let rays = |at: usize, count: usize| -> Vec<WorldRay> {
+        let rays = origins[at..at + count].iter().zip(&directions[at..]);
+        rays.map(|(&origin, &way)| WorldRay::new(origin.into(), way.into())).collect()
+    };
+    let count = origins.len();
+    match mode {
+        "any" => {
+            let mut any = vec![false; count];
+            let pieces = any.chunks_mut(PIECE).enumerate();
+            interruptible_pieces(py, renderer, pieces, &|(piece, any): (usize, &mut [bool])| {
+                any.copy_from_slice(&picker.any_of_each(&rays(piece * PIECE, any.len())));
+            })?;
+            array(py, any, &[count])
+        }
+        "closest" => {
+            let mut arrays = HitArrays::misses(count);
+            let pieces = arrays.pieces().enumerate();
+            interruptible_pieces(py, renderer, pieces, &|(piece, mut rows): (_, HitRows<'_>)| {
+                rows.put(&picker.closest_of_each(&rays(piece * PIECE, rows.t.len())));
+            })?;
+            Ok(arrays.into_dict(py)?.into_any())
+        }
+        _ => {
+            let (numbers, arrays) = interruptible_on(py, renderer, |stop| {
                 let all = gather(count, RUN, &|run, all| {
-                    if is_stopped() {
+                    if stop.load(Ordering::Relaxed) {
                         return;
                     }
                     for (number, ray) in run.clone().zip(rays(run.start, run.len())) {
@@ -88,24 +74,15 @@ pub(crate) fn rays<'py>(
                         all.extend(hits.into_iter().map(|hit| (number as i64, Some(hit))));
                     }
                 });
-                let (numbers, hits): (_, Vec<_>) = all.into_iter().unzip();
+                let (numbers, hits): (Vec<_>, Vec<_>) = all.into_iter().unzip();
                 let mut arrays = HitArrays::misses(hits.len());
                 for (mut rows, hits) in arrays.pieces().zip(hits.chunks(PIECE)) {
                     rows.put(hits);
                 }
-                Found::All(numbers, arrays)
-            }
-        }
-    })?;
-    match found {
-        Found::Any(any) => {
-            let count = any.len();
-            array(py, any, &[count])
-        }
-        Found::Closest(hits) => Ok(hits.into_dict(py)?.into_any()),
-        Found::All(numbers, hits) => {
+                (numbers, arrays)
+            })?;
             let count = numbers.len();
-            let dict = hits.into_dict(py)?;
+            let dict = arrays.into_dict(py)?;
             dict.set_item("ray", array(py, numbers, &[count])?)?;
             Ok(dict.into_any())
         }

@@ -451,6 +451,20 @@ impl Renderer {
         luxel_parallel::install(self.pool.as_ref(), work)
     }
 
+    /// Works on pieces by the calling thread and, beside it, all but one of the renderer's; after each of its own
+    /// pieces the calling thread asks whether to go on.
+    ///
+    /// # Panics
+    /// If the work does.
+    pub fn each_from_outside<T: Send>(
+        &self,
+        pieces: impl Iterator<Item = T> + Send,
+        work: &(dyn Fn(T) + Sync),
+        goes_on: &mut dyn FnMut() -> bool,
+    ) {
+        luxel_parallel::each_from_outside(self.pool.as_ref(), pieces, work, goes_on);
+    }
+
     /// [`Renderer::install`] while this thread does something else, such as to wait for the work or for the user
     /// to stop it: returns when both have ended.
     pub fn install_while<R: Send>(
