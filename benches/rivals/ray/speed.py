@@ -3,10 +3,11 @@
 
     python benches/rivals/ray/speed.py LUXEL FOLDER [--tasks 6000] [--rounds 3]
 
-LUXEL is the program, for processes; `luxel batch` is the package's, as Ray's actors are. FOLDER, which must be empty or absent, gets models, lists and outputs. Needs luxel, ray[data] and, for its
-row, f3d (pip install f3d; it draws by EGL). All have two workers. Pictures are RGBA of 224x224 as PNG, 1 sample, of closed meshes
-of 1 020 triangles, 12 views of each; processes a picture draw fewer of the same. Ray's start is left out: a small
-list is drawn first; the second figure leaves the start of actors out, too, and counts from the first stored task to the last.
+LUXEL is the program, for processes; `luxel batch` is the package's, as Ray's actors are. FOLDER, which must be empty or
+absent, gets models, lists and outputs. Needs luxel, ray[data] and, for its row, f3d (pip install f3d; it draws by EGL). All
+have two workers. Pictures are RGBA of 224x224 as PNG, 1 sample, of closed meshes of 1 020 triangles, 12 views of each;
+processes a picture draw fewer of the same. Ray's start is left out: a small list is drawn first; the second figure leaves the
+start of actors out, too, and counts from the first stored task to the last.
 """
 
 import argparse
