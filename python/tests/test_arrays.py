@@ -110,3 +110,28 @@ def test_views_of_several_cameras_are_single_ones():
         alone = scene.render((24, 24), camera, layers=["z"], samples=1)
         np.testing.assert_array_equal(frame.rgba, alone.rgba)
         np.testing.assert_array_equal(frame.z, alone.z)
+
+
+def test_views_drawn_together_are_those_drawn_alone_in_order():
+    scene = luxel.load("demo:teapot")
+    cameras = [luxel.Camera.fit(azimuth) for azimuth in range(0, 360, 30)]
+    counts = []
+    frames = scene.render_views(cameras, (40, 30), layers=["z", "z", "object"], progress=counts.append, samples=1)
+    assert counts == list(range(1, 13))
+    for camera, frame in zip(cameras, frames, strict=True):
+        alone = scene.render((40, 30), camera, ["z", "object"], samples=1)
+        assert all(np.array_equal(frame[layer], alone[layer]) for layer in ["rgba", "z", "object"])
+    assert scene.render_views([], (40, 30)) == []
+
+
+def test_an_error_of_the_progress_function_ends_the_views():
+    scene = luxel.load("demo:teapot")
+
+    def full(done):
+        if done == 2:
+            raise KeyError("no room")
+
+    with pytest.raises(KeyError, match="no room"):
+        scene.render_views([luxel.Camera.fit()] * 1000, (400, 300), progress=full, ao=64)
+    with pytest.raises(ValueError, match="layers"):
+        scene.render_views([luxel.Camera.fit()], (4, 4), layers=["colour"])

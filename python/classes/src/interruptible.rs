@@ -19,15 +19,13 @@ pub(crate) fn interruptible<T: Send>(
     stop: impl Fn() + Sync,
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
-    let (done, waiting) = channel();
+    let (lives, ended) = channel();
     std::thread::scope(|scope| {
         let worker = scope.spawn(move || {
-            let result = work();
-            // Without a receiver, the result is fetched by `join`.
-            let _ = done.send(());
-            result
+            let _lives = lives;
+            work()
         });
-        let interrupted = wait(py, waiting, &stop);
+        let interrupted = listen(py, ended, &mut || Ok(()), &stop);
         match (interrupted, worker.join()) {
             (Err(raised), _) => Err(raised),
             (Ok(()), Ok(result)) => Ok(result),
@@ -47,18 +45,50 @@ pub(crate) fn interruptible_on<T: Send>(
     work: impl FnOnce(&AtomicBool) -> T + Send,
 ) -> PyResult<T> {
     let stop = AtomicBool::new(false);
-    let (done, waiting) = channel();
     let asked = &stop;
-    // Owns `done`, so that a panic hangs up.
+    let (lives, ended) = channel();
     let work = move || {
-        let result = work(asked);
-        let _ = done.send(());
-        result
+        let _lives = lives;
+        work(asked)
     };
     let mut interrupted = Ok(());
-    let raise = || stop.store(true, Ordering::Relaxed);
-    let result = renderer.install_while(work, || interrupted = wait(py, waiting, &raise));
+    let end = || stop.store(true, Ordering::Relaxed);
+    let listen = || interrupted = listen(py, ended, &mut || Ok(()), &end);
+    let result = renderer.install_while(work, listen);
     interrupted.map(|()| result)
+}
+
+/// [`interruptible_on`] for each of some numbers, on all threads of the renderer; after each, `heard` is called, which may
+/// end the work by an error.
+///
+/// # Errors
+/// What a signal handler raises, or `heard`.
+pub(crate) fn interruptible_each<T: Send>(
+    py: Python<'_>,
+    renderer: &Renderer,
+    count: usize,
+    work: &(dyn Fn(usize, &AtomicBool) -> T + Sync),
+    heard: &mut dyn FnMut() -> PyResult<()>,
+) -> PyResult<Vec<T>> {
+    let stop = AtomicBool::new(false);
+    let asked = &stop;
+    let (done, finished) = channel();
+    let all = move || {
+        let mut results: Vec<Option<T>> = Vec::new();
+        results.resize_with(count, || None);
+        luxel_parallel::fill(&mut results, 1, &|number, result| {
+            if !asked.load(Ordering::Relaxed) {
+                result[0] = Some(work(number, asked));
+                // Nobody listens after an error.
+                let _ = done.send(());
+            }
+        });
+        results
+    };
+    let mut interrupted = Ok(());
+    let end = || stop.store(true, Ordering::Relaxed);
+    let results = renderer.install_while(all, || interrupted = listen(py, finished, heard, &end));
+    interrupted.map(|()| results.into_iter().flatten().collect())
 }
 
 /// Works on pieces without the interpreter's lock, by this thread and the renderer's. Signals are looked at between
@@ -86,23 +116,37 @@ pub(crate) fn interruptible_pieces<T: Send>(
     })
 }
 
-/// Waits without the lock for the work's end. After a signal that raises something, `stop` is called first.
+/// Waits without the lock until the work hangs up, also by a panic. `heard` is called for each message of it, and signals
+/// are looked at. After an error of either, `stop` is called, and what is left of the work waited for.
 ///
 /// # Errors
-/// What a signal handler raises.
-fn wait(py: Python<'_>, done: Receiver<()>, stop: &dyn Fn()) -> PyResult<()> {
+/// What a signal handler raises, or `heard`.
+fn listen(
+    py: Python<'_>,
+    messages: Receiver<()>,
+    heard: &mut dyn FnMut() -> PyResult<()>,
+    stop: &dyn Fn(),
+) -> PyResult<()> {
     // Shared with a closure that the interpreter's lock may not enter.
-    let done = Mutex::new(done);
+    let messages = Mutex::new(messages);
+    let mut looked = Instant::now();
     loop {
-        let waited = py.detach(|| lock(&done).recv_timeout(PAUSE));
-        if !matches!(waited, Err(RecvTimeoutError::Timeout)) {
-            return Ok(());
-        }
-        if let Err(raised) = py.check_signals() {
+        let found = match py.detach(|| lock(&messages).recv_timeout(PAUSE)) {
+            Err(RecvTimeoutError::Disconnected) => return Ok(()),
+            Err(RecvTimeoutError::Timeout) => Ok(()),
+            Ok(()) => heard(),
+        };
+        let found = found.and_then(|()| {
+            if looked.elapsed() < PAUSE {
+                return Ok(());
+            }
+            looked = Instant::now();
+            py.check_signals()
+        });
+        if found.is_err() {
             stop();
-            // Work that panics hangs up.
-            let _ = py.detach(|| lock(&done).recv());
-            return Err(raised);
+            py.detach(|| while lock(&messages).recv().is_ok() {});
+            return found;
         }
     }
 }

@@ -282,16 +282,15 @@ impl PyScene {
             Some((function, Err(_))) if function.is_callable() => Some(function.clone()),
             Some(_) => return Err(argument("progress", "expected True, False or a function")),
         };
-        let frames = PyList::empty(py);
-        for camera in &cameras {
-            let shared = Arc::clone(&self.shared);
-            let view = PyView::new(py, shared, size, Some(camera), &settings)?;
-            frames.append(view.render(py, layers.clone())?)?;
-            if let Some(progress) = &progress {
-                progress.call1((frames.len(),))?;
-            }
-        }
-        Ok(frames)
+        let view =
+            |camera| PyView::new(py, Arc::clone(&self.shared), size, Some(camera), &settings);
+        let views: Vec<PyView> = cameras.iter().map(view).collect::<PyResult<_>>()?;
+        let mut done = 0;
+        let frames = PyView::render_each(py, &views, layers, &mut || {
+            done += 1;
+            progress.as_ref().map_or(Ok(()), |progress| progress.call1((done,)).map(drop))
+        })?;
+        PyList::new(py, frames)
     }
 
     /// Rays through the scene: `mode` is `closest`, `any` or `all`. See the stubs for what each gives.

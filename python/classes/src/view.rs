@@ -4,20 +4,24 @@ use crate::arrays::rows;
 use crate::camera::camera_of;
 use crate::errors::{argument, error};
 use crate::frame::PyFrame;
-use crate::interruptible::interruptible_on;
+use crate::interruptible::{interruptible_each, interruptible_on};
 use crate::ledger::PyLedger;
 use crate::picks::{PyHit, hits_of};
 use crate::scene::SharedScene;
 use crate::settings::Settings;
 use luxel::pick::{Inclusion, PickView, Picker, Region};
 use luxel::render::MAX_SIDE;
-use luxel::render::{At, Layer, Picture, Renderer, Unseen, View};
+use luxel::render::{At, Layer, LayerValues, Picture, RenderError, Renderer, Unseen, View};
 use luxel::report::RegionReport;
 use luxel::scene::Size;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// A picture and its layers.
+type Drawn = Result<(Picture<[u8; 4]>, Vec<LayerValues>), RenderError>;
 
 /// A scene seen by a camera, with lights, shading and size.
 #[pyclass(name = "View", module = "luxel", frozen)]
@@ -54,6 +58,33 @@ impl PyView {
         &self.view
     }
 
+    /// Draws views of one scene by one renderer, on all of its threads: small pictures side by side. `heard` is called
+    /// after each.
+    ///
+    /// # Errors
+    /// What [`PyView::render`] raises, or `heard`.
+    pub(crate) fn render_each(
+        py: Python<'_>,
+        views: &[Self],
+        layers: Option<Vec<String>>,
+        heard: &mut dyn FnMut() -> PyResult<()>,
+    ) -> PyResult<Vec<PyFrame>> {
+        let asked = layers_of(layers)?;
+        let Some(first) = views.first() else { return Ok(Vec::new()) };
+        let draw = |number: usize, stop: &AtomicBool| views[number].draw(&asked, stop);
+        let drawn = interruptible_each(py, &first.renderer, views.len(), &draw, heard)?;
+        drawn.into_iter().map(|drawn| frame(py, &asked, drawn)).collect()
+    }
+
+    /// Draws the picture and layers, until `stop` is true.
+    fn draw(&self, layers: &[Layer], stop: &AtomicBool) -> Drawn {
+        let (mut picture, mut values) = (Picture::default(), Vec::new());
+        let Self { renderer, view, .. } = self;
+        renderer
+            .rgba8_with_layers_until(stop, view, layers, &mut picture, &mut values)
+            .map(|()| (picture, values))
+    }
+
     /// Picks in the view.
     fn picking<T: Send>(
         &self,
@@ -67,6 +98,31 @@ impl PyView {
             Ok(work(&view))
         })
     }
+}
+
+/// The layers of these names, each once; `rgba` is always there.
+///
+/// # Errors
+/// `ValueError` for an unknown name.
+fn layers_of(names: Option<Vec<String>>) -> PyResult<Vec<Layer>> {
+    let mut asked: Vec<Layer> = Vec::new();
+    let mut known = HashSet::new();
+    for name in names.into_iter().flatten().filter(|name| *name != "rgba") {
+        let layer: Layer = name.parse().map_err(|error| argument("layers", error))?;
+        if known.insert(name) {
+            asked.push(layer);
+        }
+    }
+    Ok(asked)
+}
+
+/// What was drawn, as arrays.
+///
+/// # Errors
+/// `luxel.Error` if nothing was.
+fn frame(py: Python<'_>, layers: &[Layer], drawn: Drawn) -> PyResult<PyFrame> {
+    let (picture, values) = drawn.map_err(error)?;
+    PyFrame::new(py, picture, layers.iter().cloned().zip(values))
 }
 
 #[pymethods]
@@ -98,23 +154,9 @@ impl PyView {
     /// Draws the view: a frame with `rgba` and the layers of these names.
     #[pyo3(signature = (layers=None))]
     pub(crate) fn render(&self, py: Python<'_>, layers: Option<Vec<String>>) -> PyResult<PyFrame> {
-        let mut asked: Vec<Layer> = Vec::new();
-        let mut names = HashSet::new();
-        for name in layers.iter().flatten().filter(|name| *name != "rgba") {
-            let layer: Layer = name.parse().map_err(|error| argument("layers", error))?;
-            if names.insert(name.clone()) {
-                asked.push(layer);
-            }
-        }
-        let drawn = interruptible_on(py, &self.renderer, |stop| {
-            let (mut picture, mut values) = (Picture::default(), Vec::new());
-            let Self { renderer, view, .. } = self;
-            renderer
-                .rgba8_with_layers_until(stop, view, &asked, &mut picture, &mut values)
-                .map(|()| (picture, values))
-        })?;
-        let (picture, values) = drawn.map_err(error)?;
-        PyFrame::new(py, picture, asked.into_iter().zip(values))
+        let asked = layers_of(layers)?;
+        let drawn = interruptible_on(py, &self.renderer, |stop| self.draw(&asked, stop))?;
+        frame(py, &asked, drawn)
     }
 
     /// What is visible at a point of the picture, in pixels from its upper left corner; whole numbers
@@ -217,7 +259,7 @@ impl PyView {
         let explained = interruptible_on(py, &self.renderer, |_| {
             let explanation = self.renderer.explain(&self.view, place)?;
             let unseen = Unseen::new(&self.renderer, &self.view, &explanation)?;
-            Ok::<_, luxel::render::RenderError>((explanation, unseen))
+            Ok::<_, RenderError>((explanation, unseen))
         })?;
         let (explanation, unseen) = explained.map_err(|error| argument("x, y", error))?;
         let scene = Arc::clone(self.renderer.scene());
