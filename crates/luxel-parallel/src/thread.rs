@@ -54,8 +54,7 @@ pub fn install<R: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> R + Se
     }
 }
 
-/// Does work in a pool, as [`install`] does, while this thread does something else, which should last until
-/// the work is done: this returns when both have ended.
+/// Runs `work` in a pool, as [`install`] does, and `meanwhile` on the calling thread. Returns when both have finished.
 ///
 /// # Panics
 /// If one of them does.
@@ -108,7 +107,7 @@ pub fn tasks(count: usize, work: &(dyn Fn(usize) + Sync)) {
 /// Calls `step` again and again, on all threads but no more than `most`, until it says that nothing
 /// is left.
 pub(crate) fn until_done(most: usize, step: &(dyn Fn() -> bool + Sync)) {
-    // What is one step asks for no pool.
+    // A single step needs no pool.
     let workers = if most <= 1 { most } else { threads().min(most) };
     if workers <= 1 {
         while step() {}
@@ -163,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn work_in_a_pool_goes_on_while_the_caller_waits_for_it() {
+    fn work_in_a_pool_runs_beside_the_calling_thread() {
         let pool = pool(1);
         for pool in [pool.as_ref(), None] {
             let (to_work, from_caller) = std::sync::mpsc::channel::<u32>();

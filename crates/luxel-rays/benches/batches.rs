@@ -1,5 +1,4 @@
-//! Times rays one by one and many at once through scenes of few and of many objects: how many objects are few
-//! enough to be asked for all rays of a run.
+//! Times single and batched rays through scenes of few and of many objects: up to how many objects batches pay.
 //!
 //! `cargo bench -p luxel-rays`, with `RAYON_NUM_THREADS=1` for one thread. A row is a number of balls side by
 //! side, which have 80 000 triangles together, and the rays: a camera's, row by row, or scattered ones.

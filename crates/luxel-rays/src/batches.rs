@@ -1,87 +1,91 @@
-//! Many rays at once: those of neighbours share their way through a tree.
+//! Batches of rays: coherent neighbours are traversed together.
 
 use crate::scene_rays::SceneRays;
 use crate::world_ray::{RebasedRay, WorldHit, WorldRay, centre_and_radius};
-use glam::DVec3;
-use luxel_bvh::{Ray, RayHit};
+use luxel_bvh::Ray;
 use luxel_parallel::fill;
 
 /// Rays per task.
 const RUN: usize = 1024;
 
-/// Up to so many objects are each asked for all rays of a run; among more, each ray finds its own.
+/// With up to this many objects, all rays of a run are traced against each object; with more, each ray is traced
+/// alone.
 ///
-/// A camera's rays through 1, 4, 8, 12 and 32 objects take 0.74, 0.69, 0.71, 1.10 and 1.82 of the time that they
-/// take alone, scattered ones 0.91, 0.82, 0.92, 1.41 and 2.14 (`benches/batches.rs`, AVX-512).
+/// A camera's rays through 1, 4, 8, 12 and 32 objects take 0.74, 0.69, 0.71, 1.10 and 1.82 times as long in runs as
+/// alone, scattered rays 0.91, 0.82, 0.92, 1.41 and 2.14 times (`benches/batches.rs`, AVX-512).
 const FEW: usize = 8;
 
 impl SceneRays {
-    /// [`SceneRays::closest`] of each of many rays, on all threads of the current pool. Consecutive rays that
+    /// [`SceneRays::closest`] for each of many rays, on all threads of the current pool. Consecutive rays that
     /// run close together, as those of a tile of pixels, share their tests.
     #[must_use]
     pub fn closest_of_each(&self, rays: &[WorldRay]) -> Vec<Option<WorldHit>> {
-        let mut hits = vec![None; rays.len()];
-        fill(&mut hits, RUN, &|start, hits| {
-            let rays = &rays[start..start + hits.len()];
-            if self.objects().len() > FEW {
-                for (hit, ray) in hits.iter_mut().zip(rays) {
-                    *hit = self.closest(ray);
-                }
-                return;
-            }
-            let mut run = Run::default();
-            for object in 0..self.objects().len() {
-                run.take(self, rays, object);
-                run.hits.resize(run.rays.len(), None);
-                self.rays(object).closest_of_few(&run.rays, &mut run.hits);
-                // A loop of its own: corners are scattered in memory, and the processor waits for several at
-                // once.
-                run.corners.clear();
-                let found = run.hits.iter().flatten();
-                run.corners.extend(found.map(|hit| self.local_corners(object, hit.triangle)));
-                let mut corners = run.corners.iter();
-                for ((number, near), found) in run.near.iter().zip(&run.hits) {
-                    let Some(found) = found else { continue };
-                    let Some(corners) = corners.next() else { break };
+        self.in_runs(
+            rays,
+            |ray| self.closest(ray),
+            |object, rays, run, hits| {
+                let mut found = vec![None; run.rays.len()];
+                self.rays(object).closest_of_few(&run.rays, &mut found);
+                // A separate loop overlaps the cache misses of the scattered corners.
+                let triangles = found.iter().flatten().map(|hit| hit.triangle);
+                let corners: Vec<_> =
+                    triangles.map(|triangle| self.local_corners(object, triangle)).collect();
+                let found = run.near.iter().zip(&found);
+                let found = found.filter_map(|(near, hit)| Some((near, hit.as_ref()?)));
+                for (((number, near), found), corners) in found.zip(corners) {
                     let hit = &mut hits[*number];
-                    let new = self.refined_on(*corners, &rays[*number], object, near, found);
-                    // Of equally close ones the first object's stays.
-                    if let Some(new) = new
+                    // Ties keep the first object's hit.
+                    if let Some(new) = self.refined_on(corners, &rays[*number], object, near, found)
                         && hit.is_none_or(|hit| new.t < hit.t)
                     {
                         *hit = Some(new);
                     }
                 }
-            }
-        });
-        hits
+            },
+        )
     }
 
-    /// [`SceneRays::any`] of each of many rays, on all threads of the current pool. Consecutive rays that
+    /// [`SceneRays::any`] for each of many rays, on all threads of the current pool. Consecutive rays that
     /// run close together, as those from one light to a tile of pixels, share their tests.
     #[must_use]
     pub fn any_of_each(&self, rays: &[WorldRay]) -> Vec<bool> {
-        let mut hits = vec![false; rays.len()];
-        fill(&mut hits, RUN, &|start, hits| {
-            let rays = &rays[start..start + hits.len()];
+        self.in_runs(
+            rays,
+            |ray| self.any(ray),
+            |object, _, run, hits| {
+                let mut found = vec![false; run.rays.len()];
+                self.rays(object).any_of_few(&run.rays, &mut found);
+                for ((number, _), found) in run.near.iter().zip(found) {
+                    hits[*number] |= found;
+                }
+            },
+        )
+    }
+
+    /// The answer for each ray. Among many objects `alone` computes it; otherwise `against` updates the answers of a
+    /// run for one object after the other.
+    fn in_runs<T: Clone + Default + Send>(
+        &self,
+        rays: &[WorldRay],
+        alone: impl Fn(&WorldRay) -> T + Sync,
+        against: impl Fn(usize, &[WorldRay], &Run, &mut [T]) + Sync,
+    ) -> Vec<T> {
+        let mut answers = vec![T::default(); rays.len()];
+        fill(&mut answers, RUN, &|start, answers| {
+            let rays = &rays[start..start + answers.len()];
             if self.objects().len() > FEW {
-                for (hit, ray) in hits.iter_mut().zip(rays) {
-                    *hit = self.any(ray);
+                for (answer, ray) in answers.iter_mut().zip(rays) {
+                    *answer = alone(ray);
                 }
                 return;
             }
             let mut run = Run::default();
-            let mut found = Vec::new();
             for object in 0..self.objects().len() {
-                run.take(self, rays, object);
-                found.resize(run.rays.len(), false);
-                self.rays(object).any_of_few(&run.rays, &mut found);
-                for ((number, _), found) in run.near.iter().zip(&found) {
-                    hits[*number] |= found;
-                }
+                run.collect(self, rays, object);
+                against(object, rays, &run, answers);
             }
         });
-        hits
+        answers
     }
 }
 
@@ -90,15 +94,13 @@ impl SceneRays {
 struct Run {
     /// In the coordinates of the object's tree.
     rays: Vec<Ray>,
-    /// The place of each among all of the run, and how it was brought there.
+    /// The index of each ray within the run, and the ray with its mapping back to world space.
     near: Vec<(usize, RebasedRay)>,
-    hits: Vec<Option<RayHit>>,
-    /// Of each hit's triangle, in its mesh's own space.
-    corners: Vec<[DVec3; 3]>,
 }
 
 impl Run {
-    fn take(&mut self, scene: &SceneRays, rays: &[WorldRay], object: usize) {
+    /// Replaces the contents by the rays near `object`.
+    fn collect(&mut self, scene: &SceneRays, rays: &[WorldRay], object: usize) {
         self.rays.clear();
         self.near.clear();
         let tree = scene.tree(object);

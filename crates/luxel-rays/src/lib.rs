@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | [`SceneRays::closest`] | what a ray hits first |
 //! | [`SceneRays::any`] | whether something lies in its way |
-//! | [`SceneRays::closest_of_each`], [`SceneRays::any_of_each`] | the same of many rays, which share their way |
+//! | [`SceneRays::closest_of_each`], [`SceneRays::any_of_each`] | the same for batches of rays, traced together |
 //! | [`SceneRays::all`] | all that it hits, nearest first |
 //! | [`SceneRays::transmittance`], [`SceneRays::transmittance_of_lanes`], [`SceneRays::blockers`] | how much light comes along it, and what keeps the rest |
 //! | [`SceneRays::places`] | where rays leave a triangle without hitting it |

@@ -223,7 +223,7 @@ impl SceneRays {
         mesh.triangles[triangle as usize].map(|vertex| mesh.position(vertex))
     }
 
-    /// [`Self::refined`] on the triangle's [`Self::local_corners`].
+    /// [`Self::refined`], given the triangle's [`Self::local_corners`].
     pub(crate) fn refined_on(
         &self,
         corners: [DVec3; 3],

@@ -1,28 +1,15 @@
-//! Many rays at once give what each of them gives alone.
+//! Batched queries equal single ones.
 
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
+mod common;
+
+use common::Random;
 use luxel_rays::{SceneRays, WorldRay};
 use luxel_scene::{DVec3, Scene, demos};
 
-/// A small generator (xorshift) for rays.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 40) as f64 / f64::from(1 << 23) - 1.0
-    }
-
-    fn vector(&mut self) -> DVec3 {
-        DVec3::new(self.next(), self.next(), self.next())
-    }
-}
-
-/// Rays side by side through a window, from all around, from inside, of limited ranges, and some that are
-/// none: without a direction, or with numbers that aren't finite.
+/// Rays side by side through a window, from all around, from inside, of limited ranges, and invalid
+/// ones: without a direction, or with numbers that are not finite.
 fn rays_about(scene: &Scene) -> Vec<WorldRay> {
     let bounds = scene.bounds();
     let (middle, radius) = (bounds.centre(), bounds.radius());
@@ -50,7 +37,7 @@ fn rays_about(scene: &Scene) -> Vec<WorldRay> {
 }
 
 #[test]
-fn many_rays_hit_at_once_what_each_hits_alone_however_many_objects_there_are() {
+fn batched_queries_equal_single_ones_through_one_few_and_many_objects() {
     let mut counts = Vec::new();
     for name in ["lab-terminator", "cornell", "plane", "spheres"] {
         let scene = SceneRays::new(demos::demo(name).unwrap()).unwrap();

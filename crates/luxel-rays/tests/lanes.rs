@@ -2,25 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
+mod common;
+
+use common::Random;
 use luxel_math::LANES;
 use luxel_rays::{RayLanes, SceneRays, Spread, WorldRay};
 use luxel_scene::{DVec3, Scene, demos};
-
-/// A small generator (xorshift) for rays.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 40) as f64 / f64::from(1 << 23) - 1.0
-    }
-
-    fn vector(&mut self) -> DVec3 {
-        DVec3::new(self.next(), self.next(), self.next())
-    }
-}
 
 /// Batches as openness asks for them, from sixteen places all ways; some are far from everything.
 fn batches(scene: &Scene, count: usize) -> Vec<Vec<RayLanes>> {
