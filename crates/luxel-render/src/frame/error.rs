@@ -48,7 +48,7 @@ pub enum RenderError {
     /// More pieces of vectors than are allowed.
     #[error("the picture has more than {0} pieces of one colour")]
     TooManyPieces(usize),
-    /// Another thread has asked to stop.
+    /// Another thread stopped the drawing.
     #[error("the drawing was stopped")]
     Stopped,
     /// The machine lacks the instruction set.

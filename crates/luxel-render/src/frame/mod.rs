@@ -18,5 +18,5 @@ pub use tile_drawing::TileDrawing;
 pub(crate) use frame_setup::{ambient, placed_lights};
 pub(crate) use renderer::lights_with_terms;
 pub(crate) use tile_shading::{AHEAD, ALL_BLOCKS, Worker, look_ahead, place_in_tile, put_block};
-pub(crate) use tiles::{Bands, NEVER, TilePixels, TileWork, for_tiles};
+pub(crate) use tiles::{Bands, NEVER, TilePixels, TileWork, for_tiles, unless_stopped};
 pub(crate) use workers::BusyWorker;

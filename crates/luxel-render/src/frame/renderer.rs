@@ -8,7 +8,7 @@ use super::frame_setup;
 use super::picture::{Picture, Stages};
 use super::tile_drawing::TileDrawing;
 use super::tile_shading::{Worker, add_layer, tile_pixels};
-use super::tiles::{NEVER, TilePixels};
+use super::tiles::{NEVER, TilePixels, unless_stopped};
 use super::workers::{BusyWorker, Workers};
 use crate::backdrop::{Around, Backdrop, Ground};
 use crate::context::{AttributeMask, Heard, ShadingContext};
@@ -26,7 +26,7 @@ use luxel_visibility::{
     Clusters, CoveragePolicy, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile, ViewRays,
 };
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
@@ -189,7 +189,7 @@ impl Renderer {
         self.rgba8_until(&NEVER, view, picture)
     }
 
-    /// [`Renderer::rgba8_into`] until `stop` is true.
+    /// [`Renderer::rgba8_into`], which stops early once `stop` is set.
     pub(crate) fn rgba8_until(
         &self,
         stop: &AtomicBool,
@@ -215,7 +215,7 @@ impl Renderer {
             drawing.draw(finish, &|_| true, stop, picture);
             picture.stages = Stages { bin, frame: self.now() - begin, ..picture.stages };
         })?;
-        if stop.load(Ordering::Relaxed) { Err(RenderError::Stopped) } else { Ok(()) }
+        unless_stopped(stop)
     }
 
     /// Draws one tile; the time at which it was known what is seen.
@@ -451,8 +451,8 @@ impl Renderer {
         luxel_parallel::install(self.pool.as_ref(), work)
     }
 
-    /// Works on pieces by the calling thread and, beside it, all but one of the renderer's; after each of its own
-    /// pieces the calling thread asks whether to go on.
+    /// Works on pieces on the calling thread and on all but one of the renderer's threads. The calling thread calls
+    /// `proceed` after each of its pieces; once it returns false, the remaining pieces are skipped.
     ///
     /// # Panics
     /// If the work does.
@@ -460,13 +460,13 @@ impl Renderer {
         &self,
         pieces: impl Iterator<Item = T> + Send,
         work: &(dyn Fn(T) + Sync),
-        goes_on: &mut dyn FnMut() -> bool,
+        proceed: &mut dyn FnMut() -> bool,
     ) {
-        luxel_parallel::each_from_outside(self.pool.as_ref(), pieces, work, goes_on);
+        luxel_parallel::each_from_outside(self.pool.as_ref(), pieces, work, proceed);
     }
 
-    /// [`Renderer::install`] while this thread does something else, such as to wait for the work or for the user
-    /// to stop it: returns when both have ended.
+    /// Runs `work` as [`Renderer::install`] does, and `meanwhile` on the calling thread, to watch for the user's
+    /// cancellation for example. Returns when both have finished.
     pub fn install_while<R: Send>(
         &self,
         work: impl FnOnce() -> R + Send,

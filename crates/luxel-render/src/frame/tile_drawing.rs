@@ -104,7 +104,7 @@ impl<'d> TileDrawing<'d> {
         self.draw(&Bytes(self.scene.encoding), &set, &NEVER, picture);
     }
 
-    /// Draws the tiles of a set, each block finished while it is in registers, until `stop` is true.
+    /// Draws the tiles of a set, each block finished while it is in registers, until `stop` is set.
     pub(super) fn draw<F: Finish>(
         &self,
         finish: &F,

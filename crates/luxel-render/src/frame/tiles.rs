@@ -1,5 +1,6 @@
 //! Tiles into a picture: shared out among threads, the costliest first, and put together.
 
+use super::error::RenderError;
 use luxel_scene::Size;
 use luxel_visibility::{Frame, TILE};
 use std::ops::Range;
@@ -8,8 +9,16 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 const SIDE: usize = TILE as usize;
 
-/// What nobody stops.
+/// A stop flag that is never set.
 pub(crate) static NEVER: AtomicBool = AtomicBool::new(false);
+
+/// The outcome of a drawing.
+///
+/// # Errors
+/// [`RenderError::Stopped`] once `stop` is set.
+pub(crate) fn unless_stopped(stop: &AtomicBool) -> Result<(), RenderError> {
+    if stop.load(Ordering::Relaxed) { Err(RenderError::Stopped) } else { Ok(()) }
+}
 
 /// The pixels of a tile, row by row.
 pub(crate) type TilePixels<T> = [T; SIDE * SIDE];
@@ -70,7 +79,7 @@ pub(crate) trait TileWork<W>: Sync {
 /// Does work on the tiles of a frame that a set holds, by all threads: draws those that show a surface,
 /// or all if `are_all_drawn`, and fills the others. `worker` makes what one thread
 /// keeps from tile to tile. The outcome is the same for any number of threads, as a tile depends on
-/// nothing but itself. Once `stop` is true, the tiles that are left aren't drawn.
+/// nothing but itself. Once `stop` is set, the remaining tiles are skipped.
 pub(crate) fn for_tiles<W>(
     frame: &Frame<'_>,
     set: &(dyn Fn(usize) -> bool + Sync),

@@ -24,7 +24,7 @@ pub(crate) struct BusyWorker<'w> {
 impl Workers {
     /// A worker for a frame with this many samples, without anything of an earlier frame.
     pub(crate) fn take(&self, samples: Samples) -> BusyWorker<'_> {
-        // Pictures of several samples and their layers, of one, take turns: each has workers of its own.
+        // Passes of one and of several samples alternate: both kinds of workers are kept.
         let fitting = |idle: &mut Vec<Box<Worker>>| {
             let at = idle.iter().rposition(|worker| worker.samples == samples.count())?;
             Some(idle.swap_remove(at))

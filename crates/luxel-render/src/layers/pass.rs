@@ -9,6 +9,7 @@ use crate::explain::Lit;
 use crate::frame::{
     AHEAD, ALL_BLOCKS, Bands, BusyWorker, NEVER, Picture, RenderError, Renderer, Stages,
     Subdivision, TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
+    unless_stopped,
 };
 use crate::interpolate::{Batch, Fragments, Wanted, nearest_sample};
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels, over_backdrop};
@@ -23,7 +24,7 @@ use luxel_view::{ShadingMode, View};
 use luxel_visibility::{CoveragePolicy, TILE, TriangleId};
 use std::ops::Range;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 impl Renderer {
     /// Layers of a view in the given order, all from one pass.
@@ -52,8 +53,8 @@ impl Renderer {
         self.rgba8_with_layers_until(&NEVER, view, layers, picture, values)
     }
 
-    /// [`Renderer::rgba8_with_layers`], unless another thread makes `stop` true first: the tiles that are drawn
-    /// then are finished, a matter of milliseconds, and what has been drawn is of no use.
+    /// [`Renderer::rgba8_with_layers`], which stops early once another thread sets `stop`: tiles in progress are
+    /// finished, and the contents of `picture` and `values` are unspecified.
     ///
     /// # Errors
     /// [`RenderError`] if the view asks for something impossible, or [`RenderError::Stopped`].
@@ -189,7 +190,7 @@ impl Renderer {
                 picture.stages = Stages { bin, ..sums.into_inner().unwrap_or_default() };
             }
         })?;
-        if stop.load(Ordering::Relaxed) { Err(RenderError::Stopped) } else { Ok(()) }
+        unless_stopped(stop)
     }
 }
 
@@ -209,7 +210,7 @@ pub(super) struct Pass<'p> {
     /// The eye's place in the world, f64, which positions are about.
     eye: [f64; 3],
     maps_normals: bool,
-    /// What layers show of surfaces, if it is no more than barycentrics and this.
+    /// The attributes to interpolate, if the layers need no more than barycentrics, positions and normals.
     geometry: Option<Wanted>,
     /// Whether a layer shows numbers of objects or triangles.
     has_numbers: bool,

@@ -110,28 +110,14 @@ impl<'p> Plane<'p> {
         block: usize,
         values: &[[T; LANES]; 3],
     ) {
-        if self.channels == 1
-            && let Ok(tile) = <&mut TilePixels<T>>::try_from(&mut *tile)
-        {
-            put_block(tile, block, &values[0]);
-            return;
-        }
-        if self.channels == 3 {
-            for first in (0..LANES).step_by(SIDE) {
-                let at = place_in_tile(block, first) * 3;
-                // Of known length, so that nothing is asked at every number.
-                let Some(row) = tile[at..].first_chunk_mut::<{ SIDE * 3 }>() else { return };
-                for (pixel, into) in row.as_chunks_mut::<3>().0.iter_mut().enumerate() {
-                    *into = std::array::from_fn(|channel| values[channel][first + pixel]);
+        match self.channels {
+            1 => {
+                if let Ok(tile) = <&mut TilePixels<T>>::try_from(tile) {
+                    put_block(tile, block, &values[0]);
                 }
             }
-            return;
-        }
-        for lane in 0..LANES {
-            let at = place_in_tile(block, lane) * self.channels;
-            for (into, values) in tile[at..at + self.channels].iter_mut().zip(values) {
-                *into = values[lane];
-            }
+            2 => interleave::<T, 2, { 2 * SIDE }>(tile, block, values),
+            _ => interleave::<T, 3, { 3 * SIDE }>(tile, block, values),
         }
     }
 
@@ -142,6 +128,23 @@ impl<'p> Plane<'p> {
             for (sum, values) in tile[at..at + self.channels].iter_mut().zip(values) {
                 *sum += values[lane];
             }
+        }
+    }
+}
+
+/// Writes C channels of a block among the rows of its tile; a row of a block has `ROW` = C * [`SIDE`] values.
+#[inline(always)]
+fn interleave<T: Copy, const C: usize, const ROW: usize>(
+    tile: &mut [T],
+    block: usize,
+    values: &[[T; LANES]; 3],
+) {
+    for first in (0..LANES).step_by(SIDE) {
+        let at = place_in_tile(block, first) * C;
+        // The fixed length removes the bounds checks.
+        let Some(row) = tile[at..].first_chunk_mut::<ROW>() else { return };
+        for (pixel, into) in row.as_chunks_mut::<C>().0.iter_mut().enumerate() {
+            *into = std::array::from_fn(|channel| values[channel][first + pixel]);
         }
     }
 }

@@ -14,9 +14,9 @@ pub(crate) struct Triangles {
     pub(crate) triangles: [u32; LANES],
 }
 
-/// The numbers of triangles that were asked for last, as blocks see what their neighbours see.
+/// Direct-mapped cache of object and triangle numbers by id: neighbouring blocks see the same triangles.
 pub(crate) struct RecentTriangles {
-    /// Id, object and triangle, by the id's last bits.
+    /// Id, object and triangle, indexed by the id's low bits.
     entries: Box<[[u32; 3]; Self::COUNT]>,
 }
 
@@ -27,7 +27,7 @@ impl RecentTriangles {
         Self { entries: Box::new([[TriangleId::NONE.0; 3]; Self::COUNT]) }
     }
 
-    /// The numbers of object and triangle that a frame shows by an id; `None` for none of the frame's.
+    /// The object and triangle numbers of an id; `None` if the frame has no such triangle.
     #[inline(always)]
     fn numbers(&mut self, scene: &ShadingContext<'_>, id: u32) -> Option<[u32; 2]> {
         let entry = &mut self.entries[id as usize % Self::COUNT];

@@ -299,8 +299,10 @@ pub(crate) fn all_fragments<N: Lanes>(
     );
 }
 
-/// Barycentrics, positions and normals of a batch, as far as they are wanted, of a view that interpolates
-/// them in perspective. Other lanes than `seen` hold anything.
+/// Interpolates the barycentrics of a batch, and positions and normals as `wanted` says, for views that interpolate
+/// in perspective. Lanes outside `seen` are unspecified.
+///
+/// Outlined: one copy per lane type.
 #[inline(never)]
 pub(crate) fn geometry_of<N: Lanes>(
     simd: N,
