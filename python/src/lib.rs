@@ -1,7 +1,7 @@
 //! The native module of the Python package `luxel`.
 //!
-//! This crate is the last one to be linked, by whose level of optimisation kernels are compiled again: so it has
-//! nothing else.
+//! LTO optimises the kernels again at this crate's optimisation level. All that can be compiled for size is therefore in
+//! `luxel-python-classes`.
 
 #![deny(missing_docs, unsafe_code)]
 

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -11,11 +12,11 @@ BACKEND = pathlib.Path(__file__).parent.parent / "backend"
 CALL = "import luxel_build; print(luxel_build.get_requires_for_build_wheel())"
 
 
-@pytest.mark.parametrize(("answer", "found"), [(None, "there is none"), ("cargo 1.70.0 (ec8a8a0ca)", "cargo 1.70.0"),
+@pytest.mark.parametrize(("answer", "found"), [(None, "cargo was not found"), ("cargo 1.70.0 (ec8a8a0ca)", "cargo 1.70.0"),
                                                ("cargo 1.89.0 (c24e10642)", None), ("cargo 2.0.0", None)])  # fmt: skip
-def test_a_missing_or_old_rust_is_named_with_its_remedy(tmp_path, answer, found):
+def test_a_missing_or_old_rust_is_reported_with_its_remedy(tmp_path, answer, found):
     # In place of maturin, which isn't installed here.
-    hooks = ["build_editable", "build_wheel", "build_sdist", "prepare_metadata_for_build_wheel"]
+    hooks = ["build_editable", "build_sdist", "build_wheel", "get_requires_for_build_sdist"]
     (tmp_path / "maturin.py").write_text("\n".join(f"def {hook}(*_): pass" for hook in hooks))
     cargo = tmp_path / "cargo"
     if answer:
@@ -28,3 +29,9 @@ def test_a_missing_or_old_rust_is_named_with_its_remedy(tmp_path, answer, found)
     else:
         assert run.returncode == 1
         assert found in run.stderr and "https://rustup.rs" in run.stderr and "Traceback" not in run.stderr
+
+
+def test_the_oldest_rust_is_the_manifest_s():
+    manifest = (BACKEND.parent / "Cargo.toml").read_text()
+    major, minor = re.search(r'rust-version = "(\d+)\.(\d+)"', manifest).groups()
+    assert f"OLDEST = ({major}, {minor})" in (BACKEND / "luxel_build.py").read_text()

@@ -1,16 +1,16 @@
-//! Long work without the interpreter's lock, which Ctrl-C ends.
+//! Long work without the GIL, which Ctrl-C cancels.
 
 use luxel::render::Renderer;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How often the interpreter is asked for signals while work goes on.
+/// Interval between checks for pending signals.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Runs work on a thread of its own; `stop` ends it early. Signals are looked at meanwhile.
+/// Runs work on a thread of its own and checks for signals meanwhile; `stop` cancels the work.
 ///
 /// # Errors
 /// What a signal handler raises: `KeyboardInterrupt` for Ctrl-C.
@@ -19,13 +19,13 @@ pub(crate) fn interruptible<T: Send>(
     stop: impl Fn() + Sync,
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
-    let (lives, ended) = channel();
+    let (sender, receiver) = channel();
     std::thread::scope(|scope| {
         let worker = scope.spawn(move || {
-            let _lives = lives;
+            let _until_done = sender;
             work()
         });
-        let interrupted = listen(py, ended, &mut || Ok(()), &stop);
+        let interrupted = wait(py, receiver, &mut || Ok(()), &stop);
         match (interrupted, worker.join()) {
             (Err(raised), _) => Err(raised),
             (Ok(()), Ok(result)) => Ok(result),
@@ -34,8 +34,8 @@ pub(crate) fn interruptible<T: Send>(
     })
 }
 
-/// [`interruptible`] on the threads of a renderer: a small picture takes not much longer than to create a thread. The
-/// work ends early once what it is given is true.
+/// [`interruptible`] on a renderer's threads, since a small picture takes hardly longer than to create a thread.
+/// `work` gets a flag, and returns early once it is set.
 ///
 /// # Errors
 /// What a signal handler raises: `KeyboardInterrupt` for Ctrl-C.
@@ -44,54 +44,37 @@ pub(crate) fn interruptible_on<T: Send>(
     renderer: &Renderer,
     work: impl FnOnce(&AtomicBool) -> T + Send,
 ) -> PyResult<T> {
-    let stop = AtomicBool::new(false);
-    let asked = &stop;
-    let (lives, ended) = channel();
-    let work = move || {
-        let _lives = lives;
-        work(asked)
-    };
-    let mut interrupted = Ok(());
-    let end = || stop.store(true, Ordering::Relaxed);
-    let listen = || interrupted = listen(py, ended, &mut || Ok(()), &end);
-    let result = renderer.install_while(work, listen);
-    interrupted.map(|()| result)
+    on_threads(py, renderer, &mut || Ok(()), |stop, _until_done| work(stop))
 }
 
-/// [`interruptible_on`] for each of some numbers, on all threads of the renderer; after each, `heard` is called, which may
-/// end the work by an error.
+/// [`interruptible_on`] for each number below `count`, in parallel on the renderer's threads. `progress` is called
+/// after each, and cancels the rest by an error.
 ///
 /// # Errors
-/// What a signal handler raises, or `heard`.
+/// What a signal handler or `progress` raises.
 pub(crate) fn interruptible_each<T: Send>(
     py: Python<'_>,
     renderer: &Renderer,
     count: usize,
     work: &(dyn Fn(usize, &AtomicBool) -> T + Sync),
-    heard: &mut dyn FnMut() -> PyResult<()>,
+    progress: &mut dyn FnMut() -> PyResult<()>,
 ) -> PyResult<Vec<T>> {
-    let stop = AtomicBool::new(false);
-    let asked = &stop;
-    let (done, finished) = channel();
-    let all = move || {
+    let results = on_threads(py, renderer, progress, |stop, done| {
         let mut results: Vec<Option<T>> = Vec::new();
         results.resize_with(count, || None);
         luxel_parallel::fill(&mut results, 1, &|number, result| {
-            if !asked.load(Ordering::Relaxed) {
-                result[0] = Some(work(number, asked));
-                // Nobody listens after an error.
+            if !stop.load(Ordering::Relaxed) {
+                result[0] = Some(work(number, stop));
+                // Fails only after the receiver is gone, with a panic.
                 let _ = done.send(());
             }
         });
         results
-    };
-    let mut interrupted = Ok(());
-    let end = || stop.store(true, Ordering::Relaxed);
-    let results = renderer.install_while(all, || interrupted = listen(py, finished, heard, &end));
-    interrupted.map(|()| results.into_iter().flatten().collect())
+    })?;
+    Ok(results.into_iter().flatten().collect())
 }
 
-/// Works on pieces without the interpreter's lock, by this thread and the renderer's. Signals are looked at between
+/// Works on pieces without the GIL, on this thread and on the renderer's. Signals are checked between
 /// pieces, which should take a few milliseconds at most.
 ///
 /// # Errors
@@ -103,11 +86,11 @@ pub(crate) fn interruptible_pieces<T: Send>(
     work: &(dyn Fn(T) + Sync),
 ) -> PyResult<()> {
     py.detach(|| {
-        let mut looked = Instant::now();
+        let mut last_check = Instant::now();
         let mut interrupted = Ok(());
         renderer.each_from_outside(pieces, work, &mut || {
-            if looked.elapsed() >= PAUSE {
-                looked = Instant::now();
+            if last_check.elapsed() >= PAUSE {
+                last_check = Instant::now();
                 interrupted = Python::attach(|py| py.check_signals());
             }
             interrupted.is_ok()
@@ -116,37 +99,56 @@ pub(crate) fn interruptible_pieces<T: Send>(
     })
 }
 
-/// Waits without the lock until the work hangs up, also by a panic. `heard` is called for each message of it, and signals
-/// are looked at. After an error of either, `stop` is called, and what is left of the work waited for.
+/// Runs work on a renderer's threads with a stop flag and a sender, which it drops when done; `message` is called for
+/// each message.
+fn on_threads<T: Send>(
+    py: Python<'_>,
+    renderer: &Renderer,
+    message: &mut dyn FnMut() -> PyResult<()>,
+    work: impl FnOnce(&AtomicBool, Sender<()>) -> T + Send,
+) -> PyResult<T> {
+    let stop = AtomicBool::new(false);
+    let (sender, receiver) = channel();
+    let mut interrupted = Ok(());
+    let cancel = || stop.store(true, Ordering::Relaxed);
+    let result = renderer.install_while(
+        || work(&stop, sender),
+        || interrupted = wait(py, receiver, message, &cancel),
+    );
+    interrupted.map(|()| result)
+}
+
+/// Waits without the GIL until the sender is dropped, also by a panic. Calls `message` for each message and checks for
+/// signals; on an error of either, calls `stop` and waits for the rest of the work.
 ///
 /// # Errors
-/// What a signal handler raises, or `heard`.
-fn listen(
+/// What a signal handler or `message` raises.
+fn wait(
     py: Python<'_>,
-    messages: Receiver<()>,
-    heard: &mut dyn FnMut() -> PyResult<()>,
+    receiver: Receiver<()>,
+    message: &mut dyn FnMut() -> PyResult<()>,
     stop: &dyn Fn(),
 ) -> PyResult<()> {
-    // Shared with a closure that the interpreter's lock may not enter.
-    let messages = Mutex::new(messages);
-    let mut looked = Instant::now();
+    // `detach` demands what is `Sync`.
+    let receiver = Mutex::new(receiver);
+    let mut last_check = Instant::now();
     loop {
-        let found = match py.detach(|| lock(&messages).recv_timeout(PAUSE)) {
+        let outcome = match py.detach(|| lock(&receiver).recv_timeout(PAUSE)) {
             Err(RecvTimeoutError::Disconnected) => return Ok(()),
             Err(RecvTimeoutError::Timeout) => Ok(()),
-            Ok(()) => heard(),
+            Ok(()) => message(),
         };
-        let found = found.and_then(|()| {
-            if looked.elapsed() < PAUSE {
+        let outcome = outcome.and_then(|()| {
+            if last_check.elapsed() < PAUSE {
                 return Ok(());
             }
-            looked = Instant::now();
+            last_check = Instant::now();
             py.check_signals()
         });
-        if found.is_err() {
+        if outcome.is_err() {
             stop();
-            py.detach(|| while lock(&messages).recv().is_ok() {});
-            return found;
+            py.detach(|| while lock(&receiver).recv().is_ok() {});
+            return outcome;
         }
     }
 }

@@ -1,5 +1,5 @@
 //! The classes and functions of the native module of the Python package `luxel`: scenes, views, frames, picks and
-//! ledgers. A crate of their own, which is compiled for size: they run once a picture.
+//! ledgers. A separate crate, compiled for size: its code runs once per picture.
 //!
 //! Each module has one class or one family of functions. Long work runs without the interpreter's lock, in
 //! [`interruptible`]; every error of the library becomes one of [`errors`].
@@ -29,7 +29,7 @@ mod view;
 
 use pyo3::prelude::*;
 
-/// Adds all of them to the native module.
+/// Adds all classes and functions to the native module.
 ///
 /// # Errors
 /// What the interpreter raises.

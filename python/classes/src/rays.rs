@@ -11,10 +11,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::atomic::Ordering;
 
-/// Rays per task that ask for all hits.
+/// Rays per task for all hits.
 const RUN: usize = 256;
 
-/// Rays per task that ask for less: their hits stay in a processor's cache until they are arrays.
+/// Rays per task for closest and any hits: the hits stay in cache until they are copied to the arrays.
 const PIECE: usize = 1024;
 
 /// Follows rays from origins along directions, both of shape (n, 3).
@@ -89,7 +89,7 @@ pub(crate) fn rays<'py>(
     }
 }
 
-/// Hits by their properties: -1 and not-a-number where nothing is, t infinite.
+/// Hits as one array per property: -1, NaN and an infinite t for a miss.
 struct HitArrays {
     t: Vec<f64>,
     object: Vec<i64>,
@@ -108,7 +108,7 @@ struct HitRows<'a> {
 }
 
 impl HitRows<'_> {
-    /// Puts hits where there are any.
+    /// Writes the hits; rows of misses keep their values.
     fn put(&mut self, hits: &[Option<WorldHit>]) {
         for (row, hit) in hits.iter().enumerate() {
             if let Some(hit) = hit {
@@ -123,7 +123,7 @@ impl HitRows<'_> {
 }
 
 impl HitArrays {
-    /// Rows without hits.
+    /// Arrays of misses.
     fn misses(count: usize) -> Self {
         Self {
             t: vec![f64::INFINITY; count],

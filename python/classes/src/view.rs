@@ -16,7 +16,7 @@ use luxel::report::RegionReport;
 use luxel::scene::Size;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -58,25 +58,25 @@ impl PyView {
         &self.view
     }
 
-    /// Draws views of one scene by one renderer, on all of its threads: small pictures side by side. `heard` is called
+    /// Draws views of one scene in parallel on the renderer's threads, which suits small pictures. `progress` is called
     /// after each.
     ///
     /// # Errors
-    /// What [`PyView::render`] raises, or `heard`.
+    /// What [`PyView::render`] or `progress` raises.
     pub(crate) fn render_each(
         py: Python<'_>,
         views: &[Self],
         layers: Option<Vec<String>>,
-        heard: &mut dyn FnMut() -> PyResult<()>,
+        progress: &mut dyn FnMut() -> PyResult<()>,
     ) -> PyResult<Vec<PyFrame>> {
-        let asked = layers_of(layers)?;
+        let layers = layers_of(layers)?;
         let Some(first) = views.first() else { return Ok(Vec::new()) };
-        let draw = |number: usize, stop: &AtomicBool| views[number].draw(&asked, stop);
-        let drawn = interruptible_each(py, &first.renderer, views.len(), &draw, heard)?;
-        drawn.into_iter().map(|drawn| frame(py, &asked, drawn)).collect()
+        let draw = |number: usize, stop: &AtomicBool| views[number].draw(&layers, stop);
+        let drawn = interruptible_each(py, &first.renderer, views.len(), &draw, progress)?;
+        drawn.into_iter().map(|drawn| frame(py, &layers, drawn)).collect()
     }
 
-    /// Draws the picture and layers, until `stop` is true.
+    /// Draws the picture and layers; stops early once `stop` is set.
     fn draw(&self, layers: &[Layer], stop: &AtomicBool) -> Drawn {
         let (mut picture, mut values) = (Picture::default(), Vec::new());
         let Self { renderer, view, .. } = self;
@@ -100,26 +100,25 @@ impl PyView {
     }
 }
 
-/// The layers of these names, each once; `rgba` is always there.
+/// The layers with these names, without duplicates and `rgba`, which every frame has.
 ///
 /// # Errors
 /// `ValueError` for an unknown name.
 fn layers_of(names: Option<Vec<String>>) -> PyResult<Vec<Layer>> {
-    let mut asked: Vec<Layer> = Vec::new();
-    let mut known = HashSet::new();
-    for name in names.into_iter().flatten().filter(|name| *name != "rgba") {
-        let layer: Layer = name.parse().map_err(|error| argument("layers", error))?;
-        if known.insert(name) {
-            asked.push(layer);
+    let mut layers: Vec<Layer> = Vec::new();
+    for name in names.iter().flatten().filter(|name| *name != "rgba") {
+        let layer = name.parse().map_err(|error| argument("layers", error))?;
+        if !layers.contains(&layer) {
+            layers.push(layer);
         }
     }
-    Ok(asked)
+    Ok(layers)
 }
 
-/// What was drawn, as arrays.
+/// The frame of a drawing.
 ///
 /// # Errors
-/// `luxel.Error` if nothing was.
+/// `luxel.Error` for a drawing that failed.
 fn frame(py: Python<'_>, layers: &[Layer], drawn: Drawn) -> PyResult<PyFrame> {
     let (picture, values) = drawn.map_err(error)?;
     PyFrame::new(py, picture, layers.iter().cloned().zip(values))
@@ -154,9 +153,9 @@ impl PyView {
     /// Draws the view: a frame with `rgba` and the layers of these names.
     #[pyo3(signature = (layers=None))]
     pub(crate) fn render(&self, py: Python<'_>, layers: Option<Vec<String>>) -> PyResult<PyFrame> {
-        let asked = layers_of(layers)?;
-        let drawn = interruptible_on(py, &self.renderer, |stop| self.draw(&asked, stop))?;
-        frame(py, &asked, drawn)
+        let layers = layers_of(layers)?;
+        let drawn = interruptible_on(py, &self.renderer, |stop| self.draw(&layers, stop))?;
+        frame(py, &layers, drawn)
     }
 
     /// What is visible at a point of the picture, in pixels from its upper left corner; whole numbers
