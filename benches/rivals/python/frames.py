@@ -3,8 +3,8 @@
     frames.py luxel|pyrender|pyvista MESH.ply SIZE rgba|depth|layers SAMPLES PICTURES THREADS [PICTURE.png]
 
 `rgba` is colour alone, `depth` colour and depth, `layers` colour, depth, normals, objects and triangles (luxel
-alone). THREADS are luxel's, 0 for all. The camera goes around the mesh; scene and context are there before. Prints the medians of the milliseconds of a
-picture: by the wall's clock, and of all processors.
+alone). THREADS are luxel's, 0 for all. The camera goes around the mesh; scene and context exist beforehand. Prints
+the medians of the milliseconds of a picture: by the wall's clock, and of all processors.
 """
 
 import math

@@ -2,9 +2,9 @@
 
     rays.py MESH.ply COUNT ROUNDS
 
-Prints a row for each kind of rays and for luxel on one thread and on all, where embreex has one: milliseconds of luxel and
-of embreex, medians, and the ratio. `camera` goes from one point through a window's pixels, `random` from all around to points
-near the mesh. luxel gives distances, triangles, objects, barycentrics and places in f64, embreex numbers of triangles.
+Prints a row for each kind of rays, for luxel on one thread and on all; embreex has one. Medians in milliseconds of luxel and of
+embreex, and the ratio. `camera` rays start at one point and pass through a window's pixels, `random` ones come from all around
+to points near the mesh. luxel returns distances, triangles, objects, barycentrics and places in f64, embreex triangle numbers.
 """
 
 import sys
