@@ -14,9 +14,10 @@ use crate::severity::Pictures;
 use crate::silhouette::{self, MeshView};
 use crate::surface::{Edges, HalfEdge, RUN, Surface, half_edge_of};
 use crate::winding;
-use luxel_parallel::gather;
+use luxel_parallel::{gather, install};
 use luxel_render::{Interpolation, View};
 use luxel_scene::{DVec3, Mesh, NormalSource, Object, Scene};
+use std::collections::HashSet;
 
 /// The contribution of one mesh to a finding.
 struct MeshFinding {
@@ -33,23 +34,26 @@ struct MeshFinding {
 /// reported once, at the first object, except for silhouettes.
 #[must_use]
 pub fn check(scene: &Scene, setup: &Setup) -> Report {
-    let scene = &*scene.separated();
-    let mut all: Vec<(u32, Object, MeshFinding)> = Vec::new();
-    let mut is_known = vec![false; scene.meshes.len()];
-    for (number, object) in scene.objects().into_iter().enumerate() {
-        let mesh = &scene.meshes[object.mesh.index()];
-        if mesh.triangles.is_empty() {
-            continue;
-        }
-        let is_first = !std::mem::replace(&mut is_known[object.mesh.index()], true);
-        let found = Examination::of(mesh, scene, setup).run(&object, is_first);
-        all.extend(found.into_iter().map(|found| (number as u32, object.clone(), found)));
-    }
+    let objects = scene.objects();
+    let mut known = HashSet::new();
+    let is_first: Vec<bool> =
+        objects.iter().map(|object| known.insert((object.mesh, object.section))).collect();
+    // On one thread of the pool, where what few triangles need goes without handing it over.
+    let all: Vec<(u32, MeshFinding)> = install(None, || {
+        gather(objects.len(), 1, &|run, all| {
+            let object = &objects[run.start];
+            let mesh = &*scene.mesh_of(object);
+            if !mesh.triangles.is_empty() {
+                let found = Examination::of(mesh, scene, setup).run(object, is_first[run.start]);
+                all.extend(found.into_iter().map(|found| (run.start as u32, found)));
+            }
+        })
+    });
     let mut report = Report { findings: Vec::new(), spots: Vec::new() };
     for kind in Kind::ALL {
         let mut finding =
             Finding { kind, count: 0, severity: None, pixels: None, places: Vec::new() };
-        for (number, object, found) in all.iter().filter(|(_, _, found)| found.kind == kind) {
+        for (number, found) in all.iter().filter(|(_, found)| found.kind == kind) {
             let larger = |one: Option<f32>, other: Option<f32>| match (one, other) {
                 (Some(one), Some(other)) => Some(one.max(other)),
                 (one, other) => one.or(other),
@@ -57,10 +61,13 @@ pub fn check(scene: &Scene, setup: &Setup) -> Report {
             finding.count += found.count;
             finding.severity = larger(finding.severity, found.severity);
             finding.pixels = larger(finding.pixels, found.pixels);
-            let mesh = &scene.meshes[object.mesh.index()];
             let left = Setup::MOST_PLACES.saturating_sub(finding.places.len());
-            let listed = found.spots.iter().take(left);
-            finding.places.extend(listed.map(|spot| place(*number, object, mesh, *spot)));
+            if left > 0 {
+                let object = &objects[*number as usize];
+                let mesh = &*scene.mesh_of(object);
+                let listed = found.spots.iter().take(left);
+                finding.places.extend(listed.map(|spot| place(*number, object, mesh, *spot)));
+            }
             report.spots.extend(found.spots.iter().map(|spot| (kind, *number, *spot)));
         }
         if finding.count > 0 {

@@ -11,6 +11,9 @@ pub(crate) struct KdTree {
 /// Shorter runs are searched linearly.
 const LEAF: usize = 8;
 
+/// More than the rounding of places along a segment, as a fraction of its largest coordinate.
+const ROUNDING: f64 = 1e-12;
+
 /// The most results of a query.
 pub(crate) const MAX_RESULTS: usize = 256;
 
@@ -24,16 +27,16 @@ impl KdTree {
     /// Finds the ids of points within `reach` of a line segment, in order; [`MAX_RESULTS`] at most.
     pub(crate) fn along(&self, from: DVec3, to: DVec3, reach: f64, found: &mut Vec<u32>) {
         found.clear();
-        let low = from.min(to) - reach;
-        let high = from.max(to) + reach;
         let way = to - from;
         let squared = way.length_squared();
         let is_near = |point: DVec3| {
             let t = if squared > 0.0 { (point - from).dot(way) / squared } else { 0.0 };
             (from + way * t.clamp(0.0, 1.0)).distance_squared(point) <= reach * reach
         };
-        let mut rest = vec![(0, self.points.len(), 0)];
-        while let Some((start, end, axis)) = rest.pop() {
+        let margin = reach + ROUNDING * from.abs().max(to.abs()).max_element();
+        // Each run with the part of the segment that its points may be near.
+        let mut rest = vec![(0, self.points.len(), 0, [0.0, 1.0])];
+        while let Some((start, end, axis, part)) = rest.pop() {
             if found.len() >= MAX_RESULTS {
                 break;
             }
@@ -48,16 +51,32 @@ impl KdTree {
                 found.push(number);
             }
             let next = (axis + 1) % 3;
-            if low[axis] <= point[axis] {
-                rest.push((start, middle, next));
+            let (begin, way) = (from[axis] - point[axis], way[axis]);
+            if let Some(part) = below(begin, way, margin, part) {
+                rest.push((start, middle, next, part));
             }
-            if high[axis] >= point[axis] {
-                rest.push((middle + 1, end, next));
+            if let Some(part) = below(-begin, -way, margin, part) {
+                rest.push((middle + 1, end, next, part));
             }
         }
         found.sort_unstable();
         found.truncate(MAX_RESULTS);
     }
+}
+
+/// The part of an interval in which `begin` + t `way` is `limit` or less; `None` if there is none.
+fn below(begin: f64, way: f64, limit: f64, [first, last]: [f64; 2]) -> Option<[f64; 2]> {
+    let crossing = (limit - begin) / way;
+    let part = if way > 0.0 {
+        [first, last.min(crossing)]
+    } else if way < 0.0 {
+        [first.max(crossing), last]
+    } else if begin <= limit {
+        [first, last]
+    } else {
+        return None;
+    };
+    (part[0] <= part[1]).then_some(part)
 }
 
 /// Sorts a run into tree order. Ids break ties of coordinates.

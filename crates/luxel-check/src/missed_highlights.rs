@@ -103,7 +103,7 @@ fn add(report: &mut Report, scene: &Scene, missed: &BTreeSet<(u32, u32)>) {
         let spot = Spot::Triangle(triangle);
         finding.count += 1;
         if finding.places.len() < Setup::MOST_PLACES {
-            let mesh = &scene.meshes[object.mesh.index()];
+            let mesh = &scene.mesh_of(object);
             finding.places.push(place(number, object, mesh, spot));
         }
         report.spots.push((kind, number, spot));

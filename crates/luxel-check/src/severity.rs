@@ -2,8 +2,8 @@
 
 use luxel_render::{Execution, Renderer, View};
 use luxel_scene::{
-    Camera, DMat4, DVec3, Lens, Mesh, MeshId, Node, NormalOptions, Projection, Scene,
-    SceneMaterial, Size,
+    Camera, DMat4, DVec3, Lens, MaterialId, Mesh, MeshId, Node, NormalOptions, Projection, Scene,
+    SceneMaterial, Sides, Size,
 };
 
 /// The directions from which a mesh is rendered, with their up vectors.
@@ -15,6 +15,9 @@ const SIDES: [(DVec3, DVec3); 6] = [
     (DVec3::Z, DVec3::Y),
     (DVec3::NEG_Z, DVec3::Y),
 ];
+
+/// The materials of the pictures: defaults, but for the sides that are drawn.
+const SHOWN_SIDES: [Sides; 2] = [Sides::Both, Sides::Front];
 
 /// Width and height in pixels.
 const SIDE: u32 = 384;
@@ -38,16 +41,11 @@ impl Pictures {
         if bounds.is_empty() || !radius.is_finite() || radius <= 0.0 {
             return None;
         }
+        let material = |sides| SceneMaterial { sides, ..SceneMaterial::default() };
         let mut isolated = Scene {
             nodes: vec![Node::root("", Some(MeshId(0)))],
-            meshes: vec![Mesh { uvs: Default::default(), colors: Vec::new(), ..mesh.clone() }]
-                .into(),
-            // Default materials, but for the sides that are drawn.
-            materials: scene
-                .materials
-                .iter()
-                .map(|material| SceneMaterial { sides: material.sides, ..SceneMaterial::default() })
-                .collect(),
+            meshes: vec![plain(mesh, scene)].into(),
+            materials: SHOWN_SIDES.map(material).to_vec(),
             ..Scene::default()
         };
         isolated.compute_normals(normals);
@@ -80,6 +78,19 @@ impl Pictures {
         let pairs = self.pixels.iter().zip(&other.pixels);
         pairs.map(|(one, other)| largest_difference(one, other)).fold(0.0, f32::max)
     }
+}
+
+/// A mesh without textures and colours, whose materials are those of [`SHOWN_SIDES`].
+fn plain(mesh: &Mesh, scene: &Scene) -> Mesh {
+    let material = |MaterialId(number): MaterialId| {
+        let sides = scene.materials.get(number as usize).map_or(Sides::Both, |of| of.sides);
+        MaterialId(SHOWN_SIDES.iter().position(|shown| *shown == sides).unwrap_or(0) as u32)
+    };
+    let mut mesh = Mesh { uvs: Default::default(), colors: Vec::new(), ..mesh.clone() };
+    mesh.parts.iter_mut().for_each(|part| part.material = material(part.material));
+    mesh.lines.iter_mut().for_each(|lines| lines.material = material(lines.material));
+    mesh.points.iter_mut().for_each(|points| points.material = material(points.material));
+    mesh
 }
 
 /// The largest difference of a colour or alpha between two pictures, in 8-bit steps.

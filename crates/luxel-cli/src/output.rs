@@ -1,9 +1,10 @@
 //! Writes results: to the standard output, and to files, atomically.
 
 use crate::failure::{Failure, INTERRUPTED};
+use serde::Serialize;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, Once, PoisonError};
 
@@ -61,8 +62,14 @@ fn is_output_closed() -> bool {
 }
 
 /// Prints a JSON document as one line.
-pub(crate) fn print_json(document: &serde_json::Value) -> Result<(), Failure> {
-    print(&format!("{document}\n"))
+pub(crate) fn print_json(document: &impl Serialize) -> Result<(), Failure> {
+    let print = || {
+        let mut output = BufWriter::new(io::stdout().lock());
+        serde_json::to_writer(&mut output, document)?;
+        output.write_all(b"\n")?;
+        output.flush()
+    };
+    print().map_err(|error| Failure::standard_output(&error))
 }
 
 /// The file being written, which an interrupt must remove.

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output;
 use clap::Args;
 use luxel::scene::demos;
-use serde_json::json;
+use serde_json::{Value, json};
 
 /// List the built-in scenes
 #[derive(Args, Debug)]
@@ -19,7 +19,7 @@ impl DemosCommand {
         let names: Vec<_> = demos::names();
         if self.json {
             let entry = |(name, about): &(&str, &str)| json!({ "name": name, "about": about });
-            return output::print_json(&names.iter().map(entry).collect());
+            return output::print_json(&names.iter().map(entry).collect::<Value>());
         }
         let width = names.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
         let lines = names.iter().map(|(name, about)| format!("demo:{name:width$}  {about}\n"));
