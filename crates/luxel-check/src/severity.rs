@@ -88,6 +88,12 @@ fn plain(mesh: &Mesh, scene: &Scene) -> Mesh {
     };
     let mut mesh = Mesh { uvs: Default::default(), colors: Vec::new(), ..mesh.clone() };
     mesh.parts.iter_mut().for_each(|part| part.material = material(part.material));
+    // Parts that follow one another are one, if they are drawn alike.
+    mesh.parts.dedup_by(|next, part| {
+        let follows = next.material == part.material && next.first == part.first + part.count;
+        part.count += if follows { next.count } else { 0 };
+        follows
+    });
     mesh.lines.iter_mut().for_each(|lines| lines.material = material(lines.material));
     mesh.points.iter_mut().for_each(|points| points.material = material(points.material));
     mesh

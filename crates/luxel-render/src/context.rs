@@ -5,8 +5,8 @@ use crate::coverage::EdgeFlags;
 use crate::polygons::Polygons;
 use crate::shadow::Shadows;
 use luxel_lighting::{
-    Coefficients, Display, Fog, LightingEnvironment, PictureEncoding, PlacedLight, SurfacePoint,
-    Uniform,
+    Coefficients, Display, Fog, LightingEnvironment, PictureEncoding, PlacedLight, Reflection,
+    SurfacePoint, Uniform,
 };
 use luxel_math::{Lanes, Vec3};
 use luxel_scene::{Mesh, Scene, SceneMaterial};
@@ -34,8 +34,8 @@ pub(crate) struct ShadingContext<'a> {
     pub(crate) placed: &'a PlacedScene<'a>,
     pub(crate) lights: &'a [PlacedLight],
     pub(crate) ambient: [f32; 3],
-    /// What shines on each material, and the fog.
-    pub(crate) lighting: &'a [LightingEnvironment<'a>],
+    /// What shines on microfacet materials, and on all others, and the fog.
+    pub(crate) lighting: [LightingEnvironment<'a>; 2],
     pub(crate) fog: Option<&'a Fog>,
     /// What keeps lights away, if the view asks for shadows.
     pub(crate) shadows: Option<&'a Shadows<'a>>,
@@ -79,6 +79,13 @@ pub(crate) struct ShadingContext<'a> {
 }
 
 impl ShadingContext<'_> {
+    /// What shines on a material.
+    #[inline(always)]
+    pub(crate) fn lighting(&self, material: usize) -> &LightingEnvironment<'_> {
+        let reflection = &self.scene.materials[material].constants.reflection;
+        &self.lighting[usize::from(!matches!(reflection, Reflection::Microfacet))]
+    }
+
     /// Where the light of a material's surfaces is computed.
     ///
     /// Subdivision leaves surfaces to their pixels whose light other textures shape: they differ from

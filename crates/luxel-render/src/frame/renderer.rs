@@ -17,7 +17,7 @@ use crate::execution::Execution;
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
-use luxel_lighting::{Environment, LightKind, LightingEnvironment, Reflection};
+use luxel_lighting::{Environment, LightKind, LightingEnvironment};
 use luxel_math::{Level, dispatch_long};
 use luxel_rays::{MeshTrees, SceneRays};
 use luxel_scene::{AlphaMode, Bounds, Mesh, Object, Part, Scene, SceneLight, Size};
@@ -332,10 +332,9 @@ impl Renderer {
             let ambient = frame_setup::ambient(view);
             let fog = view.fog.as_ref();
             let environments = self.environments(view);
-            let lighting: Vec<LightingEnvironment<'_>> = environments
-                .iter()
-                .map(|environment| LightingEnvironment::new(&lights, ambient, environment, fog))
-                .collect();
+            let lighting = environments
+                .each_ref()
+                .map(|environment| LightingEnvironment::new(&lights, ambient, environment, fog));
             let ground = match floor {
                 Some(floor) => {
                     let of_ground = (true, Some(view.ambient_occlusion.unwrap_or_default()));
@@ -383,7 +382,7 @@ impl Renderer {
                 placed: &placed,
                 lights: &lights,
                 ambient,
-                lighting: &lighting,
+                lighting,
                 fog,
                 shadows: shadows.as_ref(),
                 uniform: &uniform,
@@ -432,17 +431,15 @@ impl Renderer {
         instances.iter().map(of).collect()
     }
 
-    /// What the mirror term of each material sees.
-    fn environments(&self, view: &View) -> Vec<Environment> {
-        let up = self.up(view).as_vec3().to_array();
-        let of = |reflection: &Reflection| match (&view.environment, reflection) {
-            (EnvironmentChoice::Always(environment), _) => environment.clone(),
-            (EnvironmentChoice::StudioForMicrofacets, Reflection::Microfacet) => {
-                Environment::Studio { up }
+    /// What mirror terms see: those of microfacet materials, and those of all others.
+    fn environments(&self, view: &View) -> [Environment; 2] {
+        match &view.environment {
+            EnvironmentChoice::Always(environment) => [environment.clone(), environment.clone()],
+            EnvironmentChoice::StudioForMicrofacets => {
+                let up = self.up(view).as_vec3().to_array();
+                [Environment::Studio { up }, Environment::None]
             }
-            (EnvironmentChoice::StudioForMicrofacets, _) => Environment::None,
-        };
-        self.scene.materials.iter().map(|material| of(&material.constants.reflection)).collect()
+        }
     }
 
     /// Does work on one of the renderer's threads. Many frames in a row are drawn faster from there:

@@ -241,7 +241,7 @@ pub(crate) fn lit<N: Lanes, W: SurfaceWitness<N>, const NEEDS: u8>(
     let (tint, alpha) = base::<N, NEEDS>(scene, varying, number, lanes);
     let constants = &material.constants;
     let colored = varying.has.has(AttributeMask::COLORS) && material.vertex_colors;
-    let lighting = &scene.lighting[number];
+    let lighting = scene.lighting(number);
     let reflection = &constants.reflection;
     let color = match &scene.uniform[number] {
         Some(uniform) if NEEDS != needs::ALL || (!W::HEARS_SURFACES && !colored) => {

@@ -36,7 +36,7 @@ pub(crate) fn light_under<W: SurfaceWitness<f32>>(
     witness.surface(&point, &reflectance, 1.0);
     let constants = &scene.scene.materials[number].constants;
     let coefficients = Coefficients::new(&reflectance, constants);
-    let lighting = &scene.lighting[number];
+    let lighting = scene.lighting(number);
     let reflection = &constants.reflection;
     reflected(&point, &coefficients, reflection, lighting, Occlusion::NONE, witness).lane(0)
 }
@@ -58,7 +58,7 @@ pub(crate) fn lights_at<N: Lanes>(
                 return Rgb::black(position.x);
             };
             let reflection = &scene.scene.materials[material].constants.reflection;
-            let lighting = &scene.lighting[material];
+            let lighting = scene.lighting(material);
             let light =
                 reflected(&point, coefficients, reflection, lighting, Occlusion::NONE, &mut Silent);
             clamped(scene, light)

@@ -49,19 +49,26 @@ impl VertexNumbers {
     }
 }
 
-/// Triangles on their way into clusters of one part.
-pub(crate) struct ClusterBuilder<'a> {
-    mesh: &'a Mesh,
-    part: u32,
-    number: u32,
-    /// Whether the blocks keep shading vertices.
-    keeps_shading_vertices: bool,
-    /// How many triangles of the part lie in clusters before the one that is open.
-    first_number: u32,
+/// Clusters with their blocks in one piece.
+#[derive(Default)]
+pub(crate) struct Built {
     pub(crate) piece: Piece,
     pub(crate) headers: Vec<Header>,
     pub(crate) boxes: Vec<[f32; 6]>,
     pub(crate) cones: Vec<Cone>,
+}
+
+/// Triangles on their way into clusters.
+pub(crate) struct ClusterBuilder<'a> {
+    mesh: &'a Mesh,
+    number: u32,
+    /// Whether the blocks keep shading vertices.
+    keeps_shading_vertices: bool,
+    /// The part of the mesh whose triangles come.
+    part: u32,
+    /// How many triangles of the part lie in clusters before the one that is open.
+    first_number: u32,
+    built: Built,
     /// The vertices of the cluster that is open.
     numbers: VertexNumbers,
     groups: Box<[[u32; GROUP_WORDS]; CLUSTER_VERTICES / LANES]>,
@@ -71,20 +78,17 @@ pub(crate) struct ClusterBuilder<'a> {
 }
 
 impl<'a> ClusterBuilder<'a> {
-    /// For the piece of that number, which begins with that place in the order of a part of the mesh.
-    pub(crate) fn new(mesh: &'a Mesh, number: u32, part: u32, first: u32) -> Self {
+    /// For the piece of that number.
+    pub(crate) fn new(mesh: &'a Mesh, number: u32) -> Self {
         let has_normals = mesh.normals.len() >= mesh.positions.len();
         Self {
             mesh,
-            part,
             number,
             // Where attributes are numbered apart, positions alone don't tell them.
             keeps_shading_vertices: has_normals && mesh.attribute_corners.is_none(),
-            piece: Piece::default(),
-            first_number: first,
-            headers: Vec::new(),
-            boxes: Vec::new(),
-            cones: Vec::new(),
+            part: 0,
+            first_number: 0,
+            built: Built::default(),
             numbers: VertexNumbers::new(),
             groups: Box::new([[0; GROUP_WORDS]; CLUSTER_VERTICES / LANES]),
             vertices: 0,
@@ -92,10 +96,12 @@ impl<'a> ClusterBuilder<'a> {
         }
     }
 
-    /// Adds triangles, one after the other.
-    pub(crate) fn add(&mut self, triangles: &[u32]) {
+    /// Adds triangles of a part, one after the other, the first of which has that place in the part's order.
+    pub(crate) fn add(&mut self, part: u32, first_number: u32, triangles: &[u32]) {
+        self.close();
+        (self.part, self.first_number) = (part, first_number);
         // What even meshes take: a word a triangle, and three for two thirds of a vertex.
-        self.piece.words.reserve(triangles.len() * 3 + GROUP_WORDS);
+        self.built.piece.words.reserve(triangles.len() * 3 + GROUP_WORDS);
         for &original in triangles {
             if self.corners.len() == CLUSTER_TRIANGLES || self.vertices + 3 > CLUSTER_VERTICES {
                 self.close();
@@ -121,15 +127,23 @@ impl<'a> ClusterBuilder<'a> {
             self.vertices += 1;
             if self.keeps_shading_vertices {
                 let ([x, y, z], [nx, ny, nz]) = (position, self.mesh.normals[vertex as usize]);
-                self.piece.shading_vertices.push([x, y, z, nx, ny, nz, 0.0, 0.0]);
+                self.built.piece.shading_vertices.push([x, y, z, nx, ny, nz, 0.0, 0.0]);
             }
         }
         number
     }
 
+    /// What was added, in clusters.
+    pub(crate) fn finish(mut self) -> Built {
+        self.close();
+        self.built.piece.pad();
+        self.built
+    }
+
     /// Closes a cluster, if one is open: writes its block.
-    pub(crate) fn close(&mut self) {
-        let Self { piece, groups, vertices, corners, .. } = self;
+    fn close(&mut self) {
+        let Self { built, groups, vertices, corners, .. } = self;
+        let Built { piece, headers, boxes, cones } = built;
         if corners.is_empty() {
             return;
         }
@@ -141,7 +155,7 @@ impl<'a> ClusterBuilder<'a> {
                 axis[used..].fill(last);
             }
         }
-        self.headers.push(Header {
+        headers.push(Header {
             piece: self.number,
             first_word: piece.words.len() as u32,
             groups: groups.len() as u16,
@@ -150,9 +164,9 @@ impl<'a> ClusterBuilder<'a> {
             first_number: self.first_number,
             first_shading_vertex: piece.shading_vertices.len().saturating_sub(*vertices) as u32,
         });
-        self.boxes.push(bounds(groups));
+        boxes.push(bounds(groups));
         let block = Block { vertices: groups, triangles: corners, shading_vertices: None };
-        self.cones.push(Cone::of((0..corners.len()).map(|slot| block.positions(slot))));
+        cones.push(Cone::of((0..corners.len()).map(|slot| block.positions(slot))));
         piece.words.extend_from_slice(groups.as_flattened());
         piece.words.extend_from_slice(corners);
         self.first_number += corners.len() as u32;

@@ -75,26 +75,20 @@ impl Clusters {
     /// Cuts it into blocks along the curve.
     fn cut(&mut self, mesh: &Mesh) {
         let orders: Vec<_> = mesh.parts.iter().map(|part| along_curve(mesh, range(part))).collect();
-        let mut tasks = Vec::new();
-        for (part, order) in (0..).zip(&orders) {
-            let first_numbers = (0..).step_by(TASK_TRIANGLES);
-            tasks.extend(first_numbers.zip(order.chunks(TASK_TRIANGLES)).map(|task| (part, task)));
-        }
-        let built = map(tasks.len(), 1, &|task| {
-            let piece = task.start;
-            let (part, (first_number, triangles)) = tasks[piece];
-            let mut builder = ClusterBuilder::new(mesh, piece as u32, part, first_number);
-            builder.add(triangles);
-            builder.close();
-            builder.piece.pad();
-            Some(builder)
+        let tasks = tasks(&orders);
+        let built = map(tasks.len(), 1, &|run| {
+            let mut builder = ClusterBuilder::new(mesh, run.start as u32);
+            for &Task { part, first_number, triangles } in &tasks[run.start] {
+                builder.add(part, first_number, triangles);
+            }
+            builder.finish()
         });
         let (mut boxes, mut cones) = (Vec::new(), Vec::new());
-        for builder in built.into_iter().flatten() {
-            self.pieces.push(builder.piece);
-            self.headers.extend(builder.headers);
-            boxes.extend(builder.boxes);
-            cones.extend(builder.cones);
+        for built in built {
+            self.pieces.push(built.piece);
+            self.headers.extend(built.headers);
+            boxes.extend(built.boxes);
+            cones.extend(built.cones);
         }
         self.orders.extend(orders.into_iter().map(Order::Curve));
         self.bounds = by_sixteen(&boxes);
@@ -202,6 +196,35 @@ impl Clusters {
             None => transient.fill(mesh, self.numbers(cluster), count),
         }
     }
+}
+
+/// Triangles of a part, and the place of the first in the part's order.
+#[derive(Clone, Copy)]
+struct Task<'a> {
+    part: u32,
+    first_number: u32,
+    triangles: &'a [u32],
+}
+
+/// Divides parts into pieces: long ones into several, and short ones that follow one another together.
+fn tasks(orders: &[Vec<u32>]) -> Vec<Vec<Task<'_>>> {
+    let mut pieces: Vec<Vec<Task<'_>>> = Vec::new();
+    let mut room = 0;
+    for (part, order) in (0..).zip(orders) {
+        let chunks = (0..).step_by(TASK_TRIANGLES).zip(order.chunks(TASK_TRIANGLES));
+        for (first_number, triangles) in chunks {
+            let task = Task { part, first_number, triangles };
+            match pieces.last_mut() {
+                Some(piece) if triangles.len() <= room => piece.push(task),
+                _ => {
+                    pieces.push(vec![task]);
+                    room = TASK_TRIANGLES;
+                }
+            }
+            room -= triangles.len();
+        }
+    }
+    pieces
 }
 
 /// The triangles of a part.
