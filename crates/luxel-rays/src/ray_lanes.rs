@@ -91,24 +91,35 @@ impl RayLanes {
         let [x, y, z] = turned(origin, axes);
         let origin =
             [x + wide.constant(w_axis.x), y + wide.constant(w_axis.y), z + wide.constant(w_axis.z)];
-        let [x, y, z] = turned(direction, axes);
-        let length = dot([x, y, z], [x, y, z]).sqrt();
-        let unit = [x / length, y / length, z / length];
+        let (unit, length) = match self.only_direction() {
+            Some(direction) => {
+                let ([x, y, z], length) = unit_and_length(direction, axes);
+                ([wide.constant(x), wide.constant(y), wide.constant(z)], wide.constant(length))
+            }
+            None => unit_and_length(direction, axes),
+        };
         let way = [
             origin[0] - wide.constant(centre.x),
             origin[1] - wide.constant(centre.y),
             origin[2] - wide.constant(centre.z),
         ];
         let is_outside = (dot(way, way) - wide.constant(radius * radius)).is_positive();
-        // Twice the sphere that is asked for, as `RebasedRay` does, and a little more.
-        let wider = wide.constant(2.1 * radius);
-        let along = -dot(way, unit);
-        let across = [way[0] + unit[0] * along, way[1] + unit[1] * along, way[2] + unit[2] * along];
-        let aside = dot(across, across);
+        let outside = is_outside.bits() & self.lanes;
         let end = wide.load(&self.end) * length;
-        let passes = (aside - wider * wider).is_positive()
-            | (-(along + wider)).is_positive()
-            | (along - wider - end).is_positive();
+        let mut passing = 0;
+        // Rays of shadows begin inside, but for those of the ground.
+        if outside != 0 {
+            // Twice the sphere that is asked for, as `RebasedRay` does, and a little more.
+            let wider = wide.constant(2.1 * radius);
+            let along = -dot(way, unit);
+            let across =
+                [way[0] + unit[0] * along, way[1] + unit[1] * along, way[2] + unit[2] * along];
+            let aside = dot(across, across);
+            let passes = (aside - wider * wider).is_positive()
+                | (-(along + wider)).is_positive()
+                | (along - wider - end).is_positive();
+            passing = passes.bits();
+        }
         // The next larger `f32`, which for numbers from 0 on has the next bits.
         let end = end.to_f32();
         let bits = end.bitcast::<i32x16<S>>();
@@ -131,14 +142,33 @@ impl RayLanes {
                 rays[lane % LANES] = Ray { origin, direction, range: [start, end] };
             },
         );
-        let outside = is_outside.bits();
-        [!outside & self.lanes, outside & !passes.bits() & self.lanes]
+        [!outside & self.lanes, outside & !passing]
+    }
+
+    /// The direction that all lanes share, as those to a light far away do: in lanes, its root and its
+    /// divisions take as long as everything else about it.
+    #[inline(always)]
+    fn only_direction(&self) -> Option<[f64; 3]> {
+        let mut differs = 0;
+        for row in &self.direction {
+            differs |= row.iter().fold(0, |bits, x| bits | (x.to_bits() ^ row[0].to_bits()));
+        }
+        let [x, y, z] = &self.direction;
+        (differs == 0).then_some([x[0], y[0], z[0]])
     }
 
     /// All rays.
     pub(crate) fn rays(&self) -> impl Iterator<Item = WorldRay> {
         lanes_of(self.lanes).map(|lane| self.ray(lane))
     }
+}
+
+/// Directions through the columns of a matrix, of unit length, and the lengths that they had.
+#[inline(always)]
+fn unit_and_length<F: F64Lanes>(direction: [F; 3], axes: [DVec3; 3]) -> ([F; 3], F) {
+    let [x, y, z] = turned(direction, axes);
+    let length = dot([x, y, z], [x, y, z]).sqrt();
+    ([x / length, y / length, z / length], length)
 }
 
 /// Vectors through the columns of a matrix.

@@ -1,6 +1,7 @@
 //! A scene prepared for rays: a tree per mesh, and one over all objects.
 
 use crate::object_tree::{ObjectTree, PlacedTree};
+use crate::world_ray::centre_and_radius;
 use glam::DVec3;
 use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel};
@@ -15,6 +16,8 @@ pub struct SceneRays {
     pub(crate) level: Level,
     trees: MeshTrees,
     placed: Vec<PlacedTree>,
+    /// The spheres around the objects' trees, in their coordinates; `None` for trees over nothing.
+    spheres: Vec<Option<(DVec3, f64)>>,
     /// Whether nothing shines through a mesh.
     opaque_meshes: Vec<bool>,
     /// The tree over the objects' boxes, relative to `middle`.
@@ -161,10 +164,13 @@ impl SceneRays {
             level,
             trees,
             placed,
+            spheres: Vec::new(),
             opaque_meshes,
             top: BoxTree::default(),
             middle: DVec3::ZERO,
         };
+        let sphere = |object| rays.tree(object).bvh.bounds().map(centre_and_radius);
+        rays.spheres = (0..rays.objects.len()).map(sphere).collect();
         let boxes: Vec<[DVec3; 2]> =
             (0..rays.objects.len()).map(|object| rays.tree(object).world_box()).collect();
         let all = boxes
@@ -240,6 +246,11 @@ impl SceneRays {
             tree_from_world: &placed.tree_from_world,
             of_mesh: placed.baked.is_none(),
         }
+    }
+
+    /// The sphere around the tree of an object; `None` for a tree over nothing.
+    pub(crate) fn sphere(&self, object: usize) -> Option<(DVec3, f64)> {
+        self.spheres[object]
     }
 
     pub(crate) fn rays(&self, object: usize) -> MeshRays<'_> {

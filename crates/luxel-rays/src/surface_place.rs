@@ -85,6 +85,16 @@ impl SceneRays {
     /// If there is no such object or triangle.
     #[must_use]
     pub fn places(&self, object: usize, triangle: u32) -> Option<TrianglePlaces> {
+        let mut places = TrianglePlaces::default();
+        self.places_into(object, triangle, &mut places).then_some(places)
+    }
+
+    /// [`SceneRays::places`] written to where they are kept, which saves copies; returns whether there are
+    /// any, else writes nothing.
+    ///
+    /// # Panics
+    /// If there is no such object or triangle.
+    pub fn places_into(&self, object: usize, triangle: u32, places: &mut TrianglePlaces) -> bool {
         let tree = self.tree(object);
         let corners = self.mesh(object).triangles[triangle as usize].map(|vertex| {
             let [x, y, z] = tree.positions[vertex as usize];
@@ -94,27 +104,47 @@ impl SceneRays {
         let [a, b, c] = corners;
         let in_tree = [b - a, c - a];
         let twice_area = in_tree[0].cross(in_tree[1]);
-        let normal_in_tree = twice_area.try_normalize()?;
+        let twice_area_length = length(twice_area);
+        let Some(normal_in_tree) = over_length(twice_area, twice_area_length) else { return false };
         let lift_in_tree = LIFT * largest;
-        let edge = INSET * lift_in_tree / twice_area.length();
-        let least =
-            [c - b, in_tree[1], in_tree[0]].map(|side| (side.length() * edge).min(1.0 / 3.0));
+        let edge = INSET * lift_in_tree / twice_area_length;
+        let sides = [c - b, in_tree[1], in_tree[0]];
+        let least = sides.map(|side| (length(side) * edge).min(1.0 / 3.0));
         let world_from_tree: &DMat4 = tree.world_from_tree;
         let corner = world_from_tree.transform_point3(a);
         let ways = in_tree.map(|way| world_from_tree.transform_vector3(way));
-        let normal = ways[0].cross(ways[1]).try_normalize()?;
+        let across = ways[0].cross(ways[1]);
+        let Some(normal) = over_length(across, length(across)) else { return false };
         let lift = world_from_tree.transform_vector3(normal_in_tree * lift_in_tree);
         let lift = if lift.dot(normal) < 0.0 { -lift } else { lift };
+        if !corner.is_finite() {
+            return false;
+        }
         let row = |DVec3 { x, y, z }, last| [x, y, z, last];
-        let rows = [
+        places.rows = [
             row(corner, least[0]),
             row(ways[0], least[1]),
             row(ways[1], least[2]),
             row(normal, 0.0),
             row(lift, 0.0),
         ];
-        corner.is_finite().then_some(TrianglePlaces { rows, in_tree, lift_in_tree })
+        places.in_tree = in_tree;
+        places.lift_in_tree = lift_in_tree;
+        true
     }
+}
+
+/// The length of a vector. Not glam's, whose root is a call into `libm` that several can't share.
+#[inline(always)]
+fn length(vector: DVec3) -> f64 {
+    vector.dot(vector).sqrt()
+}
+
+/// A vector of unit length from its length, by glam's operations; `None` if it has no direction.
+#[inline(always)]
+fn over_length(vector: DVec3, length: f64) -> Option<DVec3> {
+    let reciprocal = 1.0 / length;
+    (reciprocal.is_finite() && reciprocal > 0.0).then(|| vector * reciprocal)
 }
 
 impl TrianglePlaces {

@@ -3,7 +3,7 @@
 use crate::object_tree::ObjectTree;
 use crate::ray_lanes::{RayLanes, Spread};
 use crate::scene_rays::SceneRays;
-use crate::world_ray::{WorldRay, centre_and_radius};
+use crate::world_ray::WorldRay;
 use glam::DVec3;
 use luxel_bvh::{Ray, RayHit};
 use luxel_math::prelude::*;
@@ -129,8 +129,7 @@ impl SceneRays {
         near.clear();
         numbers.clear();
         let tree = self.tree(object);
-        let Some(bounds) = tree.bvh.bounds() else { return };
-        let sphere = centre_and_radius(bounds);
+        let Some(sphere) = self.sphere(object) else { return };
         dispatch_long!(self.level, simd => near_rays(simd, self, (object, &tree, sphere), (rays, through), (near, numbers)));
         if self.is_opaque(object) {
             hits.resize(near.len(), false);
@@ -191,30 +190,34 @@ fn near_rays<S: Simd>(
     (rays, through): (&[RayLanes], &[[f32; LANES]]),
     (near, numbers): (&mut Vec<Ray>, &mut Vec<u32>),
 ) {
-    let mut rebased = [Ray::new([0.0; 3], [0.0; 3]); LANES];
     for (first, (rays, through)) in (0..).step_by(LANES).zip(rays.iter().zip(through)) {
         let lit = f32x16::splat(simd, 0.0).less(f32x16::simd_from(simd, *through)).bits();
         let left = rays.lanes & lit;
         if left == 0 {
             continue;
         }
-        let [inside, outside] =
-            rays.rebased(simd, tree, sphere, &mut rebased).map(|lanes| lanes & left);
+        // Written to where they stay: a copy would wait for the rays that are still being stored.
+        let mut count = near.len();
+        near.resize(count + LANES, Ray::new([0.0; 3], [0.0; 3]));
+        let Some(rebased) = near.last_chunk_mut() else { return };
+        let [inside, outside] = rays.rebased(simd, tree, sphere, rebased).map(|lanes| lanes & left);
         if inside == (1 << LANES) - 1 {
-            near.extend_from_slice(&rebased);
             numbers.extend(first..first + LANES as u32);
             continue;
         }
+        let begin = count;
         for lane in lanes_of(inside | outside) {
-            if inside >> lane & 1 == 0 {
-                match scene.rebased_ray(&rays.ray(lane), object) {
-                    Some(far) => rebased[lane] = far.ray,
+            near[count] = match inside >> lane & 1 {
+                1 => near[begin + lane],
+                _ => match scene.rebased_ray(&rays.ray(lane), object) {
+                    Some(far) => far.ray,
                     None => continue,
-                }
-            }
-            near.push(rebased[lane]);
+                },
+            };
             numbers.push(first + lane as u32);
+            count += 1;
         }
+        near.truncate(count);
     }
 }
 

@@ -78,9 +78,9 @@ impl<N: Lanes> LaneRange<N> {
         self.greatest = self.greatest.maximum(values);
     }
 
-    /// The minimum and maximum over all lanes.
+    /// The minimum over all lanes.
     #[inline(always)]
-    pub(crate) fn ends(&self) -> [f32; 2] {
+    pub(crate) fn least(&self) -> f32 {
         let mut lanes = [0.0; LANES];
         self.least.store(&mut lanes, 0);
         let mut half = width::<N>() / 2;
@@ -90,7 +90,19 @@ impl<N: Lanes> LaneRange<N> {
             }
             half /= 2;
         }
-        [lanes[0], greatest(self.greatest)]
+        lanes[0]
+    }
+
+    /// The maximum over all lanes.
+    #[inline(always)]
+    pub(crate) fn greatest(&self) -> f32 {
+        greatest(self.greatest)
+    }
+
+    /// The minimum and the maximum over all lanes.
+    #[inline(always)]
+    pub(crate) fn ends(&self) -> [f32; 2] {
+        [self.least(), self.greatest()]
     }
 
     #[inline(always)]

@@ -301,13 +301,14 @@ pub(crate) fn intersect_rays<N: Lanes>(
 /// The rays of a group that hit a triangle of a block, of those whose bit is set in `active`.
 ///
 /// Vertices that triangles share are transformed once, into `vertices`. Which rays pass on one side of all
-/// three edges decides whether anything else is computed.
+/// three edges decides whether anything else is computed: of all triangles first, since a branch for each
+/// waits for its answer and is often predicted wrongly (rays to a light take 0.95 of the time).
 #[inline(always)]
 pub(crate) fn block_hits<S: Simd, N: Lanes>(
     simd: S,
     lanes: N,
     (block, positions): (Block<'_>, &[[f32; 3]]),
-    (rays, axes, range): (&ShearedRows, [usize; 3], [&Row; 2]),
+    (rays, group, axes, range): (&ShearedRows, usize, [usize; 3], [&Row; 2]),
     (active, is_negative): (u32, bool),
     vertices: &mut [[N; 3]; WIDTH],
 ) -> u32 {
@@ -318,15 +319,15 @@ pub(crate) fn block_hits<S: Simd, N: Lanes>(
         let gathered = gather(simd, block, positions);
         for of in 0..count {
             let triangle = (&gathered, axes, of);
-            hits |= intersect_rays(lanes, triangle, (rays, 0), is_negative, range, active).1;
+            hits |= intersect_rays(lanes, triangle, (rays, group), is_negative, range, active).1;
         }
         return hits;
     }
-    let x = load(lanes, &rays.origin[0], 0);
-    let y = load(lanes, &rays.origin[1], 0);
-    let z = load(lanes, &rays.origin[2], 0);
-    let shear_x = load(lanes, &rays.shear[0], 0);
-    let shear_y = load(lanes, &rays.shear[1], 0);
+    let x = load(lanes, &rays.origin[0], group);
+    let y = load(lanes, &rays.origin[1], group);
+    let z = load(lanes, &rays.origin[2], group);
+    let shear_x = load(lanes, &rays.shear[0], group);
+    let shear_y = load(lanes, &rays.shear[1], group);
     let [row_x, row_y, row_z] = axes.map(|axis| block.row(axis));
     for vertex in 0..header.row_length() {
         let vertex = vertex & (WIDTH - 1);
@@ -336,6 +337,7 @@ pub(crate) fn block_hits<S: Simd, N: Lanes>(
             [at(&row_x) - x - along * shear_x, at(&row_y) - y - along * shear_y, along];
     }
     let zero = lanes.zero();
+    let (mut passing, mut passed) = ([0; WIDTH], 0);
     for of in 0..count {
         let [a, b, c] = block.vertices_of(of).map(|vertex| &vertices[vertex]);
         let u = c[0] * b[1] - c[1] * b[0];
@@ -344,31 +346,33 @@ pub(crate) fn block_hits<S: Simd, N: Lanes>(
         let least = u.minimum(v).minimum(w);
         let most = u.maximum(v).maximum(w);
         let passes = !(least.less(zero) & zero.less(most));
-        let passing = passes.bits() & active;
-        if passing != 0 {
-            let scale = load(lanes, &rays.shear[2], 0);
-            let corners = [
-                [a[0], b[0], c[0]],
-                [a[1], b[1], c[1]],
-                [a[2] * scale, b[2] * scale, c[2] * scale],
-            ];
-            let ends = [load(lanes, range[0], 0), load(lanes, range[1], 0)];
-            let (_, mut found, uncertain) = intersect_lanes(&corners, ends, passing);
-            if uncertain != 0 {
-                let corners = block.corners_by_axes(of, positions, axes);
-                let mut distances = [0.0; LANES];
-                let rays = (rays, 0);
-                found = on_edges_of_rays(
-                    corners,
-                    rays,
-                    is_negative,
-                    range,
-                    uncertain,
-                    (&mut distances, found),
-                );
-            }
-            hits |= found;
+        let bits = passes.bits() & active;
+        passing[of & (WIDTH - 1)] = bits;
+        passed |= u32::from(bits != 0) << of;
+    }
+    while passed != 0 {
+        let of = passed.trailing_zeros() as usize & (WIDTH - 1);
+        passed &= passed - 1;
+        let [a, b, c] = block.vertices_of(of).map(|vertex| &vertices[vertex]);
+        let scale = load(lanes, &rays.shear[2], group);
+        let corners =
+            [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2] * scale, b[2] * scale, c[2] * scale]];
+        let ends = [load(lanes, range[0], group), load(lanes, range[1], group)];
+        let (_, mut found, uncertain) = intersect_lanes(&corners, ends, passing[of]);
+        if uncertain != 0 {
+            let corners = block.corners_by_axes(of, positions, axes);
+            let mut distances = [0.0; LANES];
+            let rays = (rays, group * width::<N>());
+            found = on_edges_of_rays(
+                corners,
+                rays,
+                is_negative,
+                range,
+                uncertain,
+                (&mut distances, found),
+            );
         }
+        hits |= found;
     }
     hits
 }

@@ -111,7 +111,7 @@ fn trace_in_packets<S: Simd, N: Lanes, Q: RayQuery>(
     stacks: &[TraversalStack; TURNS],
 ) {
     let size = if Q::ANY && !together { MANY } else { PACKET };
-    for (rays, answers) in rays.chunks(size).zip(answers.chunks_mut(size)) {
+    'runs: for (rays, answers) in rays.chunks(size).zip(answers.chunks_mut(size)) {
         let mut is_single = [true; MANY];
         let common = match rays.len() {
             LEAST..=PACKET => packet.load(simd, rays),
@@ -140,13 +140,24 @@ fn trace_in_packets<S: Simd, N: Lanes, Q: RayQuery>(
                 if common.is_none() || rays.len() > most {
                     packet.load_selected(simd, rays, indices);
                 }
-                let is_group = Q::ANY && indices.len() <= width::<N>();
-                if !packet.prepare(lanes, target, (kind, is_group), indices.len()) {
+                if !packet.prepare(lanes, target, kind, indices.len()) {
                     continue;
                 }
-                trace_packet::<S, N, Q>(simd, lanes, target, packet, is_group, &stacks[0]);
+                if packet.count > 0 {
+                    let goes_all_ways = Q::ANY && !together;
+                    let interval =
+                        if goes_all_ways { None } else { packet.interval(lanes, target) };
+                    if interval.is_none() && !(Q::ANY && indices.len() <= width::<N>()) {
+                        continue;
+                    }
+                    let of = (&mut *packet, interval);
+                    trace_packet::<S, N, Q>(simd, lanes, target, of, &stacks[0]);
+                }
                 let index = |at: usize| usize::from(indices[at]);
                 packet.write_answers::<N, Q>(lanes, target, answers, index);
+                if common.is_some() && rays.len() <= most {
+                    continue 'runs;
+                }
                 for &index in indices {
                     is_single[usize::from(index)] = false;
                 }

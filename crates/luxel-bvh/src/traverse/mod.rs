@@ -1,5 +1,6 @@
 //! Traversal: single rays, rays that take turns, packets, and batches of all of them.
 
+mod any_packet;
 mod batch;
 mod box_items;
 mod group;

@@ -129,22 +129,19 @@ impl Packet {
         }
     }
 
-    /// Prepares `count` loaded rays of one kind; returns whether all are valid and of usual lengths, and
-    /// coherent enough for intervals. Of a single group, the latter isn't asked if `is_group`.
+    /// Prepares `count` loaded rays of one kind; returns whether all are valid and of usual lengths.
     #[inline(always)]
     pub(crate) fn prepare<N: Lanes>(
         &mut self,
         lanes: N,
         target: &RayTarget<'_>,
-        (kind, is_group): (PacketKind, bool),
+        kind: PacketKind,
         count: usize,
     ) -> bool {
         self.reversed = kind.reversed();
         self.longest = kind.longest();
         self.axes = axis_order(self.longest);
         self.count = 0;
-        let mut slopes = [LaneRange::empty(lanes); 2];
-        let mut origins = [LaneRange::empty(lanes); 3];
         for number in 0..count.div_ceil(width::<N>()).min(PACKET / width::<N>()) {
             let group = self.count;
             let start = load(lanes, &self.rows[6], number);
@@ -162,7 +159,10 @@ impl Packet {
                 let [near_origin, far_origin] = shifted(origin, sign * pad);
                 let length = along.abs().maximum(lanes.constant(ALMOST_ZERO));
                 let inverse = sign * (lanes.one() / length);
-                bounded = bounded & along.abs().less(lanes.constant(USUAL_LENGTHS.end));
+                // Without finite origins, no interval is one around all rays.
+                bounded = bounded
+                    & origin.abs().less(lanes.constant(f32::INFINITY))
+                    & along.abs().less(lanes.constant(USUAL_LENGTHS.end));
                 if axis == self.longest {
                     bounded =
                         bounded & lanes.constant(USUAL_LENGTHS.start).less_or_equal(along.abs());
@@ -198,48 +198,68 @@ impl Packet {
             store(second, &mut self.sheared.shear[1], group);
             store(inverse, &mut self.sheared.shear[2], group);
             self.count += 1;
-            if is_group {
-                continue;
-            }
-            slopes[0].include(first);
-            slopes[1].include(second);
-            for axis in 0..3 {
-                origins[axis].include(load(lanes, &self.rows[axis], number));
-            }
-        }
-        if self.count == 0 {
-            return true;
         }
         self.triangle = [u32::MAX; PACKET];
-        is_group
-            || slopes.iter().all(|range| range.width() <= SPREAD)
-                && origins.iter().all(|range| range.width() <= SPREAD * target.extent)
+        true
     }
 
     /// Writes the answers of rays that hit something; `index` maps a ray of the packet to its answer.
     #[inline(always)]
     pub(crate) fn write_answers<N: Lanes, Q: RayQuery>(
         &self,
-        _lanes: N,
+        lanes: N,
         target: &RayTarget<'_>,
         answers: &mut [Q::Answer],
         index: impl Fn(usize) -> usize,
     ) {
         let width = width::<N>();
         for group in 0..self.count.min(PACKET / width) {
-            for at in 0..width {
+            let mut hits = self.hits(lanes, group);
+            while hits != 0 {
+                let at = hits.trailing_zeros() as usize % width;
+                hits &= hits - 1;
                 let ray = group * width + at;
                 let triangle = self.triangle[ray % PACKET];
-                if triangle != u32::MAX {
-                    let sheared = self.ray(ray);
-                    let (block, of) = (self.block[ray % PACKET], self.lane[ray % PACKET]);
-                    let t = lane(&self.nearest, ray);
-                    let nearest = NearestHit { t, triangle, block, lane: of };
-                    answers[index(self.numbers[group] * width + at)] =
-                        Q::answer(target, &sheared, nearest);
-                }
+                let sheared = self.ray(ray);
+                let (block, of) = (self.block[ray % PACKET], self.lane[ray % PACKET]);
+                let nearest = NearestHit { t: lane(&self.nearest, ray), triangle, block, lane: of };
+                answers[index(self.numbers[group] * width + at)] =
+                    Q::answer(target, &sheared, nearest);
             }
         }
+    }
+
+    /// The rays of a group that have hit something, a bit each.
+    #[inline(always)]
+    fn hits<N: Lanes>(&self, lanes: N, group: usize) -> u32 {
+        let (first, mut of_group) = (group * width::<N>(), [u32::MAX; LANES]);
+        let triangles = &self.triangle[first % PACKET..][..width::<N>()];
+        of_group[..width::<N>()].copy_from_slice(triangles);
+        lanes.all_lanes() & !lanes.eq_mask(&of_group, u32::MAX)
+    }
+
+    /// The rays of a group that hit the box of a node's child, a bit each.
+    #[inline(always)]
+    pub(super) fn box_hits<N: Lanes>(
+        &self,
+        lanes: N,
+        group: usize,
+        node: &Node,
+        slot: usize,
+    ) -> u32 {
+        let mut near = load(lanes, &self.start, group);
+        let mut far = load(lanes, &self.nearest, group);
+        for axis in 0..3 {
+            let reversed = self.reversed[axis] & 1;
+            let near_plane = lanes.constant(node.planes[axis][reversed][slot]);
+            let far_plane = lanes.constant(node.planes[axis][reversed ^ 1][slot]);
+            let inverse = load(lanes, &self.inverse[axis], group);
+            let near_offset = near_plane - load(lanes, &self.near_origin[axis], group);
+            let far_offset = far_plane - load(lanes, &self.far_origin[axis], group);
+            near = (near_offset * inverse).maximum(near);
+            far = (far_offset * inverse).minimum(far);
+        }
+        near.less_or_equal(far).bits()
     }
 
     /// One of the rays.
@@ -275,35 +295,60 @@ impl Packet {
         self.triangle[ray % PACKET] = 0;
     }
 
+    /// The interval around all rays; `None` if they aren't coherent enough for one.
     #[inline(always)]
-    pub(super) fn interval<N: Lanes>(&self, lanes: N) -> RayInterval {
+    pub(super) fn interval<N: Lanes>(
+        &self,
+        lanes: N,
+        target: &RayTarget<'_>,
+    ) -> Option<RayInterval> {
         let mut interval = RayInterval {
             near_origin: [0.0; 3],
             far_origin: [0.0; 3],
             inverse: [[0.0; 2]; 3],
-            start: 0.0,
+            start: self.range(lanes, &self.start).least(),
         };
-        [interval.start, _] = self.range(lanes, &self.start);
+        let mut is_close = true;
         for axis in 0..3 {
             let near = self.range(lanes, &self.near_origin[axis]);
             let far = self.range(lanes, &self.far_origin[axis]);
             // (plane - origin) * inverse is smallest from the origin farthest ahead.
-            let ahead = usize::from(self.reversed[axis] == 0);
-            interval.near_origin[axis] = near[ahead];
-            interval.far_origin[axis] = far[1 - ahead];
-            interval.inverse[axis] = self.range(lanes, &self.inverse[axis]);
+            let [ahead, behind] = match self.reversed[axis] {
+                0 => [near.greatest(), far.least()],
+                _ => [near.least(), far.greatest()],
+            };
+            (interval.near_origin[axis], interval.far_origin[axis]) = (ahead, behind);
+            is_close &= (ahead - behind).abs() <= SPREAD * target.extent;
         }
-        interval
+        // Rays to a light far away share their direction: its ends need not be looked for.
+        let mut is_shared = lanes.zero().equal(lanes.zero());
+        for axis in 0..3 {
+            let first = lane(&self.inverse[axis], 0);
+            interval.inverse[axis] = [first; 2];
+            for group in 0..self.count {
+                let inverse = load(lanes, &self.inverse[axis], group);
+                is_shared = is_shared & inverse.equal(lanes.constant(first));
+            }
+        }
+        if !is_shared.all() {
+            for axis in 0..3 {
+                interval.inverse[axis] = self.range(lanes, &self.inverse[axis]).ends();
+            }
+            for row in &self.sheared.shear[..2] {
+                is_close &= self.range(lanes, row).width() <= SPREAD;
+            }
+        }
+        is_close.then_some(interval)
     }
 
-    /// The minimum and maximum of a row.
+    /// The minimum and maximum of a row, lane by lane.
     #[inline(always)]
-    fn range<N: Lanes>(&self, lanes: N, row: &Row) -> [f32; 2] {
+    fn range<N: Lanes>(&self, lanes: N, row: &Row) -> LaneRange<N> {
         let mut range = LaneRange::empty(lanes);
         for group in 0..self.count {
             range.include(load(lanes, row, group));
         }
-        range.ends()
+        range
     }
 
     /// The largest distance that still counts for any ray.

@@ -9,12 +9,13 @@
 //! A block is gathered once for all rays. Intersecting single rays with the block's own rows instead
 //! was a twentieth slower at a million triangles: gathering pays from the second ray on.
 
+use super::any_packet::trace_any;
 use super::group::trace_group;
-use super::packet::{GROUPS, Packet};
+use super::packet::{GROUPS, Packet, RayInterval};
 use super::query::RayQuery;
 use super::stack::TraversalStack;
 use super::target::RayTarget;
-use crate::intersect::{PACKET, intersect_gathered, intersect_rays, lane, load, width};
+use crate::intersect::{PACKET, intersect_gathered, intersect_rays, lane, width};
 use crate::tree::{Block, Node, WIDTH, block_at, gather};
 use luxel_math::{LANES, Simd, prelude::*};
 
@@ -30,25 +31,10 @@ fn intersect_leaf<S: Simd, N: Lanes, Q: RayQuery>(
     mut start: usize,
 ) -> bool {
     let slot = slot & (WIDTH - 1);
-    let (mut near_planes, mut far_planes) = ([lanes; 3], [lanes; 3]);
-    for axis in 0..3 {
-        let reversed = packet.reversed[axis] & 1;
-        near_planes[axis] = lanes.constant(node.planes[axis][reversed][slot]);
-        far_planes[axis] = lanes.constant(node.planes[axis][reversed ^ 1][slot]);
-    }
     let mut active = [0_u32; GROUPS];
     let mut any_active = 0;
     for group in 0..packet.count.min(PACKET / width::<N>()) {
-        let mut near = load(lanes, &packet.start, group);
-        let mut far = load(lanes, &packet.nearest, group);
-        for axis in 0..3 {
-            let inverse = load(lanes, &packet.inverse[axis], group);
-            let near_offset = near_planes[axis] - load(lanes, &packet.near_origin[axis], group);
-            let far_offset = far_planes[axis] - load(lanes, &packet.far_origin[axis], group);
-            near = (near_offset * inverse).maximum(near);
-            far = (far_offset * inverse).minimum(far);
-        }
-        let bits = near.less_or_equal(far).bits();
+        let bits = packet.box_hits(lanes, group, node, slot);
         active[group] = bits;
         any_active |= bits;
     }
@@ -141,26 +127,27 @@ fn intersect_block<S: Simd, N: Lanes, Q: RayQuery>(
     any
 }
 
-/// Traces the rays of a packet.
+/// Traces the rays of a packet, those that ask for any hit as a group if there is no interval around them.
 #[inline(always)]
 pub(crate) fn trace_packet<S: Simd, N: Lanes, Q: RayQuery>(
     simd: S,
     lanes: N,
     target: &RayTarget<'_>,
-    packet: &mut Packet,
-    is_group: bool,
+    (packet, interval): (&mut Packet, Option<RayInterval>),
     stack: &TraversalStack,
 ) {
     let nodes: &[Node] = target.tree.nodes;
     let mut top = 0;
-    if packet.count == 0 {
+    let Some(interval) = interval else {
+        if Q::ANY {
+            trace_group(simd, lanes, target, packet, stack);
+        }
+        return;
+    };
+    if Q::ANY {
+        trace_any(simd, lanes, target, (packet, &interval), stack);
         return;
     }
-    if Q::ANY && is_group {
-        trace_group(simd, lanes, target, packet, stack);
-        return;
-    }
-    let interval = packet.interval(lanes);
     let mut farthest = packet.farthest(lanes);
     let mut index = 0;
     loop {

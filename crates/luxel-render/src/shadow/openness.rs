@@ -39,6 +39,7 @@ impl Shadows<'_> {
         batch: &mut RayBatch,
         openness: &mut [f32; LANES],
     ) {
+        let simd = normal[0];
         let mut frames = Frames::new(normal, lanes, position);
         let wide = places.position[0];
         let [normal, tangent, bitangent] = frames.axes.map(
@@ -51,7 +52,7 @@ impl Shadows<'_> {
             },
         );
         let origin = places.origin();
-        let mut sums = [0.0; LANES];
+        let mut sums = simd.zero();
         for first in (0..rule.rays).step_by(TOGETHER as usize) {
             let numbers = first..rule.rays.min(first + TOGETHER);
             batch.rays.resize(numbers.len(), RayLanes::NONE);
@@ -80,11 +81,10 @@ impl Shadows<'_> {
                 }
             }
             batch.trace(self.rays, Spread::Wide);
-            batch.add_to(&mut sums);
+            sums = batch.added_to(sums);
         }
-        for lane in lanes_of(frames.lanes) {
-            openness[lane] = sums[lane] / rule.rays as f32;
-        }
+        let own = sums / sums.constant(rule.rays as f32);
+        own.select(sums.mask_of(frames.lanes), sums.one()).store(openness, 0);
     }
 
     /// The openness of one place with the shading normal N, for a sample of the window.

@@ -1,6 +1,6 @@
 //! The triangles from which rays have left last.
 
-use luxel_math::{LANES, lanes_of};
+use luxel_math::{LANES, Lanes, lanes_of};
 use luxel_rays::TrianglePlaces;
 use luxel_visibility::TriangleId;
 
@@ -8,71 +8,87 @@ use luxel_visibility::TriangleId;
 /// blocks.
 const KEPT: usize = 512;
 
-/// The places of triangles, one cache a thread. An id keeps them where its low bits say, until another
-/// one with the same bits comes.
-pub(super) struct PlaceCache {
-    ids: Vec<u32>,
-    places: Vec<Option<TrianglePlaces>>,
-    /// Those of a batch that found their place taken by another of it.
-    spare: [Option<TrianglePlaces>; LANES],
-    /// Stands for lanes without a place.
-    nowhere: TrianglePlaces,
+/// A triangle and its places, if it has any.
+#[derive(Clone)]
+struct Entry {
+    id: u32,
+    is_placed: bool,
+    places: TrianglePlaces,
 }
 
-impl Default for PlaceCache {
-    fn default() -> Self {
-        Self {
-            ids: Vec::new(),
-            places: Vec::new(),
-            spare: [None; LANES],
-            nowhere: TrianglePlaces::default(),
-        }
+impl Entry {
+    fn empty() -> Self {
+        Self { id: TriangleId::NONE.0, is_placed: false, places: TrianglePlaces::default() }
     }
+}
+
+/// The places of triangles, one cache a thread. An id keeps them where its low bits say, until another
+/// one with the same bits comes.
+#[derive(Default)]
+pub(super) struct PlaceCache {
+    entries: Box<[Entry]>,
+    /// Those of a batch that found their place taken by another of it, one a lane.
+    spare: Vec<Entry>,
+    /// Stands for lanes without a place.
+    nowhere: TrianglePlaces,
 }
 
 impl PlaceCache {
     /// Forgets the triangles of another frame.
     pub(super) fn begin_frame(&mut self) {
-        self.ids.fill(TriangleId::NONE.0);
+        self.entries.iter_mut().for_each(|entry| entry.id = TriangleId::NONE.0);
     }
 
-    /// The places of each lane's triangle, and the lanes whose triangle has any; `make` computes them.
-    pub(super) fn of_lanes(
+    /// The places of each lane's triangle, and the lanes whose triangle has any. `make` computes them where
+    /// they are kept, which saves a copy, and returns whether there are any.
+    #[inline(always)]
+    pub(super) fn of_lanes<N: Lanes>(
         &mut self,
+        simd: N,
         ids: &[u32; LANES],
         lanes: u32,
-        make: impl Fn(TriangleId) -> Option<TrianglePlaces>,
+        make: impl Fn(TriangleId, &mut TrianglePlaces) -> bool,
     ) -> ([&TrianglePlaces; LANES], u32) {
-        if self.ids.is_empty() {
-            self.ids = vec![TriangleId::NONE.0; KEPT];
-            self.places = vec![None; KEPT];
+        if self.entries.is_empty() {
+            self.entries = vec![Entry::empty(); KEPT].into();
+            self.spare.resize(LANES, Entry::empty());
         }
         let slot = |id: u32| id as usize % KEPT;
+        let fill = |entry: &mut Entry, id: u32| {
+            entry.id = id;
+            entry.is_placed = make(TriangleId(id), &mut entry.places);
+        };
         let (mut taken, mut made) = (0, 0);
-        for lane in lanes_of(lanes) {
-            let id = ids[lane];
-            if self.ids[slot(id)] != id {
-                self.ids[slot(id)] = id;
-                self.places[slot(id)] = make(TriangleId(id));
+        // Lanes that don't count have no triangle, so that each that counts has a first lane.
+        let mut counted = *ids;
+        if lanes != simd.all_lanes() {
+            for lane in 0..LANES {
+                counted[lane] |= (lanes >> lane & 1).wrapping_sub(1);
+            }
+        }
+        for lane in lanes_of(simd.run_starts(&counted) & lanes) {
+            let (id, entry) = (ids[lane], &mut self.entries[slot(ids[lane])]);
+            if entry.id != id {
+                fill(entry, id);
                 made += 1;
             }
         }
-        // Where nothing was made, nothing took another's place.
+        // Where none was made, nothing took another's place.
         for lane in lanes_of(if made > 0 { lanes } else { 0 }) {
             let id = ids[lane];
-            if self.ids[slot(id)] != id {
-                self.spare[lane] = make(TriangleId(id));
+            if self.entries[slot(id)].id != id {
+                fill(&mut self.spare[lane], id);
                 taken |= 1 << lane;
             }
         }
         let (mut of, mut placed) = ([&self.nowhere; LANES], 0);
         for lane in lanes_of(lanes) {
-            let found = match taken >> lane & 1 {
-                0 => &self.places[slot(ids[lane])],
+            let entry = match taken >> lane & 1 {
+                0 => &self.entries[slot(ids[lane])],
                 _ => &self.spare[lane],
             };
-            if let Some(places) = found {
-                of[lane] = places;
+            if entry.is_placed {
+                of[lane] = &entry.places;
                 placed |= 1 << lane;
             }
         }

@@ -8,7 +8,7 @@ use super::shadow_ray::{LightSource, RayStart, ShadowLanes};
 use glam::DVec3;
 use luxel_lighting::{Occlusion, PlacedLight, SurfacePoint};
 use luxel_math::prelude::*;
-use luxel_math::{LANES, Vec3, lanes_of};
+use luxel_math::{LANES, Vec3};
 use luxel_rays::{PlaceLanes, RayLanes, SceneRays, Spread, SurfacePlace, TrianglePlaces, WorldRay};
 use luxel_visibility::{Frame, PlacedScene, TriangleId};
 
@@ -106,13 +106,13 @@ impl RayBatch {
         scene.transmittance_of_lanes(&self.rays, spread, &mut self.through);
     }
 
-    /// Adds what comes along the rays of each lane.
-    pub(super) fn add_to(&self, sums: &mut [f32; LANES]) {
+    /// The sums and what comes along the rays of each lane.
+    #[inline(always)]
+    pub(super) fn added_to<N: Lanes>(&self, mut sums: N) -> N {
         for (rays, through) in self.rays.iter().zip(&self.through) {
-            for lane in lanes_of(rays.lanes) {
-                sums[lane] += through[lane];
-            }
+            sums = sums + sums.load(through, 0).masked(sums.mask_of(rays.lanes));
         }
+        sums
     }
 }
 
@@ -150,8 +150,8 @@ impl Shadows<'_> {
                     found.openness = None;
                     return;
                 }
-                let make = |id| self.places(id);
-                let (of, placed) = found.cache.of_lanes(samples.ids, asked, make);
+                let make = |id, places: &mut TrianglePlaces| self.places_into(id, places);
+                let (of, placed) = found.cache.of_lanes(simd, samples.ids, asked, make);
                 let places = TrianglePlaces::at_lanes(&of, barycentric, placed);
                 let places = self.facing(&places);
                 let offset = |lane: usize, place: &SurfacePlace| {
@@ -230,7 +230,7 @@ impl Shadows<'_> {
         let smooth = normals[1];
         let terminator = shadow.terminator;
         let reached = terminator.zero().less(terminator).bits() & lit;
-        let mut sums = [0.0; LANES];
+        let mut sums = terminator.zero();
         let rays_each = self.rays_each(source);
         if source.is_point() {
             batch.rays.resize(1, RayLanes::NONE);
@@ -250,7 +250,7 @@ impl Shadows<'_> {
                 );
             }
             batch.trace(self.rays, Spread::Narrow);
-            batch.add_to(&mut sums);
+            sums = batch.added_to(sums);
         } else {
             for first in (0..rays_each).step_by(TOGETHER as usize) {
                 let numbers = first..rays_each.min(first + TOGETHER);
@@ -274,28 +274,26 @@ impl Shadows<'_> {
                     },
                 );
                 batch.trace(self.rays, Spread::Narrow);
-                batch.add_to(&mut sums);
+                sums = batch.added_to(sums);
             }
         }
-        let mut terminators = [0.0; LANES];
-        terminator.store(&mut terminators, 0);
-        for lane in lanes_of(lit) {
-            let is_reached = reached >> lane & 1 == 1;
-            let own = terminators[lane] * (sums[lane] / rays_each as f32);
-            visibility[lane] = if is_reached { own } else { 0.0 };
-        }
+        let own = terminator * (sums / sums.constant(rays_each as f32));
+        let own = own.masked(sums.mask_of(reached));
+        own.select(sums.mask_of(lit), sums.one()).store(visibility, 0);
     }
 
     /// The place of a sample on its triangle, on the side that is seen; `None` of points and lines.
     pub(crate) fn place(&self, id: TriangleId, barycentric: [f32; 3]) -> Option<SurfacePlace> {
-        let place = self.places(id)?.at(barycentric);
+        let mut places = TrianglePlaces::default();
+        let place = self.places_into(id, &mut places).then(|| places.at(barycentric))?;
         Some(self.facing(&PlaceLanes::from(&place)).place())
     }
 
-    /// The places of a triangle; `None` of points and lines.
-    fn places(&self, id: TriangleId) -> Option<TrianglePlaces> {
-        let (object, triangle) = self.placed.object_of(self.frame.triangle(id)?);
-        self.rays.places(object, triangle?)
+    /// Writes the places of a triangle; returns whether there are any: points and lines have none.
+    fn places_into(&self, id: TriangleId, places: &mut TrianglePlaces) -> bool {
+        let of = self.frame.triangle(id).map(|of| self.placed.object_of(of));
+        let Some((object, Some(triangle))) = of else { return false };
+        self.rays.places_into(object, triangle, places)
     }
 
     /// Places on the side that is seen.
