@@ -12,8 +12,8 @@ use glam::DVec3;
 use luxel_bvh::{Block, Child, Node, SlabTest, Subtree, VertexMap, WIDTH};
 use luxel_math::{Lanes, Mask, SUBPIXELS, Simd, dispatch_long, f32x8, prelude::*};
 use luxel_rays::RebasedRay;
-use luxel_scene::Mesh;
-use luxel_visibility::{Coverage, Probe, ProbedTriangle};
+use luxel_scene::{Mesh, rank_of};
+use luxel_visibility::{Coverage, CullFaces, Probe, ProbedTriangle};
 use std::cell::RefCell;
 
 /// A triangle that covers a sample.
@@ -140,9 +140,25 @@ impl PickView<'_> {
         } else {
             positions(geometry.mesh, triangle)
         };
-        let cull = self.placed.instances()[place].parts[part_of(geometry, triangle)].cull;
+        let placed = &self.placed.instances()[place];
+        let cull = placed.parts[part_of(geometry, triangle)].cull;
+        let rank = rank_of(self.placed.ranks(placed), triangle);
         let covering = CoveringTriangle { instance: place, triangle, corners, depth: 0.0 };
-        (covering, instance.probe.triangle(corners, cull))
+        (covering, instance.probe.triangle(corners, cull, rank))
+    }
+
+    /// How far behind its plane a triangle is seen at a sample that it covers: 0, but for what lies in the
+    /// plane of an earlier object's.
+    pub(crate) fn behind_plane(&self, covering: &CoveringTriangle, position: [i32; 2]) -> f64 {
+        let CoveringTriangle { instance, triangle, corners, depth } = *covering;
+        let placed = &self.placed.instances()[instance];
+        if rank_of(self.placed.ranks(placed), triangle) == 0 {
+            return 0.0;
+        }
+        // Both of its sides are looked at: that it is seen is known.
+        let probe = &self.trees[instance].probe;
+        let in_plane = probe.covers(corners, CullFaces::None, position);
+        in_plane.map_or(0.0, |in_plane| f64::from(in_plane) - f64::from(depth))
     }
 
     /// The thick ray through a sample in the coordinates of an instance's tree; `None` if it misses the

@@ -3,8 +3,8 @@
 use luxel_bvh::{Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
 use luxel_rays::{ObjectTree, SceneRays, WorldHit, WorldRay};
-use luxel_scene::{Mesh, Object, Scene};
-use std::sync::Arc;
+use luxel_scene::{CoplanarRanks, Mesh, Object, Scene};
+use std::sync::{Arc, OnceLock};
 
 /// Why a scene can't be prepared.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -28,6 +28,8 @@ impl From<UnavailableSimdLevel> for PickError {
 /// camera sees. It shares the scene and its trees: a program can keep both.
 pub struct Picker {
     rays: Arc<SceneRays>,
+    /// Those of the objects.
+    ranks: OnceLock<CoplanarRanks>,
 }
 
 impl Picker {
@@ -62,7 +64,7 @@ impl Picker {
     /// Shares trees that are there already, as a renderer's for shadows.
     #[must_use]
     pub fn of(rays: Arc<SceneRays>) -> Self {
-        Self { rays }
+        Self { rays, ranks: OnceLock::new() }
     }
 
     /// Its trees.
@@ -117,6 +119,11 @@ impl Picker {
     #[must_use]
     pub fn any_of_each(&self, rays: &[WorldRay]) -> Vec<bool> {
         self.rays.any_of_each(rays)
+    }
+
+    /// The ranks of surfaces in one plane, found by the first view.
+    pub(crate) fn ranks(&self) -> &CoplanarRanks {
+        self.ranks.get_or_init(|| CoplanarRanks::of(self.scene(), self.objects()))
     }
 
     pub(crate) fn level(&self) -> Level {

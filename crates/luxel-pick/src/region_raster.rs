@@ -29,6 +29,8 @@ struct VisibleMesh<'v> {
     mesh: Cow<'v, Mesh>,
     /// The instance's triangles in `mesh`; `None` for all.
     triangles: Option<Vec<u32>>,
+    /// The ranks of triangles of `mesh`.
+    ranks: Cow<'v, [(u32, u8)]>,
     clusters: Clusters,
 }
 
@@ -63,6 +65,7 @@ impl PickView<'_> {
                 clusters: &visible.clusters,
                 view_from_mesh: &instance.place.view_from_mesh,
                 parts: Arc::clone(&instance.parts),
+                ranks: &visible.ranks,
             }
         });
         let (projection, level) = (&self.camera().projection, self.picker.level());
@@ -124,6 +127,7 @@ impl PickView<'_> {
         [left, top, right, bottom]: [f64; 4],
     ) -> Option<VisibleMesh<'_>> {
         let instance = &self.trees[number];
+        let ranks = self.placed.ranks(&self.placed.instances()[number]);
         let Geometry { mesh, bvh } = self.geometry(number);
         let window = [f64::from(self.size().width), f64::from(self.size().height)];
         let clip_from_tree = self.camera().projection.clip_from_view(self.size())
@@ -150,6 +154,7 @@ impl PickView<'_> {
                 instance: number,
                 mesh: Cow::Borrowed(mesh),
                 triangles: None,
+                ranks: Cow::Borrowed(ranks),
                 clusters,
             });
         }
@@ -157,8 +162,13 @@ impl PickView<'_> {
         sort_u32(&mut triangles);
         let mesh = extract(mesh, &triangles);
         let clusters = Clusters::new(&mesh, Frames::One);
+        let own = |&(triangle, rank): &(u32, u8)| {
+            let place = triangles.binary_search(&triangle).ok()?;
+            Some((place as u32, rank))
+        };
+        let ranks = ranks.iter().filter_map(own).collect();
         let (mesh, triangles) = (Cow::Owned(mesh), Some(triangles));
-        Some(VisibleMesh { instance: number, mesh, triangles, clusters })
+        Some(VisibleMesh { instance: number, mesh, triangles, ranks, clusters })
     }
 }
 

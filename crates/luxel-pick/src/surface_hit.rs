@@ -81,17 +81,20 @@ impl PickView<'_> {
     /// All surfaces at a window position, nearest first.
     ///
     /// The first is the one that a frame shows, by depths rounded to f32; the others are sorted by exact
-    /// depths.
+    /// depths, those of one plane in the order of the scene.
     #[must_use]
     pub fn through(&self, position: impl Into<PhysicalPosition>) -> Vec<PickHit> {
         let Some(position) = self.steps(position.into()) else { return Vec::new() };
         let all = self.covering_triangles(position);
-        let mut hits: Vec<_> =
-            all.iter().map(|covering| self.surface_hit(covering, position)).collect();
+        let hit = |covering| {
+            let hit = self.surface_hit(covering, position);
+            (hit.depth + self.behind_plane(covering, position), hit)
+        };
+        let mut hits: Vec<(f64, PickHit)> = all.iter().map(hit).collect();
         if let Some((_, behind)) = hits.split_first_mut() {
-            behind.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+            behind.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
-        hits
+        hits.into_iter().map(|(_, hit)| hit).collect()
     }
 
     /// The visible object and element at a window position, without attributes.

@@ -88,7 +88,13 @@ impl<'p> PickView<'p> {
             wireframe: false,
             point_size: DEFAULT_POINT_SIZE,
         };
-        let placed = PlacedScene::new(picker.scene(), picker.objects(), &camera, size, &rules);
+        let placed = PlacedScene::new(
+            picker.scene(),
+            (picker.objects(), picker.ranks()),
+            &camera,
+            size,
+            &rules,
+        );
         let bvhs_of_strokes = placed
             .strokes()
             .iter()

@@ -8,6 +8,7 @@
 mod angle;
 mod background;
 mod camera;
+mod coplanar;
 pub mod demos;
 mod encoding;
 mod environment;
@@ -34,6 +35,7 @@ mod triangulate;
 
 pub use background::Background;
 pub use camera::{CLIP_VOLUME, Camera, Lens, Projection, SceneCamera, Size};
+pub use coplanar::{CoplanarRanks, rank_of};
 pub use encoding::Encoding;
 pub use environment::{EnvironmentChoice, NamedEnvironment};
 pub use fit::{Viewpoint, fit_along, fit_box, fit_planes, fit_view};

@@ -87,8 +87,13 @@ fn time(
     let mut outcome = 0;
     for _ in 0..FRAMES {
         let start = Instant::now();
-        let instance =
-            Instance { mesh, clusters, view_from_mesh: &view_from_mesh, parts: [part].into() };
+        let instance = Instance {
+            mesh,
+            clusters,
+            view_from_mesh: &view_from_mesh,
+            parts: [part].into(),
+            ranks: &[],
+        };
         let frame = Frame::new(vec![instance], &projection, size, samples, level).unwrap();
         set_up.push(start.elapsed().as_secs_f64() * 1e3);
         let mut raster = 0.0;

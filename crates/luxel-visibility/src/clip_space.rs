@@ -58,6 +58,7 @@ pub fn rasterize(
         clusters: &clusters,
         view_from_mesh,
         parts: Arc::clone(&parts),
+        ranks: &[],
     };
     let instances = matrices.iter().map(instance).collect();
     let frame = Frame::new(instances, &window, size, Samples::ONE, level)?;

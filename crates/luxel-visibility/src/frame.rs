@@ -7,7 +7,7 @@ use crate::raster::{self, LargeClusters, Plane, Tile};
 use crate::types::{Asked, Coverage, Holes, MAX_SIDE, PartUse, Samples, TILE, TriangleId};
 use glam::DVec3;
 use luxel_math::{Level, SUBPIXELS, dispatch};
-use luxel_scene::{Projection, Size};
+use luxel_scene::{Projection, Size, rank_of};
 
 /// A view, ready to be drawn tile by tile.
 pub struct Frame<'a> {
@@ -289,6 +289,12 @@ impl<'a> Frame<'a> {
         let corners = mesh.triangles[of.triangle as usize];
         let corners = corners.map(|corner| mesh.positions[corner as usize]);
         self.view_from_local(of.instance).corners(corners)
+    }
+
+    /// The [rank](luxel_scene::CoplanarRanks) of a triangle among those in its plane.
+    #[must_use]
+    pub fn rank_of(&self, of: TriangleOf) -> u8 {
+        rank_of(self.instances.list[of.instance].ranks, of.triangle)
     }
 
     /// How a triangle is drawn.

@@ -48,7 +48,7 @@ pub use query::{
     ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners,
     interpolate_corners_step, interpolate_step, sides, strokes, tile_of,
 };
-pub use raster::{Plane, Tile};
+pub use raster::{Plane, Tile, rank_step};
 pub use types::{
     Asked, BLOCK, BLOCKS, Coverage, CullFaces, Holes, MAX_SAMPLES, MAX_SIDE, PartUse, Samples,
     TILE, TriangleId,

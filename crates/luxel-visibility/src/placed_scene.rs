@@ -6,7 +6,9 @@ use crate::query::{InstanceSpace, Strokes, ViewFromLocal, strokes};
 use crate::types::{Coverage, CullFaces, PartUse, Samples};
 use glam::DMat4;
 use luxel_math::Level;
-use luxel_scene::{AlphaMode, Camera, Mesh, Object, Scene, SceneMaterial, Size, bodies};
+use luxel_scene::{
+    AlphaMode, Camera, CoplanarRanks, Mesh, Object, Scene, SceneMaterial, Size, bodies,
+};
 use luxel_view::Cull;
 use std::ops::Range;
 use std::sync::Arc;
@@ -112,17 +114,18 @@ pub struct PlacedScene<'s> {
     objects: &'s [Object],
     camera: Camera,
     size: Size,
+    ranks: &'s CoplanarRanks,
     strokes: Vec<Strokes>,
     instances: Vec<PlacedInstance>,
 }
 
 impl<'s> PlacedScene<'s> {
     /// Places the objects of a scene, which are [`Scene::objects`], before a camera with a window of this
-    /// size in pixels.
+    /// size in pixels. `ranks` are those of the objects.
     #[must_use]
     pub fn new(
         scene: &'s Scene,
-        objects: &'s [Object],
+        (objects, ranks): (&'s [Object], &'s CoplanarRanks),
         camera: &Camera,
         size: Size,
         rules: &SurfaceRules,
@@ -161,7 +164,7 @@ impl<'s> PlacedScene<'s> {
             let instance = instance.shared(instances.last());
             instances.push(instance);
         }
-        Self { scene, objects, camera: *camera, size, strokes, instances }
+        Self { scene, objects, camera: *camera, size, ranks, strokes, instances }
     }
 
     /// The scene.
@@ -209,6 +212,16 @@ impl<'s> PlacedScene<'s> {
         }
     }
 
+    /// The triangles of an instance that lie in the plane of an earlier object's, by their places in its mesh,
+    /// and their ranks.
+    #[must_use]
+    pub fn ranks(&self, instance: &PlacedInstance) -> &'s [(u32, u8)] {
+        match instance.strokes {
+            Some(_) => &[],
+            None => self.ranks.of_body(instance.objects.start),
+        }
+    }
+
     /// The object of a triangle, and the triangle's number in it; `None` for points and lines.
     ///
     /// # Panics
@@ -247,6 +260,7 @@ impl<'s> PlacedScene<'s> {
             },
             view_from_mesh: &instance.place.view_from_mesh,
             parts: Arc::clone(&instance.parts),
+            ranks: self.ranks(instance),
         });
         let (instances, projection) = (instances.collect(), &self.camera.projection);
         luxel_parallel::install(None, || {

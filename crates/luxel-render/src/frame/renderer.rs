@@ -20,7 +20,7 @@ use crate::shade::is_studied;
 use luxel_lighting::{Environment, LightKind, LightingEnvironment};
 use luxel_math::{Level, dispatch_long};
 use luxel_rays::{MeshTrees, SceneRays};
-use luxel_scene::{AlphaMode, Bounds, Mesh, Object, Part, Scene, SceneLight, Size};
+use luxel_scene::{AlphaMode, Bounds, CoplanarRanks, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{
     Clusters, CoveragePolicy, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile, ViewRays,
@@ -40,6 +40,8 @@ const MAX_LAYERS: usize = 1024;
 pub struct Renderer {
     scene: Arc<Scene>,
     objects: Vec<Object>,
+    /// Those of the objects.
+    ranks: OnceLock<CoplanarRanks>,
     /// The clusters of each mesh.
     clusters: Vec<Clusters>,
     /// The polygons of each mesh, once they are asked for.
@@ -72,6 +74,7 @@ impl Renderer {
         let frames = if execution.one_frame { Frames::One } else { Frames::Many };
         let mut renderer = Self {
             objects: scene.objects(),
+            ranks: OnceLock::new(),
             clusters: Vec::new(),
             polygons_of_meshes: scene.meshes.iter().map(|_| OnceLock::new()).collect(),
             rays: OnceLock::new(),
@@ -125,6 +128,7 @@ impl Renderer {
     pub fn show_objects(&mut self, objects: Vec<Object>) {
         self.objects = objects;
         self.kept_trees = Mutex::new(self.take_trees());
+        self.ranks = OnceLock::new();
         self.bounds = OnceLock::new();
         self.lowest = OnceLock::new();
     }
@@ -307,8 +311,9 @@ impl Renderer {
             .ok_or(RenderError::Samples(view.samples))?;
         self.install(|| {
             let rules = frame_setup::surface_rules(view, covers);
-            let placed =
-                PlacedScene::new(&self.scene, &self.objects, &view.camera, view.size, &rules);
+            let ranks = self.ranks.get_or_init(|| CoplanarRanks::of(&self.scene, &self.objects));
+            let objects = (&self.objects[..], ranks);
+            let placed = PlacedScene::new(&self.scene, objects, &view.camera, view.size, &rules);
             let frame = placed.frame(&self.clusters, samples, self.level)?;
             let lights = frame_setup::placed_lights(view, &self.scene);
             let floor = view.ground.then(|| self.floor(view));

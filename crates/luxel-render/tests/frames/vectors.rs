@@ -483,6 +483,30 @@ fn an_even_square_is_one_path_of_its_four_corners() {
 }
 
 #[test]
+fn of_objects_in_one_plane_the_first_is_painted_where_the_picture_shows_it() {
+    let colors = [[0.9, 0.1, 0.1], [0.1, 0.8, 0.1], [0.1, 0.2, 0.9]];
+    let mut scene = scene(colors.map(|color| (square(0.0), matte(color))).to_vec());
+    // In one plane but for rounding, which moves each otherwise.
+    let plane = DMat4::from_rotation_x(0.7) * DMat4::from_rotation_y(0.4);
+    for (number, node) in scene.nodes.iter_mut().enumerate() {
+        let turn = DMat4::from_rotation_z(0.5 * number as f64);
+        let place = DMat4::from_translation(DVec3::new(0.3 * number as f64, 0.2, 0.0));
+        let rounded = |value: f64| f64::from(value as f32);
+        let world = (plane * place * turn).to_cols_array().map(rounded);
+        node.parent_from_node = DMat4::from_cols_array(&world).into();
+    }
+    let view = view(120);
+    assert!(wrong_pixels(&scene, &view, 1.0, 2.5) <= 4);
+    // The first square is seen whole.
+    let red = |pixel: &&[u8; 4]| pixel[0] / 2 > pixel[1].max(pixel[2]);
+    let seen = |scene: &Scene| crate::scenes::bytes(scene, &view).iter().filter(red).count();
+    let together = seen(&scene);
+    scene.nodes.truncate(1);
+    assert_eq!(together, seen(&scene));
+    assert!(together > 1000, "{together} pixels");
+}
+
+#[test]
 fn what_lies_behind_is_not_painted() {
     let near = (square(1.0), matte([1.0; 3]));
     let scene = scene(vec![near, (square(-1.0), matte([0.5; 3])), (square(0.0), matte([0.2; 3]))]);

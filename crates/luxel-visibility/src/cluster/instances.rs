@@ -2,10 +2,11 @@
 //!
 //! Clusters are numbered through all instances; an id holds such a number and a slot.
 
+use super::block::Numbers;
 use super::clusters::Clusters;
 use crate::types::{Coverage, PartUse, SLOT_BITS, TriangleId, WindowTransform};
 use glam::DMat4;
-use luxel_scene::{Mesh, Projection, Size};
+use luxel_scene::{Mesh, Projection, Size, rank_of};
 use std::sync::Arc;
 
 /// A mesh in its place.
@@ -19,6 +20,9 @@ pub struct Instance<'a> {
     pub view_from_mesh: &'a DMat4,
     /// How each part of the mesh is drawn.
     pub parts: Arc<[PartUse]>,
+    /// The triangles that lie in the plane of an earlier instance's, and their
+    /// [ranks](luxel_scene::CoplanarRanks): by their places in the mesh, in ascending order.
+    pub ranks: &'a [(u32, u8)],
 }
 
 /// A triangle by what a scene calls it.
@@ -30,6 +34,21 @@ pub struct TriangleOf {
     pub triangle: u32,
     /// The part of the mesh.
     pub part: usize,
+}
+
+/// The ranks of a cluster's triangles.
+#[derive(Clone, Copy)]
+pub(crate) struct ClusterRanks<'a> {
+    numbers: Numbers<'a>,
+    ranks: &'a [(u32, u8)],
+}
+
+impl ClusterRanks<'_> {
+    /// The rank of the triangle in a slot.
+    #[inline(always)]
+    pub(crate) fn of(&self, slot: usize) -> u8 {
+        if self.ranks.is_empty() { 0 } else { rank_of(self.ranks, self.numbers.of(slot)) }
+    }
 }
 
 /// What takes coordinates about a mesh's origin to view space and to the window.
@@ -169,6 +188,13 @@ impl<'a> Instances<'a> {
     /// The place of a triangle in the order in which triangles were submitted.
     pub(crate) fn submitted(&self, id: TriangleId) -> u64 {
         self.triangle(id).map_or(u64::MAX, |of| (of.instance as u64) << 32 | u64::from(of.triangle))
+    }
+
+    /// The ranks of a cluster's triangles.
+    #[inline(always)]
+    pub(crate) fn ranks(&self, instance: usize, within: usize) -> ClusterRanks<'_> {
+        let Instance { clusters, ranks, .. } = &self.list[instance];
+        ClusterRanks { numbers: clusters.numbers(within), ranks }
     }
 
     /// How the part of a cluster is drawn.

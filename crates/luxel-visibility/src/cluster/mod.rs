@@ -12,7 +12,7 @@ pub(crate) use block::{Block, CLUSTER_VERTICES, GROUP_WORDS};
 pub use block::{CLUSTER_TRIANGLES, ShadingVertex};
 pub(crate) use clusters::BOUNDS_WORDS;
 pub use clusters::{Clusters, Frames};
-pub(crate) use instances::Instances;
+pub(crate) use instances::{ClusterRanks, Instances};
 pub use instances::{Instance, TooManyTriangles, TriangleOf};
 pub(crate) use normal_cone::CONE_WORDS;
 pub(crate) use transient_block::{TransientBlock, corners};

@@ -42,21 +42,23 @@ impl Probe {
         cull: CullFaces,
         position: [i32; 2],
     ) -> Option<f32> {
-        self.triangle(corners, cull).covers(position)
+        self.triangle(corners, cull, 0).covers(position)
     }
 
-    /// A triangle, given by its positions about the mesh's origin, set up for several samples.
+    /// A triangle, given by its positions about the mesh's origin, set up for several samples, with a
+    /// [rank](luxel_scene::CoplanarRanks) among those in its plane.
     #[inline]
     #[must_use]
-    pub fn triangle(&self, corners: [[f32; 3]; 3], cull: CullFaces) -> ProbedTriangle {
+    pub fn triangle(&self, corners: [[f32; 3]; 3], cull: CullFaces, rank: u8) -> ProbedTriangle {
+        let triangle = |corners| Some(Triangle::new(corners, cull)?.with_rank(rank));
         let transform = &self.transform;
         let corners = corners.map(|corner| transform.clip(corner));
         if corners.iter().all(|&corner| transform.holds(corner)) {
             let corners = corners.map(|corner| transform.window(corner));
-            return ProbedTriangle(Pieces::One(Triangle::new(corners, cull)));
+            return ProbedTriangle(Pieces::One(triangle(corners)));
         }
         let polygon = clip(corners, transform);
-        let pieces = polygon.triangles().filter_map(|piece| Triangle::new(piece, cull));
+        let pieces = polygon.triangles().filter_map(triangle);
         ProbedTriangle(Pieces::Clipped(pieces.collect()))
     }
 

@@ -104,12 +104,14 @@ fn set_up(
     let cluster = instances.within_instance(number, visible.cluster);
     let block = instance.clusters.block(instance.mesh, cluster, &mut transient);
     let part = instances.part_use(visible.cluster);
+    let ranks = instances.ranks(number, cluster);
     let transform = instances.window_from_local(number);
     dispatch!(level, simd => transform_cluster(simd, transform, block.vertices, [0; 2], vertices));
     let window = Region { x: 0, y: 0, width: size.width as i32, height: size.height as i32 };
     for (slot, &word) in block.triangles.iter().enumerate() {
         let corners = corners_of(word).map(|corner| vertices.vertex(corner));
         let Some(triangle) = Triangle::new(corners, part.cull) else { continue };
+        let triangle = triangle.with_rank(ranks.of(slot));
         let mut reached: Option<[i32; 4]> = None;
         for &offset in samples.positions() {
             let Some(pixels) = triangle.pixels(window, offset) else { continue };

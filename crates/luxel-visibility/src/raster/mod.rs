@@ -19,4 +19,5 @@ pub use buffer::{Plane, Tile};
 pub(crate) use clip::clip;
 pub(crate) use large_clusters::LargeClusters;
 pub(crate) use setup::Triangle;
+pub use setup::rank_step;
 pub(crate) use tile::{View, draw};

@@ -38,6 +38,15 @@ pub(crate) struct DepthPlane {
 }
 
 impl DepthPlane {
+    /// The same plane, farther away by the [steps](rank_step) of a rank.
+    fn behind(self, rank: u8) -> Self {
+        let slope = [self.dz_dx, self.dz_dy].map(f64::from);
+        let by = (f64::from(rank) * rank_step(slope, f64::from(self.high))) as f32;
+        // Within the far plane: what lies beyond isn't drawn.
+        let farther = |z: f32| Lanes::maximum(z - by, z * 0.5);
+        Self { z: self.z - by, low: farther(self.low), high: farther(self.high), ..self }
+    }
+
     /// The depth at a position in steps of 1/256 pixel.
     #[inline(always)]
     pub(crate) fn at(&self, position: [i32; 2]) -> f32 {
@@ -45,6 +54,18 @@ impl DepthPlane {
         let z = (position[0] - self.x) as f32 * self.dz_dx + self.z + row_z;
         Lanes::minimum(Lanes::maximum(z, self.low), self.high)
     }
+}
+
+/// The difference in depth from one [rank](luxel_scene::CoplanarRanks) to the next: more than snapping
+/// and rounding tell triangles in one plane apart by.
+///
+/// Snapping moves each corner by half a step of 1/256 pixel across and down: `slope` is how much depth
+/// changes with these. A transform rounds in proportion to the reversed depth, `nearest` at most, a few bits
+/// more where the mesh reaches far beyond what is seen.
+#[must_use]
+pub fn rank_step(slope: [f64; 2], nearest: f64) -> f64 {
+    const ROUNDING: f64 = 1.0 / (1 << 18) as f64;
+    2.0 * (slope[0].abs() + slope[1].abs()) + nearest * ROUNDING
 }
 
 /// An edge function over a region: E / 256 at the region's first pixel, and its change from one
@@ -100,6 +121,15 @@ impl Triangle {
         };
         let (b, c) = if area > 0 { (b, c) } else { (c, b) };
         Some(Self { x: [a.x, b.x, c.x], y: [a.y, b.y, c.y], depth })
+    }
+
+    /// The same triangle with a [rank](luxel_scene::CoplanarRanks) among those in its plane.
+    #[inline(always)]
+    pub(crate) fn with_rank(self, rank: u8) -> Self {
+        match rank {
+            0 => self,
+            _ => Self { depth: self.depth.behind(rank), ..self },
+        }
     }
 
     /// The pixels of `tile` whose sample at `offset` lies in the triangle's box; `None` if there

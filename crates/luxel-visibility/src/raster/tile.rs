@@ -10,7 +10,7 @@ use super::small_triangles::Queues;
 use super::tile_points;
 use super::transform::{ClusterVertices, transform_cluster};
 use super::triangles::draw_triangle;
-use crate::cluster::{Block, Instances, TransientBlock};
+use crate::cluster::{Block, ClusterRanks, Instances, TransientBlock};
 use crate::cull::VisibleCluster;
 use crate::types::{ClipVertex, Coverage, CullFaces, Holes, Samples, TriangleId, WindowTransform};
 use luxel_math::{LANES, Simd};
@@ -66,17 +66,22 @@ pub(crate) fn draw<'f, S: Simd>(
             rules = rules_for(has_holes);
         }
         let transform = instances.window_from_local(number);
+        let drawn = DrawnCluster {
+            number: visible.cluster,
+            block,
+            cull: part.cull,
+            ranks: instances.ranks(number, cluster),
+        };
         if visible.clipped {
-            draw_clipped(simd, transform, &block, visible.cluster, part.cull, &rules, tile);
+            draw_clipped(simd, transform, &drawn, &rules, tile);
         } else {
-            let bounds = transform_cluster(simd, transform, block.vertices, middle, &mut vertices);
+            let bounds =
+                transform_cluster(simd, transform, drawn.block.vertices, middle, &mut vertices);
             // Bounds of the vertices themselves are tighter than those of the cluster's box.
             if tile.occludes(simd, bounds.pixels, bounds.nearest) {
                 continue;
             }
-            let id = visible.cluster;
-            let waits =
-                draw_cluster(simd, &vertices, &block, id, part.cull, &rules, &mut queues, tile);
+            let waits = draw_cluster(simd, &vertices, &drawn, &rules, &mut queues, tile);
             if waits {
                 tile.touch(bounds.pixels);
             }
@@ -91,19 +96,25 @@ pub(super) fn corners_of(word: u32) -> [usize; 3] {
     [(word & 255) as usize, (word >> 8 & 255) as usize, (word >> 16 & 255) as usize]
 }
 
+/// A cluster with what its triangles are drawn by.
+struct DrawnCluster<'a> {
+    number: u32,
+    block: Block<'a>,
+    cull: CullFaces,
+    ranks: ClusterRanks<'a>,
+}
+
 /// Draws a cluster that needs no clipping; whether small triangles of it went into queues.
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "the state of a loop, which has one caller")]
 fn draw_cluster<S: Simd>(
     simd: S,
     vertices: &ClusterVertices,
-    block: &Block<'_>,
-    cluster: u32,
-    cull: CullFaces,
+    cluster: &DrawnCluster<'_>,
     rules: &Rules<'_>,
     queues: &mut Queues,
     tile: &mut Tile,
 ) -> bool {
+    let &DrawnCluster { number: cluster, ref block, cull, ref ranks } = cluster;
     let mut waits = false;
     let mut group = TriangleGroup::new();
     for (number, chunk) in block.triangles.chunks(LANES).enumerate() {
@@ -125,8 +136,8 @@ fn draw_cluster<S: Simd>(
             let lane = left.trailing_zeros() as usize & (LANES - 1);
             left &= left - 1;
             let id = TriangleId::new(cluster, number * LANES + lane);
-            let size = group.size(lane);
-            if size < SIZES {
+            let (size, rank) = (group.size(lane), ranks.of(number * LANES + lane));
+            if size < SIZES && rank == 0 {
                 waits = true;
                 if queues.push(size, &group.corners, lane, id) {
                     queues.draw(simd, size, rules, tile);
@@ -135,7 +146,7 @@ fn draw_cluster<S: Simd>(
             }
             let corners = corners_of(words[lane]).map(|corner| vertices.vertex(corner));
             if let Some(triangle) = Triangle::new(corners, cull) {
-                draw_triangle(simd, &triangle, id, rules, tile);
+                draw_triangle(simd, &triangle.with_rank(rank), id, rules, tile);
             }
         }
     }
@@ -147,23 +158,24 @@ fn draw_cluster<S: Simd>(
 fn draw_clipped<S: Simd>(
     simd: S,
     transform: &WindowTransform,
-    block: &Block<'_>,
-    cluster: u32,
-    cull: CullFaces,
+    cluster: &DrawnCluster<'_>,
     rules: &Rules<'_>,
     tile: &mut Tile,
 ) {
+    let &DrawnCluster { number: cluster, ref block, cull, ref ranks } = cluster;
     for (slot, &word) in block.triangles.iter().enumerate() {
         let corners = corners_of(word).map(|corner| clip_vertex(transform, block, corner));
         if corners.iter().all(|&corner| transform.holds(corner)) {
             let corners = corners.map(|corner| transform.window(corner));
             if let Some(triangle) = Triangle::new(corners, cull) {
+                let triangle = triangle.with_rank(ranks.of(slot));
                 draw_triangle(simd, &triangle, TriangleId::new(cluster, slot), rules, tile);
             }
             continue;
         }
         for piece in clip(corners, transform).triangles() {
             if let Some(triangle) = Triangle::new(piece, cull) {
+                let triangle = triangle.with_rank(ranks.of(slot));
                 draw_triangle(simd, &triangle, TriangleId::new(cluster, slot), rules, tile);
             }
         }

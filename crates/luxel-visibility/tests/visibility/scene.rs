@@ -135,6 +135,7 @@ impl Built {
                 clusters,
                 view_from_mesh,
                 parts: parts.as_slice().into(),
+                ranks: &[],
             })
             .collect();
         let lens = Lens::Orthographic { height: f64::from(self.size.height) };

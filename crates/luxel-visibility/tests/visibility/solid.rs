@@ -75,7 +75,7 @@ impl View {
 
     fn instance<'a>(&'a self, mesh: &'a Mesh, clusters: &'a Clusters) -> Instance<'a> {
         let parts = vec![self.part; mesh.parts.len()].into();
-        Instance { mesh, clusters, view_from_mesh: &self.view_from_mesh, parts }
+        Instance { mesh, clusters, view_from_mesh: &self.view_from_mesh, parts, ranks: &[] }
     }
 
     fn frame<'a>(&self, instances: Vec<Instance<'a>>, level: Level) -> Frame<'a> {

@@ -85,6 +85,7 @@ fn at_every_level(wires: Option<Edges>, check: impl Fn(&Scene, &Frame<'_>, &Alph
         clusters: &clusters,
         view_from_mesh: &DMat4::IDENTITY,
         parts: [part; 3].into(),
+        ranks: &[],
     };
     let lens = Lens::Perspective { fov_y_radians: 0.8 };
     let projection = Projection { lens, near: 0.1, far: 20.0 };

@@ -4,7 +4,7 @@ use super::{Renderer, Workers};
 use crate::polygons::Polygons;
 use luxel_math::Level;
 use luxel_rays::MeshTrees;
-use luxel_scene::Scene;
+use luxel_scene::{CoplanarRanks, Object, Scene};
 use luxel_visibility::{Clusters, Frames};
 use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
@@ -13,6 +13,8 @@ use std::time::Duration;
 pub struct Prepared {
     /// Of each mesh: how many triangles it has, and what was made of them.
     meshes: Vec<(usize, Clusters, OnceLock<Box<Polygons>>)>,
+    /// The objects, and their ranks, if a view has needed them.
+    ranks: (Vec<Object>, OnceLock<CoplanarRanks>),
     /// The trees of all meshes, if a view has needed them.
     trees: Option<MeshTrees>,
     max_memory: u64,
@@ -38,6 +40,7 @@ impl Renderer {
         let made = self.clusters.into_iter().zip(self.polygons_of_meshes);
         Prepared {
             meshes: counts.zip(made).map(|(count, (a, b))| (count, a, b)).collect(),
+            ranks: (self.objects, self.ranks),
             trees,
             max_memory: self.max_memory,
             level: self.level,
@@ -52,9 +55,10 @@ impl Renderer {
     #[must_use]
     pub fn again(scene: impl Into<Arc<Scene>>, prepared: Prepared) -> Self {
         let scene = scene.into();
-        let Prepared { meshes, trees, max_memory, level, pool, clock } = prepared;
+        let Prepared { meshes, ranks, trees, max_memory, level, pool, clock } = prepared;
         let mut renderer = Self {
             objects: scene.objects(),
+            ranks: OnceLock::new(),
             clusters: Vec::new(),
             polygons_of_meshes: Vec::new(),
             rays: OnceLock::new(),
@@ -76,6 +80,10 @@ impl Renderer {
             for (_, clusters, polygons) in meshes {
                 renderer.clusters.push(clusters);
                 renderer.polygons_of_meshes.push(polygons);
+            }
+            let (objects, ranks) = ranks;
+            if objects == renderer.objects {
+                renderer.ranks = ranks;
             }
         } else {
             renderer.polygons_of_meshes = scene.meshes.iter().map(|_| OnceLock::new()).collect();

@@ -3,7 +3,8 @@
 
 use super::convex::bounds;
 use super::web::{Place, Polygon, Web};
-use luxel_visibility::TriangleId;
+use luxel_math::SUBPIXELS;
+use luxel_visibility::{TriangleId, rank_step};
 
 /// A triangle, or a part of one, in the window.
 #[derive(Clone, Debug)]
@@ -34,6 +35,16 @@ impl Face {
         let polygon = web.polygon(places)?;
         let bounds = bounds(places.iter().copied());
         Some(Self { id, number, opaque, plane, bounds, polygons: vec![polygon] })
+    }
+
+    /// The same face with a [rank](luxel_scene::CoplanarRanks) among those in its plane, as pictures show it.
+    pub(super) fn with_rank(mut self, rank: u8, depths: &[f64]) -> Self {
+        let steps = f64::from(SUBPIXELS);
+        let slope = [self.plane[0] / steps, self.plane[1] / steps];
+        // Depth is reversed there.
+        let nearest = 1.0 - depths.iter().copied().fold(1.0, f64::min);
+        self.plane[2] += f64::from(rank) * rank_step(slope, nearest);
+        self
     }
 
     /// A part of this face.

@@ -193,6 +193,7 @@ fn visible_faces(
         depths.extend(clipped.iter().map(|corner| corner.depth));
         let opaque = part.coverage == Coverage::Opaque;
         if let Some(face) = Face::new(web, id, number, opaque, &places, &depths) {
+            let face = face.with_rank(frame.rank_of(of), &depths);
             known.push(seen.holds(id));
             faces.push(face);
         }

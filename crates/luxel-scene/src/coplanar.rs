@@ -1,0 +1,450 @@
+//! Surfaces of different objects in one plane, and which of them is seen.
+//!
+//! Depths decide what is seen, and depths of surfaces in one plane differ by what rounding makes of
+//! their corners: each wins somewhere, in a pattern that flickers ("z-fighting"). Here the first in the
+//! file wins: a triangle in the plane of one of an earlier object that it overlaps gets a higher *rank*,
+//! and frames and picks see it a little farther away, as `glPolygonOffset` does (OpenGL 2.1, section
+//! 3.5.5).
+//!
+//! Most triangles meet no other object's. A grid of voxels finds those that may, and a table of the planes in
+//! each voxel those of them whose plane is another object's, too. What is left is compared in pairs.
+
+use crate::{Mesh, Object, Scene, bodies};
+use glam::{DMat4, DVec3, DVec4};
+use luxel_parallel::{gather, map, sort_u64, sort_u128};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+mod pairs;
+mod voxels;
+
+use pairs::Pairs;
+use voxels::Voxels;
+
+/// The ranks of triangles that lie in the plane of an earlier object's.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CoplanarRanks {
+    /// By the first object of each [body](bodies) that has some: the numbers of triangles in its mesh, in
+    /// ascending order, and their ranks.
+    of_bodies: BTreeMap<usize, Vec<(u32, u8)>>,
+}
+
+/// Deeper piles than this have several triangles in the last rank.
+const MOST_RANKS: u8 = 15;
+/// Triangles a task.
+const RUN: usize = 1 << 12;
+/// What rounding to f32 may do to a coordinate, as a part of it, when a file is written and when its
+/// transforms are.
+const ROUNDING: f64 = 1.0 / (1 << 23) as f64;
+
+impl CoplanarRanks {
+    /// Finds the ranks of a scene's objects.
+    #[must_use]
+    pub fn of(scene: &Scene, objects: &[Object]) -> Self {
+        let mut ranks = Self::default();
+        if objects.len() < 2 {
+            return ranks;
+        }
+        let boxes = map(scene.meshes.len(), 1, &|run| box_of(&scene.meshes[run.start]));
+        let of_body = |body: Range<usize>| {
+            let box_of_mesh = boxes[objects[body.start].mesh.index()];
+            Body::new((scene, objects), body, box_of_mesh)
+        };
+        let mut bodies: Vec<Body<'_>> = bodies(objects).map(of_body).collect();
+        let around = bodies
+            .iter()
+            .map(|body| body.bounds)
+            .reduce(|[low, high], other| [low.min(other[0]), high.max(other[1])]);
+        let [low, high] = around.unwrap_or_default();
+        let middle = (low + high) * 0.5;
+        for body in &mut bodies {
+            body.middle = middle;
+            body.bounds = body.bounds.map(|corner| corner - middle);
+        }
+        let shared = shared_boxes(&bodies);
+        for (body, shared) in bodies.iter_mut().zip(shared) {
+            body.shared = shared;
+        }
+        if bodies.iter().all(|body| body.shared.is_empty()) {
+            return ranks;
+        }
+        let voxels = Voxels::new(&bodies, [low - middle, high - middle]);
+        let candidates = candidates(&bodies, &voxels);
+        for (number, rank) in ranks_of(&candidates, &bodies, &voxels) {
+            let Candidate { body, triangle, count, .. } = candidates[number as usize];
+            let first = bodies[body as usize].objects.start;
+            let list = ranks.of_bodies.entry(first).or_default();
+            list.extend((triangle..triangle + count).map(|triangle| (triangle, rank)));
+        }
+        ranks.of_bodies.values_mut().for_each(|list| list.sort_unstable());
+        ranks
+    }
+
+    /// The triangles of a body that lie in higher ranks than 0: their numbers in its mesh, in ascending
+    /// order, with their ranks. The body is given by its first object.
+    #[must_use]
+    pub fn of_body(&self, first_object: usize) -> &[(u32, u8)] {
+        self.of_bodies.get(&first_object).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The rank of a triangle, by a list of [`CoplanarRanks::of_body`].
+#[must_use]
+#[inline]
+pub fn rank_of(ranks: &[(u32, u8)], triangle: u32) -> u8 {
+    if ranks.is_empty() {
+        return 0;
+    }
+    let found = ranks.binary_search_by_key(&triangle, |(number, _)| *number);
+    found.map_or(0, |at| ranks[at].1)
+}
+
+/// Objects that are drawn as one, in their place.
+struct Body<'a> {
+    objects: Range<usize>,
+    mesh: &'a Mesh,
+    world_from_mesh: &'a Arc<DMat4>,
+    /// The middle of the scene, which planes are about.
+    middle: DVec3,
+    /// The largest factor by which its place scales.
+    scale: f64,
+    /// Its box about that middle.
+    bounds: [DVec3; 2],
+    /// Boxes outside of which it meets no other object.
+    shared: Vec<[DVec3; 2]>,
+}
+
+/// A triangle in the world.
+struct Facet {
+    /// About the middle of the scene.
+    corners: [DVec3; 3],
+    /// Of unit length.
+    normal: DVec3,
+    /// How far rounding may have moved its corners.
+    error: f64,
+    /// How far its normal may be off by that, in radians.
+    tilt: f64,
+}
+
+impl<'a> Body<'a> {
+    fn new(
+        (scene, objects): (&'a Scene, &'a [Object]),
+        body: Range<usize>,
+        box_of_mesh: [DVec3; 2],
+    ) -> Self {
+        let Object { mesh, world_from_mesh, .. } = &objects[body.start];
+        let DMat4 { x_axis, y_axis, z_axis, .. } = **world_from_mesh;
+        let scale = [x_axis, y_axis, z_axis].map(DVec4::length).into_iter().fold(0.0, f64::max);
+        // Around the box of the mesh, which isn't the least box but quickly found.
+        let [centre, half] = box_of_mesh;
+        let sides = [x_axis, y_axis, z_axis].map(|axis| axis.truncate().abs());
+        let half = sides[0] * half.x + sides[1] * half.y + sides[2] * half.z;
+        let centre = world_from_mesh.transform_point3(centre);
+        Self {
+            objects: body,
+            mesh: &scene.meshes[mesh.index()],
+            world_from_mesh,
+            middle: DVec3::ZERO,
+            scale,
+            bounds: [centre - half, centre + half],
+            shared: Vec::new(),
+        }
+    }
+
+    /// The corners of a triangle about the middle of the scene.
+    #[inline]
+    fn corners(&self, triangle: u32) -> [DVec3; 3] {
+        let [a, b, c] = self.mesh.triangles[triangle as usize];
+        let place = |corner: u32| {
+            self.world_from_mesh.transform_point3(self.mesh.position(corner)) - self.middle
+        };
+        [place(a), place(b), place(c)]
+    }
+
+    /// The box of a triangle; `None` for one that meets no other object, or isn't finite.
+    #[inline]
+    fn shared_bounds(&self, [a, b, c]: &[DVec3; 3]) -> Option<[DVec3; 2]> {
+        let bounds = [a.min(*b).min(*c), a.max(*b).max(*c)];
+        let is_shared = self.shared.iter().any(|shared| meet(shared, &bounds));
+        (is_shared && bounds[0].is_finite() && bounds[1].is_finite()).then_some(bounds)
+    }
+
+    /// `None` for a triangle without area.
+    fn facet(&self, triangle: u32, corners: [DVec3; 3]) -> Option<Facet> {
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a);
+        let area = normal.length();
+        let longest = (b - a).length_squared().max((c - a).length_squared());
+        let longest = longest.max((c - b).length_squared()).sqrt();
+        let largest = self.mesh.triangles[triangle as usize]
+            .map(|corner| self.mesh.position(corner).abs().max_element());
+        let largest = largest.into_iter().fold(0.0, f64::max);
+        let moved = self.world_from_mesh.w_axis.truncate().abs().max_element();
+        let error = ROUNDING * (largest * self.scale + moved);
+        // Across its longest side it is area / longest high.
+        let tilt = 2.0 * error * longest / area;
+        let normal = normal / area;
+        (normal.is_finite() && tilt < MOST_TILT).then_some(Facet { corners, normal, error, tilt })
+    }
+
+    /// Its objects' number of a triangle.
+    fn object(&self, triangle: u32) -> u32 {
+        let (section, _) = self.mesh.section_of(triangle);
+        if self.mesh.sections.is_empty() {
+            self.objects.start as u32
+        } else {
+            self.objects.start as u32 + section
+        }
+    }
+}
+
+/// The middle of a mesh's box, and half of its sides.
+fn box_of(mesh: &Mesh) -> [DVec3; 2] {
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for place in &mesh.positions {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(place[axis]);
+            high[axis] = high[axis].max(place[axis]);
+        }
+    }
+    let [low, high] = [low, high].map(|corner| DVec3::from_array(corner.map(f64::from)));
+    [mesh.origin + (low + high) * 0.5, (high - low) * 0.5]
+}
+
+/// The boxes that each body shares with others; its own if objects within it may meet.
+fn shared_boxes(bodies: &[Body<'_>]) -> Vec<Vec<[DVec3; 2]>> {
+    // With room for rounding, as for a part of the coordinates here.
+    let grown = |body: &Body<'_>| {
+        let [low, high] = body.bounds;
+        let largest = (low.abs().max(high.abs()) + body.middle.abs()).max_element();
+        let margin = 8.0 * ROUNDING * largest;
+        [low - margin, high + margin]
+    };
+    let boxes: Vec<[DVec3; 2]> = bodies.iter().map(grown).collect();
+    let triangles: usize = bodies.iter().map(|body| body.mesh.triangles.len()).sum();
+    // To compare two boxes takes about a tenth of looking at a triangle.
+    let compares = bodies.len() * bodies.len() <= 10 * triangles;
+    let of_body = |number: usize| {
+        let own = boxes[number];
+        if !compares || bodies[number].objects.len() > 1 {
+            return vec![own];
+        }
+        let others = (0..boxes.len()).filter(|other| *other != number);
+        let shared = others.map(|other| &boxes[other]).filter(|other| meet(&own, other));
+        let mut shared: Vec<_> =
+            shared.map(|other| [own[0].max(other[0]), own[1].min(other[1])]).collect();
+        if shared.len() > MOST_SHARED {
+            shared = vec![own];
+        }
+        shared
+    };
+    (0..bodies.len()).map(of_body).collect()
+}
+
+/// More boxes than this aren't asked one by one.
+const MOST_SHARED: usize = 8;
+
+/// Whether two boxes have a point in common.
+fn meet([low, high]: &[DVec3; 2], [other_low, other_high]: &[DVec3; 2]) -> bool {
+    low.cmple(*other_high).all() && other_low.cmple(*high).all()
+}
+
+/// Planes of triangles that are known less well aren't compared.
+const MOST_TILT: f64 = 0.01;
+
+/// A triangle in a voxel with triangles of other objects, and those that follow it with the same corners.
+struct Candidate {
+    object: u32,
+    body: u32,
+    triangle: u32,
+    /// How many triangles it stands for.
+    count: u32,
+}
+
+impl Candidate {
+    fn corners(&self, bodies: &[Body<'_>]) -> [DVec3; 3] {
+        bodies[self.body as usize].corners(self.triangle)
+    }
+
+    /// `None` for a triangle without area.
+    fn facet(&self, bodies: &[Body<'_>]) -> Option<Facet> {
+        bodies[self.body as usize].facet(self.triangle, self.corners(bodies))
+    }
+}
+
+/// Triangles of a body.
+struct Piece<'b, 'a> {
+    number: u32,
+    body: &'b Body<'a>,
+    triangles: Range<u32>,
+}
+
+/// The triangles of bodies, divided among tasks.
+fn tasks<'b, 'a>(bodies: &'b [Body<'a>]) -> Vec<Vec<Piece<'b, 'a>>> {
+    let mut tasks: Vec<Vec<Piece<'_, '_>>> = Vec::new();
+    let mut room = 0;
+    for (number, body) in (0..).zip(bodies) {
+        if body.shared.is_empty() {
+            continue;
+        }
+        let count = body.mesh.triangles.len() as u32;
+        for first in (0..count).step_by(RUN) {
+            let triangles = first..count.min(first + RUN as u32);
+            let length = triangles.len();
+            let piece = Piece { number, body, triangles };
+            match tasks.last_mut() {
+                Some(task) if length <= room => task.push(piece),
+                _ => {
+                    tasks.push(vec![piece]);
+                    room = RUN;
+                }
+            }
+            room -= length;
+        }
+    }
+    tasks
+}
+
+/// The candidates, in the order of the scene.
+fn candidates(bodies: &[Body<'_>], voxels: &Voxels) -> Vec<Candidate> {
+    let tasks = tasks(bodies);
+    let owners = Owners::new(voxels.count());
+    luxel_parallel::tasks(tasks.len(), &|task| {
+        for Piece { body, triangles, .. } in &tasks[task] {
+            for triangle in triangles.clone() {
+                if let Some(bounds) = body.shared_bounds(&body.corners(triangle)) {
+                    let object = body.object(triangle);
+                    voxels.visit(&bounds, &mut |voxel, _| owners.add(voxel, object));
+                }
+            }
+        }
+    });
+    gather(tasks.len(), 1, &|run, found| {
+        for Piece { number, body, triangles } in &tasks[run.start] {
+            let mut last: Option<[DVec3; 3]> = None;
+            for triangle in triangles.clone() {
+                let corners = body.corners(triangle);
+                if last == Some(corners) {
+                    let repeated: Option<&mut Candidate> = found.last_mut();
+                    repeated.into_iter().for_each(|candidate| candidate.count += 1);
+                    continue;
+                }
+                let mut meets = false;
+                if let Some(bounds) = body.shared_bounds(&corners) {
+                    voxels.visit(&bounds, &mut |voxel, _| meets |= owners.are_several(voxel));
+                }
+                last = meets.then_some(corners);
+                if meets {
+                    let object = body.object(triangle);
+                    found.push(Candidate { object, body: *number, triangle, count: 1 });
+                }
+            }
+        }
+    })
+}
+
+/// The planes of triangles that are other objects' planes, too: as keys, the plane in the upper bits and the
+/// number of the triangle in the lower, in ascending order.
+fn shared_planes(candidates: &[Candidate], bodies: &[Body<'_>], voxels: &Voxels) -> Vec<u128> {
+    let mut keys = gather(candidates.len(), RUN, &|run, keys| {
+        for number in run {
+            let key = |plane: u64| u128::from(plane) << 32 | number as u128;
+            if let Some(facet) = candidates[number].facet(bodies) {
+                voxels.visit_planes(&facet, &mut |plane| keys.push(key(plane)));
+            }
+        }
+    });
+    let owners = Owners::new(2 * candidates.len());
+    luxel_parallel::tasks(keys.len().div_ceil(RUN), &|run| {
+        for &key in keys[run * RUN..].iter().take(RUN) {
+            owners.add(hash((key >> 32) as u64), candidates[key as u32 as usize].object);
+        }
+    });
+    keys.retain(|&key| owners.are_several(hash((key >> 32) as u64)));
+    sort_u128(&mut keys);
+    keys
+}
+
+/// Multiplicative hashing (Knuth, volume 3, section 6.4) with the golden ratio.
+const fn hash(plane: u64) -> usize {
+    (plane.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as usize
+}
+
+/// Which objects have something in each entry of a table; entries may serve for several numbers.
+struct Owners(Vec<AtomicU32>);
+
+impl Owners {
+    const NONE: u32 = 0;
+    const SEVERAL: u32 = u32::MAX;
+
+    /// With so many entries, at least.
+    fn new(entries: usize) -> Self {
+        let size = entries.next_power_of_two().clamp(1 << 8, 1 << 26);
+        Self((0..size).map(|_| AtomicU32::new(Self::NONE)).collect())
+    }
+
+    fn entry(&self, number: usize) -> &AtomicU32 {
+        &self.0[number & (self.0.len() - 1)]
+    }
+
+    /// Adds an object; whatever the order of additions, an entry ends as the same.
+    #[inline]
+    fn add(&self, number: usize, object: u32) {
+        let (entry, own) = (self.entry(number), object + 1);
+        let order = Ordering::Relaxed;
+        let before = match entry.load(order) {
+            Self::NONE => entry.compare_exchange(Self::NONE, own, order, order),
+            other => Err(other),
+        };
+        if before.is_err_and(|other| other != own && other != Self::SEVERAL) {
+            entry.store(Self::SEVERAL, order);
+        }
+    }
+
+    #[inline]
+    fn are_several(&self, number: usize) -> bool {
+        self.entry(number).load(Ordering::Relaxed) == Self::SEVERAL
+    }
+}
+
+/// The numbers of candidates of ranks above 0, with these.
+fn ranks_of(candidates: &[Candidate], bodies: &[Body<'_>], voxels: &Voxels) -> Vec<(u32, u8)> {
+    let keys = shared_planes(candidates, bodies, voxels);
+    let in_planes: Vec<&[u128]> = keys.chunk_by(|one, other| one >> 32 == other >> 32).collect();
+    let mut found: Vec<u64> = gather(in_planes.len(), 64, &|run, found| {
+        for plane in &in_planes[run] {
+            let object = |key: &u128| candidates[*key as u32 as usize].object;
+            if plane.iter().any(|key| object(key) != object(&plane[0])) {
+                let of_key = |key: &u128| {
+                    let candidate = &candidates[*key as u32 as usize];
+                    Some((*key as u32, candidate, candidate.facet(bodies)?))
+                };
+                let triangles: Vec<_> = plane.iter().filter_map(of_key).collect();
+                let all: Vec<u32> = (0..triangles.len() as u32).collect();
+                Pairs { triangles: &triangles, bodies, found }.of(&all);
+            }
+        }
+    });
+    // A triangle's rank is known before that of any later one.
+    sort_u64(&mut found);
+    found.dedup();
+    let mut ranks = vec![0_u8; candidates.len()];
+    for pair in found {
+        let (later, earlier) = ((pair >> 32) as usize, pair as u32 as usize);
+        let is_same = is_same([&candidates[later], &candidates[earlier]], bodies);
+        let least = (ranks[earlier] + u8::from(!is_same)).min(MOST_RANKS);
+        ranks[later] = ranks[later].max(least);
+    }
+    (0..).zip(ranks).filter(|(_, rank)| *rank > 0).collect()
+}
+
+/// Whether two triangles have the same corners in the same order and in the same place, so that their depths
+/// are equal from wherever they are seen.
+fn is_same([one, other]: [&Candidate; 2], bodies: &[Body<'_>]) -> bool {
+    let [a, b] = [one, other].map(|candidate| &bodies[candidate.body as usize]);
+    a.world_from_mesh == b.world_from_mesh
+        && a.mesh.origin == b.mesh.origin
+        && one.corners(bodies) == other.corners(bodies)
+}
