@@ -31,7 +31,7 @@ pub struct CoplanarRanks {
     of_bodies: BTreeMap<usize, Vec<(u32, u8)>>,
 }
 
-/// Deeper piles than this have several triangles in the last rank.
+/// In deeper piles several triangles have the last rank.
 const MOST_RANKS: u8 = 15;
 /// Triangles a task.
 const RUN: usize = 1 << 12;
@@ -82,8 +82,8 @@ impl CoplanarRanks {
         ranks
     }
 
-    /// The triangles of a body that lie in higher ranks than 0: their numbers in its mesh, in ascending
-    /// order, with their ranks. The body is given by its first object.
+    /// The triangles of a body with a rank above 0: their numbers in its mesh, in ascending order, with
+    /// their ranks. The body is given by its first object.
     #[must_use]
     pub fn of_body(&self, first_object: usize) -> &[(u32, u8)] {
         self.of_bodies.get(&first_object).map_or(&[], Vec::as_slice)
@@ -189,7 +189,7 @@ impl<'a> Body<'a> {
         (normal.is_finite() && tilt < MOST_TILT).then_some(Facet { corners, normal, error, tilt })
     }
 
-    /// Its objects' number of a triangle.
+    /// The number of the object that a triangle belongs to.
     fn object(&self, triangle: u32) -> u32 {
         let (section, _) = self.mesh.section_of(triangle);
         if self.mesh.sections.is_empty() {
@@ -224,7 +224,7 @@ fn shared_boxes(bodies: &[Body<'_>]) -> Vec<Vec<[DVec3; 2]>> {
     };
     let boxes: Vec<[DVec3; 2]> = bodies.iter().map(grown).collect();
     let triangles: usize = bodies.iter().map(|body| body.mesh.triangles.len()).sum();
-    // To compare two boxes takes about a tenth of looking at a triangle.
+    // To compare two boxes takes less than a tenth of what looking at a triangle does.
     let compares = bodies.len() * bodies.len() <= 10 * triangles;
     let of_body = |number: usize| {
         let own = boxes[number];
