@@ -45,7 +45,7 @@ struct Pile {
 impl Pile {
     fn new(random: &mut Random, count: usize) -> Self {
         let turn = DMat4::from_axis_angle(random.direction(), 3.0 * random.next());
-        let place = random.direction() * 10_f64.powf(2.0 * random.next());
+        let place = random.direction() * [0.01, 1.0, 10.0, 100.0][count % 4];
         let world_from_plane = DMat4::from_translation(place) * turn;
         let mut scene = Scene { materials: vec![SceneMaterial::default()], ..Scene::default() };
         let mut quads = Vec::new();
