@@ -96,6 +96,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "extremes",
             "meshes",
             "scene",
+            "coplanar",
             "normals",
             "normal_map",
             "tangents",
