@@ -5,7 +5,7 @@ use luxel_scene::Scene;
 
 /// Small enough for a lying count to be found before memory runs out.
 pub(crate) const LIMITS: Limits =
-    Limits { max_memory: 64 << 20, max_depth: 64, progress: None, files: None };
+    Limits { max_memory: 64 << 20, max_depth: 64, progress: None, files: None, given: None };
 
 /// Reads bytes; whatever is accepted must hold together.
 pub(crate) fn check(bytes: &[u8], format: Format) {

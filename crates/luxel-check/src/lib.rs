@@ -22,6 +22,7 @@ mod finding;
 mod gaps;
 mod hidden_folds;
 mod highlight_loss;
+mod json;
 mod kd_tree;
 mod lettering;
 mod marked_scene;

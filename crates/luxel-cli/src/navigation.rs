@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::model;
 use crate::options::FrameOptions;
 use luxel::navigation::{Log, Mode, Settings, State};
-use luxel::scene::{Camera, DVec3, Scene};
+use luxel::scene::{Camera, Scene};
 use std::ffi::OsStr;
 use std::io::Read;
 use std::path::Path;
@@ -24,8 +24,7 @@ pub(crate) fn start(
     let bounds = scene.bounds();
     let up = options.up.unwrap_or(scene.up);
     let settings = Settings::new(bounds, up, camera.projection.lens, options.size);
-    let middle = if bounds.is_empty() { DVec3::ZERO } else { bounds.centre() };
-    let pivot = options.target.unwrap_or(middle);
+    let pivot = camera::pivot(options, scene);
     Ok((State::new(mode, &camera.view_from_world, pivot), settings, camera))
 }
 

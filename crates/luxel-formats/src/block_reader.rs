@@ -1,6 +1,6 @@
 //! Block-wise reading of long files.
 
-use crate::files::{LONG, checked};
+use crate::files::{Checked, LONG, checked};
 use crate::{Error, ErrorKind, Limits, Place, Progress};
 use std::cell::RefCell;
 use std::fs::File;
@@ -26,11 +26,10 @@ thread_local! {
 }
 
 impl<'a> BlockReader<'a> {
-    /// `None` for short files, and for pipes.
+    /// `None` for short files, for pipes, and for files in memory.
     pub(crate) fn open(path: &'a Path, limits: &'a Limits) -> Result<Option<Self>, Error> {
-        let metadata = checked(path, limits)?;
-        let length = metadata.len();
-        if !metadata.is_file() || length < LONG {
+        let Checked { length, is_regular } = checked(path, limits)?;
+        if !is_regular || length < LONG || limits.given.is_some() {
             return Ok(None);
         }
         let progress = limits.progress.as_ref();

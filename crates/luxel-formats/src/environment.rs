@@ -40,8 +40,7 @@ pub fn is_environment(path: &Path) -> bool {
 /// [`Error`] with file and place, if the file can't be read, is damaged or exceeds the limits.
 pub fn open_environment(path: &Path, limits: &Limits) -> Result<LoadedEnvironment, Error> {
     let in_file = |error: Error| error.in_file(path);
-    let metadata = files::checked(path, limits)?;
-    if !metadata.is_file() {
+    if !files::checked(path, limits)?.is_regular {
         // A pipe could block for ever.
         let message = "this is not a regular file".to_owned();
         return Err(in_file(Error::at(Place::File, ErrorKind::Unsupported(message))));

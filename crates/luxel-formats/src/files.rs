@@ -1,8 +1,10 @@
 //! Reads whole files within the limits, long ones in parallel.
 
+#[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
+use crate::GivenFiles;
 use crate::{Error, Limits, Place, Progress};
 use luxel_parallel::each;
-use std::fs::{File, Metadata};
+use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 #[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
@@ -15,29 +17,69 @@ pub(crate) const LONG: u64 = 2 * BLOCK as u64;
 
 /// Reads a file.
 pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> {
-    let metadata = checked(path, limits)?;
+    let Checked { length, is_regular } = checked(path, limits)?;
     if let Some(progress) = &limits.progress {
-        progress.expect(metadata.len());
+        progress.expect(length);
     }
     let in_file = |error: Error| error.in_file(path);
-    let read = if metadata.is_file() && metadata.len() >= LONG {
-        read_blocks(path, metadata.len(), limits.progress.as_ref())
+    let read = if let Some(given) = &limits.given {
+        given.get(path).map(<[u8]>::to_vec).ok_or_else(missing)
+    } else if is_regular && length >= LONG {
+        read_blocks(path, length, limits.progress.as_ref())
     } else {
         read_stream(path, limits)
     };
     let bytes = read.map_err(|error| in_file(Error::at(Place::File, error.into())))?;
     // `read_blocks` counts the bytes itself.
     if let Some(progress) = limits.progress.as_ref().filter(|_| (bytes.len() as u64) < LONG) {
-        progress.advance(metadata.len());
+        progress.advance(length);
     }
     // The length of a pipe isn't known beforehand.
     limits.check("the file", bytes.len() as u64, 1, Place::File).map_err(in_file)?;
     Ok(bytes)
 }
 
-/// The metadata of a file that exists, is not a folder and fits the limits.
-pub(crate) fn checked(path: &Path, limits: &Limits) -> Result<Metadata, Error> {
+/// A file that exists, is not a folder and fits the limits.
+pub(crate) struct Checked {
+    /// Its length in bytes, 0 for a pipe.
+    pub(crate) length: u64,
+    /// Whether it is neither a pipe nor a device.
+    pub(crate) is_regular: bool,
+}
+
+/// No file has the name.
+fn missing() -> std::io::Error {
+    std::io::ErrorKind::NotFound.into()
+}
+
+/// The length of a file, which a model refers to.
+#[cfg(feature = "gltf")]
+pub(crate) fn length(path: &Path, given: Option<&GivenFiles>) -> std::io::Result<u64> {
+    match given {
+        Some(given) => given.get(path).map(|bytes| bytes.len() as u64).ok_or_else(missing),
+        None => std::fs::metadata(path).map(|metadata| metadata.len()),
+    }
+}
+
+/// Whether there is a regular file.
+#[cfg(feature = "gltf")]
+pub(crate) fn is_file(path: &Path, given: Option<&GivenFiles>) -> bool {
+    match given {
+        Some(given) => given.get(path).is_some(),
+        None => path.is_file(),
+    }
+}
+
+/// Checks that a file exists, is not a folder and fits the limits.
+pub(crate) fn checked(path: &Path, limits: &Limits) -> Result<Checked, Error> {
     let in_file = |kind| Error::at(Place::File, kind).in_file(path);
+    if let Some(given) = &limits.given {
+        let bytes = given.get(path).ok_or_else(|| in_file(missing().into()))?;
+        let length = bytes.len() as u64;
+        let fits = limits.check("the file", length, 1, Place::File);
+        fits.map_err(|error| error.in_file(path))?;
+        return Ok(Checked { length, is_regular: true });
+    }
     let metadata = std::fs::metadata(path);
     if let Some(files) = &limits.files {
         files.add(path, metadata.as_ref().ok());
@@ -49,7 +91,7 @@ pub(crate) fn checked(path: &Path, limits: &Limits) -> Result<Metadata, Error> {
     }
     let fits = limits.check("the file", metadata.len(), 1, Place::File);
     fits.map_err(|error| error.in_file(path))?;
-    Ok(metadata)
+    Ok(Checked { length: metadata.len(), is_regular: metadata.is_file() })
 }
 
 fn read_stream(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
@@ -109,9 +151,13 @@ impl From<Refusal> for crate::ErrorKind {
 /// # Errors
 /// A message about the name.
 #[cfg(any(feature = "obj", feature = "toml"))]
-pub(crate) fn referenced(folder: Option<&Path>, name: &str) -> Result<PathBuf, Refusal> {
-    let path = within(folder, name)?;
-    check_reference(folder, &path, name)?;
+pub(crate) fn referenced(
+    folder: Option<&Path>,
+    name: &str,
+    given: Option<&GivenFiles>,
+) -> Result<PathBuf, Refusal> {
+    let path = within(folder, name, given)?;
+    check_reference(folder, &path, name, given)?;
     Ok(path)
 }
 
@@ -121,7 +167,12 @@ pub(crate) fn check_reference(
     folder: Option<&Path>,
     path: &Path,
     name: &str,
+    given: Option<&GivenFiles>,
 ) -> Result<(), Refusal> {
+    if given.is_some() {
+        // There are no links, pipes and devices among them.
+        return Ok(());
+    }
     let refused = |why: &dyn std::fmt::Display| {
         Err(Refusal { message: format!("`{name}` is not read: {why}"), is_there: true })
     };
@@ -154,7 +205,11 @@ fn is_missing(error: &std::io::Error) -> bool {
 /// # Errors
 /// A message about the name.
 #[cfg(any(feature = "gltf", feature = "obj", feature = "toml"))]
-pub(crate) fn within(folder: Option<&Path>, name: &str) -> Result<PathBuf, Refusal> {
+pub(crate) fn within(
+    folder: Option<&Path>,
+    name: &str,
+    given: Option<&GivenFiles>,
+) -> Result<PathBuf, Refusal> {
     let refused = |why: &str, is_there: bool| Refusal {
         message: format!("`{name}` is not read: {why}"),
         is_there,
@@ -165,7 +220,10 @@ pub(crate) fn within(folder: Option<&Path>, name: &str) -> Result<PathBuf, Refus
     // A drive letter, a scheme, or a stream of NTFS.
     let foreign = name.contains([':', '\0']);
     if name.is_empty() || foreign || name.starts_with(['/', '\\']) || parts().any(|p| p == "..") {
-        return Err(refused("it leads out of the model's folder", is_anything(folder, name)));
+        return Err(refused(
+            "it leads out of the model's folder",
+            given.is_none() && is_anything(folder, name),
+        ));
     }
     Ok(folder.join(parts().filter(|part| *part != ".").collect::<PathBuf>()))
 }

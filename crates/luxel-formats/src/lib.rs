@@ -32,6 +32,7 @@ mod environment;
 mod error;
 mod files;
 mod format;
+mod given_files;
 #[cfg(feature = "gltf")]
 mod gltf;
 #[cfg(any(feature = "gltf", feature = "obj"))]
@@ -79,6 +80,7 @@ pub use environment::{
 };
 pub use error::{Error, ErrorKind, Hint, Place, UnknownFormat};
 pub use format::{Format, Loaded};
+pub use given_files::GivenFiles;
 pub use limits::{FileList, Limits, Progress, ReadFile};
 pub use open::{open, read};
 #[cfg(feature = "toml")]

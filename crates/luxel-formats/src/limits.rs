@@ -1,6 +1,6 @@
-//! Limits of allocation, the progress of reading, and the files read.
+//! Limits of allocation, the progress of reading, the files to read and those read.
 
-use crate::{Error, ErrorKind, Place};
+use crate::{Error, ErrorKind, GivenFiles, Place};
 use std::collections::BTreeMap;
 use std::fs::Metadata;
 use std::path::{Path, PathBuf};
@@ -19,6 +19,8 @@ pub struct Limits {
     pub progress: Option<Progress>,
     /// Lists the files that a model is made of.
     pub files: Option<FileList>,
+    /// The files that there are, instead of those on a disk.
+    pub given: Option<GivenFiles>,
 }
 
 /// The files that a reader looked for: the model, and all that it refers to. Clones share the list.
@@ -133,7 +135,7 @@ impl Eq for Progress {}
 impl Default for Limits {
     /// 8 GiB, 1024 levels.
     fn default() -> Self {
-        Self { max_memory: 8 << 30, max_depth: 1024, progress: None, files: None }
+        Self { max_memory: 8 << 30, max_depth: 1024, progress: None, files: None, given: None }
     }
 }
 

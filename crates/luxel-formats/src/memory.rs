@@ -1,6 +1,6 @@
 //! The memory budget of one model, with all files that it refers to.
 
-use crate::{Error, Limits, Place};
+use crate::{Error, GivenFiles, Limits, Place};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Counts bytes before they are allocated. Freed bytes count too, so that the budget bounds the
@@ -29,6 +29,11 @@ impl<'a> Memory<'a> {
         self.limits.check(what, sum, 1, place)?;
         self.taken.store(sum, Ordering::Relaxed);
         Ok(())
+    }
+
+    /// The files that there are, if they are in memory.
+    pub(crate) fn given(&self) -> Option<&'a GivenFiles> {
+        self.limits.given.as_ref()
     }
 
     /// The limits, with the remaining memory.

@@ -68,8 +68,8 @@ fn read_surroundings(
             Err(name) => {
                 let name = name.to_string_lossy();
                 let at = |message: String| root.error_at("environment", message);
-                let path =
-                    files::referenced(folder, &name).map_err(|refusal| at(refusal.message))?;
+                let path = files::referenced(folder, &name, memory.given())
+                    .map_err(|refusal| at(refusal.message))?;
                 let opened = open_environment(&path, &memory.left());
                 let LoadedEnvironment { map, warnings: odd } =
                     opened.map_err(|error| match error.kind {

@@ -33,7 +33,8 @@
 //! ```
 //!
 //! [`Report::with_unseen`] adds the surfaces that the pixel doesn't show, [`Report::with_pictures`]
-//! the picture around it. [`ledger_lines`] gives the equation line by line, for panels.
+//! the picture around it. [`ledger_lines`] gives the equation line by line, for panels,
+//! [`ledger_vectors`] its vectors, for drawings.
 //! [`PickReport`] and [`RegionReport`] write the results of a [`PickView`](luxel_pick::PickView).
 //!
 //! # Symbols
@@ -62,6 +63,7 @@ mod words;
 pub use equation::{TermKind, meanings_in};
 pub use pick::{PickReport, RegionReport, camera_to_json};
 pub use pixel::{
-    Hint, LedgerFactor, LedgerLine, Pictures, PicturesError, Report, display_to_json, ledger_lines,
+    Hint, LedgerFactor, LedgerLine, LedgerVector, Pictures, PicturesError, Report, VectorKind,
+    display_to_json, ledger_lines, ledger_vectors,
 };
 pub use words::{number, printable};

@@ -43,12 +43,15 @@
 
 #![forbid(unsafe_code)]
 
+mod camera_choice;
 mod default_view;
 mod draw;
 mod load;
 #[cfg(feature = "packed")]
 mod packed;
+mod settings;
 
+pub use camera_choice::{CameraChoice, CameraError};
 pub use default_view::{
     DEFAULT_AZIMUTH_DEGREES, DEFAULT_ELEVATION_DEGREES, DEFAULT_FOV_DEGREES, default_camera,
     default_view, default_view_from, environment_of, lights_of, view_from_world_of,
@@ -70,6 +73,7 @@ pub use luxel_view as view;
 pub use luxel_view::DEFAULT_SAMPLES;
 #[cfg(feature = "packed")]
 pub use packed::{UnpackError, pack, pack_view, unpack, unpack_view};
+pub use settings::{SETTINGS, SettingError, Settings};
 
 /// The types that most programs need.
 pub mod prelude {

@@ -10,11 +10,11 @@ use crate::output;
 use crate::surface;
 use crate::view;
 use clap::Args;
-use luxel::check::{Finding, Kind, Place, Report, Setup, check};
+use luxel::check::{Finding, Kind, Report, Setup, check};
 use luxel::formats::values::nearest;
 use luxel::lighting::PictureEncoding;
 use luxel::render::{ParsePictureFormatError, PictureFormat, Renderer, write_rgba8};
-use luxel::scene::{Camera, Object, Scene};
+use luxel::scene::{Camera, Scene};
 use serde_json::{Value, json};
 use std::ffi::OsString;
 use std::fmt::Write;
@@ -126,41 +126,11 @@ fn format_of(name: &OsString) -> Result<PictureFormat, Failure> {
 }
 
 fn to_json(report: &Report, model: &Model) -> Value {
-    let objects = model.scene.objects();
-    let place = |place: &Place| {
-        let object: &Object = &objects[place.object as usize];
-        json!({
-            "index": place.object,
-            "object": model.scene.nodes[object.node.index()].name,
-            "path": model.scene.path(object.node),
-            "triangle": place.triangle,
-            "position": place.position.to_array(),
-        })
-    };
-    let finding = |finding: &Finding| {
-        let mut entry = json!({
-            "kind": finding.kind.name(),
-            "count": finding.count,
-            "severity": finding.severity,
-            "places": finding.places.iter().map(place).collect::<Value>(),
-            "cure": cure(finding.kind),
-            "color": hex(finding.kind.rgb8()),
-        });
-        if let Some(pixels) = finding.pixels {
-            entry["pixels"] = json!(pixels);
-        }
-        entry
-    };
     json!({
-        "findings": report.findings.iter().map(finding).collect::<Value>(),
+        "findings": report.to_json(&model.scene, cure),
         "triangles": model.scene.triangle_count(),
         "warnings": model.warnings,
     })
-}
-
-/// A colour as in CSS.
-fn hex([r, g, b]: [u8; 3]) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 fn to_text(report: &Report, model: &Model, name: &str) -> String {

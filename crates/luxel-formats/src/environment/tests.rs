@@ -4,7 +4,8 @@
 use super::*;
 use crate::Hint;
 
-const LIMITS: Limits = Limits { max_memory: 64 << 20, max_depth: 8, progress: None, files: None };
+const LIMITS: Limits =
+    Limits { max_memory: 64 << 20, max_depth: 8, progress: None, files: None, given: None };
 
 fn image(bytes: &[u8]) -> EquirectangularImage {
     decode(bytes, &LIMITS).unwrap()

@@ -164,7 +164,8 @@ impl<'a> Buffers<'a> {
             Target::Data(bytes) => return Ok(bytes),
             Target::File { decoded, literal } => (decoded, literal),
         };
-        let path = uri::file_in(self.folder, &decoded, &literal).map_err(|refusal| {
+        let given = self.memory.given();
+        let path = uri::file_in(self.folder, &decoded, &literal, given).map_err(|refusal| {
             // Nothing is there, or a model without a folder asks for it.
             let is_missing = !refusal.is_there && self.folder.is_some();
             let kind = match refusal.into() {
@@ -177,9 +178,9 @@ impl<'a> Buffers<'a> {
             let what = format!("`{decoded}` can't be read: {error}");
             Error::at(place(), std::io::Error::new(error.kind(), what).into())
         };
-        let metadata = std::fs::metadata(&path).map_err(|error| unreadable(&error))?;
+        let length = files::length(&path, given).map_err(|error| unreadable(&error))?;
         let what = format!("`{decoded}`");
-        self.memory.take(&what, metadata.len(), 1, place())?;
+        self.memory.take(&what, length, 1, place())?;
         files::read_file(&path, &self.memory.left()).map_err(|error| match error.kind {
             ErrorKind::Io(error) => unreadable(&error),
             kind => Error::at(place(), kind),

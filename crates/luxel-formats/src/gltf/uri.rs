@@ -1,6 +1,7 @@
 //! URIs of buffers and images: embedded data, or a file within the document's folder
 //! (glTF 2.0 specification, section 2.8).
 
+use crate::GivenFiles;
 use crate::files::{self, Refusal};
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
@@ -56,15 +57,17 @@ pub(crate) fn file_in(
     folder: Option<&Path>,
     decoded: &str,
     literal: &str,
+    given: Option<&GivenFiles>,
 ) -> Result<PathBuf, Refusal> {
-    let path = files::within(folder, decoded).map_err(shortened_message)?;
-    let as_written = files::within(folder, literal).map_err(shortened_message)?;
-    let (path, name) = if !path.is_file() && as_written.is_file() {
+    let path = files::within(folder, decoded, given).map_err(shortened_message)?;
+    let as_written = files::within(folder, literal, given).map_err(shortened_message)?;
+    let is_file = |path| files::is_file(path, given);
+    let (path, name) = if !is_file(&path) && is_file(&as_written) {
         (as_written, literal)
     } else {
         (path, decoded)
     };
-    files::check_reference(folder, &path, name).map_err(shortened_message)?;
+    files::check_reference(folder, &path, name, given).map_err(shortened_message)?;
     Ok(path)
 }
 
@@ -113,7 +116,7 @@ mod tests {
     fn file(uri: &str) -> Result<PathBuf, String> {
         match resolve(uri)? {
             Target::File { decoded, literal } => {
-                file_in(Some(Path::new("folder")), &decoded, &literal)
+                file_in(Some(Path::new("folder")), &decoded, &literal, None)
                     .map_err(|refusal| refusal.message)
             }
             Target::Data(_) => panic!("{uri} is not a data URI"),

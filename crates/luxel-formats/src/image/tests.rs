@@ -2,7 +2,8 @@ use super::*;
 use crate::Hint;
 use ::png::{BitDepth, ColorType};
 
-const LIMITS: Limits = Limits { max_memory: 1 << 20, max_depth: 8, progress: None, files: None };
+const LIMITS: Limits =
+    Limits { max_memory: 1 << 20, max_depth: 8, progress: None, files: None, given: None };
 
 fn png(width: u32, height: u32, color: ColorType, depth: BitDepth, rows: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();

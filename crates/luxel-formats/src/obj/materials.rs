@@ -235,7 +235,7 @@ impl<'a> Materials<'a> {
         let texture = if let Some(loaded) = self.loaded.get(&key) {
             *loaded
         } else {
-            let image = match files::referenced(self.folder, &map.name) {
+            let image = match files::referenced(self.folder, &map.name, self.memory.given()) {
                 Ok(path) => self.image(&path, &map.name, used),
                 Err(refusal) => Err(missing("texture", refusal)?),
             };
@@ -320,7 +320,7 @@ impl Libraries<'_> {
         let whole = String::from_utf8_lossy(line).into_owned();
         let names: Vec<_> = whole.split_ascii_whitespace().collect();
         let mut read = |name: &str, warns: bool| -> Result<_, Error> {
-            let library = match files::referenced(self.folder, name) {
+            let library = match files::referenced(self.folder, name, self.memory.given()) {
                 Ok(path) => self.read(path),
                 Err(refusal) => Err(missing("library", refusal)?),
             };

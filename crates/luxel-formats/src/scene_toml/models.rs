@@ -91,7 +91,7 @@ fn open_source(
             table.error_at("source", message)
         });
     }
-    let path = files::referenced(folder, name)
+    let path = files::referenced(folder, name, memory.given())
         .map_err(|refusal| table.error_at("source", refusal.message))?;
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         let message =

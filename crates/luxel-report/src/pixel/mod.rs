@@ -10,9 +10,11 @@ mod pictures;
 mod report;
 mod sentences;
 mod text;
+mod vectors;
 
 pub use hint::Hint;
 pub use json::display_to_json;
 pub use lines::{LedgerFactor, LedgerLine, ledger_lines};
 pub use pictures::{Pictures, PicturesError};
 pub use report::Report;
+pub use vectors::{LedgerVector, VectorKind, ledger_vectors};

@@ -239,10 +239,11 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "missed_highlights",
             "examination",
             "marked_scene",
+            "json",
             "picture",
         ],
     ),
-    ("luxel", &["default_view", "draw", "load", "packed"]),
+    ("luxel", &["default_view", "camera_choice", "draw", "load", "packed", "settings"]),
     (
         "luxel-gallery",
         &["error", "file", "picture", "compare", "shot", "chapter", "svg", "lab", "page", "plots"],

@@ -3,9 +3,9 @@
 use crate::number::degrees;
 use crate::session::Session;
 use crate::theme::{self, Theme};
-use crate::ui::ledger::luminance;
 use egui::{Color32, Context, FontId, Stroke, pos2, vec2};
-use luxel::render::{ExplainedLight, Explanation, Seen};
+use luxel::render::{Explanation, Seen};
+use luxel::report::{LedgerVector, VectorKind, ledger_vectors};
 use luxel::scene::DVec3;
 
 /// Draws N, V and the L of each light that contributes, at the explained point.
@@ -39,25 +39,18 @@ pub(crate) fn vectors(context: &Context, session: &Session, explanation: &Explan
         tips.push((name.to_owned(), color, to));
     };
     let angle = |cosine: f32| degrees(libm::acos(f64::from(cosine.clamp(-1.0, 1.0))).to_degrees());
-    let dot = |a: [f32; 3], b: [f32; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
-    let n_dot_v = dot(surface.normal, surface.view);
-    arrow(&format!("V {}", angle(n_dot_v)), theme.vectors[2], surface.view);
-    let lit = || surface.lights.iter().filter(|light| light.unlit().is_none());
-    for light in lit() {
-        let name = format!("L {}", angle(light.terms.n_dot_l));
-        arrow(&name, theme.vectors[1], light.terms.to_light.lane(0));
+    for LedgerVector { kind, name, vector, cosine, .. } in ledger_vectors(surface) {
+        let color = match kind {
+            VectorKind::Normal => theme.vectors[0],
+            VectorKind::ToLight => theme.vectors[1],
+            VectorKind::View => theme.vectors[2],
+            VectorKind::Highlight => theme.vectors[3],
+        };
+        match cosine {
+            Some(cosine) => arrow(&format!("{name} {}", angle(cosine)), color, vector),
+            None => arrow(name, color, vector),
+        }
     }
-    // R or H of the light with the strongest highlight only: one for each would hide the rest.
-    let highlight = |light: &&ExplainedLight| luminance(light.terms.specular.lane(0));
-    let strongest = lit().max_by(|a, b| highlight(a).total_cmp(&highlight(b)));
-    if let Some(light) = strongest.filter(|light| highlight(light) > 0.0)
-        && let Some(cosine) = light.terms.specular_cosine
-        && let Some((name, vector)) =
-            light.highlight(&surface.material.constants.reflection, surface.normal, surface.view)
-    {
-        arrow(&format!("{name} {}", angle(cosine)), theme.vectors[3], vector);
-    }
-    arrow("N", theme.vectors[0], surface.normal);
     painter.circle(from, 4.0, theme.halo, Stroke::new(1.5, theme.accent));
     labels(&painter, theme, from, tips);
 }

@@ -1,16 +1,4 @@
-//! Integers: samples per pixel, threads.
-
-/// Samples per pixel.
-pub(crate) fn samples(text: &str) -> Result<u32, String> {
-    match text {
-        "1" => Ok(1),
-        "2" => Ok(2),
-        "4" => Ok(4),
-        "8" => Ok(8),
-        "16" => Ok(16),
-        _ => Err("use 1, 2, 4, 8 or 16".to_owned()),
-    }
-}
+//! The number of threads.
 
 /// The largest number of threads: more than any machine has, and few enough not to exhaust one.
 const MAX_THREADS: usize = 1024;
@@ -29,7 +17,6 @@ mod tests {
 
     #[test]
     fn numbers_out_of_range_are_refused() {
-        assert!(samples("3").is_err() && samples("16").is_ok() && samples("32").is_err());
         assert!(threads("0").is_err() && threads("-1").is_err() && threads("7").is_ok());
         assert!(threads("99999999999999999999").is_err());
     }

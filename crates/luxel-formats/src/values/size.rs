@@ -1,12 +1,15 @@
 //! `WxH`: the size of an image.
 
-use luxel::scene::Size;
+use luxel_scene::Size;
 
 /// The longest side of an image, in pixels.
 const MAX_SIDE: u32 = 16_384;
 
 /// Parses width and height.
-pub(crate) fn size(text: &str) -> Result<Size, String> {
+///
+/// # Errors
+/// Anything but two whole numbers from 1 to 16384 with an `x` between them.
+pub fn size(text: &str) -> Result<Size, String> {
     let (width, height) = text
         .split_once(['x', 'X'])
         .ok_or_else(|| "use WIDTHxHEIGHT in pixels, such as 1280x720".to_owned())?;

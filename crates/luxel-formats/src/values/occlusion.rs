@@ -1,13 +1,16 @@
 //! `RADIUS` of ambient occlusion, and numbers of rays.
 
-use luxel::formats::values::positive;
+use super::number::positive;
 
 /// The radius of ambient occlusion, possibly infinite; `None` for the default.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct OcclusionRadius(pub(crate) Option<f64>);
+pub struct OcclusionRadius(pub Option<f64>);
 
 /// Parses the radius of ambient occlusion.
-pub(crate) fn occlusion_radius(text: &str) -> Result<OcclusionRadius, String> {
+///
+/// # Errors
+/// Anything but a number above 0, `infinity` and `auto`.
+pub fn occlusion_radius(text: &str) -> Result<OcclusionRadius, String> {
     match text {
         "auto" => Ok(OcclusionRadius(None)),
         "infinity" | "inf" => Ok(OcclusionRadius(Some(f64::INFINITY))),
@@ -18,7 +21,10 @@ pub(crate) fn occlusion_radius(text: &str) -> Result<OcclusionRadius, String> {
 }
 
 /// Parses a number of rays.
-pub(crate) fn rays(text: &str) -> Result<u32, String> {
+///
+/// # Errors
+/// Anything but a whole number from 1 to 4096.
+pub fn rays(text: &str) -> Result<u32, String> {
     match text.parse() {
         Ok(count @ 1..=4096) => Ok(count),
         _ => Err("use a whole number from 1 to 4096".to_owned()),

@@ -1,11 +1,11 @@
 //! Parses an exposure.
 
 use super::finite;
-use luxel::lighting::Display;
+use luxel_lighting::Display;
 
-/// The value of `--exposure`.
+/// The exposure of a view.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Exposure {
+pub enum Exposure {
     /// In stops.
     Ev(f32),
     /// From the scene's own light.
@@ -13,7 +13,10 @@ pub(crate) enum Exposure {
 }
 
 /// A number of stops, or `auto`.
-pub(crate) fn exposure(text: &str) -> Result<Exposure, String> {
+///
+/// # Errors
+/// Other text, and stops beyond [`Display::MAX_EV`] either way.
+pub fn exposure(text: &str) -> Result<Exposure, String> {
     if text.trim() == "auto" {
         return Ok(Exposure::Auto);
     }

@@ -1,0 +1,75 @@
+// Builds the npm package and the pages: node build.mjs OUT. `package/wasm` holds the modules with their bindings.
+
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const out = resolve(process.argv[2] ?? "");
+if (process.argv.length !== 3) {
+  console.error("usage: node build.mjs OUT");
+  process.exit(2);
+}
+const common = { bundle: true, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" };
+
+// The package: one module for pages, one script for workers, and the modules of WebAssembly beside them.
+const npm = join(out, "npm");
+const dist = join(npm, "dist");
+rmSync(npm, { recursive: true, force: true });
+mkdirSync(dist, { recursive: true });
+await build({ ...common, entryPoints: [join(here, "package/src/index.ts")], outfile: join(dist, "luxel.js") });
+await build({ ...common, entryPoints: [join(here, "package/src/worker.ts")], outfile: join(dist, "worker.js") });
+for (const name of ["luxel_bg.wasm", "readers_bg.wasm"]) {
+  cpSync(join(here, "package/wasm", name), join(dist, name));
+}
+execFileSync(process.execPath, [join(here, "node_modules/typescript/bin/tsc"), "-p", join(here, "package"), "--outDir", dist], {
+  stdio: "inherit",
+});
+const version = /^version = "(.*)"/m.exec(readFileSync(join(here, "../Cargo.toml"), "utf8"))[1];
+const manifest = JSON.parse(readFileSync(join(here, "package/package.json"), "utf8"));
+writeFileSync(join(npm, "package.json"), `${JSON.stringify({ ...manifest, version }, null, 2)}\n`);
+cpSync(join(here, "package/README.md"), join(npm, "README.md"));
+for (const licence of ["LICENSE-APACHE", "LICENSE-MIT"]) {
+  cpSync(join(here, "..", licence), join(npm, licence));
+}
+
+// The pages, which share one copy of the package.
+const asPage = {
+  name: "luxel beside the page",
+  setup(bundle) {
+    bundle.onResolve({ filter: /^luxel$/ }, () => ({ path: "./luxel/luxel.js", external: true }));
+  },
+};
+mkdirSync(join(out, "luxel"), { recursive: true });
+cpSync(dist, join(out, "luxel"), { recursive: true, filter: (path) => !path.endsWith(".d.ts") });
+await build({ ...common, plugins: [asPage], entryPoints: [join(here, "site/src/viewer.ts")], outdir: out });
+for (const name of ["index.html", "style.css", "favicon.svg"]) {
+  cpSync(join(here, "site", name), join(out, name));
+}
+
+// Still pictures, drawn by the same module: shown before it arrives, without JavaScript, and in print.
+const { initSync, Model, ModelView } = await import(join(here, "package/wasm/luxel.js"));
+initSync({ module: readFileSync(join(here, "package/wasm/luxel_bg.wasm")) });
+mkdirSync(join(out, "stills"), { recursive: true });
+const still = (demo, settings) => {
+  const view = ModelView.of(Model.demo(demo), JSON.stringify(settings));
+  const png = view.png();
+  view.free();
+  return png;
+};
+writeFileSync(join(out, "stills/teapot.png"), still("teapot", [["size", "1280x720"]]));
+
+// A browser asks for an icon of this name, whatever the page says: a PNG picture in the container of ICO files.
+const icon = still("spheres", [["size", "32x32"], ["samples", "16"]]);
+const head = Buffer.alloc(22);
+head.writeUInt16LE(1, 2);
+head.writeUInt16LE(1, 4);
+head.writeUInt8(32, 6);
+head.writeUInt8(32, 7);
+head.writeUInt16LE(1, 10);
+head.writeUInt16LE(32, 12);
+head.writeUInt32LE(icon.length, 14);
+head.writeUInt32LE(22, 18);
+writeFileSync(join(out, "favicon.ico"), Buffer.concat([head, icon]));

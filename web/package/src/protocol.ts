@@ -1,0 +1,90 @@
+/** What the page and its workers say to one another. */
+
+/** Bytes of a picture, or of a share of it: rows of tiles, one below the other. */
+export type Pixels = Uint8ClampedArray<ArrayBuffer>;
+
+/** An event of navigation: the name of a method and its arguments. */
+export type NavigationEvent =
+  | readonly ["grab", gesture: "turn" | "pan" | "zoom", x: number, y: number]
+  | readonly ["drag", x: number, y: number]
+  | readonly ["release"]
+  | readonly ["wheel", notches: number, x: number, y: number]
+  | readonly ["tap", command: string, steps: number]
+  | readonly ["play", line: string, seconds: number]
+  | readonly ["set_mode", mode: string]
+  | readonly ["look_from", name: string]
+  | readonly ["fit"]
+  | readonly ["turn_about", x: number, y: number]
+  | readonly ["home"];
+
+/** Where the camera is, after events. */
+export interface CameraState {
+  /** From world to camera coordinates: 16 numbers, column by column. */
+  viewFromWorld: number[];
+  /** From camera to clip coordinates: 16 numbers, column by column. */
+  clipFromView: number[];
+  mode: string;
+  isMoved: boolean;
+  /** Whether it still moves by itself. */
+  isMoving: boolean;
+  /** The camera as settings. */
+  settings: Record<string, string>;
+}
+
+/** What a frame is drawn from, by any worker that has the scene. */
+export interface Frame {
+  view: Uint8Array<ArrayBuffer>;
+  /** Counts changes of the scene: a drawer with another number needs it anew. */
+  version: number;
+  width: number;
+  height: number;
+  hasRays: boolean;
+  camera: CameraState;
+}
+
+/** The calls that a worker answers. */
+export interface Calls {
+  start(module: WebAssembly.Module, readersUrl: string): void;
+  demos(): string;
+  demo(id: number, name: string): string;
+  read(
+    id: number,
+    path: string,
+    files: [path: string, bytes: Uint8Array<ArrayBuffer>][],
+    maxMemory: number,
+  ): string;
+  freeModel(id: number): void;
+  open(id: number, model: number, settings: string): void;
+  close(id: number): void;
+  set(id: number, settings: string): void;
+  hide(id: number, objects: number[]): void;
+  step(id: number, events: readonly NavigationEvent[]): CameraState;
+  frame(id: number, isDraft: boolean, samples: number): Frame;
+  packedScene(id: number): Uint8Array<ArrayBuffer>;
+  layer(id: number, name: string): Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
+  layerPicture(id: number, name: string): Pixels;
+  png(id: number): Uint8Array<ArrayBuffer>;
+  pick(id: number, x: number, y: number, through: boolean): string;
+  pickRect(id: number, x: number, y: number, w: number, h: number, visible: boolean): string;
+  explain(id: number, x: number, y: number, format: "json" | "text" | "latex"): string;
+  ledger(id: number, x: number, y: number): string;
+  log(id: number): string;
+  check(id: number): { json: string; pixels: Pixels };
+  /** For drawers: the scene of a view, and which of its objects are hidden. */
+  prepare(id: number, version: number, scene: Uint8Array<ArrayBuffer>, hidden: number[]): void;
+  /** A share of a frame: every `parts`-th row of tiles from `part` on. */
+  draw(id: number, view: Uint8Array<ArrayBuffer>, part: number, parts: number): Pixels;
+  memory(): number;
+}
+
+export type CallName = keyof Calls;
+
+export interface Request {
+  id: number;
+  name: CallName;
+  parameters: unknown[];
+}
+
+export type Response =
+  | { id: number; result: unknown }
+  | { id: number; error: string; isFatal: boolean };

@@ -1,0 +1,240 @@
+/** Views: a scene seen by a camera, drawn by all workers, picked, explained and moved by one. */
+
+import { helpers, LuxelError, type Hand } from "./crew.ts";
+import type { Explanation, Hit, Ledger, LayerName, PickAnswer, RegionHit, CheckAnswer } from "./answers.ts";
+import type { CameraState, Frame, NavigationEvent, Pixels } from "./protocol.ts";
+import { pairs, type Settings } from "./settings.ts";
+
+/** The height of a row of tiles, in pixels. */
+const TILE = 64;
+
+/** How a picture is drawn. */
+export interface DrawOptions {
+  /** One sample and no rays, for a moving hand. */
+  draft?: boolean;
+  /** Samples a pixel instead of the view's own. */
+  samples?: number;
+  /** How many workers draw; by default one for small pictures, else all. */
+  workers?: number;
+}
+
+/** A drawn picture, by rows of tiles as workers have drawn them. */
+interface Drawn {
+  width: number;
+  height: number;
+  parts: Pixels[];
+  frame: Frame;
+}
+
+/** A view of a scene. Its calls are answered in the order in which they are made. */
+export class View {
+  readonly #hand: Hand;
+  readonly #id: number;
+  #hidden: number[] = [];
+  /** The versions of the scene that helpers have. */
+  #prepared = new WeakMap<Hand, Promise<number>>();
+  #isOpen = true;
+  readonly #onDispose: () => void;
+
+  /** @internal */
+  constructor(hand: Hand, id: number, onDispose: () => void) {
+    this.#hand = hand;
+    this.#id = id;
+    this.#onDispose = onDispose;
+  }
+
+  /** Replaces all settings. A camera moved by hand stays, unless the settings choose another than before. */
+  set(settings: Settings): Promise<void> {
+    return this.#hand.call("set", [this.#id, JSON.stringify(pairs(settings))]);
+  }
+
+  /** Hides objects, by their places in `scene.description.objects`, and shows all others. */
+  async hide(objects: Iterable<number>): Promise<void> {
+    this.#hidden = [...objects];
+    await this.#hand.call("hide", [this.#id, this.#hidden]);
+  }
+
+  /** The picture: straight alpha, the bytes of the program's. */
+  async render(options: DrawOptions = {}): Promise<ImageData> {
+    const { width, height, parts } = await this.#draw(options);
+    if (parts.length === 1) {
+      return new ImageData(parts[0]!, width, height);
+    }
+    const pixels = new Uint8ClampedArray(width * height * 4);
+    eachBand(width, height, parts, (band, top) => pixels.set(band, top * width * 4));
+    return new ImageData(pixels, width, height);
+  }
+
+  /** Draws the picture into a canvas, which takes its size; the camera that it shows. */
+  async draw(canvas: HTMLCanvasElement, options: DrawOptions = {}): Promise<CameraState & { hasRays: boolean }> {
+    const { width, height, parts, frame } = await this.#draw(options);
+    // Setting a size clears the canvas.
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    const context = canvas.getContext("2d");
+    if (context === null) {
+      throw new LuxelError("this canvas can't be drawn to");
+    }
+    eachBand(width, height, parts, (band, top) => {
+      context.putImageData(new ImageData(band, width, band.length / 4 / width), 0, top);
+    });
+    return { ...frame.camera, hasRays: frame.hasRays };
+  }
+
+  /** Layers as arrays, row by row from the top: ids as `Uint32Array`, others as `Float32Array`. */
+  async layers<N extends LayerName>(
+    names: readonly N[],
+  ): Promise<{ [K in N]: K extends "object" | "triangle" ? Uint32Array : Float32Array }> {
+    const layers: Record<string, Float32Array | Uint32Array> = {};
+    for (const name of names) {
+      layers[name] = await this.#hand.call("layer", [this.#id, name]);
+    }
+    return layers as { [K in N]: K extends "object" | "triangle" ? Uint32Array : Float32Array };
+  }
+
+  /** A layer as colours to look at, with the size of the view's picture. */
+  layerPicture(name: LayerName): Promise<Pixels> {
+    return this.#hand.call("layerPicture", [this.#id, name]);
+  }
+
+  /** The picture as a PNG file. */
+  async png(): Promise<Blob> {
+    return new Blob([await this.#hand.call("png", [this.#id])], { type: "image/png" });
+  }
+
+  /** What is visible at a point of the picture, in pixels from its upper left corner; null where nothing is. */
+  async pick(x: number, y: number): Promise<Hit | null> {
+    return (await this.pickAnswer(x, y)).hits[0] ?? null;
+  }
+
+  /** All surfaces at a point of the picture, nearest first. */
+  async pickThrough(x: number, y: number): Promise<Hit[]> {
+    return (await this.pickAnswer(x, y, true)).hits;
+  }
+
+  /** The document of `luxel pick --at X,Y --json`. */
+  async pickAnswer(x: number, y: number, through = false): Promise<PickAnswer> {
+    return JSON.parse(await this.#hand.call("pick", [this.#id, x, y, through]));
+  }
+
+  /** The objects in a rectangle of the picture, with the depths that they take there. */
+  async pickRect(x: number, y: number, w: number, h: number, visible = false): Promise<RegionHit[]> {
+    return JSON.parse(await this.#hand.call("pickRect", [this.#id, x, y, w, h, visible])).hits;
+  }
+
+  /** Why a pixel has its colour: the document of `luxel explain --at X,Y --json`. */
+  async explain(x: number, y: number): Promise<Explanation> {
+    return JSON.parse(await this.#hand.call("explain", [this.#id, x, y, "json"]));
+  }
+
+  /** Why a pixel has its colour, in words. */
+  explainText(x: number, y: number): Promise<string> {
+    return this.#hand.call("explain", [this.#id, x, y, "text"]);
+  }
+
+  /** Why a pixel has its colour, as LaTeX. */
+  explainLatex(x: number, y: number): Promise<string> {
+    return this.#hand.call("explain", [this.#id, x, y, "latex"]);
+  }
+
+  /** The ledger of a pixel for a page: lines of the equation, and vectors as they lie in the picture. */
+  async ledger(x: number, y: number): Promise<Ledger> {
+    return JSON.parse(await this.#hand.call("ledger", [this.#id, x, y]));
+  }
+
+  /** Moves the camera. */
+  navigate(...events: NavigationEvent[]): Promise<CameraState> {
+    return this.#hand.call("step", [this.#id, events]);
+  }
+
+  /** The log of all that has moved the camera; `luxel navigate --replay` plays it. */
+  log(): Promise<string> {
+    return this.#hand.call("log", [this.#id]);
+  }
+
+  /** What in the mesh spoils shading, and a picture that marks it. */
+  async check(): Promise<CheckAnswer> {
+    const { json, pixels } = await this.#hand.call("check", [this.#id]);
+    return { ...JSON.parse(json), pixels };
+  }
+
+  /** Frees the view's memory in all workers. */
+  dispose(): void {
+    if (!this.#isOpen) return;
+    this.#isOpen = false;
+    for (const hand of [this.#hand, ...helpers()]) {
+      hand.call("close", [this.#id]).catch(() => {});
+    }
+    this.#onDispose();
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+
+  async #draw({ draft = false, samples = 0, workers }: DrawOptions): Promise<Drawn> {
+    const frame = await this.#hand.call("frame", [this.#id, draft, samples]);
+    const { width, height, view } = frame;
+    const rows = Math.ceil(height / TILE);
+    /** A smaller picture is drawn before a second worker has heard of it. */
+    const least = 40_000;
+    const many = workers ?? (width * height < least ? 1 : Infinity);
+    const hands = [this.#hand, ...(many > 1 ? await this.#ready(frame.version, many - 1) : [])];
+    const count = Math.min(hands.length, rows);
+    const shares = hands.slice(0, count).map((hand, part) => {
+      return hand.call("draw", [this.#id, view, part, count]);
+    });
+    return { width, height, frame, parts: await Promise.all(shares) };
+  }
+
+  /** Helpers that have the scene. Those that don't are given it, and help with later pictures. */
+  async #ready(version: number, most: number): Promise<Hand[]> {
+    const ready: Hand[] = [];
+    for (const hand of helpers().slice(0, most)) {
+      const prepared = this.#prepared.get(hand);
+      const has = prepared && (await Promise.race([prepared, Promise.resolve(-1)]));
+      if (has === version) {
+        ready.push(hand);
+      } else if (prepared === undefined || has !== -1) {
+        const next = this.#prepare(hand, version);
+        next.catch(() => this.#prepared.delete(hand));
+        this.#prepared.set(hand, next);
+      }
+    }
+    return ready;
+  }
+
+  async #prepare(hand: Hand, version: number): Promise<number> {
+    await hand.ready;
+    const scene = await this.#hand.call("packedScene", [this.#id]);
+    await hand.call("prepare", [this.#id, version, scene, this.#hidden], [scene.buffer]);
+    return version;
+  }
+
+  /** Waits until all helpers have the scene. */
+  async ready(): Promise<void> {
+    await this.#hand.ready;
+    const { version } = await this.#hand.call("frame", [this.#id, true, 0]);
+    await this.#ready(version, Infinity);
+    await Promise.all(helpers().map((hand) => this.#prepared.get(hand)));
+  }
+}
+
+/** Each row of tiles with its first line; part p of n holds rows p, p + n, p + 2n and so on. */
+function eachBand(
+  width: number,
+  height: number,
+  parts: readonly Pixels[],
+  use: (band: Pixels, top: number) => void,
+): void {
+  if (parts.length === 1) {
+    use(parts[0]!, 0);
+    return;
+  }
+  for (let row = 0; row * TILE < height; row++) {
+    const start = Math.floor(row / parts.length) * TILE * width * 4;
+    const lines = Math.min(TILE, height - row * TILE);
+    use(parts[row % parts.length]!.subarray(start, start + lines * width * 4), row * TILE);
+  }
+}
+

@@ -1,0 +1,230 @@
+/** Runs in a worker: holds models and views in WebAssembly, and draws. */
+
+import initialize, { Drawer, Model, ModelView } from "../wasm/luxel.js";
+import type * as Readers from "../wasm/readers.js";
+import type { CallName, Calls, CameraState, Pixels, Request, Response } from "./protocol.ts";
+
+interface OpenView {
+  view: ModelView;
+  version: number;
+}
+
+const models = new Map<number, Model>();
+const views = new Map<number, OpenView>();
+const drawers = new Map<number, { drawer: Drawer; version: number }>();
+let memory: WebAssembly.Memory | undefined;
+let readersUrl = "";
+let readers: Promise<typeof Readers> | undefined;
+
+function got<T>(things: Map<number, T>, id: number, what: string): T {
+  const thing = things.get(id);
+  if (thing === undefined) {
+    throw new Error(`this ${what} is no longer there`);
+  }
+  return thing;
+}
+
+/** The module of readers, fetched for the first file. */
+async function readersModule(): Promise<typeof Readers> {
+  readers ??= import("../wasm/readers.js").then(async (module) => {
+    await module.default({ module_or_path: fetch(readersUrl) });
+    return module;
+  });
+  try {
+    return await readers;
+  } catch (error) {
+    readers = undefined;
+    throw error;
+  }
+}
+
+function cameraState(view: ModelView): CameraState {
+  const settings: Record<string, string> = {};
+  const pairs = view.camera_settings();
+  for (let at = 0; at + 1 < pairs.length; at += 2) {
+    settings[pairs[at]!] = pairs[at + 1]!;
+  }
+  return {
+    viewFromWorld: Array.from(view.camera),
+    clipFromView: Array.from(view.projection),
+    mode: view.mode,
+    isMoved: view.is_moved,
+    isMoving: view.is_moving,
+    settings,
+  };
+}
+
+function pixels(bytes: Uint8Array): Pixels {
+  return new Uint8ClampedArray(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength);
+}
+
+type Answers = { [N in CallName]: (...parameters: Parameters<Calls[N]>) => ReturnType<Calls[N]> | Promise<ReturnType<Calls[N]>> };
+
+const answers: Answers = {
+  async start(module, url) {
+    const exports = await initialize({ module_or_path: module });
+    memory = exports.memory;
+    readersUrl = url;
+  },
+
+  demos: () => Model.demos(),
+
+  demo(id, name) {
+    const model = Model.demo(name);
+    models.set(id, model);
+    return model.describe();
+  },
+
+  async read(id, path, list, maxMemory) {
+    const module = await readersModule();
+    const files = new module.Files();
+    for (const [name, bytes] of list) {
+      files.add(name, bytes);
+    }
+    // `read` takes the files, and frees them.
+    const read = module.read(path, files, maxMemory);
+    try {
+      const model = Model.unpack(read.take_scene(), read.warnings);
+      models.set(id, model);
+      return model.describe();
+    } finally {
+      read.free();
+    }
+  },
+
+  freeModel(id) {
+    models.get(id)?.free();
+    models.delete(id);
+  },
+
+  open(id, model, settings) {
+    views.set(id, { view: ModelView.of(got(models, model, "scene"), settings), version: 0 });
+  },
+
+  close(id) {
+    views.get(id)?.view.free();
+    views.delete(id);
+    drawers.get(id)?.drawer.free();
+    drawers.delete(id);
+  },
+
+  set(id, settings) {
+    const open = got(views, id, "view");
+    if (open.view.set(settings)) {
+      open.version += 1;
+    }
+  },
+
+  hide(id, objects) {
+    const open = got(views, id, "view");
+    open.view.hide(Uint32Array.from(objects));
+    open.version += 1;
+  },
+
+  step(id, events) {
+    const { view } = got(views, id, "view");
+    for (const [name, ...values] of events) {
+      (view[name] as (...values: unknown[]) => void).apply(view, values);
+    }
+    return cameraState(view);
+  },
+
+  frame(id, isDraft, samples) {
+    const { view, version } = got(views, id, "view");
+    return {
+      view: view.pack(isDraft, samples) as Uint8Array<ArrayBuffer>,
+      version,
+      width: view.width,
+      height: view.height,
+      hasRays: view.has_rays,
+      camera: cameraState(view),
+    };
+  },
+
+  packedScene: (id) => got(views, id, "view").view.pack_scene() as Uint8Array<ArrayBuffer>,
+
+  layer(id, name) {
+    const { view } = got(views, id, "view");
+    const isIds = name === "object" || name === "triangle";
+    return (isIds ? view.layer_ids(name) : view.layer(name)) as
+      Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
+  },
+
+  layerPicture: (id, name) => pixels(got(views, id, "view").view.layer_picture(name)),
+  png: (id) => got(views, id, "view").view.png() as Uint8Array<ArrayBuffer>,
+  pick: (id, x, y, through) => got(views, id, "view").view.pick_json(x, y, through),
+  pickRect: (id, x, y, w, h, visible) => got(views, id, "view").view.pick_rect(x, y, w, h, visible),
+
+  explain(id, x, y, format) {
+    const { view } = got(views, id, "view");
+    switch (format) {
+      case "json":
+        return view.explain_json(x, y);
+      case "latex":
+        return view.explain_latex(x, y);
+      case "text":
+        return view.explain(x, y);
+    }
+  },
+
+  ledger: (id, x, y) => got(views, id, "view").view.ledger(x, y),
+  log: (id) => got(views, id, "view").view.log(),
+
+  check(id) {
+    const checked = got(views, id, "view").view.check();
+    try {
+      return { json: checked.json, pixels: pixels(checked.take_pixels()) };
+    } finally {
+      checked.free();
+    }
+  },
+
+  prepare(id, version, scene, hidden) {
+    drawers.get(id)?.drawer.free();
+    drawers.delete(id);
+    drawers.set(id, { drawer: new Drawer(scene, Uint32Array.from(hidden)), version });
+  },
+
+  draw(id, view, part, parts) {
+    const leader = views.get(id);
+    return pixels(
+      leader === undefined
+        ? got(drawers, id, "view").drawer.draw_part(view, part, parts)
+        : leader.view.draw_part(view, part, parts),
+    );
+  },
+
+  memory: () => memory?.buffer.byteLength ?? 0,
+};
+
+/** The buffers of an answer that go to the page without a copy. */
+function buffers(result: unknown): ArrayBuffer[] {
+  const own = (value: unknown): ArrayBuffer[] =>
+    ArrayBuffer.isView(value) && value.buffer instanceof ArrayBuffer ? [value.buffer] : [];
+  const parts = typeof result === "object" && result !== null && !ArrayBuffer.isView(result);
+  return parts ? Object.values(result).flatMap(own) : own(result);
+}
+
+// One call after the other, also where one waits for the readers.
+let queue: Promise<void> = Promise.resolve();
+
+async function answer({ id, name, parameters }: Request): Promise<void> {
+  let response: Response;
+  let transfer: ArrayBuffer[] = [];
+  try {
+    const call = answers[name] as (...parameters: unknown[]) => unknown;
+    const result = await call(...parameters);
+    transfer = buffers(result);
+    response = { id, result };
+  } catch (error) {
+    // A trap leaves the module's memory in a state that nothing may rely on.
+    const isFatal = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+    const message = error instanceof Error ? error.message : String(error);
+    response = { id, error: message, isFatal };
+  }
+  postMessage(response, { transfer });
+}
+
+addEventListener("message", ({ data }: MessageEvent<Request>) => {
+  queue = queue.then(() => answer(data));
+});

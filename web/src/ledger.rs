@@ -1,0 +1,152 @@
+//! The ledger of a pixel for a page: its terms as lines, and its vectors as they lie in the picture.
+
+use crate::error::exception;
+use crate::view::ModelView;
+use luxel::render::{At, ExplainedSurface, Explanation, Seen, Unseen};
+use luxel::report::{
+    LedgerFactor, LedgerLine, LedgerVector, Report, TermKind, VectorKind, ledger_lines,
+    ledger_vectors, number,
+};
+use luxel::scene::DVec3;
+use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl ModelView {
+    /// Why a pixel has its colour, as JSON for a page: `pixel`, `rgba8`, `terms` (sums by kind), `samples` with
+    /// `lines` of the equation and `vectors` in the picture, and `hints`.
+    ///
+    /// # Errors
+    /// An exception for a place outside of the picture.
+    pub fn ledger(&self, x: u32, y: u32) -> Result<String, JsError> {
+        let explanation =
+            self.renderer.explain(&self.view, At::Pixel([x, y])).map_err(exception)?;
+        let unseen = Unseen::new(&self.renderer, &self.view, &explanation).map_err(exception)?;
+        let report = Report::new(&explanation, self.renderer.scene(), &self.view);
+        let hints = report.with_unseen(&unseen).hints();
+        Ok(json!({
+            "pixel": explanation.pixel,
+            "rgba8": explanation.rgba8,
+            "samples": explanation.samples.iter().map(|sample| {
+                let seen = sample.seen.iter().map(|seen| self.seen(seen, &explanation));
+                json!({ "weight": sample.weight, "layers": seen.collect::<Value>() })
+            }).collect::<Value>(),
+            "hints": hints.into_iter().map(|hint| hint.text()).collect::<Value>(),
+        })
+        .to_string())
+    }
+}
+
+impl ModelView {
+    fn seen(&self, seen: &Seen, explanation: &Explanation) -> Value {
+        let surface = match seen {
+            Seen::Background { color, alpha, ground } => {
+                let what = if ground.is_some() { "ground" } else { "background" };
+                return json!({ "what": what, "color": color, "alpha": alpha });
+            }
+            Seen::Surface(surface) => surface,
+        };
+        let scene = self.renderer.scene();
+        let object = self.renderer.objects().get(surface.object);
+        let path = object.map(|object| scene.path(object.node)).unwrap_or_default();
+        let vectors = ledger_vectors(surface);
+        json!({
+            "what": "surface",
+            "object": surface.name,
+            "path": path,
+            "triangle": surface.triangle,
+            "barycentric": surface.barycentric,
+            "position": surface.position,
+            "material": surface.material.name,
+            "alpha": surface.alpha,
+            "terms": terms(surface),
+            "sum": surface.sum,
+            "lines": ledger_lines(surface, &explanation.display).iter().filter_map(line).collect::<Value>(),
+            "vectors": vectors.iter().map(|vector| self.vector(vector)).collect::<Value>(),
+        })
+    }
+
+    /// A vector as it lies in the picture: x to the right, y down, in parts of its length.
+    fn vector(&self, of: &LedgerVector) -> Value {
+        let LedgerVector { kind, name, vector, cosine, light } = of;
+        let vector = DVec3::from_array(vector.map(f64::from));
+        let in_view = self.view.camera.view_from_world.transform_vector3(vector);
+        let kind = match kind {
+            VectorKind::Normal => "normal",
+            VectorKind::View => "view",
+            VectorKind::ToLight => "light",
+            VectorKind::Highlight => "highlight",
+        };
+        json!({
+            "kind": kind,
+            "name": name,
+            "light": light,
+            "cosine": cosine,
+            "vector": vector.to_array(),
+            "picture": [in_view.x, -in_view.y],
+        })
+    }
+}
+
+/// The terms that reach the eye, summed by kind.
+fn terms(surface: &ExplainedSurface) -> Value {
+    let clear = surface.fog.map_or(1.0, |(factor, _)| factor);
+    let mut sums = [[0.0_f32; 3]; 3];
+    let mut add = |kind: usize, value: [f32; 3]| {
+        sums[kind].iter_mut().zip(value).for_each(|(sum, value)| *sum += value * clear);
+    };
+    add(0, surface.scene_ambient);
+    for light in &surface.lights {
+        add(0, light.terms.ambient.lane(0));
+        add(1, light.terms.diffuse.lane(0));
+        add(2, light.terms.specular.lane(0));
+    }
+    let fog = surface.fog.map(|(factor, color)| color.map(|channel| channel * (1.0 - factor)));
+    json!({
+        "emission": surface.emission.map(|channel| channel * clear),
+        "ambient": sums[0],
+        "diffuse": sums[1],
+        "specular": sums[2],
+        "environment": surface.environment.map(|channel| channel * clear),
+        "fog": fog.unwrap_or_default(),
+    })
+}
+
+fn line(line: &LedgerLine) -> Option<Value> {
+    let factor = |factor: &LedgerFactor| json!({ "symbol": factor.symbol, "meaning": factor.meaning, "number": factor.number });
+    let color = |value: &[f32; 3]| value.map(number);
+    Some(match line {
+        LedgerLine::Heading { name, facts } => {
+            json!({ "what": "heading", "name": name, "facts": facts })
+        }
+        LedgerLine::Term { kind, name, factors, value, is_part } => json!({
+            "what": "term",
+            "kind": kind_name(*kind),
+            "name": name,
+            "factors": factors.iter().map(factor).collect::<Value>(),
+            "value": color(value),
+            "is_part": is_part,
+        }),
+        LedgerLine::Note(text) => json!({ "what": "note", "text": text }),
+        LedgerLine::Sum { kind, name, value, note } => json!({
+            "what": "sum",
+            "kind": kind_name(*kind),
+            "name": name,
+            "value": color(value),
+            "note": note,
+        }),
+        _ => return None,
+    })
+}
+
+fn kind_name(kind: TermKind) -> &'static str {
+    match kind {
+        TermKind::Ambient => "ambient",
+        TermKind::Diffuse => "diffuse",
+        TermKind::Specular => "specular",
+        TermKind::Emission => "emission",
+        TermKind::Environment => "environment",
+        TermKind::Fog => "fog",
+        _ => "sum",
+    }
+}
