@@ -44,8 +44,10 @@ const asPage = {
 };
 mkdirSync(join(out, "luxel"), { recursive: true });
 cpSync(dist, join(out, "luxel"), { recursive: true, filter: (path) => !path.endsWith(".d.ts") });
-await build({ ...common, plugins: [asPage], entryPoints: [join(here, "site/src/viewer.ts")], outdir: out });
-for (const name of ["index.html", "style.css", "favicon.svg"]) {
+const articles = ["light"];
+const entries = ["viewer", ...articles].map((name) => join(here, `site/src/${name}.ts`));
+await build({ ...common, plugins: [asPage], entryPoints: entries, outdir: out });
+for (const name of ["index.html", ...articles.map((name) => `${name}.html`), "style.css", "favicon.svg"]) {
   cpSync(join(here, "site", name), join(out, name));
 }
 
@@ -53,16 +55,28 @@ for (const name of ["index.html", "style.css", "favicon.svg"]) {
 const { initSync, Model, ModelView } = await import(join(here, "package/wasm/luxel.js"));
 initSync({ module: readFileSync(join(here, "package/wasm/luxel_bg.wasm")) });
 mkdirSync(join(out, "stills"), { recursive: true });
+/** What a file of TypeScript exports that needs no document. */
+const exportsOf = async (file) => {
+  const { outputFiles } = await build({ ...common, entryPoints: [join(here, file)], write: false });
+  return import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`);
+};
+const { pairs } = await exportsOf("package/src/settings.ts");
 const still = (demo, settings) => {
-  const view = ModelView.of(Model.demo(demo), JSON.stringify(settings));
+  const view = ModelView.of(Model.demo(demo), JSON.stringify(pairs(settings)));
   const png = view.png();
   view.free();
   return png;
 };
-writeFileSync(join(out, "stills/teapot.png"), still("teapot", [["size", "1280x720"]]));
+writeFileSync(join(out, "stills/teapot.png"), still("teapot", { size: "1280x720" }));
+for (const article of articles) {
+  const { FIGURES, firstSettings } = await exportsOf(`site/src/figures/${article}.ts`);
+  for (const figure of FIGURES) {
+    writeFileSync(join(out, `stills/${article}-${figure.id}.png`), still(figure.demo, firstSettings(figure)));
+  }
+}
 
 // A browser asks for an icon of this name, whatever the page says: a PNG picture in the container of ICO files.
-const icon = still("spheres", [["size", "32x32"], ["samples", "16"]]);
+const icon = still("spheres", { size: "32x32", samples: 16 });
 const head = Buffer.alloc(22);
 head.writeUInt16LE(1, 2);
 head.writeUInt16LE(1, 4);

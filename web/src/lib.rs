@@ -17,6 +17,7 @@ mod ledger;
 mod model;
 mod motion;
 mod view;
+mod vocabulary;
 
 pub use check::CheckedModel;
 pub use drawer::Drawer;

@@ -173,6 +173,8 @@ fn command_names() -> Vec<String> {
 mod scene_file_page;
 #[cfg(test)]
 mod scene_file_tests;
+#[cfg(test)]
+mod settings_tests;
 #[cfg(all(test, feature = "viewer"))]
 mod view_line_tests;
 

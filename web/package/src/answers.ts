@@ -198,6 +198,29 @@ export interface Description {
   warnings: string[];
 }
 
+/** A number that a reflection model depends on. */
+export interface Parameter {
+  name: string;
+  symbol: string;
+  help: string;
+  is_whole: boolean;
+  /** The largest value that sliders offer. */
+  slider_end: number;
+  default: number;
+}
+
+export interface Choice {
+  name: string;
+  help: string;
+}
+
+/** What can be chosen in settings. */
+export interface Vocabulary {
+  reflections: (Choice & { formula: string; source: string; parameters: Parameter[] })[];
+  shadings: Choice[];
+  tones: Choice[];
+}
+
 export interface Demo {
   name: string;
   about: string;

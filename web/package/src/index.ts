@@ -16,7 +16,7 @@
  * what an address names.
  */
 
-import type { Demo, Description } from "./answers.ts";
+import type { Demo, Description, Vocabulary } from "./answers.ts";
 import { leader, type Hand } from "./crew.ts";
 import { filesOf, type Source } from "./files.ts";
 import { pairs, type Settings } from "./settings.ts";
@@ -106,6 +106,13 @@ export async function demos(): Promise<Demo[]> {
   const hand = leader();
   await hand.ready;
   return JSON.parse(await hand.call("demos", []));
+}
+
+/** What can be chosen in settings: reflection models with their parameters, shading modes, tone curves. */
+export async function vocabulary(): Promise<Vocabulary> {
+  const hand = leader();
+  await hand.ready;
+  return JSON.parse(await hand.call("vocabulary", []));
 }
 
 /** The bytes of WebAssembly's memory in the leading worker. */

@@ -46,6 +46,7 @@ export interface Frame {
 export interface Calls {
   start(module: WebAssembly.Module, readersUrl: string): void;
   demos(): string;
+  vocabulary(): string;
   demo(id: number, name: string): string;
   read(
     id: number,

@@ -68,6 +68,7 @@ const answers: Answers = {
   },
 
   demos: () => Model.demos(),
+  vocabulary: () => Model.vocabulary(),
 
   demo(id, name) {
     const model = Model.demo(name);

@@ -46,7 +46,10 @@ export function listenToDrops(hint: HTMLElement, open: (files: Map<string, File>
     depth = Math.max(0, depth - 1);
     show(depth > 0);
   });
-  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("dragover", (event) => {
+    event.preventDefault();
+    if (event.dataTransfer) event.dataTransfer.dropEffect = "copy";
+  });
   addEventListener("drop", (event) => {
     event.preventDefault();
     depth = 0;

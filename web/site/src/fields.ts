@@ -64,7 +64,12 @@ export function colorRow(
   let [color, scale] = [value.map((part) => part / most), most];
   const well = element("input", { type: "color", id, value: hexOf(color) });
   const times = element("input", { type: "number", min: "0", step: "0.1", "aria-label": `${label}, times`, value: String(Number(scale.toPrecision(4))) });
-  const tell = (): void => change(color.map((part) => part * scale) as [number, number, number]);
+  const tell = (): void => {
+    // Black stays black, times any number.
+    times.disabled = color.every((part) => part === 0);
+    change(color.map((part) => part * scale) as [number, number, number]);
+  };
+  times.disabled = color.every((part) => part === 0);
   well.addEventListener("input", () => {
     color = linearOf(well.value);
     tell();

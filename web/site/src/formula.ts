@@ -23,10 +23,10 @@ function row(text: string): Element[] {
   const made: Element[] = [];
   let rest = text;
   while (rest !== "") {
-    const indexed = /^([A-Za-z]+)_([A-Za-z]+(?:,[a-z])?)/.exec(rest);
+    const indexed = /^([A-Za-z]+)_([A-Za-z0-9]+(?:,[a-z])?)/.exec(rest);
     const powered = /^((?:max)?\([^()]*\))\^([A-Za-z0-9]+)/.exec(rest);
     if (indexed) {
-      made.push(math("msub", math("mi", indexed[1]!), math("mi", indexed[2]!)));
+      made.push(math("msub", math("mi", indexed[1]!), math(/^[0-9]/.test(indexed[2]!) ? "mn" : "mi", indexed[2]!)));
       rest = rest.slice(indexed[0].length);
     } else if (powered) {
       made.push(math("msup", math("mrow", ...row(powered[1]!)), math("mi", powered[2]!)));

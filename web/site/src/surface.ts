@@ -1,6 +1,6 @@
 /** Controls of surfaces, shading and the picture, as flags of the program. */
 
-import type { Description } from "luxel";
+import type { Description, Vocabulary } from "luxel";
 import { element } from "./dom.ts";
 import { choiceRow, colorRow, numberRow, switchOf } from "./fields.ts";
 
@@ -8,8 +8,6 @@ import { choiceRow, colorRow, numberRow, switchOf } from "./fields.ts";
 export type PageSettings = Record<string, string | string[] | boolean>;
 
 const SAME = "as in the file";
-const REFLECTIONS = [SAME, "unlit", "lambert", "oren-nayar", "phong", "blinn-phong", "toon", "microfacet", "mirror", "retro"];
-const SHADINGS = ["phong", "gouraud", "flat", "subdivided"];
 
 function set(settings: PageSettings, name: string, value: string | boolean | undefined, changed: () => void): void {
   if (value === undefined || value === false) delete settings[name];
@@ -17,43 +15,62 @@ function set(settings: PageSettings, name: string, value: string | boolean | und
   changed();
 }
 
-/** Material and shading. */
-export function showSurface(panel: HTMLElement, settings: PageSettings, description: Description, changed: () => void): void {
-  const first = description.materials[0];
-  const number = (name: string, label: string, otherwise: number, max: number, step: number): HTMLElement[] => {
-    const inFile = first?.[name];
-    const value = Number(settings[name] ?? (typeof inFile === "number" ? inFile : otherwise));
-    return numberRow({ label, value, min: 0, max, step, change: (typed) => set(settings, name, String(Math.max(0, typed)), changed) });
+/** Material and shading: the parameters that the reflection model heeds. */
+export function showSurface(
+  panel: HTMLElement,
+  settings: PageSettings,
+  description: Description,
+  vocabulary: Vocabulary,
+  changed: () => void,
+): void {
+  const again = (): void => {
+    showSurface(panel, settings, description, vocabulary, changed);
+    changed();
   };
-  const color = typeof settings["color"] === "string" ? settings["color"].split(",").map(Number) : (first?.color ?? [0.6, 0.57, 0.52]);
+  const first = description.materials[0];
+  const chosen = settings["reflection"] as string | undefined;
+  const name = (chosen ?? first?.reflection ?? "").split(":")[0];
+  const model = vocabulary.reflections.find((one) => one.name === name);
+  const numbers = (model?.parameters ?? []).flatMap((parameter) => {
+    const { name, symbol, is_whole, slider_end } = parameter;
+    const inFile = first?.[name];
+    const value = Number(settings[name] ?? (typeof inFile === "number" ? inFile : parameter.default));
+    const shown = Number(value.toPrecision(6));
+    const step = is_whole || slider_end > 50 ? 1 : slider_end / 100;
+    const change = (typed: number): void => set(settings, name, String(Math.max(is_whole ? 1 : 0, typed)), changed);
+    return numberRow({ label: symbol, value: shown, min: 0, max: slider_end, step, change });
+  });
+  const given = settings["color"];
+  const color = typeof given === "string" ? given.split(",").map(Number) : (first?.color ?? [0.6, 0.57, 0.52]);
   const rows = [
-    ...choiceRow("reflection", REFLECTIONS, (settings["reflection"] as string) ?? SAME, (value) =>
-      set(settings, "reflection", value === SAME ? undefined : value, changed),
-    ),
+    ...choiceRow("reflection", [SAME, ...vocabulary.reflections.map((one) => one.name)], chosen ?? SAME, (value) => {
+      if (value === SAME) delete settings["reflection"];
+      else settings["reflection"] = value;
+      again();
+    }),
     ...colorRow("O_d", color, (value) => set(settings, "color", value.join(","), changed)),
-    ...number("ka", "k_a", 1, 1, 0.01),
-    ...number("kd", "k_d", 1, 1, 0.01),
-    ...number("ks", "k_s", 0.2, 1, 0.01),
-    ...number("shininess", "n", 32, 256, 1),
-    ...number("roughness", "roughness", 0.5, 1, 0.01),
-    ...number("metallic", "metallic", 0, 1, 0.01),
-    ...choiceRow("shading", SHADINGS, (settings["shading"] as string) ?? "phong", (value) =>
+    ...numbers,
+    ...choiceRow("shading", vocabulary.shadings.map((one) => one.name), (settings["shading"] as string) ?? "phong", (value) =>
       set(settings, "shading", value === "phong" ? undefined : value, changed),
     ),
   ];
   const reset = element("button", { type: "button" }, "As in the file");
   reset.addEventListener("click", () => {
-    for (const name of ["reflection", "color", "ka", "kd", "ks", "shininess", "roughness", "metallic", "emission", "shading"]) {
-      delete settings[name];
-    }
-    showSurface(panel, settings, description, changed);
-    changed();
+    const parameters = vocabulary.reflections.flatMap((one) => one.parameters.map((parameter) => parameter.name));
+    for (const name of ["reflection", "color", "emission", "shading", ...parameters]) delete settings[name];
+    again();
   });
-  panel.replaceChildren(element("div", { class: "fields" }, ...rows), reset);
+  const help = element("p", { class: "quiet" }, model === undefined ? "" : `${model.name}: ${model.help}`);
+  panel.replaceChildren(element("div", { class: "fields" }, ...rows), help, reset);
 }
 
 /** Shadows, occlusion, exposure and samples. */
-export function showPicture(panel: HTMLElement, settings: PageSettings, changed: () => void): void {
+export function showPicture(
+  panel: HTMLElement,
+  settings: PageSettings,
+  vocabulary: Vocabulary,
+  changed: () => void,
+): void {
   const flag = (name: string, label: string): HTMLElement =>
     switchOf(label, settings[name] !== undefined, (isOn) => set(settings, name, isOn, changed));
   const rows = [
@@ -66,7 +83,7 @@ export function showPicture(panel: HTMLElement, settings: PageSettings, changed:
     ...choiceRow("exposure", ["0", "auto", "-2", "-1", "1", "2"], String(settings["exposure"] ?? "0"), (value) =>
       set(settings, "exposure", value === "0" ? undefined : value, changed),
     ),
-    ...choiceRow("tone", ["none", "neutral", "aces", "agx"], String(settings["tone"] ?? "none"), (value) =>
+    ...choiceRow("tone", vocabulary.tones.map((one) => one.name), String(settings["tone"] ?? "none"), (value) =>
       set(settings, "tone", value === "none" ? undefined : value, changed),
     ),
     ...choiceRow("environment", ["default", "none", "studio"], String(settings["environment"] ?? "default"), (value) =>

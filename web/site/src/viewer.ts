@@ -5,6 +5,7 @@ import {
   demos,
   load,
   LuxelError,
+  vocabulary,
   WorkerEndedError,
   type CameraState,
   type LayerName,
@@ -14,6 +15,7 @@ import {
   type Settings,
   type Source,
   type View,
+  type Vocabulary,
 } from "luxel";
 import { byId, element } from "./dom.ts";
 import { listenToDrops } from "./dropping.ts";
@@ -61,6 +63,7 @@ let lights: Light[] = [];
 let hasLights = false;
 let camera: CameraState | undefined;
 let isChecked = false;
+let vocabularyOnce: Promise<Vocabulary> | undefined;
 const layerChoice = byId<HTMLSelectElement>("layer");
 const modeChoice = byId<HTMLSelectElement>("mode");
 
@@ -76,11 +79,12 @@ async function attempt(work: () => Promise<void>): Promise<void> {
   try {
     await work();
   } catch (error) {
+    status.textContent = model.name;
     const text = error instanceof LuxelError ? error.message : String(error);
     message.textContent = text;
     message.hidden = false;
     if (error instanceof WorkerEndedError) {
-      view = scene = undefined;
+      view = scene = vocabularyOnce = undefined;
       await attempt(() => show(() => demo("teapot"), { demo: "teapot", name: "demo:teapot" }, {}, true));
     } else if (!(error instanceof LuxelError)) {
       console.error(error);
@@ -210,12 +214,16 @@ let isStale = false;
 
 /** Applies the settings as they are then, once for all changes of a moment. */
 function changed(): void {
+  message.hidden = true;
+  apply();
+}
+
+function apply(): void {
   isStale = true;
   settingTimer ??= (async () => {
     await attempt(async () => {
       while (isStale && view !== undefined) {
         isStale = false;
-        message.hidden = true;
         await view.set(allSettings());
         redraw();
       }
@@ -333,7 +341,7 @@ async function show(
 ): Promise<void> {
   if (!keepsMessage) message.hidden = true;
   status.textContent = `reading ${of.name} ...`;
-  const opened = await open();
+  const [opened, words] = await Promise.all([open(), (vocabularyOnce ??= vocabulary())]);
   const next = { ...given };
   const { description } = opened;
   const given_lights = next["light"];
@@ -368,8 +376,8 @@ async function show(
     settings["ambient"] ??= description.ambient.join(",");
     changed();
   });
-  showSurface(byId("surface"), settings, description, changed);
-  showPicture(byId("picture-settings"), settings, changed);
+  showSurface(byId("surface"), settings, description, words, changed);
+  showPicture(byId("picture-settings"), settings, words, changed);
   byId("ledger").replaceChildren(element("p", { class: "quiet" }, "Point at the picture. A click keeps the pixel; a second one, or Escape, lets it go."));
   status.textContent = `${of.name}: point at the picture to see why it has its colour`;
   document.title = `${of.name}: luxel`;
@@ -479,7 +487,7 @@ function connect(): void {
   };
   listen(canvas, hand, () => camera?.mode ?? "turntable");
   new ResizeObserver(() => {
-    if (!isFixed && view !== undefined && sizeOfPage() !== `${canvas.width}x${canvas.height}`) changed();
+    if (!isFixed && view !== undefined && sizeOfPage() !== `${canvas.width}x${canvas.height}`) apply();
   }).observe(picture);
   addEventListener("hashchange", () => {
     const link = readLink(location.hash);

@@ -1,9 +1,9 @@
 //! The view, and the changes of the scene, that settings describe.
 
-use super::{SettingError, Settings};
+use super::{SettingError, Settings, names};
 use crate::default_view::{environment_of, lights_of};
 use luxel_formats::values::{self, Exposure, OcclusionRadius};
-use luxel_lighting::{Environment, PictureEncoding, Tone, parameters};
+use luxel_lighting::{Environment, PictureEncoding, Tone};
 use luxel_render::auto_exposure;
 use luxel_scene::{
     Background, DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource, Restyle, Scene, SceneLight,
@@ -84,7 +84,7 @@ impl Settings {
             reflection: self.parsed("reflection", values::reflection)?,
             ..Restyle::default()
         };
-        for parameter in parameters() {
+        for parameter in names::with_flags() {
             if let Some(value) =
                 self.parsed(parameter.name, |text| values::parameter(parameter, text))?
             {

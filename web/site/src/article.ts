@@ -1,0 +1,198 @@
+/** Makes the figures of an article live. */
+
+import { demo, LuxelError, type View } from "luxel";
+import { byId, element } from "./dom.ts";
+import type { Figure, Values } from "./figures/figure.ts";
+import { formula } from "./formula.ts";
+import { sentence, showLedger } from "./ledger.ts";
+import { draggable } from "./number.ts";
+import { showVectors } from "./overlay.ts";
+import { offer } from "./testing.ts";
+
+/** A figure in the page. */
+class LiveFigure {
+  readonly figure: Figure;
+  readonly canvas = element("canvas", { role: "img", tabindex: "0" });
+  readonly #overlay = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  readonly #ledger = element("div");
+  readonly #said = element("p", { class: "said", "aria-live": "polite" });
+  readonly #values: Values;
+  readonly #shown = new Map<string, ((value: number) => void)[]>();
+  #pixel: [number, number];
+  #view: View | undefined;
+  #isStale = true;
+  #isBusy = false;
+  #waiting: (() => void)[] = [];
+  pixels: Uint8ClampedArray | undefined;
+
+  constructor(figure: Figure) {
+    this.figure = figure;
+    this.#pixel = figure.pixel;
+    this.#values = Object.fromEntries(figure.numbers.map(({ name, value }) => [name, value]));
+  }
+
+  /** Puts the figure into its place in the page. */
+  place(): void {
+    const { id, size, formula: lines, tutors } = this.figure;
+    const place = byId(id);
+    const still = place.querySelector("img")!;
+    [this.canvas.width, this.canvas.height] = size;
+    this.canvas.setAttribute("aria-label", still.alt);
+    this.#overlay.setAttribute("viewBox", `0 0 ${size[0]} ${size[1]}`);
+    this.#overlay.setAttribute("aria-hidden", "true");
+    const picture = element("div", { class: "live-picture" }, this.canvas, this.#overlay);
+    still.replaceWith(picture);
+    this.canvas.hidden = true;
+    picture.prepend(still);
+    const numbers = element("div", { class: "numbers" });
+    for (const line of lines) numbers.append(element("p", { class: "line" }, ...this.#line(line, true)));
+    for (const tutor of tutors ?? []) numbers.append(this.#tutor(tutor));
+    const reset = element("button", { type: "button" }, "Start again");
+    reset.addEventListener("click", () => {
+      for (const { name, value } of this.figure.numbers) this.#set(name, value);
+      this.#changed();
+    });
+    const why = element("details", {}, element("summary", {}, "Why this pixel has its colour"), this.#ledger);
+    picture.after(numbers, this.#said, why, element("p", {}, reset));
+    this.canvas.addEventListener("click", (event) => this.#point(event));
+    this.canvas.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  /** The elements of a line: symbols as formulas if it is one, numbers as sliders. */
+  #line(text: string, isFormula: boolean): (Node | string)[] {
+    return text.split(/(\{\w+\})/).flatMap((part): (Node | string)[] => {
+      const name = /^\{(\w+)\}$/.exec(part)?.[1];
+      if (name === undefined) {
+        if (!isFormula) return [part];
+        return part.split(/([A-Za-z]+_[A-Za-z0-9]+|max\([^()]*\)(?:\^\w+)?|N\.L)/).map((word) =>
+          /_|max|N\.L/.test(word) ? formula(word) : word,
+        );
+      }
+      const number = this.figure.numbers.find((one) => one.name === name)!;
+      const slider = draggable({ ...number, value: this.#values[name]! }, (value) => {
+        this.#set(name, value);
+        this.#changed();
+      });
+      this.#shown.set(name, [...(this.#shown.get(name) ?? []), slider.set]);
+      return [slider.element];
+    });
+  }
+
+  #tutor({ title, lines }: { title: string; lines: string[] }): HTMLElement {
+    const code = element("pre", { class: "tutor" });
+    for (const line of lines) code.append(...this.#line(line, false), "\n");
+    const copy = element("button", { type: "button" }, "Copy");
+    copy.addEventListener("click", () => {
+      void navigator.clipboard.writeText((code.textContent ?? "").replace(/−/g, "-")).then(() => {
+        copy.textContent = "Copied";
+        setTimeout(() => (copy.textContent = "Copy"), 1500);
+      });
+    });
+    return element("section", {}, element("h3", {}, title, " ", copy), code);
+  }
+
+  #set(name: string, value: number): void {
+    this.#values[name] = value;
+    for (const show of this.#shown.get(name) ?? []) show(value);
+  }
+
+  #point(event: MouseEvent): void {
+    const box = this.canvas.getBoundingClientRect();
+    const part = (at: number, start: number, length: number, side: number): number =>
+      Math.min(Math.max(Math.floor(((at - start) / length) * side), 0), side - 1);
+    const { width, height } = this.canvas;
+    this.#pixel = [part(event.clientX, box.left, box.width, width), part(event.clientY, box.top, box.height, height)];
+    this.#changed();
+  }
+
+  #key(event: KeyboardEvent): void {
+    const steps: Record<string, [number, number]> = {
+      ArrowLeft: [-4, 0],
+      ArrowRight: [4, 0],
+      ArrowUp: [0, -4],
+      ArrowDown: [0, 4],
+    };
+    const step = steps[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    const { width, height } = this.canvas;
+    const [x, y] = this.#pixel;
+    this.#pixel = [Math.min(Math.max(x + step[0], 0), width - 1), Math.min(Math.max(y + step[1], 0), height - 1)];
+    this.#changed();
+  }
+
+  #changed(): void {
+    this.#isStale = true;
+    void this.draw();
+  }
+
+  /** Draws until nothing has changed meanwhile. */
+  async draw(): Promise<void> {
+    if (this.#isBusy) return;
+    this.#isBusy = true;
+    try {
+      while (this.#isStale) {
+        this.#isStale = false;
+        const settings = { size: this.figure.size, ...this.figure.settings(this.#values) };
+        if (this.#view === undefined) {
+          this.#view = await (await demo(this.figure.demo)).view(settings);
+        } else {
+          await this.#view.set(settings);
+        }
+        const image = await this.#view.render({ workers: 1 });
+        this.canvas.getContext("2d")!.putImageData(image, 0, 0);
+        this.pixels = image.data;
+        this.canvas.hidden = false;
+        this.canvas.parentElement?.querySelector("img")?.remove();
+        const ledger = await this.#view.ledger(...this.#pixel);
+        showLedger(this.#ledger, ledger, false);
+        showVectors(this.#overlay, ledger, [this.#pixel[0] + 0.5, this.#pixel[1] + 0.5]);
+        this.#said.textContent = sentence(ledger);
+      }
+    } catch (error) {
+      this.#said.textContent = error instanceof LuxelError ? error.message : String(error);
+    }
+    this.#isBusy = false;
+    this.#waiting.splice(0).forEach((done) => done());
+  }
+
+  /** Resolves when nothing is left to draw. */
+  settled(): Promise<void> {
+    return this.#isBusy || this.#isStale ? new Promise((resolve) => this.#waiting.push(resolve)) : Promise.resolve();
+  }
+
+  explain(x: number, y: number): ReturnType<View["explain"]> {
+    if (this.#view === undefined) throw new LuxelError("there is no picture yet");
+    return this.#view.explain(x, y);
+  }
+}
+
+/** Makes figures live, each when it comes near the window; the first one at once. */
+export function article(figures: readonly Figure[]): void {
+  const live = figures.map((figure) => new LiveFigure(figure));
+  live.forEach((figure) => figure.place());
+  const near = new IntersectionObserver(
+    (entries) => {
+      for (const { isIntersecting, target } of entries) {
+        const figure = live.find((one) => one.figure.id === target.id);
+        if (isIntersecting && figure) {
+          near.unobserve(target);
+          void figure.draw();
+        }
+      }
+    },
+    { rootMargin: "300px" },
+  );
+  live.forEach((figure) => near.observe(byId(figure.figure.id)));
+  const of = (canvas?: HTMLCanvasElement): LiveFigure => live.find((one) => one.canvas === canvas) ?? live[0]!;
+  offer(live[0]!.draw(), {
+    pixels: (canvas) => of(canvas).pixels,
+    explain: async (x, y) => {
+      await live[0]!.settled();
+      return live[0]!.explain(x, y);
+    },
+    settled: async () => {
+      await Promise.all(live.map((figure) => figure.draw().then(() => figure.settled())));
+    },
+  });
+}
