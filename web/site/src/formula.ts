@@ -13,7 +13,7 @@ function plain(text: string): Element[] {
   const parts = text.match(/[A-Za-z]+'?|[0-9.]+|[^A-Za-z0-9.\s]|\./g) ?? [];
   return parts.map((part) => {
     if (/^[0-9]/.test(part)) return math("mn", part);
-    if (/^[A-Za-z]/.test(part)) return math("mi", part);
+    if (/^[A-Za-z]/.test(part)) return math("mi", part === "pi" ? "π" : part);
     return math("mo", part === "." ? "·" : part === "-" ? "−" : part);
   });
 }
@@ -31,6 +31,11 @@ function row(text: string): Element[] {
     } else if (powered) {
       made.push(math("msup", math("mrow", ...row(powered[1]!)), math("mi", powered[2]!)));
       rest = rest.slice(powered[0].length);
+    } else if (rest.startsWith(" ")) {
+      const space = math("mspace");
+      space.setAttribute("width", "0.2em");
+      made.push(space);
+      rest = rest.trimStart();
     } else {
       const next = /^(?:[A-Za-z]+'?(?!_)|.)/.exec(rest)![0];
       made.push(...plain(next));

@@ -264,7 +264,7 @@ function showAnswer(ledger: Ledger, at: [number, number]): void {
 async function ask(): Promise<void> {
   const at = kept ?? pointed;
   if (isAsking || view === undefined) return;
-  if (at === undefined) {
+  if (at === undefined || isChecked) {
     showVectors(overlay, undefined, [0, 0]);
     return;
   }
@@ -327,6 +327,7 @@ async function check(): Promise<void> {
   const none = element("p", {}, `Nothing found in ${triangles.toLocaleString("en")} triangles.`);
   byId("findings").replaceChildren(...(entries.length > 0 ? entries : [none]));
   byId("findings-panel").hidden = false;
+  askAgain();
   byId("findings-panel").scrollIntoView({ block: "nearest" });
 }
 
