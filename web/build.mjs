@@ -44,10 +44,10 @@ const asPage = {
 };
 mkdirSync(join(out, "luxel"), { recursive: true });
 cpSync(dist, join(out, "luxel"), { recursive: true, filter: (path) => !path.endsWith(".d.ts") });
-const articles = ["light"];
+const articles = ["light", "shading"];
 const entries = ["viewer", ...articles].map((name) => join(here, `site/src/${name}.ts`));
 await build({ ...common, plugins: [asPage], entryPoints: entries, outdir: out });
-for (const name of ["index.html", ...articles.map((name) => `${name}.html`), "style.css", "favicon.svg"]) {
+for (const name of ["index.html", "light.html", "style.css", "favicon.svg"]) {
   cpSync(join(here, "site", name), join(out, name));
 }
 
@@ -68,12 +68,31 @@ const still = (demo, settings) => {
   return png;
 };
 writeFileSync(join(out, "stills/teapot.png"), still("teapot", { size: "1280x720" }));
-for (const article of articles) {
-  const { FIGURES, firstSettings } = await exportsOf(`site/src/figures/${article}.ts`);
-  for (const figure of FIGURES) {
-    writeFileSync(join(out, `stills/${article}-${figure.id}.png`), still(figure.demo, firstSettings(figure)));
-  }
+const light = await exportsOf("site/src/figures/light.ts");
+for (const figure of light.FIGURES) {
+  writeFileSync(join(out, `stills/light-${figure.id}.png`), still(figure.demo, light.firstSettings(figure)));
 }
+
+// Of a comparison the page has a line, `<!-- figure: ID: CAPTION -->`; the rest is in its data.
+const shading = await exportsOf("site/src/figures/shading.ts");
+let page = readFileSync(join(here, "site/shading.html"), "utf8");
+for (const figure of shading.FIGURES) {
+  const [width, height] = figure.size;
+  const pictures = shading.firstSettings(figure).map(({ demo, settings }, at) => {
+    const name = `stills/shading-${figure.id}-${["problem", "cure"][at]}.png`;
+    writeFileSync(join(out, name), still(demo, settings));
+    const { alt } = [figure.problem, figure.cure][at];
+    return `<img src="${name}" width="${width}" height="${height}" loading="lazy" alt="${alt}">`;
+  });
+  const line = new RegExp(`<!-- figure: ${figure.id}: (.*) -->`);
+  const [, caption] = line.exec(page);
+  page = page.replace(
+    line,
+    `<figure class="live" id="${figure.id}">\n<div class="stills">${pictures.join("")}</div>\n<figcaption>${caption}</figcaption>\n</figure>`,
+  );
+}
+if (page.includes("<!-- figure")) throw new Error("a figure of shading.html has no data");
+writeFileSync(join(out, "shading.html"), page);
 
 // A browser asks for an icon of this name, whatever the page says: a PNG picture in the container of ICO files.
 const icon = still("spheres", { size: "32x32", samples: 16 });

@@ -450,6 +450,54 @@ test("every number of the page on light changes its picture and its ledger, and 
   await page.close();
 });
 
+test("every number and choice of the page on shading changes a picture, and its stills are live", async () => {
+  const { page, faults } = await open(browser.context, `${site.address}/shading.html`);
+  await page.evaluate(() => window.luxel.settled());
+  const figures = page.locator("figure.live");
+  assert.equal(await figures.count(), 9);
+  for (let at = 0; at < (await figures.count()); at++) {
+    const figure = figures.nth(at);
+    const id = await figure.getAttribute("id");
+    const state = () =>
+      figure.evaluate(async (one) => {
+        await window.luxel.settled();
+        const digests = [];
+        for (const canvas of one.querySelectorAll("canvas")) {
+          const bytes = await crypto.subtle.digest("SHA-256", window.luxel.pixels(canvas));
+          digests.push([...new Uint8Array(bytes)].join());
+        }
+        return digests;
+      });
+    const first = await state();
+    for (const [side, name] of ["problem", "cure"].entries()) {
+      const still = await page.request.get(`${site.address}/stills/shading-${id}-${name}.png`);
+      const { data } = PNG.sync.read(await still.body());
+      assert.equal([...createHash("sha256").update(data).digest()].join(), first[side], `${id}, ${name}`);
+    }
+    assert.notEqual(first[0], first[1], `${id}: the cure changes something`);
+    assert.match(await figure.locator(".said").textContent(), /differ by up to [1-9]/);
+    for (const slider of await figure.locator("[role=slider]").all()) {
+      const before = await state();
+      await slider.press("PageUp");
+      await slider.press("ArrowUp");
+      assert.notDeepEqual(await state(), before, `${id}: ${await slider.getAttribute("aria-label")} changes nothing`);
+    }
+    for (const choice of await figure.locator("select").all()) {
+      const before = await state();
+      await choice.selectOption("flat");
+      assert.notDeepEqual(await state(), before);
+    }
+    const divider = figure.locator("input[type=range]");
+    await divider.focus();
+    await page.keyboard.press("End");
+    assert.equal(await figure.locator(".compared").evaluate((one) => one.style.getPropertyValue("--cut")), "100%");
+    await figure.locator("text=Start again").click();
+    assert.deepEqual(await state(), first);
+  }
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
 test("the tutor's command draws its picture", async () => {
   const { page } = await open(browser.context, `${site.address}/light.html`);
   await page.evaluate(() => window.luxel.settled());
@@ -470,7 +518,7 @@ test("the tutor's command draws its picture", async () => {
 
 test("axe finds nothing serious, in dark and light, on screens and phones", async () => {
   const axe = readFileSync(join(import.meta.dirname, "../node_modules/axe-core/axe.min.js"), "utf8");
-  for (const name of ["index.html", "light.html"]) {
+  for (const name of ["index.html", "light.html", "shading.html"]) {
     for (const colorScheme of ["dark", "light"]) {
       for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
         const { page, faults } = await open(browser.context, `${site.address}/${name}`, { colorScheme, viewport });
