@@ -1,7 +1,7 @@
 // Builds the npm package and the pages: node build.mjs OUT. `package/wasm` holds the modules with their bindings.
 
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -31,6 +31,7 @@ const version = /^version = "(.*)"/m.exec(readFileSync(join(here, "../Cargo.toml
 const manifest = JSON.parse(readFileSync(join(here, "package/package.json"), "utf8"));
 writeFileSync(join(npm, "package.json"), `${JSON.stringify({ ...manifest, version }, null, 2)}\n`);
 cpSync(join(here, "package/README.md"), join(npm, "README.md"));
+if (existsSync(join(here, "NOTICES.md"))) cpSync(join(here, "NOTICES.md"), join(npm, "NOTICES.md"));
 for (const licence of ["LICENSE-APACHE", "LICENSE-MIT"]) {
   cpSync(join(here, "..", licence), join(npm, licence));
 }

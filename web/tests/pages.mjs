@@ -478,8 +478,7 @@ test("every number and choice of the page on shading changes a picture, and its 
     assert.match(await figure.locator(".said").textContent(), /differ by up to [1-9]/);
     for (const slider of await figure.locator("[role=slider]").all()) {
       const before = await state();
-      await slider.press("PageUp");
-      await slider.press("ArrowUp");
+      await slider.press("End");
       assert.notDeepEqual(await state(), before, `${id}: ${await slider.getAttribute("aria-label")} changes nothing`);
     }
     for (const choice of await figure.locator("select").all()) {

@@ -3,7 +3,7 @@
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]
 
-use luxel::formats::{Error, GivenFiles, Limits, Loaded, open};
+use luxel::formats::{GivenFiles, Limits, Loaded, open};
 use std::path::{Path, PathBuf};
 use wasm_bindgen::prelude::*;
 
@@ -63,25 +63,19 @@ impl ReadModel {
 ///
 /// # Errors
 /// An exception with the place in the file, if it is damaged or exceeds the limit.
-pub fn read(path: &str, files: Files, max_memory: f64) -> Result<ReadModel, Error> {
+#[wasm_bindgen]
+pub fn read(path: &str, files: Files, max_memory: f64) -> Result<ReadModel, JsError> {
     let limits = Limits {
         max_memory: max_memory as u64,
         given: Some(GivenFiles::new(files.0)),
         ..Limits::default()
     };
-    let Loaded { scene, warnings, .. } = open(Path::new(path), &limits)?;
+    let loaded = open(Path::new(path), &limits);
+    let Loaded { scene, warnings, .. } =
+        loaded.map_err(|error| JsError::new(&error.to_string()))?;
+    // The files are no longer needed, and packing takes as much memory.
     drop(limits);
     let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     let warnings = serde_json::Value::from(warnings).to_string();
     Ok(ReadModel { scene: luxel::pack(&scene), warnings })
-}
-
-#[wasm_bindgen(js_name = read)]
-#[doc(hidden)]
-pub fn read_for_javascript(
-    path: &str,
-    files: Files,
-    max_memory: f64,
-) -> Result<ReadModel, JsError> {
-    read(path, files, max_memory).map_err(|error| JsError::new(&error.to_string()))
 }
