@@ -45,10 +45,10 @@ const asPage = {
 };
 mkdirSync(join(out, "luxel"), { recursive: true });
 cpSync(dist, join(out, "luxel"), { recursive: true, filter: (path) => !path.endsWith(".d.ts") });
-const articles = ["light", "shading"];
+const articles = ["light", "shading", "navigation"];
 const entries = ["viewer", ...articles].map((name) => join(here, `site/src/${name}.ts`));
 await build({ ...common, plugins: [asPage], entryPoints: entries, outdir: out });
-for (const name of ["index.html", "light.html", "style.css", "favicon.svg"]) {
+for (const name of ["index.html", "light.html", "navigation.html", "style.css", "favicon.svg"]) {
   cpSync(join(here, "site", name), join(out, name));
 }
 
@@ -73,6 +73,11 @@ const light = await exportsOf("site/src/figures/light.ts");
 for (const figure of light.FIGURES) {
   writeFileSync(join(out, `stills/light-${figure.id}.png`), still(figure.demo, light.firstSettings(figure)));
 }
+
+const navigation = await exportsOf("site/src/figures/navigation.ts");
+writeFileSync(join(out, "stills/navigation-look-at.png"), still("welcome", navigation.firstSettings(navigation.FIGURES[0])));
+writeFileSync(join(out, "stills/navigation-modes.png"), still("welcome", { size: [640, 400] }));
+writeFileSync(join(out, "stills/navigation-rolling-ball.png"), still("teapot", { size: [640, 400] }));
 
 // Of a comparison the page has a line, `<!-- figure: ID: CAPTION -->`; the rest is in its data.
 const shading = await exportsOf("site/src/figures/shading.ts");

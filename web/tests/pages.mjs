@@ -497,27 +497,74 @@ test("every number and choice of the page on shading changes a picture, and its 
   await page.close();
 });
 
-test("the tutor's command draws its picture", async () => {
-  const { page } = await open(browser.context, `${site.address}/light.html`);
+test("the tutors' commands draw their pictures", async () => {
+  for (const [name, id, model] of [["light", "tutor", "demo:teapot"], ["navigation", "look-at", "demo:welcome"]]) {
+    const { page, faults } = await open(browser.context, `${site.address}/${name}.html`);
+    await page.evaluate(() => window.luxel.settled());
+    const digest = () =>
+      page.evaluate(async (id) => {
+        await window.luxel.settled();
+        const bytes = await crypto.subtle.digest("SHA-256", window.luxel.pixels(document.querySelector(`#${id} canvas`)));
+        return [...new Uint8Array(bytes)].join();
+      }, id);
+    const sliders = page.locator(`#${id} [role=slider]`);
+    const seen = new Set();
+    for (const slider of await sliders.all()) {
+      const label = await slider.getAttribute("aria-label");
+      if (seen.has(label)) continue;
+      seen.add(label);
+      const before = await digest();
+      const isLast = (await slider.getAttribute("aria-valuenow")) === (await slider.getAttribute("aria-valuemax"));
+      await slider.press(isLast ? "PageDown" : "PageUp");
+      // The far plane lies beyond everything.
+      if (!label.includes("far plane")) assert.notEqual(await digest(), before, `${label} changes nothing`);
+    }
+    const text = await page.locator(`#${id} pre`).last().textContent();
+    const words = text.replace(/−/g, "-").replace(/\\\n/g, " ").trim().split(/\s+/);
+    const flags = [...words.slice(3, -2), "--size", "640x400"];
+    const expected = createHash("sha256").update(pixelsOfProgram(program, model, flags)).digest();
+    assert.equal(await digest(), [...expected].join(), name);
+    assert.deepEqual(faults, []);
+    await page.close();
+  }
+});
+
+test("the page on navigation moves by mouse, keys and buttons, in all modes, with its matrix and log", async () => {
+  const { page, faults } = await open(browser.context, `${site.address}/navigation.html`);
   await page.evaluate(() => window.luxel.settled());
-  const slider = page.locator("#tutor [role=slider]").first();
-  await slider.press("End");
-  const drawn = await page.evaluate(async () => {
-    await window.luxel.settled();
-    const bytes = await crypto.subtle.digest("SHA-256", window.luxel.pixels(document.querySelector("#tutor canvas")));
-    return [...new Uint8Array(bytes)].join();
-  });
-  const text = await page.locator("#tutor pre").last().textContent();
-  const words = text.replace(/−/g, "-").replace(/\\\n/g, " ").trim().split(/\s+/);
-  const flags = [...words.slice(3, -2), "--size", "640x400"];
-  const digest = createHash("sha256").update(pixelsOfProgram(program, "demo:teapot", flags)).digest();
-  assert.equal(drawn, [...digest].join());
+  const figure = page.locator("#modes");
+  const matrix = async () => {
+    await page.evaluate(() => window.luxel.settled());
+    return figure.locator("math").textContent();
+  };
+  await figure.scrollIntoViewIfNeeded();
+  const box = await figure.locator("canvas").boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  for (const mode of await figure.locator("select option").allTextContents()) {
+    await figure.locator("select").selectOption(mode);
+    const before = await matrix();
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 50, y + 10, { steps: 5 });
+    await page.mouse.up();
+    assert.notEqual(await matrix(), before, `${mode} by mouse`);
+    const dragged = await matrix();
+    await page.keyboard.press("ArrowLeft");
+    const buttons = { absolute: "turn-y+", "look-at": "target-x+" };
+    await figure.getByRole("button", { name: buttons[mode] ?? "forward", exact: true }).click();
+    assert.notEqual(await matrix(), dragged, `${mode} by button`);
+    assert.match(await figure.locator(".log").textContent(), /tap /);
+  }
+  const loop = page.locator("#rolling-ball");
+  const [area, angle] = (await loop.locator(".said").textContent()).match(/-?\d+\.\d+(?=°)/g).map(Number);
+  assert.ok(Math.abs(area - angle) < 0.06 * area, `${area} and ${angle} degrees`);
+  assert.deepEqual(faults, []);
   await page.close();
 });
 
 test("axe finds nothing serious, in dark and light, on screens and phones", async () => {
   const axe = readFileSync(join(import.meta.dirname, "../node_modules/axe-core/axe.min.js"), "utf8");
-  for (const name of ["index.html", "light.html", "shading.html"]) {
+  for (const name of ["index.html", "light.html", "shading.html", "navigation.html"]) {
     for (const colorScheme of ["dark", "light"]) {
       for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
         const { page, faults } = await open(browser.context, `${site.address}/${name}`, { colorScheme, viewport });

@@ -4,17 +4,19 @@ import { demo, LuxelError, type View } from "luxel";
 import { byId, element } from "./dom.ts";
 import type { Figure, Values } from "./figures/figure.ts";
 import { formula } from "./formula.ts";
+import { matrix } from "./matrix.ts";
 import { sentence, showLedger } from "./ledger.ts";
 import { draggable } from "./number.ts";
 import { showVectors } from "./overlay.ts";
 import { offer } from "./testing.ts";
 
 /** A figure in the page. */
-class LiveFigure {
+export class LiveFigure {
   readonly figure: Figure;
   readonly canvas = element("canvas", { role: "img", tabindex: "0" });
   readonly #overlay = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   readonly #ledger = element("div");
+  readonly #matrices = element("div", { class: "matrix" });
   readonly #said = element("p", { class: "said", "aria-live": "polite" });
   readonly #values: Values;
   readonly #shown = new Map<string, ((value: number) => void)[]>();
@@ -53,6 +55,7 @@ class LiveFigure {
       this.#changed();
     });
     const why = element("details", {}, element("summary", {}, "Why this pixel has its colour"), this.#ledger);
+    if (this.figure.showsMatrices) numbers.append(this.#matrices);
     picture.after(numbers, this.#said, why, element("p", {}, reset));
     this.canvas.addEventListener("click", (event) => this.#point(event));
     this.canvas.addEventListener("keydown", (event) => this.#key(event));
@@ -144,6 +147,10 @@ class LiveFigure {
         this.pixels = image.data;
         this.canvas.hidden = false;
         this.canvas.parentElement?.querySelector("img")?.remove();
+        if (this.figure.showsMatrices) {
+          const { viewFromWorld, clipFromView } = await this.#view.navigate();
+          this.#matrices.replaceChildren(matrix("V", viewFromWorld), matrix("P", clipFromView));
+        }
         const ledger = await this.#view.ledger(...this.#pixel);
         showLedger(this.#ledger, ledger, false);
         showVectors(this.#overlay, ledger, [this.#pixel[0] + 0.5, this.#pixel[1] + 0.5]);

@@ -29,6 +29,8 @@ export interface Figure {
    */
   formula: string[];
   /** The same in other words, each a text with `{name}`s: calls of OpenGL, for example. */
+  /** Whether the matrices of the camera stand below. */
+  showsMatrices?: boolean;
   tutors?: { title: string; lines: string[] }[];
   settings(values: Values): Settings;
 }
