@@ -24,8 +24,8 @@ export const FIGURES: Figure[] = [
       coordinate("tz", "the target's z", 0),
       { name: "ux", symbol: "", meaning: "x of the up direction", value: 0, min: -1, max: 1, step: 0.01 },
       { name: "fov", symbol: "", meaning: "the field of view from bottom to top, in degrees", value: 40, min: 5, max: 150, step: 1 },
-      { name: "near", symbol: "", meaning: "the distance of the near plane", value: 1, min: 0.1, max: 12, step: 0.1 },
-      { name: "far", symbol: "", meaning: "the distance of the far plane", value: 60, min: 6, max: 100, step: 0.5 },
+      { name: "near", symbol: "", meaning: "the distance of the near plane", value: 1, min: 0.1, max: 9.9, step: 0.1 },
+      { name: "far", symbol: "", meaning: "the distance of the far plane", value: 60, min: 10, max: 100, step: 0.5 },
     ],
     formula: [],
     tutors: [
@@ -54,7 +54,7 @@ export const FIGURES: Figure[] = [
       up: `${ux},1,0`,
       fov: fov!,
       near: near!,
-      far: Math.max(far!, near! + 0.1),
+      far: far!,
     }),
   },
 ];
