@@ -111,6 +111,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
         "luxel-formats",
         &[
             "error",
+            "given_files",
             "limits",
             "warnings",
             "format",
