@@ -79,6 +79,24 @@ fn glass_and_wires_have_the_same_bytes_however_they_are_run() {
     check("wires", &scene, &view);
 }
 
+/// What the tests beside it draw, in few pixels: unoptimised code, as that of one value at a time is when it is
+/// tested, draws these within seconds.
+#[test]
+fn small_pictures_have_the_same_bytes_however_they_are_run() {
+    let size = Size { width: 33, height: 21 };
+    let scene = demos::demo("plane").unwrap();
+    for mode in ShadingMode::ALL {
+        let shading = Shading { mode, ..Shading::default() };
+        let view = perspective(&scene, size).with_samples(1).with_shading(shading);
+        check(&format!("{mode:?}"), &scene, &view);
+    }
+    let scene = glass();
+    let view = perspective(&scene, size).with_lights(many_lights(&scene)).with_exposure(0.7);
+    check("shadows", &scene, &occluded(view.clone(), true).with_shadows(true).with_ground(true));
+    check("tone", &scene, &view.clone().with_tone(Tone::ALL[1]));
+    check("edges", &scene, &view.with_edges(Some(Edges::OVER_FACES)));
+}
+
 #[test]
 fn exposed_pictures_have_the_same_bytes_however_they_are_run() {
     for scene in [glass(), demos::demo("spheres").unwrap()] {
