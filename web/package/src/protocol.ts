@@ -42,6 +42,13 @@ export interface Frame {
   camera: CameraState;
 }
 
+/** The scene of a view, for drawers. */
+export interface PackedScene {
+  version: number;
+  scene: Uint8Array<ArrayBuffer>;
+  hidden: number[];
+}
+
 /** The calls that a worker answers. */
 export interface Calls {
   start(module: WebAssembly.Module, readersUrl: string): void;
@@ -61,7 +68,7 @@ export interface Calls {
   hide(id: number, objects: number[]): void;
   step(id: number, events: readonly NavigationEvent[]): CameraState;
   frame(id: number, isDraft: boolean, samples: number): Frame;
-  packedScene(id: number): Uint8Array<ArrayBuffer>;
+  packedScene(id: number): PackedScene;
   layer(id: number, name: string): Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
   layerPicture(id: number, name: string): Pixels;
   png(id: number): Uint8Array<ArrayBuffer>;
@@ -72,9 +79,15 @@ export interface Calls {
   log(id: number): string;
   check(id: number): { json: string; pixels: Pixels };
   /** For drawers: the scene of a view, and which of its objects are hidden. */
-  prepare(id: number, version: number, scene: Uint8Array<ArrayBuffer>, hidden: number[]): void;
-  /** A share of a frame: every `parts`-th row of tiles from `part` on. */
-  draw(id: number, view: Uint8Array<ArrayBuffer>, part: number, parts: number): Pixels;
+  prepare(id: number, scene: PackedScene): void;
+  /** A share of a frame: every `parts`-th row of tiles from `part` on. Null if the scene is another one meanwhile. */
+  draw(
+    id: number,
+    version: number,
+    view: Uint8Array<ArrayBuffer>,
+    part: number,
+    parts: number,
+  ): Pixels | null;
   memory(): number;
 }
 

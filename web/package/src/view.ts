@@ -30,7 +30,6 @@ interface Drawn {
 export class View {
   readonly #hand: Hand;
   readonly #id: number;
-  #hidden: number[] = [];
   /** The versions of the scene that helpers have. */
   #prepared = new WeakMap<Hand, Promise<number>>();
   #isOpen = true;
@@ -50,8 +49,7 @@ export class View {
 
   /** Hides objects, by their places in `scene.description.objects`, and shows all others. */
   async hide(objects: Iterable<number>): Promise<void> {
-    this.#hidden = [...objects];
-    await this.#hand.call("hide", [this.#id, this.#hidden]);
+    await this.#hand.call("hide", [this.#id, [...objects]]);
   }
 
   /** The picture: straight alpha, the bytes of the program's. */
@@ -174,17 +172,23 @@ export class View {
 
   async #draw({ draft = false, samples = 0, workers }: DrawOptions): Promise<Drawn> {
     const frame = await this.#hand.call("frame", [this.#id, draft, samples]);
-    const { width, height, view } = frame;
+    const { width, height, view, version } = frame;
     const rows = Math.ceil(height / TILE);
     /** A smaller picture is drawn before a second worker has heard of it. */
     const least = 40_000;
     const many = workers ?? (width * height < least ? 1 : Infinity);
-    const hands = [this.#hand, ...(many > 1 ? await this.#ready(frame.version, many - 1) : [])];
+    const hands = [this.#hand, ...(many > 1 ? await this.#ready(version, many - 1) : [])];
     const count = Math.min(hands.length, rows);
     const shares = hands.slice(0, count).map((hand, part) => {
-      return hand.call("draw", [this.#id, view, part, count]);
+      return hand.call("draw", [this.#id, version, view, part, count]);
     });
-    return { width, height, frame, parts: await Promise.all(shares) };
+    const parts: Pixels[] = [];
+    for (const share of await Promise.all(shares)) {
+      // The scene was changed meanwhile: the picture is drawn as it is now.
+      if (share === null) return this.#draw({ draft, samples, workers });
+      parts.push(share);
+    }
+    return { width, height, frame, parts };
   }
 
   /** Helpers that have the scene. Those that don't are given it, and help with later pictures. */
@@ -196,7 +200,7 @@ export class View {
       if (has === version) {
         ready.push(hand);
       } else if (prepared === undefined || has !== -1) {
-        const next = this.#prepare(hand, version);
+        const next = this.#prepare(hand);
         next.catch(() => this.#prepared.delete(hand));
         this.#prepared.set(hand, next);
       }
@@ -204,11 +208,12 @@ export class View {
     return ready;
   }
 
-  async #prepare(hand: Hand, version: number): Promise<number> {
+  /** Gives a helper the scene; the version that it has then. */
+  async #prepare(hand: Hand): Promise<number> {
     await hand.ready;
-    const scene = await this.#hand.call("packedScene", [this.#id]);
-    await hand.call("prepare", [this.#id, version, scene, this.#hidden], [scene.buffer]);
-    return version;
+    const packed = await this.#hand.call("packedScene", [this.#id]);
+    await hand.call("prepare", [this.#id, packed], [packed.scene.buffer]);
+    return packed.version;
   }
 
   /** Waits until all helpers have the scene. */

@@ -7,6 +7,7 @@ import type { CallName, Calls, CameraState, Pixels, Request, Response } from "./
 interface OpenView {
   view: ModelView;
   version: number;
+  hidden: number[];
 }
 
 const models = new Map<number, Model>();
@@ -99,7 +100,7 @@ const answers: Answers = {
   },
 
   open(id, model, settings) {
-    views.set(id, { view: ModelView.of(got(models, model, "scene"), settings), version: 0 });
+    views.set(id, { view: ModelView.of(got(models, model, "scene"), settings), version: 0, hidden: [] });
   },
 
   close(id) {
@@ -119,6 +120,7 @@ const answers: Answers = {
   hide(id, objects) {
     const open = got(views, id, "view");
     open.view.hide(Uint32Array.from(objects));
+    open.hidden = objects;
     open.version += 1;
   },
 
@@ -142,7 +144,10 @@ const answers: Answers = {
     };
   },
 
-  packedScene: (id) => got(views, id, "view").view.pack_scene() as Uint8Array<ArrayBuffer>,
+  packedScene(id) {
+    const { view, version, hidden } = got(views, id, "view");
+    return { version, scene: view.pack_scene() as Uint8Array<ArrayBuffer>, hidden };
+  },
 
   layer(id, name) {
     const { view } = got(views, id, "view");
@@ -180,19 +185,17 @@ const answers: Answers = {
     }
   },
 
-  prepare(id, version, scene, hidden) {
+  prepare(id, { version, scene, hidden }) {
     drawers.get(id)?.drawer.free();
     drawers.delete(id);
     drawers.set(id, { drawer: new Drawer(scene, Uint32Array.from(hidden)), version });
   },
 
-  draw(id, view, part, parts) {
-    const leader = views.get(id);
-    return pixels(
-      leader === undefined
-        ? got(drawers, id, "view").drawer.draw_part(view, part, parts)
-        : leader.view.draw_part(view, part, parts),
-    );
+  draw(id, version, view, part, parts) {
+    const open = views.get(id);
+    const { drawer, version: own } =
+      open === undefined ? got(drawers, id, "view") : { drawer: open.view, version: open.version };
+    return own === version ? pixels(drawer.draw_part(view, part, parts)) : null;
   },
 
   memory: () => memory?.buffer.byteLength ?? 0,
