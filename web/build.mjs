@@ -45,7 +45,7 @@ const asPage = {
 };
 mkdirSync(join(out, "luxel"), { recursive: true });
 cpSync(dist, join(out, "luxel"), { recursive: true, filter: (path) => !path.endsWith(".d.ts") });
-const articles = ["light", "shading", "navigation"];
+const articles = ["light", "reflection", "shading", "navigation"];
 const entries = ["viewer", ...articles].map((name) => join(here, `site/src/${name}.ts`));
 await build({ ...common, plugins: [asPage], entryPoints: entries, outdir: out });
 for (const name of ["index.html", "light.html", "navigation.html", "style.css", "favicon.svg"]) {
@@ -80,35 +80,56 @@ writeFileSync(join(out, "stills/navigation-modes.png"), still("welcome", { size:
 writeFileSync(join(out, "stills/navigation-rolling-ball.png"), still("teapot", { size: [640, 400] }));
 
 // Of a comparison the page has a line, `<!-- figure: ID: CAPTION -->`; the rest is in its data.
+const withComparisons = (page, name, comparisons, firstSettings) => {
+  for (const figure of comparisons) {
+    const [width, height] = figure.size;
+    const pictures = firstSettings(figure).map(({ demo, settings }, at) => {
+      const file = `stills/${name}-${figure.id}-${["problem", "cure"][at]}.png`;
+      writeFileSync(join(out, file), still(demo, settings));
+      const { alt } = [figure.problem, figure.cure][at];
+      return `<img src="${file}" width="${width}" height="${height}" loading="lazy" alt="${alt}">`;
+    });
+    const line = new RegExp(`<!-- figure: ${figure.id}: (.*) -->`);
+    const [, caption] = line.exec(page);
+    page = page.replace(
+      line,
+      `<figure class="live" id="${figure.id}">\n<div class="stills">${pictures.join("")}</div>\n<figcaption>${caption}</figcaption>\n</figure>`,
+    );
+  }
+  if (page.includes("<!-- figure")) throw new Error(`a figure of ${name}.html has no data`);
+  return page;
+};
+const article = (name) => readFileSync(join(here, `site/${name}.html`), "utf8");
+
 const shading = await exportsOf("site/src/figures/shading.ts");
-let page = readFileSync(join(here, "site/shading.html"), "utf8");
-for (const figure of shading.FIGURES) {
-  const [width, height] = figure.size;
-  const pictures = shading.firstSettings(figure).map(({ demo, settings }, at) => {
-    const name = `stills/shading-${figure.id}-${["problem", "cure"][at]}.png`;
-    writeFileSync(join(out, name), still(demo, settings));
-    const { alt } = [figure.problem, figure.cure][at];
-    return `<img src="${name}" width="${width}" height="${height}" loading="lazy" alt="${alt}">`;
-  });
-  const line = new RegExp(`<!-- figure: ${figure.id}: (.*) -->`);
-  const [, caption] = line.exec(page);
-  page = page.replace(
-    line,
-    `<figure class="live" id="${figure.id}">\n<div class="stills">${pictures.join("")}</div>\n<figcaption>${caption}</figcaption>\n</figure>`,
-  );
-}
-if (page.includes("<!-- figure")) throw new Error("a figure of shading.html has no data");
-writeFileSync(join(out, "shading.html"), page);
+const shadingPage = withComparisons(article("shading"), "shading", shading.FIGURES, shading.firstSettings);
+writeFileSync(join(out, "shading.html"), shadingPage);
+
+const reflection = await exportsOf("site/src/figures/reflection.ts");
+const [vectors] = reflection.VECTORS;
+writeFileSync(join(out, "stills/reflection-vectors.png"), still(vectors.demo, reflection.firstSettings(vectors)));
+const { TABLE } = reflection;
+const cell = (ks, n) => {
+  const file = `stills/reflection-table-${ks}-${n}.png`;
+  const settings = { size: TABLE.size, ...TABLE.settings(ks, n, TABLE.about.value) };
+  writeFileSync(join(out, file), still(TABLE.demo, settings));
+  return `<td><img src="${file}" width="104" height="104" loading="lazy" alt="A ball with k_s = ${ks} and n = ${n}"></td>`;
+};
+const head = `<tr><th scope="col">k<sub>s</sub> \\ n</th>${TABLE.n.map((n) => `<th scope="col">${n}</th>`).join("")}</tr>`;
+const rows = TABLE.ks.map((ks) => `<tr><th scope="row">${ks}</th>${TABLE.n.map((n) => cell(ks, n)).join("")}</tr>`);
+const table = `<div class="scroll" tabindex="0" role="group" aria-label="The table of shininess"><table>${head}${rows.join("")}</table></div>`;
+const reflectionPage = withComparisons(article("reflection"), "reflection", reflection.COMPARISONS, reflection.firstOfComparison);
+writeFileSync(join(out, "reflection.html"), reflectionPage.replace("<!-- table -->", table));
 
 // A browser asks for an icon of this name, whatever the page says: a PNG picture in the container of ICO files.
 const icon = still("spheres", { size: "32x32", samples: 16 });
-const head = Buffer.alloc(22);
-head.writeUInt16LE(1, 2);
-head.writeUInt16LE(1, 4);
-head.writeUInt8(32, 6);
-head.writeUInt8(32, 7);
-head.writeUInt16LE(1, 10);
-head.writeUInt16LE(32, 12);
-head.writeUInt32LE(icon.length, 14);
-head.writeUInt32LE(22, 18);
-writeFileSync(join(out, "favicon.ico"), Buffer.concat([head, icon]));
+const container = Buffer.alloc(22);
+container.writeUInt16LE(1, 2);
+container.writeUInt16LE(1, 4);
+container.writeUInt8(32, 6);
+container.writeUInt8(32, 7);
+container.writeUInt16LE(1, 10);
+container.writeUInt16LE(32, 12);
+container.writeUInt32LE(icon.length, 14);
+container.writeUInt32LE(22, 18);
+writeFileSync(join(out, "favicon.ico"), Buffer.concat([container, icon]));

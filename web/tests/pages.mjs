@@ -450,11 +450,17 @@ test("every number of the page on light changes its picture and its ledger, and 
   await page.close();
 });
 
-test("every number and choice of the page on shading changes a picture, and its stills are live", async () => {
-  const { page, faults } = await open(browser.context, `${site.address}/shading.html`);
+for (const [article, count] of [["shading", 9], ["reflection", 4]]) {
+  test(`every number and choice of the comparisons on ${article} changes a picture, and stills are live`, () =>
+    compared(article, count));
+}
+
+/** Tests the comparisons of a page. */
+async function compared(article, count) {
+  const { page, faults } = await open(browser.context, `${site.address}/${article}.html`);
   await page.evaluate(() => window.luxel.settled());
-  const figures = page.locator("figure.live");
-  assert.equal(await figures.count(), 9);
+  const figures = page.locator("figure.live:has(.compared)");
+  assert.equal(await figures.count(), count);
   for (let at = 0; at < (await figures.count()); at++) {
     const figure = figures.nth(at);
     const id = await figure.getAttribute("id");
@@ -470,7 +476,7 @@ test("every number and choice of the page on shading changes a picture, and its 
       });
     const first = await state();
     for (const [side, name] of ["problem", "cure"].entries()) {
-      const still = await page.request.get(`${site.address}/stills/shading-${id}-${name}.png`);
+      const still = await page.request.get(`${site.address}/stills/${article}-${id}-${name}.png`);
       const { data } = PNG.sync.read(await still.body());
       assert.equal([...createHash("sha256").update(data).digest()].join(), first[side], `${id}, ${name}`);
     }
@@ -493,6 +499,35 @@ test("every number and choice of the page on shading changes a picture, and its 
     await figure.locator("text=Start again").click();
     assert.deepEqual(await state(), first);
   }
+  assert.deepEqual(faults, []);
+  await page.close();
+}
+
+test("every number of the page on reflection changes its vectors, its ledger and the table of shininess", async () => {
+  const { page, faults } = await open(browser.context, `${site.address}/reflection.html`);
+  const state = () =>
+    page.evaluate(async () => {
+      await window.luxel.settled();
+      const cells = [...document.querySelectorAll("#vectors canvas, #table canvas")];
+      const digests = [];
+      for (const cell of cells) {
+        const bytes = await crypto.subtle.digest("SHA-256", window.luxel.pixels(cell));
+        digests.push([...new Uint8Array(bytes)].join());
+      }
+      return digests;
+    });
+  const first = await state();
+  assert.equal(new Set(first).size, 25, "each ball of the table is another one");
+  for (const slider of await page.locator("#vectors [role=slider]").all()) {
+    const before = await state();
+    await slider.press("PageDown");
+    assert.notEqual((await state())[0], before[0]);
+  }
+  assert.match(await page.locator("#vectors svg").textContent(), /N.*R|R.*N/);
+  const before = await state();
+  await page.locator("#table [role=slider]").press("PageUp");
+  const after = await state();
+  assert.ok(after.slice(1).every((cell, at) => cell !== before[at + 1]), "all balls have other light");
   assert.deepEqual(faults, []);
   await page.close();
 });
@@ -565,7 +600,7 @@ test("the page on navigation moves by mouse, keys and buttons, in all modes, wit
 
 test("axe finds nothing serious, in dark and light, on screens and phones", async () => {
   const axe = readFileSync(join(import.meta.dirname, "../node_modules/axe-core/axe.min.js"), "utf8");
-  for (const name of ["index.html", "light.html", "shading.html", "navigation.html"]) {
+  for (const name of ["index.html", "light.html", "reflection.html", "shading.html", "navigation.html"]) {
     for (const colorScheme of ["dark", "light"]) {
       for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
         const { page, faults } = await open(browser.context, `${site.address}/${name}`, { colorScheme, viewport });

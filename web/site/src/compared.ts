@@ -71,7 +71,7 @@ class LiveSide {
   }
 }
 
-class LiveComparison {
+export class LiveComparison {
   readonly comparison: Comparison;
   readonly sides: [problem: LiveSide, cure: LiveSide];
   readonly #said = element("p", { class: "said", "aria-live": "polite" });
