@@ -157,6 +157,7 @@ function shown(pixels: Uint8ClampedArray): void {
   drawnPixels.set(canvas, pixels);
   canvas.classList.remove("waits");
   byId("still").hidden = true;
+  if (performance.getEntriesByName("first picture").length === 0) performance.mark("first picture");
 }
 
 async function drawLoop(): Promise<void> {

@@ -1,0 +1,331 @@
+// Tests of the viewer, with real mouse, keyboard and touch events.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { open, pixelsOfProgram } from "./browser.mjs";
+import { browser, middle, models, pixelsOf, program, site, test, withViewer, work } from "./harness.mjs";
+
+test("the first page shows the teapot and no fault", () =>
+  withViewer("", async (page) => {
+    const pixels = await pixelsOf(page);
+    assert.ok(pixels.some((byte) => byte > 100));
+    assert.equal((await page.request.get(`${site.address}/favicon.ico`)).status(), 200);
+    assert.equal(await page.locator("#demo option").count() > 10, true);
+  }));
+
+const DEMOS = ["teapot", "spheres", "cornell", "plane", "welcome", "primitives", "materials", "textures", "fog", "machine"];
+
+test("ten demos have the bytes of the program", async () => {
+  const list = JSON.parse(execFileSync(program, ["demos", "--json"], { encoding: "utf8" }));
+  const names = (list.demos ?? list).map((demo) => demo.name);
+  const chosen = [...DEMOS.filter((name) => names.includes(name)), ...names.filter((name) => !DEMOS.includes(name))];
+  for (const [at, name] of chosen.slice(0, 12).entries()) {
+    const samples = ["1", "4"][at % 2];
+    const flags = ["--size", "300x200", "--samples", samples];
+    await withViewer(`#demo=${name}&size=300x200&samples=${samples}`, async (page) => {
+      const drawn = await pixelsOf(page);
+      const expected = pixelsOfProgram(program, `demo:${name}`, flags);
+      assert.ok(drawn.equals(expected), `${name} has other bytes than the program's`);
+    });
+  }
+});
+
+test("a link with lights, shadows and shading has the bytes of the program", async () => {
+  const flags = {
+    size: "320x240",
+    azimuth: "70",
+    light: "point:pos=4,5,6:diffuse=1,.8,.6:attenuation=0.5,0.05,0.01",
+    shadows: "",
+    background: "tomato",
+    ks: "0.9",
+    tone: "agx",
+  };
+  const line = Object.entries(flags).flatMap(([name, value]) => (value === "" ? [`--${name}`] : [`--${name}`, value]));
+  const expected = pixelsOfProgram(program, "demo:teapot", line);
+  await withViewer(`#demo=teapot&${new URLSearchParams(flags)}`, async (page) => {
+    assert.ok((await pixelsOf(page)).equals(expected));
+  });
+});
+
+test("two workers draw the bytes of one", () =>
+  withViewer("#demo=teapot&size=64x64", async (page) => {
+    const isSame = await page.evaluate(async () => {
+      const { configure, demo } = await import("./luxel/luxel.js");
+      configure({ workers: 3 });
+      const scene = await demo("spheres");
+      const view = await scene.view({ size: [700, 333], shadows: true });
+      const alone = await view.render({ workers: 1 });
+      await view.ready();
+      const shared = await view.render();
+      await view.set({ size: [700, 333], color: "red" });
+      const red = await view.render({ workers: 1 });
+      await view.ready();
+      const sharedRed = await view.render();
+      await view.hide([1, 2]);
+      const hidden = await view.render({ workers: 1 });
+      await view.ready();
+      const sharedHidden = await view.render();
+      scene.dispose();
+      const same = (a, b) => a.data.every((byte, at) => byte === b.data[at]);
+      return [same(alone, shared), same(red, sharedRed), same(hidden, sharedHidden), same(alone, red), same(red, hidden)];
+    });
+    assert.deepEqual(isSame, [true, true, true, false, false]);
+  }));
+
+test("explanations and picks are the program's", () =>
+  withViewer("#demo=teapot&size=320x240", async (page) => {
+    const flags = ["--size", "320x240", "--json"];
+    for (const [x, y] of [[160, 130], [10, 10], [120, 90], [250, 120]]) {
+      const drawn = await page.evaluate(([x, y]) => window.luxel.explain(x, y), [x, y]);
+      const expected = JSON.parse(execFileSync(program, ["explain", "demo:teapot", "--at", `${x},${y}`, ...flags]));
+      for (const key of ["camera", "model"]) {
+        delete drawn[key];
+        delete expected[key];
+      }
+      assert.deepEqual(drawn, expected, `pixel ${x}, ${y}`);
+      const picked = await page.evaluate(async ([x, y]) => {
+        const { demo } = await import("./luxel/luxel.js");
+        const scene = await demo("teapot");
+        const view = await scene.view({ size: "320x240" });
+        const answer = await view.pickAnswer(x + 0.5, y + 0.5);
+        scene.dispose();
+        return answer.hits;
+      }, [x, y]);
+      const hits = JSON.parse(execFileSync(program, ["pick", "demo:teapot", "--at", `${x},${y}`, ...flags])).hits;
+      assert.deepEqual(picked, hits);
+    }
+  }));
+
+test("a hand turns the model, and the log plays to the same camera", () =>
+  withViewer("#demo=teapot&size=600x400", async (page) => {
+    const before = await pixelsOf(page);
+    const [x, y] = await middle(page);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 80, y - 30, { steps: 6 });
+    await page.mouse.up();
+    await page.mouse.wheel(0, -240);
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForTimeout(400);
+    assert.ok(!(await pixelsOf(page)).equals(before));
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.evaluate(() => document.querySelector("#save-log").click()),
+    ]);
+    const log = join(work, "camera.log");
+    await download.saveAs(log);
+    const line = await page.locator("#command").textContent();
+    const matrix = /--view-matrix (\S+)/.exec(line)[1].split(",").map(Number);
+    const replayed = execFileSync(
+      program,
+      ["navigate", "demo:teapot", "--mode", "turntable", "--size", "600x400", "--replay", log, "--json"],
+      { encoding: "utf8", maxBuffer: 1 << 26 },
+    );
+    assert.deepEqual(JSON.parse(replayed).camera.view_from_world, matrix);
+    // The command of the page draws the page's picture.
+    const flags = line.replace(/^luxel render \S+ /, "").replace(/ -o picture.png$/, "").split(" ");
+    assert.ok((await pixelsOf(page)).equals(pixelsOfProgram(program, "demo:teapot", flags)));
+  }));
+
+test("keys and touch move the camera", () =>
+  withViewer("", async (page) => {
+    const start = await pixelsOf(page);
+    await page.locator("#canvas").focus();
+    await page.keyboard.press("t");
+    await page.waitForTimeout(300);
+    const top = await pixelsOf(page);
+    assert.ok(!top.equals(start), "T shows the top");
+    await page.keyboard.press("Home");
+    await page.waitForTimeout(300);
+    assert.ok((await pixelsOf(page)).equals(start), "Home goes back");
+    const [x, y] = await middle(page);
+    const session = await page.context().newCDPSession(page);
+    const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+    await touch("touchStart", [{ x, y, id: 1 }]);
+    for (let step = 1; step <= 5; step++) await touch("touchMove", [{ x: x + 12 * step, y, id: 1 }]);
+    await touch("touchEnd", []);
+    await page.waitForTimeout(400);
+    const turned = await pixelsOf(page);
+    assert.ok(!turned.equals(start), "a finger turns");
+    await touch("touchStart", [{ x: x - 40, y, id: 1 }, { x: x + 40, y, id: 2 }]);
+    await touch("touchMove", [{ x: x - 80, y, id: 1 }, { x: x + 80, y, id: 2 }]);
+    await touch("touchEnd", []);
+    await page.waitForTimeout(400);
+    assert.ok(!(await pixelsOf(page)).equals(turned), "two fingers zoom");
+  }));
+
+test("pointing explains, a click keeps, Escape lets go", () =>
+  withViewer("", async (page) => {
+    const [x, y] = await middle(page);
+    await page.mouse.move(x, y + 20);
+    await page.waitForFunction(() => document.querySelectorAll("#overlay line").length > 0);
+    const text = await page.locator("#ledger").textContent();
+    assert.match(text, /body, triangle \d+/);
+    assert.match(text, /N\.L = /);
+    assert.ok((await page.locator("#ledger math").count()) > 5);
+    await page.mouse.click(x, y + 20);
+    await page.mouse.move(x + 60, y + 20);
+    await page.waitForFunction(() => /kept/.test(document.querySelector("#ledger").textContent));
+    await page.keyboard.press("Escape");
+    await page.waitForFunction(() => !/kept/.test(document.querySelector("#ledger").textContent));
+  }));
+
+test("every number changes the picture", () =>
+  withViewer("#demo=teapot&size=300x200&samples=1", async (page) => {
+    await page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
+    await page.selectOption("select[aria-label='Kind of the new light']", "spot");
+    await page.click("text=Add a light");
+    const inputs = page.locator("#lights input[type=number]:enabled, #surface input[type=number]:enabled");
+    const count = await inputs.count();
+    assert.ok(count > 30, `${count} numbers`);
+    for (let at = 0; at < count; at++) {
+      const input = inputs.nth(at);
+      const name = await input.evaluate((one) => one.getAttribute("aria-label") ?? document.querySelector(`label[for=${one.id}]`)?.textContent);
+      const before = await pixelsOf(page);
+      const value = Number(await input.inputValue());
+      // An extent shows in soft shadows only.
+      if (name === "radius" || name === "angle °") continue;
+      await input.fill(String(Number((value * 0.3 + 0.37).toPrecision(4))));
+      await page.waitForTimeout(30);
+      assert.ok(!(await pixelsOf(page)).equals(before), `${name} (${at}) changes nothing`);
+      await input.fill(String(value));
+      await page.waitForTimeout(30);
+    }
+  }));
+
+test("a dropped model is shown, turned and explained, and stays in the page", async () => {
+  const triangle = join(work, "part.obj");
+  writeFileSync(triangle, "mtllib part.mtl\no blade\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  writeFileSync(join(work, "part.mtl"), "newmtl red\nKd 0.8 0.1 0.1\n");
+  await withViewer("", async (page) => {
+    const [x, y] = await middle(page);
+    const session = await page.context().newCDPSession(page);
+    const data = { items: [], files: [triangle, join(work, "part.mtl")], dragOperationsMask: 1 };
+    for (const type of ["dragEnter", "dragOver", "drop"]) await session.send("Input.dispatchDragEvent", { type, x, y, data });
+    await page.waitForFunction(() => document.querySelector("#objects").textContent.includes("blade"));
+    const pixels = await pixelsOf(page);
+    const [width, height] = await page.evaluate(() => [document.querySelector("#canvas").width, document.querySelector("#canvas").height]);
+    const expected = pixelsOfProgram(program, triangle, ["--size", `${width}x${height}`, "--exposure", "auto"]);
+    assert.ok(pixels.equals(expected));
+    await page.mouse.move(x - 60, y + 60, { steps: 3 });
+    await page.waitForFunction(() => document.querySelector("#ledger").textContent.includes("blade"));
+  });
+});
+
+for (const name of ["Fox.glb", "BoxTextured.glb", "CesiumMilkTruck.glb"]) {
+  const file = models && [join(models, name), join(models, "gltf", name)].find((path) => existsSync(path));
+  if (!file) continue;
+  test(`${name} has the bytes of the program`, () =>
+    withViewer("", async (page) => {
+      await page.setInputFiles("#files", file);
+      await page.waitForFunction((name) => document.title.startsWith(name), name);
+      const drawn = await pixelsOf(page);
+      const [width, height] = await page.evaluate(() => [document.querySelector("#canvas").width, document.querySelector("#canvas").height]);
+      assert.ok(drawn.equals(pixelsOfProgram(program, file, ["--size", `${width}x${height}`, "--exposure", "auto"])));
+    }));
+}
+
+test("broken files, settings and sizes say what is wrong, and the page goes on", async () => {
+  const broken = join(work, "broken.glb");
+  writeFileSync(broken, Buffer.concat([Buffer.from("glTF"), Buffer.alloc(40, 7)]));
+  const expected = (() => {
+    try {
+      execFileSync(program, ["info", broken], { stdio: "pipe", encoding: "utf8" });
+    } catch (error) {
+      return error.stderr.split("\n")[0].replace(/^luxel: error: /, "").replace(`${work}/`, "");
+    }
+    return assert.fail("the program reads it");
+  })();
+  await withViewer("", async (page) => {
+    await page.setInputFiles("#files", broken);
+    await page.waitForSelector("#message:not([hidden])");
+    const told = await page.locator("#message").textContent();
+    assert.ok(told.startsWith(expected), `${told} is not ${expected}`);
+    await page.selectOption("#demo", "spheres");
+    await page.waitForFunction(() => document.title.includes("spheres"));
+    assert.ok(await page.locator("#message").isHidden());
+  });
+  for (const [hash, message] of [
+    ["#demo=teapot&size=100000x100000", /a side has 1 to 16384 pixels/],
+    ["#demo=teapott", /there is no demo `teapott`/],
+    ["#demo=teapot&azimut=3", /did you mean `azimuth`/],
+    ["#demo=teapot&light=point", /light/],
+  ]) {
+    await withViewer(hash, async (page) => assert.match(await page.locator("#message").textContent(), message));
+  }
+});
+
+test("a worker that runs out of memory is started anew, and says so", async () => {
+  const { page } = await open(browser.context, `${site.address}/index.html#demo=teapot&size=64x64`);
+  const [ended, name, drawn] = await page.evaluate(async () => {
+    const { demo, memory } = await import("./luxel/luxel.js");
+    const scene = await demo("teapot");
+    // Three numbers for each of so many pixels are more than a module can hold.
+    const view = await scene.view({ size: "16384x16384" });
+    const error = await view.layers(["position"]).then(() => new Error("no error"), (error) => error);
+    const dead = await view.pick(1, 1).then(() => "no error", (error) => error.name);
+    const next = await demo("spheres");
+    const image = await (await next.view({ size: "64x64" })).render();
+    next.dispose();
+    return [error.name, dead, image.data.some((byte) => byte > 0) && (await memory()) > 0];
+  });
+  assert.deepEqual([ended, name, drawn], ["WorkerEndedError", "WorkerEndedError", true]);
+  await page.close();
+});
+
+test("check marks what spoils shading, and leaves again", () =>
+  withViewer("#demo=teapot&size=320x240", async (page) => {
+    const before = await pixelsOf(page);
+    await page.click("#check");
+    await page.waitForSelector("#findings-panel:not([hidden])");
+    const kinds = await page.locator("#findings h3").allTextContents();
+    const program_ = (() => {
+      try {
+        return execFileSync(program, ["check", "demo:teapot", "--size", "320x240", "--json"], { encoding: "utf8", stdio: "pipe" });
+      } catch (error) {
+        return error.stdout;
+      }
+    })();
+    assert.deepEqual(kinds.map((kind) => kind.split(":")[0]), JSON.parse(program_).findings.map((finding) => finding.kind));
+    await page.click("#close-check");
+    assert.ok((await pixelsOf(page)).equals(before));
+  }));
+
+test("objects can be hidden, and layers shown", () =>
+  withViewer("#demo=teapot&size=320x240", async (page) => {
+    const before = await pixelsOf(page);
+    await page.click("#objects >> text=lid");
+    await page.waitForTimeout(100);
+    const without = await pixelsOf(page);
+    assert.ok(!without.equals(before));
+    await page.click("#objects >> text=lid");
+    await page.waitForTimeout(100);
+    assert.ok((await pixelsOf(page)).equals(before));
+    const seen = new Set();
+    for (const layer of ["normal", "diffuse", "object", "barycentric"]) {
+      await page.selectOption("#layer", layer);
+      await page.waitForTimeout(50);
+      seen.add((await pixelsOf(page)).toString("base64"));
+    }
+    assert.equal(seen.size, 4);
+  }));
+
+test("memory stays flat while models come and go", () =>
+  withViewer("#demo=teapot&size=64x64", async (page) => {
+    const [early, late] = await page.evaluate(async () => {
+      const { demo, memory } = await import("./luxel/luxel.js");
+      const sizes = [];
+      for (let turn = 0; turn < 60; turn++) {
+        const scene = await demo("teapot");
+        const view = await scene.view({ size: [320, 240] });
+        await view.render();
+        await view.pick(160, 120);
+        scene.dispose();
+        sizes.push(await memory());
+      }
+      return [sizes[5], sizes[59]];
+    });
+    assert.ok(late <= early * 1.1, `${early} bytes, then ${late}`);
+  }));
