@@ -5,6 +5,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } fr
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
+import { PNG } from "pngjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const out = resolve(process.argv[2] ?? "");
@@ -45,10 +46,10 @@ const asPage = {
 };
 mkdirSync(join(out, "luxel"), { recursive: true });
 cpSync(dist, join(out, "luxel"), { recursive: true, filter: (path) => !path.endsWith(".d.ts") });
-const articles = ["light", "reflection", "shading", "navigation"];
+const articles = ["light", "reflection", "shading", "picking", "navigation"];
 const entries = ["viewer", ...articles].map((name) => join(here, `site/src/${name}.ts`));
 await build({ ...common, plugins: [asPage], entryPoints: entries, outdir: out });
-for (const name of ["index.html", "light.html", "navigation.html", "style.css", "favicon.svg"]) {
+for (const name of ["index.html", "light.html", "picking.html", "navigation.html", "style.css", "favicon.svg"]) {
   cpSync(join(here, "site", name), join(out, name));
 }
 
@@ -70,12 +71,22 @@ const still = (demo, settings) => {
 };
 writeFileSync(join(out, "stills/teapot.png"), still("teapot", { size: "1280x720" }));
 const light = await exportsOf("site/src/figures/light.ts");
+/** The picture of ids, as a page shows it. */
+const stillOfIds = (demo, [width, height]) => {
+  const view = ModelView.of(Model.demo(demo), JSON.stringify([["size", `${width}x${height}`]]));
+  const picture = new PNG({ width, height });
+  picture.data.set(view.layer_picture("object"));
+  view.free();
+  return PNG.sync.write(picture);
+};
 for (const figure of light.FIGURES) {
   writeFileSync(join(out, `stills/light-${figure.id}.png`), still(figure.demo, light.firstSettings(figure)));
 }
 
 const navigation = await exportsOf("site/src/figures/navigation.ts");
 writeFileSync(join(out, "stills/navigation-look-at.png"), still("welcome", navigation.firstSettings(navigation.FIGURES[0])));
+writeFileSync(join(out, "stills/picking-ray.png"), still("plane", { size: [640, 400] }));
+writeFileSync(join(out, "stills/picking-ids.png"), stillOfIds("plane", [640, 400]));
 writeFileSync(join(out, "stills/navigation-modes.png"), still("welcome", { size: [640, 400] }));
 writeFileSync(join(out, "stills/navigation-rolling-ball.png"), still("teapot", { size: [640, 400] }));
 

@@ -1,6 +1,7 @@
 // Tests of the articles: their numbers, their stills, their tutors; and of all pages, that nothing keeps people out.
 
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -206,9 +207,41 @@ test("the page on navigation moves by mouse, keys and buttons, in all modes, wit
   await page.close();
 });
 
+test("ray, sliver, name stack and picture of ids agree wherever one clicks, and with the program", async () => {
+  const { page, faults } = await open(browser.context, `${site.address}/picking.html`);
+  const canvas = page.locator("#ray canvas");
+  await page.evaluate(() => window.luxel.settled());
+  await canvas.scrollIntoViewIfNeeded();
+  const box = await canvas.boundingBox();
+  const flags = ["--size", "640x400", "--json"];
+  for (let turn = 0; turn < 24; turn++) {
+    // Places all over the picture, the same ones in each run.
+    const [x, y] = [(turn * 197 + 40) % 640, (turn * 131 + 30) % 400];
+    await page.mouse.click(box.x + ((x + 0.5) / 640) * box.width, box.y + ((y + 0.5) / 400) * box.height);
+    const told = await page.evaluate(async () => {
+      await window.luxel.settled();
+      return document.querySelector("#verdict p").textContent;
+    });
+    const place = told.match(/Pixel (\d+), (\d+)/).slice(1).join();
+    assert.match(told, /agree on/);
+    const { hits } = JSON.parse(execFileSync(program, ["pick", "demo:plane", "--at", place, ...flags], { encoding: "utf8" }));
+    assert.ok(told.endsWith(`agree on ${hits[0] ? hits[0].path.join(" / ") : "nothing"}.`), told);
+    const [left, top] = place.split(",").map((at) => Number(at) + 0.5 - 2.5);
+    const rect = JSON.parse(execFileSync(program, ["pick", "demo:plane", "--rect", `${left},${top},5,5`, ...flags], { encoding: "utf8" }));
+    const records = await page.locator("#sliver-hits tbody tr td:last-child").allTextContents();
+    assert.deepEqual(records.sort(), rect.hits.map((hit) => hit.names.join(" / ")).sort());
+  }
+  const before = await page.locator("#sliver-hits").textContent();
+  await page.locator("#side [role=slider]").press("End");
+  await page.evaluate(() => window.luxel.settled());
+  assert.notEqual(await page.locator("#sliver-hits").textContent(), before, "a wide sliver finds more");
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
 test("axe finds nothing serious, in dark and light, on screens and phones", async () => {
   const axe = readFileSync(join(import.meta.dirname, "../node_modules/axe-core/axe.min.js"), "utf8");
-  for (const name of ["index.html", "light.html", "reflection.html", "shading.html", "navigation.html"]) {
+  for (const name of ["index.html", "light.html", "reflection.html", "shading.html", "picking.html", "navigation.html"]) {
     for (const colorScheme of ["dark", "light"]) {
       for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
         const { page, faults } = await open(browser.context, `${site.address}/${name}`, { colorScheme, viewport });
