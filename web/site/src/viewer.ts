@@ -163,43 +163,58 @@ function shown(pixels: Uint8ClampedArray): void {
 async function drawLoop(): Promise<void> {
   if (isDrawing) return;
   isDrawing = true;
-  await attempt(async () => {
-    while (view !== undefined && (wanted !== "nothing" || pending.length > 0)) {
-      const current = view;
-      const isFull = wanted === "full" && pending.length === 0;
-      if (wanted !== "full" || isFull) wanted = "nothing";
-      if (pending.length > 0) {
-        const events = pending;
-        pending = [];
-        camera = await current.navigate(...events);
-        modeChoice.value = camera.mode;
-        if (isChecked) leaveCheck();
-      }
-      const layer = layerChoice.value as "picture" | LayerName;
-      if (layer !== "picture") {
-        const pixels = await current.layerPicture(layer);
-        if (current !== view) continue;
-        const frame = new ImageData(pixels, canvas.width, canvas.height);
-        canvas.getContext("2d")!.putImageData(frame, 0, 0);
-        shown(pixels);
-        continue;
-      }
-      if (isChecked) continue;
-      const isDraft = !isFull;
-      const image = await current.render({ draft: isDraft });
-      if (current !== view) continue;
-      if (canvas.width !== image.width) canvas.width = image.width;
-      if (canvas.height !== image.height) canvas.height = image.height;
-      canvas.getContext("2d")!.putImageData(image, 0, 0);
-      shown(image.data);
-    }
-  });
+  const current = view;
+  await attempt(() => unlessGone(current, drawAll));
+  // Another scene may have come meanwhile.
+  if (current !== view) await attempt(() => unlessGone(view, drawAll));
   isDrawing = false;
   showCommand();
   const waiting = idle;
   idle = [];
   waiting.forEach((done) => done());
   askAgain();
+}
+
+/** Does something with a view; fails only if the view is still the page's. */
+async function unlessGone(current: View | undefined, work: () => Promise<void>): Promise<void> {
+  try {
+    await work();
+  } catch (error) {
+    if (current === view) throw error;
+  }
+}
+
+/** Draws until nothing is wanted any more. */
+async function drawAll(): Promise<void> {
+  while (view !== undefined && (wanted !== "nothing" || pending.length > 0)) {
+    const current = view;
+    const isFull = wanted === "full" && pending.length === 0;
+    if (wanted !== "full" || isFull) wanted = "nothing";
+    if (pending.length > 0) {
+      const events = pending;
+      pending = [];
+      camera = await current.navigate(...events);
+      modeChoice.value = camera.mode;
+      if (isChecked) leaveCheck();
+    }
+    const layer = layerChoice.value as "picture" | LayerName;
+    if (layer !== "picture") {
+      const pixels = await current.layerPicture(layer);
+      if (current !== view) continue;
+      const frame = new ImageData(pixels, canvas.width, canvas.height);
+      canvas.getContext("2d")!.putImageData(frame, 0, 0);
+      shown(pixels);
+      continue;
+    }
+    if (isChecked) continue;
+    const isDraft = !isFull;
+    const image = await current.render({ draft: isDraft });
+    if (current !== view) continue;
+    if (canvas.width !== image.width) canvas.width = image.width;
+    if (canvas.height !== image.height) canvas.height = image.height;
+    canvas.getContext("2d")!.putImageData(image, 0, 0);
+    shown(image.data);
+  }
 }
 
 /** Waits until nothing is left to draw. */
@@ -225,7 +240,8 @@ function apply(): void {
     await attempt(async () => {
       while (isStale && view !== undefined) {
         isStale = false;
-        await view.set(allSettings());
+        const current = view;
+        await unlessGone(current, () => current.set(allSettings()));
         redraw();
       }
     });
