@@ -109,7 +109,7 @@ impl RayLanes {
         let mut passing = 0;
         // Rays of shadows begin inside, but for those of the ground.
         if outside != 0 {
-            // Twice the sphere that is asked for, as `RebasedRay` does, and a little more.
+            // A sphere of 2.1 times the radius: `RebasedRay` takes 2, and rounding needs some room.
             let wider = wide.constant(2.1 * radius);
             let along = -dot(way, unit);
             let across =

@@ -243,7 +243,7 @@ fn shared_boxes(bodies: &[Body<'_>]) -> Vec<Vec<[DVec3; 2]>> {
     (0..bodies.len()).map(of_body).collect()
 }
 
-/// More boxes than this aren't asked one by one.
+/// A body with more of these boxes has its own box instead.
 const MOST_SHARED: usize = 8;
 
 /// Whether two boxes have a point in common.
