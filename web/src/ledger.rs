@@ -5,7 +5,7 @@ use crate::view::ModelView;
 use luxel::render::{At, ExplainedSurface, Explanation, Seen, Unseen};
 use luxel::report::{
     LedgerFactor, LedgerLine, LedgerVector, Report, TermKind, VectorKind, ledger_lines,
-    ledger_vectors, number,
+    ledger_vectors, number, term_sums,
 };
 use luxel::scene::DVec3;
 use serde_json::{Value, json};
@@ -91,25 +91,11 @@ impl ModelView {
 /// The terms that reach the eye, summed by kind.
 fn terms(surface: &ExplainedSurface) -> Value {
     let clear = surface.fog.map_or(1.0, |(factor, _)| factor);
-    let mut sums = [[0.0_f32; 3]; 3];
-    let mut add = |kind: usize, value: [f32; 3]| {
-        sums[kind].iter_mut().zip(value).for_each(|(sum, value)| *sum += value * clear);
-    };
-    add(0, surface.scene_ambient);
-    for light in &surface.lights {
-        add(0, light.terms.ambient.lane(0));
-        add(1, light.terms.diffuse.lane(0));
-        add(2, light.terms.specular.lane(0));
-    }
     let fog = surface.fog.map(|(factor, color)| color.map(|channel| channel * (1.0 - factor)));
-    json!({
-        "emission": surface.emission.map(|channel| channel * clear),
-        "ambient": sums[0],
-        "diffuse": sums[1],
-        "specular": sums[2],
-        "environment": surface.environment.map(|channel| channel * clear),
-        "fog": fog.unwrap_or_default(),
-    })
+    let seen = |(kind, value): (TermKind, [f32; 3])| (kind, value.map(|channel| channel * clear));
+    let all =
+        term_sums(surface).map(seen).into_iter().chain([(TermKind::Fog, fog.unwrap_or_default())]);
+    Value::Object(all.map(|(kind, value)| (kind.name().to_owned(), json!(value))).collect())
 }
 
 fn line(line: &LedgerLine) -> Option<Value> {
@@ -121,7 +107,7 @@ fn line(line: &LedgerLine) -> Option<Value> {
         }
         LedgerLine::Term { kind, name, factors, value, is_part } => json!({
             "what": "term",
-            "kind": kind_name(*kind),
+            "kind": kind.name(),
             "name": name,
             "factors": factors.iter().map(factor).collect::<Value>(),
             "value": color(value),
@@ -130,23 +116,11 @@ fn line(line: &LedgerLine) -> Option<Value> {
         LedgerLine::Note(text) => json!({ "what": "note", "text": text }),
         LedgerLine::Sum { kind, name, value, note } => json!({
             "what": "sum",
-            "kind": kind_name(*kind),
+            "kind": kind.name(),
             "name": name,
             "value": color(value),
             "note": note,
         }),
         _ => return None,
     })
-}
-
-fn kind_name(kind: TermKind) -> &'static str {
-    match kind {
-        TermKind::Ambient => "ambient",
-        TermKind::Diffuse => "diffuse",
-        TermKind::Specular => "specular",
-        TermKind::Emission => "emission",
-        TermKind::Environment => "environment",
-        TermKind::Fog => "fog",
-        _ => "sum",
-    }
 }

@@ -34,7 +34,7 @@
 //!
 //! [`Report::with_unseen`] adds the surfaces that the pixel doesn't show, [`Report::with_pictures`]
 //! the picture around it. [`ledger_lines`] gives the equation line by line, for panels,
-//! [`ledger_vectors`] its vectors, for drawings.
+//! [`ledger_vectors`] its vectors, for drawings, [`term_sums`] the light by kind of term.
 //! [`PickReport`] and [`RegionReport`] write the results of a [`PickView`](luxel_pick::PickView).
 //!
 //! # Symbols
@@ -64,6 +64,6 @@ pub use equation::{TermKind, meanings_in};
 pub use pick::{PickReport, RegionReport, camera_to_json};
 pub use pixel::{
     Hint, LedgerFactor, LedgerLine, LedgerVector, Pictures, PicturesError, Report, VectorKind,
-    display_to_json, ledger_lines, ledger_vectors,
+    display_to_json, ledger_lines, ledger_vectors, luminance, term_sums,
 };
 pub use words::{number, printable};

@@ -22,6 +22,22 @@ pub enum TermKind {
     Sum,
 }
 
+impl TermKind {
+    /// Its name, which is also its class in pages.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ambient => "ambient",
+            Self::Diffuse => "diffuse",
+            Self::Specular => "specular",
+            Self::Emission => "emission",
+            Self::Environment => "environment",
+            Self::Fog => "fog",
+            Self::Sum => "sum",
+        }
+    }
+}
+
 /// One factor of a product.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Factor {

@@ -13,7 +13,7 @@ use crate::equation::{
     ground_facts, highlight_vector, in_the_way, point_terms, reach, shading_points,
 };
 use crate::words::{capital, color, in_column, model_name, number, vector};
-use escape::{escaped, kind_class};
+use escape::escaped;
 use luxel_lighting::{Display, PictureEncoding, Tone};
 use luxel_render::{ExplainedSample, ExplainedSurface, Explanation, Seen};
 use std::fmt::{self, Write};
@@ -299,7 +299,7 @@ impl Page {
         self.push(format_args!(
             "<div class=\"row{total}\"><span><i class=\"{}\"></i>{name}</span><span>{r}</span>\
              <span>{g}</span><span>{b}</span><span class=\"eq\">{equation}</span></div>\n",
-            kind_class(kind)
+            kind.name()
         ));
     }
 

@@ -9,6 +9,7 @@ mod lines;
 mod pictures;
 mod report;
 mod sentences;
+mod sums;
 mod text;
 mod vectors;
 
@@ -17,4 +18,5 @@ pub use json::display_to_json;
 pub use lines::{LedgerFactor, LedgerLine, ledger_lines};
 pub use pictures::{Pictures, PicturesError};
 pub use report::Report;
+pub use sums::{luminance, term_sums};
 pub use vectors::{LedgerVector, VectorKind, ledger_vectors};

@@ -1,5 +1,6 @@
 //! The vectors of the lighting equation at an explained surface, for a drawing.
 
+use super::sums::luminance;
 use luxel_render::{ExplainedLight, ExplainedSurface};
 
 /// What a vector is.
@@ -70,9 +71,4 @@ pub fn ledger_vectors(surface: &ExplainedSurface) -> Vec<LedgerVector> {
         light: None,
     });
     vectors
-}
-
-/// Relative luminance (ITU-R BT.709).
-fn luminance([r, g, b]: [f32; 3]) -> f32 {
-    0.2126 * r + 0.7152 * g + 0.0722 * b
 }

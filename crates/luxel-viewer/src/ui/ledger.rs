@@ -22,11 +22,6 @@ pub(super) fn term_color(kind: TermKind, theme: &Theme) -> Color32 {
     }
 }
 
-/// Relative luminance (ITU-R BT.709).
-pub(super) fn luminance([r, g, b]: [f32; 3]) -> f32 {
-    0.2126 * r + 0.7152 * g + 0.0722 * b
-}
-
 /// Shows the equation.
 pub(super) fn equation(ui: &mut Ui, lines: &[LedgerLine]) {
     let theme = theme::of(ui.ctx());

@@ -1,6 +1,6 @@
 //! The terms of a surface as stacked bars, one for each channel, to one scale.
 
-use super::escape::{escaped, kind_class};
+use super::escape::escaped;
 use crate::equation::TermKind;
 use crate::words::number;
 use luxel_lighting::{Display, Tone};
@@ -34,7 +34,7 @@ pub(crate) fn terms(surface: &ExplainedSurface, display: &Display) -> String {
                 continue;
             }
             let Part { kind, name, short, value } = part;
-            let (class, name) = (kind_class(*kind), escaped(name));
+            let (class, name) = (kind.name(), escaped(name));
             let _ = write!(
                 text,
                 "<span class=\"{class}\" style=\"width:{width:.3}%\" title=\"{name}: {}\"><em>{name}\

@@ -1,6 +1,5 @@
-//! Names from files as text of a page, and the classes of terms.
+//! Names from files as text of a page.
 
-use crate::equation::TermKind;
 use crate::words::printable;
 
 /// The text with the special characters of HTML escaped: names come from files, and a file must not
@@ -18,19 +17,6 @@ pub(super) fn escaped(text: &str) -> String {
         }
     }
     safe
-}
-
-/// The class of the style sheet that colours a kind of term.
-pub(super) fn kind_class(kind: TermKind) -> &'static str {
-    match kind {
-        TermKind::Ambient => "ambient",
-        TermKind::Diffuse => "diffuse",
-        TermKind::Specular => "specular",
-        TermKind::Emission => "emission",
-        TermKind::Environment => "environment",
-        TermKind::Fog => "fog",
-        TermKind::Sum => "sum",
-    }
 }
 
 #[cfg(test)]

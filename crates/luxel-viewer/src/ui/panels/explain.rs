@@ -5,15 +5,10 @@ use crate::number::{number, percent};
 use crate::render::ExplainedPixel;
 use crate::session::Session;
 use crate::theme;
-use crate::ui::ledger::{self, luminance, term_color, value_row};
+use crate::ui::ledger::{self, term_color, value_row};
 use egui::{Color32, RichText, pos2, vec2};
-use luxel::render::{
-    ExplainedLight, ExplainedSurface, Hidden, NEAREST_WITHIN, Seen, SurfaceBelow, Unseen,
-};
-use luxel::report::{Hint, LedgerLine, TermKind};
-
-/// A term of the sum: name, kind, value.
-type Term = (&'static str, TermKind, [f32; 3]);
+use luxel::render::{Hidden, NEAREST_WITHIN, Seen, SurfaceBelow, Unseen};
+use luxel::report::{Hint, LedgerLine, TermKind, luminance, term_sums};
 
 /// The explanation of a pixel.
 pub(super) fn explanation(
@@ -57,13 +52,13 @@ pub(super) fn explanation(
     }
     ui.add_space(8.0);
     let theme = theme::of(ui.ctx());
-    let terms = terms(surface);
+    let terms = term_sums(surface);
     bar(ui, &terms);
     ui.add_space(4.0);
     ui.spacing_mut().item_spacing.y = 2.0;
-    for (name, kind, value) in &terms {
+    for (kind, value) in &terms {
         if *value != [0.0; 3] {
-            value_row(ui, Some(term_color(*kind, theme)), name, *value);
+            value_row(ui, Some(term_color(*kind, theme)), kind.name(), *value);
         }
     }
     value_row(ui, Some(theme.accent), "sum", surface.sum);
@@ -141,33 +136,15 @@ fn name_of(session: &Session, object: usize) -> String {
     node.map(|node| node.name.clone()).unwrap_or_default()
 }
 
-fn terms(surface: &ExplainedSurface) -> [Term; 5] {
-    let sum =
-        |of: fn(&ExplainedLight) -> [f32; 3]| {
-            surface.lights.iter().map(of).fold([0.0; 3], |all, one| {
-                std::array::from_fn(|channel| all[channel] + one[channel])
-            })
-        };
-    let of_lights = sum(|light| light.terms.ambient.lane(0));
-    let ambient = std::array::from_fn(|at| surface.scene_ambient[at] + of_lights[at]);
-    [
-        ("ambient", TermKind::Ambient, ambient),
-        ("diffuse", TermKind::Diffuse, sum(|light| light.terms.diffuse.lane(0))),
-        ("specular", TermKind::Specular, sum(|light| light.terms.specular.lane(0))),
-        ("emission", TermKind::Emission, surface.emission),
-        ("environment", TermKind::Environment, surface.environment),
-    ]
-}
-
 /// A bar divided by the luminance of the terms.
-fn bar(ui: &mut egui::Ui, terms: &[Term]) {
+fn bar(ui: &mut egui::Ui, terms: &[(TermKind, [f32; 3])]) {
     let width = ui.available_width();
     let (rect, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
     let theme = theme::of(ui.ctx());
     ui.painter().rect_filled(rect, 2, theme.line);
-    let all: f32 = terms.iter().map(|(_, _, value)| luminance(*value).max(0.0)).sum();
+    let all: f32 = terms.iter().map(|(_, value)| luminance(*value).max(0.0)).sum();
     let mut left = rect.left();
-    for (_, kind, value) in terms {
+    for (kind, value) in terms {
         let part = if all > 0.0 { luminance(*value).max(0.0) / all * width } else { 0.0 };
         let part = egui::Rect::from_min_size(pos2(left, rect.top()), vec2(part, rect.height()));
         ui.painter().rect_filled(part, 0, term_color(*kind, theme));
