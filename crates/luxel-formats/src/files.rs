@@ -4,6 +4,7 @@
 use crate::GivenFiles;
 use crate::{Error, Limits, Place, Progress};
 use luxel_parallel::each;
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
@@ -15,23 +16,24 @@ const BLOCK: usize = 4 << 20;
 /// Shorter files are read in one call.
 pub(crate) const LONG: u64 = 2 * BLOCK as u64;
 
-/// Reads a file.
-pub(crate) fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, Error> {
+/// Reads a file; those in memory without a copy.
+pub(crate) fn read_file<'l>(path: &Path, limits: &'l Limits) -> Result<Cow<'l, [u8]>, Error> {
     let Checked { length, is_regular } = checked(path, limits)?;
     if let Some(progress) = &limits.progress {
         progress.expect(length);
     }
     let in_file = |error: Error| error.in_file(path);
     let read = if let Some(given) = &limits.given {
-        given.get(path).map(<[u8]>::to_vec).ok_or_else(missing)
+        given.get(path).map(Cow::Borrowed).ok_or_else(missing)
     } else if is_regular && length >= LONG {
-        read_blocks(path, length, limits.progress.as_ref())
+        read_blocks(path, length, limits.progress.as_ref()).map(Cow::Owned)
     } else {
-        read_stream(path, limits)
+        read_stream(path, limits).map(Cow::Owned)
     };
     let bytes = read.map_err(|error| in_file(Error::at(Place::File, error.into())))?;
     // `read_blocks` counts the bytes itself.
-    if let Some(progress) = limits.progress.as_ref().filter(|_| (bytes.len() as u64) < LONG) {
+    let is_counted = limits.given.is_none() && (bytes.len() as u64) >= LONG;
+    if let Some(progress) = limits.progress.as_ref().filter(|_| !is_counted) {
         progress.advance(length);
     }
     // The length of a pipe isn't known beforehand.

@@ -181,7 +181,8 @@ impl<'a> Buffers<'a> {
         let length = files::length(&path, given).map_err(|error| unreadable(&error))?;
         let what = format!("`{decoded}`");
         self.memory.take(&what, length, 1, place())?;
-        files::read_file(&path, &self.memory.left()).map_err(|error| match error.kind {
+        let read = files::read_file(&path, &self.memory.left()).map(Cow::into_owned);
+        read.map_err(|error| match error.kind {
             ErrorKind::Io(error) => unreadable(&error),
             kind => Error::at(place(), kind),
         })

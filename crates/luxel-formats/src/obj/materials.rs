@@ -25,6 +25,7 @@ use luxel_scene::{
     AlphaMode, Encoding, Image, MaterialId, Sampler, SceneMaterial, Texture, TextureId, TextureUse,
     Wrap,
 };
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -353,7 +354,8 @@ impl Libraries<'_> {
             return Ok(Library::Known);
         }
         let because = |error: Error| Warning::from(error.kind);
-        let bytes = files::read_file(&path, &self.memory.left()).map_err(because)?;
+        let read = files::read_file(&path, &self.memory.left()).map(Cow::into_owned);
+        let bytes = read.map_err(because)?;
         let taken = self.memory.take("the libraries", bytes.len() as u64, 1, Place::File);
         taken.map_err(because)?;
         Format::Obj.check_not_utf16(&bytes).map_err(because)?;
