@@ -2,6 +2,7 @@
 
 use super::{Cli, Command};
 use crate::commands::render::PictureSettings;
+use crate::scene_file::flags::ON_THE_LINE;
 use crate::{camera, surface, view};
 use clap::{Arg, CommandFactory, Parser};
 use luxel::render::View;
@@ -9,25 +10,8 @@ use luxel::scene::{Scene, demos};
 use luxel::{SETTINGS, Settings};
 use std::collections::BTreeSet;
 
-/// Flags that don't describe a picture of one frame.
-const NO_SETTINGS: [&str; 16] = [
-    "output",
-    "output-format",
-    "format",
-    "json",
-    "path",
-    "fps",
-    "threads",
-    "simd",
-    "max-memory",
-    "quiet",
-    "verbose",
-    "help",
-    "version",
-    "bits",
-    "layer",
-    "turntable",
-];
+/// Flags of what is made of a picture, besides those of output and execution.
+const NO_SETTINGS: [&str; 3] = ["bits", "layer", "turntable"];
 
 #[test]
 fn every_flag_that_describes_a_picture_is_a_setting() {
@@ -37,7 +21,7 @@ fn every_flag_that_describes_a_picture_is_a_setting() {
     let flags: BTreeSet<&str> = render
         .get_arguments()
         .filter_map(Arg::get_long)
-        .filter(|flag| !NO_SETTINGS.contains(flag))
+        .filter(|flag| !ON_THE_LINE.contains(flag) && !NO_SETTINGS.contains(flag))
         .collect();
     let parameters = luxel::lighting::parameters();
     let with_flags = parameters.filter(|one| one.placeholder.is_some()).map(|one| one.name);
