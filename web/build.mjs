@@ -49,9 +49,30 @@ cpSync(dist, join(out, "luxel"), { recursive: true, filter: (path) => !path.ends
 const articles = ["light", "reflection", "shading", "picking", "navigation"];
 const entries = ["viewer", ...articles].map((name) => join(here, `site/src/${name}.ts`));
 await build({ ...common, plugins: [asPage], entryPoints: entries, outdir: out });
-for (const name of ["index.html", "light.html", "picking.html", "navigation.html", "style.css", "favicon.svg"]) {
+for (const name of ["style.css", "favicon.svg"]) {
   cpSync(join(here, "site", name), join(out, name));
 }
+
+/** The links to all articles, of which one may be the page's own. */
+const links = (own) => {
+  const items = articles.map((name) => {
+    const current = name === own ? ' aria-current="page"' : "";
+    return `<li><a href="${name}.html"${current}>${name[0].toUpperCase()}${name.slice(1)}</a></li>`;
+  });
+  return `<nav aria-label="Pages"><ul class="pages">${items.join("")}</ul></nav>`;
+};
+const source = (name) => readFileSync(join(here, "site", name), "utf8");
+writeFileSync(join(out, "index.html"), source("index.html").replace("{pages}", links()));
+/** Writes an article: its text, with what figures add to it, in the frame that all have. */
+const writeArticle = (name, change = (text) => text) => {
+  const text = source(`${name}.html`);
+  const [, title] = /^<!-- title: (.*) -->$/m.exec(text);
+  const [, description] = /^<!-- description: (.*) -->$/m.exec(text);
+  const main = change(text.slice(text.indexOf("<main>")).trimEnd());
+  const parts = { title, description, name, pages: links(name), main };
+  const page = source("article.html").replace(/\{(\w+)\}/g, (_, part) => parts[part]);
+  writeFileSync(join(out, `${name}.html`), page);
+};
 
 // Still pictures, drawn by the same module: shown before it arrives, without JavaScript, and in print.
 const { initSync, Model, ModelView } = await import(join(here, "package/wasm/luxel.js"));
@@ -110,11 +131,10 @@ const withComparisons = (page, name, comparisons, firstSettings) => {
   if (page.includes("<!-- figure")) throw new Error(`a figure of ${name}.html has no data`);
   return page;
 };
-const article = (name) => readFileSync(join(here, `site/${name}.html`), "utf8");
+for (const name of ["light", "picking", "navigation"]) writeArticle(name);
 
 const shading = await exportsOf("site/src/figures/shading.ts");
-const shadingPage = withComparisons(article("shading"), "shading", shading.FIGURES, shading.firstSettings);
-writeFileSync(join(out, "shading.html"), shadingPage);
+writeArticle("shading", (text) => withComparisons(text, "shading", shading.FIGURES, shading.firstSettings));
 
 const reflection = await exportsOf("site/src/figures/reflection.ts");
 const [vectors] = reflection.VECTORS;
@@ -129,8 +149,10 @@ const cell = (ks, n) => {
 const head = `<tr><th scope="col">k<sub>s</sub> \\ n</th>${TABLE.n.map((n) => `<th scope="col">${n}</th>`).join("")}</tr>`;
 const rows = TABLE.ks.map((ks) => `<tr><th scope="row">${ks}</th>${TABLE.n.map((n) => cell(ks, n)).join("")}</tr>`);
 const table = `<div class="scroll" tabindex="0" role="group" aria-label="The table of shininess"><table>${head}${rows.join("")}</table></div>`;
-const reflectionPage = withComparisons(article("reflection"), "reflection", reflection.COMPARISONS, reflection.firstOfComparison);
-writeFileSync(join(out, "reflection.html"), reflectionPage.replace("<!-- table -->", table));
+writeArticle("reflection", (text) => {
+  const page = withComparisons(text, "reflection", reflection.COMPARISONS, reflection.firstOfComparison);
+  return page.replace("<!-- table -->", table);
+});
 
 // A browser asks for an icon of this name, whatever the page says: a PNG picture in the container of ICO files.
 const icon = still("spheres", { size: "32x32", samples: 16 });

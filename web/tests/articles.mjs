@@ -218,14 +218,14 @@ test("ray, sliver, name stack and picture of ids agree wherever one clicks, and 
     // Places all over the picture, the same ones in each run.
     const [x, y] = [(turn * 197 + 40) % 640, (turn * 131 + 30) % 400];
     await page.mouse.click(box.x + ((x + 0.5) / 640) * box.width, box.y + ((y + 0.5) / 400) * box.height);
-    const told = await page.evaluate(async () => {
+    const verdict = await page.evaluate(async () => {
       await window.luxel.settled();
       return document.querySelector("#verdict p").textContent;
     });
-    const place = told.match(/Pixel (\d+), (\d+)/).slice(1).join();
-    assert.match(told, /agree on/);
+    const place = verdict.match(/Pixel (\d+), (\d+)/).slice(1).join();
+    assert.match(verdict, /agree on/);
     const { hits } = JSON.parse(execFileSync(program, ["pick", "demo:plane", "--at", place, ...flags], { encoding: "utf8" }));
-    assert.ok(told.endsWith(`agree on ${hits[0] ? hits[0].path.join(" / ") : "nothing"}.`), told);
+    assert.ok(verdict.endsWith(`agree on ${hits[0] ? hits[0].path.join(" / ") : "nothing"}.`), verdict);
     const [left, top] = place.split(",").map((at) => Number(at) + 0.5 - 2.5);
     const rect = JSON.parse(execFileSync(program, ["pick", "demo:plane", "--rect", `${left},${top},5,5`, ...flags], { encoding: "utf8" }));
     const records = await page.locator("#sliver-hits tbody tr td:last-child").allTextContents();

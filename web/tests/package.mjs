@@ -23,7 +23,7 @@ try {
   const readme = readFileSync(join(packageFolder, "README.md"), "utf8");
   const lines = /```js\n([\s\S]*?)```/.exec(readme)[1].replace('document.querySelector("canvas")', 'document.querySelector("canvas")!');
   writeFileSync(join(folder, "page.ts"), lines);
-  writeFileSync(join(folder, "wrong.ts"), 'import { load } from "luxel";\n// @ts-expect-error A number is no source.\nvoid load(3);\n');
+  writeFileSync(join(folder, "wrong.ts"), 'import { load } from "luxel";\n// @ts-expect-error A source is never a number.\nvoid load(3);\n');
   const compiler = ["--noEmit", "--strict", "--target", "es2022", "--module", "esnext", "--moduleResolution", "bundler"];
   const libraries = ["--lib", "es2022,esnext.disposable,dom,dom.iterable", "--types", ""];
   run(process.execPath, [join(tools, "node_modules/typescript/bin/tsc"), ...compiler, ...libraries, "page.ts", "wrong.ts"]);

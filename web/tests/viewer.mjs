@@ -49,7 +49,7 @@ test("a link with lights, shadows and shading has the bytes of the program", asy
   });
 });
 
-test("two workers draw the bytes of one", () =>
+test("several workers draw the bytes of one", () =>
   withViewer("#demo=teapot&size=64x64", async (page) => {
     const isSame = await page.evaluate(async () => {
       const { configure, demo } = await import("./luxel/luxel.js");
@@ -241,8 +241,8 @@ test("broken files, settings and sizes say what is wrong, and the page goes on",
   await withViewer("", async (page) => {
     await page.setInputFiles("#files", broken);
     await page.waitForSelector("#message:not([hidden])");
-    const told = await page.locator("#message").textContent();
-    assert.ok(told.startsWith(expected), `${told} is not ${expected}`);
+    const shown = await page.locator("#message").textContent();
+    assert.ok(shown.startsWith(expected), `${shown} is not ${expected}`);
     await page.selectOption("#demo", "spheres");
     await page.waitForFunction(() => document.title.includes("spheres"));
     assert.ok(await page.locator("#message").isHidden());
@@ -257,7 +257,7 @@ test("broken files, settings and sizes say what is wrong, and the page goes on",
   }
 });
 
-test("a worker that runs out of memory is started anew, and says so", async () => {
+test("a worker that runs out of memory ends with an error of its own, and another one takes its place", async () => {
   const { page } = await open(browser.context, `${site.address}/index.html#demo=teapot&size=64x64`);
   const [ended, name, drawn] = await page.evaluate(async () => {
     const { demo, memory } = await import("./luxel/luxel.js");

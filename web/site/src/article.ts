@@ -1,19 +1,19 @@
-/** Makes the figures of an article live. */
+/** Figures of an article: a picture, a formula whose numbers can be dragged, and the ledger of a pixel. */
 
-import { demo, LuxelError, type View } from "luxel";
+import type { Explanation } from "luxel";
 import { byId, element } from "./dom.ts";
 import type { Figure, Values } from "./figures/figure.ts";
 import { formula } from "./formula.ts";
 import { matrix } from "./matrix.ts";
 import { sentence, showLedger } from "./ledger.ts";
+import { DemoView, Live } from "./live.ts";
 import { draggable } from "./number.ts";
 import { showVectors } from "./overlay.ts";
-import { offer } from "./testing.ts";
 
 /** A figure in the page. */
-export class LiveFigure {
-  readonly figure: Figure;
-  readonly canvas = element("canvas", { role: "img", tabindex: "0" });
+export class LiveFigure extends Live {
+  readonly #figure: Figure;
+  readonly #canvas = element("canvas", { role: "img", tabindex: "0" });
   readonly #overlay = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   readonly #ledger = element("div");
   readonly #matrices = element("div", { class: "matrix" });
@@ -21,44 +21,44 @@ export class LiveFigure {
   readonly #values: Values;
   readonly #shown = new Map<string, ((value: number) => void)[]>();
   #pixel: [number, number];
-  #view: View | undefined;
-  #isStale = true;
-  #isBusy = false;
-  #waiting: (() => void)[] = [];
-  pixels: Uint8ClampedArray | undefined;
+  readonly #view: DemoView;
+  #pixels: Uint8ClampedArray | undefined;
 
   constructor(figure: Figure) {
-    this.figure = figure;
+    super(figure.id);
+    this.#figure = figure;
+    this.#view = new DemoView(figure.demo);
     this.#pixel = figure.pixel;
     this.#values = Object.fromEntries(figure.numbers.map(({ name, value }) => [name, value]));
+    this.#place();
   }
 
   /** Puts the figure into its place in the page. */
-  place(): void {
-    const { id, size, formula: lines, tutors } = this.figure;
+  #place(): void {
+    const { id, size, formula: lines, tutors } = this.#figure;
     const place = byId(id);
     const still = place.querySelector("img")!;
-    [this.canvas.width, this.canvas.height] = size;
-    this.canvas.setAttribute("aria-label", still.alt);
+    [this.#canvas.width, this.#canvas.height] = size;
+    this.#canvas.setAttribute("aria-label", still.alt);
     this.#overlay.setAttribute("viewBox", `0 0 ${size[0]} ${size[1]}`);
     this.#overlay.setAttribute("aria-hidden", "true");
-    const picture = element("div", { class: "live-picture" }, this.canvas, this.#overlay);
+    const picture = element("div", { class: "live-picture" }, this.#canvas, this.#overlay);
     still.replaceWith(picture);
-    this.canvas.hidden = true;
+    this.#canvas.hidden = true;
     picture.prepend(still);
     const numbers = element("div", { class: "numbers" });
     for (const line of lines) numbers.append(element("p", { class: "line" }, ...this.#line(line, true)));
     for (const tutor of tutors ?? []) numbers.append(this.#tutor(tutor));
     const reset = element("button", { type: "button" }, "Start again");
     reset.addEventListener("click", () => {
-      for (const { name, value } of this.figure.numbers) this.#set(name, value);
-      this.#changed();
+      for (const { name, value } of this.#figure.numbers) this.#set(name, value);
+      this.changed();
     });
     const why = element("details", {}, element("summary", {}, "Why this pixel has its colour"), this.#ledger);
-    if (this.figure.showsMatrices) numbers.append(this.#matrices);
+    if (this.#figure.showsMatrices) numbers.append(this.#matrices);
     picture.after(numbers, this.#said, why, element("p", {}, reset));
-    this.canvas.addEventListener("click", (event) => this.#point(event));
-    this.canvas.addEventListener("keydown", (event) => this.#key(event));
+    this.#canvas.addEventListener("click", (event) => this.#point(event));
+    this.#canvas.addEventListener("keydown", (event) => this.#key(event));
   }
 
   /** The elements of a line: symbols as formulas if it is one, numbers as sliders. */
@@ -71,10 +71,10 @@ export class LiveFigure {
           /_|max|N\.L/.test(word) ? formula(word) : word,
         );
       }
-      const number = this.figure.numbers.find((one) => one.name === name)!;
+      const number = this.#figure.numbers.find((one) => one.name === name)!;
       const slider = draggable({ ...number, value: this.#values[name]! }, (value) => {
         this.#set(name, value);
-        this.#changed();
+        this.changed();
       });
       this.#shown.set(name, [...(this.#shown.get(name) ?? []), slider.set]);
       return [slider.element];
@@ -100,12 +100,12 @@ export class LiveFigure {
   }
 
   #point(event: MouseEvent): void {
-    const box = this.canvas.getBoundingClientRect();
+    const box = this.#canvas.getBoundingClientRect();
     const part = (at: number, start: number, length: number, side: number): number =>
       Math.min(Math.max(Math.floor(((at - start) / length) * side), 0), side - 1);
-    const { width, height } = this.canvas;
+    const { width, height } = this.#canvas;
     this.#pixel = [part(event.clientX, box.left, box.width, width), part(event.clientY, box.top, box.height, height)];
-    this.#changed();
+    this.changed();
   }
 
   #key(event: KeyboardEvent): void {
@@ -118,88 +118,39 @@ export class LiveFigure {
     const step = steps[event.key];
     if (step === undefined) return;
     event.preventDefault();
-    const { width, height } = this.canvas;
+    const { width, height } = this.#canvas;
     const [x, y] = this.#pixel;
     this.#pixel = [Math.min(Math.max(x + step[0], 0), width - 1), Math.min(Math.max(y + step[1], 0), height - 1)];
-    this.#changed();
+    this.changed();
   }
 
-  #changed(): void {
-    this.#isStale = true;
-    void this.draw();
-  }
-
-  /** Draws until nothing has changed meanwhile. */
-  async draw(): Promise<void> {
-    if (this.#isBusy) return;
-    this.#isBusy = true;
-    try {
-      while (this.#isStale) {
-        this.#isStale = false;
-        const settings = { size: this.figure.size, ...this.figure.settings(this.#values) };
-        if (this.#view === undefined) {
-          this.#view = await (await demo(this.figure.demo)).view(settings);
-        } else {
-          await this.#view.set(settings);
-        }
-        const image = await this.#view.render({ workers: 1 });
-        this.canvas.getContext("2d")!.putImageData(image, 0, 0);
-        this.pixels = image.data;
-        this.canvas.hidden = false;
-        this.canvas.parentElement?.querySelector("img")?.remove();
-        if (this.figure.showsMatrices) {
-          const { viewFromWorld, clipFromView } = await this.#view.navigate();
-          this.#matrices.replaceChildren(matrix("V", viewFromWorld), matrix("P", clipFromView));
-        }
-        const ledger = await this.#view.ledger(...this.#pixel);
-        showLedger(this.#ledger, ledger, false);
-        showVectors(this.#overlay, ledger, [this.#pixel[0] + 0.5, this.#pixel[1] + 0.5]);
-        this.#said.textContent = sentence(ledger);
-      }
-    } catch (error) {
-      this.#said.textContent = error instanceof LuxelError ? error.message : String(error);
+  protected override async drawOnce(): Promise<void> {
+    const { size, settings, showsMatrices } = this.#figure;
+    const view = await this.#view.with({ size, ...settings(this.#values) });
+    const image = await view.render({ workers: 1 });
+    this.#canvas.getContext("2d")!.putImageData(image, 0, 0);
+    this.#pixels = image.data;
+    this.#canvas.hidden = false;
+    this.#canvas.parentElement?.querySelector("img")?.remove();
+    if (showsMatrices) {
+      const { viewFromWorld, clipFromView } = await view.navigate();
+      this.#matrices.replaceChildren(matrix("V", viewFromWorld), matrix("P", clipFromView));
     }
-    this.#isBusy = false;
-    this.#waiting.splice(0).forEach((done) => done());
+    const ledger = await view.ledger(...this.#pixel);
+    showLedger(this.#ledger, ledger, false);
+    showVectors(this.#overlay, ledger, [this.#pixel[0] + 0.5, this.#pixel[1] + 0.5]);
+    this.#said.textContent = sentence(ledger);
   }
 
-  /** Resolves when nothing is left to draw. */
-  settled(): Promise<void> {
-    return this.#isBusy || this.#isStale ? new Promise((resolve) => this.#waiting.push(resolve)) : Promise.resolve();
+  protected override fail(message: string): void {
+    this.#said.textContent = message;
   }
 
-  explain(x: number, y: number): ReturnType<View["explain"]> {
-    if (this.#view === undefined) throw new LuxelError("there is no picture yet");
+  override pixels(): Uint8ClampedArray | undefined {
+    return this.#pixels;
+  }
+
+  override explain(x: number, y: number): Promise<Explanation> {
     return this.#view.explain(x, y);
   }
-}
-
-/** Makes figures live, each when it comes near the window; the first one at once. */
-export function article(figures: readonly Figure[]): void {
-  const live = figures.map((figure) => new LiveFigure(figure));
-  live.forEach((figure) => figure.place());
-  const near = new IntersectionObserver(
-    (entries) => {
-      for (const { isIntersecting, target } of entries) {
-        const figure = live.find((one) => one.figure.id === target.id);
-        if (isIntersecting && figure) {
-          near.unobserve(target);
-          void figure.draw();
-        }
-      }
-    },
-    { rootMargin: "300px" },
-  );
-  live.forEach((figure) => near.observe(byId(figure.figure.id)));
-  const of = (canvas?: HTMLCanvasElement): LiveFigure => live.find((one) => one.canvas === canvas) ?? live[0]!;
-  offer(live[0]!.draw(), {
-    pixels: (canvas) => of(canvas).pixels,
-    explain: async (x, y) => {
-      await live[0]!.settled();
-      return live[0]!.explain(x, y);
-    },
-    settled: async () => {
-      await Promise.all(live.map((figure) => figure.draw().then(() => figure.settled())));
-    },
-  });
 }

@@ -1,11 +1,11 @@
-/** Makes the comparisons of an article live: two pictures under a divider, and what they differ by. */
+/** Comparisons of an article: two pictures under a divider, and what they differ by. */
 
-import { demo, LuxelError, type View } from "luxel";
+import type { Explanation, Settings } from "luxel";
 import { byId, drawn, element } from "./dom.ts";
 import { choiceRow } from "./fields.ts";
-import type { Comparison, ComparedValues } from "./figures/comparison.ts";
+import type { Comparison, ComparedValues, Side } from "./figures/comparison.ts";
+import { DemoView, Live } from "./live.ts";
 import { draggable } from "./number.ts";
-import { offer } from "./testing.ts";
 
 /** How two pictures differ, in steps of 255. */
 interface Difference {
@@ -46,57 +46,48 @@ function row(pixels: Uint8ClampedArray, width: number, height: number): string {
 /** One of the two pictures. */
 class LiveSide {
   readonly canvas: HTMLCanvasElement;
+  readonly view: DemoView;
   pixels: Uint8ClampedArray | undefined;
-  #view: View | undefined;
 
-  constructor(alt: string, [width, height]: [number, number]) {
+  constructor({ alt, demo }: Side, [width, height]: [number, number]) {
     this.canvas = element("canvas", { role: "img", "aria-label": alt });
     [this.canvas.width, this.canvas.height] = [width, height];
+    this.view = new DemoView(demo);
   }
 
-  async draw(name: string, settings: Parameters<View["set"]>[0]): Promise<void> {
-    if (this.#view === undefined) {
-      this.#view = await (await demo(name)).view(settings);
-    } else {
-      await this.#view.set(settings);
-    }
-    const image = await this.#view.render({ workers: 1 });
+  async draw(settings: Settings): Promise<void> {
+    const image = await (await this.view.with(settings)).render({ workers: 1 });
     this.canvas.getContext("2d")!.putImageData(image, 0, 0);
     this.pixels = image.data;
   }
-
-  explain(x: number, y: number): ReturnType<View["explain"]> {
-    if (this.#view === undefined) throw new LuxelError("there is no picture yet");
-    return this.#view.explain(x, y);
-  }
 }
 
-export class LiveComparison {
-  readonly comparison: Comparison;
-  readonly sides: [problem: LiveSide, cure: LiveSide];
+/** A problem and its cure. */
+export class LiveComparison extends Live {
+  readonly #comparison: Comparison;
+  readonly #sides: [problem: LiveSide, cure: LiveSide];
   readonly #said = element("p", { class: "said", "aria-live": "polite" });
   readonly #plot = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   readonly #values: ComparedValues;
   readonly #shown = new Map<string, (value: number) => void>();
-  #isStale = true;
-  #isBusy = false;
-  #waiting: (() => void)[] = [];
 
   constructor(comparison: Comparison) {
     const { problem, cure, numbers, choices = [], size } = comparison;
-    this.comparison = comparison;
-    this.sides = [new LiveSide(problem.alt, size), new LiveSide(cure.alt, size)];
+    super(comparison.id);
+    this.#comparison = comparison;
+    this.#sides = [new LiveSide(problem, size), new LiveSide(cure, size)];
     this.#values = {
       numbers: Object.fromEntries(numbers.map(({ name, value }) => [name, value])),
       choices: Object.fromEntries(choices.map(({ name, value }) => [name, value])),
     };
+    this.#place();
   }
 
   /** Puts the comparison into its place in the page. */
-  place(): void {
-    const { id, lines, numbers, choices = [], problem, cure, plot, size } = this.comparison;
+  #place(): void {
+    const { id, lines, numbers, choices = [], problem, cure, plot, size } = this.#comparison;
     const place = byId(id);
-    const picture = element("div", { class: "live-picture compared" }, this.sides[0].canvas, this.sides[1].canvas);
+    const picture = element("div", { class: "live-picture compared" }, this.#sides[0].canvas, this.#sides[1].canvas);
     picture.style.setProperty("--cut", "50%");
     picture.style.aspectRatio = `${size[0]} / ${size[1]}`;
     const divider = element("input", { type: "range", min: "0", max: "100", value: "50", "aria-label": `Divider between ${problem.title} and ${cure.title}` });
@@ -106,7 +97,7 @@ export class LiveComparison {
     const fields = choices.flatMap(({ name, label, options }) =>
       choiceRow(label, options, this.#values.choices[name]!, (value) => {
         this.#values.choices[name] = value;
-        this.#changed();
+        this.changed();
       }),
     );
     if (fields.length > 0) controls.append(element("div", { class: "fields" }, ...fields));
@@ -116,7 +107,7 @@ export class LiveComparison {
         if (name === undefined) return part;
         const slider = draggable(numbers.find((one) => one.name === name)!, (value) => {
           this.#values.numbers[name] = value;
-          this.#changed();
+          this.changed();
         });
         this.#shown.set(name, slider.set);
         return slider.element;
@@ -131,7 +122,7 @@ export class LiveComparison {
       }
       for (const { name, value } of choices) this.#values.choices[name] = value;
       controls.querySelectorAll("select").forEach((select, at) => (select.value = choices[at]!.value));
-      this.#changed();
+      this.changed();
     });
     const stills = place.querySelector(".stills")!;
     stills.after(picture, titles, ...(plot ? [this.#plot] : []), this.#said, controls, element("p", {}, reset));
@@ -142,75 +133,35 @@ export class LiveComparison {
     this.#plot.setAttribute("aria-label", "Intensity along the middle row: of the left picture in steps or with kinks, of the right one smooth");
   }
 
-  #changed(): void {
-    this.#isStale = true;
-    void this.draw();
+  protected override async drawOnce(): Promise<void> {
+    const { problem, cure, size, plot } = this.#comparison;
+    const [left, right] = this.#sides;
+    await left.draw({ size, ...problem.settings(this.#values) });
+    await right.draw({ size, ...cure.settings(this.#values) });
+    const { largest, mean, share } = difference(left.pixels!, right.pixels!);
+    this.#said.textContent = `They differ by up to ${largest} of 255 steps, by ${mean.toFixed(2)} on average, at ${(share * 100).toFixed(1)} % of the pixels by more than one.`;
+    if (plot) this.#drawPlot();
+    const place = byId(this.id);
+    place.querySelectorAll<HTMLElement>(".live-picture, .titles").forEach((one) => (one.hidden = false));
+    place.querySelector(".stills")?.remove();
   }
 
-  /** Draws until nothing has changed meanwhile. */
-  async draw(): Promise<void> {
-    if (this.#isBusy) return;
-    this.#isBusy = true;
-    const { id, problem, cure, size, plot } = this.comparison;
-    try {
-      while (this.#isStale) {
-        this.#isStale = false;
-        const [left, right] = this.sides;
-        await left.draw(problem.demo, { size, ...problem.settings(this.#values) });
-        await right.draw(cure.demo, { size, ...cure.settings(this.#values) });
-        const { largest, mean, share } = difference(left.pixels!, right.pixels!);
-        this.#said.textContent = `They differ by up to ${largest} of 255 steps, by ${mean.toFixed(2)} on average, at ${(share * 100).toFixed(1)} % of the pixels by more than one.`;
-        if (plot) this.#drawPlot();
-        const place = byId(id);
-        place.querySelectorAll<HTMLElement>(".live-picture, .titles").forEach((one) => (one.hidden = false));
-        place.querySelector(".stills")?.remove();
-      }
-    } catch (error) {
-      this.#said.textContent = error instanceof LuxelError ? error.message : String(error);
-    }
-    this.#isBusy = false;
-    this.#waiting.splice(0).forEach((done) => done());
+  protected override fail(message: string): void {
+    this.#said.textContent = message;
+  }
+
+  override pixels(canvas: HTMLCanvasElement | undefined): Uint8ClampedArray | undefined {
+    return (this.#sides.find((side) => side.canvas === canvas) ?? this.#sides[0]).pixels;
+  }
+
+  override explain(x: number, y: number): Promise<Explanation> {
+    return this.#sides[0].view.explain(x, y);
   }
 
   #drawPlot(): void {
-    const [width, height] = this.comparison.size;
+    const [width, height] = this.#comparison.size;
     const line = (side: LiveSide, color: string): SVGElement =>
       drawn("polyline", { points: row(side.pixels!, width, height), fill: "none", "stroke-width": 1.5, style: `stroke:${color}` });
-    this.#plot.replaceChildren(line(this.sides[1], "var(--normal)"), line(this.sides[0], "var(--accent)"));
+    this.#plot.replaceChildren(line(this.#sides[1], "var(--normal)"), line(this.#sides[0], "var(--accent)"));
   }
-
-  /** Resolves when nothing is left to draw. */
-  settled(): Promise<void> {
-    return this.#isBusy || this.#isStale ? new Promise((resolve) => this.#waiting.push(resolve)) : Promise.resolve();
-  }
-}
-
-/** Makes comparisons live, each when it comes near the window; the first one at once. */
-export function compared(comparisons: readonly Comparison[]): void {
-  const live = comparisons.map((comparison) => new LiveComparison(comparison));
-  live.forEach((one) => one.place());
-  const near = new IntersectionObserver(
-    (entries) => {
-      for (const { isIntersecting, target } of entries) {
-        const one = live.find((other) => other.comparison.id === target.id);
-        if (isIntersecting && one) {
-          near.unobserve(target);
-          void one.draw();
-        }
-      }
-    },
-    { rootMargin: "300px" },
-  );
-  live.forEach((one) => near.observe(byId(one.comparison.id)));
-  const sides = live.flatMap((one) => one.sides);
-  offer(live[0]!.draw(), {
-    pixels: (canvas) => (sides.find((side) => side.canvas === canvas) ?? sides[0]!).pixels,
-    explain: async (x, y) => {
-      await live[0]!.settled();
-      return sides[0]!.explain(x, y);
-    },
-    settled: async () => {
-      await Promise.all(live.map((one) => one.draw().then(() => one.settled())));
-    },
-  });
 }

@@ -1,6 +1,8 @@
 /** The page on light. */
 
-import { article } from "./article.ts";
+import { LiveFigure } from "./article.ts";
 import { FIGURES } from "./figures/light.ts";
+import { page } from "./live.ts";
 
-article(FIGURES);
+const [first, ...rest] = FIGURES.map((figure) => new LiveFigure(figure));
+page([first!, ...rest]);

@@ -59,7 +59,7 @@ function rows(light: Light, changed: () => void): HTMLElement[] {
   };
   const vector = (name: string, label: string, otherwise: number[]): HTMLElement[] =>
     vectorRow(label, numbers(fields.get(name), otherwise), (value) => {
-      // A direction of no length is no direction.
+      // A direction needs a length.
       if (name !== "dir" || value.some((part) => part !== 0)) set(name, value.join(","));
     });
   const color = (name: string, label: string, otherwise: number[]): HTMLElement[] =>
@@ -89,7 +89,7 @@ function rows(light: Light, changed: () => void): HTMLElement[] {
   return made;
 }
 
-/** Shows lights in a panel. `changed` is told of each change, with whether the list is another one now. */
+/** Shows lights in a panel, and calls `changed` after each change. */
 export function showLights(panel: HTMLElement, lights: Light[], radius: number, changed: () => void): void {
   const again = (): void => {
     showLights(panel, lights, radius, changed);

@@ -1,7 +1,8 @@
 /** Figures that a hand moves: the six modes with their matrices, and the rolling ball's theorem. */
 
-import { demo, LuxelError, type CameraState, type NavigationEvent, type View } from "luxel";
+import type { CameraState, Explanation, NavigationEvent } from "luxel";
 import { byId, element } from "./dom.ts";
+import { DemoView, Live } from "./live.ts";
 import { matrix } from "./matrix.ts";
 import { draggable } from "./number.ts";
 import { listen, MODES } from "./pointing.ts";
@@ -9,71 +10,68 @@ import { listen, MODES } from "./pointing.ts";
 const SIZE: [number, number] = [640, 400];
 
 /** A picture with a camera that moves. */
-class Moved {
+class Moved extends Live {
   readonly canvas = element("canvas", { role: "img", tabindex: "0" });
-  pixels: Uint8ClampedArray | undefined;
-  readonly #demo: string;
+  readonly #view: DemoView;
+  readonly #still: HTMLImageElement;
   readonly #shown: (camera: CameraState, log: string) => void;
-  #view: Promise<View> | undefined;
+  #pixels: Uint8ClampedArray | undefined;
   #pending: NavigationEvent[] = [];
-  #isStale = true;
-  #busy: Promise<void> | undefined;
   mode = "turntable";
 
-  constructor(name: string, alt: string, shown: (camera: CameraState, log: string) => void) {
-    this.#demo = name;
+  /** Puts the picture into its place; `shown` is called after each event with the camera and the log. */
+  constructor(id: string, demo: string, shown: (camera: CameraState, log: string) => void) {
+    super(id);
+    this.#view = new DemoView(demo);
     this.#shown = shown;
+    this.#still = byId(id).querySelector("img")!;
     [this.canvas.width, this.canvas.height] = SIZE;
-    this.canvas.setAttribute("aria-label", alt);
+    this.canvas.setAttribute("aria-label", this.#still.alt);
+    this.canvas.hidden = true;
+    byId(id).prepend(element("div", { class: "live-picture" }, this.#still, this.canvas));
   }
 
   move(...events: NavigationEvent[]): void {
     this.#pending.push(...events);
-    this.#isStale = true;
-    void this.draw();
+    this.changed();
   }
 
-  draw(): Promise<void> {
-    this.#busy ??= this.#draw().finally(() => (this.#busy = undefined));
-    return this.#busy;
+  protected override async drawOnce(): Promise<void> {
+    const view = await this.#view.opened({ size: SIZE });
+    const camera = await view.navigate(...this.#pending.splice(0));
+    this.mode = camera.mode;
+    const image = await view.render({ workers: 1 });
+    this.canvas.getContext("2d")!.putImageData(image, 0, 0);
+    this.#pixels = image.data;
+    this.#still.remove();
+    this.canvas.hidden = false;
+    this.#shown(camera, await view.log());
   }
 
-  async #draw(): Promise<void> {
-    this.#view ??= demo(this.#demo).then((scene) => scene.view({ size: SIZE }));
-    const view = await this.#view;
-    while (this.#isStale) {
-      this.#isStale = false;
-      const camera = await view.navigate(...this.#pending.splice(0));
-      this.mode = camera.mode;
-      const image = await view.render({ workers: 1 });
-      this.canvas.getContext("2d")!.putImageData(image, 0, 0);
-      this.pixels = image.data;
-      this.#shown(camera, await view.log());
-    }
+  protected override fail(message: string): void {
+    byId(this.id).querySelector("figcaption")!.textContent = message;
   }
 
-  async explain(x: number, y: number): ReturnType<View["explain"]> {
-    if (this.#view === undefined) throw new LuxelError("there is no picture yet");
-    return (await this.#view).explain(x, y);
+  override pixels(): Uint8ClampedArray | undefined {
+    return this.#pixels;
+  }
+
+  override explain(x: number, y: number): Promise<Explanation> {
+    return this.#view.explain(x, y);
   }
 }
 
 /** The six modes: drag the picture, and watch the matrix and the log. */
-export function modes(id: string): Moved {
-  const place = byId(id);
-  const still = place.querySelector("img")!;
+export function modes(id: string): Live {
   const values = element("div", { class: "matrix" });
   const log = element("pre", { class: "log", tabindex: "0", "aria-label": "The last events of the log" });
   const choice = element("select", { "aria-label": "Mode" }, ...MODES.map((mode) => element("option", {}, mode)));
-  const moved = new Moved("welcome", still.alt, (camera, text) => {
+  const moved = new Moved(id, "welcome", (camera, text) => {
     values.replaceChildren(matrix("V", camera.viewFromWorld));
     // The settings at the beginning are the same each time.
     log.textContent = text.trim().split("\n").filter((line) => !line.startsWith("set ")).slice(-6).join("\n");
     choice.value = camera.mode;
-    still.remove();
-    moved.canvas.hidden = false;
   });
-  moved.canvas.hidden = true;
   choice.addEventListener("change", () => moved.move(["set_mode", choice.value]));
   const taps: [string, string][] = [
     ["orbit-left", "yaw-left"],
@@ -98,9 +96,7 @@ export function modes(id: string): Moved {
   });
   const home = element("button", { type: "button" }, "Start again");
   home.addEventListener("click", () => moved.move(["home"]));
-  const picture = element("div", { class: "live-picture" }, still, moved.canvas);
-  place.prepend(picture);
-  picture.after(element("p", { class: "buttons" }, choice, ...buttons, home), values, log);
+  moved.canvas.parentElement!.after(element("p", { class: "buttons" }, choice, ...buttons, home), values, log);
   const hand = {
     place: ({ clientX, clientY }: { clientX: number; clientY: number }): [number, number] => {
       const box = moved.canvas.getBoundingClientRect();
@@ -116,20 +112,19 @@ export function modes(id: string): Moved {
 }
 
 /** The theorem: a closed loop of the hand rolls the ball about the view axis, by its area over r². */
-export function rollingBall(id: string): Moved {
-  const place = byId(id);
-  const still = place.querySelector("img")!;
+export function rollingBall(id: string): Live {
   const values = element("div", { class: "matrix" });
   const said = element("p", { class: "said", "aria-live": "polite" });
   /** The ball's radius: 0.4 of the window's shorter side. */
   const radius = 0.4 * Math.min(...SIZE);
   let side = 60;
   let first: readonly number[] | undefined;
-  const moved = new Moved("teapot", still.alt, (camera) => {
-    still.remove();
-    moved.canvas.hidden = false;
+  const moved = new Moved(id, "teapot", (camera) => {
     const now = camera.viewFromWorld;
-    first ??= now;
+    if (first === undefined) {
+      first = now;
+      loop();
+    }
     // The rotation from the first camera to this one, in camera space: R = V V0^T; its part about z.
     const at = (row: number, column: number): number =>
       [0, 1, 2].reduce((sum, k) => sum + now[k * 4 + row]! * first![k * 4 + column]!, 0);
@@ -139,7 +134,6 @@ export function rollingBall(id: string): Moved {
     said.textContent = `The loop's area is ${area.toFixed(4)} r², which is ${degrees(area)}; the teapot has turned by ${degrees(Math.abs(twist))} about the view axis.`;
     values.replaceChildren(matrix("V", now));
   });
-  moved.canvas.hidden = true;
   const loop = (): void => {
     const [x, y] = [SIZE[0] / 2, SIZE[1] / 2];
     const corners: [number, number][] = [[x + side, y], [x + side, y - side], [x, y - side], [x, y]];
@@ -160,21 +154,10 @@ export function rollingBall(id: string): Moved {
       loop();
     },
   );
-  const picture = element("div", { class: "live-picture" }, still, moved.canvas);
-  place.prepend(picture);
-  picture.after(element("p", { class: "line" }, "the hand goes round a square of ", slider.element, " pixels"), said, values);
-  const begin = moved.draw.bind(moved);
-  let isFirst = true;
-  moved.draw = () => {
-    if (isFirst) {
-      isFirst = false;
-      // The first camera is known before the loop begins.
-      return begin().then(() => {
-        loop();
-        return begin();
-      });
-    }
-    return begin();
-  };
+  moved.canvas.parentElement!.after(
+    element("p", { class: "line" }, "the hand goes round a square of ", slider.element, " pixels"),
+    said,
+    values,
+  );
   return moved;
 }

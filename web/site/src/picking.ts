@@ -1,9 +1,9 @@
-/** The page on picking: one place, asked in four ways. */
+/** The page on picking: what is under a pixel, found in four ways. */
 
-import { demo, LuxelError, type Hit, type RegionHit, type View } from "luxel";
+import type { Explanation, Hit, RegionHit } from "luxel";
 import { byId, drawn, element } from "./dom.ts";
+import { DemoView, Live, page } from "./live.ts";
 import { draggable } from "./number.ts";
-import { offer } from "./testing.ts";
 
 const SIZE: [number, number] = [640, 400];
 const DEMO = "plane";
@@ -28,27 +28,26 @@ function table(head: string[], rows: HTMLElement[]): HTMLElement {
   return element("table", { class: "records" }, element("thead", {}, element("tr", {}, ...heads)), element("tbody", {}, ...rows));
 }
 
-class LivePicking {
-  readonly canvas = element("canvas", { role: "img", tabindex: "0" });
-  readonly ids = element("canvas", { role: "img" });
+class LivePicking extends Live {
+  readonly #canvas = element("canvas", { role: "img", tabindex: "0" });
+  readonly #ids = element("canvas", { role: "img" });
   readonly #overlay = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   readonly #verdict = element("p", { class: "said", "aria-live": "polite" });
   readonly #side: { element: HTMLElement; set(value: number): void };
   #at: [number, number] = [330, 215];
   #width = 5;
-  #view: Promise<View> | undefined;
+  readonly #view = new DemoView(DEMO);
   #objects: Uint32Array | undefined;
-  #isStale = true;
-  #busy: Promise<void> | undefined;
-  readonly pixels = new Map<HTMLCanvasElement, Uint8ClampedArray>();
+  readonly #pixels = new Map<HTMLCanvasElement, Uint8ClampedArray>();
 
   constructor() {
+    super("ray");
     const number = { name: "side", symbol: "", meaning: "the sliver's side in pixels", value: 5, min: 1, max: 81, step: 2 };
     this.#side = draggable(number, (value) => {
       this.#width = value;
-      this.#changed();
+      this.changed();
     });
-    for (const [id, canvas] of [["ray", this.canvas], ["ids", this.ids]] as const) {
+    for (const [id, canvas] of [["ray", this.#canvas], ["ids", this.#ids]] as const) {
       [canvas.width, canvas.height] = SIZE;
       const still = byId(id).querySelector("img")!;
       canvas.setAttribute("aria-label", still.alt);
@@ -61,7 +60,7 @@ class LivePicking {
     this.#overlay.setAttribute("aria-hidden", "true");
     byId("side").append("the sliver is ", this.#side.element, " pixels wide and high");
     byId("verdict").append(this.#verdict);
-    this.canvas.addEventListener("keydown", (event) => {
+    this.#canvas.addEventListener("keydown", (event) => {
       const steps: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
       const step = steps[event.key];
       if (step === undefined) return;
@@ -79,47 +78,40 @@ class LivePicking {
   #move(x: number, y: number): void {
     const within = (at: number, side: number): number => Math.min(Math.max(Math.floor(at), 0), side - 1);
     this.#at = [within(x, SIZE[0]), within(y, SIZE[1])];
-    this.#changed();
+    this.changed();
   }
 
-  #changed(): void {
-    this.#isStale = true;
-    void this.draw();
-  }
-
-  draw(): Promise<void> {
-    this.#busy ??= this.#draw()
-      .catch((error: unknown) => {
-        this.#verdict.textContent = error instanceof LuxelError ? error.message : String(error);
-      })
-      .finally(() => (this.#busy = undefined));
-    return this.#busy;
-  }
-
-  async #draw(): Promise<void> {
-    if (this.#view === undefined) {
-      this.#view = demo(DEMO).then((scene) => scene.view({ size: SIZE }));
-      const view = await this.#view;
+  protected override async drawOnce(): Promise<void> {
+    const view = await this.#view.opened({ size: SIZE });
+    if (this.#objects === undefined) {
       const image = await view.render({ workers: 1 });
       const ids = await view.layerPicture("object");
-      for (const [canvas, data] of [[this.canvas, image.data], [this.ids, ids]] as const) {
+      for (const [canvas, data] of [[this.#canvas, image.data], [this.#ids, ids]] as const) {
         canvas.getContext("2d")!.putImageData(new ImageData(data as typeof ids, ...SIZE), 0, 0);
-        this.pixels.set(canvas, data);
+        this.#pixels.set(canvas, data);
       }
       this.#objects = (await view.layers(["object"])).object;
     }
-    const view = await this.#view;
-    while (this.#isStale) {
-      this.#isStale = false;
-      const [x, y] = this.#at;
-      const camera = await view.navigate();
-      const hits = await view.pickThrough(x + 0.5, y + 0.5);
-      const left = x + 0.5 - this.#width / 2;
-      const top = y + 0.5 - this.#width / 2;
-      const records = await view.pickRect(left, top, this.#width, this.#width);
-      const visible = await view.pickRect(left, top, this.#width, this.#width, true);
-      this.#show(eyeOf(camera.viewFromWorld), hits, records, visible);
-    }
+    const [x, y] = this.#at;
+    const camera = await view.navigate();
+    const hits = await view.pickThrough(x + 0.5, y + 0.5);
+    const left = x + 0.5 - this.#width / 2;
+    const top = y + 0.5 - this.#width / 2;
+    const records = await view.pickRect(left, top, this.#width, this.#width);
+    const visible = await view.pickRect(left, top, this.#width, this.#width, true);
+    this.#show(eyeOf(camera.viewFromWorld), hits, records, visible);
+  }
+
+  protected override fail(message: string): void {
+    this.#verdict.textContent = message;
+  }
+
+  override pixels(canvas: HTMLCanvasElement | undefined): Uint8ClampedArray | undefined {
+    return this.#pixels.get(canvas ?? this.#canvas);
+  }
+
+  override explain(x: number, y: number): Promise<Explanation> {
+    return this.#view.explain(x, y);
   }
 
   #show(eye: readonly number[], hits: Hit[], records: RegionHit[], visible: RegionHit[]): void {
@@ -186,16 +178,6 @@ class LivePicking {
       drawn("circle", { cx: x + 0.5, cy: y + 0.5, r: Math.max(9, w), fill: "none", stroke: "var(--ground)", "stroke-width": 1 }),
     );
   }
-
-  async explain(x: number, y: number): ReturnType<View["explain"]> {
-    if (this.#view === undefined) throw new LuxelError("there is no picture yet");
-    return (await this.#view).explain(x, y);
-  }
 }
 
-const picking = new LivePicking();
-offer(picking.draw(), {
-  pixels: (canvas) => picking.pixels.get(canvas ?? picking.canvas),
-  explain: (x, y) => picking.explain(x, y),
-  settled: () => picking.draw(),
-});
+page([new LivePicking()]);

@@ -11,7 +11,7 @@ export interface Hand {
   hover(at: [x: number, y: number] | undefined): void;
   /** A press without a drag. */
   click(at: [x: number, y: number]): void;
-  /** A key that is no motion; true if it did something. */
+  /** A key that doesn't move the camera; true if it did something. */
   key(event: KeyboardEvent): boolean;
 }
 

@@ -1,6 +1,8 @@
 /** The page on shading. */
 
-import { compared } from "./compared.ts";
+import { LiveComparison } from "./compared.ts";
 import { FIGURES } from "./figures/shading.ts";
+import { page } from "./live.ts";
 
-compared(FIGURES);
+const [first, ...rest] = FIGURES.map((comparison) => new LiveComparison(comparison));
+page([first!, ...rest]);

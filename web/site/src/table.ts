@@ -1,20 +1,21 @@
 /** The table of shininess: a ball for each k_s and n, all under one light. */
 
-import { demo, type View } from "luxel";
+import type { Explanation } from "luxel";
 import { byId, element } from "./dom.ts";
 import type { TABLE } from "./figures/reflection.ts";
+import { DemoView, Live } from "./live.ts";
 import { draggable } from "./number.ts";
 
-export class LiveTable {
+export class LiveTable extends Live {
   readonly #table: typeof TABLE;
   readonly #cells: { canvas: HTMLCanvasElement; ks: number; n: number; pixels?: Uint8ClampedArray }[] = [];
+  readonly #view: DemoView;
   #about: number;
-  #view: Promise<View> | undefined;
-  #isStale = true;
-  #busy: Promise<void> | undefined;
 
   constructor(id: string, table: typeof TABLE) {
+    super(id);
     this.#table = table;
+    this.#view = new DemoView(table.demo);
     this.#about = table.about.value;
     const place = byId(id);
     const images = [...place.querySelectorAll("img")];
@@ -28,34 +29,31 @@ export class LiveTable {
     }
     const slider = draggable(table.about, (value) => {
       this.#about = value;
-      this.#isStale = true;
-      void this.draw();
+      this.changed();
     });
     const line = element("p", { class: "line" }, "the light stands ", slider.element, " degrees to the right of the eye");
     place.querySelector("table")!.after(line);
   }
 
-  draw(): Promise<void> {
-    this.#busy ??= this.#draw().finally(() => (this.#busy = undefined));
-    return this.#busy;
-  }
-
-  async #draw(): Promise<void> {
+  protected override async drawOnce(): Promise<void> {
     const { size, settings } = this.#table;
-    this.#view ??= demo(this.#table.demo).then((scene) => scene.view({ size }));
-    const view = await this.#view;
-    while (this.#isStale) {
-      this.#isStale = false;
-      for (const cell of this.#cells) {
-        await view.set({ size, ...settings(cell.ks, cell.n, this.#about) });
-        const image = await view.render({ workers: 1 });
-        cell.canvas.getContext("2d")!.putImageData(image, 0, 0);
-        cell.pixels = image.data;
-      }
+    for (const cell of this.#cells) {
+      const view = await this.#view.with({ size, ...settings(cell.ks, cell.n, this.#about) });
+      const image = await view.render({ workers: 1 });
+      cell.canvas.getContext("2d")!.putImageData(image, 0, 0);
+      cell.pixels = image.data;
     }
   }
 
-  pixels(canvas: HTMLCanvasElement | undefined): Uint8ClampedArray | undefined {
-    return this.#cells.find((cell) => cell.canvas === canvas)?.pixels;
+  protected override fail(message: string): void {
+    byId(this.id).querySelector("figcaption")!.textContent = message;
+  }
+
+  override pixels(canvas: HTMLCanvasElement | undefined): Uint8ClampedArray | undefined {
+    return (this.#cells.find((cell) => cell.canvas === canvas) ?? this.#cells[0]!).pixels;
+  }
+
+  override explain(x: number, y: number): Promise<Explanation> {
+    return this.#view.explain(x, y);
   }
 }

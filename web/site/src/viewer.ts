@@ -163,10 +163,12 @@ function shown(pixels: Uint8ClampedArray): void {
 async function drawLoop(): Promise<void> {
   if (isDrawing) return;
   isDrawing = true;
-  const current = view;
-  await attempt(() => unlessGone(current, drawAll));
-  // Another scene may have come meanwhile.
-  if (current !== view) await attempt(() => unlessGone(view, drawAll));
+  let current: View | undefined;
+  do {
+    current = view;
+    await attempt(() => unlessGone(current, drawAll));
+    // Another scene may have come meanwhile.
+  } while (current !== view);
   isDrawing = false;
   showCommand();
   const waiting = idle;

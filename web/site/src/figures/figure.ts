@@ -21,7 +21,7 @@ export interface Figure {
   id: string;
   demo: string;
   size: [width: number, height: number];
-  /** The pixel whose light is told at first. */
+  /** The pixel whose ledger is shown at first. */
   pixel: [x: number, y: number];
   numbers: FigureNumber[];
   /**
