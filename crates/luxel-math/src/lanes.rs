@@ -11,6 +11,8 @@ use crate::simd_level::LANES;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 mod f64_lanes;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod pseudo_min_max;
 mod scalar;
 mod vector;
 

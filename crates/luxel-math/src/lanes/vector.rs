@@ -1,5 +1,7 @@
 //! Sixteen `f32`, and eight, as lanes of a vector.
 
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+use super::pseudo_min_max::PseudoMinMax;
 use super::{EXPONENT_BIAS, F64x8, F64x16, Lanes, MANTISSA_BITS, Mask, SQRT_HALF_BITS, SplitLanes};
 use crate::simd_level::{LANES, has_wide_registers, is_specialized};
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -104,18 +106,22 @@ macro_rules! vector_lanes {
             #[inline(always)]
             fn minimum(self, other: Self) -> Self {
                 if compares_in_min_and_max(self.simd) {
-                    self.min(other)
-                } else {
-                    self.select(self.less(other), other)
+                    return self.min(other);
                 }
+                #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+                return self.pseudo_minimum(other);
+                #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+                self.select(self.less(other), other)
             }
             #[inline(always)]
             fn maximum(self, other: Self) -> Self {
                 if compares_in_min_and_max(self.simd) {
-                    self.max(other)
-                } else {
-                    self.select(other.less(self), other)
+                    return self.max(other);
                 }
+                #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+                return self.pseudo_maximum(other);
+                #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+                self.select(other.less(self), other)
             }
             #[inline(always)]
             fn mantissa_and_exponent(self) -> (Self, Self) {
