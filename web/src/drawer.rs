@@ -3,8 +3,19 @@
 use crate::error::exception;
 use crate::view::{ModelView, execution};
 use luxel::render::{Picture, Renderer, TILE_SIDE, View};
+use std::cell::RefCell;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+extern "C" {
+    /// Bytes of a picture, in memory that JavaScript holds and uses again.
+    #[wasm_bindgen(js_name = Uint8ClampedArray)]
+    pub type Pixels;
+
+    #[wasm_bindgen(method, catch)]
+    fn set(this: &Pixels, bytes: &[u8], at: usize) -> Result<(), JsValue>;
+}
 
 /// A scene that another worker's view shows, drawn for it.
 #[wasm_bindgen]
@@ -24,13 +35,19 @@ impl Drawer {
         Ok(Self(renderer))
     }
 
-    /// A share of the picture of a view of [`ModelView::pack`]: of rows of tiles, which are 64 pixels high, every
-    /// `parts`-th from number `part` on, one below the other.
+    /// Draws a share of the picture of a view of [`ModelView::pack`] into `pixels`: of rows of tiles, which are 64 pixels
+    /// high, every `parts`-th from number `part` on, one below the other.
     ///
     /// # Errors
-    /// An exception for other bytes, and for a picture that is too large.
-    pub fn draw_part(&self, view: &[u8], part: usize, parts: usize) -> Result<Vec<u8>, JsError> {
-        draw_part(&self.0, view, part, parts)
+    /// An exception for other bytes, for a picture that is too large, and for too few `pixels`.
+    pub fn draw_part(
+        &self,
+        view: &[u8],
+        part: usize,
+        parts: usize,
+        pixels: &Pixels,
+    ) -> Result<(), JsError> {
+        draw_part(&self.0, view, part, parts, pixels)
     }
 }
 
@@ -40,8 +57,14 @@ impl ModelView {
     ///
     /// # Errors
     /// As there.
-    pub fn draw_part(&self, view: &[u8], part: usize, parts: usize) -> Result<Vec<u8>, JsError> {
-        draw_part(&self.renderer, view, part, parts)
+    pub fn draw_part(
+        &self,
+        view: &[u8],
+        part: usize,
+        parts: usize,
+        pixels: &Pixels,
+    ) -> Result<(), JsError> {
+        draw_part(&self.renderer, view, part, parts, pixels)
     }
 
     /// The view as it is now, for drawers: with another number of samples than its own if that isn't 0; a draft has
@@ -63,22 +86,37 @@ pub(crate) fn show_all_but(renderer: &mut Renderer, hidden: &[u32]) {
     renderer.show_objects(shown.map(|(_, object)| object).collect());
 }
 
+thread_local! {
+    /// What the views of this worker are drawn into, one after the other: fresh memory costs a quarter of a frame.
+    static PICTURE: RefCell<Picture<[u8; 4]>> = RefCell::default();
+}
+
 fn draw_part(
     renderer: &Renderer,
     view: &[u8],
     part: usize,
     parts: usize,
-) -> Result<Vec<u8>, JsError> {
+    pixels: &Pixels,
+) -> Result<(), JsError> {
     let view: View = luxel::unpack_view(view).map_err(exception)?;
     let parts = parts.max(1);
     let width = view.size.width as usize;
     let across = width.div_ceil(TILE_SIDE as usize);
     let is_mine = |tile: usize| (tile / across) % parts == part;
-    let mut picture = Picture::default();
-    renderer.rgba8_tiles_into(&view, is_mine, &mut picture).map_err(exception)?;
-    if parts == 1 {
-        return Ok(picture.pixels.into_flattened());
-    }
-    let bands = picture.pixels.chunks(TILE_SIDE as usize * width).skip(part).step_by(parts);
-    Ok(bands.flat_map(|band| band.as_flattened()).copied().collect())
+    PICTURE.with_borrow_mut(|picture| {
+        renderer.rgba8_tiles_into(&view, is_mine, picture).map_err(exception)?;
+        if parts == 1 {
+            return pixels.set(picture.pixels.as_flattened(), 0).map_err(too_few);
+        }
+        let mut at = 0;
+        for band in picture.pixels.chunks(TILE_SIDE as usize * width).skip(part).step_by(parts) {
+            pixels.set(band.as_flattened(), at).map_err(too_few)?;
+            at += band.as_flattened().len();
+        }
+        Ok(())
+    })
+}
+
+fn too_few(_: JsValue) -> JsError {
+    JsError::new("the picture is larger than the memory given for it")
 }

@@ -80,14 +80,18 @@ export interface Calls {
   check(id: number): { json: string; pixels: Pixels };
   /** For drawers: the scene of a view, and which of its objects are hidden. */
   prepare(id: number, scene: PackedScene): void;
-  /** A share of a frame: every `parts`-th row of tiles from `part` on. Null if the scene is another one meanwhile. */
+  /**
+   * Draws a share of a frame into `into`, which comes back: every `parts`-th row of tiles from `part` on. Nothing is
+   * drawn if the scene is another one meanwhile.
+   */
   draw(
     id: number,
     version: number,
     view: Uint8Array<ArrayBuffer>,
     part: number,
     parts: number,
-  ): Pixels | null;
+    into: Pixels,
+  ): { isDrawn: boolean; pixels: Pixels };
   memory(): number;
 }
 

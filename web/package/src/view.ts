@@ -32,6 +32,8 @@ export class View {
   readonly #id: number;
   /** The versions of the scene that helpers have. */
   #prepared = new WeakMap<Hand, Promise<number>>();
+  /** Shares of pictures that are shown already; fresh memory for each frame would cost a quarter of its time. */
+  #spare: Pixels[] = [];
   #isOpen = true;
   readonly #onDispose: () => void;
 
@@ -52,14 +54,19 @@ export class View {
     await this.#hand.call("hide", [this.#id, [...objects]]);
   }
 
-  /** The picture: straight alpha, the bytes of the program's. */
-  async render(options: DrawOptions = {}): Promise<ImageData> {
+  /**
+   * The picture: straight alpha, the bytes of the program's. An earlier one that is used no more may be `reused`: its
+   * memory becomes the new one's.
+   */
+  async render(options: DrawOptions = {}, reused?: ImageData): Promise<ImageData> {
+    if (reused !== undefined) this.#spare.push(reused.data as Pixels);
     const { width, height, parts } = await this.#draw(options);
     if (parts.length === 1) {
       return new ImageData(parts[0]!, width, height);
     }
-    const pixels = new Uint8ClampedArray(width * height * 4);
+    const pixels = this.#pixels(width * height * 4);
     eachBand(width, height, parts, (band, top) => pixels.set(band, top * width * 4));
+    this.#spare.push(...parts);
     return new ImageData(pixels, width, height);
   }
 
@@ -76,6 +83,7 @@ export class View {
     eachBand(width, height, parts, (band, top) => {
       context.putImageData(new ImageData(band, width, band.length / 4 / width), 0, top);
     });
+    this.#spare.push(...parts);
     return { ...frame.camera, hasRays: frame.hasRays };
   }
 
@@ -179,16 +187,28 @@ export class View {
     const many = workers ?? (width * height < least ? 1 : Infinity);
     const hands = [this.#hand, ...(many > 1 ? await this.#ready(version, many - 1) : [])];
     const count = Math.min(hands.length, rows);
-    const shares = hands.slice(0, count).map((hand, part) => {
-      return hand.call("draw", [this.#id, version, view, part, count]);
-    });
-    const parts: Pixels[] = [];
-    for (const share of await Promise.all(shares)) {
-      // The scene was changed meanwhile: the picture is drawn as it is now.
-      if (share === null) return this.#draw({ draft, samples, workers });
-      parts.push(share);
+    const drawn = await Promise.all(
+      hands.slice(0, count).map((hand, part) => {
+        const into = this.#pixels(shareBytes(width, height, part, count));
+        return hand.call("draw", [this.#id, version, view, part, count, into], [into.buffer]);
+      }),
+    );
+    const parts = drawn.map(({ pixels }) => pixels);
+    if (drawn.every(({ isDrawn }) => isDrawn)) {
+      return { width, height, frame, parts };
     }
-    return { width, height, frame, parts };
+    // The scene was changed meanwhile: the picture is drawn as it is now.
+    this.#spare.push(...parts);
+    return this.#draw({ draft, samples, workers });
+  }
+
+  /** Memory for a share of a picture: an earlier picture's, if it has as many bytes. */
+  #pixels(bytes: number): Pixels {
+    const at = this.#spare.findIndex((pixels) => pixels.length === bytes);
+    if (at >= 0) return this.#spare.splice(at, 1)[0]!;
+    // What is left is of pictures of another size.
+    this.#spare = [];
+    return new Uint8ClampedArray(bytes);
   }
 
   /** Helpers that have the scene. Those that don't are given it, and help with later pictures. */
@@ -223,6 +243,15 @@ export class View {
     await this.#ready(version, Infinity);
     await Promise.all(helpers().map((hand) => this.#prepared.get(hand)));
   }
+}
+
+/** The bytes of a share of a picture: every `parts`-th row of tiles from `part` on. */
+function shareBytes(width: number, height: number, part: number, parts: number): number {
+  let lines = 0;
+  for (let top = part * TILE; top < height; top += parts * TILE) {
+    lines += Math.min(TILE, height - top);
+  }
+  return lines * width * 4;
 }
 
 /** Each row of tiles with its first line; part p of n holds rows p, p + n, p + 2n and so on. */

@@ -191,11 +191,12 @@ const answers: Answers = {
     drawers.set(id, { drawer: new Drawer(scene, Uint32Array.from(hidden)), version });
   },
 
-  draw(id, version, view, part, parts) {
+  draw(id, version, view, part, parts, into) {
     const open = views.get(id);
     const { drawer, version: own } =
       open === undefined ? got(drawers, id, "view") : { drawer: open.view, version: open.version };
-    return own === version ? pixels(drawer.draw_part(view, part, parts)) : null;
+    if (own === version) drawer.draw_part(view, part, parts, into);
+    return { isDrawn: own === version, pixels: into };
   },
 
   memory: () => memory?.buffer.byteLength ?? 0,

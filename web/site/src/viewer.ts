@@ -132,6 +132,9 @@ let isDrawing = false;
 let restTimer = 0;
 let pending: NavigationEvent[] = [];
 const drawnPixels = new WeakMap<HTMLCanvasElement, Uint8ClampedArray>();
+/** The picture that is shown, and the one before it, whose memory the next one takes. */
+let last: ImageData | undefined;
+let before: ImageData | undefined;
 let idle: (() => void)[] = [];
 
 function redraw(): void {
@@ -210,12 +213,15 @@ async function drawAll(): Promise<void> {
     }
     if (isChecked) continue;
     const isDraft = !isFull;
-    const image = await current.render({ draft: isDraft });
+    const image = await current.render({ draft: isDraft }, before);
+    before = undefined;
     if (current !== view) continue;
     if (canvas.width !== image.width) canvas.width = image.width;
     if (canvas.height !== image.height) canvas.height = image.height;
     canvas.getContext("2d")!.putImageData(image, 0, 0);
     shown(image.data);
+    before = last;
+    last = image;
   }
 }
 
