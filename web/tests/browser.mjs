@@ -48,8 +48,8 @@ export function browserPath() {
   return undefined;
 }
 
-/** Starts the browser, with a profile of its own. */
-export async function launch() {
+/** Starts the browser, with a profile of its own and these flags for its graphics. */
+export async function launch(graphics = ["--disable-gpu"]) {
   const profile = mkdtempSync(join(tmpdir(), "luxel-browser-"));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: browserPath(),
@@ -58,7 +58,7 @@ export async function launch() {
     acceptDownloads: true,
     args: [
       "--no-sandbox",
-      "--disable-gpu",
+      ...graphics,
       "--disable-quic",
       "--no-first-run",
       "--disable-background-networking",
