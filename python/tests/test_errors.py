@@ -41,7 +41,7 @@ def test_a_broken_file_names_its_place(tmp_path):
         (lambda s: s.view((4, 99999)), ValueError, "size"),
         (lambda s: s.view("4x4"), ValueError, "size"),
         (lambda s: s.view((4, 4), sampels=1), TypeError, "did you mean `samples`"),
-        (lambda s: s.render((4, 4), samples=3), luxel.Error, "1, 2, 4, 8 or 16"),
+        (lambda s: s.render((4, 4), samples=3), ValueError, "1, 2, 4, 8 or 16"),
         (lambda s: s.render((4, 4), layers=["zz"]), ValueError, "not a layer"),
         (lambda s: s.render((4, 4), layers=["light:none"]), luxel.Error, "no directional"),
         (lambda s: s.view((4, 4), lights=["sun"]), ValueError, "not a kind of light"),

@@ -87,16 +87,19 @@ pub(crate) fn matrix(name: &str, value: &Bound<'_, PyAny>) -> PyResult<[[f64; 4]
     Ok(std::array::from_fn(|column| std::array::from_fn(|row| rows[row][column])))
 }
 
+/// A sequence of numbers, if it is one.
+pub(crate) fn numbers(value: &Bound<'_, PyAny>) -> Option<Vec<f64>> {
+    let array = value.extract::<PyArrayLike<'_, f64, numpy::Ix1, AllowTypeChange>>().ok()?;
+    Some(array.as_array().iter().copied().collect())
+}
+
 /// N numbers.
 ///
 /// # Errors
 /// `ValueError` for anything else.
 pub(crate) fn vector<const N: usize>(name: &str, value: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
     let expected = || argument(name, format!("expected {N} finite numbers"));
-    let array = value
-        .extract::<PyArrayLike<'_, f64, numpy::Ix1, AllowTypeChange>>()
-        .map_err(|_| expected())?;
-    let numbers: Vec<f64> = array.as_array().iter().copied().collect();
+    let numbers = numbers(value).ok_or_else(expected)?;
     let numbers: [f64; N] = numbers.try_into().map_err(|_| expected())?;
     if numbers.iter().all(|number| number.is_finite()) { Ok(numbers) } else { Err(expected()) }
 }

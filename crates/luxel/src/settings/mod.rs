@@ -4,11 +4,14 @@ mod names;
 mod view;
 
 use crate::{CameraChoice, CameraError};
-use luxel_formats::values::{self, nearest};
+use luxel_formats::values::{self, Surroundings, nearest};
+use luxel_lighting::EnvironmentMap;
 use luxel_scene::{Lens, Size};
 pub use names::SETTINGS;
 use std::collections::BTreeMap;
 use std::fmt::Display;
+use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Settings of a view: what a line of flags, the address of a page or a form says.
 ///
@@ -30,28 +33,41 @@ use std::fmt::Display;
 /// assert_eq!((view.size.width, view.lights.len(), view.shadows), (640, 1, true));
 ///
 /// let error = Settings::new([("azimut", "60")]).unwrap_err();
-/// assert_eq!(error.to_string(), "`azimut` is unknown: did you mean `azimuth`?");
+/// assert_eq!(error.to_string(), "`azimut`: there is no such setting; did you mean `azimuth`?");
 /// # Ok::<(), luxel::SettingError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Settings {
     values: BTreeMap<&'static str, String>,
-    lights: Vec<String>,
+    lights: Option<Vec<String>>,
+    map: Option<GivenMap>,
 }
+
+/// A map for the setting `environment`, where that is a file: equal only to itself.
+#[derive(Clone, Debug)]
+struct GivenMap(Arc<EnvironmentMap>);
+
+impl PartialEq for GivenMap {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Eq for GivenMap {}
 
 /// A setting that isn't possible.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
+#[error("`{name}`: {reason}")]
 pub struct SettingError {
     /// Its name, as it was given.
     pub name: String,
-    /// What is wrong, with the name.
-    pub message: String,
+    /// What is wrong.
+    pub reason: String,
 }
 
 impl SettingError {
-    fn new(name: &str, message: impl Display) -> Self {
-        Self { name: name.to_owned(), message: format!("`{name}`: {message}") }
+    fn new(name: &str, reason: impl Display) -> Self {
+        Self { name: name.to_owned(), reason: reason.to_string() }
     }
 }
 
@@ -89,19 +105,37 @@ impl Settings {
     /// [`SettingError`] for an unknown name.
     pub fn set(&mut self, name: &str, value: impl Into<String>) -> Result<(), SettingError> {
         let Some(known) = names::known(name) else {
-            let all = names::all();
-            let message = match nearest(name, all) {
-                Some(meant) => format!("`{name}` is unknown: did you mean `{meant}`?"),
-                None => format!("`{name}` is unknown: there is no such setting"),
-            };
-            return Err(SettingError { name: name.to_owned(), message });
+            let near = nearest(name, names::all());
+            let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+            return Err(SettingError::new(name, format!("there is no such setting{near}")));
         };
         if known == names::LIGHT {
-            self.lights.push(value.into());
+            self.lights.get_or_insert_default().push(value.into());
         } else {
             self.values.insert(known, value.into());
         }
         Ok(())
+    }
+
+    /// Leaves the scene's own lights out: those that are set are all, also if none is.
+    pub fn replace_lights(&mut self) {
+        self.lights.get_or_insert_default();
+    }
+
+    /// The file of the setting `environment`, if that is one: for [`Settings::set_environment_map`].
+    ///
+    /// # Errors
+    /// [`SettingError`] for a value that isn't possible.
+    pub fn environment_file(&self) -> Result<Option<PathBuf>, SettingError> {
+        Ok(match self.parsed("environment", values::surroundings)? {
+            Some(Surroundings::File(path)) => Some(path),
+            _ => None,
+        })
+    }
+
+    /// Gives the map that the file of the setting `environment` holds. Views open no files.
+    pub fn set_environment_map(&mut self, map: Arc<EnvironmentMap>) {
+        self.map = Some(GivenMap(map));
     }
 
     /// The text of a setting that is there.

@@ -1,17 +1,19 @@
 //! The view, and the changes of the scene, that settings describe.
 
-use super::{SettingError, Settings, names};
+use super::{GivenMap, SettingError, Settings, names};
 use crate::default_view::{environment_of, lights_of};
 use luxel_formats::values::{self, Exposure, OcclusionRadius};
 use luxel_lighting::{Environment, PictureEncoding, Tone};
 use luxel_render::auto_exposure;
 use luxel_scene::{
-    Background, DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource, Restyle, Scene, SceneLight,
+    Background, Camera, DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource, Restyle, Scene,
+    SceneLight, Size, Viewpoint,
 };
 use luxel_view::{
     AmbientOcclusion, Clamp, Cull, DEFAULT_LIGHT_RAYS, DEFAULT_SAMPLES, Edges, EnvironmentChoice,
     Interpolation, NormalLength, Shading, ShadingMode, View,
 };
+use std::sync::Arc;
 
 impl Settings {
     /// The view of a scene. What isn't set is as `luxel render` has it.
@@ -20,8 +22,20 @@ impl Settings {
     /// [`SettingError`] for a value that isn't possible, and for an environment that is a file.
     pub fn view(&self, scene: &Scene) -> Result<View, SettingError> {
         let size = self.size()?;
-        let choice = self.camera()?;
-        let camera = choice.camera_of(scene, size)?;
+        let camera = self.camera()?.camera_of(scene, size)?;
+        self.view_from(scene, camera, size)
+    }
+
+    /// The view of a scene from a camera, whatever the settings say of cameras and sizes.
+    ///
+    /// # Errors
+    /// As [`Settings::view`].
+    pub fn view_from(
+        &self,
+        scene: &Scene,
+        camera: Camera,
+        size: Size,
+    ) -> Result<View, SettingError> {
         let (mut lights, mut ambient) = self.lights(scene)?;
         if let Some(scale) = self.parsed("light-scale", values::non_negative_f32)? {
             lights.iter_mut().for_each(|light| light.light.scale(scale));
@@ -46,7 +60,7 @@ impl Settings {
             .with_encoding(encoding.unwrap_or_default())
             .with_shadows(self.switch("shadows")?)
             .with_ground(self.switch("ground")?)
-            .with_up(choice.up)
+            .with_up(self.parsed("up", values::up)?)
             .with_light_rays(self.parsed("light-rays", values::rays)?.unwrap_or(DEFAULT_LIGHT_RAYS))
             .with_ambient_occlusion(self.ambient_occlusion()?)
             .with_edges(self.edges()?)
@@ -159,12 +173,12 @@ impl Settings {
     /// The lights and the scene's ambient light: given ones, else the file's, else the default ones.
     fn lights(&self, scene: &Scene) -> Result<(Vec<SceneLight>, [f32; 3]), SettingError> {
         let ambient = self.parsed("ambient", values::color)?.or(scene.ambient);
-        if self.lights.is_empty() {
+        let Some(given) = &self.lights else {
             let (lights, default_ambient) = lights_of(scene);
             return Ok((lights, ambient.unwrap_or(default_ambient)));
-        }
+        };
         let mut lights: Vec<SceneLight> = Vec::new();
-        for (place, text) in self.lights.iter().enumerate() {
+        for (place, text) in given.iter().enumerate() {
             let light = values::light(text)
                 .map_err(|message| SettingError::new("light", format!("{text}: {message}")))?
                 .named(place);
@@ -180,15 +194,20 @@ impl Settings {
     /// The environment: a given one, else the file's, else the default one.
     fn environment(&self, scene: &Scene) -> Result<EnvironmentChoice, SettingError> {
         let up = self.parsed("up", values::up)?;
+        let frame = up.unwrap_or(scene.up);
         let choice = match self.parsed("environment", values::surroundings)? {
-            Some(surroundings) => {
-                surroundings.environment(up.unwrap_or(scene.up)).map_err(|path| {
+            Some(surroundings) => match (surroundings.environment(frame), &self.map) {
+                (Ok(choice), _) => choice,
+                (Err(_), Some(GivenMap(map))) => {
+                    EnvironmentChoice::of_map(Arc::clone(map), Viewpoint::frame(frame), 0.0)
+                }
+                (Err(path), None) => {
                     let message = format!("{} is a file: open it before", path.display());
-                    SettingError::new("environment", message)
-                })?
-            }
+                    return Err(SettingError::new("environment", message));
+                }
+            },
             None => match up {
-                Some(up) => environment_of(scene).in_frame(luxel_scene::Viewpoint::frame(up)),
+                Some(up) => environment_of(scene).in_frame(Viewpoint::frame(up)),
                 None => environment_of(scene),
             },
         };
