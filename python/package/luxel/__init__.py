@@ -1,5 +1,6 @@
 """3D pictures, masks, picks and explained pixels on the CPU, the same bytes on every machine."""
 
+from ._gl import osmesa_path
 from ._luxel import (
     Camera,
     Error,
@@ -27,5 +28,6 @@ __all__ = [
     "__version__",
     "demos",
     "load",
+    "osmesa_path",
     "rasterize",
 ]

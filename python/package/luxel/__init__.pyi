@@ -7,6 +7,7 @@ from typing import Any, Literal, Protocol, TypedDict, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._gl import osmesa_path as osmesa_path
 from ._rasterize import rasterize as rasterize
 
 __version__: str
@@ -23,6 +24,7 @@ __all__ = [
     "__version__",
     "demos",
     "load",
+    "osmesa_path",
     "rasterize",
 ]
 
