@@ -215,6 +215,18 @@ impl<'r> Clipper<'r> {
     }
 }
 
+/// The least and the greatest depth, 0 near to 1 far, of what lies of a point, a line or a triangle in clip
+/// coordinates inside of the clip volume; `None` if nothing does.
+///
+/// # Panics
+/// With more than three corners.
+#[must_use]
+pub fn depths_in_volume(corners: &[DVec4]) -> Option<[f64; 2]> {
+    assert!(corners.len() <= 3, "a triangle at most, not {} corners", corners.len());
+    let (depths, _) = clip_polygon(corners, &luxel_scene::CLIP_VOLUME);
+    (depths[0] <= depths[1]).then_some(depths)
+}
+
 /// The least and greatest window depth of a polygon's part inside the planes (inverted if there is
 /// none), and whether all of it is inside.
 pub(crate) fn clip_polygon(corners: &[DVec4], planes: &Planes) -> ([f64; 2], bool) {

@@ -157,6 +157,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
     (
         "luxel-pick",
         &[
+            "feedback_buffer",
             "window",
             "window_cells",
             "region",
