@@ -1,0 +1,32 @@
+//! Limits that programs can ask for (OpenGL 1.5, tables 6.29 to 6.31).
+
+/// `GL_MAX_LIGHTS`
+pub(crate) const LIGHTS: usize = 8;
+/// `GL_MAX_CLIP_PLANES`
+pub(crate) const CLIP_PLANES: usize = 8;
+/// `GL_MAX_TEXTURE_UNITS`
+pub(crate) const TEXTURE_UNITS: usize = 8;
+/// `GL_MAX_MODELVIEW_STACK_DEPTH`
+pub(crate) const MODELVIEW_DEPTH: usize = 32;
+/// `GL_MAX_PROJECTION_STACK_DEPTH`
+pub(crate) const PROJECTION_DEPTH: usize = 32;
+/// `GL_MAX_TEXTURE_STACK_DEPTH`
+pub(crate) const TEXTURE_DEPTH: usize = 10;
+/// `GL_MAX_ATTRIB_STACK_DEPTH` and `GL_MAX_CLIENT_ATTRIB_STACK_DEPTH`
+pub(crate) const ATTRIBUTE_DEPTH: usize = 16;
+/// `GL_MAX_LIST_NESTING`
+pub(crate) const LIST_NESTING: usize = 64;
+/// `GL_MAX_VIEWPORT_DIMS`: what a side of a framebuffer can be.
+pub(crate) const VIEWPORT: i32 = 16384;
+/// The largest size of points and width of lines.
+pub(crate) const LARGEST_SIZE: f32 = 255.0;
+/// Bits of a position in the window below the pixel.
+pub(crate) const SUBPIXEL_BITS: i32 = 8;
+/// Vertices between `glBegin` and `glEnd`: beyond that, `GL_OUT_OF_MEMORY`.
+pub(crate) const STREAM_VERTICES: usize = 1 << 24;
+/// Vertices after which a stream of independent primitives is drawn in part; a multiple of all their lengths.
+pub(crate) const PART_VERTICES: usize = 12 << 16;
+/// Commands of all display lists together: beyond that, `GL_OUT_OF_MEMORY`.
+pub(crate) const LIST_COMMANDS: usize = 1 << 26;
+/// Bytes that the log of draws holds before it is carried out.
+pub(crate) const LOG_BYTES: usize = 64 << 20;

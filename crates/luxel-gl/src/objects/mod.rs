@@ -1,0 +1,3 @@
+//! Objects with names.
+
+pub(crate) mod list;

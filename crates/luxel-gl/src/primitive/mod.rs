@@ -1,0 +1,1 @@
+//! Primitives: assembled, culled, clipped.

@@ -1,0 +1,1 @@
+//! Vertices through transform and lighting.
