@@ -64,22 +64,37 @@ impl Context {
         result
     }
 
-    /// `glSelectBuffer`: how many words there is room for.
-    pub fn select_buffer(&mut self, size: i32) {
-        outside_begin!(self);
-        demand!(self, size >= 0, gl::INVALID_VALUE);
-        demand!(self, self.render_mode != gl::SELECT, gl::INVALID_OPERATION);
-        self.selection.set_room(size as usize);
+    /// `glSelectBuffer`: how many words there is room for. False, with an error recorded, if that isn't taken.
+    pub fn select_buffer(&mut self, size: i32) -> bool {
+        outside_begin!(self, false);
+        let error = if size < 0 {
+            gl::INVALID_VALUE
+        } else if self.render_mode == gl::SELECT {
+            gl::INVALID_OPERATION
+        } else {
+            self.selection.set_room(size as usize);
+            return true;
+        };
+        self.error.set(error);
+        false
     }
 
-    /// `glFeedbackBuffer`: how many values there is room for, and what is written of each vertex.
-    pub fn feedback_buffer(&mut self, size: i32, of: u32) {
-        outside_begin!(self);
-        demand!(self, size >= 0, gl::INVALID_VALUE);
-        let is_type = (gl::_2D..=gl::_4D_COLOR_TEXTURE).contains(&of);
-        demand!(self, is_type, gl::INVALID_ENUM);
-        demand!(self, self.render_mode != gl::FEEDBACK, gl::INVALID_OPERATION);
-        self.feedback.set_buffer(size as usize, of);
+    /// `glFeedbackBuffer`: how many values there is room for, and what is written of each vertex. False, with an
+    /// error recorded, if that isn't taken.
+    pub fn feedback_buffer(&mut self, size: i32, of: u32) -> bool {
+        outside_begin!(self, false);
+        let error = if size < 0 {
+            gl::INVALID_VALUE
+        } else if !(gl::_2D..=gl::_4D_COLOR_TEXTURE).contains(&of) {
+            gl::INVALID_ENUM
+        } else if self.render_mode == gl::FEEDBACK {
+            gl::INVALID_OPERATION
+        } else {
+            self.feedback.set_buffer(size as usize, of);
+            return true;
+        };
+        self.error.set(error);
+        false
     }
 
     /// `glInitNames`. Like all commands on names it has no effect outside of selection.
