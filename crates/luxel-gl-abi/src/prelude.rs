@@ -1,0 +1,10 @@
+//! What the generated entry points use.
+
+pub(crate) use crate::entry::{call, call_uncaught, call_with_memory, call_with_memory_uncaught};
+pub(crate) use crate::memory::{CallerArray, array, bytes, bytes_mut, few, store};
+pub(crate) use crate::parameters::{from_integers, single};
+pub(crate) use crate::{pointer_query, strings};
+pub(crate) use luxel_gl::{convert, lengths};
+
+/// The first texture unit.
+pub(crate) const GL_TEXTURE0: u32 = 0x84C0;
