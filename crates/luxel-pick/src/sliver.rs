@@ -12,6 +12,7 @@ use crate::view::PickView;
 use glam::{DMat4, DVec3, DVec4};
 use luxel_bvh::WIDTH;
 use luxel_parallel::{gather, map};
+use luxel_visibility::clip_by_plane;
 
 /// The part of an object inside a region.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -257,19 +258,13 @@ pub(crate) fn clip_polygon(corners: &[DVec4], planes: &Planes) -> ([f64; 2], boo
                 kept += 1;
             }
         };
-        for here in 0..count {
-            let next = if here + 1 == count { 0 } else { here + 1 };
-            let (inside, next_inside) = (distances[here] >= 0.0, distances[next] >= 0.0);
-            if inside {
-                keep(source[here]);
-            }
-            // A line is clipped once in each direction.
-            if inside != next_inside {
-                let (from, to) = if inside { (here, next) } else { (next, here) };
-                let t = distances[from] / (distances[from] - distances[to]);
-                keep(source[from] + (source[to] - source[from]) * t);
-            }
-        }
+        // A line is clipped once in each direction.
+        clip_by_plane(
+            &source[..count],
+            &distances[..count],
+            |inside, outside, t| *inside + (*outside - *inside) * t,
+            &mut keep,
+        );
         count = kept;
     }
     let mut range = NONE;
