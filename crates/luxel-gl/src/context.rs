@@ -63,12 +63,12 @@ pub struct Context {
     pub(crate) render_mode: u32,
     pub(crate) selection: SelectionMode,
     pub(crate) feedback: FeedbackMode,
-    /// The counter of line stipples (section 3.4.2).
-    pub(crate) stipple_counter: u32,
     pub(crate) framebuffer: Framebuffer,
     pub(crate) log: Log,
     /// Whether the default framebuffer has had a size.
     pub(crate) sized: bool,
+    /// Whether something was drawn that the caller's colour buffer doesn't show.
+    pub(crate) drawn: bool,
 }
 
 impl Context {
@@ -103,10 +103,10 @@ impl Context {
             render_mode: gl::RENDER,
             selection: SelectionMode::default(),
             feedback: FeedbackMode::default(),
-            stipple_counter: 0,
             framebuffer: Framebuffer::new(0, 0),
             log: Log::default(),
             sized: false,
+            drawn: false,
         }
     }
 

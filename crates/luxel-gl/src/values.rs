@@ -102,15 +102,16 @@ impl Values {
         u8::from(self.to_f64(index) != 0.0)
     }
 
-    /// Value `index` as a `GLint`: colours, normals and depths scaled by ((2^32 - 1) f - 1) / 2, others
-    /// rounded to the nearest integer. 0 beyond the last value.
+    /// Value `index` as a `GLint`: colours, normals and depths times 2^31 - 1, others
+    /// rounded to the nearest integer. The text would have -1 for 0, by ((2^32 - 1) f - 1) / 2; that 0 stays 0 is what
+    /// later versions say (OpenGL 4.2, section 2.3.5) and programs expect. 0 beyond the last value.
     #[must_use]
     pub fn to_i32(&self, index: usize) -> i32 {
         let value = self.to_f64(index);
         match self.kind {
             // Names above 2^31 keep their bits.
             Kind::Integer if value > f64::from(i32::MAX) => value as u32 as i32,
-            Kind::Scaled => ((4_294_967_295.0 * value - 1.0) / 2.0).round() as i32,
+            Kind::Scaled => (2_147_483_647.0 * value) as i32,
             _ => value.round() as i32,
         }
     }
@@ -135,7 +136,7 @@ mod tests {
     #[test]
     fn section_6_1_2_colours_scale_to_integers_and_other_numbers_round() {
         let color = Values::scaled([1.0, -1.0, 0.0]);
-        assert_eq!([0, 1, 2].map(|at| color.to_i32(at)), [i32::MAX, i32::MIN, -1]);
+        assert_eq!([0, 1, 2].map(|at| color.to_i32(at)), [i32::MAX, -i32::MAX, 0]);
         let width = Values::real(2.5);
         assert_eq!((width.to_i32(0), width.to_f32(0), width.to_bool(0)), (3, 2.5, 1));
         assert_eq!(Values::name(0xffff_ffff).to_i32(0), -1);

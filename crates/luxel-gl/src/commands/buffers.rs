@@ -38,6 +38,7 @@ impl Context {
 
     /// Draws what is in the log.
     pub(crate) fn carry_out(&mut self) {
+        self.drawn |= !self.log.is_empty();
         self.log.carry_out(&mut self.framebuffer, self.level);
     }
 

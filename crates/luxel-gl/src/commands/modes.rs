@@ -1,7 +1,7 @@
 //! Selection and feedback (OpenGL 1.5, sections 5.2 and 5.3).
 
 use crate::Context;
-use crate::context::{compile, demand, outside_begin};
+use crate::context::{compile, outside_begin};
 use crate::enums as gl;
 use crate::objects::list::Command;
 

@@ -175,9 +175,12 @@ impl Context {
     }
 
     /// Writes the colour buffer to the caller's memory as OSMesa does at `glFlush`, `glFinish` and when a context is
-    /// left. What a slice has no room for is left out.
+    /// left: if something was drawn since the last time. What a slice has no room for is left out.
     pub fn color_plane(&mut self, layout: ColorLayout, destination: &mut [u8]) {
         self.carry_out();
+        if !std::mem::take(&mut self.drawn) {
+            return;
+        }
         let order: &[usize] = match layout.format {
             gl::RGBA => &[0, 1, 2, 3],
             OSMESA_BGRA => &[2, 1, 0, 3],

@@ -1,7 +1,24 @@
-//! The log of draws, and the tiles that it is carried out in.
+//! From primitives to pixels: the log of draws, and the tiles that it is carried out in.
+//!
+//! 1. `pipeline`: all state of fragments; `batch`: the primitives of one draw.
+//! 2. `build`: culls and clips primitives, and sets them up for rasterization.
+//! 3. `log`: batches and clears in the order of their calls, sorted into tiles when somebody looks.
+//! 4. `tile`: takes one tile's list in order. Where colours take no notice of what is there, samples are tested at once
+//!    and note which primitive they see; those that are seen at last are lit (`shade`). Where they do, blocks are lit
+//!    as they come.
+//! 5. `stencil`, `blend`: tests of fragments and mixing of colours.
 
+mod batch;
+mod blend;
+mod build;
 mod framebuffer;
 mod log;
+mod pipeline;
+mod shade;
+mod stencil;
+mod tile;
 
-pub(crate) use framebuffer::Framebuffer;
+pub(crate) use build::{BatchBuilder, DrawState, polygon_area};
+pub(crate) use framebuffer::{Framebuffer, LARGEST_DEPTH};
 pub(crate) use log::{Clear, Log};
+pub(crate) use pipeline::{Buffers, Pipeline};

@@ -11,4 +11,3 @@ pub(crate) mod pixel;
 pub(crate) mod polygon;
 
 pub(crate) use attributes::Attributes;
-pub(crate) use enables::Capability;

@@ -1,6 +1,11 @@
 //! Vertices: the stream between `glBegin` and `glEnd`, and what becomes of them.
 
-pub(crate) mod process;
-pub(crate) mod stream;
+mod light_setup;
+mod matrix_rows;
+mod process;
+mod processed;
+mod stream;
 
+pub(crate) use process::VertexProcessor;
+pub(crate) use processed::{Processed, WindowScale, codes};
 pub(crate) use stream::Stream;

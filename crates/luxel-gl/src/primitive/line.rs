@@ -1,0 +1,153 @@
+//! Which pixels a line has: the rule of the diamond's exit (OpenGL 1.5, section 3.4.1), in exact integers.
+//!
+//! A fragment belongs to a line if the line leaves the diamond |x - x_f| + |y - y_f| < 1/2 about the pixel's centre. A
+//! line that runs more along x (x-major) has one fragment in each column whose centre lies between its ends: there it
+//! crosses the middle of a diamond. At the start there is one more if the line begins within a diamond whose middle it has
+//! passed; at the end there is one fewer if it ends within the diamond.
+
+use luxel_math::SUBPIXELS;
+
+const HALF: i64 = SUBPIXELS as i64 / 2;
+const STEP: i64 = SUBPIXELS as i64;
+
+/// The fragments of a line between two places in steps of 1/256 pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LineWalk {
+    /// 0 for a line along x, 1 along y.
+    pub(crate) major: usize,
+    /// The first and the last pixel along the major axis, in the order of the line; how many there are.
+    pub(crate) first: i32,
+    pub(crate) step: i32,
+    pub(crate) count: i32,
+    from: [i64; 2],
+    delta: [i64; 2],
+}
+
+impl LineWalk {
+    pub(crate) fn new(from: [i32; 2], to: [i32; 2]) -> Self {
+        let (from, to) = (from.map(i64::from), to.map(i64::from));
+        let delta = [to[0] - from[0], to[1] - from[1]];
+        let major = usize::from(delta[1].abs() > delta[0].abs());
+        let step = if delta[major] < 0 { -1 } else { 1 };
+        // Pixels whose centre the line passes.
+        let (first, last) = if step > 0 {
+            ((from[major] + HALF - 1).div_euclid(STEP), (to[major] - HALF).div_euclid(STEP))
+        } else {
+            ((from[major] - HALF).div_euclid(STEP), (to[major] + HALF - 1).div_euclid(STEP))
+        };
+        let mut walk =
+            Self { major, first: first as i32, step: step as i32, count: 0, from, delta };
+        let mut count = (last - first) * step + 1;
+        let begins_within = walk.diamond(from);
+        if begins_within.is_some_and(|pixel| pixel[major] == first - step) {
+            walk.first -= walk.step;
+            count += 1;
+        }
+        // Where it ends within a diamond, that one isn't left.
+        if let Some(pixel) = walk.diamond(to)
+            && count > 0
+            && pixel[major] == i64::from(walk.first) + (count - 1) * step
+        {
+            count -= 1;
+        }
+        walk.count = count.max(0) as i32;
+        walk
+    }
+
+    /// The pixel whose diamond holds a place. Of its border two sides belong to it, so that no place has two pixels.
+    #[expect(clippy::unused_self, reason = "it reads as the line's rule")]
+    fn diamond(&self, place: [i64; 2]) -> Option<[i64; 2]> {
+        let pixel = place.map(|at| at.div_euclid(STEP));
+        let [x, y] = [0, 1].map(|axis| place[axis] - pixel[axis] * STEP - HALF);
+        let distance = x.abs() + y.abs();
+        (distance < HALF || distance == HALF && x < 0 || x == 0 && y == -HALF).then_some(pixel)
+    }
+
+    /// Pixel number `index`: its column and row.
+    pub(crate) fn pixel(&self, index: i32) -> [i32; 2] {
+        let along = self.first + index * self.step;
+        let (major, minor) = (self.major, 1 - self.major);
+        let length = self.delta[major];
+        let across = if length == 0 {
+            self.from[minor]
+        } else {
+            // Rounded down to whole steps: the pixel is the same.
+            let way = i64::from(along) * STEP + HALF - self.from[major];
+            let within = way.clamp(length.min(0), length.max(0));
+            self.from[minor] + (self.delta[minor] * within).div_euclid(length)
+        };
+        let mut pixel = [along; 2];
+        pixel[minor] = across.div_euclid(STEP) as i32;
+        pixel
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn pixels(from: [i32; 2], to: [i32; 2]) -> Vec<[i32; 2]> {
+        let walk = LineWalk::new(from, to);
+        (0..walk.count).map(|index| walk.pixel(index)).collect()
+    }
+
+    /// The centre of a pixel, and a little more.
+    fn at(x: i32, y: i32, more: i32) -> [i32; 2] {
+        [x * 256 + 128 + more, y * 256 + 128]
+    }
+
+    #[test]
+    fn section_3_4_1_the_last_pixel_of_a_line_between_centres_is_left_to_the_next_line() {
+        assert_eq!(pixels(at(1, 1, 0), at(4, 1, 0)), [[1, 1], [2, 1], [3, 1]]);
+        assert_eq!(pixels(at(4, 1, 0), at(1, 1, 0)), [[4, 1], [3, 1], [2, 1]]);
+        assert_eq!(pixels([128, 128], [128, 1024 + 128]).len(), 4);
+        assert!(pixels(at(2, 2, 10), at(2, 2, -10)).is_empty());
+    }
+
+    #[test]
+    fn section_3_4_1_a_line_that_begins_behind_the_middle_of_a_diamond_leaves_it() {
+        assert_eq!(pixels(at(1, 1, 100), at(3, 1, 0)), [[1, 1], [2, 1]]);
+        // Beyond the corner of the diamond.
+        assert_eq!(pixels([256 + 250, 256 + 10], at(3, 1, 0)), [[2, 1]]);
+        // It ends between two diamonds: the last one is left.
+        assert_eq!(pixels(at(1, 1, 0), [3 * 256 + 253, 256 + 130]), [[1, 1], [2, 1]]);
+    }
+
+    proptest! {
+        #[test]
+        fn section_3_4_1_every_fragment_is_a_diamond_that_the_line_leaves(
+            from in [0..2048_i32, 0..2048_i32], to in [0..2048_i32, 0..2048_i32],
+        ) {
+            let found = pixels(from, to);
+            // A diamond's interior that holds a point of the line, but not its end, is left.
+            let inside = |[x, y]: [f64; 2], pixel: [i32; 2]| {
+                let centre = pixel.map(|at| f64::from(at) * 256.0 + 128.0);
+                128.0 - (x - centre[0]).abs() - (y - centre[1]).abs()
+            };
+            let [a, b] = [from, to].map(|end| end.map(f64::from));
+            for y in 0..8 {
+                for x in 0..8 {
+                    let pixel = [x, y];
+                    let passes = (0..=4000).any(|t| {
+                        let t = f64::from(t) / 4000.0;
+                        inside([a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t], pixel) > 1.0
+                    });
+                    let ends = inside(b, pixel);
+                    if passes && ends < -1.0 {
+                        prop_assert!(found.contains(&pixel), "{pixel:?} of {found:?}");
+                    }
+                    if ends > 1.0 {
+                        prop_assert!(!found.contains(&pixel), "{pixel:?} of {found:?}");
+                    }
+                }
+            }
+            prop_assert!(found.iter().all(|pixel| {
+                (0..=4000).any(|t| {
+                    let t = f64::from(t) / 4000.0;
+                    inside([a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t], *pixel) > -2.0
+                })
+            }));
+        }
+    }
+}

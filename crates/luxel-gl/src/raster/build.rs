@@ -1,0 +1,529 @@
+//! Primitives to pieces: faces, culling, clipping, setup (OpenGL 1.5, sections 2.11, 3.3 to 3.5).
+
+use super::batch::{Batch, Piece, Prepared, Shade, Shape};
+use super::framebuffer::LARGEST_DEPTH;
+use super::pipeline::Pipeline;
+use crate::enums as gl;
+use crate::primitive::line::LineWalk;
+use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment, plane_distances};
+use crate::state::Attributes;
+use crate::vertex::{Processed, VertexProcessor, WindowScale, codes};
+use luxel_math::SUBPIXELS;
+use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
+use std::sync::Arc;
+
+/// What decides how primitives become pieces.
+#[derive(Clone, Debug)]
+pub(crate) struct DrawState {
+    flat: bool,
+    two_side: bool,
+    /// Whether front faces run counter-clockwise in the window.
+    front_is_counter_clockwise: bool,
+    /// Which sides are left out: front, back.
+    culled: [bool; 2],
+    /// How the sides are drawn.
+    modes: [u32; 2],
+    /// Factor and units, for points, lines and filled polygons.
+    offsets: [Option<[f32; 2]>; 3],
+    point_size: f32,
+    point_limits: [f32; 2],
+    attenuation: [f32; 3],
+    line_width: i32,
+    /// Enabled planes of the user, by numbers of bits, in eye coordinates.
+    planes: Vec<(u32, [f64; 4])>,
+    scale: WindowScale,
+}
+
+impl DrawState {
+    pub(crate) fn new(state: &Attributes, scale: WindowScale) -> Self {
+        let has = |name: u32| state.enables.has(name);
+        let polygons = &state.polygons;
+        let culls = |side: u32| {
+            has(gl::CULL_FACE) && (polygons.cull == side || polygons.cull == gl::FRONT_AND_BACK)
+        };
+        let offset =
+            |name: u32| has(name).then_some([polygons.offset_factor, polygons.offset_units]);
+        let enabled = (0..8_u32).filter(|number| state.enables.planes() >> number & 1 == 1);
+        Self {
+            flat: state.lights.shade_model == gl::FLAT,
+            two_side: has(gl::LIGHTING) && state.lights.model.two_side,
+            front_is_counter_clockwise: polygons.front == gl::CCW,
+            culled: [culls(gl::FRONT), culls(gl::BACK)],
+            modes: polygons.modes,
+            offsets: [
+                offset(gl::POLYGON_OFFSET_POINT),
+                offset(gl::POLYGON_OFFSET_LINE),
+                offset(gl::POLYGON_OFFSET_FILL),
+            ],
+            point_size: state.points.size,
+            point_limits: [state.points.least, state.points.largest],
+            attenuation: state.points.attenuation,
+            line_width: whole_size(state.lines.width),
+            planes: enabled
+                .map(|number| (number, state.transform.planes[number as usize]))
+                .collect(),
+            scale,
+        }
+    }
+
+    /// Whether eye coordinates are needed.
+    pub(crate) fn needs_eye(&self) -> bool {
+        !self.planes.is_empty() || self.attenuation != [1.0, 0.0, 0.0]
+    }
+
+    /// Whether a polygon of that area, positive where it runs counter-clockwise in the window, faces the viewer: 0 is
+    /// the front, 1 the back.
+    pub(crate) fn side(&self, area: f64) -> usize {
+        usize::from((area > 0.0) != self.front_is_counter_clockwise)
+    }
+
+    pub(crate) fn is_culled(&self, side: usize) -> bool {
+        self.culled[side]
+    }
+
+    /// How a side is drawn.
+    pub(crate) fn mode(&self, side: usize) -> u32 {
+        self.modes[side]
+    }
+
+    pub(crate) fn is_flat(&self) -> bool {
+        self.flat
+    }
+
+    pub(crate) fn scale(&self) -> &WindowScale {
+        &self.scale
+    }
+
+    /// The user's planes in eye coordinates.
+    pub(crate) fn planes(&self) -> &[(u32, [f64; 4])] {
+        &self.planes
+    }
+
+    /// Which colours a side has.
+    pub(crate) fn color_side(&self, side: usize) -> usize {
+        if self.two_side { side } else { 0 }
+    }
+}
+
+/// A size of points or width of lines in whole pixels (sections 3.3 and 3.4.2).
+fn whole_size(size: f32) -> i32 {
+    (size.clamp(1.0, crate::limits::LARGEST_SIZE) + 0.5) as i32
+}
+
+/// A plane of the clip volume or of the user.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Plane {
+    /// One of the six of the clip volume, in clip coordinates.
+    Volume([f64; 4]),
+    /// A side of the guard band: like a plane of the volume, but vertices in the band stay.
+    Guard([f64; 4]),
+    /// Distances of the three corners from a plane of the user.
+    User([f64; 3]),
+}
+
+impl Plane {
+    pub(crate) fn distance(&self, corner: &ClipCorner) -> f64 {
+        match self {
+            Self::Volume(plane) => plane_distances(plane, corner),
+            Self::Guard(plane) => {
+                let distance = plane_distances(plane, corner);
+                if corner.held { distance.max(0.0) } else { distance }
+            }
+            Self::User(distances) => {
+                let [a, b, c] = distances;
+                let [u, v, t] = corner.weights;
+                a * u + b * v + c * t
+            }
+        }
+    }
+}
+
+/// Makes a batch of the primitives that it is shown.
+pub(crate) struct BatchBuilder<'a> {
+    state: &'a DrawState,
+    batch: Batch,
+    /// The counter of line stipples (section 3.4.2).
+    counter: u32,
+    polygon: Vec<ClipCorner>,
+}
+
+impl<'a> BatchBuilder<'a> {
+    pub(crate) fn new(
+        state: &'a DrawState,
+        pipeline: Arc<Pipeline>,
+        processor: &VertexProcessor,
+        viewport: [i32; 4],
+        vertices: Processed,
+    ) -> Self {
+        let [l, b, r, t] = pipeline.region;
+        let [left, bottom, right, top] = viewport;
+        let polygon_region = [l.max(left), b.max(bottom), r.min(right), t.min(top)];
+        let (pieces, prepared) = (Vec::new(), Vec::new());
+        let scale = processor.scale();
+        let batch = Batch { pipeline, polygon_region, scale, vertices, pieces, prepared };
+        Self { state, batch, counter: 0, polygon: Vec::new() }
+    }
+
+    pub(crate) fn finish(self) -> Batch {
+        self.batch
+    }
+
+    fn codes(&self, vertex: u32) -> u16 {
+        self.batch.vertices.codes[vertex as usize]
+    }
+
+    fn window(&self, vertex: u32) -> WindowVertex {
+        self.batch.vertices.window[vertex as usize]
+    }
+
+    fn corner(&self, vertex: u32, number: usize) -> ClipCorner {
+        let held = self.codes(vertex) & codes::NOT_HELD == 0;
+        ClipCorner::new(self.batch.vertices.clip[vertex as usize], number, held)
+    }
+
+    /// The planes that some vertices lie beyond. Sides of the clip volume are left to the pixels of the viewport
+    /// where `guarded`, as far as the guard band reaches.
+    fn planes(&self, any: u16, vertices: &[u32], guarded: bool) -> Vec<Plane> {
+        let mut planes = Vec::new();
+        if any & codes::NEAR != 0 {
+            planes.push(Plane::Volume([0.0, 0.0, 1.0, 1.0]));
+        }
+        if any & codes::FAR != 0 {
+            planes.push(Plane::Volume([0.0, 0.0, -1.0, 1.0]));
+        }
+        for &(number, plane) in &self.state.planes {
+            if any >> (codes::FIRST_PLANE + number) & 1 == 1 {
+                let mut distances = [0.0; 3];
+                for (distance, &vertex) in distances.iter_mut().zip(vertices) {
+                    let eye = self.batch.vertices.eye[vertex as usize];
+                    *distance = plane.iter().zip(eye).map(|(p, e)| p * f64::from(e)).sum();
+                }
+                planes.push(Plane::User(distances));
+            }
+        }
+        if any & codes::SIDES != 0 && (!guarded || any & codes::NOT_HELD != 0) {
+            for axis in 0..2 {
+                // One pixel of the band stays for rounding.
+                let half = f64::from(self.state.scale.half[axis]).max(1.0);
+                let reach = if guarded { f64::from(GUARD_BAND - SUBPIXELS) / half } else { 1.0 };
+                for sign in [1.0, -1.0] {
+                    let mut plane = [0.0, 0.0, 0.0, reach];
+                    plane[axis] = sign;
+                    planes.push(if guarded { Plane::Guard(plane) } else { Plane::Volume(plane) });
+                }
+            }
+        }
+        planes
+    }
+
+    /// Where a corner that clipping has left lies in the window.
+    fn clipped_window(&self, corner: &ClipCorner, vertices: &[u32]) -> Option<WindowVertex> {
+        if corner.own && corner.held {
+            let number = corner.weights.iter().position(|weight| *weight == 1.0)?;
+            return Some(self.window(vertices[number]));
+        }
+        window_of(&self.state.scale, corner.clip)
+    }
+
+    fn triangle(&mut self, corners: [u32; 3], flat: Option<u32>, facing: Option<usize>) {
+        let [a, b, c] = corners.map(|corner| self.codes(corner));
+        let any = a | b | c;
+        if a & b & c & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
+            return;
+        }
+        let outside = any & codes::OUTSIDE & !codes::SIDES != 0;
+        if !outside && any & codes::NOT_HELD == 0 {
+            self.piece(corners.map(|corner| self.window(corner)), corners, flat, facing);
+            return;
+        }
+        let planes = self.planes(any, &corners, true);
+        let mut polygon = std::mem::take(&mut self.polygon);
+        polygon.clear();
+        polygon.extend([0, 1, 2].map(|number| self.corner(corners[number], number)));
+        clip_polygon(&mut polygon, &planes, Plane::distance);
+        let mut placed = polygon.iter().filter_map(|corner| self.clipped_window(corner, &corners));
+        if let (Some(first), Some(mut last)) = (placed.next(), placed.next()) {
+            let rest: Vec<WindowVertex> = placed.collect();
+            for next in rest {
+                self.piece([first, last, next], corners, flat, facing);
+                last = next;
+            }
+        }
+        self.polygon = polygon;
+    }
+
+    /// A triangle in the window: filled.
+    fn piece(
+        &mut self,
+        window: [WindowVertex; 3],
+        corners: [u32; 3],
+        flat: Option<u32>,
+        facing: Option<usize>,
+    ) {
+        let Some(mut triangle) = Triangle::new(window, CullFaces::None) else { return };
+        let side = facing.unwrap_or_else(|| self.state.side(area(window)));
+        if self.state.is_culled(side) {
+            return;
+        }
+        if let Some([factor, units]) = self.state.offsets[2] {
+            offset(&mut triangle, factor, units);
+        }
+        let side = self.state.color_side(side) as u8;
+        self.batch.pieces.push(Piece {
+            shape: Shape::Triangle(triangle),
+            shade: Shade::Triangle { corners, flat, side },
+        });
+    }
+
+    fn push_line(
+        &mut self,
+        ends: [u32; 2],
+        colors: [[f32; 4]; 2],
+        begins: bool,
+        offset: Option<[f32; 3]>,
+    ) {
+        if begins {
+            self.counter = 0;
+        }
+        let [a, b] = ends.map(|end| self.codes(end));
+        if a & b & codes::OUTSIDE != 0 || (a | b) & codes::NOT_FINITE != 0 {
+            return;
+        }
+        let mut corners = [self.corner(ends[0], 0), self.corner(ends[1], 1)];
+        let any = a | b;
+        if any & (codes::OUTSIDE | codes::NOT_HELD) != 0 {
+            let planes = self.planes(any, &ends, false);
+            let Some(clipped) = clip_segment(corners, &planes, Plane::distance) else { return };
+            corners = clipped;
+        }
+        let placed = corners.map(|corner| self.clipped_window(&corner, &ends));
+        let [Some(from), Some(to)] = placed else { return };
+        let mixed = |corner: &ClipCorner| {
+            let [u, v, _] = corner.weights.map(|weight| weight as f32);
+            let color: [f32; 4] =
+                std::array::from_fn(|channel| colors[0][channel] * u + colors[1][channel] * v);
+            (color, self.batch.fog(ends[0]) * u + self.batch.fog(ends[1]) * v)
+        };
+        let (color_from, fog_from) = mixed(&corners[0]);
+        let (color_to, fog_to) = mixed(&corners[1]);
+        let mut places = [[from.x, from.y], [to.x, to.y]];
+        // A wide line is shifted across by (width - 1) / 2 (section 3.4.2).
+        let shift = (self.state.line_width - 1) * (SUBPIXELS / 2);
+        let minor = 1 - LineWalk::new(places[0], places[1]).major;
+        for place in &mut places {
+            place[minor] -= shift;
+        }
+        let walk = LineWalk::new(places[0], places[1]);
+        let along = |place: [i32; 2]| f64::from(place[walk.major]) / f64::from(SUBPIXELS);
+        let prepared = Prepared::along(
+            walk.major,
+            [along(places[0]), along(places[1])],
+            [corners[0].clip[3], corners[1].clip[3]],
+            [color_from, color_to],
+            [fog_from, fog_to],
+        );
+        let mut depths = [from.z, to.z];
+        if let Some([factor, units, slope]) = offset {
+            depths = depths.map(|depth| moved(depth, factor * slope + units));
+        }
+        let number = self.batch.prepared.len() as u32;
+        self.batch.prepared.push(prepared);
+        self.batch.pieces.push(Piece {
+            shape: Shape::Line {
+                ends: places,
+                depths,
+                width: self.state.line_width,
+                counter: self.counter,
+            },
+            shade: Shade::Prepared(number),
+        });
+        self.counter = self.counter.wrapping_add(walk.count as u32);
+    }
+
+    fn push_point(&mut self, vertex: u32, color: [f32; 4], offset: Option<[f32; 3]>) {
+        let code = self.codes(vertex);
+        if code & (codes::OUTSIDE | codes::NOT_FINITE | codes::NOT_HELD) != 0 {
+            return;
+        }
+        let place = self.window(vertex);
+        let side = whole_size(self.point_size(vertex));
+        // Odd sizes are centred in a pixel, even ones between pixels (section 3.3.1).
+        let first = |at: i32| {
+            if side % 2 == 1 {
+                at.div_euclid(SUBPIXELS) - side / 2
+            } else {
+                (at + SUBPIXELS / 2).div_euclid(SUBPIXELS) - side / 2
+            }
+        };
+        let depth = match offset {
+            Some([factor, units, slope]) => moved(place.z, factor * slope + units),
+            None => place.z,
+        };
+        let fog = self.batch.fog(vertex);
+        let number = self.batch.prepared.len() as u32;
+        self.batch.prepared.push(Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]));
+        self.batch.pieces.push(Piece {
+            shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth },
+            shade: Shade::Prepared(number),
+        });
+    }
+
+    /// size / sqrt(a + b d + c d^2), within the limits (section 3.3).
+    fn point_size(&self, vertex: u32) -> f32 {
+        let [a, b, c] = self.state.attenuation;
+        let mut size = self.state.point_size;
+        if self.state.attenuation != [1.0, 0.0, 0.0]
+            && let Some([x, y, z, w]) = self.batch.vertices.eye.get(vertex as usize)
+        {
+            let distance = (x * x + y * y + z * z).sqrt() / if *w == 0.0 { 1.0 } else { w.abs() };
+            let divisor = a + b * distance + c * distance * distance;
+            if divisor > 0.0 {
+                size /= divisor.sqrt();
+            }
+        }
+        let [least, largest] = self.state.point_limits;
+        if size < least { least } else { size.min(largest) }
+    }
+
+    /// The border of a polygon as lines or points, each with the polygon's offset.
+    fn outline(&mut self, corners: &[u32], flat: Option<u32>, flagged: bool, side: usize) {
+        let lines = self.state.mode(side) == gl::LINE;
+        let colors_of = self.state.color_side(side) as u8;
+        let offset = self.state.offsets[usize::from(lines)]
+            .map(|[factor, units]| [factor, units, self.slope(corners)]);
+        let color =
+            |builder: &Self, vertex: u32| builder.batch.color(flat.unwrap_or(vertex), colors_of);
+        let mut begins = true;
+        for (number, &vertex) in corners.iter().enumerate() {
+            if flagged && !self.batch.vertices.edge_flag(vertex as usize) {
+                continue;
+            }
+            let first = color(self, vertex);
+            if lines {
+                let next = corners[(number + 1) % corners.len()];
+                let colors = [first, color(self, next)];
+                self.push_line([vertex, next], colors, begins, offset);
+                begins = false;
+            } else {
+                self.push_point(vertex, first, offset);
+            }
+        }
+    }
+
+    /// max(|dz/dx|, |dz/dy|) of a polygon's first corners, a pixel.
+    fn slope(&self, corners: &[u32]) -> f32 {
+        let [a, b, c] = [0, 1, 2].map(|number| self.window(corners[number]));
+        match Triangle::new([a, b, c], CullFaces::None) {
+            Some(triangle) => slope_of(&triangle),
+            None => 0.0,
+        }
+    }
+}
+
+impl Visitor for BatchBuilder<'_> {
+    fn point(&mut self, vertex: u32) {
+        let color = self.batch.color(vertex, 0);
+        self.push_point(vertex, color, None);
+    }
+
+    fn line(&mut self, ends: [u32; 2], begins: bool) {
+        let flat = self.state.flat.then_some(ends[1]);
+        let colors = ends.map(|end| self.batch.color(flat.unwrap_or(end), 0));
+        self.push_line(ends, colors, begins, None);
+    }
+
+    fn polygon(&mut self, corners: &[u32], provoking: u32, flagged: bool) {
+        let state = self.state;
+        let flat = state.flat.then_some(provoking);
+        if state.culled == [true; 2] {
+            return;
+        }
+        let filled = state.modes == [gl::FILL; 2];
+        if let (true, &[a, b, c]) = (filled, corners) {
+            self.triangle([a, b, c], flat, None);
+            return;
+        }
+        let side = state.side(polygon_area(&self.batch.vertices, &state.scale, corners));
+        if state.is_culled(side) {
+            return;
+        }
+        if state.mode(side) != gl::FILL {
+            self.outline(corners, flat, flagged, side);
+            return;
+        }
+        match *corners {
+            // The diagonal is free (section 3.5); this one is usual.
+            [a, b, c, d] => {
+                self.triangle([a, b, d], flat, Some(side));
+                self.triangle([b, c, d], flat, Some(side));
+            }
+            _ => {
+                for pair in corners[1..].windows(2) {
+                    self.triangle([corners[0], pair[0], pair[1]], flat, Some(side));
+                }
+            }
+        }
+    }
+}
+
+/// Twice the area of a triangle in the window, positive where it runs counter-clockwise.
+fn area([a, b, c]: [WindowVertex; 3]) -> f64 {
+    let d = |p: i32, q: i32| f64::from(p) - f64::from(q);
+    d(b.x, a.x) * d(c.y, a.y) - d(c.x, a.x) * d(b.y, a.y)
+}
+
+/// The area of a polygon in the window, doubled: positive where it runs counter-clockwise. Of one that reaches behind the
+/// eye only the sign means something.
+pub(crate) fn polygon_area(vertices: &Processed, scale: &WindowScale, corners: &[u32]) -> f64 {
+    let held = |corner: &u32| vertices.codes[*corner as usize] & codes::NOT_HELD == 0;
+    let fans = corners[1..].windows(2);
+    if corners.iter().all(held) {
+        let place = |corner: u32| vertices.window[corner as usize];
+        return fans.map(|pair| area([place(corners[0]), place(pair[0]), place(pair[1])])).sum();
+    }
+    // The volume that homogeneous coordinates span has its sign (Olano and Greer 1997).
+    let [half_x, half_y] = scale.half.map(f64::from);
+    let place = |corner: u32| {
+        let [x, y, _, w] = vertices.clip[corner as usize].map(f64::from);
+        glam::DVec3::new(x * half_x, y * half_y, w)
+    };
+    fans.map(|pair| place(corners[0]).dot(place(pair[0]).cross(place(pair[1])))).sum()
+}
+
+/// Clip coordinates in the window; `None` in the plane of the eye.
+pub(crate) fn window_of(scale: &WindowScale, [x, y, z, w]: [f64; 4]) -> Option<WindowVertex> {
+    if w.is_nan() || w <= 0.0 {
+        return None;
+    }
+    let place = |value: f64, axis: usize| {
+        let limit = f64::from(GUARD_BAND);
+        let about_centre = (value * f64::from(scale.half[axis]) / w).clamp(-limit, limit);
+        (about_centre + f64::from(scale.centre[axis])).round_ties_even() as i32
+    };
+    // Rounding must not carry a point past the planes that clip.
+    let unit = (z / w).clamp(-1.0, 1.0);
+    let depth = unit * f64::from(scale.depth[0]) + f64::from(scale.depth[1]);
+    Some(WindowVertex { x: place(x, 0), y: place(y, 1), z: depth as f32 })
+}
+
+/// max(|dz/dx|, |dz/dy|) a pixel.
+fn slope_of(triangle: &Triangle) -> f32 {
+    let plane = &triangle.depth;
+    plane.dz_dx.abs().max(plane.dz_dy.abs()) * SUBPIXELS as f32
+}
+
+/// A depth moved by an offset, within the range of depths.
+fn moved(depth: f32, by: f32) -> f32 {
+    (depth + by).clamp(0.0, LARGEST_DEPTH)
+}
+
+/// `glPolygonOffset`: o = m factor + r units, with r = 2^-24, one step of depth (section 3.5.5).
+fn offset(triangle: &mut Triangle, factor: f32, units: f32) {
+    let by = slope_of(triangle) * factor + units;
+    if by.is_finite() {
+        let plane = &mut triangle.depth;
+        plane.z += by;
+        plane.low = moved(plane.low, by);
+        plane.high = moved(plane.high, by);
+    }
+}
