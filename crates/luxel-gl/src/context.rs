@@ -193,7 +193,9 @@ macro_rules! outside_begin {
 /// Returns from the method with an error unless a condition holds.
 macro_rules! demand {
     ($context:ident, $condition:expr, $error:expr) => {
-        if !$condition {
+        // NaN holds no comparison.
+        let holds: bool = $condition;
+        if !holds {
             $context.error.set($error);
             return;
         }

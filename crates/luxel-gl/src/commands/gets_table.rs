@@ -139,7 +139,7 @@ fn of_fragments(context: &Context, pname: u32) -> Option<Values> {
         gl::ALPHA_TEST_REF => Values::scaled([color.alpha_reference]),
         gl::STENCIL_FUNC => Values::name(stencil.func),
         gl::STENCIL_VALUE_MASK => Values::name(stencil.value_mask),
-        gl::STENCIL_REF => Values::integer(stencil.reference),
+        gl::STENCIL_REF => Values::integer(stencil.reference.clamp(0, 255)),
         gl::STENCIL_FAIL => Values::name(stencil.fail),
         gl::STENCIL_PASS_DEPTH_FAIL => Values::name(stencil.depth_fail),
         gl::STENCIL_PASS_DEPTH_PASS => Values::name(stencil.pass),

@@ -1,5 +1,6 @@
 //! Lights, materials, fog (OpenGL 1.5, sections 2.13 and 3.10).
 
+use super::fragments::unit;
 use crate::Context;
 use crate::context::{compile, demand, first_values, outside_begin};
 use crate::enums as gl;
@@ -189,7 +190,7 @@ impl Context {
         let values: [f32; 4] = first_values(params);
         let fog = &mut self.state.fog;
         match pname {
-            gl::FOG_COLOR => fog.color = values,
+            gl::FOG_COLOR => fog.color = values.map(unit),
             gl::FOG_START => fog.start = values[0],
             gl::FOG_END => fog.end = values[0],
             gl::FOG_INDEX => fog.index = values[0],

@@ -81,7 +81,7 @@ pub(super) fn logic<S: Simd>(operation: u32, s: u32x16<S>, d: u32x16<S>) -> u32x
     let all = u32x16::splat(s.simd, u32::MAX);
     let not = |value: u32x16<S>| value ^ all;
     match operation {
-        gl::CLEAR => all ^ all,
+        gl::CLEAR => u32x16::splat(s.simd, 0),
         gl::AND => s & d,
         gl::AND_REVERSE => s & not(d),
         gl::AND_INVERTED => not(s) & d,

@@ -451,17 +451,9 @@ impl Visitor for BatchBuilder<'_> {
             self.outline(corners, flat, flagged, side);
             return;
         }
-        match *corners {
-            // The diagonal is free (section 3.5); this one is usual.
-            [a, b, c, d] => {
-                self.triangle([a, b, d], flat, Some(side));
-                self.triangle([b, c, d], flat, Some(side));
-            }
-            _ => {
-                for pair in corners[1..].windows(2) {
-                    self.triangle([corners[0], pair[0], pair[1]], flat, Some(side));
-                }
-            }
+        // The diagonals are free (section 3.5); a fan is usual.
+        for pair in corners[1..].windows(2) {
+            self.triangle([corners[0], pair[0], pair[1]], flat, Some(side));
         }
     }
 }

@@ -37,7 +37,7 @@ pub(super) struct ClearedTo {
 /// One item of the log.
 #[derive(Debug)]
 pub(super) enum Item {
-    Batch(Batch),
+    Batch(Box<Batch>),
     Clear(ClearedTo),
 }
 
@@ -79,7 +79,7 @@ impl Log {
     pub(crate) fn draw(&mut self, batch: Batch) {
         if !batch.pieces.is_empty() {
             self.bytes += batch.bytes();
-            self.items.push(Item::Batch(batch));
+            self.items.push(Item::Batch(Box::new(batch)));
         }
     }
 

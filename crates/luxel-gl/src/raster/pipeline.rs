@@ -113,7 +113,7 @@ impl Blend {
 
 /// GL's fog as luxel's (section 3.10). Linear fog that ends before it starts is that of the opposite way.
 fn fog(state: &FogState) -> Fog {
-    let [r, g, b, _] = state.color.map(|value| value.clamp(0.0, 1.0));
+    let [r, g, b, _] = state.color;
     let law = match state.mode {
         gl::EXP => FogLaw::Exponential { density: state.density },
         gl::EXP2 => FogLaw::ExponentialSquared { density: state.density },

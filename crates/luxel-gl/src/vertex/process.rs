@@ -191,7 +191,7 @@ impl VertexProcessor {
         out.codes.extend_from_slice(&codes[..count]);
         match self.fog_from_coordinates {
             Some(true) => {
-                out.fog_coord.extend((0..count).map(|at| stream.fog_coord.of(first + at)))
+                out.fog_coord.extend((0..count).map(|at| stream.fog_coord.of(first + at)));
             }
             Some(false) => {
                 let mut distances = [0.0; LANES];
@@ -224,7 +224,7 @@ impl VertexProcessor {
         let (normal, length) = self.normal([normal[0], normal[1], normal[2]]);
         let sides = 1 + usize::from(lighting.two_side);
         let one_material =
-            !stream.material.varies() && !(self.color_material.is_some() && stream.color.varies());
+            !(stream.material.varies() || self.color_material.is_some() && stream.color.varies());
         for side in 0..sides {
             let normal = if side == 0 { normal } else { -normal };
             let point = surface_point(eye, normal, lighting.local_viewer);
@@ -396,9 +396,9 @@ impl VertexProcessor {
         {
             spread(beyond.bits(), bit as u32, &mut all);
         }
-        // A difference with itself is 0 for finite numbers only.
-        let sum = (x - x) + (y - y) + (z - z) + (w - w);
-        let not_finite = !sum.equal(sum.zero()).bits();
+        let largest = w.constant(f32::MAX);
+        let finite = |value: N| value.abs().less_or_equal(largest);
+        let not_finite = !(finite(x) & finite(y) & finite(z) & finite(w)).bits();
         spread(not_finite, codes::NOT_FINITE.trailing_zeros(), &mut all);
         spread(!held, codes::NOT_HELD.trailing_zeros(), &mut all);
         all
