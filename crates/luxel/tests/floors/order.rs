@@ -17,6 +17,8 @@ pub(crate) const CRATES: &[&str] = &[
     "luxel-pick",
     "luxel-gl",
     "luxel-gl-abi",
+    "luxel-glu",
+    "luxel-glu-abi",
     "luxel-render",
     "luxel-report",
     "luxel-navigation",
@@ -198,7 +200,27 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "commands",
         ],
     ),
-    ("luxel-gl-abi", &[]),
+    (
+        "luxel-gl-abi",
+        &[
+            "memory",
+            "parameters",
+            "window",
+            "client",
+            "current",
+            "entry",
+            "pointer_query",
+            "strings",
+            "prelude",
+            "generated",
+            "osmesa",
+        ],
+    ),
+    ("luxel-glu", &["strings", "matrices", "project", "drawing", "quadric", "image", "tessellate"]),
+    (
+        "luxel-glu-abi",
+        &["object", "gl", "strings", "matrices", "quadrics", "images", "tess", "nurbs"],
+    ),
     (
         "luxel-render",
         &[
