@@ -129,7 +129,6 @@ static void draw(void)
     TRY(glRenderMode(GL_RENDER));
     TRY(glClipPlane(GL_CLIP_PLANE0 + 8, (const GLdouble[]){0, 0, 0, 0}));
     TRY(glActiveTexture(GL_TEXTURE0 - 1));
-    TRY(glEnableClientState(0x1234));
     TRY(glPushAttrib(0));
     TRY(glPopAttrib());
     for (int i = 0; i < 20; i++)
