@@ -5,8 +5,8 @@
 //! destroyed, or never was one, is refused instead of followed.
 
 use crate::client::Client;
+use crate::slot;
 use luxel_gl::Context;
-use std::cell::Cell;
 use std::ptr;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -35,8 +35,8 @@ unsafe impl Send for Listed {}
 static CONTEXTS: Mutex<Vec<Listed>> = Mutex::new(Vec::new());
 
 thread_local! {
-    /// The current context, or null. Without a destructor, so that it is one load from the thread's block.
-    static CURRENT: Cell<*mut Bound> = const { Cell::new(ptr::null_mut()) };
+    /// Tells threads apart by its address.
+    static MARK: u8 = const { 0 };
     /// Leaves the context when the thread ends.
     static AT_EXIT: AtExit = const { AtExit };
 }
@@ -56,12 +56,13 @@ fn contexts() -> MutexGuard<'static, Vec<Listed>> {
 
 /// A number that no other living thread has: the address of one of its variables.
 fn thread_number() -> usize {
-    CURRENT.with(|current| ptr::from_ref(current).addr())
+    MARK.with(|mark| ptr::from_ref(mark).addr())
 }
 
 /// The current context of this thread, or null.
+#[inline(always)]
 pub(crate) fn current() -> *mut Bound {
-    CURRENT.get()
+    slot::get()
 }
 
 /// Lists a new context, and returns its handle.
@@ -103,16 +104,17 @@ pub(crate) fn make_current(handle: *mut Bound) -> bool {
     }
     leave();
     AT_EXIT.with(|_| {});
-    CURRENT.set(handle);
+    slot::set(handle);
     true
 }
 
 /// Leaves the current context of this thread, if there is one.
 pub(crate) fn leave() {
-    let handle = CURRENT.replace(ptr::null_mut());
+    let handle = current();
     if handle.is_null() {
         return;
     }
+    slot::set::<Bound>(ptr::null_mut());
     let mut contexts = contexts();
     if let Some(place) = contexts.iter().position(|listed| listed.handle == handle) {
         contexts[place].thread = None;

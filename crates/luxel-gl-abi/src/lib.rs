@@ -14,5 +14,6 @@ mod osmesa;
 mod parameters;
 mod pointer_query;
 mod prelude;
+mod slot;
 mod strings;
 mod window;

@@ -127,14 +127,11 @@ struct Exact<T>(Vec<u8>, std::marker::PhantomData<T>);
 impl<T: Copy> Exact<T> {
     fn new(values: &[T]) -> Self {
         let mut bytes = vec![0u8; 1 + size_of_val(values)];
+        let size = size_of_val(values);
         // SAFETY: the vector has as many bytes behind its first.
         unsafe {
-            ptr::copy_nonoverlapping(
-                values.as_ptr().cast(),
-                bytes.as_mut_ptr().add(1),
-                size_of_val(values),
-            )
-        };
+            ptr::copy_nonoverlapping(values.as_ptr().cast(), bytes.as_mut_ptr().add(1), size);
+        }
         Self(bytes, std::marker::PhantomData)
     }
 

@@ -207,6 +207,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "parameters",
             "window",
             "client",
+            "slot",
             "current",
             "entry",
             "pointer_query",
