@@ -107,7 +107,7 @@ impl<S: Shape, D: Drawing> Walk<'_, S, D> {
         }
     }
 
-    /// Quads of their own, since neighbours have other normals.
+    /// Quads of their own, since neighbours have other normals; the corner that flat shading lights is that of a strip.
     fn flat_facets(&mut self) {
         for row in 0..self.shape.up() {
             self.drawing.begin(QUADS);
@@ -115,10 +115,10 @@ impl<S: Shape, D: Drawing> Walk<'_, S, D> {
                 let middle = self.shape.corner(f64::from(column) + 0.5, f64::from(row) + 0.5);
                 self.normal(middle.normal);
                 let [first, second] = self.counterclockwise(row);
+                self.vertex(column + 1, first, false);
                 self.vertex(column, first, false);
                 self.vertex(column, second, false);
                 self.vertex(column + 1, second, false);
-                self.vertex(column + 1, first, false);
             }
             self.drawing.end();
         }
