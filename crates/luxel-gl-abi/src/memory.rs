@@ -77,6 +77,16 @@ pub(crate) unsafe fn bytes<'a>(address: *const c_void, length: usize) -> Option<
     Some(unsafe { std::slice::from_raw_parts(address.cast(), length) })
 }
 
+/// `length` bytes at `address`, or `None` where a null pointer means that there are none.
+///
+/// # Safety
+///
+/// As of [`bytes`].
+pub(crate) unsafe fn optional_bytes<'a>(address: *const c_void, length: usize) -> Option<&'a [u8]> {
+    // SAFETY: the same promise.
+    if address.is_null() { None } else { unsafe { bytes(address, length) } }
+}
+
 /// `length` bytes to write at `address`.
 ///
 /// # Safety
