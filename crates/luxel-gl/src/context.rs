@@ -60,6 +60,8 @@ pub struct Context {
     pub(crate) list: Option<OpenList>,
     /// How many lists call one another at the moment.
     pub(crate) nesting: usize,
+    /// Commands that lists may still execute in this call.
+    pub(crate) executable: u64,
     pub(crate) render_mode: u32,
     pub(crate) selection: SelectionMode,
     pub(crate) feedback: FeedbackMode,
@@ -100,6 +102,7 @@ impl Context {
             shared,
             list: None,
             nesting: 0,
+            executable: 0,
             render_mode: gl::RENDER,
             selection: SelectionMode::default(),
             feedback: FeedbackMode::default(),

@@ -28,5 +28,22 @@ pub(crate) const STREAM_VERTICES: usize = 1 << 24;
 pub(crate) const PART_VERTICES: usize = 12 << 16;
 /// Commands of all display lists together: beyond that, `GL_OUT_OF_MEMORY`.
 pub(crate) const LIST_COMMANDS: usize = 1 << 26;
+/// Commands that one call of lists executes, however they call one another: beyond that, `GL_OUT_OF_MEMORY`. Lists that
+/// call lists twice each would keep a program for ever.
+pub(crate) const EXECUTED_COMMANDS: u64 = 1 << 27;
 /// Bytes that the log of draws holds before it is carried out.
 pub(crate) const LOG_BYTES: usize = 64 << 20;
+/// `GL_MAX_TEXTURE_SIZE`
+pub(crate) const TEXTURE_SIDE: u32 = 16384;
+/// `GL_MAX_3D_TEXTURE_SIZE`
+pub(crate) const TEXTURE_3D_SIDE: u32 = 2048;
+/// `GL_MAX_CUBE_MAP_TEXTURE_SIZE`
+pub(crate) const CUBE_SIDE: u32 = 16384;
+/// Levels of a texture of the largest side.
+pub(crate) const TEXTURE_LEVELS: usize = TEXTURE_SIDE.ilog2() as usize + 1;
+/// Texels of one image: beyond that, `GL_OUT_OF_MEMORY`.
+pub(crate) const TEXELS: usize = 1 << 28;
+/// Names of textures: beyond that, `GL_OUT_OF_MEMORY`.
+pub(crate) const TEXTURE_NAMES: usize = 1 << 22;
+/// `GL_MAX_TEXTURE_LOD_BIAS`
+pub(crate) const LOD_BIAS: f32 = 16.0;

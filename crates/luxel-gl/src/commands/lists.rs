@@ -3,7 +3,7 @@
 use crate::Context;
 use crate::context::{OpenList, compile, demand, outside_begin};
 use crate::enums as gl;
-use crate::limits::LIST_NESTING;
+use crate::limits::{EXECUTED_COMMANDS, LIST_NESTING};
 use crate::objects::list::{Command, list_offsets};
 
 impl Context {
@@ -33,6 +33,7 @@ impl Context {
     /// `glCallList`. A name without list is passed over, and so are lists beyond the limit of nesting.
     pub fn call_list(&mut self, name: u32) {
         compile!(self, Command::CallList(name));
+        self.begin_calls();
         self.call(name);
     }
 
@@ -49,8 +50,16 @@ impl Context {
 
     pub(crate) fn call_offsets(&mut self, offsets: &[u32]) {
         compile!(self, Command::CallLists(offsets.into()));
+        self.begin_calls();
         for offset in offsets {
             self.call(self.state.list_base.wrapping_add(*offset));
+        }
+    }
+
+    /// Sets how much the lists of one call may do.
+    fn begin_calls(&mut self) {
+        if self.nesting == 0 {
+            self.executable = EXECUTED_COMMANDS;
         }
     }
 
@@ -62,6 +71,11 @@ impl Context {
         let Some(list) = list else { return };
         self.nesting += 1;
         for command in list.iter() {
+            if self.executable == 0 {
+                self.error.set(gl::OUT_OF_MEMORY);
+                break;
+            }
+            self.executable -= 1;
             self.execute(command);
         }
         self.nesting -= 1;

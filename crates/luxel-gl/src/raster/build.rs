@@ -410,8 +410,11 @@ impl<'a> BatchBuilder<'a> {
         }
     }
 
-    /// max(|dz/dx|, |dz/dy|) of a polygon's first corners, a pixel.
+    /// max(|dz/dx|, |dz/dy|) of a polygon's first corners, a pixel; 0 if they have no place in the window.
     fn slope(&self, corners: &[u32]) -> f32 {
+        if corners[..3].iter().any(|&corner| self.codes(corner) & codes::NOT_HELD != 0) {
+            return 0.0;
+        }
         let [a, b, c] = [0, 1, 2].map(|number| self.window(corners[number]));
         match Triangle::new([a, b, c], CullFaces::None) {
             Some(triangle) => slope_of(&triangle),
