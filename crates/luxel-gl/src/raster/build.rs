@@ -1,142 +1,16 @@
 //! Primitives to pieces: faces, culling, clipping, setup (OpenGL 1.5, sections 2.11, 3.3 to 3.5).
 
 use super::batch::{Batch, Piece, Prepared, Shade, Shape};
-use super::framebuffer::LARGEST_DEPTH;
+use super::draw_state::{DrawState, whole_size};
 use super::pipeline::Pipeline;
+use super::placement::{Plane, area, moved, offset, polygon_area, slope_of, window_of};
 use crate::enums as gl;
 use crate::primitive::line::LineWalk;
-use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment, plane_distances};
-use crate::state::Attributes;
-use crate::vertex::{Processed, VertexProcessor, WindowScale, codes};
+use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment};
+use crate::vertex::{Processed, VertexProcessor, codes};
 use luxel_math::SUBPIXELS;
 use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
 use std::sync::Arc;
-
-/// What decides how primitives become pieces.
-#[derive(Clone, Debug)]
-pub(crate) struct DrawState {
-    flat: bool,
-    two_side: bool,
-    /// Whether front faces run counter-clockwise in the window.
-    front_is_counter_clockwise: bool,
-    /// Which sides are left out: front, back.
-    culled: [bool; 2],
-    /// How the sides are drawn.
-    modes: [u32; 2],
-    /// Factor and units, for points, lines and filled polygons.
-    offsets: [Option<[f32; 2]>; 3],
-    point_size: f32,
-    point_limits: [f32; 2],
-    attenuation: [f32; 3],
-    line_width: i32,
-    /// Enabled planes of the user, by numbers of bits, in eye coordinates.
-    planes: Vec<(u32, [f64; 4])>,
-    scale: WindowScale,
-}
-
-impl DrawState {
-    pub(crate) fn new(state: &Attributes, scale: WindowScale) -> Self {
-        let has = |name: u32| state.enables.has(name);
-        let polygons = &state.polygons;
-        let culls = |side: u32| {
-            has(gl::CULL_FACE) && (polygons.cull == side || polygons.cull == gl::FRONT_AND_BACK)
-        };
-        let offset =
-            |name: u32| has(name).then_some([polygons.offset_factor, polygons.offset_units]);
-        let enabled = (0..8_u32).filter(|number| state.enables.planes() >> number & 1 == 1);
-        Self {
-            flat: state.lights.shade_model == gl::FLAT,
-            two_side: has(gl::LIGHTING) && state.lights.model.two_side,
-            front_is_counter_clockwise: polygons.front == gl::CCW,
-            culled: [culls(gl::FRONT), culls(gl::BACK)],
-            modes: polygons.modes,
-            offsets: [
-                offset(gl::POLYGON_OFFSET_POINT),
-                offset(gl::POLYGON_OFFSET_LINE),
-                offset(gl::POLYGON_OFFSET_FILL),
-            ],
-            point_size: state.points.size,
-            point_limits: [state.points.least, state.points.largest],
-            attenuation: state.points.attenuation,
-            line_width: whole_size(state.lines.width),
-            planes: enabled
-                .map(|number| (number, state.transform.planes[number as usize]))
-                .collect(),
-            scale,
-        }
-    }
-
-    /// Whether eye coordinates are needed.
-    pub(crate) fn needs_eye(&self) -> bool {
-        !self.planes.is_empty() || self.attenuation != [1.0, 0.0, 0.0]
-    }
-
-    /// Whether a polygon of that area, positive where it runs counter-clockwise in the window, faces the viewer: 0 is
-    /// the front, 1 the back.
-    pub(crate) fn side(&self, area: f64) -> usize {
-        usize::from((area > 0.0) != self.front_is_counter_clockwise)
-    }
-
-    pub(crate) fn is_culled(&self, side: usize) -> bool {
-        self.culled[side]
-    }
-
-    /// How a side is drawn.
-    pub(crate) fn mode(&self, side: usize) -> u32 {
-        self.modes[side]
-    }
-
-    pub(crate) fn is_flat(&self) -> bool {
-        self.flat
-    }
-
-    pub(crate) fn scale(&self) -> &WindowScale {
-        &self.scale
-    }
-
-    /// The user's planes in eye coordinates.
-    pub(crate) fn planes(&self) -> &[(u32, [f64; 4])] {
-        &self.planes
-    }
-
-    /// Which colours a side has.
-    pub(crate) fn color_side(&self, side: usize) -> usize {
-        if self.two_side { side } else { 0 }
-    }
-}
-
-/// A size of points or width of lines in whole pixels (sections 3.3 and 3.4.2).
-fn whole_size(size: f32) -> i32 {
-    (size.clamp(1.0, crate::limits::LARGEST_SIZE) + 0.5) as i32
-}
-
-/// A plane of the clip volume or of the user.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Plane {
-    /// One of the six of the clip volume, in clip coordinates.
-    Volume([f64; 4]),
-    /// A side of the guard band: like a plane of the volume, but vertices in the band stay.
-    Guard([f64; 4]),
-    /// Distances of the three corners from a plane of the user.
-    User([f64; 3]),
-}
-
-impl Plane {
-    pub(crate) fn distance(&self, corner: &ClipCorner) -> f64 {
-        match self {
-            Self::Volume(plane) => plane_distances(plane, corner),
-            Self::Guard(plane) => {
-                let distance = plane_distances(plane, corner);
-                if corner.held { distance.max(0.0) } else { distance }
-            }
-            Self::User(distances) => {
-                let [a, b, c] = distances;
-                let [u, v, t] = corner.weights;
-                a * u + b * v + c * t
-            }
-        }
-    }
-}
 
 /// Makes a batch of the primitives that it is shown.
 pub(crate) struct BatchBuilder<'a> {
@@ -458,67 +332,5 @@ impl Visitor for BatchBuilder<'_> {
         for pair in corners[1..].windows(2) {
             self.triangle([corners[0], pair[0], pair[1]], flat, Some(side));
         }
-    }
-}
-
-/// Twice the area of a triangle in the window, positive where it runs counter-clockwise.
-fn area([a, b, c]: [WindowVertex; 3]) -> f64 {
-    let d = |p: i32, q: i32| f64::from(p) - f64::from(q);
-    d(b.x, a.x) * d(c.y, a.y) - d(c.x, a.x) * d(b.y, a.y)
-}
-
-/// The area of a polygon in the window, doubled: positive where it runs counter-clockwise. Of one that reaches behind the
-/// eye only the sign means something.
-pub(crate) fn polygon_area(vertices: &Processed, scale: &WindowScale, corners: &[u32]) -> f64 {
-    let held = |corner: &u32| vertices.codes[*corner as usize] & codes::NOT_HELD == 0;
-    let fans = corners[1..].windows(2);
-    if corners.iter().all(held) {
-        let place = |corner: u32| vertices.window[corner as usize];
-        return fans.map(|pair| area([place(corners[0]), place(pair[0]), place(pair[1])])).sum();
-    }
-    // The volume that homogeneous coordinates span has its sign (Olano and Greer 1997).
-    let [half_x, half_y] = scale.half.map(f64::from);
-    let place = |corner: u32| {
-        let [x, y, _, w] = vertices.clip[corner as usize].map(f64::from);
-        glam::DVec3::new(x * half_x, y * half_y, w)
-    };
-    fans.map(|pair| place(corners[0]).dot(place(pair[0]).cross(place(pair[1])))).sum()
-}
-
-/// Clip coordinates in the window; `None` in the plane of the eye.
-pub(crate) fn window_of(scale: &WindowScale, [x, y, z, w]: [f64; 4]) -> Option<WindowVertex> {
-    if w.is_nan() || w <= 0.0 {
-        return None;
-    }
-    let place = |value: f64, axis: usize| {
-        let limit = f64::from(GUARD_BAND);
-        let about_centre = (value * f64::from(scale.half[axis]) / w).clamp(-limit, limit);
-        (about_centre + f64::from(scale.centre[axis])).round_ties_even() as i32
-    };
-    // Rounding must not carry a point past the planes that clip.
-    let unit = (z / w).clamp(-1.0, 1.0);
-    let depth = unit * f64::from(scale.depth[0]) + f64::from(scale.depth[1]);
-    Some(WindowVertex { x: place(x, 0), y: place(y, 1), z: depth as f32 })
-}
-
-/// max(|dz/dx|, |dz/dy|) a pixel.
-fn slope_of(triangle: &Triangle) -> f32 {
-    let plane = &triangle.depth;
-    plane.dz_dx.abs().max(plane.dz_dy.abs()) * SUBPIXELS as f32
-}
-
-/// A depth moved by an offset, within the range of depths.
-fn moved(depth: f32, by: f32) -> f32 {
-    (depth + by).clamp(0.0, LARGEST_DEPTH)
-}
-
-/// `glPolygonOffset`: o = m factor + r units, with r = 2^-24, one step of depth (section 3.5.5).
-fn offset(triangle: &mut Triangle, factor: f32, units: f32) {
-    let by = slope_of(triangle) * factor + units;
-    if by.is_finite() {
-        let plane = &mut triangle.depth;
-        plane.z += by;
-        plane.low = moved(plane.low, by);
-        plane.high = moved(plane.high, by);
     }
 }

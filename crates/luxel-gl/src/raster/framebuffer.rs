@@ -11,6 +11,16 @@ const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
 /// The largest depth, 1: there are 24 bits.
 pub(crate) const LARGEST_DEPTH: f32 = 16_777_215.0;
 
+/// Columns and rows of a block's lanes.
+pub(super) const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
+pub(super) const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
+
+/// The first pixel of a block within its tile.
+pub(super) fn block_origin(block: usize) -> [i32; 2] {
+    let block = block as i32;
+    [block % BLOCKS * BLOCK, block / BLOCKS * BLOCK]
+}
+
 /// The planes of one tile, block by block.
 #[derive(Clone, Debug)]
 pub(crate) struct TilePlanes {
