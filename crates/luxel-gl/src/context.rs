@@ -8,8 +8,10 @@ use crate::raster::{Framebuffer, Log};
 use crate::state::Attributes;
 use crate::state::matrices::Matrices;
 use crate::state::pixel::Client;
+use crate::texture::{TextureImage, Textures};
 use crate::vertex::Stream;
 use luxel_math::{Level, SimdLevel};
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// What a context's framebuffer consists of: the arguments of `OSMesaCreateContextExt`.
@@ -57,6 +59,9 @@ pub struct Context {
     /// Set between `glBegin` and `glEnd`.
     pub(crate) stream: Option<Box<Stream>>,
     pub(crate) shared: Arc<Mutex<Lists>>,
+    pub(crate) textures: Arc<Mutex<Textures>>,
+    /// Images of proxies, without texels, by target and level.
+    pub(crate) proxies: BTreeMap<(usize, usize), TextureImage>,
     pub(crate) list: Option<OpenList>,
     /// How many lists call one another at the moment.
     pub(crate) nesting: usize,
@@ -74,20 +79,24 @@ pub struct Context {
 }
 
 impl Context {
-    /// A context with its own lists. Its framebuffer has no pixels until
+    /// A context with its own lists and textures. Its framebuffer has no pixels until
     /// [`resize_default`](Self::resize_default).
     #[must_use]
     pub fn new(configuration: Configuration) -> Self {
-        Self::with_lists(configuration, Arc::default())
+        Self::with_shared(configuration, Arc::default(), Arc::default())
     }
 
-    /// A context that shares lists with another one.
+    /// A context that shares lists and textures with another one.
     #[must_use]
     pub fn sharing(configuration: Configuration, other: &Self) -> Self {
-        Self::with_lists(configuration, Arc::clone(&other.shared))
+        Self::with_shared(configuration, Arc::clone(&other.shared), Arc::clone(&other.textures))
     }
 
-    fn with_lists(configuration: Configuration, shared: Arc<Mutex<Lists>>) -> Self {
+    fn with_shared(
+        configuration: Configuration,
+        shared: Arc<Mutex<Lists>>,
+        textures: Arc<Mutex<Textures>>,
+    ) -> Self {
         Self {
             configuration,
             level: SimdLevel::Auto.resolve().unwrap_or_else(|_| Level::baseline()),
@@ -100,6 +109,8 @@ impl Context {
             client_stack: Vec::new(),
             stream: None,
             shared,
+            textures,
+            proxies: BTreeMap::new(),
             list: None,
             nesting: 0,
             executable: 0,
@@ -163,6 +174,10 @@ impl Context {
             list.commands.push(command);
         }
         list.mode == gl::COMPILE
+    }
+
+    pub(crate) fn textures(&self) -> MutexGuard<'_, Textures> {
+        self.textures.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub(crate) fn lists(&self) -> MutexGuard<'_, Lists> {

@@ -79,3 +79,56 @@ pub fn call_lists_bytes(n: i32, data_type: u32) -> usize {
     };
     usize::try_from(n).unwrap_or(0).saturating_mul(each)
 }
+
+/// Values of `glTexParameterfv` and `glGetTexParameterfv`.
+#[must_use]
+pub fn tex_parameter(pname: u32) -> usize {
+    match pname {
+        gl::TEXTURE_BORDER_COLOR => 4,
+        gl::TEXTURE_WRAP_S
+        | gl::TEXTURE_WRAP_T
+        | gl::TEXTURE_WRAP_R
+        | gl::TEXTURE_MIN_FILTER
+        | gl::TEXTURE_MAG_FILTER
+        | gl::TEXTURE_PRIORITY
+        | gl::TEXTURE_MIN_LOD
+        | gl::TEXTURE_MAX_LOD
+        | gl::TEXTURE_BASE_LEVEL
+        | gl::TEXTURE_MAX_LEVEL
+        | gl::TEXTURE_LOD_BIAS
+        | gl::DEPTH_TEXTURE_MODE
+        | gl::TEXTURE_COMPARE_MODE
+        | gl::TEXTURE_COMPARE_FUNC
+        | gl::GENERATE_MIPMAP => 1,
+        _ => 0,
+    }
+}
+
+/// Values of `glTexEnvfv`.
+#[must_use]
+pub fn tex_env(pname: u32) -> usize {
+    match pname {
+        gl::TEXTURE_ENV_COLOR => 4,
+        gl::TEXTURE_ENV_MODE
+        | gl::TEXTURE_LOD_BIAS
+        | gl::COMBINE_RGB
+        | gl::COMBINE_ALPHA
+        | gl::RGB_SCALE
+        | gl::ALPHA_SCALE => 1,
+        gl::SRC0_RGB..=gl::SRC2_RGB
+        | gl::SRC0_ALPHA..=gl::SRC2_ALPHA
+        | gl::OPERAND0_RGB..=gl::OPERAND2_RGB
+        | gl::OPERAND0_ALPHA..=gl::OPERAND2_ALPHA => 1,
+        _ => 0,
+    }
+}
+
+/// Values of `glTexGenfv`.
+#[must_use]
+pub fn tex_gen(pname: u32) -> usize {
+    match pname {
+        gl::OBJECT_PLANE | gl::EYE_PLANE => 4,
+        gl::TEXTURE_GEN_MODE => 1,
+        _ => 0,
+    }
+}

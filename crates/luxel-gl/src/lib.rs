@@ -7,13 +7,14 @@
 //! One folder a stage; each imports only those above it:
 //!
 //! 1. `enums`, `limits`, `error`, [`convert`], `values`: constants, and the types of state.
-//! 2. `state`: the groups of state; [`lengths`] of pointer arguments.
+//! 2. `texture`: images, texture objects; `state`: the groups of state; [`lengths`] of pointer arguments.
 //! 3. `vertex`: the stream between `glBegin` and `glEnd`; transform and lighting, sixteen vertices at a time.
 //! 4. `primitive`: assembles points, lines and polygons, and clips them.
-//! 5. `raster`: the log of draws, and the tiles that it is carried out in.
-//! 6. `pixels`: formats and storage of pixels in the program's memory.
-//! 7. `modes`: selection and feedback. `objects`: display lists.
-//! 8. `context`, `commands`: one file a chapter of the specification.
+//! 5. `fragment`: texture units: sampling and environments.
+//! 6. `raster`: the log of draws, and the tiles that it is carried out in.
+//! 7. `pixels`: formats and storage of pixels in the program's memory.
+//! 8. `modes`: selection and feedback. `objects`: display lists.
+//! 9. `context`, `commands`: one file a chapter of the specification.
 //!
 //! Lighting is [`luxel_lighting`]'s equation in eye coordinates; snapping, edge functions, fill rule and depth planes
 //! are [`luxel_visibility`]'s; hit records and feedback buffers are [`luxel_pick`]'s. Window y is up, and row 0 of a
@@ -29,6 +30,7 @@ mod context;
 pub mod convert;
 mod enums;
 mod error;
+mod fragment;
 pub mod lengths;
 mod limits;
 mod modes;
@@ -37,6 +39,7 @@ mod pixels;
 mod primitive;
 mod raster;
 mod state;
+mod texture;
 mod values;
 mod vertex;
 

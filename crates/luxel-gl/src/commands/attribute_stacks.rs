@@ -12,7 +12,12 @@ impl Context {
         compile!(self, Command::PushAttrib(mask));
         outside_begin!(self);
         demand!(self, self.attribute_stack.len() < ATTRIBUTE_DEPTH, gl::STACK_OVERFLOW);
-        self.attribute_stack.push((mask, Box::new(self.state.clone())));
+        let mut saved = Box::new(self.state.clone());
+        if mask & gl::TEXTURE_BIT != 0 {
+            let textures = self.textures();
+            saved.texture.note_parameters(|target| textures.default_of(target));
+        }
+        self.attribute_stack.push((mask, saved));
     }
 
     /// `glPopAttrib`. `GL_STACK_UNDERFLOW` if nothing was pushed.

@@ -99,10 +99,8 @@ impl Context {
         let number = unit.wrapping_sub(gl::TEXTURE0) as usize;
         demand!(self, number < TEXTURE_UNITS, gl::INVALID_ENUM);
         self.state.current.tex_coords[number] = coordinates;
-        if number == 0
-            && let Some(stream) = &mut self.stream
-        {
-            stream.tex_coord.set(coordinates, stream.positions.len());
+        if let Some(stream) = &mut self.stream {
+            stream.set_tex_coord(number, coordinates);
         }
     }
 

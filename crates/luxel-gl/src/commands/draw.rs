@@ -4,6 +4,7 @@ use super::fragments::unit;
 use crate::Context;
 use crate::context::{compile, outside_begin};
 use crate::enums as gl;
+use crate::fragment::TextureStages;
 use crate::modes::{FeedbackVisitor, HitVisitor};
 use crate::objects::list::Command;
 use crate::primitive::assemble;
@@ -29,17 +30,19 @@ impl Context {
                 assemble(stream.mode, stream.len(), &mut visitor);
             }
             gl::FEEDBACK => {
-                let vertices = processor.with_everything().process(stream, self.level);
+                let processor =
+                    processor.with_eye(true).with_textures(&self.state, &self.matrices, 1);
+                let vertices = processor.process(stream, self.level);
                 let viewport = &self.state.viewport;
                 let mut visitor =
                     FeedbackVisitor::new(&state, &vertices, viewport, &mut self.feedback);
                 assemble(stream.mode, stream.len(), &mut visitor);
             }
-            _ => self.render(stream, &state, &processor),
+            _ => self.render(stream, &state, processor),
         }
     }
 
-    fn render(&mut self, stream: &Stream, state: &DrawState, processor: &VertexProcessor) {
+    fn render(&mut self, stream: &Stream, state: &DrawState, processor: VertexProcessor) {
         let region = self.scissored_region();
         let [left, bottom, right, top] = region;
         if left >= right || bottom >= top {
@@ -49,12 +52,16 @@ impl Context {
             depth: self.configuration.depth_bits > 0,
             stencil: self.configuration.stencil_bits > 0,
         };
-        let pipeline = Pipeline::new(&self.state, buffers, region, self.color_bits());
+        let textures = self.texture_stages();
+        let units = textures.as_ref().map_or(0, TextureStages::units);
+        let processor = processor.with_textures(&self.state, &self.matrices, units);
+        let bits = self.color_bits();
+        let pipeline = Pipeline::new(&self.state, buffers, region, bits, textures);
         let pipeline = self.log.pipeline(pipeline);
         let area = self.state.viewport.area;
         let viewport = [area.x, area.y, area.x + area.width, area.y + area.height];
         let vertices = processor.process(stream, self.level);
-        let mut builder = BatchBuilder::new(state, pipeline, processor, viewport, vertices);
+        let mut builder = BatchBuilder::new(state, pipeline, &processor, viewport, vertices);
         assemble(stream.mode, stream.len(), &mut builder);
         self.log.draw(builder.finish());
         if self.log.is_full() {
@@ -70,7 +77,9 @@ impl Context {
         let mut stream = Stream::new(gl::POINTS, &self.state.current, self.state.materials);
         stream.push(position);
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
-        let processor = VertexProcessor::new(&self.state, &self.matrices, scale).with_everything();
+        let processor = VertexProcessor::new(&self.state, &self.matrices, scale)
+            .with_eye(true)
+            .with_textures(&self.state, &self.matrices, u32::MAX);
         let vertex = processor.process(&stream, self.level);
         let unheld = codes::OUTSIDE | codes::NOT_FINITE | codes::NOT_HELD;
         if vertex.codes[0] & unheld != 0 {
@@ -81,8 +90,7 @@ impl Context {
         let place = crate::modes::window_place(&viewport, vertex.clip[0].map(f64::from));
         let [x, y, z] = place;
         let current = &self.state.current;
-        let mut tex_coords = current.tex_coords;
-        tex_coords[0] = vertex.tex_coord[0];
+        let tex_coords = [0, 1, 2, 3, 4, 5, 6, 7].map(|unit: usize| vertex.tex_coords[unit][0]);
         let from_coordinates =
             self.state.enables.has(gl::FOG) && self.state.fog.source == gl::FOG_COORD;
         let distance = if from_coordinates { current.fog_coord } else { vertex.eye[0][2].abs() };

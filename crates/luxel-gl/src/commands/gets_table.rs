@@ -3,11 +3,13 @@
 use crate::Context;
 use crate::enums as gl;
 use crate::limits::{
-    ATTRIBUTE_DEPTH, CLIP_PLANES, LARGEST_SIZE, LIGHTS, LIST_NESTING, MODELVIEW_DEPTH,
-    PROJECTION_DEPTH, SUBPIXEL_BITS, TEXTURE_DEPTH, TEXTURE_UNITS, VIEWPORT,
+    ATTRIBUTE_DEPTH, CLIP_PLANES, CUBE_SIDE, LARGEST_SIZE, LIGHTS, LIST_NESTING, LOD_BIAS,
+    MODELVIEW_DEPTH, PROJECTION_DEPTH, SUBPIXEL_BITS, TEXTURE_3D_SIDE, TEXTURE_DEPTH, TEXTURE_SIDE,
+    TEXTURE_UNITS, VIEWPORT,
 };
 use crate::state::attributes::Hints;
 use crate::state::pixel::PixelStore;
+use crate::texture::{Target, locked};
 use crate::values::Values;
 use glam::DMat4;
 use luxel_pick::MAX_NAMES;
@@ -23,6 +25,7 @@ pub(super) fn value_of(context: &Context, pname: u32) -> Option<Values> {
         .or_else(|| of_rasterization(context, pname))
         .or_else(|| of_fragments(context, pname))
         .or_else(|| of_pixels(context, pname))
+        .or_else(|| of_textures(context, pname))
         .or_else(|| of_lists_and_modes(context, pname))
         .or_else(|| limit(context, pname))
         .or_else(|| {
@@ -191,6 +194,24 @@ fn of_pixels(context: &Context, pname: u32) -> Option<Values> {
             return of(&client.pack, pname - gl::PACK_SWAP_BYTES);
         }
         gl::READ_BUFFER => Values::name(context.state.read_buffer.0),
+        _ => return None,
+    })
+}
+
+/// Textures: bindings and limits (tables 6.15, 6.30).
+fn of_textures(context: &Context, pname: u32) -> Option<Values> {
+    let unit = &context.state.texture.units[context.state.active_texture];
+    let name =
+        |target: Target| Values::name(unit.bound(target).map_or(0, |texture| locked(texture).name));
+    Some(match pname {
+        gl::TEXTURE_BINDING_1D => name(Target::One),
+        gl::TEXTURE_BINDING_2D => name(Target::Two),
+        gl::TEXTURE_BINDING_3D => name(Target::Three),
+        gl::TEXTURE_BINDING_CUBE_MAP => name(Target::Cube),
+        gl::MAX_TEXTURE_SIZE => Values::name(TEXTURE_SIDE),
+        gl::MAX_3D_TEXTURE_SIZE => Values::name(TEXTURE_3D_SIDE),
+        gl::MAX_CUBE_MAP_TEXTURE_SIZE => Values::name(CUBE_SIDE),
+        gl::MAX_TEXTURE_LOD_BIAS => Values::real(LOD_BIAS),
         _ => return None,
     })
 }

@@ -192,6 +192,22 @@ impl Context {
             Command::LoadName(name) => self.load_name(name),
             Command::PushName(name) => self.push_name(name),
             Command::PopName => self.pop_name(),
+            Command::BindTexture(target, name) => self.bind_texture(target, name),
+            Command::PrioritizeTextures(count, ref pairs) => {
+                let (names, priorities): (Vec<u32>, Vec<f32>) = pairs.iter().copied().unzip();
+                self.prioritize_textures(count, &names, &priorities);
+            }
+            Command::TexParameter(target, pname, ref values) => {
+                self.tex_parameter(target, pname, values);
+            }
+            Command::TexEnv(target, pname, ref values) => self.tex_env(target, pname, values),
+            Command::TexGen(coordinate, pname, ref values) => {
+                self.tex_gen(coordinate, pname, values);
+            }
+            Command::TexImage(ref call) => self.tex_image_from_list(call),
+            Command::TexSubImage(ref call) => self.tex_sub_image_from_list(call),
+            Command::CopyTexImage(ref call) => self.copy_image(call),
+            Command::CopyTexSubImage(ref call) => self.copy_part(call),
             Command::PassThrough(mark) => self.pass_through(mark),
         }
     }

@@ -17,6 +17,11 @@ mod pixels;
 mod rasterization;
 mod strings;
 mod switches;
+mod texture_environment;
+mod texture_images;
+mod texture_parameters;
+mod texture_queries;
+mod textures;
 mod transforms;
 
 pub use modes::{RenderModeResult, Words};

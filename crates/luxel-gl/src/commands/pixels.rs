@@ -147,15 +147,18 @@ impl Context {
         }
     }
 
+    /// A pixel's red, green, blue and alpha.
+    pub(super) fn frame_color(&self, at: [u32; 2]) -> [f32; 4] {
+        let mut color = self.framebuffer.color(at).map(|byte| f32::from(byte) / 255.0);
+        if !self.configuration.alpha {
+            color[3] = 1.0;
+        }
+        color
+    }
+
     /// A pixel's components in the order of memory, and how many.
     fn components(&self, components: Components, at: [u32; 2]) -> ([f32; 4], usize) {
-        let color = || {
-            let mut color = self.framebuffer.color(at).map(|byte| f32::from(byte) / 255.0);
-            if !self.configuration.alpha {
-                color[3] = 1.0;
-            }
-            color
-        };
+        let color = || self.frame_color(at);
         let mut values = [0.0; 4];
         match components {
             Components::Colors(places) => {

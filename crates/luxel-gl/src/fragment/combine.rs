@@ -39,28 +39,21 @@ fn by_mode<N: Lanes>(stage: &Stage, texel: [N; 4], before: [N; 4]) -> [N; 4] {
     let product = if has_alpha { alpha_before * alpha } else { alpha_before };
     let mix = |from: N, to: N, by: N| from * (one - by) + to * by;
     let mut color = before;
-    let mut each = |of: &dyn Fn(usize) -> N| {
-        if has_color {
-            for (channel, value) in color[..3].iter_mut().enumerate() {
-                *value = of(channel);
-            }
-        }
-    };
     match stage.environment.mode {
         gl::REPLACE => {
-            each(&|channel| texel[channel]);
+            each(&mut color, has_color, |channel| texel[channel]);
             color[3] = if has_alpha { alpha } else { alpha_before };
         }
         gl::DECAL => {
             // Defined for RGB and RGBA alone; others are left as they are.
             if base == BaseFormat::Rgb {
-                each(&|channel| texel[channel]);
+                each(&mut color, has_color, |channel| texel[channel]);
             } else if base == BaseFormat::Rgba {
-                each(&|channel| mix(before[channel], texel[channel], alpha));
+                each(&mut color, has_color, |channel| mix(before[channel], texel[channel], alpha));
             }
         }
         gl::BLEND => {
-            each(&|channel| {
+            each(&mut color, has_color, |channel| {
                 mix(before[channel], alpha.constant(constant[channel]), texel[channel])
             });
             color[3] = if base == BaseFormat::Intensity {
@@ -70,16 +63,25 @@ fn by_mode<N: Lanes>(stage: &Stage, texel: [N; 4], before: [N; 4]) -> [N; 4] {
             };
         }
         gl::ADD => {
-            each(&|channel| before[channel] + texel[channel]);
-            color[3] =
-                if base == BaseFormat::Intensity { alpha_before + alpha } else { product };
+            each(&mut color, has_color, |channel| before[channel] + texel[channel]);
+            color[3] = if base == BaseFormat::Intensity { alpha_before + alpha } else { product };
         }
         _ => {
-            each(&|channel| before[channel] * texel[channel]);
+            each(&mut color, has_color, |channel| before[channel] * texel[channel]);
             color[3] = product;
         }
     }
     color
+}
+
+/// Sets red, green and blue where a texture has them.
+#[inline(always)]
+fn each<N: Lanes>(color: &mut [N; 4], has_color: bool, of: impl Fn(usize) -> N) {
+    if has_color {
+        for (channel, value) in color[..3].iter_mut().enumerate() {
+            *value = of(channel);
+        }
+    }
 }
 
 /// `GL_COMBINE`: functions of three arguments for colours and for alphas.
@@ -125,9 +127,8 @@ fn by_functions<N: Lanes>(
             gl::SUBTRACT => a - b,
             // 4 ((a_r - 1/2)(b_r - 1/2) + ...), the same in all channels.
             _ => {
-                let term = |channel| {
-                    (argument(0, 0, channel) - half) * (argument(0, 1, channel) - half)
-                };
+                let term =
+                    |channel| (argument(0, 0, channel) - half) * (argument(0, 1, channel) - half);
                 simd.constant(4.0) * (term(0) + term(1) + term(2))
             }
         }

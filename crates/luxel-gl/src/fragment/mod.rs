@@ -7,4 +7,4 @@ mod sample;
 mod stages;
 
 pub(crate) use sample::Footprint;
-pub(crate) use stages::{Stage, TextureStages};
+pub(crate) use stages::TextureStages;

@@ -156,9 +156,8 @@ fn of_face<N: Lanes>(
     let bias = lod_bias.clamp(-crate::limits::LOD_BIAS, crate::limits::LOD_BIAS);
     let level = simd.constant(0.5) * log2(longer) + simd.constant(bias);
     // The lower limit first, as the specification orders the cases.
-    let level = level
-        .maximum(simd.constant(texture.least_lod))
-        .minimum(simd.constant(texture.largest_lod));
+    let level =
+        level.maximum(simd.constant(texture.least_lod)).minimum(simd.constant(texture.largest_lod));
     let reference = place.at[2];
     let source = FaceAt { texture, face, at: place.at, reference };
     let SampledTexture { magnify, minify, .. } = *texture;
@@ -286,8 +285,7 @@ impl Fetch<'_> {
         let index = image.index(at);
         match &image.texels {
             Texels::Bytes(texels) => {
-                let encoding =
-                    if image.format.srgb { Encoding::Srgb } else { Encoding::Linear };
+                let encoding = if image.format.srgb { Encoding::Srgb } else { Encoding::Linear };
                 let [r, g, b, a] = texels[index];
                 let color = [r, g, b].map(|byte| encoding.linear(byte));
                 [color[0], color[1], color[2], Encoding::Linear.linear(a)]

@@ -78,7 +78,7 @@ impl<'a> FeedbackVisitor<'a> {
             clip: wide(self.vertices.clip[at]),
             eye: wide(self.vertices.eye[at]),
             color: wide(self.vertices.color(side, color_of as usize)),
-            texture: wide(self.vertices.tex_coord[at]),
+            texture: wide(self.vertices.tex_coords[0][at]),
         }
     }
 

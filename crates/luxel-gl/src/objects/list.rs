@@ -5,6 +5,9 @@
 
 use crate::enums as gl;
 use crate::limits::LIST_COMMANDS;
+use crate::objects::image_calls::{
+    CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
+};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -88,6 +91,15 @@ pub(crate) enum Command {
     PushName(u32),
     PopName,
     PassThrough(f32),
+    BindTexture(u32, u32),
+    PrioritizeTextures(i32, Box<[(u32, f32)]>),
+    TexParameter(u32, u32, [f32; 4]),
+    TexEnv(u32, u32, [f32; 4]),
+    TexGen(u32, u32, [f32; 4]),
+    TexImage(Box<WithPixels<TexImage>>),
+    TexSubImage(Box<WithPixels<TexSubImage>>),
+    CopyTexImage(Box<CopyTexImage>),
+    CopyTexSubImage(Box<CopyTexSubImage>),
 }
 
 /// The lists of a context, and of those that share with it. An empty list is a name that is taken.

@@ -2,3 +2,4 @@
 
 pub(crate) mod format;
 pub(crate) mod store;
+pub(crate) mod unpack;

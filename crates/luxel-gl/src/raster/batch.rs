@@ -1,6 +1,7 @@
 //! The primitives of one draw, set up.
 
 use super::pipeline::Pipeline;
+use crate::fragment::TextureStages;
 use crate::vertex::{Processed, WindowScale};
 use luxel_math::SUBPIXELS;
 use luxel_visibility::{LinearForms, PackedForms, Triangle};
@@ -11,8 +12,14 @@ use std::sync::Arc;
 pub(crate) struct Prepared {
     pub(crate) forms: PackedForms,
     /// Red, green, blue, alpha of three corners; then their fog coordinates.
-    pub(crate) attributes: [[f32; 8]; 2],
+    pub(crate) attributes: Row,
+    /// The first of its rows for textures, if the pipeline has any: secondary colours, then the coordinates of each
+    /// stage.
+    pub(crate) rows: u32,
 }
+
+/// Four numbers of three corners.
+pub(crate) type Row = [[f32; 8]; 2];
 
 /// Where a primitive's colours come from.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +66,8 @@ pub(crate) struct Batch {
     pub(crate) vertices: Processed,
     pub(crate) pieces: Vec<Piece>,
     pub(crate) prepared: Vec<Prepared>,
+    /// Of what is prepared already.
+    pub(crate) rows: Vec<Row>,
 }
 
 impl Batch {
@@ -90,23 +99,81 @@ impl Batch {
         ]
     }
 
-    /// What shades the fragments of a piece.
-    pub(crate) fn prepare(&self, piece: &Piece) -> Prepared {
+    /// What shades the fragments of a piece; its rows for textures are appended.
+    pub(crate) fn prepare(&self, piece: &Piece, rows: &mut Vec<Row>) -> Prepared {
+        let first = rows.len() as u32;
         match piece.shade {
-            Shade::Prepared(number) => self.prepared[number as usize].clone(),
+            Shade::Prepared(number) => {
+                let mut prepared = self.prepared[number as usize].clone();
+                if let Some(textures) = &self.pipeline.textures {
+                    let from = prepared.rows as usize;
+                    rows.extend_from_slice(&self.rows[from..from + textures.rows()]);
+                }
+                prepared.rows = first;
+                prepared
+            }
             Shade::Triangle { corners, flat, side } => {
                 let colors = corners.map(|corner| self.color(flat.unwrap_or(corner), side));
                 let fog = corners.map(|corner| self.fog(corner));
                 let places = corners.map(|corner| self.homogeneous(corner));
-                Prepared::new(&LinearForms::from_homogeneous(places), colors, fog)
+                if let Some(textures) = &self.pipeline.textures {
+                    for number in 0..textures.rows() {
+                        let [a, b, c] =
+                            corners.map(|corner| self.row_value(number, corner, flat, side));
+                        rows.push(row(a, b, c));
+                    }
+                }
+                let mut prepared =
+                    Prepared::new(&LinearForms::from_homogeneous(places), colors, fog);
+                prepared.rows = first;
+                prepared
             }
         }
     }
 
-    /// Primary and secondary colour of a vertex together, which fragments clamp.
+    /// What a vertex has in row `number`: its secondary colour, or texture coordinates.
+    fn row_value(&self, number: usize, vertex: u32, flat: Option<u32>, side: u8) -> [f32; 4] {
+        let mut stages = self.pipeline.textures.iter().flat_map(|textures| &textures.stages);
+        match number.checked_sub(1) {
+            None => {
+                let [r, g, b, _] =
+                    self.vertices.secondary(usize::from(side), flat.unwrap_or(vertex) as usize);
+                [r, g, b, 0.0]
+            }
+            Some(place) => stages
+                .nth(place)
+                .map_or([0.0; 4], |stage| self.vertices.tex_coords[stage.unit][vertex as usize]),
+        }
+    }
+
+    /// Appends the rows of what is prepared already: a line or a point, whose ends are `weights` of two vertices. Returns
+    /// the first one's number.
+    pub(crate) fn push_rows(
+        &mut self,
+        vertices: [u32; 2],
+        weights: [[f32; 2]; 2],
+        flat: Option<u32>,
+        side: u8,
+    ) -> u32 {
+        let first = self.rows.len() as u32;
+        let count = self.pipeline.textures.as_ref().map_or(0, TextureStages::rows);
+        for number in 0..count {
+            let [a, b] = vertices.map(|vertex| self.row_value(number, vertex, flat, side));
+            let mixed =
+                |[u, v]: [f32; 2]| -> [f32; 4] { std::array::from_fn(|at| a[at] * u + b[at] * v) };
+            let [from, to] = weights.map(mixed);
+            self.rows.push(row(from, to, to));
+        }
+        first
+    }
+
+    /// Primary and secondary colour of a vertex together, which fragments clamp; with textures the primary one alone.
     pub(crate) fn color(&self, vertex: u32, side: u8) -> [f32; 4] {
         let (vertex, side) = (vertex as usize, usize::from(side));
         let primary = self.vertices.color(side, vertex);
+        if self.pipeline.textures.is_some() {
+            return primary;
+        }
         let secondary = self.vertices.secondary(side, vertex);
         std::array::from_fn(|channel| primary[channel] + secondary[channel])
     }
@@ -131,6 +198,7 @@ impl Batch {
     pub(crate) fn bytes(&self) -> usize {
         self.pieces.len() * size_of::<Piece>()
             + self.prepared.len() * size_of::<Prepared>()
+            + self.rows.len() * size_of::<Row>()
             + self.vertices.clip.len() * 64
     }
 }
@@ -139,7 +207,7 @@ impl Prepared {
     pub(crate) fn new(forms: &LinearForms, colors: [[f32; 4]; 3], fog: [f32; 3]) -> Self {
         let mut packed = PackedForms::default();
         forms.pack(|_, row, values| packed[row] = values);
-        Self { forms: packed, attributes: Self::attributes(colors, fog) }
+        Self { forms: packed, attributes: Self::attributes(colors, fog), rows: 0 }
     }
 
     /// Along one axis of the window, from a place to another one: perspective between the values of w there.
@@ -160,16 +228,21 @@ impl Prepared {
             forms[2] = [w_to * (1.0 + from / length), -w_from * from / length, 0.0, 0.0];
         }
         let [a, b] = colors;
-        Self { forms, attributes: Self::attributes([a, b, b], [fog[0], fog[1], fog[1]]) }
+        let attributes = Self::attributes([a, b, b], [fog[0], fog[1], fog[1]]);
+        Self { forms, attributes, rows: 0 }
     }
 
-    fn attributes([a, b, c]: [[f32; 4]; 3], fog: [f32; 3]) -> [[f32; 8]; 2] {
-        let two = |a: [f32; 4], b: [f32; 4]| {
-            let mut row = [0.0; 8];
-            row[..4].copy_from_slice(&a);
-            row[4..].copy_from_slice(&b);
-            row
-        };
-        [two(a, b), two(c, [fog[0], fog[1], fog[2], 0.0])]
+    fn attributes([a, b, c]: [[f32; 4]; 3], fog: [f32; 3]) -> Row {
+        let mut attributes = row(a, b, c);
+        attributes[1][4..7].copy_from_slice(&fog);
+        attributes
     }
+}
+
+fn row(a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> Row {
+    let mut row = [[0.0; 8]; 2];
+    row[0][..4].copy_from_slice(&a);
+    row[0][4..].copy_from_slice(&b);
+    row[1][..4].copy_from_slice(&c);
+    row
 }

@@ -32,9 +32,9 @@ impl<'a> BatchBuilder<'a> {
         let [l, b, r, t] = pipeline.region;
         let [left, bottom, right, top] = viewport;
         let polygon_region = [l.max(left), b.max(bottom), r.min(right), t.min(top)];
-        let (pieces, prepared) = (Vec::new(), Vec::new());
+        let (pieces, prepared, rows) = (Vec::new(), Vec::new(), Vec::new());
         let scale = processor.scale();
-        let batch = Batch { pipeline, polygon_region, scale, vertices, pieces, prepared };
+        let batch = Batch { pipeline, polygon_region, scale, vertices, pieces, prepared, rows };
         Self { state, batch, counter: 0, polygon: Vec::new() }
     }
 
@@ -152,7 +152,7 @@ impl<'a> BatchBuilder<'a> {
     fn push_line(
         &mut self,
         ends: [u32; 2],
-        colors: [[f32; 4]; 2],
+        (flat, side): (Option<u32>, u8),
         begins: bool,
         offset: Option<[f32; 3]>,
     ) {
@@ -172,6 +172,7 @@ impl<'a> BatchBuilder<'a> {
         }
         let placed = corners.map(|corner| self.clipped_window(&corner, &ends));
         let [Some(from), Some(to)] = placed else { return };
+        let colors = ends.map(|end| self.batch.color(flat.unwrap_or(end), side));
         let mixed = |corner: &ClipCorner| {
             let [u, v, _] = corner.weights.map(|weight| weight as f32);
             let color: [f32; 4] =
@@ -189,13 +190,15 @@ impl<'a> BatchBuilder<'a> {
         }
         let walk = LineWalk::new(places[0], places[1]);
         let along = |place: [i32; 2]| f64::from(place[walk.major]) / f64::from(SUBPIXELS);
-        let prepared = Prepared::along(
+        let mut prepared = Prepared::along(
             walk.major,
             [along(places[0]), along(places[1])],
             [corners[0].clip[3], corners[1].clip[3]],
             [color_from, color_to],
             [fog_from, fog_to],
         );
+        let weights = corners.map(|corner| [corner.weights[0] as f32, corner.weights[1] as f32]);
+        prepared.rows = self.batch.push_rows(ends, weights, flat, side);
         let mut depths = [from.z, to.z];
         if let Some([factor, units, slope]) = offset {
             depths = depths.map(|depth| moved(depth, factor * slope + units));
@@ -214,7 +217,12 @@ impl<'a> BatchBuilder<'a> {
         self.counter = self.counter.wrapping_add(walk.count as u32);
     }
 
-    fn push_point(&mut self, vertex: u32, color: [f32; 4], offset: Option<[f32; 3]>) {
+    fn push_point(
+        &mut self,
+        vertex: u32,
+        (flat, color_side): (Option<u32>, u8),
+        offset: Option<[f32; 3]>,
+    ) {
         let code = self.codes(vertex);
         if code & (codes::OUTSIDE | codes::NOT_FINITE | codes::NOT_HELD) != 0 {
             return;
@@ -235,7 +243,10 @@ impl<'a> BatchBuilder<'a> {
         };
         let fog = self.batch.fog(vertex);
         let number = self.batch.prepared.len() as u32;
-        self.batch.prepared.push(Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]));
+        let color = self.batch.color(flat.unwrap_or(vertex), color_side);
+        let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
+        prepared.rows = self.batch.push_rows([vertex; 2], [[1.0, 0.0]; 2], flat, color_side);
+        self.batch.prepared.push(prepared);
         self.batch.pieces.push(Piece {
             shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth },
             shade: Shade::Prepared(number),
@@ -262,24 +273,20 @@ impl<'a> BatchBuilder<'a> {
     /// The border of a polygon as lines or points, each with the polygon's offset.
     fn outline(&mut self, corners: &[u32], flat: Option<u32>, flagged: bool, side: usize) {
         let lines = self.state.mode(side) == gl::LINE;
-        let colors_of = self.state.color_side(side) as u8;
+        let shade = (flat, self.state.color_side(side) as u8);
         let offset = self.state.offsets[usize::from(lines)]
             .map(|[factor, units]| [factor, units, self.slope(corners)]);
-        let color =
-            |builder: &Self, vertex: u32| builder.batch.color(flat.unwrap_or(vertex), colors_of);
         let mut begins = true;
         for (number, &vertex) in corners.iter().enumerate() {
             if flagged && !self.batch.vertices.edge_flag(vertex as usize) {
                 continue;
             }
-            let first = color(self, vertex);
             if lines {
                 let next = corners[(number + 1) % corners.len()];
-                let colors = [first, color(self, next)];
-                self.push_line([vertex, next], colors, begins, offset);
+                self.push_line([vertex, next], shade, begins, offset);
                 begins = false;
             } else {
-                self.push_point(vertex, first, offset);
+                self.push_point(vertex, shade, offset);
             }
         }
     }
@@ -299,14 +306,12 @@ impl<'a> BatchBuilder<'a> {
 
 impl Visitor for BatchBuilder<'_> {
     fn point(&mut self, vertex: u32) {
-        let color = self.batch.color(vertex, 0);
-        self.push_point(vertex, color, None);
+        self.push_point(vertex, (None, 0), None);
     }
 
     fn line(&mut self, ends: [u32; 2], begins: bool) {
         let flat = self.state.flat.then_some(ends[1]);
-        let colors = ends.map(|end| self.batch.color(flat.unwrap_or(end), 0));
-        self.push_line(ends, colors, begins, None);
+        self.push_line(ends, (flat, 0), begins, None);
     }
 
     fn polygon(&mut self, corners: &[u32], provoking: u32, flagged: bool) {

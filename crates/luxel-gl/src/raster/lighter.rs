@@ -1,9 +1,9 @@
 //! Lights pixels by the entry that they see.
 
-use super::batch::{Batch, Piece, Prepared};
+use super::batch::{Batch, Piece, Prepared, Row};
 use super::framebuffer::{TilePlanes, block_origin};
 use super::log::Item;
-use super::shade::{encode, shade};
+use super::shade::{Shading, encode, shade};
 use super::tile::Entry;
 use luxel_math::{LANES, Simd, lanes_of, mask32x16, prelude::*, u32x16};
 use std::sync::Arc;
@@ -15,11 +15,13 @@ pub(super) struct Lighter<'a> {
     /// Of each entry the place in `prepared`, from 1 on.
     places: Vec<u32>,
     pub(super) prepared: Vec<Prepared>,
+    /// For textures.
+    pub(super) rows: Vec<Row>,
 }
 
 impl<'a> Lighter<'a> {
     pub(super) fn new(items: &'a [Item], list: &'a [Entry]) -> Self {
-        Self { items, list, places: vec![0; list.len()], prepared: Vec::new() }
+        Self { items, list, places: vec![0; list.len()], prepared: Vec::new(), rows: Vec::new() }
     }
 
     /// What reaches the tile.
@@ -46,7 +48,7 @@ impl<'a> Lighter<'a> {
         if self.places[at] == 0
             && let Some((batch, piece)) = self.batch(number)
         {
-            self.prepared.push(batch.prepare(piece));
+            self.prepared.push(batch.prepare(piece, &mut self.rows));
             self.places[at] = self.prepared.len() as u32;
         }
         (self.places[at] as usize).saturating_sub(1)
@@ -100,14 +102,19 @@ pub(super) fn light_seen<S: Simd>(
                 }
                 left &= !together;
                 let prepared = &lighter.prepared;
-                let fog = first.pipeline.fog.as_ref();
+                let shading = Shading {
+                    textures: first.pipeline.textures.as_ref(),
+                    rows: &lighter.rows,
+                    fog: first.pipeline.fog.as_ref(),
+                    lanes: together,
+                };
                 let colors = shade(
                     simd,
                     place,
                     #[inline(always)]
                     |lane| &prepared[places[lane & (LANES - 1)]],
                     alike,
-                    fog,
+                    shading,
                 );
                 let stored = u32x16::from_slice(simd, &planes.color[block]);
                 let mask = mask32x16::from_bitmask(simd, u64::from(together));

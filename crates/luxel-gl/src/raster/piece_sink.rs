@@ -4,7 +4,7 @@ use super::blend::{blended, compare, logic};
 use super::framebuffer::{LANE_X, LANE_Y, LARGEST_DEPTH, TILE_BLOCKS, TilePlanes, block_origin};
 use super::lighter::{Lighter, light_seen};
 use super::pipeline::Pipeline;
-use super::shade::{Colors, decode, encode, shade};
+use super::shade::{Colors, Shading, decode, encode, shade};
 use luxel_math::{LANES, Lanes, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{Sink, Tile};
 
@@ -124,7 +124,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         let mixing = self.pipeline.is_mixing();
         let mut colors = None;
         if let Some((func, reference)) = self.pipeline.alpha_test {
-            let shaded = self.colors(simd, block);
+            let shaded = self.colors(simd, block, lanes);
             let reference = f32x16::splat(simd, reference);
             lanes &= compare(func, shaded[3], reference).to_bitmask() as u32;
             colors = Some(shaded);
@@ -163,7 +163,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         }
         let colors = match colors {
             Some(colors) => colors,
-            None => self.colors(simd, block),
+            None => self.colors(simd, block, passing),
         };
         if self.seen[block].iter().any(|seen| *seen != 0) {
             light_seen(simd, self.origin, block, &mut self.seen[block], self.lighter, self.planes);
@@ -173,9 +173,15 @@ impl<S: Simd> PieceSink<'_, '_, S> {
 
     /// The piece's own colours.
     #[inline(always)]
-    fn colors(&mut self, simd: S, block: usize) -> Colors<S> {
+    fn colors(&mut self, simd: S, block: usize, lanes: u32) -> Colors<S> {
         let place = self.lighter.prepare(self.number);
         let prepared = &self.lighter.prepared[place];
+        let shading = Shading {
+            textures: self.pipeline.textures.as_ref(),
+            rows: &self.lighter.rows,
+            fog: self.pipeline.fog.as_ref(),
+            lanes,
+        };
         let [x, y] = block_origin(block);
         let origin = [self.origin[0] + x, self.origin[1] + y];
         shade(
@@ -184,7 +190,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             #[inline(always)]
             |_| prepared,
             true,
-            self.pipeline.fog.as_ref(),
+            shading,
         )
     }
 

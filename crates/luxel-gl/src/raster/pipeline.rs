@@ -1,6 +1,7 @@
 //! The state of fragments of one draw, all of it: equal state is one pipeline.
 
 use crate::enums as gl;
+use crate::fragment::TextureStages;
 use crate::state::Attributes;
 use crate::state::fragment::FogState;
 use luxel_lighting::{Fog, FogLaw};
@@ -19,6 +20,7 @@ pub(crate) struct Pipeline {
     pub(crate) polygon_stipple: Option<[u32; 32]>,
     /// Of lines: how many fragments a bit stands for, and the bits.
     pub(crate) line_stipple: Option<(u32, u16)>,
+    pub(crate) textures: Option<TextureStages>,
     pub(crate) fog: Option<Fog>,
     /// Comparison and reference.
     pub(crate) alpha_test: Option<(u32, f32)>,
@@ -59,6 +61,7 @@ impl Pipeline {
         buffers: Buffers,
         region: [i32; 4],
         color_bits: u32,
+        textures: Option<TextureStages>,
     ) -> Self {
         let has = |name: u32| state.enables.has(name);
         let color = &state.color;
@@ -86,6 +89,7 @@ impl Pipeline {
             polygon_stipple: has(gl::POLYGON_STIPPLE).then_some(state.polygons.stipple),
             line_stipple: has(gl::LINE_STIPPLE)
                 .then_some((state.lines.factor as u32, state.lines.pattern)),
+            textures,
             fog: has(gl::FOG).then(|| fog(&state.fog)),
             alpha_test: (has(gl::ALPHA_TEST) && color.alpha_func != gl::ALWAYS)
                 .then_some((color.alpha_func, color.alpha_reference)),

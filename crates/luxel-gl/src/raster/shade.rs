@@ -1,9 +1,10 @@
 //! Colours of the fragments of a block (OpenGL 1.5, sections 3.5.1, 3.9 and 3.10): interpolated with perspective,
 //! fogged, within 0 and 1.
 
-use super::batch::Prepared;
+use super::batch::{Prepared, Row};
+use crate::fragment::{Footprint, TextureStages};
 use luxel_lighting::{Fog, Silent};
-use luxel_math::{LANES, Lanes, Rgb, Simd, f32x16, i32x16, prelude::*, u32x16};
+use luxel_math::{F64x16, LANES, Lanes, Rgb, Simd, f32x16, i32x16, prelude::*, u32x16};
 use luxel_visibility::{BLOCK, LinearForms};
 
 /// Columns and rows of a block's lanes, at the centres of pixels.
@@ -24,6 +25,17 @@ const fn centres(across: bool) -> [f32; LANES] {
 /// Red, green, blue, alpha in sixteen lanes.
 pub(super) type Colors<S> = [f32x16<S>; 4];
 
+/// What fragments of one draw go through after interpolation.
+#[derive(Clone, Copy)]
+pub(super) struct Shading<'p> {
+    pub(super) textures: Option<&'p TextureStages>,
+    /// Of all primitives.
+    pub(super) rows: &'p [Row],
+    pub(super) fog: Option<&'p Fog>,
+    /// The lanes that matter, a bit each.
+    pub(super) lanes: u32,
+}
+
 /// Colours at the centres of a block's pixels, whose first is at `origin` in the window. `of(lane)` is the lane's
 /// primitive; `alike` tells that all have the first one's.
 #[inline(always)]
@@ -32,7 +44,7 @@ pub(super) fn shade<'p, S: Simd>(
     origin: [i32; 2],
     of: impl Fn(usize) -> &'p Prepared,
     alike: bool,
-    fog: Option<&Fog>,
+    shading: Shading<'_>,
 ) -> Colors<S> {
     let lanes = f32x16::splat(simd, 0.0);
     let x = (f32x16::simd_from(simd, CENTRE_X) + origin[0] as f32).to_f64();
@@ -63,6 +75,7 @@ pub(super) fn shade<'p, S: Simd>(
             ],
         )
     };
+    let Shading { textures, fog, .. } = shading;
     let [_, v, t] = forms.clamped_barycentrics(x, y);
     // So written, what is the same at all corners stays what it is.
     let mixed = |a: f32x16<S>, b: f32x16<S>, c: f32x16<S>| a + v * (b - a) + t * (c - a);
@@ -71,6 +84,10 @@ pub(super) fn shade<'p, S: Simd>(
         let [a, b, c] = of_corners;
         mixed(a, b, c).clamped(0.0, 1.0)
     });
+    if let Some(textures) = textures {
+        let lookup = TextureLookup { of: &of, alike, forms: &forms, position: [x, y], at: [v, t] };
+        colors = textured(colors, &lookup, textures, shading.rows, shading.lanes);
+    }
     if let Some(fog) = fog {
         let distance = mixed(second[4], second[5], second[6]);
         let [r, g, b, a] = colors;
@@ -78,6 +95,75 @@ pub(super) fn shade<'p, S: Simd>(
         colors = [r, g, b, a].map(|value| value.clamped(0.0, 1.0));
     }
     colors
+}
+
+/// Where the fragments of a block lie on their primitives.
+struct TextureLookup<'l, S: Simd, F> {
+    of: &'l F,
+    alike: bool,
+    forms: &'l LinearForms<F64x16<S>>,
+    position: [F64x16<S>; 2],
+    /// The second and third barycentrics.
+    at: [f32x16<S>; 2],
+}
+
+/// Colours after all texture units, the secondary ones added (sections 3.8 and 3.9). Coordinates a pixel to the right
+/// and a pixel above come from the primitive's own weights, so that levels of detail are the same in any block.
+#[inline(never)]
+fn textured<'p, S: Simd, F: Fn(usize) -> &'p Prepared>(
+    colors: Colors<S>,
+    lookup: &TextureLookup<'_, S, F>,
+    textures: &TextureStages,
+    rows: &[Row],
+    lanes: u32,
+) -> Colors<S> {
+    let simd = colors[0];
+    simd.vectorized(
+        #[inline(always)]
+        || {
+            let TextureLookup { of, alike, forms, position: [x, y], at } = *lookup;
+            let corners = |number: usize| -> [[f32x16<S>; 4]; 3] {
+                let row = |lane: usize| &rows[of(lane).rows as usize + number];
+                let [first, second] = if alike {
+                    row(0).map(|half| half.map(|value| simd.constant(value)))
+                } else {
+                    [0, 1].map(|half| {
+                        simd.load_transposed(
+                            #[inline(always)]
+                            |lane| &row(lane)[half],
+                        )
+                    })
+                };
+                [
+                    [first[0], first[1], first[2], first[3]],
+                    [first[4], first[5], first[6], first[7]],
+                    [second[0], second[1], second[2], second[3]],
+                ]
+            };
+            let weighted = |[a, b, c]: &[[f32x16<S>; 4]; 3], [v, t]: [f32x16<S>; 2]| {
+                [0, 1, 2, 3].map(|axis| a[axis] + v * (b[axis] - a[axis]) + t * (c[axis] - a[axis]))
+            };
+            let steps = forms.steps(x, y);
+            let beside = steps.map(|[v, t]| [at[0] + v, at[1] + t]);
+            let footprint = |stage: usize| {
+                let corners = corners(1 + stage);
+                Footprint {
+                    centre: weighted(&corners, at),
+                    right: weighted(&corners, beside[0]),
+                    above: weighted(&corners, beside[1]),
+                }
+            };
+            let colors = textures.apply(colors, footprint, lanes);
+            if !textures.secondary {
+                return colors;
+            }
+            let secondary = weighted(&corners(0), at);
+            [0, 1, 2, 3].map(|channel| {
+                let more = secondary[channel].clamped(0.0, 1.0);
+                (colors[channel] + more).clamped(0.0, 1.0)
+            })
+        },
+    )
 }
 
 /// Colours as bytes, red lowest: x 255 + 1/2, rounded down.

@@ -6,6 +6,7 @@ use super::fragment::{ColorBuffer, Depth, FogState, PixelBox, Stencil};
 use super::light::Lights;
 use super::material::{ColorMaterial, SurfaceMaterial};
 use super::polygon::{Lines, Points, Polygons};
+use super::texture_unit::TextureState;
 use crate::enums as gl;
 use crate::limits::CLIP_PLANES;
 
@@ -33,6 +34,7 @@ pub(crate) struct Attributes {
     pub(crate) hints: Hints,
     pub(crate) list_base: u32,
     pub(crate) active_texture: usize,
+    pub(crate) texture: TextureState,
 }
 
 /// Of `GL_TRANSFORM_BIT`.
@@ -156,6 +158,7 @@ impl Attributes {
         }
         if has(gl::TEXTURE_BIT) {
             self.active_texture = saved.active_texture;
+            self.texture.restore(&saved.texture);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::enums as gl;
 use crate::limits::{CLIP_PLANES, LIGHTS, TEXTURE_UNITS};
+use crate::texture::Target;
 
 /// Capabilities with the bits of `glPushAttrib` that save them beside `GL_ENABLE_BIT`.
 const TABLE: &[(u32, u32)] = &[
@@ -119,6 +120,17 @@ impl Enables {
     /// The planes that are enabled, a bit each.
     pub(crate) fn planes(&self) -> u32 {
         (self.bits >> FIRST_PLANE) as u32 & ((1 << CLIP_PLANES) - 1)
+    }
+
+    /// Whether a unit generates coordinate `axis`: 0 for s to 3 for q.
+    pub(crate) fn generates(&self, unit: usize, axis: usize) -> bool {
+        self.textures[unit] >> (4 + axis) & 1 == 1
+    }
+
+    /// Which of a unit's targets is the one that counts: the one of most dimensions, cubes before all
+    /// (section 3.8.15).
+    pub(crate) fn texture_target(&self, unit: usize) -> Option<Target> {
+        Target::ALL.into_iter().rev().find(|target| self.textures[unit] >> *target as u8 & 1 == 1)
     }
 
     /// Switches a capability; whether there is one of that name.

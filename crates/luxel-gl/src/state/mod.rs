@@ -9,5 +9,7 @@ pub(crate) mod material;
 pub(crate) mod matrices;
 pub(crate) mod pixel;
 pub(crate) mod polygon;
+pub(crate) mod texgen;
+pub(crate) mod texture_unit;
 
 pub(crate) use attributes::Attributes;

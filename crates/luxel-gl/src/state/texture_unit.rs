@@ -3,7 +3,7 @@
 use super::texgen::Generation;
 use crate::enums as gl;
 use crate::limits::TEXTURE_UNITS;
-use crate::texture::{Target, TextureHandle};
+use crate::texture::{Parameters, Target, TextureHandle, locked};
 
 /// How a unit's texel and the fragment's colour are combined (section 3.8.13).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,10 +25,7 @@ impl Default for Environment {
             color: [0.0; 4],
             combine: [gl::MODULATE; 2],
             sources: [[gl::TEXTURE, gl::PREVIOUS, gl::CONSTANT]; 2],
-            operands: [
-                [gl::SRC_COLOR, gl::SRC_COLOR, gl::SRC_ALPHA],
-                [gl::SRC_ALPHA; 3],
-            ],
+            operands: [[gl::SRC_COLOR, gl::SRC_COLOR, gl::SRC_ALPHA], [gl::SRC_ALPHA; 3]],
             scales: [1.0; 2],
         }
     }
@@ -56,4 +53,32 @@ impl TextureUnit {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TextureState {
     pub(crate) units: [TextureUnit; TEXTURE_UNITS],
+    /// Of a copy that `glPushAttrib` keeps: the bound textures' parameters.
+    saved: Vec<(TextureHandle, Parameters)>,
+}
+
+impl TextureState {
+    /// Notes the parameters of bound textures, which `glPopAttrib` brings back (section 6.1.13).
+    pub(crate) fn note_parameters(&mut self, defaults: impl Fn(Target) -> TextureHandle) {
+        self.saved.clear();
+        for unit in &self.units {
+            for target in Target::ALL {
+                let texture =
+                    unit.bound(target).map_or_else(|| defaults(target), TextureHandle::clone);
+                let parameters = *locked(&texture).parameters();
+                self.saved.push((texture, parameters));
+            }
+        }
+    }
+
+    /// Takes over units and parameters.
+    pub(super) fn restore(&mut self, saved: &Self) {
+        self.units.clone_from(&saved.units);
+        for (texture, parameters) in &saved.saved {
+            let mut texture = locked(texture);
+            if texture.parameters() != parameters {
+                *texture.parameters_mut() = *parameters;
+            }
+        }
+    }
 }

@@ -99,9 +99,9 @@ impl TextureImage {
     /// A texel, not yet by the curve of sRGB; a depth in all four.
     pub(crate) fn get(&self, index: usize) -> [f32; 4] {
         match &self.texels {
-            Texels::Bytes(texels) => {
-                texels.get(index).map_or([0.0; 4], |texel| texel.map(|byte| f32::from(byte) / 255.0))
-            }
+            Texels::Bytes(texels) => texels
+                .get(index)
+                .map_or([0.0; 4], |texel| texel.map(|byte| f32::from(byte) / 255.0)),
             Texels::Words(texels) => texels
                 .get(index)
                 .map_or([0.0; 4], |texel| texel.map(|word| f32::from(word) / 65535.0)),

@@ -45,24 +45,18 @@ impl InternalFormat {
         let depth = |bits| of(Depth, Storage::Depth(bits));
         let srgb = |base| Some(Self { base, storage: Storage::Bytes, srgb: true });
         match name {
-            1
-            | gl::LUMINANCE
-            | gl::LUMINANCE4
-            | gl::LUMINANCE8
-            | gl::COMPRESSED_LUMINANCE => bytes(Luminance),
+            1 | gl::LUMINANCE | gl::LUMINANCE4 | gl::LUMINANCE8 | gl::COMPRESSED_LUMINANCE => {
+                bytes(Luminance)
+            }
             2
             | gl::LUMINANCE_ALPHA
             | gl::LUMINANCE4_ALPHA4
             | gl::LUMINANCE6_ALPHA2
             | gl::LUMINANCE8_ALPHA8
             | gl::COMPRESSED_LUMINANCE_ALPHA => bytes(LuminanceAlpha),
-            3
-            | gl::RGB
-            | gl::R3_G3_B2
-            | gl::RGB4
-            | gl::RGB5
-            | gl::RGB8
-            | gl::COMPRESSED_RGB => bytes(Rgb),
+            3 | gl::RGB | gl::R3_G3_B2 | gl::RGB4 | gl::RGB5 | gl::RGB8 | gl::COMPRESSED_RGB => {
+                bytes(Rgb)
+            }
             4
             | gl::RGBA
             | gl::RGBA2

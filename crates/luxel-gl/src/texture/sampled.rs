@@ -85,7 +85,11 @@ impl SampledTexture {
             base,
             faces,
             addressing: [0, 1, 2].map(|axis| {
-                if axis < dimensions { parameters.addressing(axis) } else { Addressing::ClampToEdge }
+                if axis < dimensions {
+                    parameters.addressing(axis)
+                } else {
+                    Addressing::ClampToEdge
+                }
             }),
             magnify: parameters.magnify_filter(),
             minify,

@@ -5,6 +5,7 @@ mod matrix_rows;
 mod process;
 mod processed;
 mod stream;
+mod texgen;
 
 pub(crate) use process::VertexProcessor;
 pub(crate) use processed::{Processed, WindowScale, codes};

@@ -7,6 +7,7 @@ use super::light_setup::{LightSetup, SeparateSums, material};
 use super::matrix_rows::MatrixRows;
 use super::processed::{Processed, WindowScale, codes};
 use super::stream::{Sides, Stream};
+use super::texgen::{CoordinateSetup, VertexPlace};
 use crate::enums as gl;
 use crate::limits::CLIP_PLANES;
 use crate::state::Attributes;
@@ -42,7 +43,6 @@ pub(crate) struct VertexProcessor {
     /// The inverse transpose of the modelview matrix.
     normal: MatrixRows,
     normal_length: NormalLength,
-    texture: MatrixRows,
     scale: WindowScale,
     lighting: Option<LightSetup>,
     color_material: Option<ColorMaterial>,
@@ -53,7 +53,8 @@ pub(crate) struct VertexProcessor {
     /// Whether fog takes coordinates of its own rather than distances; `None` without fog.
     fog_from_coordinates: Option<bool>,
     needs_eye: bool,
-    needs_tex_coord: bool,
+    /// Of the units whose texture coordinates are needed.
+    textures: Vec<CoordinateSetup>,
 }
 
 impl VertexProcessor {
@@ -79,7 +80,6 @@ impl VertexProcessor {
             clip_from_object: MatrixRows::new(&matrices.clip_from_object()),
             normal: MatrixRows::new(&normal),
             normal_length,
-            texture: MatrixRows::new(&matrices.texture[0].top),
             scale,
             lighting: enables.has(gl::LIGHTING).then(|| LightSetup::new(state)),
             color_material: enables.has(gl::COLOR_MATERIAL).then_some(state.color_material),
@@ -87,7 +87,7 @@ impl VertexProcessor {
             planes: planes.map(|number| (number, plane(number))).collect(),
             fog_from_coordinates: enables.has(gl::FOG).then_some(state.fog.source == gl::FOG_COORD),
             needs_eye: enables.planes() != 0,
-            needs_tex_coord: false,
+            textures: Vec::new(),
         }
     }
 
@@ -97,10 +97,14 @@ impl VertexProcessor {
         self
     }
 
-    /// The same, also with eye coordinates and texture coordinates.
-    pub(crate) fn with_everything(mut self) -> Self {
-        self.needs_eye = true;
-        self.needs_tex_coord = true;
+    /// The same, also with the texture coordinates of some units, a bit each.
+    pub(crate) fn with_textures(
+        mut self,
+        state: &Attributes,
+        matrices: &Matrices,
+        units: u32,
+    ) -> Self {
+        self.textures = CoordinateSetup::of_units(state, matrices, units);
         self
     }
 
@@ -165,6 +169,13 @@ impl VertexProcessor {
             }
             columns.map(|column| simd.load(&column, 0))
         };
+        let load_normal = || {
+            let normal = load4(&|vertex| {
+                let [x, y, z] = stream.normal.of(vertex);
+                [x, y, z, 0.0]
+            });
+            self.normal([normal[0], normal[1], normal[2]])
+        };
         let position = load4(&|vertex| stream.positions[vertex]);
         let clip = self.clip_from_object.times(position);
         store(&clip, count, &mut out.clip);
@@ -174,7 +185,10 @@ impl VertexProcessor {
             out.window.push(*vertex);
         }
         let lit = self.lighting.is_some();
-        let needs_eye = self.needs_eye || lit || self.fog_from_coordinates == Some(false);
+        let needs_eye = self.needs_eye
+            || lit
+            || self.fog_from_coordinates == Some(false)
+            || self.textures.iter().any(CoordinateSetup::needs_eye);
         let eye = if needs_eye { self.eye_from_object.times(position) } else { position };
         if self.needs_eye {
             store(&eye, count, &mut out.eye);
@@ -200,9 +214,18 @@ impl VertexProcessor {
             }
             None => {}
         }
-        if self.needs_tex_coord {
-            let coordinates = load4(&|vertex| stream.tex_coord.of(vertex));
-            store(&self.texture.times(coordinates), count, &mut out.tex_coord);
+        if !self.textures.is_empty() {
+            let mut place =
+                VertexPlace { object: position, eye, normal: Vec3::splat(simd, [0.0; 3]) };
+            if self.textures.iter().any(CoordinateSetup::needs_normal) {
+                let (unit, length) = load_normal();
+                place.normal = length.map_or(unit, |length| unit * length);
+            }
+            for setup in &self.textures {
+                let given = load4(&|vertex| stream.tex_coord_of(setup.unit, vertex));
+                let coordinates = setup.coordinates(&place, given);
+                store(&coordinates, count, &mut out.tex_coords[setup.unit]);
+            }
         }
         let Some(lighting) = &self.lighting else {
             let color = load4(&|vertex| stream.color.of(vertex));
@@ -217,11 +240,7 @@ impl VertexProcessor {
             }
             return;
         };
-        let normal = load4(&|vertex| {
-            let [x, y, z] = stream.normal.of(vertex);
-            [x, y, z, 0.0]
-        });
-        let (normal, length) = self.normal([normal[0], normal[1], normal[2]]);
+        let (normal, length) = load_normal();
         let sides = 1 + usize::from(lighting.two_side);
         let one_material =
             !(stream.material.varies() || self.color_material.is_some() && stream.color.varies());

@@ -1,5 +1,6 @@
 //! What becomes of vertices: places in clip and window coordinates, colours.
 
+use crate::limits::TEXTURE_UNITS;
 use crate::state::attributes::Viewport;
 use luxel_visibility::WindowVertex;
 
@@ -59,8 +60,8 @@ pub(crate) struct Processed {
     /// Secondary colours of front and back.
     pub(crate) secondary: [Vec<[f32; 4]>; 2],
     pub(crate) fog_coord: Vec<f32>,
-    /// Texture coordinates after the matrix.
-    pub(crate) tex_coord: Vec<[f32; 4]>,
+    /// Texture coordinates of each unit, after generation and matrix.
+    pub(crate) tex_coords: [Vec<[f32; 4]>; TEXTURE_UNITS],
     /// Edge flags, if vertices have different ones.
     pub(crate) edge_flags: Vec<bool>,
 }
@@ -77,7 +78,9 @@ impl Processed {
             self.secondary[side].append(&mut other.secondary[side]);
         }
         self.fog_coord.append(&mut other.fog_coord);
-        self.tex_coord.append(&mut other.tex_coord);
+        for (own, others) in self.tex_coords.iter_mut().zip(&mut other.tex_coords) {
+            own.append(others);
+        }
         self.edge_flags.append(&mut other.edge_flags);
     }
 

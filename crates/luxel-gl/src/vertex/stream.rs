@@ -3,6 +3,7 @@
 //! An attribute that nobody changes between vertices is kept once. The first change fills in its past, and from
 //! then on each vertex has its own.
 
+use crate::limits::TEXTURE_UNITS;
 use crate::state::current::Current;
 use crate::state::material::SurfaceMaterial;
 
@@ -67,7 +68,12 @@ pub(crate) struct Stream {
     pub(crate) color: Varying<[f32; 4]>,
     pub(crate) secondary: Varying<[f32; 3]>,
     pub(crate) normal: Varying<[f32; 3]>,
+    /// Of unit 0.
     pub(crate) tex_coord: Varying<[f32; 4]>,
+    /// Of the units from 1 on.
+    more_tex_coords: [Varying<[f32; 4]>; TEXTURE_UNITS - 1],
+    /// Whether one of these varies.
+    more_vary: bool,
     pub(crate) fog_coord: Varying<f32>,
     pub(crate) edge_flag: Varying<bool>,
     /// Materials, in the order in which they were set; vertices have numbers of these.
@@ -86,6 +92,8 @@ impl Stream {
             secondary: Varying::new(current.secondary),
             normal: Varying::new(current.normal),
             tex_coord: Varying::new(current.tex_coords[0]),
+            more_tex_coords: std::array::from_fn(|unit| Varying::new(current.tex_coords[unit + 1])),
+            more_vary: false,
             fog_coord: Varying::new(current.fog_coord),
             edge_flag: Varying::new(current.edge_flag),
             materials: vec![materials],
@@ -108,9 +116,36 @@ impl Stream {
         self.secondary.push();
         self.normal.push();
         self.tex_coord.push();
+        if self.more_vary {
+            for coordinates in &mut self.more_tex_coords {
+                coordinates.push();
+            }
+        }
         self.fog_coord.push();
         self.edge_flag.push();
         self.material.push();
+    }
+
+    /// Changes a unit's texture coordinates for the next vertices.
+    #[inline]
+    pub(crate) fn set_tex_coord(&mut self, unit: usize, coordinates: [f32; 4]) {
+        let count = self.positions.len();
+        match unit.checked_sub(1) {
+            None => self.tex_coord.set(coordinates, count),
+            Some(place) => {
+                self.more_tex_coords[place].set(coordinates, count);
+                self.more_vary |= self.more_tex_coords[place].varies();
+            }
+        }
+    }
+
+    /// A vertex's texture coordinates of a unit.
+    #[inline(always)]
+    pub(crate) fn tex_coord_of(&self, unit: usize, vertex: usize) -> [f32; 4] {
+        match unit.checked_sub(1) {
+            None => self.tex_coord.of(vertex),
+            Some(place) => self.more_tex_coords[place].of(vertex),
+        }
     }
 
     /// Changes the material for the next vertices.
@@ -133,6 +168,9 @@ impl Stream {
         self.secondary.keep_from(first);
         self.normal.keep_from(first);
         self.tex_coord.keep_from(first);
+        for coordinates in &mut self.more_tex_coords {
+            coordinates.keep_from(first);
+        }
         self.fog_coord.keep_from(first);
         self.edge_flag.keep_from(first);
         self.material.keep_from(first);

@@ -74,8 +74,9 @@ impl CoordinateSetup {
 
     /// Whether normals are needed.
     pub(super) fn needs_normal(&self) -> bool {
-        let needs =
-            |source: &Source| matches!(source, Source::Sphere | Source::Normal | Source::Reflection);
+        let needs = |source: &Source| {
+            matches!(source, Source::Sphere | Source::Normal | Source::Reflection)
+        };
         self.sources.iter().any(needs)
     }
 
