@@ -3,6 +3,7 @@
 use crate::enums as gl;
 use crate::error::ErrorFlag;
 use crate::modes::{FeedbackMode, SelectionMode};
+use crate::objects::buffer::Buffers;
 use crate::objects::list::{Command, Lists};
 use crate::raster::{Framebuffer, Log};
 use crate::state::Attributes;
@@ -62,6 +63,7 @@ pub struct Context {
     pub(crate) textures: Arc<Mutex<Textures>>,
     /// Images of proxies, without texels, by target and level.
     pub(crate) proxies: BTreeMap<(usize, usize), TextureImage>,
+    pub(crate) shared_buffers: Arc<Mutex<Buffers>>,
     pub(crate) list: Option<OpenList>,
     /// How many lists call one another at the moment.
     pub(crate) nesting: usize,
@@ -86,10 +88,13 @@ impl Context {
         Self::with_shared(configuration, Arc::default(), Arc::default())
     }
 
-    /// A context that shares lists and textures with another one.
+    /// A context that shares lists, textures and buffer objects with another one.
     #[must_use]
     pub fn sharing(configuration: Configuration, other: &Self) -> Self {
-        Self::with_shared(configuration, Arc::clone(&other.shared), Arc::clone(&other.textures))
+        let (lists, textures) = (Arc::clone(&other.shared), Arc::clone(&other.textures));
+        let mut context = Self::with_shared(configuration, lists, textures);
+        context.shared_buffers = Arc::clone(&other.shared_buffers);
+        context
     }
 
     fn with_shared(
@@ -111,6 +116,7 @@ impl Context {
             shared,
             textures,
             proxies: BTreeMap::new(),
+            shared_buffers: Arc::default(),
             list: None,
             nesting: 0,
             executable: 0,
@@ -178,6 +184,10 @@ impl Context {
 
     pub(crate) fn textures(&self) -> MutexGuard<'_, Textures> {
         self.textures.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub(crate) fn buffers(&self) -> MutexGuard<'_, Buffers> {
+        self.shared_buffers.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub(crate) fn lists(&self) -> MutexGuard<'_, Lists> {

@@ -43,10 +43,11 @@ mod texture;
 mod values;
 mod vertex;
 
-pub use commands::{ColorLayout, RenderModeResult, Words};
+pub use commands::{ColorLayout, MappedBuffer, RenderModeResult, Words};
 pub use context::{Configuration, Context};
 pub use luxel_math::{SimdLevel, UnavailableSimdLevel};
 pub use values::Values;
+pub use vertex::{ClientMemory, NoClientMemory};
 
 /// The example of `README.md`.
 #[cfg(doctest)]

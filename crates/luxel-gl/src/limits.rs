@@ -31,6 +31,8 @@ pub(crate) const LIST_COMMANDS: usize = 1 << 26;
 /// Commands that one call of lists executes, however they call one another: beyond that, `GL_OUT_OF_MEMORY`. Lists that
 /// call lists twice each would keep a program for ever.
 pub(crate) const EXECUTED_COMMANDS: u64 = 1 << 27;
+/// Names of buffer objects.
+pub(crate) const BUFFER_NAMES: usize = 1 << 22;
 /// Bytes that the log of draws holds before it is carried out.
 pub(crate) const LOG_BYTES: usize = 64 << 20;
 /// `GL_MAX_TEXTURE_SIZE`

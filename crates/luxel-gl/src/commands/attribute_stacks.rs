@@ -41,8 +41,14 @@ impl Context {
     pub fn pop_client_attrib(&mut self) {
         outside_begin!(self);
         match self.client_stack.pop() {
-            Some((mask, saved)) if mask & gl::CLIENT_PIXEL_STORE_BIT != 0 => self.client = saved,
-            Some(_) => {}
+            Some((mask, saved)) => {
+                if mask & gl::CLIENT_PIXEL_STORE_BIT != 0 {
+                    (self.client.pack, self.client.unpack) = (saved.pack, saved.unpack);
+                }
+                if mask & gl::CLIENT_VERTEX_ARRAY_BIT != 0 {
+                    self.client.arrays = saved.arrays;
+                }
+            }
             None => self.error.set(gl::STACK_UNDERFLOW),
         }
     }

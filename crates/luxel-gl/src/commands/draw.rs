@@ -15,6 +15,11 @@ use crate::vertex::{Stream, VertexProcessor, WindowScale, codes};
 impl Context {
     /// Draws what stands between `glBegin` and `glEnd`.
     pub(crate) fn draw(&mut self, stream: &Stream) {
+        self.draw_elements_of(stream, None);
+    }
+
+    /// Draws vertices in the order of elements; `None` for one after the other.
+    pub(crate) fn draw_elements_of(&mut self, stream: &Stream, elements: Option<&[u32]>) {
         if stream.len() == 0 {
             return;
         }
@@ -27,7 +32,7 @@ impl Context {
                 let vertices = processor.process(stream, self.level);
                 let viewport = &self.state.viewport;
                 let mut visitor = HitVisitor::new(&state, &vertices, viewport, &mut self.selection);
-                assemble(stream.mode, stream.len(), &mut visitor);
+                assemble(stream.mode, stream.len(), elements, &mut visitor);
             }
             gl::FEEDBACK => {
                 let processor =
@@ -36,13 +41,19 @@ impl Context {
                 let viewport = &self.state.viewport;
                 let mut visitor =
                     FeedbackVisitor::new(&state, &vertices, viewport, &mut self.feedback);
-                assemble(stream.mode, stream.len(), &mut visitor);
+                assemble(stream.mode, stream.len(), elements, &mut visitor);
             }
-            _ => self.render(stream, &state, processor),
+            _ => self.render(stream, elements, &state, processor),
         }
     }
 
-    fn render(&mut self, stream: &Stream, state: &DrawState, processor: VertexProcessor) {
+    fn render(
+        &mut self,
+        stream: &Stream,
+        elements: Option<&[u32]>,
+        state: &DrawState,
+        processor: VertexProcessor,
+    ) {
         let region = self.scissored_region();
         let [left, bottom, right, top] = region;
         if left >= right || bottom >= top {
@@ -62,7 +73,7 @@ impl Context {
         let viewport = [area.x, area.y, area.x + area.width, area.y + area.height];
         let vertices = processor.process(stream, self.level);
         let mut builder = BatchBuilder::new(state, pipeline, &processor, viewport, vertices);
-        assemble(stream.mode, stream.len(), &mut builder);
+        assemble(stream.mode, stream.len(), elements, &mut builder);
         self.log.draw(builder.finish());
         if self.log.is_full() {
             self.carry_out();

@@ -7,6 +7,7 @@ use crate::limits::{
     MODELVIEW_DEPTH, PROJECTION_DEPTH, SUBPIXEL_BITS, TEXTURE_3D_SIDE, TEXTURE_DEPTH, TEXTURE_SIDE,
     TEXTURE_UNITS, VIEWPORT,
 };
+use crate::state::arrays::VertexArray;
 use crate::state::attributes::Hints;
 use crate::state::pixel::PixelStore;
 use crate::texture::{Target, locked};
@@ -27,6 +28,7 @@ pub(super) fn value_of(context: &Context, pname: u32) -> Option<Values> {
         .or_else(|| of_pixels(context, pname))
         .or_else(|| of_textures(context, pname))
         .or_else(|| of_lists_and_modes(context, pname))
+        .or_else(|| of_arrays(context, pname))
         .or_else(|| limit(context, pname))
         .or_else(|| {
             let enabled = context.state.enables.get(pname, context.state.active_texture)?;
@@ -234,6 +236,51 @@ fn of_lists_and_modes(context: &Context, pname: u32) -> Option<Values> {
     })
 }
 
+/// Vertex arrays and buffers (tables 6.6 and 6.7).
+fn of_arrays(context: &Context, pname: u32) -> Option<Values> {
+    let arrays = &context.client.arrays;
+    let texture = &arrays.tex_coords[context.client_texture];
+    let name = |array: &VertexArray| Some(Values::name(array.data_type));
+    let size = |array: &VertexArray| Some(Values::count(array.size));
+    let stride = |array: &VertexArray| Some(Values::count(array.stride));
+    let buffer = |array: &VertexArray| Some(Values::name(array.buffer));
+    match pname {
+        gl::VERTEX_ARRAY_SIZE => size(&arrays.vertex),
+        gl::VERTEX_ARRAY_TYPE => name(&arrays.vertex),
+        gl::VERTEX_ARRAY_STRIDE => stride(&arrays.vertex),
+        gl::VERTEX_ARRAY_BUFFER_BINDING => buffer(&arrays.vertex),
+        gl::NORMAL_ARRAY_TYPE => name(&arrays.normal),
+        gl::NORMAL_ARRAY_STRIDE => stride(&arrays.normal),
+        gl::NORMAL_ARRAY_BUFFER_BINDING => buffer(&arrays.normal),
+        gl::COLOR_ARRAY_SIZE => size(&arrays.color),
+        gl::COLOR_ARRAY_TYPE => name(&arrays.color),
+        gl::COLOR_ARRAY_STRIDE => stride(&arrays.color),
+        gl::COLOR_ARRAY_BUFFER_BINDING => buffer(&arrays.color),
+        gl::SECONDARY_COLOR_ARRAY_SIZE => size(&arrays.secondary),
+        gl::SECONDARY_COLOR_ARRAY_TYPE => name(&arrays.secondary),
+        gl::SECONDARY_COLOR_ARRAY_STRIDE => stride(&arrays.secondary),
+        gl::SECONDARY_COLOR_ARRAY_BUFFER_BINDING => buffer(&arrays.secondary),
+        gl::INDEX_ARRAY_TYPE => name(&arrays.index),
+        gl::INDEX_ARRAY_STRIDE => stride(&arrays.index),
+        gl::INDEX_ARRAY_BUFFER_BINDING => buffer(&arrays.index),
+        gl::EDGE_FLAG_ARRAY_STRIDE => stride(&arrays.edge_flag),
+        gl::EDGE_FLAG_ARRAY_BUFFER_BINDING => buffer(&arrays.edge_flag),
+        gl::FOG_COORD_ARRAY_TYPE => name(&arrays.fog_coord),
+        gl::FOG_COORD_ARRAY_STRIDE => stride(&arrays.fog_coord),
+        gl::FOG_COORD_ARRAY_BUFFER_BINDING => buffer(&arrays.fog_coord),
+        gl::TEXTURE_COORD_ARRAY_SIZE => size(texture),
+        gl::TEXTURE_COORD_ARRAY_TYPE => name(texture),
+        gl::TEXTURE_COORD_ARRAY_STRIDE => stride(texture),
+        gl::TEXTURE_COORD_ARRAY_BUFFER_BINDING => buffer(texture),
+        gl::ARRAY_BUFFER_BINDING => Some(Values::name(arrays.array_buffer)),
+        gl::ELEMENT_ARRAY_BUFFER_BINDING => Some(Values::name(arrays.element_buffer)),
+        _ => {
+            let enabled = arrays.named(pname, context.client_texture)?.enabled;
+            Some(Values::boolean(enabled))
+        }
+    }
+}
+
 /// What the implementation can do, and what the framebuffer has (tables 6.29 to 6.31, 6.34).
 fn limit(context: &Context, pname: u32) -> Option<Values> {
     let configuration = &context.configuration;
@@ -255,6 +302,7 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         gl::POINT_SIZE_RANGE | gl::ALIASED_POINT_SIZE_RANGE => Values::reals([1.0, LARGEST_SIZE]),
         gl::LINE_WIDTH_RANGE | gl::ALIASED_LINE_WIDTH_RANGE => Values::reals([1.0, LARGEST_SIZE]),
         gl::POINT_SIZE_GRANULARITY | gl::LINE_WIDTH_GRANULARITY => Values::real(0.1),
+        gl::MAX_ELEMENTS_VERTICES | gl::MAX_ELEMENTS_INDICES => Values::integer(1 << 20),
         gl::MAX_EVAL_ORDER => Values::integer(30),
         gl::NUM_COMPRESSED_TEXTURE_FORMATS => Values::integer(0),
         gl::COMPRESSED_TEXTURE_FORMATS => Values::none(),

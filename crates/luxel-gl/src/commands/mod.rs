@@ -3,8 +3,10 @@
 //! Each begins by compiling itself into the open list, if it is one of those that lists hold; then come errors, in the
 //! order of the specification.
 
+mod arrays;
 mod attribute_stacks;
 mod begin_end;
+mod buffer_objects;
 mod buffers;
 mod draw;
 mod fragments;
@@ -24,5 +26,6 @@ mod texture_queries;
 mod textures;
 mod transforms;
 
+pub use buffer_objects::MappedBuffer;
 pub use modes::{RenderModeResult, Words};
 pub use pixels::ColorLayout;

@@ -31,7 +31,12 @@ impl Context {
     /// `glIsEnabled`.
     pub fn is_enabled(&mut self, capability: u32) -> bool {
         outside_begin!(self, false);
-        let found = self.state.enables.get(capability, self.state.active_texture);
+        let array = self.client.arrays.named(capability, self.client_texture);
+        let found = self
+            .state
+            .enables
+            .get(capability, self.state.active_texture)
+            .or(array.map(|array| array.enabled));
         if found.is_none() {
             self.error.set(gl::INVALID_ENUM);
         }

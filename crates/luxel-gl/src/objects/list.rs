@@ -8,6 +8,7 @@ use crate::limits::LIST_COMMANDS;
 use crate::objects::image_calls::{
     CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
 };
+use crate::vertex::ArrayDraw;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -100,6 +101,7 @@ pub(crate) enum Command {
     TexSubImage(Box<WithPixels<TexSubImage>>),
     CopyTexImage(Box<CopyTexImage>),
     CopyTexSubImage(Box<CopyTexSubImage>),
+    Draw(Arc<ArrayDraw>),
 }
 
 /// The lists of a context, and of those that share with it. An empty list is a name that is taken.

@@ -13,8 +13,47 @@ pub(crate) trait Visitor {
     fn polygon(&mut self, corners: &[u32], provoking: u32, flagged: bool);
 }
 
+/// Gives the primitives of vertices in the order of `elements`, or of `count` vertices one after the other.
+pub(crate) fn assemble(
+    mode: u32,
+    count: usize,
+    elements: Option<&[u32]>,
+    visitor: &mut impl Visitor,
+) {
+    match elements {
+        Some(elements) => {
+            let indexed = &mut Indexed { elements, visitor, corners: Vec::new() };
+            assemble_in_order(mode, elements.len(), indexed);
+        }
+        None => assemble_in_order(mode, count, visitor),
+    }
+}
+
+/// Takes places in a list of elements for vertices.
+struct Indexed<'a, V> {
+    elements: &'a [u32],
+    visitor: &'a mut V,
+    corners: Vec<u32>,
+}
+
+impl<V: Visitor> Visitor for Indexed<'_, V> {
+    fn point(&mut self, vertex: u32) {
+        self.visitor.point(self.elements[vertex as usize]);
+    }
+
+    fn line(&mut self, ends: [u32; 2], begins: bool) {
+        self.visitor.line(ends.map(|end| self.elements[end as usize]), begins);
+    }
+
+    fn polygon(&mut self, corners: &[u32], provoking: u32, flagged: bool) {
+        self.corners.clear();
+        self.corners.extend(corners.iter().map(|&corner| self.elements[corner as usize]));
+        self.visitor.polygon(&self.corners, self.elements[provoking as usize], flagged);
+    }
+}
+
 /// Gives the primitives of `count` vertices; those that are incomplete are left out.
-pub(crate) fn assemble(mode: u32, count: usize, visitor: &mut impl Visitor) {
+fn assemble_in_order(mode: u32, count: usize, visitor: &mut impl Visitor) {
     let count = count as u32;
     let end = |of: u32| count.saturating_sub(of);
     match mode {
@@ -94,7 +133,7 @@ mod tests {
 
     fn seen(mode: u32, count: usize) -> Seen {
         let mut seen = Seen::default();
-        assemble(mode, count, &mut seen);
+        assemble(mode, count, None, &mut seen);
         seen
     }
 

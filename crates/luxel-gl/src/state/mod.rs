@@ -1,5 +1,6 @@
 //! The state of a context, by the groups of the specification's tables (OpenGL 1.5, section 6.2).
 
+pub(crate) mod arrays;
 pub(crate) mod attributes;
 pub(crate) mod current;
 pub(crate) mod enables;

@@ -1,5 +1,7 @@
 //! How pixels lie in the program's memory (OpenGL 1.5, section 3.6.1, table 3.1).
 
+use super::arrays::Arrays;
+
 /// One direction of transfers: packing, or unpacking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PixelStore {
@@ -28,9 +30,10 @@ impl Default for PixelStore {
     }
 }
 
-/// Both directions: the client's state, saved by `glPushClientAttrib`.
+/// The client's state, saved by `glPushClientAttrib`: storage in both directions, vertex arrays.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Client {
+    pub(crate) arrays: Arrays,
     pub(crate) pack: PixelStore,
     pub(crate) unpack: PixelStore,
 }

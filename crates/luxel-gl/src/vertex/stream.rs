@@ -3,6 +3,7 @@
 //! An attribute that nobody changes between vertices is kept once. The first change fills in its past, and from
 //! then on each vertex has its own.
 
+use super::fetch::Fetched;
 use crate::limits::TEXTURE_UNITS;
 use crate::state::current::Current;
 use crate::state::material::SurfaceMaterial;
@@ -42,6 +43,14 @@ impl<T: Copy> Varying<T> {
     #[inline(always)]
     pub(crate) fn of(&self, vertex: usize) -> T {
         if self.varies { self.values[vertex] } else { self.now }
+    }
+
+    /// Takes values of all vertices, if there are any.
+    fn replace(&mut self, values: Option<Vec<T>>) {
+        if let Some(values) = values {
+            self.values = values;
+            self.varies = true;
+        }
     }
 
     /// Whether vertices have values of their own.
@@ -100,6 +109,31 @@ impl Stream {
             material: Varying::new(0),
             continued: false,
         }
+    }
+
+    /// The vertices of arrays; what has no array is what is current.
+    pub(crate) fn of_arrays(
+        mode: u32,
+        current: &Current,
+        materials: Sides,
+        fetched: Fetched,
+    ) -> Self {
+        let mut stream = Self::new(mode, current, materials);
+        stream.positions = fetched.positions;
+        stream.normal.replace(fetched.normals);
+        stream.color.replace(fetched.colors);
+        stream.secondary.replace(fetched.secondary);
+        stream.edge_flag.replace(fetched.edge_flags);
+        stream.fog_coord.replace(fetched.fog_coords);
+        let mut of_units = fetched.tex_coords.into_iter();
+        if let Some(coordinates) = of_units.next() {
+            stream.tex_coord.replace(coordinates);
+        }
+        for (coordinates, values) in stream.more_tex_coords.iter_mut().zip(of_units) {
+            stream.more_vary |= values.is_some();
+            coordinates.replace(values);
+        }
+        stream
     }
 
     /// How many vertices there are.

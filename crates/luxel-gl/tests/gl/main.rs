@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod any_commands;
+mod arrays;
 mod canvas;
 mod coverage;
 mod depth;
