@@ -428,21 +428,18 @@ fn osmesa_writes_single_values_and_follows_no_dead_handle() {
 
 #[test]
 fn a_context_is_current_in_one_thread_and_left_at_its_end() {
+    /// A handle on its way to another thread.
+    struct Sent(*mut c_void);
+    // SAFETY: the library itself says which thread may use a context.
+    unsafe impl Send for Sent {}
+
     let context = Current::new();
-    let handle = context.0.addr();
+    let handle = Sent(context.0);
     let take = move || {
+        let Sent(handle) = { handle };
         let mut pixels = [0u8; 4];
         // SAFETY: the buffer has one pixel; the context isn't drawn to.
-        unsafe {
-            OSMesaMakeCurrent(
-                ptr::with_exposed_provenance_mut(handle),
-                pixels.as_mut_ptr().cast(),
-                UNSIGNED_BYTE,
-                1,
-                1,
-            )
-        }
+        unsafe { OSMesaMakeCurrent(handle, pixels.as_mut_ptr().cast(), UNSIGNED_BYTE, 1, 1) }
     };
-    context.0.expose_provenance();
     assert_eq!(std::thread::spawn(take).join().unwrap(), 0);
 }
