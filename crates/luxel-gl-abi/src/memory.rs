@@ -61,6 +61,20 @@ pub(crate) unsafe fn few<T: Copy + Default>(address: *const T, length: usize) ->
     Some(few)
 }
 
+/// `count` values at `address`; none for a negative count.
+///
+/// # Safety
+///
+/// `address` is null, or `count` values can be read there.
+pub(crate) unsafe fn copied<T: Copy>(address: *const T, count: i32) -> Option<Vec<T>> {
+    let count = usize::try_from(count).unwrap_or(0);
+    if address.is_null() && count > 0 {
+        return None;
+    }
+    // SAFETY: each index is below the count that the caller of this function promises.
+    Some((0..count).map(|at| unsafe { address.add(at).read_unaligned() }).collect())
+}
+
 /// `length` bytes at `address`.
 ///
 /// # Safety

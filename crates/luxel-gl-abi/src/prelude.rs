@@ -1,7 +1,9 @@
 //! What the generated entry points use.
 
 pub(crate) use crate::entry::{call, call_uncaught, call_with_memory, call_with_memory_uncaught};
-pub(crate) use crate::memory::{CallerArray, array, bytes, bytes_mut, few, optional_bytes, store};
+pub(crate) use crate::memory::{
+    CallerArray, array, bytes, bytes_mut, copied, few, optional_bytes, store,
+};
 pub(crate) use crate::parameters::{from_integers, single};
 pub(crate) use crate::{pointer_query, strings};
 pub(crate) use luxel_gl::{convert, lengths};

@@ -53,7 +53,8 @@ fn commands(room: &Room) -> Result<String, String> {
 }
 
 /// The functions of `memory` that read or write the caller's memory, and fail for null pointers.
-const READERS: [&str; 6] = ["array", "few", "bytes", "bytes_mut", "optional_bytes", "store"];
+const READERS: [&str; 7] =
+    ["array", "few", "copied", "bytes", "bytes_mut", "optional_bytes", "store"];
 
 /// A command that an expression carries out.
 fn carried_out(entry: &Entry, call: &str) -> String {

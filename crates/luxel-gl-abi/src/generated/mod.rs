@@ -15,6 +15,7 @@ mod pixels;
 mod primitives;
 mod state;
 pub(crate) mod table;
+mod textures;
 mod transform;
 mod unsupported;
 mod vertex;

@@ -10,6 +10,7 @@ use super::pending::*;
 use super::pixels::*;
 use super::primitives::*;
 use super::state::*;
+use super::textures::*;
 use super::transform::*;
 use super::unsupported::*;
 use super::vertex::*;
