@@ -173,7 +173,8 @@ impl PixelFormat {
             };
             let signed = |steps: f64| {
                 let value = f64::from(*value);
-                (if indexes { value } else { ((steps * value - 1.0) / 2.0).round() }) as i32
+                // Symmetric, so that 0 is 0, as for queries.
+                (if indexes { value } else { (steps - 1.0) / 2.0 * value + 0.5 }).floor() as i32
             };
             match self.elements {
                 Elements::Byte => put(out, &(signed(255.0) as i8).to_ne_bytes()),

@@ -54,6 +54,8 @@ pub(crate) enum Shape {
 pub(crate) struct Piece {
     pub(crate) shape: Shape,
     pub(crate) shade: Shade,
+    /// What its depths are moved by, in steps of the buffer.
+    pub(crate) offset: f32,
 }
 
 /// One draw.

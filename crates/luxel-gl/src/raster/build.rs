@@ -3,7 +3,7 @@
 use super::batch::{Batch, Piece, Prepared, Shade, Shape};
 use super::draw_state::{DrawState, whole_size};
 use super::pipeline::Pipeline;
-use super::placement::{Plane, area, moved, offset, polygon_area, slope_of, window_of};
+use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
 use crate::enums as gl;
 use crate::primitive::line::LineWalk;
 use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment};
@@ -134,18 +134,18 @@ impl<'a> BatchBuilder<'a> {
         flat: Option<u32>,
         facing: Option<usize>,
     ) {
-        let Some(mut triangle) = Triangle::new(window, CullFaces::None) else { return };
+        let Some(triangle) = Triangle::new(window, CullFaces::None) else { return };
         let side = facing.unwrap_or_else(|| self.state.side(area(window)));
         if self.state.is_culled(side) {
             return;
         }
-        if let Some([factor, units]) = self.state.offsets[2] {
-            offset(&mut triangle, factor, units);
-        }
+        let offset = self.state.offsets[2];
+        let offset = offset.map(|[factor, units]| [factor, units, slope_of(&triangle)]);
         let side = self.state.color_side(side) as u8;
         self.batch.pieces.push(Piece {
             shape: Shape::Triangle(triangle),
             shade: Shade::Triangle { corners, flat, side },
+            offset: depth_offset(offset),
         });
     }
 
@@ -199,20 +199,17 @@ impl<'a> BatchBuilder<'a> {
         );
         let weights = corners.map(|corner| [corner.weights[0] as f32, corner.weights[1] as f32]);
         prepared.rows = self.batch.push_rows(ends, weights, flat, side);
-        let mut depths = [from.z, to.z];
-        if let Some([factor, units, slope]) = offset {
-            depths = depths.map(|depth| moved(depth, factor * slope + units));
-        }
         let number = self.batch.prepared.len() as u32;
         self.batch.prepared.push(prepared);
         self.batch.pieces.push(Piece {
             shape: Shape::Line {
                 ends: places,
-                depths,
+                depths: [from.z, to.z],
                 width: self.state.line_width,
                 counter: self.counter,
             },
             shade: Shade::Prepared(number),
+            offset: depth_offset(offset),
         });
         self.counter = self.counter.wrapping_add(walk.count as u32);
     }
@@ -237,10 +234,6 @@ impl<'a> BatchBuilder<'a> {
                 (at + SUBPIXELS / 2).div_euclid(SUBPIXELS) - side / 2
             }
         };
-        let depth = match offset {
-            Some([factor, units, slope]) => moved(place.z, factor * slope + units),
-            None => place.z,
-        };
         let fog = self.batch.fog(vertex);
         let number = self.batch.prepared.len() as u32;
         let color = self.batch.color(flat.unwrap_or(vertex), color_side);
@@ -248,8 +241,9 @@ impl<'a> BatchBuilder<'a> {
         prepared.rows = self.batch.push_rows([vertex; 2], [[1.0, 0.0]; 2], flat, color_side);
         self.batch.prepared.push(prepared);
         self.batch.pieces.push(Piece {
-            shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth },
+            shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z },
             shade: Shade::Prepared(number),
+            offset: depth_offset(offset),
         });
     }
 

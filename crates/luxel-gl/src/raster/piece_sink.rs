@@ -23,6 +23,8 @@ pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) plain: bool,
     pub(super) stipple: Option<&'t [u32; 32]>,
     pub(super) number: u32,
+    /// What depths are moved by.
+    pub(super) offset: f32,
 }
 
 impl<S: Simd> Sink for PieceSink<'_, '_, S> {
@@ -46,7 +48,7 @@ impl<S: Simd> Sink for PieceSink<'_, '_, S> {
         }
         let mut passing = covered;
         if let Some((func, writes)) = self.pipeline.depth {
-            let z = quantized(z);
+            let z = quantized(z, self.offset);
             let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
             passing = covered & compare(func, z, stored);
             if writes {
@@ -73,7 +75,7 @@ impl<S: Simd> Sink for PieceSink<'_, '_, S> {
             return;
         }
         if let Some((func, writes)) = self.pipeline.depth {
-            let z = quantized(z);
+            let z = quantized(z, self.offset);
             let stored = &mut self.planes.depth[block][lane];
             if !compare(func, z, *stored) {
                 return;
@@ -88,10 +90,14 @@ impl<S: Simd> Sink for PieceSink<'_, '_, S> {
     }
 }
 
-/// A depth as the buffer has it: one of 2^24 steps.
+/// A depth as the buffer has it, one of 2^24 steps, moved by an offset: whole offsets move by as many steps.
 #[inline(always)]
-fn quantized<N: Lanes>(z: N) -> N {
-    z.clamped(0.0, LARGEST_DEPTH).round_ties_even()
+fn quantized<N: Lanes>(z: N, offset: f32) -> N {
+    let z = z.clamped(0.0, LARGEST_DEPTH).round_ties_even();
+    if offset == 0.0 {
+        return z;
+    }
+    (z + z.constant(offset)).clamped(0.0, LARGEST_DEPTH).round_ties_even()
 }
 
 impl<S: Simd> PieceSink<'_, '_, S> {
@@ -139,7 +145,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         }
         let after_stencil = passing;
         if let Some((func, writes)) = self.pipeline.depth {
-            let z = quantized(f32x16::from_slice(simd, z));
+            let z = quantized(f32x16::from_slice(simd, z), self.offset);
             let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
             let passes = compare(func, z, stored).to_bitmask() as u32;
             passing &= passes;

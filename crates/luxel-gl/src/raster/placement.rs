@@ -1,6 +1,5 @@
 //! Where clipped corners lie in the window, which way polygons turn, and what offsets do to depths.
 
-use super::framebuffer::LARGEST_DEPTH;
 use crate::primitive::{ClipCorner, plane_distances};
 use crate::vertex::{Processed, WindowScale, codes};
 use luxel_math::SUBPIXELS;
@@ -80,18 +79,9 @@ pub(super) fn slope_of(triangle: &Triangle) -> f32 {
     plane.dz_dx.abs().max(plane.dz_dy.abs()) * SUBPIXELS as f32
 }
 
-/// A depth moved by an offset, within the range of depths.
-pub(super) fn moved(depth: f32, by: f32) -> f32 {
-    (depth + by).clamp(0.0, LARGEST_DEPTH)
-}
-
-/// `glPolygonOffset`: o = m factor + r units, with r = 2^-24, one step of depth (section 3.5.5).
-pub(super) fn offset(triangle: &mut Triangle, factor: f32, units: f32) {
-    let by = slope_of(triangle) * factor + units;
-    if by.is_finite() {
-        let plane = &mut triangle.depth;
-        plane.z += by;
-        plane.low = moved(plane.low, by);
-        plane.high = moved(plane.high, by);
-    }
+/// `glPolygonOffset`: o = m factor + r units for factor, units and slope m, with r = 2^-24, one step of depth (section
+/// 3.5.5).
+pub(super) fn depth_offset(of: Option<[f32; 3]>) -> f32 {
+    let by = of.map_or(0.0, |[factor, units, slope]| factor * slope + units);
+    if by.is_finite() { by } else { 0.0 }
 }

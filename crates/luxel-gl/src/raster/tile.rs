@@ -139,6 +139,7 @@ impl<'a> TileWorker<'a> {
             plain,
             stipple: pipeline.polygon_stipple.as_ref().filter(|_| of_polygon),
             number,
+            offset: piece.offset,
         };
         match piece.shape {
             Shape::Triangle(ref triangle) => cover(simd, triangle, region, CENTRE, &mut sink),

@@ -127,3 +127,22 @@ fn section_4_1_6_two_passes_over_the_same_triangles_have_equal_depths() {
     assert!(!found.contains(&[255, 0, 0, 255]));
     assert!(found.iter().filter(|pixel| **pixel == [0, 255, 0, 255]).count() > 1000);
 }
+
+#[test]
+fn section_3_5_5_whole_units_move_by_whole_steps_also_near_the_far_plane() {
+    let drawn = |units: f32| {
+        let mut context = canvas(64, 64);
+        context.enable(gl::DEPTH_TEST);
+        context.enable(0x8037);
+        context.polygon_offset(0.0, units);
+        let corners = [[0.0, 0.0, -0.3], [64.0, 3.0, -0.9], [5.0, 64.0, -0.5]];
+        draw(&mut context, gl::TRIANGLES, &corners);
+        let mut depths = vec![0; 64 * 64];
+        context.depth_plane(&mut depths);
+        depths
+    };
+    let (plain, moved) = (drawn(0.0), drawn(-1.0));
+    for (plain, moved) in plain.iter().zip(&moved).filter(|(plain, _)| **plain < 16_777_215) {
+        assert_eq!(plain - moved, 1);
+    }
+}
