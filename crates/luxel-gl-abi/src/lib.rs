@@ -8,6 +8,7 @@ mod client;
 mod current;
 mod entry;
 mod generated;
+mod mapped;
 mod memory;
 #[allow(non_snake_case, reason = "the names are OSMesa's")]
 mod osmesa;

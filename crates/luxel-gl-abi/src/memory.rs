@@ -4,8 +4,10 @@
 //! here pointers become values. A null pointer where values are due gives `None`: the command is left out, with an
 //! error, where a C library would crash. Values may be unaligned.
 
+use luxel_gl::ClientMemory;
 use std::ffi::c_void;
 use std::ops::Deref;
+use std::{ptr, slice};
 
 /// The most values that a parameter of OpenGL 1.5 has: a matrix.
 const MOST: usize = 16;
@@ -88,7 +90,7 @@ pub(crate) unsafe fn bytes<'a>(address: *const c_void, length: usize) -> Option<
         return None;
     }
     // SAFETY: bytes have no alignment, and the caller of this function promises as many.
-    Some(unsafe { std::slice::from_raw_parts(address.cast(), length) })
+    Some(unsafe { slice::from_raw_parts(address.cast(), length) })
 }
 
 /// `length` bytes at `address`, or `None` where a null pointer means that there are none.
@@ -114,7 +116,7 @@ pub(crate) unsafe fn bytes_mut<'a>(address: *mut c_void, length: usize) -> Optio
         return None;
     }
     // SAFETY: bytes have no alignment, and the caller of this function promises as many.
-    Some(unsafe { std::slice::from_raw_parts_mut(address.cast(), length) })
+    Some(unsafe { slice::from_raw_parts_mut(address.cast(), length) })
 }
 
 /// Writes `length` values at `address`.
@@ -137,6 +139,39 @@ pub(crate) unsafe fn store<T>(
     Some(())
 }
 
+/// The number of an address that the library keeps: of arrays, and of offsets into buffers.
+pub(crate) fn address<T>(pointer: *const T) -> usize {
+    pointer.expose_provenance()
+}
+
+/// A size in bytes; none for a negative one, which commands refuse.
+pub(crate) fn extent(size: isize) -> usize {
+    usize::try_from(size).unwrap_or(0)
+}
+
+/// The caller's memory, where arrays are at addresses that it gave earlier.
+pub(crate) struct CallerMemory(());
+
+/// The caller's memory for the length of a command.
+///
+/// # Safety
+///
+/// What the caller's arrays have, by their sizes, strides and the vertices that are drawn, can be read while the value
+/// lives.
+pub(crate) unsafe fn caller_memory() -> CallerMemory {
+    CallerMemory(())
+}
+
+impl ClientMemory for CallerMemory {
+    fn bytes(&self, address: usize, length: usize) -> &[u8] {
+        if address == 0 || length == 0 || length > isize::MAX as usize {
+            return &[];
+        }
+        // SAFETY: who made the value promised that arrays can be read, and OpenGL asks for no more.
+        unsafe { slice::from_raw_parts(ptr::with_exposed_provenance(address), length) }
+    }
+}
+
 /// An array of the caller that the library writes to later: what glSelectBuffer and glFeedbackBuffer keep.
 pub(crate) struct CallerArray<T> {
     address: *mut T,
@@ -145,7 +180,7 @@ pub(crate) struct CallerArray<T> {
 
 impl<T: Copy> CallerArray<T> {
     /// No array.
-    pub(crate) const NONE: Self = Self { address: std::ptr::null_mut(), length: 0 };
+    pub(crate) const NONE: Self = Self { address: ptr::null_mut(), length: 0 };
 
     /// The caller's promise to keep `length` values at `address`; a negative length is none.
     pub(crate) fn new(address: *mut T, length: i32) -> Self {

@@ -53,15 +53,22 @@ fn commands(room: &Room) -> Result<String, String> {
 }
 
 /// The functions of `memory` that read or write the caller's memory, and fail for null pointers.
-const READERS: [&str; 7] =
-    ["array", "few", "copied", "bytes", "bytes_mut", "optional_bytes", "store"];
+const READERS: [&str; 8] =
+    ["array", "few", "copied", "bytes", "bytes_mut", "caller_memory", "optional_bytes", "store"];
+
+/// Whether an expression calls a function of that name, which is no method.
+fn calls(expression: &str, function: &str) -> bool {
+    expression.match_indices(function).any(|(at, _)| {
+        let is_part = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == '.';
+        let alone = !expression[..at].ends_with(is_part);
+        alone && expression[at + function.len()..].starts_with('(')
+    })
+}
 
 /// A command that an expression carries out.
 fn carried_out(entry: &Entry, call: &str) -> String {
-    let words: Vec<&str> =
-        call.split(|letter: char| !letter.is_alphanumeric() && letter != '_').collect();
-    let foreign = READERS.iter().any(|reader| words.contains(reader));
-    let client = if words.contains(&"client") { "client" } else { "_" };
+    let foreign = READERS.iter().any(|reader| calls(call, reader));
+    let client = if call.contains("client.") || call.contains("client,") { "client" } else { "_" };
     let caller = if !foreign && is_frequent(&entry.name) { "call_uncaught" } else { "call" };
     let semicolon = if entry.prototype.result.is_none() { ";" } else { "" };
     let body = if foreign {

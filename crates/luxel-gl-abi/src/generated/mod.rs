@@ -6,6 +6,7 @@
 #![allow(clippy::too_many_arguments, reason = "the parameters are OpenGL's")]
 #![allow(clippy::semicolon_if_nothing_returned, reason = "expressions stand as in commands.toml")]
 
+mod arrays;
 mod fragment;
 mod lighting;
 mod lists;

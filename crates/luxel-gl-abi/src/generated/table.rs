@@ -2,6 +2,7 @@
 
 //! The address of each entry point by its name.
 
+use super::arrays::*;
 use super::fragment::*;
 use super::lighting::*;
 use super::lists::*;

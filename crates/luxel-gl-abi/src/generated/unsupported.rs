@@ -70,7 +70,6 @@ crate::entry::unsupported! {
     glColorP3uiv(kind: u32, color: *const u32);
     glColorP4ui(kind: u32, color: u32);
     glColorP4uiv(kind: u32, color: *const u32);
-    glColorPointerEXT(size: i32, kind: u32, stride: i32, count: i32, pointer: *const c_void);
     glColorSubTable(target: u32, start: i32, count: i32, format: u32, kind: u32, data: *const c_void);
     glColorTable(target: u32, internalformat: u32, width: i32, format: u32, kind: u32, table: *const c_void);
     glColorTableParameterfv(target: u32, pname: u32, params: *const f32);
@@ -136,7 +135,6 @@ crate::entry::unsupported! {
     glDrawTransformFeedbackInstanced(mode: u32, id: u32, instancecount: i32);
     glDrawTransformFeedbackStream(mode: u32, id: u32, stream: u32);
     glDrawTransformFeedbackStreamInstanced(mode: u32, id: u32, stream: u32, instancecount: i32);
-    glEdgeFlagPointerEXT(stride: i32, count: i32, pointer: *const u8);
     glEnableIndexedEXT(target: u32, index: u32);
     glEnableVertexAttribArray(index: u32);
     glEnableVertexAttribArrayARB(index: u32);
@@ -146,7 +144,6 @@ crate::entry::unsupported! {
     glEndQueryIndexed(target: u32, index: u32);
     glEndTransformFeedback();
     glFenceSync(condition: u32, flags: u32) -> *mut c_void;
-    glFlushMappedBufferRange(target: u32, offset: isize, length: isize);
     glFogx(pname: u32, param: i32);
     glFogxv(pname: u32, param: *const i32);
     glFramebufferParameteri(target: u32, pname: u32, param: i32);
@@ -291,7 +288,6 @@ crate::entry::unsupported! {
     glGetnUniformuiv(program: u32, location: i32, buf_size: i32, params: *mut u32);
     glGetnUniformuivARB(program: u32, location: i32, buf_size: i32, params: *mut u32);
     glHistogram(target: u32, width: i32, internalformat: u32, sink: u8);
-    glIndexPointerEXT(kind: u32, stride: i32, count: i32, pointer: *const c_void);
     glInvalidateBufferData(buffer: u32);
     glInvalidateBufferSubData(buffer: u32, offset: isize, length: isize);
     glInvalidateFramebuffer(target: u32, num_attachments: i32, attachments: *const u32);
@@ -318,7 +314,6 @@ crate::entry::unsupported! {
     glLinkProgramARB(program_obj: u32);
     glLoadMatrixx(m: *const i32);
     glLockArraysEXT(first: i32, count: i32);
-    glMapBufferRange(target: u32, offset: isize, length: isize, access: u32) -> *mut c_void;
     glMaterialx(face: u32, pname: u32, param: i32);
     glMaterialxv(face: u32, pname: u32, param: *const i32);
     glMemoryBarrier(barriers: u32);
@@ -342,7 +337,6 @@ crate::entry::unsupported! {
     glNormal3x(nx: i32, ny: i32, nz: i32);
     glNormalP3ui(kind: u32, coords: u32);
     glNormalP3uiv(kind: u32, coords: *const u32);
-    glNormalPointerEXT(kind: u32, stride: i32, count: i32, pointer: *const c_void);
     glObjectLabel(identifier: u32, name: u32, length: i32, label: *const c_char);
     glObjectPtrLabel(ptr: *const c_void, length: i32, label: *const c_char);
     glOrthof(l: f32, r: f32, b: f32, t: f32, n: f32, f: f32);
@@ -445,7 +439,6 @@ crate::entry::unsupported! {
     glTexCoordP3uiv(kind: u32, coords: *const u32);
     glTexCoordP4ui(kind: u32, coords: u32);
     glTexCoordP4uiv(kind: u32, coords: *const u32);
-    glTexCoordPointerEXT(size: i32, kind: u32, stride: i32, count: i32, pointer: *const c_void);
     glTexEnvx(target: u32, pname: u32, param: i32);
     glTexEnvxv(target: u32, pname: u32, params: *const i32);
     glTexImage2DMultisample(target: u32, samples: i32, internalformat: u32, width: i32, height: i32, fixedsamplelocations: u8);
@@ -673,7 +666,6 @@ crate::entry::unsupported! {
     glVertexP3uiv(kind: u32, value: *const u32);
     glVertexP4ui(kind: u32, value: u32);
     glVertexP4uiv(kind: u32, value: *const u32);
-    glVertexPointerEXT(size: i32, kind: u32, stride: i32, count: i32, pointer: *const c_void);
     glViewportArrayv(first: u32, count: i32, v: *const f32);
     glViewportIndexedf(index: u32, x: f32, y: f32, w: f32, h: f32);
     glViewportIndexedfv(index: u32, v: *const f32);

@@ -208,6 +208,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "memory",
             "parameters",
             "window",
+            "mapped",
             "client",
             "slot",
             "current",
