@@ -6,143 +6,175 @@ use crate::limits::TEXTURE_UNITS;
 use crate::texture::BaseFormat;
 use luxel_math::Lanes;
 
-/// The colour after a stage, within 0 and 1, from the texels of all units, the fragment's own colour and the colour
-/// before.
+/// The colour after a stage, within 0 and 1, from its own texel, those of all units, the fragment's colour and the
+/// colour before.
 #[inline(always)]
 pub(super) fn combined<N: Lanes>(
     stage: &Stage,
-    texels: &[[N; 4]; TEXTURE_UNITS],
+    texel: [N; 4],
+    texel_of: impl Fn(usize) -> [N; 4],
     primary: [N; 4],
     previous: [N; 4],
 ) -> [N; 4] {
-    let color = if stage.environment.mode == gl::COMBINE {
-        by_functions(stage, texels, primary, previous)
+    let mut color = if stage.environment.mode == gl::COMBINE {
+        by_functions(stage, texel, texel_of, primary, previous)
     } else {
-        by_mode(stage, texels[stage.unit], previous)
+        by_mode(stage, texel, previous)
     };
-    color.map(
-        #[inline(always)]
-        |value| value.clamped(0.0, 1.0),
-    )
+    for value in &mut color {
+        *value = value.clamped(0.0, 1.0);
+    }
+    color
 }
 
 /// The five modes of tables 3.22 and 3.23.
 #[inline(always)]
 fn by_mode<N: Lanes>(stage: &Stage, texel: [N; 4], before: [N; 4]) -> [N; 4] {
-    let [.., alpha_before] = before;
-    let [.., alpha] = texel;
+    let (alpha_before, alpha) = (before[3], texel[3]);
     let base = stage.texture.base;
-    let one = alpha.one();
     let has_color = base != BaseFormat::Alpha;
     let has_alpha = !matches!(base, BaseFormat::Luminance | BaseFormat::Rgb);
     let constant = stage.environment.color;
-    let product = if has_alpha { alpha_before * alpha } else { alpha_before };
-    let mix = |from: N, to: N, by: N| from * (one - by) + to * by;
     let mut color = before;
+    if has_alpha {
+        color[3] = alpha_before * alpha;
+    }
+    let is_intensity = base == BaseFormat::Intensity;
     match stage.environment.mode {
         gl::REPLACE => {
-            each(&mut color, has_color, |channel| texel[channel]);
+            for channel in 0..3 {
+                if has_color {
+                    color[channel] = texel[channel];
+                }
+            }
             color[3] = if has_alpha { alpha } else { alpha_before };
         }
         gl::DECAL => {
             // Defined for RGB and RGBA alone; others are left as they are.
-            if base == BaseFormat::Rgb {
-                each(&mut color, has_color, |channel| texel[channel]);
-            } else if base == BaseFormat::Rgba {
-                each(&mut color, has_color, |channel| mix(before[channel], texel[channel], alpha));
+            for channel in 0..3 {
+                color[channel] = match base {
+                    BaseFormat::Rgb => texel[channel],
+                    BaseFormat::Rgba => mix(before[channel], texel[channel], alpha),
+                    _ => before[channel],
+                };
             }
+            color[3] = alpha_before;
         }
         gl::BLEND => {
-            each(&mut color, has_color, |channel| {
-                mix(before[channel], alpha.constant(constant[channel]), texel[channel])
-            });
-            color[3] = if base == BaseFormat::Intensity {
-                mix(alpha_before, alpha.constant(constant[3]), alpha)
-            } else {
-                product
-            };
+            for channel in 0..3 {
+                if has_color {
+                    let to = alpha.constant(constant[channel]);
+                    color[channel] = mix(before[channel], to, texel[channel]);
+                }
+            }
+            if is_intensity {
+                color[3] = mix(alpha_before, alpha.constant(constant[3]), alpha);
+            }
         }
         gl::ADD => {
-            each(&mut color, has_color, |channel| before[channel] + texel[channel]);
-            color[3] = if base == BaseFormat::Intensity { alpha_before + alpha } else { product };
+            for channel in 0..3 {
+                if has_color {
+                    color[channel] = before[channel] + texel[channel];
+                }
+            }
+            if is_intensity {
+                color[3] = alpha_before + alpha;
+            }
         }
         _ => {
-            each(&mut color, has_color, |channel| before[channel] * texel[channel]);
-            color[3] = product;
+            for channel in 0..3 {
+                if has_color {
+                    color[channel] = before[channel] * texel[channel];
+                }
+            }
         }
     }
     color
 }
 
-/// Sets red, green and blue where a texture has them.
+/// (1 - by) from + by to
 #[inline(always)]
-fn each<N: Lanes>(color: &mut [N; 4], has_color: bool, of: impl Fn(usize) -> N) {
-    if has_color {
-        for (channel, value) in color[..3].iter_mut().enumerate() {
-            *value = of(channel);
-        }
-    }
+fn mix<N: Lanes>(from: N, to: N, by: N) -> N {
+    from * (by.one() - by) + to * by
 }
 
 /// `GL_COMBINE`: functions of three arguments for colours and for alphas.
 #[inline(always)]
 fn by_functions<N: Lanes>(
     stage: &Stage,
-    texels: &[[N; 4]; TEXTURE_UNITS],
+    texel: [N; 4],
+    texel_of: impl Fn(usize) -> [N; 4],
     primary: [N; 4],
     previous: [N; 4],
 ) -> [N; 4] {
     let simd = primary[0];
     let environment = &stage.environment;
-    let source = |of: usize, argument: usize| -> [N; 4] {
-        match environment.sources[of][argument] {
-            gl::PREVIOUS => previous,
-            gl::PRIMARY_COLOR => primary,
-            gl::CONSTANT => environment.color.map(|value| simd.constant(value)),
-            name => {
-                let unit = name.wrapping_sub(gl::TEXTURE0) as usize;
-                texels[if unit < TEXTURE_UNITS { unit } else { stage.unit }]
-            }
+    let [of_color, of_alpha] = environment.combine;
+    let mut arguments = [[[simd.zero(); 4]; 3]; 2];
+    for (of, arguments) in arguments.iter_mut().enumerate() {
+        for (number, argument) in arguments.iter_mut().enumerate() {
+            let source = match environment.sources[of][number] {
+                gl::PREVIOUS => previous,
+                gl::PRIMARY_COLOR => primary,
+                gl::CONSTANT => {
+                    let [r, g, b, a] = environment.color;
+                    [simd.constant(r), simd.constant(g), simd.constant(b), simd.constant(a)]
+                }
+                gl::TEXTURE => texel,
+                name => texel_of(name.wrapping_sub(gl::TEXTURE0) as usize % TEXTURE_UNITS),
+            };
+            *argument = operand(environment.operands[of][number], source);
         }
-    };
-    // The value of an argument in a channel, as its operand makes it.
-    let argument = |of: usize, number: usize, channel: usize| {
-        let color = source(of, number);
-        match environment.operands[of][number] {
-            gl::SRC_COLOR => color[channel],
-            gl::ONE_MINUS_SRC_COLOR => simd.one() - color[channel],
-            gl::ONE_MINUS_SRC_ALPHA => simd.one() - color[3],
-            _ => color[3],
-        }
-    };
-    let half = simd.constant(0.5);
-    let function = |of: usize, channel: usize| {
-        let [a, b, c] = [0, 1, 2].map(|number| argument(of, number, channel));
-        match environment.combine[of] {
-            gl::REPLACE => a,
-            gl::MODULATE => a * b,
-            gl::ADD => a + b,
-            gl::ADD_SIGNED => a + b - half,
-            gl::INTERPOLATE => a * c + b * (simd.one() - c),
-            gl::SUBTRACT => a - b,
-            // 4 ((a_r - 1/2)(b_r - 1/2) + ...), the same in all channels.
-            _ => {
-                let term =
-                    |channel| (argument(0, 0, channel) - half) * (argument(0, 1, channel) - half);
-                simd.constant(4.0) * (term(0) + term(1) + term(2))
-            }
-        }
-    };
-    let [color_scale, alpha_scale] = environment.scales.map(|scale| simd.constant(scale));
-    let alpha = if environment.combine[0] == gl::DOT3_RGBA {
-        function(0, 0) * color_scale
+    }
+    let [colors, alphas] = &arguments;
+    let [color_scale, alpha_scale] = environment.scales;
+    let mut color = [simd.zero(); 4];
+    for (channel, value) in color[..3].iter_mut().enumerate() {
+        *value = function(of_color, colors, channel) * simd.constant(color_scale);
+    }
+    color[3] = if of_color == gl::DOT3_RGBA {
+        color[0]
     } else {
-        function(1, 3) * alpha_scale
+        function(of_alpha, alphas, 3) * simd.constant(alpha_scale)
     };
-    [
-        function(0, 0) * color_scale,
-        function(0, 1) * color_scale,
-        function(0, 2) * color_scale,
-        alpha,
-    ]
+    color
+}
+
+/// An argument as its operand makes it.
+#[inline(always)]
+fn operand<N: Lanes>(name: u32, source: [N; 4]) -> [N; 4] {
+    let mut argument = match name {
+        gl::SRC_COLOR | gl::ONE_MINUS_SRC_COLOR => source,
+        _ => [source[3]; 4],
+    };
+    if matches!(name, gl::ONE_MINUS_SRC_COLOR | gl::ONE_MINUS_SRC_ALPHA) {
+        for value in &mut argument {
+            *value = value.one() - *value;
+        }
+    }
+    argument
+}
+
+/// A function of table 3.24 in a channel.
+#[inline(always)]
+fn function<N: Lanes>(name: u32, arguments: &[[N; 4]; 3], channel: usize) -> N {
+    let [a, b, c] = [arguments[0][channel], arguments[1][channel], arguments[2][channel]];
+    let half = a.constant(0.5);
+    match name {
+        gl::REPLACE => a,
+        gl::MODULATE => a * b,
+        gl::ADD => a + b,
+        gl::ADD_SIGNED => a + b - half,
+        gl::INTERPOLATE => a * c + b * (a.one() - c),
+        gl::SUBTRACT => a - b,
+        // 4 ((a_r - 1/2)(b_r - 1/2) + ...), the same in all channels.
+        _ => {
+            let [first, second, _] = arguments;
+            let mut sum = a.zero();
+            for channel in 0..3 {
+                sum = sum + (first[channel] - half) * (second[channel] - half);
+            }
+            a.constant(4.0) * sum
+        }
+    }
 }

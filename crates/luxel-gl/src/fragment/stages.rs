@@ -1,12 +1,13 @@
 //! The texture units that fragments of one draw go through.
 
 use super::combine::combined;
-use super::sample::{Footprint, sample};
+use super::footprint::Footprint;
+use super::sample::sample;
 use crate::limits::TEXTURE_UNITS;
 use crate::state::Attributes;
 use crate::state::texture_unit::Environment;
 use crate::texture::SampledTexture;
-use luxel_math::Lanes;
+use luxel_math::{Lanes, Simd, f32x16};
 use std::sync::Arc;
 
 /// One enabled unit.
@@ -67,21 +68,33 @@ impl TextureStages {
     }
 
     /// The colours after all environments, for the lanes whose bit is set. `footprint(stage)` is where a stage's texture
-    /// is sampled.
+    /// is sampled; the closure is to be marked `#[inline(always)]`.
     #[inline(always)]
-    pub(crate) fn apply<N: Lanes>(
+    pub(crate) fn apply<S: Simd>(
         &self,
-        primary: [N; 4],
-        footprint: impl Fn(usize) -> Footprint<N>,
+        primary: [f32x16<S>; 4],
+        footprint: impl Fn(usize) -> Footprint<f32x16<S>>,
         lanes: u32,
-    ) -> [N; 4] {
+    ) -> [f32x16<S>; 4] {
+        if let [stage] = &self.stages[..] {
+            let texel = sample(&stage.texture, stage.lod_bias, &footprint(0), lanes);
+            return combined(stage, texel, |_| texel, primary, primary);
+        }
         let mut texels = [[primary[0].zero(); 4]; TEXTURE_UNITS];
         for (number, stage) in self.stages.iter().enumerate() {
             texels[stage.unit] = sample(&stage.texture, stage.lod_bias, &footprint(number), lanes);
         }
         let mut color = primary;
         for stage in &self.stages {
-            color = combined(stage, &texels, primary, color);
+            let own = texels[stage.unit];
+            color = combined(
+                stage,
+                own,
+                #[inline(always)]
+                |unit| texels[unit],
+                primary,
+                color,
+            );
         }
         color
     }

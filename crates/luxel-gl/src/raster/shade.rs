@@ -51,10 +51,10 @@ pub(super) fn shade<'p, S: Simd>(
     let y = (f32x16::simd_from(simd, CENTRE_Y) + origin[1] as f32).to_f64();
     let (forms, [first, second]) = if alike {
         let prepared = of(0);
-        let constant = |row: &[f32; 8]| row.map(|value| lanes.constant(value));
+        let [first, second] = &prepared.attributes;
         (
             LinearForms::everywhere(x, &prepared.forms),
-            [constant(&prepared.attributes[0]), constant(&prepared.attributes[1])],
+            [in_lanes(lanes, first), in_lanes(lanes, second)],
         )
     } else {
         (
@@ -77,24 +77,43 @@ pub(super) fn shade<'p, S: Simd>(
     };
     let Shading { textures, fog, .. } = shading;
     let [_, v, t] = forms.clamped_barycentrics(x, y);
-    // So written, what is the same at all corners stays what it is.
-    let mixed = |a: f32x16<S>, b: f32x16<S>, c: f32x16<S>| a + v * (b - a) + t * (c - a);
-    let mut colors = [0, 1, 2, 3].map(|channel| {
-        let of_corners = [first[channel], first[4 + channel], second[channel]];
-        let [a, b, c] = of_corners;
-        mixed(a, b, c).clamped(0.0, 1.0)
-    });
+    let mut colors = [lanes; 4];
+    for (channel, color) in colors.iter_mut().enumerate() {
+        let [a, b, c] = [first[channel], first[4 + channel], second[channel]];
+        *color = mixed([a, b, c], [v, t]).clamped(0.0, 1.0);
+    }
     if let Some(textures) = textures {
-        let lookup = TextureLookup { of: &of, alike, forms: &forms, position: [x, y], at: [v, t] };
-        colors = textured(colors, &lookup, textures, shading.rows, shading.lanes);
+        let (of, forms, rows) = (&of, &forms, shading.rows);
+        let lookup = TextureLookup { of, alike, forms, position: [x, y], at: [v, t], rows };
+        colors = textured(colors, &lookup, textures, shading.lanes);
     }
     if let Some(fog) = fog {
-        let distance = mixed(second[4], second[5], second[6]);
+        let distance = mixed([second[4], second[5], second[6]], [v, t]);
         let [r, g, b, a] = colors;
         let Rgb { r, g, b } = fog.veiled(Rgb::new(r, g, b), distance.positive_part(), &mut Silent);
-        colors = [r, g, b, a].map(|value| value.clamped(0.0, 1.0));
+        colors = [r, g, b, a];
+        for color in &mut colors {
+            *color = color.clamped(0.0, 1.0);
+        }
     }
     colors
+}
+
+/// A row in every lane.
+#[inline(always)]
+fn in_lanes<N: Lanes>(simd: N, row: &[f32; 8]) -> [N; 8] {
+    let mut lanes = [simd; 8];
+    for (lanes, value) in lanes.iter_mut().zip(row) {
+        *lanes = simd.constant(*value);
+    }
+    lanes
+}
+
+/// The value between three corners' by the second and third barycentrics. So written, what is the same at all corners
+/// stays what it is.
+#[inline(always)]
+fn mixed<N: Lanes>([a, b, c]: [N; 3], [v, t]: [N; 2]) -> N {
+    a + v * (b - a) + t * (c - a)
 }
 
 /// Where the fragments of a block lie on their primitives.
@@ -105,6 +124,38 @@ struct TextureLookup<'l, S: Simd, F> {
     position: [F64x16<S>; 2],
     /// The second and third barycentrics.
     at: [f32x16<S>; 2],
+    rows: &'l [Row],
+}
+
+impl<'p, S: Simd, F: Fn(usize) -> &'p Prepared> TextureLookup<'_, S, F> {
+    /// Row `number` of each lane's primitive: four values of three corners.
+    #[inline(always)]
+    fn row(&self, number: usize) -> [[f32x16<S>; 8]; 2] {
+        let simd = self.at[0];
+        if self.alike {
+            let [first, second] = &self.rows[(self.of)(0).rows as usize + number];
+            return [in_lanes(simd, first), in_lanes(simd, second)];
+        }
+        let first = simd.load_transposed(
+            #[inline(always)]
+            |lane| &self.rows[(self.of)(lane).rows as usize + number][0],
+        );
+        let second = simd.load_transposed(
+            #[inline(always)]
+            |lane| &self.rows[(self.of)(lane).rows as usize + number][1],
+        );
+        [first, second]
+    }
+}
+
+/// The four values of a row by the second and third barycentrics.
+#[inline(always)]
+fn mixed_row<N: Lanes>([first, second]: &[[N; 8]; 2], at: [N; 2]) -> [N; 4] {
+    let mut values = [first[0]; 4];
+    for (axis, value) in values.iter_mut().enumerate() {
+        *value = mixed([first[axis], first[4 + axis], second[axis]], at);
+    }
+    values
 }
 
 /// Colours after all texture units, the secondary ones added (sections 3.8 and 3.9). Coordinates a pixel to the right
@@ -114,54 +165,36 @@ fn textured<'p, S: Simd, F: Fn(usize) -> &'p Prepared>(
     colors: Colors<S>,
     lookup: &TextureLookup<'_, S, F>,
     textures: &TextureStages,
-    rows: &[Row],
     lanes: u32,
 ) -> Colors<S> {
-    let simd = colors[0];
-    simd.vectorized(
+    colors[0].vectorized(
         #[inline(always)]
         || {
-            let TextureLookup { of, alike, forms, position: [x, y], at } = *lookup;
-            let corners = |number: usize| -> [[f32x16<S>; 4]; 3] {
-                let row = |lane: usize| &rows[of(lane).rows as usize + number];
-                let [first, second] = if alike {
-                    row(0).map(|half| half.map(|value| simd.constant(value)))
-                } else {
-                    [0, 1].map(|half| {
-                        simd.load_transposed(
-                            #[inline(always)]
-                            |lane| &row(lane)[half],
-                        )
-                    })
-                };
-                [
-                    [first[0], first[1], first[2], first[3]],
-                    [first[4], first[5], first[6], first[7]],
-                    [second[0], second[1], second[2], second[3]],
-                ]
-            };
-            let weighted = |[a, b, c]: &[[f32x16<S>; 4]; 3], [v, t]: [f32x16<S>; 2]| {
-                [0, 1, 2, 3].map(|axis| a[axis] + v * (b[axis] - a[axis]) + t * (c[axis] - a[axis]))
-            };
-            let steps = forms.steps(x, y);
-            let beside = steps.map(|[v, t]| [at[0] + v, at[1] + t]);
-            let footprint = |stage: usize| {
-                let corners = corners(1 + stage);
-                Footprint {
-                    centre: weighted(&corners, at),
-                    right: weighted(&corners, beside[0]),
-                    above: weighted(&corners, beside[1]),
+            let [x, y] = lookup.position;
+            let [v, t] = lookup.at;
+            let [right, above] = lookup.forms.steps(x, y);
+            let right = [v + right[0], t + right[1]];
+            let above = [v + above[0], t + above[1]];
+            let mut colors = textures.apply(
+                colors,
+                #[inline(always)]
+                |stage| {
+                    let row = lookup.row(1 + stage);
+                    Footprint {
+                        centre: mixed_row(&row, [v, t]),
+                        right: mixed_row(&row, right),
+                        above: mixed_row(&row, above),
+                    }
+                },
+                lanes,
+            );
+            if textures.secondary {
+                let secondary = mixed_row(&lookup.row(0), [v, t]);
+                for (color, more) in colors.iter_mut().zip(secondary) {
+                    *color = (*color + more.clamped(0.0, 1.0)).clamped(0.0, 1.0);
                 }
-            };
-            let colors = textures.apply(colors, footprint, lanes);
-            if !textures.secondary {
-                return colors;
             }
-            let secondary = weighted(&corners(0), at);
-            [0, 1, 2, 3].map(|channel| {
-                let more = secondary[channel].clamped(0.0, 1.0);
-                (colors[channel] + more).clamped(0.0, 1.0)
-            })
+            colors
         },
     )
 }
