@@ -3,7 +3,7 @@
 use luxel_gl::{Configuration, Context};
 
 /// Symbolic constants, by their names in C.
-#[expect(dead_code, reason = "a list of names, of which some tests use some")]
+#[allow(dead_code, reason = "a list of names, of which tests use some")]
 pub(crate) mod gl {
     pub(crate) const POINTS: u32 = 0;
     pub(crate) const LINES: u32 = 1;

@@ -20,9 +20,12 @@ fn over(destination: [f32; 4], source: [f32; 4], set: impl Fn(&mut Context)) -> 
 const SOURCE: [f32; 4] = [0.8, 0.4, 0.2, 0.6];
 const DESTINATION: [f32; 4] = [0.2, 0.6, 1.0, 0.4];
 
+/// A factor's name, and its value for a channel.
+type Factor = (u32, fn(usize) -> f32);
+
 #[test]
 fn section_4_1_7_factors_weigh_source_and_destination() {
-    let factors: [(u32, fn(usize) -> f32); 14] = [
+    let factors: [Factor; 14] = [
         (0, |_| 0.0),
         (1, |_| 1.0),
         (0x0300, |at| SOURCE[at]),

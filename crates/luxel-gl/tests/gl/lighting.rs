@@ -66,8 +66,8 @@ fn formula(setup: &Setup) -> [f64; 4] {
             1.0
         } else {
             let cosine = -dot(l, unit(light.direction));
-            let inside = cosine >= light.cutoff.to_radians().cos();
-            if inside { cosine.max(0.0).powf(light.exponent) } else { 0.0 }
+            let inside = cosine >= libm::cos(light.cutoff.to_radians());
+            if inside { libm::pow(cosine.max(0.0), light.exponent) } else { 0.0 }
         };
         let view = if setup.local_viewer {
             unit(setup.vertex.map(|component| -component))
@@ -81,7 +81,7 @@ fn formula(setup: &Setup) -> [f64; 4] {
             primary[at] += f * light.ambient[at] * setup.ambient[at];
             primary[at] += f * n_dot_l.max(0.0) * light.diffuse[at] * setup.diffuse[at];
             if n_dot_l > 0.0 {
-                let power = dot(n, half).max(0.0).powf(setup.shininess);
+                let power = libm::pow(dot(n, half).max(0.0), setup.shininess);
                 secondary[at] += f * power * light.specular[at] * setup.specular[at];
             }
         }
@@ -181,7 +181,7 @@ fn on_an_edge(setup: &Setup) -> bool {
         let way = if w == 0.0 { [x, y, z] } else { minus([x / w, y / w, z / w], setup.vertex) };
         let l = unit(way);
         let cosine = -dot(l, unit(light.direction));
-        (cosine - light.cutoff.to_radians().cos()).abs() < 1e-4
+        (cosine - libm::cos(light.cutoff.to_radians())).abs() < 1e-4
             || dot(setup.normal, l).abs() < 1e-4
             || dot(way, way) < 1e-2
     })
