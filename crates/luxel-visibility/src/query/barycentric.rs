@@ -257,18 +257,16 @@ impl<D: F64Lanes> LinearForms<D> {
     #[inline(always)]
     #[must_use]
     pub fn clamped_barycentrics(&self, x: D, y: D) -> [D::F32; 3] {
-        let weights = self.weights(x, y);
+        let mut weights = self.weights(x, y);
         let zero = x.constant(0.0);
         let sum = weights[0] + weights[1] + weights[2];
         // The sum has the sign of all weights inside.
         let sign = sum.constant(1.0).select(sum.is_positive(), sum.constant(-1.0));
-        let [w0, w1, w2] = weights.map(
-            #[inline(always)]
-            |weight| {
-                let weight = weight * sign;
-                weight.select(weight.is_positive(), zero)
-            },
-        );
+        for weight in &mut weights {
+            let signed = *weight * sign;
+            *weight = signed.select(signed.is_positive(), zero);
+        }
+        let [w0, w1, w2] = weights;
         let sum = w0 + w1 + w2;
         let one = sum.constant(1.0);
         let sound = sum.is_positive();
