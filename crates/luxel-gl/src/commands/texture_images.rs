@@ -11,7 +11,7 @@ use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::unpack::ImageLayout;
 use crate::state::pixel::PixelStore;
 use crate::texture::object::ImageTarget;
-use crate::texture::{InternalFormat, Target, TextureImage, locked};
+use crate::texture::{InternalFormat, Target, Texels, TextureImage, locked};
 
 /// A target of an image of so many dimensions.
 fn image_target(dimensions: usize, name: u32) -> Result<ImageTarget, u32> {
@@ -70,7 +70,7 @@ fn sides(size: [i32; 3]) -> [usize; 3] {
 /// The pixels of a call in tight rows, as a list keeps them.
 fn tight(kind: PixelFormat, layout: &ImageLayout, bytes: &[u8]) -> Box<[u8]> {
     let mut all = Vec::with_capacity(bytes.len().min(layout.end));
-    layout.each(bytes, |_, pixel| all.extend_from_slice(pixel));
+    layout.each_row(bytes, |_, row| all.extend_from_slice(row));
     debug_assert!(all.len().is_multiple_of(kind.bytes().max(1)), "whole pixels");
     all.into()
 }
@@ -89,10 +89,25 @@ fn fill(
     swap: bool,
     bytes: &[u8],
 ) {
-    layout.each(bytes, |at, pixel| {
-        let place = std::array::from_fn(|axis| at[axis] as u32 + offset[axis]);
-        let index = image.index(place);
-        image.put(index, kind.read(swap, pixel));
+    let pixel_bytes = kind.bytes();
+    let format = image.format;
+    layout.each_row(bytes, |[y, z], row| {
+        let [across, up, deep] = offset;
+        let first = image.index([across, up + y as u32, deep + z as u32]);
+        let pixels = row.chunks_exact(pixel_bytes);
+        match &mut image.texels {
+            Texels::Bytes(texels) if kind.is_bytes() => {
+                let texels = texels.get_mut(first..).unwrap_or_default();
+                for (texel, pixel) in texels.iter_mut().zip(pixels) {
+                    *texel = format.canonical(kind.read_bytes(pixel), 0, 255);
+                }
+            }
+            _ => {
+                for (x, pixel) in pixels.enumerate() {
+                    image.put(first + x, kind.read(swap, pixel));
+                }
+            }
+        }
     });
 }
 

@@ -54,23 +54,49 @@ impl ImageLayout {
             .saturating_add(x.saturating_mul(self.rows.pixel))
     }
 
-    /// Shows each pixel with its bytes, as far as the slice goes.
-    pub(crate) fn each<'b>(&self, bytes: &'b [u8], mut visit: impl FnMut([usize; 3], &'b [u8])) {
+    /// Shows each row of pixels with its bytes, as far as the slice goes: the row's number in the image, the image's
+    /// number.
+    pub(crate) fn each_row<'b>(
+        &self,
+        bytes: &'b [u8],
+        mut visit: impl FnMut([usize; 2], &'b [u8]),
+    ) {
         let [width, height, depth] = self.size;
+        let length = width.saturating_mul(self.rows.pixel);
         for z in 0..depth {
             for y in 0..height {
-                for x in 0..width {
-                    let start = self.offset([x, y, z]);
-                    let end = start.saturating_add(self.rows.pixel);
-                    let Some(pixel) = bytes.get(start..end) else { return };
-                    visit([x, y, z], pixel);
-                }
+                let start = self.offset([0, y, z]);
+                let Some(row) = bytes.get(start..start.saturating_add(length)) else { return };
+                visit([y, z], row);
             }
         }
     }
 }
 
 impl PixelFormat {
+    /// Whether pixels are bytes of colour, of which [`read_bytes`](Self::read_bytes) makes texels.
+    pub(crate) fn is_bytes(self) -> bool {
+        self.elements == Elements::UnsignedByte
+            && matches!(self.components, Components::Colors(_) | Components::Luminance { .. })
+    }
+
+    /// What [`read`](Self::read) makes of a pixel of bytes, in bytes.
+    #[inline]
+    pub(crate) fn read_bytes(self, pixel: &[u8]) -> [u8; 4] {
+        match (self.components, pixel) {
+            (Components::Colors(places), _) => {
+                let mut color = [0, 0, 0, 255];
+                for (value, &place) in pixel.iter().zip(places) {
+                    color[place] = *value;
+                }
+                color
+            }
+            (_, [l, a, ..]) => [*l, *l, *l, *a],
+            (_, [l]) => [*l, *l, *l, 255],
+            _ => [0, 0, 0, 255],
+        }
+    }
+
     /// A pixel's red, green, blue and alpha: what the format lacks is 0, alpha 1; depths are red.
     pub(crate) fn read(self, swap: bool, pixel: &[u8]) -> [f32; 4] {
         let mut values = [0.0; 4];

@@ -57,22 +57,27 @@ pub(super) fn blended<S: Simd>(
     source: &Colors<S>,
     destination: &Colors<S>,
 ) -> Colors<S> {
-    std::array::from_fn(|channel| {
+    let mut colors = *source;
+    for (channel, color) in colors.iter_mut().enumerate() {
         let (s, d) = (source[channel], destination[channel]);
         let at = if channel == 3 { 2 } else { 0 };
-        let weighted = |color: f32x16<S>, name: u32| {
-            color * factor(name, channel, source, destination, &blend.constant)
-        };
         let (from, to) = (blend.factors[at], blend.factors[at + 1]);
-        let sum = match blend.equation {
-            gl::MIN => s.minimum(d),
-            gl::MAX => s.maximum(d),
-            gl::FUNC_SUBTRACT => weighted(s, from) - weighted(d, to),
-            gl::FUNC_REVERSE_SUBTRACT => weighted(d, to) - weighted(s, from),
-            _ => weighted(s, from) + weighted(d, to),
+        let sum = if blend.equation == gl::MIN {
+            s.minimum(d)
+        } else if blend.equation == gl::MAX {
+            s.maximum(d)
+        } else {
+            let s = s * factor(from, channel, source, destination, &blend.constant);
+            let d = d * factor(to, channel, source, destination, &blend.constant);
+            match blend.equation {
+                gl::FUNC_SUBTRACT => s - d,
+                gl::FUNC_REVERSE_SUBTRACT => d - s,
+                _ => s + d,
+            }
         };
-        sum.clamped(0.0, 1.0)
-    })
+        *color = sum.clamped(0.0, 1.0);
+    }
+    colors
 }
 
 /// A logical operation on bytes (table 4.4).

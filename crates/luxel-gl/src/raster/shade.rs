@@ -202,19 +202,21 @@ fn textured<'p, S: Simd, F: Fn(usize) -> &'p Prepared>(
 /// Colours as bytes, red lowest: x 255 + 1/2, rounded down.
 #[inline(always)]
 pub(super) fn encode<S: Simd>(colors: Colors<S>) -> u32x16<S> {
-    let [r, g, b, a] = colors.map(
-        #[inline(always)]
-        |value| i32x16::truncate_from(value * 255.0 + 0.5),
-    );
-    (r | (g << 8) | (b << 16) | (a << 24)).bitcast()
+    let mut word = i32x16::splat(colors[0].simd, 0);
+    for (channel, value) in colors.into_iter().enumerate() {
+        let byte: i32x16<S> = i32x16::truncate_from(value * 255.0 + 0.5);
+        word |= byte << (8 * channel as u32);
+    }
+    word.bitcast()
 }
 
 /// Bytes as colours from 0 to 1.
 #[inline(always)]
 pub(super) fn decode<S: Simd>(words: u32x16<S>) -> Colors<S> {
-    let channel = |shift: u32| {
-        let byte: i32x16<S> = ((words >> shift) & 0xff).bitcast();
-        f32x16::float_from(byte) * (1.0 / 255.0)
-    };
-    [channel(0), channel(8), channel(16), channel(24)]
+    let mut colors = [f32x16::splat(words.simd, 0.0); 4];
+    for (channel, color) in colors.iter_mut().enumerate() {
+        let byte: i32x16<S> = ((words >> (8 * channel as u32)) & 0xff).bitcast();
+        *color = f32x16::float_from(byte) * (1.0 / 255.0);
+    }
+    colors
 }
