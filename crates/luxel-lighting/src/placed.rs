@@ -170,8 +170,11 @@ fn window<N: Lanes>(distance: N, range: f32) -> N {
 
 impl Cone {
     /// The spot factor at this cosine of the angle to the axis.
+    ///
+    /// Lights at infinity have no cone here; OpenGL 1.x gives them one (section 2.13.1), whose factor is the same at all
+    /// points: it can be put into their intensities.
     #[inline(always)]
-    fn brightness<N: Lanes>(self, cosine: N) -> N {
+    pub fn brightness<N: Lanes>(self, cosine: N) -> N {
         match self {
             Self::Exponent { cos_cutoff, exponent } => {
                 // A negative exponent would make light grow without bound at the cone's edge.

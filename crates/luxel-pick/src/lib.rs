@@ -9,7 +9,8 @@
 //! | the same for thousands of places at once | [`PickView::at_many`], [`PickView::owner_at_many`] |
 //! | objects that reach into a rectangle or polygon of the window, and their depths | [`Region`], [`PickView::sliver`] |
 //! | objects visible there, and their pixels | [`PickView::visible_in`], [`VisibleIds`] |
-//! | selection with names and a pick matrix, as in OpenGL | [`Selection`] |
+//! | selection with names and a pick matrix, as in OpenGL | [`Selection`], [`depths_in_volume`] |
+//! | the buffer of OpenGL's feedback mode | [`FeedbackBuffer`] |
 //! | the nearest vertex or edge, snapping of cursors | [`PickView::polygon_of`], [`PickView::snap`] |
 //! | hits of rays in world space | [`Picker::closest`] |
 //! | window to world space, and back | [`unproject`], [`project`], [`window_ray`], [`pick_matrix`] |
@@ -72,6 +73,7 @@
 #![forbid(unsafe_code)]
 
 mod coverage_query;
+mod feedback_buffer;
 mod frustum;
 mod pick_many;
 mod picker;
@@ -88,12 +90,13 @@ mod visible_ids;
 mod window;
 mod window_cells;
 
+pub use feedback_buffer::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};
 pub use luxel_bvh::{Bvh, MAX_TRIANGLES, MeshRays, Quality, Ray, RayHit, TooManyForTree};
 pub use luxel_rays::{SceneRays, WorldHit, WorldRay};
 pub use picker::{PickError, Picker};
 pub use region::{MAX_CORNERS, Region, RegionError};
 pub use selection_mode::{HitRecord, MAX_NAMES, NameError, Selected, Selection};
-pub use sliver::{Inclusion, SliverHit};
+pub use sliver::{Inclusion, SliverHit, depths_in_volume};
 pub use snapping::{NearEdge, NearPolygon, NearVertex, SnapTo, Snapped, SnappedTo};
 pub use surface_hit::{Element, PickHit};
 pub use unproject::{SightLine, Viewport, pick_matrix, project, unproject, unproject4, window_ray};

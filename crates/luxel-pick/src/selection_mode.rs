@@ -1,9 +1,9 @@
 //! Selection mode with OpenGL's semantics (version 2.1, section 5.2): primitives that intersect the clip
 //! volume are recorded with the current stack of names.
 
-use crate::sliver::clip_polygon;
+use crate::sliver::depths_in_volume;
 use glam::{DMat4, DVec3};
-use luxel_scene::{CLIP_VOLUME, Mesh};
+use luxel_scene::Mesh;
 
 /// The capacity of the name stack.
 pub const MAX_NAMES: usize = 64;
@@ -200,11 +200,22 @@ impl Selection {
         for (clip, corner) in clip.iter_mut().zip(corners) {
             *clip = self.clip_from_object * corner.extend(1.0);
         }
-        let ([low, high], _) = clip_polygon(&clip[..corners.len()], &CLIP_VOLUME);
-        if low <= high {
-            let [z_min, z_max] = self.hit.unwrap_or([low, high]);
-            self.hit = Some([z_min.min(low), z_max.max(high)]);
+        if let Some(depths) = depths_in_volume(&clip[..corners.len()]) {
+            self.hit(depths);
         }
+    }
+
+    /// Takes a primitive for drawn that the caller has transformed and clipped: its least and greatest window depth
+    /// ([`depths_in_volume`](crate::depths_in_volume), by the range of `glDepthRange`).
+    pub fn hit(&mut self, [low, high]: [f64; 2]) {
+        let [z_min, z_max] = self.hit.unwrap_or([low, high]);
+        self.hit = Some([z_min.min(low), z_max.max(high)]);
+    }
+
+    /// How many names are on the stack.
+    #[must_use]
+    pub fn depth(&self) -> usize {
+        self.names.len()
     }
 
     /// Records the hits under the current names.

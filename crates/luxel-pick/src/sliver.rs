@@ -12,6 +12,7 @@ use crate::view::PickView;
 use glam::{DMat4, DVec3, DVec4};
 use luxel_bvh::WIDTH;
 use luxel_parallel::{gather, map};
+use luxel_visibility::clip_by_plane;
 
 /// The part of an object inside a region.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -215,6 +216,18 @@ impl<'r> Clipper<'r> {
     }
 }
 
+/// The least and the greatest depth, 0 near to 1 far, of what lies of a point, a line or a triangle in clip
+/// coordinates inside of the clip volume; `None` if nothing does.
+///
+/// # Panics
+/// With more than three corners.
+#[must_use]
+pub fn depths_in_volume(corners: &[DVec4]) -> Option<[f64; 2]> {
+    assert!(corners.len() <= 3, "a triangle at most, not {} corners", corners.len());
+    let (depths, _) = clip_polygon(corners, &luxel_scene::CLIP_VOLUME);
+    (depths[0] <= depths[1]).then_some(depths)
+}
+
 /// The least and greatest window depth of a polygon's part inside the planes (inverted if there is
 /// none), and whether all of it is inside.
 pub(crate) fn clip_polygon(corners: &[DVec4], planes: &Planes) -> ([f64; 2], bool) {
@@ -245,19 +258,13 @@ pub(crate) fn clip_polygon(corners: &[DVec4], planes: &Planes) -> ([f64; 2], boo
                 kept += 1;
             }
         };
-        for here in 0..count {
-            let next = if here + 1 == count { 0 } else { here + 1 };
-            let (inside, next_inside) = (distances[here] >= 0.0, distances[next] >= 0.0);
-            if inside {
-                keep(source[here]);
-            }
-            // A line is clipped once in each direction.
-            if inside != next_inside {
-                let (from, to) = if inside { (here, next) } else { (next, here) };
-                let t = distances[from] / (distances[from] - distances[to]);
-                keep(source[from] + (source[to] - source[from]) * t);
-            }
-        }
+        // A line is clipped once in each direction.
+        clip_by_plane(
+            &source[..count],
+            &distances[..count],
+            |inside, outside, t| *inside + (*outside - *inside) * t,
+            &mut keep,
+        );
         count = kept;
     }
     let mut range = NONE;

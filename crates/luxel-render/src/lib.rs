@@ -40,11 +40,10 @@ pub use image::{
     LayerImage, Legend, ParsePictureFormatError, PictureError, PictureFormat, id_color, layer_rgb8,
     write_layers, write_linear, write_rgba8,
 };
+pub use luxel_pick::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};
 pub use luxel_view::{
     Background, Clamp, Cull, Edges, EnvironmentChoice, Interpolation, Layer, LayerValues,
     NormalLength, ParseLayerError, Shading, ShadingMode, View,
 };
 pub use luxel_visibility::TILE as TILE_SIDE;
-pub use vector::{
-    Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex, MAX_PIECES, Svg, SvgOptions,
-};
+pub use vector::{MAX_PIECES, Svg, SvgOptions};

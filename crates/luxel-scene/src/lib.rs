@@ -29,7 +29,7 @@ mod restyle;
 mod scene;
 mod sections;
 mod tangents;
-mod texture;
+pub mod texture;
 mod topology;
 mod triangulate;
 

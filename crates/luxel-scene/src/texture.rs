@@ -1,12 +1,17 @@
 //! Images, and textures: images with their rules of sampling.
+//!
+//! [`addressing`] and [`level_of_detail`] are what any sampler is made of, whatever its texels and dimensions are.
 
 use crate::encoding::Encoding;
 use mipmap::mip_chain;
 use std::sync::Arc;
 
+pub mod addressing;
+pub mod level_of_detail;
 mod mipmap;
 mod sampler;
 
+pub use mipmap::Taps;
 pub use sampler::{Filter, Sampler, Wrap};
 
 /// A picture with all its mipmap levels, 8 bits per channel.

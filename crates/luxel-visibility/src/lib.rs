@@ -15,6 +15,7 @@
 //! 4. `raster`: transforms the vertices of a cluster (`transform`), clips triangles where it must
 //!    (`clip`), drops those that hold no sample (`sample_cull`), sets them up in exact integers
 //!    (`setup`), and rasterizes 4x4 pixels (`triangles`) or 16 triangles (`small_triangles`) at a time.
+//!    Other renderers set triangles up themselves ([`Triangle`]) and take their samples ([`cover`], [`Sink`]).
 //! 5. `query`: barycentrics of a sample ([`Forms`], [`TileForms`]), corners and normals of its triangle
 //!    ([`InstanceSpace`]), the fill rule for one triangle and one sample ([`Probe`]).
 //! 6. `frame`: all of it for one view.
@@ -48,8 +49,8 @@ pub use query::{
     ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners,
     interpolate_corners_step, interpolate_step, sides, strokes, tile_of,
 };
-pub use raster::{Plane, Tile, rank_step};
+pub use raster::{DepthPlane, Plane, Sink, Tile, Triangle, clip_by_plane, cover, rank_step};
 pub use types::{
-    Asked, BLOCK, BLOCKS, Coverage, CullFaces, Holes, MAX_SAMPLES, MAX_SIDE, PartUse, Samples,
-    TILE, TriangleId,
+    Asked, BLOCK, BLOCKS, Coverage, CullFaces, GUARD_BAND, Holes, MAX_SAMPLES, MAX_SIDE, PartUse,
+    Region, Samples, TILE, TriangleId, WindowVertex, snap,
 };

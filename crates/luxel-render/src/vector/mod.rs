@@ -4,5 +4,4 @@ mod feedback;
 mod primitives;
 mod svg;
 
-pub use feedback::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};
 pub use svg::{MAX_PIECES, Svg, SvgOptions};

@@ -64,8 +64,8 @@ fn half(level: &MipLevel, encoding: Encoding) -> Option<MipLevel> {
 }
 
 /// The texels of one side that a texel of the level below covers, with their weights.
-#[derive(Clone, Copy)]
-struct Taps {
+#[derive(Clone, Copy, Debug)]
+pub struct Taps {
     first: usize,
     weights: [u64; 3],
     count: usize,
@@ -73,7 +73,8 @@ struct Taps {
 
 impl Taps {
     /// The taps of the texel at `index` of a level whose parent has `size` texels.
-    fn of(index: usize, size: u32) -> Self {
+    #[must_use]
+    pub fn of(index: usize, size: u32) -> Self {
         let half = u64::from(size / 2);
         let first = 2 * index;
         if size <= 1 {
@@ -90,7 +91,8 @@ impl Taps {
         self.count == 2
     }
 
-    fn iter(self) -> impl Iterator<Item = (usize, u64)> {
+    /// Texels with their weights.
+    pub fn iter(self) -> impl Iterator<Item = (usize, u64)> {
         (0..self.count).map(move |tap| (self.first + tap, self.weights[tap]))
     }
 }

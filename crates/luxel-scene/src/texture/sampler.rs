@@ -5,6 +5,8 @@
 //! [`MOST_PROBES`] probes lie along it (after `GL_EXT_texture_filter_anisotropic`), each from the
 //! level that fits its width, so that floors stay sharp towards the horizon.
 
+use super::addressing::{Addressing, nearest_texel, neighbouring_texels, texel_position};
+use super::level_of_detail::{Detail, LevelFilters, LevelSource, mix, squared_length};
 use crate::encoding::BYTE_TO_UNIT;
 use crate::texture::{MipLevel, Texture};
 use luxel_math::elementary::log2;
@@ -105,11 +107,9 @@ impl Texture {
         let one = u.one();
         let is_magnified = longer.less_or_equal(one);
         let Some(between) = self.sampler.mipmap else {
-            let [near, far] = [self.sampler.magnify, self.sampler.minify];
-            let far = Levels::all(0, far);
-            let magnified = is_magnified.bits();
-            let levels = far.or_where(u, magnified & lanes, 0, near);
-            return self.of_levels(&levels, u, v, lanes);
+            let filters = [self.sampler.magnify, self.sampler.minify];
+            let detail = Detail::of_base(u, filters, is_magnified.bits() & lanes);
+            return detail.value(u, &At { texture: self, u, v }, lanes);
         };
 
         let stretch = (longer / shorter.maximum(one)).sqrt() - u.constant(STRETCH_TOLERATED);
@@ -122,9 +122,12 @@ impl Texture {
         let probes = one.select(has_one, most);
         let level = u.constant(0.5) * log2(longer / (probes * probes));
         let level = u.constant(-1.0).select(is_magnified, level);
-        let detail = self.detail(level, between, lanes);
+        let Sampler { magnify, minify, .. } = self.sampler;
+        let filters = LevelFilters { magnify, minify, between };
+        let last = (self.image.levels.len() - 1) as u32;
+        let detail = Detail::new(level, filters, last, lanes);
         if has_one.bits() & lanes == lanes {
-            return self.of_detail(&detail, u, v, lanes);
+            return detail.value(u, &At { texture: self, u, v }, lanes);
         }
         let du = per_pixel_x[0].select(x_is_longer, per_pixel_y[0]);
         let dv = per_pixel_x[1].select(x_is_longer, per_pixel_y[1]);
@@ -141,7 +144,8 @@ impl Texture {
             let along = here / (probes + one) - u.constant(0.5);
             let u_here = u.select(has_one, u + du * along);
             let v_here = v.select(has_one, v + dv * along);
-            let value: [N; C] = self.of_detail(&detail, u_here, v_here, left);
+            let here = At { texture: self, u: u_here, v: v_here };
+            let value: [N; C] = detail.value(u, &here, left);
             for (sum, value) in sum.iter_mut().zip(value) {
                 *sum = (*sum + value).select(reached, *sum);
             }
@@ -170,82 +174,6 @@ impl Texture {
         }
     }
 
-    /// The levels to sample for a level of detail, which may be between two.
-    #[inline(always)]
-    fn detail<N: Lanes>(&self, level: N, between: Filter, lanes: u32) -> Detail<N> {
-        let Sampler { magnify, minify, .. } = self.sampler;
-        // Where magnified texels are smooth and minified ones aren't, the change comes half a
-        // level later, or pictures would be sharper from afar (OpenGL 4.6, 8.15).
-        let threshold =
-            if magnify == Filter::Linear && minify == Filter::Nearest { 0.5 } else { 0.0 };
-        let magnified = level.less_or_equal(level.constant(threshold)).bits() & lanes;
-        let last = (self.image.levels.len() - 1) as f32;
-        let positive = level.positive_part();
-        let larger = match between {
-            // ceil(level + 1/2) - 1: halves go to the larger picture.
-            Filter::Nearest => ceil(positive + level.constant(0.5)) - level.one(),
-            Filter::Linear => positive.floor(),
-        };
-        let is_last = level.constant(last).less_or_equal(larger);
-        let larger = larger.minimum(level.constant(last));
-        let first = Levels::of(larger, minify).or_where(level, magnified, 0, magnify);
-        let two = match between {
-            Filter::Nearest => 0,
-            Filter::Linear => lanes & !magnified & !is_last.bits(),
-        };
-        let second = Levels::of(larger + level.one(), minify);
-        Detail { first, second, two, fraction: positive - larger }
-    }
-
-    #[inline(always)]
-    fn of_detail<N: Lanes, const C: usize>(
-        &self,
-        detail: &Detail<N>,
-        u: N,
-        v: N,
-        lanes: u32,
-    ) -> [N; C] {
-        let near: [N; C] = self.of_levels(&detail.first, u, v, lanes);
-        let two = detail.two & lanes;
-        if two == 0 {
-            return near;
-        }
-        let far = self.of_levels(&detail.second, u, v, two);
-        let mixed = mix(near, far, detail.fraction);
-        let mask = u.mask_of(two);
-        let mut value = near;
-        for (value, mixed) in value.iter_mut().zip(mixed) {
-            *value = mixed.select(mask, *value);
-        }
-        value
-    }
-
-    /// The values within the level of each lane.
-    #[inline(always)]
-    fn of_levels<N: Lanes, const C: usize>(
-        &self,
-        levels: &Levels,
-        u: N,
-        v: N,
-        lanes: u32,
-    ) -> [N; C] {
-        let mut value = [u.zero(); C];
-        let mut left = lanes;
-        while left != 0 {
-            let key = levels.0[left.trailing_zeros() as usize & (LANES - 1)];
-            let here = u.eq_mask(&levels.0, key) & left;
-            left &= !here;
-            let filter = if key & 1 == 0 { Filter::Nearest } else { Filter::Linear };
-            let Some(level) = self.image.levels.get((key >> 1) as usize) else { continue };
-            let filtered = self.filtered::<N, 0, C>(level, u, v, filter, here);
-            let mask = u.mask_of(here);
-            for (value, filtered) in value.iter_mut().zip(filtered) {
-                *value = filtered.select(mask, *value);
-            }
-        }
-        value
-    }
-
     /// The values within one level: `C` channels from the `FIRST` on.
     #[inline(always)]
     fn filtered<N: Lanes, const FIRST: usize, const C: usize>(
@@ -258,14 +186,15 @@ impl Texture {
     ) -> [N; C] {
         let [width, height] =
             [level.width, level.height].map(|texels| u.constant(texels.min(MOST_TEXELS) as f32));
-        let across = folded(u, self.sampler.wrap_u) * width;
-        let down = folded(v, self.sampler.wrap_v) * height;
+        let [wrap_u, wrap_v] = [self.sampler.wrap_u, self.sampler.wrap_v].map(Addressing::from);
+        let across = texel_position(u, width, wrap_u);
+        let down = texel_position(v, height, wrap_v);
         let table = self.image.encoding.table();
         let [mut left, mut right, mut upper, mut lower] = [[0; LANES]; 4];
         match filter {
             Filter::Nearest => {
-                across.floor().minimum(width - u.one()).store_whole(&mut left, 0);
-                down.floor().minimum(height - u.one()).store_whole(&mut upper, 0);
+                nearest_texel(across, width, wrap_u).store_whole(&mut left, 0);
+                nearest_texel(down, height, wrap_v).store_whole(&mut upper, 0);
                 let mut texels = Texels::<FIRST, C>::new();
                 u.visit(
                     lanes,
@@ -275,8 +204,8 @@ impl Texture {
                 texels.loaded(u)
             }
             Filter::Linear => {
-                let x = neighbours(across, width, self.sampler.wrap_u, [&mut left, &mut right]);
-                let y = neighbours(down, height, self.sampler.wrap_v, [&mut upper, &mut lower]);
+                let x = neighbouring_texels(across, width, wrap_u, [&mut left, &mut right]);
+                let y = neighbouring_texels(down, height, wrap_v, [&mut upper, &mut lower]);
                 let mut texels = [const { Texels::<FIRST, C>::new() }; 4];
                 u.visit(
                     lanes,
@@ -330,105 +259,22 @@ impl<const FIRST: usize, const C: usize> Texels<FIRST, C> {
     }
 }
 
-/// The level that each lane looks at and its filter, in the lowest bit: 1 for a linear one.
-struct Levels([u32; LANES]);
+/// A texture at a place.
+struct At<'t, N> {
+    texture: &'t Texture,
+    u: N,
+    v: N,
+}
 
-impl Levels {
+impl<N: Lanes, const C: usize> LevelSource<N, C> for At<'_, N> {
     #[inline(always)]
-    fn all(level: u32, filter: Filter) -> Self {
-        Self([key(level, filter); LANES])
-    }
-
-    /// Levels by number, with one filter.
-    #[inline(always)]
-    fn of<N: Lanes>(levels: N, filter: Filter) -> Self {
-        let mut keys = [0; LANES];
-        let bit = levels.constant(key(0, filter) as f32);
-        (levels + levels + bit).store_whole(&mut keys, 0);
-        Self(keys)
-    }
-
-    /// With another level and filter in some lanes.
-    #[inline(always)]
-    fn or_where<N: Lanes>(mut self, simd: N, lanes: u32, level: u32, filter: Filter) -> Self {
-        simd.visit(
-            lanes,
-            #[inline(always)]
-            |lane| self.0[lane] = key(level, filter),
-        );
-        self
-    }
-}
-
-fn key(level: u32, filter: Filter) -> u32 {
-    level << 1 | u32::from(filter == Filter::Linear)
-}
-
-/// The levels that each lane samples: one, or two with their blend factor.
-struct Detail<N> {
-    first: Levels,
-    second: Levels,
-    /// The lanes that look at two.
-    two: u32,
-    fraction: N,
-}
-
-/// The squared length, in texels, of a change of coordinates.
-#[inline(always)]
-fn squared_length<N: Lanes>([du, dv]: [N; 2], [width, height]: [N; 2]) -> N {
-    let (across, down) = (du * width, dv * height);
-    // Not a number counts as 0, beyond all measure as far out.
-    let squared = across * across + down * down;
-    squared.minimum(du.constant(1e30)).masked(du.zero().less(squared))
-}
-
-/// The coordinate wrapped to 0..=1.
-#[inline(always)]
-fn folded<N: Lanes>(coordinate: N, wrap: Wrap) -> N {
-    /// From here on, coordinates are whole numbers.
-    const NO_FRACTION: f32 = 8_388_608.0;
-    // False for NaN, too.
-    let has_fraction = coordinate.abs().less(coordinate.constant(NO_FRACTION));
-    let coordinate = coordinate.masked(has_fraction);
-    match wrap {
-        Wrap::Repeat => coordinate - coordinate.floor(),
-        Wrap::MirroredRepeat => {
-            let two = coordinate.constant(2.0);
-            let within_two = coordinate - two * (coordinate * coordinate.constant(0.5)).floor();
-            within_two.minimum(two - within_two)
+    fn filtered(&self, level: u32, filter: Filter, lanes: u32) -> [N; C] {
+        let Self { texture, u, v } = *self;
+        match texture.image.levels.get(level as usize) {
+            Some(level) => texture.filtered::<N, 0, C>(level, u, v, filter, lanes),
+            None => [u.zero(); C],
         }
-        Wrap::ClampToEdge => coordinate.clamped(0.0, 1.0),
     }
-}
-
-/// The two texels between whose centres a place lies, and how far it is from the first to the
-/// second, which is the result. The place is in texels, from 0 to `size`.
-#[inline(always)]
-fn neighbours<N: Lanes>(
-    place: N,
-    size: N,
-    wrap: Wrap,
-    [first, second]: [&mut [u32; LANES]; 2],
-) -> N {
-    let one = place.one();
-    // Shifted by a whole texel, so that it is not negative.
-    let shifted = place + place.constant(0.5);
-    let after = shifted.floor().minimum(size);
-    let last = size - one;
-    let zero = place.zero();
-    let repeats = wrap == Wrap::Repeat;
-    let (before_first, after_last) = if repeats { (last, zero) } else { (zero, last) };
-    before_first.select(after.less(one), after - one).store_whole(first, 0);
-    after_last.select(last.less(after), after).store_whole(second, 0);
-    shifted - after
-}
-
-#[inline(always)]
-fn mix<N: Lanes, const C: usize>(mut a: [N; C], b: [N; C], fraction: N) -> [N; C] {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a = *a + (b - *a) * fraction;
-    }
-    a
 }
 
 /// The whole number above.

@@ -233,6 +233,51 @@ impl<D: F64Lanes> Forms<D> {
 }
 
 impl<D: F64Lanes> LinearForms<D> {
+    /// The forms of corners in homogeneous window coordinates h_i = (x_i w_i, y_i w_i, w_i), for any projection and w of
+    /// either sign: the weight of corner i at p = (x, y, 1) is p . (h_j x h_k) (Olano and Greer 1997).
+    ///
+    /// [`Forms`] has the same of corners in view space, whose rays are known. Of a line, the third corner is any point
+    /// beside it.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_homogeneous(corners: [[D; 3]; 3]) -> Self {
+        let zero = corners[0][0].constant(0.0);
+        let [mut a, mut b, mut c] = [[zero; 3]; 3];
+        for i in 0..3 {
+            let (p, q) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
+            a[i] = p[1] * q[2] - p[2] * q[1];
+            b[i] = p[2] * q[0] - p[0] * q[2];
+            c[i] = p[0] * q[1] - p[1] * q[0];
+        }
+        Self { a, b, c, least_sum: zero }
+    }
+
+    /// The barycentrics at window position (x, y) in pixels; weights that are negative there count as 0, since what the
+    /// snapped triangle covers may lie 1/512 pixel beside the triangle. (1, 0, 0) where rounding leaves none.
+    #[inline(always)]
+    #[must_use]
+    pub fn clamped_barycentrics(&self, x: D, y: D) -> [D::F32; 3] {
+        let mut weights = self.weights(x, y);
+        let zero = x.constant(0.0);
+        let sum = weights[0] + weights[1] + weights[2];
+        // The sum has the sign of all weights inside.
+        let sign = sum.constant(1.0).select(sum.is_positive(), sum.constant(-1.0));
+        for weight in &mut weights {
+            let signed = *weight * sign;
+            *weight = signed.select(signed.is_positive(), zero);
+        }
+        let [w0, w1, w2] = weights;
+        let sum = w0 + w1 + w2;
+        let one = sum.constant(1.0);
+        let sound = sum.is_positive();
+        let scale = one / sum.select(sound, one);
+        [
+            (w0 * scale).select(sound, one).to_f32(),
+            (w1 * scale).select(sound, zero).to_f32(),
+            (w2 * scale).select(sound, zero).to_f32(),
+        ]
+    }
+
     /// The weights at window position (x, y) in pixels; divided by their sum they are barycentrics,
     /// also outside of the triangle.
     #[inline(always)]

@@ -92,17 +92,7 @@ pub(crate) fn clip(triangle: [ClipVertex; 3], transform: &WindowTransform) -> Cl
                 kept += 1;
             }
         };
-        for here in 0..count {
-            let next = (here + 1) % count;
-            if distances[here] >= 0.0 {
-                keep(source[here]);
-            }
-            if distances[here] >= 0.0 && distances[next] < 0.0 {
-                keep(between(&source[here], distances[here], &source[next], distances[next]));
-            } else if distances[here] < 0.0 && distances[next] >= 0.0 {
-                keep(between(&source[next], distances[next], &source[here], distances[here]));
-            }
-        }
+        clip_by_plane(&source[..count], &distances[..count], between, &mut keep);
         count = kept;
     }
     let mut clipped = ClippedPolygon { corners: [WindowVertex::default(); MAX_CORNERS], count: 0 };
@@ -116,14 +106,35 @@ pub(crate) fn clip(triangle: [ClipVertex; 3], transform: &WindowTransform) -> Cl
     clipped
 }
 
+/// Cuts a convex polygon at one plane: keeps the corners whose distance isn't negative, and the points where edges
+/// leave (Sutherland and Hodgman 1974).
+///
+/// `between(inside, outside, t)` is the point inside + (outside - inside) t: always from the inside corner outwards,
+/// so that polygons that share an edge share the point.
+pub fn clip_by_plane<C: Copy>(
+    polygon: &[C],
+    distances: &[f64],
+    between: impl Fn(&C, &C, f64) -> C,
+    keep: &mut impl FnMut(C),
+) {
+    let count = polygon.len();
+    for here in 0..count {
+        let next = if here + 1 == count { 0 } else { here + 1 };
+        let (inside, next_inside) = (distances[here] >= 0.0, distances[next] >= 0.0);
+        if inside {
+            keep(polygon[here]);
+        }
+        // NaN is neither inside nor outside.
+        if inside && distances[next] < 0.0 || next_inside && distances[here] < 0.0 {
+            let (from, to) = if inside { (here, next) } else { (next, here) };
+            let t = distances[from] / (distances[from] - distances[to]);
+            keep(between(&polygon[from], &polygon[to], t));
+        }
+    }
+}
+
 /// The point where an edge leaves: from its inside end towards its outside one.
-fn between(
-    inside: &Corner,
-    inside_distance: f64,
-    outside: &Corner,
-    outside_distance: f64,
-) -> Corner {
-    let t = inside_distance / (inside_distance - outside_distance);
+fn between(inside: &Corner, outside: &Corner, t: f64) -> Corner {
     let mix = |inside: f64, outside: f64| inside + (outside - inside) * t;
     Corner {
         x: mix(inside.x, outside.x),

@@ -9,6 +9,7 @@ mod occlusion;
 mod rules;
 mod sample_cull;
 mod setup;
+mod sink;
 mod small_triangles;
 mod tile;
 mod tile_points;
@@ -17,7 +18,8 @@ mod triangles;
 
 pub use buffer::{Plane, Tile};
 pub(crate) use clip::clip;
+pub use clip::clip_by_plane;
 pub(crate) use large_clusters::LargeClusters;
-pub(crate) use setup::Triangle;
-pub use setup::rank_step;
+pub use setup::{DepthPlane, Triangle, rank_step};
+pub use sink::{Sink, cover};
 pub(crate) use tile::{View, draw};

@@ -14,27 +14,36 @@ use luxel_math::{Lanes, SUBPIXELS};
 
 /// A triangle ready to be rasterized.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Triangle {
+pub struct Triangle {
     /// Corners in an order that makes the inside positive.
     x: [i32; 3],
     y: [i32; 3],
-    pub(crate) depth: DepthPlane,
+    /// Its depths.
+    pub depth: DepthPlane,
 }
 
-/// Reversed depth over the window: z = z_a + (x - x_a) dz/dx + (y - y_a) dz/dy, clamped to the
+/// Depth over the window: z = z_a + (x - x_a) dz/dx + (y - y_a) dz/dy, clamped to the
 /// range of the corners, so that bounds of corners bound every sample.
 ///
-/// This is the one formula of the depth test. Differences of snapped positions are exact in f32,
+/// This is the one formula of the depth test, whatever the corners' depths are: reversed ones in luxel's frames, of any
+/// other encoding for whoever sets triangles up. Differences of snapped positions are exact in f32,
 /// so every path that reaches a sample computes the same bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct DepthPlane {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-    pub(crate) z: f32,
-    pub(crate) dz_dx: f32,
-    pub(crate) dz_dy: f32,
-    pub(crate) low: f32,
-    pub(crate) high: f32,
+pub struct DepthPlane {
+    /// x_a, in steps of 1/256 pixel.
+    pub x: i32,
+    /// y_a
+    pub y: i32,
+    /// z_a
+    pub z: f32,
+    /// dz/dx, a step of 1/256 pixel.
+    pub dz_dx: f32,
+    /// dz/dy
+    pub dz_dy: f32,
+    /// The least depth of a corner.
+    pub low: f32,
+    /// The greatest.
+    pub high: f32,
 }
 
 impl DepthPlane {
@@ -49,7 +58,8 @@ impl DepthPlane {
 
     /// The depth at a position in steps of 1/256 pixel.
     #[inline(always)]
-    pub(crate) fn at(&self, position: [i32; 2]) -> f32 {
+    #[must_use]
+    pub fn at(&self, position: [i32; 2]) -> f32 {
         let row_z = (position[1] - self.y) as f32 * self.dz_dy;
         let z = (position[0] - self.x) as f32 * self.dz_dx + self.z + row_z;
         Lanes::minimum(Lanes::maximum(z, self.low), self.high)
@@ -93,8 +103,11 @@ impl Edge {
 
 impl Triangle {
     /// `None` for a triangle without area or on a side that is culled.
+    ///
+    /// Corners lie within the guard band, 2^14 pixels about the window's middle.
     #[inline(always)]
-    pub(crate) fn new([a, b, c]: [WindowVertex; 3], cull: CullFaces) -> Option<Self> {
+    #[must_use]
+    pub fn new([a, b, c]: [WindowVertex; 3], cull: CullFaces) -> Option<Self> {
         let (ab_x, ab_y) = (b.x - a.x, b.y - a.y);
         let (ac_x, ac_y) = (c.x - a.x, c.y - a.y);
         let area = i64::from(ab_x) * i64::from(ac_y) - i64::from(ac_x) * i64::from(ab_y);
@@ -132,10 +145,19 @@ impl Triangle {
         }
     }
 
-    /// The pixels of `tile` whose sample at `offset` lies in the triangle's box; `None` if there
+    /// The least and the greatest coordinates of its corners, in steps of 1/256 pixel.
+    #[must_use]
+    pub fn bounds(&self) -> [[i32; 2]; 2] {
+        let least = |of: &[i32; 3]| of[0].min(of[1]).min(of[2]);
+        let greatest = |of: &[i32; 3]| of[0].max(of[1]).max(of[2]);
+        [[least(&self.x), least(&self.y)], [greatest(&self.x), greatest(&self.y)]]
+    }
+
+    /// The pixels of a region whose sample at `offset` lies in the triangle's box; `None` if there
     /// are none.
     #[inline(always)]
-    pub(crate) fn pixels(&self, tile: Region, offset: [i32; 2]) -> Option<Region> {
+    #[must_use]
+    pub fn pixels(&self, tile: Region, offset: [i32; 2]) -> Option<Region> {
         let (left, right) = range(self.x, offset[0], tile.x, tile.width)?;
         let (top, bottom) = range(self.y, offset[1], tile.y, tile.height)?;
         Some(Region { x: left, y: top, width: right - left + 1, height: bottom - top + 1 })

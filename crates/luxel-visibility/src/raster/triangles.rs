@@ -1,14 +1,15 @@
 //! Triangles one by one into the samples of a tile.
+//!
+//! Where more than depth decides at a sample,
+//! another copy does it, which leaves the registers to the plain one: a block takes 57 instructions,
+//! and 33 more where something is put, instead of 120.
 
-use super::block_rows::{self, BlockRows};
-use super::buffer::Tile;
-use super::rules::{Rules, comes_first, put, wins};
+use super::buffer::{Plane, Tile};
+use super::rules::{Rules, ask, comes_first, passed, put, wins};
 use super::setup::Triangle;
-use crate::types::{Asked, BLOCK, Region, TriangleId};
-use luxel_math::{SUBPIXELS, Simd};
-
-/// So many pixels are faster asked one by one than sixteen at a time.
-const FEW_PIXELS: i32 = 4;
+use super::sink::{Sink, cover};
+use crate::types::{Asked, BLOCK, BLOCKS, LANE_X, LANE_Y, TriangleId};
+use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 
 /// Draws one triangle into all samples of a tile.
 ///
@@ -42,59 +43,221 @@ fn cover_samples<S: Simd>(
     rules: &Rules<'_>,
     tile: &mut Tile,
 ) {
-    let tile_region = tile.region;
+    let region = tile.region;
     for (sample, &offset) in rules.offsets.iter().enumerate() {
-        let Some(pixels) = triangle.pixels(tile_region, offset) else { continue };
-        if pixels.width * pixels.height <= FEW_PIXELS {
-            tile.touch(pixels.sides());
-            cover_few(triangle, pixels, id, rules, tile, sample);
-            continue;
+        if rules.behind.is_none() && rules.holes.is_none() {
+            cover(simd, triangle, region, offset, &mut Nearer { id, rules, tile, sample });
+        } else {
+            cover_by_all_rules(simd, triangle, &mut ByAllRules { id, rules, tile, sample });
         }
-        // Whole blocks of the tile.
-        let first = [(pixels.x - tile_region.x) / BLOCK, (pixels.y - tile_region.y) / BLOCK];
-        let right = (pixels.x + pixels.width - 1 - tile_region.x) / BLOCK;
-        let bottom = (pixels.y + pixels.height - 1 - tile_region.y) / BLOCK;
-        let region = Region {
-            x: tile_region.x + first[0] * BLOCK,
-            y: tile_region.y + first[1] * BLOCK,
-            width: (right - first[0] + 1) * BLOCK,
-            height: (bottom - first[1] + 1) * BLOCK,
-        };
-        let Some(edges) = triangle.edges(region, offset) else { continue };
-        let blocks = BlockRows { region, first, edges, offset, sample };
-        block_rows::cover(simd, &blocks, &triangle.depth, id, rules, tile);
     }
 }
 
-/// Draws one triangle into one sample of a few pixels: the same numbers as in blocks.
+/// Covers samples where more than depth decides at them: outlined, so that the
+/// common case has the registers for itself.
+#[inline(never)]
+fn cover_by_all_rules<S: Simd>(simd: S, triangle: &Triangle, sink: &mut ByAllRules<'_>) {
+    let (region, offset) = (sink.tile.region, sink.rules.offsets[sink.sample]);
+    simd.vectorize(
+        #[inline(always)]
+        || cover(simd, triangle, region, offset, sink),
+    );
+}
+
+/// Puts a triangle into one sample of a tile where it is nearer.
+struct Nearer<'t> {
+    id: TriangleId,
+    rules: &'t Rules<'t>,
+    tile: &'t mut Tile,
+    sample: usize,
+}
+
+/// Puts a triangle into one sample of a tile where it wins by all rules.
+struct ByAllRules<'t> {
+    id: TriangleId,
+    rules: &'t Rules<'t>,
+    tile: &'t mut Tile,
+    sample: usize,
+}
+
+/// The blocks of a row that aren't hidden; they count as drawn into.
 #[inline(always)]
-fn cover_few(
-    triangle: &Triangle,
-    pixels: Region,
+fn visible<S: Simd>(
+    simd: S,
+    tile: &mut Tile,
+    row: i32,
+    blocks: u32,
+    high: f32x16<S>,
+    many: bool,
+) -> u32 {
+    let visible = tile.visible_blocks(simd, row, blocks, high, many);
+    if visible != 0 {
+        tile.summary.touch_blocks(row as usize, visible);
+    }
+    visible
+}
+
+impl Sink for Nearer<'_> {
+    #[inline(always)]
+    fn few(&mut self, pixels: [i32; 4]) {
+        self.tile.touch(pixels);
+    }
+
+    #[inline(always)]
+    fn blocks<S: Simd>(
+        &mut self,
+        simd: S,
+        row: i32,
+        blocks: u32,
+        high: f32x16<S>,
+        many: bool,
+    ) -> u32 {
+        visible(simd, self.tile, row, blocks, high, many)
+    }
+
+    #[inline(always)]
+    fn block<S: Simd>(&mut self, simd: S, covered: mask32x16<S>, z: f32x16<S>, block: usize) {
+        let Self { id, rules, .. } = *self;
+        put_nearer(simd, covered, z, id, rules, &mut self.tile.planes[self.sample], block);
+    }
+
+    #[inline(always)]
+    fn sample(&mut self, [column, row]: [i32; 2], _: [i32; 2], z: f32) {
+        let place = Tile::place(column, row);
+        if wins(self.id, z, place, self.rules, self.tile, self.sample) {
+            put(self.id, z, place, self.tile, self.sample);
+        }
+    }
+}
+
+impl Sink for ByAllRules<'_> {
+    #[inline(always)]
+    fn few(&mut self, pixels: [i32; 4]) {
+        self.tile.touch(pixels);
+    }
+
+    #[inline(always)]
+    fn blocks<S: Simd>(
+        &mut self,
+        simd: S,
+        row: i32,
+        blocks: u32,
+        high: f32x16<S>,
+        many: bool,
+    ) -> u32 {
+        visible(simd, self.tile, row, blocks, high, many)
+    }
+
+    #[inline(always)]
+    fn block<S: Simd>(&mut self, simd: S, covered: mask32x16<S>, z: f32x16<S>, block: usize) {
+        let Self { id, rules, sample, .. } = *self;
+        draw_block(simd, covered, z, id, rules, self.tile, sample, block);
+    }
+
+    #[inline(always)]
+    fn sample(&mut self, [column, row]: [i32; 2], position: [i32; 2], z: f32) {
+        let place = Tile::place(column, row);
+        if !wins(self.id, z, place, self.rules, self.tile, self.sample) {
+            return;
+        }
+        let asked = Asked::one(self.id, position);
+        if self.rules.holes.is_some_and(|holes| holes.holes(&asked) != 0) {
+            return;
+        }
+        put(self.id, z, place, self.tile, self.sample);
+    }
+}
+
+/// Puts a triangle into one block of a plane, where it is nearer.
+#[inline(always)]
+fn put_nearer<S: Simd>(
+    simd: S,
+    covered: mask32x16<S>,
+    z: f32x16<S>,
+    id: TriangleId,
+    rules: &Rules<'_>,
+    plane: &mut Plane,
+    block: usize,
+) {
+    let (depths, ids) = (&mut plane.depth[block], &mut plane.ids[block]);
+    let depth = f32x16::from_slice(simd, depths);
+    let seen = covered & depth.simd_le(z);
+    if !seen.any_true() {
+        return;
+    }
+    let equal = seen & depth.simd_eq(z);
+    if equal.any_true() {
+        settle(equal.to_bitmask() as u32, &z.into(), id, rules, depths, ids);
+    }
+    let nearer = covered & depth.simd_lt(z);
+    let depth = f32x16::from_slice(simd, depths);
+    nearer.select(z, depth).store_slice(depths);
+    let before = u32x16::from_slice(simd, ids);
+    nearer.select(u32x16::splat(simd, id.0), before).store_slice(ids);
+}
+
+/// Puts a triangle into those lanes of a block in which another one is equally near, where it was
+/// submitted first.
+#[cold]
+#[inline(never)]
+fn settle(
+    equal: u32,
+    z: &[f32; LANES],
+    id: TriangleId,
+    rules: &Rules<'_>,
+    depths: &mut [f32; LANES],
+    ids: &mut [u32; LANES],
+) {
+    for lane in lanes_of(equal) {
+        if comes_first(id, TriangleId(ids[lane]), rules) {
+            (depths[lane], ids[lane]) = (z[lane], id.0);
+        }
+    }
+}
+
+/// Puts a triangle into one block of a plane, where it wins, by all rules.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "the inner loop's state, kept in registers")]
+fn draw_block<S: Simd>(
+    simd: S,
+    covered: mask32x16<S>,
+    z: f32x16<S>,
     id: TriangleId,
     rules: &Rules<'_>,
     tile: &mut Tile,
     sample: usize,
+    block: usize,
 ) {
-    let offset = rules.offsets[sample];
-    let Some([e0, e1, e2]) = triangle.edges(pixels, offset) else { return };
-    for y in 0..pixels.height {
-        for x in 0..pixels.width {
-            if (e0.at(x, y) | e1.at(x, y) | e2.at(x, y)) < 0 {
-                continue;
-            }
-            let position =
-                [(pixels.x + x) * SUBPIXELS + offset[0], (pixels.y + y) * SUBPIXELS + offset[1]];
-            let z = triangle.depth.at(position);
-            let (column, row) = (pixels.x + x - tile.region.x, pixels.y + y - tile.region.y);
-            let place = Tile::place(column, row);
-            if !wins(id, z, place, rules, tile, sample) {
-                continue;
-            }
-            if rules.holes.is_some_and(|holes| holes.holes(&Asked::one(id, position)) != 0) {
-                continue;
-            }
-            put(id, z, place, tile, sample);
+    let plane = &mut tile.planes[sample];
+    let depth = f32x16::from_slice(simd, &plane.depth[block]);
+    let nearer = covered & depth.simd_lt(z);
+    let equal = covered & z.simd_eq(depth);
+    let ids = u32x16::from_slice(simd, &plane.ids[block]);
+    let mut wins = nearer.to_bitmask() as u32;
+    for lane in lanes_of(equal.to_bitmask() as u32) {
+        let first = comes_first(id, TriangleId(plane.ids[block][lane]), rules);
+        wins |= u32::from(first) << lane;
+    }
+    if let Some(behind) = rules.behind {
+        for lane in lanes_of(wins) {
+            wins &= !(u32::from(!passed(&behind[sample], block, lane, id, z[lane], rules)) << lane);
         }
     }
+    if wins == 0 {
+        return;
+    }
+    if let Some(holes) = rules.holes {
+        let block_x = tile.region.x + block as i32 % BLOCKS * BLOCK;
+        let block_y = tile.region.y + block as i32 / BLOCKS * BLOCK;
+        let offset = rules.offsets[sample];
+        let x = (i32x16::simd_from(simd, LANE_X) + block_x) * SUBPIXELS + offset[0];
+        let y = (i32x16::simd_from(simd, LANE_Y) + block_y) * SUBPIXELS + offset[1];
+        wins &= !ask(holes, [id; LANES], [x, y], wins);
+        if wins == 0 {
+            return;
+        }
+    }
+    let mask = mask32x16::from_bitmask(simd, u64::from(wins));
+    mask.select(z, depth).store_slice(&mut plane.depth[block]);
+    mask.select(u32x16::splat(simd, id.0), ids).store_slice(&mut plane.ids[block]);
 }

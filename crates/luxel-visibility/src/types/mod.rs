@@ -12,11 +12,9 @@ pub use faces::CullFaces;
 pub use holes::{Asked, Holes};
 pub use part_use::{Coverage, PartUse};
 pub use samples::{MAX_SAMPLES, Samples};
-pub use tile_grid::{BLOCK, BLOCKS, TILE};
-pub(crate) use tile_grid::{BLOCKS_OF_TILE, LANE_X, LANE_Y, Region};
+pub use tile_grid::{BLOCK, BLOCKS, Region, TILE};
+pub(crate) use tile_grid::{BLOCKS_OF_TILE, LANE_X, LANE_Y};
 pub(crate) use triangle_id::SLOT_BITS;
 pub use triangle_id::TriangleId;
-pub use window_transform::MAX_SIDE;
-pub(crate) use window_transform::{
-    ClipVertex, GUARD_BAND, WindowTransform, WindowVertex, row_times, snap,
-};
+pub(crate) use window_transform::{ClipVertex, WindowTransform, row_times};
+pub use window_transform::{GUARD_BAND, MAX_SIDE, WindowVertex, snap};

@@ -18,11 +18,15 @@ const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
 
 /// Pixels: first column and row, and how many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Region {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-    pub(crate) width: i32,
-    pub(crate) height: i32,
+pub struct Region {
+    /// The first column.
+    pub x: i32,
+    /// The first row.
+    pub y: i32,
+    /// How many columns.
+    pub width: i32,
+    /// How many rows.
+    pub height: i32,
 }
 
 impl Region {

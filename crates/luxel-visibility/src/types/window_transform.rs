@@ -12,7 +12,7 @@ use luxel_scene::{Projection, Size};
 /// Half the side of the guard band in steps of 1/256 pixel: 2^14 pixels either way from the
 /// window's middle. Triangles that reach farther out are clipped, so that edge functions fit their
 /// integers (see `raster::setup`).
-pub(crate) const GUARD_BAND: i32 = (1 << 14) * SUBPIXELS;
+pub const GUARD_BAND: i32 = (1 << 14) * SUBPIXELS;
 
 /// Most pixels of a window's side: as many as the guard band holds, less the pixel at either end
 /// that clipping keeps off.
@@ -27,13 +27,16 @@ pub(crate) struct ClipVertex {
     pub(crate) w: f32,
 }
 
-/// A vertex in the window: snapped position in steps of 1/256 pixel from the upper left corner,
-/// and reversed depth.
+/// A vertex in the window: snapped position in steps of 1/256 pixel from the corner where columns and rows begin,
+/// and its depth, which is reversed in luxel's frames.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct WindowVertex {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-    pub(crate) z: f32,
+pub struct WindowVertex {
+    /// Steps across.
+    pub x: i32,
+    /// Steps along columns.
+    pub y: i32,
+    /// Depth, in the encoding of whoever draws.
+    pub z: f32,
 }
 
 /// The transform of one instance: rows of the matrix to clip coordinates, and the window's centre.
@@ -114,9 +117,10 @@ impl WindowTransform {
     }
 }
 
-/// A clip coordinate on the window's grid, in steps of 1/256 pixel.
+/// A clip coordinate on the window's grid, in steps of 1/256 pixel: value / w + centre, rounded to the nearest step,
+/// ties to even. `value` is scaled to such steps, `centre` where the window's middle lies.
 #[inline(always)]
-pub(crate) fn snap<N: Lanes>(value: N, w: N, centre: f32) -> N {
+pub fn snap<N: Lanes>(value: N, w: N, centre: f32) -> N {
     (value / w + w.constant(centre)).round_ties_even()
 }
 

@@ -1,0 +1,547 @@
+// Written by ../../generator from gl.xml and commands.toml: change these.
+
+//! Vertex arrays (2.8) and buffer objects (2.9).
+
+use crate::prelude::*;
+use std::ffi::c_void;
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glArrayElement(i: i32) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        gl.array_element(i, &caller_memory());
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glArrayElementEXT(i: i32) {
+    glArrayElement(i);
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glBindBuffer(target: u32, buffer: u32) {
+    call(|gl, _| gl.bind_buffer(target, buffer));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glBindBufferARB(target: u32, buffer: u32) {
+    glBindBuffer(target, buffer);
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glBufferData(
+    target: u32,
+    size: isize,
+    data: *const c_void,
+    usage: u32,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, client| unsafe {
+        client.buffer_data(gl, target, size, optional_bytes(data, extent(size)), usage);
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glBufferDataARB(
+    target: u32,
+    size: isize,
+    data: *const c_void,
+    usage: u32,
+) {
+    // SAFETY: the same contract.
+    unsafe { glBufferData(target, size, data, usage) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glBufferSubData(
+    target: u32,
+    offset: isize,
+    size: isize,
+    data: *const c_void,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        if size < 0 {
+            gl.set_error(GL_INVALID_VALUE);
+        } else {
+            gl.buffer_sub_data(target, offset, bytes(data, extent(size))?);
+        }
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glBufferSubDataARB(
+    target: u32,
+    offset: isize,
+    size: isize,
+    data: *const c_void,
+) {
+    // SAFETY: the same contract.
+    unsafe { glBufferSubData(target, offset, size, data) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glColorPointer(
+    size: i32,
+    kind: u32,
+    stride: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| gl.color_pointer(size, kind, stride, address(pointer)));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glColorPointerEXT(
+    size: i32,
+    kind: u32,
+    stride: i32,
+    count: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = count;
+        gl.color_pointer(size, kind, stride, address(pointer))
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glDeleteBuffers(n: i32, buffers: *const u32) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, client| unsafe {
+        if n < 0 {
+            gl.set_error(GL_INVALID_VALUE);
+        } else {
+            client.delete_buffers(gl, &copied(buffers, n)?);
+        }
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glDeleteBuffersARB(n: i32, buffers: *const u32) {
+    // SAFETY: the same contract.
+    unsafe { glDeleteBuffers(n, buffers) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glDisableClientState(array: u32) {
+    call(|gl, _| gl.disable_client_state(array));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glDrawArrays(mode: u32, first: i32, count: i32) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        gl.draw_arrays(mode, first, count, &caller_memory());
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glDrawArraysEXT(mode: u32, first: i32, count: i32) {
+    glDrawArrays(mode, first, count);
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glDrawElements(
+    mode: u32,
+    count: i32,
+    kind: u32,
+    indices: *const c_void,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        gl.draw_elements(mode, count, kind, address(indices), &caller_memory());
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glDrawRangeElements(
+    mode: u32,
+    start: u32,
+    end: u32,
+    count: i32,
+    kind: u32,
+    indices: *const c_void,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        gl.draw_range_elements(mode, start, end, count, kind, address(indices), &caller_memory());
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glDrawRangeElementsEXT(
+    mode: u32,
+    start: u32,
+    end: u32,
+    count: i32,
+    kind: u32,
+    indices: *const c_void,
+) {
+    // SAFETY: the same contract.
+    unsafe { glDrawRangeElements(mode, start, end, count, kind, indices) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glEdgeFlagPointer(stride: i32, pointer: *const c_void) {
+    call(|gl, _| gl.edge_flag_pointer(stride, address(pointer)));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glEdgeFlagPointerEXT(stride: i32, count: i32, pointer: *const u8) {
+    call(|gl, _| {
+        let _ = count;
+        gl.edge_flag_pointer(stride, address(pointer))
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glEnableClientState(array: u32) {
+    call(|gl, _| gl.enable_client_state(array));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glFlushMappedBufferRange(target: u32, offset: isize, length: isize) {
+    call(|gl, client| client.flush_range(gl, target, offset, length));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glFogCoordPointer(kind: u32, stride: i32, pointer: *const c_void) {
+    call(|gl, _| gl.fog_coord_pointer(kind, stride, address(pointer)));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glFogCoordPointerEXT(
+    kind: u32,
+    stride: i32,
+    pointer: *const c_void,
+) {
+    // SAFETY: the same contract.
+    unsafe { glFogCoordPointer(kind, stride, pointer) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGenBuffers(n: i32, buffers: *mut u32) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        let names = gl.gen_buffers(n);
+        store(buffers, names.len(), |at| names[at])?;
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGenBuffersARB(n: i32, buffers: *mut u32) {
+    // SAFETY: the same contract.
+    unsafe { glGenBuffers(n, buffers) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetBufferParameteriv(target: u32, pname: u32, params: *mut i32) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        if let Some(values) = gl.get_buffer_parameter(target, pname) {
+            store(params, values.len(), |at| values.to_i32(at))?;
+        }
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetBufferParameterivARB(
+    target: u32,
+    pname: u32,
+    params: *mut i32,
+) {
+    // SAFETY: the same contract.
+    unsafe { glGetBufferParameteriv(target, pname, params) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetBufferPointerv(
+    target: u32,
+    pname: u32,
+    params: *mut *mut c_void,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, client| unsafe {
+        if let Some(address) = client.mapped_address(gl, target, pname) {
+            store(params, 1, |_| address)?;
+        }
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetBufferPointervARB(
+    target: u32,
+    pname: u32,
+    params: *mut *mut c_void,
+) {
+    // SAFETY: the same contract.
+    unsafe { glGetBufferPointerv(target, pname, params) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetBufferSubData(
+    target: u32,
+    offset: isize,
+    size: isize,
+    data: *mut c_void,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        if size < 0 {
+            gl.set_error(GL_INVALID_VALUE);
+        } else {
+            gl.get_buffer_sub_data(target, offset, bytes_mut(data, extent(size))?);
+        }
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetBufferSubDataARB(
+    target: u32,
+    offset: isize,
+    size: isize,
+    data: *mut c_void,
+) {
+    // SAFETY: the same contract.
+    unsafe { glGetBufferSubData(target, offset, size, data) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glIndexPointer(kind: u32, stride: i32, pointer: *const c_void) {
+    call(|gl, _| gl.index_pointer(kind, stride, address(pointer)));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glIndexPointerEXT(
+    kind: u32,
+    stride: i32,
+    count: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = count;
+        gl.index_pointer(kind, stride, address(pointer))
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glInterleavedArrays(
+    format: u32,
+    stride: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| gl.interleaved_arrays(format, stride, address(pointer)));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glIsBuffer(buffer: u32) -> u8 {
+    call(|gl, _| u8::from(gl.is_buffer(buffer)))
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glIsBufferARB(buffer: u32) -> u8 {
+    glIsBuffer(buffer)
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glMapBuffer(target: u32, access: u32) -> *mut c_void {
+    call(|gl, client| client.map_buffer(gl, target, access))
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glMapBufferARB(target: u32, access: u32) -> *mut c_void {
+    glMapBuffer(target, access)
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glMapBufferRange(
+    target: u32,
+    offset: isize,
+    length: isize,
+    access: u32,
+) -> *mut c_void {
+    call(|gl, client| client.map_range(gl, target, offset, length, access))
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glMultiDrawArrays(
+    mode: u32,
+    first: *const i32,
+    count: *const i32,
+    drawcount: i32,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        if drawcount < 0 {
+            gl.set_error(GL_INVALID_VALUE);
+        } else {
+            gl.multi_draw_arrays(
+                mode,
+                &copied(first, drawcount)?,
+                &copied(count, drawcount)?,
+                &caller_memory(),
+            );
+        }
+
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glMultiDrawArraysEXT(
+    mode: u32,
+    first: *const i32,
+    count: *const i32,
+    primcount: i32,
+) {
+    // SAFETY: the same contract.
+    unsafe { glMultiDrawArrays(mode, first, count, primcount) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glMultiDrawElements(
+    mode: u32,
+    count: *const i32,
+    kind: u32,
+    indices: *const *const c_void,
+    drawcount: i32,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        if drawcount < 0 {
+            gl.set_error(GL_INVALID_VALUE);
+        } else {
+            let indices: Vec<usize> =
+                copied(indices, drawcount)?.into_iter().map(address).collect();
+            gl.multi_draw_elements(
+                mode,
+                &copied(count, drawcount)?,
+                kind,
+                &indices,
+                &caller_memory(),
+            );
+        }
+
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glMultiDrawElementsEXT(
+    mode: u32,
+    count: *const i32,
+    kind: u32,
+    indices: *const *const c_void,
+    primcount: i32,
+) {
+    // SAFETY: the same contract.
+    unsafe { glMultiDrawElements(mode, count, kind, indices, primcount) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glNormalPointer(kind: u32, stride: i32, pointer: *const c_void) {
+    call(|gl, _| gl.normal_pointer(kind, stride, address(pointer)));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glNormalPointerEXT(
+    kind: u32,
+    stride: i32,
+    count: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = count;
+        gl.normal_pointer(kind, stride, address(pointer))
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glSecondaryColorPointer(
+    size: i32,
+    kind: u32,
+    stride: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| gl.secondary_color_pointer(size, kind, stride, address(pointer)));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glSecondaryColorPointerEXT(
+    size: i32,
+    kind: u32,
+    stride: i32,
+    pointer: *const c_void,
+) {
+    // SAFETY: the same contract.
+    unsafe { glSecondaryColorPointer(size, kind, stride, pointer) };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glTexCoordPointer(
+    size: i32,
+    kind: u32,
+    stride: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| gl.tex_coord_pointer(size, kind, stride, address(pointer)));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glTexCoordPointerEXT(
+    size: i32,
+    kind: u32,
+    stride: i32,
+    count: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = count;
+        gl.tex_coord_pointer(size, kind, stride, address(pointer))
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glUnmapBuffer(target: u32) -> u8 {
+    call(|gl, client| client.unmap_buffer(gl, target))
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glUnmapBufferARB(target: u32) -> u8 {
+    glUnmapBuffer(target)
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glVertexPointer(
+    size: i32,
+    kind: u32,
+    stride: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| gl.vertex_pointer(size, kind, stride, address(pointer)));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glVertexPointerEXT(
+    size: i32,
+    kind: u32,
+    stride: i32,
+    count: i32,
+    pointer: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = count;
+        gl.vertex_pointer(size, kind, stride, address(pointer))
+    });
+}

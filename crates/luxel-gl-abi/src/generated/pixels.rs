@@ -1,0 +1,42 @@
+// Written by ../../generator from gl.xml and commands.toml: change these.
+
+//! Pixels: how they are stored (3.6.1), and read (4.3.2).
+
+use crate::prelude::*;
+use std::ffi::c_void;
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glPixelStoref(pname: u32, param: f32) {
+    call(|gl, _| gl.pixel_store(pname, param));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glPixelStorei(pname: u32, param: i32) {
+    call(|gl, _| gl.pixel_store(pname, param as f32));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glReadBuffer(src: u32) {
+    call(|gl, _| gl.read_buffer(src));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glReadPixels(
+    x: i32,
+    y: i32,
+    width: i32,
+    height: i32,
+    format: u32,
+    kind: u32,
+    pixels: *mut c_void,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        let length = gl.pack_bytes(width, height, format, kind);
+        if length > 0 {
+            gl.read_pixels(x, y, width, height, format, kind, bytes_mut(pixels, length)?);
+        }
+
+        Some(())
+    });
+}

@@ -1,0 +1,15 @@
+//! What the generated entry points use.
+
+pub(crate) use crate::entry::{call, call_uncaught, call_with_memory, call_with_memory_uncaught};
+pub(crate) use crate::memory::{
+    CallerArray, address, array, bytes, bytes_mut, caller_memory, copied, extent, few,
+    optional_bytes, store,
+};
+pub(crate) use crate::parameters::{from_integers, single};
+pub(crate) use crate::{pointer_query, strings};
+pub(crate) use luxel_gl::{convert, lengths};
+
+/// The error for negative sizes.
+pub(crate) const GL_INVALID_VALUE: u32 = 0x0501;
+/// The first texture unit.
+pub(crate) const GL_TEXTURE0: u32 = 0x84C0;

@@ -1,0 +1,144 @@
+//! From a stream of vertices to the log, hit records or the feedback buffer; raster positions (OpenGL 1.5, section 2.12).
+
+use super::fragments::unit;
+use crate::Context;
+use crate::context::{compile, outside_begin};
+use crate::enums as gl;
+use crate::fragment::TextureStages;
+use crate::modes::{FeedbackVisitor, HitVisitor};
+use crate::objects::list::Command;
+use crate::primitive::assemble;
+use crate::raster::{BatchBuilder, Buffers, DrawState, LARGEST_DEPTH, Pipeline};
+use crate::state::current::RasterPosition;
+use crate::vertex::{Stream, VertexProcessor, WindowScale, codes};
+
+impl Context {
+    /// Draws what stands between `glBegin` and `glEnd`.
+    pub(crate) fn draw(&mut self, stream: &Stream) {
+        self.draw_elements_of(stream, None);
+    }
+
+    /// Draws vertices in the order of elements; `None` for one after the other.
+    pub(crate) fn draw_elements_of(&mut self, stream: &Stream, elements: Option<&[u32]>) {
+        if stream.len() == 0 {
+            return;
+        }
+        let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
+        let state = DrawState::new(&self.state, scale);
+        let processor =
+            VertexProcessor::new(&self.state, &self.matrices, scale).with_eye(state.needs_eye());
+        match self.render_mode {
+            gl::SELECT => {
+                let vertices = processor.process(stream, self.level);
+                let viewport = &self.state.viewport;
+                let mut visitor = HitVisitor::new(&state, &vertices, viewport, &mut self.selection);
+                assemble(stream.mode, stream.len(), elements, &mut visitor);
+            }
+            gl::FEEDBACK => {
+                let processor =
+                    processor.with_eye(true).with_textures(&self.state, &self.matrices, 1);
+                let vertices = processor.process(stream, self.level);
+                let viewport = &self.state.viewport;
+                let mut visitor =
+                    FeedbackVisitor::new(&state, &vertices, viewport, &mut self.feedback);
+                assemble(stream.mode, stream.len(), elements, &mut visitor);
+            }
+            _ => self.render(stream, elements, &state, processor),
+        }
+    }
+
+    fn render(
+        &mut self,
+        stream: &Stream,
+        elements: Option<&[u32]>,
+        state: &DrawState,
+        processor: VertexProcessor,
+    ) {
+        let region = self.scissored_region();
+        let [left, bottom, right, top] = region;
+        if left >= right || bottom >= top {
+            return;
+        }
+        let buffers = Buffers {
+            depth: self.configuration.depth_bits > 0,
+            stencil: self.configuration.stencil_bits > 0,
+        };
+        let textures = self.texture_stages();
+        let units = textures.as_ref().map_or(0, TextureStages::units);
+        let processor = processor.with_textures(&self.state, &self.matrices, units);
+        let bits = self.color_bits();
+        let pipeline = Pipeline::new(&self.state, buffers, region, bits, textures);
+        let pipeline = self.log.pipeline(pipeline);
+        let area = self.state.viewport.area;
+        let viewport = [area.x, area.y, area.x + area.width, area.y + area.height];
+        let vertices = processor.process(stream, self.level);
+        let mut builder = BatchBuilder::new(state, pipeline, &processor, viewport, vertices);
+        assemble(stream.mode, stream.len(), elements, &mut builder);
+        self.log.draw(builder.finish());
+        if self.log.is_full() {
+            self.carry_out();
+        }
+    }
+
+    /// `glRasterPos`: x, y, z, w, through transform and lighting. Outside of the clip volume it is invalid; in
+    /// selection mode a valid one is a hit.
+    pub fn raster_pos(&mut self, position: [f32; 4]) {
+        compile!(self, Command::RasterPos(position));
+        outside_begin!(self);
+        let mut stream = Stream::new(gl::POINTS, &self.state.current, self.state.materials);
+        stream.push(position);
+        let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
+        let processor = VertexProcessor::new(&self.state, &self.matrices, scale)
+            .with_eye(true)
+            .with_textures(&self.state, &self.matrices, u32::MAX);
+        let vertex = processor.process(&stream, self.level);
+        let unheld = codes::OUTSIDE | codes::NOT_FINITE | codes::NOT_HELD;
+        if vertex.codes[0] & unheld != 0 {
+            self.state.current.raster.valid = false;
+            return;
+        }
+        let viewport = self.state.viewport;
+        let place = crate::modes::window_place(&viewport, vertex.clip[0].map(f64::from));
+        let [x, y, z] = place;
+        let current = &self.state.current;
+        let tex_coords = [0, 1, 2, 3, 4, 5, 6, 7].map(|unit: usize| vertex.tex_coords[unit][0]);
+        let from_coordinates =
+            self.state.enables.has(gl::FOG) && self.state.fog.source == gl::FOG_COORD;
+        let distance = if from_coordinates { current.fog_coord } else { vertex.eye[0][2].abs() };
+        let [r, g, b, _] = vertex.secondary(0, 0);
+        self.state.current.raster = RasterPosition {
+            window: [x as f32, y as f32, z as f32, vertex.clip[0][3]],
+            valid: true,
+            distance,
+            color: vertex.color(0, 0),
+            secondary: [r, g, b, 1.0],
+            tex_coords,
+            index: current.index,
+        };
+        if self.render_mode == gl::SELECT {
+            self.selection.hit([z; 2]);
+        }
+    }
+
+    /// `glWindowPos`: x and y in the window, z from 0 to 1 by the range of depths; always valid.
+    pub fn window_pos(&mut self, [x, y, z]: [f32; 3]) {
+        compile!(self, Command::WindowPos([x, y, z]));
+        outside_begin!(self);
+        let viewport = self.state.viewport;
+        let depth = viewport.near + f64::from(unit(z)) * (viewport.far - viewport.near);
+        let current = &self.state.current;
+        let [r, g, b] = current.secondary.map(unit);
+        self.state.current.raster = RasterPosition {
+            window: [x, y, depth as f32, 1.0],
+            valid: true,
+            distance: if self.state.fog.source == gl::FOG_COORD { current.fog_coord } else { 0.0 },
+            color: current.color.map(unit),
+            secondary: [r, g, b, 1.0],
+            tex_coords: current.tex_coords,
+            index: current.index,
+        };
+        if self.render_mode == gl::SELECT {
+            self.selection.hit([depth; 2]);
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! The commands, one file a chapter: argument checks, errors, and what they change.
+//!
+//! Each begins by compiling itself into the open list, if it is one of those that lists hold; then come errors, in the
+//! order of the specification.
+
+mod arrays;
+mod attribute_stacks;
+mod begin_end;
+mod buffer_objects;
+mod buffers;
+mod draw;
+mod fragments;
+mod gets;
+mod gets_table;
+mod lighting;
+mod lists;
+mod modes;
+mod pixels;
+mod rasterization;
+mod strings;
+mod switches;
+mod texture_environment;
+mod texture_images;
+mod texture_parameters;
+mod texture_queries;
+mod textures;
+mod transforms;
+
+pub use buffer_objects::MappedBuffer;
+pub use modes::{RenderModeResult, Words};
+pub use pixels::ColorLayout;

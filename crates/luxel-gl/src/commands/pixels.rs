@@ -1,0 +1,258 @@
+//! Pixels to the program's memory (OpenGL 1.5, sections 3.6.1 and 4.3.2), and OSMesa's buffers.
+
+use crate::Context;
+use crate::context::outside_begin;
+use crate::enums as gl;
+use crate::pixels::format::{Components, PixelFormat};
+use crate::pixels::store::Layout;
+
+/// How the caller's colour buffer is laid out: `OSMesaCreateContext`, `OSMesaMakeCurrent`, `OSMesaPixelStore`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ColorLayout {
+    /// `OSMESA_RGBA`, `_BGRA`, `_ARGB`, `_RGB`, `_BGR` or `_RGB_565`.
+    pub format: u32,
+    /// `GL_UNSIGNED_BYTE`, `GL_UNSIGNED_SHORT`, `GL_FLOAT`, or `GL_UNSIGNED_SHORT_5_6_5` for the last format.
+    pub data_type: u32,
+    /// Pixels from one row to the next; 0 for the width.
+    pub row_length: usize,
+    /// Whether the first row is the bottom one.
+    pub y_up: bool,
+}
+
+/// OSMesa's names of formats that aren't GL's.
+const OSMESA_BGRA: u32 = 1;
+const OSMESA_ARGB: u32 = 2;
+const OSMESA_BGR: u32 = 4;
+const OSMESA_RGB_565: u32 = 5;
+
+impl Context {
+    /// `glPixelStore`; switches come as 0 or another value.
+    pub fn pixel_store(&mut self, pname: u32, value: f32) {
+        outside_begin!(self);
+        let client = &mut self.client;
+        let (first, store) = match pname {
+            gl::UNPACK_SWAP_BYTES..=gl::UNPACK_ALIGNMENT
+            | gl::UNPACK_SKIP_IMAGES
+            | gl::UNPACK_IMAGE_HEIGHT => (gl::UNPACK_SWAP_BYTES, &mut client.unpack),
+            gl::PACK_SWAP_BYTES..=gl::PACK_ALIGNMENT
+            | gl::PACK_SKIP_IMAGES
+            | gl::PACK_IMAGE_HEIGHT => (gl::PACK_SWAP_BYTES, &mut client.pack),
+            _ => {
+                self.error.set(gl::INVALID_ENUM);
+                return;
+            }
+        };
+        let whole = value.round();
+        let size =
+            if (0.0..=2_147_483_647.0).contains(&whole) { Some(whole as usize) } else { None };
+        let field = match pname - first {
+            0 => {
+                store.swap_bytes = value != 0.0;
+                return;
+            }
+            1 => {
+                store.lsb_first = value != 0.0;
+                return;
+            }
+            2 => &mut store.row_length,
+            3 => &mut store.skip_rows,
+            4 => &mut store.skip_pixels,
+            5 => &mut store.alignment,
+            _ if matches!(pname, gl::UNPACK_SKIP_IMAGES | gl::PACK_SKIP_IMAGES) => {
+                &mut store.skip_images
+            }
+            _ => &mut store.image_height,
+        };
+        let is_alignment = matches!(pname, gl::UNPACK_ALIGNMENT | gl::PACK_ALIGNMENT);
+        match size {
+            Some(1 | 2 | 4 | 8) if is_alignment => *field = whole as usize,
+            Some(size) if !is_alignment => *field = size,
+            _ => self.error.set(gl::INVALID_VALUE),
+        }
+    }
+
+    /// What `glReadPixels` would write: format, and where; or an error.
+    fn readable(
+        &self,
+        [width, height]: [i32; 2],
+        format: u32,
+        data_type: u32,
+    ) -> Result<(PixelFormat, Layout), u32> {
+        let kind = PixelFormat::named(format, data_type)?;
+        let (Ok(width), Ok(height)) = (usize::try_from(width), usize::try_from(height)) else {
+            return Err(gl::INVALID_VALUE);
+        };
+        let there = match kind.components {
+            Components::Depth => self.configuration.depth_bits > 0,
+            Components::Stencil => self.configuration.stencil_bits > 0,
+            _ => true,
+        };
+        if !there {
+            return Err(gl::INVALID_OPERATION);
+        }
+        let store = &self.client.pack;
+        let layout = Layout::new(store, [width, height], kind.bytes(), kind.elements.bytes());
+        Ok((kind, layout))
+    }
+
+    /// Bytes that `glReadPixels` writes to, from its pointer to the last pixel's end, and skipped ones among them;
+    /// 0 after an error.
+    pub fn pack_bytes(&mut self, width: i32, height: i32, format: u32, data_type: u32) -> usize {
+        outside_begin!(self, 0);
+        match self.readable([width, height], format, data_type) {
+            Ok((_, layout)) => layout.end,
+            Err(error) => {
+                self.error.set(error);
+                0
+            }
+        }
+    }
+
+    /// `glReadPixels`. Pixels outside of the framebuffer are left as they are; so is what a slice shorter than
+    /// [`pack_bytes`](Self::pack_bytes) has no room for.
+    #[expect(clippy::too_many_arguments, reason = "glReadPixels has as many")]
+    pub fn read_pixels(
+        &mut self,
+        x: i32,
+        y: i32,
+        width: i32,
+        height: i32,
+        format: u32,
+        data_type: u32,
+        destination: &mut [u8],
+    ) {
+        outside_begin!(self);
+        let (kind, layout) = match self.readable([width, height], format, data_type) {
+            Ok(readable) => readable,
+            Err(error) => {
+                self.error.set(error);
+                return;
+            }
+        };
+        self.carry_out();
+        let swap = self.client.pack.swap_bytes;
+        let [frame_width, frame_height] = self.framebuffer.size().map(i64::from);
+        let (x, y) = (i64::from(x), i64::from(y));
+        let rows = (-y).max(0)..i64::from(height).min(frame_height - y);
+        let columns = (-x).max(0)..i64::from(width).min(frame_width - x);
+        for row in rows {
+            for column in columns.clone() {
+                let place = [(x + column) as u32, (y + row) as u32];
+                let start =
+                    layout.start + row as usize * layout.stride + column as usize * layout.pixel;
+                let Some(out) = destination.get_mut(start..start + layout.pixel) else { return };
+                let (values, count) = self.components(kind.components, place);
+                kind.write(&values[..count], swap, out);
+            }
+        }
+    }
+
+    /// A pixel's red, green, blue and alpha.
+    pub(super) fn frame_color(&self, at: [u32; 2]) -> [f32; 4] {
+        let mut color = self.framebuffer.color(at).map(|byte| f32::from(byte) / 255.0);
+        if !self.configuration.alpha {
+            color[3] = 1.0;
+        }
+        color
+    }
+
+    /// A pixel's components in the order of memory, and how many.
+    fn components(&self, components: Components, at: [u32; 2]) -> ([f32; 4], usize) {
+        let color = || self.frame_color(at);
+        let mut values = [0.0; 4];
+        match components {
+            Components::Colors(places) => {
+                let color = color();
+                for (value, &place) in values.iter_mut().zip(places) {
+                    *value = color[place];
+                }
+            }
+            Components::Luminance { .. } => {
+                let [r, g, b, a] = color();
+                values = [(r + g + b).min(1.0), a, 0.0, 0.0];
+            }
+            Components::Depth => values[0] = self.framebuffer.unit_depth(at),
+            Components::Stencil => values[0] = f32::from(self.framebuffer.stencil(at)),
+        }
+        (values, components.count())
+    }
+
+    /// Writes the colour buffer to the caller's memory as OSMesa does at `glFlush`, `glFinish` and when a context is
+    /// left: if something was drawn since the last time. What a slice has no room for is left out.
+    pub fn color_plane(&mut self, layout: ColorLayout, destination: &mut [u8]) {
+        self.carry_out();
+        if !std::mem::take(&mut self.drawn) {
+            return;
+        }
+        let order: &[usize] = match layout.format {
+            gl::RGBA => &[0, 1, 2, 3],
+            OSMESA_BGRA => &[2, 1, 0, 3],
+            OSMESA_ARGB => &[3, 0, 1, 2],
+            gl::RGB | OSMESA_RGB_565 => &[0, 1, 2],
+            OSMESA_BGR => &[2, 1, 0],
+            _ => return,
+        };
+        let format = if order.len() == 4 { gl::RGBA } else { gl::RGB };
+        let Ok(kind) = PixelFormat::named(format, layout.data_type) else { return };
+        let [width, height] = self.framebuffer.size().map(|side| side as usize);
+        let row_length = if layout.row_length > 0 { layout.row_length } else { width };
+        let stride = row_length.saturating_mul(kind.bytes());
+        let bytes = layout.data_type == gl::UNSIGNED_BYTE;
+        for row in 0..height {
+            let y = if layout.y_up { row } else { height - 1 - row };
+            for column in 0..width {
+                let start = row.saturating_mul(stride).saturating_add(column * kind.bytes());
+                let end = start.saturating_add(kind.bytes());
+                let Some(out) = destination.get_mut(start..end) else { return };
+                let color = self.framebuffer.color([column as u32, y as u32]);
+                if bytes {
+                    for (out, &place) in out.iter_mut().zip(order) {
+                        *out = color[place];
+                    }
+                } else {
+                    let mut values = [0.0; 4];
+                    for (value, &place) in values.iter_mut().zip(order) {
+                        *value = f32::from(color[place]) / 255.0;
+                    }
+                    kind.write(&values[..order.len()], false, out);
+                }
+            }
+        }
+    }
+
+    /// Writes depths of 24 bits, the bottom row first, as `OSMesaGetDepthBuffer` shows them.
+    pub fn depth_plane(&mut self, destination: &mut [u32]) {
+        self.carry_out();
+        let [width, height] = self.framebuffer.size();
+        let mut out = destination.iter_mut();
+        for y in 0..height {
+            for x in 0..width {
+                let Some(out) = out.next() else { return };
+                *out = self.framebuffer.depth([x, y]);
+            }
+        }
+    }
+
+    /// The pixels that may be drawn to: the window's, within the scissor box if that is enabled.
+    pub(crate) fn scissored_region(&self) -> [i32; 4] {
+        let [width, height] = self.framebuffer.size().map(|side| side as i32);
+        if !self.state.enables.has(gl::SCISSOR_TEST) {
+            return [0, 0, width, height];
+        }
+        let scissor = self.state.scissor;
+        let end =
+            |start: i32, length: i32, limit: i32| start.saturating_add(length).clamp(0, limit);
+        [
+            scissor.x.clamp(0, width),
+            scissor.y.clamp(0, height),
+            end(scissor.x, scissor.width, width),
+            end(scissor.y, scissor.height, height),
+        ]
+    }
+
+    /// The bits of colours that masks let through.
+    pub(crate) fn color_bits(&self) -> u32 {
+        let bytes = self.state.color.mask.map(|on| if on { 0xff } else { 0 });
+        u32::from_le_bytes(bytes)
+    }
+}

@@ -1,0 +1,29 @@
+//! `glGetString` (OpenGL 1.5, section 6.1.11).
+
+use crate::Context;
+use crate::context::outside_begin;
+use crate::enums as gl;
+use std::ffi::CStr;
+
+/// What is implemented beyond the core, or by other names.
+const EXTENSIONS: &CStr = c"GL_ARB_multitexture GL_ARB_point_parameters GL_ARB_transpose_matrix GL_ARB_window_pos \
+    GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_func_separate GL_EXT_blend_minmax GL_EXT_blend_subtract \
+    GL_EXT_fog_coord GL_EXT_packed_pixels GL_EXT_polygon_offset GL_EXT_rescale_normal GL_EXT_secondary_color \
+    GL_EXT_separate_specular_color GL_EXT_stencil_wrap ";
+
+impl Context {
+    /// `glGetString`: vendor, renderer, version, extensions. `GL_INVALID_ENUM` for other names.
+    pub fn get_string(&mut self, name: u32) -> Option<&'static CStr> {
+        outside_begin!(self, None);
+        Some(match name {
+            gl::VENDOR => c"luxel",
+            gl::RENDERER => c"luxel",
+            gl::VERSION => c"1.5 luxel",
+            gl::EXTENSIONS => EXTENSIONS,
+            _ => {
+                self.error.set(gl::INVALID_ENUM);
+                return None;
+            }
+        })
+    }
+}

@@ -1,0 +1,502 @@
+//! Images of textures: `glTexImage`, `glTexSubImage`, copies from the framebuffer (OpenGL 1.5, sections 3.8.1 to 3.8.3).
+
+use crate::Context;
+use crate::context::{compile, outside_begin};
+use crate::enums as gl;
+use crate::objects::image_calls::{
+    CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
+};
+use crate::objects::list::Command;
+use crate::pixels::format::{Components, PixelFormat};
+use crate::pixels::unpack::ImageLayout;
+use crate::state::pixel::PixelStore;
+use crate::texture::object::ImageTarget;
+use crate::texture::{InternalFormat, Target, Texels, TextureImage, locked};
+
+/// A target of an image of so many dimensions.
+fn image_target(dimensions: usize, name: u32) -> Result<ImageTarget, u32> {
+    ImageTarget::named(name)
+        .filter(|of| of.target.dimensions() == dimensions)
+        .ok_or(gl::INVALID_ENUM)
+}
+
+/// A level of a target.
+fn level_of(target: Target, level: i32) -> Result<usize, u32> {
+    if (0..target.levels()).contains(&level) { Ok(level as usize) } else { Err(gl::INVALID_VALUE) }
+}
+
+/// Whether the size of an image, borders included, is one that a level can have.
+fn is_size(target: Target, level: usize, size: [i32; 3], border: i32) -> bool {
+    let largest = (target.largest_side() >> level) as i32;
+    let sides = &size[..target.dimensions()];
+    let fits = sides.iter().all(|side| (2 * border..=largest + 2 * border).contains(side));
+    fits && (target != Target::Cube || size[0] == size[1])
+}
+
+impl TexImage {
+    /// Target, level, formats; or the error that the specification has for the arguments.
+    fn checked(&self) -> Result<(ImageTarget, usize, InternalFormat, PixelFormat), u32> {
+        let image = image_target(self.dimensions, self.target)?;
+        let level = level_of(image.target, self.level)?;
+        let format = InternalFormat::named(self.internal).ok_or(gl::INVALID_VALUE)?;
+        let is_border = matches!(self.border, 0 | 1);
+        if !is_border || self.size.iter().any(|side| *side < 0) {
+            return Err(gl::INVALID_VALUE);
+        }
+        let fits = is_size(image.target, level, self.size, self.border);
+        if !fits && !image.proxy {
+            return Err(gl::INVALID_VALUE);
+        }
+        let kind = texel_format(self.format, self.data_type)?;
+        if (kind.components == Components::Depth) != format.is_depth()
+            || format.is_depth() && !matches!(image.target, Target::One | Target::Two)
+        {
+            return Err(gl::INVALID_OPERATION);
+        }
+        Ok((image, level, format, kind))
+    }
+}
+
+/// A format of pixels that become texels.
+fn texel_format(format: u32, data_type: u32) -> Result<PixelFormat, u32> {
+    let kind = PixelFormat::named(format, data_type)?;
+    if kind.components == Components::Stencil { Err(gl::INVALID_ENUM) } else { Ok(kind) }
+}
+
+fn sides(size: [i32; 3]) -> [usize; 3] {
+    size.map(|side| usize::try_from(side).unwrap_or(0))
+}
+
+/// The pixels of a call in tight rows, as a list keeps them.
+fn tight(kind: PixelFormat, layout: &ImageLayout, bytes: &[u8]) -> Box<[u8]> {
+    let mut all = Vec::with_capacity(bytes.len().min(layout.end));
+    layout.each_row(bytes, |_, row| all.extend_from_slice(row));
+    debug_assert!(all.len().is_multiple_of(kind.bytes().max(1)), "whole pixels");
+    all.into()
+}
+
+/// How tight rows lie in memory.
+fn tight_store(swap_bytes: bool) -> PixelStore {
+    PixelStore { alignment: 1, swap_bytes, ..PixelStore::default() }
+}
+
+/// Puts pixels into an image, the first at `offset`, which counts borders.
+fn fill(
+    image: &mut TextureImage,
+    offset: [u32; 3],
+    kind: PixelFormat,
+    layout: &ImageLayout,
+    swap: bool,
+    bytes: &[u8],
+) {
+    let pixel_bytes = kind.bytes();
+    let format = image.format;
+    layout.each_row(bytes, |[y, z], row| {
+        let [across, up, deep] = offset;
+        let first = image.index([across, up + y as u32, deep + z as u32]);
+        let pixels = row.chunks_exact(pixel_bytes);
+        match &mut image.texels {
+            Texels::Bytes(texels) if kind.is_bytes() => {
+                let texels = texels.get_mut(first..).unwrap_or_default();
+                for (texel, pixel) in texels.iter_mut().zip(pixels) {
+                    *texel = format.canonical(kind.read_bytes(pixel), 0, 255);
+                }
+            }
+            _ => {
+                for (x, pixel) in pixels.enumerate() {
+                    image.put(first + x, kind.read(swap, pixel));
+                }
+            }
+        }
+    });
+}
+
+impl Context {
+    /// Bytes that `glTexImage` or `glTexSubImage` of so many dimensions reads; 0 where it reads none: for a proxy, and
+    /// for arguments that are in error.
+    #[must_use]
+    pub fn tex_image_bytes(
+        &self,
+        dimensions: u32,
+        target: u32,
+        size: [i32; 3],
+        format: u32,
+        data_type: u32,
+    ) -> usize {
+        let dimensions = dimensions as usize;
+        let reads = image_target(dimensions, target).is_ok_and(|image| !image.proxy);
+        match texel_format(format, data_type) {
+            Ok(kind) if reads => {
+                ImageLayout::new(&self.client.unpack, sides(size), kind, dimensions).end
+            }
+            _ => 0,
+        }
+    }
+
+    /// `glTexImage1D`; without pixels the image is black.
+    #[expect(clippy::too_many_arguments, reason = "glTexImage1D has as many")]
+    pub fn tex_image_1d(
+        &mut self,
+        target: u32,
+        level: i32,
+        internal: i32,
+        width: i32,
+        border: i32,
+        format: u32,
+        data_type: u32,
+        pixels: Option<&[u8]>,
+    ) {
+        let (internal, size) = (internal as u32, [width, 1, 1]);
+        let dimensions = 1;
+        self.tex_image(
+            TexImage { dimensions, target, level, internal, size, border, format, data_type },
+            pixels,
+        );
+    }
+
+    /// `glTexImage2D`; without pixels the image is black.
+    #[expect(clippy::too_many_arguments, reason = "glTexImage2D has as many")]
+    pub fn tex_image_2d(
+        &mut self,
+        target: u32,
+        level: i32,
+        internal: i32,
+        [width, height]: [i32; 2],
+        border: i32,
+        format: u32,
+        data_type: u32,
+        pixels: Option<&[u8]>,
+    ) {
+        let (internal, size) = (internal as u32, [width, height, 1]);
+        let dimensions = 2;
+        self.tex_image(
+            TexImage { dimensions, target, level, internal, size, border, format, data_type },
+            pixels,
+        );
+    }
+
+    /// `glTexImage3D`; without pixels the image is black.
+    #[expect(clippy::too_many_arguments, reason = "glTexImage3D has as many")]
+    pub fn tex_image_3d(
+        &mut self,
+        target: u32,
+        level: i32,
+        internal: i32,
+        size: [i32; 3],
+        border: i32,
+        format: u32,
+        data_type: u32,
+        pixels: Option<&[u8]>,
+    ) {
+        let internal = internal as u32;
+        let dimensions = 3;
+        self.tex_image(
+            TexImage { dimensions, target, level, internal, size, border, format, data_type },
+            pixels,
+        );
+    }
+
+    fn tex_image(&mut self, call: TexImage, pixels: Option<&[u8]>) {
+        let store = self.client.unpack;
+        // Proxies aren't compiled (section 5.4).
+        let is_proxy = ImageTarget::named(call.target).is_some_and(|image| image.proxy);
+        if self.is_compiling() && !is_proxy {
+            let kept = pixels.and_then(|pixels| {
+                let kind = texel_format(call.format, call.data_type).ok()?;
+                let layout = ImageLayout::new(&store, sides(call.size), kind, call.dimensions);
+                Some(tight(kind, &layout, pixels))
+            });
+            let kept = WithPixels { call, swap: store.swap_bytes, pixels: kept };
+            compile!(self, Command::TexImage(Box::new(kept)));
+        }
+        self.specify(&call, pixels, &store);
+    }
+
+    /// Carries out what a list kept.
+    pub(super) fn tex_image_from_list(&mut self, kept: &WithPixels<TexImage>) {
+        compile!(self, Command::TexImage(Box::new(kept.clone())));
+        self.specify(&kept.call, kept.pixels.as_deref(), &tight_store(kept.swap));
+    }
+
+    fn specify(&mut self, call: &TexImage, pixels: Option<&[u8]>, store: &PixelStore) {
+        outside_begin!(self);
+        let (of, level, format, kind) = match call.checked() {
+            Ok(checked) => checked,
+            Err(error) => return self.error.set(error),
+        };
+        let size = call.size.map(|side| side as u32);
+        let border = call.border as u32;
+        if of.proxy {
+            let key = (of.target as usize, level);
+            let fits = is_size(of.target, level, call.size, call.border)
+                && size.iter().map(|side| u64::from(*side)).product::<u64>()
+                    <= crate::limits::TEXELS as u64;
+            // A proxy has a shape and no texels.
+            match TextureImage::new(call.internal, format, [0; 3], border).filter(|_| fits) {
+                Some(image) => {
+                    self.proxies.insert(key, TextureImage { size, ..image });
+                }
+                None => {
+                    self.proxies.remove(&key);
+                }
+            }
+            return;
+        }
+        let Some(mut image) = TextureImage::new(call.internal, format, size, border) else {
+            return self.error.set(gl::OUT_OF_MEMORY);
+        };
+        if let Some(pixels) = pixels {
+            let layout = ImageLayout::new(store, sides(call.size), kind, call.dimensions);
+            fill(&mut image, [0; 3], kind, &layout, store.swap_bytes, pixels);
+        }
+        self.put_image(of, level, image);
+    }
+
+    /// Puts an image into the bound texture, and makes the levels below if they are to follow.
+    fn put_image(&mut self, of: ImageTarget, level: usize, image: TextureImage) {
+        let texture = self.active_texture_of(of.target);
+        locked(&texture).set_image(of.face, level, image);
+        self.image_changed(of, level);
+    }
+
+    /// `GL_GENERATE_MIPMAP`: a change of the base level makes the levels below.
+    fn image_changed(&mut self, of: ImageTarget, level: usize) {
+        let texture = self.active_texture_of(of.target);
+        let mut texture = locked(&texture);
+        let parameters = texture.parameters();
+        if parameters.generate_mipmap
+            && parameters.base_level == level as i32
+            && let Err(error) = texture.generate_mipmap(of.face)
+        {
+            self.error.set(error);
+        }
+    }
+
+    /// `glGenerateMipmap`: the levels below the base level of the bound texture.
+    pub fn generate_mipmap(&mut self, target: u32) {
+        outside_begin!(self);
+        let Some(target) = Target::named(target) else {
+            return self.error.set(gl::INVALID_ENUM);
+        };
+        let texture = self.active_texture_of(target);
+        let mut texture = locked(&texture);
+        let base = usize::try_from(texture.parameters().base_level).unwrap_or(0);
+        let sizes: Vec<_> = (0..target.faces())
+            .map(|face| texture.image(face, base).map(|image| (image.size, image.name)))
+            .collect();
+        if sizes.iter().any(|size| *size != sizes[0]) {
+            return self.error.set(gl::INVALID_OPERATION);
+        }
+        for face in 0..target.faces() {
+            if let Err(error) = texture.generate_mipmap(face) {
+                return self.error.set(error);
+            }
+        }
+    }
+
+    /// `glTexSubImage1D`, `2D`, `3D`: replaces a part of an image.
+    #[expect(clippy::too_many_arguments, reason = "glTexSubImage3D has more")]
+    pub fn tex_sub_image(
+        &mut self,
+        dimensions: u32,
+        target: u32,
+        level: i32,
+        offset: [i32; 3],
+        size: [i32; 3],
+        format: u32,
+        data_type: u32,
+        pixels: &[u8],
+    ) {
+        let dimensions = dimensions as usize;
+        let call = TexSubImage { dimensions, target, level, offset, size, format, data_type };
+        let store = self.client.unpack;
+        if self.is_compiling() {
+            let kept = texel_format(format, data_type).ok().map(|kind| {
+                let layout = ImageLayout::new(&store, sides(size), kind, dimensions);
+                tight(kind, &layout, pixels)
+            });
+            let kept = WithPixels { call, swap: store.swap_bytes, pixels: kept };
+            compile!(self, Command::TexSubImage(Box::new(kept)));
+        }
+        self.replace(&call, pixels, &store);
+    }
+
+    /// Carries out what a list kept.
+    pub(super) fn tex_sub_image_from_list(&mut self, kept: &WithPixels<TexSubImage>) {
+        compile!(self, Command::TexSubImage(Box::new(kept.clone())));
+        self.replace(
+            &kept.call,
+            kept.pixels.as_deref().unwrap_or_default(),
+            &tight_store(kept.swap),
+        );
+    }
+
+    fn replace(&mut self, call: &TexSubImage, pixels: &[u8], store: &PixelStore) {
+        outside_begin!(self);
+        let checked =
+            self.checked_part((call.dimensions, call.target), call.level, call.offset, call.size);
+        let (of, level, offset, is_depth) = match checked {
+            Ok(checked) => checked,
+            Err(error) => return self.error.set(error),
+        };
+        let kind = match texel_format(call.format, call.data_type) {
+            Ok(kind) if (kind.components == Components::Depth) == is_depth => kind,
+            Ok(_) => return self.error.set(gl::INVALID_OPERATION),
+            Err(error) => return self.error.set(error),
+        };
+        let layout = ImageLayout::new(store, sides(call.size), kind, call.dimensions);
+        let texture = self.active_texture_of(of.target);
+        if let Some(image) = locked(&texture).image_mut(of.face, level) {
+            fill(image, offset, kind, &layout, store.swap_bytes, pixels);
+        }
+        self.image_changed(of, level);
+    }
+
+    /// A part of an image that is there: the image, where the part begins with borders counted, whether texels are
+    /// depths; or an error.
+    fn checked_part(
+        &self,
+        (dimensions, target): (usize, u32),
+        level: i32,
+        offset: [i32; 3],
+        size: [i32; 3],
+    ) -> Result<(ImageTarget, usize, [u32; 3], bool), u32> {
+        let of = image_target(dimensions, target)?;
+        if of.proxy {
+            return Err(gl::INVALID_ENUM);
+        }
+        let level = level_of(of.target, level)?;
+        if size.iter().any(|side| *side < 0) {
+            return Err(gl::INVALID_VALUE);
+        }
+        let texture = self.active_texture_of(of.target);
+        let texture = locked(&texture);
+        let image = texture.image(of.face, level).ok_or(gl::INVALID_OPERATION)?;
+        let mut first = [0; 3];
+        for axis in 0..dimensions {
+            let at = i64::from(offset[axis]) + i64::from(image.border);
+            let end = at + i64::from(size[axis]);
+            if at < 0 || end > i64::from(image.size[axis]) {
+                return Err(gl::INVALID_VALUE);
+            }
+            first[axis] = at as u32;
+        }
+        Ok((of, level, first, image.format.is_depth()))
+    }
+
+    /// `glCopyTexImage1D`, `2D`: an image from the framebuffer.
+    #[expect(clippy::too_many_arguments, reason = "glCopyTexImage2D has more")]
+    pub fn copy_tex_image(
+        &mut self,
+        dimensions: u32,
+        target: u32,
+        level: i32,
+        internal: u32,
+        from: [i32; 2],
+        size: [i32; 2],
+        border: i32,
+    ) {
+        let dimensions = dimensions as usize;
+        let call = CopyTexImage { dimensions, target, level, internal, from, size, border };
+        self.copy_image(&call);
+    }
+
+    pub(super) fn copy_image(&mut self, call: &CopyTexImage) {
+        compile!(self, Command::CopyTexImage(Box::new(*call)));
+        outside_begin!(self);
+        let [width, height] = call.size;
+        // Numbers of components are no formats here.
+        let format =
+            if (1..=4).contains(&call.internal) { gl::INVALID_ENUM } else { call.internal };
+        let Some(internal) = InternalFormat::named(format) else {
+            return self.error.set(gl::INVALID_ENUM);
+        };
+        let image = TexImage {
+            dimensions: call.dimensions,
+            target: call.target,
+            level: call.level,
+            internal: call.internal,
+            size: [width, height, 1],
+            border: call.border,
+            format: if internal.is_depth() { gl::DEPTH_COMPONENT } else { gl::RGBA },
+            data_type: gl::UNSIGNED_BYTE,
+        };
+        let (of, level, format, _) = match image.checked() {
+            Ok((of, ..)) if of.proxy => return self.error.set(gl::INVALID_ENUM),
+            Ok(checked) => checked,
+            Err(error) => return self.error.set(error),
+        };
+        if format.is_depth() && self.configuration.depth_bits == 0 {
+            return self.error.set(gl::INVALID_OPERATION);
+        }
+        let size = image.size.map(|side| side as u32);
+        let Some(mut image) = TextureImage::new(call.internal, format, size, call.border as u32)
+        else {
+            return self.error.set(gl::OUT_OF_MEMORY);
+        };
+        self.carry_out();
+        self.copy_into(&mut image, [0; 3], call.from, call.size);
+        self.put_image(of, level, image);
+    }
+
+    /// `glCopyTexSubImage1D`, `2D`, `3D`: a part of an image from the framebuffer.
+    pub fn copy_tex_sub_image(
+        &mut self,
+        dimensions: u32,
+        target: u32,
+        level: i32,
+        offset: [i32; 3],
+        from: [i32; 2],
+        size: [i32; 2],
+    ) {
+        let dimensions = dimensions as usize;
+        self.copy_part(&CopyTexSubImage { dimensions, target, level, offset, from, size });
+    }
+
+    pub(super) fn copy_part(&mut self, call: &CopyTexSubImage) {
+        compile!(self, Command::CopyTexSubImage(Box::new(*call)));
+        outside_begin!(self);
+        let size = [call.size[0], call.size[1], 1];
+        let checked =
+            self.checked_part((call.dimensions, call.target), call.level, call.offset, size);
+        let (of, level, offset, is_depth) = match checked {
+            Ok(checked) => checked,
+            Err(error) => return self.error.set(error),
+        };
+        if is_depth && self.configuration.depth_bits == 0 {
+            return self.error.set(gl::INVALID_OPERATION);
+        }
+        self.carry_out();
+        let texture = self.active_texture_of(of.target);
+        if let Some(image) = locked(&texture).image_mut(of.face, level) {
+            self.copy_into(image, offset, call.from, call.size);
+        }
+        self.image_changed(of, level);
+    }
+
+    /// Copies pixels of the framebuffer as it is; those outside of it are left as they are.
+    fn copy_into(
+        &self,
+        image: &mut TextureImage,
+        offset: [u32; 3],
+        [x, y]: [i32; 2],
+        [width, height]: [i32; 2],
+    ) {
+        let [frame_width, frame_height] = self.framebuffer.size().map(i64::from);
+        let (x, y) = (i64::from(x), i64::from(y));
+        let rows = (-y).max(0)..i64::from(height).min(frame_height - y);
+        for row in rows {
+            for column in (-x).max(0)..i64::from(width).min(frame_width - x) {
+                let at = [(x + column) as u32, (y + row) as u32];
+                let color = if image.format.is_depth() {
+                    [self.framebuffer.unit_depth(at), 0.0, 0.0, 1.0]
+                } else {
+                    self.frame_color(at)
+                };
+                let [first, second, third] = offset;
+                let index = image.index([first + column as u32, second + row as u32, third]);
+                image.put(index, color);
+            }
+        }
+    }
+}

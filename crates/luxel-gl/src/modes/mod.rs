@@ -1,0 +1,11 @@
+//! What happens to primitives beside rendering: selection and feedback.
+
+mod feedback;
+mod hits;
+mod select;
+mod tokens;
+
+pub(crate) use feedback::FeedbackMode;
+pub(crate) use hits::{HitVisitor, window_place};
+pub(crate) use select::SelectionMode;
+pub(crate) use tokens::FeedbackVisitor;

@@ -1,0 +1,190 @@
+//! Primitives as tokens of the feedback buffer (OpenGL 1.5, section 5.3): after lighting, culling and clipping, before
+//! rasterization.
+
+use super::{FeedbackMode, window_place};
+use crate::enums as gl;
+use crate::primitive::{Cut, Visitor, clip_polygon, clip_segment};
+use crate::raster::{DrawState, polygon_area};
+use crate::state::attributes::Viewport;
+use crate::vertex::{Processed, codes};
+use luxel_pick::{Feedback, FeedbackVertex};
+
+/// Writes primitives to the buffer.
+pub(crate) struct FeedbackVisitor<'a> {
+    state: &'a DrawState,
+    vertices: &'a Processed,
+    viewport: &'a Viewport,
+    feedback: &'a mut FeedbackMode,
+}
+
+/// A vertex that is being clipped, with all that the buffer takes of it.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    clip: [f64; 4],
+    eye: [f64; 4],
+    color: [f64; 4],
+    texture: [f64; 4],
+}
+
+impl Cut for Corner {
+    fn between(inside: &Self, outside: &Self, t: f64) -> Self {
+        let mix = |inside: [f64; 4], outside: [f64; 4]| {
+            std::array::from_fn(|at| inside[at] + (outside[at] - inside[at]) * t)
+        };
+        Self {
+            clip: mix(inside.clip, outside.clip),
+            eye: mix(inside.eye, outside.eye),
+            color: mix(inside.color, outside.color),
+            texture: mix(inside.texture, outside.texture),
+        }
+    }
+}
+
+/// A plane with the coordinates that it is one of.
+#[derive(Clone, Copy, Debug)]
+enum Plane {
+    Clip([f64; 4]),
+    Eye([f64; 4]),
+}
+
+impl Plane {
+    fn distance(&self, corner: &Corner) -> f64 {
+        let (plane, of) = match self {
+            Self::Clip(plane) => (plane, corner.clip),
+            Self::Eye(plane) => (plane, corner.eye),
+        };
+        plane.iter().zip(of).map(|(p, c)| p * c).sum()
+    }
+}
+
+impl<'a> FeedbackVisitor<'a> {
+    pub(crate) fn new(
+        state: &'a DrawState,
+        vertices: &'a Processed,
+        viewport: &'a Viewport,
+        feedback: &'a mut FeedbackMode,
+    ) -> Self {
+        Self { state, vertices, viewport, feedback }
+    }
+
+    fn code(&self, vertex: u32) -> u16 {
+        self.vertices.codes[vertex as usize]
+    }
+
+    fn corner(&self, vertex: u32, color_of: u32, side: usize) -> Corner {
+        let at = vertex as usize;
+        let wide = |values: [f32; 4]| values.map(f64::from);
+        Corner {
+            clip: wide(self.vertices.clip[at]),
+            eye: wide(self.vertices.eye[at]),
+            color: wide(self.vertices.color(side, color_of as usize)),
+            texture: wide(self.vertices.tex_coords[0][at]),
+        }
+    }
+
+    fn placed(&self, corner: &Corner) -> FeedbackVertex {
+        let [x, y, depth] = window_place(self.viewport, corner.clip);
+        let narrow = |values: [f64; 4]| values.map(|value| value as f32);
+        FeedbackVertex {
+            x,
+            y,
+            depth,
+            w: corner.clip[3],
+            color: narrow(corner.color),
+            texture: narrow(corner.texture),
+        }
+    }
+
+    /// The planes that some vertices lie beyond.
+    fn planes(&self, any: u16) -> Vec<Plane> {
+        const VOLUME: [[f64; 4]; 6] = [
+            [1.0, 0.0, 0.0, 1.0],
+            [-1.0, 0.0, 0.0, 1.0],
+            [0.0, 1.0, 0.0, 1.0],
+            [0.0, -1.0, 0.0, 1.0],
+            [0.0, 0.0, 1.0, 1.0],
+            [0.0, 0.0, -1.0, 1.0],
+        ];
+        let beyond = |bit: u32| any >> bit & 1 == 1;
+        let volume = (0..6).filter(|bit| beyond(*bit)).map(|bit| Plane::Clip(VOLUME[bit as usize]));
+        let user = self.state.planes().iter();
+        let user = user.filter(|(number, _)| beyond(codes::FIRST_PLANE + number));
+        volume.chain(user.map(|(_, plane)| Plane::Eye(*plane))).collect()
+    }
+
+    fn put_point(&mut self, vertex: u32, color_of: u32, side: usize) {
+        if self.code(vertex) & (codes::OUTSIDE | codes::NOT_FINITE) == 0 {
+            let placed = self.placed(&self.corner(vertex, color_of, side));
+            self.feedback.put(&Feedback::Point(&placed));
+        }
+    }
+
+    fn put_line(&mut self, ends: [u32; 2], colors_of: [u32; 2], side: usize, begins: bool) {
+        let [a, b] = ends.map(|end| self.code(end));
+        if a & b & codes::OUTSIDE != 0 || (a | b) & codes::NOT_FINITE != 0 {
+            return;
+        }
+        let corners = [0, 1].map(|at| self.corner(ends[at], colors_of[at], side));
+        let planes = self.planes(a | b);
+        let Some(left) = clip_segment(corners, &planes, Plane::distance) else { return };
+        let ends = left.map(|corner| self.placed(&corner));
+        self.feedback.put(&if begins {
+            Feedback::Line(&ends)
+        } else {
+            Feedback::ContinuedLine(&ends)
+        });
+    }
+}
+
+impl Visitor for FeedbackVisitor<'_> {
+    fn point(&mut self, vertex: u32) {
+        self.put_point(vertex, vertex, 0);
+    }
+
+    fn line(&mut self, ends: [u32; 2], begins: bool) {
+        let colors_of = if self.state.is_flat() { [ends[1]; 2] } else { ends };
+        self.put_line(ends, colors_of, 0, begins);
+    }
+
+    fn polygon(&mut self, corners: &[u32], provoking: u32, flagged: bool) {
+        let all = corners.iter().fold(u16::MAX, |all, &corner| all & self.code(corner));
+        let any = corners.iter().fold(0, |any, &corner| any | self.code(corner));
+        if all & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
+            return;
+        }
+        let facing = self.state.side(polygon_area(self.vertices, self.state.scale(), corners));
+        if self.state.is_culled(facing) {
+            return;
+        }
+        let side = self.state.color_side(facing);
+        let flat = self.state.is_flat();
+        let color_of = |vertex: u32| if flat { provoking } else { vertex };
+        let mode = self.state.mode(facing);
+        if mode == gl::FILL {
+            let planes = self.planes(any);
+            let mut polygon: Vec<Corner> =
+                corners.iter().map(|&vertex| self.corner(vertex, color_of(vertex), side)).collect();
+            clip_polygon(&mut polygon, &planes, Plane::distance);
+            if polygon.len() >= 3 {
+                let placed: Vec<FeedbackVertex> =
+                    polygon.iter().map(|corner| self.placed(corner)).collect();
+                self.feedback.put(&Feedback::Polygon(&placed));
+            }
+            return;
+        }
+        let mut begins = true;
+        for (number, &vertex) in corners.iter().enumerate() {
+            if flagged && !self.vertices.edge_flag(vertex as usize) {
+                continue;
+            }
+            if mode == gl::POINT {
+                self.put_point(vertex, color_of(vertex), side);
+            } else {
+                let next = corners[(number + 1) % corners.len()];
+                let colors_of = [color_of(vertex), color_of(next)];
+                self.put_line([vertex, next], colors_of, side, begins);
+                begins = false;
+            }
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Display lists (OpenGL 1.5, section 5.4): commands in the order of their calls.
+//!
+//! A list holds what was called, not what it meant then: state that a command reads is that of the moment when the
+//! list is executed, and so are its errors.
+
+use crate::enums as gl;
+use crate::limits::LIST_COMMANDS;
+use crate::objects::image_calls::{
+    CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
+};
+use crate::vertex::ArrayDraw;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A command of a list, with its arguments.
+#[derive(Clone, Debug)]
+pub(crate) enum Command {
+    Begin(u32),
+    End,
+    Vertex([f32; 4]),
+    Color([f32; 4]),
+    SecondaryColor([f32; 3]),
+    Normal([f32; 3]),
+    TexCoord(u32, [f32; 4]),
+    FogCoord(f32),
+    EdgeFlag(bool),
+    Index(f32),
+    RasterPos([f32; 4]),
+    WindowPos([f32; 3]),
+    Rect([f32; 2], [f32; 2]),
+    MatrixMode(u32),
+    LoadIdentity,
+    LoadMatrix(Box<[f64; 16]>),
+    MultMatrix(Box<[f64; 16]>),
+    PushMatrix,
+    PopMatrix,
+    Rotate(Box<[f64; 4]>),
+    Scale(Box<[f64; 3]>),
+    Translate(Box<[f64; 3]>),
+    Frustum(Box<[f64; 6]>),
+    Ortho(Box<[f64; 6]>),
+    Viewport([i32; 4]),
+    DepthRange([f64; 2]),
+    ActiveTexture(u32),
+    Light(u32, u32, [f32; 4]),
+    LightModel(u32, [f32; 4]),
+    Material(u32, u32, [f32; 4]),
+    ColorMaterial(u32, u32),
+    ShadeModel(u32),
+    Fog(u32, [f32; 4]),
+    Enable(u32),
+    Disable(u32),
+    Hint(u32, u32),
+    CullFace(u32),
+    FrontFace(u32),
+    PolygonMode(u32, u32),
+    PolygonOffset([f32; 2]),
+    PolygonStipple(Box<[u32; 32]>),
+    LineWidth(f32),
+    LineStipple(i32, u16),
+    PointSize(f32),
+    PointParameter(u32, [f32; 4]),
+    ClipPlane(u32, Box<[f64; 4]>),
+    Scissor([i32; 4]),
+    AlphaFunc(u32, f32),
+    DepthFunc(u32),
+    DepthMask(bool),
+    ColorMask([bool; 4]),
+    StencilFunc(u32, i32, u32),
+    StencilOp([u32; 3]),
+    StencilMask(u32),
+    BlendFunc([u32; 4]),
+    BlendEquation(u32),
+    BlendColor([f32; 4]),
+    LogicOp(u32),
+    IndexMask(u32),
+    Clear(u32),
+    ClearColor([f32; 4]),
+    ClearDepth(f64),
+    ClearStencil(i32),
+    ClearAccum([f32; 4]),
+    ClearIndex(f32),
+    DrawBuffer(u32),
+    ReadBuffer(u32),
+    CallList(u32),
+    CallLists(Box<[u32]>),
+    ListBase(u32),
+    PushAttrib(u32),
+    PopAttrib,
+    InitNames,
+    LoadName(u32),
+    PushName(u32),
+    PopName,
+    PassThrough(f32),
+    BindTexture(u32, u32),
+    PrioritizeTextures(i32, Box<[(u32, f32)]>),
+    TexParameter(u32, u32, [f32; 4]),
+    TexEnv(u32, u32, [f32; 4]),
+    TexGen(u32, u32, [f32; 4]),
+    TexImage(Box<WithPixels<TexImage>>),
+    TexSubImage(Box<WithPixels<TexSubImage>>),
+    CopyTexImage(Box<CopyTexImage>),
+    CopyTexSubImage(Box<CopyTexSubImage>),
+    Draw(Arc<ArrayDraw>),
+}
+
+/// The lists of a context, and of those that share with it. An empty list is a name that is taken.
+#[derive(Debug, Default)]
+pub(crate) struct Lists {
+    lists: BTreeMap<u32, Arc<[Command]>>,
+    /// Commands of all lists.
+    count: usize,
+}
+
+impl Lists {
+    pub(crate) fn get(&self, name: u32) -> Option<Arc<[Command]>> {
+        self.lists.get(&name).map(Arc::clone)
+    }
+
+    pub(crate) fn has(&self, name: u32) -> bool {
+        self.lists.contains_key(&name)
+    }
+
+    /// Takes a list in place of the one that had the name.
+    pub(crate) fn put(&mut self, name: u32, commands: Vec<Command>) -> Result<(), u32> {
+        if self.count + commands.len() > LIST_COMMANDS {
+            return Err(gl::OUT_OF_MEMORY);
+        }
+        self.count += commands.len();
+        if let Some(before) = self.lists.insert(name, commands.into()) {
+            self.count -= before.len();
+        }
+        Ok(())
+    }
+
+    /// Names that nobody has, `count` of them one after the other; 0 if there are none.
+    pub(crate) fn generate(&mut self, count: u32) -> u32 {
+        let mut first: u32 = 1;
+        for &taken in self.lists.keys() {
+            if taken > first && taken - first >= count {
+                break;
+            }
+            let Some(next) = taken.checked_add(1) else { return 0 };
+            first = first.max(next);
+        }
+        // Names are as dear as lists: a program can't take four billion of them.
+        if first.checked_add(count - 1).is_none()
+            || self.lists.len() + count as usize > LIST_COMMANDS
+        {
+            return 0;
+        }
+        for name in first..=first + (count - 1) {
+            self.lists.insert(name, Arc::new([]));
+        }
+        first
+    }
+
+    /// Deletes `count` names; those that nobody has are passed over.
+    pub(crate) fn delete(&mut self, first: u32, count: u32) {
+        let end = u64::from(first) + u64::from(count);
+        let last = u32::try_from(end).unwrap_or(u32::MAX);
+        let names: Vec<u32> = self.lists.range(first..last).map(|(name, _)| *name).collect();
+        for name in names {
+            self.count -= self.lists.remove(&name).map_or(0, |list| list.len());
+        }
+    }
+}
+
+/// The names in an array of `glCallLists`, as offsets to the list base.
+///
+/// `None` for a type that isn't one.
+pub(crate) fn list_offsets(data_type: u32, bytes: &[u8]) -> Option<Vec<u32>> {
+    fn each<const N: usize>(bytes: &[u8], of: impl Fn([u8; N]) -> u32) -> Vec<u32> {
+        bytes.as_chunks::<N>().0.iter().map(|chunk| of(*chunk)).collect()
+    }
+    Some(match data_type {
+        gl::BYTE => each(bytes, |[b]| i32::from(b as i8) as u32),
+        gl::UNSIGNED_BYTE => each(bytes, |[b]| u32::from(b)),
+        gl::SHORT => each(bytes, |b| i32::from(i16::from_ne_bytes(b)) as u32),
+        gl::UNSIGNED_SHORT => each(bytes, |b| u32::from(u16::from_ne_bytes(b))),
+        gl::INT | gl::UNSIGNED_INT => each(bytes, u32::from_ne_bytes),
+        // Floor, as a signed number: names below the base exist, too.
+        gl::FLOAT => each(bytes, |b| f32::from_ne_bytes(b).floor() as i64 as u32),
+        gl::_2_BYTES => each(bytes, |b| u32::from(u16::from_be_bytes(b))),
+        gl::_3_BYTES => each(bytes, |[a, b, c]| u32::from_be_bytes([0, a, b, c])),
+        gl::_4_BYTES => each(bytes, u32::from_be_bytes),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn section_5_4_generated_names_are_contiguous_and_fill_gaps() {
+        let mut lists = Lists::default();
+        assert_eq!(lists.generate(3), 1);
+        assert_eq!(lists.generate(2), 4);
+        lists.delete(2, 2);
+        assert_eq!(lists.generate(2), 2);
+        lists.put(u32::MAX, Vec::new()).unwrap();
+        assert_eq!(lists.generate(1), 6);
+        lists.delete(0, u32::MAX);
+        assert!(!lists.has(1) && lists.has(u32::MAX));
+    }
+
+    #[test]
+    fn section_5_4_names_of_two_three_and_four_bytes_begin_with_the_highest() {
+        assert_eq!(list_offsets(gl::_2_BYTES, &[1, 2, 3, 4]), Some(vec![0x102, 0x304]));
+        assert_eq!(list_offsets(gl::_3_BYTES, &[1, 2, 3]), Some(vec![0x10203]));
+        assert_eq!(list_offsets(gl::_4_BYTES, &[1, 2, 3, 4]), Some(vec![0x0102_0304]));
+        assert_eq!(list_offsets(gl::BYTE, &[0xff]), Some(vec![u32::MAX]));
+        let below = (-1.5_f32).to_ne_bytes();
+        assert_eq!(list_offsets(gl::FLOAT, &below), Some(vec![(-2_i32) as u32]));
+        assert_eq!(list_offsets(gl::RGBA, &[0]), None);
+    }
+}

@@ -1,0 +1,8 @@
+//! Primitives: assembled from vertices, and clipped.
+
+mod assemble;
+mod clip;
+pub(crate) mod line;
+
+pub(crate) use assemble::{Visitor, assemble};
+pub(crate) use clip::{ClipCorner, Cut, clip_polygon, clip_segment, plane_distances};

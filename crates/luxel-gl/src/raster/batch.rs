@@ -1,0 +1,250 @@
+//! The primitives of one draw, set up.
+
+use super::pipeline::Pipeline;
+use crate::fragment::TextureStages;
+use crate::vertex::{Processed, WindowScale};
+use luxel_math::SUBPIXELS;
+use luxel_visibility::{LinearForms, PackedForms, Triangle};
+use std::sync::Arc;
+
+/// What shades the fragments of a primitive: weights over the window, and the colours that they weigh.
+#[derive(Clone, Debug)]
+pub(crate) struct Prepared {
+    pub(crate) forms: PackedForms,
+    /// Red, green, blue, alpha of three corners; then their fog coordinates.
+    pub(crate) attributes: Row,
+    /// The first of its rows for textures, if the pipeline has any: secondary colours, then the coordinates of each
+    /// stage.
+    pub(crate) rows: u32,
+}
+
+/// Four numbers of three corners.
+pub(crate) type Row = [[f32; 8]; 2];
+
+/// Where a primitive's colours come from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Shade {
+    /// Three vertices of the batch; in flat shading the colour of one of them; of which side.
+    Triangle { corners: [u32; 3], flat: Option<u32>, side: u8 },
+    /// Prepared already: points, lines.
+    Prepared(u32),
+}
+
+/// What covers pixels.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Shape {
+    Triangle(Triangle),
+    /// Ends in steps of 1/256 pixel, their depths, the counter of stipples where it begins.
+    Line {
+        ends: [[i32; 2]; 2],
+        depths: [f32; 2],
+        width: i32,
+        counter: u32,
+    },
+    /// Left, bottom, and the side of a square of pixels; its depth.
+    Point {
+        corner: [i32; 2],
+        side: i32,
+        depth: f32,
+    },
+}
+
+/// A shape with the primitive that it is a part of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    pub(crate) shape: Shape,
+    pub(crate) shade: Shade,
+    /// What its depths are moved by, in steps of the buffer.
+    pub(crate) offset: f32,
+}
+
+/// One draw.
+#[derive(Debug)]
+pub(crate) struct Batch {
+    pub(crate) pipeline: Arc<Pipeline>,
+    /// Pixels of polygons: the pipeline's, within the viewport.
+    pub(crate) polygon_region: [i32; 4],
+    pub(crate) scale: WindowScale,
+    pub(crate) vertices: Processed,
+    pub(crate) pieces: Vec<Piece>,
+    pub(crate) prepared: Vec<Prepared>,
+    /// Of what is prepared already.
+    pub(crate) rows: Vec<Row>,
+}
+
+impl Batch {
+    /// The pixels that a piece may reach: left, bottom, right, top, the last two beyond.
+    pub(crate) fn bounds(&self, piece: &Piece) -> [i32; 4] {
+        let (low, high, region) = match piece.shape {
+            Shape::Triangle(triangle) => {
+                let [low, high] = triangle.bounds();
+                (low, high, self.polygon_region)
+            }
+            Shape::Line { ends: [a, b], width, .. } => {
+                // Columns of a wide line go up from it, or to the right.
+                let wide = (width + 1) * SUBPIXELS;
+                let low = [a[0].min(b[0]) - SUBPIXELS, a[1].min(b[1]) - SUBPIXELS];
+                let high = [a[0].max(b[0]) + wide, a[1].max(b[1]) + wide];
+                (low, high, self.pipeline.region)
+            }
+            Shape::Point { corner, side, .. } => {
+                let low = corner.map(|at| at * SUBPIXELS);
+                (low, low.map(|at| at + side * SUBPIXELS - 1), self.pipeline.region)
+            }
+        };
+        let pixel = |steps: i32| steps.div_euclid(SUBPIXELS);
+        [
+            pixel(low[0]).max(region[0]),
+            pixel(low[1]).max(region[1]),
+            (pixel(high[0]) + 1).min(region[2]),
+            (pixel(high[1]) + 1).min(region[3]),
+        ]
+    }
+
+    /// What shades the fragments of a piece; its rows for textures are appended.
+    pub(crate) fn prepare(&self, piece: &Piece, rows: &mut Vec<Row>) -> Prepared {
+        let first = rows.len() as u32;
+        match piece.shade {
+            Shade::Prepared(number) => {
+                let mut prepared = self.prepared[number as usize].clone();
+                if let Some(textures) = &self.pipeline.textures {
+                    let from = prepared.rows as usize;
+                    rows.extend_from_slice(&self.rows[from..from + textures.rows()]);
+                }
+                prepared.rows = first;
+                prepared
+            }
+            Shade::Triangle { corners, flat, side } => {
+                let colors = corners.map(|corner| self.color(flat.unwrap_or(corner), side));
+                let fog = corners.map(|corner| self.fog(corner));
+                let places = corners.map(|corner| self.homogeneous(corner));
+                if let Some(textures) = &self.pipeline.textures {
+                    for number in 0..textures.rows() {
+                        let [a, b, c] =
+                            corners.map(|corner| self.row_value(number, corner, flat, side));
+                        rows.push(row(a, b, c));
+                    }
+                }
+                let mut prepared =
+                    Prepared::new(&LinearForms::from_homogeneous(places), colors, fog);
+                prepared.rows = first;
+                prepared
+            }
+        }
+    }
+
+    /// What a vertex has in row `number`: its secondary colour, or texture coordinates.
+    fn row_value(&self, number: usize, vertex: u32, flat: Option<u32>, side: u8) -> [f32; 4] {
+        let mut stages = self.pipeline.textures.iter().flat_map(|textures| &textures.stages);
+        match number.checked_sub(1) {
+            None => {
+                let [r, g, b, _] =
+                    self.vertices.secondary(usize::from(side), flat.unwrap_or(vertex) as usize);
+                [r, g, b, 0.0]
+            }
+            Some(place) => stages
+                .nth(place)
+                .map_or([0.0; 4], |stage| self.vertices.tex_coords[stage.unit][vertex as usize]),
+        }
+    }
+
+    /// Appends the rows of what is prepared already: a line or a point, whose ends are `weights` of two vertices. Returns
+    /// the first one's number.
+    pub(crate) fn push_rows(
+        &mut self,
+        vertices: [u32; 2],
+        weights: [[f32; 2]; 2],
+        flat: Option<u32>,
+        side: u8,
+    ) -> u32 {
+        let first = self.rows.len() as u32;
+        let count = self.pipeline.textures.as_ref().map_or(0, TextureStages::rows);
+        for number in 0..count {
+            let [a, b] = vertices.map(|vertex| self.row_value(number, vertex, flat, side));
+            let mixed =
+                |[u, v]: [f32; 2]| -> [f32; 4] { std::array::from_fn(|at| a[at] * u + b[at] * v) };
+            let [from, to] = weights.map(mixed);
+            self.rows.push(row(from, to, to));
+        }
+        first
+    }
+
+    /// Primary and secondary colour of a vertex together, which fragments clamp; with textures the primary one alone.
+    pub(crate) fn color(&self, vertex: u32, side: u8) -> [f32; 4] {
+        let (vertex, side) = (vertex as usize, usize::from(side));
+        let primary = self.vertices.color(side, vertex);
+        if self.pipeline.textures.is_some() {
+            return primary;
+        }
+        let secondary = self.vertices.secondary(side, vertex);
+        std::array::from_fn(|channel| primary[channel] + secondary[channel])
+    }
+
+    /// The fog coordinate of a vertex.
+    pub(crate) fn fog(&self, vertex: u32) -> f32 {
+        self.vertices.fog_coord.get(vertex as usize).copied().unwrap_or(0.0)
+    }
+
+    /// (x w, y w, w) of a vertex, in pixels of the window.
+    fn homogeneous(&self, vertex: u32) -> [f64; 3] {
+        let [x, y, _, w] = self.vertices.clip[vertex as usize].map(f64::from);
+        let scaled = |value: f64, axis: usize| {
+            let [half, centre] = [self.scale.half, self.scale.centre]
+                .map(|of| f64::from(of[axis]) / f64::from(SUBPIXELS));
+            value * half + centre * w
+        };
+        [scaled(x, 0), scaled(y, 1), w]
+    }
+
+    /// Bytes that it takes, about.
+    pub(crate) fn bytes(&self) -> usize {
+        self.pieces.len() * size_of::<Piece>()
+            + self.prepared.len() * size_of::<Prepared>()
+            + self.rows.len() * size_of::<Row>()
+            + self.vertices.clip.len() * 64
+    }
+}
+
+impl Prepared {
+    pub(crate) fn new(forms: &LinearForms, colors: [[f32; 4]; 3], fog: [f32; 3]) -> Self {
+        let mut packed = PackedForms::default();
+        forms.pack(|_, row, values| packed[row] = values);
+        Self { forms: packed, attributes: Self::attributes(colors, fog), rows: 0 }
+    }
+
+    /// Along one axis of the window, from a place to another one: perspective between the values of w there.
+    pub(crate) fn along(
+        axis: usize,
+        [from, to]: [f64; 2],
+        [w_from, w_to]: [f64; 2],
+        colors: [[f32; 4]; 2],
+        fog: [f32; 2],
+    ) -> Self {
+        let length = to - from;
+        let mut forms = PackedForms::default();
+        if length == 0.0 {
+            forms[2][0] = 1.0;
+        } else {
+            // (1 - s) w_to and s w_from, which are (1 - s) / w_from and s / w_to but for a factor.
+            forms[axis] = [-w_to / length, w_from / length, 0.0, 0.0];
+            forms[2] = [w_to * (1.0 + from / length), -w_from * from / length, 0.0, 0.0];
+        }
+        let [a, b] = colors;
+        let attributes = Self::attributes([a, b, b], [fog[0], fog[1], fog[1]]);
+        Self { forms, attributes, rows: 0 }
+    }
+
+    fn attributes([a, b, c]: [[f32; 4]; 3], fog: [f32; 3]) -> Row {
+        let mut attributes = row(a, b, c);
+        attributes[1][4..7].copy_from_slice(&fog);
+        attributes
+    }
+}
+
+fn row(a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> Row {
+    let mut row = [[0.0; 8]; 2];
+    row[0][..4].copy_from_slice(&a);
+    row[0][4..].copy_from_slice(&b);
+    row[1][..4].copy_from_slice(&c);
+    row
+}

@@ -1,0 +1,335 @@
+//! Primitives to pieces: faces, culling, clipping, setup (OpenGL 1.5, sections 2.11, 3.3 to 3.5).
+
+use super::batch::{Batch, Piece, Prepared, Shade, Shape};
+use super::draw_state::{DrawState, whole_size};
+use super::pipeline::Pipeline;
+use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
+use crate::enums as gl;
+use crate::primitive::line::LineWalk;
+use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment};
+use crate::vertex::{Processed, VertexProcessor, codes};
+use luxel_math::SUBPIXELS;
+use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
+use std::sync::Arc;
+
+/// Makes a batch of the primitives that it is shown.
+pub(crate) struct BatchBuilder<'a> {
+    state: &'a DrawState,
+    batch: Batch,
+    /// The counter of line stipples (section 3.4.2).
+    counter: u32,
+    polygon: Vec<ClipCorner>,
+}
+
+impl<'a> BatchBuilder<'a> {
+    pub(crate) fn new(
+        state: &'a DrawState,
+        pipeline: Arc<Pipeline>,
+        processor: &VertexProcessor,
+        viewport: [i32; 4],
+        vertices: Processed,
+    ) -> Self {
+        let [l, b, r, t] = pipeline.region;
+        let [left, bottom, right, top] = viewport;
+        let polygon_region = [l.max(left), b.max(bottom), r.min(right), t.min(top)];
+        let (pieces, prepared, rows) = (Vec::new(), Vec::new(), Vec::new());
+        let scale = processor.scale();
+        let batch = Batch { pipeline, polygon_region, scale, vertices, pieces, prepared, rows };
+        Self { state, batch, counter: 0, polygon: Vec::new() }
+    }
+
+    pub(crate) fn finish(self) -> Batch {
+        self.batch
+    }
+
+    fn codes(&self, vertex: u32) -> u16 {
+        self.batch.vertices.codes[vertex as usize]
+    }
+
+    fn window(&self, vertex: u32) -> WindowVertex {
+        self.batch.vertices.window[vertex as usize]
+    }
+
+    fn corner(&self, vertex: u32, number: usize) -> ClipCorner {
+        let held = self.codes(vertex) & codes::NOT_HELD == 0;
+        ClipCorner::new(self.batch.vertices.clip[vertex as usize], number, held)
+    }
+
+    /// The planes that some vertices lie beyond. Sides of the clip volume are left to the pixels of the viewport
+    /// where `guarded`, as far as the guard band reaches.
+    fn planes(&self, any: u16, vertices: &[u32], guarded: bool) -> Vec<Plane> {
+        let mut planes = Vec::new();
+        if any & codes::NEAR != 0 {
+            planes.push(Plane::Volume([0.0, 0.0, 1.0, 1.0]));
+        }
+        if any & codes::FAR != 0 {
+            planes.push(Plane::Volume([0.0, 0.0, -1.0, 1.0]));
+        }
+        for &(number, plane) in &self.state.planes {
+            if any >> (codes::FIRST_PLANE + number) & 1 == 1 {
+                let mut distances = [0.0; 3];
+                for (distance, &vertex) in distances.iter_mut().zip(vertices) {
+                    let eye = self.batch.vertices.eye[vertex as usize];
+                    *distance = plane.iter().zip(eye).map(|(p, e)| p * f64::from(e)).sum();
+                }
+                planes.push(Plane::User(distances));
+            }
+        }
+        if any & codes::SIDES != 0 && (!guarded || any & codes::NOT_HELD != 0) {
+            for axis in 0..2 {
+                // One pixel of the band stays for rounding.
+                let half = f64::from(self.state.scale.half[axis]).max(1.0);
+                let reach = if guarded { f64::from(GUARD_BAND - SUBPIXELS) / half } else { 1.0 };
+                for sign in [1.0, -1.0] {
+                    let mut plane = [0.0, 0.0, 0.0, reach];
+                    plane[axis] = sign;
+                    planes.push(if guarded { Plane::Guard(plane) } else { Plane::Volume(plane) });
+                }
+            }
+        }
+        planes
+    }
+
+    /// Where a corner that clipping has left lies in the window.
+    fn clipped_window(&self, corner: &ClipCorner, vertices: &[u32]) -> Option<WindowVertex> {
+        if corner.own && corner.held {
+            let number = corner.weights.iter().position(|weight| *weight == 1.0)?;
+            return Some(self.window(vertices[number]));
+        }
+        window_of(&self.state.scale, corner.clip)
+    }
+
+    fn triangle(&mut self, corners: [u32; 3], flat: Option<u32>, facing: Option<usize>) {
+        let [a, b, c] = corners.map(|corner| self.codes(corner));
+        let any = a | b | c;
+        if a & b & c & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
+            return;
+        }
+        let outside = any & codes::OUTSIDE & !codes::SIDES != 0;
+        if !outside && any & codes::NOT_HELD == 0 {
+            self.piece(corners.map(|corner| self.window(corner)), corners, flat, facing);
+            return;
+        }
+        let planes = self.planes(any, &corners, true);
+        let mut polygon = std::mem::take(&mut self.polygon);
+        polygon.clear();
+        polygon.extend([0, 1, 2].map(|number| self.corner(corners[number], number)));
+        clip_polygon(&mut polygon, &planes, Plane::distance);
+        let mut placed = polygon.iter().filter_map(|corner| self.clipped_window(corner, &corners));
+        if let (Some(first), Some(mut last)) = (placed.next(), placed.next()) {
+            let rest: Vec<WindowVertex> = placed.collect();
+            for next in rest {
+                self.piece([first, last, next], corners, flat, facing);
+                last = next;
+            }
+        }
+        self.polygon = polygon;
+    }
+
+    /// A triangle in the window: filled.
+    fn piece(
+        &mut self,
+        window: [WindowVertex; 3],
+        corners: [u32; 3],
+        flat: Option<u32>,
+        facing: Option<usize>,
+    ) {
+        let Some(triangle) = Triangle::new(window, CullFaces::None) else { return };
+        let side = facing.unwrap_or_else(|| self.state.side(area(window)));
+        if self.state.is_culled(side) {
+            return;
+        }
+        let offset = self.state.offsets[2];
+        let offset = offset.map(|[factor, units]| [factor, units, slope_of(&triangle)]);
+        let side = self.state.color_side(side) as u8;
+        self.batch.pieces.push(Piece {
+            shape: Shape::Triangle(triangle),
+            shade: Shade::Triangle { corners, flat, side },
+            offset: depth_offset(offset),
+        });
+    }
+
+    fn push_line(
+        &mut self,
+        ends: [u32; 2],
+        (flat, side): (Option<u32>, u8),
+        begins: bool,
+        offset: Option<[f32; 3]>,
+    ) {
+        if begins {
+            self.counter = 0;
+        }
+        let [a, b] = ends.map(|end| self.codes(end));
+        if a & b & codes::OUTSIDE != 0 || (a | b) & codes::NOT_FINITE != 0 {
+            return;
+        }
+        let mut corners = [self.corner(ends[0], 0), self.corner(ends[1], 1)];
+        let any = a | b;
+        if any & (codes::OUTSIDE | codes::NOT_HELD) != 0 {
+            let planes = self.planes(any, &ends, false);
+            let Some(clipped) = clip_segment(corners, &planes, Plane::distance) else { return };
+            corners = clipped;
+        }
+        let placed = corners.map(|corner| self.clipped_window(&corner, &ends));
+        let [Some(from), Some(to)] = placed else { return };
+        let colors = ends.map(|end| self.batch.color(flat.unwrap_or(end), side));
+        let mixed = |corner: &ClipCorner| {
+            let [u, v, _] = corner.weights.map(|weight| weight as f32);
+            let color: [f32; 4] =
+                std::array::from_fn(|channel| colors[0][channel] * u + colors[1][channel] * v);
+            (color, self.batch.fog(ends[0]) * u + self.batch.fog(ends[1]) * v)
+        };
+        let (color_from, fog_from) = mixed(&corners[0]);
+        let (color_to, fog_to) = mixed(&corners[1]);
+        let mut places = [[from.x, from.y], [to.x, to.y]];
+        // A wide line is shifted across by (width - 1) / 2 (section 3.4.2).
+        let shift = (self.state.line_width - 1) * (SUBPIXELS / 2);
+        let minor = 1 - LineWalk::new(places[0], places[1]).major;
+        for place in &mut places {
+            place[minor] -= shift;
+        }
+        let walk = LineWalk::new(places[0], places[1]);
+        let along = |place: [i32; 2]| f64::from(place[walk.major]) / f64::from(SUBPIXELS);
+        let mut prepared = Prepared::along(
+            walk.major,
+            [along(places[0]), along(places[1])],
+            [corners[0].clip[3], corners[1].clip[3]],
+            [color_from, color_to],
+            [fog_from, fog_to],
+        );
+        let weights = corners.map(|corner| [corner.weights[0] as f32, corner.weights[1] as f32]);
+        prepared.rows = self.batch.push_rows(ends, weights, flat, side);
+        let number = self.batch.prepared.len() as u32;
+        self.batch.prepared.push(prepared);
+        self.batch.pieces.push(Piece {
+            shape: Shape::Line {
+                ends: places,
+                depths: [from.z, to.z],
+                width: self.state.line_width,
+                counter: self.counter,
+            },
+            shade: Shade::Prepared(number),
+            offset: depth_offset(offset),
+        });
+        self.counter = self.counter.wrapping_add(walk.count as u32);
+    }
+
+    fn push_point(
+        &mut self,
+        vertex: u32,
+        (flat, color_side): (Option<u32>, u8),
+        offset: Option<[f32; 3]>,
+    ) {
+        let code = self.codes(vertex);
+        if code & (codes::OUTSIDE | codes::NOT_FINITE | codes::NOT_HELD) != 0 {
+            return;
+        }
+        let place = self.window(vertex);
+        let side = whole_size(self.point_size(vertex));
+        // Odd sizes are centred in a pixel, even ones between pixels (section 3.3.1).
+        let first = |at: i32| {
+            if side % 2 == 1 {
+                at.div_euclid(SUBPIXELS) - side / 2
+            } else {
+                (at + SUBPIXELS / 2).div_euclid(SUBPIXELS) - side / 2
+            }
+        };
+        let fog = self.batch.fog(vertex);
+        let number = self.batch.prepared.len() as u32;
+        let color = self.batch.color(flat.unwrap_or(vertex), color_side);
+        let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
+        prepared.rows = self.batch.push_rows([vertex; 2], [[1.0, 0.0]; 2], flat, color_side);
+        self.batch.prepared.push(prepared);
+        self.batch.pieces.push(Piece {
+            shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z },
+            shade: Shade::Prepared(number),
+            offset: depth_offset(offset),
+        });
+    }
+
+    /// size / sqrt(a + b d + c d^2), within the limits (section 3.3).
+    fn point_size(&self, vertex: u32) -> f32 {
+        let [a, b, c] = self.state.attenuation;
+        let mut size = self.state.point_size;
+        if self.state.attenuation != [1.0, 0.0, 0.0]
+            && let Some([x, y, z, w]) = self.batch.vertices.eye.get(vertex as usize)
+        {
+            let distance = (x * x + y * y + z * z).sqrt() / if *w == 0.0 { 1.0 } else { w.abs() };
+            let divisor = a + b * distance + c * distance * distance;
+            if divisor > 0.0 {
+                size /= divisor.sqrt();
+            }
+        }
+        let [least, largest] = self.state.point_limits;
+        if size < least { least } else { size.min(largest) }
+    }
+
+    /// The border of a polygon as lines or points, each with the polygon's offset.
+    fn outline(&mut self, corners: &[u32], flat: Option<u32>, flagged: bool, side: usize) {
+        let lines = self.state.mode(side) == gl::LINE;
+        let shade = (flat, self.state.color_side(side) as u8);
+        let offset = self.state.offsets[usize::from(lines)]
+            .map(|[factor, units]| [factor, units, self.slope(corners)]);
+        let mut begins = true;
+        for (number, &vertex) in corners.iter().enumerate() {
+            if flagged && !self.batch.vertices.edge_flag(vertex as usize) {
+                continue;
+            }
+            if lines {
+                let next = corners[(number + 1) % corners.len()];
+                self.push_line([vertex, next], shade, begins, offset);
+                begins = false;
+            } else {
+                self.push_point(vertex, shade, offset);
+            }
+        }
+    }
+
+    /// max(|dz/dx|, |dz/dy|) of a polygon's first corners, a pixel; 0 if they have no place in the window.
+    fn slope(&self, corners: &[u32]) -> f32 {
+        if corners[..3].iter().any(|&corner| self.codes(corner) & codes::NOT_HELD != 0) {
+            return 0.0;
+        }
+        let [a, b, c] = [0, 1, 2].map(|number| self.window(corners[number]));
+        match Triangle::new([a, b, c], CullFaces::None) {
+            Some(triangle) => slope_of(&triangle),
+            None => 0.0,
+        }
+    }
+}
+
+impl Visitor for BatchBuilder<'_> {
+    fn point(&mut self, vertex: u32) {
+        self.push_point(vertex, (None, 0), None);
+    }
+
+    fn line(&mut self, ends: [u32; 2], begins: bool) {
+        let flat = self.state.flat.then_some(ends[1]);
+        self.push_line(ends, (flat, 0), begins, None);
+    }
+
+    fn polygon(&mut self, corners: &[u32], provoking: u32, flagged: bool) {
+        let state = self.state;
+        let flat = state.flat.then_some(provoking);
+        if state.culled == [true; 2] {
+            return;
+        }
+        let filled = state.modes == [gl::FILL; 2];
+        if let (true, &[a, b, c]) = (filled, corners) {
+            self.triangle([a, b, c], flat, None);
+            return;
+        }
+        let side = state.side(polygon_area(&self.batch.vertices, &state.scale, corners));
+        if state.is_culled(side) {
+            return;
+        }
+        if state.mode(side) != gl::FILL {
+            self.outline(corners, flat, flagged, side);
+            return;
+        }
+        // The diagonals are free (section 3.5); a fan is usual.
+        for pair in corners[1..].windows(2) {
+            self.triangle([corners[0], pair[0], pair[1]], flat, Some(side));
+        }
+    }
+}

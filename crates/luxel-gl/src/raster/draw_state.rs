@@ -1,0 +1,103 @@
+//! The state that decides how primitives become pieces: faces, modes, sizes, offsets, planes of the user.
+
+use crate::enums as gl;
+use crate::state::Attributes;
+use crate::vertex::WindowScale;
+
+/// What decides how primitives become pieces.
+#[derive(Clone, Debug)]
+pub(crate) struct DrawState {
+    pub(super) flat: bool,
+    pub(super) two_side: bool,
+    /// Whether front faces run counter-clockwise in the window.
+    pub(super) front_is_counter_clockwise: bool,
+    /// Which sides are left out: front, back.
+    pub(super) culled: [bool; 2],
+    /// How the sides are drawn.
+    pub(super) modes: [u32; 2],
+    /// Factor and units, for points, lines and filled polygons.
+    pub(super) offsets: [Option<[f32; 2]>; 3],
+    pub(super) point_size: f32,
+    pub(super) point_limits: [f32; 2],
+    pub(super) attenuation: [f32; 3],
+    pub(super) line_width: i32,
+    /// Enabled planes of the user, by numbers of bits, in eye coordinates.
+    pub(super) planes: Vec<(u32, [f64; 4])>,
+    pub(super) scale: WindowScale,
+}
+
+impl DrawState {
+    pub(crate) fn new(state: &Attributes, scale: WindowScale) -> Self {
+        let has = |name: u32| state.enables.has(name);
+        let polygons = &state.polygons;
+        let culls = |side: u32| {
+            has(gl::CULL_FACE) && (polygons.cull == side || polygons.cull == gl::FRONT_AND_BACK)
+        };
+        let offset =
+            |name: u32| has(name).then_some([polygons.offset_factor, polygons.offset_units]);
+        let enabled = (0..8_u32).filter(|number| state.enables.planes() >> number & 1 == 1);
+        Self {
+            flat: state.lights.shade_model == gl::FLAT,
+            two_side: has(gl::LIGHTING) && state.lights.model.two_side,
+            front_is_counter_clockwise: polygons.front == gl::CCW,
+            culled: [culls(gl::FRONT), culls(gl::BACK)],
+            modes: polygons.modes,
+            offsets: [
+                offset(gl::POLYGON_OFFSET_POINT),
+                offset(gl::POLYGON_OFFSET_LINE),
+                offset(gl::POLYGON_OFFSET_FILL),
+            ],
+            point_size: state.points.size,
+            point_limits: [state.points.least, state.points.largest],
+            attenuation: state.points.attenuation,
+            line_width: whole_size(state.lines.width),
+            planes: enabled
+                .map(|number| (number, state.transform.planes[number as usize]))
+                .collect(),
+            scale,
+        }
+    }
+
+    /// Whether eye coordinates are needed.
+    pub(crate) fn needs_eye(&self) -> bool {
+        !self.planes.is_empty() || self.attenuation != [1.0, 0.0, 0.0]
+    }
+
+    /// Whether a polygon of that area, positive where it runs counter-clockwise in the window, faces the viewer: 0 is
+    /// the front, 1 the back.
+    pub(crate) fn side(&self, area: f64) -> usize {
+        usize::from((area > 0.0) != self.front_is_counter_clockwise)
+    }
+
+    pub(crate) fn is_culled(&self, side: usize) -> bool {
+        self.culled[side]
+    }
+
+    /// How a side is drawn.
+    pub(crate) fn mode(&self, side: usize) -> u32 {
+        self.modes[side]
+    }
+
+    pub(crate) fn is_flat(&self) -> bool {
+        self.flat
+    }
+
+    pub(crate) fn scale(&self) -> &WindowScale {
+        &self.scale
+    }
+
+    /// The user's planes in eye coordinates.
+    pub(crate) fn planes(&self) -> &[(u32, [f64; 4])] {
+        &self.planes
+    }
+
+    /// Which colours a side has.
+    pub(crate) fn color_side(&self, side: usize) -> usize {
+        if self.two_side { side } else { 0 }
+    }
+}
+
+/// A size of points or width of lines in whole pixels (sections 3.3 and 3.4.2).
+pub(super) fn whole_size(size: f32) -> i32 {
+    (size.clamp(1.0, crate::limits::LARGEST_SIZE) + 0.5) as i32
+}

@@ -1,0 +1,100 @@
+//! The planes of a framebuffer, in tiles of 64x64 pixels and blocks of 4x4.
+//!
+//! Row 0 is the bottom one.
+
+use luxel_math::LANES;
+use luxel_visibility::{BLOCK, BLOCKS, TILE, Tile};
+
+/// Blocks of a tile.
+pub(crate) const TILE_BLOCKS: usize = (BLOCKS * BLOCKS) as usize;
+const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
+/// The largest depth, 1: there are 24 bits.
+pub(crate) const LARGEST_DEPTH: f32 = 16_777_215.0;
+
+/// Columns and rows of a block's lanes.
+pub(super) const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
+pub(super) const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
+
+/// The first pixel of a block within its tile.
+pub(super) fn block_origin(block: usize) -> [i32; 2] {
+    let block = block as i32;
+    [block % BLOCKS * BLOCK, block / BLOCKS * BLOCK]
+}
+
+/// The planes of one tile, block by block.
+#[derive(Clone, Debug)]
+pub(crate) struct TilePlanes {
+    /// Red in the lowest byte, alpha in the highest.
+    pub(crate) color: [[u32; LANES]; TILE_BLOCKS],
+    /// Window depth times 2^24 - 1, whole numbers.
+    pub(crate) depth: [[f32; LANES]; TILE_BLOCKS],
+    pub(crate) stencil: [[u32; LANES]; TILE_BLOCKS],
+}
+
+impl TilePlanes {
+    /// Black, as far away as possible.
+    fn new() -> Box<Self> {
+        Box::new(Self {
+            color: [[0; LANES]; TILE_BLOCKS],
+            depth: [[LARGEST_DEPTH; LANES]; TILE_BLOCKS],
+            stencil: [[0; LANES]; TILE_BLOCKS],
+        })
+    }
+}
+
+/// A framebuffer with one sample a pixel.
+#[derive(Debug)]
+pub(crate) struct Framebuffer {
+    width: u32,
+    height: u32,
+    pub(crate) tiles: Vec<Box<TilePlanes>>,
+}
+
+impl Framebuffer {
+    pub(crate) fn new(width: u32, height: u32) -> Self {
+        let [across, up] = [width, height].map(|side| side.div_ceil(TILE as u32) as usize);
+        let tiles = (0..across * up).map(|_| TilePlanes::new()).collect();
+        Self { width, height, tiles }
+    }
+
+    /// Width and height.
+    pub(crate) fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    /// Tiles side by side.
+    pub(crate) fn across(&self) -> usize {
+        self.width.div_ceil(TILE as u32) as usize
+    }
+
+    /// Tile, block and lane of a pixel.
+    fn place(&self, [x, y]: [u32; 2]) -> (&TilePlanes, usize, usize) {
+        let side = TILE as u32;
+        let tile = (y / side) as usize * self.across() + (x / side) as usize;
+        let (block, lane) = Tile::place((x % side) as i32, (y % side) as i32);
+        (&self.tiles[tile], block, lane)
+    }
+
+    /// Red, green, blue and alpha of a pixel.
+    pub(crate) fn color(&self, at: [u32; 2]) -> [u8; 4] {
+        let (planes, block, lane) = self.place(at);
+        planes.color[block][lane].to_le_bytes()
+    }
+
+    /// A pixel's depth, of 24 bits.
+    pub(crate) fn depth(&self, at: [u32; 2]) -> u32 {
+        let (planes, block, lane) = self.place(at);
+        planes.depth[block][lane] as u32
+    }
+
+    /// A pixel's depth from 0 to 1.
+    pub(crate) fn unit_depth(&self, at: [u32; 2]) -> f32 {
+        (f64::from(self.depth(at)) / f64::from(LARGEST_DEPTH)) as f32
+    }
+
+    /// A pixel's stencil value.
+    pub(crate) fn stencil(&self, at: [u32; 2]) -> u8 {
+        let (planes, block, lane) = self.place(at);
+        planes.stencil[block][lane] as u8
+    }
+}

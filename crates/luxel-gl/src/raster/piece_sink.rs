@@ -1,0 +1,230 @@
+//! Takes the samples of one piece: tests, and writes (OpenGL 1.5, section 4.1).
+
+use super::blend::{blended, compare, logic};
+use super::framebuffer::{LANE_X, LANE_Y, LARGEST_DEPTH, TILE_BLOCKS, TilePlanes, block_origin};
+use super::lighter::{Lighter, light_seen};
+use super::pipeline::Pipeline;
+use super::shade::{Colors, Shading, decode, encode, shade};
+use luxel_math::{LANES, Lanes, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
+use luxel_visibility::{Sink, Tile};
+
+/// Takes the samples of one piece.
+pub(super) struct PieceSink<'t, 'a, S> {
+    pub(super) simd: S,
+    pub(super) planes: &'t mut TilePlanes,
+    pub(super) seen: &'t mut [[u32; LANES]; TILE_BLOCKS],
+    pub(super) lighter: &'t mut Lighter<'a>,
+    pub(super) pipeline: &'t Pipeline,
+    pub(super) origin: [i32; 2],
+    /// Pixels of the tile that may be drawn to: left, bottom, right, top.
+    pub(super) limits: [i32; 4],
+    pub(super) is_whole: bool,
+    /// Whether depth alone decides.
+    pub(super) plain: bool,
+    pub(super) stipple: Option<&'t [u32; 32]>,
+    pub(super) number: u32,
+    /// What depths are moved by.
+    pub(super) offset: f32,
+}
+
+impl<S: Simd> Sink for PieceSink<'_, '_, S> {
+    #[inline(always)]
+    fn few(&mut self, _: [i32; 4]) {}
+
+    #[inline(always)]
+    fn blocks<T: Simd>(&mut self, _: T, _: i32, blocks: u32, _: f32x16<T>, _: bool) -> u32 {
+        blocks
+    }
+
+    #[inline(always)]
+    fn block<T: Simd>(&mut self, simd: T, covered: mask32x16<T>, z: f32x16<T>, block: usize) {
+        let covered = if self.is_whole { covered } else { covered & self.allowed(simd, block) };
+        if !covered.any_true() {
+            return;
+        }
+        if !self.plain {
+            self.by_all_tests(covered.to_bitmask() as u32, &z.into(), block);
+            return;
+        }
+        let mut passing = covered;
+        if let Some((func, writes)) = self.pipeline.depth {
+            let z = quantized(z, self.offset);
+            let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
+            passing = covered & compare(func, z, stored);
+            if writes {
+                passing.select(z, stored).store_slice(&mut self.planes.depth[block]);
+            }
+        }
+        if self.pipeline.color_bits != 0 {
+            let before = u32x16::from_slice(simd, &self.seen[block]);
+            let number = u32x16::splat(simd, self.number);
+            passing.select(number, before).store_slice(&mut self.seen[block]);
+        }
+    }
+
+    #[inline(always)]
+    fn sample(&mut self, [column, row]: [i32; 2], _: [i32; 2], z: f32) {
+        let [left, bottom, right, top] = self.limits;
+        if column < left || column >= right || row < bottom || row >= top {
+            return;
+        }
+        let (block, lane) = Tile::place(column, row);
+        let (block, lane) = (block & (TILE_BLOCKS - 1), lane & (LANES - 1));
+        if !self.plain {
+            self.by_all_tests(1 << lane, &[z; LANES], block);
+            return;
+        }
+        if let Some((func, writes)) = self.pipeline.depth {
+            let z = quantized(z, self.offset);
+            let stored = &mut self.planes.depth[block][lane];
+            if !compare(func, z, *stored) {
+                return;
+            }
+            if writes {
+                *stored = z;
+            }
+        }
+        if self.pipeline.color_bits != 0 {
+            self.seen[block][lane] = self.number;
+        }
+    }
+}
+
+/// A depth as the buffer has it, one of 2^24 steps, moved by an offset: whole offsets move by as many steps.
+#[inline(always)]
+fn quantized<N: Lanes>(z: N, offset: f32) -> N {
+    let z = z.clamped(0.0, LARGEST_DEPTH).round_ties_even();
+    if offset == 0.0 {
+        return z;
+    }
+    (z + z.constant(offset)).clamped(0.0, LARGEST_DEPTH).round_ties_even()
+}
+
+impl<S: Simd> PieceSink<'_, '_, S> {
+    /// The lanes of a block that may be drawn to.
+    #[inline(always)]
+    fn allowed<T: Simd>(&self, simd: T, block: usize) -> mask32x16<T> {
+        let [left, bottom, right, top] = self.limits;
+        let [x, y] = block_origin(block);
+        let lane_x = i32x16::simd_from(simd, LANE_X) + x;
+        let lane_y = i32x16::simd_from(simd, LANE_Y) + y;
+        lane_x.simd_ge(left) & lane_x.simd_lt(right) & lane_y.simd_ge(bottom) & lane_y.simd_lt(top)
+    }
+
+    /// Fragments by stipple, alpha test, stencil and depth, in the order of section 4.1; then colours into the buffer,
+    /// or the piece's number where they take no notice of what is there.
+    #[inline(never)]
+    fn by_all_tests(&mut self, covered: u32, z: &[f32; LANES], block: usize) {
+        let simd = self.simd;
+        simd.vectorize(
+            #[inline(always)]
+            || self.tested(simd, covered, z, block),
+        );
+    }
+
+    #[inline(always)]
+    fn tested(&mut self, simd: S, mut lanes: u32, z: &[f32; LANES], block: usize) {
+        if let Some(stipple) = self.stipple {
+            lanes &= stippled(stipple, self.origin, block);
+        }
+        let mixing = self.pipeline.is_mixing();
+        let mut colors = None;
+        if let Some((func, reference)) = self.pipeline.alpha_test {
+            let shaded = self.colors(simd, block, lanes);
+            let reference = f32x16::splat(simd, reference);
+            lanes &= compare(func, shaded[3], reference).to_bitmask() as u32;
+            colors = Some(shaded);
+        }
+        if lanes == 0 {
+            return;
+        }
+        let mut passing = lanes;
+        let stencil = self.pipeline.stencil.as_ref();
+        if let Some(test) = stencil {
+            passing = test.passing(lanes, &self.planes.stencil[block]);
+        }
+        let after_stencil = passing;
+        if let Some((func, writes)) = self.pipeline.depth {
+            let z = quantized(f32x16::from_slice(simd, z), self.offset);
+            let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
+            let passes = compare(func, z, stored).to_bitmask() as u32;
+            passing &= passes;
+            if writes {
+                let mask = mask32x16::from_bitmask(simd, u64::from(passing));
+                mask.select(z, stored).store_slice(&mut self.planes.depth[block]);
+            }
+        }
+        if let Some(test) = stencil {
+            let outcomes = [lanes & !after_stencil, after_stencil & !passing, passing];
+            test.update(outcomes, &mut self.planes.stencil[block]);
+        }
+        if passing == 0 || self.pipeline.color_bits == 0 {
+            return;
+        }
+        if !mixing {
+            for lane in lanes_of(passing) {
+                self.seen[block][lane] = self.number;
+            }
+            return;
+        }
+        let colors = match colors {
+            Some(colors) => colors,
+            None => self.colors(simd, block, passing),
+        };
+        if self.seen[block].iter().any(|seen| *seen != 0) {
+            light_seen(simd, self.origin, block, &mut self.seen[block], self.lighter, self.planes);
+        }
+        self.mix(simd, passing, colors, block);
+    }
+
+    /// The piece's own colours.
+    #[inline(always)]
+    fn colors(&mut self, simd: S, block: usize, lanes: u32) -> Colors<S> {
+        let place = self.lighter.prepare(self.number);
+        let prepared = &self.lighter.prepared[place];
+        let shading = Shading {
+            textures: self.pipeline.textures.as_ref(),
+            rows: &self.lighter.rows,
+            fog: self.pipeline.fog.as_ref(),
+            lanes,
+        };
+        let [x, y] = block_origin(block);
+        let origin = [self.origin[0] + x, self.origin[1] + y];
+        shade(
+            simd,
+            origin,
+            #[inline(always)]
+            |_| prepared,
+            true,
+            shading,
+        )
+    }
+
+    /// Writes colours by blending, logical operation and mask.
+    #[inline(always)]
+    fn mix(&mut self, simd: S, lanes: u32, colors: Colors<S>, block: usize) {
+        let stored = u32x16::from_slice(simd, &self.planes.color[block]);
+        let mut words = match &self.pipeline.blend {
+            Some(blend) => encode(blended(blend, &colors, &decode(stored))),
+            None => encode(colors),
+        };
+        if let Some(operation) = self.pipeline.logic_op {
+            words = logic(operation, words, stored);
+        }
+        let bits = self.pipeline.color_bits;
+        let written = (words & bits) | (stored & !bits);
+        let mask = mask32x16::from_bitmask(simd, u64::from(lanes));
+        mask.select(written, stored).store_slice(&mut self.planes.color[block]);
+    }
+}
+
+/// The lanes of a block where a polygon's stipple has a bit.
+fn stippled(stipple: &[u32; 32], origin: [i32; 2], block: usize) -> u32 {
+    let [x, y] = block_origin(block);
+    let (x, y) = (origin[0] + x, origin[1] + y);
+    let bit = |lane: usize| {
+        let (x, y) = ((x + LANE_X[lane]) as usize % 32, (y + LANE_Y[lane]) as usize % 32);
+        stipple[y] >> (31 - x) & 1
+    };
+    (0..LANES).fold(0, |lanes, lane| lanes | bit(lane) << lane)
+}

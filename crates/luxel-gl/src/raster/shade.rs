@@ -1,0 +1,222 @@
+//! Colours of the fragments of a block (OpenGL 1.5, sections 3.5.1, 3.9 and 3.10): interpolated with perspective,
+//! fogged, within 0 and 1.
+
+use super::batch::{Prepared, Row};
+use crate::fragment::{Footprint, TextureStages};
+use luxel_lighting::{Fog, Silent};
+use luxel_math::{F64x16, LANES, Lanes, Rgb, Simd, f32x16, i32x16, prelude::*, u32x16};
+use luxel_visibility::{BLOCK, LinearForms};
+
+/// Columns and rows of a block's lanes, at the centres of pixels.
+const CENTRE_X: [f32; LANES] = centres(true);
+const CENTRE_Y: [f32; LANES] = centres(false);
+
+const fn centres(across: bool) -> [f32; LANES] {
+    let mut places = [0.5; LANES];
+    let mut lane = 0;
+    while lane < LANES {
+        let at = if across { lane % BLOCK as usize } else { lane / BLOCK as usize };
+        places[lane] += at as f32;
+        lane += 1;
+    }
+    places
+}
+
+/// Red, green, blue, alpha in sixteen lanes.
+pub(super) type Colors<S> = [f32x16<S>; 4];
+
+/// What fragments of one draw go through after interpolation.
+#[derive(Clone, Copy)]
+pub(super) struct Shading<'p> {
+    pub(super) textures: Option<&'p TextureStages>,
+    /// Of all primitives.
+    pub(super) rows: &'p [Row],
+    pub(super) fog: Option<&'p Fog>,
+    /// The lanes that matter, a bit each.
+    pub(super) lanes: u32,
+}
+
+/// Colours at the centres of a block's pixels, whose first is at `origin` in the window. `of(lane)` is the lane's
+/// primitive; `alike` tells that all have the first one's.
+#[inline(always)]
+pub(super) fn shade<'p, S: Simd>(
+    simd: S,
+    origin: [i32; 2],
+    of: impl Fn(usize) -> &'p Prepared,
+    alike: bool,
+    shading: Shading<'_>,
+) -> Colors<S> {
+    let lanes = f32x16::splat(simd, 0.0);
+    let x = (f32x16::simd_from(simd, CENTRE_X) + origin[0] as f32).to_f64();
+    let y = (f32x16::simd_from(simd, CENTRE_Y) + origin[1] as f32).to_f64();
+    let (forms, [first, second]) = if alike {
+        let prepared = of(0);
+        let [first, second] = &prepared.attributes;
+        (
+            LinearForms::everywhere(x, &prepared.forms),
+            [in_lanes(lanes, first), in_lanes(lanes, second)],
+        )
+    } else {
+        (
+            LinearForms::unpacked(
+                x,
+                #[inline(always)]
+                |lane| &of(lane).forms,
+            ),
+            [
+                lanes.load_transposed(
+                    #[inline(always)]
+                    |lane| &of(lane).attributes[0],
+                ),
+                lanes.load_transposed(
+                    #[inline(always)]
+                    |lane| &of(lane).attributes[1],
+                ),
+            ],
+        )
+    };
+    let Shading { textures, fog, .. } = shading;
+    let [_, v, t] = forms.clamped_barycentrics(x, y);
+    let mut colors = [lanes; 4];
+    for (channel, color) in colors.iter_mut().enumerate() {
+        let [a, b, c] = [first[channel], first[4 + channel], second[channel]];
+        *color = mixed([a, b, c], [v, t]).clamped(0.0, 1.0);
+    }
+    if let Some(textures) = textures {
+        let (of, forms, rows) = (&of, &forms, shading.rows);
+        let lookup = TextureLookup { of, alike, forms, position: [x, y], at: [v, t], rows };
+        colors = textured(colors, &lookup, textures, shading.lanes);
+    }
+    if let Some(fog) = fog {
+        let distance = mixed([second[4], second[5], second[6]], [v, t]);
+        let [r, g, b, a] = colors;
+        let Rgb { r, g, b } = fog.veiled(Rgb::new(r, g, b), distance.positive_part(), &mut Silent);
+        colors = [r, g, b, a];
+        for color in &mut colors {
+            *color = color.clamped(0.0, 1.0);
+        }
+    }
+    colors
+}
+
+/// A row in every lane.
+#[inline(always)]
+fn in_lanes<N: Lanes>(simd: N, row: &[f32; 8]) -> [N; 8] {
+    let mut lanes = [simd; 8];
+    for (lanes, value) in lanes.iter_mut().zip(row) {
+        *lanes = simd.constant(*value);
+    }
+    lanes
+}
+
+/// The value between three corners' by the second and third barycentrics. So written, what is the same at all corners
+/// stays what it is.
+#[inline(always)]
+fn mixed<N: Lanes>([a, b, c]: [N; 3], [v, t]: [N; 2]) -> N {
+    a + v * (b - a) + t * (c - a)
+}
+
+/// Where the fragments of a block lie on their primitives.
+struct TextureLookup<'l, S: Simd, F> {
+    of: &'l F,
+    alike: bool,
+    forms: &'l LinearForms<F64x16<S>>,
+    position: [F64x16<S>; 2],
+    /// The second and third barycentrics.
+    at: [f32x16<S>; 2],
+    rows: &'l [Row],
+}
+
+impl<'p, S: Simd, F: Fn(usize) -> &'p Prepared> TextureLookup<'_, S, F> {
+    /// Row `number` of each lane's primitive: four values of three corners.
+    #[inline(always)]
+    fn row(&self, number: usize) -> [[f32x16<S>; 8]; 2] {
+        let simd = self.at[0];
+        if self.alike {
+            let [first, second] = &self.rows[(self.of)(0).rows as usize + number];
+            return [in_lanes(simd, first), in_lanes(simd, second)];
+        }
+        let first = simd.load_transposed(
+            #[inline(always)]
+            |lane| &self.rows[(self.of)(lane).rows as usize + number][0],
+        );
+        let second = simd.load_transposed(
+            #[inline(always)]
+            |lane| &self.rows[(self.of)(lane).rows as usize + number][1],
+        );
+        [first, second]
+    }
+}
+
+/// The four values of a row by the second and third barycentrics.
+#[inline(always)]
+fn mixed_row<N: Lanes>([first, second]: &[[N; 8]; 2], at: [N; 2]) -> [N; 4] {
+    let mut values = [first[0]; 4];
+    for (axis, value) in values.iter_mut().enumerate() {
+        *value = mixed([first[axis], first[4 + axis], second[axis]], at);
+    }
+    values
+}
+
+/// Colours after all texture units, the secondary ones added (sections 3.8 and 3.9). Coordinates a pixel to the right
+/// and a pixel above come from the primitive's own weights, so that levels of detail are the same in any block.
+#[inline(never)]
+fn textured<'p, S: Simd, F: Fn(usize) -> &'p Prepared>(
+    colors: Colors<S>,
+    lookup: &TextureLookup<'_, S, F>,
+    textures: &TextureStages,
+    lanes: u32,
+) -> Colors<S> {
+    colors[0].vectorized(
+        #[inline(always)]
+        || {
+            let [x, y] = lookup.position;
+            let [v, t] = lookup.at;
+            let [right, above] = lookup.forms.steps(x, y);
+            let right = [v + right[0], t + right[1]];
+            let above = [v + above[0], t + above[1]];
+            let mut colors = textures.apply(
+                colors,
+                #[inline(always)]
+                |stage| {
+                    let row = lookup.row(1 + stage);
+                    Footprint {
+                        centre: mixed_row(&row, [v, t]),
+                        right: mixed_row(&row, right),
+                        above: mixed_row(&row, above),
+                    }
+                },
+                lanes,
+            );
+            if textures.secondary {
+                let secondary = mixed_row(&lookup.row(0), [v, t]);
+                for (color, more) in colors.iter_mut().zip(secondary) {
+                    *color = (*color + more.clamped(0.0, 1.0)).clamped(0.0, 1.0);
+                }
+            }
+            colors
+        },
+    )
+}
+
+/// Colours as bytes, red lowest: x 255 + 1/2, rounded down.
+#[inline(always)]
+pub(super) fn encode<S: Simd>(colors: Colors<S>) -> u32x16<S> {
+    let mut word = i32x16::splat(colors[0].simd, 0);
+    for (channel, value) in colors.into_iter().enumerate() {
+        let byte: i32x16<S> = i32x16::truncate_from(value * 255.0 + 0.5);
+        word |= byte << (8 * channel as u32);
+    }
+    word.bitcast()
+}
+
+/// Bytes as colours from 0 to 1.
+#[inline(always)]
+pub(super) fn decode<S: Simd>(words: u32x16<S>) -> Colors<S> {
+    let mut colors = [f32x16::splat(words.simd, 0.0); 4];
+    for (channel, color) in colors.iter_mut().enumerate() {
+        let byte: i32x16<S> = ((words >> (8 * channel as u32)) & 0xff).bitcast();
+        *color = f32x16::float_from(byte) * (1.0 / 255.0);
+    }
+    colors
+}

@@ -1,0 +1,75 @@
+//! Lines and points in a tile (OpenGL 1.5, sections 3.3 and 3.4).
+
+use super::piece_sink::PieceSink;
+use crate::primitive::line::LineWalk;
+use luxel_math::{SUBPIXELS, Simd};
+use luxel_visibility::{DepthPlane, Sink, TILE};
+
+/// The fragments of a line in the tile: each stands for a column of `width` pixels across the major axis.
+#[inline(always)]
+pub(super) fn line<S: Simd>(
+    sink: &mut PieceSink<'_, '_, S>,
+    ends: [[i32; 2]; 2],
+    depths: [f32; 2],
+    width: i32,
+    counter: u32,
+) {
+    let walk = LineWalk::new(ends[0], ends[1]);
+    let (major, minor) = (walk.major, 1 - walk.major);
+    let length = (ends[1][major] - ends[0][major]) as f32;
+    let slope = if length == 0.0 { 0.0 } else { (depths[1] - depths[0]) / length };
+    let mut slopes = [0.0; 2];
+    slopes[major] = slope;
+    let plane = DepthPlane {
+        x: ends[0][0],
+        y: ends[0][1],
+        z: depths[0],
+        dz_dx: slopes[0],
+        dz_dy: slopes[1],
+        low: depths[0].min(depths[1]),
+        high: depths[0].max(depths[1]),
+    };
+    // Fragments within the tile along the major axis.
+    let low = sink.origin[major];
+    let bounds = if walk.step > 0 {
+        [low - walk.first, low + TILE - walk.first]
+    } else {
+        [walk.first - low - TILE + 1, walk.first - low + 1]
+    };
+    let stipple = sink.pipeline.line_stipple;
+    for index in bounds[0].max(0)..bounds[1].min(walk.count) {
+        if let Some((factor, pattern)) = stipple
+            && pattern >> (counter.wrapping_add(index as u32) / factor % 16) & 1 == 0
+        {
+            continue;
+        }
+        let first = walk.pixel(index);
+        let position = first.map(|at| at * SUBPIXELS + SUBPIXELS / 2);
+        let z = plane.at(position);
+        for across in 0..width {
+            let mut pixel = [first[0] - sink.origin[0], first[1] - sink.origin[1]];
+            pixel[minor] += across;
+            if (0..TILE).contains(&pixel[minor]) {
+                sink.sample(pixel, position, z);
+            }
+        }
+    }
+}
+
+/// The square of a point, block by block.
+#[inline(always)]
+pub(super) fn point<S: Simd>(
+    sink: &mut PieceSink<'_, '_, S>,
+    corner: [i32; 2],
+    side: i32,
+    depth: f32,
+) {
+    let [left, bottom] = [corner[0] - sink.origin[0], corner[1] - sink.origin[1]];
+    let [low_x, low_y] = [left.max(0), bottom.max(0)];
+    let [high_x, high_y] = [(left + side).min(TILE), (bottom + side).min(TILE)];
+    for y in low_y..high_y {
+        for x in low_x..high_x {
+            sink.sample([x, y], [0; 2], depth);
+        }
+    }
+}

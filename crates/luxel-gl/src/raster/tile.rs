@@ -1,0 +1,152 @@
+//! One tile's part of the log, in the order of the log.
+
+use super::batch::{Batch, Piece, Shape};
+use super::framebuffer::{LANE_X, LANE_Y, TILE_BLOCKS, TilePlanes, block_origin};
+use super::lighter::{Lighter, light_seen};
+use super::log::{ClearedTo, Item};
+use super::piece_sink::PieceSink;
+use super::strokes::{line, point};
+use luxel_math::{LANES, SUBPIXELS, Simd};
+use luxel_visibility::{Region, TILE, cover};
+
+/// A piece of a batch, or a clear.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry {
+    pub(super) item: u32,
+    pub(super) piece: u32,
+}
+
+/// Where samples lie in a pixel: at its centre.
+const CENTRE: [i32; 2] = [SUBPIXELS / 2; 2];
+
+/// What carries out one tile's list.
+pub(super) struct TileWorker<'a> {
+    planes: &'a mut TilePlanes,
+    /// Of each pixel the entry that it sees and that hasn't been lit, from 1 on; 0 for none.
+    seen: Box<[[u32; LANES]; TILE_BLOCKS]>,
+    lighter: Lighter<'a>,
+    /// The tile's first pixel in the window.
+    origin: [i32; 2],
+    /// Its pixels that the window has.
+    region: Region,
+}
+
+impl<'a> TileWorker<'a> {
+    pub(super) fn new(
+        items: &'a [Item],
+        list: &'a [Entry],
+        origin: [i32; 2],
+        [width, height]: [i32; 2],
+        planes: &'a mut TilePlanes,
+    ) -> Self {
+        let region = Region {
+            x: origin[0],
+            y: origin[1],
+            width: TILE.min(width - origin[0]),
+            height: TILE.min(height - origin[1]),
+        };
+        let lighter = Lighter::new(items, list);
+        Self { planes, seen: Box::new([[0; LANES]; TILE_BLOCKS]), lighter, origin, region }
+    }
+
+    /// Carries the list out; then lights what is seen at last.
+    #[inline(always)]
+    pub(super) fn carry_out<S: Simd>(&mut self, simd: S) {
+        let list = self.lighter.list();
+        for (at, entry) in list.iter().enumerate() {
+            match self.lighter.item(entry) {
+                Item::Clear(clear) => {
+                    if clear.color_mask != 0 && clear.color_mask != u32::MAX {
+                        self.light(simd);
+                    }
+                    self.clear(clear);
+                }
+                Item::Batch(batch) => {
+                    let piece = &batch.pieces[entry.piece as usize];
+                    self.piece(simd, batch, piece, at as u32 + 1);
+                }
+            }
+        }
+        self.light(simd);
+    }
+
+    /// Lights what is seen.
+    fn light<S: Simd>(&mut self, simd: S) {
+        for (block, seen) in self.seen.iter_mut().enumerate() {
+            if seen.iter().any(|seen| *seen != 0) {
+                light_seen(simd, self.origin, block, seen, &mut self.lighter, self.planes);
+            }
+        }
+    }
+
+    /// A region of the window within the tile: left, bottom, right and top of its own pixels.
+    fn within(&self, [left, bottom, right, top]: [i32; 4]) -> [i32; 4] {
+        let [x, y] = self.origin;
+        [
+            (left - x).max(0),
+            (bottom - y).max(0),
+            (right - x).min(self.region.width),
+            (top - y).min(self.region.height),
+        ]
+    }
+
+    fn clear(&mut self, clear: &ClearedTo) {
+        let [left, bottom, right, top] = self.within(clear.region);
+        let whole = [left, bottom, right, top] == [0, 0, self.region.width, self.region.height];
+        for block in 0..TILE_BLOCKS {
+            let first = block_origin(block);
+            let inside = |lane: usize| {
+                let (x, y) = (first[0] + LANE_X[lane], first[1] + LANE_Y[lane]);
+                whole || x >= left && x < right && y >= bottom && y < top
+            };
+            for lane in 0..LANES {
+                if !inside(lane) {
+                    continue;
+                }
+                if clear.color_mask == u32::MAX {
+                    self.seen[block][lane] = 0;
+                }
+                let color = &mut self.planes.color[block][lane];
+                *color = *color & !clear.color_mask | clear.color & clear.color_mask;
+                if let Some(depth) = clear.depth {
+                    self.planes.depth[block][lane] = depth;
+                }
+                let stencil = &mut self.planes.stencil[block][lane];
+                *stencil = *stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn piece<S: Simd>(&mut self, simd: S, batch: &'a Batch, piece: &Piece, number: u32) {
+        let pipeline = &*batch.pipeline;
+        let of_polygon = matches!(piece.shape, Shape::Triangle(_));
+        let limits = if of_polygon { batch.polygon_region } else { pipeline.region };
+        let limits = self.within(limits);
+        let plain = pipeline.stencil.is_none()
+            && !pipeline.is_mixing()
+            && (pipeline.polygon_stipple.is_none() || !of_polygon);
+        let (region, origin) = (self.region, self.origin);
+        let mut sink = PieceSink {
+            simd,
+            planes: self.planes,
+            seen: &mut self.seen,
+            lighter: &mut self.lighter,
+            pipeline,
+            origin,
+            limits,
+            is_whole: limits == [0, 0, TILE, TILE],
+            plain,
+            stipple: pipeline.polygon_stipple.as_ref().filter(|_| of_polygon),
+            number,
+            offset: piece.offset,
+        };
+        match piece.shape {
+            Shape::Triangle(ref triangle) => cover(simd, triangle, region, CENTRE, &mut sink),
+            Shape::Line { ends, depths, width, counter } => {
+                line(&mut sink, ends, depths, width, counter);
+            }
+            Shape::Point { corner, side, depth } => point(&mut sink, corner, side, depth),
+        }
+    }
+}

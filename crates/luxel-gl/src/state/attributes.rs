@@ -1,0 +1,164 @@
+//! Everything that `glPushAttrib` can save (OpenGL 1.5, section 6.1.13).
+
+use super::current::Current;
+use super::enables::Enables;
+use super::fragment::{ColorBuffer, Depth, FogState, PixelBox, Stencil};
+use super::light::Lights;
+use super::material::{ColorMaterial, SurfaceMaterial};
+use super::polygon::{Lines, Points, Polygons};
+use super::texture_unit::TextureState;
+use crate::enums as gl;
+use crate::limits::CLIP_PLANES;
+
+/// The server's state but for matrix stacks and objects.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Attributes {
+    pub(crate) current: Current,
+    pub(crate) enables: Enables,
+    pub(crate) lights: Lights,
+    /// Front and back.
+    pub(crate) materials: [SurfaceMaterial; 2],
+    pub(crate) color_material: ColorMaterial,
+    pub(crate) transform: Transform,
+    pub(crate) viewport: Viewport,
+    pub(crate) points: Points,
+    pub(crate) lines: Lines,
+    pub(crate) polygons: Polygons,
+    pub(crate) fog: FogState,
+    pub(crate) scissor: PixelBox,
+    pub(crate) stencil: Stencil,
+    pub(crate) depth: Depth,
+    pub(crate) color: ColorBuffer,
+    pub(crate) clear_accum: [f32; 4],
+    pub(crate) read_buffer: ReadBuffer,
+    pub(crate) hints: Hints,
+    pub(crate) list_base: u32,
+    pub(crate) active_texture: usize,
+    pub(crate) texture: TextureState,
+}
+
+/// Of `GL_TRANSFORM_BIT`.
+#[derive(Clone, Debug)]
+pub(crate) struct Transform {
+    pub(crate) matrix_mode: u32,
+    /// The user's planes in eye coordinates.
+    pub(crate) planes: [[f64; 4]; CLIP_PLANES],
+}
+
+/// The viewport and the range of depths (section 2.10.1).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Viewport {
+    pub(crate) area: PixelBox,
+    pub(crate) near: f64,
+    pub(crate) far: f64,
+}
+
+/// `glReadBuffer`
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ReadBuffer(pub(crate) u32);
+
+/// The five hints.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hints(pub(crate) [u32; 7]);
+
+impl Hints {
+    /// Targets, in the order of the values.
+    pub(crate) const TARGETS: [u32; 7] = [
+        gl::PERSPECTIVE_CORRECTION_HINT,
+        gl::POINT_SMOOTH_HINT,
+        gl::LINE_SMOOTH_HINT,
+        gl::POLYGON_SMOOTH_HINT,
+        gl::FOG_HINT,
+        gl::GENERATE_MIPMAP_HINT,
+        gl::TEXTURE_COMPRESSION_HINT,
+    ];
+}
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self { matrix_mode: gl::MODELVIEW, planes: [[0.0; 4]; CLIP_PLANES] }
+    }
+}
+
+impl Default for Viewport {
+    fn default() -> Self {
+        Self { area: PixelBox::default(), near: 0.0, far: 1.0 }
+    }
+}
+
+impl Default for ReadBuffer {
+    fn default() -> Self {
+        Self(gl::FRONT)
+    }
+}
+
+impl Default for Hints {
+    fn default() -> Self {
+        Self([gl::DONT_CARE; 7])
+    }
+}
+
+impl Attributes {
+    /// Takes over from `saved` the groups of a mask (table 6.4 and the tables of its section).
+    pub(crate) fn restore(&mut self, saved: &Self, mask: u32) {
+        let has = |group: u32| mask & group != 0;
+        self.enables.restore(&saved.enables, mask);
+        if has(gl::CURRENT_BIT) {
+            self.current = saved.current.clone();
+        }
+        if has(gl::LIGHTING_BIT) {
+            self.lights = saved.lights.clone();
+            self.materials = saved.materials;
+            self.color_material = saved.color_material;
+        }
+        if has(gl::TRANSFORM_BIT) {
+            self.transform = saved.transform.clone();
+        }
+        if has(gl::VIEWPORT_BIT) {
+            self.viewport = saved.viewport;
+        }
+        if has(gl::POINT_BIT) {
+            self.points = saved.points.clone();
+        }
+        if has(gl::LINE_BIT) {
+            self.lines = saved.lines.clone();
+        }
+        if has(gl::POLYGON_BIT) {
+            self.polygons = Polygons { stipple: self.polygons.stipple, ..saved.polygons };
+        }
+        if has(gl::POLYGON_STIPPLE_BIT) {
+            self.polygons.stipple = saved.polygons.stipple;
+        }
+        if has(gl::FOG_BIT) {
+            self.fog = saved.fog.clone();
+        }
+        if has(gl::SCISSOR_BIT) {
+            self.scissor = saved.scissor;
+        }
+        if has(gl::STENCIL_BUFFER_BIT) {
+            self.stencil = saved.stencil.clone();
+        }
+        if has(gl::DEPTH_BUFFER_BIT) {
+            self.depth = saved.depth.clone();
+        }
+        if has(gl::COLOR_BUFFER_BIT) {
+            self.color = saved.color.clone();
+        }
+        if has(gl::ACCUM_BUFFER_BIT) {
+            self.clear_accum = saved.clear_accum;
+        }
+        if has(gl::PIXEL_MODE_BIT) {
+            self.read_buffer = saved.read_buffer;
+        }
+        if has(gl::HINT_BIT) {
+            self.hints = saved.hints;
+        }
+        if has(gl::LIST_BIT) {
+            self.list_base = saved.list_base;
+        }
+        if has(gl::TEXTURE_BIT) {
+            self.active_texture = saved.active_texture;
+            self.texture.restore(&saved.texture);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! How pixels lie in the program's memory (OpenGL 1.5, section 3.6.1, table 3.1).
+
+use super::arrays::Arrays;
+
+/// One direction of transfers: packing, or unpacking.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct PixelStore {
+    pub(crate) swap_bytes: bool,
+    pub(crate) lsb_first: bool,
+    pub(crate) row_length: usize,
+    pub(crate) image_height: usize,
+    pub(crate) skip_rows: usize,
+    pub(crate) skip_pixels: usize,
+    pub(crate) skip_images: usize,
+    pub(crate) alignment: usize,
+}
+
+impl Default for PixelStore {
+    fn default() -> Self {
+        Self {
+            swap_bytes: false,
+            lsb_first: false,
+            row_length: 0,
+            image_height: 0,
+            skip_rows: 0,
+            skip_pixels: 0,
+            skip_images: 0,
+            alignment: 4,
+        }
+    }
+}
+
+/// The client's state, saved by `glPushClientAttrib`: storage in both directions, vertex arrays.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Client {
+    pub(crate) arrays: Arrays,
+    pub(crate) pack: PixelStore,
+    pub(crate) unpack: PixelStore,
+}

@@ -1,0 +1,146 @@
+//! Internal formats of textures (OpenGL 1.5, section 3.8.1, tables 3.15 and 3.16).
+
+use crate::enums as gl;
+
+/// Which components a texel has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BaseFormat {
+    Alpha,
+    Luminance,
+    LuminanceAlpha,
+    Intensity,
+    Rgb,
+    Rgba,
+    Depth,
+}
+
+/// How a component is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Storage {
+    /// 8 bits.
+    Bytes,
+    /// 16 bits.
+    Words,
+    /// Depth: floats, in steps of so many bits.
+    Depth(u32),
+}
+
+/// An internal format: components and their storage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct InternalFormat {
+    pub(crate) base: BaseFormat,
+    pub(crate) storage: Storage,
+    /// Whether red, green and blue follow the curve of sRGB.
+    pub(crate) srgb: bool,
+}
+
+impl InternalFormat {
+    /// The format of a name, or of a number of components from 1 to 4; `None` for other values. A format of fewer bits
+    /// is kept in bytes, generic compressed ones without compression.
+    pub(crate) fn named(name: u32) -> Option<Self> {
+        use BaseFormat::{Alpha, Depth, Intensity, Luminance, LuminanceAlpha, Rgb, Rgba};
+        let of = |base, storage| Some(Self { base, storage, srgb: false });
+        let bytes = |base| of(base, Storage::Bytes);
+        let words = |base| of(base, Storage::Words);
+        let depth = |bits| of(Depth, Storage::Depth(bits));
+        let srgb = |base| Some(Self { base, storage: Storage::Bytes, srgb: true });
+        match name {
+            1 | gl::LUMINANCE | gl::LUMINANCE4 | gl::LUMINANCE8 | gl::COMPRESSED_LUMINANCE => {
+                bytes(Luminance)
+            }
+            2
+            | gl::LUMINANCE_ALPHA
+            | gl::LUMINANCE4_ALPHA4
+            | gl::LUMINANCE6_ALPHA2
+            | gl::LUMINANCE8_ALPHA8
+            | gl::COMPRESSED_LUMINANCE_ALPHA => bytes(LuminanceAlpha),
+            3 | gl::RGB | gl::R3_G3_B2 | gl::RGB4 | gl::RGB5 | gl::RGB8 | gl::COMPRESSED_RGB => {
+                bytes(Rgb)
+            }
+            4
+            | gl::RGBA
+            | gl::RGBA2
+            | gl::RGBA4
+            | gl::RGB5_A1
+            | gl::RGBA8
+            | gl::COMPRESSED_RGBA => bytes(Rgba),
+            gl::ALPHA | gl::ALPHA4 | gl::ALPHA8 | gl::COMPRESSED_ALPHA => bytes(Alpha),
+            gl::INTENSITY | gl::INTENSITY4 | gl::INTENSITY8 | gl::COMPRESSED_INTENSITY => {
+                bytes(Intensity)
+            }
+            gl::ALPHA12 | gl::ALPHA16 => words(Alpha),
+            gl::LUMINANCE12 | gl::LUMINANCE16 => words(Luminance),
+            gl::LUMINANCE12_ALPHA4 | gl::LUMINANCE12_ALPHA12 | gl::LUMINANCE16_ALPHA16 => {
+                words(LuminanceAlpha)
+            }
+            gl::INTENSITY12 | gl::INTENSITY16 => words(Intensity),
+            gl::RGB10 | gl::RGB12 | gl::RGB16 => words(Rgb),
+            gl::RGB10_A2 | gl::RGBA12 | gl::RGBA16 => words(Rgba),
+            gl::DEPTH_COMPONENT | gl::DEPTH_COMPONENT24 | gl::DEPTH_COMPONENT32 => depth(24),
+            gl::DEPTH_COMPONENT16 => depth(16),
+            gl::SRGB | gl::SRGB8 | gl::COMPRESSED_SRGB => srgb(Rgb),
+            gl::SRGB_ALPHA | gl::SRGB8_ALPHA8 | gl::COMPRESSED_SRGB_ALPHA => srgb(Rgba),
+            gl::SLUMINANCE | gl::SLUMINANCE8 | gl::COMPRESSED_SLUMINANCE => srgb(Luminance),
+            gl::SLUMINANCE_ALPHA | gl::SLUMINANCE8_ALPHA8 | gl::COMPRESSED_SLUMINANCE_ALPHA => {
+                srgb(LuminanceAlpha)
+            }
+            _ => None,
+        }
+    }
+
+    /// Red, green, blue, alpha as the components that the base format has (table 3.15), in the form in which textures are
+    /// sources of environments: what a format lacks is 0 in colour and 1 in alpha (table 3.23).
+    pub(crate) fn canonical<T: Copy>(self, [r, g, b, a]: [T; 4], zero: T, one: T) -> [T; 4] {
+        match self.base {
+            BaseFormat::Alpha => [zero, zero, zero, a],
+            BaseFormat::Luminance => [r, r, r, one],
+            BaseFormat::LuminanceAlpha => [r, r, r, a],
+            BaseFormat::Intensity | BaseFormat::Depth => [r; 4],
+            BaseFormat::Rgb => [r, g, b, one],
+            BaseFormat::Rgba => [r, g, b, a],
+        }
+    }
+
+    /// Bits of red, green, blue, alpha, luminance, intensity, depth.
+    pub(crate) fn component_bits(self) -> [u32; 7] {
+        let bits = match self.storage {
+            Storage::Bytes => 8,
+            Storage::Words => 16,
+            Storage::Depth(bits) => bits,
+        };
+        let has = match self.base {
+            BaseFormat::Alpha => [0, 0, 0, 1, 0, 0, 0],
+            BaseFormat::Luminance => [0, 0, 0, 0, 1, 0, 0],
+            BaseFormat::LuminanceAlpha => [0, 0, 0, 1, 1, 0, 0],
+            BaseFormat::Intensity => [0, 0, 0, 0, 0, 1, 0],
+            BaseFormat::Rgb => [1, 1, 1, 0, 0, 0, 0],
+            BaseFormat::Rgba => [1, 1, 1, 1, 0, 0, 0],
+            BaseFormat::Depth => [0, 0, 0, 0, 0, 0, 1],
+        };
+        has.map(|has| has * bits)
+    }
+
+    /// Whether texels are depths.
+    pub(crate) fn is_depth(self) -> bool {
+        self.base == BaseFormat::Depth
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn section_3_8_1_formats_that_are_lacking_in_a_component_have_the_default_of_table_3_23() {
+        let texel = [0.1, 0.2, 0.3, 0.4];
+        let canonical = |name| InternalFormat::named(name).unwrap().canonical(texel, 0.0, 1.0);
+        assert_eq!(canonical(gl::ALPHA8), [0.0, 0.0, 0.0, 0.4]);
+        assert_eq!(canonical(1), [0.1, 0.1, 0.1, 1.0]);
+        assert_eq!(canonical(2), [0.1, 0.1, 0.1, 0.4]);
+        assert_eq!(canonical(gl::INTENSITY), [0.1; 4]);
+        assert_eq!(canonical(3), [0.1, 0.2, 0.3, 1.0]);
+        assert_eq!(canonical(4), texel);
+        assert_eq!(InternalFormat::named(5), None);
+        assert_eq!(InternalFormat::named(gl::BGRA), None);
+    }
+}

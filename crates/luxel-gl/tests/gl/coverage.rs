@@ -1,0 +1,152 @@
+//! Which pixels polygons, points and lines have (sections 3.3 to 3.5).
+
+use crate::canvas::{canvas, draw, gl, pixels};
+use proptest::prelude::*;
+
+const SIDE: i32 = 24;
+
+/// Pixels whose centre lies within a triangle, or on a left or bottom edge of it, in exact integers of 1/256 pixel.
+fn oracle(corners: [[i32; 2]; 3]) -> Vec<bool> {
+    let [a, mut b, mut c] = corners.map(|corner| corner.map(i64::from));
+    let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+    if area < 0 {
+        std::mem::swap(&mut b, &mut c);
+    }
+    let inside = |x: i32, y: i32| {
+        let p = [x, y].map(|at| i64::from(at) * 256 + 128);
+        area != 0
+            && [[a, b], [b, c], [c, a]].iter().all(|[from, to]| {
+                let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+                let side = dx * (p[1] - from[1]) - dy * (p[0] - from[0]);
+                // Counter-clockwise with y up: left edges run down, bottom ones to the right.
+                side > 0 || side == 0 && (dy < 0 || dy == 0 && dx > 0)
+            })
+    };
+    (0..SIDE * SIDE).map(|at| inside(at % SIDE, at / SIDE)).collect()
+}
+
+fn corner() -> impl Strategy<Value = [i32; 2]> {
+    // Often in the middle of pixels and between them, where ties are.
+    let place = prop_oneof![
+        -1000..7000_i32,
+        (0..SIDE).prop_map(|at| at * 256 + 128),
+        (0..SIDE).prop_map(|at| at * 256)
+    ];
+    [place.clone(), place]
+}
+
+fn covered(corners: [[i32; 2]; 3]) -> Vec<bool> {
+    let mut context = canvas(SIDE as u32, SIDE as u32);
+    let places = corners.map(|corner| {
+        let [x, y] = corner.map(|at| at as f32 / 256.0);
+        [x, y, 0.0]
+    });
+    draw(&mut context, gl::TRIANGLES, &places);
+    pixels(&mut context).iter().map(|pixel| *pixel == [255; 4]).collect()
+}
+
+proptest! {
+    #[test]
+    fn section_3_5_1_a_triangle_has_the_pixels_of_an_exact_oracle(corners in [corner(), corner(), corner()]) {
+        prop_assert_eq!(covered(corners), oracle(corners));
+    }
+
+    #[test]
+    fn section_3_5_1_pixels_along_a_shared_edge_are_drawn_once(
+        edge in [corner(), corner()], others in [corner(), corner()],
+    ) {
+        let side = |p: [i32; 2]| {
+            let [a, b] = edge.map(|end| end.map(i64::from));
+            (b[0] - a[0]) * (i64::from(p[1]) - a[1]) - (i64::from(p[0]) - a[0]) * (b[1] - a[1])
+        };
+        prop_assume!(side(others[0]).signum() * side(others[1]).signum() < 0);
+        let mut context = canvas(SIDE as u32, SIDE as u32);
+        context.enable(gl::BLEND);
+        context.blend_func(1, 1);
+        context.color([0.25; 4]);
+        for other in others {
+            let places = [edge[0], edge[1], other]
+                .map(|at| [at[0] as f32 / 256.0, at[1] as f32 / 256.0, 0.0]);
+            draw(&mut context, gl::TRIANGLES, &places);
+        }
+        // 64, or nothing; twice would be 128.
+        prop_assert!(pixels(&mut context).iter().all(|pixel| [0, 64].contains(&pixel[0])));
+    }
+}
+
+#[test]
+fn section_3_3_points_are_squares_about_their_place() {
+    for size in 1..8_i32 {
+        let mut context = canvas(16, 16);
+        context.point_size(size as f32);
+        draw(&mut context, gl::POINTS, &[[8.2, 7.9, 0.0]]);
+        let lit: Vec<[i32; 2]> = (0..256)
+            .zip(pixels(&mut context))
+            .filter(|(_, pixel)| *pixel == [255; 4])
+            .map(|(at, _)| [at % 16, at / 16])
+            .collect();
+        assert_eq!(lit.len(), (size * size) as usize);
+        // Odd sizes about the middle of pixel (8, 7), even ones about the corner (8, 8).
+        let first = if size % 2 == 1 { [8 - size / 2, 7 - size / 2] } else { [8 - size / 2; 2] };
+        assert_eq!(lit[0], first, "size {size}");
+    }
+}
+
+#[test]
+fn section_3_4_2_wide_lines_repeat_their_pixels_across_the_major_axis() {
+    let mut context = canvas(16, 16);
+    context.line_width(3.0);
+    draw(&mut context, gl::LINES, &[[2.5, 8.5, 0.0], [10.5, 8.5, 0.0]]);
+    let found = pixels(&mut context);
+    for y in 0..16 {
+        for x in 0..16 {
+            let lit = (2..10).contains(&x) && (7..10).contains(&y);
+            assert_eq!(found[y * 16 + x] == [255; 4], lit, "{x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn section_3_4_2_stipples_go_on_through_a_strip() {
+    let mut context = canvas(16, 16);
+    context.enable(0x0B24);
+    context.line_stipple(2, 0b0011);
+    draw(&mut context, gl::LINE_STRIP, &[[0.5, 2.5, 0.0], [5.5, 2.5, 0.0], [15.5, 2.5, 0.0]]);
+    let row: Vec<bool> = (0..16).map(|x| pixels(&mut context)[2 * 16 + x] == [255; 4]).collect();
+    // Two pixels a bit: bits 0 and 1, then fourteen of the pattern's zeros.
+    let expected: Vec<bool> = (0..16).map(|x| x < 4).collect();
+    assert_eq!(row, expected);
+}
+
+#[test]
+fn section_2_11_and_3_5_the_viewport_bounds_polygons() {
+    let mut context = canvas(64, 64);
+    context.viewport(10, 20, 30, 8);
+    draw(
+        &mut context,
+        gl::TRIANGLES,
+        &[[-900.0, -900.0, 0.0], [900.0, -900.0, 0.0], [0.0, 9e5, 0.0]],
+    );
+    for (at, pixel) in (0..).zip(pixels(&mut context)) {
+        let (x, y) = (at % 64, at / 64);
+        let inside = (10..40).contains(&x) && (20..28).contains(&y);
+        assert_eq!(pixel == [255; 4], inside, "{x}, {y}");
+    }
+}
+
+#[test]
+fn section_2_6_2_flat_colours_come_from_the_last_vertex_but_of_polygons_from_the_first() {
+    for (mode, provoking) in [(gl::TRIANGLES, 2), (gl::QUADS, 3), (gl::POLYGON, 0)] {
+        let mut context = canvas(8, 8);
+        context.shade_model(0x1D00);
+        context.begin(mode);
+        let corners = [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]];
+        for (number, [x, y]) in corners.into_iter().enumerate() {
+            context.color([number as f32 / 3.0, 0.0, 0.0, 1.0]);
+            context.vertex([x, y, 0.0, 1.0]);
+        }
+        context.end();
+        let expected = [(provoking as f32 / 3.0 * 255.0).round() as u8, 0, 0, 255];
+        assert_eq!(pixels(&mut context)[8 + 6], expected);
+    }
+}

@@ -1,0 +1,148 @@
+//! Window depths (sections 2.10.1, 3.5.5, 4.1.6).
+
+use crate::canvas::{canvas, depths, draw, gl, pixels};
+
+/// One step of a buffer of 24 bits.
+const STEP: f32 = 1.0 / 16_777_215.0;
+const WHOLE: [[f32; 3]; 3] = [[-50.0, -50.0, 0.0], [50.0, -50.0, 0.0], [0.0, 90.0, 0.0]];
+
+fn at_depth(z: f32) -> [[f32; 3]; 3] {
+    WHOLE.map(|[x, y, _]| [x, y, z])
+}
+
+#[test]
+fn section_4_1_6_each_comparison_passes_what_it_says() {
+    // z is -1 at the far plane here: depth (1 - z) / 2.
+    let passes = [
+        (0x200, [false, false, false]),
+        (0x201, [true, false, false]),
+        (0x202, [false, true, false]),
+        (0x203, [true, true, false]),
+        (0x204, [false, false, true]),
+        (0x205, [true, false, true]),
+        (0x206, [false, true, true]),
+        (0x207, [true, true, true]),
+    ];
+    for (func, expected) in passes {
+        for (z, expected) in [0.5, 0.0, -0.5].into_iter().zip(expected) {
+            let mut context = canvas(8, 8);
+            context.enable(gl::DEPTH_TEST);
+            draw(&mut context, gl::TRIANGLES, &at_depth(0.0));
+            context.depth_func(func);
+            context.color([1.0, 0.0, 0.0, 1.0]);
+            draw(&mut context, gl::TRIANGLES, &at_depth(z));
+            let seen = pixels(&mut context)[8 * 4 + 4] == [255, 0, 0, 255];
+            assert_eq!(seen, expected, "{func:#x} at {z}");
+            let depth = depths(&mut context)[8 * 4 + 4];
+            let kept = if expected { (1.0 - z) * 0.5 } else { 0.5 };
+            assert!((depth - kept).abs() < 2.0 * STEP, "{func:#x}: {depth}");
+        }
+    }
+}
+
+#[test]
+fn section_4_1_6_without_test_or_mask_no_depth_is_written() {
+    let mut context = canvas(8, 8);
+    draw(&mut context, gl::TRIANGLES, &at_depth(0.5));
+    context.enable(gl::DEPTH_TEST);
+    context.depth_mask(false);
+    draw(&mut context, gl::TRIANGLES, &at_depth(0.25));
+    assert_eq!(depths(&mut context)[0], 1.0);
+    context.clear_depth(0.25);
+    context.clear(gl::DEPTH_BUFFER_BIT);
+    assert_eq!(depths(&mut context)[0], 1.0);
+    context.depth_mask(true);
+    context.clear(gl::DEPTH_BUFFER_BIT);
+    assert!((depths(&mut context)[0] - 0.25).abs() < STEP);
+}
+
+#[test]
+fn section_2_10_1_depths_are_mapped_to_the_range_also_backwards() {
+    for [near, far] in [[0.25, 0.75], [1.0, 0.0], [0.5, 0.5]] {
+        let mut context = canvas(8, 8);
+        context.enable(gl::DEPTH_TEST);
+        context.depth_func(0x207);
+        context.depth_range(near, far);
+        draw(&mut context, gl::TRIANGLES, &at_depth(0.5));
+        let expected = (near + (far - near) * 0.25) as f32;
+        assert!((depths(&mut context)[0] - expected).abs() < 2.0 * STEP);
+    }
+}
+
+#[test]
+fn section_3_5_1_depth_is_linear_in_the_window() {
+    let mut context = canvas(64, 64);
+    context.enable(gl::DEPTH_TEST);
+    // z = 0.9 - x / 64 - y / 128
+    let z = |x: f32, y: f32| 0.9 - x / 64.0 - y / 128.0;
+    let corner = |x: f32, y: f32| [x, y, z(x, y)];
+    draw(&mut context, gl::TRIANGLES, &[corner(0.0, 0.0), corner(64.0, 0.0), corner(0.0, 64.0)]);
+    let found = depths(&mut context);
+    for y in 0..64 {
+        for x in 0..63 - y {
+            let expected = (1.0 - z(x as f32 + 0.5, y as f32 + 0.5)) * 0.5;
+            assert!((found[y * 64 + x] - expected).abs() < 4.0 * STEP, "{x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn section_3_5_5_offset_moves_by_the_slope_and_by_steps() {
+    let offset = |factor: f32, units: f32, slope: f32| {
+        let mut context = canvas(64, 64);
+        context.enable(gl::DEPTH_TEST);
+        context.enable(0x8037);
+        context.polygon_offset(factor, units);
+        let corner = |x: f32, y: f32| [x, y, -slope * x];
+        let corners = [corner(0.0, 0.0), corner(64.0, 0.0), corner(0.0, 64.0)];
+        draw(&mut context, gl::TRIANGLES, &corners);
+        let moved = depths(&mut context)[64 * 8 + 8];
+        let mut plain = canvas(64, 64);
+        plain.enable(gl::DEPTH_TEST);
+        draw(&mut plain, gl::TRIANGLES, &corners);
+        moved - depths(&mut plain)[64 * 8 + 8]
+    };
+    assert!((offset(0.0, 100.0, 0.0) - 100.0 * STEP).abs() < 1.5 * STEP);
+    assert!((offset(2.0, 0.0, 0.01) - 2.0 * 0.005).abs() < 8.0 * STEP);
+    assert!((offset(-1.0, -5.0, 0.01) + 0.005 + 5.0 * STEP).abs() < 8.0 * STEP);
+}
+
+#[test]
+fn section_4_1_6_two_passes_over_the_same_triangles_have_equal_depths() {
+    let mut context = canvas(64, 64);
+    context.matrix_mode(gl::PROJECTION);
+    context.load_identity();
+    context.frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 50.0);
+    context.enable(gl::DEPTH_TEST);
+    // Some reach behind the eye, and are clipped.
+    let corners: Vec<[f32; 3]> = (0..60)
+        .map(|n| [(n * 7 % 13) as f32 - 6.0, (n * 5 % 11) as f32 - 5.0, (n % 9) as f32 - 7.0])
+        .collect();
+    for (func, color) in [(0x201, [1.0, 0.0, 0.0, 1.0]), (0x202, [0.0, 1.0, 0.0, 1.0])] {
+        context.depth_func(func);
+        context.color(color);
+        draw(&mut context, gl::TRIANGLES, &corners);
+    }
+    let found = pixels(&mut context);
+    assert!(!found.contains(&[255, 0, 0, 255]));
+    assert!(found.iter().filter(|pixel| **pixel == [0, 255, 0, 255]).count() > 1000);
+}
+
+#[test]
+fn section_3_5_5_whole_units_move_by_whole_steps_also_near_the_far_plane() {
+    let drawn = |units: f32| {
+        let mut context = canvas(64, 64);
+        context.enable(gl::DEPTH_TEST);
+        context.enable(0x8037);
+        context.polygon_offset(0.0, units);
+        let corners = [[0.0, 0.0, -0.3], [64.0, 3.0, -0.9], [5.0, 64.0, -0.5]];
+        draw(&mut context, gl::TRIANGLES, &corners);
+        let mut depths = vec![0; 64 * 64];
+        context.depth_plane(&mut depths);
+        depths
+    };
+    let (plain, moved) = (drawn(0.0), drawn(-1.0));
+    for (plain, moved) in plain.iter().zip(&moved).filter(|(plain, _)| **plain < 16_777_215) {
+        assert_eq!(plain - moved, 1);
+    }
+}

@@ -1,0 +1,147 @@
+//! Display lists (section 5.4).
+
+use crate::canvas::{canvas, draw, gl, pixels};
+use luxel_gl::{Configuration, Context};
+
+/// A scene of several commands, with a colour that it leaves behind.
+fn scene(context: &mut Context) {
+    context.push_matrix();
+    context.translate(1.0, 2.0, 0.0);
+    context.begin(gl::TRIANGLES);
+    for (number, [x, y]) in [[0.0, 0.0], [12.0, 1.0], [3.0, 12.0]].into_iter().enumerate() {
+        context.color([number as f32 / 2.0, 0.5, 1.0 - number as f32 / 2.0, 1.0]);
+        context.vertex([x, y, 0.0, 1.0]);
+    }
+    context.end();
+    context.pop_matrix();
+    context.point_size(3.0);
+    draw(context, gl::POINTS, &[[13.0, 13.0, 0.0]]);
+}
+
+#[test]
+fn section_5_4_a_list_draws_what_its_commands_draw() {
+    let mut direct = canvas(16, 16);
+    scene(&mut direct);
+    let mut listed = canvas(16, 16);
+    listed.new_list(5, gl::COMPILE);
+    scene(&mut listed);
+    listed.end_list();
+    assert!(pixels(&mut listed).iter().all(|pixel| *pixel == [0; 4]));
+    assert_eq!(listed.get(0x0B11).unwrap().to_f32(0), 1.0);
+    listed.call_list(5);
+    assert_eq!(pixels(&mut listed), pixels(&mut direct));
+    assert_eq!(listed.get(0x0B11).unwrap().to_f32(0), 3.0);
+    let mut both = canvas(16, 16);
+    both.new_list(5, gl::COMPILE_AND_EXECUTE);
+    scene(&mut both);
+    both.end_list();
+    assert_eq!(pixels(&mut both), pixels(&mut direct));
+    for context in [&mut direct, &mut listed, &mut both] {
+        assert_eq!(context.get_error(), gl::NO_ERROR);
+    }
+}
+
+#[test]
+fn section_5_4_lists_call_one_another_as_they_are_then() {
+    let mut context = canvas(8, 8);
+    context.new_list(1, gl::COMPILE);
+    context.call_list(2);
+    context.end_list();
+    context.call_list(1);
+    assert_eq!(context.get(0x0B00).unwrap().to_f32(1), 1.0);
+    context.new_list(2, gl::COMPILE);
+    context.color([0.0, 0.25, 0.0, 1.0]);
+    context.end_list();
+    context.call_list(1);
+    assert_eq!(context.get(0x0B00).unwrap().to_f32(1), 0.25);
+}
+
+#[test]
+fn section_5_4_a_list_that_calls_itself_ends() {
+    let mut context = canvas(8, 8);
+    context.new_list(1, gl::COMPILE);
+    context.translate(1.0, 0.0, 0.0);
+    context.call_list(1);
+    context.end_list();
+    context.call_list(1);
+    assert_eq!(context.get(0x0BA6).unwrap().to_f64(12), 64.0);
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+}
+
+#[test]
+fn section_5_4_lists_that_call_lists_twice_end() {
+    let mut context = canvas(8, 8);
+    context.new_list(1, gl::COMPILE);
+    context.call_list(1);
+    context.call_list(1);
+    context.end_list();
+    context.call_list(1);
+    assert_eq!(context.get_error(), 0x0505);
+    context.call_list(2);
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+}
+
+#[test]
+fn section_5_4_calls_of_many_add_the_base_to_names_of_every_type() {
+    let mut context = canvas(8, 8);
+    for name in [11, 12, 13] {
+        context.new_list(name, gl::COMPILE);
+        context.translate(f64::from(name), 0.0, 0.0);
+        context.end_list();
+    }
+    context.list_base(10);
+    let floats: Vec<u8> = [1.0_f32, 2.9].iter().flat_map(|name| name.to_ne_bytes()).collect();
+    let shorts: Vec<u8> = [3_u16, 1].iter().flat_map(|name| name.to_ne_bytes()).collect();
+    let cases: [(u32, &[u8], f64); 5] = [
+        (0x1401, &[1, 2], 23.0),
+        (0x1403, &shorts, 24.0),
+        (0x1406, &floats, 23.0),
+        (0x1407, &[0, 3, 0, 1], 24.0),
+        (0x1409, &[0, 0, 0, 1, 0, 0, 0, 2], 23.0),
+    ];
+    for (data_type, names, expected) in cases {
+        context.load_identity();
+        context.call_lists(2, data_type, names);
+        assert_eq!(context.get(0x0BA6).unwrap().to_f64(12), expected, "{data_type:#x}");
+    }
+    context.call_lists(-1, 0x1401, &[]);
+    assert_eq!(context.get_error(), gl::INVALID_VALUE);
+}
+
+#[test]
+fn section_5_4_errors_come_when_a_list_is_executed() {
+    let mut context = canvas(8, 8);
+    context.new_list(3, gl::COMPILE);
+    context.enable(1);
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+    context.new_list(4, gl::COMPILE);
+    assert_eq!(context.get_error(), gl::INVALID_OPERATION);
+    context.end_list();
+    context.call_list(3);
+    assert_eq!(context.get_error(), gl::INVALID_ENUM);
+}
+
+#[test]
+fn section_5_4_names_are_reserved_deleted_and_shared() {
+    let mut context = Context::new(Configuration::default());
+    let first = context.gen_lists(3);
+    assert!(context.is_list(first) && context.is_list(first + 2) && !context.is_list(first + 3));
+    let mut other = Context::sharing(Configuration::default(), &context);
+    other.delete_lists(first, 2);
+    assert!(!context.is_list(first) && context.is_list(first + 2));
+    assert_eq!(context.gen_lists(0), 0);
+}
+
+#[test]
+fn section_5_4_lists_open_with_begin_and_close_elsewhere() {
+    let mut context = canvas(8, 8);
+    context.new_list(1, gl::COMPILE);
+    context.begin(gl::TRIANGLES);
+    context.vertex([0.0, 0.0, 0.0, 1.0]);
+    context.end_list();
+    context.call_list(1);
+    context.vertex([16.0, 0.0, 0.0, 1.0]);
+    context.vertex([0.0, 16.0, 0.0, 1.0]);
+    context.end();
+    assert!(pixels(&mut context).iter().all(|pixel| *pixel == [255; 4]));
+}

@@ -1,0 +1,16 @@
+//! The specification (OpenGL 1.5), chapter by chapter, through the commands alone.
+
+#![allow(clippy::unwrap_used, reason = "a panic fails the test")]
+
+mod any_commands;
+mod arrays;
+mod canvas;
+mod coverage;
+mod depth;
+mod display_lists;
+mod errors;
+mod fragments;
+mod lighting;
+mod modes;
+mod pixel_transfer;
+mod state;
