@@ -1,5 +1,6 @@
 """OpenGL by the package luxel-gl, through PyOpenGL, as its users run it."""
 
+import ctypes.util
 import importlib.util
 import os
 import subprocess
@@ -63,6 +64,32 @@ def test_an_import_after_another_platform_says_so(tmp_path: Path) -> None:
     other = "import OpenGL.platform, os; os.environ['PYOPENGL_PLATFORM'] = 'osmesa'; import luxel.osmesa"
     said = run("-c", other, folder=tmp_path, PYOPENGL_PLATFORM="linux")
     assert said.endswith("import luxel.osmesa before it")
+
+
+EGL = """
+import ctypes
+from OpenGL import EGL, GL
+
+display = EGL.eglGetDisplay(EGL.EGL_DEFAULT_DISPLAY)
+assert EGL.eglInitialize(display, None, None)
+EGL.eglBindAPI(EGL.EGL_OPENGL_API)
+surface = (ctypes.c_int * 3)(EGL.EGL_SURFACE_TYPE, EGL.EGL_PBUFFER_BIT, EGL.EGL_NONE)
+found, count = (EGL.EGLConfig * 1)(), ctypes.c_int()
+assert EGL.eglChooseConfig(display, surface, found, 1, count) and count.value == 1
+size = (ctypes.c_int * 5)(EGL.EGL_WIDTH, 8, EGL.EGL_HEIGHT, 8, EGL.EGL_NONE)
+pbuffer = EGL.eglCreatePbufferSurface(display, found[0], size)
+context = EGL.eglCreateContext(display, found[0], EGL.EGL_NO_CONTEXT, None)
+assert EGL.eglMakeCurrent(display, pbuffer, pbuffer, context)
+GL.glClearColor(0.2, 0.4, 0.6, 1)
+GL.glClear(GL.GL_COLOR_BUFFER_BIT)
+print(GL.glGetString(GL.GL_VENDOR).decode(), *bytes(GL.glReadPixels(7, 7, 1, 1, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE)))
+"""
+
+
+@needs_gl
+@pytest.mark.skipif(ctypes.util.find_library("EGL") is None, reason="libglvnd's libEGL is needed")
+def test_egl_draws_on_luxels_library(tmp_path: Path) -> None:
+    assert run("-c", "import luxel.osmesa" + EGL, folder=tmp_path, PYOPENGL_PLATFORM="egl") == "luxel 51 102 153 255"
 
 
 @needs_gl

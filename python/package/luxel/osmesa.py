@@ -3,7 +3,8 @@
     import luxel.osmesa      # before PyOpenGL or MuJoCo
 
 loads `libOSMesa.so.8` and `libGLU.so.1` of the package luxel-gl, with their names for the whole process: who asks the system for
-these libraries afterwards gets them. Unless they are set, PYOPENGL_PLATFORM and MUJOCO_GL become `osmesa`.
+these libraries afterwards gets them. Unless they are set, PYOPENGL_PLATFORM and MUJOCO_GL become `osmesa`. Where one of
+them is `egl`, libglvnd's libEGL finds luxel, too, as the one vendor and for the default display.
 
     python -m luxel.osmesa SCRIPT [ARGUMENT ...]
     python -m luxel.osmesa -m MODULE [ARGUMENT ...]
@@ -41,6 +42,10 @@ _glu = _load("libGLU.so.1")
 
 for _variable in ("PYOPENGL_PLATFORM", "MUJOCO_GL"):
     os.environ.setdefault(_variable, "osmesa")
+if "egl" in (os.environ["PYOPENGL_PLATFORM"], os.environ["MUJOCO_GL"]):
+    # The file names the library as it is known in this process.
+    os.environ.setdefault("__EGL_VENDOR_LIBRARY_FILENAMES", str(_gl.folder() / "50_luxel.json"))
+    os.environ.setdefault("LUXEL_EGL_DEFAULT", "1")
 
 
 def _lend_to_pyopengl() -> None:
