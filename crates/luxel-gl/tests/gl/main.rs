@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod any_commands;
+mod any_textures;
 mod arrays;
 mod canvas;
 mod coverage;
@@ -14,3 +15,4 @@ mod lighting;
 mod modes;
 mod pixel_transfer;
 mod state;
+mod textures;
