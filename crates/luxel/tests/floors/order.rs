@@ -218,6 +218,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "prelude",
             "generated",
             "osmesa",
+            "egl",
         ],
     ),
     ("luxel-glu", &["strings", "matrices", "project", "drawing", "quadric", "image", "tessellate"]),
