@@ -31,6 +31,12 @@ pub(crate) const LIST_COMMANDS: usize = 1 << 26;
 /// Commands that one call of lists executes, however they call one another: beyond that, `GL_OUT_OF_MEMORY`. Lists that
 /// call lists twice each would keep a program for ever.
 pub(crate) const EXECUTED_COMMANDS: u64 = 1 << 27;
+/// `GL_MAX_SAMPLES`
+pub(crate) const MOST_SAMPLES: i32 = 1;
+/// Names of renderbuffers.
+pub(crate) const RENDERBUFFER_NAMES: usize = 1 << 22;
+/// Names of framebuffer objects.
+pub(crate) const FRAMEBUFFER_NAMES: usize = 1 << 22;
 /// Names of buffer objects.
 pub(crate) const BUFFER_NAMES: usize = 1 << 22;
 /// Bytes that the log of draws holds before it is carried out.

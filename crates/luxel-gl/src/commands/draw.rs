@@ -54,15 +54,16 @@ impl Context {
         state: &DrawState,
         processor: VertexProcessor,
     ) {
+        if self.is_incomplete() {
+            return;
+        }
         let region = self.scissored_region();
         let [left, bottom, right, top] = region;
         if left >= right || bottom >= top {
             return;
         }
-        let buffers = Buffers {
-            depth: self.configuration.depth_bits > 0,
-            stencil: self.configuration.stencil_bits > 0,
-        };
+        let [depth, stencil] = self.has_depth_and_stencil();
+        let buffers = Buffers { depth, stencil };
         let textures = self.texture_stages();
         let units = textures.as_ref().map_or(0, TextureStages::units);
         let processor = processor.with_textures(&self.state, &self.matrices, units);

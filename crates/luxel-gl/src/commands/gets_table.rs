@@ -4,8 +4,8 @@ use crate::Context;
 use crate::enums as gl;
 use crate::limits::{
     ATTRIBUTE_DEPTH, CLIP_PLANES, CUBE_SIDE, LARGEST_SIZE, LIGHTS, LIST_NESTING, LOD_BIAS,
-    MODELVIEW_DEPTH, PROJECTION_DEPTH, SUBPIXEL_BITS, TEXTURE_3D_SIDE, TEXTURE_DEPTH, TEXTURE_SIDE,
-    TEXTURE_UNITS, VIEWPORT,
+    MODELVIEW_DEPTH, MOST_SAMPLES, PROJECTION_DEPTH, SUBPIXEL_BITS, TEXTURE_3D_SIDE, TEXTURE_DEPTH,
+    TEXTURE_SIDE, TEXTURE_UNITS, VIEWPORT,
 };
 use crate::state::arrays::VertexArray;
 use crate::state::attributes::Hints;
@@ -314,6 +314,12 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         gl::ACCUM_RED_BITS | gl::ACCUM_GREEN_BITS | gl::ACCUM_BLUE_BITS | gl::ACCUM_ALPHA_BITS => {
             bits(configuration.accum_bits, 16)
         }
+        gl::FRAMEBUFFER_BINDING => Values::name(context.framebuffers.draw),
+        gl::READ_FRAMEBUFFER_BINDING => Values::name(context.framebuffers.read),
+        gl::RENDERBUFFER_BINDING => Values::name(context.framebuffers.renderbuffer),
+        gl::MAX_RENDERBUFFER_SIZE => Values::integer(VIEWPORT),
+        gl::MAX_COLOR_ATTACHMENTS => Values::integer(1),
+        gl::MAX_SAMPLES => Values::integer(MOST_SAMPLES),
         gl::RGBA_MODE => Values::boolean(true),
         gl::INDEX_MODE | gl::DOUBLEBUFFER | gl::STEREO => Values::boolean(false),
         _ => return None,

@@ -10,6 +10,7 @@ mod buffer_objects;
 mod buffers;
 mod draw;
 mod fragments;
+mod framebuffers;
 mod gets;
 mod gets_table;
 mod lighting;

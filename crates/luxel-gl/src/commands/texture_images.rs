@@ -426,7 +426,7 @@ impl Context {
             Ok(checked) => checked,
             Err(error) => return self.error.set(error),
         };
-        if format.is_depth() && self.configuration.depth_bits == 0 {
+        if format.is_depth() && !self.has_depth_and_stencil()[0] {
             return self.error.set(gl::INVALID_OPERATION);
         }
         let size = image.size.map(|side| side as u32);
@@ -434,8 +434,10 @@ impl Context {
         else {
             return self.error.set(gl::OUT_OF_MEMORY);
         };
-        self.carry_out();
-        self.copy_into(&mut image, [0; 3], call.from, call.size);
+        self.with_read_framebuffer(|context| {
+            context.carry_out();
+            context.copy_into(&mut image, [0; 3], call.from, call.size);
+        });
         self.put_image(of, level, image);
     }
 
@@ -463,14 +465,16 @@ impl Context {
             Ok(checked) => checked,
             Err(error) => return self.error.set(error),
         };
-        if is_depth && self.configuration.depth_bits == 0 {
+        if is_depth && !self.has_depth_and_stencil()[0] {
             return self.error.set(gl::INVALID_OPERATION);
         }
-        self.carry_out();
         let texture = self.active_texture_of(of.target);
-        if let Some(image) = locked(&texture).image_mut(of.face, level) {
-            self.copy_into(image, offset, call.from, call.size);
-        }
+        self.with_read_framebuffer(|context| {
+            context.carry_out();
+            if let Some(image) = locked(&texture).image_mut(of.face, level) {
+                context.copy_into(image, offset, call.from, call.size);
+            }
+        });
         self.image_changed(of, level);
     }
 

@@ -1,5 +1,8 @@
 //! Objects with names.
 
 pub(crate) mod buffer;
+pub(crate) mod framebuffer;
 pub(crate) mod image_calls;
 pub(crate) mod list;
+mod names;
+pub(crate) mod renderbuffer;

@@ -11,6 +11,7 @@
 
 mod batch;
 mod blend;
+mod blit;
 mod build;
 mod draw_state;
 mod framebuffer;

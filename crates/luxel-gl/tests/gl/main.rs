@@ -11,6 +11,7 @@ mod depth;
 mod display_lists;
 mod errors;
 mod fragments;
+mod framebuffers;
 mod lighting;
 mod modes;
 mod pixel_transfer;
