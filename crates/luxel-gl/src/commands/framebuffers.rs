@@ -1,4 +1,4 @@
-//! Framebuffer objects and renderbuffers (EXT_framebuffer_object, EXT_framebuffer_blit).
+//! Framebuffer objects (EXT_framebuffer_object, EXT_framebuffer_blit).
 //!
 //! What is drawn to lies in tiles, whatever it belongs to. Images of an object are taken into tiles when it is bound for
 //! drawing, and put back when it is left.
@@ -6,41 +6,10 @@
 use crate::Context;
 use crate::context::{demand, outside_begin};
 use crate::enums as gl;
-use crate::limits::{MOST_SAMPLES, VIEWPORT};
-use crate::objects::framebuffer::{
-    Attachment, COLOR, DEPTH, FramebufferObject, STENCIL, attachments_named,
-};
-use crate::objects::renderbuffer::{Planes, Renderbuffer};
-use crate::raster::{Framebuffer, LARGEST_DEPTH};
-use crate::texture::{ImageTarget, TextureImage, locked};
+use crate::objects::framebuffer::{Attachment, COLOR, DEPTH, STENCIL, attachments_named};
+use crate::raster::Framebuffer;
+use crate::texture::{ImageTarget, locked};
 use crate::values::Values;
-use std::sync::Arc;
-
-/// An attached image, to be looked at.
-enum Source<'a> {
-    Renderbuffer(&'a Renderbuffer),
-    Texture(Arc<TextureImage>, u32),
-}
-
-impl Source<'_> {
-    fn size(&self) -> [u32; 2] {
-        match self {
-            Self::Renderbuffer(of) => of.size,
-            Self::Texture(image, _) => [image.size[0], image.size[1]],
-        }
-    }
-
-    fn planes(&self) -> Planes {
-        match self {
-            Self::Renderbuffer(of) => of.planes,
-            // Textures of depth and stencil have no stencil that is kept.
-            Self::Texture(image, _) if image.format.is_depth() => {
-                Planes { color: false, depth: true, stencil: true }
-            }
-            Self::Texture(..) => Planes { color: true, depth: false, stencil: false },
-        }
-    }
-}
 
 impl Context {
     /// Whether the framebuffer that is drawn to has depths and stencil values.
@@ -59,20 +28,6 @@ impl Context {
             self.error.set(gl::INVALID_FRAMEBUFFER_OPERATION);
         }
         incomplete
-    }
-
-    /// An attached image; `None` if it isn't there any more.
-    fn with_source<R>(&self, of: &Attachment, work: impl FnOnce(Source<'_>) -> R) -> Option<R> {
-        match of {
-            Attachment::Renderbuffer(name) => {
-                let renderbuffers = self.renderbuffers();
-                renderbuffers.get(*name).map(|of| work(Source::Renderbuffer(of)))
-            }
-            Attachment::Texture { texture, face, level, layer, .. } => {
-                let image = locked(texture).image(*face, *level).map(Arc::clone);
-                image.map(|image| work(Source::Texture(image, *layer)))
-            }
-        }
     }
 
     /// `GL_FRAMEBUFFER_COMPLETE`, or what is missing.
@@ -102,76 +57,6 @@ impl Context {
             return gl::FRAMEBUFFER_INCOMPLETE_READ_BUFFER;
         }
         gl::FRAMEBUFFER_COMPLETE
-    }
-
-    /// Puts what was drawn back into the images of the object that is bound for drawing.
-    pub(crate) fn store_attachments(&mut self) {
-        self.carry_out();
-        let Some(object) = self.framebuffers.get(self.framebuffers.draw).cloned() else { return };
-        let [width, height] = self.framebuffer.size();
-        for (place, attachment) in object.attachments.iter().enumerate() {
-            match attachment {
-                Some(Attachment::Renderbuffer(name)) => {
-                    let mut renderbuffers = self.renderbuffers();
-                    let Some(of) = renderbuffers.get_mut(*name) else { continue };
-                    // Of images of several sizes what all have is drawn to.
-                    if of.size[0] < width || of.size[1] < height {
-                        continue;
-                    }
-                    let row = of.size[0];
-                    for [x, y] in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
-                        let index = (y * row + x) as usize;
-                        match place {
-                            COLOR => put(&mut of.color, index, self.framebuffer.color([x, y])),
-                            DEPTH => put(&mut of.depth, index, self.framebuffer.depth([x, y])),
-                            _ => put(&mut of.stencil, index, self.framebuffer.stencil([x, y])),
-                        }
-                    }
-                }
-                Some(Attachment::Texture { texture, face, level, layer, .. })
-                    if place != STENCIL =>
-                {
-                    let mut texture = locked(texture);
-                    let Some(image) = texture.image_mut(*face, *level) else { continue };
-                    if image.size[0] < width || image.size[1] < height {
-                        continue;
-                    }
-                    for y in 0..height {
-                        for x in 0..width {
-                            let value = if place == DEPTH {
-                                [self.framebuffer.unit_depth([x, y]), 0.0, 0.0, 1.0]
-                            } else {
-                                self.framebuffer.color([x, y]).map(|byte| f32::from(byte) / 255.0)
-                            };
-                            let index = image.index([x, y, *layer]);
-                            image.put(index, value);
-                        }
-                    }
-                }
-                _ => {}
-            }
-        }
-    }
-
-    /// The images of an object, in tiles.
-    fn loaded(&self, object: &FramebufferObject) -> Framebuffer {
-        let images = object.attachments.iter().flatten();
-        let sizes = images.filter_map(|of| self.with_source(of, |source| source.size()));
-        let smaller = |a: [u32; 2], b: [u32; 2]| [a[0].min(b[0]), a[1].min(b[1])];
-        let [width, height] = sizes.reduce(smaller).unwrap_or([0; 2]);
-        let [width, height] = [width, height].map(|side| side.min(VIEWPORT as u32));
-        let mut framebuffer = Framebuffer::new(width, height);
-        for (place, attachment) in object.attachments.iter().enumerate() {
-            let Some(attachment) = attachment else { continue };
-            let _ = self.with_source(attachment, |source| {
-                for y in 0..height {
-                    for x in 0..width {
-                        load_pixel(&mut framebuffer, &source, place, [x, y]);
-                    }
-                }
-            });
-        }
-        framebuffer
     }
 
     /// Binds a framebuffer for drawing, with its buffers.
@@ -398,132 +283,6 @@ impl Context {
         found
     }
 
-    /// `glGenRenderbuffers`.
-    pub fn gen_renderbuffers(&mut self, count: i32) -> Vec<u32> {
-        outside_begin!(self, Vec::new());
-        let Ok(count) = usize::try_from(count) else {
-            self.error.set(gl::INVALID_VALUE);
-            return Vec::new();
-        };
-        let names = self.renderbuffers().generate(count);
-        if names.len() < count {
-            self.error.set(gl::OUT_OF_MEMORY);
-        }
-        names
-    }
-
-    /// `glDeleteRenderbuffers`; they are detached from what is bound.
-    pub fn delete_renderbuffers(&mut self, names: &[u32]) {
-        outside_begin!(self);
-        for &name in names.iter().filter(|name| **name != 0) {
-            for bound in [self.framebuffers.draw, self.framebuffers.read] {
-                if let Some(object) = self.framebuffers.get_mut(bound) {
-                    for image in &mut object.attachments {
-                        if matches!(image, Some(Attachment::Renderbuffer(of)) if *of == name) {
-                            *image = None;
-                        }
-                    }
-                }
-            }
-            if self.framebuffers.renderbuffer == name {
-                self.framebuffers.renderbuffer = 0;
-            }
-            self.renderbuffers().delete(name);
-        }
-    }
-
-    /// `glIsRenderbuffer`.
-    pub fn is_renderbuffer(&mut self, name: u32) -> bool {
-        outside_begin!(self, false);
-        self.renderbuffers().get(name).is_some()
-    }
-
-    /// `glBindRenderbuffer`.
-    pub fn bind_renderbuffer(&mut self, target: u32, name: u32) {
-        outside_begin!(self);
-        demand!(self, target == gl::RENDERBUFFER, gl::INVALID_ENUM);
-        let there = name == 0 || self.renderbuffers().bind(name);
-        demand!(self, there, gl::OUT_OF_MEMORY);
-        self.framebuffers.renderbuffer = name;
-    }
-
-    /// `glRenderbufferStorage` (0 samples), and `glRenderbufferStorageMultisample`: one sample, at the pixel's centre, is all
-    /// there is (`GL_MAX_SAMPLES`).
-    pub fn renderbuffer_storage(
-        &mut self,
-        target: u32,
-        samples: i32,
-        format: u32,
-        width: i32,
-        height: i32,
-    ) {
-        outside_begin!(self);
-        demand!(self, target == gl::RENDERBUFFER, gl::INVALID_ENUM);
-        let Some(planes) = Planes::of_format(format) else {
-            self.error.set(gl::INVALID_ENUM);
-            return;
-        };
-        let sides = 0..=VIEWPORT;
-        let sound = sides.contains(&width) && sides.contains(&height);
-        let sound = sound && (0..=MOST_SAMPLES).contains(&samples);
-        demand!(self, sound, gl::INVALID_VALUE);
-        let name = self.framebuffers.renderbuffer;
-        demand!(self, name != 0, gl::INVALID_OPERATION);
-        let Some(storage) = Renderbuffer::new(format, planes, [width as u32, height as u32]) else {
-            self.error.set(gl::OUT_OF_MEMORY);
-            return;
-        };
-        if let Some(renderbuffer) = self.renderbuffers().get_mut(name) {
-            *renderbuffer = Renderbuffer { samples, ..storage };
-        }
-        // What is drawn to may be of another size now.
-        let is_attached = self.framebuffers.get(self.framebuffers.draw).is_some_and(|object| {
-            let mut images = object.attachments.iter().flatten();
-            images.any(|image| matches!(image, Attachment::Renderbuffer(of) if *of == name))
-        });
-        if is_attached {
-            self.carry_out();
-            if let Some(object) = self.framebuffers.get(self.framebuffers.draw).cloned() {
-                self.framebuffer = self.loaded(&object);
-            }
-        }
-    }
-
-    /// `glGetRenderbufferParameter`.
-    pub fn get_renderbuffer_parameter(&mut self, target: u32, pname: u32) -> Option<Values> {
-        outside_begin!(self, None);
-        if target != gl::RENDERBUFFER {
-            self.error.set(gl::INVALID_ENUM);
-            return None;
-        }
-        let name = self.framebuffers.renderbuffer;
-        let found = self.renderbuffers().get(name).map(|of| {
-            let bits = |there: bool, bits: i32| Some(Values::integer(if there { bits } else { 0 }));
-            let planes = of.planes;
-            match pname {
-                gl::RENDERBUFFER_WIDTH => Some(Values::name(of.size[0])),
-                gl::RENDERBUFFER_HEIGHT => Some(Values::name(of.size[1])),
-                gl::RENDERBUFFER_INTERNAL_FORMAT => {
-                    Some(Values::name(if of.format == 0 { gl::RGBA } else { of.format }))
-                }
-                gl::RENDERBUFFER_SAMPLES => Some(Values::integer(of.samples)),
-                gl::RENDERBUFFER_RED_SIZE
-                | gl::RENDERBUFFER_GREEN_SIZE
-                | gl::RENDERBUFFER_BLUE_SIZE
-                | gl::RENDERBUFFER_ALPHA_SIZE => bits(planes.color, 8),
-                gl::RENDERBUFFER_DEPTH_SIZE => bits(planes.depth, 24),
-                gl::RENDERBUFFER_STENCIL_SIZE => bits(planes.stencil, 8),
-                _ => None,
-            }
-        });
-        match found {
-            Some(Some(values)) => return Some(values),
-            Some(None) => self.error.set(gl::INVALID_ENUM),
-            None => self.error.set(gl::INVALID_OPERATION),
-        }
-        None
-    }
-
     /// `glBlitFramebuffer`: copies a rectangle, given by two corners each, stretched and mirrored as they say. Depth and
     /// stencil by the nearest pixel, colour also linearly.
     pub fn blit_framebuffer(
@@ -550,39 +309,5 @@ impl Context {
         let region = self.scissored_region();
         self.drawn = true;
         self.framebuffer.blit(&from, (source, destination), mask, filter == gl::LINEAR, region);
-    }
-}
-
-/// Overwrites a value of a plane, if it is there.
-fn put<T>(plane: &mut [T], index: usize, value: T) {
-    if let Some(place) = plane.get_mut(index) {
-        *place = value;
-    }
-}
-
-/// Takes one pixel of an attached image into the tiles.
-fn load_pixel(framebuffer: &mut Framebuffer, source: &Source<'_>, place: usize, at: [u32; 2]) {
-    match source {
-        Source::Renderbuffer(of) => {
-            let index = (at[1] * of.size[0] + at[0]) as usize;
-            match place {
-                COLOR => {
-                    framebuffer.set_color(at, of.color.get(index).copied().unwrap_or_default())
-                }
-                DEPTH => framebuffer.set_depth(at, of.depth.get(index).copied().unwrap_or(0)),
-                _ => framebuffer.set_stencil(at, of.stencil.get(index).copied().unwrap_or(0)),
-            }
-        }
-        Source::Texture(image, layer) => {
-            let value = image.get(image.index([at[0], at[1], *layer]));
-            match place {
-                COLOR => framebuffer.set_color(at, value.map(|value| (value * 255.0 + 0.5) as u8)),
-                DEPTH => {
-                    let depth = (f64::from(value[0]) * f64::from(LARGEST_DEPTH)).round() as u32;
-                    framebuffer.set_depth(at, depth);
-                }
-                _ => {}
-            }
-        }
     }
 }

@@ -4,6 +4,7 @@
 //! order of the specification.
 
 mod arrays;
+mod attachments;
 mod attribute_stacks;
 mod begin_end;
 mod buffer_objects;
@@ -18,6 +19,7 @@ mod lists;
 mod modes;
 mod pixels;
 mod rasterization;
+mod renderbuffers;
 mod strings;
 mod switches;
 mod texture_environment;
