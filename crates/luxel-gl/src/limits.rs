@@ -51,6 +51,8 @@ pub(crate) const CUBE_SIDE: u32 = 16384;
 pub(crate) const TEXTURE_LEVELS: usize = TEXTURE_SIDE.ilog2() as usize + 1;
 /// Texels of one image: beyond that, `GL_OUT_OF_MEMORY`.
 pub(crate) const TEXELS: usize = 1 << 28;
+/// Bytes of all images of a group of contexts: beyond that, `GL_OUT_OF_MEMORY`.
+pub(crate) const TEXTURE_BYTES: usize = 4 << 30;
 /// Names of textures: beyond that, `GL_OUT_OF_MEMORY`.
 pub(crate) const TEXTURE_NAMES: usize = 1 << 22;
 /// `GL_MAX_TEXTURE_LOD_BIAS`

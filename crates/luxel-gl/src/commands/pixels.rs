@@ -86,6 +86,7 @@ impl Context {
         let there = match kind.components {
             Components::Depth => has_depth,
             Components::Stencil => has_stencil,
+            Components::DepthStencil => has_depth && has_stencil,
             _ => true,
         };
         if !there {
@@ -191,6 +192,10 @@ impl Context {
             }
             Components::Depth => values[0] = self.framebuffer.unit_depth(at),
             Components::Stencil => values[0] = f32::from(self.framebuffer.stencil(at)),
+            Components::DepthStencil => {
+                values[0] = self.framebuffer.unit_depth(at);
+                values[1] = f32::from(self.framebuffer.stencil(at)) / 255.0;
+            }
         }
         (values, components.count())
     }
