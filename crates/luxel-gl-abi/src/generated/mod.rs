@@ -8,6 +8,7 @@
 
 mod arrays;
 mod fragment;
+mod framebuffers;
 mod lighting;
 mod lists;
 mod modes;

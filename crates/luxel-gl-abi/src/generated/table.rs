@@ -4,6 +4,7 @@
 
 use super::arrays::*;
 use super::fragment::*;
+use super::framebuffers::*;
 use super::lighting::*;
 use super::lists::*;
 use super::modes::*;
