@@ -209,6 +209,7 @@ impl Context {
             Command::CopyTexImage(ref call) => self.copy_image(call),
             Command::CopyTexSubImage(ref call) => self.copy_part(call),
             Command::PassThrough(mark) => self.pass_through(mark),
+            Command::Bitmap(ref call) => self.draw_bitmap(call),
             Command::Draw(ref draw) => self.draw_recorded(draw),
         }
     }

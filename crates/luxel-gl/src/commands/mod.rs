@@ -7,6 +7,7 @@ mod arrays;
 mod attachments;
 mod attribute_stacks;
 mod begin_end;
+mod bitmaps;
 mod buffer_objects;
 mod buffers;
 mod draw;

@@ -6,7 +6,7 @@
 use crate::enums as gl;
 use crate::limits::LIST_COMMANDS;
 use crate::objects::image_calls::{
-    CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
+    BitmapCall, CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
 };
 use crate::vertex::ArrayDraw;
 use std::collections::BTreeMap;
@@ -92,6 +92,7 @@ pub(crate) enum Command {
     PushName(u32),
     PopName,
     PassThrough(f32),
+    Bitmap(Arc<BitmapCall>),
     BindTexture(u32, u32),
     PrioritizeTextures(i32, Box<[(u32, f32)]>),
     TexParameter(u32, u32, [f32; 4]),

@@ -10,6 +10,7 @@
 //! 5. `stencil`, `blend`: tests of fragments and mixing of colours.
 
 mod batch;
+mod bitmap;
 mod blend;
 mod blit;
 mod build;
@@ -25,6 +26,8 @@ mod stencil;
 mod strokes;
 mod tile;
 
+pub(crate) use batch::Batch;
+pub(crate) use bitmap::Bitmap;
 pub(crate) use build::BatchBuilder;
 pub(crate) use draw_state::DrawState;
 pub(crate) use framebuffer::{Framebuffer, LARGEST_DEPTH};
