@@ -6,7 +6,7 @@
 use crate::Context;
 use crate::context::{demand, outside_begin};
 use crate::enums as gl;
-use crate::objects::framebuffer::{Attachment, COLOR, DEPTH, STENCIL, attachments_named};
+use crate::objects::framebuffer::{Attachment, DEPTH, STENCIL, attachments_named};
 use crate::raster::Framebuffer;
 use crate::texture::{ImageTarget, locked};
 use crate::values::Values;
@@ -30,7 +30,8 @@ impl Context {
         incomplete
     }
 
-    /// `GL_FRAMEBUFFER_COMPLETE`, or what is missing.
+    /// `GL_FRAMEBUFFER_COMPLETE`, or what is missing. A draw or read buffer without an image is not: since OpenGL 4.1,
+    /// and so in Mesa, that leaves a framebuffer complete, and programs rely on it.
     fn status(&self, name: u32) -> u32 {
         let Some(object) = self.framebuffers.get(name) else { return gl::FRAMEBUFFER_COMPLETE };
         let mut any = false;
@@ -48,13 +49,6 @@ impl Context {
         }
         if !any {
             return gl::FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
-        }
-        let missing = object.attachments[COLOR].is_none();
-        if missing && object.draw_buffer != gl::NONE {
-            return gl::FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER;
-        }
-        if missing && object.read_buffer != gl::NONE {
-            return gl::FRAMEBUFFER_INCOMPLETE_READ_BUFFER;
         }
         gl::FRAMEBUFFER_COMPLETE
     }
