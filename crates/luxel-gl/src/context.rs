@@ -9,6 +9,7 @@ use crate::objects::list::{Command, Lists};
 use crate::objects::renderbuffer::Renderbuffers;
 use crate::raster::{Framebuffer, Log};
 use crate::state::Attributes;
+use crate::state::evaluator::Maps;
 use crate::state::matrices::Matrices;
 use crate::state::pixel::Client;
 use crate::texture::{TextureImage, Textures};
@@ -61,6 +62,7 @@ pub struct Context {
     pub(crate) client_stack: Vec<(u32, Client)>,
     /// Set between `glBegin` and `glEnd`.
     pub(crate) stream: Option<Box<Stream>>,
+    pub(crate) maps: Maps,
     pub(crate) shared: Arc<Mutex<Lists>>,
     pub(crate) textures: Arc<Mutex<Textures>>,
     /// Images of proxies, without texels, by target and level.
@@ -120,6 +122,7 @@ impl Context {
             attribute_stack: Vec::new(),
             client_stack: Vec::new(),
             stream: None,
+            maps: Maps::default(),
             shared,
             textures,
             proxies: BTreeMap::new(),
