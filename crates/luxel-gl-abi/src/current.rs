@@ -141,6 +141,25 @@ pub(crate) fn destroy(handle: *mut Bound) {
     }
 }
 
+/// Destroys a context when the thread that it is current in leaves it, this one too; at once if there is none. False if
+/// `handle` is none.
+pub(crate) fn destroy_when_left(handle: *mut Bound) -> bool {
+    let mut contexts = contexts();
+    let alive = |listed: &Listed| listed.handle == handle && !listed.doomed;
+    let Some(place) = contexts.iter().position(alive) else { return false };
+    if contexts[place].thread.is_some() {
+        contexts[place].doomed = true;
+    } else {
+        free(contexts.swap_remove(place));
+    }
+    true
+}
+
+/// Whether `handle` is a context.
+pub(crate) fn is_context(handle: *mut Bound) -> bool {
+    contexts().iter().any(|listed| listed.handle == handle && !listed.doomed)
+}
+
 fn free(listed: Listed) {
     // SAFETY: the handle came from `Box::into_raw`, is off the list, and current nowhere.
     drop(unsafe { Box::from_raw(listed.handle) });

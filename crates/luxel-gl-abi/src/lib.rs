@@ -6,6 +6,7 @@
 
 mod client;
 mod current;
+mod egl;
 mod entry;
 mod generated;
 mod mapped;

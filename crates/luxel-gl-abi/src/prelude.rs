@@ -11,5 +11,7 @@ pub(crate) use luxel_gl::{convert, lengths};
 
 /// The error for negative sizes.
 pub(crate) const GL_INVALID_VALUE: u32 = 0x0501;
+/// The target of volumes.
+pub(crate) const GL_TEXTURE_3D: u32 = 0x806F;
 /// The first texture unit.
 pub(crate) const GL_TEXTURE0: u32 = 0x84C0;

@@ -4,9 +4,12 @@ use crate::enums as gl;
 use crate::error::ErrorFlag;
 use crate::modes::{FeedbackMode, SelectionMode};
 use crate::objects::buffer::Buffers;
+use crate::objects::framebuffer::FramebufferObjects;
 use crate::objects::list::{Command, Lists};
+use crate::objects::renderbuffer::Renderbuffers;
 use crate::raster::{Framebuffer, Log};
 use crate::state::Attributes;
+use crate::state::evaluator::Maps;
 use crate::state::matrices::Matrices;
 use crate::state::pixel::Client;
 use crate::texture::{TextureImage, Textures};
@@ -59,11 +62,16 @@ pub struct Context {
     pub(crate) client_stack: Vec<(u32, Client)>,
     /// Set between `glBegin` and `glEnd`.
     pub(crate) stream: Option<Box<Stream>>,
+    pub(crate) maps: Maps,
     pub(crate) shared: Arc<Mutex<Lists>>,
     pub(crate) textures: Arc<Mutex<Textures>>,
     /// Images of proxies, without texels, by target and level.
     pub(crate) proxies: BTreeMap<(usize, usize), TextureImage>,
     pub(crate) shared_buffers: Arc<Mutex<Buffers>>,
+    pub(crate) shared_renderbuffers: Arc<Mutex<Renderbuffers>>,
+    pub(crate) framebuffers: FramebufferObjects,
+    /// The default framebuffer, while an object is drawn to.
+    pub(crate) parked: Framebuffer,
     pub(crate) list: Option<OpenList>,
     /// How many lists call one another at the moment.
     pub(crate) nesting: usize,
@@ -94,6 +102,7 @@ impl Context {
         let (lists, textures) = (Arc::clone(&other.shared), Arc::clone(&other.textures));
         let mut context = Self::with_shared(configuration, lists, textures);
         context.shared_buffers = Arc::clone(&other.shared_buffers);
+        context.shared_renderbuffers = Arc::clone(&other.shared_renderbuffers);
         context
     }
 
@@ -113,10 +122,14 @@ impl Context {
             attribute_stack: Vec::new(),
             client_stack: Vec::new(),
             stream: None,
+            maps: Maps::default(),
             shared,
             textures,
             proxies: BTreeMap::new(),
             shared_buffers: Arc::default(),
+            shared_renderbuffers: Arc::default(),
+            framebuffers: FramebufferObjects::default(),
+            parked: Framebuffer::new(0, 0),
             list: None,
             nesting: 0,
             executable: 0,
@@ -184,6 +197,10 @@ impl Context {
 
     pub(crate) fn textures(&self) -> MutexGuard<'_, Textures> {
         self.textures.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub(crate) fn renderbuffers(&self) -> MutexGuard<'_, Renderbuffers> {
+        self.shared_renderbuffers.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub(crate) fn buffers(&self) -> MutexGuard<'_, Buffers> {

@@ -3,6 +3,7 @@
 //! 0 for a name that isn't one: the command itself records the error.
 
 use crate::enums as gl;
+use crate::state::evaluator::MapTarget;
 
 /// Values of `glLightfv` and `glGetLightfv` (OpenGL 1.5, table 2.10).
 #[must_use]
@@ -131,4 +132,20 @@ pub fn tex_gen(pname: u32) -> usize {
         gl::TEXTURE_GEN_MODE => 1,
         _ => 0,
     }
+}
+
+/// Numbers of `glMap1`'s control points, from the first to the last; 0 for arguments that are in error.
+#[must_use]
+pub fn map_1(target: u32, stride: i32, order: i32) -> usize {
+    MapTarget::named(target)
+        .filter(|of| of.dimensions == 1)
+        .map_or(0, |of| of.length([stride, 0], [order, 1]))
+}
+
+/// Numbers of `glMap2`'s control points, from the first to the last; 0 for arguments that are in error.
+#[must_use]
+pub fn map_2(target: u32, stride: [i32; 2], order: [i32; 2]) -> usize {
+    MapTarget::named(target)
+        .filter(|of| of.dimensions == 2)
+        .map_or(0, |of| of.length(stride, order))
 }

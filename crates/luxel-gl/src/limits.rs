@@ -31,6 +31,12 @@ pub(crate) const LIST_COMMANDS: usize = 1 << 26;
 /// Commands that one call of lists executes, however they call one another: beyond that, `GL_OUT_OF_MEMORY`. Lists that
 /// call lists twice each would keep a program for ever.
 pub(crate) const EXECUTED_COMMANDS: u64 = 1 << 27;
+/// `GL_MAX_SAMPLES`
+pub(crate) const MOST_SAMPLES: i32 = 1;
+/// Names of renderbuffers.
+pub(crate) const RENDERBUFFER_NAMES: usize = 1 << 22;
+/// Names of framebuffer objects.
+pub(crate) const FRAMEBUFFER_NAMES: usize = 1 << 22;
 /// Names of buffer objects.
 pub(crate) const BUFFER_NAMES: usize = 1 << 22;
 /// Bytes that the log of draws holds before it is carried out.
@@ -45,7 +51,11 @@ pub(crate) const CUBE_SIDE: u32 = 16384;
 pub(crate) const TEXTURE_LEVELS: usize = TEXTURE_SIDE.ilog2() as usize + 1;
 /// Texels of one image: beyond that, `GL_OUT_OF_MEMORY`.
 pub(crate) const TEXELS: usize = 1 << 28;
+/// Bytes of all images of a group of contexts: beyond that, `GL_OUT_OF_MEMORY`.
+pub(crate) const TEXTURE_BYTES: usize = 4 << 30;
 /// Names of textures: beyond that, `GL_OUT_OF_MEMORY`.
 pub(crate) const TEXTURE_NAMES: usize = 1 << 22;
+/// `GL_MAX_EVAL_ORDER`
+pub(crate) const EVALUATOR_ORDER: i32 = 30;
 /// `GL_MAX_TEXTURE_LOD_BIAS`
 pub(crate) const LOD_BIAS: f32 = 16.0;

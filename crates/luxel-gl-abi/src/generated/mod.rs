@@ -7,7 +7,9 @@
 #![allow(clippy::semicolon_if_nothing_returned, reason = "expressions stand as in commands.toml")]
 
 mod arrays;
+mod evaluators;
 mod fragment;
+mod framebuffers;
 mod lighting;
 mod lists;
 mod modes;

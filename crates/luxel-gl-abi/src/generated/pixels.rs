@@ -1,9 +1,32 @@
 // Written by ../../generator from gl.xml and commands.toml: change these.
 
-//! Pixels: how they are stored (3.6.1), and read (4.3.2).
+//! Pixels: how they are stored (3.6.1), bitmaps (3.7), and reading (4.3.2).
 
 use crate::prelude::*;
 use std::ffi::c_void;
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glBitmap(
+    width: i32,
+    height: i32,
+    xorig: f32,
+    yorig: f32,
+    xmove: f32,
+    ymove: f32,
+    bitmap: *const u8,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        let length = gl.bitmap_bytes(width, height);
+        gl.bitmap(
+            [width, height],
+            [xorig, yorig],
+            [xmove, ymove],
+            optional_bytes(bitmap.cast(), length),
+        );
+        Some(())
+    });
+}
 
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn glPixelStoref(pname: u32, param: f32) {

@@ -3,7 +3,9 @@
 //! The address of each entry point by its name.
 
 use super::arrays::*;
+use super::evaluators::*;
 use super::fragment::*;
+use super::framebuffers::*;
 use super::lighting::*;
 use super::lists::*;
 use super::modes::*;

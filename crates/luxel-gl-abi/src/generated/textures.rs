@@ -31,6 +31,127 @@ pub(crate) extern "C" fn glBindTextureEXT(target: u32, texture: u32) {
 }
 
 #[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glCompressedTexImage1D(
+    target: u32,
+    level: i32,
+    internalformat: u32,
+    width: i32,
+    border: i32,
+    image_size: i32,
+    data: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = (target, level, internalformat, width, border, image_size, data);
+        gl.compressed_tex_image()
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glCompressedTexImage1DARB(
+    target: u32,
+    level: i32,
+    internalformat: u32,
+    width: i32,
+    border: i32,
+    image_size: i32,
+    data: *const c_void,
+) {
+    // SAFETY: the same contract.
+    unsafe {
+        glCompressedTexImage1D(target, level, internalformat, width, border, image_size, data)
+    };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glCompressedTexImage2D(
+    target: u32,
+    level: i32,
+    internalformat: u32,
+    width: i32,
+    height: i32,
+    border: i32,
+    image_size: i32,
+    data: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = (target, level, internalformat, width, height, border, image_size, data);
+        gl.compressed_tex_image()
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glCompressedTexImage2DARB(
+    target: u32,
+    level: i32,
+    internalformat: u32,
+    width: i32,
+    height: i32,
+    border: i32,
+    image_size: i32,
+    data: *const c_void,
+) {
+    // SAFETY: the same contract.
+    unsafe {
+        glCompressedTexImage2D(
+            target,
+            level,
+            internalformat,
+            width,
+            height,
+            border,
+            image_size,
+            data,
+        )
+    };
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glCompressedTexImage3D(
+    target: u32,
+    level: i32,
+    internalformat: u32,
+    width: i32,
+    height: i32,
+    depth: i32,
+    border: i32,
+    image_size: i32,
+    data: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = (target, level, internalformat, width, height, depth, border, image_size, data);
+        gl.compressed_tex_image()
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glCompressedTexImage3DARB(
+    target: u32,
+    level: i32,
+    internalformat: u32,
+    width: i32,
+    height: i32,
+    depth: i32,
+    border: i32,
+    image_size: i32,
+    data: *const c_void,
+) {
+    // SAFETY: the same contract.
+    unsafe {
+        glCompressedTexImage3D(
+            target,
+            level,
+            internalformat,
+            width,
+            height,
+            depth,
+            border,
+            image_size,
+            data,
+        )
+    };
+}
+
+#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glCopyTexImage1D(
     target: u32,
     level: i32,

@@ -24,16 +24,21 @@ impl Context {
             self.state.viewport.area = whole;
             self.state.scissor = whole;
         }
-        if self.framebuffer.size() != [width, height] {
-            self.carry_out();
-            self.framebuffer = crate::raster::Framebuffer::new(width, height);
+        if self.default_size() != [width, height] {
+            self.with_default_framebuffer(|context| {
+                context.carry_out();
+                context.framebuffer = crate::raster::Framebuffer::new(width, height);
+            });
         }
     }
 
     /// Width and height of the default framebuffer.
     #[must_use]
     pub fn default_size(&self) -> [u32; 2] {
-        self.framebuffer.size()
+        match self.framebuffers.draw {
+            0 => self.framebuffer.size(),
+            _ => self.parked.size(),
+        }
     }
 
     /// Draws what is in the log.
@@ -47,14 +52,14 @@ impl Context {
         compile!(self, Command::Clear(mask));
         outside_begin!(self);
         demand!(self, mask & !ALL_BUFFERS == 0, gl::INVALID_VALUE);
-        if self.render_mode != gl::RENDER {
+        if self.is_incomplete() || self.render_mode != gl::RENDER {
             return;
         }
+        let [has_depth, has_stencil] = self.has_depth_and_stencil();
         let has = |bit: u32| mask & bit != 0;
         let color = has(gl::COLOR_BUFFER_BIT) && self.state.color.draw_buffer != gl::NONE;
-        let depth =
-            has(gl::DEPTH_BUFFER_BIT) && self.state.depth.mask && self.configuration.depth_bits > 0;
-        let stencil = has(gl::STENCIL_BUFFER_BIT) && self.configuration.stencil_bits > 0;
+        let depth = has(gl::DEPTH_BUFFER_BIT) && self.state.depth.mask && has_depth;
+        let stencil = has(gl::STENCIL_BUFFER_BIT) && has_stencil;
         let clear = Clear {
             region: self.scissored_region(),
             color: self.state.color.clear,
@@ -106,7 +111,7 @@ impl Context {
     pub fn draw_buffer(&mut self, buffer: u32) {
         compile!(self, Command::DrawBuffer(buffer));
         outside_begin!(self);
-        match buffer_named(buffer) {
+        match self.buffer_named(buffer) {
             Ok(()) => self.state.color.draw_buffer = buffer,
             Err(error) => self.error.set(error),
         }
@@ -116,11 +121,28 @@ impl Context {
     pub fn read_buffer(&mut self, buffer: u32) {
         compile!(self, Command::ReadBuffer(buffer));
         outside_begin!(self);
-        let single = !matches!(buffer, gl::NONE | gl::FRONT_AND_BACK);
-        match buffer_named(buffer) {
+        // An object may be without any colour to read.
+        let none_is_one = self.framebuffers.draw != 0;
+        let single = buffer != gl::FRONT_AND_BACK && (buffer != gl::NONE || none_is_one);
+        match self.buffer_named(buffer) {
             Ok(()) if single => self.state.read_buffer.0 = buffer,
             Ok(()) => self.error.set(gl::INVALID_ENUM),
             Err(error) => self.error.set(error),
+        }
+    }
+
+    /// Whether what is drawn to has a buffer of that name.
+    fn buffer_named(&self, buffer: u32) -> Result<(), u32> {
+        let of_object = self.framebuffers.draw != 0;
+        match buffer {
+            gl::NONE => Ok(()),
+            gl::COLOR_ATTACHMENT0 if of_object => Ok(()),
+            gl::COLOR_ATTACHMENT0..=gl::COLOR_ATTACHMENT15 => Err(gl::INVALID_OPERATION),
+            _ => buffer_named(buffer).and(if of_object {
+                Err(gl::INVALID_OPERATION)
+            } else {
+                Ok(())
+            }),
         }
     }
 

@@ -8,9 +8,10 @@ use crate::fragment::TextureStages;
 use crate::modes::{FeedbackVisitor, HitVisitor};
 use crate::objects::list::Command;
 use crate::primitive::assemble;
-use crate::raster::{BatchBuilder, Buffers, DrawState, LARGEST_DEPTH, Pipeline};
+use crate::raster::{Batch, BatchBuilder, Buffers, DrawState, LARGEST_DEPTH, Pipeline};
 use crate::state::current::RasterPosition;
 use crate::vertex::{Stream, VertexProcessor, WindowScale, codes};
+use std::sync::Arc;
 
 impl Context {
     /// Draws what stands between `glBegin` and `glEnd`.
@@ -54,27 +55,37 @@ impl Context {
         state: &DrawState,
         processor: VertexProcessor,
     ) {
-        let region = self.scissored_region();
-        let [left, bottom, right, top] = region;
-        if left >= right || bottom >= top {
-            return;
-        }
-        let buffers = Buffers {
-            depth: self.configuration.depth_bits > 0,
-            stencil: self.configuration.stencil_bits > 0,
-        };
-        let textures = self.texture_stages();
-        let units = textures.as_ref().map_or(0, TextureStages::units);
+        let Some((pipeline, viewport)) = self.begin_draw() else { return };
+        let units = pipeline.textures.as_ref().map_or(0, TextureStages::units);
         let processor = processor.with_textures(&self.state, &self.matrices, units);
-        let bits = self.color_bits();
-        let pipeline = Pipeline::new(&self.state, buffers, region, bits, textures);
-        let pipeline = self.log.pipeline(pipeline);
-        let area = self.state.viewport.area;
-        let viewport = [area.x, area.y, area.x + area.width, area.y + area.height];
         let vertices = processor.process(stream, self.level);
         let mut builder = BatchBuilder::new(state, pipeline, &processor, viewport, vertices);
         assemble(stream.mode, stream.len(), elements, &mut builder);
-        self.log.draw(builder.finish());
+        self.finish_draw(builder.finish());
+    }
+
+    /// The pipeline of a draw, and the viewport; `None` where nothing can be drawn.
+    pub(super) fn begin_draw(&mut self) -> Option<(Arc<Pipeline>, [i32; 4])> {
+        if self.is_incomplete() {
+            return None;
+        }
+        let region = self.scissored_region();
+        let [left, bottom, right, top] = region;
+        if left >= right || bottom >= top {
+            return None;
+        }
+        let [depth, stencil] = self.has_depth_and_stencil();
+        let textures = self.texture_stages();
+        let buffers = Buffers { depth, stencil };
+        let pipeline = Pipeline::new(&self.state, buffers, region, self.color_bits(), textures);
+        let area = self.state.viewport.area;
+        let viewport = [area.x, area.y, area.x + area.width, area.y + area.height];
+        Some((self.log.pipeline(pipeline), viewport))
+    }
+
+    /// Puts a batch into the log, and carries that out if it is full.
+    pub(super) fn finish_draw(&mut self, batch: Batch) {
+        self.log.draw(batch);
         if self.log.is_full() {
             self.carry_out();
         }

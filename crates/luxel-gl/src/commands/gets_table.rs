@@ -3,9 +3,9 @@
 use crate::Context;
 use crate::enums as gl;
 use crate::limits::{
-    ATTRIBUTE_DEPTH, CLIP_PLANES, CUBE_SIDE, LARGEST_SIZE, LIGHTS, LIST_NESTING, LOD_BIAS,
-    MODELVIEW_DEPTH, PROJECTION_DEPTH, SUBPIXEL_BITS, TEXTURE_3D_SIDE, TEXTURE_DEPTH, TEXTURE_SIDE,
-    TEXTURE_UNITS, VIEWPORT,
+    ATTRIBUTE_DEPTH, CLIP_PLANES, CUBE_SIDE, EVALUATOR_ORDER, LARGEST_SIZE, LIGHTS, LIST_NESTING,
+    LOD_BIAS, MODELVIEW_DEPTH, MOST_SAMPLES, PROJECTION_DEPTH, SUBPIXEL_BITS, TEXTURE_3D_SIDE,
+    TEXTURE_DEPTH, TEXTURE_SIDE, TEXTURE_UNITS, VIEWPORT,
 };
 use crate::state::arrays::VertexArray;
 use crate::state::attributes::Hints;
@@ -218,10 +218,16 @@ fn of_textures(context: &Context, pname: u32) -> Option<Values> {
     })
 }
 
-/// Lists, stacks, modes (tables 6.33, 6.36).
+/// Evaluators, lists, stacks, modes (tables 6.33, 6.36).
 fn of_lists_and_modes(context: &Context, pname: u32) -> Option<Values> {
     let open = context.list.as_ref();
+    let grids = &context.state.grids;
+    let [u, v] = &grids.two;
     Some(match pname {
+        gl::MAP1_GRID_SEGMENTS => Values::integer(grids.one.steps),
+        gl::MAP1_GRID_DOMAIN => Values::reals(grids.one.domain),
+        gl::MAP2_GRID_SEGMENTS => Values::integers([u.steps, v.steps]),
+        gl::MAP2_GRID_DOMAIN => Values::reals([u.domain[0], u.domain[1], v.domain[0], v.domain[1]]),
         gl::LIST_BASE => Values::name(context.state.list_base),
         gl::LIST_INDEX => Values::name(open.map_or(0, |list| list.name)),
         gl::LIST_MODE => Values::name(open.map_or(0, |list| list.mode)),
@@ -303,7 +309,7 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         gl::LINE_WIDTH_RANGE | gl::ALIASED_LINE_WIDTH_RANGE => Values::reals([1.0, LARGEST_SIZE]),
         gl::POINT_SIZE_GRANULARITY | gl::LINE_WIDTH_GRANULARITY => Values::real(0.1),
         gl::MAX_ELEMENTS_VERTICES | gl::MAX_ELEMENTS_INDICES => Values::integer(1 << 20),
-        gl::MAX_EVAL_ORDER => Values::integer(30),
+        gl::MAX_EVAL_ORDER => Values::integer(EVALUATOR_ORDER),
         gl::NUM_COMPRESSED_TEXTURE_FORMATS => Values::integer(0),
         gl::COMPRESSED_TEXTURE_FORMATS => Values::none(),
         gl::RED_BITS | gl::GREEN_BITS | gl::BLUE_BITS => Values::integer(8),
@@ -314,6 +320,12 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         gl::ACCUM_RED_BITS | gl::ACCUM_GREEN_BITS | gl::ACCUM_BLUE_BITS | gl::ACCUM_ALPHA_BITS => {
             bits(configuration.accum_bits, 16)
         }
+        gl::FRAMEBUFFER_BINDING => Values::name(context.framebuffers.draw),
+        gl::READ_FRAMEBUFFER_BINDING => Values::name(context.framebuffers.read),
+        gl::RENDERBUFFER_BINDING => Values::name(context.framebuffers.renderbuffer),
+        gl::MAX_RENDERBUFFER_SIZE => Values::integer(VIEWPORT),
+        gl::MAX_COLOR_ATTACHMENTS => Values::integer(1),
+        gl::MAX_SAMPLES => Values::integer(MOST_SAMPLES),
         gl::RGBA_MODE => Values::boolean(true),
         gl::INDEX_MODE | gl::DOUBLEBUFFER | gl::STEREO => Values::boolean(false),
         _ => return None,

@@ -192,6 +192,18 @@ impl Context {
             Command::LoadName(name) => self.load_name(name),
             Command::PushName(name) => self.push_name(name),
             Command::PopName => self.pop_name(),
+            Command::Map(ref call) => self.map(call),
+            Command::MapGrid1(steps, domain) => self.map_grid_1(steps, domain),
+            Command::MapGrid2(steps, domain) => self.map_grid_2(steps, domain),
+            Command::EvalCoord1(u) => self.eval_coord_1(u),
+            Command::EvalCoord2(place) => self.eval_coord_2(place),
+            Command::EvalPoint1(step) => self.eval_point_1(step),
+            Command::EvalPoint2(steps) => self.eval_point_2(steps),
+            Command::EvalMesh1(mode, run) => self.eval_mesh_1(mode, run),
+            Command::EvalMesh2(mode, ref part) => {
+                let [i1, i2, j1, j2] = **part;
+                self.eval_mesh_2(mode, [i1, i2], [j1, j2]);
+            }
             Command::BindTexture(target, name) => self.bind_texture(target, name),
             Command::PrioritizeTextures(count, ref pairs) => {
                 let (names, priorities): (Vec<u32>, Vec<f32>) = pairs.iter().copied().unzip();
@@ -209,6 +221,7 @@ impl Context {
             Command::CopyTexImage(ref call) => self.copy_image(call),
             Command::CopyTexSubImage(ref call) => self.copy_part(call),
             Command::PassThrough(mark) => self.pass_through(mark),
+            Command::Bitmap(ref call) => self.draw_bitmap(call),
             Command::Draw(ref draw) => self.draw_recorded(draw),
         }
     }

@@ -4,12 +4,16 @@
 //! order of the specification.
 
 mod arrays;
+mod attachments;
 mod attribute_stacks;
 mod begin_end;
+mod bitmaps;
 mod buffer_objects;
 mod buffers;
 mod draw;
+mod evaluators;
 mod fragments;
+mod framebuffers;
 mod gets;
 mod gets_table;
 mod lighting;
@@ -17,6 +21,7 @@ mod lists;
 mod modes;
 mod pixels;
 mod rasterization;
+mod renderbuffers;
 mod strings;
 mod switches;
 mod texture_environment;

@@ -82,9 +82,11 @@ impl Context {
         let (Ok(width), Ok(height)) = (usize::try_from(width), usize::try_from(height)) else {
             return Err(gl::INVALID_VALUE);
         };
+        let [has_depth, has_stencil] = self.has_depth_and_stencil();
         let there = match kind.components {
-            Components::Depth => self.configuration.depth_bits > 0,
-            Components::Stencil => self.configuration.stencil_bits > 0,
+            Components::Depth => has_depth,
+            Components::Stencil => has_stencil,
+            Components::DepthStencil => has_depth && has_stencil,
             _ => true,
         };
         if !there {
@@ -99,7 +101,9 @@ impl Context {
     /// 0 after an error.
     pub fn pack_bytes(&mut self, width: i32, height: i32, format: u32, data_type: u32) -> usize {
         outside_begin!(self, 0);
-        match self.readable([width, height], format, data_type) {
+        let found = self
+            .with_read_framebuffer(|context| context.readable([width, height], format, data_type));
+        match found {
             Ok((_, layout)) => layout.end,
             Err(error) => {
                 self.error.set(error);
@@ -122,6 +126,21 @@ impl Context {
         destination: &mut [u8],
     ) {
         outside_begin!(self);
+        self.with_read_framebuffer(|context| {
+            if !context.is_incomplete() {
+                context.read(x, y, [width, height], (format, data_type), destination);
+            }
+        });
+    }
+
+    fn read(
+        &mut self,
+        x: i32,
+        y: i32,
+        [width, height]: [i32; 2],
+        (format, data_type): (u32, u32),
+        destination: &mut [u8],
+    ) {
         let (kind, layout) = match self.readable([width, height], format, data_type) {
             Ok(readable) => readable,
             Err(error) => {
@@ -173,6 +192,10 @@ impl Context {
             }
             Components::Depth => values[0] = self.framebuffer.unit_depth(at),
             Components::Stencil => values[0] = f32::from(self.framebuffer.stencil(at)),
+            Components::DepthStencil => {
+                values[0] = self.framebuffer.unit_depth(at);
+                values[1] = f32::from(self.framebuffer.stencil(at)) / 255.0;
+            }
         }
         (values, components.count())
     }
@@ -180,6 +203,10 @@ impl Context {
     /// Writes the colour buffer to the caller's memory as OSMesa does at `glFlush`, `glFinish` and when a context is
     /// left: if something was drawn since the last time. What a slice has no room for is left out.
     pub fn color_plane(&mut self, layout: ColorLayout, destination: &mut [u8]) {
+        self.with_default_framebuffer(|context| context.write_color_plane(layout, destination));
+    }
+
+    fn write_color_plane(&mut self, layout: ColorLayout, destination: &mut [u8]) {
         self.carry_out();
         if !std::mem::take(&mut self.drawn) {
             return;
@@ -222,6 +249,10 @@ impl Context {
 
     /// Writes depths of 24 bits, the bottom row first, as `OSMesaGetDepthBuffer` shows them.
     pub fn depth_plane(&mut self, destination: &mut [u32]) {
+        self.with_default_framebuffer(|context| context.write_depth_plane(destination));
+    }
+
+    fn write_depth_plane(&mut self, destination: &mut [u32]) {
         self.carry_out();
         let [width, height] = self.framebuffer.size();
         let mut out = destination.iter_mut();

@@ -6,7 +6,7 @@ use crate::context::{compile, demand, first_values, outside_begin};
 use crate::enums as gl;
 use crate::lengths;
 use crate::objects::list::Command;
-use crate::pixels::store::{read_bitmap, write_bitmap};
+use crate::pixels::store::{read_stipple, stipple_bytes, write_stipple};
 
 impl Context {
     /// `glCullFace`.
@@ -52,7 +52,7 @@ impl Context {
     /// `glPolygonStipple`: 32x32 bits, unpacked by `glPixelStore`; [`stipple_bytes`](Self::stipple_bytes) of
     /// them.
     pub fn polygon_stipple(&mut self, pattern: &[u8]) {
-        self.set_polygon_stipple(read_bitmap(pattern, &self.client.unpack));
+        self.set_polygon_stipple(read_stipple(pattern, &self.client.unpack));
     }
 
     pub(crate) fn set_polygon_stipple(&mut self, stipple: [u32; 32]) {
@@ -64,14 +64,14 @@ impl Context {
     /// `glGetPolygonStipple`, packed by `glPixelStore`.
     pub fn get_polygon_stipple(&mut self, pattern: &mut [u8]) {
         outside_begin!(self);
-        write_bitmap(&self.state.polygons.stipple, &self.client.pack, pattern);
+        write_stipple(&self.state.polygons.stipple, &self.client.pack, pattern);
     }
 
     /// Bytes that `glPolygonStipple` reads, or `glGetPolygonStipple` writes where `pack` is set.
     #[must_use]
     pub fn stipple_bytes(&self, pack: bool) -> usize {
         let store = if pack { &self.client.pack } else { &self.client.unpack };
-        crate::pixels::store::bitmap_bytes(store)
+        stipple_bytes(store)
     }
 
     /// `glLineWidth`, in pixels. `GL_INVALID_VALUE` unless it is above 0.

@@ -48,7 +48,7 @@ impl TexImage {
             return Err(gl::INVALID_VALUE);
         }
         let kind = texel_format(self.format, self.data_type)?;
-        if (kind.components == Components::Depth) != format.is_depth()
+        if kind.components.has_depth() != format.is_depth()
             || format.is_depth() && !matches!(image.target, Target::One | Target::Two)
         {
             return Err(gl::INVALID_OPERATION);
@@ -224,6 +224,7 @@ impl Context {
             Ok(checked) => checked,
             Err(error) => return self.error.set(error),
         };
+        let budget = self.textures().budget.clone();
         let size = call.size.map(|side| side as u32);
         let border = call.border as u32;
         if of.proxy {
@@ -232,9 +233,11 @@ impl Context {
                 && size.iter().map(|side| u64::from(*side)).product::<u64>()
                     <= crate::limits::TEXELS as u64;
             // A proxy has a shape and no texels.
-            match TextureImage::new(call.internal, format, [0; 3], border).filter(|_| fits) {
-                Some(image) => {
-                    self.proxies.insert(key, TextureImage { size, ..image });
+            match TextureImage::new(call.internal, format, [0; 3], border, &budget).filter(|_| fits)
+            {
+                Some(mut image) => {
+                    image.size = size;
+                    self.proxies.insert(key, image);
                 }
                 None => {
                     self.proxies.remove(&key);
@@ -242,7 +245,8 @@ impl Context {
             }
             return;
         }
-        let Some(mut image) = TextureImage::new(call.internal, format, size, border) else {
+        let Some(mut image) = TextureImage::new(call.internal, format, size, border, &budget)
+        else {
             return self.error.set(gl::OUT_OF_MEMORY);
         };
         if let Some(pixels) = pixels {
@@ -270,6 +274,13 @@ impl Context {
         {
             self.error.set(error);
         }
+    }
+
+    /// `glCompressedTexImage`: there is no compressed format that a program could have data of (section 3.8.3), so each
+    /// is `GL_INVALID_ENUM`.
+    pub fn compressed_tex_image(&mut self) {
+        outside_begin!(self);
+        self.error.set(gl::INVALID_ENUM);
     }
 
     /// `glGenerateMipmap`: the levels below the base level of the bound texture.
@@ -340,7 +351,7 @@ impl Context {
             Err(error) => return self.error.set(error),
         };
         let kind = match texel_format(call.format, call.data_type) {
-            Ok(kind) if (kind.components == Components::Depth) == is_depth => kind,
+            Ok(kind) if kind.components.has_depth() == is_depth => kind,
             Ok(_) => return self.error.set(gl::INVALID_OPERATION),
             Err(error) => return self.error.set(error),
         };
@@ -426,16 +437,20 @@ impl Context {
             Ok(checked) => checked,
             Err(error) => return self.error.set(error),
         };
-        if format.is_depth() && self.configuration.depth_bits == 0 {
+        if format.is_depth() && !self.has_depth_and_stencil()[0] {
             return self.error.set(gl::INVALID_OPERATION);
         }
         let size = image.size.map(|side| side as u32);
-        let Some(mut image) = TextureImage::new(call.internal, format, size, call.border as u32)
+        let budget = self.textures().budget.clone();
+        let border = call.border as u32;
+        let Some(mut image) = TextureImage::new(call.internal, format, size, border, &budget)
         else {
             return self.error.set(gl::OUT_OF_MEMORY);
         };
-        self.carry_out();
-        self.copy_into(&mut image, [0; 3], call.from, call.size);
+        self.with_read_framebuffer(|context| {
+            context.carry_out();
+            context.copy_into(&mut image, [0; 3], call.from, call.size);
+        });
         self.put_image(of, level, image);
     }
 
@@ -463,15 +478,22 @@ impl Context {
             Ok(checked) => checked,
             Err(error) => return self.error.set(error),
         };
-        if is_depth && self.configuration.depth_bits == 0 {
+        if is_depth && !self.has_depth_and_stencil()[0] {
             return self.error.set(gl::INVALID_OPERATION);
         }
-        self.carry_out();
         let texture = self.active_texture_of(of.target);
-        if let Some(image) = locked(&texture).image_mut(of.face, level) {
-            self.copy_into(image, offset, call.from, call.size);
-        }
+        self.with_read_framebuffer(|context| {
+            context.carry_out();
+            if let Some(image) = locked(&texture).image_mut(of.face, level) {
+                context.copy_into(image, offset, call.from, call.size);
+            }
+        });
         self.image_changed(of, level);
+    }
+
+    /// A pixel's stencil value as a part of 255.
+    fn unit_stencil(&self, at: [u32; 2]) -> f32 {
+        f32::from(self.framebuffer.stencil(at)) / 255.0
     }
 
     /// Copies pixels of the framebuffer as it is; those outside of it are left as they are.
@@ -489,7 +511,7 @@ impl Context {
             for column in (-x).max(0)..i64::from(width).min(frame_width - x) {
                 let at = [(x + column) as u32, (y + row) as u32];
                 let color = if image.format.is_depth() {
-                    [self.framebuffer.unit_depth(at), 0.0, 0.0, 1.0]
+                    [self.framebuffer.unit_depth(at), self.unit_stencil(at), 0.0, 1.0]
                 } else {
                     self.frame_color(at)
                 };

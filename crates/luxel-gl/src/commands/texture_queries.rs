@@ -136,7 +136,10 @@ impl Context {
             return Err(gl::INVALID_ENUM);
         }
         let Some(image) = self.image_of(of, level as usize) else { return Ok(None) };
-        if (kind.components == Components::Depth) != image.format.is_depth() {
+        let stencil = kind.components == Components::DepthStencil;
+        if kind.components.has_depth() != image.format.is_depth()
+            || stencil && !image.format.stencil
+        {
             return Err(gl::INVALID_OPERATION);
         }
         let size = image.size.map(|side| side as usize);
@@ -182,7 +185,8 @@ impl Context {
         for z in 0..depth {
             for y in 0..height {
                 for x in 0..width {
-                    let texel = returned(image.format.base, image.get(image.index([x, y, z])));
+                    let index = image.index([x, y, z]);
+                    let texel = returned(image.format.base, image.get(index));
                     let start = layout.offset([x, y, z].map(|at| at as usize));
                     let end = start.saturating_add(kind.bytes());
                     let Some(out) = destination.get_mut(start..end) else { return };
@@ -197,7 +201,11 @@ impl Context {
                             let [r, g, b, a] = texel;
                             values = [(r + g + b).min(1.0), a, 0.0, 0.0];
                         }
-                        _ => values[0] = texel[0],
+                        _ => {
+                            values[0] = texel[0];
+                            values[1] =
+                                image.stencil.get(index).map_or(0.0, |s| f32::from(*s) / 255.0);
+                        }
                     }
                     kind.write(&values[..kind.components.count()], swap, out);
                 }

@@ -37,27 +37,12 @@ pub(crate) struct Buffers {
 impl Buffers {
     /// So many names that nobody has; fewer if there are too many.
     pub(crate) fn generate(&mut self, count: usize) -> Vec<u32> {
-        let mut found = Vec::new();
-        let mut next = self.names.last_key_value().map_or(1, |(last, _)| last.wrapping_add(1));
-        while found.len() < count && self.names.len() < BUFFER_NAMES {
-            if next == 0 || self.names.contains_key(&next) {
-                next = next.wrapping_add(1);
-                continue;
-            }
-            self.names.insert(next, None);
-            found.push(next);
-            next = next.wrapping_add(1);
-        }
-        found
+        super::names::generate(&mut self.names, count, BUFFER_NAMES)
     }
 
     /// Makes a buffer of a name that is bound; whether there can be one more.
     pub(crate) fn bind(&mut self, name: u32) -> bool {
-        if self.names.len() >= BUFFER_NAMES && !self.names.contains_key(&name) {
-            return false;
-        }
-        self.names.entry(name).or_default().get_or_insert_default();
-        true
+        super::names::bind(&mut self.names, name, BUFFER_NAMES)
     }
 
     pub(crate) fn get(&self, name: u32) -> Option<&Buffer> {

@@ -1,5 +1,8 @@
 //! Arguments of the commands that specify images of textures, as lists keep them (OpenGL 1.5, sections 3.8.1 and 3.8.2).
 
+use crate::raster::Bitmap;
+use std::sync::Arc;
+
 /// A call with its pixels in tight rows.
 #[derive(Clone, Debug)]
 pub(crate) struct WithPixels<C> {
@@ -57,4 +60,12 @@ pub(crate) struct CopyTexSubImage {
     pub(crate) offset: [i32; 3],
     pub(crate) from: [i32; 2],
     pub(crate) size: [i32; 2],
+}
+
+/// A bitmap, its origin within it, and how the raster position moves.
+#[derive(Clone, Debug)]
+pub(crate) struct BitmapCall {
+    pub(crate) bitmap: Arc<Bitmap>,
+    pub(crate) origin: [f32; 2],
+    pub(crate) step: [f32; 2],
 }

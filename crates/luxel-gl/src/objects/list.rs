@@ -6,8 +6,9 @@
 use crate::enums as gl;
 use crate::limits::LIST_COMMANDS;
 use crate::objects::image_calls::{
-    CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
+    BitmapCall, CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
 };
+use crate::objects::map_calls::MapCall;
 use crate::vertex::ArrayDraw;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -92,6 +93,16 @@ pub(crate) enum Command {
     PushName(u32),
     PopName,
     PassThrough(f32),
+    Bitmap(Arc<BitmapCall>),
+    Map(Box<MapCall>),
+    MapGrid1(i32, [f32; 2]),
+    MapGrid2([i32; 2], [[f32; 2]; 2]),
+    EvalCoord1(f32),
+    EvalCoord2([f32; 2]),
+    EvalPoint1(i32),
+    EvalPoint2([i32; 2]),
+    EvalMesh1(u32, [i32; 2]),
+    EvalMesh2(u32, Box<[i32; 4]>),
     BindTexture(u32, u32),
     PrioritizeTextures(i32, Box<[(u32, f32)]>),
     TexParameter(u32, u32, [f32; 4]),

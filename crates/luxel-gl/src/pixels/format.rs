@@ -13,6 +13,8 @@ pub(crate) enum Components {
     },
     Depth,
     Stencil,
+    /// Depth, then stencil: as a part of 255, where components are from 0 to 1.
+    DepthStencil,
 }
 
 /// Of a type: one element a component, or one for all.
@@ -55,6 +57,7 @@ impl Components {
             gl::LUMINANCE_ALPHA => Self::Luminance { alpha: true },
             gl::DEPTH_COMPONENT => Self::Depth,
             gl::STENCIL_INDEX => Self::Stencil,
+            gl::DEPTH_STENCIL => Self::DepthStencil,
             _ => return None,
         })
     }
@@ -64,7 +67,13 @@ impl Components {
             Self::Colors(places) => places.len(),
             Self::Luminance { alpha } => 1 + usize::from(alpha),
             Self::Depth | Self::Stencil => 1,
+            Self::DepthStencil => 2,
         }
+    }
+
+    /// Whether pixels have depths.
+    pub(crate) fn has_depth(self) -> bool {
+        matches!(self, Self::Depth | Self::DepthStencil)
     }
 }
 
@@ -77,6 +86,7 @@ impl Elements {
         const BITS_1555: &[u32] = &[5, 5, 5, 1];
         const BITS_8888: &[u32] = &[8, 8, 8, 8];
         const BITS_1010102: &[u32] = &[10, 10, 10, 2];
+        const BITS_248: &[u32] = &[24, 8];
         let packed = |bytes, bits, reversed| Self::Packed { bytes, bits, reversed };
         Some(match data_type {
             gl::BYTE => Self::Byte,
@@ -98,6 +108,7 @@ impl Elements {
             gl::UNSIGNED_INT_8_8_8_8_REV => packed(4, BITS_8888, true),
             gl::UNSIGNED_INT_10_10_10_2 => packed(4, BITS_1010102, false),
             gl::UNSIGNED_INT_2_10_10_10_REV => packed(4, BITS_1010102, true),
+            gl::UNSIGNED_INT_24_8 => packed(4, BITS_248, false),
             _ => return None,
         })
     }
@@ -131,11 +142,17 @@ impl PixelFormat {
                 Components::Colors(places) => {
                     places.len() == bits.len() && (bits.len() == 4 || places == [0, 1, 2])
                 }
+                Components::DepthStencil => bits.len() == 2,
                 _ => false,
             };
             if !is_color {
                 return Err(gl::INVALID_OPERATION);
             }
+        }
+        let is_packed = matches!(elements, Elements::Packed { .. });
+        if components == Components::DepthStencil && !is_packed {
+            // Depth and stencil come in one word alone (EXT_packed_depth_stencil).
+            return Err(gl::INVALID_ENUM);
         }
         Ok(Self { components, elements })
     }

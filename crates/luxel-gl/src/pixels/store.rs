@@ -1,5 +1,6 @@
 //! Where pixels lie in memory (OpenGL 1.5, section 3.6.4): rows with an alignment, skipped rows and pixels.
 
+use crate::raster::Bitmap;
 use crate::state::pixel::PixelStore;
 
 /// An image in memory: offsets in bytes.
@@ -50,40 +51,61 @@ impl Layout {
 const SIDE: usize = 32;
 
 /// The bytes from one row of bits to the next.
-fn bitmap_stride(store: &PixelStore) -> usize {
-    let row = if store.row_length > 0 { store.row_length } else { SIDE };
+fn bitmap_stride(store: &PixelStore, width: usize) -> usize {
+    let row = if store.row_length > 0 { store.row_length } else { width };
     row.div_ceil(8 * store.alignment).saturating_mul(store.alignment)
 }
 
-/// Bytes that a polygon stipple takes.
-pub(crate) fn bitmap_bytes(store: &PixelStore) -> usize {
-    let rows = store.skip_rows.saturating_add(SIDE - 1).saturating_mul(bitmap_stride(store));
-    rows.saturating_add((store.skip_pixels.saturating_add(SIDE)).div_ceil(8))
+/// Bytes that a bitmap takes.
+pub(crate) fn bitmap_bytes(store: &PixelStore, [width, height]: [usize; 2]) -> usize {
+    if width == 0 || height == 0 {
+        return 0;
+    }
+    let rows = store.skip_rows.saturating_add(height - 1);
+    let rows = rows.saturating_mul(bitmap_stride(store, width));
+    rows.saturating_add((store.skip_pixels.saturating_add(width)).div_ceil(8))
 }
 
-/// Byte and bit of a pixel.
-fn place(store: &PixelStore, row: usize, column: usize) -> (usize, u32) {
+/// Bytes that a polygon stipple takes.
+pub(crate) fn stipple_bytes(store: &PixelStore) -> usize {
+    bitmap_bytes(store, [SIDE; 2])
+}
+
+/// Byte and bit of a pixel of a bitmap.
+fn place(store: &PixelStore, width: usize, row: usize, column: usize) -> (usize, u32) {
     let bit = store.skip_pixels.saturating_add(column);
-    let start = store.skip_rows.saturating_add(row).saturating_mul(bitmap_stride(store));
+    let start = store.skip_rows.saturating_add(row).saturating_mul(bitmap_stride(store, width));
     let within = (bit % 8) as u32;
     (start.saturating_add(bit / 8), if store.lsb_first { within } else { 7 - within })
 }
 
+/// Reads a bitmap; bits beyond the slice are 0. `None` if there is no memory for it.
+pub(crate) fn read_bitmap(
+    bytes: &[u8],
+    store: &PixelStore,
+    [width, height]: [usize; 2],
+) -> Option<Bitmap> {
+    Bitmap::new(width, height, |column, row| {
+        let (byte, bit) = place(store, width, row, column);
+        bytes.get(byte).is_some_and(|byte| byte >> bit & 1 == 1)
+    })
+}
+
 /// Reads 32x32 bits; those beyond the slice are 0.
-pub(crate) fn read_bitmap(bytes: &[u8], store: &PixelStore) -> [u32; SIDE] {
+pub(crate) fn read_stipple(bytes: &[u8], store: &PixelStore) -> [u32; SIDE] {
     std::array::from_fn(|row| {
         (0..SIDE).fold(0, |bits, column| {
-            let (byte, bit) = place(store, row, column);
+            let (byte, bit) = place(store, SIDE, row, column);
             bits << 1 | u32::from(bytes.get(byte).is_some_and(|byte| byte >> bit & 1 == 1))
         })
     })
 }
 
 /// Writes 32x32 bits, as far as the slice goes.
-pub(crate) fn write_bitmap(bits: &[u32; SIDE], store: &PixelStore, bytes: &mut [u8]) {
+pub(crate) fn write_stipple(bits: &[u32; SIDE], store: &PixelStore, bytes: &mut [u8]) {
     for (row, bits) in bits.iter().enumerate() {
         for column in 0..SIDE {
-            let (byte, bit) = place(store, row, column);
+            let (byte, bit) = place(store, SIDE, row, column);
             if let Some(byte) = bytes.get_mut(byte) {
                 let on = (bits >> (SIDE - 1 - column) & 1) as u8;
                 *byte = *byte & !(1 << bit) | on << bit;
@@ -113,9 +135,9 @@ mod tests {
             for skip_pixels in [0, 3] {
                 let store =
                     PixelStore { lsb_first, skip_pixels, row_length: 40, ..PixelStore::default() };
-                let mut bytes = vec![0; bitmap_bytes(&store)];
-                write_bitmap(&bits, &store, &mut bytes);
-                assert_eq!(read_bitmap(&bytes, &store), bits);
+                let mut bytes = vec![0; stipple_bytes(&store)];
+                write_stipple(&bits, &store, &mut bytes);
+                assert_eq!(read_stipple(&bytes, &store), bits);
             }
         }
     }

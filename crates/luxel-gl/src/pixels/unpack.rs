@@ -97,7 +97,8 @@ impl PixelFormat {
         }
     }
 
-    /// A pixel's red, green, blue and alpha: what the format lacks is 0, alpha 1; depths are red.
+    /// A pixel's red, green, blue and alpha: what the format lacks is 0, alpha 1; depths are red, stencil
+    /// values green.
     pub(crate) fn read(self, swap: bool, pixel: &[u8]) -> [f32; 4] {
         let mut values = [0.0; 4];
         if let Elements::Packed { bytes, bits, reversed } = self.elements {
@@ -137,6 +138,7 @@ impl PixelFormat {
                 let [l, a, ..] = values;
                 [l, l, l, if alpha { a } else { 1.0 }]
             }
+            Components::DepthStencil => [values[0], values[1], 0.0, 1.0],
             _ => [values[0], 0.0, 0.0, 1.0],
         }
     }

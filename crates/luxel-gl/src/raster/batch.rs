@@ -1,5 +1,6 @@
 //! The primitives of one draw, set up.
 
+use super::bitmap::Bitmap;
 use super::pipeline::Pipeline;
 use crate::fragment::TextureStages;
 use crate::vertex::{Processed, WindowScale};
@@ -41,6 +42,11 @@ pub(crate) enum Shape {
         width: i32,
         counter: u32,
     },
+    /// Left and bottom of the batch's bitmap; its depth.
+    Bitmap {
+        corner: [i32; 2],
+        depth: f32,
+    },
     /// Left, bottom, and the side of a square of pixels; its depth.
     Point {
         corner: [i32; 2],
@@ -68,6 +74,7 @@ pub(crate) struct Batch {
     pub(crate) vertices: Processed,
     pub(crate) pieces: Vec<Piece>,
     pub(crate) prepared: Vec<Prepared>,
+    pub(crate) bitmap: Option<Arc<Bitmap>>,
     /// Of what is prepared already.
     pub(crate) rows: Vec<Row>,
 }
@@ -86,6 +93,16 @@ impl Batch {
                 let low = [a[0].min(b[0]) - SUBPIXELS, a[1].min(b[1]) - SUBPIXELS];
                 let high = [a[0].max(b[0]) + wide, a[1].max(b[1]) + wide];
                 (low, high, self.pipeline.region)
+            }
+            Shape::Bitmap { corner, .. } => {
+                let region = self.pipeline.region;
+                let size = self.bitmap.as_ref().map_or([0; 2], |bitmap| bitmap.size());
+                let reach = |axis: usize| {
+                    let end = corner[axis].saturating_add(size[axis]).min(region[axis + 2]);
+                    [corner[axis].max(region[axis]), end]
+                };
+                let ([left, right], [bottom, top]) = (reach(0), reach(1));
+                return [left, bottom, right, top];
             }
             Shape::Point { corner, side, .. } => {
                 let low = corner.map(|at| at * SUBPIXELS);
@@ -200,6 +217,7 @@ impl Batch {
     pub(crate) fn bytes(&self) -> usize {
         self.pieces.len() * size_of::<Piece>()
             + self.prepared.len() * size_of::<Prepared>()
+            + self.bitmap.as_ref().map_or(0, |bitmap| bitmap.bytes())
             + self.rows.len() * size_of::<Row>()
             + self.vertices.clip.len() * 64
     }

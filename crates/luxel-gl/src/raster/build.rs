@@ -1,6 +1,7 @@
 //! Primitives to pieces: faces, culling, clipping, setup (OpenGL 1.5, sections 2.11, 3.3 to 3.5).
 
 use super::batch::{Batch, Piece, Prepared, Shade, Shape};
+use super::bitmap::Bitmap;
 use super::draw_state::{DrawState, whole_size};
 use super::pipeline::Pipeline;
 use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
@@ -34,12 +35,36 @@ impl<'a> BatchBuilder<'a> {
         let polygon_region = [l.max(left), b.max(bottom), r.min(right), t.min(top)];
         let (pieces, prepared, rows) = (Vec::new(), Vec::new(), Vec::new());
         let scale = processor.scale();
-        let batch = Batch { pipeline, polygon_region, scale, vertices, pieces, prepared, rows };
+        let batch = Batch {
+            pipeline,
+            polygon_region,
+            scale,
+            vertices,
+            pieces,
+            prepared,
+            rows,
+            bitmap: None,
+        };
         Self { state, batch, counter: 0, polygon: Vec::new() }
     }
 
     pub(crate) fn finish(self) -> Batch {
         self.batch
+    }
+
+    /// Puts a bitmap with its lower left corner at a pixel, in the colours of the batch's first vertex.
+    pub(crate) fn push_bitmap(&mut self, bitmap: Arc<Bitmap>, corner: [i32; 2], depth: f32) {
+        let (color, fog) = (self.batch.color(0, 0), self.batch.fog(0));
+        let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
+        prepared.rows = self.batch.push_rows([0; 2], [[1.0, 0.0]; 2], None, 0);
+        let number = self.batch.prepared.len() as u32;
+        self.batch.prepared.push(prepared);
+        self.batch.bitmap = Some(bitmap);
+        self.batch.pieces.push(Piece {
+            shape: Shape::Bitmap { corner, depth },
+            shade: Shade::Prepared(number),
+            offset: 0.0,
+        });
     }
 
     fn codes(&self, vertex: u32) -> u16 {

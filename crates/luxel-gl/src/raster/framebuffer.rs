@@ -43,7 +43,7 @@ impl TilePlanes {
 }
 
 /// A framebuffer with one sample a pixel.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Framebuffer {
     width: u32,
     height: u32,
@@ -73,6 +73,28 @@ impl Framebuffer {
         let tile = (y / side) as usize * self.across() + (x / side) as usize;
         let (block, lane) = Tile::place((x % side) as i32, (y % side) as i32);
         (&self.tiles[tile], block, lane)
+    }
+
+    fn place_mut(&mut self, [x, y]: [u32; 2]) -> (&mut TilePlanes, usize, usize) {
+        let side = TILE as u32;
+        let tile = (y / side) as usize * self.across() + (x / side) as usize;
+        let (block, lane) = Tile::place((x % side) as i32, (y % side) as i32);
+        (&mut self.tiles[tile], block, lane)
+    }
+
+    pub(crate) fn set_color(&mut self, at: [u32; 2], color: [u8; 4]) {
+        let (planes, block, lane) = self.place_mut(at);
+        planes.color[block][lane] = u32::from_le_bytes(color);
+    }
+
+    pub(crate) fn set_depth(&mut self, at: [u32; 2], depth: u32) {
+        let (planes, block, lane) = self.place_mut(at);
+        planes.depth[block][lane] = depth as f32;
+    }
+
+    pub(crate) fn set_stencil(&mut self, at: [u32; 2], value: u8) {
+        let (planes, block, lane) = self.place_mut(at);
+        planes.stencil[block][lane] = u32::from(value);
     }
 
     /// Red, green, blue and alpha of a pixel.

@@ -10,7 +10,9 @@
 //! 5. `stencil`, `blend`: tests of fragments and mixing of colours.
 
 mod batch;
+mod bitmap;
 mod blend;
+mod blit;
 mod build;
 mod draw_state;
 mod framebuffer;
@@ -24,6 +26,8 @@ mod stencil;
 mod strokes;
 mod tile;
 
+pub(crate) use batch::Batch;
+pub(crate) use bitmap::Bitmap;
 pub(crate) use build::BatchBuilder;
 pub(crate) use draw_state::DrawState;
 pub(crate) use framebuffer::{Framebuffer, LARGEST_DEPTH};

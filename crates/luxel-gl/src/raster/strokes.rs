@@ -1,5 +1,6 @@
-//! Lines and points in a tile (OpenGL 1.5, sections 3.3 and 3.4).
+//! Lines, points and bitmaps in a tile (OpenGL 1.5, sections 3.3, 3.4 and 3.7).
 
+use super::bitmap::Bitmap;
 use super::piece_sink::PieceSink;
 use crate::primitive::line::LineWalk;
 use luxel_math::{SUBPIXELS, Simd};
@@ -70,6 +71,24 @@ pub(super) fn point<S: Simd>(
     for y in low_y..high_y {
         for x in low_x..high_x {
             sink.sample([x, y], [0; 2], depth);
+        }
+    }
+}
+
+/// The pixels of a bitmap whose bits are set.
+pub(super) fn bitmap<S: Simd>(
+    sink: &mut PieceSink<'_, '_, S>,
+    of: &Bitmap,
+    corner: [i32; 2],
+    depth: f32,
+) {
+    let [left, bottom] = [corner[0] - sink.origin[0], corner[1] - sink.origin[1]];
+    let [width, height] = of.size();
+    for y in bottom.max(0)..(bottom + height).min(TILE) {
+        for x in left.max(0)..(left + width).min(TILE) {
+            if of.is_set((x - left) as usize, (y - bottom) as usize) {
+                sink.sample([x, y], [0; 2], depth);
+            }
         }
     }
 }

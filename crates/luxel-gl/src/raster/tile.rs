@@ -5,7 +5,7 @@ use super::framebuffer::{LANE_X, LANE_Y, TILE_BLOCKS, TilePlanes, block_origin};
 use super::lighter::{Lighter, light_seen};
 use super::log::{ClearedTo, Item};
 use super::piece_sink::PieceSink;
-use super::strokes::{line, point};
+use super::strokes::{bitmap, line, point};
 use luxel_math::{LANES, SUBPIXELS, Simd};
 use luxel_visibility::{Region, TILE, cover};
 
@@ -145,6 +145,11 @@ impl<'a> TileWorker<'a> {
             Shape::Triangle(ref triangle) => cover(simd, triangle, region, CENTRE, &mut sink),
             Shape::Line { ends, depths, width, counter } => {
                 line(&mut sink, ends, depths, width, counter);
+            }
+            Shape::Bitmap { corner, depth } => {
+                if let Some(of) = &batch.bitmap {
+                    bitmap(&mut sink, of, corner, depth);
+                }
             }
             Shape::Point { corner, side, depth } => point(&mut sink, corner, side, depth),
         }

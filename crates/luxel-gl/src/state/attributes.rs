@@ -2,6 +2,7 @@
 
 use super::current::Current;
 use super::enables::Enables;
+use super::evaluator::Grids;
 use super::fragment::{ColorBuffer, Depth, FogState, PixelBox, Stencil};
 use super::light::Lights;
 use super::material::{ColorMaterial, SurfaceMaterial};
@@ -35,6 +36,7 @@ pub(crate) struct Attributes {
     pub(crate) list_base: u32,
     pub(crate) active_texture: usize,
     pub(crate) texture: TextureState,
+    pub(crate) grids: Grids,
 }
 
 /// Of `GL_TRANSFORM_BIT`.
@@ -155,6 +157,9 @@ impl Attributes {
         }
         if has(gl::LIST_BIT) {
             self.list_base = saved.list_base;
+        }
+        if has(gl::EVAL_BIT) {
+            self.grids = saved.grids;
         }
         if has(gl::TEXTURE_BIT) {
             self.active_texture = saved.active_texture;

@@ -4,6 +4,7 @@ pub(crate) mod arrays;
 pub(crate) mod attributes;
 pub(crate) mod current;
 pub(crate) mod enables;
+pub(crate) mod evaluator;
 pub(crate) mod fragment;
 pub(crate) mod light;
 pub(crate) mod material;

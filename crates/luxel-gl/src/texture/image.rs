@@ -1,6 +1,8 @@
 //! One image of a texture: a level of it, or a level of a face.
 
 use super::internal_format::{InternalFormat, Storage};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Texels in rows from the bottom up, images from front to back; red, green, blue, alpha, as
 /// [`InternalFormat::canonical`] has them.
@@ -11,8 +13,44 @@ pub(crate) enum Texels {
     Depth(Vec<f32>),
 }
 
+/// What the images of a group of contexts take, in bytes.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Budget(Arc<AtomicUsize>);
+
+/// A part of a budget, given back with the image that it is for.
+#[derive(Debug)]
+struct Charge {
+    budget: Budget,
+    bytes: usize,
+}
+
+impl Budget {
+    /// Takes so many bytes; `None` if there are not as many left.
+    fn charge(&self, bytes: usize) -> Option<Charge> {
+        let charge = self.clone().taken(bytes);
+        (self.0.load(Ordering::Relaxed) <= crate::limits::TEXTURE_BYTES).then_some(charge)
+    }
+
+    fn taken(self, bytes: usize) -> Charge {
+        self.0.fetch_add(bytes, Ordering::Relaxed);
+        Charge { budget: self, bytes }
+    }
+}
+
+impl Clone for Charge {
+    fn clone(&self) -> Self {
+        self.budget.clone().taken(self.bytes)
+    }
+}
+
+impl Drop for Charge {
+    fn drop(&mut self) {
+        self.budget.0.fetch_sub(self.bytes, Ordering::Relaxed);
+    }
+}
+
 /// An image with its format.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct TextureImage {
     /// The internal format, as it was asked for.
     pub(crate) name: u32,
@@ -22,6 +60,9 @@ pub(crate) struct TextureImage {
     /// The border's width: 0 or 1.
     pub(crate) border: u32,
     pub(crate) texels: Texels,
+    /// Beside depths, of formats that have them.
+    pub(crate) stencil: Vec<u8>,
+    charge: Charge,
 }
 
 impl TextureImage {
@@ -31,6 +72,7 @@ impl TextureImage {
         format: InternalFormat,
         size: [u32; 3],
         border: u32,
+        budget: &Budget,
     ) -> Option<Self> {
         fn filled<T: Clone>(count: usize, value: T) -> Option<Vec<T>> {
             let mut texels = Vec::new();
@@ -41,12 +83,23 @@ impl TextureImage {
         let count = size.iter().try_fold(1_usize, |count, side| {
             count.checked_mul(*side as usize).filter(|count| *count <= crate::limits::TEXELS)
         })?;
+        let bytes = match format.storage {
+            Storage::Words => 8,
+            _ => 4 + usize::from(format.stencil),
+        };
+        let charge = budget.charge(count.checked_mul(bytes)?)?;
         let texels = match format.storage {
             Storage::Bytes => Texels::Bytes(filled(count, format.canonical([0; 4], 0, 255))?),
             Storage::Words => Texels::Words(filled(count, format.canonical([0; 4], 0, u16::MAX))?),
             Storage::Depth(_) => Texels::Depth(filled(count, 0.0)?),
         };
-        Some(Self { name, format, size, border, texels })
+        let stencil = if format.stencil { filled(count, 0)? } else { Vec::new() };
+        Some(Self { name, format, size, border, texels, stencil, charge })
+    }
+
+    /// What the image is charged to.
+    pub(super) fn budget(&self) -> &Budget {
+        &self.charge.budget
     }
 
     /// Whether there are no texels.
@@ -68,9 +121,11 @@ impl TextureImage {
         (z as usize * height + y as usize) * width + x as usize
     }
 
-    /// Sets a texel from red, green, blue and alpha, which are clamped (depths come as red).
+    /// Sets a texel from red, green, blue and alpha, which are clamped (depths come as red, stencil values as
+    /// green).
     pub(crate) fn put(&mut self, index: usize, color: [f32; 4]) {
         let color = color.map(|value| if value > 0.0 { value.min(1.0) } else { 0.0 });
+        let stencil_value = color[1];
         let color = self.format.canonical(color, 0.0, 1.0);
         match &mut self.texels {
             Texels::Bytes(texels) => {
@@ -84,6 +139,9 @@ impl TextureImage {
                 }
             }
             Texels::Depth(texels) => {
+                if let Some(stencil) = self.stencil.get_mut(index) {
+                    *stencil = (stencil_value * 255.0 + 0.5) as u8;
+                }
                 if let Some(texel) = texels.get_mut(index) {
                     *texel = match self.format.storage {
                         Storage::Depth(16) => {

@@ -21,7 +21,7 @@ pub(crate) enum Storage {
     Bytes,
     /// 16 bits.
     Words,
-    /// Depth: floats, in steps of so many bits.
+    /// Depth: floats, of which so many bits count.
     Depth(u32),
 }
 
@@ -32,6 +32,8 @@ pub(crate) struct InternalFormat {
     pub(crate) storage: Storage,
     /// Whether red, green and blue follow the curve of sRGB.
     pub(crate) srgb: bool,
+    /// Whether there are 8 bits of stencil beside a depth.
+    pub(crate) stencil: bool,
 }
 
 impl InternalFormat {
@@ -39,11 +41,11 @@ impl InternalFormat {
     /// is kept in bytes, generic compressed ones without compression.
     pub(crate) fn named(name: u32) -> Option<Self> {
         use BaseFormat::{Alpha, Depth, Intensity, Luminance, LuminanceAlpha, Rgb, Rgba};
-        let of = |base, storage| Some(Self { base, storage, srgb: false });
+        let of = |base, storage| Some(Self { base, storage, srgb: false, stencil: false });
         let bytes = |base| of(base, Storage::Bytes);
         let words = |base| of(base, Storage::Words);
         let depth = |bits| of(Depth, Storage::Depth(bits));
-        let srgb = |base| Some(Self { base, storage: Storage::Bytes, srgb: true });
+        let srgb = |base| Some(Self { base, storage: Storage::Bytes, srgb: true, stencil: false });
         match name {
             1 | gl::LUMINANCE | gl::LUMINANCE4 | gl::LUMINANCE8 | gl::COMPRESSED_LUMINANCE => {
                 bytes(Luminance)
@@ -78,6 +80,10 @@ impl InternalFormat {
             gl::RGB10_A2 | gl::RGBA12 | gl::RGBA16 => words(Rgba),
             gl::DEPTH_COMPONENT | gl::DEPTH_COMPONENT24 | gl::DEPTH_COMPONENT32 => depth(24),
             gl::DEPTH_COMPONENT16 => depth(16),
+            gl::DEPTH_COMPONENT32F => depth(32),
+            gl::DEPTH_STENCIL | gl::DEPTH24_STENCIL8 => {
+                Some(Self { base: Depth, storage: Storage::Depth(24), srgb: false, stencil: true })
+            }
             gl::SRGB | gl::SRGB8 | gl::COMPRESSED_SRGB => srgb(Rgb),
             gl::SRGB_ALPHA | gl::SRGB8_ALPHA8 | gl::COMPRESSED_SRGB_ALPHA => srgb(Rgba),
             gl::SLUMINANCE | gl::SLUMINANCE8 | gl::COMPRESSED_SLUMINANCE => srgb(Luminance),

@@ -14,7 +14,7 @@ pub(super) fn half(image: &TextureImage, dimensions: usize) -> Option<TextureIma
         return None;
     }
     let size = inner.map(|side| (side / 2).max(1));
-    let mut level = TextureImage::new(image.name, image.format, size, 0)?;
+    let mut level = TextureImage::new(image.name, image.format, size, 0, image.budget())?;
     let cover = Cover::new(image, inner, size, dimensions);
     let places = (0..size[2] as usize).flat_map(|z| {
         (0..size[1] as usize).flat_map(move |y| (0..size[0] as usize).map(move |x| [x, y, z]))

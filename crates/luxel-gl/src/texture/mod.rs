@@ -9,6 +9,6 @@ pub(crate) mod sampled;
 
 pub(crate) use image::{Texels, TextureImage};
 pub(crate) use internal_format::{BaseFormat, InternalFormat};
-pub(crate) use object::{Target, TextureHandle, Textures, locked};
+pub(crate) use object::{ImageTarget, Target, TextureHandle, Textures, locked};
 pub(crate) use parameters::Parameters;
 pub(crate) use sampled::SampledTexture;

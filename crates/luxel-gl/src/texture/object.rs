@@ -1,6 +1,6 @@
 //! Texture objects and their names (OpenGL 1.5, sections 3.8.10 to 3.8.12).
 
-use super::image::TextureImage;
+use super::image::{Budget, TextureImage};
 use super::mipmap::half;
 use super::parameters::Parameters;
 use super::sampled::SampledTexture;
@@ -181,12 +181,17 @@ pub(crate) struct Textures {
     /// A name without texture was generated, but never bound.
     names: BTreeMap<u32, Option<TextureHandle>>,
     defaults: [TextureHandle; 4],
+    pub(crate) budget: Budget,
 }
 
 impl Default for Textures {
     fn default() -> Self {
         let texture = |target| Arc::new(Mutex::new(Texture::new(0, target)));
-        Self { names: BTreeMap::new(), defaults: Target::ALL.map(texture) }
+        Self {
+            names: BTreeMap::new(),
+            defaults: Target::ALL.map(texture),
+            budget: Budget::default(),
+        }
     }
 }
 
@@ -247,7 +252,8 @@ mod tests {
     use crate::texture::InternalFormat;
 
     fn image(name: u32, size: [u32; 3]) -> TextureImage {
-        TextureImage::new(name, InternalFormat::named(name).unwrap(), size, 0).unwrap()
+        TextureImage::new(name, InternalFormat::named(name).unwrap(), size, 0, &Budget::default())
+            .unwrap()
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Vertices: the stream between `glBegin` and `glEnd`, and what becomes of them.
 
+pub(crate) mod evaluator;
 mod fetch;
 mod light_setup;
 mod matrix_rows;

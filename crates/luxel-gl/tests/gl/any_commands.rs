@@ -4,22 +4,22 @@ use crate::canvas::{gl, pixels};
 use luxel_gl::{Configuration, Context, SimdLevel, Words};
 
 /// Numbers that look random, the same each time (Marsaglia 2003).
-struct Numbers(u64);
+pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {
-    fn next(&mut self) -> u32 {
+    pub(crate) fn next(&mut self) -> u32 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
         (self.0 >> 32) as u32
     }
 
-    fn below(&mut self, limit: u32) -> u32 {
+    pub(crate) fn below(&mut self, limit: u32) -> u32 {
         self.next() % limit
     }
 
     /// Mostly about the window, sometimes far away, rarely no number at all.
-    fn place(&mut self) -> f32 {
+    pub(crate) fn place(&mut self) -> f32 {
         match self.below(40) {
             0 => f32::NAN,
             1 => f32::INFINITY,
@@ -29,15 +29,15 @@ impl Numbers {
         }
     }
 
-    fn unit(&mut self) -> f32 {
+    pub(crate) fn unit(&mut self) -> f32 {
         self.below(1300) as f32 / 1000.0 - 0.15
     }
 
-    fn color(&mut self) -> [f32; 4] {
+    pub(crate) fn color(&mut self) -> [f32; 4] {
         std::array::from_fn(|_| self.unit())
     }
 
-    fn of(&mut self, names: &[u32]) -> u32 {
+    pub(crate) fn of(&mut self, names: &[u32]) -> u32 {
         // Now and then a name that isn't one.
         if self.below(50) == 0 {
             self.next()
@@ -79,7 +79,7 @@ const FACTORS: &[u32] =
     &[0, 1, 0x0300, 0x0301, 0x0302, 0x0303, 0x0304, 0x0305, 0x0306, 0x0307, 0x8001, 0x8004];
 
 /// One command with its arguments.
-fn command(context: &mut Context, n: &mut Numbers) {
+pub(crate) fn command(context: &mut Context, n: &mut Numbers) {
     match n.below(64) {
         0..=3 => context.begin(n.of(&[0, 1, 2, 3, 4, 5, 6, 7, 8, 9])),
         4..=6 => context.end(),

@@ -235,3 +235,34 @@ fn section_4_1_5_stencils_count_and_bound() {
     context.read_pixels(0, 0, 8, 8, 0x1901, gl::UNSIGNED_BYTE, &mut values);
     assert_eq!([values[0], values[63]], [4, 3]);
 }
+
+#[test]
+fn section_3_7_bitmaps_are_drawn_at_the_raster_position_which_moves() {
+    let mut context = canvas(80, 20);
+    context.color([1.0, 0.0, 0.0, 1.0]);
+    context.raster_pos([60.5, 5.0, 0.0, 1.0]);
+    // What is current later doesn't matter.
+    context.color([0.0, 1.0, 0.0, 1.0]);
+    let bits: Vec<u8> =
+        [0x8001_u16, 0x4002, 0xffff].iter().flat_map(|row| row.to_be_bytes()).collect();
+    context.pixel_store(0x0CF5, 1.0);
+    assert_eq!(context.bitmap_bytes(16, 3), 6);
+    context.new_list(1, gl::COMPILE);
+    context.bitmap([16, 3], [2.0, -1.0], [9.0, 0.5], Some(&bits));
+    context.end_list();
+    context.call_list(1);
+    let found = pixels(&mut context);
+    for (at, pixel) in found.iter().enumerate() {
+        let (x, y) = (at as i32 % 80 - 58, at as i32 / 80 - 6);
+        let row =
+            usize::try_from(y).ok().and_then(|y| [0x8001, 0x4002, 0xffff_u32].get(y).copied());
+        let set = (0..16).contains(&x) && row.is_some_and(|row| row >> (15 - x) & 1 == 1);
+        assert_eq!(*pixel, if set { [255, 0, 0, 255] } else { [0; 4] }, "{x}, {y}");
+    }
+    let position = context.get(0x0B07).unwrap();
+    assert_eq!([position.to_f32(0), position.to_f32(1)], [69.5, 5.5]);
+    context.bitmap([0, 0], [0.0; 2], [1.0, 1.0], None);
+    context.bitmap([-1, 0], [0.0; 2], [1.0, 1.0], None);
+    assert_eq!(context.get_error(), gl::INVALID_VALUE);
+    assert_eq!(context.get(0x0B07).unwrap().to_f32(0), 70.5);
+}

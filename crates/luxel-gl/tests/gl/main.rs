@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod any_commands;
+mod any_textures;
 mod arrays;
 mod canvas;
 mod coverage;
@@ -10,7 +11,9 @@ mod depth;
 mod display_lists;
 mod errors;
 mod fragments;
+mod framebuffers;
 mod lighting;
 mod modes;
 mod pixel_transfer;
 mod state;
+mod textures;

@@ -1,0 +1,93 @@
+//! Bitmaps at the raster position (OpenGL 1.5, section 3.7).
+
+use crate::Context;
+use crate::context::{compile, demand, outside_begin};
+use crate::enums as gl;
+use crate::objects::image_calls::BitmapCall;
+use crate::objects::list::Command;
+use crate::pixels::store::{bitmap_bytes, read_bitmap};
+use crate::raster::{BatchBuilder, DrawState, LARGEST_DEPTH};
+use crate::vertex::{Processed, VertexProcessor, WindowScale};
+use luxel_pick::{Feedback, FeedbackVertex};
+use std::sync::Arc;
+
+impl Context {
+    /// Bytes that `glBitmap` reads.
+    #[must_use]
+    pub fn bitmap_bytes(&self, width: i32, height: i32) -> usize {
+        let sides = [width, height].map(|side| usize::try_from(side).unwrap_or(0));
+        bitmap_bytes(&self.client.unpack, sides)
+    }
+
+    /// `glBitmap`: a fragment of the raster position's colours for each bit; then the position moves. Without bits it only
+    /// moves.
+    pub fn bitmap(
+        &mut self,
+        [width, height]: [i32; 2],
+        origin: [f32; 2],
+        step: [f32; 2],
+        bits: Option<&[u8]>,
+    ) {
+        let sides = [width, height].map(|side| usize::try_from(side).ok());
+        let (Some(sides), true) = (sides[0].zip(sides[1]), !self.is_within_begin()) else {
+            self.error.set(gl::INVALID_VALUE);
+            return;
+        };
+        let sides = if bits.is_some() { [sides.0, sides.1] } else { [0; 2] };
+        let Some(bitmap) = read_bitmap(bits.unwrap_or(&[]), &self.client.unpack, sides) else {
+            self.error.set(gl::OUT_OF_MEMORY);
+            return;
+        };
+        self.draw_bitmap(&Arc::new(BitmapCall { bitmap: Arc::new(bitmap), origin, step }));
+    }
+
+    pub(crate) fn draw_bitmap(&mut self, call: &Arc<BitmapCall>) {
+        compile!(self, Command::Bitmap(Arc::clone(call)));
+        outside_begin!(self);
+        if !self.state.current.raster.valid {
+            return;
+        }
+        match self.render_mode {
+            gl::RENDER => self.render_bitmap(call),
+            gl::FEEDBACK => self.feed_bitmap_back(),
+            _ => {}
+        }
+        let window = &mut self.state.current.raster.window;
+        window[0] += call.step[0];
+        window[1] += call.step[1];
+    }
+
+    fn render_bitmap(&mut self, call: &BitmapCall) {
+        let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
+        let state = DrawState::new(&self.state, scale);
+        let processor = VertexProcessor::new(&self.state, &self.matrices, scale);
+        let Some((pipeline, viewport)) = self.begin_draw() else { return };
+        let raster = &self.state.current.raster;
+        let corner = [0, 1].map(|axis: usize| (raster.window[axis] - call.origin[axis]).floor());
+        demand!(self, corner.iter().all(|at| at.abs() < 1e6), gl::NO_ERROR);
+        let depth = (f64::from(raster.window[2]) * f64::from(LARGEST_DEPTH)) as f32;
+        // What is current at the raster position, as a vertex of its own.
+        let mut vertex = Processed {
+            clip: vec![[0.0, 0.0, 0.0, 1.0]],
+            fog_coord: vec![raster.distance],
+            ..Processed::default()
+        };
+        vertex.colors[0].push(raster.color);
+        let [r, g, b, _] = raster.secondary;
+        vertex.secondary[0].push([r, g, b, 0.0]);
+        for (of_unit, coordinates) in vertex.tex_coords.iter_mut().zip(raster.tex_coords) {
+            of_unit.push(coordinates);
+        }
+        let mut builder = BatchBuilder::new(&state, pipeline, &processor, viewport, vertex);
+        builder.push_bitmap(Arc::clone(&call.bitmap), corner.map(|at| at as i32), depth);
+        self.finish_draw(builder.finish());
+    }
+
+    fn feed_bitmap_back(&mut self) {
+        let raster = &self.state.current.raster;
+        let [x, y, depth, w] = raster.window.map(f64::from);
+        let (color, texture) = (raster.color, raster.tex_coords[0]);
+        let vertex = FeedbackVertex { x, y, depth, w, color, texture };
+        self.feedback.put(&Feedback::Bitmap(&vertex));
+    }
+}

@@ -1,0 +1,307 @@
+//! Framebuffer objects (EXT_framebuffer_object, EXT_framebuffer_blit).
+//!
+//! What is drawn to lies in tiles, whatever it belongs to. Images of an object are taken into tiles when it is bound for
+//! drawing, and put back when it is left.
+
+use crate::Context;
+use crate::context::{demand, outside_begin};
+use crate::enums as gl;
+use crate::objects::framebuffer::{Attachment, DEPTH, STENCIL, attachments_named};
+use crate::raster::Framebuffer;
+use crate::texture::{ImageTarget, locked};
+use crate::values::Values;
+
+impl Context {
+    /// Whether the framebuffer that is drawn to has depths and stencil values.
+    pub(crate) fn has_depth_and_stencil(&self) -> [bool; 2] {
+        let configuration = &self.configuration;
+        match self.framebuffers.get(self.framebuffers.draw) {
+            Some(object) => [DEPTH, STENCIL].map(|place| object.attachments[place].is_some()),
+            None => [configuration.depth_bits > 0, configuration.stencil_bits > 0],
+        }
+    }
+
+    /// Sets an error if what is bound for drawing can't be drawn to.
+    pub(crate) fn is_incomplete(&mut self) -> bool {
+        let incomplete = self.status(self.framebuffers.draw) != gl::FRAMEBUFFER_COMPLETE;
+        if incomplete {
+            self.error.set(gl::INVALID_FRAMEBUFFER_OPERATION);
+        }
+        incomplete
+    }
+
+    /// `GL_FRAMEBUFFER_COMPLETE`, or what is missing. A draw or read buffer without an image is not: since OpenGL 4.1,
+    /// and so in Mesa, that leaves a framebuffer complete, and programs rely on it.
+    fn status(&self, name: u32) -> u32 {
+        let Some(object) = self.framebuffers.get(name) else { return gl::FRAMEBUFFER_COMPLETE };
+        let mut any = false;
+        for (place, attachment) in object.attachments.iter().enumerate() {
+            let Some(attachment) = attachment else { continue };
+            let found = self.with_source(attachment, |source| (source.size(), source.planes()));
+            let Some((size, planes)) = found else {
+                return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+            };
+            let fits = [planes.color, planes.depth, planes.stencil][place];
+            if !fits || size.contains(&0) {
+                return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+            }
+            any = true;
+        }
+        if !any {
+            return gl::FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
+        }
+        gl::FRAMEBUFFER_COMPLETE
+    }
+
+    /// Binds a framebuffer for drawing, with its buffers.
+    fn set_draw_framebuffer(&mut self, name: u32) {
+        if name == self.framebuffers.draw {
+            return;
+        }
+        self.store_attachments();
+        let buffers = [self.state.color.draw_buffer, self.state.read_buffer.0];
+        match self.framebuffers.get_mut(self.framebuffers.draw) {
+            Some(object) => [object.draw_buffer, object.read_buffer] = buffers,
+            None => self.framebuffers.default_buffers = buffers,
+        }
+        let object = self.framebuffers.get(name).cloned();
+        let next = match &object {
+            Some(object) => self.loaded(object),
+            None => std::mem::replace(&mut self.parked, Framebuffer::new(0, 0)),
+        };
+        let before = std::mem::replace(&mut self.framebuffer, next);
+        if self.framebuffers.get(self.framebuffers.draw).is_none() {
+            self.parked = before;
+        }
+        let [draw, read] = match &object {
+            Some(object) => [object.draw_buffer, object.read_buffer],
+            None => self.framebuffers.default_buffers,
+        };
+        self.state.color.draw_buffer = draw;
+        self.state.read_buffer.0 = read;
+        self.framebuffers.draw = name;
+    }
+
+    /// Does something with the framebuffer that is bound for reading in the place of that for drawing.
+    pub(crate) fn with_read_framebuffer<R>(&mut self, work: impl FnOnce(&mut Self) -> R) -> R {
+        let draw = self.framebuffers.draw;
+        self.set_draw_framebuffer(self.framebuffers.read);
+        let result = work(self);
+        self.set_draw_framebuffer(draw);
+        result
+    }
+
+    /// Does something with the default framebuffer in the place of what is bound.
+    pub(crate) fn with_default_framebuffer<R>(&mut self, work: impl FnOnce(&mut Self) -> R) -> R {
+        let draw = self.framebuffers.draw;
+        self.set_draw_framebuffer(0);
+        let result = work(self);
+        self.set_draw_framebuffer(draw);
+        result
+    }
+
+    /// `glGenFramebuffers`.
+    pub fn gen_framebuffers(&mut self, count: i32) -> Vec<u32> {
+        outside_begin!(self, Vec::new());
+        let Ok(count) = usize::try_from(count) else {
+            self.error.set(gl::INVALID_VALUE);
+            return Vec::new();
+        };
+        let names = self.framebuffers.generate(count);
+        if names.len() < count {
+            self.error.set(gl::OUT_OF_MEMORY);
+        }
+        names
+    }
+
+    /// `glDeleteFramebuffers`; one that is bound is left for the default framebuffer.
+    pub fn delete_framebuffers(&mut self, names: &[u32]) {
+        outside_begin!(self);
+        for &name in names.iter().filter(|name| **name != 0) {
+            if self.framebuffers.draw == name {
+                self.set_draw_framebuffer(0);
+            }
+            if self.framebuffers.read == name {
+                self.framebuffers.read = 0;
+            }
+            self.framebuffers.delete(name);
+        }
+    }
+
+    /// `glIsFramebuffer`.
+    pub fn is_framebuffer(&mut self, name: u32) -> bool {
+        outside_begin!(self, false);
+        self.framebuffers.get(name).is_some()
+    }
+
+    /// `glBindFramebuffer`.
+    pub fn bind_framebuffer(&mut self, target: u32, name: u32) {
+        outside_begin!(self);
+        demand!(self, self.framebuffers.bound(target).is_some(), gl::INVALID_ENUM);
+        let there = name == 0 || self.framebuffers.bind(name);
+        demand!(self, there, gl::OUT_OF_MEMORY);
+        if target != gl::READ_FRAMEBUFFER {
+            self.set_draw_framebuffer(name);
+        }
+        if target != gl::DRAW_FRAMEBUFFER {
+            self.framebuffers.read = name;
+        }
+    }
+
+    /// `glCheckFramebufferStatus`; 0 after an error.
+    pub fn check_framebuffer_status(&mut self, target: u32) -> u32 {
+        outside_begin!(self, 0);
+        let Some(name) = self.framebuffers.bound(target) else {
+            self.error.set(gl::INVALID_ENUM);
+            return 0;
+        };
+        self.status(name)
+    }
+
+    /// Attaches an image, or nothing, to what is bound.
+    fn attach(&mut self, target: u32, attachment: u32, image: Option<Attachment>) {
+        let (bound, places) = (self.framebuffers.bound(target), attachments_named(attachment));
+        let (Some(bound), Some(places)) = (bound, places) else {
+            self.error.set(gl::INVALID_ENUM);
+            return;
+        };
+        demand!(self, self.framebuffers.get(bound).is_some(), gl::INVALID_OPERATION);
+        let is_drawn = bound == self.framebuffers.draw;
+        if is_drawn {
+            self.store_attachments();
+        }
+        if let Some(object) = self.framebuffers.get_mut(bound) {
+            for &place in places {
+                object.attachments[place] = image.clone();
+            }
+        }
+        if is_drawn && let Some(object) = self.framebuffers.get(bound).cloned() {
+            self.framebuffer = self.loaded(&object);
+        }
+    }
+
+    /// `glFramebufferRenderbuffer`; name 0 detaches.
+    pub fn framebuffer_renderbuffer(
+        &mut self,
+        target: u32,
+        attachment: u32,
+        renderbuffer_target: u32,
+        name: u32,
+    ) {
+        outside_begin!(self);
+        demand!(self, renderbuffer_target == gl::RENDERBUFFER, gl::INVALID_ENUM);
+        let there = name == 0 || self.renderbuffers().get(name).is_some();
+        demand!(self, there, gl::INVALID_OPERATION);
+        let image = (name != 0).then_some(Attachment::Renderbuffer(name));
+        self.attach(target, attachment, image);
+    }
+
+    /// `glFramebufferTexture1D`, `2D`, `3D`: a level of a texture, of a cube a face, of a volume a layer. Name 0 detaches.
+    pub fn framebuffer_texture(
+        &mut self,
+        target: u32,
+        attachment: u32,
+        texture_target: u32,
+        name: u32,
+        level: i32,
+        layer: i32,
+    ) {
+        outside_begin!(self);
+        if name == 0 {
+            self.attach(target, attachment, None);
+            return;
+        }
+        let image = ImageTarget::named(texture_target).filter(|image| !image.proxy);
+        let Some(image) = image else {
+            self.error.set(gl::INVALID_ENUM);
+            return;
+        };
+        let texture = self.textures().get(name);
+        let Some(texture) = texture.filter(|of| locked(of).target == image.target) else {
+            self.error.set(gl::INVALID_OPERATION);
+            return;
+        };
+        let within = (0..image.target.levels()).contains(&level) && layer >= 0;
+        demand!(self, within, gl::INVALID_VALUE);
+        let (level, layer) = (level as usize, layer as u32);
+        let attached = Attachment::Texture { name, texture, face: image.face, level, layer };
+        self.attach(target, attachment, Some(attached));
+    }
+
+    /// `glGetFramebufferAttachmentParameter`.
+    pub fn get_framebuffer_attachment_parameter(
+        &mut self,
+        target: u32,
+        attachment: u32,
+        pname: u32,
+    ) -> Option<Values> {
+        outside_begin!(self, None);
+        let places = attachments_named(attachment);
+        let (Some(bound), Some(places)) = (self.framebuffers.bound(target), places) else {
+            self.error.set(gl::INVALID_ENUM);
+            return None;
+        };
+        let Some(object) = self.framebuffers.get(bound) else {
+            self.error.set(gl::INVALID_OPERATION);
+            return None;
+        };
+        let image = object.attachments[places[0]].as_ref();
+        let (kind, name) = image.map_or((gl::NONE, 0), Attachment::object);
+        let of_texture = match image {
+            Some(Attachment::Texture { texture, face, level, layer, .. }) => {
+                let is_cube = locked(texture).target.faces() > 1;
+                let face = if is_cube { gl::TEXTURE_CUBE_MAP_POSITIVE_X + *face as u32 } else { 0 };
+                Some((*level, face, *layer))
+            }
+            _ => None,
+        };
+        let found = match (pname, of_texture) {
+            (gl::FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, _) => Some(Values::name(kind)),
+            (gl::FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, _) if kind != gl::NONE => {
+                Some(Values::name(name))
+            }
+            (gl::FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, Some((level, ..))) => {
+                Some(Values::count(level))
+            }
+            (gl::FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE, Some((_, face, _))) => {
+                Some(Values::name(face))
+            }
+            (gl::FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER, Some((.., layer))) => {
+                Some(Values::name(layer))
+            }
+            _ => None,
+        };
+        if found.is_none() {
+            self.error.set(gl::INVALID_ENUM);
+        }
+        found
+    }
+
+    /// `glBlitFramebuffer`: copies a rectangle, given by two corners each, stretched and mirrored as they say. Depth and
+    /// stencil by the nearest pixel, colour also linearly.
+    pub fn blit_framebuffer(
+        &mut self,
+        source: [i32; 4],
+        destination: [i32; 4],
+        mask: u32,
+        filter: u32,
+    ) {
+        outside_begin!(self);
+        let all = gl::COLOR_BUFFER_BIT | gl::DEPTH_BUFFER_BIT | gl::STENCIL_BUFFER_BIT;
+        demand!(self, mask & !all == 0, gl::INVALID_VALUE);
+        demand!(self, matches!(filter, gl::NEAREST | gl::LINEAR), gl::INVALID_ENUM);
+        let exact = mask & !gl::COLOR_BUFFER_BIT == 0 || filter == gl::NEAREST;
+        demand!(self, exact, gl::INVALID_OPERATION);
+        let complete = self.status(self.framebuffers.read) == gl::FRAMEBUFFER_COMPLETE
+            && self.status(self.framebuffers.draw) == gl::FRAMEBUFFER_COMPLETE;
+        demand!(self, complete, gl::INVALID_FRAMEBUFFER_OPERATION);
+        let from = self.with_read_framebuffer(|context| {
+            context.carry_out();
+            context.framebuffer.clone()
+        });
+        self.carry_out();
+        let region = self.scissored_region();
+        self.drawn = true;
+        self.framebuffer.blit(&from, (source, destination), mask, filter == gl::LINEAR, region);
+    }
+}

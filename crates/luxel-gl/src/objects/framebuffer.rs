@@ -1,0 +1,99 @@
+//! Framebuffer objects (EXT_framebuffer_object, ARB_framebuffer_object): which images are drawn to.
+
+use crate::enums as gl;
+use crate::limits::FRAMEBUFFER_NAMES;
+use crate::texture::TextureHandle;
+use std::collections::BTreeMap;
+
+/// An image that is attached.
+#[derive(Clone, Debug)]
+pub(crate) enum Attachment {
+    Renderbuffer(u32),
+    Texture { name: u32, texture: TextureHandle, face: usize, level: usize, layer: u32 },
+}
+
+impl Attachment {
+    /// Type and name, as queries return them.
+    pub(crate) fn object(&self) -> (u32, u32) {
+        match self {
+            Self::Renderbuffer(name) => (gl::RENDERBUFFER, *name),
+            Self::Texture { name, .. } => (gl::TEXTURE, *name),
+        }
+    }
+}
+
+/// A framebuffer object: one colour, depth, stencil.
+#[derive(Clone, Debug)]
+pub(crate) struct FramebufferObject {
+    pub(crate) attachments: [Option<Attachment>; 3],
+    pub(crate) draw_buffer: u32,
+    pub(crate) read_buffer: u32,
+}
+
+/// Places of attachments.
+pub(crate) const COLOR: usize = 0;
+pub(crate) const DEPTH: usize = 1;
+pub(crate) const STENCIL: usize = 2;
+
+/// The attachments that a name stands for; `None` for one that isn't one.
+pub(crate) fn attachments_named(name: u32) -> Option<&'static [usize]> {
+    Some(match name {
+        gl::COLOR_ATTACHMENT0 => &[COLOR],
+        gl::DEPTH_ATTACHMENT => &[DEPTH],
+        gl::STENCIL_ATTACHMENT => &[STENCIL],
+        gl::DEPTH_STENCIL_ATTACHMENT => &[DEPTH, STENCIL],
+        _ => return None,
+    })
+}
+
+impl Default for FramebufferObject {
+    fn default() -> Self {
+        Self {
+            attachments: [None, None, None],
+            draw_buffer: gl::COLOR_ATTACHMENT0,
+            read_buffer: gl::COLOR_ATTACHMENT0,
+        }
+    }
+}
+
+/// The framebuffer objects of a context, and what is bound; 0 is the default framebuffer.
+#[derive(Debug, Default)]
+pub(crate) struct FramebufferObjects {
+    names: BTreeMap<u32, Option<FramebufferObject>>,
+    pub(crate) draw: u32,
+    pub(crate) read: u32,
+    pub(crate) renderbuffer: u32,
+    /// The buffers of the default framebuffer, while an object is bound for drawing.
+    pub(crate) default_buffers: [u32; 2],
+}
+
+impl FramebufferObjects {
+    pub(crate) fn generate(&mut self, count: usize) -> Vec<u32> {
+        super::names::generate(&mut self.names, count, FRAMEBUFFER_NAMES)
+    }
+
+    pub(crate) fn bind(&mut self, name: u32) -> bool {
+        super::names::bind(&mut self.names, name, FRAMEBUFFER_NAMES)
+    }
+
+    pub(crate) fn get(&self, name: u32) -> Option<&FramebufferObject> {
+        self.names.get(&name)?.as_ref()
+    }
+
+    pub(crate) fn get_mut(&mut self, name: u32) -> Option<&mut FramebufferObject> {
+        self.names.get_mut(&name)?.as_mut()
+    }
+
+    pub(crate) fn delete(&mut self, name: u32) {
+        self.names.remove(&name);
+    }
+
+    /// What is bound to a target; `None` for a target that isn't one.
+    pub(crate) fn bound(&self, target: u32) -> Option<u32> {
+        match target {
+            gl::FRAMEBUFFER | gl::DRAW_FRAMEBUFFER => Some(self.draw),
+            gl::READ_FRAMEBUFFER => Some(self.read),
+            _ => None,
+        }
+    }
+}

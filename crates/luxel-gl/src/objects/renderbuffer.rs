@@ -1,0 +1,117 @@
+//! Renderbuffers (EXT_framebuffer_object, section 4.4.2.1).
+
+use crate::enums as gl;
+use crate::limits::RENDERBUFFER_NAMES;
+use std::collections::BTreeMap;
+
+/// The planes that a format has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Planes {
+    pub(crate) color: bool,
+    pub(crate) depth: bool,
+    pub(crate) stencil: bool,
+}
+
+impl Planes {
+    /// The planes of a format of renderbuffers; `None` for one that isn't one.
+    pub(crate) fn of_format(format: u32) -> Option<Self> {
+        let planes = |color, depth, stencil| Some(Self { color, depth, stencil });
+        match format {
+            gl::RGB
+            | gl::RGBA
+            | gl::R3_G3_B2
+            | gl::RGB4
+            | gl::RGB5
+            | gl::RGB8
+            | gl::RGB10
+            | gl::RGB12
+            | gl::RGB16
+            | gl::RGBA2
+            | gl::RGBA4
+            | gl::RGB5_A1
+            | gl::RGBA8
+            | gl::RGB10_A2
+            | gl::RGBA12
+            | gl::RGBA16
+            | gl::SRGB8_ALPHA8 => planes(true, false, false),
+            gl::DEPTH_COMPONENT
+            | gl::DEPTH_COMPONENT16
+            | gl::DEPTH_COMPONENT24
+            | gl::DEPTH_COMPONENT32 => planes(false, true, false),
+            gl::DEPTH_STENCIL | gl::DEPTH24_STENCIL8 => planes(false, true, true),
+            gl::STENCIL_INDEX
+            | gl::STENCIL_INDEX1
+            | gl::STENCIL_INDEX4
+            | gl::STENCIL_INDEX8
+            | gl::STENCIL_INDEX16 => planes(false, false, true),
+            _ => None,
+        }
+    }
+}
+
+/// One renderbuffer. Row 0 is the bottom one; planes that it hasn't are empty.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Renderbuffer {
+    pub(crate) format: u32,
+    pub(crate) samples: i32,
+    pub(crate) size: [u32; 2],
+    pub(crate) planes: Planes,
+    pub(crate) color: Vec<[u8; 4]>,
+    /// Of 24 bits.
+    pub(crate) depth: Vec<u32>,
+    pub(crate) stencil: Vec<u8>,
+}
+
+impl Renderbuffer {
+    /// Storage for `format`; `None` if there is no memory for it.
+    pub(crate) fn new(format: u32, planes: Planes, [width, height]: [u32; 2]) -> Option<Self> {
+        fn filled<T: Clone>(there: bool, count: usize, value: T) -> Option<Vec<T>> {
+            let mut plane = Vec::new();
+            if there {
+                plane.try_reserve_exact(count).ok()?;
+                plane.resize(count, value);
+            }
+            Some(plane)
+        }
+        let count = width as usize * height as usize;
+        Some(Self {
+            format,
+            samples: 0,
+            size: [width, height],
+            planes,
+            color: filled(planes.color, count, [0; 4])?,
+            depth: filled(planes.depth, count, 0)?,
+            stencil: filled(planes.stencil, count, 0)?,
+        })
+    }
+}
+
+/// The renderbuffers of a context, and of those that share with it.
+#[derive(Debug, Default)]
+pub(crate) struct Renderbuffers {
+    names: BTreeMap<u32, Option<Renderbuffer>>,
+}
+
+impl Renderbuffers {
+    /// So many names that nobody has; fewer if there are too many.
+    pub(crate) fn generate(&mut self, count: usize) -> Vec<u32> {
+        super::names::generate(&mut self.names, count, RENDERBUFFER_NAMES)
+    }
+
+    /// Makes a renderbuffer of a name that is bound; whether there can be one more.
+    pub(crate) fn bind(&mut self, name: u32) -> bool {
+        super::names::bind(&mut self.names, name, RENDERBUFFER_NAMES)
+    }
+
+    pub(crate) fn get(&self, name: u32) -> Option<&Renderbuffer> {
+        self.names.get(&name)?.as_ref()
+    }
+
+    pub(crate) fn get_mut(&mut self, name: u32) -> Option<&mut Renderbuffer> {
+        self.names.get_mut(&name)?.as_mut()
+    }
+
+    pub(crate) fn delete(&mut self, name: u32) {
+        self.names.remove(&name);
+    }
+}

@@ -1,0 +1,213 @@
+//! Streams of any commands with textures among them: nothing panics, and neither threads nor SIMD levels change a byte.
+
+use crate::any_commands::{Numbers, command};
+use crate::canvas::pixels;
+use luxel_gl::{Configuration, Context, SimdLevel, lengths};
+
+const TARGETS: &[u32] = &[0x0DE0, 0x0DE1, 0x0DE1, 0x0DE1, 0x806F, 0x8513];
+const FORMATS: &[u32] = &[
+    1, 2, 3, 4, 0x1906, 0x1907, 0x1908, 0x1909, 0x190A, 0x8049, 0x8058, 0x805B, 0x8059, 0x81A5,
+    0x81A6, 0x8C43, 0x8C41, 0x2A10, 0x84EE,
+];
+const PIXELS: &[u32] = &[0x1903, 0x1906, 0x1907, 0x1908, 0x1909, 0x190A, 0x80E0, 0x80E1, 0x1902];
+const TYPES: &[u32] =
+    &[0x1400, 0x1401, 0x1402, 0x1403, 0x1404, 0x1405, 0x1406, 0x8033, 0x8035, 0x8367];
+const FILTERS: &[u32] = &[0x2600, 0x2601, 0x2700, 0x2701, 0x2702, 0x2703];
+const WRAPS: &[u32] = &[0x2900, 0x2901, 0x812F, 0x812D, 0x8370];
+const PARAMETERS: &[u32] = &[
+    0x2800, 0x2801, 0x2802, 0x2803, 0x8072, 0x1004, 0x813A, 0x813B, 0x813C, 0x813D, 0x8501, 0x884B,
+    0x884C, 0x884D, 0x8191, 0x8066,
+];
+const ENVIRONMENT: &[u32] = &[
+    0x2200, 0x2201, 0x8571, 0x8572, 0x8580, 0x8581, 0x8582, 0x8588, 0x8589, 0x858A, 0x8590, 0x8591,
+    0x8592, 0x8598, 0x8599, 0x859A, 0x8573, 0x0D1C,
+];
+const NAMES: &[u32] = &[
+    0x1E01, 0x2100, 0x2101, 0x0BE2, 0x0104, 0x8570, 0x8574, 0x8575, 0x84E7, 0x86AE, 0x86AF, 0x1702,
+    0x8576, 0x8577, 0x8578, 0x84C0, 0x84C1, 0x0300, 0x0301, 0x0302, 0x0303, 1, 2, 4,
+];
+
+/// A target of an image.
+fn image_target(n: &mut Numbers) -> (u32, u32) {
+    match n.below(9) {
+        0 => (1, 0x0DE0),
+        1..=4 => (2, 0x0DE1),
+        5 => (3, 0x806F),
+        6 => (2, 0x8064),
+        _ => (2, 0x8515 + n.below(6)),
+    }
+}
+
+/// One command on textures with its arguments.
+fn texture_command(context: &mut Context, n: &mut Numbers) {
+    match n.below(24) {
+        0..=5 => {
+            let (dimensions, target) = image_target(n);
+            let side = 1 << n.below(5);
+            let size = [side, if n.below(4) == 0 { n.below(20) as i32 - 1 } else { side }, side];
+            let size = [size[0], size[1], size[2].min(4)];
+            let (format, data_type) = (n.of(PIXELS), n.of(TYPES));
+            let length = context.tex_image_bytes(dimensions, target, size, format, data_type);
+            let data: Vec<u8> = (0..length.min(1 << 16)).map(|_| n.next() as u8).collect();
+            let (level, border) = (n.below(3) as i32, i32::from(n.below(9) == 0));
+            let internal = n.of(FORMATS) as i32;
+            let data = (n.below(5) != 0).then_some(&data[..]);
+            match dimensions {
+                1 => context.tex_image_1d(
+                    target, level, internal, size[0], border, format, data_type, data,
+                ),
+                2 => context.tex_image_2d(
+                    target,
+                    level,
+                    internal,
+                    [size[0], size[1]],
+                    border,
+                    format,
+                    data_type,
+                    data,
+                ),
+                _ => context
+                    .tex_image_3d(target, level, internal, size, border, format, data_type, data),
+            }
+        }
+        6 => {
+            let (dimensions, target) = image_target(n);
+            let size = [n.below(6) as i32, n.below(6) as i32, 1];
+            let offset = [n.below(6) as i32 - 1, n.below(6) as i32 - 1, 0];
+            let (format, data_type) = (n.of(PIXELS), n.of(TYPES));
+            let length = context.tex_image_bytes(dimensions, target, size, format, data_type);
+            let data: Vec<u8> = (0..length.min(1 << 16)).map(|_| n.next() as u8).collect();
+            context.tex_sub_image(dimensions, target, 0, offset, size, format, data_type, &data);
+        }
+        7 => {
+            let (dimensions, target) = image_target(n);
+            let from = [n.below(90) as i32 - 9, n.below(90) as i32 - 9];
+            let side = 1 << n.below(5);
+            if n.below(2) == 0 {
+                context.copy_tex_image(dimensions, target, 0, n.of(FORMATS), from, [side; 2], 0);
+            } else {
+                context.copy_tex_sub_image(dimensions, target, 0, [1, 0, 0], from, [side; 2]);
+            }
+        }
+        8 => context.bind_texture(n.of(TARGETS), n.below(5)),
+        9 => context.delete_textures(1, &[n.below(5)]),
+        10 => context.active_texture(0x84C0 + n.below(3)),
+        11 => context.generate_mipmap(n.of(TARGETS)),
+        12..=13 => context.tex_parameter(n.of(TARGETS), 0x2801, &[n.of(FILTERS) as f32]),
+        14 => {
+            let wrap = n.of(&[0x2802, 0x2803, 0x8072]);
+            context.tex_parameter(n.of(TARGETS), wrap, &[n.of(WRAPS) as f32]);
+        }
+        15 => {
+            let pname = n.of(PARAMETERS);
+            let value = match n.below(3) {
+                0 => n.place(),
+                1 => n.below(4) as f32,
+                _ => n.of(&[0x1909, 0x8049, 0x1906, 0x884E, 0, 0x203, 0x205]) as f32,
+            };
+            context.tex_parameter(
+                n.of(TARGETS),
+                pname,
+                &[value; 4][..lengths::tex_parameter(pname)],
+            );
+        }
+        16..=18 => {
+            let pname = n.of(ENVIRONMENT);
+            let value = n.of(NAMES) as f32;
+            context.tex_env(n.of(&[0x2300, 0x2300, 0x8500]), pname, &[value, 0.5, 0.2, 0.7]);
+        }
+        19 => {
+            let mode = n.of(&[0x2400, 0x2401, 0x2402, 0x8511, 0x8512]);
+            context.tex_gen(0x2000 + n.below(4), 0x2500, &[mode as f32]);
+        }
+        20 => {
+            let plane = [n.place(), n.place(), n.unit(), n.unit()];
+            context.tex_gen(0x2000 + n.below(4), n.of(&[0x2501, 0x2502]), &plane);
+        }
+        21 => {
+            context.enable(n.of(&[0x0DE0, 0x0DE1, 0x0DE1, 0x806F, 0x8513, 0x0C60, 0x0C61, 0x0C62]));
+        }
+        22 => context.disable(n.of(&[0x0DE0, 0x0DE1, 0x806F, 0x8513, 0x0C60, 0x0C61, 0x0C63])),
+        _ => {
+            let unit = 0x84C0 + n.below(3);
+            let q = if n.below(4) == 0 { n.place() } else { 1.0 };
+            context.tex_coord(unit, [n.place(), n.place(), n.place(), q]);
+        }
+    }
+}
+
+/// All pixels and errors that a stream of commands leaves.
+fn outcome(seed: u64, commands: u32, level: SimdLevel) -> (Vec<[u8; 4]>, Vec<u32>) {
+    let mut numbers = Numbers(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
+    let mut context = Context::new(Configuration::default());
+    context.set_simd_level(level).unwrap();
+    context.resize_default(150, 70);
+    for unit in 0..2 {
+        context.active_texture(0x84C0 + unit);
+        context.enable(0x0DE1);
+        context.tex_parameter(0x0DE1, 0x8191, &[1.0]);
+    }
+    let mut errors = Vec::new();
+    for number in 0..commands {
+        if numbers.below(3) == 0 {
+            texture_command(&mut context, &mut numbers);
+        } else {
+            command(&mut context, &mut numbers);
+        }
+        errors.push(context.get_error());
+        if number % 100 == 99 {
+            cover(&mut context, number / 100);
+        }
+    }
+    (pixels(&mut context), errors)
+}
+
+/// Draws a strip of the window with whatever textures are set, so that something is seen of them.
+fn cover(context: &mut Context, strip: u32) {
+    context.end_list();
+    context.end();
+    context.render_mode(0x1C00);
+    for matrix in [0x1701, 0x1700] {
+        context.matrix_mode(matrix);
+        context.load_identity();
+    }
+    // Clip planes, scissor, stencil, depth, alpha, culling, stipple, logical operation, fog.
+    for capability in [0x0C11, 0x0B90, 0x0B71, 0x0BC0, 0x0B44, 0x0B42, 0x0BF2, 0x0B60] {
+        context.disable(capability);
+    }
+    for plane in 0..8 {
+        context.disable(0x3000 + plane);
+    }
+    context.viewport(strip as i32 * 10, 0, 10, 70);
+    context.color_mask(true, true, true, true);
+    context.polygon_mode(0x0408, 0x1B02);
+    context.begin(7);
+    for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.5, 1.5], [-1.5, 1.5]] {
+        for unit in 0..3 {
+            context.tex_coord(0x84C0 + unit, [x, y * 2.0, x + y, 1.0]);
+        }
+        context.color([0.9, 0.5 + x / 4.0, 0.5 + y / 4.0, 0.8]);
+        context.vertex([x, y, 0.0, if y > 1.0 { 1.5 } else { 1.0 }]);
+    }
+    context.end();
+    context.get_error();
+}
+
+#[test]
+fn any_textures_give_the_same_bytes_at_every_level_and_for_any_number_of_threads() {
+    let several = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let mut colorful = 0;
+    for seed in 1..150 {
+        let expected = single.install(|| outcome(seed, 1500, SimdLevel::Auto));
+        let colors: std::collections::BTreeSet<_> = expected.0.iter().collect();
+        colorful += usize::from(colors.len() > 200);
+        assert!(several.install(|| outcome(seed, 1500, SimdLevel::Auto)) == expected, "{seed}");
+        if seed < 8 {
+            for level in SimdLevel::available() {
+                assert!(outcome(seed, 1500, level) == expected, "seed {seed}, {level:?}");
+            }
+        }
+    }
+    assert!(colorful > 30, "only {colorful} streams have drawn pictures of many colours");
+}
