@@ -73,7 +73,8 @@ from OpenGL import EGL, GL
 display = EGL.eglGetDisplay(EGL.EGL_DEFAULT_DISPLAY)
 assert EGL.eglInitialize(display, None, None)
 EGL.eglBindAPI(EGL.EGL_OPENGL_API)
-wanted = (ctypes.c_int * 3)(EGL.EGL_RENDERABLE_TYPE, EGL.EGL_OPENGL_BIT, EGL.EGL_NONE)
+wanted = [EGL.EGL_RENDERABLE_TYPE, EGL.EGL_OPENGL_BIT, EGL.EGL_SURFACE_TYPE, EGL.EGL_PBUFFER_BIT, EGL.EGL_NONE]
+wanted = (ctypes.c_int * len(wanted))(*wanted)
 found, count = (EGL.EGLConfig * 1)(), ctypes.c_int()
 assert EGL.eglChooseConfig(display, wanted, found, 1, count) and count.value == 1
 size = (ctypes.c_int * 5)(EGL.EGL_WIDTH, 8, EGL.EGL_HEIGHT, 8, EGL.EGL_NONE)
