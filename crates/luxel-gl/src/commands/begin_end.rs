@@ -13,6 +13,9 @@ impl Context {
         compile!(self, Command::Begin(mode));
         outside_begin!(self);
         demand!(self, mode <= gl::POLYGON, gl::INVALID_ENUM);
+        if self.is_incomplete() {
+            return;
+        }
         self.stream = Some(Box::new(Stream::new(mode, &self.state.current, self.state.materials)));
     }
 

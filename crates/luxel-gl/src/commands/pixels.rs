@@ -225,24 +225,32 @@ impl Context {
         let row_length = if layout.row_length > 0 { layout.row_length } else { width };
         let stride = row_length.saturating_mul(kind.bytes());
         let bytes = layout.data_type == gl::UNSIGNED_BYTE;
+        let mut words = vec![0; width];
         for row in 0..height {
             let y = if layout.y_up { row } else { height - 1 - row };
-            for column in 0..width {
-                let start = row.saturating_mul(stride).saturating_add(column * kind.bytes());
-                let end = start.saturating_add(kind.bytes());
-                let Some(out) = destination.get_mut(start..end) else { return };
-                let color = self.framebuffer.color([column as u32, y as u32]);
-                if bytes {
+            self.framebuffer.color_row(y as u32, &mut words);
+            let start = row.saturating_mul(stride);
+            let end = start.saturating_add(width * kind.bytes()).min(destination.len());
+            let Some(out) = destination.get_mut(start..end) else { return };
+            let pixels = out.chunks_exact_mut(kind.bytes()).zip(&words);
+            match (bytes, order) {
+                (true, [0, 1, 2, 3]) => {
+                    pixels.for_each(|(out, word)| out.copy_from_slice(&word.to_le_bytes()));
+                }
+                (true, _) => pixels.for_each(|(out, word)| {
+                    let color = word.to_le_bytes();
                     for (out, &place) in out.iter_mut().zip(order) {
                         *out = color[place];
                     }
-                } else {
+                }),
+                (false, _) => pixels.for_each(|(out, word)| {
+                    let color = word.to_le_bytes().map(|byte| f32::from(byte) / 255.0);
                     let mut values = [0.0; 4];
                     for (value, &place) in values.iter_mut().zip(order) {
-                        *value = f32::from(color[place]) / 255.0;
+                        *value = color[place];
                     }
                     kind.write(&values[..order.len()], false, out);
-                }
+                }),
             }
         }
     }

@@ -103,6 +103,19 @@ impl Framebuffer {
         planes.color[block][lane].to_le_bytes()
     }
 
+    /// The colours of a row as words, red in the lowest byte.
+    pub(crate) fn color_row(&self, y: u32, row: &mut [u32]) {
+        let block_row = (y % TILE as u32 / BLOCK as u32 * BLOCKS as u32) as usize;
+        let lane = (y % BLOCK as u32 * BLOCK as u32) as usize;
+        let first = (y / TILE as u32) as usize * self.across();
+        for (tile, pixels) in self.tiles[first..].iter().zip(row.chunks_mut(TILE as usize)) {
+            let blocks = &tile.color[block_row..block_row + BLOCKS as usize];
+            for (block, pixels) in blocks.iter().zip(pixels.chunks_mut(BLOCK as usize)) {
+                pixels.copy_from_slice(&block[lane..lane + pixels.len()]);
+            }
+        }
+    }
+
     /// A pixel's depth, of 24 bits.
     pub(crate) fn depth(&self, at: [u32; 2]) -> u32 {
         let (planes, block, lane) = self.place(at);

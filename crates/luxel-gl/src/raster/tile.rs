@@ -93,6 +93,10 @@ impl<'a> TileWorker<'a> {
     fn clear(&mut self, clear: &ClearedTo) {
         let [left, bottom, right, top] = self.within(clear.region);
         let whole = [left, bottom, right, top] == [0, 0, self.region.width, self.region.height];
+        if whole && matches!(clear.color_mask, 0 | u32::MAX) {
+            self.clear_all(clear);
+            return;
+        }
         for block in 0..TILE_BLOCKS {
             let first = block_origin(block);
             let inside = |lane: usize| {
@@ -112,6 +116,22 @@ impl<'a> TileWorker<'a> {
                     self.planes.depth[block][lane] = depth;
                 }
                 let stencil = &mut self.planes.stencil[block][lane];
+                *stencil = *stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
+            }
+        }
+    }
+
+    /// Clears whole planes; what lies beyond the window doesn't matter.
+    fn clear_all(&mut self, clear: &ClearedTo) {
+        if clear.color_mask != 0 {
+            self.seen.as_flattened_mut().fill(0);
+            self.planes.color.as_flattened_mut().fill(clear.color);
+        }
+        if let Some(depth) = clear.depth {
+            self.planes.depth.as_flattened_mut().fill(depth);
+        }
+        if clear.stencil_mask != 0 {
+            for stencil in self.planes.stencil.as_flattened_mut() {
                 *stencil = *stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
             }
         }

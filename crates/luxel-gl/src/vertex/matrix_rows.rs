@@ -14,20 +14,30 @@ impl MatrixRows {
 
     /// The matrix times a column.
     #[inline(always)]
-    pub(crate) fn times<N: Lanes>(&self, [x, y, z, w]: [N; 4]) -> [N; 4] {
-        let row = |[a, b, c, d]: [f32; 4]| {
-            x * x.constant(a) + y * x.constant(b) + z * x.constant(c) + w * x.constant(d)
-        };
-        let [r0, r1, r2, r3] = self.0;
-        [row(r0), row(r1), row(r2), row(r3)]
+    pub(crate) fn times<N: Lanes>(&self, column: [N; 4]) -> [N; 4] {
+        let [r0, r1, r2, r3] = &self.0;
+        [row_times(r0, column), row_times(r1, column), row_times(r2, column), row_times(r3, column)]
     }
 
     /// The first three rows' first three numbers times a column.
     #[inline(always)]
-    pub(crate) fn times_direction<N: Lanes>(&self, [x, y, z]: [N; 3]) -> [N; 3] {
-        let row =
-            |[a, b, c, _]: [f32; 4]| x * x.constant(a) + y * x.constant(b) + z * x.constant(c);
-        let [r0, r1, r2, _] = self.0;
-        [row(r0), row(r1), row(r2)]
+    pub(crate) fn times_direction<N: Lanes>(&self, column: [N; 3]) -> [N; 3] {
+        let [r0, r1, r2, _] = &self.0;
+        [direction_times(r0, column), direction_times(r1, column), direction_times(r2, column)]
     }
+}
+
+// Functions rather than closures: those are not inlined into kernels.
+
+#[inline(always)]
+fn row_times<N: Lanes>(row: &[f32; 4], [x, y, z, w]: [N; 4]) -> N {
+    x * x.constant(row[0])
+        + y * x.constant(row[1])
+        + z * x.constant(row[2])
+        + w * x.constant(row[3])
+}
+
+#[inline(always)]
+fn direction_times<N: Lanes>(row: &[f32; 4], [x, y, z]: [N; 3]) -> N {
+    x * x.constant(row[0]) + y * x.constant(row[1]) + z * x.constant(row[2])
 }

@@ -124,6 +124,7 @@ impl VertexProcessor {
         for mut run in runs {
             if all.clip.is_empty() {
                 all = run;
+                all.reserve(stream.len());
             } else {
                 all.append(&mut run);
             }
@@ -159,31 +160,16 @@ impl VertexProcessor {
     ) {
         // Lanes beyond the last vertex repeat it.
         let at = |lane: usize| first + lane.min(count - 1);
-        let load4 = |of: &dyn Fn(usize) -> [f32; 4]| -> [N; 4] {
-            let mut columns = [[0.0; LANES]; 4];
-            for lane in 0..LANES {
-                let values = of(at(lane));
-                for (column, value) in columns.iter_mut().zip(values) {
-                    column[lane] = value;
-                }
-            }
-            columns.map(|column| simd.load(&column, 0))
-        };
-        let load_normal = || {
-            let normal = load4(&|vertex| {
-                let [x, y, z] = stream.normal.of(vertex);
-                [x, y, z, 0.0]
-            });
-            self.normal([normal[0], normal[1], normal[2]])
-        };
-        let position = load4(&|vertex| stream.positions[vertex]);
+        let position = load4(
+            simd,
+            #[inline(always)]
+            |lane| stream.positions[at(lane)],
+        );
         let clip = self.clip_from_object.times(position);
         store(&clip, count, &mut out.clip);
         let (window, held) = self.window(clip);
         let mut codes = self.codes(clip, held);
-        for vertex in &window[..count] {
-            out.window.push(*vertex);
-        }
+        out.window.extend_from_slice(&window[..count]);
         let lit = self.lighting.is_some();
         let needs_eye = self.needs_eye
             || lit
@@ -218,29 +204,40 @@ impl VertexProcessor {
             let mut place =
                 VertexPlace { object: position, eye, normal: Vec3::splat(simd, [0.0; 3]) };
             if self.textures.iter().any(CoordinateSetup::needs_normal) {
-                let (unit, length) = load_normal();
+                let (unit, length) = self.loaded_normal(simd, stream, first, count);
                 place.normal = length.map_or(unit, |length| unit * length);
             }
             for setup in &self.textures {
-                let given = load4(&|vertex| stream.tex_coord_of(setup.unit, vertex));
+                let given = load4(
+                    simd,
+                    #[inline(always)]
+                    |lane| stream.tex_coord_of(setup.unit, at(lane)),
+                );
                 let coordinates = setup.coordinates(&place, given);
                 store(&coordinates, count, &mut out.tex_coords[setup.unit]);
             }
         }
         let Some(lighting) = &self.lighting else {
-            let color = load4(&|vertex| stream.color.of(vertex));
-            store(&color.map(|value| value.clamped(0.0, 1.0)), count, &mut out.colors[0]);
+            let color = load4(
+                simd,
+                #[inline(always)]
+                |lane| stream.color.of(at(lane)),
+            );
+            store(&clamped(color), count, &mut out.colors[0]);
             if self.color_sum {
-                let secondary = load4(&|vertex| {
-                    let [r, g, b] = stream.secondary.of(vertex);
-                    [r, g, b, 0.0]
-                });
-                let secondary = secondary.map(|value| value.clamped(0.0, 1.0));
-                store(&secondary, count, &mut out.secondary[0]);
+                let secondary = load4(
+                    simd,
+                    #[inline(always)]
+                    |lane| {
+                        let [r, g, b] = stream.secondary.of(at(lane));
+                        [r, g, b, 0.0]
+                    },
+                );
+                store(&clamped(secondary), count, &mut out.secondary[0]);
             }
             return;
         };
-        let (normal, length) = load_normal();
+        let (normal, length) = self.loaded_normal(simd, stream, first, count);
         let sides = 1 + usize::from(lighting.two_side);
         let one_material =
             !(stream.material.varies() || self.color_material.is_some() && stream.color.varies());
@@ -265,14 +262,33 @@ impl VertexProcessor {
             } else {
                 simd.each_lane(|lane| lanes[lane].diffuse[3])
             };
-            let clamped = |color: Rgb<N>, alpha: N| {
-                [color.r, color.g, color.b, alpha].map(|value| value.clamped(0.0, 1.0))
-            };
-            store(&clamped(lit.primary, alpha), count, &mut out.colors[side]);
+            let Rgb { r, g, b } = lit.primary;
+            store(&clamped([r, g, b, alpha]), count, &mut out.colors[side]);
             if lighting.separate {
-                store(&clamped(lit.specular, simd.zero()), count, &mut out.secondary[side]);
+                let Rgb { r, g, b } = lit.specular;
+                store(&clamped([r, g, b, simd.zero()]), count, &mut out.secondary[side]);
             }
         }
+    }
+
+    /// Normals of vertices: see [`normal`](Self::normal).
+    #[inline(always)]
+    fn loaded_normal<N: Lanes>(
+        &self,
+        simd: N,
+        stream: &Stream,
+        first: usize,
+        count: usize,
+    ) -> (Vec3<N>, Option<N>) {
+        let [x, y, z, _] = load4(
+            simd,
+            #[inline(always)]
+            |lane| {
+                let [x, y, z] = stream.normal.of(first + lane.min(count - 1));
+                [x, y, z, 0.0]
+            },
+        );
+        self.normal([x, y, z])
     }
 
     /// A vertex's material: what was set, and what its colour drives.
@@ -344,14 +360,10 @@ impl VertexProcessor {
         let material = material(&materials[leader]);
         let mut reflectance = Reflectance::of(simd, &material);
         if !uniform {
-            let lanes = |of: fn(&SurfaceMaterial) -> &[f32; 4]| {
-                let channel = |at: usize| simd.each_lane(|lane| of(&materials[lane])[at]);
-                Rgb::new(channel(0), channel(1), channel(2))
-            };
-            reflectance.ambient = lanes(|side| &side.ambient);
-            reflectance.diffuse = lanes(|side| &side.diffuse);
-            reflectance.specular = lanes(|side| &side.specular);
-            reflectance.emission = lanes(|side| &side.emission);
+            reflectance.ambient = color_lanes(simd, &materials.map(|side| side.ambient));
+            reflectance.diffuse = color_lanes(simd, &materials.map(|side| side.diffuse));
+            reflectance.specular = color_lanes(simd, &materials.map(|side| side.specular));
+            reflectance.emission = color_lanes(simd, &materials.map(|side| side.emission));
         }
         if let Some(length) = length {
             reflectance.diffuse = reflectance.diffuse * length;
@@ -387,36 +399,32 @@ impl VertexProcessor {
     fn window<N: Lanes>(&self, [x, y, z, w]: [N; 4]) -> ([WindowVertex; LANES], u32) {
         let WindowScale { half, centre, depth } = self.scale;
         let mut held = w.zero().less(w);
-        let mut place = |value: N, axis: usize| {
-            let at = snap(value * w.constant(half[axis]), w, centre[axis]);
-            let guard = GUARD_BAND as f32;
-            held = held
-                & w.constant(centre[axis] - guard).less_or_equal(at)
-                & at.less_or_equal(w.constant(centre[axis] + guard));
-            at
-        };
-        let (across, up) = (place(x, 0), place(y, 1));
+        let (across, within) = held_at(x, w, half[0], centre[0]);
+        held = held & within;
+        let (up, within) = held_at(y, w, half[1], centre[1]);
+        held = held & within;
         let depths = z / w * w.constant(depth[0]) + w.constant(depth[1]);
         let [mut xs, mut ys, mut zs] = [[0.0; LANES]; 3];
         across.store(&mut xs, 0);
         up.store(&mut ys, 0);
         depths.store(&mut zs, 0);
-        let vertex =
-            |lane: usize| WindowVertex { x: xs[lane] as i32, y: ys[lane] as i32, z: zs[lane] };
-        (std::array::from_fn(vertex), held.bits())
+        let mut vertices = [WindowVertex::default(); LANES];
+        for (lane, vertex) in vertices.iter_mut().enumerate() {
+            *vertex = WindowVertex { x: xs[lane] as i32, y: ys[lane] as i32, z: zs[lane] };
+        }
+        (vertices, held.bits())
     }
 
     /// Clip codes of sixteen vertices.
     #[inline(always)]
     fn codes<N: Lanes>(&self, [x, y, z, w]: [N; 4], held: u32) -> [u16; LANES] {
         let mut all = [0; LANES];
-        for (bit, beyond) in
-            [x.less(-w), w.less(x), y.less(-w), w.less(y), z.less(-w), w.less(z)].iter().enumerate()
-        {
-            spread(beyond.bits(), bit as u32, &mut all);
-        }
-        let largest = w.constant(f32::MAX);
-        let finite = |value: N| value.abs().less_or_equal(largest);
+        spread(x.less(-w).bits(), 0, &mut all);
+        spread(w.less(x).bits(), 1, &mut all);
+        spread(y.less(-w).bits(), 2, &mut all);
+        spread(w.less(y).bits(), 3, &mut all);
+        spread(z.less(-w).bits(), 4, &mut all);
+        spread(w.less(z).bits(), 5, &mut all);
         let not_finite = !(finite(x) & finite(y) & finite(z) & finite(w)).bits();
         spread(not_finite, codes::NOT_FINITE.trailing_zeros(), &mut all);
         spread(!held, codes::NOT_HELD.trailing_zeros(), &mut all);
@@ -452,12 +460,67 @@ fn spread(lanes: u32, bit: u32, codes: &mut [u16; LANES]) {
     }
 }
 
+/// Where a coordinate lies in the window, in steps of 1/256 pixel, and whether that is within the guard band.
+#[inline(always)]
+fn held_at<N: Lanes>(value: N, w: N, half: f32, centre: f32) -> (N, N::Mask) {
+    let at = snap(value * w.constant(half), w, centre);
+    let guard = GUARD_BAND as f32;
+    let above = w.constant(centre - guard).less_or_equal(at);
+    (at, above & at.less_or_equal(w.constant(centre + guard)))
+}
+
+#[inline(always)]
+fn finite<N: Lanes>(value: N) -> N::Mask {
+    value.abs().less_or_equal(value.constant(f32::MAX))
+}
+
+/// Within 0 and 1.
+#[inline(always)]
+fn clamped<N: Lanes>([r, g, b, a]: [N; 4]) -> [N; 4] {
+    [r.clamped(0.0, 1.0), g.clamped(0.0, 1.0), b.clamped(0.0, 1.0), a.clamped(0.0, 1.0)]
+}
+
+/// Vectors of all lanes, from `of(lane)`; `simd` selects the lane type. Mark the closure `#[inline(always)]`.
+#[inline(always)]
+fn load4<N: Lanes>(simd: N, of: impl Fn(usize) -> [f32; 4]) -> [N; 4] {
+    let mut columns = [[0.0; LANES]; 4];
+    for lane in 0..LANES {
+        let [x, y, z, w] = of(lane);
+        columns[0][lane] = x;
+        columns[1][lane] = y;
+        columns[2][lane] = z;
+        columns[3][lane] = w;
+    }
+    [
+        simd.load(&columns[0], 0),
+        simd.load(&columns[1], 0),
+        simd.load(&columns[2], 0),
+        simd.load(&columns[3], 0),
+    ]
+}
+
+/// Colours of all lanes.
+#[inline(always)]
+fn color_lanes<N: Lanes>(simd: N, colors: &[[f32; 4]; LANES]) -> Rgb<N> {
+    let [r, g, b, _] = load4(
+        simd,
+        #[inline(always)]
+        |lane| colors[lane],
+    );
+    Rgb::new(r, g, b)
+}
+
 /// Appends the first lanes as vectors.
 #[inline(always)]
 fn store<N: Lanes>(values: &[N; 4], count: usize, out: &mut Vec<[f32; 4]>) {
     let mut columns = [[0.0; LANES]; 4];
-    for (value, column) in values.iter().zip(&mut columns) {
-        value.store(column, 0);
+    values[0].store(&mut columns[0], 0);
+    values[1].store(&mut columns[1], 0);
+    values[2].store(&mut columns[2], 0);
+    values[3].store(&mut columns[3], 0);
+    let mut rows = [[0.0; 4]; LANES];
+    for lane in 0..LANES {
+        rows[lane] = [columns[0][lane], columns[1][lane], columns[2][lane], columns[3][lane]];
     }
-    out.extend((0..count).map(|lane| std::array::from_fn(|axis| columns[axis][lane])));
+    out.extend_from_slice(&rows[..count]);
 }

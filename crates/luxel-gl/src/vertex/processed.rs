@@ -67,6 +67,23 @@ pub(crate) struct Processed {
 }
 
 impl Processed {
+    /// Makes room for so many vertices in the lists that there are.
+    pub(crate) fn reserve(&mut self, count: usize) {
+        fn room<T>(list: &mut Vec<T>, count: usize) {
+            if !list.is_empty() {
+                list.reserve_exact(count.saturating_sub(list.len()));
+            }
+        }
+        room(&mut self.clip, count);
+        room(&mut self.codes, count);
+        room(&mut self.window, count);
+        room(&mut self.eye, count);
+        room(&mut self.fog_coord, count);
+        for list in self.colors.iter_mut().chain(&mut self.secondary).chain(&mut self.tex_coords) {
+            room(list, count);
+        }
+    }
+
     /// Appends the vertices of the next run.
     pub(crate) fn append(&mut self, other: &mut Self) {
         self.clip.append(&mut other.clip);
