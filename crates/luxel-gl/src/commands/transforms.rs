@@ -126,7 +126,7 @@ impl Context {
         }
     }
 
-    /// `glViewport`: lower left corner and size; sizes are clamped to [`limits::VIEWPORT`](crate::limits).
+    /// `glViewport`: lower left corner and size; sizes are clamped to `GL_MAX_VIEWPORT_DIMS`.
     pub fn viewport(&mut self, x: i32, y: i32, width: i32, height: i32) {
         compile!(self, Command::Viewport([x, y, width, height]));
         outside_begin!(self);
