@@ -56,7 +56,7 @@ impl<'a> BatchBuilder<'a> {
     pub(crate) fn push_bitmap(&mut self, bitmap: Arc<Bitmap>, corner: [i32; 2], depth: f32) {
         let (color, fog) = (self.batch.color(0, 0), self.batch.fog(0));
         let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
-        prepared.rows = self.batch.push_rows([0; 2], [[1.0, 0.0]; 2], None, 0);
+        prepared.rows = self.batch.push_rows([0; 2], [[1.0, 0.0]; 2], (None, 0), &prepared.forms);
         let number = self.batch.prepared.len() as u32;
         self.batch.prepared.push(prepared);
         self.batch.bitmap = Some(bitmap);
@@ -223,7 +223,7 @@ impl<'a> BatchBuilder<'a> {
             [fog_from, fog_to],
         );
         let weights = corners.map(|corner| [corner.weights[0] as f32, corner.weights[1] as f32]);
-        prepared.rows = self.batch.push_rows(ends, weights, flat, side);
+        prepared.rows = self.batch.push_rows(ends, weights, (flat, side), &prepared.forms);
         let number = self.batch.prepared.len() as u32;
         self.batch.prepared.push(prepared);
         self.batch.pieces.push(Piece {
@@ -263,7 +263,8 @@ impl<'a> BatchBuilder<'a> {
         let number = self.batch.prepared.len() as u32;
         let color = self.batch.color(flat.unwrap_or(vertex), color_side);
         let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
-        prepared.rows = self.batch.push_rows([vertex; 2], [[1.0, 0.0]; 2], flat, color_side);
+        prepared.rows =
+            self.batch.push_rows([vertex; 2], [[1.0, 0.0]; 2], (flat, color_side), &prepared.forms);
         self.batch.prepared.push(prepared);
         self.batch.pieces.push(Piece {
             shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z },
