@@ -6,8 +6,6 @@ use std::ffi::c_void;
 
 crate::entry::unsupported! {
     glAccum(op: u32, value: f32);
-    glBeginQuery(target: u32, id: u32);
-    glBeginQueryARB(target: u32, id: u32);
     glCompressedTexSubImage1D(target: u32, level: i32, xoffset: i32, width: i32, format: u32, image_size: i32, data: *const c_void);
     glCompressedTexSubImage1DARB(target: u32, level: i32, xoffset: i32, width: i32, format: u32, image_size: i32, data: *const c_void);
     glCompressedTexSubImage2D(target: u32, level: i32, xoffset: i32, yoffset: i32, width: i32, height: i32, format: u32, image_size: i32, data: *const c_void);
@@ -15,26 +13,12 @@ crate::entry::unsupported! {
     glCompressedTexSubImage3D(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, image_size: i32, data: *const c_void);
     glCompressedTexSubImage3DARB(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, image_size: i32, data: *const c_void);
     glCopyPixels(x: i32, y: i32, width: i32, height: i32, kind: u32);
-    glDeleteQueries(n: i32, ids: *const u32);
-    glDeleteQueriesARB(n: i32, ids: *const u32);
     glDrawPixels(width: i32, height: i32, format: u32, kind: u32, pixels: *const c_void);
-    glEndQuery(target: u32);
-    glEndQueryARB(target: u32);
-    glGenQueries(n: i32, ids: *mut u32);
-    glGenQueriesARB(n: i32, ids: *mut u32);
     glGetCompressedTexImage(target: u32, level: i32, img: *mut c_void);
     glGetCompressedTexImageARB(target: u32, level: i32, img: *mut c_void);
     glGetPixelMapfv(map: u32, values: *mut f32);
     glGetPixelMapuiv(map: u32, values: *mut u32);
     glGetPixelMapusv(map: u32, values: *mut u16);
-    glGetQueryObjectiv(id: u32, pname: u32, params: *mut i32);
-    glGetQueryObjectivARB(id: u32, pname: u32, params: *mut i32);
-    glGetQueryObjectuiv(id: u32, pname: u32, params: *mut u32);
-    glGetQueryObjectuivARB(id: u32, pname: u32, params: *mut u32);
-    glGetQueryiv(target: u32, pname: u32, params: *mut i32);
-    glGetQueryivARB(target: u32, pname: u32, params: *mut i32);
-    glIsQuery(id: u32) -> u8;
-    glIsQueryARB(id: u32) -> u8;
     glPixelMapfv(map: u32, mapsize: i32, values: *const f32);
     glPixelMapuiv(map: u32, mapsize: i32, values: *const u32);
     glPixelMapusv(map: u32, mapsize: i32, values: *const u16);

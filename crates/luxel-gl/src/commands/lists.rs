@@ -222,6 +222,8 @@ impl Context {
             Command::CopyTexSubImage(ref call) => self.copy_part(call),
             Command::PassThrough(mark) => self.pass_through(mark),
             Command::Bitmap(ref call) => self.draw_bitmap(call),
+            Command::BeginQuery(target, name) => self.begin_query(target, name),
+            Command::EndQuery(target) => self.end_query(target),
             Command::Draw(ref draw) => self.draw_recorded(draw),
         }
     }

@@ -20,6 +20,7 @@ mod lighting;
 mod lists;
 mod modes;
 mod pixels;
+mod queries;
 mod rasterization;
 mod renderbuffers;
 mod strings;

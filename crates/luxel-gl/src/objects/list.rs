@@ -113,6 +113,8 @@ pub(crate) enum Command {
     CopyTexImage(Box<CopyTexImage>),
     CopyTexSubImage(Box<CopyTexSubImage>),
     Draw(Arc<ArrayDraw>),
+    BeginQuery(u32, u32),
+    EndQuery(u32),
 }
 
 /// The lists of a context, and of those that share with it. An empty list is a name that is taken.

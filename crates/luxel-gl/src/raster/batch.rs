@@ -8,6 +8,7 @@ use crate::vertex::{Processed, WindowScale};
 use luxel_math::SUBPIXELS;
 use luxel_visibility::{LinearForms, PackedForms, ProjectiveForms, Triangle};
 use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
 
 /// What shades the fragments of a primitive: weights over the window, and the colours that they weigh.
 #[derive(Clone, Debug)]
@@ -73,6 +74,8 @@ pub(crate) struct Batch {
     pub(crate) pieces: Vec<Piece>,
     pub(crate) prepared: Vec<Prepared>,
     pub(crate) bitmap: Option<Arc<Bitmap>>,
+    /// Counts the samples that pass.
+    pub(crate) samples: Option<Arc<AtomicU64>>,
     /// Of what is prepared already.
     pub(crate) rows: Vec<PackedForms>,
 }

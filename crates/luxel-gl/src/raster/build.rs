@@ -44,6 +44,7 @@ impl<'a> BatchBuilder<'a> {
             prepared,
             rows,
             bitmap: None,
+            samples: None,
         };
         Self { state, batch, counter: 0, polygon: Vec::new() }
     }

@@ -7,6 +7,7 @@ use super::pipeline::Pipeline;
 use super::shade::{Colors, Shading, decode, encode, shade};
 use luxel_math::{LANES, Lanes, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{Sink, Tile};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Takes the samples of one piece.
 pub(super) struct PieceSink<'t, 'a, S> {
@@ -25,6 +26,8 @@ pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) number: u32,
     /// What depths are moved by.
     pub(super) offset: f32,
+    /// Counts the samples that pass; the sum doesn't depend on the order of tiles.
+    pub(super) samples: Option<&'t AtomicU64>,
 }
 
 impl<S: Simd> Sink for PieceSink<'_, '_, S> {
@@ -157,6 +160,9 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         if let Some(test) = stencil {
             let outcomes = [lanes & !after_stencil, after_stencil & !passing, passing];
             test.update(outcomes, &mut self.planes.stencil[block]);
+        }
+        if let Some(samples) = self.samples {
+            samples.fetch_add(u64::from(passing.count_ones()), Ordering::Relaxed);
         }
         if passing == 0 || self.pipeline.color_bits == 0 {
             return;

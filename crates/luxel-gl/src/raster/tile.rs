@@ -144,6 +144,7 @@ impl<'a> TileWorker<'a> {
         let limits = if of_polygon { batch.polygon_region } else { pipeline.region };
         let limits = self.within(limits);
         let plain = pipeline.stencil.is_none()
+            && batch.samples.is_none()
             && !pipeline.is_mixing()
             && (pipeline.polygon_stipple.is_none() || !of_polygon);
         let (region, origin) = (self.region, self.origin);
@@ -160,6 +161,7 @@ impl<'a> TileWorker<'a> {
             stipple: pipeline.polygon_stipple.as_ref().filter(|_| of_polygon),
             number,
             offset: piece.offset,
+            samples: batch.samples.as_deref(),
         };
         match piece.shape {
             Shape::Triangle(ref triangle) => cover(simd, triangle, region, CENTRE, &mut sink),

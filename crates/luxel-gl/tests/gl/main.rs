@@ -15,5 +15,6 @@ mod framebuffers;
 mod lighting;
 mod modes;
 mod pixel_transfer;
+mod queries;
 mod state;
 mod textures;
