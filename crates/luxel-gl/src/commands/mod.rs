@@ -25,6 +25,7 @@ mod rasterization;
 mod renderbuffers;
 mod strings;
 mod switches;
+mod texture_copies;
 mod texture_environment;
 mod texture_images;
 mod texture_parameters;
