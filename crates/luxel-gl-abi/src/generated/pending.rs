@@ -12,8 +12,6 @@ crate::entry::unsupported! {
     glCompressedTexSubImage2DARB(target: u32, level: i32, xoffset: i32, yoffset: i32, width: i32, height: i32, format: u32, image_size: i32, data: *const c_void);
     glCompressedTexSubImage3D(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, image_size: i32, data: *const c_void);
     glCompressedTexSubImage3DARB(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, image_size: i32, data: *const c_void);
-    glCopyPixels(x: i32, y: i32, width: i32, height: i32, kind: u32);
-    glDrawPixels(width: i32, height: i32, format: u32, kind: u32, pixels: *const c_void);
     glGetCompressedTexImage(target: u32, level: i32, img: *mut c_void);
     glGetCompressedTexImageARB(target: u32, level: i32, img: *mut c_void);
     glGetPixelMapfv(map: u32, values: *mut f32);
@@ -24,7 +22,6 @@ crate::entry::unsupported! {
     glPixelMapusv(map: u32, mapsize: i32, values: *const u16);
     glPixelTransferf(pname: u32, param: f32);
     glPixelTransferi(pname: u32, param: i32);
-    glPixelZoom(xfactor: f32, yfactor: f32);
     glSampleCoverage(value: f32, invert: u8);
     glSampleCoverageARB(value: f32, invert: u8);
 }

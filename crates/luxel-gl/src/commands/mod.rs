@@ -11,6 +11,7 @@ mod bitmaps;
 mod buffer_objects;
 mod buffers;
 mod draw;
+mod draw_pixels;
 mod evaluators;
 mod fragments;
 mod framebuffers;

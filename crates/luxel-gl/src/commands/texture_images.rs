@@ -65,19 +65,6 @@ fn sides(size: [i32; 3]) -> [usize; 3] {
     size.map(|side| usize::try_from(side).unwrap_or(0))
 }
 
-/// The pixels of a call in tight rows, as a list keeps them.
-fn tight(kind: PixelFormat, layout: &ImageLayout, bytes: &[u8]) -> Box<[u8]> {
-    let mut all = Vec::with_capacity(bytes.len().min(layout.end));
-    layout.each_row(bytes, |_, row| all.extend_from_slice(row));
-    debug_assert!(all.len().is_multiple_of(kind.bytes().max(1)), "whole pixels");
-    all.into()
-}
-
-/// How tight rows lie in memory.
-fn tight_store(swap_bytes: bool) -> PixelStore {
-    PixelStore { alignment: 1, swap_bytes, ..PixelStore::default() }
-}
-
 /// Puts pixels into an image, the first at `offset`, which counts borders.
 fn fill(
     image: &mut TextureImage,
@@ -202,7 +189,7 @@ impl Context {
             let kept = pixels.and_then(|pixels| {
                 let kind = texel_format(call.format, call.data_type).ok()?;
                 let layout = ImageLayout::new(&store, sides(call.size), kind, call.dimensions);
-                Some(tight(kind, &layout, pixels))
+                Some(layout.tight(pixels))
             });
             let kept = WithPixels { call, swap: store.swap_bytes, pixels: kept };
             compile!(self, Command::TexImage(Box::new(kept)));
@@ -213,7 +200,7 @@ impl Context {
     /// Carries out what a list kept.
     pub(super) fn tex_image_from_list(&mut self, kept: &WithPixels<TexImage>) {
         compile!(self, Command::TexImage(Box::new(kept.clone())));
-        self.specify(&kept.call, kept.pixels.as_deref(), &tight_store(kept.swap));
+        self.specify(&kept.call, kept.pixels.as_deref(), &PixelStore::tight(kept.swap));
     }
 
     fn specify(&mut self, call: &TexImage, pixels: Option<&[u8]>, store: &PixelStore) {
@@ -322,7 +309,7 @@ impl Context {
         if self.is_compiling() {
             let kept = texel_format(format, data_type).ok().map(|kind| {
                 let layout = ImageLayout::new(&store, sides(size), kind, dimensions);
-                tight(kind, &layout, pixels)
+                layout.tight(pixels)
             });
             let kept = WithPixels { call, swap: store.swap_bytes, pixels: kept };
             compile!(self, Command::TexSubImage(Box::new(kept)));
@@ -336,7 +323,7 @@ impl Context {
         self.replace(
             &kept.call,
             kept.pixels.as_deref().unwrap_or_default(),
-            &tight_store(kept.swap),
+            &PixelStore::tight(kept.swap),
         );
     }
 

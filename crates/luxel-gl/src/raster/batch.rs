@@ -1,6 +1,7 @@
 //! The primitives of one draw, set up.
 
 use super::bitmap::Bitmap;
+use super::image::PlacedImage;
 use super::pipeline::Pipeline;
 use crate::fragment::TextureStages;
 use crate::texture::Target;
@@ -46,6 +47,10 @@ pub(crate) enum Shape {
         corner: [i32; 2],
         depth: f32,
     },
+    /// The batch's image; its depth, unless it has depths of its own.
+    Image {
+        depth: f32,
+    },
     /// Left, bottom, and the side of a square of pixels; its depth.
     Point {
         corner: [i32; 2],
@@ -74,6 +79,7 @@ pub(crate) struct Batch {
     pub(crate) pieces: Vec<Piece>,
     pub(crate) prepared: Vec<Prepared>,
     pub(crate) bitmap: Option<Arc<Bitmap>>,
+    pub(crate) image: Option<Box<PlacedImage>>,
     /// Counts the samples that pass.
     pub(crate) samples: Option<Arc<AtomicU64>>,
     /// Of what is prepared already.
@@ -104,6 +110,9 @@ impl Batch {
                 };
                 let ([left, right], [bottom, top]) = (reach(0), reach(1));
                 return [left, bottom, right, top];
+            }
+            Shape::Image { .. } => {
+                return self.image.as_ref().map_or([0; 4], |image| image.bounds());
             }
             Shape::Point { corner, side, .. } => {
                 let low = corner.map(|at| at * SUBPIXELS);
@@ -222,6 +231,7 @@ impl Batch {
         self.pieces.len() * size_of::<Piece>()
             + self.prepared.len() * size_of::<Prepared>()
             + self.bitmap.as_ref().map_or(0, |bitmap| bitmap.bytes())
+            + self.image.as_ref().map_or(0, |image| image.bytes())
             + self.rows.len() * size_of::<PackedForms>()
             + self.vertices.clip.len() * 64
     }

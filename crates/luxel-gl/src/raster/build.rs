@@ -3,6 +3,7 @@
 use super::batch::{Batch, Piece, Prepared, Shade, Shape};
 use super::bitmap::Bitmap;
 use super::draw_state::{DrawState, whole_size};
+use super::image::PlacedImage;
 use super::pipeline::Pipeline;
 use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
 use crate::enums as gl;
@@ -44,6 +45,7 @@ impl<'a> BatchBuilder<'a> {
             prepared,
             rows,
             bitmap: None,
+            image: None,
             samples: None,
         };
         Self { state, batch, counter: 0, polygon: Vec::new() }
@@ -55,17 +57,24 @@ impl<'a> BatchBuilder<'a> {
 
     /// Puts a bitmap with its lower left corner at a pixel, in the colours of the batch's first vertex.
     pub(crate) fn push_bitmap(&mut self, bitmap: Arc<Bitmap>, corner: [i32; 2], depth: f32) {
+        self.batch.bitmap = Some(bitmap);
+        self.push_at_raster(Shape::Bitmap { corner, depth });
+    }
+
+    /// Puts an image, with what it lacks of colours and depth from the batch's first vertex.
+    pub(crate) fn push_image(&mut self, image: PlacedImage, depth: f32) {
+        self.batch.image = Some(Box::new(image));
+        self.push_at_raster(Shape::Image { depth });
+    }
+
+    /// Puts a shape in the colours of the batch's first vertex.
+    fn push_at_raster(&mut self, shape: Shape) {
         let (color, fog) = (self.batch.color(0, 0), self.batch.fog(0));
         let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
         prepared.rows = self.batch.push_rows([0; 2], [[1.0, 0.0]; 2], (None, 0), &prepared.forms);
         let number = self.batch.prepared.len() as u32;
         self.batch.prepared.push(prepared);
-        self.batch.bitmap = Some(bitmap);
-        self.batch.pieces.push(Piece {
-            shape: Shape::Bitmap { corner, depth },
-            shade: Shade::Prepared(number),
-            offset: 0.0,
-        });
+        self.batch.pieces.push(Piece { shape, shade: Shade::Prepared(number), offset: 0.0 });
     }
 
     fn codes(&self, vertex: u32) -> u16 {

@@ -107,6 +107,7 @@ pub(super) fn light_seen<S: Simd>(
                     textures: first.pipeline.textures.as_ref(),
                     rows: &lighter.rows,
                     fog: first.pipeline.fog.as_ref(),
+                    primary: None,
                     lanes: together,
                 };
                 let colors = shade(

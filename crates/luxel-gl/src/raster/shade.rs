@@ -32,6 +32,8 @@ pub(super) struct Shading<'p> {
     /// Of all primitives.
     pub(super) rows: &'p [PackedForms],
     pub(super) fog: Option<&'p Fog>,
+    /// Colours of an image's fragments, in the place of interpolated ones.
+    pub(super) primary: Option<&'p [[f32; LANES]; 4]>,
     /// The lanes that matter, a bit each.
     pub(super) lanes: u32,
 }
@@ -81,6 +83,11 @@ pub(super) fn shade<'p, S: Simd>(
     for (channel, color) in colors.iter_mut().enumerate() {
         let [a, b, c] = [first[channel], first[4 + channel], second[channel]];
         *color = mixed([a, b, c], [v, t]).clamped(0.0, 1.0);
+    }
+    if let Some(primary) = shading.primary {
+        for (color, values) in colors.iter_mut().zip(primary) {
+            *color = f32x16::from_slice(simd, values).clamped(0.0, 1.0);
+        }
     }
     if let Some(textures) = textures {
         let rows = shading.rows;

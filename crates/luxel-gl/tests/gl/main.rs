@@ -12,6 +12,7 @@ mod display_lists;
 mod errors;
 mod fragments;
 mod framebuffers;
+mod images;
 mod lighting;
 mod modes;
 mod pixel_transfer;
