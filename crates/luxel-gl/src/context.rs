@@ -6,6 +6,7 @@ use crate::modes::{FeedbackMode, SelectionMode};
 use crate::objects::buffer::Buffers;
 use crate::objects::framebuffer::FramebufferObjects;
 use crate::objects::list::{Command, Lists};
+use crate::objects::query::Queries;
 use crate::objects::renderbuffer::Renderbuffers;
 use crate::raster::{Framebuffer, Log};
 use crate::state::Attributes;
@@ -70,6 +71,7 @@ pub struct Context {
     pub(crate) shared_buffers: Arc<Mutex<Buffers>>,
     pub(crate) shared_renderbuffers: Arc<Mutex<Renderbuffers>>,
     pub(crate) framebuffers: FramebufferObjects,
+    pub(crate) queries: Queries,
     /// The default framebuffer, while an object is drawn to.
     pub(crate) parked: Framebuffer,
     pub(crate) list: Option<OpenList>,
@@ -129,6 +131,7 @@ impl Context {
             shared_buffers: Arc::default(),
             shared_renderbuffers: Arc::default(),
             framebuffers: FramebufferObjects::default(),
+            queries: Queries::default(),
             parked: Framebuffer::new(0, 0),
             list: None,
             nesting: 0,

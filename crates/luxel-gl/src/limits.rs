@@ -37,6 +37,8 @@ pub(crate) const MOST_SAMPLES: i32 = 1;
 pub(crate) const RENDERBUFFER_NAMES: usize = 1 << 22;
 /// Names of framebuffer objects.
 pub(crate) const FRAMEBUFFER_NAMES: usize = 1 << 22;
+/// Names of queries.
+pub(crate) const QUERY_NAMES: usize = 1 << 22;
 /// Names of buffer objects.
 pub(crate) const BUFFER_NAMES: usize = 1 << 22;
 /// Bytes that the log of draws holds before it is carried out.

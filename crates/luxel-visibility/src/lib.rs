@@ -45,8 +45,8 @@ pub use luxel_view::{Cull, DEFAULT_POINT_SIZE};
 pub use placed_scene::{CoveragePolicy, InstancePlace, PlacedInstance, PlacedScene, SurfaceRules};
 pub use query::{
     Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, PackedForms, Probe,
-    ProbedTriangle, Reach, SeenCluster, ShadingCorners, Strokes, TILE_FORMS, TileForms,
-    ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners,
+    ProbedTriangle, ProjectiveForms, Reach, SeenCluster, ShadingCorners, Strokes, TILE_FORMS,
+    TileForms, ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners,
     interpolate_corners_step, interpolate_step, sides, strokes, tile_of,
 };
 pub use raster::{DepthPlane, Plane, Sink, Tile, Triangle, clip_by_plane, cover, rank_step};

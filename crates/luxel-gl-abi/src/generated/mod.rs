@@ -16,6 +16,7 @@ mod modes;
 mod pending;
 mod pixels;
 mod primitives;
+mod queries;
 mod state;
 pub(crate) mod table;
 mod textures;

@@ -1,6 +1,6 @@
 // Written by ../../generator from gl.xml and commands.toml: change these.
 
-//! Pixels: how they are stored (3.6.1), bitmaps (3.7), and reading (4.3.2).
+//! Pixels: how they are stored (3.6.1), drawing (3.6.4), bitmaps (3.7), reading (4.3.2), and copying (4.3.3).
 
 use crate::prelude::*;
 use std::ffi::c_void;
@@ -29,6 +29,32 @@ pub(crate) unsafe extern "C" fn glBitmap(
 }
 
 #[unsafe(no_mangle)]
+pub(crate) extern "C" fn glCopyPixels(x: i32, y: i32, width: i32, height: i32, kind: u32) {
+    call(|gl, _| gl.copy_pixels([x, y], [width, height], kind));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glDrawPixels(
+    width: i32,
+    height: i32,
+    format: u32,
+    kind: u32,
+    pixels: *const c_void,
+) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        let length = gl.draw_pixels_bytes([width, height], format, kind);
+        gl.draw_pixels(
+            [width, height],
+            format,
+            kind,
+            if length > 0 { bytes(pixels, length)? } else { &[] },
+        );
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glPixelStoref(pname: u32, param: f32) {
     call(|gl, _| gl.pixel_store(pname, param));
 }
@@ -36,6 +62,11 @@ pub(crate) extern "C" fn glPixelStoref(pname: u32, param: f32) {
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn glPixelStorei(pname: u32, param: i32) {
     call(|gl, _| gl.pixel_store(pname, param as f32));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glPixelZoom(xfactor: f32, yfactor: f32) {
+    call(|gl, _| gl.pixel_zoom(xfactor, yfactor));
 }
 
 #[unsafe(no_mangle)]

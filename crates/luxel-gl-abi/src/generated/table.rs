@@ -12,6 +12,7 @@ use super::modes::*;
 use super::pending::*;
 use super::pixels::*;
 use super::primitives::*;
+use super::queries::*;
 use super::state::*;
 use super::textures::*;
 use super::transform::*;

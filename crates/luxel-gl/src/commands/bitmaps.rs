@@ -66,18 +66,7 @@ impl Context {
         let corner = [0, 1].map(|axis: usize| (raster.window[axis] - call.origin[axis]).floor());
         demand!(self, corner.iter().all(|at| at.abs() < 1e6), gl::NO_ERROR);
         let depth = (f64::from(raster.window[2]) * f64::from(LARGEST_DEPTH)) as f32;
-        // What is current at the raster position, as a vertex of its own.
-        let mut vertex = Processed {
-            clip: vec![[0.0, 0.0, 0.0, 1.0]],
-            fog_coord: vec![raster.distance],
-            ..Processed::default()
-        };
-        vertex.colors[0].push(raster.color);
-        let [r, g, b, _] = raster.secondary;
-        vertex.secondary[0].push([r, g, b, 0.0]);
-        for (of_unit, coordinates) in vertex.tex_coords.iter_mut().zip(raster.tex_coords) {
-            of_unit.push(coordinates);
-        }
+        let vertex = Processed::at_raster(raster, self.state.enables.sums_colors());
         let mut builder = BatchBuilder::new(&state, pipeline, &processor, viewport, vertex);
         builder.push_bitmap(Arc::clone(&call.bitmap), corner.map(|at| at as i32), depth);
         self.finish_draw(builder.finish());

@@ -84,7 +84,8 @@ impl Context {
     }
 
     /// Puts a batch into the log, and carries that out if it is full.
-    pub(super) fn finish_draw(&mut self, batch: Batch) {
+    pub(super) fn finish_draw(&mut self, mut batch: Batch) {
+        batch.samples = self.queries.counter();
         self.log.draw(batch);
         if self.log.is_full() {
             self.carry_out();

@@ -195,6 +195,8 @@ fn of_pixels(context: &Context, pname: u32) -> Option<Values> {
         gl::PACK_SWAP_BYTES..=gl::PACK_ALIGNMENT => {
             return of(&client.pack, pname - gl::PACK_SWAP_BYTES);
         }
+        gl::ZOOM_X => Values::real(context.state.pixel.zoom[0]),
+        gl::ZOOM_Y => Values::real(context.state.pixel.zoom[1]),
         gl::READ_BUFFER => Values::name(context.state.read_buffer.0),
         _ => return None,
     })

@@ -222,6 +222,14 @@ impl Context {
             Command::CopyTexSubImage(ref call) => self.copy_part(call),
             Command::PassThrough(mark) => self.pass_through(mark),
             Command::Bitmap(ref call) => self.draw_bitmap(call),
+            Command::PixelZoom([x, y]) => self.pixel_zoom(x, y),
+            Command::DrawPixels(ref call) => self.draw_pixels_from_list(call),
+            Command::CopyPixels(ref of, buffer) => {
+                let [x, y, width, height] = **of;
+                self.copy_pixels([x, y], [width, height], buffer);
+            }
+            Command::BeginQuery(target, name) => self.begin_query(target, name),
+            Command::EndQuery(target) => self.end_query(target),
             Command::Draw(ref draw) => self.draw_recorded(draw),
         }
     }

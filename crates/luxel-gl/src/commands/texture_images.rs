@@ -1,11 +1,9 @@
-//! Images of textures: `glTexImage`, `glTexSubImage`, copies from the framebuffer (OpenGL 1.5, sections 3.8.1 to 3.8.3).
+//! Images of textures: `glTexImage`, `glTexSubImage`, mipmaps (OpenGL 1.5, sections 3.8.1 to 3.8.3, 3.8.8).
 
 use crate::Context;
 use crate::context::{compile, outside_begin};
 use crate::enums as gl;
-use crate::objects::image_calls::{
-    CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
-};
+use crate::objects::image_calls::{TexImage, TexSubImage, WithPixels};
 use crate::objects::list::Command;
 use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::unpack::ImageLayout;
@@ -35,7 +33,7 @@ fn is_size(target: Target, level: usize, size: [i32; 3], border: i32) -> bool {
 
 impl TexImage {
     /// Target, level, formats; or the error that the specification has for the arguments.
-    fn checked(&self) -> Result<(ImageTarget, usize, InternalFormat, PixelFormat), u32> {
+    pub(super) fn checked(&self) -> Result<(ImageTarget, usize, InternalFormat, PixelFormat), u32> {
         let image = image_target(self.dimensions, self.target)?;
         let level = level_of(image.target, self.level)?;
         let format = InternalFormat::named(self.internal).ok_or(gl::INVALID_VALUE)?;
@@ -65,19 +63,6 @@ fn texel_format(format: u32, data_type: u32) -> Result<PixelFormat, u32> {
 
 fn sides(size: [i32; 3]) -> [usize; 3] {
     size.map(|side| usize::try_from(side).unwrap_or(0))
-}
-
-/// The pixels of a call in tight rows, as a list keeps them.
-fn tight(kind: PixelFormat, layout: &ImageLayout, bytes: &[u8]) -> Box<[u8]> {
-    let mut all = Vec::with_capacity(bytes.len().min(layout.end));
-    layout.each_row(bytes, |_, row| all.extend_from_slice(row));
-    debug_assert!(all.len().is_multiple_of(kind.bytes().max(1)), "whole pixels");
-    all.into()
-}
-
-/// How tight rows lie in memory.
-fn tight_store(swap_bytes: bool) -> PixelStore {
-    PixelStore { alignment: 1, swap_bytes, ..PixelStore::default() }
 }
 
 /// Puts pixels into an image, the first at `offset`, which counts borders.
@@ -204,7 +189,7 @@ impl Context {
             let kept = pixels.and_then(|pixels| {
                 let kind = texel_format(call.format, call.data_type).ok()?;
                 let layout = ImageLayout::new(&store, sides(call.size), kind, call.dimensions);
-                Some(tight(kind, &layout, pixels))
+                Some(layout.tight(pixels))
             });
             let kept = WithPixels { call, swap: store.swap_bytes, pixels: kept };
             compile!(self, Command::TexImage(Box::new(kept)));
@@ -215,7 +200,7 @@ impl Context {
     /// Carries out what a list kept.
     pub(super) fn tex_image_from_list(&mut self, kept: &WithPixels<TexImage>) {
         compile!(self, Command::TexImage(Box::new(kept.clone())));
-        self.specify(&kept.call, kept.pixels.as_deref(), &tight_store(kept.swap));
+        self.specify(&kept.call, kept.pixels.as_deref(), &PixelStore::tight(kept.swap));
     }
 
     fn specify(&mut self, call: &TexImage, pixels: Option<&[u8]>, store: &PixelStore) {
@@ -257,14 +242,14 @@ impl Context {
     }
 
     /// Puts an image into the bound texture, and makes the levels below if they are to follow.
-    fn put_image(&mut self, of: ImageTarget, level: usize, image: TextureImage) {
+    pub(super) fn put_image(&mut self, of: ImageTarget, level: usize, image: TextureImage) {
         let texture = self.active_texture_of(of.target);
         locked(&texture).set_image(of.face, level, image);
         self.image_changed(of, level);
     }
 
     /// `GL_GENERATE_MIPMAP`: a change of the base level makes the levels below.
-    fn image_changed(&mut self, of: ImageTarget, level: usize) {
+    pub(super) fn image_changed(&mut self, of: ImageTarget, level: usize) {
         let texture = self.active_texture_of(of.target);
         let mut texture = locked(&texture);
         let parameters = texture.parameters();
@@ -324,7 +309,7 @@ impl Context {
         if self.is_compiling() {
             let kept = texel_format(format, data_type).ok().map(|kind| {
                 let layout = ImageLayout::new(&store, sides(size), kind, dimensions);
-                tight(kind, &layout, pixels)
+                layout.tight(pixels)
             });
             let kept = WithPixels { call, swap: store.swap_bytes, pixels: kept };
             compile!(self, Command::TexSubImage(Box::new(kept)));
@@ -338,7 +323,7 @@ impl Context {
         self.replace(
             &kept.call,
             kept.pixels.as_deref().unwrap_or_default(),
-            &tight_store(kept.swap),
+            &PixelStore::tight(kept.swap),
         );
     }
 
@@ -365,7 +350,7 @@ impl Context {
 
     /// A part of an image that is there: the image, where the part begins with borders counted, whether texels are
     /// depths; or an error.
-    fn checked_part(
+    pub(super) fn checked_part(
         &self,
         (dimensions, target): (usize, u32),
         level: i32,
@@ -393,132 +378,5 @@ impl Context {
             first[axis] = at as u32;
         }
         Ok((of, level, first, image.format.is_depth()))
-    }
-
-    /// `glCopyTexImage1D`, `2D`: an image from the framebuffer.
-    #[expect(clippy::too_many_arguments, reason = "glCopyTexImage2D has more")]
-    pub fn copy_tex_image(
-        &mut self,
-        dimensions: u32,
-        target: u32,
-        level: i32,
-        internal: u32,
-        from: [i32; 2],
-        size: [i32; 2],
-        border: i32,
-    ) {
-        let dimensions = dimensions as usize;
-        let call = CopyTexImage { dimensions, target, level, internal, from, size, border };
-        self.copy_image(&call);
-    }
-
-    pub(super) fn copy_image(&mut self, call: &CopyTexImage) {
-        compile!(self, Command::CopyTexImage(Box::new(*call)));
-        outside_begin!(self);
-        let [width, height] = call.size;
-        // Numbers of components are no formats here.
-        let format =
-            if (1..=4).contains(&call.internal) { gl::INVALID_ENUM } else { call.internal };
-        let Some(internal) = InternalFormat::named(format) else {
-            return self.error.set(gl::INVALID_ENUM);
-        };
-        let image = TexImage {
-            dimensions: call.dimensions,
-            target: call.target,
-            level: call.level,
-            internal: call.internal,
-            size: [width, height, 1],
-            border: call.border,
-            format: if internal.is_depth() { gl::DEPTH_COMPONENT } else { gl::RGBA },
-            data_type: gl::UNSIGNED_BYTE,
-        };
-        let (of, level, format, _) = match image.checked() {
-            Ok((of, ..)) if of.proxy => return self.error.set(gl::INVALID_ENUM),
-            Ok(checked) => checked,
-            Err(error) => return self.error.set(error),
-        };
-        if format.is_depth() && !self.has_depth_and_stencil()[0] {
-            return self.error.set(gl::INVALID_OPERATION);
-        }
-        let size = image.size.map(|side| side as u32);
-        let budget = self.textures().budget.clone();
-        let border = call.border as u32;
-        let Some(mut image) = TextureImage::new(call.internal, format, size, border, &budget)
-        else {
-            return self.error.set(gl::OUT_OF_MEMORY);
-        };
-        self.with_read_framebuffer(|context| {
-            context.carry_out();
-            context.copy_into(&mut image, [0; 3], call.from, call.size);
-        });
-        self.put_image(of, level, image);
-    }
-
-    /// `glCopyTexSubImage1D`, `2D`, `3D`: a part of an image from the framebuffer.
-    pub fn copy_tex_sub_image(
-        &mut self,
-        dimensions: u32,
-        target: u32,
-        level: i32,
-        offset: [i32; 3],
-        from: [i32; 2],
-        size: [i32; 2],
-    ) {
-        let dimensions = dimensions as usize;
-        self.copy_part(&CopyTexSubImage { dimensions, target, level, offset, from, size });
-    }
-
-    pub(super) fn copy_part(&mut self, call: &CopyTexSubImage) {
-        compile!(self, Command::CopyTexSubImage(Box::new(*call)));
-        outside_begin!(self);
-        let size = [call.size[0], call.size[1], 1];
-        let checked =
-            self.checked_part((call.dimensions, call.target), call.level, call.offset, size);
-        let (of, level, offset, is_depth) = match checked {
-            Ok(checked) => checked,
-            Err(error) => return self.error.set(error),
-        };
-        if is_depth && !self.has_depth_and_stencil()[0] {
-            return self.error.set(gl::INVALID_OPERATION);
-        }
-        let texture = self.active_texture_of(of.target);
-        self.with_read_framebuffer(|context| {
-            context.carry_out();
-            if let Some(image) = locked(&texture).image_mut(of.face, level) {
-                context.copy_into(image, offset, call.from, call.size);
-            }
-        });
-        self.image_changed(of, level);
-    }
-
-    /// A pixel's stencil value as a part of 255.
-    fn unit_stencil(&self, at: [u32; 2]) -> f32 {
-        f32::from(self.framebuffer.stencil(at)) / 255.0
-    }
-
-    /// Copies pixels of the framebuffer as it is; those outside of it are left as they are.
-    fn copy_into(
-        &self,
-        image: &mut TextureImage,
-        offset: [u32; 3],
-        [x, y]: [i32; 2],
-        [width, height]: [i32; 2],
-    ) {
-        let [frame_width, frame_height] = self.framebuffer.size().map(i64::from);
-        let (x, y) = (i64::from(x), i64::from(y));
-        let rows = (-y).max(0)..i64::from(height).min(frame_height - y);
-        for row in rows {
-            for column in (-x).max(0)..i64::from(width).min(frame_width - x) {
-                let at = [(x + column) as u32, (y + row) as u32];
-                let color = if image.format.is_depth() {
-                    [self.framebuffer.unit_depth(at), self.unit_stencil(at), 0.0, 1.0]
-                } else {
-                    self.frame_color(at)
-                };
-                let [first, second, third] = offset;
-                let index = image.index([first + column as u32, second + row as u32, third]);
-                image.put(index, color);
-            }
-        }
     }
 }

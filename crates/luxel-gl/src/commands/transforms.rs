@@ -6,7 +6,7 @@ use crate::enums as gl;
 use crate::limits::{CLIP_PLANES, TEXTURE_UNITS, VIEWPORT};
 use crate::objects::list::Command;
 use crate::state::fragment::PixelBox;
-use crate::state::matrices::{frustum, ortho, rotation};
+use crate::state::matrices::{Stack, frustum, ortho, rotation};
 use glam::{DMat4, DVec3, DVec4};
 
 impl Context {
@@ -19,28 +19,28 @@ impl Context {
         self.state.transform.matrix_mode = mode;
     }
 
-    fn top(&mut self) -> &mut DMat4 {
+    fn current_stack(&mut self) -> &mut Stack {
         let (mode, unit) = (self.state.transform.matrix_mode, self.state.active_texture);
-        &mut self.matrices.stack(mode, unit).top
+        self.matrices.stack(mode, unit)
     }
 
     fn multiply(&mut self, matrix: DMat4) {
-        let top = self.top();
-        *top *= matrix;
+        let stack = self.current_stack();
+        stack.set(stack.top * matrix);
     }
 
     /// `glLoadIdentity`.
     pub fn load_identity(&mut self) {
         compile!(self, Command::LoadIdentity);
         outside_begin!(self);
-        *self.top() = DMat4::IDENTITY;
+        self.current_stack().set(DMat4::IDENTITY);
     }
 
     /// `glLoadMatrix`, column by column.
     pub fn load_matrix(&mut self, matrix: &[f64; 16]) {
         compile!(self, Command::LoadMatrix(Box::new(*matrix)));
         outside_begin!(self);
-        *self.top() = DMat4::from_cols_array(matrix);
+        self.current_stack().set(DMat4::from_cols_array(matrix));
     }
 
     /// `glMultMatrix`: M' = M C.
@@ -126,7 +126,7 @@ impl Context {
         }
     }
 
-    /// `glViewport`: lower left corner and size; sizes are clamped to [`limits::VIEWPORT`](crate::limits).
+    /// `glViewport`: lower left corner and size; sizes are clamped to `GL_MAX_VIEWPORT_DIMS`.
     pub fn viewport(&mut self, x: i32, y: i32, width: i32, height: i32) {
         compile!(self, Command::Viewport([x, y, width, height]));
         outside_begin!(self);

@@ -5,7 +5,7 @@
 //! dimensions. A line of texels is an image of one row, which weighs itself alone.
 
 use super::fetch::Fetch;
-use super::footprint::{Footprint, Place};
+use super::footprint::Footprint;
 use crate::enums as gl;
 use crate::texture::{BaseFormat, SampledTexture, Target};
 use luxel_math::elementary::log2;
@@ -26,14 +26,14 @@ pub(super) fn sample<S: Simd>(
     footprint: &Footprint<f32x16<S>>,
     lanes: u32,
 ) -> [f32x16<S>; 4] {
-    let simd = footprint.centre[0];
+    let simd = footprint.at[0];
     simd.vectorized(
         #[inline(always)]
         || {
             let texel = if texture.target == Target::Cube {
                 of_cube(texture, lod_bias, footprint, lanes)
             } else {
-                let place = footprint.divided(texture.target.dimensions());
+                let place = footprint.on_image(texture.target.dimensions());
                 of_face(texture, 0, lod_bias, &place, lanes)
             };
             if texture.is_depth { of_depth(texture.base, texel) } else { texel }
@@ -60,7 +60,7 @@ fn of_cube<S: Simd>(
     footprint: &Footprint<f32x16<S>>,
     lanes: u32,
 ) -> [f32x16<S>; 4] {
-    let [x, y, z, _] = footprint.centre;
+    let [x, y, z] = footprint.at;
     let simd = x;
     let largest_x = y.abs().less_or_equal(x.abs()) & z.abs().less_or_equal(x.abs());
     let largest_y = !largest_x & z.abs().less_or_equal(y.abs());
@@ -91,7 +91,7 @@ fn of_face<S: Simd>(
     texture: &SampledTexture,
     face: usize,
     lod_bias: f32,
-    place: &Place<f32x16<S>>,
+    place: &Footprint<f32x16<S>>,
     lanes: u32,
 ) -> [f32x16<S>; 4] {
     let simd = place.at[0];

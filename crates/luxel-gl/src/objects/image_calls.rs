@@ -1,4 +1,4 @@
-//! Arguments of the commands that specify images of textures, as lists keep them (OpenGL 1.5, sections 3.8.1 and 3.8.2).
+//! Arguments of the commands that take or copy images, as lists keep them (OpenGL 1.5, sections 3.6.4, 3.7, 3.8.1 and 3.8.2).
 
 use crate::raster::Bitmap;
 use std::sync::Arc;
@@ -60,6 +60,14 @@ pub(crate) struct CopyTexSubImage {
     pub(crate) offset: [i32; 3],
     pub(crate) from: [i32; 2],
     pub(crate) size: [i32; 2],
+}
+
+/// The arguments of `glDrawPixels` but for the pixels.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DrawPixels {
+    pub(crate) size: [i32; 2],
+    pub(crate) format: u32,
+    pub(crate) data_type: u32,
 }
 
 /// A bitmap, its origin within it, and how the raster position moves.

@@ -6,7 +6,7 @@
 use crate::enums as gl;
 use crate::limits::LIST_COMMANDS;
 use crate::objects::image_calls::{
-    BitmapCall, CopyTexImage, CopyTexSubImage, TexImage, TexSubImage, WithPixels,
+    BitmapCall, CopyTexImage, CopyTexSubImage, DrawPixels, TexImage, TexSubImage, WithPixels,
 };
 use crate::objects::map_calls::MapCall;
 use crate::vertex::ArrayDraw;
@@ -94,6 +94,9 @@ pub(crate) enum Command {
     PopName,
     PassThrough(f32),
     Bitmap(Arc<BitmapCall>),
+    PixelZoom([f32; 2]),
+    DrawPixels(Box<WithPixels<DrawPixels>>),
+    CopyPixels(Box<[i32; 4]>, u32),
     Map(Box<MapCall>),
     MapGrid1(i32, [f32; 2]),
     MapGrid2([i32; 2], [[f32; 2]; 2]),
@@ -113,6 +116,8 @@ pub(crate) enum Command {
     CopyTexImage(Box<CopyTexImage>),
     CopyTexSubImage(Box<CopyTexSubImage>),
     Draw(Arc<ArrayDraw>),
+    BeginQuery(u32, u32),
+    EndQuery(u32),
 }
 
 /// The lists of a context, and of those that share with it. An empty list is a name that is taken.

@@ -54,6 +54,13 @@ impl ImageLayout {
             .saturating_add(x.saturating_mul(self.rows.pixel))
     }
 
+    /// The pixels in rows without gaps.
+    pub(crate) fn tight(&self, bytes: &[u8]) -> Box<[u8]> {
+        let mut all = Vec::with_capacity(bytes.len().min(self.end));
+        self.each_row(bytes, |_, row| all.extend_from_slice(row));
+        all.into()
+    }
+
     /// Shows each row of pixels with its bytes, as far as the slice goes: the row's number in the image, the image's
     /// number.
     pub(crate) fn each_row<'b>(
@@ -94,6 +101,17 @@ impl PixelFormat {
             (_, [l, a, ..]) => [*l, *l, *l, *a],
             (_, [l]) => [*l, *l, *l, 255],
             _ => [0, 0, 0, 255],
+        }
+    }
+
+    /// A pixel's first element as a whole number, as stencil values are; of reals what lies before the point.
+    pub(crate) fn read_index(self, swap: bool, pixel: &[u8]) -> i32 {
+        let word = word(pixel, self.elements.bytes(), swap);
+        match self.elements {
+            Elements::Byte => i32::from(word as u8 as i8),
+            Elements::Short => i32::from(word as u16 as i16),
+            Elements::Float => f32::from_bits(word) as i32,
+            _ => word as i32,
         }
     }
 

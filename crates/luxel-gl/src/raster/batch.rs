@@ -1,26 +1,26 @@
 //! The primitives of one draw, set up.
 
 use super::bitmap::Bitmap;
+use super::image::PlacedImage;
 use super::pipeline::Pipeline;
 use crate::fragment::TextureStages;
+use crate::texture::Target;
 use crate::vertex::{Processed, WindowScale};
 use luxel_math::SUBPIXELS;
-use luxel_visibility::{LinearForms, PackedForms, Triangle};
+use luxel_visibility::{LinearForms, PackedForms, ProjectiveForms, Triangle};
 use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
 
 /// What shades the fragments of a primitive: weights over the window, and the colours that they weigh.
 #[derive(Clone, Debug)]
 pub(crate) struct Prepared {
     pub(crate) forms: PackedForms,
     /// Red, green, blue, alpha of three corners; then their fog coordinates.
-    pub(crate) attributes: Row,
+    pub(crate) attributes: [[f32; 8]; 2],
     /// The first of its rows for textures, if the pipeline has any: secondary colours, then the coordinates of each
     /// stage.
     pub(crate) rows: u32,
 }
-
-/// Four numbers of three corners.
-pub(crate) type Row = [[f32; 8]; 2];
 
 /// Where a primitive's colours come from.
 #[derive(Clone, Copy, Debug)]
@@ -45,6 +45,10 @@ pub(crate) enum Shape {
     /// Left and bottom of the batch's bitmap; its depth.
     Bitmap {
         corner: [i32; 2],
+        depth: f32,
+    },
+    /// The batch's image; its depth, unless it has depths of its own.
+    Image {
         depth: f32,
     },
     /// Left, bottom, and the side of a square of pixels; its depth.
@@ -75,8 +79,11 @@ pub(crate) struct Batch {
     pub(crate) pieces: Vec<Piece>,
     pub(crate) prepared: Vec<Prepared>,
     pub(crate) bitmap: Option<Arc<Bitmap>>,
+    pub(crate) image: Option<Box<PlacedImage>>,
+    /// Counts the samples that pass.
+    pub(crate) samples: Option<Arc<AtomicU64>>,
     /// Of what is prepared already.
-    pub(crate) rows: Vec<Row>,
+    pub(crate) rows: Vec<PackedForms>,
 }
 
 impl Batch {
@@ -104,6 +111,9 @@ impl Batch {
                 let ([left, right], [bottom, top]) = (reach(0), reach(1));
                 return [left, bottom, right, top];
             }
+            Shape::Image { .. } => {
+                return self.image.as_ref().map_or([0; 4], |image| image.bounds());
+            }
             Shape::Point { corner, side, .. } => {
                 let low = corner.map(|at| at * SUBPIXELS);
                 (low, low.map(|at| at + side * SUBPIXELS - 1), self.pipeline.region)
@@ -119,7 +129,7 @@ impl Batch {
     }
 
     /// What shades the fragments of a piece; its rows for textures are appended.
-    pub(crate) fn prepare(&self, piece: &Piece, rows: &mut Vec<Row>) -> Prepared {
+    pub(crate) fn prepare(&self, piece: &Piece, rows: &mut Vec<PackedForms>) -> Prepared {
         let first = rows.len() as u32;
         match piece.shade {
             Shade::Prepared(number) => {
@@ -135,33 +145,36 @@ impl Batch {
                 let colors = corners.map(|corner| self.color(flat.unwrap_or(corner), side));
                 let fog = corners.map(|corner| self.fog(corner));
                 let places = corners.map(|corner| self.homogeneous(corner));
-                if let Some(textures) = &self.pipeline.textures {
-                    for number in 0..textures.rows() {
-                        let [a, b, c] =
-                            corners.map(|corner| self.row_value(number, corner, flat, side));
-                        rows.push(row(a, b, c));
-                    }
-                }
                 let mut prepared =
                     Prepared::new(&LinearForms::from_homogeneous(places), colors, fog);
+                if let Some(textures) = &self.pipeline.textures {
+                    for number in 0..textures.rows() {
+                        let values =
+                            corners.map(|corner| self.row_value(number, corner, flat, side));
+                        rows.push(ProjectiveForms::pack(&prepared.forms, values));
+                    }
+                }
                 prepared.rows = first;
                 prepared
             }
         }
     }
 
-    /// What a vertex has in row `number`: its secondary colour, or texture coordinates.
+    /// What a vertex has in row `number`: its secondary colour, or texture coordinates, and what divides them.
     fn row_value(&self, number: usize, vertex: u32, flat: Option<u32>, side: u8) -> [f32; 4] {
         let mut stages = self.pipeline.textures.iter().flat_map(|textures| &textures.stages);
         match number.checked_sub(1) {
             None => {
                 let [r, g, b, _] =
                     self.vertices.secondary(usize::from(side), flat.unwrap_or(vertex) as usize);
-                [r, g, b, 0.0]
+                [r, g, b, 1.0]
             }
-            Some(place) => stages
-                .nth(place)
-                .map_or([0.0; 4], |stage| self.vertices.tex_coords[stage.unit][vertex as usize]),
+            Some(place) => stages.nth(place).map_or([0.0; 4], |stage| {
+                let [s, t, r, q] = self.vertices.tex_coords[stage.unit][vertex as usize];
+                // Directions into a cube have no q.
+                let is_cube = stage.texture.target == Target::Cube;
+                [s, t, r, if is_cube { 1.0 } else { q }]
+            }),
         }
     }
 
@@ -171,8 +184,8 @@ impl Batch {
         &mut self,
         vertices: [u32; 2],
         weights: [[f32; 2]; 2],
-        flat: Option<u32>,
-        side: u8,
+        (flat, side): (Option<u32>, u8),
+        forms: &PackedForms,
     ) -> u32 {
         let first = self.rows.len() as u32;
         let count = self.pipeline.textures.as_ref().map_or(0, TextureStages::rows);
@@ -181,7 +194,7 @@ impl Batch {
             let mixed =
                 |[u, v]: [f32; 2]| -> [f32; 4] { std::array::from_fn(|at| a[at] * u + b[at] * v) };
             let [from, to] = weights.map(mixed);
-            self.rows.push(row(from, to, to));
+            self.rows.push(ProjectiveForms::pack(forms, [from, to, to]));
         }
         first
     }
@@ -218,7 +231,8 @@ impl Batch {
         self.pieces.len() * size_of::<Piece>()
             + self.prepared.len() * size_of::<Prepared>()
             + self.bitmap.as_ref().map_or(0, |bitmap| bitmap.bytes())
-            + self.rows.len() * size_of::<Row>()
+            + self.image.as_ref().map_or(0, |image| image.bytes())
+            + self.rows.len() * size_of::<PackedForms>()
             + self.vertices.clip.len() * 64
     }
 }
@@ -252,14 +266,14 @@ impl Prepared {
         Self { forms, attributes, rows: 0 }
     }
 
-    fn attributes([a, b, c]: [[f32; 4]; 3], fog: [f32; 3]) -> Row {
+    fn attributes([a, b, c]: [[f32; 4]; 3], fog: [f32; 3]) -> [[f32; 8]; 2] {
         let mut attributes = row(a, b, c);
         attributes[1][4..7].copy_from_slice(&fog);
         attributes
     }
 }
 
-fn row(a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> Row {
+fn row(a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> [[f32; 8]; 2] {
     let mut row = [[0.0; 8]; 2];
     row[0][..4].copy_from_slice(&a);
     row[0][4..].copy_from_slice(&b);

@@ -3,6 +3,7 @@
 use super::batch::{Batch, Piece, Prepared, Shade, Shape};
 use super::bitmap::Bitmap;
 use super::draw_state::{DrawState, whole_size};
+use super::image::PlacedImage;
 use super::pipeline::Pipeline;
 use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
 use crate::enums as gl;
@@ -44,6 +45,8 @@ impl<'a> BatchBuilder<'a> {
             prepared,
             rows,
             bitmap: None,
+            image: None,
+            samples: None,
         };
         Self { state, batch, counter: 0, polygon: Vec::new() }
     }
@@ -54,17 +57,24 @@ impl<'a> BatchBuilder<'a> {
 
     /// Puts a bitmap with its lower left corner at a pixel, in the colours of the batch's first vertex.
     pub(crate) fn push_bitmap(&mut self, bitmap: Arc<Bitmap>, corner: [i32; 2], depth: f32) {
+        self.batch.bitmap = Some(bitmap);
+        self.push_at_raster(Shape::Bitmap { corner, depth });
+    }
+
+    /// Puts an image, with what it lacks of colours and depth from the batch's first vertex.
+    pub(crate) fn push_image(&mut self, image: PlacedImage, depth: f32) {
+        self.batch.image = Some(Box::new(image));
+        self.push_at_raster(Shape::Image { depth });
+    }
+
+    /// Puts a shape in the colours of the batch's first vertex.
+    fn push_at_raster(&mut self, shape: Shape) {
         let (color, fog) = (self.batch.color(0, 0), self.batch.fog(0));
         let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
-        prepared.rows = self.batch.push_rows([0; 2], [[1.0, 0.0]; 2], None, 0);
+        prepared.rows = self.batch.push_rows([0; 2], [[1.0, 0.0]; 2], (None, 0), &prepared.forms);
         let number = self.batch.prepared.len() as u32;
         self.batch.prepared.push(prepared);
-        self.batch.bitmap = Some(bitmap);
-        self.batch.pieces.push(Piece {
-            shape: Shape::Bitmap { corner, depth },
-            shade: Shade::Prepared(number),
-            offset: 0.0,
-        });
+        self.batch.pieces.push(Piece { shape, shade: Shade::Prepared(number), offset: 0.0 });
     }
 
     fn codes(&self, vertex: u32) -> u16 {
@@ -223,7 +233,7 @@ impl<'a> BatchBuilder<'a> {
             [fog_from, fog_to],
         );
         let weights = corners.map(|corner| [corner.weights[0] as f32, corner.weights[1] as f32]);
-        prepared.rows = self.batch.push_rows(ends, weights, flat, side);
+        prepared.rows = self.batch.push_rows(ends, weights, (flat, side), &prepared.forms);
         let number = self.batch.prepared.len() as u32;
         self.batch.prepared.push(prepared);
         self.batch.pieces.push(Piece {
@@ -263,7 +273,8 @@ impl<'a> BatchBuilder<'a> {
         let number = self.batch.prepared.len() as u32;
         let color = self.batch.color(flat.unwrap_or(vertex), color_side);
         let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
-        prepared.rows = self.batch.push_rows([vertex; 2], [[1.0, 0.0]; 2], flat, color_side);
+        prepared.rows =
+            self.batch.push_rows([vertex; 2], [[1.0, 0.0]; 2], (flat, color_side), &prepared.forms);
         self.batch.prepared.push(prepared);
         self.batch.pieces.push(Piece {
             shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z },

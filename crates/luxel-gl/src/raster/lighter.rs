@@ -1,11 +1,12 @@
 //! Lights pixels by the entry that they see.
 
-use super::batch::{Batch, Piece, Prepared, Row};
+use super::batch::{Batch, Piece, Prepared};
 use super::framebuffer::{TilePlanes, block_origin};
 use super::log::Item;
 use super::shade::{Shading, encode, shade};
 use super::tile::Entry;
 use luxel_math::{LANES, Simd, lanes_of, mask32x16, prelude::*, u32x16};
+use luxel_visibility::PackedForms;
 use std::sync::Arc;
 
 /// Finds what shades an entry; each is prepared once.
@@ -16,7 +17,7 @@ pub(super) struct Lighter<'a> {
     places: Vec<u32>,
     pub(super) prepared: Vec<Prepared>,
     /// For textures.
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<PackedForms>,
 }
 
 impl<'a> Lighter<'a> {
@@ -106,6 +107,7 @@ pub(super) fn light_seen<S: Simd>(
                     textures: first.pipeline.textures.as_ref(),
                     rows: &lighter.rows,
                     fog: first.pipeline.fog.as_ref(),
+                    primary: None,
                     lanes: together,
                 };
                 let colors = shade(

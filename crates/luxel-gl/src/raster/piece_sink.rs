@@ -7,6 +7,7 @@ use super::pipeline::Pipeline;
 use super::shade::{Colors, Shading, decode, encode, shade};
 use luxel_math::{LANES, Lanes, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{Sink, Tile};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Takes the samples of one piece.
 pub(super) struct PieceSink<'t, 'a, S> {
@@ -25,6 +26,10 @@ pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) number: u32,
     /// What depths are moved by.
     pub(super) offset: f32,
+    /// Colours of an image in the block that comes.
+    pub(super) primary: Option<[[f32; LANES]; 4]>,
+    /// Counts the samples that pass; the sum doesn't depend on the order of tiles.
+    pub(super) samples: Option<&'t AtomicU64>,
 }
 
 impl<S: Simd> Sink for PieceSink<'_, '_, S> {
@@ -114,7 +119,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
     /// Fragments by stipple, alpha test, stencil and depth, in the order of section 4.1; then colours into the buffer,
     /// or the piece's number where they take no notice of what is there.
     #[inline(never)]
-    fn by_all_tests(&mut self, covered: u32, z: &[f32; LANES], block: usize) {
+    pub(super) fn by_all_tests(&mut self, covered: u32, z: &[f32; LANES], block: usize) {
         let simd = self.simd;
         simd.vectorize(
             #[inline(always)]
@@ -127,7 +132,8 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         if let Some(stipple) = self.stipple {
             lanes &= stippled(stipple, self.origin, block);
         }
-        let mixing = self.pipeline.is_mixing();
+        // Colours of an image are known now alone.
+        let mixing = self.pipeline.is_mixing() || self.primary.is_some();
         let mut colors = None;
         if let Some((func, reference)) = self.pipeline.alpha_test {
             let shaded = self.colors(simd, block, lanes);
@@ -158,6 +164,9 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             let outcomes = [lanes & !after_stencil, after_stencil & !passing, passing];
             test.update(outcomes, &mut self.planes.stencil[block]);
         }
+        if let Some(samples) = self.samples {
+            samples.fetch_add(u64::from(passing.count_ones()), Ordering::Relaxed);
+        }
         if passing == 0 || self.pipeline.color_bits == 0 {
             return;
         }
@@ -186,6 +195,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             textures: self.pipeline.textures.as_ref(),
             rows: &self.lighter.rows,
             fog: self.pipeline.fog.as_ref(),
+            primary: self.primary.as_ref(),
             lanes,
         };
         let [x, y] = block_origin(block);

@@ -1,11 +1,11 @@
 //! Colours of the fragments of a block (OpenGL 1.5, sections 3.5.1, 3.9 and 3.10): interpolated with perspective,
 //! fogged, within 0 and 1.
 
-use super::batch::{Prepared, Row};
+use super::batch::Prepared;
 use crate::fragment::{Footprint, TextureStages};
 use luxel_lighting::{Fog, Silent};
 use luxel_math::{F64x16, LANES, Lanes, Rgb, Simd, f32x16, i32x16, prelude::*, u32x16};
-use luxel_visibility::{BLOCK, LinearForms};
+use luxel_visibility::{BLOCK, LinearForms, PackedForms, ProjectiveForms};
 
 /// Columns and rows of a block's lanes, at the centres of pixels.
 const CENTRE_X: [f32; LANES] = centres(true);
@@ -30,8 +30,10 @@ pub(super) type Colors<S> = [f32x16<S>; 4];
 pub(super) struct Shading<'p> {
     pub(super) textures: Option<&'p TextureStages>,
     /// Of all primitives.
-    pub(super) rows: &'p [Row],
+    pub(super) rows: &'p [PackedForms],
     pub(super) fog: Option<&'p Fog>,
+    /// Colours of an image's fragments, in the place of interpolated ones.
+    pub(super) primary: Option<&'p [[f32; LANES]; 4]>,
     /// The lanes that matter, a bit each.
     pub(super) lanes: u32,
 }
@@ -82,9 +84,14 @@ pub(super) fn shade<'p, S: Simd>(
         let [a, b, c] = [first[channel], first[4 + channel], second[channel]];
         *color = mixed([a, b, c], [v, t]).clamped(0.0, 1.0);
     }
+    if let Some(primary) = shading.primary {
+        for (color, values) in colors.iter_mut().zip(primary) {
+            *color = f32x16::from_slice(simd, values).clamped(0.0, 1.0);
+        }
+    }
     if let Some(textures) = textures {
-        let (of, forms, rows) = (&of, &forms, shading.rows);
-        let lookup = TextureLookup { of, alike, forms, position: [x, y], at: [v, t], rows };
+        let rows = shading.rows;
+        let lookup = TextureLookup { of: &of, alike, position: [x, y], rows };
         colors = textured(colors, &lookup, textures, shading.lanes);
     }
     if let Some(fog) = fog {
@@ -120,46 +127,30 @@ fn mixed<N: Lanes>([a, b, c]: [N; 3], [v, t]: [N; 2]) -> N {
 struct TextureLookup<'l, S: Simd, F> {
     of: &'l F,
     alike: bool,
-    forms: &'l LinearForms<F64x16<S>>,
     position: [F64x16<S>; 2],
-    /// The second and third barycentrics.
-    at: [f32x16<S>; 2],
-    rows: &'l [Row],
+    rows: &'l [PackedForms],
 }
 
 impl<'p, S: Simd, F: Fn(usize) -> &'p Prepared> TextureLookup<'_, S, F> {
-    /// Row `number` of each lane's primitive: four values of three corners.
+    /// The values of row `number` of each lane's primitive, and how they change to the right and upwards.
     #[inline(always)]
-    fn row(&self, number: usize) -> [[f32x16<S>; 8]; 2] {
-        let simd = self.at[0];
-        if self.alike {
-            let [first, second] = &self.rows[(self.of)(0).rows as usize + number];
-            return [in_lanes(simd, first), in_lanes(simd, second)];
-        }
-        let first = simd.load_transposed(
-            #[inline(always)]
-            |lane| &self.rows[(self.of)(lane).rows as usize + number][0],
-        );
-        let second = simd.load_transposed(
-            #[inline(always)]
-            |lane| &self.rows[(self.of)(lane).rows as usize + number][1],
-        );
-        [first, second]
+    fn values(&self, number: usize) -> ([f32x16<S>; 3], [[f32x16<S>; 3]; 2]) {
+        let [x, y] = self.position;
+        let forms = if self.alike {
+            ProjectiveForms::everywhere(x, &self.rows[(self.of)(0).rows as usize + number])
+        } else {
+            ProjectiveForms::unpacked(
+                x,
+                #[inline(always)]
+                |lane| &self.rows[(self.of)(lane).rows as usize + number],
+            )
+        };
+        forms.values(x, y)
     }
-}
-
-/// The four values of a row by the second and third barycentrics.
-#[inline(always)]
-fn mixed_row<N: Lanes>([first, second]: &[[N; 8]; 2], at: [N; 2]) -> [N; 4] {
-    let mut values = [first[0]; 4];
-    for (axis, value) in values.iter_mut().enumerate() {
-        *value = mixed([first[axis], first[4 + axis], second[axis]], at);
-    }
-    values
 }
 
 /// Colours after all texture units, the secondary ones added (sections 3.8 and 3.9). Coordinates a pixel to the right
-/// and a pixel above come from the primitive's own weights, so that levels of detail are the same in any block.
+/// and a pixel above come from the primitive's own forms, so that levels of detail are the same in any block.
 #[inline(never)]
 fn textured<'p, S: Simd, F: Fn(usize) -> &'p Prepared>(
     colors: Colors<S>,
@@ -170,26 +161,17 @@ fn textured<'p, S: Simd, F: Fn(usize) -> &'p Prepared>(
     colors[0].vectorized(
         #[inline(always)]
         || {
-            let [x, y] = lookup.position;
-            let [v, t] = lookup.at;
-            let [right, above] = lookup.forms.steps(x, y);
-            let right = [v + right[0], t + right[1]];
-            let above = [v + above[0], t + above[1]];
             let mut colors = textures.apply(
                 colors,
                 #[inline(always)]
                 |stage| {
-                    let row = lookup.row(1 + stage);
-                    Footprint {
-                        centre: mixed_row(&row, [v, t]),
-                        right: mixed_row(&row, right),
-                        above: mixed_row(&row, above),
-                    }
+                    let (at, per_pixel) = lookup.values(1 + stage);
+                    Footprint { at, per_pixel }
                 },
                 lanes,
             );
             if textures.secondary {
-                let secondary = mixed_row(&lookup.row(0), [v, t]);
+                let (secondary, _) = lookup.values(0);
                 for (color, more) in colors.iter_mut().zip(secondary) {
                     *color = (*color + more.clamped(0.0, 1.0)).clamped(0.0, 1.0);
                 }

@@ -2,6 +2,7 @@
 
 use super::batch::{Batch, Piece, Shape};
 use super::framebuffer::{LANE_X, LANE_Y, TILE_BLOCKS, TilePlanes, block_origin};
+use super::image::image;
 use super::lighter::{Lighter, light_seen};
 use super::log::{ClearedTo, Item};
 use super::piece_sink::PieceSink;
@@ -144,6 +145,7 @@ impl<'a> TileWorker<'a> {
         let limits = if of_polygon { batch.polygon_region } else { pipeline.region };
         let limits = self.within(limits);
         let plain = pipeline.stencil.is_none()
+            && batch.samples.is_none()
             && !pipeline.is_mixing()
             && (pipeline.polygon_stipple.is_none() || !of_polygon);
         let (region, origin) = (self.region, self.origin);
@@ -160,6 +162,8 @@ impl<'a> TileWorker<'a> {
             stipple: pipeline.polygon_stipple.as_ref().filter(|_| of_polygon),
             number,
             offset: piece.offset,
+            primary: None,
+            samples: batch.samples.as_deref(),
         };
         match piece.shape {
             Shape::Triangle(ref triangle) => cover(simd, triangle, region, CENTRE, &mut sink),
@@ -169,6 +173,11 @@ impl<'a> TileWorker<'a> {
             Shape::Bitmap { corner, depth } => {
                 if let Some(of) = &batch.bitmap {
                     bitmap(&mut sink, of, corner, depth);
+                }
+            }
+            Shape::Image { depth } => {
+                if let Some(of) = &batch.image {
+                    image(&mut sink, of, depth);
                 }
             }
             Shape::Point { corner, side, depth } => point(&mut sink, corner, side, depth),

@@ -6,6 +6,7 @@ use super::evaluator::Grids;
 use super::fragment::{ColorBuffer, Depth, FogState, PixelBox, Stencil};
 use super::light::Lights;
 use super::material::{ColorMaterial, SurfaceMaterial};
+use super::pixel::PixelMode;
 use super::polygon::{Lines, Points, Polygons};
 use super::texture_unit::TextureState;
 use crate::enums as gl;
@@ -32,6 +33,7 @@ pub(crate) struct Attributes {
     pub(crate) color: ColorBuffer,
     pub(crate) clear_accum: [f32; 4],
     pub(crate) read_buffer: ReadBuffer,
+    pub(crate) pixel: PixelMode,
     pub(crate) hints: Hints,
     pub(crate) list_base: u32,
     pub(crate) active_texture: usize,
@@ -151,6 +153,7 @@ impl Attributes {
         }
         if has(gl::PIXEL_MODE_BIT) {
             self.read_buffer = saved.read_buffer;
+            self.pixel = saved.pixel.clone();
         }
         if has(gl::HINT_BIT) {
             self.hints = saved.hints;

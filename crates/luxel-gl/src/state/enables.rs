@@ -112,6 +112,11 @@ impl Enables {
         self.get(name, 0).unwrap_or(false)
     }
 
+    /// Whether secondary colours are added to the primary ones (section 3.9).
+    pub(crate) fn sums_colors(&self) -> bool {
+        self.has(gl::COLOR_SUM) || self.has(gl::LIGHTING)
+    }
+
     /// Whether light `number` is enabled.
     pub(crate) fn light(&self, number: usize) -> bool {
         self.bits >> (FIRST_LIGHT + number as u32) & 1 == 1

@@ -1,6 +1,7 @@
 //! Matrix stacks (OpenGL 1.5, section 2.10.2).
 //!
-//! Matrices are kept in f64, so that long products lose nothing that a vertex shows.
+//! Products are made in f64 and kept to the digits of f32, what `glGetFloatv` returns: a program that gets a matrix and
+//! loads it again for a second pass draws the same depths, as `GL_EQUAL` and its kind need.
 
 use crate::enums as gl;
 use crate::limits::{MODELVIEW_DEPTH, PROJECTION_DEPTH, TEXTURE_DEPTH, TEXTURE_UNITS};
@@ -22,6 +23,11 @@ impl Stack {
     /// How many matrices there are, the top one among them.
     pub(crate) fn depth(&self) -> usize {
         self.below.len() + 1
+    }
+
+    /// Replaces the top matrix.
+    pub(crate) fn set(&mut self, matrix: DMat4) {
+        self.top = matrix.as_mat4().as_dmat4();
     }
 
     fn push(&mut self) -> Result<(), u32> {
@@ -157,6 +163,22 @@ pub(crate) fn ortho([l, r, b, t, n, f]: [f64; 6]) -> Option<DMat4> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn section_2_10_2_a_matrix_that_is_got_and_loaded_again_is_the_same_in_every_product() {
+        let turned = rotation(30.0, [1.0, 2.0, 3.0]).unwrap();
+        let projection = frustum([-1.0, 3.0, -2.0, 2.0, 0.01, 50.0]).unwrap();
+        let mut once = Stack::new(2);
+        once.set(projection);
+        once.set(once.top * turned);
+        let mut again = Stack::new(2);
+        let got = once.top.to_cols_array().map(|value| value as f32);
+        again.set(DMat4::from_cols_array(&got.map(f64::from)));
+        assert_eq!(once.top, again.top);
+        once.set(once.top * turned);
+        again.set(again.top * turned);
+        assert_eq!(once.top, again.top);
+    }
 
     #[test]
     fn section_2_10_2_a_quarter_turn_about_z_takes_x_to_y_exactly() {

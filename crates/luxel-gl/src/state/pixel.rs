@@ -30,6 +30,26 @@ impl Default for PixelStore {
     }
 }
 
+impl PixelStore {
+    /// Rows without gaps.
+    pub(crate) fn tight(swap_bytes: bool) -> Self {
+        Self { alignment: 1, swap_bytes, ..Self::default() }
+    }
+}
+
+/// How pixels change on their way (`GL_PIXEL_MODE_BIT`, table 6.22).
+#[derive(Clone, Debug)]
+pub(crate) struct PixelMode {
+    /// What a pixel of an image becomes as large as, to the right and upwards.
+    pub(crate) zoom: [f32; 2],
+}
+
+impl Default for PixelMode {
+    fn default() -> Self {
+        Self { zoom: [1.0; 2] }
+    }
+}
+
 /// The client's state, saved by `glPushClientAttrib`: storage in both directions, vertex arrays.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Client {

@@ -2,6 +2,7 @@
 
 use crate::limits::TEXTURE_UNITS;
 use crate::state::attributes::Viewport;
+use crate::state::current::RasterPosition;
 use luxel_visibility::WindowVertex;
 
 /// Bits of clip codes: a vertex lies beyond a plane of the clip volume.
@@ -112,6 +113,22 @@ impl Processed {
         let own = &self.secondary[side];
         let colors = if own.is_empty() { &self.secondary[0] } else { own };
         colors.get(vertex).copied().unwrap_or_default()
+    }
+
+    /// What is current at the raster position, as a vertex of its own; its secondary colour where colours are summed.
+    pub(crate) fn at_raster(raster: &RasterPosition, sums_colors: bool) -> Self {
+        let [r, g, b, _] = if sums_colors { raster.secondary } else { [0.0; 4] };
+        let mut vertex = Self {
+            clip: vec![[0.0, 0.0, 0.0, 1.0]],
+            fog_coord: vec![raster.distance],
+            ..Self::default()
+        };
+        vertex.colors[0].push(raster.color);
+        vertex.secondary[0].push([r, g, b, 0.0]);
+        for (of_unit, coordinates) in vertex.tex_coords.iter_mut().zip(raster.tex_coords) {
+            of_unit.push(coordinates);
+        }
+        vertex
     }
 
     /// Whether the edge that begins at a vertex is one of the border.

@@ -322,7 +322,8 @@ impl<D: F64Lanes> LinearForms<D> {
     pub fn steps(&self, x: D, y: D) -> [[D::F32; 2]; 2] {
         let [w0, w1, w2] = self.weights(x, y);
         let sum = w0 + w1 + w2;
-        [step([w1, w2], sum, self.a), step([w1, w2], sum, self.b)]
+        let ([a0, a1, a2], [b0, b1, b2]) = (self.a, self.b);
+        [step([w1, w2], sum, [a1, a2], a0 + a1 + a2), step([w1, w2], sum, [b1, b2], b0 + b1 + b2)]
     }
 
     /// Each lane's own forms, from `packed(lane)`; `simd` selects the lane type. The closure
@@ -378,12 +379,102 @@ impl<D: F64Lanes> LinearForms<D> {
     }
 }
 
-/// See [`TileForms::steps`](super::TileForms::steps).
+/// How much the quotients of numerators and a divisor grow a pixel on, where the numerators grow by `slopes` and the
+/// divisor by `more`.
 #[inline(always)]
-fn step<D: F64Lanes>([w1, w2]: [D; 2], sum: D, [a0, a1, a2]: [D; 3]) -> [D::F32; 2] {
-    let more = a0 + a1 + a2;
-    let scale = sum.constant(1.0) / (sum * (sum + more));
-    [((a1 * sum - w1 * more) * scale).to_f32(), ((a2 * sum - w2 * more) * scale).to_f32()]
+fn step<D: F64Lanes, const K: usize>(
+    numerators: [D; K],
+    divisor: D,
+    slopes: [D; K],
+    more: D,
+) -> [D::F32; K] {
+    let scale = divisor.constant(1.0) / (divisor * (divisor + more));
+    let mut steps = [divisor.to_f32(); K];
+    for ((step, numerator), slope) in steps.iter_mut().zip(numerators).zip(slopes) {
+        *step = ((slope * divisor - numerator * more) * scale).to_f32();
+    }
+    steps
+}
+
+/// Three values over a window that a fourth one divides, all linear forms: attributes of a primitive with perspective.
+///
+/// They come from [`LinearForms`] and values w_i q_i at corners: sum w_i s_i over sum w_i q_i. In f64 throughout, so
+/// that a primitive whose corners lie far outside of the window has exact values within.
+#[derive(Clone, Copy, Debug)]
+pub struct ProjectiveForms<D = f64> {
+    a: [D; 4],
+    b: [D; 4],
+    c: [D; 4],
+}
+
+impl ProjectiveForms {
+    /// The rows of a primitive with corners' weights and four values each, of which the last divides.
+    #[must_use]
+    pub fn pack(weights: &PackedForms, corners: [[f32; 4]; 3]) -> PackedForms {
+        let mut rows = PackedForms::default();
+        for (row, weights) in rows.iter_mut().zip(weights) {
+            for (weight, corner) in weights.iter().zip(corners) {
+                for (sum, value) in row.iter_mut().zip(corner) {
+                    *sum += weight * f64::from(value);
+                }
+            }
+        }
+        rows
+    }
+}
+
+impl<D: F64Lanes> ProjectiveForms<D> {
+    /// One primitive's rows in every lane; `simd` selects the lane type.
+    #[inline(always)]
+    #[must_use]
+    pub fn everywhere(simd: D, rows: &PackedForms) -> Self {
+        let mut forms = [[simd; 4]; 3];
+        for (form, row) in forms.iter_mut().zip(rows) {
+            for (value, number) in form.iter_mut().zip(row) {
+                *value = simd.constant(*number);
+            }
+        }
+        let [a, b, c] = forms;
+        Self { a, b, c }
+    }
+
+    /// Each lane's own rows. The closure is to be marked `#[inline(always)]`.
+    #[inline(always)]
+    #[must_use]
+    pub fn unpacked<'p>(simd: D, packed: impl Fn(usize) -> &'p PackedForms) -> Self {
+        let a = simd.load_transposed(
+            #[inline(always)]
+            |lane| &packed(lane)[0],
+        );
+        let b = simd.load_transposed(
+            #[inline(always)]
+            |lane| &packed(lane)[1],
+        );
+        let c = simd.load_transposed(
+            #[inline(always)]
+            |lane| &packed(lane)[2],
+        );
+        Self { a, b, c }
+    }
+
+    /// The three values at window position (x, y) in pixels, and how much they grow from there to a pixel to the right
+    /// and to the next row.
+    #[inline(always)]
+    #[must_use]
+    pub fn values(&self, x: D, y: D) -> ([D::F32; 3], [[D::F32; 3]; 2]) {
+        let Self { a, b, c } = self;
+        let mut forms = *c;
+        for (axis, form) in forms.iter_mut().enumerate() {
+            *form = a[axis] * x + b[axis] * y + c[axis];
+        }
+        let [s, t, r, divisor] = forms;
+        let numerators = [s, t, r];
+        let scale = divisor.constant(1.0) / divisor;
+        let values = [(s * scale).to_f32(), (t * scale).to_f32(), (r * scale).to_f32()];
+        let right = step(numerators, divisor, [a[0], a[1], a[2]], a[3]);
+        let next = step(numerators, divisor, [b[0], b[1], b[2]], b[3]);
+        (values, [right, next])
+    }
 }
 
 /// One triangle alone.

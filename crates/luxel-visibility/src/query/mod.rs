@@ -8,7 +8,7 @@ mod seen_cluster;
 mod tile_forms;
 mod view_rays;
 
-pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
+pub use barycentric::{Forms, LinearForms, PackedForms, ProjectiveForms, WindowRays};
 pub use instance_transform::{InstanceSpace, ViewFromLocal, sides};
 pub use lines_points::{LINE_WIDTH, Strokes, strokes};
 pub use point_coverage::{Probe, ProbedTriangle, Reach};
