@@ -15,7 +15,7 @@ pub(crate) mod codes {
     pub(crate) const FAR: u16 = 1 << 5;
     /// The first of the user's planes.
     pub(crate) const FIRST_PLANE: u32 = 6;
-    /// A coordinate is no number, or infinite: such primitives are left out.
+    /// A coordinate is not a number, or infinite: such primitives are left out.
     pub(crate) const NOT_FINITE: u16 = 1 << 14;
     /// The vertex lies outside of the guard band, or behind the eye: it has no place in the window.
     pub(crate) const NOT_HELD: u16 = 1 << 15;
