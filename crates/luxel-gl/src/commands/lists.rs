@@ -223,6 +223,8 @@ impl Context {
             Command::PassThrough(mark) => self.pass_through(mark),
             Command::Bitmap(ref call) => self.draw_bitmap(call),
             Command::PixelZoom([x, y]) => self.pixel_zoom(x, y),
+            Command::PixelTransfer(pname, value) => self.pixel_transfer(pname, value),
+            Command::PixelMap(map, size, ref values) => self.pixel_map(map, size, values),
             Command::DrawPixels(ref call) => self.draw_pixels_from_list(call),
             Command::CopyPixels(ref of, buffer) => {
                 let [x, y, width, height] = **of;

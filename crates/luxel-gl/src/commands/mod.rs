@@ -20,6 +20,7 @@ mod gets_table;
 mod lighting;
 mod lists;
 mod modes;
+mod pixel_transfer;
 mod pixels;
 mod queries;
 mod rasterization;

@@ -95,6 +95,8 @@ pub(crate) enum Command {
     PassThrough(f32),
     Bitmap(Arc<BitmapCall>),
     PixelZoom([f32; 2]),
+    PixelTransfer(u32, f32),
+    PixelMap(u32, i32, Box<[f32]>),
     DrawPixels(Box<WithPixels<DrawPixels>>),
     CopyPixels(Box<[i32; 4]>, u32),
     Map(Box<MapCall>),
