@@ -74,6 +74,8 @@ pub struct Context {
     pub(crate) framebuffers: FramebufferObjects,
     pub(crate) queries: Queries,
     pub(crate) pixel_maps: Arc<PixelMaps>,
+    /// Sums of the default framebuffer, row by row; none before the first use.
+    pub(crate) accumulation: Vec<[f32; 4]>,
     /// The default framebuffer, while an object is drawn to.
     pub(crate) parked: Framebuffer,
     pub(crate) list: Option<OpenList>,
@@ -135,6 +137,7 @@ impl Context {
             framebuffers: FramebufferObjects::default(),
             queries: Queries::default(),
             pixel_maps: Arc::default(),
+            accumulation: Vec::new(),
             parked: Framebuffer::new(0, 0),
             list: None,
             nesting: 0,

@@ -1,5 +1,6 @@
 //! Symbolic constants of the C interface, by their names without `GL_` (OpenGL 1.5).
 
+pub(crate) const ACCUM: u32 = 0x0100;
 pub(crate) const ACCUM_ALPHA_BITS: u32 = 0x0d5b;
 pub(crate) const ACCUM_BLUE_BITS: u32 = 0x0d5a;
 pub(crate) const ACCUM_BUFFER_BIT: u32 = 0x0200;
@@ -294,6 +295,7 @@ pub(crate) const LIST_BASE: u32 = 0x0b32;
 pub(crate) const LIST_BIT: u32 = 0x20000;
 pub(crate) const LIST_INDEX: u32 = 0x0b33;
 pub(crate) const LIST_MODE: u32 = 0x0b30;
+pub(crate) const LOAD: u32 = 0x0101;
 pub(crate) const LOGIC_OP_MODE: u32 = 0x0bf0;
 pub(crate) const LUMINANCE: u32 = 0x1909;
 pub(crate) const LUMINANCE12: u32 = 0x8041;
@@ -345,6 +347,7 @@ pub(crate) const MODELVIEW: u32 = 0x1700;
 pub(crate) const MODELVIEW_MATRIX: u32 = 0x0ba6;
 pub(crate) const MODELVIEW_STACK_DEPTH: u32 = 0x0ba3;
 pub(crate) const MODULATE: u32 = 0x2100;
+pub(crate) const MULT: u32 = 0x0103;
 pub(crate) const MULTISAMPLE: u32 = 0x809d;
 pub(crate) const MULTISAMPLE_BIT: u32 = 0x20000000;
 pub(crate) const N3F_V3F: u32 = 0x2a25;
@@ -465,6 +468,7 @@ pub(crate) const RENDER_MODE: u32 = 0x0c40;
 pub(crate) const REPEAT: u32 = 0x2901;
 pub(crate) const REPLACE: u32 = 0x1e01;
 pub(crate) const RESCALE_NORMAL: u32 = 0x803a;
+pub(crate) const RETURN: u32 = 0x0102;
 pub(crate) const RGB: u32 = 0x1907;
 pub(crate) const RGB10: u32 = 0x8052;
 pub(crate) const RGB10_A2: u32 = 0x8059;

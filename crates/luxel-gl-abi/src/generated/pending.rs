@@ -5,7 +5,6 @@
 use std::ffi::c_void;
 
 crate::entry::unsupported! {
-    glAccum(op: u32, value: f32);
     glCompressedTexSubImage1D(target: u32, level: i32, xoffset: i32, width: i32, format: u32, image_size: i32, data: *const c_void);
     glCompressedTexSubImage1DARB(target: u32, level: i32, xoffset: i32, width: i32, format: u32, image_size: i32, data: *const c_void);
     glCompressedTexSubImage2D(target: u32, level: i32, xoffset: i32, yoffset: i32, width: i32, height: i32, format: u32, image_size: i32, data: *const c_void);

@@ -3,6 +3,7 @@
 //! Each begins by compiling itself into the open list, if it is one of those that lists hold; then come errors, in the
 //! order of the specification.
 
+mod accumulation;
 mod arrays;
 mod attachments;
 mod attribute_stacks;

@@ -94,6 +94,7 @@ pub(crate) enum Command {
     PopName,
     PassThrough(f32),
     Bitmap(Arc<BitmapCall>),
+    Accum(u32, f32),
     PixelZoom([f32; 2]),
     PixelTransfer(u32, f32),
     PixelMap(u32, i32, Box<[f32]>),
