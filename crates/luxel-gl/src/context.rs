@@ -13,6 +13,7 @@ use crate::state::Attributes;
 use crate::state::evaluator::Maps;
 use crate::state::matrices::Matrices;
 use crate::state::pixel::Client;
+use crate::state::transfer::PixelMaps;
 use crate::texture::{TextureImage, Textures};
 use crate::vertex::Stream;
 use luxel_math::{Level, SimdLevel};
@@ -72,6 +73,9 @@ pub struct Context {
     pub(crate) shared_renderbuffers: Arc<Mutex<Renderbuffers>>,
     pub(crate) framebuffers: FramebufferObjects,
     pub(crate) queries: Queries,
+    pub(crate) pixel_maps: Arc<PixelMaps>,
+    /// Sums of the default framebuffer, row by row; none before the first use.
+    pub(crate) accumulation: Vec<[f32; 4]>,
     /// The default framebuffer, while an object is drawn to.
     pub(crate) parked: Framebuffer,
     pub(crate) list: Option<OpenList>,
@@ -132,6 +136,8 @@ impl Context {
             shared_renderbuffers: Arc::default(),
             framebuffers: FramebufferObjects::default(),
             queries: Queries::default(),
+            pixel_maps: Arc::default(),
+            accumulation: Vec::new(),
             parked: Framebuffer::new(0, 0),
             list: None,
             nesting: 0,

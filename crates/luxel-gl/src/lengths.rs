@@ -3,6 +3,7 @@
 //! 0 for a name that isn't one: the command itself records the error.
 
 use crate::enums as gl;
+use crate::limits::PIXEL_MAP;
 use crate::state::evaluator::MapTarget;
 
 /// Values of `glLightfv` and `glGetLightfv` (OpenGL 1.5, table 2.10).
@@ -148,4 +149,10 @@ pub fn map_2(target: u32, stride: [i32; 2], order: [i32; 2]) -> usize {
     MapTarget::named(target)
         .filter(|of| of.dimensions == 2)
         .map_or(0, |of| of.length(stride, order))
+}
+
+/// Of `glPixelMap`: the size, or 0 for one that a table can't have.
+#[must_use]
+pub fn pixel_map(size: i32) -> i32 {
+    if (1..=PIXEL_MAP).contains(&size) { size } else { 0 }
 }

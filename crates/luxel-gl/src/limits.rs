@@ -57,6 +57,8 @@ pub(crate) const TEXELS: usize = 1 << 28;
 pub(crate) const TEXTURE_BYTES: usize = 4 << 30;
 /// Names of textures: beyond that, `GL_OUT_OF_MEMORY`.
 pub(crate) const TEXTURE_NAMES: usize = 1 << 22;
+/// `GL_MAX_PIXEL_MAP_TABLE`
+pub(crate) const PIXEL_MAP: i32 = 256;
 /// `GL_MAX_EVAL_ORDER`
 pub(crate) const EVALUATOR_ORDER: i32 = 30;
 /// `GL_MAX_TEXTURE_LOD_BIAS`

@@ -5,6 +5,11 @@
 use crate::prelude::*;
 
 #[unsafe(no_mangle)]
+pub(crate) extern "C" fn glAccum(op: u32, value: f32) {
+    call(|gl, _| gl.accum(op, value));
+}
+
+#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glAlphaFunc(func: u32, reference: f32) {
     call(|gl, _| gl.alpha_func(func, reference));
 }

@@ -1,6 +1,6 @@
 // Written by ../../generator from gl.xml and commands.toml: change these.
 
-//! Pixels: how they are stored (3.6.1), drawing (3.6.4), bitmaps (3.7), reading (4.3.2), and copying (4.3.3).
+//! Pixels: how they are stored (3.6.1), drawing (3.6.4), bitmaps (3.7), pixel transfer and maps (3.6.3, 6.1.5), reading (4.3.2), and copying (4.3.3).
 
 use crate::prelude::*;
 use std::ffi::c_void;
@@ -55,6 +55,66 @@ pub(crate) unsafe extern "C" fn glDrawPixels(
 }
 
 #[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetPixelMapfv(map: u32, values: *mut f32) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        if let Some(table) = gl.get_pixel_map(map) {
+            store(values, table.len(), |at| table[at])?;
+        }
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetPixelMapuiv(map: u32, values: *mut u32) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        if let Some(table) = gl.get_pixel_map_integers(map, u32::MAX) {
+            store(values, table.len(), |at| table[at])?;
+        }
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetPixelMapusv(map: u32, values: *mut u16) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        if let Some(table) = gl.get_pixel_map_integers(map, 65535) {
+            store(values, table.len(), |at| table[at] as u16)?;
+        }
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glPixelMapfv(map: u32, mapsize: i32, values: *const f32) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        gl.pixel_map(map, mapsize, &copied(values, lengths::pixel_map(mapsize))?);
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glPixelMapuiv(map: u32, mapsize: i32, values: *const u32) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        gl.pixel_map_uints(map, mapsize, &copied(values, lengths::pixel_map(mapsize))?);
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glPixelMapusv(map: u32, mapsize: i32, values: *const u16) {
+    // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
+    call_with_memory(|gl, _| unsafe {
+        gl.pixel_map_ushorts(map, mapsize, &copied(values, lengths::pixel_map(mapsize))?);
+        Some(())
+    });
+}
+
+#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glPixelStoref(pname: u32, param: f32) {
     call(|gl, _| gl.pixel_store(pname, param));
 }
@@ -62,6 +122,16 @@ pub(crate) extern "C" fn glPixelStoref(pname: u32, param: f32) {
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn glPixelStorei(pname: u32, param: i32) {
     call(|gl, _| gl.pixel_store(pname, param as f32));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glPixelTransferf(pname: u32, param: f32) {
+    call(|gl, _| gl.pixel_transfer(pname, param));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glPixelTransferi(pname: u32, param: i32) {
+    call(|gl, _| gl.pixel_transfer(pname, param as f32));
 }
 
 #[unsafe(no_mangle)]

@@ -17,6 +17,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of a component of the accumulation buffer; programs that need one have 16. */
+#ifndef ACCUM_BITS
+#define ACCUM_BITS 0
+#endif
+
 enum { WIDTH = 256, HEIGHT = 256 };
 
 static unsigned char pixels[HEIGHT][WIDTH][4];
@@ -60,7 +65,7 @@ int main(int count, char **arguments)
     setvbuf(stdout, NULL, _IOLBF, 0);
     if (count != 2)
         die("usage: PROGRAM PICTURE.pam");
-    OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);
+    OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, ACCUM_BITS, NULL);
     if (!context || !OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, WIDTH, HEIGHT))
         die("no context can be had");
     draw();

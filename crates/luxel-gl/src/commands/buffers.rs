@@ -28,6 +28,7 @@ impl Context {
             self.with_default_framebuffer(|context| {
                 context.carry_out();
                 context.framebuffer = crate::raster::Framebuffer::new(width, height);
+                context.accumulation = Vec::new();
             });
         }
     }
@@ -69,6 +70,9 @@ impl Context {
             stencil_mask: self.state.stencil.write_mask as u8,
         };
         self.log.clear(clear);
+        if has(gl::ACCUM_BUFFER_BIT) {
+            self.clear_accumulation();
+        }
     }
 
     /// `glClearColor`, clamped to 0..1.
@@ -92,7 +96,7 @@ impl Context {
         self.state.stencil.clear = value;
     }
 
-    /// `glClearAccum`, clamped to -1..1: state only.
+    /// `glClearAccum`, clamped to -1..1.
     pub fn clear_accum(&mut self, color: [f32; 4]) {
         compile!(self, Command::ClearAccum(color));
         outside_begin!(self);

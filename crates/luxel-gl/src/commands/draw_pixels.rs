@@ -10,6 +10,7 @@ use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::unpack::ImageLayout;
 use crate::raster::{BatchBuilder, DrawState, ImagePixels, LARGEST_DEPTH, PlacedImage};
 use crate::state::pixel::PixelStore;
+use crate::state::transfer::Transfer;
 use crate::vertex::{Processed, VertexProcessor, WindowScale};
 use luxel_pick::{Feedback, FeedbackVertex};
 
@@ -92,6 +93,7 @@ impl Context {
         let swap = store.swap_bytes;
         let pixel_bytes = kind.bytes();
         let mut pixels = self.no_pixels(kind.components);
+        let transfer = self.transfer();
         layout.each_row(bytes, |_, row| {
             for pixel in row.chunks_exact(pixel_bytes) {
                 let index = if kind.components == Components::Stencil {
@@ -99,7 +101,7 @@ impl Context {
                 } else {
                     0
                 };
-                pixels.push(kind.read(swap, pixel), index);
+                pixels.push(&transfer, kind.read(swap, pixel), index);
             }
         });
         let window = self.state.current.raster.window;
@@ -210,6 +212,7 @@ impl Context {
         size: [i32; 2],
         pixels: &mut ImagePixels,
     ) -> [std::ops::Range<u32>; 2] {
+        let transfer = self.transfer();
         let frame = self.framebuffer.size();
         let [columns, rows] = [0, 1].map(|axis: usize| {
             let within = |at: i64| at.clamp(0, i64::from(frame[axis])) as u32;
@@ -224,7 +227,7 @@ impl Context {
                     ImagePixels::Colors(_) => self.frame_color(at),
                     _ => [self.framebuffer.unit_depth(at), f32::from(stencil) / 255.0, 0.0, 1.0],
                 };
-                pixels.push(values, i32::from(stencil));
+                pixels.push(&transfer, values, i32::from(stencil));
             }
         }
         [columns, rows]
@@ -232,14 +235,16 @@ impl Context {
 }
 
 impl ImagePixels {
-    /// Appends a pixel: its colour, or depth and stencil value from 0 to 1; and its value as a number.
-    fn push(&mut self, values: [f32; 4], index: i32) {
+    /// Appends a pixel as the transfer leaves it: its colour, or depth and stencil value from 0 to 1; and its value as a
+    /// number.
+    fn push(&mut self, transfer: &Transfer, values: [f32; 4], index: i32) {
         match self {
-            Self::Colors(colors) => colors.push(values.map(unit)),
-            Self::Depths(depths) => depths.push(unit(values[0])),
-            Self::Stencil(all, _) => all.push(index as u8),
+            Self::Colors(colors) => colors.push(transfer.color(values).map(unit)),
+            Self::Depths(depths) => depths.push(unit(transfer.depth(values[0]))),
+            Self::Stencil(all, _) => all.push(transfer.stencil(index) as u8),
             Self::DepthStencil(all, ..) => {
-                all.push((unit(values[0]), (unit(values[1]) * 255.0).round() as u8));
+                let [depth, stencil, ..] = transfer.values(values, true).map(unit);
+                all.push((depth, (stencil * 255.0).round() as u8));
             }
         }
     }

@@ -4,8 +4,8 @@ use crate::Context;
 use crate::enums as gl;
 use crate::limits::{
     ATTRIBUTE_DEPTH, CLIP_PLANES, CUBE_SIDE, EVALUATOR_ORDER, LARGEST_SIZE, LIGHTS, LIST_NESTING,
-    LOD_BIAS, MODELVIEW_DEPTH, MOST_SAMPLES, PROJECTION_DEPTH, SUBPIXEL_BITS, TEXTURE_3D_SIDE,
-    TEXTURE_DEPTH, TEXTURE_SIDE, TEXTURE_UNITS, VIEWPORT,
+    LOD_BIAS, MODELVIEW_DEPTH, MOST_SAMPLES, PIXEL_MAP, PROJECTION_DEPTH, SUBPIXEL_BITS,
+    TEXTURE_3D_SIDE, TEXTURE_DEPTH, TEXTURE_SIDE, TEXTURE_UNITS, VIEWPORT,
 };
 use crate::state::arrays::VertexArray;
 use crate::state::attributes::Hints;
@@ -195,10 +195,23 @@ fn of_pixels(context: &Context, pname: u32) -> Option<Values> {
         gl::PACK_SWAP_BYTES..=gl::PACK_ALIGNMENT => {
             return of(&client.pack, pname - gl::PACK_SWAP_BYTES);
         }
+        gl::MAP_COLOR => Values::boolean(context.state.pixel.transfer.map_color),
+        gl::MAP_STENCIL => Values::boolean(context.state.pixel.transfer.map_stencil),
+        gl::INDEX_SHIFT => Values::integer(context.state.pixel.transfer.index_shift),
+        gl::INDEX_OFFSET => Values::integer(context.state.pixel.transfer.index_offset),
+        gl::PIXEL_MAP_I_TO_I_SIZE..=gl::PIXEL_MAP_A_TO_A_SIZE => {
+            let place = (pname - gl::PIXEL_MAP_I_TO_I_SIZE) as usize;
+            Values::count(context.pixel_maps.0[place].len())
+        }
+        gl::MAX_PIXEL_MAP_TABLE => Values::integer(PIXEL_MAP),
         gl::ZOOM_X => Values::real(context.state.pixel.zoom[0]),
         gl::ZOOM_Y => Values::real(context.state.pixel.zoom[1]),
         gl::READ_BUFFER => Values::name(context.state.read_buffer.0),
-        _ => return None,
+        _ => {
+            return { context.state.pixel.transfer }
+                .factor(pname)
+                .map(|factor| Values::real(*factor));
+        }
     })
 }
 

@@ -222,7 +222,10 @@ impl Context {
             Command::CopyTexSubImage(ref call) => self.copy_part(call),
             Command::PassThrough(mark) => self.pass_through(mark),
             Command::Bitmap(ref call) => self.draw_bitmap(call),
+            Command::Accum(operation, value) => self.accum(operation, value),
             Command::PixelZoom([x, y]) => self.pixel_zoom(x, y),
+            Command::PixelTransfer(pname, value) => self.pixel_transfer(pname, value),
+            Command::PixelMap(map, size, ref values) => self.pixel_map(map, size, values),
             Command::DrawPixels(ref call) => self.draw_pixels_from_list(call),
             Command::CopyPixels(ref of, buffer) => {
                 let [x, y, width, height] = **of;

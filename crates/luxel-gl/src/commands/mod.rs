@@ -3,6 +3,7 @@
 //! Each begins by compiling itself into the open list, if it is one of those that lists hold; then come errors, in the
 //! order of the specification.
 
+mod accumulation;
 mod arrays;
 mod attachments;
 mod attribute_stacks;
@@ -20,6 +21,7 @@ mod gets_table;
 mod lighting;
 mod lists;
 mod modes;
+mod pixel_transfer;
 mod pixels;
 mod queries;
 mod rasterization;

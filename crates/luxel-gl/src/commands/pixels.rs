@@ -1,10 +1,12 @@
 //! Pixels to the program's memory (OpenGL 1.5, sections 3.6.1 and 4.3.2), and OSMesa's buffers.
 
+use super::fragments::unit;
 use crate::Context;
 use crate::context::outside_begin;
 use crate::enums as gl;
 use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::store::Layout;
+use crate::state::transfer::Transfer;
 
 /// How the caller's colour buffer is laid out: `OSMesaCreateContext`, `OSMesaMakeCurrent`, `OSMesaPixelStore`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,6 +151,7 @@ impl Context {
             }
         };
         self.carry_out();
+        let transfer = self.transfer();
         let swap = self.client.pack.swap_bytes;
         let [frame_width, frame_height] = self.framebuffer.size().map(i64::from);
         let (x, y) = (i64::from(x), i64::from(y));
@@ -160,7 +163,7 @@ impl Context {
                 let start =
                     layout.start + row as usize * layout.stride + column as usize * layout.pixel;
                 let Some(out) = destination.get_mut(start..start + layout.pixel) else { return };
-                let (values, count) = self.components(kind.components, place);
+                let (values, count) = self.components(kind.components, place, &transfer);
                 kind.write(&values[..count], swap, out);
             }
         }
@@ -176,8 +179,13 @@ impl Context {
     }
 
     /// A pixel's components in the order of memory, and how many.
-    fn components(&self, components: Components, at: [u32; 2]) -> ([f32; 4], usize) {
-        let color = || self.frame_color(at);
+    fn components(
+        &self,
+        components: Components,
+        at: [u32; 2],
+        transfer: &Transfer,
+    ) -> ([f32; 4], usize) {
+        let color = || transfer.color(self.frame_color(at)).map(unit);
         let mut values = [0.0; 4];
         match components {
             Components::Colors(places) => {
@@ -190,11 +198,15 @@ impl Context {
                 let [r, g, b, a] = color();
                 values = [(r + g + b).min(1.0), a, 0.0, 0.0];
             }
-            Components::Depth => values[0] = self.framebuffer.unit_depth(at),
-            Components::Stencil => values[0] = f32::from(self.framebuffer.stencil(at)),
+            Components::Depth => values[0] = unit(transfer.depth(self.framebuffer.unit_depth(at))),
+            Components::Stencil => {
+                let value = transfer.stencil(i32::from(self.framebuffer.stencil(at)));
+                values[0] = (value & 0xffff) as f32;
+            }
             Components::DepthStencil => {
-                values[0] = self.framebuffer.unit_depth(at);
-                values[1] = f32::from(self.framebuffer.stencil(at)) / 255.0;
+                let stencil = f32::from(self.framebuffer.stencil(at)) / 255.0;
+                let pixel = [self.framebuffer.unit_depth(at), stencil, 0.0, 0.0];
+                values = transfer.values(pixel, true).map(unit);
             }
         }
         (values, components.count())

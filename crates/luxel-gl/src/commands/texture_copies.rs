@@ -109,7 +109,7 @@ impl Context {
         f32::from(self.framebuffer.stencil(at)) / 255.0
     }
 
-    /// Copies pixels of the framebuffer as it is; those outside of it are left as they are.
+    /// Copies pixels of the framebuffer as it is, by the transfer; those outside of it are left as they are.
     fn copy_into(
         &self,
         image: &mut TextureImage,
@@ -118,19 +118,21 @@ impl Context {
         [width, height]: [i32; 2],
     ) {
         let [frame_width, frame_height] = self.framebuffer.size().map(i64::from);
+        let transfer = self.transfer();
+        let is_depth = image.format.is_depth();
         let (x, y) = (i64::from(x), i64::from(y));
         let rows = (-y).max(0)..i64::from(height).min(frame_height - y);
         for row in rows {
             for column in (-x).max(0)..i64::from(width).min(frame_width - x) {
                 let at = [(x + column) as u32, (y + row) as u32];
-                let color = if image.format.is_depth() {
+                let color = if is_depth {
                     [self.framebuffer.unit_depth(at), self.unit_stencil(at), 0.0, 1.0]
                 } else {
                     self.frame_color(at)
                 };
                 let [first, second, third] = offset;
                 let index = image.index([first + column as u32, second + row as u32, third]);
-                image.put(index, color);
+                image.put(index, transfer.values(color, is_depth));
             }
         }
     }

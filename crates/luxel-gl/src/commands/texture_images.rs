@@ -8,6 +8,7 @@ use crate::objects::list::Command;
 use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::unpack::ImageLayout;
 use crate::state::pixel::PixelStore;
+use crate::state::transfer::Transfer;
 use crate::texture::object::ImageTarget;
 use crate::texture::{InternalFormat, Target, Texels, TextureImage, locked};
 
@@ -71,17 +72,18 @@ fn fill(
     offset: [u32; 3],
     kind: PixelFormat,
     layout: &ImageLayout,
-    swap: bool,
+    (swap, transfer): (bool, &Transfer),
     bytes: &[u8],
 ) {
     let pixel_bytes = kind.bytes();
     let format = image.format;
+    let (keeps, is_depth) = (transfer.keeps_colors(), kind.components.has_depth());
     layout.each_row(bytes, |[y, z], row| {
         let [across, up, deep] = offset;
         let first = image.index([across, up + y as u32, deep + z as u32]);
         let pixels = row.chunks_exact(pixel_bytes);
         match &mut image.texels {
-            Texels::Bytes(texels) if kind.is_bytes() => {
+            Texels::Bytes(texels) if kind.is_bytes() && keeps => {
                 let texels = texels.get_mut(first..).unwrap_or_default();
                 for (texel, pixel) in texels.iter_mut().zip(pixels) {
                     *texel = format.canonical(kind.read_bytes(pixel), 0, 255);
@@ -89,7 +91,7 @@ fn fill(
             }
             _ => {
                 for (x, pixel) in pixels.enumerate() {
-                    image.put(first + x, kind.read(swap, pixel));
+                    image.put(first + x, transfer.values(kind.read(swap, pixel), is_depth));
                 }
             }
         }
@@ -235,8 +237,9 @@ impl Context {
             return self.error.set(gl::OUT_OF_MEMORY);
         };
         if let Some(pixels) = pixels {
+            let transfer = self.transfer();
             let layout = ImageLayout::new(store, sides(call.size), kind, call.dimensions);
-            fill(&mut image, [0; 3], kind, &layout, store.swap_bytes, pixels);
+            fill(&mut image, [0; 3], kind, &layout, (store.swap_bytes, &transfer), pixels);
         }
         self.put_image(of, level, image);
     }
@@ -342,8 +345,9 @@ impl Context {
         };
         let layout = ImageLayout::new(store, sides(call.size), kind, call.dimensions);
         let texture = self.active_texture_of(of.target);
+        let transfer = self.transfer();
         if let Some(image) = locked(&texture).image_mut(of.face, level) {
-            fill(image, offset, kind, &layout, store.swap_bytes, pixels);
+            fill(image, offset, kind, &layout, (store.swap_bytes, &transfer), pixels);
         }
         self.image_changed(of, level);
     }

@@ -13,5 +13,6 @@ pub(crate) mod pixel;
 pub(crate) mod polygon;
 pub(crate) mod texgen;
 pub(crate) mod texture_unit;
+pub(crate) mod transfer;
 
 pub(crate) use attributes::Attributes;

@@ -1,6 +1,7 @@
 //! How pixels lie in the program's memory (OpenGL 1.5, section 3.6.1, table 3.1).
 
 use super::arrays::Arrays;
+use super::transfer::PixelTransfer;
 
 /// One direction of transfers: packing, or unpacking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,11 +43,12 @@ impl PixelStore {
 pub(crate) struct PixelMode {
     /// What a pixel of an image becomes as large as, to the right and upwards.
     pub(crate) zoom: [f32; 2],
+    pub(crate) transfer: PixelTransfer,
 }
 
 impl Default for PixelMode {
     fn default() -> Self {
-        Self { zoom: [1.0; 2] }
+        Self { zoom: [1.0; 2], transfer: PixelTransfer::default() }
     }
 }
 

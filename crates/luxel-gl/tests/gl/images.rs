@@ -113,3 +113,32 @@ fn section_3_10_images_are_fogged_by_the_distance_of_the_raster_position() {
     assert_eq!(pixels(&mut context), [[64, 0, 191, 255]]);
     assert_eq!(context.get_error(), gl::NO_ERROR);
 }
+
+#[test]
+fn section_3_6_5_pixels_are_scaled_biased_and_mapped_wherever_they_go() {
+    const RED_SCALE: u32 = 0x0D14;
+    const MAP_COLOR: u32 = 0x0D10;
+    const G_TO_G: u32 = 0x0C77;
+    let mut context = canvas(4, 1);
+    let words = [[200, 0, 10, 255], [100, 255, 20, 0]];
+    context.pixel_transfer(RED_SCALE, 0.5);
+    context.pixel_map(G_TO_G, 2, &[0.2, 0.0]);
+    context.pixel_map(0x0C76, 256, &[0; 256].map(|_: i32| 1.0));
+    context.pixel_map(0x0C76, 2, &[0.0, 1.0]);
+    context.window_pos([0.0; 3]);
+    draw_words(&mut context, [2, 1], &words);
+    let drawn = [[100, 0, 10, 255], [50, 255, 20, 0]];
+    context.window_pos([2.0, 0.0, 0.0]);
+    context.copy_pixels([0, 0], [2, 1], COLOR);
+    context.pixel_transfer(RED_SCALE, 1.0);
+    assert_eq!(pixels(&mut context)[..2], drawn);
+    assert_eq!(pixels(&mut context)[2..], [[50, 0, 10, 255], [25, 255, 20, 0]]);
+    // Tables count where they are switched on; blue and alpha have one value, 0.
+    context.pixel_transfer(MAP_COLOR, 1.0);
+    assert_eq!(pixels(&mut context)[..2], [[0, 51, 0, 0], [0, 0, 0, 0]]);
+    context.window_pos([0.0; 3]);
+    draw_words(&mut context, [2, 1], &words);
+    context.pixel_transfer(MAP_COLOR, 0.0);
+    assert_eq!(pixels(&mut context)[..2], [[255, 51, 0, 0], [0, 0, 0, 0]]);
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+}

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
+mod accumulation;
 mod any_commands;
 mod any_textures;
 mod arrays;
