@@ -4,6 +4,7 @@
 
 mod accumulation;
 mod any_commands;
+mod any_images;
 mod any_textures;
 mod arrays;
 mod canvas;
