@@ -292,7 +292,7 @@ fn calls_out_of_order_are_errors_and_are_mended() {
 }
 
 #[test]
-fn coordinates_that_are_no_numbers_are_errors_and_end() {
+fn coordinates_that_are_not_numbers_are_errors_and_end() {
     let mut notes = Notes { combines: true, ..Notes::default() };
     let mut tessellator = Tessellator::default();
     tessellator.begin_polygon(&mut notes);

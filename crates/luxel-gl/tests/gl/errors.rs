@@ -161,7 +161,7 @@ fn section_2_10_2_stacks_overflow_at_their_limits_and_stay_as_they_are() {
 }
 
 #[test]
-fn section_2_10_vertices_that_are_no_numbers_draw_nothing() {
+fn section_2_10_vertices_that_are_not_numbers_draw_nothing() {
     let mut context = canvas(8, 8);
     for bad in [f32::NAN, f32::INFINITY, f32::MAX, -f32::MAX] {
         for mode in 0..=9 {
