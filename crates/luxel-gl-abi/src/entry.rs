@@ -75,6 +75,26 @@ macro_rules! unsupported {
     )*};
 }
 
+/// Entry points that are others by another name; `unsafe` those that take pointers.
+macro_rules! aliases {
+    () => {};
+    ($name:ident = $command:ident($($parameter:ident: $type:ty),*) $(-> $result:ty)?; $($rest:tt)*) => {
+        #[unsafe(no_mangle)]
+        pub(crate) extern "C" fn $name($($parameter: $type),*) $(-> $result)? {
+            $command($($parameter),*)
+        }
+        $crate::entry::aliases! { $($rest)* }
+    };
+    (unsafe $name:ident = $command:ident($($parameter:ident: $type:ty),*) $(-> $result:ty)?; $($rest:tt)*) => {
+        #[unsafe(no_mangle)]
+        pub(crate) unsafe extern "C" fn $name($($parameter: $type),*) $(-> $result)? {
+            // SAFETY: the same contract.
+            unsafe { $command($($parameter),*) }
+        }
+        $crate::entry::aliases! { $($rest)* }
+    };
+}
+
 /// Entry points that do nothing.
 macro_rules! silent {
     ($($name:ident($($parameter:ident: $type:ty),*);)*) => {$(
@@ -102,4 +122,4 @@ macro_rules! entries {
     };
 }
 
-pub(crate) use {entries, silent, unsupported};
+pub(crate) use {aliases, entries, silent, unsupported};

@@ -16,6 +16,7 @@ mod osmesa;
 mod parameters;
 mod pointer_query;
 mod prelude;
+mod returned;
 mod slot;
 mod strings;
 mod window;

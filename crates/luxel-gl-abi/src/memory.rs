@@ -139,6 +139,16 @@ pub(crate) unsafe fn store<T>(
     Some(())
 }
 
+/// Writes `values` at `address`.
+///
+/// # Safety
+///
+/// `address` is null, or as many values can be written there.
+pub(crate) unsafe fn store_all<T: Copy>(address: *mut T, values: &[T]) -> Option<()> {
+    // SAFETY: the same promise.
+    unsafe { store(address, values.len(), |at| values[at]) }
+}
+
 /// The number of an address that the library keeps: of arrays, and of offsets into buffers.
 pub(crate) fn address<T>(pointer: *const T) -> usize {
     pointer.expose_provenance()
@@ -167,7 +177,7 @@ impl ClientMemory for CallerMemory {
         if address == 0 || length == 0 || length > isize::MAX as usize {
             return &[];
         }
-        // SAFETY: who made the value promised that arrays can be read, and OpenGL asks for no more.
+        // SAFETY: the caller of `caller_memory` promised that arrays can be read, and OpenGL reads no more.
         unsafe { slice::from_raw_parts(ptr::with_exposed_provenance(address), length) }
     }
 }

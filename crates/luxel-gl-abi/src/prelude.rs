@@ -1,11 +1,14 @@
 //! What the generated entry points use.
 
-pub(crate) use crate::entry::{call, call_uncaught, call_with_memory, call_with_memory_uncaught};
+pub(crate) use crate::entry::{
+    aliases, call, call_uncaught, call_with_memory, call_with_memory_uncaught,
+};
 pub(crate) use crate::memory::{
     CallerArray, address, array, bytes, bytes_mut, caller_memory, copied, extent, few,
-    optional_bytes, store,
+    optional_bytes, store, store_all,
 };
 pub(crate) use crate::parameters::{from_integers, single};
+pub(crate) use crate::returned::returned;
 pub(crate) use crate::{pointer_query, strings};
 pub(crate) use luxel_gl::{convert, lengths};
 

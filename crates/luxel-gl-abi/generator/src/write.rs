@@ -30,18 +30,24 @@ fn is_listed(action: &Action) -> bool {
     matches!(action, Action::Unsupported | Action::Silent)
 }
 
-/// The entry points of a file with commands that do something.
+/// The entry points of a file with commands that do something, and after them their aliases.
 fn commands(room: &Room) -> Result<String, String> {
     let mut body = String::new();
+    let mut aliases = String::new();
     for entry in &room.entries {
-        body.push('\n');
-        body.push_str(&match &entry.action {
-            Action::Expression(call) => carried_out(entry, call),
-            Action::Alias(target) => alias(entry, target),
+        match &entry.action {
+            Action::Expression(call) => {
+                body.push('\n');
+                body.push_str(&carried_out(entry, call));
+            }
+            Action::Alias(target) => aliases.push_str(&alias(entry, target)),
             Action::Unsupported | Action::Silent => {
                 return Err(format!("{}: {} does nothing", room.name, entry.name));
             }
-        });
+        }
+    }
+    if !aliases.is_empty() {
+        let _ = write!(body, "\naliases! {{\n{aliases}}}\n");
     }
     let mut text = format!("{HEAD}\n//! {}.\n\nuse crate::prelude::*;\n", room.title);
     for (word, path) in [("c_char", "std::ffi::c_char"), ("c_void", "std::ffi::c_void")] {
@@ -52,9 +58,19 @@ fn commands(room: &Room) -> Result<String, String> {
     Ok(text + &body)
 }
 
-/// The functions of `memory` that read or write the caller's memory, and fail for null pointers.
-const READERS: [&str; 8] =
-    ["array", "few", "copied", "bytes", "bytes_mut", "caller_memory", "optional_bytes", "store"];
+/// The functions of `memory` and `returned` that read or write the caller's memory, and fail for null pointers.
+const READERS: [&str; 10] = [
+    "array",
+    "few",
+    "copied",
+    "bytes",
+    "bytes_mut",
+    "caller_memory",
+    "optional_bytes",
+    "store",
+    "store_all",
+    "returned",
+];
 
 /// Whether an expression calls a function of that name, which is no method.
 fn calls(expression: &str, function: &str) -> bool {
@@ -96,18 +112,10 @@ fn is_frequent(name: &str) -> bool {
         .any(|start| name.starts_with(start) && !name.contains("Pointer"))
 }
 
-/// A command that is another one.
+/// A line of `aliases!`: a command that is another one.
 fn alias(entry: &Entry, target: &str) -> String {
-    let names: Vec<&str> =
-        entry.prototype.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-    let call = format!("{target}({})", names.join(", "));
-    let semicolon = if entry.prototype.result.is_none() { ";" } else { "" };
-    let body = if takes_pointers(&entry.prototype) {
-        format!("// SAFETY: the same contract.\n    unsafe {{ {call} }}{semicolon}")
-    } else {
-        format!("{call}{semicolon}")
-    };
-    format!("{} {{\n    {body}\n}}\n", signature(&entry.name, &entry.prototype))
+    let unsafe_ = if takes_pointers(&entry.prototype) { "unsafe " } else { "" };
+    format!("    {unsafe_}{} = {target}{};\n", entry.name, parameters_and_result(&entry.prototype))
 }
 
 fn takes_pointers(prototype: &Prototype) -> bool {

@@ -15,18 +15,8 @@ pub(crate) extern "C" fn glArrayElement(i: i32) {
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glArrayElementEXT(i: i32) {
-    glArrayElement(i);
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glBindBuffer(target: u32, buffer: u32) {
     call(|gl, _| gl.bind_buffer(target, buffer));
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glBindBufferARB(target: u32, buffer: u32) {
-    glBindBuffer(target, buffer);
 }
 
 #[unsafe(no_mangle)]
@@ -41,17 +31,6 @@ pub(crate) unsafe extern "C" fn glBufferData(
         client.buffer_data(gl, target, size, optional_bytes(data, extent(size)), usage);
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glBufferDataARB(
-    target: u32,
-    size: isize,
-    data: *const c_void,
-    usage: u32,
-) {
-    // SAFETY: the same contract.
-    unsafe { glBufferData(target, size, data, usage) };
 }
 
 #[unsafe(no_mangle)]
@@ -70,17 +49,6 @@ pub(crate) unsafe extern "C" fn glBufferSubData(
         }
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glBufferSubDataARB(
-    target: u32,
-    offset: isize,
-    size: isize,
-    data: *const c_void,
-) {
-    // SAFETY: the same contract.
-    unsafe { glBufferSubData(target, offset, size, data) };
 }
 
 #[unsafe(no_mangle)]
@@ -121,12 +89,6 @@ pub(crate) unsafe extern "C" fn glDeleteBuffers(n: i32, buffers: *const u32) {
 }
 
 #[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glDeleteBuffersARB(n: i32, buffers: *const u32) {
-    // SAFETY: the same contract.
-    unsafe { glDeleteBuffers(n, buffers) };
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glDisableClientState(array: u32) {
     call(|gl, _| gl.disable_client_state(array));
 }
@@ -138,11 +100,6 @@ pub(crate) extern "C" fn glDrawArrays(mode: u32, first: i32, count: i32) {
         gl.draw_arrays(mode, first, count, &caller_memory());
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glDrawArraysEXT(mode: u32, first: i32, count: i32) {
-    glDrawArrays(mode, first, count);
 }
 
 #[unsafe(no_mangle)]
@@ -176,19 +133,6 @@ pub(crate) unsafe extern "C" fn glDrawRangeElements(
 }
 
 #[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glDrawRangeElementsEXT(
-    mode: u32,
-    start: u32,
-    end: u32,
-    count: i32,
-    kind: u32,
-    indices: *const c_void,
-) {
-    // SAFETY: the same contract.
-    unsafe { glDrawRangeElements(mode, start, end, count, kind, indices) };
-}
-
-#[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glEdgeFlagPointer(stride: i32, pointer: *const c_void) {
     call(|gl, _| gl.edge_flag_pointer(stride, address(pointer)));
 }
@@ -217,50 +161,21 @@ pub(crate) unsafe extern "C" fn glFogCoordPointer(kind: u32, stride: i32, pointe
 }
 
 #[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glFogCoordPointerEXT(
-    kind: u32,
-    stride: i32,
-    pointer: *const c_void,
-) {
-    // SAFETY: the same contract.
-    unsafe { glFogCoordPointer(kind, stride, pointer) };
-}
-
-#[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glGenBuffers(n: i32, buffers: *mut u32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let names = gl.gen_buffers(n);
-        store(buffers, names.len(), |at| names[at])?;
+        store_all(buffers, &gl.gen_buffers(n))?;
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glGenBuffersARB(n: i32, buffers: *mut u32) {
-    // SAFETY: the same contract.
-    unsafe { glGenBuffers(n, buffers) };
 }
 
 #[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glGetBufferParameteriv(target: u32, pname: u32, params: *mut i32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get_buffer_parameter(target, pname) {
-            store(params, values.len(), |at| values.to_i32(at))?;
-        }
+        returned(params, gl.get_buffer_parameter(target, pname))?;
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glGetBufferParameterivARB(
-    target: u32,
-    pname: u32,
-    params: *mut i32,
-) {
-    // SAFETY: the same contract.
-    unsafe { glGetBufferParameteriv(target, pname, params) };
 }
 
 #[unsafe(no_mangle)]
@@ -279,16 +194,6 @@ pub(crate) unsafe extern "C" fn glGetBufferPointerv(
 }
 
 #[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glGetBufferPointervARB(
-    target: u32,
-    pname: u32,
-    params: *mut *mut c_void,
-) {
-    // SAFETY: the same contract.
-    unsafe { glGetBufferPointerv(target, pname, params) };
-}
-
-#[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glGetBufferSubData(
     target: u32,
     offset: isize,
@@ -304,17 +209,6 @@ pub(crate) unsafe extern "C" fn glGetBufferSubData(
         }
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glGetBufferSubDataARB(
-    target: u32,
-    offset: isize,
-    size: isize,
-    data: *mut c_void,
-) {
-    // SAFETY: the same contract.
-    unsafe { glGetBufferSubData(target, offset, size, data) };
 }
 
 #[unsafe(no_mangle)]
@@ -350,18 +244,8 @@ pub(crate) extern "C" fn glIsBuffer(buffer: u32) -> u8 {
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glIsBufferARB(buffer: u32) -> u8 {
-    glIsBuffer(buffer)
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glMapBuffer(target: u32, access: u32) -> *mut c_void {
     call(|gl, client| client.map_buffer(gl, target, access))
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glMapBufferARB(target: u32, access: u32) -> *mut c_void {
-    glMapBuffer(target, access)
 }
 
 #[unsafe(no_mangle)]
@@ -399,17 +283,6 @@ pub(crate) unsafe extern "C" fn glMultiDrawArrays(
 }
 
 #[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glMultiDrawArraysEXT(
-    mode: u32,
-    first: *const i32,
-    count: *const i32,
-    primcount: i32,
-) {
-    // SAFETY: the same contract.
-    unsafe { glMultiDrawArrays(mode, first, count, primcount) };
-}
-
-#[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glMultiDrawElements(
     mode: u32,
     count: *const i32,
@@ -438,18 +311,6 @@ pub(crate) unsafe extern "C" fn glMultiDrawElements(
 }
 
 #[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glMultiDrawElementsEXT(
-    mode: u32,
-    count: *const i32,
-    kind: u32,
-    indices: *const *const c_void,
-    primcount: i32,
-) {
-    // SAFETY: the same contract.
-    unsafe { glMultiDrawElements(mode, count, kind, indices, primcount) };
-}
-
-#[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glNormalPointer(kind: u32, stride: i32, pointer: *const c_void) {
     call(|gl, _| gl.normal_pointer(kind, stride, address(pointer)));
 }
@@ -475,17 +336,6 @@ pub(crate) unsafe extern "C" fn glSecondaryColorPointer(
     pointer: *const c_void,
 ) {
     call(|gl, _| gl.secondary_color_pointer(size, kind, stride, address(pointer)));
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glSecondaryColorPointerEXT(
-    size: i32,
-    kind: u32,
-    stride: i32,
-    pointer: *const c_void,
-) {
-    // SAFETY: the same contract.
-    unsafe { glSecondaryColorPointer(size, kind, stride, pointer) };
 }
 
 #[unsafe(no_mangle)]
@@ -518,11 +368,6 @@ pub(crate) extern "C" fn glUnmapBuffer(target: u32) -> u8 {
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glUnmapBufferARB(target: u32) -> u8 {
-    glUnmapBuffer(target)
-}
-
-#[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glVertexPointer(
     size: i32,
     kind: u32,
@@ -544,4 +389,25 @@ pub(crate) unsafe extern "C" fn glVertexPointerEXT(
         let _ = count;
         gl.vertex_pointer(size, kind, stride, address(pointer))
     });
+}
+
+aliases! {
+    glArrayElementEXT = glArrayElement(i: i32);
+    glBindBufferARB = glBindBuffer(target: u32, buffer: u32);
+    unsafe glBufferDataARB = glBufferData(target: u32, size: isize, data: *const c_void, usage: u32);
+    unsafe glBufferSubDataARB = glBufferSubData(target: u32, offset: isize, size: isize, data: *const c_void);
+    unsafe glDeleteBuffersARB = glDeleteBuffers(n: i32, buffers: *const u32);
+    glDrawArraysEXT = glDrawArrays(mode: u32, first: i32, count: i32);
+    unsafe glDrawRangeElementsEXT = glDrawRangeElements(mode: u32, start: u32, end: u32, count: i32, kind: u32, indices: *const c_void);
+    unsafe glFogCoordPointerEXT = glFogCoordPointer(kind: u32, stride: i32, pointer: *const c_void);
+    unsafe glGenBuffersARB = glGenBuffers(n: i32, buffers: *mut u32);
+    unsafe glGetBufferParameterivARB = glGetBufferParameteriv(target: u32, pname: u32, params: *mut i32);
+    unsafe glGetBufferPointervARB = glGetBufferPointerv(target: u32, pname: u32, params: *mut *mut c_void);
+    unsafe glGetBufferSubDataARB = glGetBufferSubData(target: u32, offset: isize, size: isize, data: *mut c_void);
+    glIsBufferARB = glIsBuffer(buffer: u32) -> u8;
+    glMapBufferARB = glMapBuffer(target: u32, access: u32) -> *mut c_void;
+    unsafe glMultiDrawArraysEXT = glMultiDrawArrays(mode: u32, first: *const i32, count: *const i32, primcount: i32);
+    unsafe glMultiDrawElementsEXT = glMultiDrawElements(mode: u32, count: *const i32, kind: u32, indices: *const *const c_void, primcount: i32);
+    unsafe glSecondaryColorPointerEXT = glSecondaryColorPointer(size: i32, kind: u32, stride: i32, pointer: *const c_void);
+    glUnmapBufferARB = glUnmapBuffer(target: u32) -> u8;
 }

@@ -87,7 +87,7 @@ pub(crate) unsafe extern "C" fn glGetMapdv(target: u32, query: u32, v: *mut f64)
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
         if let Some(values) = gl.get_map(target, query) {
-            store(v, values.len(), |at| values[at])?;
+            store_all(v, &values)?;
         }
         Some(())
     });

@@ -20,18 +20,8 @@ pub(crate) extern "C" fn glBlendColor(red: f32, green: f32, blue: f32, alpha: f3
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glBlendColorEXT(red: f32, green: f32, blue: f32, alpha: f32) {
-    glBlendColor(red, green, blue, alpha);
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glBlendEquation(mode: u32) {
     call(|gl, _| gl.blend_equation(mode));
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glBlendEquationEXT(mode: u32) {
-    glBlendEquation(mode);
 }
 
 #[unsafe(no_mangle)]
@@ -47,16 +37,6 @@ pub(crate) extern "C" fn glBlendFuncSeparate(
     dfactor_alpha: u32,
 ) {
     call(|gl, _| gl.blend_func_separate(sfactor_rgb, dfactor_rgb, sfactor_alpha, dfactor_alpha));
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glBlendFuncSeparateEXT(
-    sfactor_rgb: u32,
-    dfactor_rgb: u32,
-    sfactor_alpha: u32,
-    dfactor_alpha: u32,
-) {
-    glBlendFuncSeparate(sfactor_rgb, dfactor_rgb, sfactor_alpha, dfactor_alpha);
 }
 
 #[unsafe(no_mangle)]
@@ -137,4 +117,10 @@ pub(crate) extern "C" fn glStencilMask(mask: u32) {
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn glStencilOp(fail: u32, zfail: u32, zpass: u32) {
     call(|gl, _| gl.stencil_op(fail, zfail, zpass));
+}
+
+aliases! {
+    glBlendColorEXT = glBlendColor(red: f32, green: f32, blue: f32, alpha: f32);
+    glBlendEquationEXT = glBlendEquation(mode: u32);
+    glBlendFuncSeparateEXT = glBlendFuncSeparate(sfactor_rgb: u32, dfactor_rgb: u32, sfactor_alpha: u32, dfactor_alpha: u32);
 }

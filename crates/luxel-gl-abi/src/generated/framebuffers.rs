@@ -53,11 +53,6 @@ pub(crate) extern "C" fn glCheckFramebufferStatus(target: u32) -> u32 {
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glCheckFramebufferStatusEXT(target: u32) -> u32 {
-    glCheckFramebufferStatus(target)
-}
-
-#[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glDeleteFramebuffers(n: i32, framebuffers: *const u32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
@@ -68,12 +63,6 @@ pub(crate) unsafe extern "C" fn glDeleteFramebuffers(n: i32, framebuffers: *cons
         }
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glDeleteFramebuffersEXT(n: i32, framebuffers: *const u32) {
-    // SAFETY: the same contract.
-    unsafe { glDeleteFramebuffers(n, framebuffers) };
 }
 
 #[unsafe(no_mangle)]
@@ -90,12 +79,6 @@ pub(crate) unsafe extern "C" fn glDeleteRenderbuffers(n: i32, renderbuffers: *co
 }
 
 #[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glDeleteRenderbuffersEXT(n: i32, renderbuffers: *const u32) {
-    // SAFETY: the same contract.
-    unsafe { glDeleteRenderbuffers(n, renderbuffers) };
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glFramebufferRenderbuffer(
     target: u32,
     attachment: u32,
@@ -103,16 +86,6 @@ pub(crate) extern "C" fn glFramebufferRenderbuffer(
     renderbuffer: u32,
 ) {
     call(|gl, _| gl.framebuffer_renderbuffer(target, attachment, renderbuffertarget, renderbuffer));
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glFramebufferRenderbufferEXT(
-    target: u32,
-    attachment: u32,
-    renderbuffertarget: u32,
-    renderbuffer: u32,
-) {
-    glFramebufferRenderbuffer(target, attachment, renderbuffertarget, renderbuffer);
 }
 
 #[unsafe(no_mangle)]
@@ -127,17 +100,6 @@ pub(crate) extern "C" fn glFramebufferTexture1D(
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glFramebufferTexture1DEXT(
-    target: u32,
-    attachment: u32,
-    textarget: u32,
-    texture: u32,
-    level: i32,
-) {
-    glFramebufferTexture1D(target, attachment, textarget, texture, level);
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glFramebufferTexture2D(
     target: u32,
     attachment: u32,
@@ -146,17 +108,6 @@ pub(crate) extern "C" fn glFramebufferTexture2D(
     level: i32,
 ) {
     call(|gl, _| gl.framebuffer_texture(target, attachment, textarget, texture, level, 0));
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glFramebufferTexture2DEXT(
-    target: u32,
-    attachment: u32,
-    textarget: u32,
-    texture: u32,
-    level: i32,
-) {
-    glFramebufferTexture2D(target, attachment, textarget, texture, level);
 }
 
 #[unsafe(no_mangle)]
@@ -169,18 +120,6 @@ pub(crate) extern "C" fn glFramebufferTexture3D(
     zoffset: i32,
 ) {
     call(|gl, _| gl.framebuffer_texture(target, attachment, textarget, texture, level, zoffset));
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glFramebufferTexture3DEXT(
-    target: u32,
-    attachment: u32,
-    textarget: u32,
-    texture: u32,
-    level: i32,
-    zoffset: i32,
-) {
-    glFramebufferTexture3D(target, attachment, textarget, texture, level, zoffset);
 }
 
 #[unsafe(no_mangle)]
@@ -204,46 +143,21 @@ pub(crate) extern "C" fn glFramebufferTextureLayer(
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glFramebufferTextureLayerEXT(
-    target: u32,
-    attachment: u32,
-    texture: u32,
-    level: i32,
-    layer: i32,
-) {
-    glFramebufferTextureLayer(target, attachment, texture, level, layer);
-}
-
-#[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glGenFramebuffers(n: i32, framebuffers: *mut u32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let names = gl.gen_framebuffers(n);
-        store(framebuffers, names.len(), |at| names[at])?;
+        store_all(framebuffers, &gl.gen_framebuffers(n))?;
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glGenFramebuffersEXT(n: i32, framebuffers: *mut u32) {
-    // SAFETY: the same contract.
-    unsafe { glGenFramebuffers(n, framebuffers) };
 }
 
 #[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glGenRenderbuffers(n: i32, renderbuffers: *mut u32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let names = gl.gen_renderbuffers(n);
-        store(renderbuffers, names.len(), |at| names[at])?;
+        store_all(renderbuffers, &gl.gen_renderbuffers(n))?;
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glGenRenderbuffersEXT(n: i32, renderbuffers: *mut u32) {
-    // SAFETY: the same contract.
-    unsafe { glGenRenderbuffers(n, renderbuffers) };
 }
 
 #[unsafe(no_mangle)]
@@ -255,23 +169,9 @@ pub(crate) unsafe extern "C" fn glGetFramebufferAttachmentParameteriv(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get_framebuffer_attachment_parameter(target, attachment, pname) {
-            store(params, values.len(), |at| values.to_i32(at))?;
-        }
-
+        returned(params, gl.get_framebuffer_attachment_parameter(target, attachment, pname))?;
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glGetFramebufferAttachmentParameterivEXT(
-    target: u32,
-    attachment: u32,
-    pname: u32,
-    params: *mut i32,
-) {
-    // SAFETY: the same contract.
-    unsafe { glGetFramebufferAttachmentParameteriv(target, attachment, pname, params) };
 }
 
 #[unsafe(no_mangle)]
@@ -282,22 +182,9 @@ pub(crate) unsafe extern "C" fn glGetRenderbufferParameteriv(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get_renderbuffer_parameter(target, pname) {
-            store(params, values.len(), |at| values.to_i32(at))?;
-        }
-
+        returned(params, gl.get_renderbuffer_parameter(target, pname))?;
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glGetRenderbufferParameterivEXT(
-    target: u32,
-    pname: u32,
-    params: *mut i32,
-) {
-    // SAFETY: the same contract.
-    unsafe { glGetRenderbufferParameteriv(target, pname, params) };
 }
 
 #[unsafe(no_mangle)]
@@ -306,18 +193,8 @@ pub(crate) extern "C" fn glIsFramebuffer(framebuffer: u32) -> u8 {
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glIsFramebufferEXT(framebuffer: u32) -> u8 {
-    glIsFramebuffer(framebuffer)
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glIsRenderbuffer(renderbuffer: u32) -> u8 {
     call(|gl, _| u8::from(gl.is_renderbuffer(renderbuffer)))
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glIsRenderbufferEXT(renderbuffer: u32) -> u8 {
-    glIsRenderbuffer(renderbuffer)
 }
 
 #[unsafe(no_mangle)]
@@ -331,16 +208,6 @@ pub(crate) extern "C" fn glRenderbufferStorage(
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glRenderbufferStorageEXT(
-    target: u32,
-    internalformat: u32,
-    width: i32,
-    height: i32,
-) {
-    glRenderbufferStorage(target, internalformat, width, height);
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glRenderbufferStorageMultisample(
     target: u32,
     samples: i32,
@@ -351,13 +218,21 @@ pub(crate) extern "C" fn glRenderbufferStorageMultisample(
     call(|gl, _| gl.renderbuffer_storage(target, samples, internalformat, width, height));
 }
 
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glRenderbufferStorageMultisampleEXT(
-    target: u32,
-    samples: i32,
-    internalformat: u32,
-    width: i32,
-    height: i32,
-) {
-    glRenderbufferStorageMultisample(target, samples, internalformat, width, height);
+aliases! {
+    glCheckFramebufferStatusEXT = glCheckFramebufferStatus(target: u32) -> u32;
+    unsafe glDeleteFramebuffersEXT = glDeleteFramebuffers(n: i32, framebuffers: *const u32);
+    unsafe glDeleteRenderbuffersEXT = glDeleteRenderbuffers(n: i32, renderbuffers: *const u32);
+    glFramebufferRenderbufferEXT = glFramebufferRenderbuffer(target: u32, attachment: u32, renderbuffertarget: u32, renderbuffer: u32);
+    glFramebufferTexture1DEXT = glFramebufferTexture1D(target: u32, attachment: u32, textarget: u32, texture: u32, level: i32);
+    glFramebufferTexture2DEXT = glFramebufferTexture2D(target: u32, attachment: u32, textarget: u32, texture: u32, level: i32);
+    glFramebufferTexture3DEXT = glFramebufferTexture3D(target: u32, attachment: u32, textarget: u32, texture: u32, level: i32, zoffset: i32);
+    glFramebufferTextureLayerEXT = glFramebufferTextureLayer(target: u32, attachment: u32, texture: u32, level: i32, layer: i32);
+    unsafe glGenFramebuffersEXT = glGenFramebuffers(n: i32, framebuffers: *mut u32);
+    unsafe glGenRenderbuffersEXT = glGenRenderbuffers(n: i32, renderbuffers: *mut u32);
+    unsafe glGetFramebufferAttachmentParameterivEXT = glGetFramebufferAttachmentParameteriv(target: u32, attachment: u32, pname: u32, params: *mut i32);
+    unsafe glGetRenderbufferParameterivEXT = glGetRenderbufferParameteriv(target: u32, pname: u32, params: *mut i32);
+    glIsFramebufferEXT = glIsFramebuffer(framebuffer: u32) -> u8;
+    glIsRenderbufferEXT = glIsRenderbuffer(renderbuffer: u32) -> u8;
+    glRenderbufferStorageEXT = glRenderbufferStorage(target: u32, internalformat: u32, width: i32, height: i32);
+    glRenderbufferStorageMultisampleEXT = glRenderbufferStorageMultisample(target: u32, samples: i32, internalformat: u32, width: i32, height: i32);
 }

@@ -41,9 +41,7 @@ pub(crate) unsafe extern "C" fn glFogiv(pname: u32, params: *const i32) {
 pub(crate) unsafe extern "C" fn glGetLightfv(light: u32, pname: u32, params: *mut f32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get_light(light, pname) {
-            store(params, values.len(), |at| values.to_f32(at))?;
-        }
+        returned(params, gl.get_light(light, pname))?;
         Some(())
     });
 }
@@ -52,9 +50,7 @@ pub(crate) unsafe extern "C" fn glGetLightfv(light: u32, pname: u32, params: *mu
 pub(crate) unsafe extern "C" fn glGetLightiv(light: u32, pname: u32, params: *mut i32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get_light(light, pname) {
-            store(params, values.len(), |at| values.to_i32(at))?;
-        }
+        returned(params, gl.get_light(light, pname))?;
         Some(())
     });
 }
@@ -63,9 +59,7 @@ pub(crate) unsafe extern "C" fn glGetLightiv(light: u32, pname: u32, params: *mu
 pub(crate) unsafe extern "C" fn glGetMaterialfv(face: u32, pname: u32, params: *mut f32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get_material(face, pname) {
-            store(params, values.len(), |at| values.to_f32(at))?;
-        }
+        returned(params, gl.get_material(face, pname))?;
         Some(())
     });
 }
@@ -74,9 +68,7 @@ pub(crate) unsafe extern "C" fn glGetMaterialfv(face: u32, pname: u32, params: *
 pub(crate) unsafe extern "C" fn glGetMaterialiv(face: u32, pname: u32, params: *mut i32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get_material(face, pname) {
-            store(params, values.len(), |at| values.to_i32(at))?;
-        }
+        returned(params, gl.get_material(face, pname))?;
         Some(())
     });
 }

@@ -7,6 +7,7 @@
 #![allow(clippy::semicolon_if_nothing_returned, reason = "expressions stand as in commands.toml")]
 
 mod arrays;
+mod colors;
 mod evaluators;
 mod fragment;
 mod framebuffers;
@@ -17,8 +18,11 @@ mod pending;
 mod pixels;
 mod primitives;
 mod queries;
+mod raster_positions;
 mod state;
 pub(crate) mod table;
+mod texture_coordinates;
+mod texture_images;
 mod textures;
 mod transform;
 mod unsupported;

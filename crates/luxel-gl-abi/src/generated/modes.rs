@@ -26,12 +26,6 @@ pub(crate) unsafe extern "C" fn glGetPointerv(pname: u32, params: *mut *mut c_vo
 }
 
 #[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glGetPointervEXT(pname: u32, params: *mut *mut c_void) {
-    // SAFETY: the same contract.
-    unsafe { glGetPointerv(pname, params) };
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glInitNames() {
     call(|gl, _| gl.init_names());
 }
@@ -68,4 +62,8 @@ pub(crate) unsafe extern "C" fn glSelectBuffer(size: i32, buffer: *mut u32) {
             client.selection = CallerArray::new(buffer, size)
         }
     });
+}
+
+aliases! {
+    unsafe glGetPointervEXT = glGetPointerv(pname: u32, params: *mut *mut c_void);
 }

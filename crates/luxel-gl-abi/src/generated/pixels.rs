@@ -59,7 +59,7 @@ pub(crate) unsafe extern "C" fn glGetPixelMapfv(map: u32, values: *mut f32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
         if let Some(table) = gl.get_pixel_map(map) {
-            store(values, table.len(), |at| table[at])?;
+            store_all(values, &table)?;
         }
         Some(())
     });
@@ -70,7 +70,7 @@ pub(crate) unsafe extern "C" fn glGetPixelMapuiv(map: u32, values: *mut u32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
         if let Some(table) = gl.get_pixel_map_integers(map, u32::MAX) {
-            store(values, table.len(), |at| table[at])?;
+            store_all(values, &table)?;
         }
         Some(())
     });

@@ -40,34 +40,12 @@ pub(crate) extern "C" fn glPointParameterf(pname: u32, param: f32) {
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glPointParameterfARB(pname: u32, param: f32) {
-    glPointParameterf(pname, param);
-}
-
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn glPointParameterfEXT(pname: u32, param: f32) {
-    glPointParameterf(pname, param);
-}
-
-#[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glPointParameterfv(pname: u32, params: *const f32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
         gl.point_parameter(pname, &few(params, lengths::point_parameter(pname))?);
         Some(())
     });
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glPointParameterfvARB(pname: u32, params: *const f32) {
-    // SAFETY: the same contract.
-    unsafe { glPointParameterfv(pname, params) };
-}
-
-#[unsafe(no_mangle)]
-pub(crate) unsafe extern "C" fn glPointParameterfvEXT(pname: u32, params: *const f32) {
-    // SAFETY: the same contract.
-    unsafe { glPointParameterfv(pname, params) };
 }
 
 #[unsafe(no_mangle)]
@@ -112,4 +90,11 @@ pub(crate) unsafe extern "C" fn glPolygonStipple(mask: *const u8) {
         gl.polygon_stipple(bytes(mask.cast(), length)?);
         Some(())
     });
+}
+
+aliases! {
+    glPointParameterfARB = glPointParameterf(pname: u32, param: f32);
+    glPointParameterfEXT = glPointParameterf(pname: u32, param: f32);
+    unsafe glPointParameterfvARB = glPointParameterfv(pname: u32, params: *const f32);
+    unsafe glPointParameterfvEXT = glPointParameterfv(pname: u32, params: *const f32);
 }

@@ -10,11 +10,6 @@ pub(crate) extern "C" fn glClientActiveTexture(texture: u32) {
 }
 
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn glClientActiveTextureARB(texture: u32) {
-    glClientActiveTexture(texture);
-}
-
-#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glDisable(cap: u32) {
     call(|gl, _| gl.disable(cap));
 }
@@ -44,9 +39,7 @@ pub(crate) extern "C" fn glFlush() {
 pub(crate) unsafe extern "C" fn glGetBooleanv(pname: u32, data: *mut u8) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get(pname) {
-            store(data, values.len(), |at| values.to_bool(at))?;
-        }
+        returned(data, gl.get(pname))?;
         Some(())
     });
 }
@@ -55,9 +48,7 @@ pub(crate) unsafe extern "C" fn glGetBooleanv(pname: u32, data: *mut u8) {
 pub(crate) unsafe extern "C" fn glGetDoublev(pname: u32, data: *mut f64) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get(pname) {
-            store(data, values.len(), |at| values.to_f64(at))?;
-        }
+        returned(data, gl.get(pname))?;
         Some(())
     });
 }
@@ -71,9 +62,7 @@ pub(crate) extern "C" fn glGetError() -> u32 {
 pub(crate) unsafe extern "C" fn glGetFloatv(pname: u32, data: *mut f32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get(pname) {
-            store(data, values.len(), |at| values.to_f32(at))?;
-        }
+        returned(data, gl.get(pname))?;
         Some(())
     });
 }
@@ -82,9 +71,7 @@ pub(crate) unsafe extern "C" fn glGetFloatv(pname: u32, data: *mut f32) {
 pub(crate) unsafe extern "C" fn glGetInteger64v(pname: u32, data: *mut i64) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get(pname) {
-            store(data, values.len(), |at| i64::from(values.to_i32(at)))?;
-        }
+        returned(data, gl.get(pname))?;
         Some(())
     });
 }
@@ -93,9 +80,7 @@ pub(crate) unsafe extern "C" fn glGetInteger64v(pname: u32, data: *mut i64) {
 pub(crate) unsafe extern "C" fn glGetIntegerv(pname: u32, data: *mut i32) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if let Some(values) = gl.get(pname) {
-            store(data, values.len(), |at| values.to_i32(at))?;
-        }
+        returned(data, gl.get(pname))?;
         Some(())
     });
 }
@@ -138,4 +123,8 @@ pub(crate) extern "C" fn glPushAttrib(mask: u32) {
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn glPushClientAttrib(mask: u32) {
     call(|gl, _| gl.push_client_attrib(mask));
+}
+
+aliases! {
+    glClientActiveTextureARB = glClientActiveTexture(texture: u32);
 }

@@ -3,6 +3,7 @@
 //! The address of each entry point by its name.
 
 use super::arrays::*;
+use super::colors::*;
 use super::evaluators::*;
 use super::fragment::*;
 use super::framebuffers::*;
@@ -13,7 +14,10 @@ use super::pending::*;
 use super::pixels::*;
 use super::primitives::*;
 use super::queries::*;
+use super::raster_positions::*;
 use super::state::*;
+use super::texture_coordinates::*;
+use super::texture_images::*;
 use super::textures::*;
 use super::transform::*;
 use super::unsupported::*;

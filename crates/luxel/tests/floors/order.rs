@@ -207,6 +207,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
         &[
             "memory",
             "parameters",
+            "returned",
             "window",
             "mapped",
             "client",
