@@ -1,14 +1,13 @@
 //! Triangles one by one into the samples of a tile.
 //!
-//! Where more than depth decides at a sample,
-//! another copy does it, which leaves the registers to the plain one: a block takes 57 instructions,
-//! and 33 more where something is put, instead of 120.
+//! Where more than depth decides at a sample, another copy does it, which leaves the registers to the plain one: a block
+//! takes 57 instructions, and 33 more where something is put, instead of 120.
 
 use super::buffer::{Plane, Tile};
 use super::rules::{Rules, ask, comes_first, passed, put, wins};
 use super::setup::Triangle;
 use super::sink::{Sink, cover};
-use crate::types::{Asked, BLOCK, BLOCKS, LANE_X, LANE_Y, TriangleId};
+use crate::types::{Asked, BLOCK, BLOCKS, Holes, LANE_X, LANE_Y, TriangleId};
 use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 
 /// Draws one triangle into all samples of a tile.
@@ -46,9 +45,10 @@ fn cover_samples<S: Simd>(
     let region = tile.region;
     for (sample, &offset) in rules.offsets.iter().enumerate() {
         if rules.behind.is_none() && rules.holes.is_none() {
-            cover(simd, triangle, region, offset, &mut Nearer { id, rules, tile, sample });
+            let sink = &mut SampleSink::<true> { id, rules, tile, sample };
+            cover(simd, triangle, region, offset, sink);
         } else {
-            cover_by_all_rules(simd, triangle, &mut ByAllRules { id, rules, tile, sample });
+            cover_by_all_rules(simd, triangle, &mut SampleSink { id, rules, tile, sample });
         }
     }
 }
@@ -56,7 +56,7 @@ fn cover_samples<S: Simd>(
 /// Covers samples where more than depth decides at them: outlined, so that the
 /// common case has the registers for itself.
 #[inline(never)]
-fn cover_by_all_rules<S: Simd>(simd: S, triangle: &Triangle, sink: &mut ByAllRules<'_>) {
+fn cover_by_all_rules<S: Simd>(simd: S, triangle: &Triangle, sink: &mut SampleSink<'_, false>) {
     let (region, offset) = (sink.tile.region, sink.rules.offsets[sink.sample]);
     simd.vectorize(
         #[inline(always)]
@@ -64,40 +64,15 @@ fn cover_by_all_rules<S: Simd>(simd: S, triangle: &Triangle, sink: &mut ByAllRul
     );
 }
 
-/// Puts a triangle into one sample of a tile where it is nearer.
-struct Nearer<'t> {
+/// Puts a triangle into one sample of a tile's pixels where it wins; `PLAIN` where depth alone decides.
+struct SampleSink<'t, const PLAIN: bool> {
     id: TriangleId,
     rules: &'t Rules<'t>,
     tile: &'t mut Tile,
     sample: usize,
 }
 
-/// Puts a triangle into one sample of a tile where it wins by all rules.
-struct ByAllRules<'t> {
-    id: TriangleId,
-    rules: &'t Rules<'t>,
-    tile: &'t mut Tile,
-    sample: usize,
-}
-
-/// The blocks of a row that aren't hidden; they count as drawn into.
-#[inline(always)]
-fn visible<S: Simd>(
-    simd: S,
-    tile: &mut Tile,
-    row: i32,
-    blocks: u32,
-    high: f32x16<S>,
-    many: bool,
-) -> u32 {
-    let visible = tile.visible_blocks(simd, row, blocks, high, many);
-    if visible != 0 {
-        tile.summary.touch_blocks(row as usize, visible);
-    }
-    visible
-}
-
-impl Sink for Nearer<'_> {
+impl<const PLAIN: bool> Sink for SampleSink<'_, PLAIN> {
     #[inline(always)]
     fn few(&mut self, pixels: [i32; 4]) {
         self.tile.touch(pixels);
@@ -112,46 +87,21 @@ impl Sink for Nearer<'_> {
         high: f32x16<S>,
         many: bool,
     ) -> u32 {
-        visible(simd, self.tile, row, blocks, high, many)
-    }
-
-    #[inline(always)]
-    fn block<S: Simd>(&mut self, simd: S, covered: mask32x16<S>, z: f32x16<S>, block: usize) {
-        let Self { id, rules, .. } = *self;
-        put_nearer(simd, covered, z, id, rules, &mut self.tile.planes[self.sample], block);
-    }
-
-    #[inline(always)]
-    fn sample(&mut self, [column, row]: [i32; 2], _: [i32; 2], z: f32) {
-        let place = Tile::place(column, row);
-        if wins(self.id, z, place, self.rules, self.tile, self.sample) {
-            put(self.id, z, place, self.tile, self.sample);
+        let visible = self.tile.visible_blocks(simd, row, blocks, high, many);
+        if visible != 0 {
+            self.tile.summary.touch_blocks(row as usize, visible);
         }
-    }
-}
-
-impl Sink for ByAllRules<'_> {
-    #[inline(always)]
-    fn few(&mut self, pixels: [i32; 4]) {
-        self.tile.touch(pixels);
-    }
-
-    #[inline(always)]
-    fn blocks<S: Simd>(
-        &mut self,
-        simd: S,
-        row: i32,
-        blocks: u32,
-        high: f32x16<S>,
-        many: bool,
-    ) -> u32 {
-        visible(simd, self.tile, row, blocks, high, many)
+        visible
     }
 
     #[inline(always)]
     fn block<S: Simd>(&mut self, simd: S, covered: mask32x16<S>, z: f32x16<S>, block: usize) {
         let Self { id, rules, sample, .. } = *self;
-        draw_block(simd, covered, z, id, rules, self.tile, sample, block);
+        if PLAIN {
+            put_nearer(simd, covered, z, id, rules, &mut self.tile.planes[sample], block);
+        } else {
+            draw_block(simd, covered, z, id, rules, self.tile, sample, block);
+        }
     }
 
     #[inline(always)]
@@ -160,8 +110,8 @@ impl Sink for ByAllRules<'_> {
         if !wins(self.id, z, place, self.rules, self.tile, self.sample) {
             return;
         }
-        let asked = Asked::one(self.id, position);
-        if self.rules.holes.is_some_and(|holes| holes.holes(&asked) != 0) {
+        let is_hole = |holes: &dyn Holes| holes.holes(&Asked::one(self.id, position)) != 0;
+        if !PLAIN && self.rules.holes.is_some_and(is_hole) {
             return;
         }
         put(self.id, z, place, self.tile, self.sample);
