@@ -9,30 +9,22 @@ pub(super) struct Disk {
     pub(super) start: f64,
     pub(super) sweep: f64,
     pub(super) whole: bool,
-    pub(super) across: u32,
-    pub(super) up: u32,
 }
 
 impl Shape for Disk {
-    fn across(&self) -> u32 {
-        self.across
-    }
-
-    fn up(&self) -> u32 {
-        self.up
-    }
+    const IS_CURVED_ACROSS: bool = false;
+    const IS_CURVED_UP: bool = false;
 
     fn is_closed(&self) -> bool {
         self.whole
     }
 
-    fn is_point(&self, row: u32) -> bool {
-        row == self.up && self.inner == 0.0
+    fn ends_in_points(&self) -> [bool; 2] {
+        [false, self.inner == 0.0]
     }
 
-    fn corner(&self, column: f64, row: f64) -> Corner {
-        let [sine, cosine] = turned(self.start, self.sweep, column / f64::from(self.across));
-        let inwards = row / f64::from(self.up);
+    fn corner(&self, around: f64, inwards: f64) -> Corner {
+        let [sine, cosine] = turned(self.start, self.sweep, around);
         let radius = self.outer - inwards * (self.outer - self.inner);
         let part = 0.5 * radius / self.outer;
         Corner {
@@ -40,13 +32,5 @@ impl Shape for Disk {
             normal: [0.0, 0.0, 1.0],
             texture: [0.5 + part * sine, 0.5 + part * cosine],
         }
-    }
-
-    fn silhouette_rows(&self) -> Vec<u32> {
-        vec![0, self.up]
-    }
-
-    fn silhouette_columns(&self) -> Vec<u32> {
-        if self.whole { Vec::new() } else { vec![0, self.across] }
     }
 }

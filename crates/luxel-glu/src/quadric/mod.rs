@@ -10,6 +10,7 @@ mod sphere;
 mod walk;
 
 use crate::drawing::Drawing;
+use walk::Grid;
 
 /// Which normals a quadric has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,7 +73,7 @@ impl Default for Quadric {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InvalidValue;
 
-/// The most steps in either direction: more are drawn as if so many were asked for.
+/// The most steps in either direction; larger numbers count as this one.
 pub const MOST_STEPS: i32 = 2048;
 
 impl Quadric {
@@ -88,11 +89,11 @@ impl Quadric {
         slices: i32,
         stacks: i32,
     ) -> Result<(), InvalidValue> {
-        let (across, up) = steps(slices, 2, stacks)?;
+        let grid = steps(slices, stacks)?;
         if radius.is_nan() || radius < 0.0 {
             return Err(InvalidValue);
         }
-        walk::draw(self, &sphere::Sphere { radius, across, up }, drawing);
+        walk::draw(self, &sphere::Sphere { radius }, grid, drawing);
         Ok(())
     }
 
@@ -109,11 +110,11 @@ impl Quadric {
         slices: i32,
         stacks: i32,
     ) -> Result<(), InvalidValue> {
-        let (across, up) = steps(slices, 2, stacks)?;
+        let grid = steps(slices, stacks)?;
         if [base, top, height].iter().any(|size| size.is_nan() || *size < 0.0) {
             return Err(InvalidValue);
         }
-        walk::draw(self, &cylinder::Cylinder { base, top, height, across, up }, drawing);
+        walk::draw(self, &cylinder::Cylinder { base, top, height }, grid, drawing);
         Ok(())
     }
 
@@ -145,7 +146,7 @@ impl Quadric {
         loops: i32,
         [start, sweep]: [f64; 2],
     ) -> Result<(), InvalidValue> {
-        let (across, up) = steps(slices, 2, loops)?;
+        let grid = steps(slices, loops)?;
         // Not a number is in no range.
         let is_ring = (0.0..=outer).contains(&inner) && outer > 0.0;
         if !(is_ring && (start + sweep).is_finite()) {
@@ -159,19 +160,18 @@ impl Quadric {
         } else {
             (start, sweep)
         };
-        let shape = disk::Disk { inner, outer, start, sweep, whole, across, up };
-        walk::draw(self, &shape, drawing);
+        walk::draw(self, &disk::Disk { inner, outer, start, sweep, whole }, grid, drawing);
         Ok(())
     }
 }
 
-/// Steps across and up, within bounds.
-fn steps(across: i32, fewest: i32, up: i32) -> Result<(u32, u32), InvalidValue> {
-    if across < fewest || up < 1 {
+/// Steps across and up, within bounds: two across and one up at least.
+fn steps(across: i32, up: i32) -> Result<Grid, InvalidValue> {
+    if across < 2 || up < 1 {
         return Err(InvalidValue);
     }
     let bounded = |steps: i32| steps.min(MOST_STEPS).unsigned_abs();
-    Ok((bounded(across), bounded(up)))
+    Ok(Grid { across: bounded(across), up: bounded(up) })
 }
 
 /// The sine and cosine of `part` of a turn that begins at `start` and sweeps over `sweep` degrees.

@@ -16,89 +16,109 @@ pub(super) struct Corner {
     pub(super) texture: [f64; 2],
 }
 
-/// A shape: columns `0..=across` by rows `0..=up`.
+/// Steps across and up: columns `0..=across` by rows `0..=up`.
+#[derive(Clone, Copy)]
+pub(super) struct Grid {
+    pub(super) across: u32,
+    pub(super) up: u32,
+}
+
+/// A surface over parts of the way across and up, from 0 to 1.
 pub(super) trait Shape {
-    /// Steps across.
-    fn across(&self) -> u32;
-    /// Steps up.
-    fn up(&self) -> u32;
+    /// Whether facets beside each other lie in different planes, so that a silhouette draws the edges between them.
+    const IS_CURVED_ACROSS: bool;
+    /// The same of facets above each other.
+    const IS_CURVED_UP: bool;
     /// Whether the last column is the first.
-    fn is_closed(&self) -> bool;
-    /// Whether the row is a single point.
-    fn is_point(&self, row: u32) -> bool;
-    /// The corner at a column and a row. Both may lie between two: so they give the normal of the facet there.
-    fn corner(&self, column: f64, row: f64) -> Corner;
-    /// The rows that a silhouette draws.
-    fn silhouette_rows(&self) -> Vec<u32>;
-    /// The columns that a silhouette draws.
-    fn silhouette_columns(&self) -> Vec<u32>;
+    fn is_closed(&self) -> bool {
+        true
+    }
+    /// Whether the first row is a single point, and whether the last one is.
+    fn ends_in_points(&self) -> [bool; 2];
+    /// The surface there.
+    fn corner(&self, across: f64, up: f64) -> Corner;
 }
 
 /// Draws `shape`.
-pub(super) fn draw(quadric: &Quadric, shape: &impl Shape, drawing: &mut impl Drawing) {
-    let mut walk = Walk { quadric, shape, drawing };
+pub(super) fn draw(quadric: &Quadric, shape: &impl Shape, grid: Grid, drawing: &mut impl Drawing) {
+    let mut walk = Walk { quadric, shape, grid, drawing };
     match quadric.draw_style {
         DrawStyle::Point => walk.points(),
-        DrawStyle::Line => {
-            walk.rows(&(0..=shape.up()).collect::<Vec<_>>());
-            walk.columns(&columns(shape));
-        }
-        DrawStyle::Silhouette => {
-            walk.rows(&shape.silhouette_rows());
-            walk.columns(&shape.silhouette_columns());
-        }
+        DrawStyle::Line => walk.lines(true, true),
+        DrawStyle::Silhouette => walk.silhouette(),
         DrawStyle::Fill if quadric.normals == Normals::Flat => walk.flat_facets(),
         DrawStyle::Fill => walk.smooth_facets(),
     }
 }
 
-/// All columns, each once.
-pub(super) fn columns(shape: &impl Shape) -> Vec<u32> {
-    let last = if shape.is_closed() { shape.across() } else { shape.across() + 1 };
-    (0..last).collect()
-}
-
 struct Walk<'a, S, D> {
     quadric: &'a Quadric,
     shape: &'a S,
+    grid: Grid,
     drawing: &'a mut D,
 }
 
 impl<S: Shape, D: Drawing> Walk<'_, S, D> {
+    /// All columns, each once.
+    fn distinct_columns(&self) -> std::ops::Range<u32> {
+        let Grid { across, .. } = self.grid;
+        0..if self.shape.is_closed() { across } else { across + 1 }
+    }
+
     fn points(&mut self) {
         self.drawing.begin(POINTS);
-        for row in 0..=self.shape.up() {
-            for column in columns(self.shape) {
+        for row in 0..=self.grid.up {
+            for column in self.distinct_columns() {
                 self.vertex(column, row, true);
             }
         }
         self.drawing.end();
     }
 
-    fn rows(&mut self, rows: &[u32]) {
-        for &row in rows.iter().filter(|row| !self.shape.is_point(**row)) {
-            self.drawing.begin(LINE_STRIP);
-            for column in 0..=self.shape.across() {
-                self.vertex(column, row, true);
+    fn silhouette(&mut self) {
+        self.lines(S::IS_CURVED_UP, S::IS_CURVED_ACROSS);
+    }
+
+    /// The first and the last row and, of surfaces that aren't closed, column; those between if they are wanted.
+    fn lines(&mut self, inner_rows: bool, inner_columns: bool) {
+        let Grid { across, up } = self.grid;
+        for row in (0..=up).filter(|&row| inner_rows || row == 0 || row == up) {
+            self.row(row);
+        }
+        let is_end = |column| column == 0 || column == across;
+        let has_ends = !self.shape.is_closed();
+        for column in self.distinct_columns() {
+            if inner_columns || has_ends && is_end(column) {
+                self.column(column);
             }
-            self.drawing.end();
         }
     }
 
-    fn columns(&mut self, columns: &[u32]) {
-        for &column in columns {
-            self.drawing.begin(LINE_STRIP);
-            for row in 0..=self.shape.up() {
-                self.vertex(column, row, true);
-            }
-            self.drawing.end();
+    /// A row, unless it is a single point.
+    fn row(&mut self, row: u32) {
+        let [first, last] = self.shape.ends_in_points();
+        if row == 0 && first || row == self.grid.up && last {
+            return;
         }
+        self.drawing.begin(LINE_STRIP);
+        for column in 0..=self.grid.across {
+            self.vertex(column, row, true);
+        }
+        self.drawing.end();
+    }
+
+    fn column(&mut self, column: u32) {
+        self.drawing.begin(LINE_STRIP);
+        for row in 0..=self.grid.up {
+            self.vertex(column, row, true);
+        }
+        self.drawing.end();
     }
 
     fn smooth_facets(&mut self) {
-        for row in 0..self.shape.up() {
+        for row in 0..self.grid.up {
             self.drawing.begin(QUAD_STRIP);
-            for column in 0..=self.shape.across() {
+            for column in 0..=self.grid.across {
                 for row in self.counterclockwise(row) {
                     self.vertex(column, row, true);
                 }
@@ -109,10 +129,10 @@ impl<S: Shape, D: Drawing> Walk<'_, S, D> {
 
     /// Quads of their own, since neighbours have other normals; the corner that flat shading lights is that of a strip.
     fn flat_facets(&mut self) {
-        for row in 0..self.shape.up() {
+        for row in 0..self.grid.up {
             self.drawing.begin(QUADS);
-            for column in 0..self.shape.across() {
-                let middle = self.shape.corner(f64::from(column) + 0.5, f64::from(row) + 0.5);
+            for column in 0..self.grid.across {
+                let middle = self.corner(f64::from(column) + 0.5, f64::from(row) + 0.5);
                 self.normal(middle.normal);
                 let [first, second] = self.counterclockwise(row);
                 self.vertex(column + 1, first, false);
@@ -132,8 +152,14 @@ impl<S: Shape, D: Drawing> Walk<'_, S, D> {
         }
     }
 
+    /// The corner at a column and a row. Both may lie between two: so they give the normal of the facet there.
+    fn corner(&self, column: f64, row: f64) -> Corner {
+        let Grid { across, up } = self.grid;
+        self.shape.corner(column / f64::from(across), row / f64::from(up))
+    }
+
     fn vertex(&mut self, column: u32, row: u32, with_normal: bool) {
-        let corner = self.shape.corner(column.into(), row.into());
+        let corner = self.corner(column.into(), row.into());
         if with_normal && self.quadric.normals != Normals::None {
             self.normal(corner.normal);
         }
