@@ -1,7 +1,7 @@
 //! The 13 functions of OSMesa 11.2, as Mesa 22.3 carries them out.
 //!
 //! Departures, all where Mesa's library would crash or overflow: handles that are none are refused; a context is
-//! current in one thread at most; buffers have at most 16384 pixels a side. Depths have 24 bits if any are asked for.
+//! current in one thread at most; buffers have at most 16384 pixels a side. A context with a depth buffer has 24 bits of it.
 //! OpenGL is of version 1.5: requests for more give no context.
 
 use crate::client::Client;
@@ -33,7 +33,7 @@ const COMPAT_PROFILE: i32 = 0x35;
 const CONTEXT_MAJOR_VERSION: i32 = 0x36;
 const CONTEXT_MINOR_VERSION: i32 = 0x37;
 
-/// What a context is asked to have.
+/// The attributes that a context must have.
 #[derive(Clone, Copy)]
 struct Request {
     format: u32,
@@ -286,7 +286,7 @@ fn own(name: &str) -> *const c_void {
     }
 }
 
-/// Colours are always clamped (OpenGL 1.5), whatever is asked for here.
+/// No effect: OpenGL 1.5 always clamps colours.
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn OSMesaColorClamp(_enable: u8) {}
 

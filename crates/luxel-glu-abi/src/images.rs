@@ -140,7 +140,7 @@ struct Build {
 }
 
 impl Build {
-    /// The target that tells whether a texture fits.
+    /// The proxy target, by which a program asks whether a texture fits.
     fn proxy(&self) -> u32 {
         match (self.dimensions, self.target) {
             (1, _) => 0x8063,               // GL_PROXY_TEXTURE_1D
@@ -167,7 +167,7 @@ impl Build {
     /// The powers of two next to a size, or less if OpenGL can't have a texture so large.
     fn fitting(&self, size: [usize; 3]) -> [usize; 3] {
         let limit = if self.dimensions == 3 { MAX_3D_TEXTURE_SIZE } else { MAX_TEXTURE_SIZE };
-        // The least that OpenGL 1.5 allows, where it can't be asked.
+        // The least that OpenGL 1.5 allows, where a query fails.
         let limit = usize::try_from(gl::integer(limit)).unwrap_or(0).max(16);
         let mut size = size.map(|side| nearest_power(side).min(nearest_power(limit)));
         loop {

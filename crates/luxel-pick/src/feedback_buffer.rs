@@ -114,7 +114,7 @@ impl FeedbackBuffer {
         Self { of, room, height: None, values: Vec::new(), overflowed: false }
     }
 
-    /// Writes an item down; what there is no room for is lost, and [`FeedbackBuffer::count`] tells.
+    /// Appends an item; beyond the capacity it is dropped, and [`FeedbackBuffer::count`] is -1.
     pub fn put(&mut self, item: &Feedback<'_>) {
         match *item {
             Feedback::PassThrough(mark) => self.write(&[Self::PASS_THROUGH_TOKEN, mark]),

@@ -28,7 +28,7 @@ enum Match {
     Ignored,
 }
 
-/// The attributes: name, value, how they are chosen by, and what is asked for by default.
+/// The attributes: name, value, how `eglChooseConfig` compares it, and its default in a request.
 #[rustfmt::skip]
 const ATTRIBUTES: [(i32, i32, Match, i32); 32] = [
     (0x3020, 32, Match::AtLeast, 0),               // BUFFER_SIZE

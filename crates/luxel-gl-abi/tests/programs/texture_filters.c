@@ -3,7 +3,7 @@
 
 static unsigned char texels[64 * 64][4];
 
-/* Levels of one colour each, so that the picture tells which one was taken. They differ by little: libraries may take the
+/* Levels of one colour each, so that the picture shows which one was taken. They differ by little: libraries may take the
  * logarithm of the level by tables, to two digits. */
 static void levels(void)
 {

@@ -132,7 +132,7 @@ static void draw(void)
     say("stencil by a map: %d %d", stencil[0], stencil[1]);
     say_error("depths and stencil values");
 
-    /* Tables, as they are told. */
+    /* Tables, by their queries. */
     float reals[8] = {0};
     GLuint words[8] = {0};
     GLushort shorts[8] = {0};

@@ -17,7 +17,7 @@ pub(crate) struct ImageLayout {
 }
 
 impl ImageLayout {
-    /// The layout of an image; `dimensions` tells which skips count.
+    /// The layout of an image; skips of more than `dimensions` axes have no effect.
     pub(crate) fn new(
         store: &PixelStore,
         size: [usize; 3],

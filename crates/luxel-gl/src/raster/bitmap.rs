@@ -10,7 +10,7 @@ pub(crate) struct Bitmap {
 }
 
 impl Bitmap {
-    /// A bitmap of the bits that `is_set(column, row)` tells; `None` if there is no memory for it.
+    /// A bitmap whose bits are `is_set(column, row)`; `None` if there is no memory for it.
     pub(crate) fn new(
         width: usize,
         height: usize,

@@ -39,7 +39,7 @@ pub(super) struct Shading<'p> {
 }
 
 /// Colours at the centres of a block's pixels, whose first is at `origin` in the window. `of(lane)` is the lane's
-/// primitive; `alike` tells that all have the first one's.
+/// primitive; with `alike`, all have the first one's.
 #[inline(always)]
 pub(super) fn shade<'p, S: Simd>(
     simd: S,

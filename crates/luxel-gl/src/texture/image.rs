@@ -52,7 +52,7 @@ impl Drop for Charge {
 /// An image with its format.
 #[derive(Clone, Debug)]
 pub(crate) struct TextureImage {
-    /// The internal format, as it was asked for.
+    /// The internal format that the caller gave.
     pub(crate) name: u32,
     pub(crate) format: InternalFormat,
     /// Width, height and depth, borders included; 1 where there is no such dimension.

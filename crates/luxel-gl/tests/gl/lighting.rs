@@ -174,7 +174,7 @@ prop_compose! {
     }
 }
 
-/// Whether the outcome hangs on the last digits: at a cone's edge, or where a surface just turns to a light.
+/// Whether rounding may decide the result: at the edge of a cone, or where N.L is near 0.
 fn on_an_edge(setup: &Setup) -> bool {
     setup.lights.iter().any(|light| {
         let [x, y, z, w] = light.position;

@@ -60,7 +60,7 @@ fn section_3_8_1_the_first_texel_is_the_lower_left_one() {
 
 #[test]
 fn section_3_8_8_the_level_of_detail_is_the_logarithm_of_the_longer_side_of_a_pixel() {
-    // Level n has luminance 30 n: what is drawn tells lambda.
+    // Level n has luminance 30 n, so that the picture holds lambda.
     let mut context = canvas(64, 48);
     context.enable(TEXTURE_2D);
     context.tex_parameter(TEXTURE_2D, MIN_FILTER, &[LINEAR_MIPMAP_LINEAR as f32]);

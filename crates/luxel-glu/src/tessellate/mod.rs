@@ -21,11 +21,11 @@ pub use winding::WindingRule;
 
 use arrangement::Arrangement;
 
-/// What a tessellator tells (`gluTessCallback`). Handles are the caller's, of its own vertices.
+/// The callbacks of a tessellator (`gluTessCallback`). Handles are the caller's, of its own vertices.
 pub trait Listener {
     /// Begins primitives of OpenGL's mode: triangles or line loops.
     fn begin(&mut self, mode: u32);
-    /// Whether the edges that follow are of the outline; asked for by [`wants_edge_flags`](Self::wants_edge_flags).
+    /// Whether the edges that follow are of the outline; called only if [`wants_edge_flags`](Self::wants_edge_flags) is true.
     fn edge_flag(&mut self, is_outline: bool);
     /// Whether [`edge_flag`](Self::edge_flag) is of interest.
     fn wants_edge_flags(&self) -> bool;

@@ -8,7 +8,7 @@ use super::setup::Triangle;
 use crate::types::{BLOCK, Region};
 use luxel_math::{SUBPIXELS, Simd, f32x16, mask32x16};
 
-/// So many pixels are faster asked one by one than sixteen at a time.
+/// Up to so many pixels, testing one by one is faster than sixteen at a time.
 const FEW_PIXELS: i32 = 4;
 
 /// What takes the samples of a triangle in a tile. Mark all methods `#[inline(always)]`.
@@ -16,8 +16,8 @@ pub trait Sink {
     /// Before a few pixels, given by the first and the last ones of the window, come one by one.
     fn few(&mut self, pixels: [i32; 4]);
 
-    /// Of the blocks of a row, a bit each, those whose samples are wanted. No sample's depth is above `high`; `many`
-    /// tells that the triangle's box has many blocks.
+    /// The blocks of a row, a bit each, whose samples the sink takes. No sample's depth is above `high`; `many`: the
+    /// triangle's box has many blocks.
     fn blocks<S: Simd>(
         &mut self,
         simd: S,
