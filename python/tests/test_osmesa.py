@@ -100,7 +100,7 @@ def test_the_path_is_of_a_library() -> None:
     assert path.read_bytes()[:4] == b"\x7fELF"
 
 
-@pytest.mark.skipif(importlib.util.find_spec("luxel_gl") is not None, reason="luxel-gl is there")
-def test_without_the_package_the_error_names_it() -> None:
+def test_without_the_package_the_error_names_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "luxel_gl", None)
     with pytest.raises(ImportError, match=r"luxel\[gl\]"):
         luxel.osmesa_path()

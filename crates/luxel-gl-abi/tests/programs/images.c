@@ -116,7 +116,7 @@ static void draw(void)
     glDrawPixels(16, 16, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, bytes);
     glStencilMask(0xff);
     glPixelZoom(1, 1);
-    unsigned char stencil[4];
+    unsigned char stencil[8]; /* Each row begins at a multiple of four. */
     glReadPixels(210, 70, 2, 2, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil);
     say("stencil: %d %d", stencil[0], stencil[1]);
     glEnable(GL_STENCIL_TEST);

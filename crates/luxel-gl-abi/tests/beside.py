@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs programs twice, on Mesa's libOSMesa and on luxel's, and compares what they draw and say.
 
-    benches/rivals/gl/beside.py LIBRARIES WORK PROGRAM...
+    crates/luxel-gl-abi/tests/beside.py LIBRARIES WORK PROGRAM...
 
 LIBRARIES is the folder with luxel's libOSMesa.so.8; PROGRAMs are those of crates/luxel-gl-abi/tests/programs, compiled,
 or Python scripts for PyOpenGL. Their words must be equal. Of their pictures each colour must be within 2 of 255 of the
