@@ -5,7 +5,7 @@ use crate::error::ErrorFlag;
 use crate::modes::{FeedbackMode, SelectionMode};
 use crate::objects::buffer::Buffers;
 use crate::objects::framebuffer::FramebufferObjects;
-use crate::objects::list::{Command, Lists};
+use crate::objects::list::{Command, Lists, OpenList};
 use crate::objects::query::Queries;
 use crate::objects::renderbuffer::Renderbuffers;
 use crate::raster::{Framebuffer, Log};
@@ -40,14 +40,6 @@ impl Default for Configuration {
     }
 }
 
-/// A display list that is being compiled (`glNewList`).
-#[derive(Debug)]
-pub(crate) struct OpenList {
-    pub(crate) name: u32,
-    pub(crate) mode: u32,
-    pub(crate) commands: Vec<Command>,
-}
-
 /// One GL context. Each command of the API is a method.
 ///
 /// A command that the specification doesn't allow sets the error flag and changes nothing else.
@@ -62,8 +54,8 @@ pub struct Context {
     pub(crate) client_texture: usize,
     pub(crate) attribute_stack: Vec<(u32, Box<Attributes>)>,
     pub(crate) client_stack: Vec<(u32, Client)>,
-    /// Set between `glBegin` and `glEnd`.
-    pub(crate) stream: Option<Box<Stream>>,
+    /// What is between `glBegin` and `glEnd`, or waits to be drawn.
+    pub(crate) stream: Stream,
     pub(crate) maps: Maps,
     pub(crate) shared: Arc<Mutex<Lists>>,
     pub(crate) textures: Arc<Mutex<Textures>>,
@@ -127,7 +119,7 @@ impl Context {
             client_texture: 0,
             attribute_stack: Vec::new(),
             client_stack: Vec::new(),
-            stream: None,
+            stream: Stream::default(),
             maps: Maps::default(),
             shared,
             textures,
@@ -171,20 +163,25 @@ impl Context {
 
     /// The error since the last call (`glGetError`, section 2.5). Between `glBegin` and `glEnd` 0.
     pub fn get_error(&mut self) -> u32 {
-        if self.stream.is_some() {
+        if self.stream.is_open() {
             self.error.set(gl::INVALID_OPERATION);
             return 0;
         }
         self.error.take()
     }
 
-    /// Whether this call stands between `glBegin` and `glEnd`, where it isn't allowed: an error.
+    /// Whether this call stands between `glBegin` and `glEnd`, where it isn't allowed: an error. Elsewhere, what waits is
+    /// drawn, since the command may change its state.
+    #[inline]
     pub(crate) fn is_within_begin(&mut self) -> bool {
-        let within = self.stream.is_some();
-        if within {
+        if self.stream.is_open() {
             self.error.set(gl::INVALID_OPERATION);
+            return true;
         }
-        within
+        if self.stream.is_waiting() {
+            self.draw_waiting();
+        }
+        false
     }
 
     /// Whether commands go into a list.
@@ -193,15 +190,21 @@ impl Context {
         self.list.is_some() && self.nesting == 0
     }
 
-    /// Puts a command into the list that is open; whether it is to be left at that.
-    pub(crate) fn compile(&mut self, command: Command) -> bool {
+    /// Puts something into the list that is open; whether it is to be left at that.
+    pub(crate) fn put_in_list(
+        &mut self,
+        put: impl FnOnce(&mut OpenList) -> Result<(), u32>,
+    ) -> bool {
         let Some(list) = &mut self.list else { return false };
-        if list.commands.len() >= crate::limits::LIST_COMMANDS {
-            self.error.set(gl::OUT_OF_MEMORY);
-        } else {
-            list.commands.push(command);
+        if let Err(error) = put(list) {
+            self.error.set(error);
         }
         list.mode == gl::COMPILE
+    }
+
+    /// Puts a command into the list that is open; whether it is to be left at that.
+    pub(crate) fn compile(&mut self, command: Command) -> bool {
+        self.put_in_list(|list| list.push(command))
     }
 
     pub(crate) fn textures(&self) -> MutexGuard<'_, Textures> {
@@ -225,6 +228,16 @@ impl Context {
 macro_rules! compile {
     ($context:ident, $command:expr) => {
         if $context.is_compiling() && $context.compile($command) {
+            return;
+        }
+    };
+}
+
+/// Puts a vertex or attributes of the next one into the open list, if there is one, and returns from the method if they
+/// aren't to be executed, too.
+macro_rules! record {
+    ($context:ident, |$list:ident| $put:expr) => {
+        if $context.is_compiling() && $context.put_in_list(|$list| $put) {
             return;
         }
     };
@@ -256,7 +269,7 @@ macro_rules! demand {
     };
 }
 
-pub(crate) use {compile, demand, outside_begin};
+pub(crate) use {compile, demand, outside_begin, record};
 
 /// The first values of a slice, zeros where there are fewer.
 pub(crate) fn first_values<T: Copy + Default, const N: usize>(values: &[T]) -> [T; N] {

@@ -26,6 +26,8 @@ pub(crate) const SUBPIXEL_BITS: i32 = 8;
 pub(crate) const STREAM_VERTICES: usize = 1 << 24;
 /// Vertices after which a stream of independent primitives is drawn in part; a multiple of all their lengths.
 pub(crate) const PART_VERTICES: usize = 12 << 16;
+/// Vertices that wait after `glEnd` for more: as many as are worth two threads' while.
+pub(crate) const WAITING_VERTICES: usize = 1 << 14;
 /// Commands of all display lists together: beyond that, `GL_OUT_OF_MEMORY`.
 pub(crate) const LIST_COMMANDS: usize = 1 << 26;
 /// Commands that one call of lists executes, however they call one another: beyond that, `GL_OUT_OF_MEMORY`. Lists that

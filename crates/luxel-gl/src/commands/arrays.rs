@@ -7,7 +7,8 @@ use crate::limits::{STREAM_VERTICES, TEXTURE_UNITS};
 use crate::objects::list::Command;
 use crate::state::arrays::{VertexArray, type_bytes};
 use crate::vertex::{
-    ArrayDraw, ClientMemory, Fetched, Stream, Vertices, byte_range, decode, decode_indices,
+    ArrayDraw, ClientMemory, Fetched, Materials, Vertices, Wanted, byte_range, decode,
+    decode_indices,
 };
 use std::sync::Arc;
 
@@ -199,7 +200,7 @@ impl Context {
     fn with_bytes<R>(
         &self,
         array: &VertexArray,
-        vertices: Vertices<'_>,
+        vertices: Wanted<'_>,
         memory: &dyn ClientMemory,
         work: impl FnOnce(&[u8]) -> R,
     ) -> Result<R, u32> {
@@ -224,7 +225,7 @@ impl Context {
     }
 
     /// Attributes of vertices out of the arrays that are enabled; none without an array of places.
-    fn fetch(&self, vertices: Vertices<'_>, memory: &dyn ClientMemory) -> Result<Fetched, u32> {
+    fn fetch(&self, vertices: Wanted<'_>, memory: &dyn ClientMemory) -> Result<Fetched, u32> {
         let arrays = &self.client.arrays;
         let mut fetched = Fetched::default();
         if !arrays.vertex.enabled || vertices.count() == 0 {
@@ -317,7 +318,7 @@ impl Context {
             // Nobody looks at the place.
             self.client.arrays.vertex = VertexArray { pointer: 0, buffer: 0, ..places };
         }
-        let fetched = self.fetch(Vertices::Range { first: index, count: 1 }, memory);
+        let fetched = self.fetch(Wanted::Range { first: index, count: 1 }, memory);
         self.client.arrays.vertex = VertexArray { enabled, ..places };
         fetched
     }
@@ -327,7 +328,7 @@ impl Context {
         outside_begin!(self);
         demand!(self, mode <= gl::POLYGON, gl::INVALID_ENUM);
         demand!(self, first >= 0 && count >= 0, gl::INVALID_VALUE);
-        let vertices = Vertices::Range { first: first as usize, count: count as usize };
+        let vertices = Wanted::Range { first: first as usize, count: count as usize };
         match self.fetch(vertices, memory) {
             Ok(vertices) => self.draw_fetched(ArrayDraw { mode, vertices, elements: None }),
             Err(error) => self.error.set(error),
@@ -373,7 +374,7 @@ impl Context {
             pointer: indices,
             buffer: self.client.arrays.element_buffer,
         };
-        let all = Vertices::Range { first: 0, count: count as usize };
+        let all = Wanted::Range { first: 0, count: count as usize };
         let decoded =
             self.with_bytes(&array, all, memory, |bytes| decode_indices(data_type, bytes));
         let drawn = decoded.and_then(|elements| self.fetch_elements(mode, elements, memory));
@@ -391,13 +392,13 @@ impl Context {
         mut elements: Vec<u32>,
         memory: &dyn ClientMemory,
     ) -> Result<ArrayDraw, u32> {
-        let list = Vertices::List(&elements);
+        let list = Wanted::List(&elements);
         let (first, span) = list.span();
         if span > 2 * elements.len() {
             let vertices = self.fetch(list, memory)?;
             return Ok(ArrayDraw { mode, vertices, elements: None });
         }
-        let vertices = self.fetch(Vertices::Range { first, count: span }, memory)?;
+        let vertices = self.fetch(Wanted::Range { first, count: span }, memory)?;
         for element in &mut elements {
             *element -= first as u32;
         }
@@ -446,17 +447,16 @@ impl Context {
             }
             return;
         }
-        let stream =
-            Stream::of_arrays(draw.mode, &self.state.current, self.state.materials, draw.vertices);
-        self.draw_elements_of(&stream, draw.elements.as_deref());
+        let materials = Materials::new(self.state.materials);
+        let vertices = Vertices::of_arrays(&self.state.current, draw.vertices);
+        self.draw_vertices(draw.mode, &vertices, &materials, draw.elements.as_deref());
     }
 
     /// Draws vertices that a list holds.
     pub(crate) fn draw_recorded(&mut self, draw: &ArrayDraw) {
         outside_begin!(self);
-        let vertices = draw.vertices.clone();
-        let stream =
-            Stream::of_arrays(draw.mode, &self.state.current, self.state.materials, vertices);
-        self.draw_elements_of(&stream, draw.elements.as_deref());
+        let materials = Materials::new(self.state.materials);
+        let vertices = Vertices::of_arrays(&self.state.current, draw.vertices.clone());
+        self.draw_vertices(draw.mode, &vertices, &materials, draw.elements.as_deref());
     }
 }

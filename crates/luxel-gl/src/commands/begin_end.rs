@@ -1,68 +1,94 @@
 //! `glBegin`, `glEnd` and what stands between them (OpenGL 1.5, sections 2.6 and 2.7), rectangles (2.11).
+//!
+//! Independent primitives wait after `glEnd`: where the next command is a `glBegin` of their mode, they go on, and are
+//! drawn together.
 
 use crate::Context;
-use crate::context::{compile, demand, outside_begin};
+use crate::context::{compile, demand, outside_begin, record};
 use crate::enums as gl;
 use crate::limits::{PART_VERTICES, STREAM_VERTICES, TEXTURE_UNITS};
 use crate::objects::list::Command;
-use crate::vertex::Stream;
+use crate::vertex::{Materials, Vertices};
 
 impl Context {
     /// `glBegin`. `GL_INVALID_OPERATION` within another one, `GL_INVALID_ENUM` for a mode that isn't one.
     pub fn begin(&mut self, mode: u32) {
         compile!(self, Command::Begin(mode));
+        if self.stream.resume(mode) {
+            return;
+        }
         outside_begin!(self);
         demand!(self, mode <= gl::POLYGON, gl::INVALID_ENUM);
         if self.is_incomplete() {
             return;
         }
-        self.stream = Some(Box::new(Stream::new(mode, &self.state.current, self.state.materials)));
+        self.stream.begin(mode, &self.state.current, self.state.materials);
     }
 
     /// `glEnd`. `GL_INVALID_OPERATION` without `glBegin`.
     pub fn end(&mut self) {
         compile!(self, Command::End);
-        let Some(stream) = self.stream.take() else {
+        if !self.stream.is_open() {
             self.error.set(gl::INVALID_OPERATION);
             return;
-        };
-        self.draw(&stream);
+        }
+        self.stream.end();
+        if !self.stream.is_waiting() {
+            self.draw_waiting();
+        }
     }
 
     /// `glVertex`: x, y, z, w. Outside of `glBegin` and `glEnd` it has no effect.
     #[inline]
     pub fn vertex(&mut self, position: [f32; 4]) {
-        compile!(self, Command::Vertex(position));
-        let Some(stream) = &mut self.stream else { return };
-        stream.push(position);
-        if stream.len() >= PART_VERTICES {
-            self.draw_part();
+        record!(self, |list| list.vertex(position));
+        if self.stream.is_open() {
+            self.stream.vertices.push(position);
+            if self.stream.vertices.len() >= PART_VERTICES {
+                self.limit_stream();
+            }
         }
     }
 
-    /// Draws a stream of independent primitives in part, so that it doesn't grow without bound; ends others at a
+    /// Draws a long stream of independent primitives in part, so that it doesn't grow without bound; ends others at a
     /// limit.
     #[cold]
-    fn draw_part(&mut self) {
-        let Some(mut stream) = self.stream.take() else { return };
-        let independent = matches!(stream.mode, gl::POINTS | gl::LINES | gl::TRIANGLES | gl::QUADS);
-        if independent && stream.len() == PART_VERTICES {
-            self.draw(&stream);
-            stream.keep_from(PART_VERTICES);
-        } else if stream.len() > STREAM_VERTICES {
+    fn limit_stream(&mut self) {
+        let count = self.stream.vertices.len();
+        if self.stream.is_independent() {
+            let mut stream = std::mem::take(&mut self.stream);
+            self.draw_vertices(stream.mode, &stream.vertices, &stream.materials, None);
+            stream.drop_complete();
+            self.stream = stream;
+        } else if count > STREAM_VERTICES {
             self.error.set(gl::OUT_OF_MEMORY);
-            stream.positions.pop();
+            self.stream.vertices.truncate(STREAM_VERTICES);
         }
-        self.stream = Some(stream);
+    }
+
+    /// Vertices and attributes of a display list, as the commands that they are.
+    pub(crate) fn vertices_of_list(&mut self, run: &Vertices) {
+        run.put_current(&mut self.state.current);
+        if self.state.enables.has(gl::COLOR_MATERIAL) {
+            self.color_drives_material();
+        }
+        if self.stream.is_open() {
+            self.stream.vertices.append(run);
+            if self.stream.vertices.len() >= PART_VERTICES {
+                self.limit_stream();
+            }
+        } else if self.stream.is_waiting() {
+            self.stream.vertices.take_attributes(run);
+        }
     }
 
     /// `glColor`: red, green, blue, alpha, not clamped.
     #[inline]
     pub fn color(&mut self, color: [f32; 4]) {
-        compile!(self, Command::Color(color));
+        record!(self, |list| list.set(|run| run.set_color(color)));
         self.state.current.color = color;
-        if let Some(stream) = &mut self.stream {
-            stream.color.set(color, stream.positions.len());
+        if self.stream.takes_attributes() {
+            self.stream.vertices.set_color(color);
         }
         if self.state.enables.has(gl::COLOR_MATERIAL) {
             self.color_drives_material();
@@ -78,52 +104,56 @@ impl Context {
     /// `glSecondaryColor`.
     #[inline]
     pub fn secondary_color(&mut self, color: [f32; 3]) {
-        compile!(self, Command::SecondaryColor(color));
+        record!(self, |list| list.set(|run| run.set_secondary(color)));
         self.state.current.secondary = color;
-        if let Some(stream) = &mut self.stream {
-            stream.secondary.set(color, stream.positions.len());
+        if self.stream.takes_attributes() {
+            self.stream.vertices.set_secondary(color);
         }
     }
 
     /// `glNormal`, of any length.
     #[inline]
     pub fn normal(&mut self, normal: [f32; 3]) {
-        compile!(self, Command::Normal(normal));
+        record!(self, |list| list.set(|run| run.set_normal(normal)));
         self.state.current.normal = normal;
-        if let Some(stream) = &mut self.stream {
-            stream.normal.set(normal, stream.positions.len());
+        if self.stream.takes_attributes() {
+            self.stream.vertices.set_normal(normal);
         }
     }
 
     /// `glMultiTexCoord`: s, t, r, q of the unit `GL_TEXTUREi`. `GL_INVALID_ENUM` for a unit that isn't there.
     #[inline]
     pub fn tex_coord(&mut self, unit: u32, coordinates: [f32; 4]) {
-        compile!(self, Command::TexCoord(unit, coordinates));
         let number = unit.wrapping_sub(gl::TEXTURE0) as usize;
-        demand!(self, number < TEXTURE_UNITS, gl::INVALID_ENUM);
+        if number >= TEXTURE_UNITS {
+            compile!(self, Command::Error(gl::INVALID_ENUM));
+            self.error.set(gl::INVALID_ENUM);
+            return;
+        }
+        record!(self, |list| list.set(|run| run.set_tex_coord(number, coordinates)));
         self.state.current.tex_coords[number] = coordinates;
-        if let Some(stream) = &mut self.stream {
-            stream.set_tex_coord(number, coordinates);
+        if self.stream.takes_attributes() {
+            self.stream.vertices.set_tex_coord(number, coordinates);
         }
     }
 
     /// `glFogCoord`.
     #[inline]
     pub fn fog_coord(&mut self, coordinate: f32) {
-        compile!(self, Command::FogCoord(coordinate));
+        record!(self, |list| list.set(|run| run.set_fog_coord(coordinate)));
         self.state.current.fog_coord = coordinate;
-        if let Some(stream) = &mut self.stream {
-            stream.fog_coord.set(coordinate, stream.positions.len());
+        if self.stream.takes_attributes() {
+            self.stream.vertices.set_fog_coord(coordinate);
         }
     }
 
     /// `glEdgeFlag`: whether an edge of a polygon that begins at the next vertex is one of its border.
     #[inline]
     pub fn edge_flag(&mut self, flag: bool) {
-        compile!(self, Command::EdgeFlag(flag));
+        record!(self, |list| list.set(|run| run.set_edge_flag(flag)));
         self.state.current.edge_flag = flag;
-        if let Some(stream) = &mut self.stream {
-            stream.edge_flag.set(flag, stream.positions.len());
+        if self.stream.takes_attributes() {
+            self.stream.vertices.set_edge_flag(flag);
         }
     }
 
@@ -138,11 +168,12 @@ impl Context {
     pub fn rect(&mut self, first: [f32; 2], second: [f32; 2]) {
         compile!(self, Command::Rect(first, second));
         outside_begin!(self);
-        let mut stream = Stream::new(gl::POLYGON, &self.state.current, self.state.materials);
+        let mut vertices = Vertices::default();
+        vertices.restart(&self.state.current);
         let ([x1, y1], [x2, y2]) = (first, second);
         for [x, y] in [[x1, y1], [x2, y1], [x2, y2], [x1, y2]] {
-            stream.push([x, y, 0.0, 1.0]);
+            vertices.push([x, y, 0.0, 1.0]);
         }
-        self.draw(&stream);
+        self.draw_vertices(gl::POLYGON, &vertices, &Materials::new(self.state.materials), None);
     }
 }

@@ -44,6 +44,9 @@ impl Context {
 
     /// Draws what is in the log.
     pub(crate) fn carry_out(&mut self) {
+        if self.stream.is_waiting() {
+            self.draw_waiting();
+        }
         self.drawn |= !self.log.is_empty();
         self.log.carry_out(&mut self.framebuffer, self.level);
     }

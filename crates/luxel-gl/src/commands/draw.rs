@@ -5,63 +5,69 @@ use crate::Context;
 use crate::context::{compile, outside_begin};
 use crate::enums as gl;
 use crate::fragment::TextureStages;
+use crate::limits::TEXTURE_UNITS;
 use crate::modes::{FeedbackVisitor, HitVisitor};
 use crate::objects::list::Command;
 use crate::primitive::assemble;
 use crate::raster::{Batch, BatchBuilder, Buffers, DrawState, LARGEST_DEPTH, Pipeline};
 use crate::state::current::RasterPosition;
-use crate::vertex::{Stream, VertexProcessor, WindowScale, codes};
+use crate::vertex::{Materials, Needs, VertexProcessor, Vertices, WindowScale, codes};
 use std::sync::Arc;
 
 impl Context {
-    /// Draws what stands between `glBegin` and `glEnd`.
-    pub(crate) fn draw(&mut self, stream: &Stream) {
-        self.draw_elements_of(stream, None);
+    /// Draws what waits.
+    #[cold]
+    pub(crate) fn draw_waiting(&mut self) {
+        let mut stream = std::mem::take(&mut self.stream);
+        self.draw_vertices(stream.mode, &stream.vertices, &stream.materials, None);
+        stream.set_drawn();
+        self.stream = stream;
     }
 
     /// Draws vertices in the order of elements; `None` for one after the other.
-    pub(crate) fn draw_elements_of(&mut self, stream: &Stream, elements: Option<&[u32]>) {
-        if stream.len() == 0 {
+    pub(crate) fn draw_vertices(
+        &mut self,
+        mode: u32,
+        vertices: &Vertices,
+        materials: &Materials,
+        elements: Option<&[u32]>,
+    ) {
+        if vertices.len() == 0 {
             return;
         }
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
         let state = DrawState::new(&self.state, scale);
-        let processor =
-            VertexProcessor::new(&self.state, &self.matrices, scale).with_eye(state.needs_eye());
+        let level = self.level;
+        let process = |context: &Self, needs: Needs| {
+            VertexProcessor::new(&context.state, &context.matrices, scale, needs)
+                .process(vertices, materials, level)
+        };
+        let count = vertices.len();
         match self.render_mode {
             gl::SELECT => {
-                let vertices = processor.process(stream, self.level);
+                let vertices = process(self, Needs::default());
                 let viewport = &self.state.viewport;
                 let mut visitor = HitVisitor::new(&state, &vertices, viewport, &mut self.selection);
-                assemble(stream.mode, stream.len(), elements, &mut visitor);
+                assemble(mode, count, elements, &mut visitor);
+                visitor.finish();
             }
             gl::FEEDBACK => {
-                let processor =
-                    processor.with_eye(true).with_textures(&self.state, &self.matrices, 1);
-                let vertices = processor.process(stream, self.level);
+                let vertices = process(self, Needs { eye: true, colors: true, textures: 1 });
                 let viewport = &self.state.viewport;
                 let mut visitor =
                     FeedbackVisitor::new(&state, &vertices, viewport, &mut self.feedback);
-                assemble(stream.mode, stream.len(), elements, &mut visitor);
+                assemble(mode, count, elements, &mut visitor);
             }
-            _ => self.render(stream, elements, &state, processor),
+            _ => {
+                let Some((pipeline, viewport)) = self.begin_draw() else { return };
+                let textures = pipeline.textures.as_ref().map_or(0, TextureStages::units);
+                let needs = Needs { eye: state.needs_eye(), colors: true, textures };
+                let vertices = process(self, needs);
+                let mut builder = BatchBuilder::new(&state, pipeline, viewport, vertices);
+                assemble(mode, count, elements, &mut builder);
+                self.finish_draw(builder.finish());
+            }
         }
-    }
-
-    fn render(
-        &mut self,
-        stream: &Stream,
-        elements: Option<&[u32]>,
-        state: &DrawState,
-        processor: VertexProcessor,
-    ) {
-        let Some((pipeline, viewport)) = self.begin_draw() else { return };
-        let units = pipeline.textures.as_ref().map_or(0, TextureStages::units);
-        let processor = processor.with_textures(&self.state, &self.matrices, units);
-        let vertices = processor.process(stream, self.level);
-        let mut builder = BatchBuilder::new(state, pipeline, &processor, viewport, vertices);
-        assemble(stream.mode, stream.len(), elements, &mut builder);
-        self.finish_draw(builder.finish());
     }
 
     /// The pipeline of a draw, and the viewport; `None` where nothing can be drawn.
@@ -97,13 +103,16 @@ impl Context {
     pub fn raster_pos(&mut self, position: [f32; 4]) {
         compile!(self, Command::RasterPos(position));
         outside_begin!(self);
-        let mut stream = Stream::new(gl::POINTS, &self.state.current, self.state.materials);
-        stream.push(position);
+        let mut vertices = Vertices::default();
+        vertices.restart(&self.state.current);
+        vertices.push(position);
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
-        let processor = VertexProcessor::new(&self.state, &self.matrices, scale)
-            .with_eye(true)
-            .with_textures(&self.state, &self.matrices, u32::MAX);
-        let vertex = processor.process(&stream, self.level);
+        let needs = Needs { eye: true, colors: true, textures: (1 << TEXTURE_UNITS) - 1 };
+        let vertex = VertexProcessor::new(&self.state, &self.matrices, scale, needs).process(
+            &vertices,
+            &Materials::new(self.state.materials),
+            self.level,
+        );
         let unheld = codes::OUTSIDE | codes::NOT_FINITE | codes::NOT_HELD;
         if vertex.codes[0] & unheld != 0 {
             self.state.current.raster.valid = false;

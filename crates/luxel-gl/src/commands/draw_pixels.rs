@@ -11,7 +11,7 @@ use crate::pixels::unpack::ImageLayout;
 use crate::raster::{BatchBuilder, DrawState, ImagePixels, LARGEST_DEPTH, PlacedImage};
 use crate::state::pixel::PixelStore;
 use crate::state::transfer::Transfer;
-use crate::vertex::{Processed, VertexProcessor, WindowScale};
+use crate::vertex::{Processed, WindowScale};
 use luxel_pick::{Feedback, FeedbackVertex};
 
 impl DrawPixels {
@@ -136,7 +136,6 @@ impl Context {
     fn render_image(&mut self, mut pixels: ImagePixels, size: [usize; 2], place: [f32; 2]) {
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
         let state = DrawState::new(&self.state, scale);
-        let processor = VertexProcessor::new(&self.state, &self.matrices, scale);
         let Some((pipeline, viewport)) = self.begin_draw() else { return };
         let raster = &self.state.current.raster;
         let depth = (f64::from(raster.window[2]) * f64::from(LARGEST_DEPTH)) as f32;
@@ -150,7 +149,7 @@ impl Context {
             }
         }
         let image = PlacedImage::new(pixels, size, place, self.state.pixel.zoom, pipeline.region);
-        let mut builder = BatchBuilder::new(&state, pipeline, &processor, viewport, vertex);
+        let mut builder = BatchBuilder::new(&state, pipeline, viewport, vertex);
         builder.push_image(image, depth);
         self.finish_draw(builder.finish());
     }

@@ -6,8 +6,9 @@ use crate::enums as gl;
 use crate::limits::STREAM_VERTICES;
 use crate::objects::list::Command;
 use crate::objects::map_calls::MapCall;
+use crate::state::current::Current;
 use crate::state::evaluator::{GridAxis, Map, MapTarget};
-use crate::vertex::{Stream, evaluator};
+use crate::vertex::{Materials, Vertices, evaluator};
 
 /// A value of an evaluator: a vertex, and what goes with it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -101,7 +102,7 @@ impl Context {
     /// What the enabled maps of one or two dimensions are at a place.
     fn evaluated(&self, place: [f32; 2], dimensions: usize) -> Evaluated {
         let first = if dimensions == 1 { gl::MAP1_COLOR_4 } else { gl::MAP2_COLOR_4 };
-        let enabled = |kind: u32| self.state.enables.has(first + kind);
+        let enabled = |kind: u32| self.state.enables.get(first + kind, 0) == Some(true);
         let place = place.map(f64::from);
         let map = |kind: u32| self.maps.get(MapTarget { dimensions, kind: kind as usize });
         let value = |kind: u32| {
@@ -133,31 +134,17 @@ impl Context {
         evaluated
     }
 
-    /// Appends a value to a stream; attributes that no map has are the current ones.
-    fn append(&self, stream: &mut Stream, place: [f32; 2], dimensions: usize) {
-        let evaluated = self.evaluated(place, dimensions);
-        let Some(vertex) = evaluated.vertex else { return };
-        let current = &self.state.current;
-        let count = stream.len();
-        stream.color.set(evaluated.color.unwrap_or(current.color), count);
-        stream.normal.set(evaluated.normal.unwrap_or(current.normal), count);
-        stream.set_tex_coord(0, evaluated.tex_coord.unwrap_or(current.tex_coords[0]));
-        stream.push(vertex);
-        // Evaluators leave current values as they are.
-        stream.color.set(current.color, count + 1);
-        stream.normal.set(current.normal, count + 1);
-        stream.set_tex_coord(0, current.tex_coords[0]);
-    }
-
     /// A vertex of the enabled maps between `glBegin` and `glEnd`; elsewhere it has no effect.
     fn evaluate(&mut self, place: [f32; 2], dimensions: usize) {
-        let Some(mut stream) = self.stream.take() else { return };
-        if stream.len() < STREAM_VERTICES {
-            self.append(&mut stream, place, dimensions);
+        if !self.stream.is_open() {
+            return;
+        }
+        if self.stream.vertices.len() < STREAM_VERTICES {
+            let evaluated = self.evaluated(place, dimensions);
+            append(&mut self.stream.vertices, &evaluated, &self.state.current);
         } else {
             self.error.set(gl::OUT_OF_MEMORY);
         }
-        self.stream = Some(stream);
     }
 
     /// `glEvalCoord1`
@@ -196,11 +183,12 @@ impl Context {
         dimensions: usize,
         places: impl Iterator<Item = [f32; 2]>,
     ) {
-        let mut stream = Stream::new(mode, &self.state.current, self.state.materials);
+        let mut vertices = Vertices::default();
+        vertices.restart(&self.state.current);
         for place in places {
-            self.append(&mut stream, place, dimensions);
+            append(&mut vertices, &self.evaluated(place, dimensions), &self.state.current);
         }
-        self.draw(&stream);
+        self.draw_vertices(mode, &vertices, &Materials::new(self.state.materials), None);
     }
 
     /// `glEvalMesh1`: points, or a line, of a run of the grid. `GL_INVALID_ENUM` for other modes, `GL_OUT_OF_MEMORY`
@@ -278,4 +266,16 @@ impl Context {
         }
         values
     }
+}
+
+/// Appends a value of maps; attributes that no map has are the current ones, and stay as they are.
+fn append(vertices: &mut Vertices, evaluated: &Evaluated, current: &Current) {
+    let Some(vertex) = evaluated.vertex else { return };
+    vertices.set_color(evaluated.color.unwrap_or(current.color));
+    vertices.set_normal(evaluated.normal.unwrap_or(current.normal));
+    vertices.set_tex_coord(0, evaluated.tex_coord.unwrap_or(current.tex_coords[0]));
+    vertices.push(vertex);
+    vertices.set_color(current.color);
+    vertices.set_normal(current.normal);
+    vertices.set_tex_coord(0, current.tex_coords[0]);
 }

@@ -93,6 +93,9 @@ impl Context {
 
     /// Does something with the default framebuffer in the place of what is bound.
     pub(crate) fn with_default_framebuffer<R>(&mut self, work: impl FnOnce(&mut Self) -> R) -> R {
+        if self.stream.is_waiting() {
+            self.draw_waiting();
+        }
         let draw = self.framebuffers.draw;
         self.set_draw_framebuffer(0);
         let result = work(self);

@@ -117,6 +117,9 @@ impl Context {
     pub fn material(&mut self, face: u32, pname: u32, params: &[f32]) {
         let pname = given(pname, params, lengths::material(pname));
         compile!(self, Command::Material(face, pname, first_values(params)));
+        if self.stream.is_waiting() {
+            self.draw_waiting();
+        }
         let is_face = matches!(face, gl::FRONT | gl::BACK | gl::FRONT_AND_BACK);
         demand!(self, is_face && lengths::material(pname) > 0, gl::INVALID_ENUM);
         let values: [f32; 4] = first_values(params);
@@ -131,8 +134,8 @@ impl Context {
         if self.state.enables.has(gl::COLOR_MATERIAL) {
             self.color_drives_material();
         }
-        if let Some(stream) = &mut self.stream {
-            stream.set_materials(self.state.materials);
+        if self.stream.is_open() {
+            self.stream.set_materials(self.state.materials);
         }
     }
 

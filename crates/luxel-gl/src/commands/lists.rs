@@ -1,10 +1,10 @@
 //! Display lists (OpenGL 1.5, section 5.4).
 
 use crate::Context;
-use crate::context::{OpenList, compile, demand, outside_begin};
+use crate::context::{compile, demand, outside_begin};
 use crate::enums as gl;
 use crate::limits::{EXECUTED_COMMANDS, LIST_NESTING};
-use crate::objects::list::{Command, list_offsets};
+use crate::objects::list::{Command, OpenList, list_offsets};
 
 impl Context {
     /// `glNewList`: what follows goes into the list, and is executed as well for `GL_COMPILE_AND_EXECUTE`.
@@ -14,7 +14,7 @@ impl Context {
         let is_mode = matches!(mode, gl::COMPILE | gl::COMPILE_AND_EXECUTE);
         demand!(self, is_mode, gl::INVALID_ENUM);
         demand!(self, self.list.is_none(), gl::INVALID_OPERATION);
-        self.list = Some(OpenList { name, mode, commands: Vec::new() });
+        self.list = Some(OpenList::new(name, mode));
     }
 
     /// `glEndList`: the list takes the place of an earlier one of its name.
@@ -24,7 +24,8 @@ impl Context {
             self.error.set(gl::INVALID_OPERATION);
             return;
         };
-        let put = self.lists().put(list.name, list.commands);
+        let name = list.name;
+        let put = list.finish().and_then(|list| self.lists().put(name, list));
         if let Err(error) = put {
             self.error.set(error);
         }
@@ -75,7 +76,7 @@ impl Context {
                 self.error.set(gl::OUT_OF_MEMORY);
                 break;
             }
-            self.executable -= 1;
+            self.executable = self.executable.saturating_sub(command.count() as u64);
             self.execute(command);
         }
         self.nesting -= 1;
@@ -116,15 +117,10 @@ impl Context {
     /// Executes a command of a list by the method that compiled it.
     fn execute(&mut self, command: &Command) {
         match *command {
+            Command::Error(error) => self.error.set(error),
             Command::Begin(mode) => self.begin(mode),
             Command::End => self.end(),
-            Command::Vertex(position) => self.vertex(position),
-            Command::Color(color) => self.color(color),
-            Command::SecondaryColor(color) => self.secondary_color(color),
-            Command::Normal(normal) => self.normal(normal),
-            Command::TexCoord(unit, coordinates) => self.tex_coord(unit, coordinates),
-            Command::FogCoord(coordinate) => self.fog_coord(coordinate),
-            Command::EdgeFlag(flag) => self.edge_flag(flag),
+            Command::Vertices(ref run) => self.vertices_of_list(run),
             Command::Index(index) => self.index(index),
             Command::RasterPos(position) => self.raster_pos(position),
             Command::WindowPos(position) => self.window_pos(position),

@@ -3,6 +3,7 @@
 use crate::Context;
 use crate::context::{compile, outside_begin};
 use crate::enums as gl;
+use crate::modes::NameChange;
 use crate::objects::list::Command;
 
 /// What is written to the program's memory when selection or feedback mode ends.
@@ -100,42 +101,39 @@ impl Context {
     /// `glInitNames`. Like all commands on names it has no effect outside of selection.
     pub fn init_names(&mut self) {
         compile!(self, Command::InitNames);
-        outside_begin!(self);
-        if self.render_mode == gl::SELECT {
-            self.selection.init_names();
-        }
+        self.change_names(NameChange::Init);
     }
 
     /// `glLoadName`. `GL_INVALID_OPERATION` if the stack is empty.
     pub fn load_name(&mut self, name: u32) {
         compile!(self, Command::LoadName(name));
-        outside_begin!(self);
-        if self.render_mode == gl::SELECT
-            && let Err(error) = self.selection.load_name(name)
-        {
-            self.error.set(error);
-        }
+        self.change_names(NameChange::Load(name));
     }
 
     /// `glPushName`. `GL_STACK_OVERFLOW` if the stack is full.
     pub fn push_name(&mut self, name: u32) {
         compile!(self, Command::PushName(name));
-        outside_begin!(self);
-        if self.render_mode == gl::SELECT
-            && let Err(error) = self.selection.push_name(name)
-        {
-            self.error.set(error);
-        }
+        self.change_names(NameChange::Push(name));
     }
 
     /// `glPopName`. `GL_STACK_UNDERFLOW` if the stack is empty.
     pub fn pop_name(&mut self) {
         compile!(self, Command::PopName);
-        outside_begin!(self);
-        if self.render_mode == gl::SELECT
-            && let Err(error) = self.selection.pop_name()
-        {
-            self.error.set(error);
+        self.change_names(NameChange::Pop);
+    }
+
+    /// Changes the names of what is drawn from now on. What waits to be drawn goes on waiting.
+    fn change_names(&mut self, change: NameChange) {
+        if self.stream.is_open() {
+            self.error.set(gl::INVALID_OPERATION);
+        } else if self.render_mode == gl::SELECT {
+            let result = self.selection.change(change, self.stream.waiting());
+            if let Err(error) = result {
+                self.error.set(error);
+            }
+            if self.selection.is_full() {
+                self.draw_waiting();
+            }
         }
     }
 

@@ -3,7 +3,7 @@
 //! A primitive that reaches into the clip volume and in front of the user's planes is one, unless its face is culled. Depths
 //! are those of the part inside, clipped in f64 by [`luxel_pick::depths_in_volume`].
 
-use super::SelectionMode;
+use super::{NameChange, SelectionMode};
 use crate::primitive::{ClipCorner, Visitor, clip_polygon};
 use crate::raster::{DrawState, polygon_area};
 use crate::state::attributes::Viewport;
@@ -11,14 +11,14 @@ use crate::vertex::{Processed, codes};
 use glam::DVec4;
 use luxel_pick::depths_in_volume;
 
-/// Records primitives.
+/// Records primitives, and changes names between them.
 pub(crate) struct HitVisitor<'a> {
     state: &'a DrawState,
     vertices: &'a Processed,
     viewport: &'a Viewport,
     selection: &'a mut SelectionMode,
-    /// The depths of everything so far: names don't change between vertices.
-    depths: Option<[f64; 2]>,
+    changes: std::iter::Peekable<std::vec::IntoIter<(u32, NameChange)>>,
+    polygon: Vec<ClipCorner>,
 }
 
 /// Where clip coordinates lie in the window, in pixels, with their depth.
@@ -43,74 +43,102 @@ impl<'a> HitVisitor<'a> {
         viewport: &'a Viewport,
         selection: &'a mut SelectionMode,
     ) -> Self {
-        Self { state, vertices, viewport, selection, depths: None }
+        let changes = selection.take_waiting().into_iter().peekable();
+        Self { state, vertices, viewport, selection, changes, polygon: Vec::new() }
+    }
+
+    /// Changes names after the last primitive.
+    pub(crate) fn finish(mut self) {
+        self.change_names(u32::MAX);
+    }
+
+    /// Changes names as they are at a vertex.
+    #[inline]
+    fn change_names(&mut self, vertex: u32) {
+        while let Some((_, change)) = self.changes.next_if(|(before, _)| *before <= vertex) {
+            self.selection.carry_out_waiting(change);
+        }
+    }
+
+    /// What all of some vertices lie beyond, and what any does.
+    #[inline]
+    fn codes(&self, corners: &[u32]) -> (u16, u16) {
+        corners.iter().fold((u16::MAX, 0), |(all, any), corner| {
+            let code = self.vertices.codes[*corner as usize];
+            (all & code, any | code)
+        })
     }
 
     /// A point, a line or a triangle.
     fn primitive(&mut self, corners: &[u32]) {
-        let code = |corner: &u32| self.vertices.codes[*corner as usize];
-        let all = corners.iter().map(code).fold(u16::MAX, |all, code| all & code);
-        let any = corners.iter().map(code).fold(0, |any, code| any | code);
+        let (all, any) = self.codes(corners);
         if all & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
             return;
         }
+        let clip = |corner: &u32| self.vertices.clip[*corner as usize];
         let planes = self.state.planes();
         let beyond = planes.iter().any(|(number, _)| any >> (codes::FIRST_PLANE + number) & 1 == 1);
-        let mut polygon: Vec<ClipCorner> = corners
-            .iter()
-            .enumerate()
-            .map(|(at, corner)| ClipCorner::new(self.vertices.clip[*corner as usize], at, false))
-            .collect();
-        if beyond {
-            let distance = |(_, plane): &(u32, [f64; 4]), corner: &ClipCorner| {
-                let of_vertex = |vertex: &u32| -> f64 {
-                    let eye = self.vertices.eye[*vertex as usize];
-                    plane.iter().zip(eye).map(|(p, e)| p * f64::from(e)).sum()
-                };
-                corners.iter().zip(corner.weights).map(|(v, weight)| of_vertex(v) * weight).sum()
-            };
-            clip_polygon(&mut polygon, planes, distance);
+        if !beyond {
+            let mut whole = [DVec4::ZERO; 3];
+            for (whole, corner) in whole.iter_mut().zip(corners) {
+                *whole = DVec4::from_array(clip(corner).map(f64::from));
+            }
+            self.part(&whole[..corners.len()]);
+            return;
         }
-        let clip: Vec<DVec4> =
-            polygon.iter().map(|corner| DVec4::from_array(corner.clip)).collect();
-        match *clip.as_slice() {
-            [] => {}
-            [_] | [_, _] => self.part(&clip),
-            [first, ..] => {
-                for pair in clip[1..].windows(2) {
-                    self.part(&[first, pair[0], pair[1]]);
+        let mut polygon = std::mem::take(&mut self.polygon);
+        polygon.clear();
+        polygon.extend(
+            corners.iter().enumerate().map(|(at, corner)| ClipCorner::new(clip(corner), at, false)),
+        );
+        let distance = |(_, plane): &(u32, [f64; 4]), corner: &ClipCorner| {
+            let of_vertex = |vertex: &u32| -> f64 {
+                let eye = self.vertices.eye[*vertex as usize];
+                plane.iter().zip(eye).map(|(p, e)| p * f64::from(e)).sum()
+            };
+            corners.iter().zip(corner.weights).map(|(v, weight)| of_vertex(v) * weight).sum()
+        };
+        clip_polygon(&mut polygon, planes, distance);
+        let place = |at: usize| DVec4::from_array(polygon[at].clip);
+        match polygon.len() {
+            0 => {}
+            1 => self.part(&[place(0)]),
+            2 => self.part(&[place(0), place(1)]),
+            count => {
+                for last in 2..count {
+                    self.part(&[place(0), place(last - 1), place(last)]);
                 }
             }
         }
+        self.polygon = polygon;
     }
 
     fn part(&mut self, corners: &[DVec4]) {
-        let Some(depths) = depths_in_volume(corners) else { return };
-        let [a, b] = depths.map(|depth| window_depth(self.viewport, depth));
-        let [low, high] = self.depths.unwrap_or([f64::INFINITY, f64::NEG_INFINITY]);
-        self.depths = Some([low.min(a).min(b), high.max(a).max(b)]);
-    }
-}
-
-impl Drop for HitVisitor<'_> {
-    /// Hands the depths over.
-    fn drop(&mut self) {
-        if let Some(depths) = self.depths {
-            self.selection.hit(depths);
+        if let Some(depths) = depths_in_volume(corners) {
+            // The range of depths may run backwards.
+            let [a, b] = depths.map(|depth| window_depth(self.viewport, depth));
+            self.selection.hit([a.min(b), a.max(b)]);
         }
     }
 }
 
 impl Visitor for HitVisitor<'_> {
     fn point(&mut self, vertex: u32) {
+        self.change_names(vertex);
         self.primitive(&[vertex]);
     }
 
     fn line(&mut self, ends: [u32; 2], _: bool) {
+        self.change_names(ends[0]);
         self.primitive(&ends);
     }
 
     fn polygon(&mut self, corners: &[u32], _: u32, _: bool) {
+        self.change_names(corners[0]);
+        let (all, _) = self.codes(corners);
+        if all & codes::OUTSIDE != 0 {
+            return;
+        }
         let area = polygon_area(self.vertices, self.state.scale(), corners);
         if self.state.is_culled(self.state.side(area)) {
             return;

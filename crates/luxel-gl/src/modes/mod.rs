@@ -7,5 +7,5 @@ mod tokens;
 
 pub(crate) use feedback::FeedbackMode;
 pub(crate) use hits::{HitVisitor, window_place};
-pub(crate) use select::SelectionMode;
+pub(crate) use select::{NameChange, SelectionMode};
 pub(crate) use tokens::FeedbackVisitor;

@@ -4,27 +4,24 @@
 //! list is executed, and so are its errors.
 
 use crate::enums as gl;
-use crate::limits::LIST_COMMANDS;
+use crate::limits::{LIST_COMMANDS, PART_VERTICES};
 use crate::objects::image_calls::{
     BitmapCall, CopyTexImage, CopyTexSubImage, DrawPixels, TexImage, TexSubImage, WithPixels,
 };
 use crate::objects::map_calls::MapCall;
-use crate::vertex::ArrayDraw;
+use crate::vertex::{ArrayDraw, Vertices};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A command of a list, with its arguments.
 #[derive(Clone, Debug)]
 pub(crate) enum Command {
+    /// One that sets an error.
+    Error(u32),
     Begin(u32),
     End,
-    Vertex([f32; 4]),
-    Color([f32; 4]),
-    SecondaryColor([f32; 3]),
-    Normal([f32; 3]),
-    TexCoord(u32, [f32; 4]),
-    FogCoord(f32),
-    EdgeFlag(bool),
+    /// Vertices and attributes, as many as come one after the other.
+    Vertices(Box<Vertices>),
     Index(f32),
     RasterPos([f32; 4]),
     WindowPos([f32; 3]),
@@ -123,17 +120,99 @@ pub(crate) enum Command {
     EndQuery(u32),
 }
 
+impl Command {
+    /// How many commands of the API it is.
+    pub(crate) fn count(&self) -> usize {
+        match self {
+            Self::Vertices(run) => 1 + run.len(),
+            _ => 1,
+        }
+    }
+}
+
+/// A display list that is being compiled (`glNewList`).
+#[derive(Debug)]
+pub(crate) struct OpenList {
+    pub(crate) name: u32,
+    pub(crate) mode: u32,
+    commands: Vec<Command>,
+    /// What comes after the last command.
+    run: Vertices,
+    /// Commands of the API, but for those of the run.
+    count: usize,
+}
+
+impl OpenList {
+    pub(crate) fn new(name: u32, mode: u32) -> Self {
+        Self { name, mode, commands: Vec::new(), run: Vertices::default(), count: 0 }
+    }
+
+    /// Appends a command. `GL_OUT_OF_MEMORY` if the list is too long.
+    pub(crate) fn push(&mut self, command: Command) -> Result<(), u32> {
+        self.close_run()?;
+        self.append(command)
+    }
+
+    fn append(&mut self, command: Command) -> Result<(), u32> {
+        let count = self.count + command.count();
+        if count > LIST_COMMANDS {
+            return Err(gl::OUT_OF_MEMORY);
+        }
+        self.count = count;
+        self.commands.push(command);
+        Ok(())
+    }
+
+    /// Appends a vertex with the attributes of now.
+    #[inline]
+    pub(crate) fn vertex(&mut self, position: [f32; 4]) -> Result<(), u32> {
+        self.run.push(position);
+        if self.run.len() >= PART_VERTICES { self.close_run() } else { Ok(()) }
+    }
+
+    /// Sets an attribute of the next vertices.
+    #[inline]
+    pub(crate) fn set(&mut self, set: impl FnOnce(&mut Vertices)) -> Result<(), u32> {
+        set(&mut self.run);
+        Ok(())
+    }
+
+    /// Makes a command of vertices and attributes.
+    fn close_run(&mut self) -> Result<(), u32> {
+        if self.run.is_empty() {
+            return Ok(());
+        }
+        let mut run = std::mem::take(&mut self.run);
+        run.shrink();
+        self.append(Command::Vertices(Box::new(run)))
+    }
+
+    /// The commands of the list.
+    pub(crate) fn finish(mut self) -> Result<List, u32> {
+        self.close_run()?;
+        Ok(List { commands: self.commands.into(), count: self.count })
+    }
+}
+
+/// A display list.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct List {
+    pub(crate) commands: Arc<[Command]>,
+    /// Commands of the API.
+    count: usize,
+}
+
 /// The lists of a context, and of those that share with it. An empty list is a name that is taken.
 #[derive(Debug, Default)]
 pub(crate) struct Lists {
-    lists: BTreeMap<u32, Arc<[Command]>>,
+    lists: BTreeMap<u32, List>,
     /// Commands of all lists.
     count: usize,
 }
 
 impl Lists {
     pub(crate) fn get(&self, name: u32) -> Option<Arc<[Command]>> {
-        self.lists.get(&name).map(Arc::clone)
+        self.lists.get(&name).map(|list| Arc::clone(&list.commands))
     }
 
     pub(crate) fn has(&self, name: u32) -> bool {
@@ -141,13 +220,13 @@ impl Lists {
     }
 
     /// Takes a list in place of the one that had the name.
-    pub(crate) fn put(&mut self, name: u32, commands: Vec<Command>) -> Result<(), u32> {
-        if self.count + commands.len() > LIST_COMMANDS {
+    pub(crate) fn put(&mut self, name: u32, list: List) -> Result<(), u32> {
+        if self.count + list.count > LIST_COMMANDS {
             return Err(gl::OUT_OF_MEMORY);
         }
-        self.count += commands.len();
-        if let Some(before) = self.lists.insert(name, commands.into()) {
-            self.count -= before.len();
+        self.count += list.count;
+        if let Some(before) = self.lists.insert(name, list) {
+            self.count -= before.count;
         }
         Ok(())
     }
@@ -169,7 +248,7 @@ impl Lists {
             return 0;
         }
         for name in first..=first + (count - 1) {
-            self.lists.insert(name, Arc::new([]));
+            self.lists.insert(name, List::default());
         }
         first
     }
@@ -180,7 +259,7 @@ impl Lists {
         let last = u32::try_from(end).unwrap_or(u32::MAX);
         let names: Vec<u32> = self.lists.range(first..last).map(|(name, _)| *name).collect();
         for name in names {
-            self.count -= self.lists.remove(&name).map_or(0, |list| list.len());
+            self.count -= self.lists.remove(&name).map_or(0, |list| list.count);
         }
     }
 }
@@ -218,7 +297,7 @@ mod tests {
         assert_eq!(lists.generate(2), 4);
         lists.delete(2, 2);
         assert_eq!(lists.generate(2), 2);
-        lists.put(u32::MAX, Vec::new()).unwrap();
+        lists.put(u32::MAX, List::default()).unwrap();
         assert_eq!(lists.generate(1), 6);
         lists.delete(0, u32::MAX);
         assert!(!lists.has(1) && lists.has(u32::MAX));

@@ -9,7 +9,7 @@ use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window
 use crate::enums as gl;
 use crate::primitive::line::LineWalk;
 use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment};
-use crate::vertex::{Processed, VertexProcessor, codes};
+use crate::vertex::{Processed, codes};
 use luxel_math::SUBPIXELS;
 use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
 use std::sync::Arc;
@@ -27,7 +27,6 @@ impl<'a> BatchBuilder<'a> {
     pub(crate) fn new(
         state: &'a DrawState,
         pipeline: Arc<Pipeline>,
-        processor: &VertexProcessor,
         viewport: [i32; 4],
         vertices: Processed,
     ) -> Self {
@@ -35,7 +34,7 @@ impl<'a> BatchBuilder<'a> {
         let [left, bottom, right, top] = viewport;
         let polygon_region = [l.max(left), b.max(bottom), r.min(right), t.min(top)];
         let (pieces, prepared, rows) = (Vec::new(), Vec::new(), Vec::new());
-        let scale = processor.scale();
+        let scale = state.scale;
         let batch = Batch {
             pipeline,
             polygon_region,

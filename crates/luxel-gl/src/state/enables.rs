@@ -4,37 +4,57 @@ use crate::enums as gl;
 use crate::limits::{CLIP_PLANES, LIGHTS, TEXTURE_UNITS};
 use crate::texture::Target;
 
-/// Capabilities with the bits of `glPushAttrib` that save them beside `GL_ENABLE_BIT`.
-const TABLE: &[(u32, u32)] = &[
-    (gl::LIGHTING, gl::LIGHTING_BIT),
-    (gl::COLOR_MATERIAL, gl::LIGHTING_BIT),
-    (gl::DEPTH_TEST, gl::DEPTH_BUFFER_BIT),
-    (gl::CULL_FACE, gl::POLYGON_BIT),
-    (gl::NORMALIZE, gl::TRANSFORM_BIT),
-    (gl::RESCALE_NORMAL, gl::TRANSFORM_BIT),
-    (gl::SCISSOR_TEST, gl::SCISSOR_BIT),
-    (gl::STENCIL_TEST, gl::STENCIL_BUFFER_BIT),
-    (gl::ALPHA_TEST, gl::COLOR_BUFFER_BIT),
-    (gl::BLEND, gl::COLOR_BUFFER_BIT),
-    (gl::COLOR_LOGIC_OP, gl::COLOR_BUFFER_BIT),
-    (gl::INDEX_LOGIC_OP, gl::COLOR_BUFFER_BIT),
-    (gl::DITHER, gl::COLOR_BUFFER_BIT),
-    (gl::FOG, gl::FOG_BIT),
-    (gl::COLOR_SUM, gl::FOG_BIT),
-    (gl::LINE_SMOOTH, gl::LINE_BIT),
-    (gl::LINE_STIPPLE, gl::LINE_BIT),
-    (gl::POINT_SMOOTH, gl::POINT_BIT),
-    (gl::POLYGON_SMOOTH, gl::POLYGON_BIT),
-    (gl::POLYGON_STIPPLE, gl::POLYGON_BIT),
-    (gl::POLYGON_OFFSET_POINT, gl::POLYGON_BIT),
-    (gl::POLYGON_OFFSET_LINE, gl::POLYGON_BIT),
-    (gl::POLYGON_OFFSET_FILL, gl::POLYGON_BIT),
-    (gl::MULTISAMPLE, gl::MULTISAMPLE_BIT),
-    (gl::SAMPLE_ALPHA_TO_COVERAGE, gl::MULTISAMPLE_BIT),
-    (gl::SAMPLE_ALPHA_TO_ONE, gl::MULTISAMPLE_BIT),
-    (gl::SAMPLE_COVERAGE, gl::MULTISAMPLE_BIT),
-    (gl::AUTO_NORMAL, gl::EVAL_BIT),
-];
+/// Names capabilities, a bit each in that order, with the bits of `glPushAttrib` that save them beside `GL_ENABLE_BIT`.
+macro_rules! capabilities {
+    ($($name:ident $group:ident,)*) => {
+        const TABLE: &[(u32, u32)] = &[$((gl::$name, gl::$group)),*];
+
+        /// The bit of a capability; a constant for a name that is one.
+        #[inline(always)]
+        const fn bit_in_table(name: u32) -> Option<u32> {
+            let bit = 0;
+            $(
+                if name == gl::$name {
+                    return Some(bit);
+                }
+                let bit = bit + 1;
+            )*
+            let _ = bit;
+            None
+        }
+    };
+}
+
+capabilities! {
+    LIGHTING LIGHTING_BIT,
+    COLOR_MATERIAL LIGHTING_BIT,
+    DEPTH_TEST DEPTH_BUFFER_BIT,
+    CULL_FACE POLYGON_BIT,
+    NORMALIZE TRANSFORM_BIT,
+    RESCALE_NORMAL TRANSFORM_BIT,
+    SCISSOR_TEST SCISSOR_BIT,
+    STENCIL_TEST STENCIL_BUFFER_BIT,
+    ALPHA_TEST COLOR_BUFFER_BIT,
+    BLEND COLOR_BUFFER_BIT,
+    COLOR_LOGIC_OP COLOR_BUFFER_BIT,
+    INDEX_LOGIC_OP COLOR_BUFFER_BIT,
+    DITHER COLOR_BUFFER_BIT,
+    FOG FOG_BIT,
+    COLOR_SUM FOG_BIT,
+    LINE_SMOOTH LINE_BIT,
+    LINE_STIPPLE LINE_BIT,
+    POINT_SMOOTH POINT_BIT,
+    POLYGON_SMOOTH POLYGON_BIT,
+    POLYGON_STIPPLE POLYGON_BIT,
+    POLYGON_OFFSET_POINT POLYGON_BIT,
+    POLYGON_OFFSET_LINE POLYGON_BIT,
+    POLYGON_OFFSET_FILL POLYGON_BIT,
+    MULTISAMPLE MULTISAMPLE_BIT,
+    SAMPLE_ALPHA_TO_COVERAGE MULTISAMPLE_BIT,
+    SAMPLE_ALPHA_TO_ONE MULTISAMPLE_BIT,
+    SAMPLE_COVERAGE MULTISAMPLE_BIT,
+    AUTO_NORMAL EVAL_BIT,
+}
 
 /// Bit of the first light, of the first plane and of the first evaluator.
 const FIRST_LIGHT: u32 = TABLE.len() as u32;
@@ -68,9 +88,8 @@ impl Capability {
             let number = name.wrapping_sub(first);
             (number < count as u32).then_some(Self::Global(bit + number))
         };
-        let in_table = TABLE.iter().position(|(known, _)| *known == name);
-        in_table
-            .map(|bit| Self::Global(bit as u32))
+        bit_in_table(name)
+            .map(Self::Global)
             .or_else(|| run(gl::LIGHT0, LIGHTS, FIRST_LIGHT))
             .or_else(|| run(gl::CLIP_PLANE0, CLIP_PLANES, FIRST_PLANE))
             .or_else(|| run(gl::MAP1_COLOR_4, MAPS as usize, FIRST_MAP1))
@@ -107,9 +126,10 @@ impl Enables {
         })
     }
 
-    /// Whether a capability that isn't a texture's is enabled.
+    /// Whether one of the capabilities that have one name each is enabled.
+    #[inline(always)]
     pub(crate) fn has(&self, name: u32) -> bool {
-        self.get(name, 0).unwrap_or(false)
+        bit_in_table(name).is_some_and(|bit| self.bits >> bit & 1 == 1)
     }
 
     /// Whether secondary colours are added to the primary ones (section 3.9).

@@ -44,12 +44,12 @@ pub(crate) struct ArrayDraw {
 
 /// Which vertices are fetched.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Vertices<'a> {
+pub(crate) enum Wanted<'a> {
     Range { first: usize, count: usize },
     List(&'a [u32]),
 }
 
-impl Vertices<'_> {
+impl Wanted<'_> {
     pub(crate) fn count(&self) -> usize {
         match self {
             Self::Range { count, .. } => *count,
@@ -93,7 +93,7 @@ pub(crate) fn byte_range(
 pub(crate) fn decode<const N: usize>(
     array: &VertexArray,
     bytes: &[u8],
-    vertices: Vertices<'_>,
+    vertices: Wanted<'_>,
     normalized: bool,
     fill: [f32; N],
 ) -> Vec<[f32; N]> {
@@ -127,7 +127,7 @@ pub(crate) fn decode<const N: usize>(
 fn elements<const N: usize>(
     array: &VertexArray,
     bytes: &[u8],
-    vertices: Vertices<'_>,
+    vertices: Wanted<'_>,
     fill: [f32; N],
     of: impl Fn(&[u8]) -> f32,
 ) -> Vec<[f32; N]> {
@@ -143,8 +143,8 @@ fn elements<const N: usize>(
         values
     };
     match vertices {
-        Vertices::Range { count, .. } => (0..count).map(element).collect(),
-        Vertices::List(list) => {
+        Wanted::Range { count, .. } => (0..count).map(element).collect(),
+        Wanted::List(list) => {
             let (first, _) = vertices.span();
             list.iter().map(|&number| element(number as usize - first)).collect()
         }
@@ -171,7 +171,7 @@ mod tests {
         let mut array = crate::state::arrays::Arrays::default().color;
         (array.size, array.data_type, array.stride) = (3, gl::UNSIGNED_BYTE, 4);
         let bytes = [255, 0, 51, 9, 0, 255, 0, 9, 102, 0, 0];
-        let all = Vertices::Range { first: 0, count: 4 };
+        let all = Wanted::Range { first: 0, count: 4 };
         let colors = decode(&array, &bytes, all, true, [0.0, 0.0, 0.0, 1.0]);
         let expected = [
             [1.0, 0.0, 0.2, 1.0],
@@ -180,7 +180,7 @@ mod tests {
             [0.0, 0.0, 0.0, 1.0],
         ];
         assert_eq!(colors, expected);
-        let listed = decode(&array, &bytes[4..], Vertices::List(&[2, 1]), true, [0.0; 4]);
+        let listed = decode(&array, &bytes[4..], Wanted::List(&[2, 1]), true, [0.0; 4]);
         assert_eq!(listed, [[0.4, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]]);
         assert_eq!(byte_range(&array, 1, 2), Some((4, 7)));
         assert_eq!(byte_range(&array, usize::MAX, 2), None);

@@ -1,16 +1,23 @@
 //! Vertices: the stream between `glBegin` and `glEnd`, and what becomes of them.
 
+mod column;
+mod columns;
 pub(crate) mod evaluator;
 mod fetch;
 mod light_setup;
+mod light_vertices;
+mod materials;
 mod matrix_rows;
 mod process;
 mod processed;
 mod stream;
 mod texgen;
+mod vertices;
 
-pub(crate) use fetch::{ArrayDraw, Fetched, Vertices, byte_range, decode, decode_indices};
+pub(crate) use fetch::{ArrayDraw, Fetched, Wanted, byte_range, decode, decode_indices};
 pub use fetch::{ClientMemory, NoClientMemory};
-pub(crate) use process::VertexProcessor;
+pub(crate) use materials::Materials;
+pub(crate) use process::{Needs, VertexProcessor};
 pub(crate) use processed::{Processed, WindowScale, codes};
 pub(crate) use stream::Stream;
+pub(crate) use vertices::Vertices;

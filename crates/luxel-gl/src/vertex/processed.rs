@@ -67,39 +67,89 @@ pub(crate) struct Processed {
     pub(crate) edge_flags: Vec<bool>,
 }
 
+/// Which lists of [`Processed`] there are, beside clip coordinates, codes and places in the window.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Lists {
+    pub(crate) eye: bool,
+    /// How many sides have primary colours, and how many secondary ones.
+    pub(crate) colors: usize,
+    pub(crate) secondary: usize,
+    pub(crate) fog_coord: bool,
+    /// The units with texture coordinates, a bit each.
+    pub(crate) textures: u32,
+}
+
+/// A run of the lists of [`Processed`]; lists that nobody needs are empty.
+#[derive(Debug, Default)]
+pub(super) struct ProcessedRun<'a> {
+    /// The first vertex.
+    pub(super) first: usize,
+    pub(super) clip: &'a mut [[f32; 4]],
+    pub(super) codes: &'a mut [u16],
+    pub(super) window: &'a mut [WindowVertex],
+    pub(super) eye: &'a mut [[f32; 4]],
+    pub(super) colors: [&'a mut [[f32; 4]]; 2],
+    pub(super) secondary: [&'a mut [[f32; 4]]; 2],
+    pub(super) fog_coord: &'a mut [f32],
+    pub(super) tex_coords: [&'a mut [[f32; 4]]; TEXTURE_UNITS],
+}
+
 impl Processed {
-    /// Makes room for so many vertices in the lists that there are.
-    pub(crate) fn reserve(&mut self, count: usize) {
-        fn room<T>(list: &mut Vec<T>, count: usize) {
-            if !list.is_empty() {
-                list.reserve_exact(count.saturating_sub(list.len()));
-            }
+    /// Gives the lists that are needed room for so many vertices, and empties the others. Values are to be written.
+    pub(super) fn resize(&mut self, count: usize, lists: &Lists) {
+        fn sized<T: Clone + Default>(list: &mut Vec<T>, count: usize, needed: bool) {
+            list.resize(if needed { count } else { 0 }, T::default());
         }
-        room(&mut self.clip, count);
-        room(&mut self.codes, count);
-        room(&mut self.window, count);
-        room(&mut self.eye, count);
-        room(&mut self.fog_coord, count);
-        for list in self.colors.iter_mut().chain(&mut self.secondary).chain(&mut self.tex_coords) {
-            room(list, count);
+        sized(&mut self.clip, count, true);
+        sized(&mut self.codes, count, true);
+        sized(&mut self.window, count, true);
+        sized(&mut self.eye, count, lists.eye);
+        for side in 0..2 {
+            sized(&mut self.colors[side], count, side < lists.colors);
+            sized(&mut self.secondary[side], count, side < lists.secondary);
         }
+        sized(&mut self.fog_coord, count, lists.fog_coord);
+        for (unit, list) in self.tex_coords.iter_mut().enumerate() {
+            sized(list, count, lists.textures >> unit & 1 == 1);
+        }
+        self.edge_flags.clear();
     }
 
-    /// Appends the vertices of the next run.
-    pub(crate) fn append(&mut self, other: &mut Self) {
-        self.clip.append(&mut other.clip);
-        self.codes.append(&mut other.codes);
-        self.window.append(&mut other.window);
-        self.eye.append(&mut other.eye);
-        for side in 0..2 {
-            self.colors[side].append(&mut other.colors[side]);
-            self.secondary[side].append(&mut other.secondary[side]);
+    /// The lists in runs of `length` vertices.
+    pub(super) fn runs(&mut self, length: usize) -> Vec<ProcessedRun<'_>> {
+        fn part<'a, T>(list: &mut &'a mut [T], length: usize) -> &'a mut [T] {
+            let rest = std::mem::take(list);
+            let (first, rest) = rest.split_at_mut(length.min(rest.len()));
+            *list = rest;
+            first
         }
-        self.fog_coord.append(&mut other.fog_coord);
-        for (own, others) in self.tex_coords.iter_mut().zip(&mut other.tex_coords) {
-            own.append(others);
+        let mut rest = ProcessedRun {
+            first: 0,
+            clip: &mut self.clip,
+            codes: &mut self.codes,
+            window: &mut self.window,
+            eye: &mut self.eye,
+            colors: self.colors.each_mut().map(Vec::as_mut_slice),
+            secondary: self.secondary.each_mut().map(Vec::as_mut_slice),
+            fog_coord: &mut self.fog_coord,
+            tex_coords: self.tex_coords.each_mut().map(Vec::as_mut_slice),
+        };
+        let mut runs = Vec::with_capacity(rest.clip.len().div_ceil(length));
+        while !rest.clip.is_empty() {
+            runs.push(ProcessedRun {
+                first: rest.first,
+                clip: part(&mut rest.clip, length),
+                codes: part(&mut rest.codes, length),
+                window: part(&mut rest.window, length),
+                eye: part(&mut rest.eye, length),
+                colors: rest.colors.each_mut().map(|list| part(list, length)),
+                secondary: rest.secondary.each_mut().map(|list| part(list, length)),
+                fog_coord: part(&mut rest.fog_coord, length),
+                tex_coords: rest.tex_coords.each_mut().map(|list| part(list, length)),
+            });
+            rest.first += length;
         }
-        self.edge_flags.append(&mut other.edge_flags);
+        runs
     }
 
     /// The primary colour of a vertex on a side: 0 is the front.

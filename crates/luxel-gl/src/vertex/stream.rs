@@ -1,234 +1,200 @@
-//! The stream of vertices between `glBegin` and `glEnd`.
-//!
-//! An attribute that nobody changes between vertices is kept once. The first change fills in its past, and from
-//! then on each vertex has its own.
+//! The stream of vertices between `glBegin` and `glEnd`, and on to the next `glBegin` where that goes on with it.
 
-use super::fetch::Fetched;
-use crate::limits::TEXTURE_UNITS;
+use super::materials::{Materials, Sides};
+use super::vertices::Vertices;
+use crate::enums as gl;
+use crate::limits::WAITING_VERTICES;
 use crate::state::current::Current;
-use crate::state::material::SurfaceMaterial;
 
-/// An attribute of all vertices of a stream.
-#[derive(Clone, Debug)]
-pub(crate) struct Varying<T> {
-    /// The value of all vertices so far and of the next one, or of the next one alone.
-    now: T,
-    values: Vec<T>,
-    varies: bool,
+/// Where a stream stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Phase {
+    /// Nothing is to be drawn.
+    #[default]
+    Idle,
+    /// Between `glBegin` and `glEnd`.
+    Open,
+    /// After `glEnd`: independent primitives wait for more of their kind, until something else happens.
+    Waiting,
 }
 
-impl<T: Copy> Varying<T> {
-    fn new(now: T) -> Self {
-        Self { now, values: Vec::new(), varies: false }
-    }
-
-    /// Changes the value for the next vertex, of which `count` are already there.
-    #[inline]
-    pub(crate) fn set(&mut self, value: T, count: usize) {
-        if !self.varies && count > 0 {
-            self.varies = true;
-            self.values.resize(count, self.now);
-        }
-        self.now = value;
-    }
-
-    #[inline]
-    fn push(&mut self) {
-        if self.varies {
-            self.values.push(self.now);
-        }
-    }
-
-    /// The value of a vertex.
-    #[inline(always)]
-    pub(crate) fn of(&self, vertex: usize) -> T {
-        if self.varies { self.values[vertex] } else { self.now }
-    }
-
-    /// Takes values of all vertices, if there are any.
-    fn replace(&mut self, values: Option<Vec<T>>) {
-        if let Some(values) = values {
-            self.values = values;
-            self.varies = true;
-        }
-    }
-
-    /// Whether vertices have values of their own.
-    pub(crate) fn varies(&self) -> bool {
-        self.varies
-    }
-
-    /// Keeps only the last vertices from `first` on.
-    fn keep_from(&mut self, first: usize) {
-        if self.varies {
-            self.values.drain(..first);
-        }
-    }
-}
-
-/// Front and back material.
-pub(crate) type Sides = [SurfaceMaterial; 2];
-
-/// The vertices of one `glBegin`.
+/// Primitives that are being given vertex by vertex.
 #[derive(Clone, Debug)]
 pub(crate) struct Stream {
+    phase: Phase,
     pub(crate) mode: u32,
-    pub(crate) positions: Vec<[f32; 4]>,
-    pub(crate) color: Varying<[f32; 4]>,
-    pub(crate) secondary: Varying<[f32; 3]>,
-    pub(crate) normal: Varying<[f32; 3]>,
-    /// Of unit 0.
-    pub(crate) tex_coord: Varying<[f32; 4]>,
-    /// Of the units from 1 on.
-    more_tex_coords: [Varying<[f32; 4]>; TEXTURE_UNITS - 1],
-    /// Whether one of these varies.
-    more_vary: bool,
-    pub(crate) fog_coord: Varying<f32>,
-    pub(crate) edge_flag: Varying<bool>,
-    /// Materials, in the order in which they were set; vertices have numbers of these.
-    pub(crate) materials: Vec<Sides>,
-    pub(crate) material: Varying<u32>,
-    /// Whether earlier vertices of the same `glBegin` have been drawn.
-    pub(crate) continued: bool,
+    pub(crate) vertices: Vertices,
+    pub(crate) materials: Materials,
+}
+
+impl Default for Stream {
+    fn default() -> Self {
+        let materials = Materials::new(Sides::default());
+        Self { phase: Phase::Idle, mode: gl::POINTS, vertices: Vertices::default(), materials }
+    }
+}
+
+/// How many vertices each primitive of a mode has, if none shares vertices with another one.
+fn independent(mode: u32) -> Option<usize> {
+    Some(match mode {
+        gl::POINTS => 1,
+        gl::LINES => 2,
+        gl::TRIANGLES => 3,
+        gl::QUADS => 4,
+        _ => return None,
+    })
 }
 
 impl Stream {
-    pub(crate) fn new(mode: u32, current: &Current, materials: Sides) -> Self {
-        Self {
-            mode,
-            positions: Vec::new(),
-            color: Varying::new(current.color),
-            secondary: Varying::new(current.secondary),
-            normal: Varying::new(current.normal),
-            tex_coord: Varying::new(current.tex_coords[0]),
-            more_tex_coords: std::array::from_fn(|unit| Varying::new(current.tex_coords[unit + 1])),
-            more_vary: false,
-            fog_coord: Varying::new(current.fog_coord),
-            edge_flag: Varying::new(current.edge_flag),
-            materials: vec![materials],
-            material: Varying::new(0),
-            continued: false,
-        }
+    /// Begins primitives with what is current.
+    pub(crate) fn begin(&mut self, mode: u32, current: &Current, materials: Sides) {
+        self.phase = Phase::Open;
+        self.mode = mode;
+        self.vertices.restart(current);
+        self.materials = Materials::new(materials);
     }
 
-    /// The vertices of arrays; what has no array is what is current.
-    pub(crate) fn of_arrays(
-        mode: u32,
-        current: &Current,
-        materials: Sides,
-        fetched: Fetched,
-    ) -> Self {
-        let mut stream = Self::new(mode, current, materials);
-        stream.positions = fetched.positions;
-        stream.normal.replace(fetched.normals);
-        stream.color.replace(fetched.colors);
-        stream.secondary.replace(fetched.secondary);
-        stream.edge_flag.replace(fetched.edge_flags);
-        stream.fog_coord.replace(fetched.fog_coords);
-        let mut of_units = fetched.tex_coords.into_iter();
-        if let Some(coordinates) = of_units.next() {
-            stream.tex_coord.replace(coordinates);
-        }
-        for (coordinates, values) in stream.more_tex_coords.iter_mut().zip(of_units) {
-            stream.more_vary |= values.is_some();
-            coordinates.replace(values);
-        }
-        stream
-    }
-
-    /// How many vertices there are.
+    /// Goes on with primitives that wait, if they are of that mode.
     #[inline]
-    pub(crate) fn len(&self) -> usize {
-        self.positions.len()
+    pub(crate) fn resume(&mut self, mode: u32) -> bool {
+        let resumes = self.phase == Phase::Waiting && self.mode == mode;
+        if resumes {
+            self.phase = Phase::Open;
+        }
+        resumes
     }
 
-    /// Appends a vertex with the current attributes.
+    /// Ends primitives: leaves out what is incomplete, and lets independent ones wait if they are few.
     #[inline]
-    pub(crate) fn push(&mut self, position: [f32; 4]) {
-        self.positions.push(position);
-        self.color.push();
-        self.secondary.push();
-        self.normal.push();
-        self.tex_coord.push();
-        if self.more_vary {
-            for coordinates in &mut self.more_tex_coords {
-                coordinates.push();
+    pub(crate) fn end(&mut self) {
+        self.phase = Phase::Idle;
+        if let Some(each) = independent(self.mode)
+            && self.vertices.len() >= each
+        {
+            let incomplete = self.vertices.len() % each;
+            if incomplete != 0 {
+                self.vertices.truncate(self.vertices.len() - incomplete);
             }
-        }
-        self.fog_coord.push();
-        self.edge_flag.push();
-        self.material.push();
-    }
-
-    /// Changes a unit's texture coordinates for the next vertices.
-    #[inline]
-    pub(crate) fn set_tex_coord(&mut self, unit: usize, coordinates: [f32; 4]) {
-        let count = self.positions.len();
-        match unit.checked_sub(1) {
-            None => self.tex_coord.set(coordinates, count),
-            Some(place) => {
-                self.more_tex_coords[place].set(coordinates, count);
-                self.more_vary |= self.more_tex_coords[place].varies();
+            if self.vertices.len() < WAITING_VERTICES {
+                self.phase = Phase::Waiting;
             }
         }
     }
 
-    /// A vertex's texture coordinates of a unit.
-    #[inline(always)]
-    pub(crate) fn tex_coord_of(&self, unit: usize, vertex: usize) -> [f32; 4] {
-        match unit.checked_sub(1) {
-            None => self.tex_coord.of(vertex),
-            Some(place) => self.more_tex_coords[place].of(vertex),
-        }
+    /// Whether it stands between `glBegin` and `glEnd`.
+    #[inline]
+    pub(crate) fn is_open(&self) -> bool {
+        self.phase == Phase::Open
+    }
+
+    /// Whether primitives wait to be drawn.
+    #[inline]
+    pub(crate) fn is_waiting(&self) -> bool {
+        self.phase == Phase::Waiting
+    }
+
+    /// Vertices that wait to be drawn.
+    pub(crate) fn waiting(&self) -> usize {
+        if self.is_waiting() { self.vertices.len() } else { 0 }
+    }
+
+    /// Says that what waited has been drawn.
+    pub(crate) fn set_drawn(&mut self) {
+        self.phase = Phase::Idle;
+    }
+
+    /// Whether attributes of now are those of its next vertex.
+    #[inline]
+    pub(crate) fn takes_attributes(&self) -> bool {
+        self.phase != Phase::Idle
+    }
+
+    /// After all that is complete has been drawn of independent primitives: keeps the rest. False for others, which are
+    /// drawn as a whole alone.
+    pub(crate) fn drop_complete(&mut self) -> bool {
+        let Some(each) = independent(self.mode) else { return false };
+        let count = self.vertices.len();
+        self.vertices.drop_first(count - count % each);
+        self.materials.keep_last();
+        true
+    }
+
+    /// Whether its primitives can be drawn in part.
+    pub(crate) fn is_independent(&self) -> bool {
+        independent(self.mode).is_some()
     }
 
     /// Changes the material for the next vertices.
     pub(crate) fn set_materials(&mut self, sides: Sides) {
-        if self.materials.last() == Some(&sides) {
-            return;
-        }
-        if self.positions.is_empty() {
-            self.materials = vec![sides];
-            return;
-        }
-        self.materials.push(sides);
-        self.material.set(self.materials.len() as u32 - 1, self.positions.len());
-    }
-
-    /// Forgets vertices that have been drawn, all before `first`.
-    pub(crate) fn keep_from(&mut self, first: usize) {
-        self.positions.drain(..first);
-        self.color.keep_from(first);
-        self.secondary.keep_from(first);
-        self.normal.keep_from(first);
-        self.tex_coord.keep_from(first);
-        for coordinates in &mut self.more_tex_coords {
-            coordinates.keep_from(first);
-        }
-        self.fog_coord.keep_from(first);
-        self.edge_flag.keep_from(first);
-        self.material.keep_from(first);
-        self.continued = true;
+        self.materials.set(sides, self.vertices.len());
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::enums as gl;
+
+    fn begun(mode: u32) -> Stream {
+        let mut stream = Stream::default();
+        stream.begin(mode, &Current::default(), Sides::default());
+        stream
+    }
 
     #[test]
     fn section_2_7_each_vertex_keeps_the_values_that_were_current_when_it_came() {
-        let mut stream = Stream::new(gl::POINTS, &Current::default(), Sides::default());
-        stream.color.set([0.5; 4], stream.len());
-        stream.push([0.0; 4]);
-        stream.push([1.0; 4]);
-        stream.color.set([0.25; 4], stream.len());
-        stream.normal.set([1.0, 0.0, 0.0], stream.len());
-        stream.push([2.0; 4]);
-        let colors = [0, 1, 2].map(|vertex| stream.color.of(vertex)[0]);
+        let mut stream = begun(gl::POINTS);
+        let vertices = &mut stream.vertices;
+        vertices.set_color([0.5; 4]);
+        vertices.push([0.0; 4]);
+        vertices.push([1.0; 4]);
+        vertices.set_color([0.25; 4]);
+        vertices.set_normal([1.0, 0.0, 0.0]);
+        vertices.push([2.0; 4]);
+        let colors = [0, 1, 2].map(|vertex| vertices.color.of(vertex)[0]);
         assert_eq!(colors, [0.5, 0.5, 0.25]);
-        assert_eq!([stream.normal.of(0)[2], stream.normal.of(2)[0]], [1.0, 1.0]);
-        assert!(!stream.edge_flag.varies());
+        assert_eq!([vertices.normal.of(0)[2], vertices.normal.of(2)[0]], [1.0, 1.0]);
+        assert!(!vertices.edge_flag.varies());
+    }
+
+    #[test]
+    fn section_5_4_a_run_of_a_list_takes_what_it_has_not_set_from_where_it_is_called() {
+        let mut list = Vertices::default();
+        list.push([0.0; 4]);
+        list.set_color([0.25; 4]);
+        list.set_tex_coord(3, [7.0; 4]);
+        list.push([1.0; 4]);
+        list.push([2.0; 4]);
+        list.set_normal([1.0, 0.0, 0.0]);
+        let mut stream = begun(gl::POINTS);
+        stream.vertices.set_color([0.5; 4]);
+        stream.vertices.push([3.0; 4]);
+        stream.vertices.append(&list);
+        stream.vertices.append(&list);
+        let reds: Vec<f32> = (0..7).map(|vertex| stream.vertices.color.of(vertex)[0]).collect();
+        assert_eq!(reds, [0.5, 0.5, 0.25, 0.25, 0.25, 0.25, 0.25]);
+        let s: Vec<f32> = (0..7).map(|vertex| stream.vertices.tex_coord_of(3, vertex)[0]).collect();
+        assert_eq!(s, [0.0, 0.0, 7.0, 7.0, 7.0, 7.0, 7.0]);
+        let x: Vec<f32> = (0..7).map(|vertex| stream.vertices.normal.of(vertex)[0]).collect();
+        assert_eq!(x, [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
+        let mut current = Current::default();
+        list.put_current(&mut current);
+        assert_eq!((current.color, current.normal), ([0.25; 4], [1.0, 0.0, 0.0]));
+        assert_eq!(current.tex_coords[0], [0.0, 0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn section_2_6_1_primitives_that_wait_are_complete_and_of_the_mode_that_goes_on() {
+        let mut stream = begun(gl::TRIANGLES);
+        (0..5).for_each(|_| stream.vertices.push([0.0; 4]));
+        stream.vertices.set_color([0.5; 4]);
+        stream.end();
+        assert_eq!(stream.waiting(), 3);
+        assert!(!stream.resume(gl::QUADS) && stream.resume(gl::TRIANGLES));
+        stream.vertices.push([1.0; 4]);
+        assert_eq!([stream.vertices.color.of(2)[0], stream.vertices.color.of(3)[0]], [1.0, 0.5]);
+        let mut strip = begun(gl::TRIANGLE_STRIP);
+        (0..5).for_each(|_| strip.vertices.push([0.0; 4]));
+        strip.end();
+        assert!(!strip.is_waiting() && strip.vertices.len() == 5);
     }
 }

@@ -21,3 +21,4 @@ mod pixel_transfer;
 mod queries;
 mod state;
 mod textures;
+mod waiting;

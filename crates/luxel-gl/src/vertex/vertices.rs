@@ -1,0 +1,218 @@
+//! Vertices as commands give them: positions, and the attributes that were current at each.
+
+use super::column::Column;
+use super::fetch::Fetched;
+use crate::limits::TEXTURE_UNITS;
+use crate::state::current::Current;
+
+/// A run of vertices. In a display list attributes may be unknown that nobody has set before a vertex.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Vertices {
+    pub(crate) positions: Vec<[f32; 4]>,
+    pub(crate) color: Column<[f32; 4]>,
+    pub(crate) secondary: Column<[f32; 3]>,
+    pub(crate) normal: Column<[f32; 3]>,
+    pub(crate) fog_coord: Column<f32>,
+    pub(crate) edge_flag: Column<bool>,
+    /// Of the units up to the last one that has any.
+    tex_coords: Vec<Column<[f32; 4]>>,
+    /// The units whose coordinates vary, a bit each.
+    varying_units: u32,
+    /// Whether an attribute was set.
+    has_attributes: bool,
+}
+
+/// Does the same to every attribute.
+macro_rules! each_column {
+    ($vertices:ident, $column:ident => $work:expr) => {
+        let $column = &mut $vertices.color;
+        $work;
+        let $column = &mut $vertices.secondary;
+        $work;
+        let $column = &mut $vertices.normal;
+        $work;
+        let $column = &mut $vertices.fog_coord;
+        $work;
+        let $column = &mut $vertices.edge_flag;
+        $work;
+        for $column in &mut $vertices.tex_coords {
+            $work;
+        }
+    };
+}
+
+impl Vertices {
+    /// Begins a run anew, with what is current.
+    pub(crate) fn restart(&mut self, current: &Current) {
+        self.positions.clear();
+        self.varying_units = 0;
+        self.has_attributes = true;
+        self.color.restart(current.color);
+        self.secondary.restart(current.secondary);
+        self.normal.restart(current.normal);
+        self.fog_coord.restart(current.fog_coord);
+        self.edge_flag.restart(current.edge_flag);
+        self.tex_coords.resize_with(TEXTURE_UNITS, Column::default);
+        for (column, coordinates) in self.tex_coords.iter_mut().zip(current.tex_coords) {
+            column.restart(coordinates);
+        }
+    }
+
+    /// The vertices of arrays; what has no array is what is current.
+    pub(crate) fn of_arrays(current: &Current, fetched: Fetched) -> Self {
+        fn replace<T: Copy>(column: &mut Column<T>, values: Option<Vec<T>>) {
+            if let Some(values) = values {
+                column.replace(values);
+            }
+        }
+        let mut vertices = Self::default();
+        vertices.restart(current);
+        vertices.positions = fetched.positions;
+        replace(&mut vertices.normal, fetched.normals);
+        replace(&mut vertices.color, fetched.colors);
+        replace(&mut vertices.secondary, fetched.secondary);
+        replace(&mut vertices.edge_flag, fetched.edge_flags);
+        replace(&mut vertices.fog_coord, fetched.fog_coords);
+        for (unit, values) in fetched.tex_coords.into_iter().enumerate() {
+            vertices.varying_units |= u32::from(values.is_some()) << unit;
+            replace(&mut vertices.tex_coords[unit], values);
+        }
+        vertices
+    }
+
+    /// How many vertices there are.
+    #[inline]
+    pub(crate) fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Whether nothing has been set and no vertex come.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.positions.is_empty() && !self.has_attributes
+    }
+
+    /// Appends a vertex with the attributes of now.
+    #[inline]
+    pub(crate) fn push(&mut self, position: [f32; 4]) {
+        self.positions.push(position);
+        self.color.push();
+        self.secondary.push();
+        self.normal.push();
+        self.fog_coord.push();
+        self.edge_flag.push();
+        if self.varying_units != 0 {
+            for unit in luxel_math::lanes_of(self.varying_units) {
+                self.tex_coords[unit].push();
+            }
+        }
+    }
+
+    #[inline]
+    pub(crate) fn set_color(&mut self, color: [f32; 4]) {
+        self.color.set(color, self.positions.len());
+        self.has_attributes = true;
+    }
+
+    pub(crate) fn set_secondary(&mut self, color: [f32; 3]) {
+        self.secondary.set(color, self.positions.len());
+        self.has_attributes = true;
+    }
+
+    #[inline]
+    pub(crate) fn set_normal(&mut self, normal: [f32; 3]) {
+        self.normal.set(normal, self.positions.len());
+        self.has_attributes = true;
+    }
+
+    pub(crate) fn set_fog_coord(&mut self, coordinate: f32) {
+        self.fog_coord.set(coordinate, self.positions.len());
+        self.has_attributes = true;
+    }
+
+    pub(crate) fn set_edge_flag(&mut self, flag: bool) {
+        self.edge_flag.set(flag, self.positions.len());
+        self.has_attributes = true;
+    }
+
+    #[inline]
+    pub(crate) fn set_tex_coord(&mut self, unit: usize, coordinates: [f32; 4]) {
+        if unit >= self.tex_coords.len() {
+            self.tex_coords.resize_with(unit + 1, Column::default);
+        }
+        let column = &mut self.tex_coords[unit];
+        column.set(coordinates, self.positions.len());
+        self.varying_units |= u32::from(column.varies()) << unit;
+        self.has_attributes = true;
+    }
+
+    /// A vertex's texture coordinates of a unit.
+    #[inline(always)]
+    pub(crate) fn tex_coord_of(&self, unit: usize, vertex: usize) -> [f32; 4] {
+        self.tex_coords[unit].of(vertex)
+    }
+
+    /// Appends the vertices of a display list, and takes its attributes: what it hasn't set is what these have.
+    pub(crate) fn append(&mut self, other: &Self) {
+        let (count, more) = (self.len(), other.len());
+        self.positions.extend_from_slice(&other.positions);
+        self.color.append(count, &other.color, more);
+        self.secondary.append(count, &other.secondary, more);
+        self.normal.append(count, &other.normal, more);
+        self.fog_coord.append(count, &other.fog_coord, more);
+        self.edge_flag.append(count, &other.edge_flag, more);
+        let unset = Column::default();
+        for (unit, own) in self.tex_coords.iter_mut().enumerate() {
+            own.append(count, other.tex_coords.get(unit).unwrap_or(&unset), more);
+            self.varying_units |= u32::from(own.varies()) << unit;
+        }
+    }
+
+    /// Takes the attributes of a display list that has no vertices for these.
+    pub(crate) fn take_attributes(&mut self, other: &Self) {
+        let count = self.len();
+        self.color.take(count, &other.color);
+        self.secondary.take(count, &other.secondary);
+        self.normal.take(count, &other.normal);
+        self.fog_coord.take(count, &other.fog_coord);
+        self.edge_flag.take(count, &other.edge_flag);
+        for (unit, (own, other)) in self.tex_coords.iter_mut().zip(&other.tex_coords).enumerate() {
+            own.take(count, other);
+            self.varying_units |= u32::from(own.varies()) << unit;
+        }
+    }
+
+    /// Puts the attributes of now, as far as they have been set, into what is current.
+    pub(crate) fn put_current(&self, current: &mut Current) {
+        fn put<T: Copy>(column: &Column<T>, current: &mut T) {
+            if let Some(now) = column.now() {
+                *current = now;
+            }
+        }
+        put(&self.color, &mut current.color);
+        put(&self.secondary, &mut current.secondary);
+        put(&self.normal, &mut current.normal);
+        put(&self.fog_coord, &mut current.fog_coord);
+        put(&self.edge_flag, &mut current.edge_flag);
+        for (column, coordinates) in self.tex_coords.iter().zip(&mut current.tex_coords) {
+            put(column, coordinates);
+        }
+    }
+
+    /// Keeps the first vertices.
+    pub(crate) fn truncate(&mut self, count: usize) {
+        self.positions.truncate(count);
+        each_column!(self, column => column.truncate(count));
+    }
+
+    /// Drops the first vertices.
+    pub(crate) fn drop_first(&mut self, count: usize) {
+        self.positions.drain(..count);
+        each_column!(self, column => column.drop_first(count));
+    }
+
+    /// Gives back room that nobody needs.
+    pub(crate) fn shrink(&mut self) {
+        self.positions.shrink_to_fit();
+        each_column!(self, column => column.shrink());
+    }
+}
