@@ -30,6 +30,8 @@ pub trait F64Lanes:
     fn sqrt(self) -> Self;
     /// `self` where the mask is true, `other` where it is false.
     fn select(self, mask: <Self::F32 as Lanes>::Mask, other: Self) -> Self;
+    /// `then` where this is above 0, `otherwise` elsewhere. Faster than a mask, which has to become one for `f64` first.
+    fn if_positive(self, then: Self, otherwise: Self) -> Self;
     /// Whether it is above 0.
     fn is_positive(self) -> <Self::F32 as Lanes>::Mask;
     /// Rounded to `f32`, ties to even.
@@ -64,6 +66,10 @@ impl F64Lanes for f64 {
     #[inline(always)]
     fn select(self, mask: bool, other: Self) -> Self {
         if mask { self } else { other }
+    }
+    #[inline(always)]
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        if self > 0.0 { then } else { otherwise }
     }
     #[inline(always)]
     fn is_positive(self) -> bool {
@@ -149,6 +155,14 @@ macro_rules! wide_lanes {
                 Self {
                     low: low.select(self.low, other.low),
                     high: high.select(self.high, other.high),
+                }
+            }
+            #[inline(always)]
+            fn if_positive(self, then: Self, otherwise: Self) -> Self {
+                let zero = $Half::splat(self.low.simd, 0.0);
+                Self {
+                    low: self.low.simd_gt(zero).select(then.low, otherwise.low),
+                    high: self.high.simd_gt(zero).select(then.high, otherwise.high),
                 }
             }
             #[inline(always)]
@@ -266,7 +280,7 @@ mod tests {
     use fearless_simd::dispatch;
 
     #[inline(always)]
-    fn worked<N: Lanes>(a: N, b: N) -> [N; 7] {
+    fn worked<N: Lanes>(a: N, b: N) -> [N; 8] {
         let (a, b) = (a.to_f64(), b.to_f64());
         let far = a.constant(1e8) + b;
         let mut stored = [0.0; LANES];
@@ -278,12 +292,13 @@ mod tests {
             (a.abs() + b.abs()).to_f32(),
             a.abs().sqrt().to_f32(),
             a.select(b.is_positive(), b).to_f32(),
+            b.if_positive(a, b).to_f32(),
             (a.load(&stored) - a.constant(1e8)).to_f32(),
         ]
     }
 
     #[inline(always)]
-    fn sixteen<S: Simd>(simd: S, a: [f32; LANES], b: [f32; LANES]) -> ([[f32; LANES]; 7], u64) {
+    fn sixteen<S: Simd>(simd: S, a: [f32; LANES], b: [f32; LANES]) -> ([[f32; LANES]; 8], u64) {
         let [a, b] = [a, b].map(|lanes| f32x16::simd_from(simd, lanes));
         let worked = worked(a, b).map(|result| std::array::from_fn(|lane| result.lane(lane)));
         (worked, a.to_f64().is_positive().to_bitmask())

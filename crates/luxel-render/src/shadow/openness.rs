@@ -61,13 +61,13 @@ impl Shadows<'_> {
                 let [u, v] = [wide.load(&frames.disc[0]), wide.load(&frames.disc[1])];
                 let one = wide.constant(1.0);
                 let squared = one - u * u - v * v;
-                let up = squared.select(squared.is_positive(), wide.constant(0.0)).sqrt();
+                let up = squared.if_positive(squared, wide.constant(0.0)).sqrt();
                 let mut direction = [wide; 3];
                 for axis in 0..3 {
                     direction[axis] = tangent[axis] * u + bitangent[axis] * v + normal[axis] * up;
                 }
                 let above = dot(places.normal, direction);
-                let below = above.select((-above).is_positive(), wide.constant(0.0));
+                let below = (-above).if_positive(above, wide.constant(0.0));
                 let twice = wide.constant(2.0) * below;
                 rays.lanes = frames.lanes;
                 for axis in 0..3 {

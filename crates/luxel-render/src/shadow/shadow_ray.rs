@@ -154,7 +154,7 @@ impl<N: Lanes> ShadowLanes<N> {
         };
         let lit = dot(smooth, direction);
         let terminator = terminator([lit, dot(shading, direction), dot(smooth, shading)]);
-        let lit = lit.select(lit.is_positive(), wide.constant(0.0));
+        let lit = lit.if_positive(lit, wide.constant(0.0));
         let faces = dot(places.normal, direction);
         let raised = (lit - (faces + faces)).is_positive().bits();
         Self { origin, direction, end, terminator, raised }

@@ -261,20 +261,19 @@ impl<D: F64Lanes> LinearForms<D> {
         let zero = x.constant(0.0);
         let sum = weights[0] + weights[1] + weights[2];
         // The sum has the sign of all weights inside.
-        let sign = sum.constant(1.0).select(sum.is_positive(), sum.constant(-1.0));
+        let sign = sum.if_positive(sum.constant(1.0), sum.constant(-1.0));
         for weight in &mut weights {
             let signed = *weight * sign;
-            *weight = signed.select(signed.is_positive(), zero);
+            *weight = signed.if_positive(signed, zero);
         }
         let [w0, w1, w2] = weights;
         let sum = w0 + w1 + w2;
         let one = sum.constant(1.0);
-        let sound = sum.is_positive();
-        let scale = one / sum.select(sound, one);
+        let scale = one / sum.if_positive(sum, one);
         [
-            (w0 * scale).select(sound, one).to_f32(),
-            (w1 * scale).select(sound, zero).to_f32(),
-            (w2 * scale).select(sound, zero).to_f32(),
+            sum.if_positive(w0 * scale, one).to_f32(),
+            sum.if_positive(w1 * scale, zero).to_f32(),
+            sum.if_positive(w2 * scale, zero).to_f32(),
         ]
     }
 
