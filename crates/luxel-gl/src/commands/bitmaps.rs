@@ -6,7 +6,7 @@ use crate::enums as gl;
 use crate::objects::image_calls::BitmapCall;
 use crate::objects::list::Command;
 use crate::pixels::store::{bitmap_bytes, read_bitmap};
-use crate::raster::{BatchBuilder, DrawState, LARGEST_DEPTH};
+use crate::raster::{BatchBuilder, BatchLists, DrawState, LARGEST_DEPTH};
 use crate::vertex::{Processed, WindowScale};
 use luxel_pick::{Feedback, FeedbackVertex};
 use std::sync::Arc;
@@ -65,8 +65,9 @@ impl Context {
         let corner = [0, 1].map(|axis: usize| (raster.window[axis] - call.origin[axis]).floor());
         demand!(self, corner.iter().all(|at| at.abs() < 1e6), gl::NO_ERROR);
         let depth = (f64::from(raster.window[2]) * f64::from(LARGEST_DEPTH)) as f32;
-        let vertex = Processed::at_raster(raster, self.state.enables.sums_colors());
-        let mut builder = BatchBuilder::new(&state, pipeline, viewport, vertex);
+        let vertices = Processed::at_raster(raster, self.state.enables.sums_colors());
+        let lists = BatchLists::new(vertices);
+        let mut builder = BatchBuilder::new(&state, pipeline, viewport, lists);
         builder.push_bitmap(Arc::clone(&call.bitmap), corner.map(|at| at as i32), depth);
         self.finish_draw(builder.finish());
     }

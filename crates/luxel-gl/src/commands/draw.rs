@@ -11,7 +11,7 @@ use crate::objects::list::Command;
 use crate::primitive::assemble;
 use crate::raster::{Batch, BatchBuilder, Buffers, DrawState, LARGEST_DEPTH, Pipeline};
 use crate::state::current::RasterPosition;
-use crate::vertex::{Materials, Needs, VertexProcessor, Vertices, WindowScale, codes};
+use crate::vertex::{Materials, Needs, Processed, VertexProcessor, Vertices, WindowScale, codes};
 use std::sync::Arc;
 
 impl Context {
@@ -38,32 +38,36 @@ impl Context {
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
         let state = DrawState::new(&self.state, scale);
         let level = self.level;
-        let process = |context: &Self, needs: Needs| {
-            VertexProcessor::new(&context.state, &context.matrices, scale, needs)
-                .process(vertices, materials, level)
+        let process = |context: &Self, needs: Needs, out: &mut Processed| {
+            let processor = VertexProcessor::new(&context.state, &context.matrices, scale, needs);
+            processor.process(vertices, materials, level, out);
         };
+        let mut lists = self.log.spare();
+        let processed = &mut lists.vertices;
         let count = vertices.len();
         match self.render_mode {
             gl::SELECT => {
-                let vertices = process(self, Needs::default());
+                process(self, Needs::default(), processed);
                 let viewport = &self.state.viewport;
-                let mut visitor = HitVisitor::new(&state, &vertices, viewport, &mut self.selection);
+                let mut visitor = HitVisitor::new(&state, processed, viewport, &mut self.selection);
                 assemble(mode, count, elements, &mut visitor);
                 visitor.finish();
+                self.log.put_spare(lists);
             }
             gl::FEEDBACK => {
-                let vertices = process(self, Needs { eye: true, colors: true, textures: 1 });
+                process(self, Needs { eye: true, colors: true, textures: 1 }, processed);
                 let viewport = &self.state.viewport;
                 let mut visitor =
-                    FeedbackVisitor::new(&state, &vertices, viewport, &mut self.feedback);
+                    FeedbackVisitor::new(&state, processed, viewport, &mut self.feedback);
                 assemble(mode, count, elements, &mut visitor);
+                self.log.put_spare(lists);
             }
             _ => {
                 let Some((pipeline, viewport)) = self.begin_draw() else { return };
                 let textures = pipeline.textures.as_ref().map_or(0, TextureStages::units);
                 let needs = Needs { eye: state.needs_eye(), colors: true, textures };
-                let vertices = process(self, needs);
-                let mut builder = BatchBuilder::new(&state, pipeline, viewport, vertices);
+                process(self, needs, processed);
+                let mut builder = BatchBuilder::new(&state, pipeline, viewport, lists);
                 assemble(mode, count, elements, &mut builder);
                 self.finish_draw(builder.finish());
             }
@@ -108,10 +112,12 @@ impl Context {
         vertices.push(position);
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
         let needs = Needs { eye: true, colors: true, textures: (1 << TEXTURE_UNITS) - 1 };
-        let vertex = VertexProcessor::new(&self.state, &self.matrices, scale, needs).process(
+        let mut vertex = Processed::default();
+        VertexProcessor::new(&self.state, &self.matrices, scale, needs).process(
             &vertices,
             &Materials::new(self.state.materials),
             self.level,
+            &mut vertex,
         );
         let unheld = codes::OUTSIDE | codes::NOT_FINITE | codes::NOT_HELD;
         if vertex.codes[0] & unheld != 0 {

@@ -8,7 +8,7 @@ use crate::objects::image_calls::{DrawPixels, WithPixels};
 use crate::objects::list::Command;
 use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::unpack::ImageLayout;
-use crate::raster::{BatchBuilder, DrawState, ImagePixels, LARGEST_DEPTH, PlacedImage};
+use crate::raster::{BatchBuilder, BatchLists, DrawState, ImagePixels, LARGEST_DEPTH, PlacedImage};
 use crate::state::pixel::PixelStore;
 use crate::state::transfer::Transfer;
 use crate::vertex::{Processed, WindowScale};
@@ -139,9 +139,10 @@ impl Context {
         let Some((pipeline, viewport)) = self.begin_draw() else { return };
         let raster = &self.state.current.raster;
         let depth = (f64::from(raster.window[2]) * f64::from(LARGEST_DEPTH)) as f32;
-        let vertex = Processed::at_raster(raster, self.state.enables.sums_colors());
+        let vertices = Processed::at_raster(raster, self.state.enables.sums_colors());
+        let lists = BatchLists::new(vertices);
         if let (None, ImagePixels::Colors(colors)) = (&pipeline.textures, &mut pixels) {
-            let secondary = vertex.secondary(0, 0);
+            let secondary = lists.vertices.secondary(0, 0);
             for color in colors.iter_mut() {
                 for (value, more) in color.iter_mut().zip(secondary) {
                     *value += more;
@@ -149,7 +150,7 @@ impl Context {
             }
         }
         let image = PlacedImage::new(pixels, size, place, self.state.pixel.zoom, pipeline.region);
-        let mut builder = BatchBuilder::new(&state, pipeline, viewport, vertex);
+        let mut builder = BatchBuilder::new(&state, pipeline, viewport, lists);
         builder.push_image(image, depth);
         self.finish_draw(builder.finish());
     }

@@ -4,6 +4,7 @@ use super::bitmap::Bitmap;
 use super::image::PlacedImage;
 use super::pipeline::Pipeline;
 use crate::fragment::TextureStages;
+use crate::primitive::line::LineWalk;
 use crate::texture::Target;
 use crate::vertex::{Processed, WindowScale};
 use luxel_math::SUBPIXELS;
@@ -27,18 +28,21 @@ pub(crate) struct Prepared {
 pub(crate) enum Shade {
     /// Three vertices of the batch; in flat shading the colour of one of them; of which side.
     Triangle { corners: [u32; 3], flat: Option<u32>, side: u8 },
-    /// Prepared already: points, lines.
-    Prepared(u32),
+    /// The two ends of a line, in flat shading the colour of one of them, of which side; a point's are the same.
+    Ends { vertices: [u32; 2], flat: Option<u32>, side: u8 },
 }
 
 /// What covers pixels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Shape {
     Triangle(Triangle),
-    /// Ends in steps of 1/256 pixel, their depths, the counter of stipples where it begins.
+    /// Ends in steps of 1/256 pixel, their depths, the counter of stipples where it begins; of each end the weights of
+    /// two vertices, and w.
     Line {
         ends: [[i32; 2]; 2],
         depths: [f32; 2],
+        weights: [[f32; 2]; 2],
+        w: [f64; 2],
         width: i32,
         counter: u32,
     },
@@ -77,16 +81,39 @@ pub(crate) struct Batch {
     pub(crate) scale: WindowScale,
     pub(crate) vertices: Processed,
     pub(crate) pieces: Vec<Piece>,
-    pub(crate) prepared: Vec<Prepared>,
     pub(crate) bitmap: Option<Arc<Bitmap>>,
     pub(crate) image: Option<Box<PlacedImage>>,
     /// Counts the samples that pass.
     pub(crate) samples: Option<Arc<AtomicU64>>,
-    /// Of what is prepared already.
-    pub(crate) rows: Vec<PackedForms>,
+}
+
+/// The lists of a batch, kept for the next one when it has been carried out.
+#[derive(Debug, Default)]
+pub(crate) struct BatchLists {
+    pub(crate) vertices: Processed,
+    pub(super) pieces: Vec<Piece>,
+}
+
+impl BatchLists {
+    /// Lists of vertices alone.
+    pub(crate) fn new(vertices: Processed) -> Self {
+        Self { vertices, ..Self::default() }
+    }
+
+    /// Bytes that they take, with the room for more.
+    pub(super) fn bytes(&self) -> usize {
+        self.vertices.bytes() + self.pieces.capacity() * size_of::<Piece>()
+    }
 }
 
 impl Batch {
+    /// Its lists, for another one.
+    pub(super) fn into_lists(self) -> BatchLists {
+        let Self { vertices, mut pieces, .. } = self;
+        pieces.clear();
+        BatchLists { vertices, pieces }
+    }
+
     /// The pixels that a piece may reach: left, bottom, right, top, the last two beyond.
     pub(crate) fn bounds(&self, piece: &Piece) -> [i32; 4] {
         let (low, high, region) = match piece.shape {
@@ -130,34 +157,56 @@ impl Batch {
 
     /// What shades the fragments of a piece; its rows for textures are appended.
     pub(crate) fn prepare(&self, piece: &Piece, rows: &mut Vec<PackedForms>) -> Prepared {
-        let first = rows.len() as u32;
-        match piece.shade {
-            Shade::Prepared(number) => {
-                let mut prepared = self.prepared[number as usize].clone();
-                if let Some(textures) = &self.pipeline.textures {
-                    let from = prepared.rows as usize;
-                    rows.extend_from_slice(&self.rows[from..from + textures.rows()]);
-                }
-                prepared.rows = first;
-                prepared
-            }
-            Shade::Triangle { corners, flat, side } => {
+        match (piece.shade, piece.shape) {
+            (Shade::Triangle { corners, flat, side }, _) => {
                 let colors = corners.map(|corner| self.color(flat.unwrap_or(corner), side));
                 let fog = corners.map(|corner| self.fog(corner));
                 let places = corners.map(|corner| self.homogeneous(corner));
-                let mut prepared =
-                    Prepared::new(&LinearForms::from_homogeneous(places), colors, fog);
-                if let Some(textures) = &self.pipeline.textures {
-                    for number in 0..textures.rows() {
-                        let values =
-                            corners.map(|corner| self.row_value(number, corner, flat, side));
-                        rows.push(ProjectiveForms::pack(&prepared.forms, values));
-                    }
-                }
-                prepared.rows = first;
-                prepared
+                let prepared = Prepared::new(&LinearForms::from_homogeneous(places), colors, fog);
+                self.with_rows(prepared, rows, |row| {
+                    corners.map(|corner| self.row_value(row, corner, flat, side))
+                })
+            }
+            (Shade::Ends { vertices, flat, side }, Shape::Line { ends, weights, w, .. }) => {
+                let colors = vertices.map(|vertex| self.color(flat.unwrap_or(vertex), side));
+                let fog = vertices.map(|vertex| self.fog(vertex));
+                let mix = |[u, v]: [f32; 2], [a, b]: [[f32; 4]; 2]| -> [f32; 4] {
+                    std::array::from_fn(|at| a[at] * u + b[at] * v)
+                };
+                let axis = LineWalk::new(ends[0], ends[1]).major;
+                let prepared = Prepared::along(
+                    axis,
+                    ends.map(|end| f64::from(end[axis]) / f64::from(SUBPIXELS)),
+                    w,
+                    weights.map(|weights| mix(weights, colors)),
+                    weights.map(|[u, v]| fog[0] * u + fog[1] * v),
+                );
+                self.with_rows(prepared, rows, |row| {
+                    let of = vertices.map(|vertex| self.row_value(row, vertex, flat, side));
+                    let [from, to] = weights.map(|weights| mix(weights, of));
+                    [from, to, to]
+                })
+            }
+            (Shade::Ends { vertices: [vertex, _], flat, side }, _) => {
+                let color = self.color(flat.unwrap_or(vertex), side);
+                let fog = self.fog(vertex);
+                let prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
+                self.with_rows(prepared, rows, |row| [self.row_value(row, vertex, flat, side); 3])
             }
         }
+    }
+
+    /// Appends the rows for textures, of values at three corners.
+    fn with_rows(
+        &self,
+        mut prepared: Prepared,
+        rows: &mut Vec<PackedForms>,
+        values: impl Fn(usize) -> [[f32; 4]; 3],
+    ) -> Prepared {
+        prepared.rows = rows.len() as u32;
+        let count = self.pipeline.textures.as_ref().map_or(0, TextureStages::rows);
+        rows.extend((0..count).map(|row| ProjectiveForms::pack(&prepared.forms, values(row))));
+        prepared
     }
 
     /// What a vertex has in row `number`: its secondary colour, or texture coordinates, and what divides them.
@@ -176,27 +225,6 @@ impl Batch {
                 [s, t, r, if is_cube { 1.0 } else { q }]
             }),
         }
-    }
-
-    /// Appends the rows of what is prepared already: a line or a point, whose ends are `weights` of two vertices. Returns
-    /// the first one's number.
-    pub(crate) fn push_rows(
-        &mut self,
-        vertices: [u32; 2],
-        weights: [[f32; 2]; 2],
-        (flat, side): (Option<u32>, u8),
-        forms: &PackedForms,
-    ) -> u32 {
-        let first = self.rows.len() as u32;
-        let count = self.pipeline.textures.as_ref().map_or(0, TextureStages::rows);
-        for number in 0..count {
-            let [a, b] = vertices.map(|vertex| self.row_value(number, vertex, flat, side));
-            let mixed =
-                |[u, v]: [f32; 2]| -> [f32; 4] { std::array::from_fn(|at| a[at] * u + b[at] * v) };
-            let [from, to] = weights.map(mixed);
-            self.rows.push(ProjectiveForms::pack(forms, [from, to, to]));
-        }
-        first
     }
 
     /// Primary and secondary colour of a vertex together, which fragments clamp; with textures the primary one alone.
@@ -229,10 +257,8 @@ impl Batch {
     /// Bytes that it takes, about.
     pub(crate) fn bytes(&self) -> usize {
         self.pieces.len() * size_of::<Piece>()
-            + self.prepared.len() * size_of::<Prepared>()
             + self.bitmap.as_ref().map_or(0, |bitmap| bitmap.bytes())
             + self.image.as_ref().map_or(0, |image| image.bytes())
-            + self.rows.len() * size_of::<PackedForms>()
             + self.vertices.clip.len() * 64
     }
 }

@@ -1,6 +1,6 @@
 //! Primitives to pieces: faces, culling, clipping, setup (OpenGL 1.5, sections 2.11, 3.3 to 3.5).
 
-use super::batch::{Batch, Piece, Prepared, Shade, Shape};
+use super::batch::{Batch, BatchLists, Piece, Shade, Shape};
 use super::bitmap::Bitmap;
 use super::draw_state::{DrawState, whole_size};
 use super::image::PlacedImage;
@@ -9,7 +9,7 @@ use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window
 use crate::enums as gl;
 use crate::primitive::line::LineWalk;
 use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment};
-use crate::vertex::{Processed, codes};
+use crate::vertex::codes;
 use luxel_math::SUBPIXELS;
 use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
 use std::sync::Arc;
@@ -28,12 +28,12 @@ impl<'a> BatchBuilder<'a> {
         state: &'a DrawState,
         pipeline: Arc<Pipeline>,
         viewport: [i32; 4],
-        vertices: Processed,
+        lists: BatchLists,
     ) -> Self {
         let [l, b, r, t] = pipeline.region;
         let [left, bottom, right, top] = viewport;
         let polygon_region = [l.max(left), b.max(bottom), r.min(right), t.min(top)];
-        let (pieces, prepared, rows) = (Vec::new(), Vec::new(), Vec::new());
+        let BatchLists { vertices, pieces } = lists;
         let scale = state.scale;
         let batch = Batch {
             pipeline,
@@ -41,8 +41,6 @@ impl<'a> BatchBuilder<'a> {
             scale,
             vertices,
             pieces,
-            prepared,
-            rows,
             bitmap: None,
             image: None,
             samples: None,
@@ -68,12 +66,8 @@ impl<'a> BatchBuilder<'a> {
 
     /// Puts a shape in the colours of the batch's first vertex.
     fn push_at_raster(&mut self, shape: Shape) {
-        let (color, fog) = (self.batch.color(0, 0), self.batch.fog(0));
-        let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
-        prepared.rows = self.batch.push_rows([0; 2], [[1.0, 0.0]; 2], (None, 0), &prepared.forms);
-        let number = self.batch.prepared.len() as u32;
-        self.batch.prepared.push(prepared);
-        self.batch.pieces.push(Piece { shape, shade: Shade::Prepared(number), offset: 0.0 });
+        let shade = Shade::Ends { vertices: [0; 2], flat: None, side: 0 };
+        self.batch.pieces.push(Piece { shape, shade, offset: 0.0 });
     }
 
     fn codes(&self, vertex: u32) -> u16 {
@@ -206,15 +200,6 @@ impl<'a> BatchBuilder<'a> {
         }
         let placed = corners.map(|corner| self.clipped_window(&corner, &ends));
         let [Some(from), Some(to)] = placed else { return };
-        let colors = ends.map(|end| self.batch.color(flat.unwrap_or(end), side));
-        let mixed = |corner: &ClipCorner| {
-            let [u, v, _] = corner.weights.map(|weight| weight as f32);
-            let color: [f32; 4] =
-                std::array::from_fn(|channel| colors[0][channel] * u + colors[1][channel] * v);
-            (color, self.batch.fog(ends[0]) * u + self.batch.fog(ends[1]) * v)
-        };
-        let (color_from, fog_from) = mixed(&corners[0]);
-        let (color_to, fog_to) = mixed(&corners[1]);
         let mut places = [[from.x, from.y], [to.x, to.y]];
         // A wide line is shifted across by (width - 1) / 2 (section 3.4.2).
         let shift = (self.state.line_width - 1) * (SUBPIXELS / 2);
@@ -223,26 +208,16 @@ impl<'a> BatchBuilder<'a> {
             place[minor] -= shift;
         }
         let walk = LineWalk::new(places[0], places[1]);
-        let along = |place: [i32; 2]| f64::from(place[walk.major]) / f64::from(SUBPIXELS);
-        let mut prepared = Prepared::along(
-            walk.major,
-            [along(places[0]), along(places[1])],
-            [corners[0].clip[3], corners[1].clip[3]],
-            [color_from, color_to],
-            [fog_from, fog_to],
-        );
-        let weights = corners.map(|corner| [corner.weights[0] as f32, corner.weights[1] as f32]);
-        prepared.rows = self.batch.push_rows(ends, weights, (flat, side), &prepared.forms);
-        let number = self.batch.prepared.len() as u32;
-        self.batch.prepared.push(prepared);
         self.batch.pieces.push(Piece {
             shape: Shape::Line {
                 ends: places,
                 depths: [from.z, to.z],
+                weights: corners.map(|corner| [0, 1].map(|end| corner.weights[end] as f32)),
+                w: corners.map(|corner| corner.clip[3]),
                 width: self.state.line_width,
                 counter: self.counter,
             },
-            shade: Shade::Prepared(number),
+            shade: Shade::Ends { vertices: ends, flat, side },
             offset: depth_offset(offset),
         });
         self.counter = self.counter.wrapping_add(walk.count as u32);
@@ -268,16 +243,9 @@ impl<'a> BatchBuilder<'a> {
                 (at + SUBPIXELS / 2).div_euclid(SUBPIXELS) - side / 2
             }
         };
-        let fog = self.batch.fog(vertex);
-        let number = self.batch.prepared.len() as u32;
-        let color = self.batch.color(flat.unwrap_or(vertex), color_side);
-        let mut prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
-        prepared.rows =
-            self.batch.push_rows([vertex; 2], [[1.0, 0.0]; 2], (flat, color_side), &prepared.forms);
-        self.batch.prepared.push(prepared);
         self.batch.pieces.push(Piece {
             shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z },
-            shade: Shade::Prepared(number),
+            shade: Shade::Ends { vertices: [vertex; 2], flat, side: color_side },
             offset: depth_offset(offset),
         });
     }

@@ -9,20 +9,40 @@ use luxel_math::{LANES, Simd, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::PackedForms;
 use std::sync::Arc;
 
+/// What shades the entries of a tile's list that are seen.
+#[derive(Debug, Default)]
+pub(super) struct PreparedEntries {
+    /// Of each entry the place in `all`, from 1 on.
+    places: Vec<u32>,
+    all: Vec<Prepared>,
+    /// For textures.
+    rows: Vec<PackedForms>,
+}
+
 /// Finds what shades an entry; each is prepared once.
 pub(super) struct Lighter<'a> {
     items: &'a [Item],
     list: &'a [Entry],
-    /// Of each entry the place in `prepared`, from 1 on.
-    places: Vec<u32>,
-    pub(super) prepared: Vec<Prepared>,
-    /// For textures.
-    pub(super) rows: Vec<PackedForms>,
+    pub(super) prepared: PreparedEntries,
 }
 
 impl<'a> Lighter<'a> {
-    pub(super) fn new(items: &'a [Item], list: &'a [Entry]) -> Self {
-        Self { items, list, places: vec![0; list.len()], prepared: Vec::new(), rows: Vec::new() }
+    pub(super) fn new(items: &'a [Item], list: &'a [Entry], mut prepared: PreparedEntries) -> Self {
+        prepared.places.clear();
+        prepared.places.resize(list.len(), 0);
+        prepared.all.clear();
+        prepared.rows.clear();
+        Self { items, list, prepared }
+    }
+
+    /// What shades the entry at a place.
+    pub(super) fn at(&self, place: usize) -> &Prepared {
+        &self.prepared.all[place]
+    }
+
+    /// Rows for textures, of all that is prepared.
+    pub(super) fn rows(&self) -> &[PackedForms] {
+        &self.prepared.rows
     }
 
     /// What reaches the tile.
@@ -46,13 +66,14 @@ impl<'a> Lighter<'a> {
     /// Prepares an entry, and returns its place.
     pub(super) fn prepare(&mut self, number: u32) -> usize {
         let at = number as usize - 1;
-        if self.places[at] == 0
+        if self.prepared.places[at] == 0
             && let Some((batch, piece)) = self.batch(number)
         {
-            self.prepared.push(batch.prepare(piece, &mut self.rows));
-            self.places[at] = self.prepared.len() as u32;
+            let PreparedEntries { places, all, rows } = &mut self.prepared;
+            all.push(batch.prepare(piece, rows));
+            places[at] = all.len() as u32;
         }
-        (self.places[at] as usize).saturating_sub(1)
+        (self.prepared.places[at] as usize).saturating_sub(1)
     }
 }
 
@@ -74,45 +95,45 @@ pub(super) fn light_seen<S: Simd>(
                 left |= u32::from(seen[lane] != 0) << lane;
             }
             let [x, y] = block_origin(block);
-            let place = [origin[0] + x, origin[1] + y];
+            let first_pixel = [origin[0] + x, origin[1] + y];
             // Lanes of one pipeline together: nearly always all of them.
             while left != 0 {
                 let leader = left.trailing_zeros() as usize & (LANES - 1);
                 let Some((first, _)) = lighter.batch(seen[leader]) else { return };
                 let mut together = 0;
                 let mut alike = true;
-                let mut places = [0; LANES];
-                places[leader] = lighter.prepare(seen[leader]);
+                let mut places = [lighter.prepare(seen[leader]); LANES];
+                // Lanes side by side often see the same.
+                let (mut number, mut place) = (seen[leader], places[leader]);
+                let mut belongs = true;
                 for lane in lanes_of(left) {
-                    let same = seen[lane] == seen[leader];
-                    let belongs = same
-                        || lighter.batch(seen[lane]).is_some_and(|(batch, _)| {
+                    if seen[lane] != number {
+                        number = seen[lane];
+                        belongs = lighter.batch(number).is_some_and(|(batch, _)| {
                             Arc::ptr_eq(&batch.pipeline, &first.pipeline)
                         });
+                        if belongs {
+                            place = lighter.prepare(number);
+                            alike &= place == places[leader];
+                        }
+                    }
                     if belongs {
                         together |= 1 << lane;
-                        alike &= same;
-                        places[lane] =
-                            if same { places[leader] } else { lighter.prepare(seen[lane]) };
-                    }
-                }
-                for lane in 0..LANES {
-                    if together >> lane & 1 == 0 {
-                        places[lane] = places[leader];
+                        places[lane] = place;
                     }
                 }
                 left &= !together;
-                let prepared = &lighter.prepared;
+                let prepared = &lighter.prepared.all;
                 let shading = Shading {
                     textures: first.pipeline.textures.as_ref(),
-                    rows: &lighter.rows,
+                    rows: lighter.rows(),
                     fog: first.pipeline.fog.as_ref(),
                     primary: None,
                     lanes: together,
                 };
                 let colors = shade(
                     simd,
-                    place,
+                    first_pixel,
                     #[inline(always)]
                     |lane| &prepared[places[lane & (LANES - 1)]],
                     alike,

@@ -1,14 +1,14 @@
 //! The log: what has been drawn and not yet been carried out, in the order of the calls.
 
-use super::batch::{Batch, Shape};
+use super::batch::{Batch, BatchLists, Shape};
 use super::framebuffer::{Framebuffer, LARGEST_DEPTH};
 use super::pipeline::Pipeline;
 use super::shade::encode;
-use super::tile::{Entry, TileWorker};
+use super::tile::{Entry, TileScratch, TileWorker};
 use crate::limits::LOG_BYTES;
 use luxel_math::{Level, dispatch_long, f32x16, prelude::*};
 use luxel_visibility::TILE;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// One `glClear`.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,6 +48,13 @@ pub(crate) struct Log {
     bytes: usize,
     /// The pipeline of the last draw: the next one often has the same.
     last: Option<Arc<Pipeline>>,
+    /// Lists of batches that have been carried out, and how many bytes these were.
+    spare: Vec<BatchLists>,
+    spare_bytes: usize,
+    /// What reached each tile the last time: empty lists.
+    lists: Vec<Vec<Entry>>,
+    /// What the workers of tiles need, one for each thread that was at work.
+    scratch: Mutex<Vec<TileScratch>>,
 }
 
 impl Log {
@@ -77,9 +84,27 @@ impl Log {
     }
 
     pub(crate) fn draw(&mut self, batch: Batch) {
-        if !batch.pieces.is_empty() {
+        if batch.pieces.is_empty() {
+            self.put_spare(batch.into_lists());
+        } else {
             self.bytes += batch.bytes();
             self.items.push(Item::Batch(Box::new(batch)));
+        }
+    }
+
+    /// Lists for a batch: with room, if a batch has left some.
+    pub(crate) fn spare(&mut self) -> BatchLists {
+        let lists = self.spare.pop().unwrap_or_default();
+        self.spare_bytes = self.spare_bytes.saturating_sub(lists.bytes());
+        lists
+    }
+
+    /// Keeps lists for the next batches, as far as they don't take more memory than the log.
+    pub(crate) fn put_spare(&mut self, lists: BatchLists) {
+        let bytes = lists.bytes();
+        if self.spare_bytes + bytes <= LOG_BYTES {
+            self.spare_bytes += bytes;
+            self.spare.push(lists);
         }
     }
 
@@ -95,31 +120,46 @@ impl Log {
 
     /// Carries everything out, tile by tile, each in the order of the log.
     pub(crate) fn carry_out(&mut self, framebuffer: &mut Framebuffer, level: Level) {
-        let items = std::mem::take(&mut self.items);
+        let mut items = std::mem::take(&mut self.items);
         self.bytes = 0;
-        if items.is_empty() || framebuffer.tiles.is_empty() {
-            return;
+        if !items.is_empty() && !framebuffer.tiles.is_empty() {
+            self.carry_out_items(&items, framebuffer, level);
         }
+        for item in items.drain(..).rev() {
+            if let Item::Batch(batch) = item {
+                self.put_spare(batch.into_lists());
+            }
+        }
+        self.items = items;
+    }
+
+    fn carry_out_items(&mut self, items: &[Item], framebuffer: &mut Framebuffer, level: Level) {
         let across = framebuffer.across();
-        let lists = sorted(&items, across, framebuffer.tiles.len());
+        sort(items, across, framebuffer.tiles.len(), &mut self.lists);
         let size = framebuffer.size().map(|side| side as i32);
+        let (lists, kept) = (&self.lists, &self.scratch);
+        let lock = || kept.lock().unwrap_or_else(PoisonError::into_inner);
         luxel_parallel::fill(&mut framebuffer.tiles, 1, &|number, tiles| {
             let list = &lists[number];
             if list.is_empty() {
                 return;
             }
             let origin = [number % across, number / across].map(|at| at as i32 * TILE);
+            let mut scratch = lock().pop().unwrap_or_default();
             for planes in tiles {
-                let mut worker = TileWorker::new(&items, list, origin, size, planes);
+                let mut worker = TileWorker::new(items, list, origin, size, planes, scratch);
                 dispatch_long!(level, simd => worker.carry_out(simd));
+                scratch = worker.into_scratch();
             }
+            lock().push(scratch);
         });
+        self.lists.iter_mut().for_each(Vec::clear);
     }
 }
 
-/// What reaches each tile, in order.
-fn sorted(items: &[Item], across: usize, tiles: usize) -> Vec<Vec<Entry>> {
-    let mut lists = vec![Vec::new(); tiles];
+/// Puts what reaches each tile into its list, in order.
+fn sort(items: &[Item], across: usize, tiles: usize, lists: &mut Vec<Vec<Entry>>) {
+    lists.resize_with(tiles, Vec::new);
     let mut put = |[left, bottom, right, top]: [i32; 4], entry: Entry| {
         if left >= right || bottom >= top {
             return;
@@ -142,5 +182,4 @@ fn sorted(items: &[Item], across: usize, tiles: usize) -> Vec<Vec<Entry>> {
             }
         }
     }
-    lists
 }

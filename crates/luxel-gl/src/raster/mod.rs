@@ -27,7 +27,7 @@ mod stencil;
 mod strokes;
 mod tile;
 
-pub(crate) use batch::Batch;
+pub(crate) use batch::{Batch, BatchLists};
 pub(crate) use bitmap::Bitmap;
 pub(crate) use build::BatchBuilder;
 pub(crate) use draw_state::DrawState;

@@ -190,10 +190,10 @@ impl<S: Simd> PieceSink<'_, '_, S> {
     #[inline(always)]
     fn colors(&mut self, simd: S, block: usize, lanes: u32) -> Colors<S> {
         let place = self.lighter.prepare(self.number);
-        let prepared = &self.lighter.prepared[place];
+        let prepared = self.lighter.at(place);
         let shading = Shading {
             textures: self.pipeline.textures.as_ref(),
-            rows: &self.lighter.rows,
+            rows: self.lighter.rows(),
             fog: self.pipeline.fog.as_ref(),
             primary: self.primary.as_ref(),
             lanes,

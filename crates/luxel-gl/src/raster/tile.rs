@@ -3,7 +3,7 @@
 use super::batch::{Batch, Piece, Shape};
 use super::framebuffer::{LANE_X, LANE_Y, TILE_BLOCKS, TilePlanes, block_origin};
 use super::image::image;
-use super::lighter::{Lighter, light_seen};
+use super::lighter::{Lighter, PreparedEntries, light_seen};
 use super::log::{ClearedTo, Item};
 use super::piece_sink::PieceSink;
 use super::strokes::{bitmap, line, point};
@@ -20,11 +20,26 @@ pub(super) struct Entry {
 /// Where samples lie in a pixel: at its centre.
 const CENTRE: [i32; 2] = [SUBPIXELS / 2; 2];
 
+/// Of each pixel the entry that it sees and that hasn't been lit, from 1 on; 0 for none.
+type Seen = [[u32; LANES]; TILE_BLOCKS];
+
+/// Memory that workers of tiles take over from one another.
+#[derive(Debug)]
+pub(super) struct TileScratch {
+    seen: Box<Seen>,
+    prepared: PreparedEntries,
+}
+
+impl Default for TileScratch {
+    fn default() -> Self {
+        Self { seen: Box::new([[0; LANES]; TILE_BLOCKS]), prepared: PreparedEntries::default() }
+    }
+}
+
 /// What carries out one tile's list.
 pub(super) struct TileWorker<'a> {
     planes: &'a mut TilePlanes,
-    /// Of each pixel the entry that it sees and that hasn't been lit, from 1 on; 0 for none.
-    seen: Box<[[u32; LANES]; TILE_BLOCKS]>,
+    seen: Box<Seen>,
     lighter: Lighter<'a>,
     /// The tile's first pixel in the window.
     origin: [i32; 2],
@@ -39,6 +54,7 @@ impl<'a> TileWorker<'a> {
         origin: [i32; 2],
         [width, height]: [i32; 2],
         planes: &'a mut TilePlanes,
+        scratch: TileScratch,
     ) -> Self {
         let region = Region {
             x: origin[0],
@@ -46,8 +62,15 @@ impl<'a> TileWorker<'a> {
             width: TILE.min(width - origin[0]),
             height: TILE.min(height - origin[1]),
         };
-        let lighter = Lighter::new(items, list);
-        Self { planes, seen: Box::new([[0; LANES]; TILE_BLOCKS]), lighter, origin, region }
+        let TileScratch { mut seen, prepared } = scratch;
+        seen.as_flattened_mut().fill(0);
+        let lighter = Lighter::new(items, list, prepared);
+        Self { planes, seen, lighter, origin, region }
+    }
+
+    /// Its memory, for the next one.
+    pub(super) fn into_scratch(self) -> TileScratch {
+        TileScratch { seen: self.seen, prepared: self.lighter.prepared }
     }
 
     /// Carries the list out; then lights what is seen at last.
@@ -167,7 +190,7 @@ impl<'a> TileWorker<'a> {
         };
         match piece.shape {
             Shape::Triangle(ref triangle) => cover(simd, triangle, region, CENTRE, &mut sink),
-            Shape::Line { ends, depths, width, counter } => {
+            Shape::Line { ends, depths, width, counter, .. } => {
                 line(&mut sink, ends, depths, width, counter);
             }
             Shape::Bitmap { corner, depth } => {

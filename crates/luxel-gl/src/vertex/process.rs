@@ -107,14 +107,14 @@ impl VertexProcessor {
         }
     }
 
-    /// All vertices of a draw.
+    /// Writes what becomes of all vertices of a draw.
     pub(crate) fn process(
         &self,
         vertices: &Vertices,
         materials: &Materials,
         level: Level,
-    ) -> Processed {
-        let mut processed = Processed::default();
+        processed: &mut Processed,
+    ) {
         processed.resize(vertices.len(), &self.lists());
         let runs = processed.runs(RUN);
         luxel_parallel::each(runs.into_iter(), &|mut run: ProcessedRun<'_>| {
@@ -125,11 +125,10 @@ impl VertexProcessor {
         });
         let flags = &vertices.edge_flag;
         if flags.varies() {
-            processed.edge_flags = (0..vertices.len()).map(|vertex| flags.of(vertex)).collect();
+            processed.edge_flags.extend((0..vertices.len()).map(|vertex| flags.of(vertex)));
         } else if !flags.of(0) {
-            processed.edge_flags = vec![false; vertices.len()];
+            processed.edge_flags.resize(vertices.len(), false);
         }
-        processed
     }
 
     /// A run of vertices; `simd` selects the lane type.

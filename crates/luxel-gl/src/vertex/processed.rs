@@ -115,6 +115,19 @@ impl Processed {
         self.edge_flags.clear();
     }
 
+    /// Bytes of all lists, with the room for more.
+    pub(crate) fn bytes(&self) -> usize {
+        fn room<T>(list: &Vec<T>) -> usize {
+            list.capacity() * size_of::<T>()
+        }
+        let colors = self.colors.iter().chain(&self.secondary).chain(&self.tex_coords);
+        colors.chain([&self.clip, &self.eye]).map(room).sum::<usize>()
+            + room(&self.codes)
+            + room(&self.window)
+            + room(&self.fog_coord)
+            + room(&self.edge_flags)
+    }
+
     /// The lists in runs of `length` vertices.
     pub(super) fn runs(&mut self, length: usize) -> Vec<ProcessedRun<'_>> {
         fn part<'a, T>(list: &mut &'a mut [T], length: usize) -> &'a mut [T] {
