@@ -1,5 +1,8 @@
 //! One attribute of a run of vertices.
 
+use super::columns::load_rows;
+use luxel_math::Lanes;
+
 /// Values of an attribute that commands set between vertices.
 ///
 /// What nobody changes between vertices is kept once. The first change between them fills in the past, as far as it is
@@ -128,5 +131,20 @@ impl<T: Copy> Column<T> {
     #[inline]
     pub(crate) fn varies(&self) -> bool {
         self.varies
+    }
+}
+
+impl<const K: usize> Column<[f32; K]> {
+    /// The values of `count` vertices from `first` on, in lanes.
+    #[inline(always)]
+    pub(super) fn lanes<N: Lanes>(&self, simd: N, first: usize, count: usize) -> [N; K] {
+        if self.varies {
+            return load_rows(simd, &self.values, first, count);
+        }
+        let mut lanes = [simd; K];
+        for (lane, value) in lanes.iter_mut().zip(self.now) {
+            *lane = simd.constant(value);
+        }
+        lanes
     }
 }

@@ -1,6 +1,6 @@
 //! Vertices through transform and lighting, sixteen at a time (OpenGL 1.5, sections 2.10 to 2.13).
 
-use super::columns::{load4, store};
+use super::columns::{load_rows, store};
 use super::light_vertices::{LitPlace, VertexLighting};
 use super::materials::Materials;
 use super::matrix_rows::MatrixRows;
@@ -154,11 +154,7 @@ impl VertexProcessor {
         let run = start..start + count;
         // Lanes beyond the last vertex repeat it.
         let at = |lane: usize| first + lane.min(count - 1);
-        let position = load4(
-            simd,
-            #[inline(always)]
-            |lane| vertices.positions[at(lane)],
-        );
+        let position = load_rows(simd, &vertices.positions, first, count);
         let clip = self.clip_from_object.times(position);
         store(&clip, &mut out.clip[run.clone()]);
         let held = self.window(clip, &mut out.window[run.clone()]);
@@ -198,15 +194,11 @@ impl VertexProcessor {
             let mut place =
                 VertexPlace { object: position, eye, normal: Vec3::splat(simd, [0.0; 3]) };
             if self.textures.iter().any(CoordinateSetup::needs_normal) {
-                let (unit, length) = self.loaded_normal(simd, vertices, at);
+                let (unit, length) = self.normal(vertices.normal.lanes(simd, first, count));
                 place.normal = length.map_or(unit, |length| unit * length);
             }
             for setup in &self.textures {
-                let given = load4(
-                    simd,
-                    #[inline(always)]
-                    |lane| vertices.tex_coord_of(setup.unit, at(lane)),
-                );
+                let given = vertices.tex_coords(setup.unit).lanes(simd, first, count);
                 let coordinates = setup.coordinates(&place, given);
                 store(&coordinates, &mut out.tex_coords[setup.unit][run.clone()]);
             }
@@ -215,26 +207,15 @@ impl VertexProcessor {
             return;
         }
         let Some(lighting) = &self.lighting else {
-            let color = load4(
-                simd,
-                #[inline(always)]
-                |lane| vertices.color.of(at(lane)),
-            );
+            let color = vertices.color.lanes(simd, first, count);
             store(&clamped(color), &mut out.colors[0][run.clone()]);
             if self.color_sum {
-                let secondary = load4(
-                    simd,
-                    #[inline(always)]
-                    |lane| {
-                        let [r, g, b] = vertices.secondary.of(at(lane));
-                        [r, g, b, 0.0]
-                    },
-                );
-                store(&clamped(secondary), &mut out.secondary[0][run]);
+                let [r, g, b] = vertices.secondary.lanes(simd, first, count);
+                store(&clamped([r, g, b, simd.zero()]), &mut out.secondary[0][run]);
             }
             return;
         };
-        let (normal, length) = self.loaded_normal(simd, vertices, at);
+        let (normal, length) = self.normal(vertices.normal.lanes(simd, first, count));
         let place = LitPlace { eye, normal, length };
         for side in 0..lighting.sides() {
             let lit = lighting.lit(&place, side, (vertices, materials), at);
@@ -245,25 +226,6 @@ impl VertexProcessor {
                 store(&clamped([r, g, b, simd.zero()]), &mut out.secondary[side][run.clone()]);
             }
         }
-    }
-
-    /// Normals of vertices: see [`normal`](Self::normal).
-    #[inline(always)]
-    fn loaded_normal<N: Lanes>(
-        &self,
-        simd: N,
-        vertices: &Vertices,
-        at: impl Fn(usize) -> usize,
-    ) -> (Vec3<N>, Option<N>) {
-        let [x, y, z, _] = load4(
-            simd,
-            #[inline(always)]
-            |lane| {
-                let [x, y, z] = vertices.normal.of(at(lane));
-                [x, y, z, 0.0]
-            },
-        );
-        self.normal([x, y, z])
     }
 
     /// The normal in eye coordinates, of unit length; and what length it has by the specification, `None` for 1.

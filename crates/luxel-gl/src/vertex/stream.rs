@@ -172,7 +172,8 @@ mod tests {
         stream.vertices.append(&list);
         let reds: Vec<f32> = (0..7).map(|vertex| stream.vertices.color.of(vertex)[0]).collect();
         assert_eq!(reds, [0.5, 0.5, 0.25, 0.25, 0.25, 0.25, 0.25]);
-        let s: Vec<f32> = (0..7).map(|vertex| stream.vertices.tex_coord_of(3, vertex)[0]).collect();
+        let s: Vec<f32> =
+            (0..7).map(|vertex| stream.vertices.tex_coords(3).of(vertex)[0]).collect();
         assert_eq!(s, [0.0, 0.0, 7.0, 7.0, 7.0, 7.0, 7.0]);
         let x: Vec<f32> = (0..7).map(|vertex| stream.vertices.normal.of(vertex)[0]).collect();
         assert_eq!(x, [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0]);

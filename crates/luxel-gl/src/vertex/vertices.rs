@@ -145,10 +145,10 @@ impl Vertices {
         self.has_attributes = true;
     }
 
-    /// A vertex's texture coordinates of a unit.
-    #[inline(always)]
-    pub(crate) fn tex_coord_of(&self, unit: usize, vertex: usize) -> [f32; 4] {
-        self.tex_coords[unit].of(vertex)
+    /// Texture coordinates of a unit.
+    #[inline]
+    pub(crate) fn tex_coords(&self, unit: usize) -> &Column<[f32; 4]> {
+        &self.tex_coords[unit]
     }
 
     /// Appends the vertices of a display list, and takes its attributes: what it hasn't set is what these have.
