@@ -6,7 +6,7 @@ use crate::enums as gl;
 use crate::objects::image_calls::BitmapCall;
 use crate::objects::list::Command;
 use crate::pixels::store::{bitmap_bytes, read_bitmap};
-use crate::raster::{BatchBuilder, BatchLists, DrawState, LARGEST_DEPTH};
+use crate::raster::{Batch, LARGEST_DEPTH};
 use crate::vertex::{Processed, WindowScale};
 use luxel_pick::{Feedback, FeedbackVertex};
 use std::sync::Arc;
@@ -59,17 +59,16 @@ impl Context {
 
     fn render_bitmap(&mut self, call: &BitmapCall) {
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
-        let state = DrawState::new(&self.state, scale);
         let Some((pipeline, viewport)) = self.begin_draw() else { return };
         let raster = &self.state.current.raster;
         let corner = [0, 1].map(|axis: usize| (raster.window[axis] - call.origin[axis]).floor());
         demand!(self, corner.iter().all(|at| at.abs() < 1e6), gl::NO_ERROR);
         let depth = (f64::from(raster.window[2]) * f64::from(LARGEST_DEPTH)) as f32;
         let vertices = Processed::at_raster(raster, self.state.enables.sums_colors());
-        let lists = BatchLists::new(vertices);
-        let mut builder = BatchBuilder::new(&state, pipeline, viewport, lists);
-        builder.push_bitmap(Arc::clone(&call.bitmap), corner.map(|at| at as i32), depth);
-        self.finish_draw(builder.finish());
+        let mut batch = Batch::new(pipeline, viewport, scale, vertices);
+        let corner = corner.map(|at| at as i32);
+        let piece = batch.put_bitmap(Arc::clone(&call.bitmap), corner, depth);
+        self.finish_draw(batch, vec![vec![piece]]);
     }
 
     fn feed_bitmap_back(&mut self) {

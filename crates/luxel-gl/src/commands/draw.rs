@@ -8,8 +8,10 @@ use crate::fragment::TextureStages;
 use crate::limits::TEXTURE_UNITS;
 use crate::modes::{FeedbackVisitor, HitVisitor};
 use crate::objects::list::Command;
-use crate::primitive::assemble;
-use crate::raster::{Batch, BatchBuilder, Buffers, DrawState, LARGEST_DEPTH, Pipeline};
+use crate::primitive::{assemble, assemble_parts, parts};
+use crate::raster::{
+    Batch, Buffers, DrawState, LARGEST_DEPTH, PIECES_RUN, Piece, PieceBuilder, Pipeline,
+};
 use crate::state::current::RasterPosition;
 use crate::vertex::{Materials, Needs, Processed, VertexProcessor, Vertices, WindowScale, codes};
 use std::sync::Arc;
@@ -32,7 +34,7 @@ impl Context {
         materials: &Materials,
         elements: Option<&[u32]>,
     ) {
-        if vertices.len() == 0 {
+        if vertices.is_empty() {
             return;
         }
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
@@ -42,34 +44,40 @@ impl Context {
             let processor = VertexProcessor::new(&context.state, &context.matrices, scale, needs);
             processor.process(vertices, materials, level, out);
         };
-        let mut lists = self.log.spare();
-        let processed = &mut lists.vertices;
+        let mut processed = self.log.spare().vertices();
         let count = vertices.len();
         match self.render_mode {
             gl::SELECT => {
-                process(self, Needs::default(), processed);
-                let viewport = &self.state.viewport;
-                let mut visitor = HitVisitor::new(&state, processed, viewport, &mut self.selection);
-                assemble(mode, count, elements, &mut visitor);
-                visitor.finish();
-                self.log.put_spare(lists);
-            }
-            gl::FEEDBACK => {
-                process(self, Needs { eye: true, colors: true, textures: 1 }, processed);
+                process(self, Needs::default(), &mut processed);
                 let viewport = &self.state.viewport;
                 let mut visitor =
-                    FeedbackVisitor::new(&state, processed, viewport, &mut self.feedback);
+                    HitVisitor::new(&state, &processed, viewport, &mut self.selection);
                 assemble(mode, count, elements, &mut visitor);
-                self.log.put_spare(lists);
+                visitor.finish();
+                self.log.spare().put_vertices(processed);
+            }
+            gl::FEEDBACK => {
+                process(self, Needs { eye: true, colors: true, textures: 1 }, &mut processed);
+                let viewport = &self.state.viewport;
+                let mut visitor =
+                    FeedbackVisitor::new(&state, &processed, viewport, &mut self.feedback);
+                assemble(mode, count, elements, &mut visitor);
+                self.log.spare().put_vertices(processed);
             }
             _ => {
                 let Some((pipeline, viewport)) = self.begin_draw() else { return };
                 let textures = pipeline.textures.as_ref().map_or(0, TextureStages::units);
                 let needs = Needs { eye: state.needs_eye(), colors: true, textures };
-                process(self, needs, processed);
-                let mut builder = BatchBuilder::new(&state, pipeline, viewport, lists);
-                assemble(mode, count, elements, &mut builder);
-                self.finish_draw(builder.finish());
+                process(self, needs, &mut processed);
+                let batch = Batch::new(pipeline, viewport, scale, processed);
+                let spare = self.log.spare();
+                let parts = parts(mode, elements.map_or(count, <[u32]>::len));
+                let runs = luxel_parallel::map(parts, PIECES_RUN, &|run| {
+                    let mut builder = PieceBuilder::new(&state, &batch, spare.pieces());
+                    assemble_parts(mode, count, elements, run, &mut builder);
+                    builder.finish()
+                });
+                self.finish_draw(batch, runs);
             }
         }
     }
@@ -94,9 +102,9 @@ impl Context {
     }
 
     /// Puts a batch into the log, and carries that out if it is full.
-    pub(super) fn finish_draw(&mut self, mut batch: Batch) {
+    pub(super) fn finish_draw(&mut self, mut batch: Batch, runs: Vec<Vec<Piece>>) {
         batch.samples = self.queries.counter();
-        self.log.draw(batch);
+        self.log.draw(batch, runs);
         if self.log.is_full() {
             self.carry_out();
         }

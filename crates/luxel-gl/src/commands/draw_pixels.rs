@@ -8,7 +8,7 @@ use crate::objects::image_calls::{DrawPixels, WithPixels};
 use crate::objects::list::Command;
 use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::unpack::ImageLayout;
-use crate::raster::{BatchBuilder, BatchLists, DrawState, ImagePixels, LARGEST_DEPTH, PlacedImage};
+use crate::raster::{Batch, ImagePixels, LARGEST_DEPTH, PlacedImage};
 use crate::state::pixel::PixelStore;
 use crate::state::transfer::Transfer;
 use crate::vertex::{Processed, WindowScale};
@@ -135,14 +135,12 @@ impl Context {
     /// Draws pixels of an image, the first one's corner at a place of the window.
     fn render_image(&mut self, mut pixels: ImagePixels, size: [usize; 2], place: [f32; 2]) {
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
-        let state = DrawState::new(&self.state, scale);
         let Some((pipeline, viewport)) = self.begin_draw() else { return };
         let raster = &self.state.current.raster;
         let depth = (f64::from(raster.window[2]) * f64::from(LARGEST_DEPTH)) as f32;
         let vertices = Processed::at_raster(raster, self.state.enables.sums_colors());
-        let lists = BatchLists::new(vertices);
         if let (None, ImagePixels::Colors(colors)) = (&pipeline.textures, &mut pixels) {
-            let secondary = lists.vertices.secondary(0, 0);
+            let secondary = vertices.secondary(0, 0);
             for color in colors.iter_mut() {
                 for (value, more) in color.iter_mut().zip(secondary) {
                     *value += more;
@@ -150,9 +148,9 @@ impl Context {
             }
         }
         let image = PlacedImage::new(pixels, size, place, self.state.pixel.zoom, pipeline.region);
-        let mut builder = BatchBuilder::new(&state, pipeline, viewport, lists);
-        builder.push_image(image, depth);
-        self.finish_draw(builder.finish());
+        let mut batch = Batch::new(pipeline, viewport, scale, vertices);
+        let piece = batch.put_image(image, depth);
+        self.finish_draw(batch, vec![vec![piece]]);
     }
 
     fn feed_image_back(&mut self, token: for<'v> fn(&'v FeedbackVertex) -> Feedback<'v>) {

@@ -179,7 +179,7 @@ impl OpenList {
 
     /// Makes a command of vertices and attributes.
     fn close_run(&mut self) -> Result<(), u32> {
-        if self.run.is_empty() {
+        if self.run.is_untouched() {
             return Ok(());
         }
         let mut run = std::mem::take(&mut self.run);

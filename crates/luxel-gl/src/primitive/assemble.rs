@@ -2,6 +2,7 @@
 //! (table 2.12).
 
 use crate::enums as gl;
+use std::ops::Range;
 
 /// What takes primitives, as numbers of vertices.
 pub(crate) trait Visitor {
@@ -13,20 +14,47 @@ pub(crate) trait Visitor {
     fn polygon(&mut self, corners: &[u32], provoking: u32, flagged: bool);
 }
 
-/// Gives the primitives of vertices in the order of `elements`, or of `count` vertices one after the other.
+/// How many parts the primitives of `count` vertices can be given in: each is a primitive, or all of them where one goes
+/// on from another.
+pub(crate) fn parts(mode: u32, count: usize) -> usize {
+    match mode {
+        gl::POINTS => count,
+        gl::LINES => count / 2,
+        gl::TRIANGLES => count / 3,
+        gl::QUADS => count / 4,
+        gl::TRIANGLE_STRIP | gl::TRIANGLE_FAN => count.saturating_sub(2),
+        gl::QUAD_STRIP => count.saturating_sub(2) / 2,
+        _ => 1,
+    }
+}
+
+/// Gives some parts of the primitives of vertices in the order of `elements`, or of `count` vertices one after the
+/// other.
+pub(crate) fn assemble_parts(
+    mode: u32,
+    count: usize,
+    elements: Option<&[u32]>,
+    parts: Range<usize>,
+    visitor: &mut impl Visitor,
+) {
+    match elements {
+        Some(elements) => {
+            let indexed = &mut Indexed { elements, visitor, corners: Vec::new() };
+            assemble_in_order(mode, elements.len(), parts, indexed);
+        }
+        None => assemble_in_order(mode, count, parts, visitor),
+    }
+}
+
+/// Gives all primitives.
 pub(crate) fn assemble(
     mode: u32,
     count: usize,
     elements: Option<&[u32]>,
     visitor: &mut impl Visitor,
 ) {
-    match elements {
-        Some(elements) => {
-            let indexed = &mut Indexed { elements, visitor, corners: Vec::new() };
-            assemble_in_order(mode, elements.len(), indexed);
-        }
-        None => assemble_in_order(mode, count, visitor),
-    }
+    let of = elements.map_or(count, <[u32]>::len);
+    assemble_parts(mode, count, elements, 0..parts(mode, of), visitor);
 }
 
 /// Takes places in a list of elements for vertices.
@@ -52,19 +80,19 @@ impl<V: Visitor> Visitor for Indexed<'_, V> {
     }
 }
 
-/// Gives the primitives of `count` vertices; those that are incomplete are left out.
-fn assemble_in_order(mode: u32, count: usize, visitor: &mut impl Visitor) {
+/// Gives some parts of the primitives of `count` vertices; those that are incomplete are left out.
+fn assemble_in_order(mode: u32, count: usize, parts: Range<usize>, visitor: &mut impl Visitor) {
     let count = count as u32;
-    let end = |of: u32| count.saturating_sub(of);
+    let parts = parts.start as u32..parts.end as u32;
     match mode {
-        gl::POINTS => (0..count).for_each(|vertex| visitor.point(vertex)),
+        gl::POINTS => parts.for_each(|vertex| visitor.point(vertex)),
         gl::LINES => {
-            for first in (0..end(1)).step_by(2) {
+            for first in parts.map(|part| 2 * part) {
                 visitor.line([first, first + 1], true);
             }
         }
         gl::LINE_STRIP | gl::LINE_LOOP => {
-            for first in 0..end(1) {
+            for first in 0..count.saturating_sub(1) {
                 visitor.line([first, first + 1], first == 0);
             }
             // A loop of two vertices goes there and back.
@@ -73,12 +101,12 @@ fn assemble_in_order(mode: u32, count: usize, visitor: &mut impl Visitor) {
             }
         }
         gl::TRIANGLES => {
-            for first in (0..end(2)).step_by(3) {
+            for first in parts.map(|part| 3 * part) {
                 visitor.polygon(&[first, first + 1, first + 2], first + 2, true);
             }
         }
         gl::TRIANGLE_STRIP => {
-            for first in 0..end(2) {
+            for first in parts {
                 // Every second one is turned, so that all face the same way.
                 let turn = first & 1;
                 let corners = [first + turn, first + 1 - turn, first + 2];
@@ -86,17 +114,17 @@ fn assemble_in_order(mode: u32, count: usize, visitor: &mut impl Visitor) {
             }
         }
         gl::TRIANGLE_FAN => {
-            for second in 1..end(1) {
+            for second in parts.map(|part| part + 1) {
                 visitor.polygon(&[0, second, second + 1], second + 1, false);
             }
         }
         gl::QUADS => {
-            for first in (0..end(3)).step_by(4) {
+            for first in parts.map(|part| 4 * part) {
                 visitor.polygon(&[first, first + 1, first + 2, first + 3], first + 3, true);
             }
         }
         gl::QUAD_STRIP => {
-            for first in (0..end(3)).step_by(2) {
+            for first in parts.map(|part| 2 * part) {
                 visitor.polygon(&[first, first + 1, first + 3, first + 2], first + 3, false);
             }
         }
@@ -149,6 +177,22 @@ mod tests {
         assert_eq!(polygons(gl::QUAD_STRIP, 7), quads);
         assert_eq!(polygons(gl::POLYGON, 5), [(vec![0, 1, 2, 3, 4], 0)]);
         assert!(polygons(gl::POLYGON, 2).is_empty());
+    }
+
+    #[test]
+    fn section_2_6_1_primitives_in_parts_are_those_of_the_whole() {
+        for mode in gl::POINTS..=gl::POLYGON {
+            for count in 0..12 {
+                let whole = seen(mode, count);
+                let mut by_parts = Seen::default();
+                for part in 0..parts(mode, count) {
+                    assemble_parts(mode, count, None, part..part + 1, &mut by_parts);
+                }
+                assert_eq!(by_parts.points, whole.points);
+                assert_eq!(by_parts.lines, whole.lines);
+                assert_eq!(by_parts.polygons, whole.polygons);
+            }
+        }
     }
 
     #[test]

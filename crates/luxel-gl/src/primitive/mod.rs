@@ -4,5 +4,5 @@ mod assemble;
 mod clip;
 pub(crate) mod line;
 
-pub(crate) use assemble::{Visitor, assemble};
+pub(crate) use assemble::{Visitor, assemble, assemble_parts, parts};
 pub(crate) use clip::{ClipCorner, Cut, clip_polygon, clip_segment, plane_distances};

@@ -72,6 +72,13 @@ pub(crate) struct Piece {
     pub(crate) offset: f32,
 }
 
+impl Piece {
+    /// A shape in the colours of the batch's first vertex.
+    fn at_raster(shape: Shape) -> Self {
+        Self { shape, shade: Shade::Ends { vertices: [0; 2], flat: None, side: 0 }, offset: 0.0 }
+    }
+}
+
 /// One draw.
 #[derive(Debug)]
 pub(crate) struct Batch {
@@ -80,38 +87,47 @@ pub(crate) struct Batch {
     pub(crate) polygon_region: [i32; 4],
     pub(crate) scale: WindowScale,
     pub(crate) vertices: Processed,
-    pub(crate) pieces: Vec<Piece>,
     pub(crate) bitmap: Option<Arc<Bitmap>>,
     pub(crate) image: Option<Box<PlacedImage>>,
     /// Counts the samples that pass.
     pub(crate) samples: Option<Arc<AtomicU64>>,
 }
 
-/// The lists of a batch, kept for the next one when it has been carried out.
-#[derive(Debug, Default)]
-pub(crate) struct BatchLists {
-    pub(crate) vertices: Processed,
-    pub(super) pieces: Vec<Piece>,
-}
-
-impl BatchLists {
-    /// Lists of vertices alone.
-    pub(crate) fn new(vertices: Processed) -> Self {
-        Self { vertices, ..Self::default() }
-    }
-
-    /// Bytes that they take, with the room for more.
-    pub(super) fn bytes(&self) -> usize {
-        self.vertices.bytes() + self.pieces.capacity() * size_of::<Piece>()
-    }
-}
-
 impl Batch {
-    /// Its lists, for another one.
-    pub(super) fn into_lists(self) -> BatchLists {
-        let Self { vertices, mut pieces, .. } = self;
-        pieces.clear();
-        BatchLists { vertices, pieces }
+    pub(crate) fn new(
+        pipeline: Arc<Pipeline>,
+        viewport: [i32; 4],
+        scale: WindowScale,
+        vertices: Processed,
+    ) -> Self {
+        let [l, b, r, t] = pipeline.region;
+        let [left, bottom, right, top] = viewport;
+        Self {
+            polygon_region: [l.max(left), b.max(bottom), r.min(right), t.min(top)],
+            pipeline,
+            scale,
+            vertices,
+            bitmap: None,
+            image: None,
+            samples: None,
+        }
+    }
+
+    /// Takes a bitmap with its lower left corner at a pixel, in the colours of the batch's first vertex.
+    pub(crate) fn put_bitmap(
+        &mut self,
+        bitmap: Arc<Bitmap>,
+        corner: [i32; 2],
+        depth: f32,
+    ) -> Piece {
+        self.bitmap = Some(bitmap);
+        Piece::at_raster(Shape::Bitmap { corner, depth })
+    }
+
+    /// Takes an image, with what it lacks of colours and depth from the batch's first vertex.
+    pub(crate) fn put_image(&mut self, image: PlacedImage, depth: f32) -> Piece {
+        self.image = Some(Box::new(image));
+        Piece::at_raster(Shape::Image { depth })
     }
 
     /// The pixels that a piece may reach: left, bottom, right, top, the last two beyond.
@@ -254,12 +270,12 @@ impl Batch {
         [scaled(x, 0), scaled(y, 1), w]
     }
 
-    /// Bytes that it takes, about.
+    /// Bytes that it takes without pieces, about.
     pub(crate) fn bytes(&self) -> usize {
-        self.pieces.len() * size_of::<Piece>()
+        size_of_val(self)
             + self.bitmap.as_ref().map_or(0, |bitmap| bitmap.bytes())
             + self.image.as_ref().map_or(0, |image| image.bytes())
-            + self.vertices.clip.len() * 64
+            + self.vertices.bytes()
     }
 }
 

@@ -1,10 +1,7 @@
 //! Primitives to pieces: faces, culling, clipping, setup (OpenGL 1.5, sections 2.11, 3.3 to 3.5).
 
-use super::batch::{Batch, BatchLists, Piece, Shade, Shape};
-use super::bitmap::Bitmap;
+use super::batch::{Batch, Piece, Shade, Shape};
 use super::draw_state::{DrawState, whole_size};
-use super::image::PlacedImage;
-use super::pipeline::Pipeline;
 use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
 use crate::enums as gl;
 use crate::primitive::line::LineWalk;
@@ -12,62 +9,28 @@ use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment};
 use crate::vertex::codes;
 use luxel_math::SUBPIXELS;
 use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
-use std::sync::Arc;
 
-/// Makes a batch of the primitives that it is shown.
-pub(crate) struct BatchBuilder<'a> {
+/// Primitives that one thread makes pieces of at a time.
+pub(crate) const PIECES_RUN: usize = 2048;
+
+/// Makes pieces of the primitives of a batch that it is shown.
+pub(crate) struct PieceBuilder<'a> {
     state: &'a DrawState,
-    batch: Batch,
+    batch: &'a Batch,
+    pieces: Vec<Piece>,
     /// The counter of line stipples (section 3.4.2).
     counter: u32,
     polygon: Vec<ClipCorner>,
 }
 
-impl<'a> BatchBuilder<'a> {
-    pub(crate) fn new(
-        state: &'a DrawState,
-        pipeline: Arc<Pipeline>,
-        viewport: [i32; 4],
-        lists: BatchLists,
-    ) -> Self {
-        let [l, b, r, t] = pipeline.region;
-        let [left, bottom, right, top] = viewport;
-        let polygon_region = [l.max(left), b.max(bottom), r.min(right), t.min(top)];
-        let BatchLists { vertices, pieces } = lists;
-        let scale = state.scale;
-        let batch = Batch {
-            pipeline,
-            polygon_region,
-            scale,
-            vertices,
-            pieces,
-            bitmap: None,
-            image: None,
-            samples: None,
-        };
-        Self { state, batch, counter: 0, polygon: Vec::new() }
+impl<'a> PieceBuilder<'a> {
+    /// Appends to `pieces`.
+    pub(crate) fn new(state: &'a DrawState, batch: &'a Batch, pieces: Vec<Piece>) -> Self {
+        Self { state, batch, pieces, counter: 0, polygon: Vec::new() }
     }
 
-    pub(crate) fn finish(self) -> Batch {
-        self.batch
-    }
-
-    /// Puts a bitmap with its lower left corner at a pixel, in the colours of the batch's first vertex.
-    pub(crate) fn push_bitmap(&mut self, bitmap: Arc<Bitmap>, corner: [i32; 2], depth: f32) {
-        self.batch.bitmap = Some(bitmap);
-        self.push_at_raster(Shape::Bitmap { corner, depth });
-    }
-
-    /// Puts an image, with what it lacks of colours and depth from the batch's first vertex.
-    pub(crate) fn push_image(&mut self, image: PlacedImage, depth: f32) {
-        self.batch.image = Some(Box::new(image));
-        self.push_at_raster(Shape::Image { depth });
-    }
-
-    /// Puts a shape in the colours of the batch's first vertex.
-    fn push_at_raster(&mut self, shape: Shape) {
-        let shade = Shade::Ends { vertices: [0; 2], flat: None, side: 0 };
-        self.batch.pieces.push(Piece { shape, shade, offset: 0.0 });
+    pub(crate) fn finish(self) -> Vec<Piece> {
+        self.pieces
     }
 
     fn codes(&self, vertex: u32) -> u16 {
@@ -170,7 +133,7 @@ impl<'a> BatchBuilder<'a> {
         let offset = self.state.offsets[2];
         let offset = offset.map(|[factor, units]| [factor, units, slope_of(&triangle)]);
         let side = self.state.color_side(side) as u8;
-        self.batch.pieces.push(Piece {
+        self.pieces.push(Piece {
             shape: Shape::Triangle(triangle),
             shade: Shade::Triangle { corners, flat, side },
             offset: depth_offset(offset),
@@ -208,7 +171,7 @@ impl<'a> BatchBuilder<'a> {
             place[minor] -= shift;
         }
         let walk = LineWalk::new(places[0], places[1]);
-        self.batch.pieces.push(Piece {
+        self.pieces.push(Piece {
             shape: Shape::Line {
                 ends: places,
                 depths: [from.z, to.z],
@@ -243,7 +206,7 @@ impl<'a> BatchBuilder<'a> {
                 (at + SUBPIXELS / 2).div_euclid(SUBPIXELS) - side / 2
             }
         };
-        self.batch.pieces.push(Piece {
+        self.pieces.push(Piece {
             shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z },
             shade: Shade::Ends { vertices: [vertex; 2], flat, side: color_side },
             offset: depth_offset(offset),
@@ -301,7 +264,7 @@ impl<'a> BatchBuilder<'a> {
     }
 }
 
-impl Visitor for BatchBuilder<'_> {
+impl Visitor for PieceBuilder<'_> {
     fn point(&mut self, vertex: u32) {
         self.push_point(vertex, (None, 0), None);
     }

@@ -58,7 +58,7 @@ impl<'a> Lighter<'a> {
     fn batch(&self, number: u32) -> Option<(&'a Batch, &'a Piece)> {
         let entry = self.list.get((number as usize).wrapping_sub(1))?;
         match &self.items[entry.item as usize] {
-            Item::Batch(batch) => Some((batch, &batch.pieces[entry.piece as usize])),
+            Item::Batch(batch, pieces) => Some((batch, &pieces[entry.piece as usize])),
             Item::Clear(_) => None,
         }
     }

@@ -1,9 +1,10 @@
 //! The log: what has been drawn and not yet been carried out, in the order of the calls.
 
-use super::batch::{Batch, BatchLists, Shape};
+use super::batch::{Batch, Piece, Shape};
 use super::framebuffer::{Framebuffer, LARGEST_DEPTH};
 use super::pipeline::Pipeline;
 use super::shade::encode;
+use super::spare::Spare;
 use super::tile::{Entry, TileScratch, TileWorker};
 use crate::limits::LOG_BYTES;
 use luxel_math::{Level, dispatch_long, f32x16, prelude::*};
@@ -37,7 +38,8 @@ pub(super) struct ClearedTo {
 /// One item of the log.
 #[derive(Debug)]
 pub(super) enum Item {
-    Batch(Box<Batch>),
+    /// Some pieces of a batch.
+    Batch(Arc<Batch>, Vec<Piece>),
     Clear(ClearedTo),
 }
 
@@ -48,9 +50,7 @@ pub(crate) struct Log {
     bytes: usize,
     /// The pipeline of the last draw: the next one often has the same.
     last: Option<Arc<Pipeline>>,
-    /// Lists of batches that have been carried out, and how many bytes these were.
-    spare: Vec<BatchLists>,
-    spare_bytes: usize,
+    spare: Spare,
     /// What reached each tile the last time: empty lists.
     lists: Vec<Vec<Entry>>,
     /// What the workers of tiles need, one for each thread that was at work.
@@ -83,29 +83,28 @@ impl Log {
         self.bytes += size_of::<Item>();
     }
 
-    pub(crate) fn draw(&mut self, batch: Batch) {
-        if batch.pieces.is_empty() {
-            self.put_spare(batch.into_lists());
-        } else {
-            self.bytes += batch.bytes();
-            self.items.push(Item::Batch(Box::new(batch)));
+    /// Takes a batch, and all its pieces in runs.
+    pub(crate) fn draw(&mut self, batch: Batch, runs: Vec<Vec<Piece>>) {
+        let batch = Arc::new(batch);
+        self.bytes += batch.bytes();
+        for pieces in runs {
+            if pieces.is_empty() {
+                self.spare.put_pieces(pieces);
+                continue;
+            }
+            self.bytes += size_of::<Item>() + size_of_val(pieces.as_slice());
+            let item = Item::Batch(Arc::clone(&batch), pieces);
+            self.items.push(item);
+        }
+        if let Some(unseen) = Arc::into_inner(batch) {
+            self.bytes = self.bytes.saturating_sub(unseen.bytes());
+            self.spare.put_vertices(unseen.vertices);
         }
     }
 
-    /// Lists for a batch: with room, if a batch has left some.
-    pub(crate) fn spare(&mut self) -> BatchLists {
-        let lists = self.spare.pop().unwrap_or_default();
-        self.spare_bytes = self.spare_bytes.saturating_sub(lists.bytes());
-        lists
-    }
-
-    /// Keeps lists for the next batches, as far as they don't take more memory than the log.
-    pub(crate) fn put_spare(&mut self, lists: BatchLists) {
-        let bytes = lists.bytes();
-        if self.spare_bytes + bytes <= LOG_BYTES {
-            self.spare_bytes += bytes;
-            self.spare.push(lists);
-        }
+    /// Lists that batches have left.
+    pub(crate) fn spare(&mut self) -> &mut Spare {
+        &mut self.spare
     }
 
     /// Whether it holds so much that it is to be carried out.
@@ -126,8 +125,11 @@ impl Log {
             self.carry_out_items(&items, framebuffer, level);
         }
         for item in items.drain(..).rev() {
-            if let Item::Batch(batch) = item {
-                self.put_spare(batch.into_lists());
+            if let Item::Batch(batch, pieces) = item {
+                self.spare.put_pieces(pieces);
+                if let Some(batch) = Arc::into_inner(batch) {
+                    self.spare.put_vertices(batch.vertices);
+                }
             }
         }
         self.items = items;
@@ -174,8 +176,8 @@ fn sort(items: &[Item], across: usize, tiles: usize, lists: &mut Vec<Vec<Entry>>
         let item_number = number as u32;
         match item {
             Item::Clear(clear) => put(clear.region, Entry { item: item_number, piece: 0 }),
-            Item::Batch(batch) => {
-                for (piece, of) in batch.pieces.iter().enumerate() {
+            Item::Batch(batch, pieces) => {
+                for (piece, of) in pieces.iter().enumerate() {
                     debug_assert!(!matches!(of.shape, Shape::Line { width: 0, .. }));
                     put(batch.bounds(of), Entry { item: item_number, piece: piece as u32 });
                 }

@@ -23,13 +23,14 @@ mod piece_sink;
 mod pipeline;
 mod placement;
 mod shade;
+mod spare;
 mod stencil;
 mod strokes;
 mod tile;
 
-pub(crate) use batch::{Batch, BatchLists};
+pub(crate) use batch::{Batch, Piece};
 pub(crate) use bitmap::Bitmap;
-pub(crate) use build::BatchBuilder;
+pub(crate) use build::{PIECES_RUN, PieceBuilder};
 pub(crate) use draw_state::DrawState;
 pub(crate) use framebuffer::{Framebuffer, LARGEST_DEPTH};
 pub(crate) use image::{ImagePixels, PlacedImage};

@@ -85,8 +85,8 @@ impl<'a> TileWorker<'a> {
                     }
                     self.clear(clear);
                 }
-                Item::Batch(batch) => {
-                    let piece = &batch.pieces[entry.piece as usize];
+                Item::Batch(batch, pieces) => {
+                    let piece = &pieces[entry.piece as usize];
                     self.piece(simd, batch, piece, at as u32 + 1);
                 }
             }

@@ -57,25 +57,29 @@ pub(super) fn load_rows<N: Lanes, const K: usize>(
     first: usize,
     count: usize,
 ) -> [N; K] {
-    let flat = rows.as_flattened();
+    let mut of = [simd; K];
     // Eight numbers from the start of each row on: the next rows' are not looked at.
-    let mut last = [[0.0; 8]; LANES];
-    let start = first * K;
-    let whole = count == LANES && start + (LANES - 1) * K + 8 <= flat.len();
-    if !whole {
-        for (lane, copy) in last.iter_mut().enumerate() {
-            copy[..K].copy_from_slice(&rows[first + lane.min(count - 1)]);
+    let reach = first * K..first * K + (LANES - 1) * K + 8;
+    match rows.as_flattened().get(reach) {
+        Some(flat) if count == LANES => {
+            let columns = simd.load_transposed(
+                #[inline(always)]
+                |lane| flat[lane * K..].first_chunk().unwrap_or(&[0.0; 8]),
+            );
+            of.copy_from_slice(&columns[..K]);
+        }
+        _ => {
+            let mut columns = [[0.0; LANES]; K];
+            for lane in 0..LANES {
+                let row = rows[first + lane.min(count - 1)];
+                for (column, value) in columns.iter_mut().zip(row) {
+                    column[lane] = value;
+                }
+            }
+            for (lanes, column) in of.iter_mut().zip(&columns) {
+                *lanes = simd.load(column, 0);
+            }
         }
     }
-    let columns = simd.load_transposed(
-        #[inline(always)]
-        |lane| {
-            let at = start + lane * K;
-            let row = if whole { flat.get(at..).and_then(<[f32]>::first_chunk) } else { None };
-            row.unwrap_or(&last[lane])
-        },
-    );
-    let mut of = [simd; K];
-    of.copy_from_slice(&columns[..K]);
     of
 }

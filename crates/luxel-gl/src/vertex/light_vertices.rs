@@ -39,12 +39,6 @@ pub(super) struct LitColors<N> {
     pub(super) alpha: N,
 }
 
-/// The materials of sixteen vertices on one side.
-enum Surfaces {
-    One(SurfaceMaterial),
-    Each([SurfaceMaterial; LANES]),
-}
-
 impl VertexLighting {
     pub(super) fn new(state: &Attributes) -> Self {
         let color_material = state.enables.has(gl::COLOR_MATERIAL).then_some(state.color_material);
@@ -73,43 +67,38 @@ impl VertexLighting {
         let simd = place.eye[0];
         let normal = if side == 0 { place.normal } else { -place.normal };
         let point = surface_point(place.eye, normal, self.setup.local_viewer);
-        match self.surfaces(vertices, materials, side, at) {
-            Surfaces::One(surface) => {
-                let of_material = material(&surface);
-                let reflectance = Reflectance::of(simd, &of_material);
-                let sums = self.sums(&point, reflectance, &of_material, place.length);
-                LitColors { sums, alpha: simd.constant(surface.diffuse[3]) }
-            }
-            Surfaces::Each(surfaces) => LitColors {
-                sums: self.lit_apart(&point, &surfaces, place.length),
-                alpha: simd.each_lane(|lane| surfaces[lane].diffuse[3]),
-            },
-        }
-    }
-
-    #[inline(always)]
-    fn surfaces(
-        &self,
-        vertices: &Vertices,
-        materials: &Materials,
-        side: usize,
-        at: impl Fn(usize) -> usize,
-    ) -> Surfaces {
-        let of = |vertex: usize| {
-            let mut sides = *materials.of(vertex);
-            if let Some(color_material) = self.color_material {
-                color_material.apply(vertices.color.of(vertex), &mut sides);
-            }
-            sides[side]
-        };
+        let of = |vertex: usize| self.surface(vertices, materials, side, vertex);
         if !materials.vary() && (self.color_material.is_none() || !vertices.color.varies()) {
-            return Surfaces::One(of(at(0)));
+            let surface = of(at(0));
+            let material = material(&surface);
+            let reflectance = Reflectance::of(simd, &material);
+            let sums = self.sums(&point, reflectance, &material, place.length);
+            return LitColors { sums, alpha: simd.constant(surface.diffuse[3]) };
         }
         let mut surfaces = [SurfaceMaterial::default(); LANES];
         for (lane, surface) in surfaces.iter_mut().enumerate() {
             *surface = of(at(lane));
         }
-        Surfaces::Each(surfaces)
+        LitColors {
+            sums: self.lit_apart(&point, &surfaces, place.length),
+            alpha: simd.each_lane(|lane| surfaces[lane].diffuse[3]),
+        }
+    }
+
+    /// A vertex's material on a side: what was set, and what its colour drives.
+    #[inline(always)]
+    fn surface(
+        &self,
+        vertices: &Vertices,
+        materials: &Materials,
+        side: usize,
+        vertex: usize,
+    ) -> SurfaceMaterial {
+        let mut sides = *materials.of(vertex);
+        if let Some(color_material) = self.color_material {
+            color_material.apply(vertices.color.of(vertex), &mut sides);
+        }
+        sides[side]
     }
 
     /// The light of vertices with materials of their own. Those of one exponent are lit together: nearly always all of

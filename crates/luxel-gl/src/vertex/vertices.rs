@@ -86,9 +86,14 @@ impl Vertices {
         self.positions.len()
     }
 
-    /// Whether nothing has been set and no vertex come.
+    /// Whether there are none.
     pub(crate) fn is_empty(&self) -> bool {
-        self.positions.is_empty() && !self.has_attributes
+        self.positions.is_empty()
+    }
+
+    /// Whether there are neither vertices nor attributes.
+    pub(crate) fn is_untouched(&self) -> bool {
+        self.is_empty() && !self.has_attributes
     }
 
     /// Appends a vertex with the attributes of now.
