@@ -34,7 +34,7 @@ pub(crate) const LIST_COMMANDS: usize = 1 << 26;
 /// call lists twice each would keep a program for ever.
 pub(crate) const EXECUTED_COMMANDS: u64 = 1 << 27;
 /// `GL_MAX_SAMPLES`
-pub(crate) const MOST_SAMPLES: i32 = 1;
+pub(crate) const MOST_SAMPLES: i32 = 4;
 /// Names of renderbuffers.
 pub(crate) const RENDERBUFFER_NAMES: usize = 1 << 22;
 /// Names of framebuffer objects.

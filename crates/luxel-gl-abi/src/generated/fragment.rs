@@ -100,6 +100,11 @@ pub(crate) extern "C" fn glLogicOp(opcode: u32) {
 }
 
 #[unsafe(no_mangle)]
+pub(crate) extern "C" fn glSampleCoverage(value: f32, invert: u8) {
+    call(|gl, _| gl.sample_coverage(value, invert != 0));
+}
+
+#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glScissor(x: i32, y: i32, width: i32, height: i32) {
     call(|gl, _| gl.scissor(x, y, width, height));
 }
@@ -123,4 +128,5 @@ aliases! {
     glBlendColorEXT = glBlendColor(red: f32, green: f32, blue: f32, alpha: f32);
     glBlendEquationEXT = glBlendEquation(mode: u32);
     glBlendFuncSeparateEXT = glBlendFuncSeparate(sfactor_rgb: u32, dfactor_rgb: u32, sfactor_alpha: u32, dfactor_alpha: u32);
+    glSampleCoverageARB = glSampleCoverage(value: f32, invert: u8);
 }

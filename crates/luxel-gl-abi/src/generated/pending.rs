@@ -13,6 +13,4 @@ crate::entry::unsupported! {
     glCompressedTexSubImage3DARB(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, image_size: i32, data: *const c_void);
     glGetCompressedTexImage(target: u32, level: i32, img: *mut c_void);
     glGetCompressedTexImageARB(target: u32, level: i32, img: *mut c_void);
-    glSampleCoverage(value: f32, invert: u8);
-    glSampleCoverageARB(value: f32, invert: u8);
 }

@@ -22,6 +22,14 @@ impl Source<'_> {
         }
     }
 
+    /// Samples of a pixel.
+    pub(super) fn samples(&self) -> usize {
+        match self {
+            Self::Renderbuffer(of) => of.layers(),
+            Self::Texture(..) => 1,
+        }
+    }
+
     pub(super) fn planes(&self) -> Planes {
         match self {
             Self::Renderbuffer(of) => of.planes,
@@ -67,13 +75,17 @@ impl Context {
                     if of.size[0] < width || of.size[1] < height {
                         continue;
                     }
-                    let row = of.size[0];
-                    for [x, y] in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
-                        let index = (y * row + x) as usize;
+                    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+                    let from = &self.framebuffer;
+                    let samples = 0..from.samples();
+                    for (at, sample) in
+                        pixels.flat_map(|at| samples.clone().map(move |sample| (at, sample)))
+                    {
+                        let index = of.index(at, sample);
                         match place {
-                            COLOR => put(&mut of.color, index, self.framebuffer.color([x, y])),
-                            DEPTH => put(&mut of.depth, index, self.framebuffer.depth([x, y])),
-                            _ => put(&mut of.stencil, index, self.framebuffer.stencil([x, y])),
+                            COLOR => put(&mut of.color, index, from.sample_color(at, sample)),
+                            DEPTH => put(&mut of.depth, index, from.sample_depth(at, sample)),
+                            _ => put(&mut of.stencil, index, from.sample_stencil(at, sample)),
                         }
                     }
                 }
@@ -104,18 +116,22 @@ impl Context {
 
     /// The images of an object, in tiles.
     pub(super) fn loaded(&self, object: &FramebufferObject) -> Framebuffer {
-        let images = object.attachments.iter().flatten();
-        let sizes = images.filter_map(|of| self.with_source(of, |source| source.size()));
+        let images = || object.attachments.iter().flatten();
+        let samples = images().filter_map(|of| self.with_source(of, |source| source.samples()));
+        let samples = samples.max().unwrap_or(1);
+        let sizes = images().filter_map(|of| self.with_source(of, |source| source.size()));
         let smaller = |a: [u32; 2], b: [u32; 2]| [a[0].min(b[0]), a[1].min(b[1])];
         let [width, height] = sizes.reduce(smaller).unwrap_or([0; 2]);
         let [width, height] = [width, height].map(|side| side.min(VIEWPORT as u32));
-        let mut framebuffer = Framebuffer::new(width, height);
+        let mut framebuffer = Framebuffer::new(width, height, samples);
         for (place, attachment) in object.attachments.iter().enumerate() {
             let Some(attachment) = attachment else { continue };
             let _ = self.with_source(attachment, |source| {
                 for y in 0..height {
                     for x in 0..width {
-                        load_pixel(&mut framebuffer, &source, place, [x, y]);
+                        for sample in 0..samples {
+                            load_sample(&mut framebuffer, &source, place, ([x, y], sample));
+                        }
                     }
                 }
             });
@@ -131,26 +147,47 @@ fn put<T>(plane: &mut [T], index: usize, value: T) {
     }
 }
 
-/// Takes one pixel of an attached image into the tiles.
-fn load_pixel(framebuffer: &mut Framebuffer, source: &Source<'_>, place: usize, at: [u32; 2]) {
+/// Takes one sample of an attached image into the tiles.
+fn load_sample(
+    framebuffer: &mut Framebuffer,
+    source: &Source<'_>,
+    place: usize,
+    (at, sample): ([u32; 2], usize),
+) {
     match source {
         Source::Renderbuffer(of) => {
-            let index = (at[1] * of.size[0] + at[0]) as usize;
+            let index = of.index(at, sample);
             match place {
                 COLOR => {
-                    framebuffer.set_color(at, of.color.get(index).copied().unwrap_or_default());
+                    framebuffer.set_color(
+                        at,
+                        sample,
+                        of.color.get(index).copied().unwrap_or_default(),
+                    );
                 }
-                DEPTH => framebuffer.set_depth(at, of.depth.get(index).copied().unwrap_or(0)),
-                _ => framebuffer.set_stencil(at, of.stencil.get(index).copied().unwrap_or(0)),
+                DEPTH => {
+                    let depth = of.depth.get(index).copied().unwrap_or(0);
+                    framebuffer.set_depth(at, sample, depth);
+                }
+                _ => {
+                    let value = of.stencil.get(index).copied().unwrap_or(0);
+                    framebuffer.set_stencil(at, sample, value);
+                }
             }
         }
         Source::Texture(image, layer) => {
             let value = image.get(image.index([at[0], at[1], *layer]));
             match place {
-                COLOR => framebuffer.set_color(at, value.map(|value| (value * 255.0 + 0.5) as u8)),
+                COLOR => {
+                    framebuffer.set_color(
+                        at,
+                        sample,
+                        value.map(|value| (value * 255.0 + 0.5) as u8),
+                    );
+                }
                 DEPTH => {
                     let depth = (f64::from(value[0]) * f64::from(LARGEST_DEPTH)).round() as u32;
-                    framebuffer.set_depth(at, depth);
+                    framebuffer.set_depth(at, sample, depth);
                 }
                 _ => {}
             }

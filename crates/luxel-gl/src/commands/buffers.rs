@@ -27,7 +27,7 @@ impl Context {
         if self.default_size() != [width, height] {
             self.with_default_framebuffer(|context| {
                 context.carry_out();
-                context.framebuffer = crate::raster::Framebuffer::new(width, height);
+                context.framebuffer = crate::raster::Framebuffer::new(width, height, 1);
                 context.accumulation = Vec::new();
             });
         }

@@ -94,7 +94,7 @@ impl Context {
         }
         let [depth, stencil] = self.has_depth_and_stencil();
         let textures = self.texture_stages();
-        let buffers = Buffers { depth, stencil };
+        let buffers = Buffers { depth, stencil, samples: self.framebuffer.samples() > 1 };
         let pipeline = Pipeline::new(&self.state, buffers, region, self.color_bits(), textures);
         let area = self.state.viewport.area;
         let viewport = [area.x, area.y, area.x + area.width, area.y + area.height];

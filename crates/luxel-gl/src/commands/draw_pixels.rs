@@ -178,7 +178,7 @@ impl Context {
         }
         let there = self.has_buffers_of(components)
             && self.with_read_framebuffer(|context| context.has_buffers_of(components));
-        demand!(self, there, gl::INVALID_OPERATION);
+        demand!(self, there && !self.reads_samples(), gl::INVALID_OPERATION);
         if !self.state.current.raster.valid {
             return;
         }

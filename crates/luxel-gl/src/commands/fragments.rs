@@ -4,6 +4,7 @@ use crate::Context;
 use crate::context::{compile, demand, outside_begin};
 use crate::enums as gl;
 use crate::objects::list::Command;
+use crate::state::attributes::SampleCoverage;
 use crate::state::fragment::PixelBox;
 
 fn is_comparison(func: u32) -> bool {
@@ -38,6 +39,13 @@ impl Context {
         outside_begin!(self);
         demand!(self, width >= 0 && height >= 0, gl::INVALID_VALUE);
         self.state.scissor = PixelBox { x, y, width, height };
+    }
+
+    /// `glSampleCoverage`: the part of a pixel's samples that fragments cover at most, clamped to 0..1, or its other part.
+    pub fn sample_coverage(&mut self, value: f32, invert: bool) {
+        compile!(self, Command::SampleCoverage(value, invert));
+        outside_begin!(self);
+        self.state.sample_coverage = SampleCoverage((unit(value), invert));
     }
 
     /// `glAlphaFunc`; the reference is clamped to 0..1.

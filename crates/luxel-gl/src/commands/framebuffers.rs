@@ -35,15 +35,21 @@ impl Context {
     fn status(&self, name: u32) -> u32 {
         let Some(object) = self.framebuffers.get(name) else { return gl::FRAMEBUFFER_COMPLETE };
         let mut any = false;
+        let mut all_samples = None;
         for (place, attachment) in object.attachments.iter().enumerate() {
             let Some(attachment) = attachment else { continue };
-            let found = self.with_source(attachment, |source| (source.size(), source.planes()));
-            let Some((size, planes)) = found else {
+            let found = self.with_source(attachment, |source| {
+                (source.size(), source.planes(), source.samples())
+            });
+            let Some((size, planes, samples)) = found else {
                 return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
             };
             let fits = [planes.color, planes.depth, planes.stencil][place];
             if !fits || size.contains(&0) {
                 return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+            }
+            if *all_samples.get_or_insert(samples) != samples {
+                return gl::FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
             }
             any = true;
         }
@@ -51,6 +57,19 @@ impl Context {
             return gl::FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
         }
         gl::FRAMEBUFFER_COMPLETE
+    }
+
+    /// Samples of a framebuffer's pixels.
+    fn samples_of(&self, name: u32) -> usize {
+        let images = self.framebuffers.get(name).map(|object| object.attachments.iter().flatten());
+        let samples = images.into_iter().flatten();
+        let samples = samples.filter_map(|of| self.with_source(of, |source| source.samples()));
+        samples.max().unwrap_or(1)
+    }
+
+    /// Whether pixels that are read have several samples: they can be resolved alone, not read.
+    pub(super) fn reads_samples(&self) -> bool {
+        self.samples_of(self.framebuffers.read) > 1
     }
 
     /// Binds a framebuffer for drawing, with its buffers.
@@ -67,7 +86,7 @@ impl Context {
         let object = self.framebuffers.get(name).cloned();
         let next = match &object {
             Some(object) => self.loaded(object),
-            None => std::mem::replace(&mut self.parked, Framebuffer::new(0, 0)),
+            None => std::mem::replace(&mut self.parked, Framebuffer::new(0, 0, 1)),
         };
         let before = std::mem::replace(&mut self.framebuffer, next);
         if self.framebuffers.get(self.framebuffers.draw).is_none() {
@@ -298,6 +317,13 @@ impl Context {
         let complete = self.status(self.framebuffers.read) == gl::FRAMEBUFFER_COMPLETE
             && self.status(self.framebuffers.draw) == gl::FRAMEBUFFER_COMPLETE;
         demand!(self, complete, gl::INVALID_FRAMEBUFFER_OPERATION);
+        // Samples are copied or resolved pixel by pixel, not scaled.
+        let side = |corners: [i32; 4], axis: usize| {
+            i64::from(corners[axis + 2]).abs_diff(i64::from(corners[axis]))
+        };
+        let as_large = (0..2).all(|axis| side(source, axis) == side(destination, axis));
+        let has_samples = self.reads_samples() || self.framebuffer.samples() > 1;
+        demand!(self, as_large || !has_samples, gl::INVALID_OPERATION);
         let from = self.with_read_framebuffer(|context| {
             context.carry_out();
             context.framebuffer.clone()

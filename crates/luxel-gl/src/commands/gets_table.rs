@@ -165,6 +165,8 @@ fn of_fragments(context: &Context, pname: u32) -> Option<Values> {
         gl::COLOR_WRITEMASK => Values::booleans(color.mask),
         gl::COLOR_CLEAR_VALUE => Values::scaled(color.clear),
         gl::INDEX_CLEAR_VALUE => Values::real(color.clear_index),
+        gl::SAMPLE_COVERAGE_VALUE => Values::scaled([state.sample_coverage.0.0]),
+        gl::SAMPLE_COVERAGE_INVERT => Values::boolean(state.sample_coverage.0.1),
         gl::ACCUM_CLEAR_VALUE => Values::scaled(state.clear_accum),
         _ => return None,
     })
@@ -305,6 +307,10 @@ fn of_arrays(context: &Context, pname: u32) -> Option<Values> {
 /// What the implementation can do, and what the framebuffer has (tables 6.29 to 6.31, 6.34).
 fn limit(context: &Context, pname: u32) -> Option<Values> {
     let configuration = &context.configuration;
+    let samples = match context.framebuffer.samples() {
+        1 => 0,
+        samples => samples,
+    };
     let bits = |bits: u32, has: u32| Values::integer(if bits > 0 { has as i32 } else { 0 });
     Some(match pname {
         gl::MAX_LIGHTS => Values::count(LIGHTS),
@@ -329,7 +335,9 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         gl::COMPRESSED_TEXTURE_FORMATS => Values::none(),
         gl::RED_BITS | gl::GREEN_BITS | gl::BLUE_BITS => Values::integer(8),
         gl::ALPHA_BITS => Values::integer(if configuration.alpha { 8 } else { 0 }),
-        gl::INDEX_BITS | gl::AUX_BUFFERS | gl::SAMPLES | gl::SAMPLE_BUFFERS => Values::integer(0),
+        gl::INDEX_BITS | gl::AUX_BUFFERS => Values::integer(0),
+        gl::SAMPLES => Values::count(samples),
+        gl::SAMPLE_BUFFERS => Values::integer(i32::from(samples > 0)),
         gl::DEPTH_BITS => bits(configuration.depth_bits, 24),
         gl::STENCIL_BITS => bits(configuration.stencil_bits, 8),
         gl::ACCUM_RED_BITS | gl::ACCUM_GREEN_BITS | gl::ACCUM_BLUE_BITS | gl::ACCUM_ALPHA_BITS => {

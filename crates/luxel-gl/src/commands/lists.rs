@@ -159,6 +159,7 @@ impl Context {
             Command::PointParameter(pname, ref values) => self.point_parameter(pname, values),
             Command::ClipPlane(plane, ref equation) => self.clip_plane(plane, **equation),
             Command::Scissor([x, y, width, height]) => self.scissor(x, y, width, height),
+            Command::SampleCoverage(value, invert) => self.sample_coverage(value, invert),
             Command::AlphaFunc(func, reference) => self.alpha_func(func, reference),
             Command::DepthFunc(func) => self.depth_func(func),
             Command::DepthMask(mask) => self.depth_mask(mask),

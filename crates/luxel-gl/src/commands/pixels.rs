@@ -91,7 +91,7 @@ impl Context {
             Components::DepthStencil => has_depth && has_stencil,
             _ => true,
         };
-        if !there {
+        if !there || self.reads_samples() {
             return Err(gl::INVALID_OPERATION);
         }
         let store = &self.client.pack;

@@ -6,6 +6,7 @@ use crate::enums as gl;
 use crate::limits::{MOST_SAMPLES, VIEWPORT};
 use crate::objects::framebuffer::Attachment;
 use crate::objects::renderbuffer::{Planes, Renderbuffer};
+use crate::raster::SAMPLES;
 use crate::values::Values;
 
 impl Context {
@@ -58,8 +59,8 @@ impl Context {
         self.framebuffers.renderbuffer = name;
     }
 
-    /// `glRenderbufferStorage` (0 samples), and `glRenderbufferStorageMultisample`: one sample, at the pixel's centre, is all
-    /// there is (`GL_MAX_SAMPLES`).
+    /// `glRenderbufferStorage` (0 samples), and `glRenderbufferStorageMultisample`: four samples (`GL_MAX_SAMPLES`), also
+    /// for fewer.
     pub fn renderbuffer_storage(
         &mut self,
         target: u32,
@@ -80,12 +81,14 @@ impl Context {
         demand!(self, sound, gl::INVALID_VALUE);
         let name = self.framebuffers.renderbuffer;
         demand!(self, name != 0, gl::INVALID_OPERATION);
-        let Some(storage) = Renderbuffer::new(format, planes, [width as u32, height as u32]) else {
+        let samples = if samples > 0 { SAMPLES } else { 0 };
+        let size = [width as u32, height as u32];
+        let Some(storage) = Renderbuffer::new(format, planes, samples, size) else {
             self.error.set(gl::OUT_OF_MEMORY);
             return;
         };
         if let Some(renderbuffer) = self.renderbuffers().get_mut(name) {
-            *renderbuffer = Renderbuffer { samples, ..storage };
+            *renderbuffer = storage;
         }
         // What is drawn to may be of another size now.
         let is_attached = self.framebuffers.get(self.framebuffers.draw).is_some_and(|object| {
@@ -117,7 +120,7 @@ impl Context {
                 gl::RENDERBUFFER_INTERNAL_FORMAT => {
                     Some(Values::name(if of.format == 0 { gl::RGBA } else { of.format }))
                 }
-                gl::RENDERBUFFER_SAMPLES => Some(Values::integer(of.samples)),
+                gl::RENDERBUFFER_SAMPLES => Some(Values::count(of.samples)),
                 gl::RENDERBUFFER_RED_SIZE
                 | gl::RENDERBUFFER_GREEN_SIZE
                 | gl::RENDERBUFFER_BLUE_SIZE

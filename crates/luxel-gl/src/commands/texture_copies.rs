@@ -1,7 +1,7 @@
 //! Images of textures from the framebuffer: `glCopyTexImage`, `glCopyTexSubImage` (OpenGL 1.5, section 3.8.2).
 
 use crate::Context;
-use crate::context::{compile, outside_begin};
+use crate::context::{compile, demand, outside_begin};
 use crate::enums as gl;
 use crate::objects::image_calls::{CopyTexImage, CopyTexSubImage, TexImage};
 use crate::objects::list::Command;
@@ -53,6 +53,7 @@ impl Context {
         if format.is_depth() && !self.has_depth_and_stencil()[0] {
             return self.error.set(gl::INVALID_OPERATION);
         }
+        demand!(self, !self.reads_samples(), gl::INVALID_OPERATION);
         let size = image.size.map(|side| side as u32);
         let budget = self.textures().budget.clone();
         let border = call.border as u32;
@@ -94,6 +95,7 @@ impl Context {
         if is_depth && !self.has_depth_and_stencil()[0] {
             return self.error.set(gl::INVALID_OPERATION);
         }
+        demand!(self, !self.reads_samples(), gl::INVALID_OPERATION);
         let texture = self.active_texture_of(of.target);
         self.with_read_framebuffer(|context| {
             context.carry_out();

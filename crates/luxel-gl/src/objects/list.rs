@@ -60,6 +60,7 @@ pub(crate) enum Command {
     PointParameter(u32, [f32; 4]),
     ClipPlane(u32, Box<[f64; 4]>),
     Scissor([i32; 4]),
+    SampleCoverage(f32, bool),
     AlphaFunc(u32, f32),
     DepthFunc(u32),
     DepthMask(bool),

@@ -53,7 +53,8 @@ impl Planes {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Renderbuffer {
     pub(crate) format: u32,
-    pub(crate) samples: i32,
+    /// Samples of a pixel, 0 for one that isn't several.
+    pub(crate) samples: usize,
     pub(crate) size: [u32; 2],
     pub(crate) planes: Planes,
     pub(crate) color: Vec<[u8; 4]>,
@@ -64,7 +65,12 @@ pub(crate) struct Renderbuffer {
 
 impl Renderbuffer {
     /// Storage for `format`; `None` if there is no memory for it.
-    pub(crate) fn new(format: u32, planes: Planes, [width, height]: [u32; 2]) -> Option<Self> {
+    pub(crate) fn new(
+        format: u32,
+        planes: Planes,
+        samples: usize,
+        [width, height]: [u32; 2],
+    ) -> Option<Self> {
         fn filled<T: Clone>(there: bool, count: usize, value: T) -> Option<Vec<T>> {
             let mut plane = Vec::new();
             if there {
@@ -73,16 +79,26 @@ impl Renderbuffer {
             }
             Some(plane)
         }
-        let count = width as usize * height as usize;
+        let count = (width as usize * height as usize).checked_mul(samples.max(1))?;
         Some(Self {
             format,
-            samples: 0,
+            samples,
             size: [width, height],
             planes,
             color: filled(planes.color, count, [0; 4])?,
             depth: filled(planes.depth, count, 0)?,
             stencil: filled(planes.stencil, count, 0)?,
         })
+    }
+
+    /// How many values a pixel has in each plane.
+    pub(crate) fn layers(&self) -> usize {
+        self.samples.max(1)
+    }
+
+    /// Where a sample's value is in a plane.
+    pub(crate) fn index(&self, [x, y]: [u32; 2], sample: usize) -> usize {
+        (y as usize * self.size[0] as usize + x as usize) * self.layers() + sample
     }
 }
 

@@ -7,7 +7,8 @@ use crate::enums as gl;
 type Corners = [i32; 4];
 
 impl Framebuffer {
-    /// Copies pixels of another framebuffer into a region of this one: left, bottom, right, top.
+    /// Copies pixels of another framebuffer into a region of this one: left, bottom, right, top. Between framebuffers of
+    /// as many samples each is copied; else the mean of all colours, and the first one's depth and stencil value.
     pub(crate) fn blit(
         &mut self,
         from: &Self,
@@ -38,15 +39,23 @@ impl Framebuffer {
                     continue;
                 }
                 let (at, nearest) = ([x as u32, y as u32], [u as u32, v as u32]);
-                if mask & gl::COLOR_BUFFER_BIT != 0 {
-                    let color = if linear { from.linear(u, v) } else { from.color(nearest) };
-                    self.set_color(at, color);
-                }
-                if mask & gl::DEPTH_BUFFER_BIT != 0 {
-                    self.set_depth(at, from.depth(nearest));
-                }
-                if mask & gl::STENCIL_BUFFER_BIT != 0 {
-                    self.set_stencil(at, from.stencil(nearest));
+                for sample in 0..self.samples() {
+                    let alike = self.samples() == from.samples();
+                    let own = if alike { sample } else { 0 };
+                    if mask & gl::COLOR_BUFFER_BIT != 0 {
+                        let color = match alike && from.samples() > 1 {
+                            true => from.sample_color(nearest, own),
+                            false if linear && from.samples() == 1 => from.linear(u, v),
+                            false => from.resolved(nearest),
+                        };
+                        self.set_color(at, sample, color);
+                    }
+                    if mask & gl::DEPTH_BUFFER_BIT != 0 {
+                        self.set_depth(at, sample, from.sample_depth(nearest, own));
+                    }
+                    if mask & gl::STENCIL_BUFFER_BIT != 0 {
+                        self.set_stencil(at, sample, from.sample_stencil(nearest, own));
+                    }
                 }
             }
         }

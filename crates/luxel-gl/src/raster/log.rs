@@ -137,23 +137,22 @@ impl Log {
 
     fn carry_out_items(&mut self, items: &[Item], framebuffer: &mut Framebuffer, level: Level) {
         let across = framebuffer.across();
-        sort(items, across, framebuffer.tiles.len(), &mut self.lists);
+        let samples = framebuffer.samples();
+        sort(items, across, framebuffer.tiles.len() / samples, &mut self.lists);
         let size = framebuffer.size().map(|side| side as i32);
         let (lists, kept) = (&self.lists, &self.scratch);
         let lock = || kept.lock().unwrap_or_else(PoisonError::into_inner);
-        luxel_parallel::fill(&mut framebuffer.tiles, 1, &|number, tiles| {
+        luxel_parallel::fill(&mut framebuffer.tiles, samples, &|first, planes| {
+            let number = first / samples;
             let list = &lists[number];
             if list.is_empty() {
                 return;
             }
             let origin = [number % across, number / across].map(|at| at as i32 * TILE);
-            let mut scratch = lock().pop().unwrap_or_default();
-            for planes in tiles {
-                let mut worker = TileWorker::new(items, list, origin, size, planes, scratch);
-                dispatch_long!(level, simd => worker.carry_out(simd));
-                scratch = worker.into_scratch();
-            }
-            lock().push(scratch);
+            let scratch = lock().pop().unwrap_or_default();
+            let mut worker = TileWorker::new(items, list, origin, size, planes, scratch);
+            dispatch_long!(level, simd => worker.carry_out(simd));
+            lock().push(worker.into_scratch());
         });
         self.lists.iter_mut().for_each(Vec::clear);
     }

@@ -4,7 +4,9 @@ use super::blend::{blended, compare, logic};
 use super::framebuffer::{LANE_X, LANE_Y, LARGEST_DEPTH, TILE_BLOCKS, TilePlanes, block_origin};
 use super::lighter::{Lighter, light_seen};
 use super::pipeline::Pipeline;
+use super::samples::covered_by_alpha;
 use super::shade::{Colors, Shading, decode, encode, shade};
+use super::tile::Seen;
 use luxel_math::{LANES, Lanes, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{Sink, Tile};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -12,8 +14,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Takes the samples of one piece.
 pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) simd: S,
+    /// Which sample of the pixels.
+    pub(super) sample: usize,
     pub(super) planes: &'t mut TilePlanes,
-    pub(super) seen: &'t mut [[u32; LANES]; TILE_BLOCKS],
+    pub(super) seen: &'t mut Seen,
     pub(super) lighter: &'t mut Lighter<'a>,
     pub(super) pipeline: &'t Pipeline,
     pub(super) origin: [i32; 2],
@@ -135,8 +139,22 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         // Colours of an image are known now alone.
         let mixing = self.pipeline.is_mixing() || self.primary.is_some();
         let mut colors = None;
+        if let Some(multisample) = self.pipeline.multisample.as_ref().filter(|of| of.needs_colors())
+        {
+            let mut shaded = self.colors(simd, block, lanes);
+            if multisample.alpha_to_coverage {
+                lanes &= covered_by_alpha(shaded[3], self.sample).to_bitmask() as u32;
+            }
+            if multisample.alpha_to_one {
+                shaded[3] = f32x16::splat(simd, 1.0);
+            }
+            colors = Some(shaded);
+        }
         if let Some((func, reference)) = self.pipeline.alpha_test {
-            let shaded = self.colors(simd, block, lanes);
+            let shaded = match colors {
+                Some(shaded) => shaded,
+                None => self.colors(simd, block, lanes),
+            };
             let reference = f32x16::splat(simd, reference);
             lanes &= compare(func, shaded[3], reference).to_bitmask() as u32;
             colors = Some(shaded);

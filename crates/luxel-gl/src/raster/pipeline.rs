@@ -1,5 +1,6 @@
 //! The state of fragments of one draw, all of it: equal state is one pipeline.
 
+use super::samples::Multisample;
 use crate::enums as gl;
 use crate::fragment::TextureStages;
 use crate::state::Attributes;
@@ -26,6 +27,8 @@ pub(crate) struct Pipeline {
     pub(crate) alpha_test: Option<(u32, f32)>,
     pub(crate) blend: Option<Blend>,
     pub(crate) logic_op: Option<u32>,
+    /// `None` with one sample, and where all of a pixel's samples are alike.
+    pub(crate) multisample: Option<Multisample>,
 }
 
 /// The stencil test; values have 8 bits.
@@ -53,6 +56,8 @@ pub(crate) struct Blend {
 pub(crate) struct Buffers {
     pub(crate) depth: bool,
     pub(crate) stencil: bool,
+    /// Whether a pixel has several samples.
+    pub(crate) samples: bool,
 }
 
 impl Pipeline {
@@ -97,6 +102,11 @@ impl Pipeline {
             blend: (has(gl::BLEND) && !has(gl::COLOR_LOGIC_OP) && !blend.replaces())
                 .then_some(blend),
             logic_op,
+            multisample: (buffers.samples && has(gl::MULTISAMPLE)).then(|| Multisample {
+                alpha_to_coverage: has(gl::SAMPLE_ALPHA_TO_COVERAGE),
+                alpha_to_one: has(gl::SAMPLE_ALPHA_TO_ONE),
+                coverage: has(gl::SAMPLE_COVERAGE).then_some(state.sample_coverage.0),
+            }),
         }
     }
 
@@ -104,7 +114,8 @@ impl Pipeline {
     pub(crate) fn is_mixing(&self) -> bool {
         let partial = self.color_bits != 0 && self.color_bits != u32::MAX;
         let mixes = self.blend.is_some() || self.logic_op.is_some() || partial;
-        self.alpha_test.is_some() || self.color_bits != 0 && mixes
+        let by_alpha = self.multisample.as_ref().is_some_and(Multisample::needs_colors);
+        self.alpha_test.is_some() || by_alpha || self.color_bits != 0 && mixes
     }
 }
 

@@ -6,8 +6,9 @@ use super::image::image;
 use super::lighter::{Lighter, PreparedEntries, light_seen};
 use super::log::{ClearedTo, Item};
 use super::piece_sink::PieceSink;
+use super::samples::offset;
 use super::strokes::{bitmap, line, point};
-use luxel_math::{LANES, SUBPIXELS, Simd};
+use luxel_math::{LANES, Simd};
 use luxel_visibility::{Region, TILE, cover};
 
 /// A piece of a batch, or a clear.
@@ -17,29 +18,22 @@ pub(super) struct Entry {
     pub(super) piece: u32,
 }
 
-/// Where samples lie in a pixel: at its centre.
-const CENTRE: [i32; 2] = [SUBPIXELS / 2; 2];
-
 /// Of each pixel the entry that it sees and that hasn't been lit, from 1 on; 0 for none.
-type Seen = [[u32; LANES]; TILE_BLOCKS];
+pub(super) type Seen = [[u32; LANES]; TILE_BLOCKS];
 
 /// Memory that workers of tiles take over from one another.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct TileScratch {
-    seen: Box<Seen>,
+    /// Of each sample.
+    seen: Vec<Seen>,
     prepared: PreparedEntries,
-}
-
-impl Default for TileScratch {
-    fn default() -> Self {
-        Self { seen: Box::new([[0; LANES]; TILE_BLOCKS]), prepared: PreparedEntries::default() }
-    }
 }
 
 /// What carries out one tile's list.
 pub(super) struct TileWorker<'a> {
-    planes: &'a mut TilePlanes,
-    seen: Box<Seen>,
+    /// Of each sample.
+    planes: &'a mut [Box<TilePlanes>],
+    seen: Vec<Seen>,
     lighter: Lighter<'a>,
     /// The tile's first pixel in the window.
     origin: [i32; 2],
@@ -53,7 +47,7 @@ impl<'a> TileWorker<'a> {
         list: &'a [Entry],
         origin: [i32; 2],
         [width, height]: [i32; 2],
-        planes: &'a mut TilePlanes,
+        planes: &'a mut [Box<TilePlanes>],
         scratch: TileScratch,
     ) -> Self {
         let region = Region {
@@ -63,7 +57,8 @@ impl<'a> TileWorker<'a> {
             height: TILE.min(height - origin[1]),
         };
         let TileScratch { mut seen, prepared } = scratch;
-        seen.as_flattened_mut().fill(0);
+        seen.resize(planes.len(), [[0; LANES]; TILE_BLOCKS]);
+        seen.as_flattened_mut().as_flattened_mut().fill(0);
         let lighter = Lighter::new(items, list, prepared);
         Self { planes, seen, lighter, origin, region }
     }
@@ -94,11 +89,30 @@ impl<'a> TileWorker<'a> {
         self.light(simd);
     }
 
-    /// Lights what is seen.
+    /// Lights what is seen. A pixel's samples that see the same are lit once, at its centre.
     fn light<S: Simd>(&mut self, simd: S) {
-        for (block, seen) in self.seen.iter_mut().enumerate() {
-            if seen.iter().any(|seen| *seen != 0) {
-                light_seen(simd, self.origin, block, seen, &mut self.lighter, self.planes);
+        let Some((first, others)) = self.planes.split_first_mut() else { return };
+        let Some((first_seen, others_seen)) = self.seen.split_first_mut() else { return };
+        for block in 0..TILE_BLOCKS {
+            let seen = first_seen[block];
+            if seen != [0; LANES] {
+                let of_block = &mut first_seen[block];
+                light_seen(simd, self.origin, block, of_block, &mut self.lighter, first);
+            }
+            for (planes, of_sample) in others.iter_mut().zip(others_seen.iter_mut()) {
+                let of_block = &mut of_sample[block];
+                if *of_block == [0; LANES] {
+                    continue;
+                }
+                for lane in 0..LANES {
+                    if of_block[lane] == seen[lane] && seen[lane] != 0 {
+                        planes.color[block][lane] = first.color[block][lane];
+                        of_block[lane] = 0;
+                    }
+                }
+                if *of_block != [0; LANES] {
+                    light_seen(simd, self.origin, block, of_block, &mut self.lighter, planes);
+                }
             }
         }
     }
@@ -115,48 +129,13 @@ impl<'a> TileWorker<'a> {
     }
 
     fn clear(&mut self, clear: &ClearedTo) {
-        let [left, bottom, right, top] = self.within(clear.region);
-        let whole = [left, bottom, right, top] == [0, 0, self.region.width, self.region.height];
-        if whole && matches!(clear.color_mask, 0 | u32::MAX) {
-            self.clear_all(clear);
-            return;
-        }
-        for block in 0..TILE_BLOCKS {
-            let first = block_origin(block);
-            let inside = |lane: usize| {
-                let (x, y) = (first[0] + LANE_X[lane], first[1] + LANE_Y[lane]);
-                whole || x >= left && x < right && y >= bottom && y < top
-            };
-            for lane in 0..LANES {
-                if !inside(lane) {
-                    continue;
-                }
-                if clear.color_mask == u32::MAX {
-                    self.seen[block][lane] = 0;
-                }
-                let color = &mut self.planes.color[block][lane];
-                *color = *color & !clear.color_mask | clear.color & clear.color_mask;
-                if let Some(depth) = clear.depth {
-                    self.planes.depth[block][lane] = depth;
-                }
-                let stencil = &mut self.planes.stencil[block][lane];
-                *stencil = *stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
-            }
-        }
-    }
-
-    /// Clears whole planes; what lies beyond the window doesn't matter.
-    fn clear_all(&mut self, clear: &ClearedTo) {
-        if clear.color_mask != 0 {
-            self.seen.as_flattened_mut().fill(0);
-            self.planes.color.as_flattened_mut().fill(clear.color);
-        }
-        if let Some(depth) = clear.depth {
-            self.planes.depth.as_flattened_mut().fill(depth);
-        }
-        if clear.stencil_mask != 0 {
-            for stencil in self.planes.stencil.as_flattened_mut() {
-                *stencil = *stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
+        let part = self.within(clear.region);
+        let whole = part == [0, 0, self.region.width, self.region.height];
+        for (planes, seen) in self.planes.iter_mut().zip(&mut self.seen) {
+            if whole && matches!(clear.color_mask, 0 | u32::MAX) {
+                clear_all(planes, seen, clear);
+            } else {
+                clear_part(planes, seen, clear, part);
             }
         }
     }
@@ -171,39 +150,91 @@ impl<'a> TileWorker<'a> {
             && batch.samples.is_none()
             && !pipeline.is_mixing()
             && (pipeline.polygon_stipple.is_none() || !of_polygon);
-        let (region, origin) = (self.region, self.origin);
-        let mut sink = PieceSink {
-            simd,
-            planes: self.planes,
-            seen: &mut self.seen,
-            lighter: &mut self.lighter,
-            pipeline,
-            origin,
-            limits,
-            is_whole: limits == [0, 0, TILE, TILE],
-            plain,
-            stipple: pipeline.polygon_stipple.as_ref().filter(|_| of_polygon),
-            number,
-            offset: piece.offset,
-            primary: None,
-            samples: batch.samples.as_deref(),
-        };
-        match piece.shape {
-            Shape::Triangle(ref triangle) => cover(simd, triangle, region, CENTRE, &mut sink),
-            Shape::Line { ends, depths, width, counter, .. } => {
-                line(&mut sink, ends, depths, width, counter);
+        let multisample = pipeline.multisample.as_ref();
+        for (sample, planes) in self.planes.iter_mut().enumerate() {
+            if multisample.is_some_and(|of| !of.covers(sample)) {
+                continue;
             }
-            Shape::Bitmap { corner, depth } => {
-                if let Some(of) = &batch.bitmap {
-                    bitmap(&mut sink, of, corner, depth);
+            let mut sink = PieceSink {
+                simd,
+                sample,
+                planes,
+                seen: &mut self.seen[sample],
+                lighter: &mut self.lighter,
+                pipeline,
+                origin: self.origin,
+                limits,
+                is_whole: limits == [0, 0, TILE, TILE],
+                plain,
+                stipple: pipeline.polygon_stipple.as_ref().filter(|_| of_polygon),
+                number,
+                offset: piece.offset,
+                primary: None,
+                samples: batch.samples.as_deref(),
+            };
+            match piece.shape {
+                Shape::Triangle(ref triangle) => {
+                    cover(simd, triangle, self.region, offset(multisample, sample), &mut sink);
                 }
-            }
-            Shape::Image { depth } => {
-                if let Some(of) = &batch.image {
-                    image(&mut sink, of, depth);
+                Shape::Line { ends, depths, width, counter, .. } => {
+                    line(&mut sink, ends, depths, width, counter);
                 }
+                Shape::Bitmap { corner, depth } => {
+                    if let Some(of) = &batch.bitmap {
+                        bitmap(&mut sink, of, corner, depth);
+                    }
+                }
+                Shape::Image { depth } => {
+                    if let Some(of) = &batch.image {
+                        image(&mut sink, of, depth);
+                    }
+                }
+                Shape::Point { corner, side, depth } => point(&mut sink, corner, side, depth),
             }
-            Shape::Point { corner, side, depth } => point(&mut sink, corner, side, depth),
+        }
+    }
+}
+
+/// Clears the pixels of a part: left, bottom, right, top of the tile's own.
+fn clear_part(
+    planes: &mut TilePlanes,
+    seen: &mut Seen,
+    clear: &ClearedTo,
+    [left, bottom, right, top]: [i32; 4],
+) {
+    for block in 0..TILE_BLOCKS {
+        let first = block_origin(block);
+        for lane in 0..LANES {
+            let (x, y) = (first[0] + LANE_X[lane], first[1] + LANE_Y[lane]);
+            if x < left || x >= right || y < bottom || y >= top {
+                continue;
+            }
+            if clear.color_mask == u32::MAX {
+                seen[block][lane] = 0;
+            }
+            let color = &mut planes.color[block][lane];
+            *color = *color & !clear.color_mask | clear.color & clear.color_mask;
+            if let Some(depth) = clear.depth {
+                planes.depth[block][lane] = depth;
+            }
+            let stencil = &mut planes.stencil[block][lane];
+            *stencil = *stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
+        }
+    }
+}
+
+/// Clears whole planes; what lies beyond the window doesn't matter.
+fn clear_all(planes: &mut TilePlanes, seen: &mut Seen, clear: &ClearedTo) {
+    if clear.color_mask != 0 {
+        seen.as_flattened_mut().fill(0);
+        planes.color.as_flattened_mut().fill(clear.color);
+    }
+    if let Some(depth) = clear.depth {
+        planes.depth.as_flattened_mut().fill(depth);
+    }
+    if clear.stencil_mask != 0 {
+        for stencil in planes.stencil.as_flattened_mut() {
+            *stencil = *stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
         }
     }
 }

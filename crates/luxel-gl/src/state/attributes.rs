@@ -33,6 +33,7 @@ pub(crate) struct Attributes {
     pub(crate) color: ColorBuffer,
     pub(crate) clear_accum: [f32; 4],
     pub(crate) read_buffer: ReadBuffer,
+    pub(crate) sample_coverage: SampleCoverage,
     pub(crate) pixel: PixelMode,
     pub(crate) hints: Hints,
     pub(crate) list_base: u32,
@@ -61,7 +62,11 @@ pub(crate) struct Viewport {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ReadBuffer(pub(crate) u32);
 
-/// The five hints.
+/// `glSampleCoverage`: the part of the samples, and whether it is the other part.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SampleCoverage(pub(crate) (f32, bool));
+
+/// The hints.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hints(pub(crate) [u32; 7]);
 
@@ -93,6 +98,12 @@ impl Default for Viewport {
 impl Default for ReadBuffer {
     fn default() -> Self {
         Self(gl::FRONT)
+    }
+}
+
+impl Default for SampleCoverage {
+    fn default() -> Self {
+        Self((1.0, false))
     }
 }
 
@@ -147,6 +158,9 @@ impl Attributes {
         }
         if has(gl::COLOR_BUFFER_BIT) {
             self.color = saved.color.clone();
+        }
+        if has(gl::MULTISAMPLE_BIT) {
+            self.sample_coverage = saved.sample_coverage;
         }
         if has(gl::ACCUM_BUFFER_BIT) {
             self.clear_accum = saved.clear_accum;

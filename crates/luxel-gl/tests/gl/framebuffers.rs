@@ -133,7 +133,7 @@ fn ext_framebuffer_object_has_these_errors() {
         ),
         (
             "glRenderbufferStorageMultisample",
-            |c| c.renderbuffer_storage(RENDERBUFFER, 4, RGBA8, 1, 1),
+            |c| c.renderbuffer_storage(RENDERBUFFER, 5, RGBA8, 1, 1),
             gl::INVALID_VALUE,
         ),
         (

@@ -19,6 +19,7 @@ mod lighting;
 mod modes;
 mod pixel_transfer;
 mod queries;
+mod samples;
 mod state;
 mod textures;
 mod waiting;
