@@ -1,196 +1,187 @@
-//! Images of framebuffer objects between their owners and the tiles that are drawn to.
+//! Images of framebuffer objects: their planes are taken when an object is bound for drawing, and given back when it is
+//! left, or when a command is about to look at one of them.
+//!
+//! Planes of renderbuffers and of textures of depth are moved; colours of textures are copied, since textures keep them
+//! in rows.
 
 use crate::Context;
 use crate::limits::VIEWPORT;
 use crate::objects::framebuffer::{Attachment, COLOR, DEPTH, FramebufferObject, STENCIL};
-use crate::objects::renderbuffer::{Planes, Renderbuffer};
-use crate::raster::{Framebuffer, LARGEST_DEPTH};
-use crate::texture::{TextureImage, locked};
+use crate::objects::renderbuffer::Planes;
+use crate::plane::Plane;
+use crate::raster::Framebuffer;
+use crate::texture::{Texels, TextureHandle, TextureImage, locked};
 use std::sync::Arc;
 
-/// An attached image, to be looked at.
-pub(super) enum Source<'a> {
-    Renderbuffer(&'a Renderbuffer),
-    Texture(Arc<TextureImage>, u32),
-}
-
-impl Source<'_> {
-    pub(super) fn size(&self) -> [u32; 2] {
-        match self {
-            Self::Renderbuffer(of) => of.size,
-            Self::Texture(image, _) => [image.size[0], image.size[1]],
-        }
-    }
-
+/// What is known of an attached image.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ImageKind {
+    pub(super) size: [u32; 2],
+    pub(super) planes: Planes,
     /// Samples of a pixel.
-    pub(super) fn samples(&self) -> usize {
-        match self {
-            Self::Renderbuffer(of) => of.layers(),
-            Self::Texture(..) => 1,
-        }
-    }
-
-    pub(super) fn planes(&self) -> Planes {
-        match self {
-            Self::Renderbuffer(of) => of.planes,
-            // Textures of depth and stencil have no stencil that is kept.
-            Self::Texture(image, _) if image.format.is_depth() => {
-                Planes { color: false, depth: true, stencil: true }
-            }
-            Self::Texture(..) => Planes { color: true, depth: false, stencil: false },
-        }
-    }
+    pub(super) samples: usize,
 }
 
 impl Context {
     /// An attached image; `None` if it isn't there any more.
-    pub(super) fn with_source<R>(
-        &self,
-        of: &Attachment,
-        work: impl FnOnce(Source<'_>) -> R,
-    ) -> Option<R> {
+    pub(super) fn image_kind(&self, of: &Attachment) -> Option<ImageKind> {
         match of {
             Attachment::Renderbuffer(name) => {
                 let renderbuffers = self.renderbuffers();
-                renderbuffers.get(*name).map(|of| work(Source::Renderbuffer(of)))
+                let of = renderbuffers.get(*name)?;
+                Some(ImageKind { size: of.size, planes: of.planes, samples: of.samples.max(1) })
             }
-            Attachment::Texture { texture, face, level, layer, .. } => {
-                let image = locked(texture).image(*face, *level).map(Arc::clone);
-                image.map(|image| work(Source::Texture(image, *layer)))
+            Attachment::Texture { texture, face, level, .. } => {
+                let texture = locked(texture);
+                let image = texture.image(*face, *level)?;
+                let depth = image.format.is_depth();
+                let planes = Planes { color: !depth, depth, stencil: image.format.stencil };
+                Some(ImageKind { size: [image.size[0], image.size[1]], planes, samples: 1 })
             }
         }
     }
 
-    /// Puts what was drawn back into the images of the object that is bound for drawing.
+    /// Gives the planes of what is drawn to back to the images of the object that is bound for drawing.
     pub(crate) fn store_attachments(&mut self) {
         self.carry_out();
         let Some(object) = self.framebuffers.get(self.framebuffers.draw).cloned() else { return };
-        let [width, height] = self.framebuffer.size();
+        let mut framebuffer = std::mem::take(&mut self.framebuffer);
+        let size = framebuffer.size;
         for (place, attachment) in object.attachments.iter().enumerate() {
             match attachment {
                 Some(Attachment::Renderbuffer(name)) => {
                     let mut renderbuffers = self.renderbuffers();
                     let Some(of) = renderbuffers.get_mut(*name) else { continue };
-                    // Of images of several sizes what all have is drawn to.
-                    if of.size[0] < width || of.size[1] < height {
-                        continue;
-                    }
-                    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-                    let from = &self.framebuffer;
-                    let samples = 0..from.samples();
-                    for (at, sample) in
-                        pixels.flat_map(|at| samples.clone().map(move |sample| (at, sample)))
-                    {
-                        let index = of.index(at, sample);
-                        match place {
-                            COLOR => put(&mut of.color, index, from.sample_color(at, sample)),
-                            DEPTH => put(&mut of.depth, index, from.sample_depth(at, sample)),
-                            _ => put(&mut of.stencil, index, from.sample_stencil(at, sample)),
-                        }
+                    match place {
+                        COLOR => give(&mut of.color, framebuffer.color.take()),
+                        DEPTH => give(&mut of.depth, framebuffer.depth.take()),
+                        _ => give(&mut of.stencil, framebuffer.stencil.take()),
                     }
                 }
-                Some(Attachment::Texture { texture, face, level, layer, .. })
-                    if place != STENCIL =>
-                {
+                Some(Attachment::Texture { texture, face, level, layer, .. }) => {
+                    if place == COLOR && !framebuffer.changed {
+                        continue;
+                    }
                     let mut texture = locked(texture);
                     let Some(image) = texture.image_mut(*face, *level) else { continue };
-                    if image.size[0] < width || image.size[1] < height {
+                    match (place, &mut image.texels) {
+                        (COLOR, _) => {
+                            if let Some(colors) = &framebuffer.color {
+                                store_colors(image, *layer, colors, size);
+                            }
+                        }
+                        (DEPTH, Texels::Depth(depths)) => give(depths, framebuffer.depth.take()),
+                        (STENCIL, _) => give(&mut image.stencil, framebuffer.stencil.take()),
+                        _ => {}
+                    }
+                }
+                None => {}
+            }
+        }
+    }
+
+    /// Takes the planes of an object's images. An image that has no plane for its place gives none.
+    pub(super) fn load_attachments(&mut self, object: &FramebufferObject) {
+        let kinds = object.attachments.iter().flatten().filter_map(|of| self.image_kind(of));
+        let smaller = |a: [u32; 2], b: [u32; 2]| [a[0].min(b[0]), a[1].min(b[1])];
+        let size = kinds.map(|kind| kind.size).reduce(smaller).unwrap_or([0; 2]);
+        let size = size.map(|side| side.min(VIEWPORT as u32));
+        let mut framebuffer = Framebuffer { size, ..Framebuffer::default() };
+        for (place, attachment) in object.attachments.iter().enumerate() {
+            match attachment {
+                Some(Attachment::Renderbuffer(name)) => {
+                    let mut renderbuffers = self.renderbuffers();
+                    let Some(of) = renderbuffers.get_mut(*name) else { continue };
+                    match place {
+                        COLOR => framebuffer.color = of.color.take(),
+                        DEPTH => framebuffer.depth = of.depth.take(),
+                        _ => framebuffer.stencil = of.stencil.take(),
+                    }
+                }
+                Some(Attachment::Texture { texture, face, level, layer, .. }) => {
+                    let mut texture = locked(texture);
+                    if place == COLOR {
+                        let image = texture.image(*face, *level).map(Arc::clone);
+                        framebuffer.color = image.and_then(|image| load_colors(&image, *layer));
                         continue;
                     }
-                    for y in 0..height {
-                        for x in 0..width {
-                            let value = if place == DEPTH {
-                                [self.framebuffer.unit_depth([x, y]), 0.0, 0.0, 1.0]
-                            } else {
-                                self.framebuffer.color([x, y]).map(|byte| f32::from(byte) / 255.0)
-                            };
-                            let index = image.index([x, y, *layer]);
-                            image.put(index, value);
-                        }
+                    let Some(image) = texture.image_mut(*face, *level) else { continue };
+                    match (place, &mut image.texels) {
+                        (DEPTH, Texels::Depth(depths)) => framebuffer.depth = depths.take(),
+                        (STENCIL, _) => framebuffer.stencil = image.stencil.take(),
+                        _ => {}
                     }
                 }
-                _ => {}
+                None => {}
             }
         }
+        self.framebuffer = framebuffer;
     }
 
-    /// The images of an object, in tiles.
-    pub(super) fn loaded(&self, object: &FramebufferObject) -> Framebuffer {
-        let images = || object.attachments.iter().flatten();
-        let samples = images().filter_map(|of| self.with_source(of, |source| source.samples()));
-        let samples = samples.max().unwrap_or(1);
-        let sizes = images().filter_map(|of| self.with_source(of, |source| source.size()));
-        let smaller = |a: [u32; 2], b: [u32; 2]| [a[0].min(b[0]), a[1].min(b[1])];
-        let [width, height] = sizes.reduce(smaller).unwrap_or([0; 2]);
-        let [width, height] = [width, height].map(|side| side.min(VIEWPORT as u32));
-        let mut framebuffer = Framebuffer::new(width, height, samples);
-        for (place, attachment) in object.attachments.iter().enumerate() {
-            let Some(attachment) = attachment else { continue };
-            let _ = self.with_source(attachment, |source| {
-                for y in 0..height {
-                    for x in 0..width {
-                        for sample in 0..samples {
-                            load_sample(&mut framebuffer, &source, place, ([x, y], sample));
-                        }
-                    }
-                }
-            });
+    /// Does something with images of which one may be drawn to, while each has its own planes.
+    pub(super) fn with_images_at_rest<R>(
+        &mut self,
+        is_image: impl Fn(&Attachment) -> bool,
+        work: impl FnOnce(&mut Self) -> R,
+    ) -> R {
+        let draw = self.framebuffers.draw;
+        let object = self.framebuffers.get(draw);
+        let is_drawn =
+            object.is_some_and(|object| object.attachments.iter().flatten().any(is_image));
+        if !is_drawn {
+            return work(self);
         }
-        framebuffer
+        self.store_attachments();
+        let result = work(self);
+        if let Some(object) = self.framebuffers.get(draw).cloned() {
+            self.load_attachments(&object);
+        }
+        result
+    }
+
+    /// The same for a texture.
+    pub(super) fn with_texture_at_rest<R>(
+        &mut self,
+        texture: &TextureHandle,
+        work: impl FnOnce(&mut Self) -> R,
+    ) -> R {
+        let is_image = |image: &Attachment| matches!(image, Attachment::Texture { texture: of, .. } if Arc::ptr_eq(of, texture));
+        self.with_images_at_rest(is_image, work)
     }
 }
 
-/// Overwrites a value of a plane, if it is there.
-fn put<T>(plane: &mut [T], index: usize, value: T) {
-    if let Some(place) = plane.get_mut(index) {
-        *place = value;
+/// Puts a plane back, unless it was never taken.
+fn give<T>(place: &mut Option<Plane<T>>, plane: Option<Plane<T>>) {
+    if plane.is_some() {
+        *place = plane;
     }
 }
 
-/// Takes one sample of an attached image into the tiles.
-fn load_sample(
-    framebuffer: &mut Framebuffer,
-    source: &Source<'_>,
-    place: usize,
-    (at, sample): ([u32; 2], usize),
-) {
-    match source {
-        Source::Renderbuffer(of) => {
-            let index = of.index(at, sample);
-            match place {
-                COLOR => {
-                    framebuffer.set_color(
-                        at,
-                        sample,
-                        of.color.get(index).copied().unwrap_or_default(),
-                    );
-                }
-                DEPTH => {
-                    let depth = of.depth.get(index).copied().unwrap_or(0);
-                    framebuffer.set_depth(at, sample, depth);
-                }
-                _ => {
-                    let value = of.stencil.get(index).copied().unwrap_or(0);
-                    framebuffer.set_stencil(at, sample, value);
-                }
-            }
-        }
-        Source::Texture(image, layer) => {
-            let value = image.get(image.index([at[0], at[1], *layer]));
-            match place {
-                COLOR => {
-                    framebuffer.set_color(
-                        at,
-                        sample,
-                        value.map(|value| (value * 255.0 + 0.5) as u8),
-                    );
-                }
-                DEPTH => {
-                    let depth = (f64::from(value[0]) * f64::from(LARGEST_DEPTH)).round() as u32;
-                    framebuffer.set_depth(at, sample, depth);
-                }
-                _ => {}
-            }
+/// Writes colours into a layer of an image, as far as both have them.
+fn store_colors(image: &mut TextureImage, layer: u32, colors: &Plane<u32>, size: [u32; 2]) {
+    let mut row = vec![0; size[0] as usize];
+    for y in 0..size[1] {
+        colors.read_row(y, &mut row);
+        let first = image.index([0, y, layer]);
+        for (x, word) in row.iter().enumerate() {
+            image.put(first + x, word.to_le_bytes().map(|byte| f32::from(byte) / 255.0));
         }
     }
+}
+
+/// The colours of a layer of an image; `None` if it has no colours, or there is no memory for them.
+fn load_colors(image: &TextureImage, layer: u32) -> Option<Plane<u32>> {
+    if image.format.is_depth() {
+        return None;
+    }
+    let size = [image.size[0], image.size[1]];
+    let mut colors = Plane::new(size, 1, 0)?;
+    for y in 0..size[1] {
+        let first = image.index([0, y, layer]);
+        for x in 0..size[0] {
+            let color = image.get(first + x as usize).map(|value| (value * 255.0 + 0.5) as u8);
+            colors.set([x, y], 0, u32::from_le_bytes(color));
+        }
+    }
+    Some(colors)
 }

@@ -7,7 +7,7 @@ use crate::context::{compile, demand, outside_begin};
 use crate::enums as gl;
 use crate::limits::VIEWPORT;
 use crate::objects::list::Command;
-use crate::raster::Clear;
+use crate::raster::{Clear, Framebuffer};
 use crate::state::fragment::PixelBox;
 
 const ALL_BUFFERS: u32 =
@@ -27,7 +27,11 @@ impl Context {
         if self.default_size() != [width, height] {
             self.with_default_framebuffer(|context| {
                 context.carry_out();
-                context.framebuffer = crate::raster::Framebuffer::new(width, height, 1);
+                let framebuffer = Framebuffer::new([width, height]);
+                if framebuffer.is_none() {
+                    context.error.set(gl::OUT_OF_MEMORY);
+                }
+                context.framebuffer = framebuffer.unwrap_or_default();
                 context.accumulation = Vec::new();
             });
         }

@@ -8,10 +8,9 @@ use crate::fragment::TextureStages;
 use crate::limits::TEXTURE_UNITS;
 use crate::modes::{FeedbackVisitor, HitVisitor};
 use crate::objects::list::Command;
+use crate::plane::LARGEST_DEPTH;
 use crate::primitive::{assemble, assemble_parts, parts};
-use crate::raster::{
-    Batch, Buffers, DrawState, LARGEST_DEPTH, PIECES_RUN, Piece, PieceBuilder, Pipeline,
-};
+use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, Piece, PieceBuilder, Pipeline};
 use crate::state::current::RasterPosition;
 use crate::vertex::{Materials, Needs, Processed, VertexProcessor, Vertices, WindowScale, codes};
 use std::sync::Arc;

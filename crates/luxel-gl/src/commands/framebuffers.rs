@@ -3,11 +3,11 @@
 //! What is drawn to lies in tiles, whatever it belongs to. Images of an object are taken into tiles when it is bound for
 //! drawing, and put back when it is left.
 
+use super::attachments::ImageKind;
 use crate::Context;
 use crate::context::{demand, outside_begin};
 use crate::enums as gl;
 use crate::objects::framebuffer::{Attachment, DEPTH, STENCIL, attachments_named};
-use crate::raster::Framebuffer;
 use crate::texture::{ImageTarget, locked};
 use crate::values::Values;
 
@@ -38,10 +38,7 @@ impl Context {
         let mut all_samples = None;
         for (place, attachment) in object.attachments.iter().enumerate() {
             let Some(attachment) = attachment else { continue };
-            let found = self.with_source(attachment, |source| {
-                (source.size(), source.planes(), source.samples())
-            });
-            let Some((size, planes, samples)) = found else {
+            let Some(ImageKind { size, planes, samples }) = self.image_kind(attachment) else {
                 return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
             };
             let fits = [planes.color, planes.depth, planes.stencil][place];
@@ -63,8 +60,7 @@ impl Context {
     fn samples_of(&self, name: u32) -> usize {
         let images = self.framebuffers.get(name).map(|object| object.attachments.iter().flatten());
         let samples = images.into_iter().flatten();
-        let samples = samples.filter_map(|of| self.with_source(of, |source| source.samples()));
-        samples.max().unwrap_or(1)
+        samples.filter_map(|of| self.image_kind(of)).map(|of| of.samples).max().unwrap_or(1)
     }
 
     /// Whether pixels that are read have several samples: they can be resolved alone, not read.
@@ -84,13 +80,12 @@ impl Context {
             None => self.framebuffers.default_buffers = buffers,
         }
         let object = self.framebuffers.get(name).cloned();
-        let next = match &object {
-            Some(object) => self.loaded(object),
-            None => std::mem::replace(&mut self.parked, Framebuffer::new(0, 0, 1)),
-        };
-        let before = std::mem::replace(&mut self.framebuffer, next);
         if self.framebuffers.get(self.framebuffers.draw).is_none() {
-            self.parked = before;
+            self.parked = std::mem::take(&mut self.framebuffer);
+        }
+        match &object {
+            Some(object) => self.load_attachments(object),
+            None => self.framebuffer = std::mem::take(&mut self.parked),
         }
         let [draw, read] = match &object {
             Some(object) => [object.draw_buffer, object.read_buffer],
@@ -198,7 +193,7 @@ impl Context {
             }
         }
         if is_drawn && let Some(object) = self.framebuffers.get(bound).cloned() {
-            self.framebuffer = self.loaded(&object);
+            self.load_attachments(&object);
         }
     }
 

@@ -28,19 +28,13 @@ impl Context {
     pub fn delete_renderbuffers(&mut self, names: &[u32]) {
         outside_begin!(self);
         for &name in names.iter().filter(|name| **name != 0) {
-            for bound in [self.framebuffers.draw, self.framebuffers.read] {
-                if let Some(object) = self.framebuffers.get_mut(bound) {
-                    for image in &mut object.attachments {
-                        if matches!(image, Some(Attachment::Renderbuffer(of)) if *of == name) {
-                            *image = None;
-                        }
-                    }
-                }
-            }
+            self.with_images_at_rest(is_renderbuffer(name), |context| {
+                context.framebuffers.detach(is_renderbuffer(name));
+                context.renderbuffers().delete(name);
+            });
             if self.framebuffers.renderbuffer == name {
                 self.framebuffers.renderbuffer = 0;
             }
-            self.renderbuffers().delete(name);
         }
     }
 
@@ -87,20 +81,11 @@ impl Context {
             self.error.set(gl::OUT_OF_MEMORY);
             return;
         };
-        if let Some(renderbuffer) = self.renderbuffers().get_mut(name) {
-            *renderbuffer = storage;
-        }
-        // What is drawn to may be of another size now.
-        let is_attached = self.framebuffers.get(self.framebuffers.draw).is_some_and(|object| {
-            let mut images = object.attachments.iter().flatten();
-            images.any(|image| matches!(image, Attachment::Renderbuffer(of) if *of == name))
-        });
-        if is_attached {
-            self.carry_out();
-            if let Some(object) = self.framebuffers.get(self.framebuffers.draw).cloned() {
-                self.framebuffer = self.loaded(&object);
+        self.with_images_at_rest(is_renderbuffer(name), |context| {
+            if let Some(renderbuffer) = context.renderbuffers().get_mut(name) {
+                *renderbuffer = storage;
             }
-        }
+        });
     }
 
     /// `glGetRenderbufferParameter`.
@@ -137,4 +122,9 @@ impl Context {
         }
         None
     }
+}
+
+/// Whether an attached image is that renderbuffer.
+fn is_renderbuffer(name: u32) -> impl Fn(&Attachment) -> bool {
+    move |image| matches!(image, Attachment::Renderbuffer(of) if *of == name)
 }

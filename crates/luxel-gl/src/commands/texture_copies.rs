@@ -61,10 +61,8 @@ impl Context {
         else {
             return self.error.set(gl::OUT_OF_MEMORY);
         };
-        self.with_read_framebuffer(|context| {
-            context.carry_out();
-            context.copy_into(&mut image, [0; 3], call.from, call.size);
-        });
+        let texels = self.copied(image.format.is_depth(), call.from, call.size);
+        put(&mut image, [0; 3], &texels);
         self.put_image(of, level, image);
     }
 
@@ -97,13 +95,14 @@ impl Context {
         }
         demand!(self, !self.reads_samples(), gl::INVALID_OPERATION);
         let texture = self.active_texture_of(of.target);
-        self.with_read_framebuffer(|context| {
-            context.carry_out();
+        // All is read before it is written: the texture itself may be what is read.
+        let texels = self.copied(is_depth, call.from, call.size);
+        self.with_texture_at_rest(&texture, |context| {
             if let Some(image) = locked(&texture).image_mut(of.face, level) {
-                context.copy_into(image, offset, call.from, call.size);
+                put(image, offset, &texels);
             }
+            context.image_changed(of, level);
         });
-        self.image_changed(of, level);
     }
 
     /// A pixel's stencil value as a part of 255.
@@ -111,31 +110,41 @@ impl Context {
         f32::from(self.framebuffer.stencil(at)) / 255.0
     }
 
-    /// Copies pixels of the framebuffer as it is, by the transfer; those outside of it are left as they are.
-    fn copy_into(
-        &self,
-        image: &mut TextureImage,
-        offset: [u32; 3],
+    /// Pixels of the framebuffer that is read, by the transfer, each with its place from the first one; those outside of
+    /// it are left out.
+    fn copied(
+        &mut self,
+        is_depth: bool,
         [x, y]: [i32; 2],
         [width, height]: [i32; 2],
-    ) {
-        let [frame_width, frame_height] = self.framebuffer.size().map(i64::from);
-        let transfer = self.transfer();
-        let is_depth = image.format.is_depth();
-        let (x, y) = (i64::from(x), i64::from(y));
-        let rows = (-y).max(0)..i64::from(height).min(frame_height - y);
-        for row in rows {
-            for column in (-x).max(0)..i64::from(width).min(frame_width - x) {
-                let at = [(x + column) as u32, (y + row) as u32];
-                let color = if is_depth {
-                    [self.framebuffer.unit_depth(at), self.unit_stencil(at), 0.0, 1.0]
-                } else {
-                    self.frame_color(at)
-                };
-                let [first, second, third] = offset;
-                let index = image.index([first + column as u32, second + row as u32, third]);
-                image.put(index, transfer.values(color, is_depth));
-            }
-        }
+    ) -> Vec<([u32; 2], [f32; 4])> {
+        self.with_read_framebuffer(|context| {
+            context.carry_out();
+            let [frame_width, frame_height] = context.framebuffer.size().map(i64::from);
+            let transfer = context.transfer();
+            let (x, y) = (i64::from(x), i64::from(y));
+            let rows = (-y).max(0)..i64::from(height).min(frame_height - y);
+            let columns = (-x).max(0)..i64::from(width).min(frame_width - x);
+            let places = rows.flat_map(|row| columns.clone().map(move |column| [column, row]));
+            places
+                .map(|[column, row]| {
+                    let at = [(x + column) as u32, (y + row) as u32];
+                    let color = if is_depth {
+                        [context.framebuffer.unit_depth(at), context.unit_stencil(at), 0.0, 1.0]
+                    } else {
+                        context.frame_color(at)
+                    };
+                    ([column as u32, row as u32], transfer.values(color, is_depth))
+                })
+                .collect()
+        })
+    }
+}
+
+/// Writes texels into an image.
+fn put(image: &mut TextureImage, [across, up, deep]: [u32; 3], texels: &[([u32; 2], [f32; 4])]) {
+    for ([column, row], color) in texels {
+        let index = image.index([across + column, up + row, deep]);
+        image.put(index, *color);
     }
 }

@@ -10,7 +10,7 @@ use crate::pixels::unpack::ImageLayout;
 use crate::state::pixel::PixelStore;
 use crate::state::transfer::Transfer;
 use crate::texture::object::ImageTarget;
-use crate::texture::{InternalFormat, Target, Texels, TextureImage, locked};
+use crate::texture::{InternalFormat, Target, Texels, TextureHandle, TextureImage, locked};
 
 /// A target of an image of so many dimensions.
 fn image_target(dimensions: usize, name: u32) -> Result<ImageTarget, u32> {
@@ -247,8 +247,10 @@ impl Context {
     /// Puts an image into the bound texture, and makes the levels below if they are to follow.
     pub(super) fn put_image(&mut self, of: ImageTarget, level: usize, image: TextureImage) {
         let texture = self.active_texture_of(of.target);
-        locked(&texture).set_image(of.face, level, image);
-        self.image_changed(of, level);
+        self.with_texture_at_rest(&texture, |context| {
+            locked(&texture).set_image(of.face, level, image);
+            context.image_changed(of, level);
+        });
     }
 
     /// `GL_GENERATE_MIPMAP`: a change of the base level makes the levels below.
@@ -278,19 +280,11 @@ impl Context {
             return self.error.set(gl::INVALID_ENUM);
         };
         let texture = self.active_texture_of(target);
-        let mut texture = locked(&texture);
-        let base = usize::try_from(texture.parameters().base_level).unwrap_or(0);
-        let sizes: Vec<_> = (0..target.faces())
-            .map(|face| texture.image(face, base).map(|image| (image.size, image.name)))
-            .collect();
-        if sizes.iter().any(|size| *size != sizes[0]) {
-            return self.error.set(gl::INVALID_OPERATION);
-        }
-        for face in 0..target.faces() {
-            if let Err(error) = texture.generate_mipmap(face) {
-                return self.error.set(error);
+        self.with_texture_at_rest(&texture, |context| {
+            if let Err(error) = generated(&texture, target) {
+                context.error.set(error);
             }
-        }
+        });
     }
 
     /// `glTexSubImage1D`, `2D`, `3D`: replaces a part of an image.
@@ -346,10 +340,12 @@ impl Context {
         let layout = ImageLayout::new(store, sides(call.size), kind, call.dimensions);
         let texture = self.active_texture_of(of.target);
         let transfer = self.transfer();
-        if let Some(image) = locked(&texture).image_mut(of.face, level) {
-            fill(image, offset, kind, &layout, (store.swap_bytes, &transfer), pixels);
-        }
-        self.image_changed(of, level);
+        self.with_texture_at_rest(&texture, |context| {
+            if let Some(image) = locked(&texture).image_mut(of.face, level) {
+                fill(image, offset, kind, &layout, (store.swap_bytes, &transfer), pixels);
+            }
+            context.image_changed(of, level);
+        });
     }
 
     /// A part of an image that is there: the image, where the part begins with borders counted, whether texels are
@@ -383,4 +379,17 @@ impl Context {
         }
         Ok((of, level, first, image.format.is_depth()))
     }
+}
+
+/// Makes the levels below the base level of all faces, which have to be alike.
+fn generated(texture: &TextureHandle, target: Target) -> Result<(), u32> {
+    let mut texture = locked(texture);
+    let base = usize::try_from(texture.parameters().base_level).unwrap_or(0);
+    let sizes: Vec<_> = (0..target.faces())
+        .map(|face| texture.image(face, base).map(|image| (image.size, image.name)))
+        .collect();
+    if sizes.iter().any(|size| *size != sizes[0]) {
+        return Err(gl::INVALID_OPERATION);
+    }
+    (0..target.faces()).try_for_each(|face| texture.generate_mipmap(face))
 }

@@ -91,10 +91,11 @@ impl Context {
     }
 
     /// The image of a level of the bound texture.
-    fn image_of(&self, of: ImageTarget, level: usize) -> Option<Arc<TextureImage>> {
+    fn image_of(&mut self, of: ImageTarget, level: usize) -> Option<Arc<TextureImage>> {
         let texture = self.active_texture_of(of.target);
-        let texture = locked(&texture);
-        texture.image(of.face, level).map(Arc::clone)
+        self.with_texture_at_rest(&texture, |_| {
+            locked(&texture).image(of.face, level).map(Arc::clone)
+        })
     }
 
     /// `glGetTexLevelParameter`: also of proxies. `GL_INVALID_VALUE` for a level that can't be.
@@ -121,7 +122,7 @@ impl Context {
 
     /// The image, format and layout of `glGetTexImage`; an error, or `Ok(None)` for a level without image.
     fn gettable(
-        &self,
+        &mut self,
         target: u32,
         level: i32,
         format: u32,
@@ -203,8 +204,7 @@ impl Context {
                         }
                         _ => {
                             values[0] = texel[0];
-                            values[1] =
-                                image.stencil.get(index).map_or(0.0, |s| f32::from(*s) / 255.0);
+                            values[1] = image.stencil(index) as f32 / 255.0;
                         }
                     }
                     kind.write(&values[..kind.components.count()], swap, out);

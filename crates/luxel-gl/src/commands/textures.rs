@@ -4,8 +4,10 @@ use crate::Context;
 use crate::context::{compile, demand, outside_begin};
 use crate::enums as gl;
 use crate::fragment::TextureStages;
+use crate::objects::framebuffer::Attachment;
 use crate::objects::list::Command;
 use crate::texture::{Target, TextureHandle, locked};
+use std::sync::Arc;
 
 impl Context {
     /// The texture that is bound to a target of a unit.
@@ -57,6 +59,15 @@ impl Context {
         outside_begin!(self);
         demand!(self, count >= 0, gl::INVALID_VALUE);
         for &name in names.iter().filter(|name| **name != 0) {
+            let texture = self.textures().get(name);
+            if let Some(texture) = texture {
+                self.with_texture_at_rest(&texture, |context| {
+                    context.framebuffers.detach(|image| {
+                        matches!(image, Attachment::Texture { texture: of, .. }
+                            if Arc::ptr_eq(of, &texture))
+                    });
+                });
+            }
             self.textures().delete(name);
             for unit in &mut self.state.texture.units {
                 for bound in &mut unit.bound {
@@ -111,7 +122,8 @@ impl Context {
         outside_begin!(self);
         demand!(self, count >= 0, gl::INVALID_VALUE);
         for (name, priority) in pairs {
-            if let Some(texture) = self.textures().get(name) {
+            let texture = self.textures().get(name);
+            if let Some(texture) = texture {
                 locked(&texture).parameters_mut().priority = super::fragments::unit(priority);
             }
         }

@@ -100,7 +100,7 @@ impl<'t> Fetch<'t> {
                 [encoding.linear(r), encoding.linear(g), encoding.linear(b), alpha]
             }
             Texels::Words(texels) => texels[index].map(|word| f32::from(word) / 65535.0),
-            Texels::Depth(texels) => [texels[index]; 4],
+            Texels::Depth(_) => [image.depth([at[0], at[1]]); 4],
         }
     }
 }

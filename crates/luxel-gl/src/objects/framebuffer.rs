@@ -88,6 +88,19 @@ impl FramebufferObjects {
         self.names.remove(&name);
     }
 
+    /// Detaches images from what is bound.
+    pub(crate) fn detach(&mut self, is_image: impl Fn(&Attachment) -> bool) {
+        for bound in [self.draw, self.read] {
+            if let Some(object) = self.get_mut(bound) {
+                for image in &mut object.attachments {
+                    if image.as_ref().is_some_and(&is_image) {
+                        *image = None;
+                    }
+                }
+            }
+        }
+    }
+
     /// What is bound to a target; `None` for a target that isn't one.
     pub(crate) fn bound(&self, target: u32) -> Option<u32> {
         match target {

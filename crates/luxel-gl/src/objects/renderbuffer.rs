@@ -2,6 +2,7 @@
 
 use crate::enums as gl;
 use crate::limits::RENDERBUFFER_NAMES;
+use crate::plane::Plane;
 use std::collections::BTreeMap;
 
 /// The planes that a format has.
@@ -49,7 +50,7 @@ impl Planes {
     }
 }
 
-/// One renderbuffer. Row 0 is the bottom one; planes that it hasn't are empty.
+/// One renderbuffer.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Renderbuffer {
     pub(crate) format: u32,
@@ -57,48 +58,35 @@ pub(crate) struct Renderbuffer {
     pub(crate) samples: usize,
     pub(crate) size: [u32; 2],
     pub(crate) planes: Planes,
-    pub(crate) color: Vec<[u8; 4]>,
-    /// Of 24 bits.
-    pub(crate) depth: Vec<u32>,
-    pub(crate) stencil: Vec<u8>,
+    /// Nothing while it is drawn to, as the others.
+    pub(crate) color: Option<Plane<u32>>,
+    pub(crate) depth: Option<Plane<f32>>,
+    pub(crate) stencil: Option<Plane<u32>>,
 }
 
 impl Renderbuffer {
     /// Storage for `format`; `None` if there is no memory for it.
-    pub(crate) fn new(
-        format: u32,
-        planes: Planes,
-        samples: usize,
-        [width, height]: [u32; 2],
-    ) -> Option<Self> {
-        fn filled<T: Clone>(there: bool, count: usize, value: T) -> Option<Vec<T>> {
-            let mut plane = Vec::new();
+    pub(crate) fn new(format: u32, planes: Planes, samples: usize, size: [u32; 2]) -> Option<Self> {
+        fn plane<T: Copy + Default>(
+            there: bool,
+            size: [u32; 2],
+            samples: usize,
+        ) -> Option<Option<Plane<T>>> {
             if there {
-                plane.try_reserve_exact(count).ok()?;
-                plane.resize(count, value);
+                Plane::new(size, samples.max(1), T::default()).map(Some)
+            } else {
+                Some(None)
             }
-            Some(plane)
         }
-        let count = (width as usize * height as usize).checked_mul(samples.max(1))?;
         Some(Self {
             format,
             samples,
-            size: [width, height],
+            size,
             planes,
-            color: filled(planes.color, count, [0; 4])?,
-            depth: filled(planes.depth, count, 0)?,
-            stencil: filled(planes.stencil, count, 0)?,
+            color: plane(planes.color, size, samples)?,
+            depth: plane(planes.depth, size, samples)?,
+            stencil: plane(planes.stencil, size, samples)?,
         })
-    }
-
-    /// How many values a pixel has in each plane.
-    pub(crate) fn layers(&self) -> usize {
-        self.samples.max(1)
-    }
-
-    /// Where a sample's value is in a plane.
-    pub(crate) fn index(&self, [x, y]: [u32; 2], sample: usize) -> usize {
-        (y as usize * self.size[0] as usize + x as usize) * self.layers() + sample
     }
 }
 

@@ -1,15 +1,8 @@
-//! The planes of a framebuffer, in tiles of 64x64 pixels and blocks of 4x4.
-//!
-//! Row 0 is the bottom one.
+//! What is drawn to: planes of colours, depths and stencil values.
 
+use crate::plane::{Blocks, LARGEST_DEPTH, Plane, TILE_BLOCKS, unit_depth};
 use luxel_math::LANES;
-use luxel_visibility::{BLOCK, BLOCKS, TILE, Tile};
-
-/// Blocks of a tile.
-pub(crate) const TILE_BLOCKS: usize = (BLOCKS * BLOCKS) as usize;
-const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
-/// The largest depth, 1: there are 24 bits.
-pub(crate) const LARGEST_DEPTH: f32 = 16_777_215.0;
+use luxel_visibility::{BLOCK, BLOCKS, TILE};
 
 /// Columns and rows of a block's lanes.
 pub(super) const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
@@ -21,80 +14,138 @@ pub(super) fn block_origin(block: usize) -> [i32; 2] {
     [block % BLOCKS * BLOCK, block / BLOCKS * BLOCK]
 }
 
-/// The planes of one tile, block by block.
-#[derive(Clone, Debug)]
-pub(crate) struct TilePlanes {
+/// A framebuffer with one sample a pixel, or with several. Planes may be larger than it is.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Framebuffer {
+    pub(crate) size: [u32; 2],
     /// Red in the lowest byte, alpha in the highest.
-    pub(crate) color: [[u32; LANES]; TILE_BLOCKS],
+    pub(crate) color: Option<Plane<u32>>,
     /// Window depth times 2^24 - 1, whole numbers.
-    pub(crate) depth: [[f32; LANES]; TILE_BLOCKS],
-    pub(crate) stencil: [[u32; LANES]; TILE_BLOCKS],
+    pub(crate) depth: Option<Plane<f32>>,
+    pub(crate) stencil: Option<Plane<u32>>,
+    /// Whether something was drawn since it was made.
+    pub(crate) changed: bool,
 }
 
-impl TilePlanes {
-    /// Black, as far away as possible.
-    fn new() -> Box<Self> {
-        Box::new(Self {
-            color: [[0; LANES]; TILE_BLOCKS],
-            depth: [[LARGEST_DEPTH; LANES]; TILE_BLOCKS],
-            stencil: [[0; LANES]; TILE_BLOCKS],
-        })
+/// A tile of all planes, each with its samples; `None` for planes that aren't there.
+#[derive(Debug)]
+pub(super) struct TilePlanes<'a> {
+    pub(super) color: Option<&'a mut [Box<Blocks<u32>>]>,
+    pub(super) depth: Option<&'a mut [Box<Blocks<f32>>]>,
+    pub(super) stencil: Option<&'a mut [Box<Blocks<u32>>]>,
+}
+
+/// A tile of one sample.
+#[derive(Debug)]
+pub(super) struct SamplePlanes<'a> {
+    pub(super) color: &'a mut Blocks<u32>,
+    pub(super) depth: &'a mut Blocks<f32>,
+    pub(super) stencil: &'a mut Blocks<u32>,
+}
+
+/// Stands for planes that aren't there.
+#[derive(Debug)]
+pub(super) struct NoPlanes {
+    color: Box<Blocks<u32>>,
+    depth: Box<Blocks<f32>>,
+    stencil: Box<Blocks<u32>>,
+}
+
+impl Default for NoPlanes {
+    fn default() -> Self {
+        Self {
+            color: Box::new([[0; LANES]; TILE_BLOCKS]),
+            depth: Box::new([[0.0; LANES]; TILE_BLOCKS]),
+            stencil: Box::new([[0; LANES]; TILE_BLOCKS]),
+        }
     }
 }
 
-/// A framebuffer with one sample a pixel, or with several.
-#[derive(Clone, Debug)]
-pub(crate) struct Framebuffer {
-    width: u32,
-    height: u32,
-    samples: usize,
-    /// Those of a tile's samples one after the other.
-    pub(super) tiles: Vec<Box<TilePlanes>>,
+impl TilePlanes<'_> {
+    /// The planes of a sample; what `missing` has in the place of those that aren't there means nothing.
+    pub(super) fn sample<'s>(
+        &'s mut self,
+        sample: usize,
+        missing: &'s mut NoPlanes,
+    ) -> SamplePlanes<'s> {
+        SamplePlanes {
+            color: self.color.as_mut().map_or(&mut missing.color, |of| &mut of[sample]),
+            depth: self.depth.as_mut().map_or(&mut missing.depth, |of| &mut of[sample]),
+            stencil: self.stencil.as_mut().map_or(&mut missing.stencil, |of| &mut of[sample]),
+        }
+    }
 }
 
 impl Framebuffer {
-    pub(crate) fn new(width: u32, height: u32, samples: usize) -> Self {
-        let [across, up] = [width, height].map(|side| side.div_ceil(TILE as u32) as usize);
-        let tiles = (0..across * up * samples).map(|_| TilePlanes::new()).collect();
-        Self { width, height, samples, tiles }
+    /// All planes, black and as far away as possible; `None` if there is no memory for them.
+    pub(crate) fn new(size: [u32; 2]) -> Option<Self> {
+        Some(Self {
+            size,
+            color: Some(Plane::new(size, 1, 0)?),
+            depth: Some(Plane::new(size, 1, LARGEST_DEPTH)?),
+            stencil: Some(Plane::new(size, 1, 0)?),
+            changed: false,
+        })
     }
 
     /// Width and height.
     pub(crate) fn size(&self) -> [u32; 2] {
-        [self.width, self.height]
+        self.size
     }
 
     /// Samples of a pixel.
     pub(crate) fn samples(&self) -> usize {
-        self.samples
+        let color = self.color.as_ref().map(Plane::samples);
+        let depth = || self.depth.as_ref().map(Plane::samples);
+        let stencil = || self.stencil.as_ref().map(Plane::samples);
+        color.or_else(depth).or_else(stencil).unwrap_or(1)
     }
 
-    /// Tiles side by side.
-    pub(crate) fn across(&self) -> usize {
-        self.width.div_ceil(TILE as u32) as usize
+    /// Whether its planes end where it does.
+    pub(super) fn is_exact(&self) -> bool {
+        let fits = |size: Option<[u32; 2]>| size.is_none_or(|size| size == self.size);
+        fits(self.color.as_ref().map(Plane::size))
+            && fits(self.depth.as_ref().map(Plane::size))
+            && fits(self.stencil.as_ref().map(Plane::size))
     }
 
-    /// The tile of a pixel, or of a sample of it, with block and lane in it.
-    fn place(&self, [x, y]: [u32; 2], sample: usize) -> (usize, usize, usize) {
-        let side = TILE as u32;
-        let tile = (y / side) as usize * self.across() + (x / side) as usize;
-        let (block, lane) = Tile::place((x % side) as i32, (y % side) as i32);
-        (tile * self.samples + sample, block, lane)
+    /// How many tiles lie side by side, and how many one above the other.
+    pub(super) fn tiles_across_and_up(&self) -> [usize; 2] {
+        self.size.map(|side| side.div_ceil(TILE as u32) as usize)
+    }
+
+    /// All tiles, row by row.
+    pub(super) fn tiles_mut(&mut self) -> Vec<TilePlanes<'_>> {
+        let sides = self.tiles_across_and_up();
+        let mut color = self.color.as_mut().map(|plane| plane.tiles_mut(sides));
+        let mut depth = self.depth.as_mut().map(|plane| plane.tiles_mut(sides));
+        let mut stencil = self.stencil.as_mut().map(|plane| plane.tiles_mut(sides));
+        (0..sides[0] * sides[1])
+            .map(|_| TilePlanes {
+                color: color.as_mut().and_then(Iterator::next),
+                depth: depth.as_mut().and_then(Iterator::next),
+                stencil: stencil.as_mut().and_then(Iterator::next),
+            })
+            .collect()
     }
 
     pub(crate) fn set_color(&mut self, at: [u32; 2], sample: usize, color: [u8; 4]) {
-        let (tile, block, lane) = self.place(at, sample);
-        self.tiles[tile].color[block][lane] = u32::from_le_bytes(color);
+        self.changed = true;
+        if let Some(plane) = &mut self.color {
+            plane.set(at, sample, u32::from_le_bytes(color));
+        }
     }
 
     pub(crate) fn set_depth(&mut self, at: [u32; 2], sample: usize, depth: u32) {
-        let (tile, block, lane) = self.place(at, sample);
-        self.tiles[tile].depth[block][lane] = depth as f32;
+        if let Some(plane) = &mut self.depth {
+            plane.set(at, sample, depth as f32);
+        }
     }
 
     pub(crate) fn set_stencil(&mut self, at: [u32; 2], sample: usize, value: u8) {
-        let (tile, block, lane) = self.place(at, sample);
-        self.tiles[tile].stencil[block][lane] = u32::from(value);
+        if let Some(plane) = &mut self.stencil {
+            plane.set(at, sample, u32::from(value));
+        }
     }
 
     /// Red, green, blue and alpha of a pixel's first sample.
@@ -103,18 +154,19 @@ impl Framebuffer {
     }
 
     pub(crate) fn sample_color(&self, at: [u32; 2], sample: usize) -> [u8; 4] {
-        let (tile, block, lane) = self.place(at, sample);
-        self.tiles[tile].color[block][lane].to_le_bytes()
+        let word = self.color.as_ref().and_then(|plane| plane.get(at, sample));
+        word.unwrap_or(0).to_le_bytes()
     }
 
     /// The mean of a pixel's samples.
     pub(crate) fn resolved(&self, at: [u32; 2]) -> [u8; 4] {
-        if self.samples == 1 {
+        let samples = self.samples();
+        if samples == 1 {
             return self.color(at);
         }
-        let count = self.samples as u32;
+        let count = samples as u32;
         let mut sums = [0; 4];
-        for sample in 0..self.samples {
+        for sample in 0..samples {
             for (sum, byte) in sums.iter_mut().zip(self.sample_color(at, sample)) {
                 *sum += u32::from(byte);
             }
@@ -124,15 +176,9 @@ impl Framebuffer {
 
     /// The colours of a row as words, red in the lowest byte.
     pub(crate) fn color_row(&self, y: u32, row: &mut [u32]) {
-        let block_row = (y % TILE as u32 / BLOCK as u32 * BLOCKS as u32) as usize;
-        let lane = (y % BLOCK as u32 * BLOCK as u32) as usize;
-        let first = (y / TILE as u32) as usize * self.across() * self.samples;
-        let tiles = self.tiles[first..].iter().step_by(self.samples);
-        for (tile, pixels) in tiles.zip(row.chunks_mut(TILE as usize)) {
-            let blocks = &tile.color[block_row..block_row + BLOCKS as usize];
-            for (block, pixels) in blocks.iter().zip(pixels.chunks_mut(BLOCK as usize)) {
-                pixels.copy_from_slice(&block[lane..lane + pixels.len()]);
-            }
+        match &self.color {
+            Some(plane) => plane.read_row(y, row),
+            None => row.fill(0),
         }
     }
 
@@ -142,13 +188,12 @@ impl Framebuffer {
     }
 
     pub(crate) fn sample_depth(&self, at: [u32; 2], sample: usize) -> u32 {
-        let (tile, block, lane) = self.place(at, sample);
-        self.tiles[tile].depth[block][lane] as u32
+        self.depth.as_ref().and_then(|plane| plane.get(at, sample)).unwrap_or(0.0) as u32
     }
 
     /// A pixel's depth from 0 to 1.
     pub(crate) fn unit_depth(&self, at: [u32; 2]) -> f32 {
-        (f64::from(self.depth(at)) / f64::from(LARGEST_DEPTH)) as f32
+        unit_depth(self.depth(at) as f32)
     }
 
     /// A pixel's stencil value at its first sample.
@@ -157,7 +202,6 @@ impl Framebuffer {
     }
 
     pub(crate) fn sample_stencil(&self, at: [u32; 2], sample: usize) -> u8 {
-        let (tile, block, lane) = self.place(at, sample);
-        self.tiles[tile].stencil[block][lane] as u8
+        self.stencil.as_ref().and_then(|plane| plane.get(at, sample)).unwrap_or(0) as u8
     }
 }

@@ -1,7 +1,8 @@
 //! Images at the raster position, zoomed (OpenGL 1.5, sections 3.6.4 and 4.3.3).
 
-use super::framebuffer::{LANE_X, LANE_Y, LARGEST_DEPTH, TILE_BLOCKS, block_origin};
+use super::framebuffer::{LANE_X, LANE_Y, block_origin};
 use super::piece_sink::PieceSink;
+use crate::plane::{LARGEST_DEPTH, TILE_BLOCKS};
 use luxel_math::{LANES, Simd};
 use luxel_visibility::{Sink, TILE, Tile};
 

@@ -1,10 +1,11 @@
 //! Lights pixels by the entry that they see.
 
 use super::batch::{Batch, Piece, Prepared};
-use super::framebuffer::{TilePlanes, block_origin};
+use super::framebuffer::block_origin;
 use super::log::Item;
 use super::shade::{Shading, encode, shade};
 use super::tile::Entry;
+use crate::plane::Blocks;
 use luxel_math::{LANES, Simd, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::PackedForms;
 use std::sync::Arc;
@@ -85,7 +86,7 @@ pub(super) fn light_seen<S: Simd>(
     block: usize,
     seen: &mut [u32; LANES],
     lighter: &mut Lighter<'_>,
-    planes: &mut TilePlanes,
+    color: &mut Blocks<u32>,
 ) {
     simd.vectorize(
         #[inline(always)]
@@ -139,9 +140,9 @@ pub(super) fn light_seen<S: Simd>(
                     alike,
                     shading,
                 );
-                let stored = u32x16::from_slice(simd, &planes.color[block]);
+                let stored = u32x16::from_slice(simd, &color[block]);
                 let mask = mask32x16::from_bitmask(simd, u64::from(together));
-                mask.select(encode(colors), stored).store_slice(&mut planes.color[block]);
+                mask.select(encode(colors), stored).store_slice(&mut color[block]);
             }
             *seen = [0; LANES];
         },

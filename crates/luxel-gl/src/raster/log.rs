@@ -1,12 +1,13 @@
 //! The log: what has been drawn and not yet been carried out, in the order of the calls.
 
 use super::batch::{Batch, Piece, Shape};
-use super::framebuffer::{Framebuffer, LARGEST_DEPTH};
+use super::framebuffer::Framebuffer;
 use super::pipeline::Pipeline;
 use super::shade::encode;
 use super::spare::Spare;
 use super::tile::{Entry, TileScratch, TileWorker};
 use crate::limits::LOG_BYTES;
+use crate::plane::LARGEST_DEPTH;
 use luxel_math::{Level, dispatch_long, f32x16, prelude::*};
 use luxel_visibility::TILE;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -121,7 +122,7 @@ impl Log {
     pub(crate) fn carry_out(&mut self, framebuffer: &mut Framebuffer, level: Level) {
         let mut items = std::mem::take(&mut self.items);
         self.bytes = 0;
-        if !items.is_empty() && !framebuffer.tiles.is_empty() {
+        if !items.is_empty() && !framebuffer.size().contains(&0) {
             self.carry_out_items(&items, framebuffer, level);
         }
         for item in items.drain(..).rev() {
@@ -133,24 +134,29 @@ impl Log {
             }
         }
         self.items = items;
+        // Textures of it may be changed: they are not held any longer.
+        self.last = None;
     }
 
     fn carry_out_items(&mut self, items: &[Item], framebuffer: &mut Framebuffer, level: Level) {
-        let across = framebuffer.across();
+        framebuffer.changed = true;
+        let [across, up] = framebuffer.tiles_across_and_up();
         let samples = framebuffer.samples();
-        sort(items, across, framebuffer.tiles.len() / samples, &mut self.lists);
+        let is_exact = framebuffer.is_exact();
+        sort(items, across, across * up, &mut self.lists);
         let size = framebuffer.size().map(|side| side as i32);
         let (lists, kept) = (&self.lists, &self.scratch);
         let lock = || kept.lock().unwrap_or_else(PoisonError::into_inner);
-        luxel_parallel::fill(&mut framebuffer.tiles, samples, &|first, planes| {
-            let number = first / samples;
+        let tiles = framebuffer.tiles_mut();
+        luxel_parallel::each(tiles.into_iter().enumerate(), &|(number, planes)| {
             let list = &lists[number];
             if list.is_empty() {
                 return;
             }
             let origin = [number % across, number / across].map(|at| at as i32 * TILE);
             let scratch = lock().pop().unwrap_or_default();
-            let mut worker = TileWorker::new(items, list, origin, size, planes, scratch);
+            let mut worker =
+                TileWorker::new(items, list, origin, size, (planes, samples, is_exact), scratch);
             dispatch_long!(level, simd => worker.carry_out(simd));
             lock().push(worker.into_scratch());
         });

@@ -33,7 +33,7 @@ pub(crate) use batch::{Batch, Piece};
 pub(crate) use bitmap::Bitmap;
 pub(crate) use build::{PIECES_RUN, PieceBuilder};
 pub(crate) use draw_state::DrawState;
-pub(crate) use framebuffer::{Framebuffer, LARGEST_DEPTH};
+pub(crate) use framebuffer::Framebuffer;
 pub(crate) use image::{ImagePixels, PlacedImage};
 pub(crate) use log::{Clear, Log};
 pub(crate) use pipeline::{Buffers, Pipeline};

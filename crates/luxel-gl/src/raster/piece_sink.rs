@@ -1,12 +1,13 @@
 //! Takes the samples of one piece: tests, and writes (OpenGL 1.5, section 4.1).
 
 use super::blend::{blended, compare, logic};
-use super::framebuffer::{LANE_X, LANE_Y, LARGEST_DEPTH, TILE_BLOCKS, TilePlanes, block_origin};
+use super::framebuffer::{LANE_X, LANE_Y, SamplePlanes, block_origin};
 use super::lighter::{Lighter, light_seen};
 use super::pipeline::Pipeline;
 use super::samples::covered_by_alpha;
 use super::shade::{Colors, Shading, decode, encode, shade};
 use super::tile::Seen;
+use crate::plane::{LARGEST_DEPTH, TILE_BLOCKS};
 use luxel_math::{LANES, Lanes, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{Sink, Tile};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -16,7 +17,7 @@ pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) simd: S,
     /// Which sample of the pixels.
     pub(super) sample: usize,
-    pub(super) planes: &'t mut TilePlanes,
+    pub(super) planes: SamplePlanes<'t>,
     pub(super) seen: &'t mut Seen,
     pub(super) lighter: &'t mut Lighter<'a>,
     pub(super) pipeline: &'t Pipeline,
@@ -199,7 +200,8 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             None => self.colors(simd, block, passing),
         };
         if self.seen[block].iter().any(|seen| *seen != 0) {
-            light_seen(simd, self.origin, block, &mut self.seen[block], self.lighter, self.planes);
+            let (seen, color) = (&mut self.seen[block], &mut *self.planes.color);
+            light_seen(simd, self.origin, block, seen, self.lighter, color);
         }
         self.mix(simd, passing, colors, block);
     }

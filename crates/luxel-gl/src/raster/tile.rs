@@ -1,13 +1,14 @@
 //! One tile's part of the log, in the order of the log.
 
 use super::batch::{Batch, Piece, Shape};
-use super::framebuffer::{LANE_X, LANE_Y, TILE_BLOCKS, TilePlanes, block_origin};
+use super::framebuffer::{LANE_X, LANE_Y, NoPlanes, SamplePlanes, TilePlanes, block_origin};
 use super::image::image;
 use super::lighter::{Lighter, PreparedEntries, light_seen};
 use super::log::{ClearedTo, Item};
 use super::piece_sink::PieceSink;
 use super::samples::offset;
 use super::strokes::{bitmap, line, point};
+use crate::plane::TILE_BLOCKS;
 use luxel_math::{LANES, Simd};
 use luxel_visibility::{Region, TILE, cover};
 
@@ -26,19 +27,23 @@ pub(super) type Seen = [[u32; LANES]; TILE_BLOCKS];
 pub(super) struct TileScratch {
     /// Of each sample.
     seen: Vec<Seen>,
+    missing: NoPlanes,
     prepared: PreparedEntries,
 }
 
 /// What carries out one tile's list.
 pub(super) struct TileWorker<'a> {
+    planes: TilePlanes<'a>,
+    missing: NoPlanes,
     /// Of each sample.
-    planes: &'a mut [Box<TilePlanes>],
     seen: Vec<Seen>,
     lighter: Lighter<'a>,
     /// The tile's first pixel in the window.
     origin: [i32; 2],
     /// Its pixels that the window has.
     region: Region,
+    /// Whether the planes end where the window does.
+    is_exact: bool,
 }
 
 impl<'a> TileWorker<'a> {
@@ -47,7 +52,7 @@ impl<'a> TileWorker<'a> {
         list: &'a [Entry],
         origin: [i32; 2],
         [width, height]: [i32; 2],
-        planes: &'a mut [Box<TilePlanes>],
+        (planes, samples, is_exact): (TilePlanes<'a>, usize, bool),
         scratch: TileScratch,
     ) -> Self {
         let region = Region {
@@ -56,16 +61,17 @@ impl<'a> TileWorker<'a> {
             width: TILE.min(width - origin[0]),
             height: TILE.min(height - origin[1]),
         };
-        let TileScratch { mut seen, prepared } = scratch;
-        seen.resize(planes.len(), [[0; LANES]; TILE_BLOCKS]);
+        let TileScratch { mut seen, missing, prepared } = scratch;
+        seen.resize(samples, [[0; LANES]; TILE_BLOCKS]);
         seen.as_flattened_mut().as_flattened_mut().fill(0);
         let lighter = Lighter::new(items, list, prepared);
-        Self { planes, seen, lighter, origin, region }
+        Self { planes, missing, seen, lighter, origin, region, is_exact }
     }
 
     /// Its memory, for the next one.
     pub(super) fn into_scratch(self) -> TileScratch {
-        TileScratch { seen: self.seen, prepared: self.lighter.prepared }
+        let Self { seen, missing, lighter, .. } = self;
+        TileScratch { seen, missing, prepared: lighter.prepared }
     }
 
     /// Carries the list out; then lights what is seen at last.
@@ -91,7 +97,8 @@ impl<'a> TileWorker<'a> {
 
     /// Lights what is seen. A pixel's samples that see the same are lit once, at its centre.
     fn light<S: Simd>(&mut self, simd: S) {
-        let Some((first, others)) = self.planes.split_first_mut() else { return };
+        let Some(colors) = &mut self.planes.color else { return };
+        let Some((first, others)) = colors.split_first_mut() else { return };
         let Some((first_seen, others_seen)) = self.seen.split_first_mut() else { return };
         for block in 0..TILE_BLOCKS {
             let seen = first_seen[block];
@@ -99,19 +106,19 @@ impl<'a> TileWorker<'a> {
                 let of_block = &mut first_seen[block];
                 light_seen(simd, self.origin, block, of_block, &mut self.lighter, first);
             }
-            for (planes, of_sample) in others.iter_mut().zip(others_seen.iter_mut()) {
+            for (color, of_sample) in others.iter_mut().zip(others_seen.iter_mut()) {
                 let of_block = &mut of_sample[block];
                 if *of_block == [0; LANES] {
                     continue;
                 }
                 for lane in 0..LANES {
                     if of_block[lane] == seen[lane] && seen[lane] != 0 {
-                        planes.color[block][lane] = first.color[block][lane];
+                        color[block][lane] = first[block][lane];
                         of_block[lane] = 0;
                     }
                 }
                 if *of_block != [0; LANES] {
-                    light_seen(simd, self.origin, block, of_block, &mut self.lighter, planes);
+                    light_seen(simd, self.origin, block, of_block, &mut self.lighter, color);
                 }
             }
         }
@@ -130,8 +137,11 @@ impl<'a> TileWorker<'a> {
 
     fn clear(&mut self, clear: &ClearedTo) {
         let part = self.within(clear.region);
-        let whole = part == [0, 0, self.region.width, self.region.height];
-        for (planes, seen) in self.planes.iter_mut().zip(&mut self.seen) {
+        // What lies beyond the window may be an image's that is larger.
+        let whole = part == [0, 0, TILE, TILE]
+            || self.is_exact && part == [0, 0, self.region.width, self.region.height];
+        for (sample, seen) in self.seen.iter_mut().enumerate() {
+            let planes = &mut self.planes.sample(sample, &mut self.missing);
             if whole && matches!(clear.color_mask, 0 | u32::MAX) {
                 clear_all(planes, seen, clear);
             } else {
@@ -151,14 +161,14 @@ impl<'a> TileWorker<'a> {
             && !pipeline.is_mixing()
             && (pipeline.polygon_stipple.is_none() || !of_polygon);
         let multisample = pipeline.multisample.as_ref();
-        for (sample, planes) in self.planes.iter_mut().enumerate() {
+        for sample in 0..self.seen.len() {
             if multisample.is_some_and(|of| !of.covers(sample)) {
                 continue;
             }
             let mut sink = PieceSink {
                 simd,
                 sample,
-                planes,
+                planes: self.planes.sample(sample, &mut self.missing),
                 seen: &mut self.seen[sample],
                 lighter: &mut self.lighter,
                 pipeline,
@@ -197,7 +207,7 @@ impl<'a> TileWorker<'a> {
 
 /// Clears the pixels of a part: left, bottom, right, top of the tile's own.
 fn clear_part(
-    planes: &mut TilePlanes,
+    planes: &mut SamplePlanes<'_>,
     seen: &mut Seen,
     clear: &ClearedTo,
     [left, bottom, right, top]: [i32; 4],
@@ -224,7 +234,7 @@ fn clear_part(
 }
 
 /// Clears whole planes; what lies beyond the window doesn't matter.
-fn clear_all(planes: &mut TilePlanes, seen: &mut Seen, clear: &ClearedTo) {
+fn clear_all(planes: &mut SamplePlanes<'_>, seen: &mut Seen, clear: &ClearedTo) {
     if clear.color_mask != 0 {
         seen.as_flattened_mut().fill(0);
         planes.color.as_flattened_mut().fill(clear.color);

@@ -1,6 +1,7 @@
 //! One image of a texture: a level of it, or a level of a face.
 
 use super::internal_format::{InternalFormat, Storage};
+use crate::plane::{Plane, depth_steps, unit_depth};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -10,7 +11,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 pub(crate) enum Texels {
     Bytes(Vec<[u8; 4]>),
     Words(Vec<[u16; 4]>),
-    Depth(Vec<f32>),
+    /// In whole steps; nothing while it is drawn to.
+    Depth(Option<Plane<f32>>),
 }
 
 /// What the images of a group of contexts take, in bytes.
@@ -60,8 +62,8 @@ pub(crate) struct TextureImage {
     /// The border's width: 0 or 1.
     pub(crate) border: u32,
     pub(crate) texels: Texels,
-    /// Beside depths, of formats that have them.
-    pub(crate) stencil: Vec<u8>,
+    /// Beside depths, of formats that have them; nothing while it is drawn to.
+    pub(crate) stencil: Option<Plane<u32>>,
     charge: Charge,
 }
 
@@ -85,15 +87,16 @@ impl TextureImage {
         })?;
         let bytes = match format.storage {
             Storage::Words => 8,
-            _ => 4 + usize::from(format.stencil),
+            _ => 4 + 4 * usize::from(format.stencil),
         };
         let charge = budget.charge(count.checked_mul(bytes)?)?;
         let texels = match format.storage {
             Storage::Bytes => Texels::Bytes(filled(count, format.canonical([0; 4], 0, 255))?),
             Storage::Words => Texels::Words(filled(count, format.canonical([0; 4], 0, u16::MAX))?),
-            Storage::Depth(_) => Texels::Depth(filled(count, 0.0)?),
+            Storage::Depth(_) => Texels::Depth(Some(Plane::new([size[0], size[1]], 1, 0.0)?)),
         };
-        let stencil = if format.stencil { filled(count, 0)? } else { Vec::new() };
+        let stencil =
+            if format.stencil { Some(Plane::new([size[0], size[1]], 1, 0)?) } else { None };
         Some(Self { name, format, size, border, texels, stencil, charge })
     }
 
@@ -138,17 +141,19 @@ impl TextureImage {
                     *texel = color.map(|value| (f64::from(value) * 65535.0 + 0.5) as u16);
                 }
             }
-            Texels::Depth(texels) => {
-                if let Some(stencil) = self.stencil.get_mut(index) {
-                    *stencil = (stencil_value * 255.0 + 0.5) as u8;
+            Texels::Depth(depths) => {
+                let at = place(self.size, index);
+                if let Some(stencil) = &mut self.stencil {
+                    stencil.set(at, 0, (stencil_value * 255.0 + 0.5) as u32);
                 }
-                if let Some(texel) = texels.get_mut(index) {
-                    *texel = match self.format.storage {
+                if let Some(depths) = depths {
+                    let depth = match self.format.storage {
                         Storage::Depth(16) => {
                             ((f64::from(color[0]) * 65535.0).round() / 65535.0) as f32
                         }
                         _ => color[0],
                     };
+                    depths.set(at, 0, depth_steps(depth));
                 }
             }
         }
@@ -163,7 +168,28 @@ impl TextureImage {
             Texels::Words(texels) => texels
                 .get(index)
                 .map_or([0.0; 4], |texel| texel.map(|word| f32::from(word) / 65535.0)),
-            Texels::Depth(texels) => [texels.get(index).copied().unwrap_or(0.0); 4],
+            Texels::Depth(_) => [self.depth(place(self.size, index)); 4],
         }
     }
+
+    /// A depth from 0 to 1; 0 while it is drawn to.
+    #[inline]
+    pub(crate) fn depth(&self, at: [u32; 2]) -> f32 {
+        match &self.texels {
+            Texels::Depth(Some(depths)) => depths.get(at, 0).map_or(0.0, unit_depth),
+            _ => 0.0,
+        }
+    }
+
+    /// The stencil value of a texel; 0 without any.
+    pub(crate) fn stencil(&self, index: usize) -> u32 {
+        let stencil = self.stencil.as_ref();
+        stencil.and_then(|plane| plane.get(place(self.size, index), 0)).unwrap_or(0)
+    }
+}
+
+/// Column and row of a texel.
+fn place([width, ..]: [u32; 3], index: usize) -> [u32; 2] {
+    let width = width.max(1) as usize;
+    [(index % width) as u32, (index / width) as u32]
 }

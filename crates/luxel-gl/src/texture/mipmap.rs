@@ -49,14 +49,14 @@ pub(super) fn half(image: &TextureImage, dimensions: usize) -> Option<TextureIma
                     .map(|value| value as u16);
             }
         }
-        (Texels::Depth(from), Texels::Depth(to)) => {
-            for (place, texel) in places.zip(to) {
+        (Texels::Depth(_), Texels::Depth(_)) => {
+            for (number, place) in places.enumerate() {
                 let (mut sum, mut weights) = (0.0, 0.0);
                 cover.each(place, |index, weight| {
-                    sum += f64::from(from[index]) * weight as f64;
+                    sum += f64::from(image.get(index)[0]) * weight as f64;
                     weights += weight as f64;
                 });
-                *texel = (sum / weights) as f32;
+                level.put(number, [(sum / weights) as f32, 0.0, 0.0, 0.0]);
             }
         }
         _ => return None,

@@ -188,6 +188,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "error",
             "convert",
             "values",
+            "plane",
             "texture",
             "state",
             "lengths",

@@ -1,0 +1,138 @@
+//! Values of pixels in tiles of 64x64 and blocks of 4x4, as they are drawn to. Row 0 is the bottom one.
+//!
+//! Framebuffers, renderbuffers and images of textures keep their pixels so: what is drawn to is moved between them, not
+//! copied.
+
+use luxel_math::LANES;
+use luxel_visibility::{BLOCK, BLOCKS, TILE, Tile};
+
+/// Blocks of a tile.
+pub(crate) const TILE_BLOCKS: usize = (BLOCKS * BLOCKS) as usize;
+const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
+
+/// The largest depth, 1: there are 24 bits.
+pub(crate) const LARGEST_DEPTH: f32 = 16_777_215.0;
+
+/// A depth in whole steps as one from 0 to 1.
+#[inline]
+pub(crate) fn unit_depth(steps: f32) -> f32 {
+    (f64::from(steps) / f64::from(LARGEST_DEPTH)) as f32
+}
+
+/// A depth from 0 to 1 in whole steps.
+pub(crate) fn depth_steps(unit: f32) -> f32 {
+    (f64::from(unit) * f64::from(LARGEST_DEPTH)).round_ties_even() as f32
+}
+
+/// One tile, block by block.
+pub(crate) type Blocks<T> = [[T; LANES]; TILE_BLOCKS];
+
+/// Values of all pixels, with one sample or several.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Plane<T> {
+    size: [u32; 2],
+    /// Tiles side by side, and samples of a pixel.
+    across: usize,
+    samples: usize,
+    /// Those of a tile's samples one after the other.
+    tiles: Vec<Box<Blocks<T>>>,
+}
+
+impl<T: Copy> Plane<T> {
+    /// The same value everywhere; `None` if there is no memory for it.
+    pub(crate) fn new(size: [u32; 2], samples: usize, value: T) -> Option<Self> {
+        let [across, up] = size.map(|side| side.div_ceil(TILE as u32) as usize);
+        let count = (across * up).checked_mul(samples)?;
+        let mut tiles = Vec::new();
+        tiles.try_reserve_exact(count).ok()?;
+        for _ in 0..count {
+            let mut blocks = Vec::new();
+            blocks.try_reserve_exact(TILE_BLOCKS).ok()?;
+            blocks.resize(TILE_BLOCKS, [value; LANES]);
+            tiles.push(blocks.into_boxed_slice().try_into().ok()?);
+        }
+        Some(Self { size, across, samples, tiles })
+    }
+
+    /// Width and height.
+    pub(crate) fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// Samples of a pixel.
+    pub(crate) fn samples(&self) -> usize {
+        self.samples
+    }
+
+    /// Tile, block and lane of a sample of a pixel.
+    fn place(&self, [x, y]: [u32; 2], sample: usize) -> (usize, usize, usize) {
+        let side = TILE as u32;
+        let tile = (y / side) as usize * self.across + (x / side) as usize;
+        let (block, lane) = Tile::place((x % side) as i32, (y % side) as i32);
+        (tile * self.samples + sample, block, lane)
+    }
+
+    /// The value of a sample; `None` outside.
+    pub(crate) fn get(&self, at: [u32; 2], sample: usize) -> Option<T> {
+        let (tile, block, lane) = self.place(at, sample);
+        self.tiles.get(tile).map(|tile| tile[block][lane])
+    }
+
+    /// Changes the value of a sample; nothing outside.
+    pub(crate) fn set(&mut self, at: [u32; 2], sample: usize, value: T) {
+        let (tile, block, lane) = self.place(at, sample);
+        if let Some(tile) = self.tiles.get_mut(tile) {
+            tile[block][lane] = value;
+        }
+    }
+
+    /// Reads a row of first samples.
+    pub(crate) fn read_row(&self, y: u32, row: &mut [T]) {
+        let block_row = (y % TILE as u32 / BLOCK as u32 * BLOCKS as u32) as usize;
+        let lane = (y % BLOCK as u32 * BLOCK as u32) as usize;
+        let first = (y / TILE as u32) as usize * self.across * self.samples;
+        let tiles = self.tiles[first..].iter().step_by(self.samples);
+        for (tile, pixels) in tiles.zip(row.chunks_mut(TILE as usize)) {
+            let blocks = &tile[block_row..block_row + BLOCKS as usize];
+            for (block, pixels) in blocks.iter().zip(pixels.chunks_mut(BLOCK as usize)) {
+                pixels.copy_from_slice(&block[lane..lane + pixels.len()]);
+            }
+        }
+    }
+
+    /// The first tiles of the first rows, each with those of all its samples.
+    pub(crate) fn tiles_mut(
+        &mut self,
+        [across, up]: [usize; 2],
+    ) -> impl Iterator<Item = &mut [Box<Blocks<T>>]> {
+        let samples = self.samples.max(1);
+        let rows = self.tiles.chunks_mut((self.across * samples).max(1)).take(up);
+        rows.flat_map(move |row| row.chunks_mut(samples).take(across))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_found_again_sample_by_sample_and_row_by_row() {
+        let mut plane = Plane::new([130, 70], 2, 0).unwrap();
+        let value = |x: u32, y: u32, sample: usize| 1 + x + 1000 * y + 1_000_000 * sample as u32;
+        let all = || (0..70).flat_map(|y| (0..130).map(move |x| [x, y]));
+        for at in all() {
+            (0..2).for_each(|sample| plane.set(at, sample, value(at[0], at[1], sample)));
+        }
+        for at in all() {
+            for sample in 0..2 {
+                assert_eq!(plane.get(at, sample), Some(value(at[0], at[1], sample)));
+            }
+        }
+        let mut row = [0; 130];
+        plane.read_row(69, &mut row);
+        assert!((0..130).all(|x| row[x as usize] == value(x, 69, 0)));
+        assert_eq!(plane.tiles_mut([2, 1]).count(), 2);
+        assert!(plane.tiles_mut([3, 2]).all(|tile| tile.len() == 2));
+        assert_eq!(plane.get([0, 4000], 0), None);
+    }
+}
