@@ -8,6 +8,7 @@ use crate::Context;
 use crate::context::{demand, outside_begin};
 use crate::enums as gl;
 use crate::objects::framebuffer::{Attachment, DEPTH, STENCIL, attachments_named};
+use crate::raster::Framebuffer;
 use crate::texture::{ImageTarget, locked};
 use crate::values::Values;
 
@@ -319,13 +320,33 @@ impl Context {
         let as_large = (0..2).all(|axis| side(source, axis) == side(destination, axis));
         let has_samples = self.reads_samples() || self.framebuffer.samples() > 1;
         demand!(self, as_large || !has_samples, gl::INVALID_OPERATION);
-        let from = self.with_read_framebuffer(|context| {
+        self.with_read_planes(mask, |context, from| {
             context.carry_out();
-            context.framebuffer.clone()
+            let region = context.scissored_region();
+            context.drawn = true;
+            let corners = (source, destination);
+            context.framebuffer.blit(from, corners, mask, filter == gl::LINEAR, region);
         });
+    }
+
+    /// Does something with the planes of a mask that are read, beside those that are drawn to: the images themselves
+    /// where both have their own, else copies.
+    fn with_read_planes(&mut self, mask: u32, work: impl FnOnce(&mut Self, &Framebuffer)) {
+        let (draw, read) = (self.framebuffers.draw, self.framebuffers.read);
+        if self.framebuffers.share_images(draw, read) {
+            let from = self.with_read_framebuffer(|context| {
+                context.carry_out();
+                context.framebuffer.planes_of(mask)
+            });
+            return work(self, &from);
+        }
+        self.set_draw_framebuffer(read);
         self.carry_out();
-        let region = self.scissored_region();
-        self.drawn = true;
-        self.framebuffer.blit(&from, (source, destination), mask, filter == gl::LINEAR, region);
+        let from = std::mem::take(&mut self.framebuffer);
+        self.set_draw_framebuffer(draw);
+        work(self, &from);
+        self.set_draw_framebuffer(read);
+        self.framebuffer = from;
+        self.set_draw_framebuffer(draw);
     }
 }

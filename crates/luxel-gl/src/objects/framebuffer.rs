@@ -4,6 +4,7 @@ use crate::enums as gl;
 use crate::limits::FRAMEBUFFER_NAMES;
 use crate::texture::TextureHandle;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// An image that is attached.
 #[derive(Clone, Debug)]
@@ -13,6 +14,17 @@ pub(crate) enum Attachment {
 }
 
 impl Attachment {
+    /// Whether two are the same object's, of which a texture has several images.
+    fn is_of(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Renderbuffer(own), Self::Renderbuffer(others)) => own == others,
+            (Self::Texture { texture, .. }, Self::Texture { texture: other, .. }) => {
+                Arc::ptr_eq(texture, other)
+            }
+            _ => false,
+        }
+    }
+
     /// Type and name, as queries return them.
     pub(crate) fn object(&self) -> (u32, u32) {
         match self {
@@ -86,6 +98,14 @@ impl FramebufferObjects {
 
     pub(crate) fn delete(&mut self, name: u32) {
         self.names.remove(&name);
+    }
+
+    /// Whether two framebuffers are one, or draw to the same image.
+    pub(crate) fn share_images(&self, one: u32, other: u32) -> bool {
+        let images = |name: u32| {
+            self.get(name).into_iter().flat_map(|object| object.attachments.iter().flatten())
+        };
+        one == other || images(one).any(|image| images(other).any(|of| image.is_of(of)))
     }
 
     /// Detaches images from what is bound.

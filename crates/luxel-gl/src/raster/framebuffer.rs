@@ -1,5 +1,6 @@
 //! What is drawn to: planes of colours, depths and stencil values.
 
+use crate::enums as gl;
 use crate::plane::{Blocks, LARGEST_DEPTH, Plane, TILE_BLOCKS, unit_depth};
 use luxel_math::LANES;
 use luxel_visibility::{BLOCK, BLOCKS, TILE};
@@ -86,6 +87,19 @@ impl Framebuffer {
             stencil: Some(Plane::new(size, 1, 0)?),
             changed: false,
         })
+    }
+
+    /// A copy of the planes of a mask, as `glClear` has them.
+    pub(crate) fn planes_of(&self, mask: u32) -> Self {
+        fn copied<T: Copy>(plane: &Option<Plane<T>>, wanted: bool) -> Option<Plane<T>> {
+            if wanted { plane.clone() } else { None }
+        }
+        Self {
+            color: copied(&self.color, mask & gl::COLOR_BUFFER_BIT != 0),
+            depth: copied(&self.depth, mask & gl::DEPTH_BUFFER_BIT != 0),
+            stencil: copied(&self.stencil, mask & gl::STENCIL_BUFFER_BIT != 0),
+            ..*self
+        }
     }
 
     /// Width and height.

@@ -24,6 +24,7 @@ mod pipeline;
 mod placement;
 mod samples;
 mod shade;
+mod shaded;
 mod spare;
 mod stencil;
 mod strokes;

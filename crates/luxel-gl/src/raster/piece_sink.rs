@@ -6,6 +6,7 @@ use super::lighter::{Lighter, light_seen};
 use super::pipeline::Pipeline;
 use super::samples::covered_by_alpha;
 use super::shade::{Colors, Shading, decode, encode, shade};
+use super::shaded::ShadedBlocks;
 use super::tile::Seen;
 use crate::plane::{LARGEST_DEPTH, TILE_BLOCKS};
 use luxel_math::{LANES, Lanes, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
@@ -20,6 +21,7 @@ pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) planes: SamplePlanes<'t>,
     pub(super) seen: &'t mut Seen,
     pub(super) lighter: &'t mut Lighter<'a>,
+    pub(super) shaded: &'t mut ShadedBlocks,
     pub(super) pipeline: &'t Pipeline,
     pub(super) origin: [i32; 2],
     /// Pixels of the tile that may be drawn to: left, bottom, right, top.
@@ -208,7 +210,18 @@ impl<S: Simd> PieceSink<'_, '_, S> {
 
     /// The piece's own colours.
     #[inline(always)]
-    fn colors(&mut self, simd: S, block: usize, lanes: u32) -> Colors<S> {
+    fn colors(&mut self, simd: S, block: usize, mut lanes: u32) -> Colors<S> {
+        if let Some(colors) = self.shaded.get(self.number, block) {
+            let mut of = [f32x16::splat(simd, 0.0); 4];
+            for (of, color) in of.iter_mut().zip(colors) {
+                *of = f32x16::from_slice(simd, color);
+            }
+            return of;
+        }
+        if self.shaded.keeps() {
+            // Other samples may cover other pixels.
+            lanes = u32::from(u16::MAX);
+        }
         let place = self.lighter.prepare(self.number);
         let prepared = self.lighter.at(place);
         let shading = Shading {
@@ -220,14 +233,20 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         };
         let [x, y] = block_origin(block);
         let origin = [self.origin[0] + x, self.origin[1] + y];
-        shade(
+        let colors = shade(
             simd,
             origin,
             #[inline(always)]
             |_| prepared,
             true,
             shading,
-        )
+        );
+        if let Some(place) = self.shaded.place(self.number, block) {
+            for (place, color) in place.iter_mut().zip(colors) {
+                color.store_slice(place);
+            }
+        }
+        colors
     }
 
     /// Writes colours by blending, logical operation and mask.

@@ -7,6 +7,7 @@ use super::lighter::{Lighter, PreparedEntries, light_seen};
 use super::log::{ClearedTo, Item};
 use super::piece_sink::PieceSink;
 use super::samples::offset;
+use super::shaded::ShadedBlocks;
 use super::strokes::{bitmap, line, point};
 use crate::plane::TILE_BLOCKS;
 use luxel_math::{LANES, Simd};
@@ -28,6 +29,7 @@ pub(super) struct TileScratch {
     /// Of each sample.
     seen: Vec<Seen>,
     missing: NoPlanes,
+    shaded: ShadedBlocks,
     prepared: PreparedEntries,
 }
 
@@ -37,6 +39,7 @@ pub(super) struct TileWorker<'a> {
     missing: NoPlanes,
     /// Of each sample.
     seen: Vec<Seen>,
+    shaded: ShadedBlocks,
     lighter: Lighter<'a>,
     /// The tile's first pixel in the window.
     origin: [i32; 2],
@@ -61,17 +64,18 @@ impl<'a> TileWorker<'a> {
             width: TILE.min(width - origin[0]),
             height: TILE.min(height - origin[1]),
         };
-        let TileScratch { mut seen, missing, prepared } = scratch;
+        let TileScratch { mut seen, missing, mut shaded, prepared } = scratch;
+        shaded.restart(samples);
         seen.resize(samples, [[0; LANES]; TILE_BLOCKS]);
         seen.as_flattened_mut().as_flattened_mut().fill(0);
         let lighter = Lighter::new(items, list, prepared);
-        Self { planes, missing, seen, lighter, origin, region, is_exact }
+        Self { planes, missing, seen, shaded, lighter, origin, region, is_exact }
     }
 
     /// Its memory, for the next one.
     pub(super) fn into_scratch(self) -> TileScratch {
-        let Self { seen, missing, lighter, .. } = self;
-        TileScratch { seen, missing, prepared: lighter.prepared }
+        let Self { seen, missing, shaded, lighter, .. } = self;
+        TileScratch { seen, missing, shaded, prepared: lighter.prepared }
     }
 
     /// Carries the list out; then lights what is seen at last.
@@ -171,6 +175,7 @@ impl<'a> TileWorker<'a> {
                 planes: self.planes.sample(sample, &mut self.missing),
                 seen: &mut self.seen[sample],
                 lighter: &mut self.lighter,
+                shaded: &mut self.shaded,
                 pipeline,
                 origin: self.origin,
                 limits,
