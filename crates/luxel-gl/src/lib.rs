@@ -21,7 +21,7 @@
 //! buffer is the bottom one, so that left and bottom edges belong to a triangle.
 //!
 //! Limits of this version: images of colour indices are missing; smooth lines, points and polygons are
-//! drawn without smoothing; there is one sample a pixel, and framebuffer objects have one colour.
+//! drawn without smoothing; the default framebuffer has one sample a pixel, and framebuffer objects have one colour.
 
 #![forbid(unsafe_code)]
 

@@ -22,6 +22,11 @@ impl Context {
         }
     }
 
+    /// Whether colours of the framebuffer that is drawn to have alphas of their own.
+    pub(crate) fn has_alpha(&self) -> bool {
+        self.framebuffers.get(self.framebuffers.draw).is_some() || self.configuration.alpha
+    }
+
     /// Sets an error if what is bound for drawing can't be drawn to.
     pub(crate) fn is_incomplete(&mut self) -> bool {
         let incomplete = self.status(self.framebuffers.draw) != gl::FRAMEBUFFER_COMPLETE;

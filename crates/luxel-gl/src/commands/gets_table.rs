@@ -311,7 +311,7 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         1 => 0,
         samples => samples,
     };
-    let bits = |bits: u32, has: u32| Values::integer(if bits > 0 { has as i32 } else { 0 });
+    let [has_depth, has_stencil] = context.has_depth_and_stencil();
     Some(match pname {
         gl::MAX_LIGHTS => Values::count(LIGHTS),
         gl::MAX_CLIP_PLANES => Values::count(CLIP_PLANES),
@@ -334,14 +334,14 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         gl::NUM_COMPRESSED_TEXTURE_FORMATS => Values::integer(0),
         gl::COMPRESSED_TEXTURE_FORMATS => Values::none(),
         gl::RED_BITS | gl::GREEN_BITS | gl::BLUE_BITS => Values::integer(8),
-        gl::ALPHA_BITS => Values::integer(if configuration.alpha { 8 } else { 0 }),
+        gl::ALPHA_BITS => Values::integer(if context.has_alpha() { 8 } else { 0 }),
         gl::INDEX_BITS | gl::AUX_BUFFERS => Values::integer(0),
         gl::SAMPLES => Values::count(samples),
         gl::SAMPLE_BUFFERS => Values::integer(i32::from(samples > 0)),
-        gl::DEPTH_BITS => bits(configuration.depth_bits, 24),
-        gl::STENCIL_BITS => bits(configuration.stencil_bits, 8),
+        gl::DEPTH_BITS => Values::integer(if has_depth { 24 } else { 0 }),
+        gl::STENCIL_BITS => Values::integer(if has_stencil { 8 } else { 0 }),
         gl::ACCUM_RED_BITS | gl::ACCUM_GREEN_BITS | gl::ACCUM_BLUE_BITS | gl::ACCUM_ALPHA_BITS => {
-            bits(configuration.accum_bits, 16)
+            Values::integer(if configuration.accum_bits > 0 { 16 } else { 0 })
         }
         gl::FRAMEBUFFER_BINDING => Values::name(context.framebuffers.draw),
         gl::READ_FRAMEBUFFER_BINDING => Values::name(context.framebuffers.read),

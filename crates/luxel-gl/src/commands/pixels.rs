@@ -172,7 +172,7 @@ impl Context {
     /// A pixel's red, green, blue and alpha.
     pub(super) fn frame_color(&self, at: [u32; 2]) -> [f32; 4] {
         let mut color = self.framebuffer.color(at).map(|byte| f32::from(byte) / 255.0);
-        if !self.configuration.alpha {
+        if !self.has_alpha() {
             color[3] = 1.0;
         }
         color

@@ -1,13 +1,16 @@
 //! From primitives to pixels: the log of draws, and the tiles that it is carried out in.
 //!
-//! 1. `pipeline`: all state of fragments; `batch`: the primitives of one draw.
-//! 2. `build`: culls and clips primitives, and sets them up for rasterization, by `draw_state`, to where `placement` has
-//!    them in the window.
-//! 3. `log`: batches and clears in the order of their calls, sorted into tiles when somebody looks.
-//! 4. `tile`: takes one tile's list in order, `piece_sink` the samples of one piece (`strokes`: of lines and points, `image`: of images). Where colours take no notice of what is there, samples are tested at once
-//!    and note which primitive they see; those that are seen at last are lit (`lighter`, `shade`). Where they do, blocks are lit
-//!    as they come.
+//! 1. `pipeline`: all state of fragments; `batch`: what the primitives of one draw have in common.
+//! 2. `build`: culls and clips primitives, and makes pieces of them, by `draw_state`, where `placement` has them in the
+//!    window.
+//! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
+//!    memory.
+//! 4. `tile`: takes one tile's list in order, `piece_sink` the samples of one piece (`strokes`: of lines and points,
+//!    `image`: of images; `samples`: where these lie). Where colours take no notice of what is there, samples are tested
+//!    at once and note which piece they see; those that are seen at last are lit (`lighter`, `shade`). Where they do,
+//!    blocks are lit as they come, once for all samples (`shaded`).
 //! 5. `stencil`, `blend`: tests of fragments and mixing of colours.
+//! 6. `framebuffer`: the planes that are drawn to; `blit`: copies between them.
 
 mod batch;
 mod bitmap;

@@ -7,6 +7,7 @@ mod any_commands;
 mod any_images;
 mod any_textures;
 mod arrays;
+mod attached_images;
 mod canvas;
 mod coverage;
 mod depth;
