@@ -14,7 +14,8 @@ impl Context {
     /// `glBegin`. `GL_INVALID_OPERATION` within another one, `GL_INVALID_ENUM` for a mode that isn't one.
     pub fn begin(&mut self, mode: u32) {
         compile!(self, Command::Begin(mode));
-        if self.stream.resume(mode) {
+        let is_listed = self.nesting > 0;
+        if self.stream.resume(mode, is_listed) {
             return;
         }
         outside_begin!(self);
@@ -22,7 +23,7 @@ impl Context {
         if self.is_incomplete() {
             return;
         }
-        self.stream.begin(mode, &self.state.current, self.state.materials);
+        self.stream.begin((mode, is_listed), &self.state.current, self.state.materials);
     }
 
     /// `glEnd`. `GL_INVALID_OPERATION` without `glBegin`.
@@ -57,7 +58,7 @@ impl Context {
         let count = self.stream.vertices.len();
         if self.stream.is_independent() {
             let mut stream = std::mem::take(&mut self.stream);
-            self.draw_vertices(stream.mode, &stream.vertices, &stream.materials, None);
+            self.draw_stream(&stream);
             stream.drop_complete();
             self.stream = stream;
         } else if count > STREAM_VERTICES {

@@ -12,7 +12,9 @@ use crate::plane::LARGEST_DEPTH;
 use crate::primitive::{assemble, assemble_parts, parts};
 use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, Piece, PieceBuilder, Pipeline};
 use crate::state::current::RasterPosition;
-use crate::vertex::{Materials, Needs, Processed, VertexProcessor, Vertices, WindowScale, codes};
+use crate::vertex::{
+    Materials, Needs, Processed, Stream, VertexProcessor, Vertices, WindowScale, codes,
+};
 use std::sync::Arc;
 
 impl Context {
@@ -20,9 +22,15 @@ impl Context {
     #[cold]
     pub(crate) fn draw_waiting(&mut self) {
         let mut stream = std::mem::take(&mut self.stream);
-        self.draw_vertices(stream.mode, &stream.vertices, &stream.materials, None);
+        self.draw_stream(&stream);
         stream.set_drawn();
         self.stream = stream;
+    }
+
+    /// Draws what a stream has.
+    pub(crate) fn draw_stream(&mut self, stream: &Stream) {
+        let Stream { mode, is_listed, vertices, materials, .. } = stream;
+        self.draw_primitives((*mode, *is_listed), vertices, materials, None);
     }
 
     /// Draws vertices in the order of elements; `None` for one after the other.
@@ -33,11 +41,21 @@ impl Context {
         materials: &Materials,
         elements: Option<&[u32]>,
     ) {
+        self.draw_primitives((mode, self.nesting > 0), vertices, materials, elements);
+    }
+
+    fn draw_primitives(
+        &mut self,
+        (mode, is_listed): (u32, bool),
+        vertices: &Vertices,
+        materials: &Materials,
+        elements: Option<&[u32]>,
+    ) {
         if vertices.is_empty() {
             return;
         }
         let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
-        let state = DrawState::new(&self.state, scale);
+        let state = DrawState::new(&self.state, scale, is_listed);
         let level = self.level;
         let process = |context: &Self, needs: Needs, out: &mut Processed| {
             let processor = VertexProcessor::new(&context.state, &context.matrices, scale, needs);

@@ -293,9 +293,9 @@ impl Visitor for PieceBuilder<'_> {
             self.outline(corners, flat, flagged, side);
             return;
         }
-        // The diagonals are free (section 3.5). A fan about the provoking vertex has those that Mesa's drivers draw.
         let count = corners.len();
-        let first = corners.iter().position(|corner| *corner == provoking).unwrap_or(0);
+        let about = if state.splits_at_provoking { provoking } else { corners[0] };
+        let first = corners.iter().position(|corner| *corner == about).unwrap_or(0);
         for second in first + 1..first + count - 1 {
             let fan = [first, second, second + 1].map(|at| corners[at % count]);
             self.triangle(fan, flat, Some(side));

@@ -24,10 +24,13 @@ pub(crate) struct DrawState {
     /// Enabled planes of the user, by numbers of bits, in eye coordinates.
     pub(super) planes: Vec<(u32, [f64; 4])>,
     pub(super) scale: WindowScale,
+    /// Whether polygons are split at the provoking vertex rather than at the first one.
+    pub(super) splits_at_provoking: bool,
 }
 
 impl DrawState {
-    pub(crate) fn new(state: &Attributes, scale: WindowScale) -> Self {
+    /// The state of a draw; whether that comes from a display list.
+    pub(crate) fn new(state: &Attributes, scale: WindowScale, is_listed: bool) -> Self {
         let has = |name: u32| state.enables.has(name);
         let polygons = &state.polygons;
         let culls = |side: u32| {
@@ -55,6 +58,8 @@ impl DrawState {
                 .map(|number| (number, state.transform.planes[number as usize]))
                 .collect(),
             scale,
+            // The diagonals are free (section 3.5); these are those of Mesa's drivers, so that lit quads look the same.
+            splits_at_provoking: is_listed,
         }
     }
 

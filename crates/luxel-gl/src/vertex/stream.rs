@@ -23,6 +23,8 @@ enum Phase {
 pub(crate) struct Stream {
     phase: Phase,
     pub(crate) mode: u32,
+    /// Whether it comes from a display list.
+    pub(crate) is_listed: bool,
     pub(crate) vertices: Vertices,
     pub(crate) materials: Materials,
 }
@@ -30,7 +32,8 @@ pub(crate) struct Stream {
 impl Default for Stream {
     fn default() -> Self {
         let materials = Materials::new(Sides::default());
-        Self { phase: Phase::Idle, mode: gl::POINTS, vertices: Vertices::default(), materials }
+        let (phase, mode, vertices) = (Phase::Idle, gl::POINTS, Vertices::default());
+        Self { phase, mode, is_listed: false, vertices, materials }
     }
 }
 
@@ -47,17 +50,23 @@ fn independent(mode: u32) -> Option<usize> {
 
 impl Stream {
     /// Begins primitives with what is current.
-    pub(crate) fn begin(&mut self, mode: u32, current: &Current, materials: Sides) {
+    pub(crate) fn begin(
+        &mut self,
+        (mode, is_listed): (u32, bool),
+        current: &Current,
+        materials: Sides,
+    ) {
         self.phase = Phase::Open;
-        self.mode = mode;
+        (self.mode, self.is_listed) = (mode, is_listed);
         self.vertices.restart(current);
         self.materials = Materials::new(materials);
     }
 
-    /// Goes on with primitives that wait, if they are of that mode.
+    /// Goes on with primitives that wait, if they are of that mode and come from a list, too, or neither does.
     #[inline]
-    pub(crate) fn resume(&mut self, mode: u32) -> bool {
-        let resumes = self.phase == Phase::Waiting && self.mode == mode;
+    pub(crate) fn resume(&mut self, mode: u32, is_listed: bool) -> bool {
+        let alike = self.mode == mode && self.is_listed == is_listed;
+        let resumes = self.phase == Phase::Waiting && alike;
         if resumes {
             self.phase = Phase::Open;
         }
@@ -136,7 +145,7 @@ mod tests {
 
     fn begun(mode: u32) -> Stream {
         let mut stream = Stream::default();
-        stream.begin(mode, &Current::default(), Sides::default());
+        stream.begin((mode, false), &Current::default(), Sides::default());
         stream
     }
 
@@ -190,7 +199,8 @@ mod tests {
         stream.vertices.set_color([0.5; 4]);
         stream.end();
         assert_eq!(stream.waiting(), 3);
-        assert!(!stream.resume(gl::QUADS) && stream.resume(gl::TRIANGLES));
+        assert!(!stream.resume(gl::QUADS, false) && !stream.resume(gl::TRIANGLES, true));
+        assert!(stream.resume(gl::TRIANGLES, false));
         stream.vertices.push([1.0; 4]);
         assert_eq!([stream.vertices.color.of(2)[0], stream.vertices.color.of(3)[0]], [1.0, 0.5]);
         let mut strip = begun(gl::TRIANGLE_STRIP);
