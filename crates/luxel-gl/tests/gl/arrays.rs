@@ -122,12 +122,12 @@ fn section_2_8_lists_hold_the_vertices_of_their_making() {
     let mut context = canvas(16, 16);
     set_arrays(&mut context, START);
     context.new_list(1, gl::COMPILE);
-    context.draw_arrays(gl::QUADS, 0, 4, &memory);
+    context.draw_arrays(gl::POLYGON, 0, 4, &memory);
     context.end_list();
     memory.0.fill(0);
     context.disable_client_state(VERTEX_ARRAY);
     context.call_list(1);
-    assert_eq!(pixels(&mut context), immediate(gl::QUADS, &[0, 1, 2, 3]));
+    assert_eq!(pixels(&mut context), immediate(gl::POLYGON, &[0, 1, 2, 3]));
 }
 
 #[test]

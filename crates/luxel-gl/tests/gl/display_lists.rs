@@ -145,3 +145,26 @@ fn section_5_4_lists_open_with_begin_and_close_elsewhere() {
     context.end();
     assert!(pixels(&mut context).iter().all(|pixel| *pixel == [255; 4]));
 }
+
+#[test]
+fn quads_of_lists_have_the_diagonal_of_their_last_corner_and_others_that_of_the_first() {
+    let quad = |context: &mut Context| {
+        context.begin(gl::QUADS);
+        for (number, [x, y]) in [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]].iter().enumerate()
+        {
+            let light = f32::from(u8::from(number % 2 == 1));
+            context.color([light, light, light, 1.0]);
+            context.vertex([*x, *y, 0.0, 1.0]);
+        }
+        context.end();
+    };
+    let middle = |context: &mut Context| pixels(context)[4 * 8 + 4][0];
+    let mut context = canvas(8, 8);
+    quad(&mut context);
+    assert!(middle(&mut context) < 40, "dark corners are joined");
+    context.new_list(1, gl::COMPILE);
+    quad(&mut context);
+    context.end_list();
+    context.call_list(1);
+    assert!(middle(&mut context) > 215, "light corners are joined");
+}
