@@ -1,7 +1,7 @@
 //! Images and mipmaps (GLU 1.3, chapter 3).
 
 use crate::gl;
-use crate::object::{INVALID_ENUM, INVALID_OPERATION, INVALID_VALUE, OUT_OF_MEMORY};
+use crate::object::{INVALID_ENUM, INVALID_OPERATION, INVALID_VALUE, OUT_OF_MEMORY, caught};
 use luxel_glu::{
     Image, ImageError, Layout, Level, PixelFormat, mipmap_count, mipmaps, nearest_power,
 };
@@ -51,13 +51,14 @@ impl PixelStore {
     }
 }
 
-/// The error of GLU.
-fn number(error: ImageError) -> u32 {
-    match error {
-        ImageError::Enum => INVALID_ENUM,
-        ImageError::Value => INVALID_VALUE,
-        ImageError::Operation => INVALID_OPERATION,
-        ImageError::Memory => OUT_OF_MEMORY,
+/// 0, or the error of GLU. A panic is one, too.
+fn outcome(work: impl FnOnce() -> Result<(), ImageError>) -> u32 {
+    match caught(work) {
+        Some(Ok(())) => 0,
+        Some(Err(ImageError::Enum)) => INVALID_ENUM,
+        Some(Err(ImageError::Value)) => INVALID_VALUE,
+        Some(Err(ImageError::Operation)) => INVALID_OPERATION,
+        Some(Err(ImageError::Memory)) | None => OUT_OF_MEMORY,
     }
 }
 
@@ -104,7 +105,7 @@ unsafe extern "C" fn gluScaleImage(
     type_out: u32,
     data_out: *mut c_void,
 ) -> u32 {
-    let scaled = || -> Result<(), ImageError> {
+    outcome(|| {
         let [w_in, h_in, w_out, h_out] = sizes([width_in, height_in, width_out, height_out])?;
         let from = PixelFormat::new(format, type_in)?;
         let to = PixelFormat::new(format, type_out)?;
@@ -124,8 +125,7 @@ unsafe extern "C" fn gluScaleImage(
         let memory = unsafe { slice::from_raw_parts_mut(data_out.cast(), length) };
         image.write(memory, &layout, to);
         Ok(())
-    };
-    scaled().map_or_else(number, |()| 0)
+    })
 }
 
 /// A texture to be built: what the functions for one, two and three dimensions have in common.
@@ -190,7 +190,7 @@ impl Build {
     ///
     /// `data` leads to an image that OpenGL would unpack.
     unsafe fn all(&self) -> u32 {
-        let built = || -> Result<(), ImageError> {
+        outcome(|| {
             let (format, size) = self.checked()?;
             let before = PixelStore::of(UNPACK);
             let layout = before.layout(self.dimensions == 3);
@@ -200,8 +200,7 @@ impl Build {
             let levels = mipmaps(&image, format, 0, mipmap_count(image.size))?;
             self.upload(&levels, 0, before);
             Ok(())
-        };
-        built().map_or_else(number, |()| 0)
+        })
     }
 
     /// Builds the levels from `base` to `last`, where the image is level `user`.
@@ -210,7 +209,7 @@ impl Build {
     ///
     /// `data` leads to an image that OpenGL would unpack.
     unsafe fn levels(&self, [user, base, last]: [i32; 3]) -> u32 {
-        let built = || -> Result<(), ImageError> {
+        outcome(|| {
             let (format, size) = self.checked()?;
             let deepest = i64::from(user) + i64::from(mipmap_count(size));
             let ordered = 0 <= user && user <= base && base <= last && i64::from(last) <= deepest;
@@ -225,8 +224,7 @@ impl Build {
             let levels = mipmaps(&image, format, below(base), below(last))?;
             self.upload(&levels, base, before);
             Ok(())
-        };
-        built().map_or_else(number, |()| 0)
+        })
     }
 
     /// Format and size, if they are any.

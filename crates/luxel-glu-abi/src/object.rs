@@ -1,5 +1,7 @@
 //! Objects that the caller holds by address.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 /// A function of any type: what callbacks are registered as.
 pub(crate) type Callback = Option<unsafe extern "C" fn()>;
 
@@ -43,6 +45,11 @@ pub(crate) unsafe fn with<T, R: Default>(address: *mut T, f: impl FnOnce(&mut T)
     // SAFETY: the caller of this function promises that the object lives; no other reference to it exists, since none
     // outlives a function of the library and objects are used by one thread at a time.
     f(unsafe { &mut *address })
+}
+
+/// What `f` returns; `None` after a panic, which may not cross into C.
+pub(crate) fn caught<R>(f: impl FnOnce() -> R) -> Option<R> {
+    catch_unwind(AssertUnwindSafe(f)).ok()
 }
 
 /// Calls an error callback.

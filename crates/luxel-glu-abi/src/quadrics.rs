@@ -1,7 +1,9 @@
 //! Quadrics (GLU 1.3, chapter 6).
 
 use crate::gl::Current;
-use crate::object::{Callback, ERROR, INVALID_ENUM, INVALID_VALUE, give, report, take, with};
+use crate::object::{
+    Callback, ERROR, INVALID_ENUM, INVALID_VALUE, OUT_OF_MEMORY, caught, give, report, take, with,
+};
 use luxel_glu::{DrawStyle, InvalidValue, Normals, Orientation, Quadric};
 
 /// `GLUquadric`.
@@ -114,10 +116,11 @@ unsafe extern "C" fn gluQuadricTexture(quadric: *mut GluQuadric, textured: u8) {
 unsafe fn draw(address: *mut GluQuadric, f: impl FnOnce(&Quadric) -> Result<(), InvalidValue>) {
     // SAFETY: the caller of this function promises it.
     let found = unsafe { with(address, |object| Some((object.quadric, object.error))) };
-    if let Some((quadric, error)) = found
-        && f(&quadric).is_err()
-    {
-        report(error, INVALID_VALUE);
+    let Some((quadric, error)) = found else { return };
+    match caught(|| f(&quadric)) {
+        Some(Ok(())) => {}
+        Some(Err(InvalidValue)) => report(error, INVALID_VALUE),
+        None => report(error, OUT_OF_MEMORY),
     }
 }
 

@@ -3,7 +3,9 @@
 //! Callbacks may call the library: so no reference to the object is held while they run. The tessellator is taken out of
 //! the object, works with a copy of the callbacks, and is put back.
 
-use crate::object::{Callback, ERROR, INVALID_ENUM, array, give, store, take, with};
+use crate::object::{
+    Callback, ERROR, INVALID_ENUM, OUT_OF_MEMORY, array, caught, give, store, take, with,
+};
 use luxel_glu::{Listener, Tessellator};
 use std::ffi::c_void;
 use std::mem;
@@ -113,10 +115,16 @@ unsafe fn run<R: Default>(
         with(tess, |object| Some((mem::take(&mut object.tessellator), object.callbacks)))
     };
     let Some((mut tessellator, mut callbacks)) = taken else { return R::default() };
-    let result = f(&mut tessellator, &mut callbacks);
+    let result = caught(|| f(&mut tessellator, &mut callbacks));
+    if result.is_none() {
+        tessellator = Tessellator::default();
+    }
     // SAFETY: as above.
     unsafe { with(tess, |object| object.tessellator = tessellator) };
-    result
+    result.unwrap_or_else(|| {
+        callbacks.error(OUT_OF_MEMORY);
+        R::default()
+    })
 }
 
 /// A tessellator.

@@ -217,6 +217,17 @@ fn holes_are_cut_out_and_islands_in_them_kept() {
 }
 
 #[test]
+fn squares_of_any_size_are_two_triangles() {
+    for size in [1e-305, 1e-300, 1e-150, 1e149] {
+        let square = vec![vec![[0.0, 0.0], [size, 0.0], [size, size], [0.0, size]]];
+        let notes = tessellate(&square, 100_130, false);
+        assert_eq!(notes.errors, []);
+        let corners: usize = notes.primitives.iter().map(|(_, handles)| handles.len()).sum();
+        assert_eq!(corners, 6, "of a square of side {size}");
+    }
+}
+
+#[test]
 fn a_pentagram_is_wound_twice_in_the_middle() {
     let star: Vec<[f64; 2]> = (0..5)
         .map(|i| {

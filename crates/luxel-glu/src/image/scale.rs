@@ -6,16 +6,17 @@ use super::{Image, ImageError};
 ///
 /// It is a box over the old pixels: as wide as the new pixel, but no narrower than an old one, which interpolates. Beyond
 /// the image its edge goes on.
-fn coverage(from: usize, to: usize, place: usize) -> impl Iterator<Item = (usize, f64)> {
+fn coverage(from: usize, to: usize, place: usize) -> Vec<(usize, f64)> {
     // In units in which an old pixel has the length 2 to and a new one 2 from, so that all ends are whole numbers.
     let (pixel, half) = (2 * to as i128, from.max(to) as i128);
     let center = (2 * place as i128 + 1) * from as i128;
     let (start, end) = (center - half, center + half);
-    (start.div_euclid(pixel)..(end + pixel - 1).div_euclid(pixel)).map(move |old| {
+    let covered = (start.div_euclid(pixel)..(end + pixel - 1).div_euclid(pixel)).map(|old| {
         let covered = end.min((old + 1) * pixel) - start.max(old * pixel);
         let inside = old.clamp(0, from as i128 - 1) as usize;
         (inside, covered as f64 / (2 * half) as f64)
-    })
+    });
+    covered.collect()
 }
 
 impl Image {
@@ -46,15 +47,21 @@ impl Image {
         let mut made = Self::zero(size, self.components)?;
         // Numbers between neighbours along the axis, and from a line of them to the next.
         let step = self.components * self.size[..axis].iter().product::<usize>();
+        let covered: Vec<_> = (0..to).map(|place| coverage(from, to, place)).collect();
+        let mut sums = vec![0.0; step];
         for (old, new) in
             self.values.chunks_exact(step * from).zip(made.values.chunks_exact_mut(step * to))
         {
-            for place in 0..to {
-                for at in 0..step {
-                    let mean: f64 = coverage(from, to, place)
-                        .map(|(place, weight)| weight * f64::from(old[place * step + at]))
-                        .sum();
-                    new[place * step + at] = mean as f32;
+            for (covered, means) in covered.iter().zip(new.chunks_exact_mut(step)) {
+                sums.fill(0.0);
+                for &(place, weight) in covered {
+                    let line = &old[place * step..(place + 1) * step];
+                    for (sum, &value) in sums.iter_mut().zip(line) {
+                        *sum += weight * f64::from(value);
+                    }
+                }
+                for (mean, &sum) in means.iter_mut().zip(&sums) {
+                    *mean = sum as f32;
                 }
             }
         }

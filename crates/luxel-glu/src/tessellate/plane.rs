@@ -52,7 +52,8 @@ impl Plane {
         if largest > 0.0 {
             // A power of two, so that the grid rounds as little as can be.
             let (_, exponent) = libm::frexp(largest);
-            let scale = libm::ldexp(1.0, BITS - exponent);
+            // Tiny polygons get fewer bits, since no power above the 1023rd is a number.
+            let scale = libm::ldexp(1.0, (BITS - exponent).min(1023));
             plane.signs = plane.signs.map(|sign| sign * scale);
         }
         Some(plane)
