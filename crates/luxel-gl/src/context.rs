@@ -51,7 +51,6 @@ pub struct Context {
     pub(crate) state: Attributes,
     pub(crate) matrices: Matrices,
     pub(crate) client: Client,
-    pub(crate) client_texture: usize,
     pub(crate) attribute_stack: Vec<(u32, Box<Attributes>)>,
     pub(crate) client_stack: Vec<(u32, Client)>,
     /// What is between `glBegin` and `glEnd`, or waits to be drawn.
@@ -82,6 +81,8 @@ pub struct Context {
     pub(crate) log: Log,
     /// Whether the default framebuffer has had a size.
     pub(crate) sized: bool,
+    /// Whether there is a default framebuffer.
+    pub(crate) has_default: bool,
     /// Whether something was drawn that the caller's colour buffer doesn't show.
     pub(crate) drawn: bool,
 }
@@ -116,7 +117,6 @@ impl Context {
             state: Attributes::default(),
             matrices: Matrices::new(),
             client: Client::default(),
-            client_texture: 0,
             attribute_stack: Vec::new(),
             client_stack: Vec::new(),
             stream: Stream::default(),
@@ -140,6 +140,7 @@ impl Context {
             framebuffer: Framebuffer::default(),
             log: Log::default(),
             sized: false,
+            has_default: false,
             drawn: false,
         }
     }

@@ -7,7 +7,7 @@
 //! One folder a stage; each imports only those above it:
 //!
 //! 1. `enums`, `limits`, `error`, [`convert`], `values`: constants, and the types of state.
-//! 2. `plane`: pixels in tiles; `texture`: images, texture objects; `state`: the groups of state; [`lengths`] of pointer arguments.
+//! 2. `plane`, `depth`: pixels in tiles, and how depths are kept; `texture`: images, texture objects; `state`: the groups of state; [`lengths`] of pointer arguments.
 //! 3. `vertex`: the stream between `glBegin` and `glEnd`; transform and lighting, sixteen vertices at a time.
 //! 4. `primitive`: assembles points, lines and polygons, and clips them.
 //! 5. `fragment`: texture units: sampling and environments.
@@ -28,6 +28,7 @@
 mod commands;
 mod context;
 pub mod convert;
+mod depth;
 mod enums;
 mod error;
 mod fragment;

@@ -10,20 +10,6 @@ use luxel_visibility::{BLOCK, BLOCKS, TILE, Tile};
 pub(crate) const TILE_BLOCKS: usize = (BLOCKS * BLOCKS) as usize;
 const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
 
-/// The largest depth, 1: there are 24 bits.
-pub(crate) const LARGEST_DEPTH: f32 = 16_777_215.0;
-
-/// A depth in whole steps as one from 0 to 1.
-#[inline]
-pub(crate) fn unit_depth(steps: f32) -> f32 {
-    (f64::from(steps) / f64::from(LARGEST_DEPTH)) as f32
-}
-
-/// A depth from 0 to 1 in whole steps.
-pub(crate) fn depth_steps(unit: f32) -> f32 {
-    (f64::from(unit) * f64::from(LARGEST_DEPTH)).round_ties_even() as f32
-}
-
 /// One tile, block by block.
 pub(crate) type Blocks<T> = [[T; LANES]; TILE_BLOCKS];
 

@@ -12,6 +12,8 @@ use std::fmt;
 struct Commands {
     /// Commands that do nothing and set no error.
     silent: Vec<String>,
+    /// Commands that programs find by name alone, as in Mesa's library.
+    unexported: Vec<String>,
     file: Vec<File>,
 }
 
@@ -40,10 +42,12 @@ pub enum Action {
     Silent,
 }
 
-/// An exported command.
+/// A command.
 pub struct Entry {
     /// Its name.
     pub name: String,
+    /// Whether the library exports it.
+    pub is_exported: bool,
     /// Its prototype.
     pub prototype: Prototype,
     /// What it does.
@@ -66,16 +70,20 @@ pub struct Plan {
     pub rooms: Vec<Room>,
     /// All names, sorted.
     pub names: Vec<String>,
+    /// How many of them are exported.
+    exported: usize,
     /// Commands of OpenGL 1.5 and their aliases that are not carried out.
     pub missing: Vec<String>,
     variants: usize,
 }
 
 impl Plan {
-    /// Sorts `names` into files by `commands.toml`.
-    pub fn make(registry: &Registry, names: &[String], commands: &str) -> Result<Self, String> {
+    /// Sorts the names that are `exported`, and those that aren't, into files by `commands.toml`.
+    pub fn make(registry: &Registry, exported: &[String], commands: &str) -> Result<Self, String> {
         let commands: Commands =
             toml::from_str(commands).map_err(|error| format!("commands.toml: {error}"))?;
+        let mut names = [exported, &commands.unexported].concat();
+        names.sort_unstable();
         let mut calls = BTreeMap::new();
         let mut variants = 0;
         let mut rooms: Vec<Room> = Vec::new();
@@ -88,7 +96,7 @@ impl Plan {
             }
             for (name, call) in own {
                 if !names.contains(&name) {
-                    return Err(format!("commands.toml: {name} is not among the exported names"));
+                    return Err(format!("commands.toml: {name} is not among the names"));
                 }
                 if calls.insert(name.clone(), (place, call)).is_some() {
                     return Err(format!("commands.toml: {name} stands there twice"));
@@ -110,7 +118,7 @@ impl Plan {
             entries: Vec::new(),
         });
         let mut missing = Vec::new();
-        for name in names {
+        for name in &names {
             let prototype = registry.prototype(name)?.clone();
             let target = registry.resolve(name, |name| calls.contains_key(name));
             let (place, action) = match target {
@@ -130,10 +138,11 @@ impl Plan {
                     }
                 }
             };
-            rooms[place].entries.push(Entry { name: name.clone(), prototype, action });
+            let is_exported = !commands.unexported.contains(name);
+            rooms[place].entries.push(Entry { name: name.clone(), is_exported, prototype, action });
         }
         rooms.retain(|room| !room.entries.is_empty());
-        Ok(Self { rooms, names: names.to_vec(), missing, variants })
+        Ok(Self { rooms, names, exported: exported.len(), missing, variants })
     }
 }
 
@@ -159,9 +168,10 @@ impl fmt::Display for Plan {
         };
         write!(
             f,
-            "{} names: {} commands ({} of them variants by type and width), {} aliases, {} without effect, \
+            "{} names, {} of them exported: {} commands ({} of them variants by type and width), {} aliases, {} without effect, \
              {} unsupported, {} of OpenGL 1.5 and framebuffer objects among these",
             self.names.len(),
+            self.exported,
             count(|action| matches!(action, Action::Expression(_))),
             self.variants,
             count(|action| matches!(action, Action::Alias(_))),

@@ -102,7 +102,7 @@ fn carried_out(entry: &Entry, call: &str) -> String {
     } else {
         format!("{caller}(|gl, {client}| {call}){semicolon}")
     };
-    format!("{} {{\n    {body}\n}}\n", signature(&entry.name, &entry.prototype))
+    format!("{} {{\n    {body}\n}}\n", signature(entry))
 }
 
 /// Whether programs call the command for each vertex: a panic, impossible by all that is known, ends the process there.
@@ -122,12 +122,12 @@ fn takes_pointers(prototype: &Prototype) -> bool {
     prototype.parameters.iter().any(|parameter| parameter.kind.pointer)
 }
 
-fn signature(name: &str, prototype: &Prototype) -> String {
+fn signature(entry: &Entry) -> String {
+    let Entry { name, is_exported, prototype, .. } = entry;
+    let exported = if *is_exported { "#[unsafe(no_mangle)]\n" } else { "" };
     let unsafe_ = if takes_pointers(prototype) { "unsafe " } else { "" };
-    format!(
-        "#[unsafe(no_mangle)]\npub(crate) {unsafe_}extern \"C\" fn {name}{}",
-        parameters_and_result(prototype)
-    )
+    let types = parameters_and_result(prototype);
+    format!("{exported}pub(crate) {unsafe_}extern \"C\" fn {name}{types}")
 }
 
 fn parameters_and_result(prototype: &Prototype) -> String {

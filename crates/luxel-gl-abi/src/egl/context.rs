@@ -104,10 +104,15 @@ pub(super) extern "C" fn make_current(
         if !current::make_current(context) {
             return Err(BAD_CONTEXT);
         }
-        if let Some(pbuffer) = pbuffer {
-            let size = [pbuffer.width, pbuffer.height].map(i32::cast_unsigned);
-            caught(|| call_uncaught(|gl, _| gl.resize_default(size[0], size[1])));
-        }
+        caught(|| {
+            call_uncaught(|gl, _| match pbuffer {
+                Some(pbuffer) => {
+                    let [width, height] = [pbuffer.width, pbuffer.height].map(i32::cast_unsigned);
+                    gl.resize_default(width, height);
+                }
+                None => gl.remove_default(),
+            });
+        });
         Ok(())
     };
     caught(|| succeeds(made()))

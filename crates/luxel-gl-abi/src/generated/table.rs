@@ -44,51 +44,52 @@ entries! {
     glClearAccum glClearBufferData glClearBufferSubData glClearBufferfi glClearBufferfv
     glClearBufferiv glClearBufferuiv glClearColor glClearColorIiEXT glClearColorIuiEXT glClearColorx
     glClearDepth glClearDepthf glClearDepthx glClearIndex glClearStencil glClearTexImage
-    glClearTexSubImage glClientActiveTexture glClientActiveTextureARB glClientWaitSync glClipPlane
-    glClipPlanef glClipPlanex glColor3b glColor3bv glColor3d glColor3dv glColor3f glColor3fv
-    glColor3i glColor3iv glColor3s glColor3sv glColor3ub glColor3ubv glColor3ui glColor3uiv
-    glColor3us glColor3usv glColor4b glColor4bv glColor4d glColor4dv glColor4f glColor4fv glColor4i
-    glColor4iv glColor4s glColor4sv glColor4ub glColor4ubv glColor4ui glColor4uiv glColor4us
-    glColor4usv glColor4x glColorMask glColorMaskIndexedEXT glColorMaski glColorMaterial glColorP3ui
-    glColorP3uiv glColorP4ui glColorP4uiv glColorPointer glColorPointerEXT glColorSubTable
-    glColorTable glColorTableParameterfv glColorTableParameteriv glCompileShader glCompileShaderARB
-    glCompressedTexImage1D glCompressedTexImage1DARB glCompressedTexImage2D
-    glCompressedTexImage2DARB glCompressedTexImage3D glCompressedTexImage3DARB
-    glCompressedTexSubImage1D glCompressedTexSubImage1DARB glCompressedTexSubImage2D
-    glCompressedTexSubImage2DARB glCompressedTexSubImage3D glCompressedTexSubImage3DARB
-    glConvolutionFilter1D glConvolutionFilter2D glConvolutionParameterf glConvolutionParameterfv
-    glConvolutionParameteri glConvolutionParameteriv glCopyBufferSubData glCopyColorSubTable
-    glCopyColorTable glCopyConvolutionFilter1D glCopyConvolutionFilter2D glCopyImageSubData
-    glCopyPixels glCopyTexImage1D glCopyTexImage2D glCopyTexSubImage1D glCopyTexSubImage2D
-    glCopyTexSubImage3D glCopyTexSubImage3DEXT glCreateProgram glCreateProgramObjectARB
-    glCreateShader glCreateShaderObjectARB glCreateShaderProgramv glCullFace glDebugMessageCallback
-    glDebugMessageCallbackARB glDebugMessageControl glDebugMessageControlARB glDebugMessageInsert
-    glDebugMessageInsertARB glDeleteBuffers glDeleteBuffersARB glDeleteFramebuffers
-    glDeleteFramebuffersEXT glDeleteLists glDeleteObjectARB glDeleteProgram glDeleteProgramPipelines
-    glDeleteProgramsARB glDeleteQueries glDeleteQueriesARB glDeleteRenderbuffers
-    glDeleteRenderbuffersEXT glDeleteSamplers glDeleteShader glDeleteSync glDeleteTextures
-    glDeleteTransformFeedbacks glDeleteVertexArrays glDepthFunc glDepthMask glDepthRange
-    glDepthRangeArrayv glDepthRangeIndexed glDepthRangef glDepthRangex glDetachObjectARB
-    glDetachShader glDisable glDisableClientState glDisableIndexedEXT glDisableVertexAttribArray
-    glDisableVertexAttribArrayARB glDisablei glDispatchCompute glDispatchComputeIndirect
-    glDrawArrays glDrawArraysEXT glDrawArraysIndirect glDrawArraysInstanced glDrawArraysInstancedARB
-    glDrawArraysInstancedBaseInstance glDrawArraysInstancedEXT glDrawBuffer glDrawBuffers
-    glDrawBuffersARB glDrawBuffersATI glDrawElements glDrawElementsBaseVertex glDrawElementsIndirect
-    glDrawElementsInstanced glDrawElementsInstancedARB glDrawElementsInstancedBaseInstance
-    glDrawElementsInstancedBaseVertex glDrawElementsInstancedBaseVertexBaseInstance
-    glDrawElementsInstancedEXT glDrawPixels glDrawRangeElements glDrawRangeElementsBaseVertex
-    glDrawRangeElementsEXT glDrawTransformFeedback glDrawTransformFeedbackInstanced
-    glDrawTransformFeedbackStream glDrawTransformFeedbackStreamInstanced glEdgeFlag
-    glEdgeFlagPointer glEdgeFlagPointerEXT glEdgeFlagv glEnable glEnableClientState
-    glEnableIndexedEXT glEnableVertexAttribArray glEnableVertexAttribArrayARB glEnablei glEnd
-    glEndConditionalRender glEndConditionalRenderNV glEndList glEndQuery glEndQueryARB
-    glEndQueryIndexed glEndTransformFeedback glEvalCoord1d glEvalCoord1dv glEvalCoord1f
-    glEvalCoord1fv glEvalCoord2d glEvalCoord2dv glEvalCoord2f glEvalCoord2fv glEvalMesh1 glEvalMesh2
-    glEvalPoint1 glEvalPoint2 glFeedbackBuffer glFenceSync glFinish glFlush glFlushMappedBufferRange
-    glFogCoordPointer glFogCoordPointerEXT glFogCoordd glFogCoorddEXT glFogCoorddv glFogCoorddvEXT
-    glFogCoordf glFogCoordfEXT glFogCoordfv glFogCoordfvEXT glFogf glFogfv glFogi glFogiv glFogx
-    glFogxv glFramebufferParameteri glFramebufferRenderbuffer glFramebufferRenderbufferEXT
-    glFramebufferTexture glFramebufferTexture1D glFramebufferTexture1DEXT glFramebufferTexture2D
+    glClearTexSubImage glClientActiveTexture glClientActiveTextureARB glClientWaitSync glClipControl
+    glClipPlane glClipPlanef glClipPlanex glColor3b glColor3bv glColor3d glColor3dv glColor3f
+    glColor3fv glColor3i glColor3iv glColor3s glColor3sv glColor3ub glColor3ubv glColor3ui
+    glColor3uiv glColor3us glColor3usv glColor4b glColor4bv glColor4d glColor4dv glColor4f
+    glColor4fv glColor4i glColor4iv glColor4s glColor4sv glColor4ub glColor4ubv glColor4ui
+    glColor4uiv glColor4us glColor4usv glColor4x glColorMask glColorMaskIndexedEXT glColorMaski
+    glColorMaterial glColorP3ui glColorP3uiv glColorP4ui glColorP4uiv glColorPointer
+    glColorPointerEXT glColorSubTable glColorTable glColorTableParameterfv glColorTableParameteriv
+    glCompileShader glCompileShaderARB glCompressedTexImage1D glCompressedTexImage1DARB
+    glCompressedTexImage2D glCompressedTexImage2DARB glCompressedTexImage3D
+    glCompressedTexImage3DARB glCompressedTexSubImage1D glCompressedTexSubImage1DARB
+    glCompressedTexSubImage2D glCompressedTexSubImage2DARB glCompressedTexSubImage3D
+    glCompressedTexSubImage3DARB glConvolutionFilter1D glConvolutionFilter2D glConvolutionParameterf
+    glConvolutionParameterfv glConvolutionParameteri glConvolutionParameteriv glCopyBufferSubData
+    glCopyColorSubTable glCopyColorTable glCopyConvolutionFilter1D glCopyConvolutionFilter2D
+    glCopyImageSubData glCopyPixels glCopyTexImage1D glCopyTexImage2D glCopyTexSubImage1D
+    glCopyTexSubImage2D glCopyTexSubImage3D glCopyTexSubImage3DEXT glCreateProgram
+    glCreateProgramObjectARB glCreateShader glCreateShaderObjectARB glCreateShaderProgramv
+    glCullFace glDebugMessageCallback glDebugMessageCallbackARB glDebugMessageControl
+    glDebugMessageControlARB glDebugMessageInsert glDebugMessageInsertARB glDeleteBuffers
+    glDeleteBuffersARB glDeleteFramebuffers glDeleteFramebuffersEXT glDeleteLists glDeleteObjectARB
+    glDeleteProgram glDeleteProgramPipelines glDeleteProgramsARB glDeleteQueries glDeleteQueriesARB
+    glDeleteRenderbuffers glDeleteRenderbuffersEXT glDeleteSamplers glDeleteShader glDeleteSync
+    glDeleteTextures glDeleteTransformFeedbacks glDeleteVertexArrays glDepthFunc glDepthMask
+    glDepthRange glDepthRangeArrayv glDepthRangeIndexed glDepthRangef glDepthRangex
+    glDetachObjectARB glDetachShader glDisable glDisableClientState glDisableIndexedEXT
+    glDisableVertexAttribArray glDisableVertexAttribArrayARB glDisablei glDispatchCompute
+    glDispatchComputeIndirect glDrawArrays glDrawArraysEXT glDrawArraysIndirect
+    glDrawArraysInstanced glDrawArraysInstancedARB glDrawArraysInstancedBaseInstance
+    glDrawArraysInstancedEXT glDrawBuffer glDrawBuffers glDrawBuffersARB glDrawBuffersATI
+    glDrawElements glDrawElementsBaseVertex glDrawElementsIndirect glDrawElementsInstanced
+    glDrawElementsInstancedARB glDrawElementsInstancedBaseInstance glDrawElementsInstancedBaseVertex
+    glDrawElementsInstancedBaseVertexBaseInstance glDrawElementsInstancedEXT glDrawPixels
+    glDrawRangeElements glDrawRangeElementsBaseVertex glDrawRangeElementsEXT glDrawTransformFeedback
+    glDrawTransformFeedbackInstanced glDrawTransformFeedbackStream
+    glDrawTransformFeedbackStreamInstanced glEdgeFlag glEdgeFlagPointer glEdgeFlagPointerEXT
+    glEdgeFlagv glEnable glEnableClientState glEnableIndexedEXT glEnableVertexAttribArray
+    glEnableVertexAttribArrayARB glEnablei glEnd glEndConditionalRender glEndConditionalRenderNV
+    glEndList glEndQuery glEndQueryARB glEndQueryIndexed glEndTransformFeedback glEvalCoord1d
+    glEvalCoord1dv glEvalCoord1f glEvalCoord1fv glEvalCoord2d glEvalCoord2dv glEvalCoord2f
+    glEvalCoord2fv glEvalMesh1 glEvalMesh2 glEvalPoint1 glEvalPoint2 glFeedbackBuffer glFenceSync
+    glFinish glFlush glFlushMappedBufferRange glFogCoordPointer glFogCoordPointerEXT glFogCoordd
+    glFogCoorddEXT glFogCoorddv glFogCoorddvEXT glFogCoordf glFogCoordfEXT glFogCoordfv
+    glFogCoordfvEXT glFogf glFogfv glFogi glFogiv glFogx glFogxv glFramebufferParameteri
+    glFramebufferRenderbuffer glFramebufferRenderbufferEXT glFramebufferTexture
+    glFramebufferTexture1D glFramebufferTexture1DEXT glFramebufferTexture2D
     glFramebufferTexture2DEXT glFramebufferTexture3D glFramebufferTexture3DEXT
     glFramebufferTextureLayer glFramebufferTextureLayerEXT glFrontFace glFrustum glFrustumf
     glFrustumx glGenBuffers glGenBuffersARB glGenFramebuffers glGenFramebuffersEXT glGenLists

@@ -9,6 +9,10 @@ pub(crate) extern "C" fn glActiveTexture(texture: u32) {
     call(|gl, _| gl.active_texture(texture));
 }
 
+pub(crate) extern "C" fn glClipControl(origin: u32, depth: u32) {
+    call(|gl, _| gl.clip_control(origin, depth));
+}
+
 #[unsafe(no_mangle)]
 pub(crate) unsafe extern "C" fn glClipPlane(plane: u32, equation: *const f64) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.

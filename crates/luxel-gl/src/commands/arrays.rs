@@ -40,7 +40,7 @@ impl Context {
             gl::INDEX_ARRAY_POINTER => &arrays.index,
             gl::EDGE_FLAG_ARRAY_POINTER => &arrays.edge_flag,
             gl::FOG_COORD_ARRAY_POINTER => &arrays.fog_coord,
-            gl::TEXTURE_COORD_ARRAY_POINTER => &arrays.tex_coords[self.client_texture],
+            gl::TEXTURE_COORD_ARRAY_POINTER => &arrays.tex_coords[arrays.unit],
             _ => {
                 self.error.set(gl::INVALID_ENUM);
                 return None;
@@ -61,7 +61,7 @@ impl Context {
 
     fn switch_array(&mut self, name: u32, on: bool) {
         outside_begin!(self);
-        match self.client.arrays.named_mut(name, self.client_texture) {
+        match self.client.arrays.named_mut(name) {
             Some(array) => array.enabled = on,
             None => self.error.set(gl::INVALID_ENUM),
         }
@@ -80,7 +80,7 @@ impl Context {
         demand!(self, sizes.contains(&size) && stride >= 0, gl::INVALID_VALUE);
         demand!(self, types.contains(&data_type), gl::INVALID_ENUM);
         let buffer = self.client.arrays.array_buffer;
-        if let Some(array) = self.client.arrays.named_mut(name, self.client_texture) {
+        if let Some(array) = self.client.arrays.named_mut(name) {
             let (size, stride) = (size as usize, stride as usize);
             *array = VertexArray { size, data_type, stride, pointer, buffer, ..*array };
         }

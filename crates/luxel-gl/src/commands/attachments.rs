@@ -34,8 +34,9 @@ impl Context {
             Attachment::Texture { texture, face, level, .. } => {
                 let texture = locked(texture);
                 let image = texture.image(*face, *level)?;
-                let depth = image.format.is_depth();
-                let planes = Planes { color: !depth, depth, stencil: image.format.stencil };
+                let format = image.format;
+                let depth = format.is_depth().then(|| format.depth_kind());
+                let planes = Planes { color: depth.is_none(), depth, stencil: format.stencil };
                 Some(ImageKind { size: [image.size[0], image.size[1]], planes, samples: 1 })
             }
         }
@@ -151,7 +152,7 @@ impl Context {
 }
 
 /// Puts a plane back, unless it was never taken.
-fn give<T>(place: &mut Option<Plane<T>>, plane: Option<Plane<T>>) {
+fn give<P>(place: &mut Option<P>, plane: Option<P>) {
     if plane.is_some() {
         *place = plane;
     }

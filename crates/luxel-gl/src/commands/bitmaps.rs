@@ -6,9 +6,8 @@ use crate::enums as gl;
 use crate::objects::image_calls::BitmapCall;
 use crate::objects::list::Command;
 use crate::pixels::store::{bitmap_bytes, read_bitmap};
-use crate::plane::LARGEST_DEPTH;
 use crate::raster::Batch;
-use crate::vertex::{Processed, WindowScale};
+use crate::vertex::Processed;
 use luxel_pick::{Feedback, FeedbackVertex};
 use std::sync::Arc;
 
@@ -59,12 +58,12 @@ impl Context {
     }
 
     fn render_bitmap(&mut self, call: &BitmapCall) {
-        let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
+        let scale = self.window_scale();
         let Some((pipeline, viewport)) = self.begin_draw() else { return };
         let raster = &self.state.current.raster;
         let corner = [0, 1].map(|axis: usize| (raster.window[axis] - call.origin[axis]).floor());
         demand!(self, corner.iter().all(|at| at.abs() < 1e6), gl::NO_ERROR);
-        let depth = (f64::from(raster.window[2]) * f64::from(LARGEST_DEPTH)) as f32;
+        let depth = scale.kind.kept(raster.window[2].into());
         let vertices = Processed::at_raster(raster, self.state.enables.sums_colors());
         let mut batch = Batch::new(pipeline, viewport, scale, vertices);
         let corner = corner.map(|at| at as i32);

@@ -18,6 +18,7 @@ impl Context {
     /// also sets viewport and scissor box. Sides beyond `GL_MAX_VIEWPORT_DIMS` are cut.
     pub fn resize_default(&mut self, width: u32, height: u32) {
         let [width, height] = [width, height].map(|side| side.min(VIEWPORT as u32));
+        self.has_default = true;
         if !self.sized {
             self.sized = true;
             let whole = PixelBox { x: 0, y: 0, width: width as i32, height: height as i32 };
@@ -35,6 +36,17 @@ impl Context {
                 context.accumulation = Vec::new();
             });
         }
+    }
+
+    /// Takes the default framebuffer away, until [`resize_default`](Self::resize_default) gives another one: drawing to
+    /// it, or reading, is `GL_INVALID_FRAMEBUFFER_OPERATION`, as for contexts of EGL without a surface.
+    pub fn remove_default(&mut self) {
+        self.with_default_framebuffer(|context| {
+            context.carry_out();
+            context.framebuffer = Framebuffer::default();
+            context.accumulation = Vec::new();
+        });
+        self.has_default = false;
     }
 
     /// Width and height of the default framebuffer.
@@ -68,11 +80,12 @@ impl Context {
         let color = has(gl::COLOR_BUFFER_BIT) && self.state.color.draw_buffer != gl::NONE;
         let depth = has(gl::DEPTH_BUFFER_BIT) && self.state.depth.mask && has_depth;
         let stencil = has(gl::STENCIL_BUFFER_BIT) && has_stencil;
+        let far = self.framebuffer.depth_kind().kept(self.state.depth.clear);
         let clear = Clear {
             region: self.scissored_region(),
             color: self.state.color.clear,
             color_mask: if color { self.color_bits() } else { 0 },
-            depth: depth.then_some(self.state.depth.clear),
+            depth: depth.then_some(far),
             stencil: stencil.then_some(self.state.stencil.clear as u8),
             stencil_mask: self.state.stencil.write_mask as u8,
         };

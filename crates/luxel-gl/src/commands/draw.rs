@@ -8,7 +8,6 @@ use crate::fragment::TextureStages;
 use crate::limits::TEXTURE_UNITS;
 use crate::modes::{FeedbackVisitor, HitVisitor};
 use crate::objects::list::Command;
-use crate::plane::LARGEST_DEPTH;
 use crate::primitive::{assemble, assemble_parts, parts};
 use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, Piece, PieceBuilder, Pipeline};
 use crate::state::current::RasterPosition;
@@ -54,7 +53,7 @@ impl Context {
         if vertices.is_empty() {
             return;
         }
-        let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
+        let scale = self.window_scale();
         let state = DrawState::new(&self.state, scale, is_listed);
         let level = self.level;
         let process = |context: &Self, needs: Needs, out: &mut Processed| {
@@ -66,18 +65,17 @@ impl Context {
         match self.render_mode {
             gl::SELECT => {
                 process(self, Needs::default(), &mut processed);
-                let viewport = &self.state.viewport;
-                let mut visitor =
-                    HitVisitor::new(&state, &processed, viewport, &mut self.selection);
+                let window = self.state.window_transform();
+                let mut visitor = HitVisitor::new(&state, &processed, window, &mut self.selection);
                 assemble(mode, count, elements, &mut visitor);
                 visitor.finish();
                 self.log.spare().put_vertices(processed);
             }
             gl::FEEDBACK => {
                 process(self, Needs { eye: true, colors: true, textures: 1 }, &mut processed);
-                let viewport = &self.state.viewport;
+                let window = self.state.window_transform();
                 let mut visitor =
-                    FeedbackVisitor::new(&state, &processed, viewport, &mut self.feedback);
+                    FeedbackVisitor::new(&state, &processed, window, &mut self.feedback);
                 assemble(mode, count, elements, &mut visitor);
                 self.log.spare().put_vertices(processed);
             }
@@ -118,6 +116,11 @@ impl Context {
         Some((self.log.pipeline(pipeline), viewport))
     }
 
+    /// From clip coordinates to the window, with depths as the framebuffer that is drawn to keeps them.
+    pub(super) fn window_scale(&self) -> WindowScale {
+        WindowScale::new(&self.state.window_transform(), self.framebuffer.depth_kind())
+    }
+
     /// Puts a batch into the log, and carries that out if it is full.
     pub(super) fn finish_draw(&mut self, mut batch: Batch, runs: Vec<Vec<Piece>>) {
         batch.samples = self.queries.counter();
@@ -135,7 +138,7 @@ impl Context {
         let mut vertices = Vertices::default();
         vertices.restart(&self.state.current);
         vertices.push(position);
-        let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
+        let scale = self.window_scale();
         let needs = Needs { eye: true, colors: true, textures: (1 << TEXTURE_UNITS) - 1 };
         let mut vertex = Processed::default();
         VertexProcessor::new(&self.state, &self.matrices, scale, needs).process(
@@ -149,9 +152,7 @@ impl Context {
             self.state.current.raster.valid = false;
             return;
         }
-        let viewport = self.state.viewport;
-        let place = crate::modes::window_place(&viewport, vertex.clip[0].map(f64::from));
-        let [x, y, z] = place;
+        let [x, y, z] = self.state.window_transform().place(vertex.clip[0].map(f64::from));
         let current = &self.state.current;
         let tex_coords = [0, 1, 2, 3, 4, 5, 6, 7].map(|unit: usize| vertex.tex_coords[unit][0]);
         let from_coordinates =
@@ -176,8 +177,7 @@ impl Context {
     pub fn window_pos(&mut self, [x, y, z]: [f32; 3]) {
         compile!(self, Command::WindowPos([x, y, z]));
         outside_begin!(self);
-        let viewport = self.state.viewport;
-        let depth = viewport.near + f64::from(unit(z)) * (viewport.far - viewport.near);
+        let depth = self.state.window_transform().depth(f64::from(unit(z)));
         let current = &self.state.current;
         let [r, g, b] = current.secondary.map(unit);
         self.state.current.raster = RasterPosition {

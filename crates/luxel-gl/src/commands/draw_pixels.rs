@@ -8,11 +8,10 @@ use crate::objects::image_calls::{DrawPixels, WithPixels};
 use crate::objects::list::Command;
 use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::unpack::ImageLayout;
-use crate::plane::LARGEST_DEPTH;
 use crate::raster::{Batch, ImagePixels, PlacedImage};
 use crate::state::pixel::PixelStore;
 use crate::state::transfer::Transfer;
-use crate::vertex::{Processed, WindowScale};
+use crate::vertex::Processed;
 use luxel_pick::{Feedback, FeedbackVertex};
 
 impl DrawPixels {
@@ -135,10 +134,10 @@ impl Context {
 
     /// Draws pixels of an image, the first one's corner at a place of the window.
     fn render_image(&mut self, mut pixels: ImagePixels, size: [usize; 2], place: [f32; 2]) {
-        let scale = WindowScale::new(&self.state.viewport, LARGEST_DEPTH);
+        let scale = self.window_scale();
         let Some((pipeline, viewport)) = self.begin_draw() else { return };
         let raster = &self.state.current.raster;
-        let depth = (f64::from(raster.window[2]) * f64::from(LARGEST_DEPTH)) as f32;
+        let depth = scale.kind.kept(raster.window[2].into());
         let vertices = Processed::at_raster(raster, self.state.enables.sums_colors());
         if let (None, ImagePixels::Colors(colors)) = (&pipeline.textures, &mut pixels) {
             let secondary = vertices.secondary(0, 0);

@@ -6,6 +6,7 @@
 use super::attachments::ImageKind;
 use crate::Context;
 use crate::context::{demand, outside_begin};
+use crate::depth::DepthKind;
 use crate::enums as gl;
 use crate::objects::framebuffer::{Attachment, DEPTH, STENCIL, attachments_named};
 use crate::raster::Framebuffer;
@@ -39,7 +40,13 @@ impl Context {
     /// `GL_FRAMEBUFFER_COMPLETE`, or what is missing. A draw or read buffer without an image is not: since OpenGL 4.1,
     /// and so in Mesa, that leaves a framebuffer complete, and programs rely on it.
     fn status(&self, name: u32) -> u32 {
-        let Some(object) = self.framebuffers.get(name) else { return gl::FRAMEBUFFER_COMPLETE };
+        let Some(object) = self.framebuffers.get(name) else {
+            return if self.has_default {
+                gl::FRAMEBUFFER_COMPLETE
+            } else {
+                gl::FRAMEBUFFER_UNDEFINED
+            };
+        };
         let mut any = false;
         let mut all_samples = None;
         for (place, attachment) in object.attachments.iter().enumerate() {
@@ -47,7 +54,7 @@ impl Context {
             let Some(ImageKind { size, planes, samples }) = self.image_kind(attachment) else {
                 return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
             };
-            let fits = [planes.color, planes.depth, planes.stencil][place];
+            let fits = [planes.color, planes.depth.is_some(), planes.stencil][place];
             if !fits || size.contains(&0) {
                 return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
             }
@@ -60,6 +67,12 @@ impl Context {
             return gl::FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
         }
         gl::FRAMEBUFFER_COMPLETE
+    }
+
+    /// How a framebuffer keeps depths; `None` if it has none.
+    fn depth_kind_of(&self, name: u32) -> Option<DepthKind> {
+        let Some(object) = self.framebuffers.get(name) else { return Some(DepthKind::Steps) };
+        self.image_kind(object.attachments[DEPTH].as_ref()?)?.planes.depth
     }
 
     /// Samples of a framebuffer's pixels.
@@ -318,6 +331,10 @@ impl Context {
         let complete = self.status(self.framebuffers.read) == gl::FRAMEBUFFER_COMPLETE
             && self.status(self.framebuffers.draw) == gl::FRAMEBUFFER_COMPLETE;
         demand!(self, complete, gl::INVALID_FRAMEBUFFER_OPERATION);
+        let kinds =
+            [self.framebuffers.read, self.framebuffers.draw].map(|of| self.depth_kind_of(of));
+        let alike = matches!(kinds, [None, _] | [_, None]) || kinds[0] == kinds[1];
+        demand!(self, alike || mask & gl::DEPTH_BUFFER_BIT == 0, gl::INVALID_OPERATION);
         // Samples are copied or resolved pixel by pixel, not scaled.
         let side = |corners: [i32; 4], axis: usize| {
             i64::from(corners[axis + 2]).abs_diff(i64::from(corners[axis]))

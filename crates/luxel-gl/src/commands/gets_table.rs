@@ -76,9 +76,17 @@ fn of_vertices(context: &Context, pname: u32) -> Option<Values> {
             let area = state.viewport.area;
             Values::integers([area.x, area.y, area.width, area.height])
         }
+        gl::CLIP_ORIGIN => {
+            let upper = state.transform.clip.upper_left;
+            Values::name(if upper { gl::UPPER_LEFT } else { gl::LOWER_LEFT })
+        }
+        gl::CLIP_DEPTH_MODE => {
+            let from_zero = state.transform.clip.zero_to_one;
+            Values::name(if from_zero { gl::ZERO_TO_ONE } else { gl::NEGATIVE_ONE_TO_ONE })
+        }
         gl::DEPTH_RANGE => Values::scaled_doubles([state.viewport.near, state.viewport.far]),
         gl::ACTIVE_TEXTURE => Values::name(gl::TEXTURE0 + unit as u32),
-        gl::CLIENT_ACTIVE_TEXTURE => Values::name(gl::TEXTURE0 + context.client_texture as u32),
+        gl::CLIENT_ACTIVE_TEXTURE => Values::name(gl::TEXTURE0 + context.client.arrays.unit as u32),
         _ => return None,
     })
 }
@@ -262,7 +270,7 @@ fn of_lists_and_modes(context: &Context, pname: u32) -> Option<Values> {
 /// Vertex arrays and buffers (tables 6.6 and 6.7).
 fn of_arrays(context: &Context, pname: u32) -> Option<Values> {
     let arrays = &context.client.arrays;
-    let texture = &arrays.tex_coords[context.client_texture];
+    let texture = &arrays.tex_coords[arrays.unit];
     let name = |array: &VertexArray| Some(Values::name(array.data_type));
     let size = |array: &VertexArray| Some(Values::count(array.size));
     let stride = |array: &VertexArray| Some(Values::count(array.stride));
@@ -298,7 +306,7 @@ fn of_arrays(context: &Context, pname: u32) -> Option<Values> {
         gl::ARRAY_BUFFER_BINDING => Some(Values::name(arrays.array_buffer)),
         gl::ELEMENT_ARRAY_BUFFER_BINDING => Some(Values::name(arrays.element_buffer)),
         _ => {
-            let enabled = arrays.named(pname, context.client_texture)?.enabled;
+            let enabled = arrays.named(pname)?.enabled;
             Some(Values::boolean(enabled))
         }
     }
@@ -338,7 +346,9 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         gl::INDEX_BITS | gl::AUX_BUFFERS => Values::integer(0),
         gl::SAMPLES => Values::count(samples),
         gl::SAMPLE_BUFFERS => Values::integer(i32::from(samples > 0)),
-        gl::DEPTH_BITS => Values::integer(if has_depth { 24 } else { 0 }),
+        gl::DEPTH_BITS => {
+            Values::count(if has_depth { context.framebuffer.depth_kind().bits() } else { 0 })
+        }
         gl::STENCIL_BITS => Values::integer(if has_stencil { 8 } else { 0 }),
         gl::ACCUM_RED_BITS | gl::ACCUM_GREEN_BITS | gl::ACCUM_BLUE_BITS | gl::ACCUM_ALPHA_BITS => {
             Values::integer(if configuration.accum_bits > 0 { 16 } else { 0 })

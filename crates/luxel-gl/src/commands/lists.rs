@@ -138,6 +138,7 @@ impl Context {
             Command::Ortho(ref of) => self.ortho(of[0], of[1], of[2], of[3], of[4], of[5]),
             Command::Viewport([x, y, width, height]) => self.viewport(x, y, width, height),
             Command::DepthRange([near, far]) => self.depth_range(near, far),
+            Command::ClipControl(origin, depth) => self.clip_control(origin, depth),
             Command::ActiveTexture(unit) => self.active_texture(unit),
             Command::Light(light, pname, ref values) => self.light(light, pname, values),
             Command::LightModel(pname, ref values) => self.light_model(pname, values),

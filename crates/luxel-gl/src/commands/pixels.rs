@@ -279,7 +279,7 @@ impl Context {
         for y in 0..height {
             for x in 0..width {
                 let Some(out) = out.next() else { return };
-                *out = self.framebuffer.depth([x, y]);
+                *out = self.framebuffer.kept_depth([x, y], 0) as u32;
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::Context;
 use crate::context::{demand, outside_begin};
+use crate::depth::DepthKind;
 use crate::enums as gl;
 use crate::limits::{MOST_SAMPLES, VIEWPORT};
 use crate::objects::framebuffer::Attachment;
@@ -110,7 +111,9 @@ impl Context {
                 | gl::RENDERBUFFER_GREEN_SIZE
                 | gl::RENDERBUFFER_BLUE_SIZE
                 | gl::RENDERBUFFER_ALPHA_SIZE => bits(planes.color, 8),
-                gl::RENDERBUFFER_DEPTH_SIZE => bits(planes.depth, 24),
+                gl::RENDERBUFFER_DEPTH_SIZE => {
+                    Some(Values::count(planes.depth.map_or(0, DepthKind::bits)))
+                }
                 gl::RENDERBUFFER_STENCIL_SIZE => bits(planes.stencil, 8),
                 _ => None,
             }

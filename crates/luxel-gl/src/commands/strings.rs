@@ -6,7 +6,7 @@ use crate::enums as gl;
 use std::ffi::CStr;
 
 /// What is implemented beyond the core, or by other names.
-const EXTENSIONS: &CStr = c"GL_ARB_depth_texture GL_ARB_framebuffer_object GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow \
+const EXTENSIONS: &CStr = c"GL_ARB_clip_control GL_ARB_depth_buffer_float GL_ARB_depth_texture GL_ARB_framebuffer_object GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow \
     GL_ARB_texture_border_clamp GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine \
     GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat \
     GL_ARB_texture_non_power_of_two GL_ARB_transpose_matrix GL_ARB_vertex_buffer_object GL_ARB_window_pos \

@@ -31,7 +31,7 @@ impl Context {
     /// `glIsEnabled`.
     pub fn is_enabled(&mut self, capability: u32) -> bool {
         outside_begin!(self, false);
-        let array = self.client.arrays.named(capability, self.client_texture);
+        let array = self.client.arrays.named(capability);
         let found = self
             .state
             .enables

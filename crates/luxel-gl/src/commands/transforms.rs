@@ -7,6 +7,7 @@ use crate::limits::{CLIP_PLANES, TEXTURE_UNITS, VIEWPORT};
 use crate::objects::list::Command;
 use crate::state::fragment::PixelBox;
 use crate::state::matrices::{Stack, frustum, ortho, rotation};
+use crate::state::window::ClipControl;
 use glam::{DMat4, DVec3, DVec4};
 
 impl Context {
@@ -149,6 +150,20 @@ impl Context {
         (viewport.near, viewport.far) = (clamped(near), clamped(far));
     }
 
+    /// `glClipControl`: whether y = -1 of normalized device coordinates is the lower or the upper side of the viewport,
+    /// and whether the near plane lies at z = -1 or at 0 (ARB_clip_control).
+    pub fn clip_control(&mut self, origin: u32, depth: u32) {
+        compile!(self, Command::ClipControl(origin, depth));
+        outside_begin!(self);
+        let origins = [gl::LOWER_LEFT, gl::UPPER_LEFT];
+        let depths = [gl::NEGATIVE_ONE_TO_ONE, gl::ZERO_TO_ONE];
+        demand!(self, origins.contains(&origin) && depths.contains(&depth), gl::INVALID_ENUM);
+        self.state.transform.clip = ClipControl {
+            upper_left: origin == gl::UPPER_LEFT,
+            zero_to_one: depth == gl::ZERO_TO_ONE,
+        };
+    }
+
     /// `glActiveTexture`.
     pub fn active_texture(&mut self, unit: u32) {
         compile!(self, Command::ActiveTexture(unit));
@@ -163,7 +178,7 @@ impl Context {
         outside_begin!(self);
         let number = unit.wrapping_sub(gl::TEXTURE0) as usize;
         demand!(self, number < TEXTURE_UNITS, gl::INVALID_ENUM);
-        self.client_texture = number;
+        self.client.arrays.unit = number;
     }
 
     /// `glClipPlane`: what lies at p with p . x >= 0 stays. The plane is taken to eye coordinates by the modelview

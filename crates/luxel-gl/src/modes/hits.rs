@@ -6,7 +6,7 @@
 use super::{NameChange, SelectionMode};
 use crate::primitive::{ClipCorner, Visitor, clip_polygon};
 use crate::raster::{DrawState, polygon_area};
-use crate::state::attributes::Viewport;
+use crate::state::window::WindowTransform;
 use crate::vertex::{Processed, codes};
 use glam::DVec4;
 use luxel_pick::depths_in_volume;
@@ -15,36 +15,21 @@ use luxel_pick::depths_in_volume;
 pub(crate) struct HitVisitor<'a> {
     state: &'a DrawState,
     vertices: &'a Processed,
-    viewport: &'a Viewport,
+    window: WindowTransform,
     selection: &'a mut SelectionMode,
     changes: std::iter::Peekable<std::vec::IntoIter<(u32, NameChange)>>,
     polygon: Vec<ClipCorner>,
-}
-
-/// Where clip coordinates lie in the window, in pixels, with their depth.
-pub(crate) fn window_place(viewport: &Viewport, [x, y, z, w]: [f64; 4]) -> [f64; 3] {
-    let area = viewport.area;
-    let place = |value: f64, first: i32, length: i32| {
-        f64::from(first) + (value / w + 1.0) * 0.5 * f64::from(length)
-    };
-    let depth = window_depth(viewport, ((z / w + 1.0) * 0.5).clamp(0.0, 1.0));
-    [place(x, area.x, area.width), place(y, area.y, area.height), depth]
-}
-
-/// A depth from 0 to 1 in the range of `glDepthRange`.
-fn window_depth(viewport: &Viewport, unit: f64) -> f64 {
-    viewport.near + (viewport.far - viewport.near) * unit
 }
 
 impl<'a> HitVisitor<'a> {
     pub(crate) fn new(
         state: &'a DrawState,
         vertices: &'a Processed,
-        viewport: &'a Viewport,
+        window: WindowTransform,
         selection: &'a mut SelectionMode,
     ) -> Self {
         let changes = selection.take_waiting().into_iter().peekable();
-        Self { state, vertices, viewport, selection, changes, polygon: Vec::new() }
+        Self { state, vertices, window, selection, changes, polygon: Vec::new() }
     }
 
     /// Changes names after the last primitive.
@@ -114,9 +99,13 @@ impl<'a> HitVisitor<'a> {
     }
 
     fn part(&mut self, corners: &[DVec4]) {
-        if let Some(depths) = depths_in_volume(corners) {
+        let mut volume = [DVec4::ZERO; 3];
+        for (own, corner) in volume.iter_mut().zip(corners) {
+            *own = corner.with_z(self.window.z_from_minus_w(corner.z, corner.w));
+        }
+        if let Some(depths) = depths_in_volume(&volume[..corners.len()]) {
             // The range of depths may run backwards.
-            let [a, b] = depths.map(|depth| window_depth(self.viewport, depth));
+            let [a, b] = depths.map(|depth| self.window.depth(depth));
             self.selection.hit([a.min(b), a.max(b)]);
         }
     }

@@ -6,6 +6,6 @@ mod select;
 mod tokens;
 
 pub(crate) use feedback::FeedbackMode;
-pub(crate) use hits::{HitVisitor, window_place};
+pub(crate) use hits::HitVisitor;
 pub(crate) use select::{NameChange, SelectionMode};
 pub(crate) use tokens::FeedbackVisitor;

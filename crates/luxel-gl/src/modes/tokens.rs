@@ -1,11 +1,11 @@
 //! Primitives as tokens of the feedback buffer (OpenGL 1.5, section 5.3): after lighting, culling and clipping, before
 //! rasterization.
 
-use super::{FeedbackMode, window_place};
+use super::FeedbackMode;
 use crate::enums as gl;
 use crate::primitive::{Cut, Visitor, clip_polygon, clip_segment};
 use crate::raster::{DrawState, polygon_area};
-use crate::state::attributes::Viewport;
+use crate::state::window::WindowTransform;
 use crate::vertex::{Processed, codes};
 use luxel_pick::{Feedback, FeedbackVertex};
 
@@ -13,7 +13,7 @@ use luxel_pick::{Feedback, FeedbackVertex};
 pub(crate) struct FeedbackVisitor<'a> {
     state: &'a DrawState,
     vertices: &'a Processed,
-    viewport: &'a Viewport,
+    window: WindowTransform,
     feedback: &'a mut FeedbackMode,
 }
 
@@ -61,10 +61,10 @@ impl<'a> FeedbackVisitor<'a> {
     pub(crate) fn new(
         state: &'a DrawState,
         vertices: &'a Processed,
-        viewport: &'a Viewport,
+        window: WindowTransform,
         feedback: &'a mut FeedbackMode,
     ) -> Self {
-        Self { state, vertices, viewport, feedback }
+        Self { state, vertices, window, feedback }
     }
 
     fn code(&self, vertex: u32) -> u16 {
@@ -83,7 +83,7 @@ impl<'a> FeedbackVisitor<'a> {
     }
 
     fn placed(&self, corner: &Corner) -> FeedbackVertex {
-        let [x, y, depth] = window_place(self.viewport, corner.clip);
+        let [x, y, depth] = self.window.place(corner.clip);
         let narrow = |values: [f64; 4]| values.map(|value| value as f32);
         FeedbackVertex {
             x,
@@ -97,16 +97,16 @@ impl<'a> FeedbackVisitor<'a> {
 
     /// The planes that some vertices lie beyond.
     fn planes(&self, any: u16) -> Vec<Plane> {
-        const VOLUME: [[f64; 4]; 6] = [
+        let volume = [
             [1.0, 0.0, 0.0, 1.0],
             [-1.0, 0.0, 0.0, 1.0],
             [0.0, 1.0, 0.0, 1.0],
             [0.0, -1.0, 0.0, 1.0],
-            [0.0, 0.0, 1.0, 1.0],
+            self.state.scale().near_plane(),
             [0.0, 0.0, -1.0, 1.0],
         ];
         let beyond = |bit: u32| any >> bit & 1 == 1;
-        let volume = (0..6).filter(|bit| beyond(*bit)).map(|bit| Plane::Clip(VOLUME[bit as usize]));
+        let volume = (0..6).filter(|bit| beyond(*bit)).map(|bit| Plane::Clip(volume[bit as usize]));
         let user = self.state.planes().iter();
         let user = user.filter(|(number, _)| beyond(codes::FIRST_PLANE + number));
         volume.chain(user.map(|(_, plane)| Plane::Eye(*plane))).collect()

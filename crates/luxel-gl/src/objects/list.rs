@@ -39,6 +39,7 @@ pub(crate) enum Command {
     Ortho(Box<[f64; 6]>),
     Viewport([i32; 4]),
     DepthRange([f64; 2]),
+    ClipControl(u32, u32),
     ActiveTexture(u32),
     Light(u32, u32, [f32; 4]),
     LightModel(u32, [f32; 4]),

@@ -1,5 +1,6 @@
 //! Renderbuffers (EXT_framebuffer_object, section 4.4.2.1).
 
+use crate::depth::{DepthKind, DepthPlane};
 use crate::enums as gl;
 use crate::limits::RENDERBUFFER_NAMES;
 use crate::plane::Plane;
@@ -9,7 +10,7 @@ use std::collections::BTreeMap;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Planes {
     pub(crate) color: bool,
-    pub(crate) depth: bool,
+    pub(crate) depth: Option<DepthKind>,
     pub(crate) stencil: bool,
 }
 
@@ -17,6 +18,7 @@ impl Planes {
     /// The planes of a format of renderbuffers; `None` for one that isn't one.
     pub(crate) fn of_format(format: u32) -> Option<Self> {
         let planes = |color, depth, stencil| Some(Self { color, depth, stencil });
+        let (steps, floats) = (Some(DepthKind::Steps), Some(DepthKind::Floats));
         match format {
             gl::RGB
             | gl::RGBA
@@ -34,17 +36,19 @@ impl Planes {
             | gl::RGB10_A2
             | gl::RGBA12
             | gl::RGBA16
-            | gl::SRGB8_ALPHA8 => planes(true, false, false),
+            | gl::SRGB8_ALPHA8 => planes(true, None, false),
             gl::DEPTH_COMPONENT
             | gl::DEPTH_COMPONENT16
             | gl::DEPTH_COMPONENT24
-            | gl::DEPTH_COMPONENT32 => planes(false, true, false),
-            gl::DEPTH_STENCIL | gl::DEPTH24_STENCIL8 => planes(false, true, true),
+            | gl::DEPTH_COMPONENT32 => planes(false, steps, false),
+            gl::DEPTH_STENCIL | gl::DEPTH24_STENCIL8 => planes(false, steps, true),
+            gl::DEPTH_COMPONENT32F => planes(false, floats, false),
+            gl::DEPTH32F_STENCIL8 => planes(false, floats, true),
             gl::STENCIL_INDEX
             | gl::STENCIL_INDEX1
             | gl::STENCIL_INDEX4
             | gl::STENCIL_INDEX8
-            | gl::STENCIL_INDEX16 => planes(false, false, true),
+            | gl::STENCIL_INDEX16 => planes(false, None, true),
             _ => None,
         }
     }
@@ -60,32 +64,30 @@ pub(crate) struct Renderbuffer {
     pub(crate) planes: Planes,
     /// Nothing while it is drawn to, as the others.
     pub(crate) color: Option<Plane<u32>>,
-    pub(crate) depth: Option<Plane<f32>>,
+    pub(crate) depth: Option<DepthPlane>,
     pub(crate) stencil: Option<Plane<u32>>,
 }
 
 impl Renderbuffer {
     /// Storage for `format`; `None` if there is no memory for it.
     pub(crate) fn new(format: u32, planes: Planes, samples: usize, size: [u32; 2]) -> Option<Self> {
-        fn plane<T: Copy + Default>(
-            there: bool,
-            size: [u32; 2],
-            samples: usize,
-        ) -> Option<Option<Plane<T>>> {
-            if there {
-                Plane::new(size, samples.max(1), T::default()).map(Some)
-            } else {
-                Some(None)
-            }
-        }
+        let count = samples.max(1);
+        let whole_numbers = |there: bool| match there {
+            true => Plane::new(size, count, 0).map(Some),
+            false => Some(None),
+        };
+        let depth = match planes.depth {
+            Some(kind) => Some(DepthPlane::new(kind, size, count, 0.0)?),
+            None => None,
+        };
         Some(Self {
             format,
             samples,
             size,
             planes,
-            color: plane(planes.color, size, samples)?,
-            depth: plane(planes.depth, size, samples)?,
-            stencil: plane(planes.stencil, size, samples)?,
+            color: whole_numbers(planes.color)?,
+            depth,
+            stencil: whole_numbers(planes.stencil)?,
         })
     }
 }

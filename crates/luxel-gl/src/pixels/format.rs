@@ -27,6 +27,8 @@ pub(crate) enum Elements {
     Int,
     UnsignedInt,
     Float,
+    /// A float, and a word with the stencil value in its low byte (ARB_depth_buffer_float).
+    FloatAndByte,
     /// Bytes, bits of each component from the first on, and whether the first one is the lowest.
     Packed {
         bytes: usize,
@@ -109,8 +111,18 @@ impl Elements {
             gl::UNSIGNED_INT_10_10_10_2 => packed(4, BITS_1010102, false),
             gl::UNSIGNED_INT_2_10_10_10_REV => packed(4, BITS_1010102, true),
             gl::UNSIGNED_INT_24_8 => packed(4, BITS_248, false),
+            gl::FLOAT_32_UNSIGNED_INT_24_8_REV => Self::FloatAndByte,
             _ => return None,
         })
+    }
+
+    /// Whether pixels of depth and stencil may have this type, and those alone.
+    fn is_of_depth_and_stencil(self) -> bool {
+        match self {
+            Self::FloatAndByte => true,
+            Self::Packed { bits, .. } => bits.len() == 2,
+            _ => false,
+        }
     }
 
     /// Bytes of one element.
@@ -118,7 +130,7 @@ impl Elements {
         match self {
             Self::Byte | Self::UnsignedByte => 1,
             Self::Short | Self::UnsignedShort => 2,
-            Self::Int | Self::UnsignedInt | Self::Float => 4,
+            Self::Int | Self::UnsignedInt | Self::Float | Self::FloatAndByte => 4,
             Self::Packed { bytes, .. } => bytes,
         }
     }
@@ -136,25 +148,21 @@ impl PixelFormat {
         }
         let components = Components::named(format).ok_or(gl::INVALID_ENUM)?;
         let elements = Elements::named(data_type).ok_or(gl::INVALID_ENUM)?;
-        if let Elements::Packed { bits, .. } = elements {
-            let is_color = match components {
-                // Three components only red first; of four also blue first.
-                Components::Colors(places) => {
-                    places.len() == bits.len() && (bits.len() == 4 || places == [0, 1, 2])
-                }
-                Components::DepthStencil => bits.len() == 2,
-                _ => false,
-            };
-            if !is_color {
-                return Err(gl::INVALID_OPERATION);
+        let is_packed = matches!(elements, Elements::Packed { .. } | Elements::FloatAndByte);
+        let fit = match (components, elements) {
+            (Components::DepthStencil, _) => elements.is_of_depth_and_stencil(),
+            // Three components only red first; of four also blue first.
+            (Components::Colors(places), Elements::Packed { bits, .. }) => {
+                places.len() == bits.len() && (bits.len() == 4 || places == [0, 1, 2])
             }
+            _ => !is_packed,
+        };
+        match (fit, is_packed) {
+            (true, _) => Ok(Self { components, elements }),
+            (false, true) => Err(gl::INVALID_OPERATION),
+            // Depth and stencil come together alone (EXT_packed_depth_stencil).
+            (false, false) => Err(gl::INVALID_ENUM),
         }
-        let is_packed = matches!(elements, Elements::Packed { .. });
-        if components == Components::DepthStencil && !is_packed {
-            // Depth and stencil come in one word alone (EXT_packed_depth_stencil).
-            return Err(gl::INVALID_ENUM);
-        }
-        Ok(Self { components, elements })
     }
 
     /// Bytes of one pixel.
@@ -181,6 +189,12 @@ impl PixelFormat {
         if let Elements::Packed { bits, reversed, .. } = self.elements {
             let word = packed(values, bits, reversed);
             put(out, &word.to_ne_bytes()[native_part(width)]);
+            return;
+        }
+        if self.elements == Elements::FloatAndByte {
+            let (depth, stencil) = out.split_at_mut(width.min(out.len()));
+            put(depth, &values[0].to_ne_bytes());
+            put(stencil, &packed(&values[1..2], &[8], true).to_ne_bytes());
             return;
         }
         for (value, out) in values.iter().zip(out.chunks_exact_mut(width)) {

@@ -129,6 +129,10 @@ impl PixelFormat {
                 *value = (f64::from(word >> shift & steps) / f64::from(steps)) as f32;
                 low += bits;
             }
+        } else if self.elements == Elements::FloatAndByte {
+            let mut words = pixel.chunks_exact(4).map(|bytes| word(bytes, 4, swap));
+            values[0] = f32::from_bits(words.next().unwrap_or(0));
+            values[1] = convert::ubyte(words.next().unwrap_or(0) as u8);
         } else {
             let width = self.elements.bytes();
             for (value, bytes) in values.iter_mut().zip(pixel.chunks_exact(width)) {

@@ -51,7 +51,7 @@ impl Framebuffer {
                         self.set_color(at, sample, color);
                     }
                     if mask & gl::DEPTH_BUFFER_BIT != 0 {
-                        self.set_depth(at, sample, from.sample_depth(nearest, own));
+                        self.set_depth(at, sample, from.kept_depth(nearest, own));
                     }
                     if mask & gl::STENCIL_BUFFER_BIT != 0 {
                         self.set_stencil(at, sample, from.sample_stencil(nearest, own));

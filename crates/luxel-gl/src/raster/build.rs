@@ -13,6 +13,11 @@ use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
 /// Primitives that one thread makes pieces of at a time.
 pub(crate) const PIECES_RUN: usize = 2048;
 
+/// The largest depth of some places.
+fn deepest(places: &[WindowVertex]) -> f32 {
+    places.iter().fold(0.0, |most, place| most.max(place.z))
+}
+
 /// Makes pieces of the primitives of a batch that it is shown.
 pub(crate) struct PieceBuilder<'a> {
     state: &'a DrawState,
@@ -51,7 +56,7 @@ impl<'a> PieceBuilder<'a> {
     fn planes(&self, any: u16, vertices: &[u32], guarded: bool) -> Vec<Plane> {
         let mut planes = Vec::new();
         if any & codes::NEAR != 0 {
-            planes.push(Plane::Volume([0.0, 0.0, 1.0, 1.0]));
+            planes.push(Plane::Volume(self.state.scale.near_plane()));
         }
         if any & codes::FAR != 0 {
             planes.push(Plane::Volume([0.0, 0.0, -1.0, 1.0]));
@@ -69,7 +74,7 @@ impl<'a> PieceBuilder<'a> {
         if any & codes::SIDES != 0 && (!guarded || any & codes::NOT_HELD != 0) {
             for axis in 0..2 {
                 // One pixel of the band stays for rounding.
-                let half = f64::from(self.state.scale.half[axis]).max(1.0);
+                let half = f64::from(self.state.scale.half[axis]).abs().max(1.0);
                 let reach = if guarded { f64::from(GUARD_BAND - SUBPIXELS) / half } else { 1.0 };
                 for sign in [1.0, -1.0] {
                     let mut plane = [0.0, 0.0, 0.0, reach];
@@ -136,7 +141,7 @@ impl<'a> PieceBuilder<'a> {
         self.pieces.push(Piece {
             shape: Shape::Triangle(triangle),
             shade: Shade::Triangle { corners, flat, side },
-            offset: depth_offset(offset),
+            offset: depth_offset(offset, self.state.scale.kind, deepest(&window)),
         });
     }
 
@@ -181,7 +186,7 @@ impl<'a> PieceBuilder<'a> {
                 counter: self.counter,
             },
             shade: Shade::Ends { vertices: ends, flat, side },
-            offset: depth_offset(offset),
+            offset: depth_offset(offset, self.state.scale.kind, deepest(&[from, to])),
         });
         self.counter = self.counter.wrapping_add(walk.count as u32);
     }
@@ -209,7 +214,7 @@ impl<'a> PieceBuilder<'a> {
         self.pieces.push(Piece {
             shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z },
             shade: Shade::Ends { vertices: [vertex; 2], flat, side: color_side },
-            offset: depth_offset(offset),
+            offset: depth_offset(offset, self.state.scale.kind, place.z),
         });
     }
 

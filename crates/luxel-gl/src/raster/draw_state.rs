@@ -9,7 +9,7 @@ use crate::vertex::WindowScale;
 pub(crate) struct DrawState {
     pub(super) flat: bool,
     pub(super) two_side: bool,
-    /// Whether front faces run counter-clockwise in the window.
+    /// Whether front faces run counter-clockwise in the window, as [`WindowScale`] has it.
     pub(super) front_is_counter_clockwise: bool,
     /// Which sides are left out: front, back.
     pub(super) culled: [bool; 2],
@@ -42,7 +42,8 @@ impl DrawState {
         Self {
             flat: state.lights.shade_model == gl::FLAT,
             two_side: has(gl::LIGHTING) && state.lights.model.two_side,
-            front_is_counter_clockwise: polygons.front == gl::CCW,
+            front_is_counter_clockwise: (polygons.front == gl::CCW)
+                != state.transform.clip.upper_left,
             culled: [culls(gl::FRONT), culls(gl::BACK)],
             modes: polygons.modes,
             offsets: [

@@ -1,7 +1,8 @@
 //! What is drawn to: planes of colours, depths and stencil values.
 
+use crate::depth::{DepthKind, DepthPlane};
 use crate::enums as gl;
-use crate::plane::{Blocks, LARGEST_DEPTH, Plane, TILE_BLOCKS, unit_depth};
+use crate::plane::{Blocks, Plane, TILE_BLOCKS};
 use luxel_math::LANES;
 use luxel_visibility::{BLOCK, BLOCKS, TILE};
 
@@ -21,8 +22,7 @@ pub(crate) struct Framebuffer {
     pub(crate) size: [u32; 2],
     /// Red in the lowest byte, alpha in the highest.
     pub(crate) color: Option<Plane<u32>>,
-    /// Window depth times 2^24 - 1, whole numbers.
-    pub(crate) depth: Option<Plane<f32>>,
+    pub(crate) depth: Option<DepthPlane>,
     pub(crate) stencil: Option<Plane<u32>>,
     /// Whether something was drawn since it was made.
     pub(crate) changed: bool,
@@ -33,6 +33,7 @@ pub(crate) struct Framebuffer {
 pub(super) struct TilePlanes<'a> {
     pub(super) color: Option<&'a mut [Box<Blocks<u32>>]>,
     pub(super) depth: Option<&'a mut [Box<Blocks<f32>>]>,
+    pub(super) depth_kind: DepthKind,
     pub(super) stencil: Option<&'a mut [Box<Blocks<u32>>]>,
 }
 
@@ -41,6 +42,7 @@ pub(super) struct TilePlanes<'a> {
 pub(super) struct SamplePlanes<'a> {
     pub(super) color: &'a mut Blocks<u32>,
     pub(super) depth: &'a mut Blocks<f32>,
+    pub(super) depth_kind: DepthKind,
     pub(super) stencil: &'a mut Blocks<u32>,
 }
 
@@ -72,6 +74,7 @@ impl TilePlanes<'_> {
         SamplePlanes {
             color: self.color.as_mut().map_or(&mut missing.color, |of| &mut of[sample]),
             depth: self.depth.as_mut().map_or(&mut missing.depth, |of| &mut of[sample]),
+            depth_kind: self.depth_kind,
             stencil: self.stencil.as_mut().map_or(&mut missing.stencil, |of| &mut of[sample]),
         }
     }
@@ -83,7 +86,7 @@ impl Framebuffer {
         Some(Self {
             size,
             color: Some(Plane::new(size, 1, 0)?),
-            depth: Some(Plane::new(size, 1, LARGEST_DEPTH)?),
+            depth: Some(DepthPlane::new(DepthKind::Steps, size, 1, 1.0)?),
             stencil: Some(Plane::new(size, 1, 0)?),
             changed: false,
         })
@@ -91,7 +94,7 @@ impl Framebuffer {
 
     /// A copy of the planes of a mask, as `glClear` has them.
     pub(crate) fn planes_of(&self, mask: u32) -> Self {
-        fn copied<T: Copy>(plane: &Option<Plane<T>>, wanted: bool) -> Option<Plane<T>> {
+        fn copied<P: Clone>(plane: &Option<P>, wanted: bool) -> Option<P> {
             if wanted { plane.clone() } else { None }
         }
         Self {
@@ -110,7 +113,7 @@ impl Framebuffer {
     /// Samples of a pixel.
     pub(crate) fn samples(&self) -> usize {
         let color = self.color.as_ref().map(Plane::samples);
-        let depth = || self.depth.as_ref().map(Plane::samples);
+        let depth = || self.depth.as_ref().map(|plane| plane.values.samples());
         let stencil = || self.stencil.as_ref().map(Plane::samples);
         color.or_else(depth).or_else(stencil).unwrap_or(1)
     }
@@ -119,7 +122,7 @@ impl Framebuffer {
     pub(super) fn is_exact(&self) -> bool {
         let fits = |size: Option<[u32; 2]>| size.is_none_or(|size| size == self.size);
         fits(self.color.as_ref().map(Plane::size))
-            && fits(self.depth.as_ref().map(Plane::size))
+            && fits(self.depth.as_ref().map(|plane| plane.values.size()))
             && fits(self.stencil.as_ref().map(Plane::size))
     }
 
@@ -131,13 +134,15 @@ impl Framebuffer {
     /// All tiles, row by row.
     pub(super) fn tiles_mut(&mut self) -> Vec<TilePlanes<'_>> {
         let sides = self.tiles_across_and_up();
+        let depth_kind = self.depth_kind();
         let mut color = self.color.as_mut().map(|plane| plane.tiles_mut(sides));
-        let mut depth = self.depth.as_mut().map(|plane| plane.tiles_mut(sides));
+        let mut depth = self.depth.as_mut().map(|plane| plane.values.tiles_mut(sides));
         let mut stencil = self.stencil.as_mut().map(|plane| plane.tiles_mut(sides));
         (0..sides[0] * sides[1])
             .map(|_| TilePlanes {
                 color: color.as_mut().and_then(Iterator::next),
                 depth: depth.as_mut().and_then(Iterator::next),
+                depth_kind,
                 stencil: stencil.as_mut().and_then(Iterator::next),
             })
             .collect()
@@ -150,9 +155,10 @@ impl Framebuffer {
         }
     }
 
-    pub(crate) fn set_depth(&mut self, at: [u32; 2], sample: usize, depth: u32) {
+    /// Changes a depth, as it is kept.
+    pub(super) fn set_depth(&mut self, at: [u32; 2], sample: usize, value: f32) {
         if let Some(plane) = &mut self.depth {
-            plane.set(at, sample, depth as f32);
+            plane.values.set(at, sample, value);
         }
     }
 
@@ -196,18 +202,19 @@ impl Framebuffer {
         }
     }
 
-    /// A pixel's depth, of 24 bits, at its first sample.
-    pub(crate) fn depth(&self, at: [u32; 2]) -> u32 {
-        self.sample_depth(at, 0)
+    /// How depths are kept.
+    pub(crate) fn depth_kind(&self) -> DepthKind {
+        self.depth.as_ref().map_or(DepthKind::default(), |plane| plane.kind)
     }
 
-    pub(crate) fn sample_depth(&self, at: [u32; 2], sample: usize) -> u32 {
-        self.depth.as_ref().and_then(|plane| plane.get(at, sample)).unwrap_or(0.0) as u32
+    /// A depth as it is kept.
+    pub(crate) fn kept_depth(&self, at: [u32; 2], sample: usize) -> f32 {
+        self.depth.as_ref().and_then(|plane| plane.values.get(at, sample)).unwrap_or(0.0)
     }
 
-    /// A pixel's depth from 0 to 1.
+    /// A pixel's depth from 0 to 1 at its first sample.
     pub(crate) fn unit_depth(&self, at: [u32; 2]) -> f32 {
-        unit_depth(self.depth(at) as f32)
+        self.depth.as_ref().and_then(|plane| plane.unit(at, 0)).unwrap_or(0.0)
     }
 
     /// A pixel's stencil value at its first sample.

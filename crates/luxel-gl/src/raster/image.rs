@@ -2,7 +2,7 @@
 
 use super::framebuffer::{LANE_X, LANE_Y, block_origin};
 use super::piece_sink::PieceSink;
-use crate::plane::{LARGEST_DEPTH, TILE_BLOCKS};
+use crate::plane::TILE_BLOCKS;
 use luxel_math::{LANES, Simd};
 use luxel_visibility::{Sink, TILE, Tile};
 
@@ -105,8 +105,8 @@ pub(super) fn image<S: Simd>(sink: &mut PieceSink<'_, '_, S>, of: &PlacedImage, 
                         ImagePixels::Colors(_) => {}
                         ImagePixels::Depths(depths) => {
                             let depth = depths.get(number).copied().unwrap_or(0.0);
-                            let steps = f64::from(depth) * f64::from(LARGEST_DEPTH);
-                            sink.sample([column, row], [0; 2], steps as f32);
+                            let kept = sink.planes.depth_kind.kept(depth.into());
+                            sink.sample([column, row], [0; 2], kept);
                         }
                         ImagePixels::Stencil(values, mask) => {
                             let value = values.get(number).copied().unwrap_or(0);
@@ -117,8 +117,8 @@ pub(super) fn image<S: Simd>(sink: &mut PieceSink<'_, '_, S>, of: &PlacedImage, 
                             write_stencil(sink, [column, row], value, *mask);
                             if *writes_depth {
                                 let (block, lane) = Tile::place(column, row);
-                                let steps = f64::from(depth) * f64::from(LARGEST_DEPTH);
-                                sink.planes.depth[block][lane] = steps.round() as f32;
+                                let kept = sink.planes.depth_kind.kept(depth.into());
+                                sink.planes.depth[block][lane] = kept;
                             }
                         }
                     }

@@ -7,7 +7,6 @@ use super::shade::encode;
 use super::spare::Spare;
 use super::tile::{Entry, TileScratch, TileWorker};
 use crate::limits::LOG_BYTES;
-use crate::plane::LARGEST_DEPTH;
 use luxel_math::{Level, dispatch_long, f32x16, prelude::*};
 use luxel_visibility::TILE;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -20,7 +19,8 @@ pub(crate) struct Clear {
     pub(crate) color: [f32; 4],
     /// The bits of a colour that are written.
     pub(crate) color_mask: u32,
-    pub(crate) depth: Option<f64>,
+    /// As the plane keeps it.
+    pub(crate) depth: Option<f32>,
     pub(crate) stencil: Option<u8>,
     pub(crate) stencil_mask: u8,
 }
@@ -77,7 +77,7 @@ impl Log {
             region: clear.region,
             color,
             color_mask: clear.color_mask,
-            depth: clear.depth.map(|depth| (depth * f64::from(LARGEST_DEPTH)).round() as f32),
+            depth: clear.depth,
             stencil: u32::from(clear.stencil.unwrap_or(0)),
             stencil_mask: if has_stencil { u32::from(clear.stencil_mask) } else { 0 },
         }));

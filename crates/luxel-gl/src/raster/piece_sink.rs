@@ -8,8 +8,8 @@ use super::samples::covered_by_alpha;
 use super::shade::{Colors, Shading, decode, encode, shade};
 use super::shaded::ShadedBlocks;
 use super::tile::Seen;
-use crate::plane::{LARGEST_DEPTH, TILE_BLOCKS};
-use luxel_math::{LANES, Lanes, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
+use crate::plane::TILE_BLOCKS;
+use luxel_math::{LANES, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{Sink, Tile};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -60,7 +60,7 @@ impl<S: Simd> Sink for PieceSink<'_, '_, S> {
         }
         let mut passing = covered;
         if let Some((func, writes)) = self.pipeline.depth {
-            let z = quantized(z, self.offset);
+            let z = self.planes.depth_kind.moved(z, self.offset);
             let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
             passing = covered & compare(func, z, stored);
             if writes {
@@ -87,7 +87,7 @@ impl<S: Simd> Sink for PieceSink<'_, '_, S> {
             return;
         }
         if let Some((func, writes)) = self.pipeline.depth {
-            let z = quantized(z, self.offset);
+            let z = self.planes.depth_kind.moved(z, self.offset);
             let stored = &mut self.planes.depth[block][lane];
             if !compare(func, z, *stored) {
                 return;
@@ -100,16 +100,6 @@ impl<S: Simd> Sink for PieceSink<'_, '_, S> {
             self.seen[block][lane] = self.number;
         }
     }
-}
-
-/// A depth as the buffer has it, one of 2^24 steps, moved by an offset: whole offsets move by as many steps.
-#[inline(always)]
-fn quantized<N: Lanes>(z: N, offset: f32) -> N {
-    let z = z.clamped(0.0, LARGEST_DEPTH).round_ties_even();
-    if offset == 0.0 {
-        return z;
-    }
-    (z + z.constant(offset)).clamped(0.0, LARGEST_DEPTH).round_ties_even()
 }
 
 impl<S: Simd> PieceSink<'_, '_, S> {
@@ -172,7 +162,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         }
         let after_stencil = passing;
         if let Some((func, writes)) = self.pipeline.depth {
-            let z = quantized(f32x16::from_slice(simd, z), self.offset);
+            let z = self.planes.depth_kind.moved(f32x16::from_slice(simd, z), self.offset);
             let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
             let passes = compare(func, z, stored).to_bitmask() as u32;
             passing &= passes;

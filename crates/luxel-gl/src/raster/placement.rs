@@ -1,5 +1,6 @@
 //! Where clipped corners lie in the window, which way polygons turn, and what offsets do to depths.
 
+use crate::depth::DepthKind;
 use crate::primitive::{ClipCorner, plane_distances};
 use crate::vertex::{Processed, WindowScale, codes};
 use luxel_math::SUBPIXELS;
@@ -68,7 +69,7 @@ pub(crate) fn window_of(scale: &WindowScale, [x, y, z, w]: [f64; 4]) -> Option<W
         (about_centre + f64::from(scale.centre[axis])).round_ties_even() as i32
     };
     // Rounding must not carry a point past the planes that clip.
-    let unit = (z / w).clamp(-1.0, 1.0);
+    let unit = (z / w).clamp(f64::from(scale.nearest), 1.0);
     let depth = unit * f64::from(scale.depth[0]) + f64::from(scale.depth[1]);
     Some(WindowVertex { x: place(x, 0), y: place(y, 1), z: depth as f32 })
 }
@@ -79,9 +80,10 @@ pub(super) fn slope_of(triangle: &Triangle) -> f32 {
     plane.dz_dx.abs().max(plane.dz_dy.abs()) * SUBPIXELS as f32
 }
 
-/// `glPolygonOffset`: o = m factor + r units for factor, units and slope m, with r = 2^-24, one step of depth (section
-/// 3.5.5).
-pub(super) fn depth_offset(of: Option<[f32; 3]>) -> f32 {
-    let by = of.map_or(0.0, |[factor, units, slope]| factor * slope + units);
+/// `glPolygonOffset`: o = m factor + r units for factor, units and slope m, where r is the resolution of depths beside the
+/// largest one (section 3.5.5).
+pub(super) fn depth_offset(of: Option<[f32; 3]>, depths: DepthKind, largest: f32) -> f32 {
+    let resolution = |units: f32| units * depths.resolution(largest);
+    let by = of.map_or(0.0, |[factor, units, slope]| factor * slope + resolution(units));
     if by.is_finite() { by } else { 0.0 }
 }

@@ -54,6 +54,8 @@ pub(crate) struct Arrays {
     pub(crate) edge_flag: VertexArray,
     pub(crate) fog_coord: VertexArray,
     pub(crate) tex_coords: [VertexArray; TEXTURE_UNITS],
+    /// The unit that `glClientActiveTexture` has chosen.
+    pub(crate) unit: usize,
     /// What is bound to `GL_ARRAY_BUFFER` and `GL_ELEMENT_ARRAY_BUFFER`.
     pub(crate) array_buffer: u32,
     pub(crate) element_buffer: u32,
@@ -70,6 +72,7 @@ impl Default for Arrays {
             edge_flag: VertexArray::new(1, gl::UNSIGNED_BYTE),
             fog_coord: VertexArray::new(1, gl::FLOAT),
             tex_coords: [VertexArray::new(4, gl::FLOAT); TEXTURE_UNITS],
+            unit: 0,
             array_buffer: 0,
             element_buffer: 0,
         }
@@ -77,8 +80,8 @@ impl Default for Arrays {
 }
 
 impl Arrays {
-    /// The array with a name; of texture coordinates that of a unit.
-    pub(crate) fn named(&self, name: u32, unit: usize) -> Option<&VertexArray> {
+    /// The array with a name; of texture coordinates that of the chosen unit.
+    pub(crate) fn named(&self, name: u32) -> Option<&VertexArray> {
         Some(match name {
             gl::VERTEX_ARRAY => &self.vertex,
             gl::NORMAL_ARRAY => &self.normal,
@@ -87,13 +90,13 @@ impl Arrays {
             gl::INDEX_ARRAY => &self.index,
             gl::EDGE_FLAG_ARRAY => &self.edge_flag,
             gl::FOG_COORD_ARRAY => &self.fog_coord,
-            gl::TEXTURE_COORD_ARRAY => &self.tex_coords[unit],
+            gl::TEXTURE_COORD_ARRAY => &self.tex_coords[self.unit],
             _ => return None,
         })
     }
 
     /// The same, to be changed.
-    pub(crate) fn named_mut(&mut self, name: u32, unit: usize) -> Option<&mut VertexArray> {
+    pub(crate) fn named_mut(&mut self, name: u32) -> Option<&mut VertexArray> {
         Some(match name {
             gl::VERTEX_ARRAY => &mut self.vertex,
             gl::NORMAL_ARRAY => &mut self.normal,
@@ -102,7 +105,7 @@ impl Arrays {
             gl::INDEX_ARRAY => &mut self.index,
             gl::EDGE_FLAG_ARRAY => &mut self.edge_flag,
             gl::FOG_COORD_ARRAY => &mut self.fog_coord,
-            gl::TEXTURE_COORD_ARRAY => &mut self.tex_coords[unit],
+            gl::TEXTURE_COORD_ARRAY => &mut self.tex_coords[self.unit],
             _ => return None,
         })
     }

@@ -9,6 +9,7 @@ use super::material::{ColorMaterial, SurfaceMaterial};
 use super::pixel::PixelMode;
 use super::polygon::{Lines, Points, Polygons};
 use super::texture_unit::TextureState;
+use super::window::{ClipControl, Viewport, WindowTransform};
 use crate::enums as gl;
 use crate::limits::CLIP_PLANES;
 
@@ -48,14 +49,7 @@ pub(crate) struct Transform {
     pub(crate) matrix_mode: u32,
     /// The user's planes in eye coordinates.
     pub(crate) planes: [[f64; 4]; CLIP_PLANES],
-}
-
-/// The viewport and the range of depths (section 2.10.1).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Viewport {
-    pub(crate) area: PixelBox,
-    pub(crate) near: f64,
-    pub(crate) far: f64,
+    pub(crate) clip: ClipControl,
 }
 
 /// `glReadBuffer`
@@ -85,13 +79,8 @@ impl Hints {
 
 impl Default for Transform {
     fn default() -> Self {
-        Self { matrix_mode: gl::MODELVIEW, planes: [[0.0; 4]; CLIP_PLANES] }
-    }
-}
-
-impl Default for Viewport {
-    fn default() -> Self {
-        Self { area: PixelBox::default(), near: 0.0, far: 1.0 }
+        let planes = [[0.0; 4]; CLIP_PLANES];
+        Self { matrix_mode: gl::MODELVIEW, planes, clip: ClipControl::default() }
     }
 }
 
@@ -114,6 +103,11 @@ impl Default for Hints {
 }
 
 impl Attributes {
+    /// From clip coordinates to the window.
+    pub(crate) fn window_transform(&self) -> WindowTransform {
+        WindowTransform { viewport: self.viewport, clip: self.transform.clip }
+    }
+
     /// Takes over from `saved` the groups of a mask (table 6.4 and the tables of its section).
     pub(crate) fn restore(&mut self, saved: &Self, mask: u32) {
         let has = |group: u32| mask & group != 0;

@@ -14,5 +14,6 @@ pub(crate) mod polygon;
 pub(crate) mod texgen;
 pub(crate) mod texture_unit;
 pub(crate) mod transfer;
+pub(crate) mod window;
 
 pub(crate) use attributes::Attributes;

@@ -1,7 +1,8 @@
 //! One image of a texture: a level of it, or a level of a face.
 
 use super::internal_format::{InternalFormat, Storage};
-use crate::plane::{Plane, depth_steps, unit_depth};
+use crate::depth::DepthPlane;
+use crate::plane::Plane;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -12,7 +13,7 @@ pub(crate) enum Texels {
     Bytes(Vec<[u8; 4]>),
     Words(Vec<[u16; 4]>),
     /// In whole steps; nothing while it is drawn to.
-    Depth(Option<Plane<f32>>),
+    Depth(Option<DepthPlane>),
 }
 
 /// What the images of a group of contexts take, in bytes.
@@ -93,7 +94,12 @@ impl TextureImage {
         let texels = match format.storage {
             Storage::Bytes => Texels::Bytes(filled(count, format.canonical([0; 4], 0, 255))?),
             Storage::Words => Texels::Words(filled(count, format.canonical([0; 4], 0, u16::MAX))?),
-            Storage::Depth(_) => Texels::Depth(Some(Plane::new([size[0], size[1]], 1, 0.0)?)),
+            Storage::Depth(_) => Texels::Depth(Some(DepthPlane::new(
+                format.depth_kind(),
+                [size[0], size[1]],
+                1,
+                0.0,
+            )?)),
         };
         let stencil =
             if format.stencil { Some(Plane::new([size[0], size[1]], 1, 0)?) } else { None };
@@ -153,7 +159,7 @@ impl TextureImage {
                         }
                         _ => color[0],
                     };
-                    depths.set(at, 0, depth_steps(depth));
+                    depths.set_unit(at, 0, depth);
                 }
             }
         }
@@ -176,7 +182,7 @@ impl TextureImage {
     #[inline]
     pub(crate) fn depth(&self, at: [u32; 2]) -> f32 {
         match &self.texels {
-            Texels::Depth(Some(depths)) => depths.get(at, 0).map_or(0.0, unit_depth),
+            Texels::Depth(Some(depths)) => depths.unit(at, 0).unwrap_or(0.0),
             _ => 0.0,
         }
     }

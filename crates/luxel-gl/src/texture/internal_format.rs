@@ -1,5 +1,6 @@
 //! Internal formats of textures (OpenGL 1.5, section 3.8.1, tables 3.15 and 3.16).
 
+use crate::depth::DepthKind;
 use crate::enums as gl;
 
 /// Which components a texel has.
@@ -21,7 +22,7 @@ pub(crate) enum Storage {
     Bytes,
     /// 16 bits.
     Words,
-    /// Depth: floats, of which so many bits count.
+    /// Depth: 16 or 24 bits, or floats of 32.
     Depth(u32),
 }
 
@@ -45,6 +46,7 @@ impl InternalFormat {
         let bytes = |base| of(base, Storage::Bytes);
         let words = |base| of(base, Storage::Words);
         let depth = |bits| of(Depth, Storage::Depth(bits));
+        let with_stencil = |bits| depth(bits).map(|of| Self { stencil: true, ..of });
         let srgb = |base| Some(Self { base, storage: Storage::Bytes, srgb: true, stencil: false });
         match name {
             1 | gl::LUMINANCE | gl::LUMINANCE4 | gl::LUMINANCE8 | gl::COMPRESSED_LUMINANCE => {
@@ -81,9 +83,8 @@ impl InternalFormat {
             gl::DEPTH_COMPONENT | gl::DEPTH_COMPONENT24 | gl::DEPTH_COMPONENT32 => depth(24),
             gl::DEPTH_COMPONENT16 => depth(16),
             gl::DEPTH_COMPONENT32F => depth(32),
-            gl::DEPTH_STENCIL | gl::DEPTH24_STENCIL8 => {
-                Some(Self { base: Depth, storage: Storage::Depth(24), srgb: false, stencil: true })
-            }
+            gl::DEPTH_STENCIL | gl::DEPTH24_STENCIL8 => with_stencil(24),
+            gl::DEPTH32F_STENCIL8 => with_stencil(32),
             gl::SRGB | gl::SRGB8 | gl::COMPRESSED_SRGB => srgb(Rgb),
             gl::SRGB_ALPHA | gl::SRGB8_ALPHA8 | gl::COMPRESSED_SRGB_ALPHA => srgb(Rgba),
             gl::SLUMINANCE | gl::SLUMINANCE8 | gl::COMPRESSED_SLUMINANCE => srgb(Luminance),
@@ -104,6 +105,14 @@ impl InternalFormat {
             BaseFormat::Intensity | BaseFormat::Depth => [r; 4],
             BaseFormat::Rgb => [r, g, b, one],
             BaseFormat::Rgba => [r, g, b, a],
+        }
+    }
+
+    /// How depths are kept.
+    pub(crate) fn depth_kind(self) -> DepthKind {
+        match self.storage {
+            Storage::Depth(32) => DepthKind::Floats,
+            _ => DepthKind::Steps,
         }
     }
 

@@ -244,7 +244,7 @@ impl VertexProcessor {
     /// Writes where vertices lie in the window; which of them have a place there.
     #[inline(always)]
     fn window<N: Lanes>(&self, [x, y, z, w]: [N; 4], out: &mut [WindowVertex]) -> u32 {
-        let WindowScale { half, centre, depth } = self.scale;
+        let WindowScale { half, centre, depth, .. } = self.scale;
         let mut held = w.zero().less(w);
         let (across, within) = held_at(x, w, half[0], centre[0]);
         held = held & within;
@@ -269,7 +269,7 @@ impl VertexProcessor {
         spread(w.less(x).bits(), 1, &mut all);
         spread(y.less(-w).bits(), 2, &mut all);
         spread(w.less(y).bits(), 3, &mut all);
-        spread(z.less(-w).bits(), 4, &mut all);
+        spread(z.less(w * w.constant(self.scale.nearest)).bits(), 4, &mut all);
         spread(w.less(z).bits(), 5, &mut all);
         let not_finite = !(finite(x) & finite(y) & finite(z) & finite(w)).bits();
         spread(not_finite, codes::NOT_FINITE.trailing_zeros(), &mut all);

@@ -1,8 +1,9 @@
 //! What becomes of vertices: places in clip and window coordinates, colours.
 
+use crate::depth::DepthKind;
 use crate::limits::TEXTURE_UNITS;
-use crate::state::attributes::Viewport;
 use crate::state::current::RasterPosition;
+use crate::state::window::WindowTransform;
 use luxel_visibility::WindowVertex;
 
 /// Bits of clip codes: a vertex lies beyond a plane of the clip volume.
@@ -26,24 +27,43 @@ pub(crate) mod codes {
 /// From clip coordinates to the window, in steps of 1/256 pixel and of 2^-24 of depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct WindowScale {
-    /// Half the viewport's sides.
+    /// Half the viewport's sides; that along y is negative where y runs downwards.
     pub(crate) half: [f32; 2],
     /// The viewport's middle.
     pub(crate) centre: [f32; 2],
-    /// Half the range of depths, and its middle.
+    /// What z / w is multiplied by, and what then is added, for the depth as a plane keeps it.
     pub(crate) depth: [f32; 2],
+    /// z / w of the near plane.
+    pub(crate) nearest: f32,
+    pub(crate) kind: DepthKind,
 }
 
 impl WindowScale {
-    pub(crate) fn new(viewport: &Viewport, largest_depth: f32) -> Self {
+    pub(crate) fn new(window: &WindowTransform, depths: DepthKind) -> Self {
         let steps = luxel_math::SUBPIXELS as f32;
+        let WindowTransform { viewport, clip } = window;
         let area = viewport.area;
         let half = [area.width, area.height].map(|side| side as f32 * 0.5 * steps);
         let centre = [area.x as f32 * steps + half[0], area.y as f32 * steps + half[1]];
         let (near, far) = (viewport.near, viewport.far);
-        let largest = f64::from(largest_depth);
-        let depth = [(far - near) * 0.5 * largest, (far + near) * 0.5 * largest];
-        Self { half, centre, depth: depth.map(|value| value as f32) }
+        let largest = f64::from(depths.largest());
+        let depth = if clip.zero_to_one {
+            [(far - near) * largest, near * largest]
+        } else {
+            [(far - near) * 0.5 * largest, (far + near) * 0.5 * largest]
+        };
+        Self {
+            half: [half[0], half[1] * clip.up() as f32],
+            centre,
+            depth: depth.map(|value| value as f32),
+            nearest: clip.nearest() as f32,
+            kind: depths,
+        }
+    }
+
+    /// The near plane in clip coordinates.
+    pub(crate) fn near_plane(&self) -> [f64; 4] {
+        [0.0, 0.0, 1.0, -f64::from(self.nearest)]
     }
 }
 

@@ -232,3 +232,19 @@ fn section_2_8_huge_counts_are_out_of_memory() {
     context.buffer_data(ARRAY_BUFFER, isize::MAX, None, STATIC_DRAW);
     assert_eq!(context.get_error(), 0x0505);
 }
+
+#[test]
+fn table_6_7_the_client_stack_restores_arrays_with_the_active_unit() {
+    const CLIENT_VERTEX_ARRAY_BIT: u32 = 2;
+    const CLIENT_ACTIVE_TEXTURE: u32 = 0x84e1;
+    const TEXTURE_COORD_ARRAY: u32 = 0x8078;
+    let mut context = canvas(16, 16);
+    context.client_active_texture(0x84c1);
+    context.push_client_attrib(CLIENT_VERTEX_ARRAY_BIT);
+    context.client_active_texture(0x84c2);
+    context.enable_client_state(TEXTURE_COORD_ARRAY);
+    context.pop_client_attrib();
+    assert_eq!(context.get(CLIENT_ACTIVE_TEXTURE).unwrap().to_i32(0), 0x84c1);
+    context.client_active_texture(0x84c2);
+    assert_eq!(context.get(TEXTURE_COORD_ARRAY).unwrap().to_i32(0), 0);
+}

@@ -200,14 +200,11 @@ proptest! {
 
     #[test]
     fn section_2_13_1_the_back_is_lit_with_the_turned_normal_and_its_own_material(setup in setup()) {
-        let front = drawn(&setup);
-        let mut turned = setup.clone();
-        turned.normal = setup.normal.map(|component| -component);
+        let turned = setup.normal.map(|component| -component);
         prop_assume!(!on_an_edge(&setup));
         // A clockwise triangle over everything, with constant attributes at the place of the point.
         let mut context = Context::new(Configuration::default());
         context.resize_default(1, 1);
-        let _ = front;
         context.light_model(0x0B52, &[1.0]);
         context.enable(gl::LIGHTING);
         context.enable(gl::LIGHT0);
@@ -224,7 +221,7 @@ proptest! {
         }
         context.end();
         let l = unit([f64::from(x), f64::from(y), f64::from(z)]);
-        let cosine = dot(turned.normal, l).max(0.0);
+        let cosine = dot(turned, l).max(0.0);
         let [r, g, b, _] = pixels(&mut context)[0];
         prop_assert_eq!([r, b], [0, 0]);
         prop_assert!((f64::from(g) - cosine * 255.0).abs() < 0.52, "{} instead of {}", g, cosine * 255.0);

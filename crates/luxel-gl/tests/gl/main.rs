@@ -9,6 +9,7 @@ mod any_textures;
 mod arrays;
 mod attached_images;
 mod canvas;
+mod clip_control;
 mod coverage;
 mod depth;
 mod display_lists;

@@ -110,6 +110,22 @@ static void contexts(EGLDisplay display)
     CHECK(pixel[0] == 255);
     CHECK(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
     CHECK(!eglMakeCurrent(display, surface, surface, context));
+
+    /* Without its surface, a context has no framebuffer of its own. */
+    context = eglCreateContext(display, config, NULL, NULL);
+    CHECK(eglMakeCurrent(display, surface, surface, context));
+    CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    CHECK(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context));
+    CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_UNDEFINED);
+    glClear(GL_COLOR_BUFFER_BIT);
+    CHECK(glGetError() == GL_INVALID_FRAMEBUFFER_OPERATION);
+    glReadPixels(2, 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    CHECK(glGetError() == GL_INVALID_FRAMEBUFFER_OPERATION);
+    CHECK(eglMakeCurrent(display, surface, surface, context));
+    glClear(GL_COLOR_BUFFER_BIT);
+    CHECK(glGetError() == GL_NO_ERROR);
+    CHECK(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
+    CHECK(eglDestroyContext(display, context));
     CHECK(eglDestroySurface(display, surface));
 
     /* Without a configuration and a surface, and sharing lists. */

@@ -1,0 +1,137 @@
+//! Depths as planes keep them: whole steps of 24 bits, or floats (ARB_depth_buffer_float).
+
+use crate::plane::Plane;
+use luxel_math::Lanes;
+
+/// The largest depth in steps of 24 bits.
+const LARGEST_STEP: f32 = 16_777_215.0;
+
+/// How a plane keeps depths from 0 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum DepthKind {
+    /// Whole numbers, times 2^24 - 1.
+    #[default]
+    Steps,
+    /// As they are.
+    Floats,
+}
+
+impl DepthKind {
+    /// What the depth 1 is kept as.
+    #[inline(always)]
+    pub(crate) fn largest(self) -> f32 {
+        match self {
+            Self::Steps => LARGEST_STEP,
+            Self::Floats => 1.0,
+        }
+    }
+
+    /// Bits of a depth.
+    pub(crate) fn bits(self) -> usize {
+        match self {
+            Self::Steps => 24,
+            Self::Floats => 32,
+        }
+    }
+
+    /// A depth as it is kept, moved by an offset: whole offsets move by as many steps.
+    #[inline(always)]
+    pub(crate) fn moved<N: Lanes>(self, z: N, offset: f32) -> N {
+        let kept = self.limited(z);
+        if offset == 0.0 { kept } else { self.limited(kept + z.constant(offset)) }
+    }
+
+    #[inline(always)]
+    fn limited<N: Lanes>(self, z: N) -> N {
+        let within = z.clamped(0.0, self.largest());
+        match self {
+            Self::Steps => within.round_ties_even(),
+            Self::Floats => within,
+        }
+    }
+
+    /// A depth from 0 to 1 as it is kept.
+    pub(crate) fn kept(self, unit: f64) -> f32 {
+        match self {
+            Self::Steps => (unit * f64::from(LARGEST_STEP)).round_ties_even() as f32,
+            Self::Floats => unit as f32,
+        }
+    }
+
+    /// The depth from 0 to 1 that is kept as `value`.
+    #[inline]
+    pub(crate) fn unit(self, value: f32) -> f32 {
+        match self {
+            Self::Steps => (f64::from(value) / f64::from(LARGEST_STEP)) as f32,
+            Self::Floats => value,
+        }
+    }
+
+    /// The smallest difference that surely tells two depths apart, r of section 3.5.5, beside a depth: 2^(e - 23) for
+    /// floats with the exponent e.
+    pub(crate) fn resolution(self, beside: f32) -> f32 {
+        match self {
+            Self::Steps => 1.0,
+            Self::Floats => {
+                let exponent = beside.abs().clamp(f32::MIN_POSITIVE, 1.0).to_bits() >> 23;
+                f32::from_bits(exponent << 23) * f32::EPSILON
+            }
+        }
+    }
+}
+
+/// Depths of all pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct DepthPlane {
+    pub(crate) kind: DepthKind,
+    /// As they are kept.
+    pub(crate) values: Plane<f32>,
+}
+
+impl DepthPlane {
+    /// The same depth from 0 to 1 everywhere; `None` if there is no memory for it.
+    pub(crate) fn new(kind: DepthKind, size: [u32; 2], samples: usize, unit: f64) -> Option<Self> {
+        Some(Self { kind, values: Plane::new(size, samples, kind.kept(unit))? })
+    }
+
+    /// A depth from 0 to 1; `None` outside.
+    #[inline]
+    pub(crate) fn unit(&self, at: [u32; 2], sample: usize) -> Option<f32> {
+        self.values.get(at, sample).map(|value| self.kind.unit(value))
+    }
+
+    /// Changes a depth, from 0 to 1.
+    pub(crate) fn set_unit(&mut self, at: [u32; 2], sample: usize, unit: f32) {
+        self.values.set(at, sample, self.kind.kept(unit.into()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn depths_are_found_again_as_exactly_as_their_kind_keeps_them() {
+        for unit in [0.0, 0.1, 0.5, 0.9, 1.0] {
+            let kept = DepthKind::Steps.unit(DepthKind::Steps.kept(unit));
+            assert!((f64::from(kept) - unit).abs() <= 0.5 / 16_777_215.0 + 3e-8);
+        }
+        for unit in [0.0_f32, 1e-30, 0.1, 1.0] {
+            assert_eq!(DepthKind::Floats.unit(DepthKind::Floats.kept(unit.into())), unit);
+        }
+        assert_eq!(DepthKind::Steps.moved(0.4_f32, 3.0), 3.0);
+        assert_eq!(DepthKind::Steps.moved(16_777_214.0_f32, 3.0), 16_777_215.0);
+        assert_eq!(DepthKind::Floats.moved(0.25_f32, 0.5), 0.75);
+        assert_eq!(DepthKind::Floats.moved(0.75_f32, 0.5), 1.0);
+    }
+
+    #[test]
+    fn section_3_5_5_the_resolution_of_floats_is_one_unit_in_the_last_place() {
+        for depth in [1.0_f32, 0.75, 0.5, 0.3, 1e-6] {
+            let next = f32::from_bits(depth.to_bits() + 1);
+            assert_eq!(DepthKind::Floats.resolution(depth), next - depth);
+        }
+        assert_eq!(DepthKind::Steps.resolution(0.5), 1.0);
+        assert!(DepthKind::Floats.resolution(0.0) > 0.0);
+    }
+}
