@@ -3,9 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
 mod accumulation;
-mod any_commands;
-mod any_images;
-mod any_textures;
+mod any;
 mod arrays;
 mod attached_images;
 mod canvas;

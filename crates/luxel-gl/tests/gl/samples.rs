@@ -1,8 +1,7 @@
 //! Several samples a pixel (sections 3.2.1 and 4.1.3, EXT_framebuffer_multisample).
 
-use crate::any_commands::{Numbers, command};
 use crate::canvas::{canvas, draw, gl};
-use luxel_gl::{Context, SimdLevel};
+use luxel_gl::Context;
 
 const FRAMEBUFFER: u32 = 0x8d40;
 const READ_FRAMEBUFFER: u32 = 0x8ca8;
@@ -158,44 +157,4 @@ fn framebuffers_of_several_samples_refuse_what_the_extension_says() {
     assert_eq!(context.get_error(), gl::INVALID_VALUE);
     context.renderbuffer_storage(RENDERBUFFER, 0, DEPTH_COMPONENT24, SIDE, SIDE);
     assert_eq!(context.check_framebuffer_status(FRAMEBUFFER), INCOMPLETE_MULTISAMPLE);
-}
-
-/// What a stream of commands leaves in the samples.
-fn outcome(seed: u64, level: SimdLevel) -> Vec<u8> {
-    let mut numbers = Numbers(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
-    let (mut context, name) = space();
-    context.set_simd_level(level).unwrap();
-    context.viewport(0, 0, SIDE, SIDE);
-    for _ in 0..400 {
-        match numbers.below(12) {
-            0 => context.sample_coverage(numbers.place(), numbers.below(2) == 0),
-            1 => context.enable(0x809d + numbers.below(4)),
-            2 => context.disable(0x809d + numbers.below(4)),
-            _ => command(&mut context, &mut numbers),
-        }
-    }
-    context.end_list();
-    context.end();
-    context.render_mode(gl::RENDER);
-    context.disable(gl::SCISSOR_TEST);
-    context.get_error();
-    resolved(&mut context, name)
-}
-
-#[test]
-fn any_commands_give_the_same_samples_at_every_level_and_for_any_number_of_threads() {
-    let several = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    let mut drawn = 0;
-    for seed in 1..80 {
-        let expected = single.install(|| outcome(seed, SimdLevel::Auto));
-        drawn += usize::from(expected.iter().any(|byte| !matches!(byte, 0 | 255)));
-        assert!(several.install(|| outcome(seed, SimdLevel::Auto)) == expected, "seed {seed}");
-        if seed < 8 {
-            for level in SimdLevel::available() {
-                assert!(outcome(seed, level) == expected, "seed {seed}, {level:?}");
-            }
-        }
-    }
-    assert!(drawn > 40, "{drawn} of 79 draw something");
 }

@@ -1,8 +1,7 @@
-//! Streams of any commands with textures among them: nothing panics, and neither threads nor SIMD levels change a byte.
+//! Textures, their environments and generated coordinates.
 
-use crate::any_commands::{Numbers, command};
-use crate::canvas::pixels;
-use luxel_gl::{Configuration, Context, SimdLevel, lengths};
+use super::Numbers;
+use luxel_gl::{Context, lengths};
 
 const TARGETS: &[u32] = &[0x0DE0, 0x0DE1, 0x0DE1, 0x0DE1, 0x806F, 0x8513];
 const FORMATS: &[u32] = &[
@@ -39,7 +38,7 @@ fn image_target(n: &mut Numbers) -> (u32, u32) {
 }
 
 /// One command on textures with its arguments.
-fn texture_command(context: &mut Context, n: &mut Numbers) {
+pub(super) fn command(context: &mut Context, n: &mut Numbers, _: &mut Vec<u64>) {
     match n.below(24) {
         0..=5 => {
             let (dimensions, target) = image_target(n);
@@ -136,78 +135,11 @@ fn texture_command(context: &mut Context, n: &mut Numbers) {
     }
 }
 
-/// All pixels and errors that a stream of commands leaves.
-fn outcome(seed: u64, commands: u32, level: SimdLevel) -> (Vec<[u8; 4]>, Vec<u32>) {
-    let mut numbers = Numbers(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
-    let mut context = Context::new(Configuration::default());
-    context.set_simd_level(level).unwrap();
-    context.resize_default(150, 70);
+/// What can be seen from the first command on.
+pub(super) fn prepare(context: &mut Context) {
     for unit in 0..2 {
         context.active_texture(0x84C0 + unit);
         context.enable(0x0DE1);
         context.tex_parameter(0x0DE1, 0x8191, &[1.0]);
     }
-    let mut errors = Vec::new();
-    for number in 0..commands {
-        if numbers.below(3) == 0 {
-            texture_command(&mut context, &mut numbers);
-        } else {
-            command(&mut context, &mut numbers);
-        }
-        errors.push(context.get_error());
-        if number % 100 == 99 {
-            cover(&mut context, number / 100);
-        }
-    }
-    (pixels(&mut context), errors)
-}
-
-/// Draws a strip of the window with whatever textures are set, so that something is seen of them.
-fn cover(context: &mut Context, strip: u32) {
-    context.end_list();
-    context.end();
-    context.render_mode(0x1C00);
-    for matrix in [0x1701, 0x1700] {
-        context.matrix_mode(matrix);
-        context.load_identity();
-    }
-    // Clip planes, scissor, stencil, depth, alpha, culling, stipple, logical operation, fog.
-    for capability in [0x0C11, 0x0B90, 0x0B71, 0x0BC0, 0x0B44, 0x0B42, 0x0BF2, 0x0B60] {
-        context.disable(capability);
-    }
-    for plane in 0..8 {
-        context.disable(0x3000 + plane);
-    }
-    context.viewport(strip as i32 * 10, 0, 10, 70);
-    context.color_mask(true, true, true, true);
-    context.polygon_mode(0x0408, 0x1B02);
-    context.begin(7);
-    for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.5, 1.5], [-1.5, 1.5]] {
-        for unit in 0..3 {
-            context.tex_coord(0x84C0 + unit, [x, y * 2.0, x + y, 1.0]);
-        }
-        context.color([0.9, 0.5 + x / 4.0, 0.5 + y / 4.0, 0.8]);
-        context.vertex([x, y, 0.0, if y > 1.0 { 1.5 } else { 1.0 }]);
-    }
-    context.end();
-    context.get_error();
-}
-
-#[test]
-fn any_textures_give_the_same_bytes_at_every_level_and_for_any_number_of_threads() {
-    let several = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    let mut colorful = 0;
-    for seed in 1..150 {
-        let expected = single.install(|| outcome(seed, 1500, SimdLevel::Auto));
-        let colors: std::collections::BTreeSet<_> = expected.0.iter().collect();
-        colorful += usize::from(colors.len() > 200);
-        assert!(several.install(|| outcome(seed, 1500, SimdLevel::Auto)) == expected, "{seed}");
-        if seed < 8 {
-            for level in SimdLevel::available() {
-                assert!(outcome(seed, 1500, level) == expected, "seed {seed}, {level:?}");
-            }
-        }
-    }
-    assert!(colorful > 30, "only {colorful} streams have drawn pictures of many colours");
 }

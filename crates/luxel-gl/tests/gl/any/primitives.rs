@@ -1,51 +1,8 @@
-//! Streams of any commands: nothing panics, and neither threads nor SIMD levels change a byte.
+//! Vertices and the state that decides how they are drawn, lists, modes.
 
-use crate::canvas::{gl, pixels};
-use luxel_gl::{Configuration, Context, SimdLevel, Words};
-
-/// Numbers that look random, the same each time (Marsaglia 2003).
-pub(crate) struct Numbers(pub(crate) u64);
-
-impl Numbers {
-    pub(crate) fn next(&mut self) -> u32 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 32) as u32
-    }
-
-    pub(crate) fn below(&mut self, limit: u32) -> u32 {
-        self.next() % limit
-    }
-
-    /// Mostly about the window, sometimes far away, rarely no number at all.
-    pub(crate) fn place(&mut self) -> f32 {
-        match self.below(40) {
-            0 => f32::NAN,
-            1 => f32::INFINITY,
-            2 => 1e30,
-            3..=5 => (self.below(2000) as f32 - 1000.0) * 3.0,
-            _ => self.below(1000) as f32 / 400.0 - 1.25,
-        }
-    }
-
-    pub(crate) fn unit(&mut self) -> f32 {
-        self.below(1300) as f32 / 1000.0 - 0.15
-    }
-
-    pub(crate) fn color(&mut self) -> [f32; 4] {
-        std::array::from_fn(|_| self.unit())
-    }
-
-    pub(crate) fn of(&mut self, names: &[u32]) -> u32 {
-        // Now and then a name that isn't one.
-        if self.below(50) == 0 {
-            self.next()
-        } else {
-            names[self.below(names.len() as u32) as usize]
-        }
-    }
-}
+use super::Numbers;
+use crate::canvas::gl;
+use luxel_gl::Context;
 
 const CAPABILITIES: &[u32] = &[
     gl::DEPTH_TEST,
@@ -79,7 +36,7 @@ const FACTORS: &[u32] =
     &[0, 1, 0x0300, 0x0301, 0x0302, 0x0303, 0x0304, 0x0305, 0x0306, 0x0307, 0x8001, 0x8004];
 
 /// One command with its arguments.
-pub(crate) fn command(context: &mut Context, n: &mut Numbers) {
+pub(super) fn command(context: &mut Context, n: &mut Numbers) {
     match n.below(64) {
         0..=3 => context.begin(n.of(&[0, 1, 2, 3, 4, 5, 6, 7, 8, 9])),
         4..=6 => context.end(),
@@ -185,48 +142,4 @@ pub(crate) fn command(context: &mut Context, n: &mut Numbers) {
             }
         }
     }
-}
-
-/// What a stream of commands leaves: words of modes, errors, all pixels.
-fn outcome(seed: u64, commands: u32, level: SimdLevel) -> (Vec<[u8; 4]>, Vec<u32>, String) {
-    let mut numbers = Numbers(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
-    let mut context = Context::new(Configuration::default());
-    context.set_simd_level(level).unwrap();
-    context.resize_default(150, 70);
-    let mut errors = Vec::new();
-    for _ in 0..commands {
-        command(&mut context, &mut numbers);
-        errors.push(context.get_error());
-    }
-    context.end_list();
-    context.end();
-    let result = context.render_mode(gl::RENDER);
-    let words = match result.words {
-        Words::Feedback(values) => {
-            format!("{:?}", values.iter().map(|v| v.to_bits()).collect::<Vec<_>>())
-        }
-        other => format!("{other:?}"),
-    };
-    (pixels(&mut context), errors, words)
-}
-
-#[test]
-fn any_commands_give_the_same_bytes_at_every_level_and_for_any_number_of_threads() {
-    let several = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    let mut drawn = 0;
-    for seed in 1..300 {
-        let expected = single.install(|| outcome(seed, 1500, SimdLevel::Auto));
-        drawn += usize::from(expected.0.iter().any(|pixel| *pixel != [0; 4]));
-        assert!(
-            several.install(|| outcome(seed, 1500, SimdLevel::Auto)) == expected,
-            "seed {seed}"
-        );
-        if seed < 12 {
-            for level in SimdLevel::available() {
-                assert!(outcome(seed, 1500, level) == expected, "seed {seed}, {level:?}");
-            }
-        }
-    }
-    assert!(drawn > 150, "only {drawn} streams have drawn something");
 }
