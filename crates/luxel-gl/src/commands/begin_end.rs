@@ -7,7 +7,7 @@ use crate::Context;
 use crate::context::{compile, demand, outside_begin, record};
 use crate::enums as gl;
 use crate::limits::{PART_VERTICES, STREAM_VERTICES, TEXTURE_UNITS};
-use crate::objects::list::Command;
+use crate::objects::list::{Command, Primitives};
 use crate::vertex::{Materials, Vertices};
 
 impl Context {
@@ -81,6 +81,26 @@ impl Context {
         } else if self.stream.is_waiting() {
             self.stream.vertices.take_attributes(run);
         }
+    }
+
+    /// Primitives of a display list, from `glBegin` to `glEnd`.
+    pub(crate) fn primitives_of_list(&mut self, of: &Primitives) {
+        let Primitives { mode, vertices, elements } = of;
+        if self.stream.is_open() || self.is_incomplete() {
+            // Some of the commands are errors.
+            self.begin(*mode);
+            self.vertices_of_list(&vertices.gathered(elements));
+            self.end();
+            return;
+        }
+        if self.stream.is_waiting() {
+            self.draw_waiting();
+        }
+        let materials = Materials::new(self.state.materials);
+        let mut completed = vertices.clone();
+        completed.complete(&self.state.current);
+        self.draw_vertices(*mode, &completed, &materials, Some(elements));
+        self.vertices_of_list(vertices);
     }
 
     /// `glColor`: red, green, blue, alpha, not clamped.

@@ -121,6 +121,7 @@ impl Context {
             Command::Begin(mode) => self.begin(mode),
             Command::End => self.end(),
             Command::Vertices(ref run) => self.vertices_of_list(run),
+            Command::Primitives(ref of) => self.primitives_of_list(of),
             Command::Index(index) => self.index(index),
             Command::RasterPos(position) => self.raster_pos(position),
             Command::WindowPos(position) => self.window_pos(position),

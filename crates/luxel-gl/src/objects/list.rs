@@ -4,12 +4,12 @@
 //! list is executed, and so are its errors.
 
 use crate::enums as gl;
-use crate::limits::{LIST_COMMANDS, PART_VERTICES};
+use crate::limits::{LIST_COMMANDS, PART_VERTICES, WAITING_VERTICES};
 use crate::objects::image_calls::{
     BitmapCall, CopyTexImage, CopyTexSubImage, DrawPixels, TexImage, TexSubImage, WithPixels,
 };
 use crate::objects::map_calls::MapCall;
-use crate::vertex::{ArrayDraw, Vertices};
+use crate::vertex::{ArrayDraw, Vertices, welded};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -118,6 +118,7 @@ pub(crate) enum Command {
     CopyTexImage(Box<CopyTexImage>),
     CopyTexSubImage(Box<CopyTexSubImage>),
     Draw(Arc<ArrayDraw>),
+    Primitives(Box<Primitives>),
     BeginQuery(u32, u32),
     EndQuery(u32),
 }
@@ -127,9 +128,20 @@ impl Command {
     pub(crate) fn count(&self) -> usize {
         match self {
             Self::Vertices(run) => 1 + run.len(),
+            Self::Primitives(of) => 3 + of.elements.len(),
             _ => 1,
         }
     }
+}
+
+/// A `glBegin`, its vertices and attributes, and a `glEnd`.
+#[derive(Clone, Debug)]
+pub(crate) struct Primitives {
+    pub(crate) mode: u32,
+    /// Each vertex once.
+    pub(crate) vertices: Vertices,
+    /// Numbers of vertices, in the order of the commands.
+    pub(crate) elements: Vec<u32>,
 }
 
 /// A display list that is being compiled (`glNewList`).
@@ -152,7 +164,29 @@ impl OpenList {
     /// Appends a command. `GL_OUT_OF_MEMORY` if the list is too long.
     pub(crate) fn push(&mut self, command: Command) -> Result<(), u32> {
         self.close_run()?;
-        self.append(command)
+        let ends = matches!(command, Command::End);
+        self.append(command)?;
+        if ends {
+            self.weld();
+        }
+        Ok(())
+    }
+
+    /// Makes one command of many primitives that have just ended, if vertices are repeated in them.
+    fn weld(&mut self) {
+        let [.., Command::Begin(mode), Command::Vertices(run), Command::End] = &*self.commands
+        else {
+            return;
+        };
+        // Fewer wait for others of their kind when the list is called, and are drawn with these.
+        if *mode > gl::POLYGON || run.len() < WAITING_VERTICES {
+            return;
+        }
+        if let Some((vertices, elements)) = welded(run) {
+            let primitives = Primitives { mode: *mode, vertices, elements };
+            self.commands.truncate(self.commands.len() - 3);
+            self.commands.push(Command::Primitives(Box::new(primitives)));
+        }
     }
 
     fn append(&mut self, command: Command) -> Result<(), u32> {

@@ -18,6 +18,29 @@ pub(crate) struct Column<T> {
     values: Vec<T>,
 }
 
+/// Values that are the same down to each bit.
+pub(crate) trait Bits {
+    fn are_alike(&self, other: &Self) -> bool;
+}
+
+impl Bits for f32 {
+    fn are_alike(&self, other: &Self) -> bool {
+        self.to_bits() == other.to_bits()
+    }
+}
+
+impl Bits for bool {
+    fn are_alike(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+impl<T: Bits, const N: usize> Bits for [T; N] {
+    fn are_alike(&self, other: &Self) -> bool {
+        self.iter().zip(other).all(|(own, other)| own.are_alike(other))
+    }
+}
+
 impl<T: Copy + Default> Default for Column<T> {
     fn default() -> Self {
         let values = Vec::new();
@@ -111,6 +134,26 @@ impl<T: Copy> Column<T> {
         (self.varies, self.first) = (true, 0);
     }
 
+    /// Whether all values are known, or none is.
+    pub(super) fn is_known(&self) -> bool {
+        !self.varies || self.first == 0
+    }
+
+    /// The value of all vertices, where the run itself has set none.
+    pub(super) fn complete(&mut self, current: T) {
+        if !self.is_set {
+            self.restart(current);
+        }
+    }
+
+    /// The values of some vertices, all of which are known.
+    pub(super) fn gathered(&self, places: &[u32]) -> Self {
+        let places = if self.varies { places } else { &[] };
+        let values = places.iter().map(|&place| self.values[place as usize]).collect();
+        let Self { now, is_set, varies, .. } = *self;
+        Self { now, is_set, varies, first: 0, values }
+    }
+
     /// Gives back room that nobody needs.
     pub(super) fn shrink(&mut self) {
         self.values.shrink_to_fit();
@@ -131,6 +174,14 @@ impl<T: Copy> Column<T> {
     #[inline]
     pub(crate) fn varies(&self) -> bool {
         self.varies
+    }
+}
+
+impl<T: Copy + Bits> Column<T> {
+    /// Whether two vertices have the same value.
+    #[inline]
+    pub(super) fn are_alike(&self, a: usize, b: usize) -> bool {
+        !self.varies || self.values[a].are_alike(&self.values[b])
     }
 }
 

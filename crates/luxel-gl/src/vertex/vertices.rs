@@ -1,6 +1,6 @@
 //! Vertices as commands give them: positions, and the attributes that were current at each.
 
-use super::column::Column;
+use super::column::{Bits, Column};
 use super::fetch::Fetched;
 use crate::limits::TEXTURE_UNITS;
 use crate::state::current::Current;
@@ -200,6 +200,56 @@ impl Vertices {
         put(&self.edge_flag, &mut current.edge_flag);
         for (column, coordinates) in self.tex_coords.iter().zip(&mut current.tex_coords) {
             put(column, coordinates);
+        }
+    }
+
+    /// Whether all attributes of a display list's vertices are known, or none of a kind.
+    pub(super) fn is_known(&self) -> bool {
+        self.color.is_known()
+            && self.secondary.is_known()
+            && self.normal.is_known()
+            && self.fog_coord.is_known()
+            && self.edge_flag.is_known()
+            && self.tex_coords.iter().all(Column::is_known)
+    }
+
+    /// Whether two vertices are the same down to each bit.
+    #[inline]
+    pub(super) fn are_alike(&self, a: usize, b: usize) -> bool {
+        self.positions[a].are_alike(&self.positions[b])
+            && self.normal.are_alike(a, b)
+            && self.color.are_alike(a, b)
+            && self.secondary.are_alike(a, b)
+            && self.fog_coord.are_alike(a, b)
+            && self.edge_flag.are_alike(a, b)
+            && self.tex_coords.iter().all(|column| column.are_alike(a, b))
+    }
+
+    /// Some vertices by their numbers, in any order. Attributes must be known, or none of a kind.
+    pub(crate) fn gathered(&self, places: &[u32]) -> Self {
+        Self {
+            positions: places.iter().map(|&place| self.positions[place as usize]).collect(),
+            color: self.color.gathered(places),
+            secondary: self.secondary.gathered(places),
+            normal: self.normal.gathered(places),
+            fog_coord: self.fog_coord.gathered(places),
+            edge_flag: self.edge_flag.gathered(places),
+            tex_coords: self.tex_coords.iter().map(|column| column.gathered(places)).collect(),
+            varying_units: self.varying_units,
+            has_attributes: self.has_attributes,
+        }
+    }
+
+    /// Gives vertices of a display list what is current, where the list itself has set nothing.
+    pub(crate) fn complete(&mut self, current: &Current) {
+        self.color.complete(current.color);
+        self.secondary.complete(current.secondary);
+        self.normal.complete(current.normal);
+        self.fog_coord.complete(current.fog_coord);
+        self.edge_flag.complete(current.edge_flag);
+        self.tex_coords.resize_with(TEXTURE_UNITS, Column::default);
+        for (column, coordinates) in self.tex_coords.iter_mut().zip(current.tex_coords) {
+            column.complete(coordinates);
         }
     }
 

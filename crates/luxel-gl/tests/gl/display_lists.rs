@@ -168,3 +168,91 @@ fn quads_of_lists_have_the_diagonal_of_their_last_corner_and_others_that_of_the_
     context.call_list(1);
     assert!(middle(&mut context) > 215, "light corners are joined");
 }
+
+/// A wavy mesh of 21 600 vertices, given triangle by triangle, with a colour or a normal each.
+fn mesh(context: &mut Context, colored: bool) {
+    context.begin(gl::TRIANGLES);
+    for at in 0..60 * 60 {
+        let (column, row) = (at % 60, at / 60);
+        for [right, up] in [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]] {
+            let (x, y) = ((column + right) as f32, (row + up) as f32);
+            let wave = (x * 0.3).fract() - (y * 0.2).fract();
+            if colored {
+                context.color([x / 60.0, y / 60.0, wave.abs(), 1.0]);
+            } else {
+                context.normal([wave, 0.3, 1.0]);
+            }
+            context.vertex([x + wave, y, wave / 2.0, 1.0]);
+        }
+    }
+    context.end();
+}
+
+#[test]
+fn section_5_4_long_primitives_are_those_of_their_commands() {
+    const COLOR_MATERIAL: u32 = 0x0b57;
+    for colored in [false, true] {
+        let drawn = |listed: bool, mode: u32| {
+            let mut context = canvas(64, 64);
+            for capability in [gl::DEPTH_TEST, gl::LIGHTING, gl::LIGHT0, COLOR_MATERIAL] {
+                context.enable(capability);
+            }
+            context.polygon_mode(0x0408, 0x1b01 + u32::from(colored));
+            context.color([0.9, 0.6, 0.3, 1.0]);
+            if listed {
+                context.new_list(1, gl::COMPILE);
+                mesh(&mut context, colored);
+                context.end_list();
+            }
+            // Something waits to be drawn before.
+            draw(
+                &mut context,
+                gl::TRIANGLES,
+                &[[3.0, 3.0, 0.9], [30.0, 3.0, 0.9], [3.0, 9.0, 0.9]],
+            );
+            context.select_buffer(64);
+            context.feedback_buffer(1 << 20, 0x0603);
+            context.render_mode(mode);
+            if listed {
+                context.call_list(1);
+            } else {
+                mesh(&mut context, colored);
+            }
+            let after = [0x0b00, 0x0b02].map(|name| {
+                let values = context.get(name).unwrap();
+                [0, 1, 2].map(|at| values.to_f32(at))
+            });
+            let words = format!("{:?}", context.render_mode(gl::RENDER).words);
+            assert_eq!(context.get_error(), gl::NO_ERROR);
+            (pixels(&mut context), words, after)
+        };
+        for mode in [gl::RENDER, gl::SELECT, gl::FEEDBACK] {
+            let (listed, immediate) = (drawn(true, mode), drawn(false, mode));
+            assert!(listed.0 == immediate.0, "other pixels, {colored}");
+            assert!(listed.1 == immediate.1, "other words in mode {mode:#x}, {colored}");
+            assert_eq!(listed.2, immediate.2);
+        }
+    }
+}
+
+#[test]
+fn section_5_4_long_primitives_within_others_are_an_error_and_vertices() {
+    let drawn = |listed: bool| {
+        let mut context = canvas(64, 64);
+        context.new_list(1, gl::COMPILE);
+        mesh(&mut context, true);
+        context.end_list();
+        context.begin(gl::TRIANGLES);
+        context.vertex([0.0, 0.0, 0.0, 1.0]);
+        if listed {
+            context.call_list(1);
+        } else {
+            mesh(&mut context, true);
+        }
+        assert_eq!(context.get_error(), gl::INVALID_OPERATION);
+        context.end();
+        assert_eq!(context.get_error(), gl::INVALID_OPERATION);
+        pixels(&mut context)
+    };
+    assert!(drawn(true) == drawn(false));
+}
