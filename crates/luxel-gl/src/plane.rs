@@ -80,8 +80,14 @@ impl<T: Copy> Plane<T> {
         let tiles = self.tiles[first..].iter().step_by(self.samples);
         for (tile, pixels) in tiles.zip(row.chunks_mut(TILE as usize)) {
             let blocks = &tile[block_row..block_row + BLOCKS as usize];
-            for (block, pixels) in blocks.iter().zip(pixels.chunks_mut(BLOCK as usize)) {
-                pixels.copy_from_slice(&block[lane..lane + pixels.len()]);
+            // Rows of whole blocks have a length that the compiler knows.
+            let (whole, rest) = pixels.as_chunks_mut::<{ BLOCK as usize }>();
+            let count = whole.len();
+            for (block, pixels) in blocks.iter().zip(whole) {
+                pixels.copy_from_slice(&block[lane..lane + BLOCK as usize]);
+            }
+            if let Some(block) = blocks.get(count) {
+                rest.copy_from_slice(&block[lane..lane + rest.len()]);
             }
         }
     }

@@ -27,6 +27,9 @@ const OSMESA_ARGB: u32 = 2;
 const OSMESA_BGR: u32 = 4;
 const OSMESA_RGB_565: u32 = 5;
 
+/// Rows that one thread writes at a time.
+const BAND: usize = 16;
+
 impl Context {
     /// `glPixelStore`; switches come as 0 or another value.
     pub fn pixel_store(&mut self, pname: u32, value: f32) {
@@ -236,15 +239,15 @@ impl Context {
         let [width, height] = self.framebuffer.size().map(|side| side as usize);
         let row_length = if layout.row_length > 0 { layout.row_length } else { width };
         let stride = row_length.saturating_mul(kind.bytes());
+        if stride == 0 {
+            return;
+        }
         let bytes = layout.data_type == gl::UNSIGNED_BYTE;
-        let mut words = vec![0; width];
-        for row in 0..height {
+        let framebuffer = &self.framebuffer;
+        let write_row = |row: usize, out: &mut [u8], words: &mut [u32]| {
             let y = if layout.y_up { row } else { height - 1 - row };
-            self.framebuffer.color_row(y as u32, &mut words);
-            let start = row.saturating_mul(stride);
-            let end = start.saturating_add(width * kind.bytes()).min(destination.len());
-            let Some(out) = destination.get_mut(start..end) else { return };
-            let pixels = out.chunks_exact_mut(kind.bytes()).zip(&words);
+            framebuffer.color_row(y as u32, words);
+            let pixels = out.chunks_exact_mut(kind.bytes()).zip(&*words);
             match (bytes, order) {
                 (true, [0, 1, 2, 3]) => {
                     pixels.for_each(|(out, word)| out.copy_from_slice(&word.to_le_bytes()));
@@ -264,7 +267,15 @@ impl Context {
                     kind.write(&values[..order.len()], false, out);
                 }),
             }
-        }
+        };
+        let bands = destination.chunks_mut(stride.saturating_mul(BAND));
+        let bands = bands.take(height.div_ceil(BAND)).enumerate();
+        luxel_parallel::each(bands, &|(band, out)| {
+            let mut words = vec![0; width];
+            for (row, out) in (band * BAND..height).zip(out.chunks_mut(stride)) {
+                write_row(row, out, &mut words);
+            }
+        });
     }
 
     /// Writes depths of 24 bits, the bottom row first, as `OSMesaGetDepthBuffer` shows them.

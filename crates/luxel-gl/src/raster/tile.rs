@@ -47,6 +47,8 @@ pub(super) struct TileWorker<'a> {
     region: Region,
     /// Whether the planes end where the window does.
     is_exact: bool,
+    /// Whether any piece has come since all that is seen was lit.
+    has_pieces: bool,
 }
 
 impl<'a> TileWorker<'a> {
@@ -69,7 +71,8 @@ impl<'a> TileWorker<'a> {
         seen.resize(samples, [[0; LANES]; TILE_BLOCKS]);
         seen.as_flattened_mut().as_flattened_mut().fill(0);
         let lighter = Lighter::new(items, list, prepared);
-        Self { planes, missing, seen, shaded, lighter, origin, region, is_exact }
+        let has_pieces = false;
+        Self { planes, missing, seen, shaded, lighter, origin, region, is_exact, has_pieces }
     }
 
     /// Its memory, for the next one.
@@ -92,6 +95,7 @@ impl<'a> TileWorker<'a> {
                 }
                 Item::Batch(batch, pieces) => {
                     let piece = &pieces[entry.piece as usize];
+                    self.has_pieces = true;
                     self.piece(simd, batch, piece, at as u32 + 1);
                 }
             }
@@ -101,18 +105,21 @@ impl<'a> TileWorker<'a> {
 
     /// Lights what is seen. A pixel's samples that see the same are lit once, at its centre.
     fn light<S: Simd>(&mut self, simd: S) {
+        if !std::mem::take(&mut self.has_pieces) {
+            return;
+        }
         let Some(colors) = &mut self.planes.color else { return };
         let Some((first, others)) = colors.split_first_mut() else { return };
         let Some((first_seen, others_seen)) = self.seen.split_first_mut() else { return };
         for block in 0..TILE_BLOCKS {
             let seen = first_seen[block];
-            if seen != [0; LANES] {
+            if sees_any(&seen) {
                 let of_block = &mut first_seen[block];
                 light_seen(simd, self.origin, block, of_block, &mut self.lighter, first);
             }
             for (color, of_sample) in others.iter_mut().zip(others_seen.iter_mut()) {
                 let of_block = &mut of_sample[block];
-                if *of_block == [0; LANES] {
+                if !sees_any(of_block) {
                     continue;
                 }
                 for lane in 0..LANES {
@@ -121,7 +128,7 @@ impl<'a> TileWorker<'a> {
                         of_block[lane] = 0;
                     }
                 }
-                if *of_block != [0; LANES] {
+                if sees_any(of_block) {
                     light_seen(simd, self.origin, block, of_block, &mut self.lighter, color);
                 }
             }
@@ -144,10 +151,12 @@ impl<'a> TileWorker<'a> {
         // What lies beyond the window may be an image's that is larger.
         let whole = part == [0, 0, TILE, TILE]
             || self.is_exact && part == [0, 0, self.region.width, self.region.height];
+        let hides = std::mem::take(&mut self.has_pieces);
+        self.has_pieces = hides && !(whole && clear.color_mask == u32::MAX);
         for (sample, seen) in self.seen.iter_mut().enumerate() {
             let planes = &mut self.planes.sample(sample, &mut self.missing);
             if whole && matches!(clear.color_mask, 0 | u32::MAX) {
-                clear_all(planes, seen, clear);
+                clear_all(planes, if hides { Some(seen) } else { None }, clear);
             } else {
                 clear_part(planes, seen, clear, part);
             }
@@ -238,10 +247,18 @@ fn clear_part(
     }
 }
 
+/// Whether any pixel of a block sees an entry.
+#[inline(always)]
+fn sees_any(seen: &[u32; LANES]) -> bool {
+    seen.iter().fold(0, |any, entry| any | entry) != 0
+}
+
 /// Clears whole planes; what lies beyond the window doesn't matter.
-fn clear_all(planes: &mut SamplePlanes<'_>, seen: &mut Seen, clear: &ClearedTo) {
+fn clear_all(planes: &mut SamplePlanes<'_>, seen: Option<&mut Seen>, clear: &ClearedTo) {
     if clear.color_mask != 0 {
-        seen.as_flattened_mut().fill(0);
+        if let Some(seen) = seen {
+            seen.as_flattened_mut().fill(0);
+        }
         planes.color.as_flattened_mut().fill(clear.color);
     }
     if let Some(depth) = clear.depth {
