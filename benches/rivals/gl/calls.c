@@ -288,8 +288,12 @@ int main(int count, char **arguments)
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 256, 256, 0, GL_RGBA, GL_UNSIGNED_BYTE, image);
-    time_calls();
+    const char *only = count > 2 ? arguments[2] : NULL;
+    if (!only)
+        time_calls();
     for (unsigned i = 0; i < sizeof programs / sizeof *programs; i++) {
+        if (only && strcmp(only, programs[i].name))
+            continue;
         /* One round to warm up. */
         for (int round = -1; round < rounds; round++) {
             double start = now();

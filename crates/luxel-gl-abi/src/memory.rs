@@ -77,6 +77,22 @@ pub(crate) unsafe fn copied<T: Copy>(address: *const T, count: i32) -> Option<Ve
     Some((0..count).map(|at| unsafe { address.add(at).read_unaligned() }).collect())
 }
 
+/// Reads every byte once in builds for the address sanitizer, which watches this crate alone: slices are read by code that
+/// it doesn't see.
+///
+/// # Safety
+///
+/// `length` bytes can be read at `address`.
+#[inline(always)]
+unsafe fn watch(address: *const u8, length: usize) {
+    if cfg!(luxel_watched) {
+        for at in 0..length {
+            // SAFETY: `at` is below `length`.
+            unsafe { address.add(at).read_volatile() };
+        }
+    }
+}
+
 /// `length` bytes at `address`.
 ///
 /// # Safety
@@ -90,7 +106,10 @@ pub(crate) unsafe fn bytes<'a>(address: *const c_void, length: usize) -> Option<
         return None;
     }
     // SAFETY: bytes have no alignment, and the caller of this function promises as many.
-    Some(unsafe { slice::from_raw_parts(address.cast(), length) })
+    unsafe {
+        watch(address.cast(), length);
+        Some(slice::from_raw_parts(address.cast(), length))
+    }
 }
 
 /// `length` bytes at `address`, or `None` where a null pointer means that there are none.
@@ -116,7 +135,10 @@ pub(crate) unsafe fn bytes_mut<'a>(address: *mut c_void, length: usize) -> Optio
         return None;
     }
     // SAFETY: bytes have no alignment, and the caller of this function promises as many.
-    Some(unsafe { slice::from_raw_parts_mut(address.cast(), length) })
+    unsafe {
+        watch(address.cast(), length);
+        Some(slice::from_raw_parts_mut(address.cast(), length))
+    }
 }
 
 /// Writes `length` values at `address`.
@@ -178,7 +200,11 @@ impl ClientMemory for CallerMemory {
             return &[];
         }
         // SAFETY: the caller of `caller_memory` promised that arrays can be read, and OpenGL reads no more.
-        unsafe { slice::from_raw_parts(ptr::with_exposed_provenance(address), length) }
+        unsafe {
+            let address = ptr::with_exposed_provenance(address);
+            watch(address, length);
+            slice::from_raw_parts(address, length)
+        }
     }
 }
 

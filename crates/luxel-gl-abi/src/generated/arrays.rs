@@ -42,10 +42,9 @@ pub(crate) unsafe extern "C" fn glBufferSubData(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if size < 0 {
-            gl.set_error(GL_INVALID_VALUE);
-        } else {
-            gl.buffer_sub_data(target, offset, bytes(data, extent(size))?);
+        let length = gl.buffer_part_bytes(target, offset, size);
+        if length > 0 {
+            gl.buffer_sub_data(target, offset, bytes(data, length)?);
         }
         Some(())
     });
@@ -202,10 +201,9 @@ pub(crate) unsafe extern "C" fn glGetBufferSubData(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        if size < 0 {
-            gl.set_error(GL_INVALID_VALUE);
-        } else {
-            gl.get_buffer_sub_data(target, offset, bytes_mut(data, extent(size))?);
+        let length = gl.buffer_part_bytes(target, offset, size);
+        if length > 0 {
+            gl.get_buffer_sub_data(target, offset, bytes_mut(data, length)?);
         }
         Some(())
     });

@@ -202,7 +202,16 @@ pub(crate) unsafe extern "C" fn glTexImage1D(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let length = gl.tex_image_bytes(1, target, [width, 1, 1], format, kind);
+        let length = gl.tex_image_bytes(
+            1,
+            target,
+            level,
+            internalformat,
+            [width, 1, 1],
+            border,
+            format,
+            kind,
+        );
         gl.tex_image_1d(
             target,
             level,
@@ -231,7 +240,16 @@ pub(crate) unsafe extern "C" fn glTexImage2D(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let length = gl.tex_image_bytes(2, target, [width, height, 1], format, kind);
+        let length = gl.tex_image_bytes(
+            2,
+            target,
+            level,
+            internalformat,
+            [width, height, 1],
+            border,
+            format,
+            kind,
+        );
         gl.tex_image_2d(
             target,
             level,
@@ -261,7 +279,16 @@ pub(crate) unsafe extern "C" fn glTexImage3D(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let length = gl.tex_image_bytes(3, target, [width, height, depth], format, kind);
+        let length = gl.tex_image_bytes(
+            3,
+            target,
+            level,
+            internalformat,
+            [width, height, depth],
+            border,
+            format,
+            kind,
+        );
         gl.tex_image_3d(
             target,
             level,
@@ -291,7 +318,16 @@ pub(crate) unsafe extern "C" fn glTexImage3DEXT(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let length = gl.tex_image_bytes(3, target, [width, height, depth], format, kind);
+        let length = gl.tex_image_bytes(
+            3,
+            target,
+            level,
+            internalformat as i32,
+            [width, height, depth],
+            border,
+            format,
+            kind,
+        );
         gl.tex_image_3d(
             target,
             level,
@@ -318,7 +354,8 @@ pub(crate) unsafe extern "C" fn glTexSubImage1D(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let length = gl.tex_image_bytes(1, target, [width, 1, 1], format, kind);
+        let length =
+            gl.tex_sub_image_bytes(1, target, level, [xoffset, 0, 0], [width, 1, 1], format, kind);
         gl.tex_sub_image(
             1,
             target,
@@ -347,7 +384,15 @@ pub(crate) unsafe extern "C" fn glTexSubImage2D(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let length = gl.tex_image_bytes(2, target, [width, height, 1], format, kind);
+        let length = gl.tex_sub_image_bytes(
+            2,
+            target,
+            level,
+            [xoffset, yoffset, 0],
+            [width, height, 1],
+            format,
+            kind,
+        );
         gl.tex_sub_image(
             2,
             target,
@@ -378,7 +423,15 @@ pub(crate) unsafe extern "C" fn glTexSubImage3D(
 ) {
     // SAFETY: as OpenGL demands, pointers lead to as many values as the command takes.
     call_with_memory(|gl, _| unsafe {
-        let length = gl.tex_image_bytes(3, target, [width, height, depth], format, kind);
+        let length = gl.tex_sub_image_bytes(
+            3,
+            target,
+            level,
+            [xoffset, yoffset, zoffset],
+            [width, height, depth],
+            format,
+            kind,
+        );
         gl.tex_sub_image(
             3,
             target,

@@ -105,6 +105,22 @@ impl Context {
         }
     }
 
+    /// Bytes that `glBufferSubData` reads or `glGetBufferSubData` writes; 0 after an error, which is set.
+    pub fn buffer_part_bytes(&mut self, target: u32, offset: isize, size: isize) -> usize {
+        let name = self.bound_buffer(target);
+        if name == 0 {
+            return 0;
+        }
+        let length = usize::try_from(size).map_err(|_| gl::INVALID_VALUE);
+        match length.and_then(|length| self.with_range(name, offset, length, |_| {})) {
+            Ok(()) => size.unsigned_abs(),
+            Err(error) => {
+                self.error.set(error);
+                0
+            }
+        }
+    }
+
     /// `glBufferSubData`. `GL_INVALID_VALUE` beyond the buffer's end, `GL_INVALID_OPERATION` while it is mapped.
     pub fn buffer_sub_data(&mut self, target: u32, offset: isize, data: &[u8]) {
         let name = self.bound_buffer(target);

@@ -99,19 +99,53 @@ fn fill(
 }
 
 impl Context {
-    /// Bytes that `glTexImage` or `glTexSubImage` of so many dimensions reads; 0 where it reads none: for a proxy, and
-    /// for arguments that are in error.
+    /// Bytes that `glTexImage` of so many dimensions reads; 0 where it reads none: for a proxy, and for arguments that are
+    /// in error.
     #[must_use]
+    #[expect(clippy::too_many_arguments, reason = "glTexImage3D has as many")]
     pub fn tex_image_bytes(
         &self,
         dimensions: u32,
         target: u32,
+        level: i32,
+        internal: i32,
+        size: [i32; 3],
+        border: i32,
+        format: u32,
+        data_type: u32,
+    ) -> usize {
+        let (internal, dimensions) = (internal as u32, dimensions as usize);
+        let call =
+            TexImage { dimensions, target, level, internal, size, border, format, data_type };
+        match call.checked() {
+            Ok((image, .., kind)) if !image.proxy => {
+                ImageLayout::new(&self.client.unpack, sides(size), kind, dimensions).end
+            }
+            _ => 0,
+        }
+    }
+
+    /// Bytes that `glTexSubImage` of so many dimensions reads; 0 for arguments that are in error. While a list is compiled
+    /// these are found as far as they don't depend on the texture that is bound.
+    #[must_use]
+    #[expect(clippy::too_many_arguments, reason = "glTexSubImage3D has as many")]
+    pub fn tex_sub_image_bytes(
+        &self,
+        dimensions: u32,
+        target: u32,
+        level: i32,
+        offset: [i32; 3],
         size: [i32; 3],
         format: u32,
         data_type: u32,
     ) -> usize {
         let dimensions = dimensions as usize;
-        let reads = image_target(dimensions, target).is_ok_and(|image| !image.proxy);
+        let reads = if self.is_compiling() {
+            image_target(dimensions, target)
+                .is_ok_and(|image| !image.proxy && is_size(image.target, 0, size, 0))
+        } else {
+            self.checked_part((dimensions, target), level, offset, size).is_ok()
+        };
         match texel_format(format, data_type) {
             Ok(kind) if reads => {
                 ImageLayout::new(&self.client.unpack, sides(size), kind, dimensions).end

@@ -46,10 +46,12 @@ pub(super) fn command(context: &mut Context, n: &mut Numbers, _: &mut Vec<u64>) 
             let size = [side, if n.below(4) == 0 { n.below(20) as i32 - 1 } else { side }, side];
             let size = [size[0], size[1], size[2].min(4)];
             let (format, data_type) = (n.of(PIXELS), n.of(TYPES));
-            let length = context.tex_image_bytes(dimensions, target, size, format, data_type);
-            let data: Vec<u8> = (0..length.min(1 << 16)).map(|_| n.next() as u8).collect();
             let (level, border) = (n.below(3) as i32, i32::from(n.below(9) == 0));
             let internal = n.of(FORMATS) as i32;
+            let length = context.tex_image_bytes(
+                dimensions, target, level, internal, size, border, format, data_type,
+            );
+            let data: Vec<u8> = (0..length.min(1 << 16)).map(|_| n.next() as u8).collect();
             let data = (n.below(5) != 0).then_some(&data[..]);
             match dimensions {
                 1 => context.tex_image_1d(
@@ -74,7 +76,8 @@ pub(super) fn command(context: &mut Context, n: &mut Numbers, _: &mut Vec<u64>) 
             let size = [n.below(6) as i32, n.below(6) as i32, 1];
             let offset = [n.below(6) as i32 - 1, n.below(6) as i32 - 1, 0];
             let (format, data_type) = (n.of(PIXELS), n.of(TYPES));
-            let length = context.tex_image_bytes(dimensions, target, size, format, data_type);
+            let length =
+                context.tex_sub_image_bytes(dimensions, target, 0, offset, size, format, data_type);
             let data: Vec<u8> = (0..length.min(1 << 16)).map(|_| n.next() as u8).collect();
             context.tex_sub_image(dimensions, target, 0, offset, size, format, data_type, &data);
         }
