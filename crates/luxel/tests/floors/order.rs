@@ -189,6 +189,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "convert",
             "values",
             "plane",
+            "depth",
             "texture",
             "state",
             "lengths",
