@@ -55,6 +55,23 @@ pub(crate) enum Shape {
     Image {
         depth: f32,
     },
+    /// A rectangle about a line, which may end within pixels. Ends and what belongs to them as of [`Line`](Self::Line);
+    /// it is `width` wide.
+    Band {
+        ends: [[i32; 2]; 2],
+        depths: [f32; 2],
+        weights: [[f32; 2]; 2],
+        w: [f64; 2],
+        width: f32,
+        /// Of a line, which may be stippled.
+        counter: Option<u32>,
+    },
+    /// A disc, which may end within pixels: its centre in steps of 1/256 pixel, and its diameter; its depth.
+    Disc {
+        centre: [i32; 2],
+        size: f32,
+        depth: f32,
+    },
     /// Left, bottom, and the side of a square of pixels; its depth.
     Point {
         corner: [i32; 2],
@@ -144,6 +161,16 @@ impl Batch {
                 let high = [a[0].max(b[0]) + wide, a[1].max(b[1]) + wide];
                 (low, high, self.pipeline.region)
             }
+            Shape::Band { ends: [a, b], width, .. } => {
+                let wide = (width * SUBPIXELS as f32) as i32 + SUBPIXELS;
+                let low = [a[0].min(b[0]) - wide, a[1].min(b[1]) - wide];
+                let high = [a[0].max(b[0]) + wide, a[1].max(b[1]) + wide];
+                (low, high, self.pipeline.region)
+            }
+            Shape::Disc { centre, size, .. } => {
+                let wide = (size * SUBPIXELS as f32) as i32 + SUBPIXELS;
+                (centre.map(|at| at - wide), centre.map(|at| at + wide), self.pipeline.region)
+            }
             Shape::Bitmap { corner, .. } => {
                 let region = self.pipeline.region;
                 let size = self.bitmap.as_ref().map_or([0; 2], |bitmap| bitmap.size());
@@ -183,16 +210,24 @@ impl Batch {
                     corners.map(|corner| self.row_value(row, corner, flat, side))
                 })
             }
-            (Shade::Ends { vertices, flat, side }, Shape::Line { ends, weights, w, .. }) => {
+            (
+                Shade::Ends { vertices, flat, side },
+                shape @ (Shape::Line { ends, weights, w, .. }
+                | Shape::Band { ends, weights, w, .. }),
+            ) => {
                 let colors = vertices.map(|vertex| self.color(flat.unwrap_or(vertex), side));
                 let fog = vertices.map(|vertex| self.fog(vertex));
                 let mix = |[u, v]: [f32; 2], [a, b]: [[f32; 4]; 2]| -> [f32; 4] {
                     std::array::from_fn(|at| a[at] * u + b[at] * v)
                 };
-                let axis = LineWalk::new(ends[0], ends[1]).major;
+                let places = ends.map(|end| end.map(|at| f64::from(at) / f64::from(SUBPIXELS)));
+                let mut way = [places[1][0] - places[0][0], places[1][1] - places[0][1]];
+                if matches!(shape, Shape::Line { .. }) {
+                    way[1 - LineWalk::new(ends[0], ends[1]).major] = 0.0;
+                }
                 let prepared = Prepared::along(
-                    axis,
-                    ends.map(|end| f64::from(end[axis]) / f64::from(SUBPIXELS)),
+                    places[0],
+                    way,
                     w,
                     weights.map(|weights| mix(weights, colors)),
                     weights.map(|[u, v]| fog[0] * u + fog[1] * v),
@@ -206,7 +241,7 @@ impl Batch {
             (Shade::Ends { vertices: [vertex, _], flat, side }, _) => {
                 let color = self.color(flat.unwrap_or(vertex), side);
                 let fog = self.fog(vertex);
-                let prepared = Prepared::along(0, [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
+                let prepared = Prepared::along([0.0; 2], [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
                 self.with_rows(prepared, rows, |row| [self.row_value(row, vertex, flat, side); 3])
             }
         }
@@ -286,22 +321,26 @@ impl Prepared {
         Self { forms: packed, attributes: Self::attributes(colors, fog), rows: 0 }
     }
 
-    /// Along one axis of the window, from a place to another one: perspective between the values of w there.
+    /// From a place of the window on a way, whatever lies across it: perspective between the values of w at both ends.
     pub(crate) fn along(
-        axis: usize,
-        [from, to]: [f64; 2],
+        from: [f64; 2],
+        way: [f64; 2],
         [w_from, w_to]: [f64; 2],
         colors: [[f32; 4]; 2],
         fog: [f32; 2],
     ) -> Self {
-        let length = to - from;
+        let squared = way[0] * way[0] + way[1] * way[1];
         let mut forms = PackedForms::default();
-        if length == 0.0 {
+        if squared == 0.0 {
             forms[2][0] = 1.0;
         } else {
-            // (1 - s) w_to and s w_from, which are (1 - s) / w_from and s / w_to but for a factor.
-            forms[axis] = [-w_to / length, w_from / length, 0.0, 0.0];
-            forms[2] = [w_to * (1.0 + from / length), -w_from * from / length, 0.0, 0.0];
+            // (1 - s) w_to and s w_from, which are (1 - s) / w_from and s / w_to but for a factor; s rises by `rise` a pixel.
+            let rise = way.map(|part| part / squared);
+            let before = from[0] * rise[0] + from[1] * rise[1];
+            for axis in 0..2 {
+                forms[axis] = [-w_to * rise[axis], w_from * rise[axis], 0.0, 0.0];
+            }
+            forms[2] = [w_to * (1.0 + before), -w_from * before, 0.0, 0.0];
         }
         let [a, b] = colors;
         let attributes = Self::attributes([a, b, b], [fog[0], fog[1], fog[1]]);

@@ -169,6 +169,23 @@ impl<'a> PieceBuilder<'a> {
         let placed = corners.map(|corner| self.clipped_window(&corner, &ends));
         let [Some(from), Some(to)] = placed else { return };
         let mut places = [[from.x, from.y], [to.x, to.y]];
+        if self.state.smooth[1] || self.has_samples() {
+            self.pieces.push(Piece {
+                shape: Shape::Band {
+                    ends: places,
+                    depths: [from.z, to.z],
+                    weights: corners.map(|corner| [0, 1].map(|end| corner.weights[end] as f32)),
+                    w: corners.map(|corner| corner.clip[3]),
+                    width: self.state.line_size,
+                    counter: Some(self.counter),
+                },
+                shade: Shade::Ends { vertices: ends, flat, side },
+                offset: depth_offset(offset, self.state.scale.kind, deepest(&[from, to])),
+            });
+            let count = LineWalk::new(places[0], places[1]).count;
+            self.counter = self.counter.wrapping_add(count as u32);
+            return;
+        }
         // A wide line is shifted across by (width - 1) / 2 (section 3.4.2).
         let shift = (self.state.line_width - 1) * (SUBPIXELS / 2);
         let minor = 1 - LineWalk::new(places[0], places[1]).major;
@@ -202,6 +219,15 @@ impl<'a> PieceBuilder<'a> {
             return;
         }
         let place = self.window(vertex);
+        if self.state.smooth[0] || self.has_samples() {
+            let shape = self.partial_point(vertex);
+            self.pieces.push(Piece {
+                shape,
+                shade: Shade::Ends { vertices: [vertex; 2], flat, side: color_side },
+                offset: depth_offset(offset, self.state.scale.kind, place.z),
+            });
+            return;
+        }
         let side = whole_size(self.point_size(vertex));
         // Odd sizes are centred in a pixel, even ones between pixels (section 3.3.1).
         let first = |at: i32| {
@@ -216,6 +242,29 @@ impl<'a> PieceBuilder<'a> {
             shade: Shade::Ends { vertices: [vertex; 2], flat, side: color_side },
             offset: depth_offset(offset, self.state.scale.kind, place.z),
         });
+    }
+
+    /// Whether pixels have several samples, each of which is covered or not.
+    fn has_samples(&self) -> bool {
+        self.batch.pipeline.multisample.is_some()
+    }
+
+    /// A point that may end within pixels: a disc, or with several samples the square that it is unless it is smooth.
+    fn partial_point(&self, vertex: u32) -> Shape {
+        let WindowVertex { x, y, z } = self.window(vertex);
+        let size = self.point_size(vertex).clamp(1.0, crate::limits::LARGEST_SIZE);
+        if self.state.smooth[0] {
+            return Shape::Disc { centre: [x, y], size, depth: z };
+        }
+        let half = (size * SUBPIXELS as f32 / 2.0).round_ties_even() as i32;
+        Shape::Band {
+            ends: [[x - half, y], [x + half, y]],
+            depths: [z; 2],
+            weights: [[1.0, 0.0]; 2],
+            w: [1.0; 2],
+            width: size,
+            counter: None,
+        }
     }
 
     /// size / sqrt(a + b d + c d^2), within the limits (section 3.3).

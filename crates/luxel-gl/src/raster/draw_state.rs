@@ -20,7 +20,11 @@ pub(crate) struct DrawState {
     pub(super) point_size: f32,
     pub(super) point_limits: [f32; 2],
     pub(super) attenuation: [f32; 3],
+    /// In whole pixels, and as it was set.
     pub(super) line_width: i32,
+    pub(super) line_size: f32,
+    /// Whether points and lines are smooth.
+    pub(super) smooth: [bool; 2],
     /// Enabled planes of the user, by numbers of bits, in eye coordinates.
     pub(super) planes: Vec<(u32, [f64; 4])>,
     pub(super) scale: WindowScale,
@@ -55,6 +59,8 @@ impl DrawState {
             point_limits: [state.points.least, state.points.largest],
             attenuation: state.points.attenuation,
             line_width: whole_size(state.lines.width),
+            line_size: state.lines.width.clamp(1.0, crate::limits::LARGEST_SIZE),
+            smooth: [gl::POINT_SMOOTH, gl::LINE_SMOOTH].map(has),
             planes: enabled
                 .map(|number| (number, state.transform.planes[number as usize]))
                 .collect(),

@@ -6,7 +6,7 @@
 //! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
 //!    memory.
 //! 4. `tile`: takes one tile's list in order, `piece_sink` the samples of one piece (`strokes`: of lines and points,
-//!    `image`: of images; `samples`: where these lie). Where colours take no notice of what is there, samples are tested
+//!    `smooth`: of those that end within pixels; `image`: of images; `samples`: where these lie). Where colours take no notice of what is there, samples are tested
 //!    at once and note which piece they see; those that are seen at last are lit (`lighter`, `shade`). Where they do,
 //!    blocks are lit as they come, once for all samples (`shaded`).
 //! 5. `stencil`, `blend`: tests of fragments and mixing of colours.
@@ -28,6 +28,7 @@ mod placement;
 mod samples;
 mod shade;
 mod shaded;
+mod smooth;
 mod spare;
 mod stencil;
 mod strokes;

@@ -35,6 +35,8 @@ pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) offset: f32,
     /// Colours of an image in the block that comes.
     pub(super) primary: Option<[[f32; LANES]; 4]>,
+    /// The parts of pixels that are covered, by which alphas are multiplied, in the block that comes.
+    pub(super) coverage: Option<[f32; LANES]>,
     /// Counts the samples that pass; the sum doesn't depend on the order of tiles.
     pub(super) samples: Option<&'t AtomicU64>,
 }
@@ -130,7 +132,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             lanes &= stippled(stipple, self.origin, block);
         }
         // Colours of an image are known now alone.
-        let mixing = self.pipeline.is_mixing() || self.primary.is_some();
+        let mixing = self.pipeline.is_mixing() || self.primary.is_some() || self.coverage.is_some();
         let mut colors = None;
         if let Some(multisample) = self.pipeline.multisample.as_ref().filter(|of| of.needs_colors())
         {
@@ -198,9 +200,18 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         self.mix(simd, passing, colors, block);
     }
 
-    /// The piece's own colours.
+    /// The piece's own colours, with coverage in their alphas.
     #[inline(always)]
-    fn colors(&mut self, simd: S, block: usize, mut lanes: u32) -> Colors<S> {
+    fn colors(&mut self, simd: S, block: usize, lanes: u32) -> Colors<S> {
+        let mut colors = self.shaded_colors(simd, block, lanes);
+        if let Some(coverage) = &self.coverage {
+            colors[3] *= f32x16::from_slice(simd, coverage);
+        }
+        colors
+    }
+
+    #[inline(always)]
+    fn shaded_colors(&mut self, simd: S, block: usize, mut lanes: u32) -> Colors<S> {
         if let Some(colors) = self.shaded.get(self.number, block) {
             let mut of = [f32x16::splat(simd, 0.0); 4];
             for (of, color) in of.iter_mut().zip(colors) {

@@ -6,8 +6,9 @@ use super::image::image;
 use super::lighter::{Lighter, PreparedEntries, light_seen};
 use super::log::{ClearedTo, Item};
 use super::piece_sink::PieceSink;
-use super::samples::offset;
+use super::samples::{Multisample, offset};
 use super::shaded::ShadedBlocks;
+use super::smooth::{Course, Figure, covered_in_part, sampled};
 use super::strokes::{bitmap, line, point};
 use crate::plane::TILE_BLOCKS;
 use luxel_math::{LANES, Simd};
@@ -194,6 +195,7 @@ impl<'a> TileWorker<'a> {
                 number,
                 offset: piece.offset,
                 primary: None,
+                coverage: None,
                 samples: batch.samples.as_deref(),
             };
             match piece.shape {
@@ -202,6 +204,20 @@ impl<'a> TileWorker<'a> {
                 }
                 Shape::Line { ends, depths, width, counter, .. } => {
                     line(&mut sink, ends, depths, width, counter);
+                }
+                Shape::Band { ends, depths, width, counter, .. } => {
+                    let stipple = counter.zip(pipeline.line_stipple);
+                    let stipple =
+                        stipple.map(|(counter, (factor, pattern))| (counter, factor, pattern));
+                    if let Some(figure) = Figure::band(ends, width) {
+                        let course = Course { depths, stipple };
+                        partly(&mut sink, &figure, course, multisample, sample);
+                    }
+                }
+                Shape::Disc { centre, size, depth } => {
+                    let course = Course { depths: [depth; 2], stipple: None };
+                    let figure = Figure::disc(centre, size);
+                    partly(&mut sink, &figure, course, multisample, sample);
                 }
                 Shape::Bitmap { corner, depth } => {
                     if let Some(of) = &batch.bitmap {
@@ -216,6 +232,23 @@ impl<'a> TileWorker<'a> {
                 Shape::Point { corner, side, depth } => point(&mut sink, corner, side, depth),
             }
         }
+    }
+}
+
+/// The fragments of a figure that may end within pixels: by samples where there are several, else by the parts that are
+/// covered.
+#[inline(always)]
+fn partly<S: Simd>(
+    sink: &mut PieceSink<'_, '_, S>,
+    figure: &Figure,
+    course: Course,
+    multisample: Option<&Multisample>,
+    sample: usize,
+) {
+    if multisample.is_some() {
+        sampled(sink, figure, course, offset(multisample, sample));
+    } else {
+        covered_in_part(sink, figure, course);
     }
 }
 

@@ -20,6 +20,7 @@ mod modes;
 mod pixel_transfer;
 mod queries;
 mod samples;
+mod smooth;
 mod state;
 mod textures;
 mod waiting;
