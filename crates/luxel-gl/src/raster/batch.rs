@@ -32,17 +32,31 @@ pub(crate) enum Shade {
     Ends { vertices: [u32; 2], flat: Option<u32>, side: u8 },
 }
 
+/// The two ends of a line that clipping has left.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LineEnds {
+    /// In steps of 1/256 pixel.
+    pub(crate) places: [[i32; 2]; 2],
+    pub(crate) depths: [f32; 2],
+    /// Of each the weights of two vertices.
+    pub(crate) weights: [[f32; 2]; 2],
+    pub(crate) w: [f64; 2],
+}
+
+impl LineEnds {
+    /// The fragments of the line.
+    pub(crate) fn walk(&self) -> LineWalk {
+        LineWalk::new(self.places[0], self.places[1])
+    }
+}
+
 /// What covers pixels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Shape {
     Triangle(Triangle),
-    /// Ends in steps of 1/256 pixel, their depths, the counter of stipples where it begins; of each end the weights of
-    /// two vertices, and w.
+    /// A column of pixels across each fragment of a line; the counter of stipples where it begins.
     Line {
-        ends: [[i32; 2]; 2],
-        depths: [f32; 2],
-        weights: [[f32; 2]; 2],
-        w: [f64; 2],
+        line: LineEnds,
         width: i32,
         counter: u32,
     },
@@ -55,15 +69,10 @@ pub(crate) enum Shape {
     Image {
         depth: f32,
     },
-    /// A rectangle about a line, which may end within pixels. Ends and what belongs to them as of [`Line`](Self::Line);
-    /// it is `width` wide.
+    /// A rectangle about a line, which may end within pixels; the counter unless it is never stippled.
     Band {
-        ends: [[i32; 2]; 2],
-        depths: [f32; 2],
-        weights: [[f32; 2]; 2],
-        w: [f64; 2],
+        line: LineEnds,
         width: f32,
-        /// Of a line, which may be stippled.
         counter: Option<u32>,
     },
     /// A disc, which may end within pixels: its centre in steps of 1/256 pixel, and its diameter; its depth.
@@ -154,14 +163,14 @@ impl Batch {
                 let [low, high] = triangle.bounds();
                 (low, high, self.polygon_region)
             }
-            Shape::Line { ends: [a, b], width, .. } => {
+            Shape::Line { line: LineEnds { places: [a, b], .. }, width, .. } => {
                 // Columns of a wide line go up from it, or to the right.
                 let wide = (width + 1) * SUBPIXELS;
                 let low = [a[0].min(b[0]) - SUBPIXELS, a[1].min(b[1]) - SUBPIXELS];
                 let high = [a[0].max(b[0]) + wide, a[1].max(b[1]) + wide];
                 (low, high, self.pipeline.region)
             }
-            Shape::Band { ends: [a, b], width, .. } => {
+            Shape::Band { line: LineEnds { places: [a, b], .. }, width, .. } => {
                 let wide = (width * SUBPIXELS as f32) as i32 + SUBPIXELS;
                 let low = [a[0].min(b[0]) - wide, a[1].min(b[1]) - wide];
                 let high = [a[0].max(b[0]) + wide, a[1].max(b[1]) + wide];
@@ -212,18 +221,19 @@ impl Batch {
             }
             (
                 Shade::Ends { vertices, flat, side },
-                shape @ (Shape::Line { ends, weights, w, .. }
-                | Shape::Band { ends, weights, w, .. }),
+                shape @ (Shape::Line { line, .. } | Shape::Band { line, .. }),
             ) => {
+                let LineEnds { weights, w, .. } = line;
                 let colors = vertices.map(|vertex| self.color(flat.unwrap_or(vertex), side));
                 let fog = vertices.map(|vertex| self.fog(vertex));
                 let mix = |[u, v]: [f32; 2], [a, b]: [[f32; 4]; 2]| -> [f32; 4] {
                     std::array::from_fn(|at| a[at] * u + b[at] * v)
                 };
-                let places = ends.map(|end| end.map(|at| f64::from(at) / f64::from(SUBPIXELS)));
+                let places =
+                    line.places.map(|end| end.map(|at| f64::from(at) / f64::from(SUBPIXELS)));
                 let mut way = [places[1][0] - places[0][0], places[1][1] - places[0][1]];
                 if matches!(shape, Shape::Line { .. }) {
-                    way[1 - LineWalk::new(ends[0], ends[1]).major] = 0.0;
+                    way[1 - line.walk().major] = 0.0;
                 }
                 let prepared = Prepared::along(
                     places[0],

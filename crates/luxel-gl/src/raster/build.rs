@@ -1,10 +1,9 @@
 //! Primitives to pieces: faces, culling, clipping, setup (OpenGL 1.5, sections 2.11, 3.3 to 3.5).
 
-use super::batch::{Batch, Piece, Shade, Shape};
+use super::batch::{Batch, LineEnds, Piece, Shade, Shape};
 use super::draw_state::{DrawState, whole_size};
 use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
 use crate::enums as gl;
-use crate::primitive::line::LineWalk;
 use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment};
 use crate::vertex::codes;
 use luxel_math::SUBPIXELS;
@@ -138,11 +137,8 @@ impl<'a> PieceBuilder<'a> {
         let offset = self.state.offsets[2];
         let offset = offset.map(|[factor, units]| [factor, units, slope_of(&triangle)]);
         let side = self.state.color_side(side) as u8;
-        self.pieces.push(Piece {
-            shape: Shape::Triangle(triangle),
-            shade: Shade::Triangle { corners, flat, side },
-            offset: depth_offset(offset, self.state.scale.kind, deepest(&window)),
-        });
+        let shade = Shade::Triangle { corners, flat, side };
+        self.put(Shape::Triangle(triangle), shade, offset, deepest(&window));
     }
 
     fn push_line(
@@ -168,44 +164,30 @@ impl<'a> PieceBuilder<'a> {
         }
         let placed = corners.map(|corner| self.clipped_window(&corner, &ends));
         let [Some(from), Some(to)] = placed else { return };
-        let mut places = [[from.x, from.y], [to.x, to.y]];
-        if self.state.smooth[1] || self.has_samples() {
-            self.pieces.push(Piece {
-                shape: Shape::Band {
-                    ends: places,
-                    depths: [from.z, to.z],
-                    weights: corners.map(|corner| [0, 1].map(|end| corner.weights[end] as f32)),
-                    w: corners.map(|corner| corner.clip[3]),
-                    width: self.state.line_size,
-                    counter: Some(self.counter),
-                },
-                shade: Shade::Ends { vertices: ends, flat, side },
-                offset: depth_offset(offset, self.state.scale.kind, deepest(&[from, to])),
-            });
-            let count = LineWalk::new(places[0], places[1]).count;
-            self.counter = self.counter.wrapping_add(count as u32);
-            return;
-        }
-        // A wide line is shifted across by (width - 1) / 2 (section 3.4.2).
-        let shift = (self.state.line_width - 1) * (SUBPIXELS / 2);
-        let minor = 1 - LineWalk::new(places[0], places[1]).major;
-        for place in &mut places {
-            place[minor] -= shift;
-        }
-        let walk = LineWalk::new(places[0], places[1]);
-        self.pieces.push(Piece {
-            shape: Shape::Line {
-                ends: places,
-                depths: [from.z, to.z],
-                weights: corners.map(|corner| [0, 1].map(|end| corner.weights[end] as f32)),
-                w: corners.map(|corner| corner.clip[3]),
-                width: self.state.line_width,
-                counter: self.counter,
-            },
-            shade: Shade::Ends { vertices: ends, flat, side },
-            offset: depth_offset(offset, self.state.scale.kind, deepest(&[from, to])),
-        });
-        self.counter = self.counter.wrapping_add(walk.count as u32);
+        let mut line = LineEnds {
+            places: [[from.x, from.y], [to.x, to.y]],
+            depths: [from.z, to.z],
+            weights: corners.map(|corner| [0, 1].map(|end| corner.weights[end] as f32)),
+            w: corners.map(|corner| corner.clip[3]),
+        };
+        let counter = self.counter;
+        let shape = if self.state.smooth[1] || self.has_samples() {
+            Shape::Band { line, width: self.state.line_size, counter: Some(counter) }
+        } else {
+            // A wide line is shifted across by (width - 1) / 2 (section 3.4.2).
+            let minor = 1 - line.walk().major;
+            for place in &mut line.places {
+                place[minor] -= (self.state.line_width - 1) * (SUBPIXELS / 2);
+            }
+            Shape::Line { line, width: self.state.line_width, counter }
+        };
+        self.put(shape, Shade::Ends { vertices: ends, flat, side }, offset, deepest(&[from, to]));
+        self.counter = counter.wrapping_add(line.walk().count as u32);
+    }
+
+    fn put(&mut self, shape: Shape, shade: Shade, offset: Option<[f32; 3]>, largest: f32) {
+        let offset = depth_offset(offset, self.state.scale.kind, largest);
+        self.pieces.push(Piece { shape, shade, offset });
     }
 
     fn push_point(
@@ -218,16 +200,18 @@ impl<'a> PieceBuilder<'a> {
         if code & (codes::OUTSIDE | codes::NOT_FINITE | codes::NOT_HELD) != 0 {
             return;
         }
+        let shape = if self.state.smooth[0] || self.has_samples() {
+            self.partial_point(vertex)
+        } else {
+            self.whole_point(vertex)
+        };
+        let shade = Shade::Ends { vertices: [vertex; 2], flat, side: color_side };
+        self.put(shape, shade, offset, self.window(vertex).z);
+    }
+
+    /// A square of whole pixels.
+    fn whole_point(&self, vertex: u32) -> Shape {
         let place = self.window(vertex);
-        if self.state.smooth[0] || self.has_samples() {
-            let shape = self.partial_point(vertex);
-            self.pieces.push(Piece {
-                shape,
-                shade: Shade::Ends { vertices: [vertex; 2], flat, side: color_side },
-                offset: depth_offset(offset, self.state.scale.kind, place.z),
-            });
-            return;
-        }
         let side = whole_size(self.point_size(vertex));
         // Odd sizes are centred in a pixel, even ones between pixels (section 3.3.1).
         let first = |at: i32| {
@@ -237,11 +221,7 @@ impl<'a> PieceBuilder<'a> {
                 (at + SUBPIXELS / 2).div_euclid(SUBPIXELS) - side / 2
             }
         };
-        self.pieces.push(Piece {
-            shape: Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z },
-            shade: Shade::Ends { vertices: [vertex; 2], flat, side: color_side },
-            offset: depth_offset(offset, self.state.scale.kind, place.z),
-        });
+        Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z }
     }
 
     /// Whether pixels have several samples, each of which is covered or not.
@@ -257,14 +237,9 @@ impl<'a> PieceBuilder<'a> {
             return Shape::Disc { centre: [x, y], size, depth: z };
         }
         let half = (size * SUBPIXELS as f32 / 2.0).round_ties_even() as i32;
-        Shape::Band {
-            ends: [[x - half, y], [x + half, y]],
-            depths: [z; 2],
-            weights: [[1.0, 0.0]; 2],
-            w: [1.0; 2],
-            width: size,
-            counter: None,
-        }
+        let places = [[x - half, y], [x + half, y]];
+        let line = LineEnds { places, depths: [z; 2], weights: [[1.0, 0.0]; 2], w: [1.0; 2] };
+        Shape::Band { line, width: size, counter: None }
     }
 
     /// size / sqrt(a + b d + c d^2), within the limits (section 3.3).

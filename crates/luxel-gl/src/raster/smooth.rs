@@ -328,12 +328,12 @@ mod tests {
                 for x in left..right {
                     let coverage = figure.coverage([x, y]);
                     sum += coverage;
-                    prop_assert!((coverage - counted(&figure, [x, y])).abs() < 0.03);
+                    prop_assert!((coverage - counted(&figure, [x, y])).abs() < 0.06);
                 }
             }
             let radius = f64::from(size) / 2.0;
             let area = std::f64::consts::PI * radius * radius;
-            prop_assert!((sum - area).abs() < 0.02 * area, "{} instead of {}", sum, area);
+            prop_assert!((sum - area).abs() < 0.02 * area + 0.08, "{} instead of {}", sum, area);
         }
     }
 

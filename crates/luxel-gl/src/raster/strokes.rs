@@ -1,8 +1,8 @@
 //! Lines, points and bitmaps in a tile (OpenGL 1.5, sections 3.3, 3.4 and 3.7).
 
+use super::batch::LineEnds;
 use super::bitmap::Bitmap;
 use super::piece_sink::PieceSink;
-use crate::primitive::line::LineWalk;
 use luxel_math::{SUBPIXELS, Simd};
 use luxel_visibility::{DepthPlane, Sink, TILE};
 
@@ -10,12 +10,12 @@ use luxel_visibility::{DepthPlane, Sink, TILE};
 #[inline(always)]
 pub(super) fn line<S: Simd>(
     sink: &mut PieceSink<'_, '_, S>,
-    ends: [[i32; 2]; 2],
-    depths: [f32; 2],
+    of: &LineEnds,
     width: i32,
     counter: u32,
 ) {
-    let walk = LineWalk::new(ends[0], ends[1]);
+    let LineEnds { places: ends, depths, .. } = *of;
+    let walk = of.walk();
     let (major, minor) = (walk.major, 1 - walk.major);
     let length = (ends[1][major] - ends[0][major]) as f32;
     let slope = if length == 0.0 { 0.0 } else { (depths[1] - depths[0]) / length };

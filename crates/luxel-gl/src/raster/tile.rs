@@ -202,15 +202,15 @@ impl<'a> TileWorker<'a> {
                 Shape::Triangle(ref triangle) => {
                     cover(simd, triangle, self.region, offset(multisample, sample), &mut sink);
                 }
-                Shape::Line { ends, depths, width, counter, .. } => {
-                    line(&mut sink, ends, depths, width, counter);
+                Shape::Line { line: ref of, width, counter } => {
+                    line(&mut sink, of, width, counter);
                 }
-                Shape::Band { ends, depths, width, counter, .. } => {
+                Shape::Band { line: ref of, width, counter } => {
                     let stipple = counter.zip(pipeline.line_stipple);
                     let stipple =
                         stipple.map(|(counter, (factor, pattern))| (counter, factor, pattern));
-                    if let Some(figure) = Figure::band(ends, width) {
-                        let course = Course { depths, stipple };
+                    if let Some(figure) = Figure::band(of.places, width) {
+                        let course = Course { depths: of.depths, stipple };
                         partly(&mut sink, &figure, course, multisample, sample);
                     }
                 }
