@@ -36,7 +36,8 @@ impl Context {
                 let image = texture.image(*face, *level)?;
                 let format = image.format;
                 let depth = format.is_depth().then(|| format.depth_kind());
-                let planes = Planes { color: depth.is_none(), depth, stencil: format.stencil };
+                let (color, stencil) = (depth.is_none(), format.stencil);
+                let planes = Planes { color, alpha: color && format.has_alpha(), depth, stencil };
                 Some(ImageKind { size: [image.size[0], image.size[1]], planes, samples: 1 })
             }
         }

@@ -8,7 +8,7 @@ use crate::Context;
 use crate::context::{demand, outside_begin};
 use crate::depth::DepthKind;
 use crate::enums as gl;
-use crate::objects::framebuffer::{Attachment, DEPTH, STENCIL, attachments_named};
+use crate::objects::framebuffer::{Attachment, COLOR, DEPTH, STENCIL, attachments_named};
 use crate::raster::Framebuffer;
 use crate::texture::{ImageTarget, locked};
 use crate::values::Values;
@@ -25,7 +25,11 @@ impl Context {
 
     /// Whether colours of the framebuffer that is drawn to have alphas of their own.
     pub(crate) fn has_alpha(&self) -> bool {
-        self.framebuffers.get(self.framebuffers.draw).is_some() || self.configuration.alpha
+        let Some(object) = self.framebuffers.get(self.framebuffers.draw) else {
+            return self.configuration.alpha;
+        };
+        let kind = object.attachments[COLOR].as_ref().and_then(|image| self.image_kind(image));
+        kind.is_none_or(|kind| kind.planes.alpha)
     }
 
     /// Sets an error if what is bound for drawing can't be drawn to.

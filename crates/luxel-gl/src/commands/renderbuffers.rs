@@ -109,8 +109,8 @@ impl Context {
                 gl::RENDERBUFFER_SAMPLES => Some(Values::count(of.samples)),
                 gl::RENDERBUFFER_RED_SIZE
                 | gl::RENDERBUFFER_GREEN_SIZE
-                | gl::RENDERBUFFER_BLUE_SIZE
-                | gl::RENDERBUFFER_ALPHA_SIZE => bits(planes.color, 8),
+                | gl::RENDERBUFFER_BLUE_SIZE => bits(planes.color, 8),
+                gl::RENDERBUFFER_ALPHA_SIZE => bits(planes.alpha, 8),
                 gl::RENDERBUFFER_DEPTH_SIZE => {
                     Some(Values::count(planes.depth.map_or(0, DepthKind::bits)))
                 }

@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Planes {
     pub(crate) color: bool,
+    /// Whether colours have alphas.
+    pub(crate) alpha: bool,
     pub(crate) depth: Option<DepthKind>,
     pub(crate) stencil: bool,
 }
@@ -17,18 +19,19 @@ pub(crate) struct Planes {
 impl Planes {
     /// The planes of a format of renderbuffers; `None` for one that isn't one.
     pub(crate) fn of_format(format: u32) -> Option<Self> {
-        let planes = |color, depth, stencil| Some(Self { color, depth, stencil });
+        let colors = |alpha| Some(Self { color: true, alpha, depth: None, stencil: false });
+        let depths = |depth, stencil| Some(Self { color: false, alpha: false, depth, stencil });
         let (steps, floats) = (Some(DepthKind::Steps), Some(DepthKind::Floats));
         match format {
             gl::RGB
-            | gl::RGBA
             | gl::R3_G3_B2
             | gl::RGB4
             | gl::RGB5
             | gl::RGB8
             | gl::RGB10
             | gl::RGB12
-            | gl::RGB16
+            | gl::RGB16 => colors(false),
+            gl::RGBA
             | gl::RGBA2
             | gl::RGBA4
             | gl::RGB5_A1
@@ -36,19 +39,19 @@ impl Planes {
             | gl::RGB10_A2
             | gl::RGBA12
             | gl::RGBA16
-            | gl::SRGB8_ALPHA8 => planes(true, None, false),
+            | gl::SRGB8_ALPHA8 => colors(true),
             gl::DEPTH_COMPONENT
             | gl::DEPTH_COMPONENT16
             | gl::DEPTH_COMPONENT24
-            | gl::DEPTH_COMPONENT32 => planes(false, steps, false),
-            gl::DEPTH_STENCIL | gl::DEPTH24_STENCIL8 => planes(false, steps, true),
-            gl::DEPTH_COMPONENT32F => planes(false, floats, false),
-            gl::DEPTH32F_STENCIL8 => planes(false, floats, true),
+            | gl::DEPTH_COMPONENT32 => depths(steps, false),
+            gl::DEPTH_STENCIL | gl::DEPTH24_STENCIL8 => depths(steps, true),
+            gl::DEPTH_COMPONENT32F => depths(floats, false),
+            gl::DEPTH32F_STENCIL8 => depths(floats, true),
             gl::STENCIL_INDEX
             | gl::STENCIL_INDEX1
             | gl::STENCIL_INDEX4
             | gl::STENCIL_INDEX8
-            | gl::STENCIL_INDEX16 => planes(false, None, true),
+            | gl::STENCIL_INDEX16 => depths(None, true),
             _ => None,
         }
     }

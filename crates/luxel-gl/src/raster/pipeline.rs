@@ -51,9 +51,10 @@ pub(crate) struct Blend {
     pub(crate) constant: [f32; 4],
 }
 
-/// What a framebuffer has, apart from colours.
+/// What a framebuffer has beside red, green and blue.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Buffers {
+    pub(crate) alpha: bool,
     pub(crate) depth: bool,
     pub(crate) stencil: bool,
     /// Whether a pixel has several samples.
@@ -75,7 +76,7 @@ impl Pipeline {
             (has(gl::COLOR_LOGIC_OP) && color.logic_op != gl::COPY).then_some(color.logic_op);
         let blend = Blend {
             equation: color.blend_equation,
-            factors: color.blend,
+            factors: if buffers.alpha { color.blend } else { color.blend.map(without_alpha) },
             constant: color.blend_color,
         };
         let color_bits = if color.draw_buffer == gl::NONE { 0 } else { color_bits };
@@ -116,6 +117,15 @@ impl Pipeline {
         let mixes = self.blend.is_some() || self.logic_op.is_some() || partial;
         let by_alpha = self.multisample.as_ref().is_some_and(Multisample::needs_colors);
         self.alpha_test.is_some() || by_alpha || self.color_bits != 0 && mixes
+    }
+}
+
+/// A factor where all alphas that are there are 1.
+fn without_alpha(factor: u32) -> u32 {
+    match factor {
+        gl::DST_ALPHA => gl::ONE,
+        gl::ONE_MINUS_DST_ALPHA | gl::SRC_ALPHA_SATURATE => gl::ZERO,
+        _ => factor,
     }
 }
 

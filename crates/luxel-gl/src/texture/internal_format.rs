@@ -108,6 +108,12 @@ impl InternalFormat {
         }
     }
 
+    /// Whether colours have alphas.
+    pub(crate) fn has_alpha(self) -> bool {
+        use BaseFormat::{Alpha, Intensity, LuminanceAlpha, Rgba};
+        matches!(self.base, Alpha | Intensity | LuminanceAlpha | Rgba)
+    }
+
     /// How depths are kept.
     pub(crate) fn depth_kind(self) -> DepthKind {
         match self.storage {

@@ -224,3 +224,36 @@ fn ext_framebuffer_object_depth_textures_need_no_colour() {
     assert_eq!(kept, depths);
     assert_eq!(context.get_error(), gl::NO_ERROR);
 }
+
+#[test]
+fn colours_without_alphas_are_read_and_blended_as_if_these_were_1() {
+    const DST_ALPHA: u32 = 0x0304;
+    const ONE_MINUS_DST_ALPHA: u32 = 0x0305;
+    const RGB8: u32 = 0x8051;
+    const ALPHA_SIZE: u32 = 0x8d53;
+    let blended = |context: &mut Context| {
+        context.clear_color([0.0; 4]);
+        context.clear(gl::COLOR_BUFFER_BIT);
+        context.enable(gl::BLEND);
+        context.blend_func(DST_ALPHA, ONE_MINUS_DST_ALPHA);
+        context.color([0.2, 0.6, 1.0, 0.4]);
+        draw(context, gl::TRIANGLES, &WHOLE);
+        read(context, 1, 1)[0]
+    };
+    for (format, alpha_bits, expected) in [(RGBA8, 8, [0, 0, 0, 0]), (RGB8, 0, [51, 153, 255, 255])]
+    {
+        let mut context = canvas(8, 8);
+        with_renderbuffers(&mut context, 8, 8);
+        let name = context.gen_renderbuffers(1)[0];
+        context.bind_renderbuffer(RENDERBUFFER, name);
+        context.renderbuffer_storage(RENDERBUFFER, 0, format, 8, 8);
+        context.framebuffer_renderbuffer(FRAMEBUFFER, COLOR, RENDERBUFFER, name);
+        let size = context.get_renderbuffer_parameter(RENDERBUFFER, ALPHA_SIZE).unwrap();
+        assert_eq!(size.to_i32(0), alpha_bits);
+        assert_eq!(context.get(0x0d55).unwrap().to_i32(0), alpha_bits);
+        assert_eq!(blended(&mut context), expected, "{format:#x}");
+    }
+    let mut context = Context::new(luxel_gl::Configuration { alpha: false, ..Default::default() });
+    context.resize_default(8, 8);
+    assert_eq!(blended(&mut context), [51, 153, 255, 255]);
+}
