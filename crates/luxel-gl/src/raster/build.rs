@@ -129,16 +129,16 @@ impl<'a> PieceBuilder<'a> {
         flat: Option<u32>,
         facing: Option<usize>,
     ) {
-        let Some(triangle) = Triangle::new(window, CullFaces::None) else { return };
         let side = facing.unwrap_or_else(|| self.state.side(area(window)));
         if self.state.is_culled(side) {
             return;
         }
+        let Some(triangle) = Triangle::new(window, CullFaces::None) else { return };
         let offset = self.state.offsets[2];
         let offset = offset.map(|[factor, units]| [factor, units, slope_of(&triangle)]);
         let side = self.state.color_side(side) as u8;
         let shade = Shade::Triangle { corners, flat, side };
-        self.put(Shape::Triangle(triangle), shade, offset, deepest(&window));
+        self.put(Shape::Triangle(triangle), shade, offset, triangle.depth.high);
     }
 
     fn push_line(
