@@ -141,8 +141,10 @@ impl Context {
     ) -> usize {
         let dimensions = dimensions as usize;
         let reads = if self.is_compiling() {
-            image_target(dimensions, target)
-                .is_ok_and(|image| !image.proxy && is_size(image.target, 0, size, 0))
+            image_target(dimensions, target).is_ok_and(|image| {
+                let sides = 0..=image.target.largest_side() as i32 + 2;
+                !image.proxy && size.iter().all(|side| sides.contains(side))
+            })
         } else {
             self.checked_part((dimensions, target), level, offset, size).is_ok()
         };

@@ -243,3 +243,27 @@ fn section_5_4_lists_keep_pixels_and_leave_out_proxies() {
     square(&mut context, 1.0, 1.0);
     assert_eq!(pixels(&mut context), [[7, 8, 9, 10]]);
 }
+
+#[test]
+fn what_a_part_of_an_image_reads_is_known_while_a_list_is_compiled() {
+    const FACE: u32 = 0x8515;
+    let (format, data_type) = (gl::RGBA, gl::UNSIGNED_BYTE);
+    let mut context = textured(1);
+    image(&mut context, 0, gl::RGBA, 4, &[[0; 4]; 16]);
+    context.tex_image_2d(FACE, 0, 4, [4; 2], 0, format, data_type, None);
+    let read = |context: &Context, target: u32, offset: i32, size: [i32; 2]| {
+        let (offset, size) = ([offset, 0, 0], [size[0], size[1], 1]);
+        context.tex_sub_image_bytes(2, target, 0, offset, size, format, data_type)
+    };
+    // Whether a part fits isn't known before the list is called; nothing is as large as the last one.
+    for (listed, beyond) in [(false, 0), (true, 32)] {
+        if listed {
+            context.new_list(1, gl::COMPILE);
+        }
+        assert_eq!(read(&context, TEXTURE_2D, 0, [4, 2]), 32);
+        assert_eq!(read(&context, FACE, 0, [4, 2]), 32, "a part of a face needn't be square");
+        assert_eq!(read(&context, TEXTURE_2D, 1, [4, 2]), beyond);
+        assert_eq!(read(&context, TEXTURE_2D, 0, [1 << 20, 2]), 0);
+        assert_eq!(read(&context, TEXTURE_2D, 0, [-1, 2]), 0);
+    }
+}
