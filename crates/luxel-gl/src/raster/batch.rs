@@ -3,6 +3,7 @@
 use super::bitmap::Bitmap;
 use super::image::PlacedImage;
 use super::pipeline::Pipeline;
+use super::smooth::Figure;
 use crate::fragment::TextureStages;
 use crate::primitive::line::LineWalk;
 use crate::texture::Target;
@@ -89,6 +90,17 @@ pub(crate) enum Shape {
     },
 }
 
+impl Shape {
+    /// The figure of a shape that may end within pixels; `None` for others, and for a line that is a place.
+    pub(super) fn figure(&self) -> Option<Figure> {
+        match *self {
+            Self::Band { line, width, .. } => Figure::band(line.places, width),
+            Self::Disc { centre, size, .. } => Some(Figure::disc(centre, size)),
+            _ => None,
+        }
+    }
+}
+
 /// A shape with the primitive that it is a part of.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
@@ -170,15 +182,11 @@ impl Batch {
                 let high = [a[0].max(b[0]) + wide, a[1].max(b[1]) + wide];
                 (low, high, self.pipeline.region)
             }
-            Shape::Band { line: LineEnds { places: [a, b], .. }, width, .. } => {
-                let wide = (width * SUBPIXELS as f32) as i32 + SUBPIXELS;
-                let low = [a[0].min(b[0]) - wide, a[1].min(b[1]) - wide];
-                let high = [a[0].max(b[0]) + wide, a[1].max(b[1]) + wide];
-                (low, high, self.pipeline.region)
-            }
-            Shape::Disc { centre, size, .. } => {
-                let wide = (size * SUBPIXELS as f32) as i32 + SUBPIXELS;
-                (centre.map(|at| at - wide), centre.map(|at| at + wide), self.pipeline.region)
+            Shape::Band { .. } | Shape::Disc { .. } => {
+                let [l, b, r, t] = self.pipeline.region;
+                let bounds = piece.shape.figure().map(|figure| figure.bounds());
+                let [left, bottom, right, top] = bounds.unwrap_or_default();
+                return [left.max(l), bottom.max(b), right.min(r), top.min(t)];
             }
             Shape::Bitmap { corner, .. } => {
                 let region = self.pipeline.region;

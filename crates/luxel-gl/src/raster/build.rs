@@ -175,11 +175,11 @@ impl<'a> PieceBuilder<'a> {
             Shape::Band { line, width: self.state.line_size, counter: Some(counter) }
         } else {
             // A wide line is shifted across by (width - 1) / 2 (section 3.4.2).
-            let minor = 1 - line.walk().major;
+            let (width, minor) = (whole_size(self.state.line_size), 1 - line.walk().major);
             for place in &mut line.places {
-                place[minor] -= (self.state.line_width - 1) * (SUBPIXELS / 2);
+                place[minor] -= (width - 1) * (SUBPIXELS / 2);
             }
-            Shape::Line { line, width: self.state.line_width, counter }
+            Shape::Line { line, width, counter }
         };
         self.put(shape, Shade::Ends { vertices: ends, flat, side }, offset, deepest(&[from, to]));
         self.counter = counter.wrapping_add(line.walk().count as u32);

@@ -20,8 +20,7 @@ pub(crate) struct DrawState {
     pub(super) point_size: f32,
     pub(super) point_limits: [f32; 2],
     pub(super) attenuation: [f32; 3],
-    /// In whole pixels, and as it was set.
-    pub(super) line_width: i32,
+    /// The width of lines, within its limits.
     pub(super) line_size: f32,
     /// Whether points and lines are smooth.
     pub(super) smooth: [bool; 2],
@@ -58,7 +57,6 @@ impl DrawState {
             point_size: state.points.size,
             point_limits: [state.points.least, state.points.largest],
             attenuation: state.points.attenuation,
-            line_width: whole_size(state.lines.width),
             line_size: state.lines.width.clamp(1.0, crate::limits::LARGEST_SIZE),
             smooth: [gl::POINT_SMOOTH, gl::LINE_SMOOTH].map(has),
             planes: enabled

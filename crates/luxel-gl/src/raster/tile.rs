@@ -8,7 +8,7 @@ use super::log::{ClearedTo, Item};
 use super::piece_sink::PieceSink;
 use super::samples::{Multisample, offset};
 use super::shaded::ShadedBlocks;
-use super::smooth::{Course, Figure, covered_in_part, sampled};
+use super::smooth::{Course, covered_in_part, sampled};
 use super::strokes::{bitmap, line, point};
 use crate::plane::TILE_BLOCKS;
 use luxel_math::{LANES, Simd};
@@ -157,7 +157,7 @@ impl<'a> TileWorker<'a> {
         for (sample, seen) in self.seen.iter_mut().enumerate() {
             let planes = &mut self.planes.sample(sample, &mut self.missing);
             if whole && matches!(clear.color_mask, 0 | u32::MAX) {
-                clear_all(planes, if hides { Some(seen) } else { None }, clear);
+                clear_all(planes, hides.then_some(seen), clear);
             } else {
                 clear_part(planes, seen, clear, part);
             }
@@ -205,19 +205,14 @@ impl<'a> TileWorker<'a> {
                 Shape::Line { line: ref of, width, counter } => {
                     line(&mut sink, of, width, counter);
                 }
-                Shape::Band { line: ref of, width, counter } => {
+                Shape::Band { line: ref of, counter, .. } => {
                     let stipple = counter.zip(pipeline.line_stipple);
-                    let stipple =
-                        stipple.map(|(counter, (factor, pattern))| (counter, factor, pattern));
-                    if let Some(figure) = Figure::band(of.places, width) {
-                        let course = Course { depths: of.depths, stipple };
-                        partly(&mut sink, &figure, course, multisample, sample);
-                    }
+                    let course = Course { depths: of.depths, stipple };
+                    partly(&mut sink, piece, course, multisample, sample);
                 }
-                Shape::Disc { centre, size, depth } => {
+                Shape::Disc { depth, .. } => {
                     let course = Course { depths: [depth; 2], stipple: None };
-                    let figure = Figure::disc(centre, size);
-                    partly(&mut sink, &figure, course, multisample, sample);
+                    partly(&mut sink, piece, course, multisample, sample);
                 }
                 Shape::Bitmap { corner, depth } => {
                     if let Some(of) = &batch.bitmap {
@@ -240,15 +235,16 @@ impl<'a> TileWorker<'a> {
 #[inline(always)]
 fn partly<S: Simd>(
     sink: &mut PieceSink<'_, '_, S>,
-    figure: &Figure,
+    piece: &Piece,
     course: Course,
     multisample: Option<&Multisample>,
     sample: usize,
 ) {
+    let Some(figure) = piece.shape.figure() else { return };
     if multisample.is_some() {
-        sampled(sink, figure, course, offset(multisample, sample));
+        sampled(sink, &figure, course, offset(multisample, sample));
     } else {
-        covered_in_part(sink, figure, course);
+        covered_in_part(sink, &figure, course);
     }
 }
 

@@ -24,7 +24,7 @@ pub(crate) mod codes {
     pub(crate) const OUTSIDE: u16 = (1 << 14) - 1;
 }
 
-/// From clip coordinates to the window, in steps of 1/256 pixel and of 2^-24 of depth.
+/// From clip coordinates to the window, in steps of 1/256 pixel and depths as their plane keeps them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct WindowScale {
     /// Half the viewport's sides; that along y is negative where y runs downwards.
@@ -35,6 +35,7 @@ pub(crate) struct WindowScale {
     pub(crate) depth: [f32; 2],
     /// z / w of the near plane.
     pub(crate) nearest: f32,
+    /// How depths are kept.
     pub(crate) kind: DepthKind,
 }
 
