@@ -1,9 +1,10 @@
 /* How long OpenGL's fixed-function commands take on the libOSMesa that the loader finds.
  *
- *     cc -O2 calls.c -o calls -lOSMesa -lm && ./calls [ROUNDS]
+ *     cc -O2 calls.c -o calls -lOSMesa -lm && ./calls [ROUNDS [PROGRAM]]
  *
- * Prints a line for each program: its name and the median of its milliseconds. 1280x720 pixels; the mesh has 99,904
- * triangles, one light with a local viewer, back faces culled. `speed.py` runs it in turns with another library. */
+ * Prints a line for each program, or for one of that name: its name and the median of its milliseconds. 1280x720 pixels;
+ * the mesh has 99,904 triangles, one light with a local viewer, back faces culled. `speed.py` runs it in turns with another
+ * library. */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
 #include <GL/gl.h>
